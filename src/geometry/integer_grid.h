@@ -1,0 +1,48 @@
+// The exact rungs' numbers: coordinates as integers on the coarsest power-of-two grid that carries a few
+// given points.
+//
+// Guarantees: exact for all finite doubles. All predicates are homogeneous in differences of points, so a
+// common power of two does not change their signs. Two integer types: WideInteger has a fixed size and never
+// allocates, and serves where the points span at most kWideBits bits on their grid; GMP's integers serve
+// everywhere.
+#pragma once
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <boost/multiprecision/gmp.hpp>
+#include <span>
+
+#include "flowcert/point_set.h"
+#include "geometry/vector3.h"
+
+namespace flowcert {
+
+namespace mp = boost::multiprecision;
+
+using BigInteger = mp::number<mp::gmp_int, mp::et_off>;
+// Holds polynomials of degree 6 in differences of kWideBits + 1 bits, with 10 bits to spare for their many
+// terms.
+using WideInteger =
+    mp::number<mp::cpp_int_backend<512, 512, mp::signed_magnitude, mp::unchecked, void>, mp::et_off>;
+inline constexpr int kWideBits = 82;
+
+class IntegerGrid {
+ public:
+  // The finest exponent that a coordinate of the points needs.
+  explicit IntegerGrid(std::span<const Point* const> points);
+
+  // Whether every coordinate is below 2^kWideBits in units of the grid.
+  [[nodiscard]] bool fits_wide() const { return top_exponent_ - exponent_ <= kWideBits; }
+
+  // to - from, in units of the grid. For WideInteger only where fits_wide().
+  template <class Integer>
+  [[nodiscard]] Vector3<Integer> vector_between(const Point& from, const Point& to) const;
+
+ private:
+  template <class Integer>
+  [[nodiscard]] Integer difference(double from, double to) const;
+
+  int exponent_;      // the grid is 2^exponent_ Z
+  int top_exponent_;  // all coordinates are below 2^top_exponent_ in absolute value
+};
+
+}  // namespace flowcert

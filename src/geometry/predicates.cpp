@@ -1,0 +1,162 @@
+// See predicates.h. Each predicate is one polynomial, a template over the number type; the rungs differ in
+// that type alone, and in the error bound that double needs.
+#include "geometry/predicates.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/integer_grid.h"
+#include "geometry/vector3.h"
+
+namespace flowcert {
+
+namespace {
+
+// The points a query is about, and the differences its polynomial is in.
+std::array<const Point*, 3> points_of(const Angle& k) { return {&k.p, &k.q, &k.r}; }
+std::array<const Point*, 4> points_of(const SideOfPlane& k) { return {&k.f0, &k.f1, &k.f2, &k.apex}; }
+std::array<const Point*, 5> points_of(const OutsideSphere& k) { return {&k.p0, &k.p1, &k.p2, &k.p3, &k.q}; }
+std::array<const Point*, 4> points_of(const Orientation& k) { return {&k.p0, &k.p1, &k.p2, &k.p3}; }
+std::array<const Point*, 4> points_of(const OutsideCircle& k) { return {&k.p0, &k.p1, &k.q, &k.r}; }
+
+template <class Number>
+Number value_of(const Angle&, const std::array<Vector3<Number>, 2>& v) {
+  return dot(v[0], v[1]);
+}
+
+// The circumcentre is numerator / (2 det), the apex lies at height det over ab, the centre at <ab, numerator>
+// / (2 det).
+template <class Number>
+Number value_of(const SideOfPlane&, const std::array<Vector3<Number>, 3>& v) {
+  const auto sphere = circumsphere(v[0], v[1], v[2]);
+  return dot(sphere.ab, sphere.numerator);
+}
+
+template <class Number>
+Number value_of(const OutsideSphere&, const std::array<Vector3<Number>, 4>& v) {
+  const auto sphere = circumsphere(v[0], v[1], v[2]);
+  return dot(v[3], v[3]) * sphere.determinant - dot(sphere.numerator, v[3]);
+}
+
+template <class Number>
+Number value_of(const Orientation&, const std::array<Vector3<Number>, 3>& v) {
+  return dot(v[0], cross(v[1], v[2]));
+}
+
+// cot(q) + cot(r) > 0, over the common denominator. Both cross products are along the plane's normal, with
+// opposite signs, so one coordinate of each, the same, tells their lengths; v = p0-q, p1-q, p0-r, p1-r.
+template <class Number>
+Number value_of(const OutsideCircle&, const std::array<Vector3<Number>, 4>& v) {
+  using std::abs;
+  const Vector3<Number> at_q = cross(v[0], v[1]);
+  const Vector3<Number> at_r = cross(v[2], v[3]);
+  const Number hq = dot(v[0], v[1]);
+  const Number hr = dot(v[2], v[3]);
+  const Number ax = abs(at_q.x), ay = abs(at_q.y), az = abs(at_q.z);
+  if (ax >= ay && ax >= az) return hq * abs(at_r.x) + hr * ax;
+  return ay >= az ? hq * abs(at_r.y) + hr * ay : hq * abs(at_r.z) + hr * az;
+}
+
+// The vectors of a query: ordered so that value_of() above reads well.
+template <class Between>
+auto vectors_of(const Angle& k, const Between& between) {
+  return std::array{between(k.q, k.p), between(k.q, k.r)};
+}
+template <class Between>
+auto vectors_of(const SideOfPlane& k, const Between& between) {
+  return std::array{between(k.f0, k.f1), between(k.f0, k.f2), between(k.f0, k.apex)};
+}
+template <class Between>
+auto vectors_of(const OutsideSphere& k, const Between& between) {
+  return std::array{between(k.p0, k.p1), between(k.p0, k.p2), between(k.p0, k.p3), between(k.p0, k.q)};
+}
+template <class Between>
+auto vectors_of(const Orientation& k, const Between& between) {
+  return std::array{between(k.p0, k.p1), between(k.p0, k.p2), between(k.p0, k.p3)};
+}
+template <class Between>
+auto vectors_of(const OutsideCircle& k, const Between& between) {
+  return std::array{between(k.q, k.p0), between(k.q, k.p1), between(k.r, k.p0), between(k.r, k.p1)};
+}
+
+// The bounds of predicates.h, with n the norms of the vectors, rounded up to constants that also cover the
+// rounding of the norms.
+double error_bound(const Angle&, const std::array<double, 2>& n) { return 6 * kUnitRoundoff * n[0] * n[1]; }
+double error_bound(const SideOfPlane&, const std::array<double, 3>& n) {
+  const double ab = n[0] * n[1];
+  return 24 * kUnitRoundoff * ab * (ab * n[2]) * (n[0] + n[1] + n[2]);
+}
+double error_bound(const OutsideSphere&, const std::array<double, 4>& n) {
+  return 20 * kUnitRoundoff * (n[0] * n[1] * n[2] * n[3]) * (n[0] + n[1] + n[2] + n[3]);
+}
+double error_bound(const Orientation&, const std::array<double, 3>& n) {
+  return 10 * kUnitRoundoff * n[0] * n[1] * n[2];
+}
+// Two products of a dot product (5.1 u) and one coordinate of a cross product (5.7 u), and their sum.
+double error_bound(const OutsideCircle&, const std::array<double, 4>& n) {
+  return 27 * kUnitRoundoff * (n[0] * n[1]) * (n[2] * n[3]);
+}
+
+template <class Query>
+MaybeSign double_sign(const Query& query) {
+  const auto vectors =
+      vectors_of(query, [](const Point& from, const Point& to) { return vector_between(from, to); });
+  std::array<double, vectors.size()> norms;
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    norms[i] = std::sqrt(dot(vectors[i], vectors[i]));
+    if (!(norms[i] >= kSmallestNorm && norms[i] <= kLargestNorm)) return std::nullopt;
+  }
+  return sign_beyond(value_of(query, vectors), error_bound(query, norms));
+}
+
+template <class Integer, class Query>
+Sign integer_sign(const Query& query, const IntegerGrid& grid) {
+  return sign_of(value_of(query, vectors_of(query, [&grid](const Point& from, const Point& to) {
+                            return grid.vector_between<Integer>(from, to);
+                          })));
+}
+
+}  // namespace
+
+template <class Query>
+MaybeSign sign_on_rung(const Query& query, Rung rung) {
+  if (rung == Rung::kDouble) return double_sign(query);
+  const IntegerGrid grid(points_of(query));
+  if (rung == Rung::kBig) return integer_sign<BigInteger>(query, grid);
+  if (!grid.fits_wide()) return std::nullopt;
+  return integer_sign<WideInteger>(query, grid);
+}
+
+template <class Query>
+Sign unfiltered_sign(const Query& query) {
+  const IntegerGrid grid(points_of(query));
+  return grid.fits_wide() ? integer_sign<WideInteger>(query, grid) : integer_sign<BigInteger>(query, grid);
+}
+
+template <class Query>
+Sign exact_sign(const Query& query, FilterTally& tally) {
+  FilterCount& count = tally[Query::kPredicate];
+  ++count.calls;
+  if (const MaybeSign sign = double_sign(query)) return *sign;
+  ++count.failures;
+  return unfiltered_sign(query);
+}
+
+template MaybeSign sign_on_rung(const Angle&, Rung);
+template MaybeSign sign_on_rung(const SideOfPlane&, Rung);
+template MaybeSign sign_on_rung(const OutsideSphere&, Rung);
+template MaybeSign sign_on_rung(const Orientation&, Rung);
+template MaybeSign sign_on_rung(const OutsideCircle&, Rung);
+template Sign unfiltered_sign(const Angle&);
+template Sign unfiltered_sign(const SideOfPlane&);
+template Sign unfiltered_sign(const OutsideSphere&);
+template Sign unfiltered_sign(const Orientation&);
+template Sign unfiltered_sign(const OutsideCircle&);
+template Sign exact_sign(const Angle&, FilterTally&);
+template Sign exact_sign(const SideOfPlane&, FilterTally&);
+template Sign exact_sign(const OutsideSphere&, FilterTally&);
+template Sign exact_sign(const Orientation&, FilterTally&);
+template Sign exact_sign(const OutsideCircle&, FilterTally&);
+
+}  // namespace flowcert

@@ -1,0 +1,80 @@
+// The predicates that decide everything, each on three rungs: a double filter with a proven error bound,
+// integers of a fixed size, GMP's integers.
+//
+// Guarantees: exact for all finite doubles. A rung may leave the sign open; what it answers is what the next
+// one would (spec clause FC-NUM-01; tests/unit/predicates_test.cpp holds each rung against the next). No
+// division, no square root.
+//
+// The filters' bounds. u = 2^-53; a difference of coordinates, a product and a sum each add one relative
+// error of at most u. With a, b, … the computed vectors and |a| their norms, the bounds below follow by
+// adding these up (the terms of second order are covered by rounding the constants up):
+//   <a,b>                     5.1 u |a||b|
+//   a x b (norm)              5.7 u |a||b|       (sum of the absolute products is at most sqrt(2) |a||b|)
+//   <a, b x c>                9.8 u |a||b||c|
+//   numerator of the centre  13.8 u T,           T = |a||b||c| (|a|+|b|+|c|)
+// They hold while nothing overflows and underflow is negligible, which is checked once for each set of
+// vectors: all norms in [kSmallestNorm, kLargestNorm], otherwise the filter answers nothing.
+#pragma once
+
+#include "flowcert/filter_tally.h"
+#include "flowcert/point_set.h"
+#include "geometry/sign.h"
+
+namespace flowcert {
+
+// Degree 6 in lengths of this range stays within the normal doubles, 2^-53 times it too; and what underflow
+// can take away (less than 2^-1074 times a few lengths) is far below one u of any bound.
+inline constexpr double kSmallestNorm = 1e-42;
+inline constexpr double kLargestNorm = 1e42;
+inline constexpr double kUnitRoundoff = 0x1p-53;
+
+// Every predicate below has these rungs. kBig answers always, kWide where the points fit its integers.
+enum class Rung { kDouble, kWide, kBig };
+
+// The sign of <p - q, r - q>: positive where the angle at q is acute (FC-SIGN-01).
+struct Angle {
+  static constexpr Predicate kPredicate = Predicate::kAngle;
+  const Point &p, &q, &r;
+};
+
+// The side of the plane of f0 f1 f2 on which the circumcentre of f0 f1 f2 apex lies: positive for the apex's
+// (FC-SIGN-03). The tetrahedron must not be flat.
+struct SideOfPlane {
+  static constexpr Predicate kPredicate = Predicate::kSideOfPlane;
+  const Point &f0, &f1, &f2, &apex;
+};
+
+// Zero iff q lies on the circumsphere of p0 p1 p2 p3; positive outside of it where p0 p1 p2 p3 is positively
+// oriented.
+struct OutsideSphere {
+  static constexpr Predicate kPredicate = Predicate::kCospherical;
+  const Point &p0, &p1, &p2, &p3, &q;
+};
+
+// The sign of det(p1 - p0, p2 - p0, p3 - p0).
+struct Orientation {
+  static constexpr Predicate kPredicate = Predicate::kCoplanar;
+  const Point &p0, &p1, &p2, &p3;
+};
+
+// For four coplanar points, q and r strictly on different sides of p0p1: positive iff r lies outside the
+// circle through p0, p1 and q, zero iff on it. (The angles at q and r then sum to less than, or exactly, half
+// a turn.)
+struct OutsideCircle {
+  static constexpr Predicate kPredicate = Predicate::kCocircular;
+  const Point &p0, &p1, &q, &r;
+};
+
+// One rung alone, for the tests and for callers that have a filter of their own.
+template <class Query>
+[[nodiscard]] MaybeSign sign_on_rung(const Query& query, Rung rung);
+
+// The sign, from the first rung that knows it.
+template <class Query>
+[[nodiscard]] Sign exact_sign(const Query& query, FilterTally& tally);
+
+// The sign, from the exact rungs alone: for callers whose own double filter has just failed.
+template <class Query>
+[[nodiscard]] Sign unfiltered_sign(const Query& query);
+
+}  // namespace flowcert

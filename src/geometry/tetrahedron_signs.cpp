@@ -1,0 +1,157 @@
+// See tetrahedron_signs.h.
+//
+// The bounds, in the notation of predicates.h, a, b, c from vertex 0, L = max(|a|,|b|,|c|):
+//   an angle is a sum of at most four dot products (5.1 u L^2 each) and three additions (9 u L^2): below 32 u
+//   L^2; s of a facet at vertex 0, <a x b, numerator>: 13.8 + 5.7 + 3 = 22.5 u |a||b| T: below 32 u |a||b| T;
+//   s of the facet opposite vertex 0 is 2 det^2 minus the other three (barycentric coordinates of the centre,
+//   times 2 det^2, sum to that). With Q = |a||b|+|b||c|+|c||a| and (|a||b||c|)^2 <= T Q / 9: (22.5 + 3 + (40
+//   + 6) / 9) u T Q: below 64 u T Q.
+#include "geometry/tetrahedron_signs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flowcert {
+
+namespace {
+
+constexpr unsigned kCorners[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
+
+// The angles in the order of kAngleBits.
+using Angles = std::array<double, 12>;
+constexpr std::array<std::uint8_t, 12> kAngleBits = {
+    TetrahedronSigns::angle_bit(3, 0), TetrahedronSigns::angle_bit(2, 0), TetrahedronSigns::angle_bit(1, 0),
+    TetrahedronSigns::angle_bit(3, 1), TetrahedronSigns::angle_bit(2, 1), TetrahedronSigns::angle_bit(0, 1),
+    TetrahedronSigns::angle_bit(3, 2), TetrahedronSigns::angle_bit(1, 2), TetrahedronSigns::angle_bit(0, 2),
+    TetrahedronSigns::angle_bit(2, 3), TetrahedronSigns::angle_bit(1, 3), TetrahedronSigns::angle_bit(0, 3)};
+
+// <v_k - v_j, v_l - v_j> = G_kl - G_jk - G_jl + G_jj of the Gram matrix of a, b, c; v_0 = 0.
+Angles angles_from(double aa, double bb, double cc, double ab, double bc, double ca) {
+  return {ab,      ca,      bc,                     //
+          aa - ab, aa - ca, (bc - ab) + (aa - ca),  //
+          bb - ab, bb - bc, (ca - ab) + (bb - bc),  //
+          cc - ca, cc - bc, (ab - ca) + (cc - bc)};
+}
+
+Sign angle_exactly(const TetrahedronPoints& p, unsigned facet, unsigned vertex) {
+  const unsigned* corner = kCorners[facet];
+  const unsigned k = corner[0] == vertex ? corner[1] : corner[0];
+  const unsigned l = corner[2] == vertex ? corner[1] : corner[2];
+  return unfiltered_sign(Angle{*p[k], *p[vertex], *p[l]});
+}
+
+void resolve_angles(const TetrahedronPoints& points, const Angles& h, double error, TetrahedronSigns& signs,
+                    FilterTally& tally) {
+  for (std::size_t k = 0; k < h.size(); ++k) {
+    if (std::fabs(h[k]) > error) continue;
+    ++tally[Predicate::kAngle].failures;
+    const unsigned bit = kAngleBits[k];
+    const Sign sign = angle_exactly(points, bit / 4, bit % 4);
+    const unsigned mask = 1u << bit;
+    signs.angle_negative = static_cast<std::uint16_t>(sign == Sign::kNegative ? signs.angle_negative | mask
+                                                                              : signs.angle_negative & ~mask);
+    if (sign == Sign::kZero) signs.angle_zero = static_cast<std::uint16_t>(signs.angle_zero | mask);
+  }
+}
+
+void set_angles(const TetrahedronPoints& points, const Angles& h, double error, TetrahedronSigns& signs,
+                FilterTally& tally) {
+  tally[Predicate::kAngle].calls += h.size();
+  unsigned negative = 0;
+  bool all_certain = true;  // written so that NaN, from an overflow, is not certain
+  for (std::size_t k = 0; k < h.size(); ++k) {
+    negative |= unsigned{h[k] < 0} << kAngleBits[k];
+    all_certain &= std::fabs(h[k]) > error;
+  }
+  signs.angle_negative = static_cast<std::uint16_t>(negative);
+  if (!all_certain) resolve_angles(points, h, error, signs, tally);
+}
+
+void resolve_sides(const TetrahedronPoints& points, const double (&value)[4], const double (&error)[4],
+                   TetrahedronSigns& signs, FilterTally& tally) {
+  for (unsigned facet = 0; facet < 4; ++facet) {
+    if (std::fabs(value[facet]) > error[facet]) continue;
+    ++tally[Predicate::kSideOfPlane].failures;
+    const auto bit = static_cast<std::uint8_t>(1u << facet);
+    signs.side_negative = static_cast<std::uint8_t>(signs.side_negative & ~bit);
+    if (signs.is_obtuse(facet)) {
+      signs.side_open |= bit;
+      continue;
+    }
+    const Sign sign = side_exactly(points, facet);
+    if (sign == Sign::kNegative) signs.side_negative |= bit;
+    if (sign == Sign::kZero) signs.side_zero |= bit;
+  }
+}
+
+void set_sides(const TetrahedronPoints& points, const double (&value)[4], const double (&error)[4],
+               TetrahedronSigns& signs, FilterTally& tally) {
+  tally[Predicate::kSideOfPlane].calls += 4;
+  unsigned negative = 0;
+  bool all_certain = true;
+  for (unsigned facet = 0; facet < 4; ++facet) {
+    negative |= unsigned{value[facet] < 0} << facet;
+    all_certain &= std::fabs(value[facet]) > error[facet];
+  }
+  signs.side_negative = static_cast<std::uint8_t>(negative);
+  if (!all_certain) resolve_sides(points, value, error, signs, tally);
+}
+
+}  // namespace
+
+TetrahedronSigns tetrahedron_signs(const TetrahedronPoints& points, CellSphere& sphere, FilterTally& tally) {
+  const Vector3<double> a = vector_between(*points[0], *points[1]);
+  const Vector3<double> b = vector_between(*points[0], *points[2]);
+  const Vector3<double> c = vector_between(*points[0], *points[3]);
+  const double aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
+  const double na = std::sqrt(aa), nb = std::sqrt(bb), nc = std::sqrt(cc);
+  const double smallest = std::min({na, nb, nc});
+  const double largest = std::max({na, nb, nc});
+
+  sphere.in_range = smallest >= kSmallestNorm && largest <= kLargestNorm;
+  // An infinite bound leaves every sign open.
+  const double unit = sphere.in_range ? kUnitRoundoff : HUGE_VAL;
+
+  TetrahedronSigns signs;
+  set_angles(points, angles_from(aa, bb, cc, dot(a, b), dot(b, c), dot(c, a)), 32 * unit * largest * largest,
+             signs, tally);
+
+  const Circumsphere<double> circum = circumsphere(a, b, c);
+  sphere.numerator = circum.numerator;
+  sphere.determinant = circum.determinant;
+  sphere.norm_product = na * nb * nc;
+  sphere.norm_sum = na + nb + nc;
+  const double t = sphere.norm_product * sphere.norm_sum;
+  const double s3 = dot(circum.ab, circum.numerator);
+  const double s1 = dot(circum.bc, circum.numerator);
+  const double s2 = dot(circum.ca, circum.numerator);
+  const double s0 = 2 * circum.determinant * circum.determinant - s1 - s2 - s3;
+  const double value[4] = {s0, s1, s2, s3};
+  const double error[4] = {64 * unit * t * (na * nb + nb * nc + nc * na), 32 * unit * t * (nb * nc),
+                           32 * unit * t * (nc * na), 32 * unit * t * (na * nb)};
+  set_sides(points, value, error, signs, tally);
+  return signs;
+}
+
+Sign side_exactly(const TetrahedronPoints& points, unsigned facet) {
+  const unsigned* f = kCorners[facet];
+  return unfiltered_sign(SideOfPlane{*points[f[0]], *points[f[1]], *points[f[2]], *points[facet]});
+}
+
+bool on_sphere(const TetrahedronPoints& points, const CellSphere& sphere, const Point& q,
+               FilterTally& tally) {
+  FilterCount& count = tally[Predicate::kCospherical];
+  ++count.calls;
+  const Vector3<double> v = vector_between(*points[0], q);
+  const double vv = dot(v, v);
+  const double norm = std::sqrt(vv);
+  if (sphere.in_range && norm >= kSmallestNorm && norm <= kLargestNorm) {
+    const double value = vv * sphere.determinant - dot(sphere.numerator, v);
+    const double error = 20 * kUnitRoundoff * sphere.norm_product * norm * (sphere.norm_sum + norm);
+    if (std::fabs(value) > error) return false;
+  }
+  ++count.failures;
+  return unfiltered_sign(OutsideSphere{*points[0], *points[1], *points[2], *points[3], q}) == Sign::kZero;
+}
+
+}  // namespace flowcert

@@ -1,0 +1,59 @@
+// All signs of one Delaunay cell at once: its twelve angles and the sides of its four facets on which its
+// circumcentre lies, from three edge vectors, each behind a double filter, exact where that fails.
+//
+// This is where the time of the critical points goes, so the signs share their subexpressions (dot products,
+// cross products, the centre's numerator), which four sphere predicates would each make again. Guarantees:
+// exact. Sources: spec clauses FC-SIGN-01, FC-SIGN-03; bounds as in predicates.h.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "geometry/predicates.h"
+#include "geometry/vector3.h"
+
+namespace flowcert {
+
+// Facet i of a cell is the one opposite its vertex i; (i, j) with i != j is the angle of facet i at the
+// cell's vertex j, and bit 4 i + j of a mask. A facet's mask is thus four neighbouring bits.
+struct TetrahedronSigns {
+  std::uint16_t angle_negative = 0;
+  std::uint16_t angle_zero = 0;
+  // Bit i: s of facet i. Open: the filter failed and nobody has needed the sign yet.
+  std::uint8_t side_negative = 0;
+  std::uint8_t side_zero = 0;
+  std::uint8_t side_open = 0;
+
+  static constexpr unsigned angle_bit(unsigned facet, unsigned vertex) { return 4 * facet + vertex; }
+  [[nodiscard]] bool is_obtuse(unsigned facet) const { return ((angle_negative >> (4 * facet)) & 15u) != 0; }
+  [[nodiscard]] bool is_right(unsigned facet) const { return ((angle_zero >> (4 * facet)) & 15u) != 0; }
+  [[nodiscard]] bool is_acute(unsigned facet) const { return !is_obtuse(facet) && !is_right(facet); }
+  [[nodiscard]] bool has_positive_side(unsigned facet) const {
+    return (((side_negative | side_zero | side_open) >> facet) & 1u) == 0;
+  }
+};
+
+// What the cell's filter computed on the way, for the in-sphere tests of its neighbours.
+struct CellSphere {
+  Vector3<double> numerator;
+  double determinant = 0;
+  double norm_product = 0;  // |a||b||c|
+  double norm_sum = 0;      // |a|+|b|+|c|
+  bool in_range = false;    // of the filter's norms; otherwise nothing here is certain
+};
+
+using TetrahedronPoints = std::array<const Point*, 4>;
+
+// The points are positively oriented, not flat. Sides are resolved exactly where the facet contains its
+// centre (not obtuse), and may stay open elsewhere.
+[[nodiscard]] TetrahedronSigns tetrahedron_signs(const TetrahedronPoints& points, CellSphere& sphere,
+                                                 FilterTally& tally);
+
+// The side of one facet, by exact arithmetic: for one that is open.
+[[nodiscard]] Sign side_exactly(const TetrahedronPoints& points, unsigned facet);
+
+// Whether q, a point that is not inside the cell's sphere, lies on it.
+[[nodiscard]] bool on_sphere(const TetrahedronPoints& points, const CellSphere& sphere, const Point& q,
+                             FilterTally& tally);
+
+}  // namespace flowcert

@@ -1,0 +1,67 @@
+// Vectors of R^3 over any number type, and the polynomials in them that all predicates are made of. Nothing
+// is rounded here beyond what the number type itself rounds; the error bounds for double are in predicates.h.
+#pragma once
+
+#include <array>
+
+#include "flowcert/point_set.h"
+
+namespace flowcert {
+
+template <class Number>
+struct Vector3 {
+  Number x, y, z;
+};
+
+template <class Number>
+[[nodiscard]] Vector3<Number> operator-(const Vector3<Number>& u, const Vector3<Number>& v) {
+  return {u.x - v.x, u.y - v.y, u.z - v.z};
+}
+
+template <class Number>
+[[nodiscard]] Vector3<Number> operator+(const Vector3<Number>& u, const Vector3<Number>& v) {
+  return {u.x + v.x, u.y + v.y, u.z + v.z};
+}
+
+template <class Number>
+[[nodiscard]] Vector3<Number> operator*(const Number& factor, const Vector3<Number>& v) {
+  return {factor * v.x, factor * v.y, factor * v.z};
+}
+
+template <class Number>
+[[nodiscard]] Number dot(const Vector3<Number>& u, const Vector3<Number>& v) {
+  return u.x * v.x + u.y * v.y + u.z * v.z;
+}
+
+template <class Number>
+[[nodiscard]] Vector3<Number> cross(const Vector3<Number>& u, const Vector3<Number>& v) {
+  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+
+[[nodiscard]] inline Vector3<double> vector_between(const Point& from, const Point& to) {
+  return {to.x - from.x, to.y - from.y, to.z - from.z};
+}
+
+// The circumsphere of the tetrahedron 0, a, b, c, without a division: its centre is numerator / (2
+// determinant), and a point v lies outside, on or inside it as |v|^2 determinant - <numerator, v> has the
+// determinant's sign, is zero, or has the other.
+template <class Number>
+struct Circumsphere {
+  Vector3<Number> ab, bc, ca;  // cross products
+  Vector3<Number> numerator;   // |a|^2 bc + |b|^2 ca + |c|^2 ab
+  Number determinant;          // <a, bc>
+};
+
+template <class Number>
+[[nodiscard]] Circumsphere<Number> circumsphere(const Vector3<Number>& a, const Vector3<Number>& b,
+                                                const Vector3<Number>& c) {
+  Circumsphere<Number> sphere;
+  sphere.ab = cross(a, b);
+  sphere.bc = cross(b, c);
+  sphere.ca = cross(c, a);
+  sphere.numerator = dot(a, a) * sphere.bc + dot(b, b) * sphere.ca + dot(c, c) * sphere.ab;
+  sphere.determinant = dot(a, sphere.bc);
+  return sphere;
+}
+
+}  // namespace flowcert

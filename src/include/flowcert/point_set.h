@@ -1,0 +1,66 @@
+// The input of everything: a finite set of points in R^3, repeated points merged.
+//
+// Guarantees: exact. Coordinates are the doubles given, -0.0 becomes 0.0, nothing is rounded.
+// Source: spec clauses FC-IN-01 to FC-IN-04.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+namespace flowcert {
+
+// A row of the input: the 0-based ordinal of a point among the file's points, before merging.
+using PointId = std::uint32_t;
+
+struct Point {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+
+  friend bool operator==(const Point&, const Point&) = default;
+};
+
+// The input cannot be used. what() is one line that says why; where it came from a file, it names file and
+// line.
+class InvalidInput : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class PointSet {
+ public:
+  PointSet() = default;
+
+  // Merges repeated rows. Throws InvalidInput for a coordinate that is NaN or infinite, and for more than
+  // 2^31 - 2 rows. O(n log n).
+  explicit PointSet(std::span<const Point> rows);
+
+  // Rows given, before merging.
+  [[nodiscard]] std::size_t row_count() const { return class_of_row_.size(); }
+  // Rows that merging removed.
+  [[nodiscard]] std::size_t merged_duplicates() const { return row_count() - size(); }
+
+  // Distinct points. Position k in points() is called the point's *position*; positions ascend with names.
+  [[nodiscard]] std::size_t size() const { return points_.size(); }
+  [[nodiscard]] bool empty() const { return points_.empty(); }
+  [[nodiscard]] std::span<const Point> points() const { return points_; }
+  [[nodiscard]] const Point& operator[](std::size_t position) const { return points_[position]; }
+
+  // The name of the class at a position: its smallest row.
+  [[nodiscard]] PointId name(std::size_t position) const { return names_[position]; }
+  // The position of the class that a row belongs to.
+  [[nodiscard]] std::size_t position_of_row(PointId row) const { return class_of_row_[row]; }
+
+  // The classes of more than one row, each ascending, ordered by name. O(row_count()).
+  [[nodiscard]] std::vector<std::vector<PointId>> repeated_classes() const;
+
+ private:
+  std::vector<Point> points_;
+  std::vector<PointId> names_;
+  std::vector<std::uint32_t> class_of_row_;
+};
+
+}  // namespace flowcert

@@ -1,0 +1,120 @@
+// See flowcert/explain.h.
+#include "flowcert/explain.h"
+
+#include <algorithm>
+
+#include "geometry/enclosing_ball.h"
+
+namespace flowcert {
+
+namespace {
+
+Rational squared_distance(const RationalPoint& x, const Point& p) {
+  const Rational dx = x[0] - Rational(p.x), dy = x[1] - Rational(p.y), dz = x[2] - Rational(p.z);
+  return dx * dx + dy * dy + dz * dz;
+}
+
+// C(x) and d(x)^2 by a scan of all points.
+void scan_contact(const PointSet& points, const RationalPoint& x, Explanation& answer) {
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Rational distance = squared_distance(x, points[k]);
+    if (!answer.contact.empty() && distance > answer.squared_distance) continue;
+    if (answer.contact.empty() || distance < answer.squared_distance) answer.contact.clear();
+    answer.squared_distance = distance;
+    answer.contact.push_back(points.name(k));
+  }
+}
+
+std::vector<Point> coordinates(const PointSet& points, std::span<const PointId> names) {
+  std::vector<Point> result;
+  for (const PointId name : names) result.push_back(points[points.position_of_row(name)]);
+  return result;
+}
+
+// Condition (d), and the index. C(x) lies on a sphere round x, so among its points alone x is what it is
+// among all: C(x) is the contact set of a stationary point of the one set iff of the other. Few points,
+// whatever the size of the input.
+void decide_hull(const PointSet& points, const RationalPoint& x, Explanation& answer) {
+  const PointSet contact_only(coordinates(points, answer.contact));
+  const Delaunay delaunay(contact_only);
+  const StationaryPoints candidates = stationary_points(delaunay);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (candidates.contact(i).size() != answer.contact.size()) continue;
+    if (exact_sphere(contact_only, candidates.contact(i)).center != x) continue;
+    answer.index = candidates.index(i);
+    const bool is_critical = answer.index->is_critical();
+    answer.clause = is_critical ? "FC-CRIT-02" : "FC-CRIT-03";
+    answer.reason = is_critical
+                        ? "the centre lies in the relative interior of the hull of its contact set"
+                        : "the centre lies in the hull of its contact set, but on its relative boundary";
+    return;
+  }
+  answer.clause = "FC-CRIT-05 (d)";
+  answer.reason = "the centre lies outside the hull of its contact set";
+  answer.driver = enclosing_ball_center(contact_only.points());
+}
+
+std::vector<PointId> distinct_names(const PointSet& points, std::span<const PointId> rows) {
+  std::vector<PointId> names;
+  for (const PointId row : rows) {
+    if (row >= points.row_count()) {
+      throw InvalidInput("there is no point " + std::to_string(row) + "; the ids are 0 to " +
+                         std::to_string(static_cast<long long>(points.row_count()) - 1));
+    }
+    names.push_back(points.name(points.position_of_row(row)));
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+}  // namespace
+
+Explanation explain_position(const PointSet& points, const RationalPoint& x) {
+  if (points.empty()) throw InvalidInput("there are no points");
+  Explanation answer;
+  scan_contact(points, x, answer);
+  answer.sphere = ExactSphere{x, answer.squared_distance};
+  decide_hull(points, x, answer);
+  if (!answer.index) {
+    answer.clause = "FC-CRIT-01";
+    answer.reason = "the position lies outside the hull of its contact set";
+  }
+  return answer;
+}
+
+Explanation explain_points(const PointSet& points, std::span<const PointId> rows) {
+  const std::vector<PointId> names = distinct_names(points, rows);
+  if (names.empty()) throw InvalidInput("no point is named");
+  Explanation answer;
+  const ExactSphere sphere = exact_sphere(points, names);
+  for (const PointId name : names) {
+    if (squared_distance(sphere.center, points[points.position_of_row(name)]) != sphere.squared_radius) {
+      answer.witnesses.push_back(name);
+    }
+  }
+  if (!answer.witnesses.empty()) {
+    answer.clause = "FC-CRIT-05 (a)";
+    answer.reason = "the points lie on no common sphere centred in their affine hull";
+    return answer;
+  }
+  answer.sphere = sphere;
+  scan_contact(points, sphere.center, answer);
+  if (answer.squared_distance < sphere.squared_radius) {
+    answer.clause = "FC-CRIT-05 (b)";
+    answer.reason = "a point of the input lies strictly inside the sphere";
+    answer.witnesses = answer.contact;
+    return answer;
+  }
+  std::set_difference(answer.contact.begin(), answer.contact.end(), names.begin(), names.end(),
+                      std::back_inserter(answer.witnesses));
+  if (!answer.witnesses.empty()) {
+    answer.clause = "FC-CRIT-05 (c)";
+    answer.reason = "further points of the input lie on the sphere";
+    return answer;
+  }
+  decide_hull(points, sphere.center, answer);
+  return answer;
+}
+
+}  // namespace flowcert

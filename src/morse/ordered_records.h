@@ -1,0 +1,43 @@
+// Collects stationary points in whatever order they are found, and hands them out in the one order that spec
+// clause FC-OUT-02 fixes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "flowcert/stationary_points.h"
+#include "voronoi/compact_delaunay.h"
+
+namespace flowcert {
+
+class OrderedRecords {
+ public:
+  // positions: of the vertices, in the point set; must outlive this.
+  explicit OrderedRecords(std::span<const std::uint32_t> positions) : positions_(positions) {}
+
+  // The contact set, in any order. Not for index 0, which the points themselves give.
+  void add(StationaryIndex index, std::span<const VertexIndex> contact);
+
+  // O(records) expected: records are spread over buckets by their first point, and few share one.
+  [[nodiscard]] StationaryPoints list(const PointSet& points) const;
+
+ private:
+  struct Record {
+    std::uint32_t size;
+    std::size_t first;
+  };
+  static constexpr std::array<StationaryIndex, 6> kOrder = {{{1, 1}, {2, 2}, {3, 3}, {1, 2}, {1, 3}, {2, 3}}};
+
+  [[nodiscard]] std::span<const std::uint32_t> contact(const Record& record) const {
+    return std::span(contacts_).subspan(record.first, record.size);
+  }
+  [[nodiscard]] std::vector<Record> sorted(const std::vector<Record>& records, std::size_t point_count) const;
+
+  std::array<std::vector<Record>, kOrder.size()> records_;
+  std::span<const std::uint32_t> positions_;
+  std::vector<std::uint32_t> contacts_;  // positions, ascending within a record
+};
+
+}  // namespace flowcert

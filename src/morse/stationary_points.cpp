@@ -1,0 +1,312 @@
+// All stationary points, read off the signs of the merged Voronoi complex (spec section 6).
+//
+// Guarantees: exact; each stationary point once: index 1 from its Delaunay edge, index 2 and kind 1-2 from
+// its polygon, index 3, 2-3 and 1-3 from its Voronoi vertex.
+#include "flowcert/stationary_points.h"
+
+#include <algorithm>
+
+#include "morse/ordered_records.h"
+#include "voronoi/planar_complex.h"
+#include "voronoi/voronoi_complex.h"
+
+namespace flowcert {
+
+namespace {
+
+constexpr StationaryIndex kIndex1{1, 1}, kIndex2{2, 2}, kIndex3{3, 3};
+constexpr StationaryIndex kKind12{1, 2}, kKind13{1, 3}, kKind23{2, 3};
+
+// Index 1 (FC-SIGN-02): walks around each edge whose angles in its first cell are acute, and gives up at the
+// first angle that is not, or at a cell that comes earlier: the edge is that one's.
+class GabrielEdges {
+ public:
+  GabrielEdges(const VoronoiComplex& complex, OrderedRecords& records)
+      : delaunay_(complex.delaunay()), records_(records), acute_(delaunay_.cells.size(), kAllEdges) {
+    for (CellIndex cell = 0; cell < delaunay_.finite_count; ++cell) {
+      acute_[cell] = acute_edges(complex.signs(cell));
+    }
+  }
+
+  void find() {
+    for (CellIndex cell = 0; cell < delaunay_.finite_count; ++cell) {
+      if (acute_[cell] == 0) continue;
+      for (unsigned i = 0; i < 4; ++i) {
+        for (unsigned j = i + 1; j < 4; ++j) {
+          if ((acute_[cell] >> kEdgeBit[i][j] & 1u) == 0 || !is_first(cell, i, j)) continue;
+          const std::array<VertexIndex, 2> edge = edge_beside(cell, i, j);
+          if (is_gabriel_from(cell, i, j, edge)) records_.add(kIndex1, edge);
+        }
+      }
+    }
+  }
+
+ private:
+  // The bit of the edge beside vertices i and j.
+  static constexpr std::uint8_t kEdgeBit[4][4] = {{0, 0, 1, 2}, {0, 0, 3, 4}, {1, 3, 0, 5}, {2, 4, 5, 0}};
+  // An infinite cell has no angle that could object.
+  static constexpr std::uint8_t kAllEdges = 0x3f;
+
+  // The edges of a cell that both its angles see under less than a right angle. A byte a cell, so that the
+  // walks below find most of what they ask in the cache.
+  static std::uint8_t acute_edges(const TetrahedronSigns& signs) {
+    const unsigned acute = ~(unsigned{signs.angle_negative} | unsigned{signs.angle_zero});
+    unsigned edges = 0;
+    for (unsigned i = 0; i < 4; ++i) {
+      for (unsigned j = i + 1; j < 4; ++j) {
+        const unsigned both =
+            (acute >> TetrahedronSigns::angle_bit(i, j)) & (acute >> TetrahedronSigns::angle_bit(j, i));
+        edges |= (both & 1u) << kEdgeBit[i][j];
+      }
+    }
+    return static_cast<std::uint8_t>(edges);
+  }
+
+  [[nodiscard]] std::array<VertexIndex, 2> edge_beside(CellIndex cell, unsigned i, unsigned j) const {
+    const unsigned k = i == 0 ? (j == 1 ? 2 : 1) : 0;
+    return {delaunay_.vertices(cell)[k], delaunay_.vertices(cell)[6 - i - j - k]};
+  }
+
+  // The two neighbours around the edge tell most cells at once that they are not the first. (Infinite cells
+  // come last.)
+  [[nodiscard]] bool is_first(CellIndex cell, unsigned i, unsigned j) const {
+    const auto& neighbors = delaunay_.neighbors(cell);
+    return neighbors[i] > cell && neighbors[j] > cell;
+  }
+
+  [[nodiscard]] bool is_gabriel_from(CellIndex start, unsigned i, unsigned j,
+                                     const std::array<VertexIndex, 2>& edge) const {
+    VertexIndex pivot = delaunay_.vertices(start)[j];  // of the facet that is passed through
+    CellIndex cell = delaunay_.neighbors(start)[i];
+    while (cell != start) {
+      if (cell < start || acute_[cell] == 0) return false;
+      const auto& vertices = delaunay_.vertices(cell);
+      // Places without branches: the walk's time would go into guessing them wrong.
+      const auto place = [&vertices](VertexIndex v) {
+        return unsigned{vertices[1] == v} + 2 * unsigned{vertices[2] == v} + 3 * unsigned{vertices[3] == v};
+      };
+      const unsigned behind = place(pivot);
+      const unsigned ahead = 6 - behind - place(edge[0]) - place(edge[1]);
+      if ((acute_[cell] >> kEdgeBit[behind][ahead] & 1u) == 0) return false;
+      pivot = vertices[ahead];
+      cell = delaunay_.neighbors(cell)[behind];
+    }
+    return true;
+  }
+
+  const CompactDelaunay& delaunay_;
+  OrderedRecords& records_;
+  std::vector<std::uint8_t> acute_;
+};
+
+// Whether the polygon's centre lies in the relative interior of its Voronoi edge: s > 0 at each end that
+// exists.
+bool is_between_ends(const VoronoiComplex& complex, FacetRef facet) {
+  if (complex.side(facet) != Sign::kPositive) return false;
+  const FacetRef mirror = complex.delaunay().mirror(facet);
+  return !complex.delaunay().is_finite(mirror.cell) || complex.side(mirror) == Sign::kPositive;
+}
+
+// Index 2 and kind 1-2, polygons of one facet.
+void add_whole_facets(const VoronoiComplex& complex, OrderedRecords& records) {
+  const CompactDelaunay& delaunay = complex.delaunay();
+  for (CellIndex cell = 0; cell < delaunay.finite_count; ++cell) {
+    const TetrahedronSigns& signs = complex.signs(cell);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      if (signs.is_obtuse(i) || delaunay.neighbors(cell)[i] < cell) continue;
+      const FacetRef facet{cell, i};
+      if (complex.role(facet) != VoronoiComplex::FacetRole::kWhole || !is_between_ends(complex, facet))
+        continue;
+      const auto& v = delaunay.vertices(cell);
+      const std::array<VertexIndex, 3> contact{v[(i + 1) & 3], v[(i + 2) & 3], v[(i + 3) & 3]};
+      records.add(signs.is_right(i) ? kKind12 : kIndex2, contact);
+    }
+  }
+}
+
+void keep_unique(std::vector<VertexIndex>& vertices) {
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+}
+
+// The polygon's shape as its sides tell it: negative if it does not contain its centre, zero if the centre is
+// the middle of a side.
+Sign least_angle(std::span<const PolygonSide> sides) {
+  Sign least = Sign::kPositive;
+  for (const PolygonSide& side : sides) least = std::min(least, side.angle);
+  return least;
+}
+
+// The same, polygons of several facets.
+void add_large_polygons(const VoronoiComplex& complex, OrderedRecords& records) {
+  std::vector<VertexIndex> contact;
+  for (std::size_t k = 0; k < complex.large_polygon_count(); ++k) {
+    const auto polygon = complex.large_polygon(k);
+    const std::vector<PolygonSide> sides = sides_of(complex, polygon);
+    const Sign shape = least_angle(sides);
+    if (shape == Sign::kNegative || !is_between_ends(complex, polygon.front())) continue;
+    contact.clear();
+    for (const PolygonSide& side : sides) contact.push_back(side.v0), contact.push_back(side.v1);
+    keep_unique(contact);
+    records.add(shape == Sign::kZero ? kKind12 : kIndex2, contact);
+  }
+}
+
+void add_vertex(std::size_t zero_sides, std::span<const VertexIndex> contact, OrderedRecords& records) {
+  records.add(zero_sides == 0 ? kIndex3 : zero_sides == 1 ? kKind23 : kKind13, contact);
+}
+
+// Index 3, kinds 2-3 and 1-3, Voronoi vertices of one cell (FC-SIGN-03, 04).
+void add_lone_vertices(const VoronoiComplex& complex, OrderedRecords& records) {
+  const CompactDelaunay& delaunay = complex.delaunay();
+  for (CellIndex cell = 0; cell < delaunay.finite_count; ++cell) {
+    if (complex.signs(cell).side_negative != 0 || !complex.is_alone(cell)) continue;
+    std::size_t zeros = 0;
+    bool is_inside = true;
+    for (std::uint32_t i = 0; i < 4 && is_inside; ++i) {
+      const Sign side = complex.side({cell, i});
+      is_inside = side != Sign::kNegative;
+      zeros += side == Sign::kZero ? 1 : 0;
+    }
+    if (is_inside) add_vertex(zeros, delaunay.vertices(cell), records);
+  }
+}
+
+// The number of polygons of a cluster with s = 0, or nothing where some s is negative.
+std::optional<std::size_t> zero_sides(const VoronoiComplex& complex, std::span<const CellIndex> cluster) {
+  std::size_t whole = 0;
+  std::vector<std::size_t> large;
+  for (const CellIndex cell : cluster) {
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const auto role = complex.role({cell, i});
+      if (role == VoronoiComplex::FacetRole::kInterior) continue;
+      const Sign side = complex.side({cell, i});
+      if (side == Sign::kNegative) return std::nullopt;
+      if (side == Sign::kPositive) continue;
+      if (role == VoronoiComplex::FacetRole::kWhole) {
+        ++whole;
+      } else {
+        large.push_back(complex.large_polygon_of({cell, i}));
+      }
+    }
+  }
+  std::sort(large.begin(), large.end());
+  return whole + static_cast<std::size_t>(std::unique(large.begin(), large.end()) - large.begin());
+}
+
+// The same, Voronoi vertices of several cells.
+void add_clusters(const VoronoiComplex& complex, OrderedRecords& records) {
+  std::vector<VertexIndex> contact;
+  for (std::size_t k = 0; k < complex.large_cluster_count(); ++k) {
+    const auto cluster = complex.large_cluster(k);
+    const auto zeros = zero_sides(complex, cluster);
+    if (!zeros) continue;
+    contact.clear();
+    for (const CellIndex cell : cluster) {
+      const auto& v = complex.delaunay().vertices(cell);
+      contact.insert(contact.end(), v.begin(), v.end());
+    }
+    keep_unique(contact);
+    add_vertex(*zeros, contact, records);
+  }
+}
+
+void add_spatial(CompactDelaunay delaunay, OrderedRecords& records, FilterTally& tally) {
+  const VoronoiComplex complex(std::move(delaunay), tally);
+  GabrielEdges(complex, records).find();
+  add_whole_facets(complex, records);
+  add_large_polygons(complex, records);
+  add_lone_vertices(complex, records);
+  add_clusters(complex, records);
+}
+
+// Coplanar input: an edge is Gabriel iff the one or two angles that see it are acute; a polygon's centre is
+// never beyond an end.
+void add_planar(CompactDelaunay triangles, OrderedRecords& records, FilterTally& tally) {
+  const PlanarComplex complex(std::move(triangles), tally);
+  const CompactDelaunay& delaunay = complex.delaunay();
+  for (CellIndex cell = 0; cell < delaunay.finite_count; ++cell) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const FacetRef across = delaunay.mirror({cell, i});
+      if (across.cell < cell || complex.angle(cell, i) != Sign::kPositive) continue;
+      if (delaunay.is_finite(across.cell) && complex.angle(across.cell, across.index) != Sign::kPositive)
+        continue;
+      const auto& v = delaunay.vertices(cell);
+      const std::array<VertexIndex, 2> edge{v[(i + 1) % 3], v[(i + 2) % 3]};
+      records.add(kIndex1, edge);
+    }
+  }
+  std::vector<VertexIndex> contact;
+  for (const auto& polygon : complex.polygons()) {
+    Sign shape = Sign::kPositive;
+    contact.clear();
+    for (const CellIndex cell : polygon) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        contact.push_back(delaunay.vertices(cell)[i]);
+        if (!complex.is_diagonal({cell, i})) shape = std::min(shape, complex.angle(cell, i));
+      }
+    }
+    if (shape == Sign::kNegative) continue;
+    keep_unique(contact);
+    records.add(shape == Sign::kZero ? kKind12 : kIndex2, contact);
+  }
+}
+
+// Collinear input: neighbours on the line.
+void add_collinear(const CompactDelaunay& delaunay, OrderedRecords& records) {
+  for (CellIndex cell = 0; cell < delaunay.finite_count; ++cell) {
+    records.add(kIndex1, std::span(delaunay.vertices(cell)).first(2));
+  }
+}
+
+}  // namespace
+
+long long StationaryPoints::euler_sum() const {
+  const auto count = [this](std::size_t k) { return static_cast<long long>(critical_[k]); };
+  return count(0) - count(1) + count(2) - count(3);
+}
+
+void StationaryPoints::reserve(std::size_t records, std::size_t contacts) {
+  index_.reserve(records);
+  first_.reserve(records + 1);
+  contact_.reserve(contacts);
+}
+
+void StationaryPoints::append(StationaryIndex index, std::span<const PointId> contact) {
+  index_.push_back(index);
+  contact_.insert(contact_.end(), contact.begin(), contact.end());
+  first_.push_back(contact_.size());
+  if (index.is_critical()) {
+    ++critical_[index.face_dimension];
+  } else if (index == kKind12) {
+    ++regular_.kind12;
+  } else if (index == kKind23) {
+    ++regular_.kind23;
+  } else {
+    ++regular_.kind13;
+  }
+}
+
+StationaryPoints stationary_points(const Delaunay& delaunay, FilterTally* tally) {
+  FilterTally unused;
+  FilterTally& counts = tally != nullptr ? *tally : unused;
+  CompactDelaunay copy = compact_copy(delaunay);
+  const std::vector<std::uint32_t> positions = std::move(copy.positions);
+  OrderedRecords records(positions);
+  switch (copy.dimension) {
+    case 3:
+      add_spatial(std::move(copy), records, counts);
+      break;
+    case 2:
+      add_planar(std::move(copy), records, counts);
+      break;
+    case 1:
+      add_collinear(copy, records);
+      break;
+    default:
+      break;
+  }
+  return records.list(delaunay.points());
+}
+
+}  // namespace flowcert

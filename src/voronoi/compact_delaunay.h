@@ -1,0 +1,66 @@
+// The Delaunay triangulation as plain arrays: what everything after CGAL works on.
+//
+// Guarantees: finite cells come first; in dimension 3 the vertices of a finite cell are positively oriented
+// and not coplanar. In dimension 2 (1) cells are triangles (edges), and the last one (two) entries of their
+// arrays are kInfiniteVertex and kNoCell. Vertices are numbered along a space-filling curve and cells by
+// their last vertex, so that neighbours are near in memory: half the time of a walk around an edge was cache
+// misses before.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "flowcert/delaunay.h"
+#include "flowcert/point_set.h"
+
+namespace flowcert {
+
+using VertexIndex = std::uint32_t;
+using CellIndex = std::uint32_t;
+
+inline constexpr VertexIndex kInfiniteVertex = 0xffffffffu;
+inline constexpr CellIndex kNoCell = 0xffffffffu;
+
+// Facet i of a cell: the one opposite its vertex i. In dimension 2, edge i of a triangle.
+struct FacetRef {
+  CellIndex cell;
+  std::uint32_t index;
+
+  friend bool operator==(const FacetRef&, const FacetRef&) = default;
+};
+
+struct DelaunayCell {
+  std::array<VertexIndex, 4> vertices;
+  std::array<CellIndex, 4> neighbors;  // [i]: across the facet opposite vertex i
+};
+
+struct CompactDelaunay {
+  int dimension = -1;
+  CellIndex finite_count = 0;
+  std::vector<DelaunayCell> cells;
+  std::vector<Point> points;             // by VertexIndex
+  std::vector<std::uint32_t> positions;  // of the vertices in the point set
+
+  [[nodiscard]] bool is_finite(CellIndex cell) const { return cell < finite_count; }
+  [[nodiscard]] const std::array<VertexIndex, 4>& vertices(CellIndex cell) const {
+    return cells[cell].vertices;
+  }
+  [[nodiscard]] const std::array<CellIndex, 4>& neighbors(CellIndex cell) const {
+    return cells[cell].neighbors;
+  }
+
+  // The same facet (edge, in dimension 2), seen from the other cell. Without branches: which of the four it
+  // is cannot be guessed.
+  [[nodiscard]] FacetRef mirror(FacetRef facet) const {
+    const CellIndex other = neighbors(facet.cell)[facet.index];
+    const auto& back = neighbors(other);
+    return {other, std::uint32_t{back[1] == facet.cell} + 2 * std::uint32_t{back[2] == facet.cell} +
+                       3 * std::uint32_t{back[3] == facet.cell}};
+  }
+};
+
+// O(cells), one copy.
+[[nodiscard]] CompactDelaunay compact_copy(const Delaunay& delaunay);
+
+}  // namespace flowcert

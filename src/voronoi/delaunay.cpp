@@ -1,0 +1,152 @@
+// The one file that knows CGAL's triangulation: builds it, and copies it out into plain arrays.
+#include "flowcert/delaunay.h"
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "voronoi/compact_delaunay.h"
+
+namespace flowcert {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<VertexIndex, Kernel>;
+// The number is the cell's place in the compact copy, so that its neighbours can name it.
+using CellBase = CGAL::Triangulation_cell_base_with_info_3<CellIndex, Kernel,
+                                                           CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+using Structure = CGAL::Triangulation_data_structure_3<VertexBase, CellBase>;
+using Cgal = CGAL::Delaunay_triangulation_3<Kernel, Structure>;
+
+constexpr std::size_t kProgressStep = 4096;
+
+}  // namespace
+
+struct Delaunay::Triangulation {
+  const PointSet* points;
+  Cgal cgal;
+  std::vector<std::size_t> order;  // positions in order of insertion, which is a vertex' number
+};
+
+Delaunay::Delaunay(const PointSet& points, const Progress& progress)
+    : triangulation_(new Triangulation{&points, {}, {}}) {
+  std::vector<Kernel::Point_3> positions;
+  positions.reserve(points.size());
+  for (const Point& p : points.points()) positions.emplace_back(p.x, p.y, p.z);
+  std::vector<std::size_t>& order = triangulation_->order;  // std::size_t: the property map's key type
+  order.resize(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  auto position_map = CGAL::make_property_map(positions);
+  CGAL::spatial_sort(order.begin(), order.end(),
+                     CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(position_map)>(position_map));
+
+  // What CGAL's own range insertion does, with a pause to tell how far it is.
+  Cgal& cgal = triangulation_->cgal;
+  Cgal::Cell_handle hint;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Cgal::Vertex_handle vertex = cgal.insert(positions[order[i]], hint);
+    vertex->info() = static_cast<VertexIndex>(i);
+    hint = vertex->cell();
+    if (progress && (i + 1) % kProgressStep == 0) progress(i + 1, order.size());
+  }
+  if (progress) progress(order.size(), order.size());
+}
+
+Delaunay::~Delaunay() = default;
+Delaunay::Delaunay(Delaunay&&) noexcept = default;
+Delaunay& Delaunay::operator=(Delaunay&&) noexcept = default;
+
+const PointSet& Delaunay::points() const { return *triangulation_->points; }
+int Delaunay::dimension() const { return triangulation_->cgal.dimension(); }
+
+namespace {
+
+// Every cell of the highest dimension, the infinite ones too; CGAL names its iterators by dimension.
+template <class Visit>
+void for_each_cell(const Cgal& cgal, Visit visit) {
+  switch (cgal.dimension()) {
+    case 3:
+      for (const Cgal::Cell_handle cell : cgal.all_cell_handles()) visit(cell);
+      break;
+    case 2:
+      for (const Cgal::Facet& facet : cgal.all_facets()) visit(facet.first);
+      break;
+    case 1:
+      for (const Cgal::Edge& edge : cgal.all_edges()) visit(edge.first);
+      break;
+    default:
+      break;
+  }
+}
+
+}  // namespace
+
+namespace {
+
+// Numbers the cells: finite ones by their last vertex (a counting sort), then the infinite ones. Returns the
+// number of finite cells.
+CellIndex number_cells(const Cgal& cgal, int corners, std::size_t vertex_count) {
+  const Cgal::Vertex_handle infinite = cgal.infinite_vertex();
+  std::vector<Cgal::Cell_handle> infinite_cells;
+  std::vector<CellIndex> next(vertex_count + 1, 0);
+  for_each_cell(cgal, [&](Cgal::Cell_handle cell) {
+    VertexIndex last = 0;
+    for (int i = 0; i < corners; ++i) {
+      if (cell->vertex(i) == infinite) {
+        cell->info() = kInfiniteVertex;
+        infinite_cells.push_back(cell);
+        return;
+      }
+      last = std::max(last, cell->vertex(i)->info());
+    }
+    cell->info() = last;
+    ++next[last + 1];
+  });
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  const CellIndex finite_count = next.back();
+  for_each_cell(cgal, [&](Cgal::Cell_handle cell) {
+    if (cell->info() != kInfiniteVertex) cell->info() = next[cell->info()]++;
+  });
+  CellIndex count = finite_count;
+  for (const Cgal::Cell_handle cell : infinite_cells) cell->info() = count++;
+  return finite_count;
+}
+
+}  // namespace
+
+CompactDelaunay compact_copy(const Delaunay& delaunay) {
+  const Cgal& cgal = delaunay.triangulation().cgal;
+  CompactDelaunay copy;
+  copy.dimension = cgal.dimension();
+  for (const std::size_t position : delaunay.triangulation().order) {
+    copy.points.push_back(delaunay.points()[position]);
+    copy.positions.push_back(static_cast<std::uint32_t>(position));
+  }
+  const int corners = std::max(copy.dimension, 0) + 1;
+  copy.finite_count = number_cells(cgal, corners, copy.points.size());
+
+  const Cgal::Vertex_handle infinite = cgal.infinite_vertex();
+  copy.cells.resize(cgal.tds().cells().size());
+  for_each_cell(cgal, [&](Cgal::Cell_handle cell) {
+    DelaunayCell& copied = copy.cells[cell->info()];
+    copied.vertices.fill(kInfiniteVertex);
+    copied.neighbors.fill(kNoCell);
+    for (int i = 0; i < corners; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      if (cell->vertex(i) != infinite) copied.vertices[k] = cell->vertex(i)->info();
+      copied.neighbors[k] = cell->neighbor(i)->info();
+    }
+  });
+  return copy;
+}
+
+}  // namespace flowcert

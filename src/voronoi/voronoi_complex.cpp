@@ -1,0 +1,260 @@
+// See voronoi_complex.h.
+#include "voronoi/voronoi_complex.h"
+
+#include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
+#include <numeric>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+namespace flowcert {
+
+namespace {
+
+// Boost's union-find over 0 … n-1.
+class Partition {
+ public:
+  explicit Partition(std::size_t n) : rank_(n, 0), parent_(n), sets_(rank_.data(), parent_.data()) {
+    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
+  }
+  void unite(std::uint32_t i, std::uint32_t j) { sets_.union_set(i, j); }
+  [[nodiscard]] std::uint32_t find(std::uint32_t i) { return sets_.find_set(i); }
+
+ private:
+  std::vector<std::uint8_t> rank_;
+  std::vector<std::uint32_t> parent_;
+  boost::disjoint_sets<std::uint8_t*, std::uint32_t*> sets_;
+};
+
+constexpr CellIndex kPrefetchDistance = 8;
+
+std::uint64_t edge_key(VertexIndex u, VertexIndex v) {
+  return (std::uint64_t{std::min(u, v)} << 32) | std::max(u, v);
+}
+
+}  // namespace
+
+VoronoiComplex::VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally)
+    : delaunay_(std::move(delaunay)) {
+  compute_signs(tally);
+}
+
+TetrahedronPoints VoronoiComplex::points_of(CellIndex cell) const {
+  const auto& v = delaunay_.vertices(cell);
+  const Point* p = delaunay_.points.data();
+  return {p + v[0], p + v[1], p + v[2], p + v[3]};
+}
+
+// The neighbours' vertices are looked up a few cells later; they are what the pass below waits for.
+void VoronoiComplex::prefetch_neighbors(CellIndex cell) const {
+  if (cell >= delaunay_.finite_count) return;
+  for (const CellIndex neighbor : delaunay_.neighbors(cell)) __builtin_prefetch(&delaunay_.cells[neighbor]);
+  for (const VertexIndex vertex : delaunay_.vertices(cell)) __builtin_prefetch(&delaunay_.points[vertex]);
+}
+
+// One pass over the cells: their signs, and which neighbours share their sphere.
+void VoronoiComplex::compute_signs(FilterTally& tally) {
+  signs_.resize(delaunay_.finite_count);
+  std::vector<FacetRef> cospherical;
+  FilterTally counts;  // local, so that counting does not go through memory
+  for (CellIndex cell = 0; cell < delaunay_.finite_count; ++cell) {
+    prefetch_neighbors(cell + kPrefetchDistance);
+    const TetrahedronPoints points = points_of(cell);
+    CellSphere sphere;
+    signs_[cell] = tetrahedron_signs(points, sphere, counts);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const CellIndex neighbor = delaunay_.neighbors(cell)[i];
+      if (neighbor < cell || !delaunay_.is_finite(neighbor)) continue;
+      const FacetRef mirror = delaunay_.mirror({cell, i});
+      const Point& q = delaunay_.points[delaunay_.vertices(neighbor)[mirror.index]];
+      if (on_sphere(points, sphere, q, counts)) cospherical.push_back({cell, i});
+    }
+  }
+  for (std::size_t k = 0; k < kPredicateCount; ++k) tally.counts[k] += counts.counts[k];
+  if (cospherical.empty()) return;
+  gather_clusters(cospherical);
+  gather_polygons(tally);
+}
+
+void VoronoiComplex::gather_clusters(std::span<const FacetRef> cospherical) {
+  const CellIndex count = delaunay_.finite_count;
+  Partition partition(count);
+  flags_.assign(count, kAlone);
+  for (const FacetRef facet : cospherical) {
+    const CellIndex neighbor = delaunay_.neighbors(facet.cell)[facet.index];
+    partition.unite(facet.cell, neighbor);
+    flags_[facet.cell] = static_cast<std::uint16_t>(flags_[facet.cell] & ~kAlone);
+    flags_[neighbor] = static_cast<std::uint16_t>(flags_[neighbor] & ~kAlone);
+  }
+  cluster_.resize(count);
+  std::vector<std::pair<CellIndex, CellIndex>> members;
+  for (CellIndex cell = 0; cell < count; ++cell) {
+    cluster_[cell] = partition.find(cell);
+    if (!is_alone(cell)) members.emplace_back(cluster_[cell], cell);
+  }
+  std::sort(members.begin(), members.end());
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    if (k > 0 && members[k].first != members[k - 1].first) cluster_first_.push_back(k);
+    cluster_cells_.push_back(members[k].second);
+  }
+  cluster_first_.push_back(members.size());
+
+  // Not only the facets that were tested: two cells of one cluster may share a facet, and then it is inside.
+  for (const CellIndex cell : cluster_cells_) {
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const CellIndex neighbor = delaunay_.neighbors(cell)[i];
+      if (delaunay_.is_finite(neighbor) && cluster_[neighbor] == cluster_[cell]) {
+        flags_[cell] = static_cast<std::uint16_t>(flags_[cell] | (1u << i));
+      }
+    }
+  }
+}
+
+// Two facets in one polygon lie in one plane, so their cells differ on both sides: only facets of large
+// clusters, between two of them or on the hull, can be pieces.
+void VoronoiComplex::gather_polygons(FilterTally& tally) {
+  gather_inner_polygons();
+  gather_hull_polygons(tally);
+}
+
+void VoronoiComplex::gather_inner_polygons() {
+  struct Piece {
+    CellIndex cluster, other;
+    FacetRef facet;
+  };
+  std::vector<Piece> pieces;
+  for (const CellIndex cell : cluster_cells_) {
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const CellIndex neighbor = delaunay_.neighbors(cell)[i];
+      if (!delaunay_.is_finite(neighbor) || is_alone(neighbor)) continue;
+      if (cluster_[cell] < cluster_[neighbor])
+        pieces.push_back({cluster_[cell], cluster_[neighbor], {cell, i}});
+    }
+  }
+  std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+    return std::tuple(a.cluster, a.other, a.facet.cell, a.facet.index) <
+           std::tuple(b.cluster, b.other, b.facet.cell, b.facet.index);
+  });
+  std::vector<FacetRef> run;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    run.push_back(pieces[k].facet);
+    const bool last = k + 1 == pieces.size() || pieces[k + 1].cluster != pieces[k].cluster ||
+                      pieces[k + 1].other != pieces[k].other;
+    if (!last) continue;
+    if (run.size() > 1) add_polygon(run);
+    run.clear();
+  }
+}
+
+// The hull facets of one cluster in one plane are connected across the edges they share, so neighbours on the
+// hull suffice.
+void VoronoiComplex::gather_hull_polygons(FilterTally& tally) {
+  std::vector<FacetRef> hull;
+  std::unordered_map<CellIndex, std::uint32_t> place;  // by the infinite cell on the other side
+  for (const CellIndex cell : cluster_cells_) {
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const CellIndex neighbor = delaunay_.neighbors(cell)[i];
+      if (delaunay_.is_finite(neighbor)) continue;
+      place.emplace(neighbor, static_cast<std::uint32_t>(hull.size()));
+      hull.push_back({cell, i});
+    }
+  }
+  Partition partition(hull.size());
+  const auto point = [this](VertexIndex v) -> const Point& { return delaunay_.points[v]; };
+  for (std::uint32_t k = 0; k < hull.size(); ++k) {
+    const CellIndex outside = delaunay_.neighbors(hull[k].cell)[hull[k].index];
+    const auto& around = delaunay_.neighbors(outside);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const auto next = place.find(around[i]);
+      if (next == place.end() || next->second <= k) continue;
+      const FacetRef other = hull[next->second];
+      if (cluster_[other.cell] != cluster_[hull[k].cell]) continue;
+      // The vertex of the next hull facet that is not on the shared edge.
+      const VertexIndex tip = delaunay_.vertices(around[i])[delaunay_.mirror({outside, i}).index];
+      const auto& v = delaunay_.vertices(hull[k].cell);
+      const std::uint32_t f = hull[k].index;
+      const Orientation plane{point(v[(f + 1) & 3]), point(v[(f + 2) & 3]), point(v[(f + 3) & 3]),
+                              point(tip)};
+      if (exact_sign(plane, tally) == Sign::kZero) partition.unite(k, next->second);
+    }
+  }
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> members;
+  for (std::uint32_t k = 0; k < hull.size(); ++k) members.emplace_back(partition.find(k), k);
+  std::sort(members.begin(), members.end());
+  std::vector<FacetRef> run;
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    run.push_back(hull[members[k].second]);
+    if (k + 1 < members.size() && members[k + 1].first == members[k].first) continue;
+    if (run.size() > 1) add_polygon(run);
+    run.clear();
+  }
+}
+
+void VoronoiComplex::add_polygon(std::span<const FacetRef> facets) {
+  const auto id = static_cast<std::uint32_t>(large_polygon_count());
+  if (polygon_of_.empty()) polygon_of_.resize(4 * std::size_t{delaunay_.finite_count});
+  const auto mark = [this, id](FacetRef facet) {
+    flags_[facet.cell] = static_cast<std::uint16_t>(flags_[facet.cell] | (16u << facet.index));
+    polygon_of_[4 * std::size_t{facet.cell} + facet.index] = id;
+  };
+  for (const FacetRef facet : facets) {
+    mark(facet);
+    const FacetRef mirror = delaunay_.mirror(facet);
+    if (delaunay_.is_finite(mirror.cell)) mark(mirror);
+    polygon_facets_.push_back(facet);
+  }
+  polygon_first_.push_back(polygon_facets_.size());
+}
+
+Sign VoronoiComplex::side(FacetRef facet) const {
+  const TetrahedronSigns& signs = signs_[facet.cell];
+  const unsigned bit = 1u << facet.index;
+  if ((signs.side_negative & bit) != 0) return Sign::kNegative;
+  if ((signs.side_zero & bit) != 0) return Sign::kZero;
+  if ((signs.side_open & bit) != 0) return side_exactly(points_of(facet.cell), facet.index);
+  return Sign::kPositive;
+}
+
+VoronoiComplex::FacetRole VoronoiComplex::role(FacetRef facet) const {
+  if (flags_.empty()) return FacetRole::kWhole;
+  const unsigned flags = flags_[facet.cell] >> facet.index;
+  if ((flags & 1u) != 0) return FacetRole::kInterior;
+  return (flags & 16u) != 0 ? FacetRole::kPiece : FacetRole::kWhole;
+}
+
+std::vector<PolygonSide> sides_of(const VoronoiComplex& complex, std::span<const FacetRef> polygon) {
+  std::vector<PolygonSide> edges;
+  for (const FacetRef facet : polygon) {
+    const auto& vertices = complex.delaunay().vertices(facet.cell);
+    const TetrahedronSigns& signs = complex.signs(facet.cell);
+    for (std::uint32_t j = 0; j < 4; ++j) {
+      if (j == facet.index) continue;
+      const unsigned bit = TetrahedronSigns::angle_bit(facet.index, j);
+      const Sign angle = ((signs.angle_negative >> bit) & 1u) != 0 ? Sign::kNegative
+                         : ((signs.angle_zero >> bit) & 1u) != 0   ? Sign::kZero
+                                                                   : Sign::kPositive;
+      // The two of the facet's vertices that are not j.
+      std::array<VertexIndex, 2> edge{};
+      std::size_t filled = 0;
+      for (std::uint32_t k = 0; k < 4; ++k) {
+        if (k != j && k != facet.index) edge[filled++] = vertices[k];
+      }
+      edges.push_back({std::min(edge[0], edge[1]), std::max(edge[0], edge[1]), angle});
+    }
+  }
+  // A diagonal is an edge of two facets.
+  std::sort(edges.begin(), edges.end(), [](const PolygonSide& a, const PolygonSide& b) {
+    return edge_key(a.v0, a.v1) < edge_key(b.v0, b.v1);
+  });
+  std::vector<PolygonSide> sides;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const bool twin_before = k > 0 && edges[k].v0 == edges[k - 1].v0 && edges[k].v1 == edges[k - 1].v1;
+    const bool twin_after =
+        k + 1 < edges.size() && edges[k].v0 == edges[k + 1].v0 && edges[k].v1 == edges[k + 1].v1;
+    if (!twin_before && !twin_after) sides.push_back(edges[k]);
+  }
+  return sides;
+}
+
+}  // namespace flowcert

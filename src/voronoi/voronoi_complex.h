@@ -1,0 +1,89 @@
+// The merged Voronoi complex of a point set that spans R^3: Delaunay cells gathered into Voronoi vertices,
+// their facets into the polygons dual to Voronoi edges and rays, with the signs that decide what is critical.
+//
+// Guarantees: exact; its faces are those of the Voronoi diagram, whatever way the triangulation cuts
+// cospherical sets (spec clauses FC-VOR-01 to 04). Where nothing is cospherical it adds a few bytes a cell to
+// the triangulation and no list at all: a cell alone in its cluster, a facet alone in its polygon, are named
+// by themselves.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "flowcert/filter_tally.h"
+#include "geometry/tetrahedron_signs.h"
+#include "voronoi/compact_delaunay.h"
+
+namespace flowcert {
+
+class VoronoiComplex {
+ public:
+  // dimension 3. O(cells), plus sorting what is cospherical.
+  VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally);
+
+  [[nodiscard]] const CompactDelaunay& delaunay() const { return delaunay_; }
+  // Of a finite cell.
+  [[nodiscard]] const TetrahedronSigns& signs(CellIndex cell) const { return signs_[cell]; }
+  // s(o, f) of the facet seen from its cell (FC-SIGN-03), resolved where it is still open.
+  [[nodiscard]] Sign side(FacetRef facet) const;
+
+  // Voronoi vertices: a cluster is named by one of its cells; cells that are alone are their own cluster.
+  [[nodiscard]] CellIndex cluster(CellIndex cell) const { return cluster_.empty() ? cell : cluster_[cell]; }
+  [[nodiscard]] bool is_alone(CellIndex cell) const { return flags_.empty() || (flags_[cell] & kAlone) != 0; }
+  // The clusters of two cells and more.
+  [[nodiscard]] std::size_t large_cluster_count() const { return cluster_first_.size() - 1; }
+  [[nodiscard]] std::span<const CellIndex> large_cluster(std::size_t k) const {
+    return std::span(cluster_cells_).subspan(cluster_first_[k], cluster_first_[k + 1] - cluster_first_[k]);
+  }
+
+  // What a finite cell's facet is: inside a cluster, a polygon by itself, or one of several that make up a
+  // polygon.
+  enum class FacetRole : std::uint8_t { kInterior, kWhole, kPiece };
+  [[nodiscard]] FacetRole role(FacetRef facet) const;
+
+  // The polygons of two facets and more. Each facet is given from the side of the same one of the two
+  // clusters.
+  [[nodiscard]] std::size_t large_polygon_count() const { return polygon_first_.size() - 1; }
+  [[nodiscard]] std::span<const FacetRef> large_polygon(std::size_t k) const {
+    return std::span(polygon_facets_).subspan(polygon_first_[k], polygon_first_[k + 1] - polygon_first_[k]);
+  }
+  // Of a facet that is a piece, from either side.
+  [[nodiscard]] std::size_t large_polygon_of(FacetRef facet) const {
+    return polygon_of_[4 * std::size_t{facet.cell} + facet.index];
+  }
+
+ private:
+  // flags_[cell]: bit i, facet i is interior; bit 4 + i, facet i is a piece; kAlone.
+  static constexpr std::uint16_t kAlone = 1u << 8;
+
+  void compute_signs(FilterTally& tally);
+  void prefetch_neighbors(CellIndex cell) const;
+  void gather_clusters(std::span<const FacetRef> cospherical);
+  void gather_polygons(FilterTally& tally);
+  void gather_inner_polygons();
+  void gather_hull_polygons(FilterTally& tally);
+  void add_polygon(std::span<const FacetRef> facets);
+  [[nodiscard]] TetrahedronPoints points_of(CellIndex cell) const;
+
+  CompactDelaunay delaunay_;
+  std::vector<TetrahedronSigns> signs_;
+  std::vector<CellIndex> cluster_;    // empty: all cells are alone
+  std::vector<std::uint16_t> flags_;  // likewise
+  std::vector<std::size_t> cluster_first_{0};
+  std::vector<CellIndex> cluster_cells_;
+  std::vector<std::size_t> polygon_first_{0};
+  std::vector<FacetRef> polygon_facets_;
+  std::vector<std::uint32_t> polygon_of_;  // 4 a finite cell; empty where no polygon is large
+};
+
+// A side of a large polygon: an edge of exactly one of its facets.
+struct PolygonSide {
+  VertexIndex v0, v1;  // v0 < v1
+  Sign angle;          // h at the polygon's other vertices, all the same (FC-SIGN-01)
+};
+// In no particular order.
+[[nodiscard]] std::vector<PolygonSide> sides_of(const VoronoiComplex& complex,
+                                                std::span<const FacetRef> polygon);
+
+}  // namespace flowcert
