@@ -1,0 +1,72 @@
+// Exact geometry of a handful of points in R^3: circumcentres, affine hulls, faces of convex hulls.
+//
+// Everything here is computed in rational numbers, so every answer is the true one; nothing is filtered,
+// rounded or compared up to a tolerance. All of it rests on one operation, the solution of a Gram system of
+// at most three equations (solve_gram in the .cpp file). Points come in any dimension of their affine hull, 0
+// to 3, and no position is excluded.
+#pragma once
+
+#include <array>
+#include <boost/multiprecision/gmp.hpp>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace oracle {
+
+using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+using Rational =
+    boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+using Point = std::array<Rational, 3>;
+
+// The same point in rationals (FC-IN-02). Every finite double is a rational; the doubles have to be finite.
+Point exact(const std::array<double, 3>& row);
+
+Point minus(const Point& a, const Point& b);
+Rational dot(const Point& a, const Point& b);
+Rational squared_distance(const Point& a, const Point& b);
+
+// The point of the affine hull of `simplex` at equal distance from all its points, with its barycentric
+// coordinates there. Nothing iff the points are affinely dependent (five points and more always are).
+struct Circumcentre {
+  Point center;
+  std::vector<Rational> weights;
+};
+std::optional<Circumcentre> circumcentre(const std::vector<Point>& simplex);
+
+// The barycentric coordinates of x. Nothing iff the points are affinely dependent or x is not in their affine
+// hull.
+std::optional<std::vector<Rational>> barycentric(const std::vector<Point>& simplex, const Point& x);
+
+// An affinely independent subset with the same affine hull: each point that the ones before it do not span.
+std::vector<Point> spanning_subset(const std::vector<Point>& points);
+
+// Dimension of the affine hull: 0 to 3, and -1 for no point.
+int affine_dimension(const std::vector<Point>& points);
+
+// The dimension of the face of conv(points) that has x in its relative interior; nothing iff x is not in
+// conv(points).
+std::optional<int> face_dimension(const std::vector<Point>& points, const Point& x);
+
+// Calls visit(subset) for every non-empty subset of {0, ..., count - 1} of at most max_size members,
+// ascending.
+template <typename Visit>
+void for_each_subset(std::size_t count, std::size_t max_size, const Visit& visit,
+                     std::vector<std::size_t> chosen = {}) {
+  for (std::size_t next = chosen.empty() ? 0 : chosen.back() + 1; next < count; ++next) {
+    chosen.push_back(next);
+    visit(chosen);
+    if (chosen.size() < max_size) for_each_subset(count, max_size, visit, chosen);
+    chosen.pop_back();
+  }
+}
+
+// The members of `all` at the given places.
+template <typename T>
+std::vector<T> select(const std::vector<T>& all, const std::vector<std::size_t>& places) {
+  std::vector<T> result;
+  for (const std::size_t place : places) result.push_back(all[place]);
+  return result;
+}
+
+}  // namespace oracle

@@ -1,0 +1,174 @@
+// flowcert-oracle: the reference on the command line.
+//
+//   stationary INPUT        lists all stationary points of a small input, by search over all subsets
+//   certify INPUT RECORDS   judges claimed stationary points, drawn at random, by linear scans over all
+//   points
+//
+// Exit status: 0 all right; 1 a claim is wrong; 2 unusable input or usage, with one line on standard error.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <random>
+
+#include "oracle/read_points.h"
+#include "oracle/read_records.h"
+#include "oracle/stationary_points.h"
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int kWrong = 1;
+constexpr int kUnusable = 2;
+
+ordered_json header(const oracle::Answer& answer) {
+  const auto regular = answer.regular_counts();
+  return {{"format", "oracle-stationary-points"},
+          {"format_version", 1},
+          {"points", answer.points},
+          {"merged_duplicates", answer.merged_duplicates},
+          {"critical", answer.critical_counts()},
+          {"regular_stationary", {{"1-2", regular[0]}, {"2-3", regular[1]}, {"1-3", regular[2]}}}};
+}
+
+ordered_json record(const oracle::StationaryPoint& s) {
+  const bool critical = s.face_dimension == s.hull_dimension;
+  ordered_json index = s.hull_dimension;
+  if (!critical) index = {s.face_dimension, s.hull_dimension};
+  return {{"index", index},
+          {"kind", critical ? "critical" : "regular"},
+          {"contact", s.contact},
+          {"center", {s.center[0].str(), s.center[1].str(), s.center[2].str()}},
+          {"squared_distance", s.squared_distance.str()}};
+}
+
+void print_json(const oracle::Answer& answer) {
+  std::cout << header(answer).dump() << '\n';
+  for (const auto& s : answer.stationary) std::cout << record(s).dump() << '\n';
+}
+
+void print_text(const oracle::Answer& answer) {
+  const auto critical = answer.critical_counts();
+  const auto regular = answer.regular_counts();
+  std::cout << "points " << answer.points << ", merged duplicates " << answer.merged_duplicates
+            << "\ncritical " << critical[0] << ' ' << critical[1] << ' ' << critical[2] << ' ' << critical[3]
+            << "\nregular stationary 1-2: " << regular[0] << ", 2-3: " << regular[1]
+            << ", 1-3: " << regular[2] << '\n';
+  for (const auto& s : answer.stationary) {
+    std::cout << "index " << s.face_dimension;
+    if (s.face_dimension != s.hull_dimension) std::cout << '-' << s.hull_dimension;
+    std::cout << " at " << s.center[0] << ' ' << s.center[1] << ' ' << s.center[2] << " contact";
+    for (const std::size_t name : s.contact) std::cout << ' ' << name;
+    std::cout << " squared_distance " << s.squared_distance << '\n';
+  }
+}
+
+std::string with_commas(std::size_t number) {
+  std::string digits = std::to_string(number);
+  for (std::size_t place = digits.size(); place > 3; place -= 3) digits.insert(place - 3, 1, ',');
+  return digits;
+}
+
+int run_stationary(const std::string& input, bool json, std::size_t limit) {
+  const auto rows = oracle::read_point_file(input);
+  if (rows.size() > limit) {
+    throw oracle::UnusableInput(input + ": " + with_commas(rows.size()) +
+                                " points; the search over all subsets of four takes time n^5 (see --limit)");
+  }
+  const oracle::Answer answer = oracle::stationary_points(rows);
+  json ? print_json(answer) : print_text(answer);
+  return 0;
+}
+
+// Ascending places of `count` records out of `size`, or of all of them.
+std::vector<std::size_t> draw(std::size_t size, std::size_t count, std::uint64_t seed) {
+  std::vector<std::size_t> all(size);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::vector<std::size_t> drawn;
+  std::mt19937_64 random(seed);
+  std::sample(all.begin(), all.end(), std::back_inserter(drawn), count, random);
+  return drawn;
+}
+
+int run_certify(const std::string& input, const std::string& records, std::size_t sample,
+                std::uint64_t seed) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto rows = oracle::read_point_file(input);
+  const oracle::PointSet set(rows);
+  std::ifstream in(records);
+  if (!in) throw oracle::UnusableInput(records + ": cannot be opened");
+  const oracle::RecordFile file = oracle::read_record_file(in, records);
+  if (file.points != rows.size() || file.merged_duplicates != set.merged_duplicates) {
+    std::cout << records << ":1: FC-IN-03: the header claims " << file.points << " points and "
+              << file.merged_duplicates << " merged, the input has " << rows.size() << " and "
+              << set.merged_duplicates << '\n';
+    return kWrong;
+  }
+  const auto drawn = draw(file.records.size(), sample, seed);
+  std::size_t right = 0;
+  for (const std::size_t place : drawn) {
+    const std::string where = records + ":" + std::to_string(place + 2) + ": ";
+    const oracle::Record claimed = oracle::parse_record(file.records[place], where);
+    const auto finding = claimed.finding ? claimed.finding : oracle::certify(set, claimed.claim);
+    if (!finding) ++right;
+    if (finding) std::cout << where << finding->clause << ": " << finding->explanation << '\n';
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  std::cout << "oracle: " << with_commas(right) << " of " << with_commas(drawn.size())
+            << " sampled stationary points certified by linear scan over " << with_commas(set.points.size())
+            << " points, exactly (" << std::lround(seconds.count()) << " s)\n";
+  return right == drawn.size() ? 0 : kWrong;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Exact reference for the stationary points of a point set's distance function"};
+  app.require_subcommand(1);
+  app.footer(
+      "Examples: flowcert-oracle stationary --json cube.xyz\n"
+      "          flowcert-oracle certify bunny.xyz bunny.jsonl --sample 200 --seed 1");
+  std::string input, records;
+  bool json = false;
+  std::size_t limit = 100, sample = 200;
+  std::uint64_t seed = 1;
+
+  CLI::App& list = *app.add_subcommand("stationary", "List all stationary points of a small input");
+  list.add_option("INPUT", input, "XYZ file, or OBJ (.obj)")->required();
+  list.add_flag("--json", json, "JSON Lines instead of text");
+  list.add_option("--limit", limit, "Refuse inputs of more points")->capture_default_str();
+  list.footer("Example: flowcert-oracle stationary --json cube.xyz");
+
+  CLI::App& judge = *app.add_subcommand("certify", "Judge claimed stationary points of an input of any size");
+  judge.add_option("INPUT", input, "XYZ file, or OBJ (.obj)")->required();
+  judge.add_option("RECORDS", records, "What 'flowcert compute -o' wrote for it")->required();
+  judge.add_option("--sample", sample, "How many records to draw; all if there are fewer")
+      ->capture_default_str();
+  judge.add_option("--seed", seed, "Seed of the draw")->capture_default_str();
+  judge.footer("Example: flowcert-oracle certify bunny.xyz bunny.jsonl --sample 200 --seed 1");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {  // --help
+    return app.exit(request);
+  } catch (const CLI::ParseError& error) {
+    throw oracle::UnusableInput(std::string(error.what()) + " (see --help)");
+  }
+  return list.parsed() ? run_stationary(input, json, limit) : run_certify(input, records, sample, seed);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const int status = run(argc, argv);
+    std::cout.flush();
+    if (std::cout) return status;
+    std::cerr << "flowcert-oracle: standard output cannot be written\n";
+  } catch (const std::exception& error) {
+    std::cerr << "flowcert-oracle: " << error.what() << '\n';
+  }
+  return kUnusable;
+}

@@ -1,0 +1,73 @@
+// All stationary points of the distance function of a finite point set, from the definitions alone.
+//
+// stationary_points() tries every subset of at most four points and scans all points for each: no
+// triangulation, no Voronoi diagram, nothing that could be got wrong in a degenerate case. It takes time n^5
+// and is meant for small sets. certify() judges one claimed stationary point of a set of any size, by one
+// scan over all points. Both are exact. Clauses (FC-...) are those of spec/flow_complex.md.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "oracle/exact_geometry.h"
+
+namespace oracle {
+
+// The merged point set P (FC-IN-03). Throws std::invalid_argument for a coordinate that is not finite
+// (FC-IN-01).
+struct PointSet {
+  explicit PointSet(const std::vector<std::array<double, 3>>& rows);
+
+  std::size_t merged_duplicates = 0;
+  std::vector<Point> points;       // distinct, by first appearance in the input
+  std::vector<std::size_t> names;  // their class names, so ascending
+
+  // The points in integers, for fast scans: x, y, z times `scale`, and the sum of their squares.
+  Integer scale = 1;
+  std::vector<std::array<Integer, 4>> lifted;
+};
+
+// Where in `points` the points nearest to x are, ascending: the contact set C(x) of FC-DIST-01. Empty only
+// for no points.
+std::vector<std::size_t> nearest_places(const PointSet& set, const Point& x);
+
+// The same by class names.
+std::vector<std::size_t> contact_set(const PointSet& set, const Point& x);
+
+// Critical iff face_dimension == hull_dimension, which then is its index (FC-CRIT-02); else regular
+// stationary, and (face_dimension, hull_dimension) is its kind (FC-CRIT-03).
+struct StationaryPoint {
+  Point center;
+  Rational squared_distance;
+  std::vector<std::size_t> contact;  // class names, ascending
+  int face_dimension = 0;
+  int hull_dimension = 0;
+
+  friend bool operator==(const StationaryPoint&, const StationaryPoint&) = default;
+};
+
+struct Answer {
+  std::size_t points = 0;  // before merging
+  std::size_t merged_duplicates = 0;
+  std::vector<StationaryPoint> stationary;  // in the order of FC-OUT-02
+
+  std::size_t count(int face_dimension, int hull_dimension) const;
+  std::array<std::size_t, 4> critical_counts() const;
+  std::array<std::size_t, 3> regular_counts() const;  // of kinds 1-2, 2-3, 1-3
+};
+
+Answer stationary_points(const std::vector<std::array<double, 3>>& rows);
+
+// What is wrong with a claim: the clause that it violates, and what is claimed and what is true.
+struct Finding {
+  std::string clause;
+  std::string explanation;
+};
+
+// The first thing that is wrong with a claimed stationary point, or nothing if all of it is right.
+std::optional<Finding> certify(const PointSet& set, const StationaryPoint& claim);
+
+}  // namespace oracle

@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# The oracle shares nothing with the fast implementation: no source, no CGAL, no MPFR.
+#
+# usage: oracle_independence_test.sh BUILD_DIR      (a Ninja build in which the oracle is built)
+#
+# Judged by what the compiler really read (ninja's record of dependencies for the oracle's object files) and by the
+# line that links the tool. It fails as well when these do not show the oracle's own files: then it has seen nothing.
+set -euo pipefail
+root=$(realpath "$(dirname "$0")/../..")
+cd "$1"
+failures=0
+fail() {
+  echo "FAIL: $*"
+  failures=$((failures + 1))
+}
+
+# Header and source files that the oracle's objects depend on, with all links and ".." resolved.
+read_files=$(ninja -t deps | awk '/^[^ ]/ { wanted = /flowcert_oracle(_tool)?\.dir\// && !/STALE/ } /^ / && wanted { print $1 }' |
+  sort -u | xargs -r realpath | sort -u)
+
+for source in "$root"/oracle/*.cpp; do
+  grep -qxF "$source" <<<"$read_files" || fail "no dependencies of $source are known; is the oracle built?"
+done
+grep -q '/gmp\.h$' <<<"$read_files" || fail "gmp.h is not among the dependencies; the list cannot be right"
+
+while read -r file; do
+  case "$file" in
+    "$root"/src/*) fail "the oracle includes $file, which is part of the fast implementation" ;;
+    */CGAL/*) fail "the oracle includes $file of CGAL" ;;
+    */mpfr.h) fail "the oracle includes $file" ;;
+    "$root"/oracle/*) ;;
+    "$root"/*) fail "the oracle includes $file, which is not its own" ;;
+  esac
+done <<<"$read_files"
+
+link_line=$(ninja -t commands flowcert-oracle | tail -n 1)
+grep -q 'libflowcert_oracle\.a' <<<"$link_line" || fail "the link line does not name libflowcert_oracle.a: $link_line"
+grep -q -- 'lgmp\|libgmp' <<<"$link_line" || fail "the link line does not name GMP: $link_line"
+if grep -qiE 'libflowcert\.|-lflowcert\b|cgal|mpfr' <<<"$link_line"; then
+  fail "the oracle is linked with the fast implementation, CGAL or MPFR: $link_line"
+fi
+
+[ "$failures" -eq 0 ] || exit 1
+echo "the oracle reads $(wc -l <<<"$read_files") files; none of src/, none of CGAL"

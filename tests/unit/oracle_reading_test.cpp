@@ -1,0 +1,231 @@
+// The oracle's own parsers: points as XYZ and OBJ, rationals, records. Each error is met once, with its line.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "oracle/read_points.h"
+#include "oracle/read_records.h"
+#include "tests/cites.h"
+
+namespace {
+
+using oracle::PointFormat;
+using oracle::Rational;
+using Rows = std::vector<std::array<double, 3>>;
+
+constexpr double kSubnormal = std::numeric_limits<double>::denorm_min();
+constexpr double kGreatest = std::numeric_limits<double>::max();
+
+Rows points(const std::string& text, PointFormat format = PointFormat::kXyz) {
+  std::istringstream in(text);
+  return oracle::read_points(in, "f", format);
+}
+
+// The message of the error that reading must end in.
+template <typename Read>
+std::string error(const Read& read) {
+  try {
+    read();
+  } catch (const oracle::UnusableInput& unusable) {
+    return unusable.what();
+  }
+  return "read without an error";
+}
+
+std::string points_error(const std::string& text, PointFormat format = PointFormat::kXyz) {
+  return error([&] { points(text, format); });
+}
+
+TEST(OracleReadXyz, SeparatorsCommentsAndFurtherColumns) {
+  CITES("FC-IN-02");
+  EXPECT_EQ(points("# header\n1 2 3\n\n\t4,5, 6 7 rest\r\n7\t8 9#x\n10,11,12"),
+            (Rows{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {10, 11, 12}}));
+}
+
+TEST(OracleReadXyz, NumbersAreTheNearestDoubles) {
+  CITES("FC-IN-02");
+  // 2^53 + 1 is a tie, which goes to the even 2^53; the digit at its end breaks the tie.
+  EXPECT_EQ(points("9007199254740993 9007199254740993.0000000000000000001 0.1"),
+            (Rows{{9007199254740992.0, 9007199254740994.0, 0.1}}));
+  EXPECT_EQ(points("0x1.8p1 -0x.8p-1073 0x10"), (Rows{{3, -kSubnormal, 16}}));
+  EXPECT_EQ(points("1e-400 5e-324 -1.7976931348623157e308"), (Rows{{0, kSubnormal, -kGreatest}}));
+  EXPECT_EQ(points("-0.0 +1 .5"), (Rows{{0, 1, 0.5}}));
+}
+
+TEST(OracleReadXyz, ErrorsNameTheLine) {
+  CITES("FC-IN-05", "FC-IN-01");
+  EXPECT_EQ(points_error("1 2 3\n4 5\n"), "f:2: three numbers expected, found 2");
+  EXPECT_EQ(points_error("1 2 3\n\n4 5 # 6\n"), "f:3: three numbers expected, found 2");
+  EXPECT_EQ(points_error("1 2 3\n4 x 6\n"), "f:2: 'x' is not a number");
+  EXPECT_EQ(points_error("1 2 3.0.0\n"), "f:1: '3.0.0' is not a number");
+  EXPECT_EQ(points_error(std::string("1 2 3\0 4\n", 9)).substr(0, 7),
+            "f:1: '3");  // the zero byte ends what()
+  EXPECT_EQ(points_error("\n1 nan 3\n"), "f:2: 'nan' is not a finite double");
+  EXPECT_EQ(points_error("1 2 -inf\n"), "f:1: '-inf' is not a finite double");
+  EXPECT_EQ(points_error("1 1e309 3\n"), "f:1: '1e309' is not a finite double");
+  EXPECT_EQ(points_error("1.7976931348623159e308 0 0\n"),
+            "f:1: '1.7976931348623159e308' is not a finite double");
+}
+
+TEST(OracleReadXyz, MissingAndEmptyFiles) {
+  CITES("FC-IN-05");
+  EXPECT_EQ(points_error(""), "f: empty");
+  EXPECT_EQ(points_error(" \n\t\r\n"), "f: empty");
+  EXPECT_EQ(error([] { oracle::read_point_file("no/such.xyz"); }), "no/such.xyz: cannot be opened");
+  EXPECT_EQ(error([] { oracle::read_point_file("/"); }), "/: cannot be read");
+}
+
+TEST(OracleReadObj, VerticesOnly) {
+  CITES("FC-IN-05");
+  const std::string text = "# v 9 9 9\no name\nv 1 2 3 1.0\nvn 0 0 1\nvt x\nf 1 1 1\nv\t4 5 6\n";
+  EXPECT_EQ(points(text, PointFormat::kObj), (Rows{{1, 2, 3}, {4, 5, 6}}));
+  EXPECT_EQ(points_error("vn 1 2 3\nv 1 2\n", PointFormat::kObj), "f:2: three numbers expected, found 2");
+  EXPECT_EQ(points_error("v 1 2 z\n", PointFormat::kObj), "f:1: 'z' is not a number");
+}
+
+TEST(OracleRationals, CanonicalOrNot) {
+  CITES("FC-NUM-02");
+  for (const char* text : {"0", "7", "-7", "1/2", "-3/4", "123456789012345678901234567891/2"}) {
+    const auto read = oracle::parse_rational(text);
+    ASSERT_TRUE(read) << text;
+    EXPECT_TRUE(read->canonical) << text;
+    EXPECT_EQ(read->value.str(), text);
+  }
+  const std::pair<const char*, const char*> others[] = {{"2/4", "1/2"},    {"-0", "0"},     {"007", "7"},
+                                                        {"010/3", "10/3"}, {"3/1", "3"},    {"1/-2", "-1/2"},
+                                                        {"0/5", "0"},      {"-2/-4", "1/2"}};
+  for (const auto& [text, value] : others) {
+    const auto read = oracle::parse_rational(text);
+    ASSERT_TRUE(read) << text;
+    EXPECT_FALSE(read->canonical) << text;
+    EXPECT_EQ(read->value.str(), value);
+  }
+}
+
+TEST(OracleRationals, WhatIsNone) {
+  CITES("FC-NUM-02");
+  for (const char* text :
+       {"", "-", "1/0", "0/0", "1/", "/2", "1/2/3", "1.5", "+1", " 1", "1 ", "0x10", "1e3", "--1"}) {
+    EXPECT_FALSE(oracle::parse_rational(text)) << text;
+  }
+}
+
+TEST(OracleNearestDouble, TiesGoToEven) {
+  CITES("FC-NUM-02");
+  const Rational ulp = Rational(std::ldexp(1.0, -52));  // of 1
+  const double next = std::nextafter(1.0, 2.0);
+  EXPECT_TRUE(oracle::is_nearest_double(1.0, 1 + ulp / 2));
+  EXPECT_FALSE(oracle::is_nearest_double(next, 1 + ulp / 2));
+  EXPECT_FALSE(oracle::is_nearest_double(1.0, 1 + ulp * 5001 / 10000));
+  EXPECT_TRUE(oracle::is_nearest_double(next, 1 + ulp * 5001 / 10000));
+  EXPECT_TRUE(oracle::is_nearest_double(1.0, 1 - ulp / 4));  // the ulp below 1 is half as large
+  EXPECT_FALSE(oracle::is_nearest_double(1.0, 1 - ulp / 3));
+  EXPECT_TRUE(oracle::is_nearest_double(0.0, Rational(kSubnormal) / 2));
+  EXPECT_FALSE(oracle::is_nearest_double(kSubnormal, Rational(kSubnormal) / 2));
+  EXPECT_TRUE(oracle::is_nearest_double(kSubnormal, Rational(kSubnormal) * 3 / 4));
+}
+
+TEST(OracleNearestDouble, OverflowBeginsHalfWayTo2To1024) {
+  CITES("FC-NUM-02");
+  const Rational half_ulp = Rational(std::ldexp(1.0, 970));
+  EXPECT_TRUE(oracle::is_nearest_double(kGreatest, Rational(kGreatest) + half_ulp - 1));
+  EXPECT_FALSE(oracle::is_nearest_double(kGreatest, Rational(kGreatest) + half_ulp));
+  EXPECT_FALSE(oracle::is_nearest_double(-kGreatest, -Rational(kGreatest) - half_ulp));
+  EXPECT_FALSE(oracle::is_nearest_double(std::numeric_limits<double>::infinity(), Rational(kGreatest) * 2));
+}
+
+const std::string kHeader =
+    R"({"format":"flowcert-stationary-points","format_version":1,"points":3,"merged_duplicates":1,)"
+    R"("critical":[2,1,0,0],"regular_stationary":{"1-2":0,"2-3":0,"1-3":0}})";
+
+TEST(OracleRecords, Header) {
+  CITES("FC-IN-03");
+  std::istringstream in(kHeader + "\na\nb\nc\n");
+  const oracle::RecordFile file = oracle::read_record_file(in, "r");
+  EXPECT_EQ(file.points, 3U);
+  EXPECT_EQ(file.merged_duplicates, 1U);
+  EXPECT_EQ(file.records, (std::vector<std::string>{"a", "b", "c"}));
+}
+
+TEST(OracleRecords, UnusableFiles) {
+  CITES("FC-IN-05");
+  const auto file_error = [](const std::string& text) {
+    return error([&] {
+      std::istringstream in(text);
+      oracle::read_record_file(in, "r");
+    });
+  };
+  EXPECT_EQ(file_error(""), "r: empty or unreadable");
+  EXPECT_EQ(file_error(kHeader + "\na\nb\n"), "r: the header announces 3 records, the file has 2");
+  EXPECT_EQ(file_error("{").substr(0, 5), "r:1: ");
+  EXPECT_EQ(file_error(R"({"format":"flowcert-summary"})"),
+            "r:1: the format is 'flowcert-summary', not a list of stationary points");
+  EXPECT_EQ(file_error(R"({"format":"flowcert-stationary-points","format_version":2})"),
+            "r:1: unknown format_version");
+}
+
+// A record with one part replaced.
+std::string record(const std::string& from = "", const std::string& to = "") {
+  std::string line =
+      R"({"index":1,"kind":"critical","contact":[0,2],"center":["1/2","0","-3"],"squared_distance":"1/4",)"
+      R"("center_double":[0.5,0.0,-3.0],"squared_distance_double":0.25})";
+  if (!from.empty()) line.replace(line.find(from), from.size(), to);
+  return line;
+}
+
+TEST(OracleRecords, ARecord) {
+  CITES("FC-OUT-01");
+  const oracle::Record read = oracle::parse_record(record(), "r:2: ");
+  EXPECT_FALSE(read.finding);
+  EXPECT_EQ(read.claim, (oracle::StationaryPoint{{Rational(1) / 2, 0, -3}, Rational(1) / 4, {0, 2}, 1, 1}));
+  const oracle::Record regular =
+      oracle::parse_record(record(R"(1,"kind":"critical")", R"([1,3],"kind":"regular")"), "");
+  EXPECT_FALSE(regular.finding);
+  EXPECT_EQ(regular.claim.face_dimension, 1);
+  EXPECT_EQ(regular.claim.hull_dimension, 3);
+}
+
+TEST(OracleRecords, FindingsInTheWriting) {
+  CITES("FC-NUM-02", "FC-CRIT-03");
+  const auto clause = [](const std::string& line) {
+    const oracle::Record read = oracle::parse_record(line, "");
+    return read.finding ? read.finding->clause : "right";
+  };
+  EXPECT_EQ(clause(record("1/4", "2/8")), "FC-NUM-02");
+  EXPECT_EQ(clause(record("1/2", "2/4")), "FC-NUM-02");
+  EXPECT_EQ(clause(record("0.25", "0.25000000000000006")), "FC-NUM-02");
+  EXPECT_EQ(clause(record("0.25", "null")), "FC-NUM-02");
+  EXPECT_EQ(clause(record("-3.0", "-3.0000000000000004")), "FC-NUM-02");
+  EXPECT_EQ(clause(record("critical", "regular")), "FC-CRIT-03");
+  EXPECT_EQ(clause(record(R"("index":1)", R"("index":[1,2])")), "FC-CRIT-03");
+  EXPECT_EQ(clause(record(R"(1,"kind":"critical")", R"([2,2],"kind":"regular")")), "FC-CRIT-03");
+  // Beyond the doubles: null, and nothing else.
+  const std::string huge = "1" + std::string(400, '0');
+  const std::string line = record("1/4", huge);
+  EXPECT_EQ(clause(line), "FC-NUM-02");
+  std::string with_null = line;
+  with_null.replace(with_null.find("0.25"), 4, "null");
+  EXPECT_EQ(clause(with_null), "right");
+}
+
+TEST(OracleRecords, UnusableRecords) {
+  CITES("FC-NUM-02");
+  const auto record_error = [](const std::string& line) {
+    return error([&] { oracle::parse_record(line, "r:2: "); });
+  };
+  EXPECT_EQ(record_error(record("1/4", "1/0")), "r:2: '1/0' is not a rational");
+  EXPECT_EQ(record_error(record("[0,2]", "[0,-2]")), "r:2: a point id or an index is no natural number");
+  EXPECT_EQ(record_error(record("[0,2]", "[0,2.5]")), "r:2: a point id or an index is no natural number");
+  EXPECT_EQ(record_error(record("\"index\":1", "\"index\":4")), "r:2: an index is greater than 3");
+  EXPECT_EQ(record_error(record("\"index\":1", "\"index\":[1]")),
+            "r:2: a point id or an index is no natural number");
+  EXPECT_EQ(record_error(record(R"(,"-3"])", "]")), "r:2: center is not three rationals");
+  for (const std::string& line : {record("contact", "contacts"), record("0.25", "1e999"), record("}", ""),
+                                  record("\"1/4\"", "0.25"), std::string("[]"), std::string(100000, '[')}) {
+    EXPECT_EQ(record_error(line).substr(0, 6), "r:2: [") << line.substr(0, 200);
+  }
+}
+
+}  // namespace
