@@ -1,0 +1,36 @@
+// What every subcommand of `flowcert` is, and what they share. Exit status: 0 right, 1 a negative verdict, 2
+// unusable input or usage.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "flowcert/read_points.h"
+
+namespace flowcert {
+
+inline constexpr int kRight = 0;
+inline constexpr int kNegativeVerdict = 1;
+inline constexpr int kUnusable = 2;
+
+// Each adds its subcommand, options and callback; the callback sets the exit status and throws InvalidInput
+// or OutputError.
+void add_compute_command(CLI::App& app, int& status);
+void add_explain_command(CLI::App& app, int& status);
+
+// Reads the file, and says on standard error what a user should know of it: single precision, merged
+// duplicates.
+struct Input {
+  PointFile file;
+  PointSet points;
+  std::string sha256;
+};
+[[nodiscard]] Input read_input(const std::string& path);
+
+// "-" as a person would call it.
+[[nodiscard]] std::string display_name(const std::string& path);
+
+// "34,835"
+[[nodiscard]] std::string with_commas(unsigned long long value);
+
+}  // namespace flowcert

@@ -1,0 +1,111 @@
+// `flowcert explain`: why a set of points, or a position, is or is not critical. Exit status 0 for
+// stationary, 1 for not.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+
+#include "cli/command.h"
+#include "flowcert/explain.h"
+#include "io/json_fields.h"
+#include "io/rational_text.h"
+
+namespace flowcert {
+
+namespace {
+
+struct ExplainOptions {
+  std::string input;
+  std::vector<PointId> ids;
+  std::string position;
+  bool json = false;
+};
+
+std::string exact_and_double(const Rational& value) {
+  const std::optional<double> nearest = nearest_double(value);
+  const std::string text = to_text(value);
+  // An integer says it all; a fraction is easier to place with its double.
+  if (text.find('/') == std::string::npos || !nearest) return text;
+  return fmt::format("{} ({})", text, *nearest);
+}
+
+std::string point_text(const RationalPoint& p) {
+  return fmt::format("{}, {}, {}", exact_and_double(p[0]), exact_and_double(p[1]), exact_and_double(p[2]));
+}
+
+std::string verdict_text(const Explanation& explanation) {
+  if (!explanation.index) return "no stationary point";
+  const StationaryIndex index = *explanation.index;
+  if (index.is_critical()) return fmt::format("critical point of index {}", index.face_dimension);
+  return fmt::format("regular stationary point of kind {}-{}", index.face_dimension, index.hull_dimension);
+}
+
+void print_text(const Explanation& explanation, const std::string& asked) {
+  fmt::print("{}: {}\n", asked, verdict_text(explanation));
+  fmt::print("  because      {} [{}]\n", explanation.reason, explanation.clause);
+  if (!explanation.witnesses.empty()) {
+    fmt::print("  by point{}    {}\n", explanation.witnesses.size() == 1 ? " " : "s",
+               fmt::join(explanation.witnesses, ", "));
+  }
+  if (!explanation.sphere) return;
+  fmt::print("  centre       {}\n", point_text(explanation.sphere->center));
+  fmt::print("  radius^2     {}\n", exact_and_double(explanation.sphere->squared_radius));
+  if (explanation.squared_distance != explanation.sphere->squared_radius) {
+    fmt::print("  nearest^2    {}\n", exact_and_double(explanation.squared_distance));
+  }
+  fmt::print("  contact set  {}\n", fmt::join(explanation.contact, ", "));
+  if (explanation.driver) fmt::print("  driver       {}\n", point_text(*explanation.driver));
+}
+
+void print_json(const Explanation& explanation) {
+  Json json;
+  json["stationary"] = explanation.index.has_value();
+  json["index"] = explanation.index ? index_field(*explanation.index) : Json(nullptr);
+  json["kind"] = !explanation.index                 ? Json(nullptr)
+                 : explanation.index->is_critical() ? Json("critical")
+                                                    : Json("regular");
+  json["clause"] = explanation.clause;
+  json["reason"] = explanation.reason;
+  json["witnesses"] = explanation.witnesses;
+  json["center"] = explanation.sphere ? center_field(explanation.sphere->center) : Json(nullptr);
+  json["squared_radius"] =
+      explanation.sphere ? Json(to_text(explanation.sphere->squared_radius)) : Json(nullptr);
+  json["contact"] = explanation.contact;
+  json["squared_distance"] = explanation.sphere ? Json(to_text(explanation.squared_distance)) : Json(nullptr);
+  json["driver"] = explanation.driver ? center_field(*explanation.driver) : Json(nullptr);
+  fmt::print("{}\n", json.dump());
+}
+
+int explain(const ExplainOptions& options) {
+  const bool by_position = !options.position.empty();
+  const RationalPoint position = by_position ? parse_rational_point(options.position) : RationalPoint{};
+  const Input input = read_input(options.input);
+  const Explanation explanation =
+      by_position ? explain_position(input.points, position) : explain_points(input.points, options.ids);
+  if (options.json) {
+    print_json(explanation);
+  } else {
+    print_text(explanation, by_position ? fmt::format("position {}", point_text(position))
+                                        : fmt::format("points {}", fmt::join(options.ids, ", ")));
+  }
+  return explanation.index ? kRight : kNegativeVerdict;
+}
+
+}  // namespace
+
+void add_explain_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<ExplainOptions>();
+  CLI::App* command = app.add_subcommand("explain", "Why points, or a position, are or are not stationary");
+  command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
+  auto* what = command->add_option_group("what", "One of");
+  what->add_option("--ids", options->ids, "The points, by 0-based row: 3,17,20")->delimiter(',');
+  what->add_option("--at", options->position,
+                   "The position X,Y,Z: decimals (the nearest doubles), hex floats or fractions p/q (exact)");
+  what->require_option(1);
+  command->add_flag("--json", options->json, "Print one JSON object");
+  command->footer(
+      "Examples:\n  flowcert explain bunny.obj --ids 3,17,20\n  flowcert explain bunny.obj --at 1/2,0.25,-1");
+  command->callback([options, &status] { status = explain(*options); });
+}
+
+}  // namespace flowcert

@@ -1,0 +1,77 @@
+// The program `flowcert`: parses the command line, and turns every failure into one line on standard error
+// and an exit status.
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <new>
+
+#include "cli/command.h"
+#include "flowcert/reproducibility.h"
+#include "io/output_file.h"
+
+namespace {
+
+using namespace flowcert;
+
+std::string version_text() {
+  const Reproducibility made_by = reproducibility();
+  return fmt::format("flowcert {} (commit {}; kernel: {}; compiler: {}; CGAL {})", made_by.version,
+                     made_by.commit, made_by.kernel, made_by.compiler, made_by.cgal);
+}
+
+int complain(const std::string& what) {
+  fmt::print(stderr, "flowcert: {}\n", what);
+  return kUnusable;
+}
+
+// A full disk shows only when what is buffered is written.
+int finish_output(int status) {
+  errno = 0;
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  return complain(
+      fmt::format("standard output cannot be written: {}", std::strerror(errno != 0 ? errno : EIO)));
+}
+
+// CLI11's own codes are 100 and more; help and version are not errors.
+int exit_status_of(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+    app.exit(error);
+    std::cout.flush();
+    return finish_output(kRight);
+  }
+  return complain(fmt::format("{} (see flowcert --help)", error.what()));
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"The flow complex of a point set in three dimensions, exactly."};
+  app.name("flowcert");
+  app.set_version_flag("--version", version_text(), "Print what made this program, for reproducibility");
+  app.require_subcommand(1);
+  app.footer(
+      "Example:\n  flowcert compute bunny.obj\n\nExit status: 0 right, 1 a negative verdict, 2 unusable "
+      "input or usage.");
+  int status = kRight;
+  add_compute_command(app, status);
+  add_explain_command(app, status);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return exit_status_of(app, error);
+  }
+  return finish_output(status);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return complain("out of memory");
+  } catch (const std::exception& error) {
+    return complain(error.what());
+  }
+}

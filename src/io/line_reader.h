@@ -1,0 +1,81 @@
+// Lines and fields of a text in memory, with line numbers for messages: what all the readers of text are made
+// of.
+//
+// Guarantees: nothing is copied. A line ends with LF, CR LF or a lone CR (a file of CRs alone is not one long
+// line, of which only the first three numbers would be read); the last needs no end. Linear in the text.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "flowcert/point_set.h"
+
+namespace flowcert {
+
+// Throws InvalidInput "FILE: reason".
+[[noreturn]] void reject_file(std::string_view file, const std::string& reason);
+
+// Where a line is, for messages.
+struct LinePlace {
+  std::string_view file;
+  std::size_t line = 0;
+
+  // Throws InvalidInput "FILE:LINE: reason".
+  [[noreturn]] void reject(const std::string& reason) const;
+};
+
+class LineReader {
+ public:
+  LineReader(std::string_view text, std::string_view file);
+
+  // The next line, without its end; false after the last.
+  bool next(std::string_view& line);
+  // The next line with anything but blanks.
+  bool next_filled(std::string_view& line);
+  // The next line with anything but blanks before a '#', up to there.
+  bool next_uncommented(std::string_view& line);
+
+  // Of the line given last.
+  [[nodiscard]] LinePlace place() const { return {.file = file_, .line = number_}; }
+  [[nodiscard]] std::string_view file() const { return file_; }
+  // What follows the line given last.
+  [[nodiscard]] std::string_view rest() const { return text_.substr(position_); }
+
+ private:
+  std::string_view text_;
+  std::string_view file_;
+  std::size_t position_ = 0;
+  std::size_t number_ = 0;
+  // The first LF at or after position_, or the text's size; kept so that lone CRs do not make it be sought
+  // again.
+  std::size_t line_feed_ = 0;
+};
+
+// What may stand between the fields of a line. A comma closes a field, so that two in a row have an empty one
+// between.
+enum class Separators { kBlanks, kBlanksAndCommas };
+
+// The fields of a line, one by one.
+class Fields {
+ public:
+  Fields(std::string_view line, Separators separators);
+
+  bool next(std::string_view& field);
+
+ private:
+  void skip_blanks();
+
+  std::string_view rest_;
+  bool commas_;
+};
+
+// The next field as a coordinate.
+[[nodiscard]] double coordinate(std::string_view field, const LinePlace& place);
+
+// The first three of the fields that are left as a point; any more are not looked at.
+[[nodiscard]] Point first_three(Fields& fields, const LinePlace& place);
+
+[[nodiscard]] inline bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+}  // namespace flowcert

@@ -1,0 +1,90 @@
+// See output_file.h. One file at a time is known to the signal handlers, which is all that a command writes
+// at once.
+#include "io/output_file.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <vector>
+
+namespace flowcert {
+
+namespace {
+
+constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+
+// Read by a signal handler: a plain array, since nothing that allocates may be touched there. Empty: no file.
+char temporary_in_progress[4096] = {};
+
+void remove_and_end(int signal_number) {
+  if (temporary_in_progress[0] != '\0') ::unlink(temporary_in_progress);
+  ::signal(signal_number, SIG_DFL);
+  ::raise(signal_number);
+}
+
+void remember(const std::string& temporary) {
+  if (temporary.size() < sizeof(temporary_in_progress)) {
+    std::memcpy(temporary_in_progress, temporary.c_str(), temporary.size() + 1);
+  }
+  for (const int signal_number : kEndingSignals) ::signal(signal_number, remove_and_end);
+}
+
+void forget() {
+  temporary_in_progress[0] = '\0';
+  for (const int signal_number : kEndingSignals) ::signal(signal_number, SIG_DFL);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(const std::string& path) : path_(path) {
+  if (std::filesystem::is_directory(path_)) fail("Is a directory");
+  // Not a regular file (/dev/stdout, a named pipe): nothing to rename over.
+  if (std::filesystem::exists(path_) && !std::filesystem::is_regular_file(path_)) {
+    stream_.open(path_, std::ios::binary);
+    if (!stream_) fail(std::strerror(errno));
+    return;
+  }
+  std::vector<char> name(path_.begin(), path_.end());
+  for (const char c : {'.', 'X', 'X', 'X', 'X', 'X', 'X', '\0'}) name.push_back(c);
+  const int descriptor = ::mkstemp(name.data());
+  if (descriptor < 0) fail(std::strerror(errno));
+  // mkstemp makes files that only their owner can read; an output is as readable as any new file.
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  ::fchmod(descriptor, 0666 & ~mask);
+  ::close(descriptor);
+  temporary_ = name.data();
+  remember(temporary_);
+  stream_.open(temporary_, std::ios::binary);
+  if (!stream_) fail(std::strerror(errno));
+}
+
+OutputFile::~OutputFile() {
+  if (temporary_.empty()) return;
+  stream_.close();
+  ::unlink(temporary_.c_str());
+  forget();
+}
+
+void OutputFile::commit() {
+  errno = 0;
+  stream_.close();
+  if (!stream_) fail(errno != 0 ? std::strerror(errno) : "write failed");
+  if (temporary_.empty()) return;
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(std::strerror(errno));
+  temporary_.clear();
+  forget();
+}
+
+void OutputFile::fail(const std::string& what) const {
+  throw OutputError(path_ + ": cannot be written: " + what);
+}
+
+}  // namespace flowcert

@@ -1,0 +1,40 @@
+// A file that appears whole or not at all: written under a temporary name in the same directory, renamed when
+// complete.
+//
+// Guarantees: as long as commit() has not returned, the target is what it was; the temporary file goes away
+// with the object, also on Ctrl-C, SIGTERM and a closed pipe. Every failed write, a full disk too, is an
+// OutputError.
+#pragma once
+
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+namespace flowcert {
+
+// One line that names the file and why it cannot be written.
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class OutputFile {
+ public:
+  explicit OutputFile(const std::string& path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  [[nodiscard]] std::ostream& stream() { return stream_; }
+  // Call once, when all is written.
+  void commit();
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const;
+
+  std::string path_;
+  std::string temporary_;
+  std::ofstream stream_;
+};
+
+}  // namespace flowcert

@@ -1,0 +1,17 @@
+// Text to an exact coordinate, as commands take it: a decimal is the nearest double (so that a pasted row of
+// a file hits the sample), a hexadecimal float or a fraction p/q is taken exactly.
+#pragma once
+
+#include <string_view>
+
+#include "flowcert/rational.h"
+
+namespace flowcert {
+
+// Throws InvalidInput, one line, for what is no number.
+[[nodiscard]] Rational parse_rational(std::string_view text);
+
+// Three of them, separated by commas or blanks.
+[[nodiscard]] RationalPoint parse_rational_point(std::string_view text);
+
+}  // namespace flowcert

@@ -1,0 +1,117 @@
+// From a name to its bytes, through gzip, to the reader of its format. CGAL::IO::read_points is not used:
+// what it does with damaged files, measured format by format, is told in the readers.
+#include "flowcert/read_points.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "io/gzip_stream.h"
+#include "io/line_reader.h"
+#include "io/point_formats.h"
+
+namespace flowcert {
+namespace {
+
+enum class Format { kXyz, kOff, kPly, kObj };
+
+// An open file, closed however the function that holds it is left. Standard input stays open.
+class InputFile {
+ public:
+  explicit InputFile(const std::string& path)
+      : descriptor_(path == "-" ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    if (descriptor_ < 0) reject_file(path, std::string("cannot open: ") + std::strerror(errno));
+  }
+  ~InputFile() {
+    if (descriptor_ != STDIN_FILENO) close(descriptor_);
+  }
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  [[nodiscard]] int descriptor() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+std::string read_bytes(const std::string& path) {
+  const InputFile input(path);
+  std::string bytes;
+  std::array<char, std::size_t{1} << 16> block{};
+  while (true) {
+    const ssize_t count = read(input.descriptor(), block.data(), block.size());
+    if (count > 0) bytes.append(block.data(), static_cast<std::size_t>(count));
+    if (count == 0) return bytes;
+    if (count < 0 && errno != EINTR) {
+      // A directory opens, and only reading it fails.
+      const char* const action = errno == EISDIR ? "cannot open: " : "cannot read: ";
+      reject_file(path, action + std::string(std::strerror(errno)));
+    }
+  }
+}
+
+Format format_of_name(std::string name) {
+  for (char& c : name) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  if (name.ends_with(".gz")) name.resize(name.size() - 3);
+  if (name.ends_with(".off")) return Format::kOff;
+  if (name.ends_with(".ply")) return Format::kPly;
+  if (name.ends_with(".obj")) return Format::kObj;
+  return Format::kXyz;
+}
+
+Format format_of_content(std::string_view bytes) {
+  LineReader lines(bytes, "");
+  std::string_view line;
+  std::string_view word;
+  if (!lines.next_uncommented(line)) return Format::kXyz;
+  Fields(line, Separators::kBlanks).next(word);
+  if (word == "ply") return Format::kPly;
+  if (is_off_keyword(word)) return Format::kOff;
+  return is_obj_keyword(word) ? Format::kObj : Format::kXyz;
+}
+
+PointFile read_as(Format format, std::string_view bytes, std::string_view file) {
+  PointFile points;
+  switch (format) {
+    case Format::kXyz:
+      points = read_xyz(bytes, file);
+      points.format = "xyz";
+      break;
+    case Format::kOff:
+      points = read_off(bytes, file);
+      points.format = "off";
+      break;
+    case Format::kPly:
+      points = read_ply(bytes, file);
+      points.format = "ply";
+      break;
+    case Format::kObj:
+      points = read_obj(bytes, file);
+      points.format = "obj";
+      break;
+  }
+  return points;
+}
+
+}  // namespace
+
+PointFile read_points_from(std::string_view bytes, const std::string& name) {
+  std::string decompressed;
+  if (is_gzip(bytes)) {
+    decompressed = gunzip(bytes, name);
+    bytes = decompressed;
+  }
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  if (std::all_of(bytes.begin(), bytes.end(), is_blank)) reject_file(name, "empty");
+  return read_as(name == "-" ? format_of_content(bytes) : format_of_name(name), bytes, name);
+}
+
+PointFile read_points(const std::string& path) { return read_points_from(read_bytes(path), path); }
+
+}  // namespace flowcert

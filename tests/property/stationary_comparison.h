@@ -1,0 +1,194 @@
+// The fast implementation and the oracle side by side: both answers in one form, what differs between two of
+// them, and what one of them breaks all by itself.
+//
+// Guarantees: exact comparison of everything that spec section 3 determines; no tolerance. The order of
+// records is part of the answer (FC-OUT-02) and compared as it is.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <set>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "flowcert/delaunay.h"
+#include "flowcert/point_set.h"
+#include "flowcert/rational.h"
+#include "flowcert/stationary_points.h"
+#include "fuzz/input.h"
+#include "oracle/stationary_points.h"
+
+namespace flowcert::property {
+
+struct Record {
+  int face_dimension = 0;
+  int hull_dimension = 0;
+  std::vector<std::size_t> contact;
+  RationalPoint center;
+  Rational squared_distance;
+
+  [[nodiscard]] bool is_critical() const { return face_dimension == hull_dimension; }
+  // FC-OUT-02: critical before regular, by index or kind, then by contact set.
+  [[nodiscard]] auto order_key() const {
+    return std::tuple(!is_critical(), face_dimension, hull_dimension, contact);
+  }
+  friend bool operator==(const Record&, const Record&) = default;
+};
+
+struct StationaryAnswer {
+  std::size_t points = 0;
+  std::size_t merged_duplicates = 0;
+  std::vector<Record> records;
+  // As the implementation counts them; of kinds 1-2, 2-3, 1-3.
+  std::array<std::size_t, 4> critical{};
+  std::array<std::size_t, 3> regular{};
+
+  [[nodiscard]] long long euler_sum() const {
+    const auto count = [this](std::size_t index) { return static_cast<long long>(critical.at(index)); };
+    return count(0) - count(1) + count(2) - count(3);
+  }
+};
+
+inline PointSet point_set_of(const fuzz::Input& input) {
+  std::vector<Point> rows;
+  for (const auto& [x, y, z] : input.rows) {
+    rows.push_back({x, y, z});
+  }
+  return PointSet(rows);
+}
+
+inline StationaryAnswer fast_answer(const fuzz::Input& input) {
+  const PointSet points = point_set_of(input);
+  const Delaunay delaunay(points);
+  const StationaryPoints all = stationary_points(delaunay);
+  StationaryAnswer answer{points.row_count(), points.merged_duplicates(), {}, all.critical_counts(), {}};
+  const RegularCounts& regular = all.regular_counts();
+  answer.regular = {regular.kind12, regular.kind23, regular.kind13};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto contact = all.contact(i);
+    const ExactSphere sphere = exact_sphere(points, contact);
+    answer.records.push_back({all.index(i).face_dimension, all.index(i).hull_dimension,
+                              std::vector<std::size_t>(contact.begin(), contact.end()), sphere.center,
+                              sphere.squared_radius});
+  }
+  return answer;
+}
+
+inline StationaryAnswer oracle_answer(const fuzz::Input& input) {
+  const oracle::Answer all = oracle::stationary_points(input.rows);
+  StationaryAnswer answer{all.points, all.merged_duplicates, {}, all.critical_counts(), all.regular_counts()};
+  for (const oracle::StationaryPoint& x : all.stationary) {
+    answer.records.push_back({x.face_dimension, x.hull_dimension, x.contact, x.center, x.squared_distance});
+  }
+  return answer;
+}
+
+inline std::string to_text(const Record& record) {
+  std::ostringstream text;
+  text << "at " << record.center[0] << ' ' << record.center[1] << ' ' << record.center[2] << " index "
+       << record.face_dimension;
+  if (!record.is_critical()) {
+    text << '-' << record.hull_dimension;
+  }
+  text << " contact";
+  for (const std::size_t name : record.contact) {
+    text << ' ' << name;
+  }
+  text << " squared_distance " << record.squared_distance;
+  return text.str();
+}
+
+inline std::string to_text(const StationaryAnswer& answer) {
+  std::ostringstream text;
+  text << "points " << answer.points << "\nmerged_duplicates " << answer.merged_duplicates << "\ncritical";
+  for (const std::size_t count : answer.critical) {
+    text << ' ' << count;
+  }
+  text << "\nregular";
+  for (const std::size_t count : answer.regular) {
+    text << ' ' << count;
+  }
+  for (const Record& record : answer.records) {
+    text << '\n' << to_text(record);
+  }
+  return text.str();
+}
+
+// What differs, in one line; empty if nothing does.
+inline std::string difference(const StationaryAnswer& fast, const StationaryAnswer& oracle) {
+  if (fast.points != oracle.points || fast.merged_duplicates != oracle.merged_duplicates) {
+    return "numbers of points or of merged duplicates differ";
+  }
+  for (std::size_t i = 0; i < std::max(fast.records.size(), oracle.records.size()); ++i) {
+    if (i >= oracle.records.size()) {
+      return "only the first has " + to_text(fast.records[i]);
+    }
+    if (i >= fast.records.size()) {
+      return "only the second has " + to_text(oracle.records[i]);
+    }
+    if (fast.records[i] != oracle.records[i]) {
+      return "record " + std::to_string(i) + ": " + to_text(fast.records[i]) + " against " +
+             to_text(oracle.records[i]);
+    }
+  }
+  if (fast.critical != oracle.critical || fast.regular != oracle.regular) {
+    return "the counts differ, though the records are the same";
+  }
+  return {};
+}
+
+// The first clause that an answer violates, whatever the input is; empty if none.
+inline std::string broken_clause(const StationaryAnswer& answer) {
+  const std::size_t classes = answer.points - answer.merged_duplicates;
+  if (answer.euler_sum() != (classes == 0 ? 0 : 1)) {
+    return "FC-INV-01: the Euler sum is " + std::to_string(answer.euler_sum());
+  }
+  std::set<std::vector<std::size_t>> contacts;
+  std::set<RationalPoint> centers;
+  std::size_t single = 0;
+  for (std::size_t i = 0; i < answer.records.size(); ++i) {
+    const Record& record = answer.records[i];
+    if (i > 0 && !(answer.records[i - 1].order_key() < record.order_key())) {
+      return "FC-OUT-02: out of order: " + to_text(record);
+    }
+    if (!contacts.insert(record.contact).second || !centers.insert(record.center).second) {
+      return "FC-CRIT-06: named twice: " + to_text(record);
+    }
+    if (record.hull_dimension == 0) {
+      single += record.contact.size() == 1 && record.squared_distance == 0 ? 1 : 0;
+    }
+  }
+  if (single != classes || answer.critical[0] != classes) {
+    return "FC-CRIT-04: not every point is a critical point of index 0";
+  }
+  return {};
+}
+
+struct Comparison {
+  StationaryAnswer fast;
+  StationaryAnswer oracle;
+  // The first thing that is wrong between the two or with one of them, and both answers; empty if nothing is.
+  std::string complaint;
+};
+
+inline Comparison compare(const fuzz::Input& input) {
+  Comparison both{fast_answer(input), oracle_answer(input), {}};
+  std::string complaint = difference(both.fast, both.oracle);
+  for (const StationaryAnswer* answer : {&both.fast, &both.oracle}) {
+    complaint = complaint.empty() ? broken_clause(*answer) : complaint;
+  }
+  if (!complaint.empty()) {
+    std::ostringstream text;
+    text << complaint << "\ninput:\n"
+         << input << "the fast answer:\n"
+         << to_text(both.fast) << "\nthe oracle's answer:\n"
+         << to_text(both.oracle) << '\n';
+    both.complaint = text.str();
+  }
+  return both;
+}
+
+}  // namespace flowcert::property
