@@ -5,6 +5,13 @@
 
 namespace flowcert {
 
+// Room for what scans have: about 3 saddles of index 1 and 2 of index 2 a point.
+OrderedRecords::OrderedRecords(std::span<const std::uint32_t> positions) : positions_(positions) {
+  contacts_.reserve(12 * positions.size());
+  records_[0].reserve(3 * positions.size());
+  records_[1].reserve(2 * positions.size());
+}
+
 void OrderedRecords::add(StationaryIndex index, std::span<const VertexIndex> contact) {
   const auto slot = static_cast<std::size_t>(std::find(kOrder.begin(), kOrder.end(), index) - kOrder.begin());
   const std::size_t first = contacts_.size();

@@ -15,7 +15,7 @@ namespace flowcert {
 class OrderedRecords {
  public:
   // positions: of the vertices, in the point set; must outlive this.
-  explicit OrderedRecords(std::span<const std::uint32_t> positions) : positions_(positions) {}
+  explicit OrderedRecords(std::span<const std::uint32_t> positions);
 
   // The contact set, in any order. Not for index 0, which the points themselves give.
   void add(StationaryIndex index, std::span<const VertexIndex> contact);

@@ -17,8 +17,9 @@ namespace {
 constexpr StationaryIndex kIndex1{1, 1}, kIndex2{2, 2}, kIndex3{3, 3};
 constexpr StationaryIndex kKind12{1, 2}, kKind13{1, 3}, kKind23{2, 3};
 
-// Index 1 (FC-SIGN-02): walks around each edge whose angles in its first cell are acute, and gives up at the
-// first angle that is not, or at a cell that comes earlier: the edge is that one's.
+// Index 1 (FC-SIGN-02): walks around each edge whose angles in its first cell are acute, and gives up at the first angle that
+// is not, or at a cell that comes earlier: the edge is that one's. The walks of a block of cells go in step, each one cell a round, so
+// that they wait for memory together and not one after the other.
 class GabrielEdges {
  public:
   GabrielEdges(const VoronoiComplex& complex, OrderedRecords& records)
@@ -29,26 +30,34 @@ class GabrielEdges {
   }
 
   void find() {
-    for (CellIndex cell = 0; cell < delaunay_.finite_count; ++cell) {
-      if (acute_[cell] == 0) continue;
-      for (unsigned i = 0; i < 4; ++i) {
-        for (unsigned j = i + 1; j < 4; ++j) {
-          if ((acute_[cell] >> kEdgeBit[i][j] & 1u) == 0 || !is_first(cell, i, j)) continue;
-          const std::array<VertexIndex, 2> edge = edge_beside(cell, i, j);
-          if (is_gabriel_from(cell, i, j, edge)) records_.add(kIndex1, edge);
-        }
+    constexpr CellIndex kBlock = 64;
+    std::vector<Walk> walks;
+    for (CellIndex first = 0; first < delaunay_.finite_count; first += kBlock) {
+      walks.clear();
+      for (CellIndex cell = first; cell < std::min(first + kBlock, delaunay_.finite_count); ++cell) {
+        start_walks(cell, walks);
+      }
+      while (!walks.empty()) {
+        std::erase_if(walks, [this](Walk& walk) { return is_over(walk); });
       }
     }
   }
 
  private:
+  struct Walk {
+    std::array<VertexIndex, 2> edge;
+    CellIndex start;
+    CellIndex cell;     // to be looked at next
+    VertexIndex pivot;  // the third vertex of the facet through which it is entered
+  };
+
   // The bit of the edge beside vertices i and j.
   static constexpr std::uint8_t kEdgeBit[4][4] = {{0, 0, 1, 2}, {0, 0, 3, 4}, {1, 3, 0, 5}, {2, 4, 5, 0}};
   // An infinite cell has no angle that could object.
   static constexpr std::uint8_t kAllEdges = 0x3f;
 
-  // The edges of a cell that both its angles see under less than a right angle. A byte a cell, so that the
-  // walks below find most of what they ask in the cache.
+  // The edges of a cell that both its angles see under less than a right angle. A byte a cell, so that the walks find most of what
+  // they ask in the cache.
   static std::uint8_t acute_edges(const TetrahedronSigns& signs) {
     const unsigned acute = ~(unsigned{signs.angle_negative} | unsigned{signs.angle_zero});
     unsigned edges = 0;
@@ -62,36 +71,41 @@ class GabrielEdges {
     return static_cast<std::uint8_t>(edges);
   }
 
-  [[nodiscard]] std::array<VertexIndex, 2> edge_beside(CellIndex cell, unsigned i, unsigned j) const {
-    const unsigned k = i == 0 ? (j == 1 ? 2 : 1) : 0;
-    return {delaunay_.vertices(cell)[k], delaunay_.vertices(cell)[6 - i - j - k]};
-  }
-
-  // The two neighbours around the edge tell most cells at once that they are not the first. (Infinite cells
-  // come last.)
-  [[nodiscard]] bool is_first(CellIndex cell, unsigned i, unsigned j) const {
+  // One for each acute edge of the cell for which no neighbour says at once that it comes earlier. (Infinite cells come last.)
+  void start_walks(CellIndex cell, std::vector<Walk>& walks) const {
+    if (acute_[cell] == 0) return;
+    const auto& vertices = delaunay_.vertices(cell);
     const auto& neighbors = delaunay_.neighbors(cell);
-    return neighbors[i] > cell && neighbors[j] > cell;
+    for (unsigned i = 0; i < 4; ++i) {
+      if (neighbors[i] < cell) continue;
+      for (unsigned j = i + 1; j < 4; ++j) {
+        if (neighbors[j] < cell || (acute_[cell] >> kEdgeBit[i][j] & 1u) == 0) continue;
+        const unsigned k = i == 0 ? (j == 1 ? 2 : 1) : 0;
+        walks.push_back({{vertices[k], vertices[6 - i - j - k]}, cell, neighbors[i], vertices[j]});
+        __builtin_prefetch(&delaunay_.cells[neighbors[i]]);
+      }
+    }
   }
 
-  [[nodiscard]] bool is_gabriel_from(CellIndex start, unsigned i, unsigned j,
-                                     const std::array<VertexIndex, 2>& edge) const {
-    VertexIndex pivot = delaunay_.vertices(start)[j];  // of the facet that is passed through
-    CellIndex cell = delaunay_.neighbors(start)[i];
-    while (cell != start) {
-      if (cell < start || acute_[cell] == 0) return false;
-      const auto& vertices = delaunay_.vertices(cell);
-      // Places without branches: the walk's time would go into guessing them wrong.
-      const auto place = [&vertices](VertexIndex v) {
-        return unsigned{vertices[1] == v} + 2 * unsigned{vertices[2] == v} + 3 * unsigned{vertices[3] == v};
-      };
-      const unsigned behind = place(pivot);
-      const unsigned ahead = 6 - behind - place(edge[0]) - place(edge[1]);
-      if ((acute_[cell] >> kEdgeBit[behind][ahead] & 1u) == 0) return false;
-      pivot = vertices[ahead];
-      cell = delaunay_.neighbors(cell)[behind];
+  // Takes one step; true when the walk has ended, one way or the other.
+  bool is_over(Walk& walk) {
+    if (walk.cell == walk.start) {
+      records_.add(kIndex1, walk.edge);
+      return true;
     }
-    return true;
+    if (walk.cell < walk.start) return true;
+    const auto& vertices = delaunay_.vertices(walk.cell);
+    // Places without branches: the time would go into guessing them wrong.
+    const auto place = [&vertices](VertexIndex v) {
+      return unsigned{vertices[1] == v} + 2 * unsigned{vertices[2] == v} + 3 * unsigned{vertices[3] == v};
+    };
+    const unsigned behind = place(walk.pivot);
+    const unsigned ahead = 6 - behind - place(walk.edge[0]) - place(walk.edge[1]);
+    if ((acute_[walk.cell] >> kEdgeBit[behind][ahead] & 1u) == 0) return true;
+    walk.pivot = vertices[ahead];
+    walk.cell = delaunay_.neighbors(walk.cell)[behind];
+    __builtin_prefetch(&delaunay_.cells[walk.cell]);
+    return false;
   }
 
   const CompactDelaunay& delaunay_;
@@ -103,7 +117,7 @@ class GabrielEdges {
 // exists.
 bool is_between_ends(const VoronoiComplex& complex, FacetRef facet) {
   if (complex.side(facet) != Sign::kPositive) return false;
-  const FacetRef mirror = complex.delaunay().mirror(facet);
+  const FacetRef mirror = complex.mirror(facet);
   return !complex.delaunay().is_finite(mirror.cell) || complex.side(mirror) == Sign::kPositive;
 }
 

@@ -56,6 +56,10 @@ void VoronoiComplex::prefetch_neighbors(CellIndex cell) const {
 // One pass over the cells: their signs, and which neighbours share their sphere.
 void VoronoiComplex::compute_signs(FilterTally& tally) {
   signs_.resize(delaunay_.finite_count);
+  mirror_.resize(delaunay_.finite_count);
+  const auto set_mirror = [this](FacetRef facet, std::uint32_t index) {
+    mirror_[facet.cell] = static_cast<std::uint8_t>(mirror_[facet.cell] | (index << (2 * facet.index)));
+  };
   std::vector<FacetRef> cospherical;
   FilterTally counts;  // local, so that counting does not go through memory
   for (CellIndex cell = 0; cell < delaunay_.finite_count; ++cell) {
@@ -67,6 +71,8 @@ void VoronoiComplex::compute_signs(FilterTally& tally) {
       const CellIndex neighbor = delaunay_.neighbors(cell)[i];
       if (neighbor < cell || !delaunay_.is_finite(neighbor)) continue;
       const FacetRef mirror = delaunay_.mirror({cell, i});
+      set_mirror({cell, i}, mirror.index);
+      set_mirror(mirror, i);
       const Point& q = delaunay_.points[delaunay_.vertices(neighbor)[mirror.index]];
       if (on_sphere(points, sphere, q, counts)) cospherical.push_back({cell, i});
     }
