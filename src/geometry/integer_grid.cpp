@@ -57,6 +57,13 @@ Integer IntegerGrid::difference(double from, double to) const {
   return on_grid<Integer>(to, exponent_) - on_grid<Integer>(from, exponent_);
 }
 
+// The difference of what fits kWideBits fits the machine's integers: a shift and a subtraction there cost
+// less than in the wide type.
+template <>
+WideInteger IntegerGrid::difference(double from, double to) const {
+  return WideInteger(difference<NarrowInteger>(from, to));
+}
+
 template <class Integer>
 Vector3<Integer> IntegerGrid::vector_between(const Point& from, const Point& to) const {
   return {difference<Integer>(from.x, to.x), difference<Integer>(from.y, to.y),
@@ -64,6 +71,7 @@ Vector3<Integer> IntegerGrid::vector_between(const Point& from, const Point& to)
 }
 
 template Vector3<BigInteger> IntegerGrid::vector_between(const Point&, const Point&) const;
+template Vector3<NarrowInteger> IntegerGrid::vector_between(const Point&, const Point&) const;
 template Vector3<WideInteger> IntegerGrid::vector_between(const Point&, const Point&) const;
 
 }  // namespace flowcert

@@ -2,9 +2,10 @@
 // given points.
 //
 // Guarantees: exact for all finite doubles. All predicates are homogeneous in differences of points, so a
-// common power of two does not change their signs. Two integer types: WideInteger has a fixed size and never
-// allocates, and serves where the points span at most kWideBits bits on their grid; GMP's integers serve
-// everywhere.
+// common power of two does not change their signs. Three integer types: NarrowInteger is the machine's, and
+// serves polynomials of degree 2 in points that span at most kNarrowBits bits on their grid; WideInteger has
+// a fixed size and never allocates, and serves up to degree 6 and kWideBits bits; GMP's integers serve
+// everything.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -24,16 +25,20 @@ using BigInteger = mp::number<mp::gmp_int, mp::et_off>;
 using WideInteger =
     mp::number<mp::cpp_int_backend<512, 512, mp::signed_magnitude, mp::unchecked, void>, mp::et_off>;
 inline constexpr int kWideBits = 82;
+// Sums of three products of differences of kNarrowBits + 1 bits stay below 2^126.
+using NarrowInteger = __int128;
+inline constexpr int kNarrowBits = 61;
 
 class IntegerGrid {
  public:
   // The finest exponent that a coordinate of the points needs.
   explicit IntegerGrid(std::span<const Point* const> points);
 
-  // Whether every coordinate is below 2^kWideBits in units of the grid.
+  // Whether every coordinate is below 2^kWideBits (2^kNarrowBits) in units of the grid.
   [[nodiscard]] bool fits_wide() const { return top_exponent_ - exponent_ <= kWideBits; }
+  [[nodiscard]] bool fits_narrow() const { return top_exponent_ - exponent_ <= kNarrowBits; }
 
-  // to - from, in units of the grid. For WideInteger only where fits_wide().
+  // to - from, in units of the grid. For NarrowInteger and WideInteger only where fits_wide().
   template <class Integer>
   [[nodiscard]] Vector3<Integer> vector_between(const Point& from, const Point& to) const;
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "geometry/integer_grid.h"
 #include "geometry/vector3.h"
@@ -124,6 +125,12 @@ MaybeSign sign_on_rung(const Query& query, Rung rung) {
   if (rung == Rung::kDouble) return double_sign(query);
   const IntegerGrid grid(points_of(query));
   if (rung == Rung::kBig) return integer_sign<BigInteger>(query, grid);
+  if (rung == Rung::kNarrow) {
+    if constexpr (std::is_same_v<Query, Angle>) {
+      if (grid.fits_narrow()) return integer_sign<NarrowInteger>(query, grid);
+    }
+    return std::nullopt;
+  }
   if (!grid.fits_wide()) return std::nullopt;
   return integer_sign<WideInteger>(query, grid);
 }
@@ -131,6 +138,9 @@ MaybeSign sign_on_rung(const Query& query, Rung rung) {
 template <class Query>
 Sign unfiltered_sign(const Query& query) {
   const IntegerGrid grid(points_of(query));
+  if constexpr (std::is_same_v<Query, Angle>) {
+    if (grid.fits_narrow()) return integer_sign<NarrowInteger>(query, grid);
+  }
   return grid.fits_wide() ? integer_sign<WideInteger>(query, grid) : integer_sign<BigInteger>(query, grid);
 }
 

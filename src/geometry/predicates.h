@@ -1,4 +1,4 @@
-// The predicates that decide everything, each on three rungs: a double filter with a proven error bound,
+// The predicates that decide everything, each on several rungs: a double filter with a proven error bound,
 // integers of a fixed size, GMP's integers.
 //
 // Guarantees: exact for all finite doubles. A rung may leave the sign open; what it answers is what the next
@@ -28,8 +28,9 @@ inline constexpr double kSmallestNorm = 1e-42;
 inline constexpr double kLargestNorm = 1e42;
 inline constexpr double kUnitRoundoff = 0x1p-53;
 
-// Every predicate below has these rungs. kBig answers always, kWide where the points fit its integers.
-enum class Rung { kDouble, kWide, kBig };
+// Every predicate below has these rungs. kBig answers always, kWide and kNarrow where the points fit their
+// integers; kNarrow is for Angle alone, the others answer nothing on it.
+enum class Rung { kDouble, kNarrow, kWide, kBig };
 
 // The sign of <p - q, r - q>: positive where the angle at q is acute (FC-SIGN-01).
 struct Angle {

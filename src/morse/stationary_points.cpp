@@ -17,9 +17,9 @@ namespace {
 constexpr StationaryIndex kIndex1{1, 1}, kIndex2{2, 2}, kIndex3{3, 3};
 constexpr StationaryIndex kKind12{1, 2}, kKind13{1, 3}, kKind23{2, 3};
 
-// Index 1 (FC-SIGN-02): walks around each edge whose angles in its first cell are acute, and gives up at the first angle that
-// is not, or at a cell that comes earlier: the edge is that one's. The walks of a block of cells go in step, each one cell a round, so
-// that they wait for memory together and not one after the other.
+// Index 1 (FC-SIGN-02): walks around each edge whose angles in its first cell are acute, and gives up at the
+// first angle that is not, or at a cell that comes earlier: the edge is that one's. The walks of a block of
+// cells go in step, each one cell a round, so that they wait for memory together and not one after the other.
 class GabrielEdges {
  public:
   GabrielEdges(const VoronoiComplex& complex, OrderedRecords& records)
@@ -56,8 +56,8 @@ class GabrielEdges {
   // An infinite cell has no angle that could object.
   static constexpr std::uint8_t kAllEdges = 0x3f;
 
-  // The edges of a cell that both its angles see under less than a right angle. A byte a cell, so that the walks find most of what
-  // they ask in the cache.
+  // The edges of a cell that both its angles see under less than a right angle. A byte a cell, so that the
+  // walks find most of what they ask in the cache.
   static std::uint8_t acute_edges(const TetrahedronSigns& signs) {
     const unsigned acute = ~(unsigned{signs.angle_negative} | unsigned{signs.angle_zero});
     unsigned edges = 0;
@@ -71,7 +71,8 @@ class GabrielEdges {
     return static_cast<std::uint8_t>(edges);
   }
 
-  // One for each acute edge of the cell for which no neighbour says at once that it comes earlier. (Infinite cells come last.)
+  // One for each acute edge of the cell for which no neighbour says at once that it comes earlier. (Infinite
+  // cells come last.)
   void start_walks(CellIndex cell, std::vector<Walk>& walks) const {
     if (acute_[cell] == 0) return;
     const auto& vertices = delaunay_.vertices(cell);

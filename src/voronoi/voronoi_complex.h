@@ -25,8 +25,8 @@ class VoronoiComplex {
   [[nodiscard]] const CompactDelaunay& delaunay() const { return delaunay_; }
   // Of a finite cell.
   [[nodiscard]] const TetrahedronSigns& signs(CellIndex cell) const { return signs_[cell]; }
-  // The facet of a finite cell, seen from the other cell, if that is finite too; otherwise only the cell is right. Cheaper than
-  // CompactDelaunay::mirror(), which has to look at the other cell.
+  // The facet of a finite cell, seen from the other cell, if that is finite too; otherwise only the cell is
+  // right. Cheaper than CompactDelaunay::mirror(), which has to look at the other cell.
   [[nodiscard]] FacetRef mirror(FacetRef facet) const {
     return {delaunay_.neighbors(facet.cell)[facet.index], (mirror_[facet.cell] >> (2 * facet.index)) & 3u};
   }
@@ -73,7 +73,7 @@ class VoronoiComplex {
 
   CompactDelaunay delaunay_;
   std::vector<TetrahedronSigns> signs_;
-  std::vector<std::uint8_t> mirror_;      // a finite cell's facets in its neighbours, two bits each
+  std::vector<std::uint8_t> mirror_;  // a finite cell's facets in its neighbours, two bits each
   std::vector<CellIndex> cluster_;    // empty: all cells are alone
   std::vector<std::uint16_t> flags_;  // likewise
   std::vector<std::size_t> cluster_first_{0};
