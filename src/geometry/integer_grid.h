@@ -29,6 +29,11 @@ inline constexpr int kWideBits = 82;
 using NarrowInteger = __int128;
 inline constexpr int kNarrowBits = 61;
 
+template <>
+struct Promoted<NarrowInteger> {
+  using Type = WideInteger;
+};
+
 class IntegerGrid {
  public:
   // The finest exponent that a coordinate of the points needs.

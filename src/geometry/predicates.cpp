@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <type_traits>
 
 #include "geometry/integer_grid.h"
 #include "geometry/vector3.h"
@@ -29,32 +28,34 @@ Number value_of(const Angle&, const std::array<Vector3<Number>, 2>& v) {
 // The circumcentre is numerator / (2 det), the apex lies at height det over ab, the centre at <ab, numerator>
 // / (2 det).
 template <class Number>
-Number value_of(const SideOfPlane&, const std::array<Vector3<Number>, 3>& v) {
+typename Promoted<Number>::Type value_of(const SideOfPlane&, const std::array<Vector3<Number>, 3>& v) {
   const auto sphere = circumsphere(v[0], v[1], v[2]);
   return dot(sphere.ab, sphere.numerator);
 }
 
 template <class Number>
-Number value_of(const OutsideSphere&, const std::array<Vector3<Number>, 4>& v) {
+typename Promoted<Number>::Type value_of(const OutsideSphere&, const std::array<Vector3<Number>, 4>& v) {
+  using Wide = typename Promoted<Number>::Type;
   const auto sphere = circumsphere(v[0], v[1], v[2]);
-  return dot(v[3], v[3]) * sphere.determinant - dot(sphere.numerator, v[3]);
+  return Wide(dot(v[3], v[3])) * sphere.determinant - dot(sphere.numerator, promote(v[3]));
 }
 
 template <class Number>
-Number value_of(const Orientation&, const std::array<Vector3<Number>, 3>& v) {
-  return dot(v[0], cross(v[1], v[2]));
+typename Promoted<Number>::Type value_of(const Orientation&, const std::array<Vector3<Number>, 3>& v) {
+  return dot(promote(v[0]), promote(cross(v[1], v[2])));
 }
 
 // cot(q) + cot(r) > 0, over the common denominator. Both cross products are along the plane's normal, with
 // opposite signs, so one coordinate of each, the same, tells their lengths; v = p0-q, p1-q, p0-r, p1-r.
 template <class Number>
-Number value_of(const OutsideCircle&, const std::array<Vector3<Number>, 4>& v) {
+typename Promoted<Number>::Type value_of(const OutsideCircle&, const std::array<Vector3<Number>, 4>& v) {
   using std::abs;
-  const Vector3<Number> at_q = cross(v[0], v[1]);
-  const Vector3<Number> at_r = cross(v[2], v[3]);
-  const Number hq = dot(v[0], v[1]);
-  const Number hr = dot(v[2], v[3]);
-  const Number ax = abs(at_q.x), ay = abs(at_q.y), az = abs(at_q.z);
+  using Wide = typename Promoted<Number>::Type;
+  const Vector3<Wide> at_q = promote(cross(v[0], v[1]));
+  const Vector3<Wide> at_r = promote(cross(v[2], v[3]));
+  const Wide hq(dot(v[0], v[1]));
+  const Wide hr(dot(v[2], v[3]));
+  const Wide ax = abs(at_q.x), ay = abs(at_q.y), az = abs(at_q.z);
   if (ax >= ay && ax >= az) return hq * abs(at_r.x) + hr * ax;
   return ay >= az ? hq * abs(at_r.y) + hr * ay : hq * abs(at_r.z) + hr * az;
 }
@@ -126,10 +127,8 @@ MaybeSign sign_on_rung(const Query& query, Rung rung) {
   const IntegerGrid grid(points_of(query));
   if (rung == Rung::kBig) return integer_sign<BigInteger>(query, grid);
   if (rung == Rung::kNarrow) {
-    if constexpr (std::is_same_v<Query, Angle>) {
-      if (grid.fits_narrow()) return integer_sign<NarrowInteger>(query, grid);
-    }
-    return std::nullopt;
+    if (!grid.fits_narrow()) return std::nullopt;
+    return integer_sign<NarrowInteger>(query, grid);
   }
   if (!grid.fits_wide()) return std::nullopt;
   return integer_sign<WideInteger>(query, grid);
@@ -138,9 +137,7 @@ MaybeSign sign_on_rung(const Query& query, Rung rung) {
 template <class Query>
 Sign unfiltered_sign(const Query& query) {
   const IntegerGrid grid(points_of(query));
-  if constexpr (std::is_same_v<Query, Angle>) {
-    if (grid.fits_narrow()) return integer_sign<NarrowInteger>(query, grid);
-  }
+  if (grid.fits_narrow()) return integer_sign<NarrowInteger>(query, grid);
   return grid.fits_wide() ? integer_sign<WideInteger>(query, grid) : integer_sign<BigInteger>(query, grid);
 }
 

@@ -28,8 +28,8 @@ inline constexpr double kSmallestNorm = 1e-42;
 inline constexpr double kLargestNorm = 1e42;
 inline constexpr double kUnitRoundoff = 0x1p-53;
 
-// Every predicate below has these rungs. kBig answers always, kWide and kNarrow where the points fit their
-// integers; kNarrow is for Angle alone, the others answer nothing on it.
+// Every predicate below has these rungs. kBig answers always, kNarrow (degree 2 in the machine's integers,
+// the rest wide) and kWide where the points fit them.
 enum class Rung { kDouble, kNarrow, kWide, kBig };
 
 // The sign of <p - q, r - q>: positive where the angle at q is acute (FC-SIGN-01).

@@ -42,25 +42,39 @@ template <class Number>
   return {to.x - from.x, to.y - from.y, to.z - from.z};
 }
 
+// The type in which products of products are formed; integer_grid.h widens the machine's integers.
+template <class Number>
+struct Promoted {
+  using Type = Number;
+};
+
+template <class Number>
+[[nodiscard]] Vector3<typename Promoted<Number>::Type> promote(const Vector3<Number>& v) {
+  using Wide = typename Promoted<Number>::Type;
+  return {Wide(v.x), Wide(v.y), Wide(v.z)};
+}
+
 // The circumsphere of the tetrahedron 0, a, b, c, without a division: its centre is numerator / (2
 // determinant), and a point v lies outside, on or inside it as |v|^2 determinant - <numerator, v> has the
 // determinant's sign, is zero, or has the other.
 template <class Number>
 struct Circumsphere {
-  Vector3<Number> ab, bc, ca;  // cross products
-  Vector3<Number> numerator;   // |a|^2 bc + |b|^2 ca + |c|^2 ab
-  Number determinant;          // <a, bc>
+  using Wide = typename Promoted<Number>::Type;
+  Vector3<Wide> ab, bc, ca;  // cross products
+  Vector3<Wide> numerator;   // |a|^2 bc + |b|^2 ca + |c|^2 ab
+  Wide determinant;          // <a, bc>
 };
 
 template <class Number>
 [[nodiscard]] Circumsphere<Number> circumsphere(const Vector3<Number>& a, const Vector3<Number>& b,
                                                 const Vector3<Number>& c) {
+  using Wide = typename Promoted<Number>::Type;
   Circumsphere<Number> sphere;
-  sphere.ab = cross(a, b);
-  sphere.bc = cross(b, c);
-  sphere.ca = cross(c, a);
-  sphere.numerator = dot(a, a) * sphere.bc + dot(b, b) * sphere.ca + dot(c, c) * sphere.ab;
-  sphere.determinant = dot(a, sphere.bc);
+  sphere.ab = promote(cross(a, b));
+  sphere.bc = promote(cross(b, c));
+  sphere.ca = promote(cross(c, a));
+  sphere.numerator = Wide(dot(a, a)) * sphere.bc + Wide(dot(b, b)) * sphere.ca + Wide(dot(c, c)) * sphere.ab;
+  sphere.determinant = dot(promote(a), sphere.bc);
   return sphere;
 }
 
