@@ -2,9 +2,12 @@
 //
 // strtod rather than std::from_chars: the latter reports 1e-400 and 1e400 alike as out of range, but the
 // first is 0 (FC-IN-02) and the second an error (FC-IN-01). It rounds to nearest, ties to even, reads
-// hexadecimal floats, and its decimal point is the C locale's, which this program never changes.
+// hexadecimal floats, and its decimal point is the C locale's, which this program never changes. It would
+// round a hexadecimal float as well, where FC-IN-02 asks for an error; that is checked here.
 #include "oracle/read_points.h"
 
+#include <algorithm>
+#include <cfenv>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -13,26 +16,44 @@ namespace oracle {
 
 namespace {
 
-constexpr char kSeparators[] = " \t,\r\v\f";  // \r: files with CR LF ends of line
+constexpr char kBlanks[] = " \t\r\v\f";  // \r: files with CR LF ends of line
 
+// Fields are separated by blanks, or by a comma with blanks around it; between two commas there is an empty field, which is no number.
 std::vector<std::string> words_before_comment(const std::string& line) {
   const std::string content = line.substr(0, line.find('#'));
+  const auto skip_blanks = [&content](std::size_t at) {
+    return std::min(content.find_first_not_of(kBlanks, at), content.size());
+  };
   std::vector<std::string> words;
-  std::size_t end = 0;
-  for (;;) {
-    const std::size_t begin = content.find_first_not_of(kSeparators, end);
-    if (begin == std::string::npos) return words;
-    end = content.find_first_of(kSeparators, begin);
-    words.push_back(content.substr(begin, end == std::string::npos ? end : end - begin));
-    if (end == std::string::npos) return words;
+  for (std::size_t at = skip_blanks(0); at < content.size();) {
+    const std::size_t end = std::min(content.find_first_of(std::string(kBlanks) + ",", at), content.size());
+    words.push_back(content.substr(at, end - at));
+    at = skip_blanks(end);
+    if (at < content.size() && content[at] == ',') at = skip_blanks(at + 1);
   }
+  return words;
+}
+
+double rounded(const std::string& word, int mode) {
+  const int previous = std::fegetround();
+  std::fesetround(mode);
+  const double value = std::strtod(word.c_str(), nullptr);
+  std::fesetround(previous);
+  return value;
+}
+
+// Of a word that strtod takes. A number is a double iff rounding it up and rounding it down give the same.
+bool is_inexact_hexadecimal(const std::string& word) {
+  if (word.find_first_of("xX") == std::string::npos) return false;
+  return rounded(word, FE_UPWARD) != rounded(word, FE_DOWNWARD);
 }
 
 double number(const std::string& word, const std::string& where) {
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);
-  if (end != word.c_str() + word.size()) throw UnusableInput(where + "'" + word + "' is not a number");
+  if (word.empty() || end != word.c_str() + word.size()) throw UnusableInput(where + "'" + word + "' is not a number");
   if (!std::isfinite(value)) throw UnusableInput(where + "'" + word + "' is not a finite double");
+  if (is_inexact_hexadecimal(word)) throw UnusableInput(where + "'" + word + "' is not exactly a double");
   return value;
 }
 

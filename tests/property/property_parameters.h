@@ -36,8 +36,7 @@ inline rc::detail::TestParams parameters_of_run(int inputs) {
 }
 
 // Runs a property (a callable that draws with *gen and fails with RC_FAIL); a failure is shrunk before it is
-// reported.
-// True if it held.
+// reported. True if it held.
 template <typename Property>
 bool expect_holds(const std::string& name, const rc::detail::TestParams& parameters, Property&& property) {
   // RapidCheck announces the seed of its own configuration, which would be a random one, on first use.

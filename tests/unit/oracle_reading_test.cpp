@@ -54,6 +54,19 @@ TEST(OracleReadXyz, NumbersAreTheNearestDoubles) {
   EXPECT_EQ(points("-0.0 +1 .5"), (Rows{{0, 1, 0.5}}));
 }
 
+TEST(OracleReadXyz, HexadecimalFloatsAreExactOrAnError) {
+  CITES("FC-IN-02");
+  EXPECT_EQ(points("0x1.fffffffffffffp1023 -0x1p-1074 0x1.00000000000000000p0"),
+            (Rows{{kGreatest, -kSubnormal, 1}}));
+  EXPECT_EQ(points("-0x0p-9999 0X.0000001P+28 0x20000000000001p-1\n"), (Rows{{0, 1, 0x1.0000000000001p52}}));
+  for (const std::string word : {"0x1.00000000000001p0", "-0x1.00000000000008p0", "0x20000000000001.8",
+                                 "0x1p-1075", "0x1.8p-1074", "0x0.fffffffffffffcp-1022", "-0x1p-99999"}) {
+    EXPECT_EQ(points_error("0 0 0\n1 " + word + " 3\n"), "f:2: '" + word + "' is not exactly a double");
+  }
+  EXPECT_EQ(points_error("0x1p1024 0 0\n"), "f:1: '0x1p1024' is not a finite double");
+  EXPECT_EQ(points_error("0x 0 0\n"), "f:1: '0x' is not a number");
+}
+
 TEST(OracleReadXyz, ErrorsNameTheLine) {
   CITES("FC-IN-05", "FC-IN-01");
   EXPECT_EQ(points_error("1 2 3\n4 5\n"), "f:2: three numbers expected, found 2");
