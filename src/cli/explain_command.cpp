@@ -23,7 +23,7 @@ struct ExplainOptions {
 
 std::string exact_and_double(const Rational& value) {
   const std::optional<double> nearest = nearest_double(value);
-  const std::string text = to_text(value);
+  std::string text = to_text(value);
   // An integer says it all; a fraction is easier to place with its double.
   if (text.find('/') == std::string::npos || !nearest) return text;
   return fmt::format("{} ({})", text, *nearest);

@@ -2,33 +2,42 @@
 #include "morse/ordered_records.h"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 namespace flowcert {
 
 // Room for what scans have: about 3 saddles of index 1 and 2 of index 2 a point.
 OrderedRecords::OrderedRecords(std::span<const std::uint32_t> positions) : positions_(positions) {
-  contacts_.reserve(12 * positions.size());
   records_[0].reserve(3 * positions.size());
   records_[1].reserve(2 * positions.size());
 }
 
 void OrderedRecords::add(StationaryIndex index, std::span<const VertexIndex> contact) {
   const auto slot = static_cast<std::size_t>(std::find(kOrder.begin(), kOrder.end(), index) - kOrder.begin());
-  const std::size_t first = contacts_.size();
-  for (const VertexIndex v : contact) contacts_.push_back(positions_[v]);
-  std::sort(contacts_.begin() + static_cast<std::ptrdiff_t>(first), contacts_.end());
-  records_[slot].push_back({static_cast<std::uint32_t>(contact.size()), first});
+  Record record{static_cast<std::uint32_t>(contact.size()), {}};
+  if (contact.size() <= record.small.size()) {
+    for (std::size_t k = 0; k < contact.size(); ++k) record.small[k] = positions_[contact[k]];
+    std::sort(record.small.begin(), record.small.begin() + static_cast<std::ptrdiff_t>(contact.size()));
+  } else {
+    std::vector<std::uint32_t> positions;
+    for (const VertexIndex v : contact) positions.push_back(positions_[v]);
+    std::sort(positions.begin(), positions.end());
+    record.small = {positions.front(), static_cast<std::uint32_t>(large_.size()), 0, 0};
+    large_.push_back(std::move(positions));
+  }
+  records_[slot].push_back(record);
 }
 
-std::vector<OrderedRecords::Record> OrderedRecords::sorted(const std::vector<Record>& records,
-                                                           std::size_t point_count) const {
-  std::vector<std::uint32_t> start(point_count + 1, 0);
-  for (const Record& record : records) ++start[contacts_[record.first] + 1];
-  for (std::size_t k = 0; k < point_count; ++k) start[k + 1] += start[k];
+// Spread over buckets by the first point, then each small bucket by the rest.
+std::vector<OrderedRecords::Record> OrderedRecords::sorted(const std::vector<Record>& records) const {
+  std::vector<std::uint32_t> start(positions_.size() + 1, 0);
+  for (const Record& record : records) ++start[record.small[0] + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
   std::vector<Record> result(records.size());
   std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-  for (const Record& record : records) result[next[contacts_[record.first]]++] = record;
-  for (std::size_t k = 0; k < point_count; ++k) {
+  for (const Record& record : records) result[next[record.small[0]]++] = record;
+  for (std::size_t k = 0; k < positions_.size(); ++k) {
     if (start[k + 1] - start[k] < 2) continue;
     std::sort(result.begin() + start[k], result.begin() + start[k + 1],
               [this](const Record& a, const Record& b) {
@@ -42,7 +51,7 @@ StationaryPoints OrderedRecords::list(const PointSet& points) const {
   StationaryPoints list;
   std::size_t records = points.size();
   for (const auto& of_one_index : records_) records += of_one_index.size();
-  list.reserve(records, points.size() + contacts_.size());
+  list.reserve(records, points.size() + 3 * (records - points.size()));
   for (std::size_t k = 0; k < points.size(); ++k) {
     const PointId name = points.name(k);
     list.append({0, 0}, std::span(&name, 1));
@@ -50,7 +59,7 @@ StationaryPoints OrderedRecords::list(const PointSet& points) const {
   std::vector<PointId> names;
   for (std::size_t slot = 0; slot < kOrder.size(); ++slot) {
     if (records_[slot].empty()) continue;
-    for (const Record& record : sorted(records_[slot], points.size())) {
+    for (const Record& record : sorted(records_[slot])) {
       names.clear();
       for (const std::uint32_t position : contact(record)) names.push_back(points.name(position));
       list.append(kOrder[slot], names);

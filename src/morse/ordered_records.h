@@ -24,20 +24,24 @@ class OrderedRecords {
   [[nodiscard]] StationaryPoints list(const PointSet& points) const;
 
  private:
+  // Few contact sets have more than four points; the others are kept where they are sorted, so that sorting
+  // does not have to look elsewhere.
   struct Record {
     std::uint32_t size;
-    std::size_t first;
+    std::array<std::uint32_t, 4>
+        small;  // positions, ascending; for more than four: the first one, and the place in large_
   };
   static constexpr std::array<StationaryIndex, 6> kOrder = {{{1, 1}, {2, 2}, {3, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
   [[nodiscard]] std::span<const std::uint32_t> contact(const Record& record) const {
-    return std::span(contacts_).subspan(record.first, record.size);
+    if (record.size > record.small.size()) return large_[record.small[1]];
+    return std::span(record.small).first(record.size);
   }
-  [[nodiscard]] std::vector<Record> sorted(const std::vector<Record>& records, std::size_t point_count) const;
+  [[nodiscard]] std::vector<Record> sorted(const std::vector<Record>& records) const;
 
   std::array<std::vector<Record>, kOrder.size()> records_;
   std::span<const std::uint32_t> positions_;
-  std::vector<std::uint32_t> contacts_;  // positions, ascending within a record
+  std::vector<std::vector<std::uint32_t>> large_;
 };
 
 }  // namespace flowcert
