@@ -98,7 +98,9 @@ void add_explain_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("explain", "Why points, or a position, are or are not stationary");
   command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
   auto* what = command->add_option_group("what", "One of");
-  what->add_option("--ids", options->ids, "The points, by 0-based row: 3,17,20")->delimiter(',');
+  what->add_option("--ids", options->ids, "The points, by 0-based row: 3,17,20")
+      ->delimiter(',')
+      ->allow_extra_args(false);  // else `--ids 3,17 INPUT` takes INPUT for a further id
   what->add_option("--at", options->position,
                    "The position X,Y,Z: decimals (the nearest doubles), hex floats or fractions p/q (exact)");
   what->require_option(1);

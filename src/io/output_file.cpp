@@ -29,16 +29,51 @@ void remove_and_end(int signal_number) {
   ::raise(signal_number);
 }
 
+// Holds the signals back while a file exists that the handlers do not know of.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t ending;
+    ::sigemptyset(&ending);
+    for (const int signal_number : kEndingSignals) ::sigaddset(&ending, signal_number);
+    ::pthread_sigmask(SIG_BLOCK, &ending, &before_);
+  }
+  ~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+// A signal that is ignored (nohup, a shell's background job) stays so.
+void replace_handlers(void (*from)(int), void (*to)(int)) {
+  for (const int signal_number : kEndingSignals) {
+    struct sigaction current {};
+    if (::sigaction(signal_number, nullptr, &current) == 0 && current.sa_handler == from) {
+      ::signal(signal_number, to);
+    }
+  }
+}
+
 void remember(const std::string& temporary) {
   if (temporary.size() < sizeof(temporary_in_progress)) {
     std::memcpy(temporary_in_progress, temporary.c_str(), temporary.size() + 1);
   }
-  for (const int signal_number : kEndingSignals) ::signal(signal_number, remove_and_end);
+  replace_handlers(SIG_DFL, remove_and_end);
+}
+
+// Its descriptor, or -1 and errno. The X's at the end of the name are replaced.
+int make_temporary(std::vector<char>& name) {
+  const SignalsHeld held;
+  const int descriptor = ::mkstemp(name.data());
+  if (descriptor >= 0) remember(name.data());
+  return descriptor;
 }
 
 void forget() {
   temporary_in_progress[0] = '\0';
-  for (const int signal_number : kEndingSignals) ::signal(signal_number, SIG_DFL);
+  replace_handlers(remove_and_end, SIG_DFL);
 }
 
 }  // namespace
@@ -53,7 +88,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
   }
   std::vector<char> name(path_.begin(), path_.end());
   for (const char c : {'.', 'X', 'X', 'X', 'X', 'X', 'X', '\0'}) name.push_back(c);
-  const int descriptor = ::mkstemp(name.data());
+  const int descriptor = make_temporary(name);
   if (descriptor < 0) fail(std::strerror(errno));
   // mkstemp makes files that only their owner can read; an output is as readable as any new file.
   const mode_t mask = ::umask(0);
@@ -61,7 +96,6 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
   ::fchmod(descriptor, 0666 & ~mask);
   ::close(descriptor);
   temporary_ = name.data();
-  remember(temporary_);
   stream_.open(temporary_, std::ios::binary);
   if (!stream_) fail(std::strerror(errno));
 }

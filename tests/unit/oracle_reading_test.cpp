@@ -58,7 +58,7 @@ TEST(OracleReadXyz, HexadecimalFloatsAreExactOrAnError) {
   CITES("FC-IN-02");
   EXPECT_EQ(points("0x1.fffffffffffffp1023 -0x1p-1074 0x1.00000000000000000p0"),
             (Rows{{kGreatest, -kSubnormal, 1}}));
-  EXPECT_EQ(points("-0x0p-9999 0X.0000001P+28 0x20000000000001p-1\n"), (Rows{{0, 1, 0x1.0000000000001p52}}));
+  EXPECT_EQ(points("-0x0p-9999 0X.0000001P+28 0x20000000000002p-1\n"), (Rows{{0, 1, 0x1.0000000000001p52}}));
   for (const std::string word : {"0x1.00000000000001p0", "-0x1.00000000000008p0", "0x20000000000001.8",
                                  "0x1p-1075", "0x1.8p-1074", "0x0.fffffffffffffcp-1022", "-0x1p-99999"}) {
     EXPECT_EQ(points_error("0 0 0\n1 " + word + " 3\n"), "f:2: '" + word + "' is not exactly a double");

@@ -1,0 +1,177 @@
+#!/usr/bin/env bash
+# Spec and tests name each other: every clause of spec/flow_complex.md is cited by a test that ctest runs, and every
+# clause id in the code is one of the spec's.
+#
+# usage: clause_coverage_test.sh [ROOT]        prints clause, level, number of citing tests
+#        clause_coverage_test.sh --self-test   damages a small tree in every way that must fail, and sees it fail
+#
+# A C++ test cites by CITES("ID", ...), the first statement of its body; a shell test by a line `# CITES: ID ID`. Only
+# files that a CMakeLists.txt of tests/ registers (flowcert_test, or add_test of the script) count, and no DISABLED_ test.
+set -euo pipefail
+
+id='FC-[A-Z]+-[0-9]+'
+
+# Lines "ID<tab>level" of the spec's clauses; a clause with another level, or none, gets the level "?".
+clauses() {
+  awk '/^\*\*FC-/ {
+    match($0, /FC-[A-Z]+-[0-9]+/)
+    name = substr($0, RSTART, RLENGTH)
+    level = "?"
+    if (match($0, /^\*\*FC-[A-Z]+-[0-9][0-9]\*\* \((determined|permitted variation|must reject)\)\. /)) {
+      level = substr($0, index($0, "(") + 1)
+      level = substr(level, 1, index(level, ")") - 1)
+    }
+    print name "\t" level
+  }' "$1/spec/flow_complex.md"
+}
+
+# The test files that ctest runs, as they are registered in the CMakeLists.txt files.
+registered_files() {
+  local list folder
+  while read -r list; do
+    folder=$(dirname "$list")
+    sed 's/#.*//' "$list" | tr '\n' ' ' | grep -oE 'flowcert_test\( *[a-z]+ +[A-Za-z0-9_]+' |
+      awk -v folder="$folder" '{ print folder "/" $NF ".cpp" }' || true
+    sed 's/#.*//' "$list" | tr '\n' ' ' | grep -oE 'add_test\([^)]*' |
+      grep -oE '\$\{CMAKE_CURRENT_SOURCE_DIR\}/[A-Za-z0-9_]+\.sh' |
+      sed "s|\${CMAKE_CURRENT_SOURCE_DIR}|$folder|" || true
+  done < <(find "$1/tests" -name CMakeLists.txt | sort) | sort -u
+}
+
+# Of C++ files: a line "cites<tab>ID" for each id that a test cites, "misplaced<tab>FILE:LINE" for each CITES that is not
+# the first statement of a test. The head of a test may take two lines.
+citations_in_cpp() {
+  awk '
+    FNR == 1 { head = 0; collecting = 0 }
+    /^[ \t]*\/\// || /^#define/ { next }
+    /^(TEST|TEST_F|TEST_P|TYPED_TEST|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\(/ { head = FNR; disabled = 0 }
+    head && FNR <= head + 1 && /DISABLED_/ { disabled = 1 }
+    /CITES\(/ {
+      if (head && FNR - head <= 2 && previous ~ /\{$/ && $0 ~ /^[ \t]*CITES\(/) {
+        collecting = !disabled
+      } else {
+        print "misplaced\t" FILENAME ":" FNR
+      }
+      head = 0
+    }
+    collecting {
+      rest = $0
+      while (match(rest, /"FC-[A-Z]+-[0-9]+"/)) {
+        print "cites\t" substr(rest, RSTART + 1, RLENGTH - 2)
+        rest = substr(rest, RSTART + RLENGTH)
+      }
+      if (/\);/) collecting = 0
+    }
+    { previous = $0 }' "$@"
+}
+
+citations_in_sh() { grep -hE '^# CITES: ' "$@" | grep -oE "$id" | sed 's/^/cites\t/' || true; }
+
+# All that is wrong with the tree, one line each, after the table; fails if anything is.
+check() {
+  local root=$1 failures=0 known registered cited
+  fail() {
+    echo "FAIL: $*"
+    failures=$((failures + 1))
+  }
+
+  known=$(clauses "$root")
+  [ -n "$known" ] || fail "no clause found in spec/flow_complex.md"
+  while IFS=$'\t' read -r clause level; do
+    [ "$level" != '?' ] || fail "$clause has no level: determined, permitted variation or must reject"
+  done <<<"$known"
+  while read -r clause; do
+    [ -z "$clause" ] || fail "$clause is the id of two clauses"
+  done < <(cut -f1 <<<"$known" | sort | uniq -d)
+
+  registered=$(registered_files "$root")
+  while read -r file; do
+    [ -f "$file" ] || fail "$file is registered, but is no file"
+  done <<<"$registered"
+  while read -r file; do
+    grep -qxF "$file" <<<"$registered" || fail "$file cites clauses, but no CMakeLists.txt registers it"
+  done < <(grep -rlE '^[^/#]*CITES\(' "$root/tests" --include='*.cpp' --include='*.h'
+    grep -rlE '^# CITES: ' "$root/tests" --include='*.sh')
+
+  cited=$({
+    grep '\.cpp$' <<<"$registered" | while read -r file; do [ ! -f "$file" ] || citations_in_cpp "$file"; done
+    grep '\.sh$' <<<"$registered" | while read -r file; do [ ! -f "$file" ] || citations_in_sh "$file"; done
+  } || true)
+  while IFS=$'\t' read -r what where; do
+    [ "$what" != misplaced ] || fail "$where: CITES is not the first statement of a test"
+  done <<<"$cited"
+
+  while IFS=$'\t' read -r clause level; do
+    count=$(grep -cxF $'cites\t'"$clause" <<<"$cited" || true)
+    printf '%-12s %-20s %4d\n' "$clause" "$level" "$count"
+    [ "$count" -gt 0 ] || fail "$clause is cited by no test"
+  done <<<"$known"
+
+  while read -r clause; do
+    [ -z "$clause" ] || cut -f1 <<<"$known" | grep -qxF "$clause" ||
+      fail "$clause is no clause of the spec, but named in: $(cd "$root" && grep -rlwF "$clause" $(trees .) | tr '\n' ' ')"
+  done < <(cd "$root" && grep -rhoE "\b$id\b" $(trees .) | sort -u)
+  [ "$failures" -eq 0 ]
+}
+
+# Where clause ids are looked for.
+trees() { for tree in spec tests oracle src fuzz; do [ ! -d "$1/$tree" ] || echo "$tree"; done; }
+
+# A tree of two clauses and two tests, with everything right.
+make_small_tree() {
+  mkdir -p "$1"/{spec,tests/unit,src}
+  printf '%s\n' '**FC-IN-01** (must reject). One.' '' '**FC-IN-02** (determined). Two.' >"$1/spec/flow_complex.md"
+  printf '%s\n' '// FC-IN-01' >"$1/src/a.cpp"
+  printf '%s\n' 'flowcert_test(unit a_test' '  flowcert)' 'add_test(NAME unit/b COMMAND bash' \
+    '  ${CMAKE_CURRENT_SOURCE_DIR}/b_test.sh)' >"$1/tests/unit/CMakeLists.txt"
+  printf '%s\n' 'TEST(A,' '     B) {' '  CITES("FC-IN-01");' '}' >"$1/tests/unit/a_test.cpp"
+  printf '%s\n' '# CITES: FC-IN-02' >"$1/tests/unit/b_test.sh"
+}
+
+# must_fail WHAT FILE SED-SCRIPT MESSAGE: after that edit of the small tree, the check fails, and says so.
+must_fail() {
+  rm -rf "$scratch/tree"
+  make_small_tree "$scratch/tree"
+  sed -i "$3" "$scratch/tree/$2"
+  if check "$scratch/tree" >"$scratch/said"; then
+    echo "SELF-TEST: not noticed: $1"
+    self_failures=$((self_failures + 1))
+  elif ! grep -qF "FAIL: $4" "$scratch/said"; then
+    echo "SELF-TEST: noticed otherwise: $1"
+    cat "$scratch/said"
+    self_failures=$((self_failures + 1))
+  fi
+}
+
+self_test() {
+  scratch=$(mktemp -d)
+  trap 'rm -rf "$scratch"' EXIT
+  self_failures=0
+  make_small_tree "$scratch/right"
+  check "$scratch/right" || { echo "SELF-TEST: the small tree is right"; self_failures=1; }
+
+  # Put together, so that the check of the real tree does not find them.
+  local none="FC-NONE"-01 third="FC-IN"-03 spec=spec/flow_complex.md cpp=tests/unit/a_test.cpp cmake=tests/unit/CMakeLists.txt
+  must_fail "an id that is no clause" src/a.cpp "s/FC-IN-01/$none/" "$none is no clause"
+  must_fail "a citation of no clause" $cpp "s/FC-IN-01/FC-IN-01\", \"$none/" "$none is no clause"
+  must_fail "a clause that nothing cites" $spec "\$a **$third** (determined). Three." "$third is cited by no test"
+  must_fail "an id twice" $spec '$a **FC-IN-02** (determined). Two.' 'FC-IN-02 is the id of two clauses'
+  must_fail "an unknown level" $spec 's/(determined)/(mostly)/' 'FC-IN-02 has no level'
+  must_fail "no level" $spec 's/ (determined)//' 'FC-IN-02 has no level'
+  must_fail "no clauses" $spec 's/\*\*//g' 'no clause found'
+  must_fail "a test file that is not registered" $cmake 's/a_test/c_test/' 'FC-IN-01 is cited by no test'
+  must_fail "a registration in a comment" $cmake 's/^flowcert/# flowcert/' 'FC-IN-01 is cited by no test'
+  must_fail "a script that is not registered" $cmake 's/b_test/c_test/' 'FC-IN-02 is cited by no test'
+  must_fail "a citation in a comment" $cpp 's/  CITES/  \/\/ CITES/' 'FC-IN-01 is cited by no test'
+  must_fail "a citation outside a test" $cpp 's/^TEST/void f/' "$scratch/tree/$cpp:3: CITES is not the first"
+  must_fail "a citation that is not the first" $cpp 's/  CITES/  int i = 0;\n  CITES/' "$scratch/tree/$cpp:4: CITES"
+  must_fail "a disabled test" $cpp 's/B)/DISABLED_B)/' 'FC-IN-01 is cited by no test'
+  [ "$self_failures" -eq 0 ] || exit 1
+  echo "all damages noticed"
+}
+
+if [ "${1:-}" = --self-test ]; then
+  self_test
+else
+  check "$(realpath "${1:-$(dirname "$0")/../..}")"
+fi

@@ -1,0 +1,288 @@
+// The program `flowcert` as a shell sees it: exit status, one line for an error, and no output file that is
+// half written.
+//
+// Guarantees: nothing here knows how the program is made. Every kind of error is met once, and the directory
+// is listed after each; a signal is sent when the temporary file is seen, so it arrives while the program
+// writes.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <random>
+#include <regex>
+#include <thread>
+
+#include "tests/cites.h"
+#include "tests/conformance/program_run.h"
+
+namespace flowcert::conformance {
+namespace {
+
+using Names = std::set<std::string>;
+using Words = std::vector<std::string>;
+
+constexpr char kTriangle[] = "0 0 0\n3 0 0\n0 4 0\n";
+
+// Status 2, nothing on standard output, and this as the last of `lines` lines on standard error.
+void expect_error(const Finished& finished, const std::string& pattern, std::size_t lines = 1) {
+  EXPECT_EQ(finished.status, 2);
+  EXPECT_EQ(finished.out, "");
+  const Words said = lines_of(finished.err);
+  ASSERT_EQ(said.size(), lines) << finished.err;
+  EXPECT_TRUE(std::regex_match(said.back(), std::regex("flowcert: " + pattern))) << said.back();
+  EXPECT_TRUE(finished.err.ends_with("\n"));
+}
+
+TEST(CommandLine, WrongUsageIsStatus2AndOneLine) {
+  const Scratch scratch;
+  const std::string input = scratch.file("a.xyz", kTriangle);
+  const Words usages[] = {{},
+                          {"bogus"},
+                          {"--bogus"},
+                          {"compute"},
+                          {"compute", input, "--bogus"},
+                          {"compute", input, input},
+                          {"compute", input, "-o"},
+                          {"compute", input, "--runs", "0"},
+                          {"compute", input, "--runs", "x"},
+                          {"explain", input},
+                          {"explain", "--ids", "0"},
+                          {"explain", input, "--ids"},
+                          {"explain", input, "--ids", "0,x"},
+                          {"explain", input, "--ids", "-1"},
+                          {"explain", input, "--ids", "4294967296"},
+                          {"explain", input, "--ids", "0", "--at", "0,0,0"}};
+  for (const Words& usage : usages) {
+    SCOPED_TRACE(::testing::PrintToString(usage));
+    expect_error(flowcert(usage), ".+ \\(see flowcert --help\\)");
+  }
+}
+
+TEST(CommandLine, HelpHasAnExample) {
+  for (const Words& usage : {Words{"--help"}, Words{"compute", "--help"}, Words{"explain", "--help"}}) {
+    const Finished finished = flowcert(usage);
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_EQ(finished.err, "");
+    EXPECT_NE(finished.out.find("Usage: flowcert"), std::string::npos) << finished.out;
+    EXPECT_NE(finished.out.find("Example"), std::string::npos) << finished.out;
+  }
+}
+
+TEST(CommandLine, VersionIsTheReproducibilityLine) {
+  const Finished finished = flowcert({"--version"});
+  EXPECT_EQ(finished.status, 0);
+  EXPECT_EQ(finished.err, "");
+  const std::regex line(R"(flowcert \d+\.\d+\.\d+ \(commit ([0-9a-f]{12}|unknown); kernel: [^;]+; )"
+                        R"(compiler: (gcc|clang) \d[^;]*; CGAL \d+\.\d+(\.\d+)?\)\n)");
+  EXPECT_TRUE(std::regex_match(finished.out, line)) << finished.out;
+}
+
+struct BadFile {
+  std::string name;
+  std::string content;
+  int line;  // 0: the message has none
+};
+
+TEST(CommandLine, UnusableInputIsOneLineThatNamesTheLine) {
+  CITES("FC-IN-01", "FC-IN-02", "FC-IN-05");
+  const std::string ply = "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\n";
+  const BadFile files[] = {{"nan.xyz", "0 0 0\n1 nan 0\n", 2},
+                           {"infinite.xyz", "0 0 0\n1 0 0\n-inf 0 0\n", 3},
+                           {"overflow.txt", "0 0 1e309\n", 1},
+                           {"inexact.xyz", "0 0 0x1.00000000000001p0\n", 1},
+                           {"word.csv", "0,0,0\n\n# comment\n0,zero,0\n", 4},
+                           {"short.pts", "0 0 0\n1 1\n", 2},
+                           {"short.off", "OFF\n2 0 0\n0 0 0\n", 0},
+                           {"word.off", "OFF\n2 0 0\n0 0 0\n0 0 y\n", 4},
+                           {"word.obj", "v 0 0 0\nf 1 1 1\nv 1 0 z\n", 3},
+                           {"no_z.ply", ply + "end_header\n0 0\n1 1\n", 0},
+                           {"short.ply", ply + "property double z\nend_header\n0 0 0\n", 0},
+                           {"infinite.ply", ply + "property double z\nend_header\n0 0 0\n1 inf 1\n", 9},
+                           {"empty.xyz", "", 0},
+                           {"blank.obj", " \n\t\r\n", 0},
+                           {"damaged.xyz.gz", std::string("\x1f\x8b\x08\x00\x00", 5), 0}};
+  for (const BadFile& bad : files) {
+    SCOPED_TRACE(bad.name);
+    const Scratch scratch;
+    const std::string input = scratch.file(bad.name, bad.content);
+    const std::string line = bad.line > 0 ? std::to_string(bad.line) + ": .+" : "(\\d+:)? ?.+";
+    const std::string pattern = input + ":" + line;
+    expect_error(flowcert({"compute", input, "-o", scratch.path("out.jsonl")}), pattern);
+    expect_error(flowcert({"compute", input, "--json"}), pattern);
+    expect_error(flowcert({"explain", input, "--ids", "0"}), pattern);
+    EXPECT_EQ(scratch.names(), Names{bad.name});
+  }
+}
+
+TEST(CommandLine, MissingFilesAndDirectories) {
+  CITES("FC-IN-05");
+  const Scratch scratch;
+  expect_error(flowcert({"compute", scratch.path("no.xyz"), "-o", scratch.path("out.jsonl")}),
+               scratch.path("no.xyz") + ": .*No such file or directory");
+  expect_error(flowcert({"compute", scratch.path("")}), scratch.path("") + ": .*Is a directory");
+  EXPECT_EQ(scratch.names(), Names{});
+}
+
+TEST(CommandLine, NotesAreOnStandardErrorAndOnlyWhereDue) {
+  CITES("FC-IN-03", "FC-IN-02");
+  const Scratch scratch;
+  EXPECT_EQ(flowcert({"compute", scratch.file("a.xyz", kTriangle)}).err, "");
+  const std::string one = scratch.file("one.xyz", "0 0 0\n1 0 0\n-0.0 0 0\n");
+  const Finished warned = flowcert({"compute", one, "--json"});
+  EXPECT_EQ(warned.status, 0);
+  EXPECT_EQ(warned.err, "warning: " + one + ": 1 repeated point merged\n");
+  std::string many;
+  for (int i = 0; i < 1001; ++i) many += "1 2 3\n";
+  EXPECT_EQ(flowcert({"compute", scratch.file("many.xyz", many)}).err,
+            "warning: " + scratch.path("many.xyz") + ": 1,000 repeated points merged\n");
+
+  const auto ply = [](const std::string& type, std::size_t bytes) {
+    return "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty " + type + " x\nproperty " +
+           type + " y\nproperty " + type + " z\nend_header\n" + std::string(3 * bytes, '\0');
+  };
+  const std::string single = scratch.file("single.ply", ply("float", 4));
+  const Words notes = lines_of(flowcert({"compute", single}).err);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(notes[0].starts_with("note: " + single + ": ")) << notes[0];
+  EXPECT_NE(notes[0].find("single precision"), std::string::npos) << notes[0];
+  EXPECT_EQ(flowcert({"compute", scratch.file("double.ply", ply("double", 8))}).err, "");
+}
+
+TEST(CommandLine, StandardInputIsReadByItsContent) {
+  CITES("FC-IN-05");
+  const Scratch scratch;
+  const std::pair<std::string, std::string> inputs[] = {
+      {"xyz", kTriangle},
+      {"off", "OFF\n3 0 0\n0 0 0\n3 0 0\n0 4 0\n"},
+      {"obj", "o triangle\nv 0 0 0\nv 3 0 0\nv 0 4 0\n"},
+      {"ply",
+       "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
+       "end_header\n0 0 0\n3 0 0\n0 4 0\n"}};
+  for (const auto& [format, content] : inputs) {
+    const Finished finished =
+        flowcert({"compute", "-"}, {.standard_input = scratch.file(format, content), .standard_output = ""});
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    EXPECT_TRUE(finished.out.starts_with("standard input (" + format + ")\n")) << finished.out;
+    EXPECT_TRUE(std::regex_search(finished.out, std::regex("\npoints +3\n"))) << finished.out;
+  }
+  expect_error(flowcert({"compute", "-"}), "-: empty");
+  expect_error(flowcert({"compute", "-"},
+                        {.standard_input = scratch.file("bad", "0 0 0\n1 1\n"), .standard_output = ""}),
+               "-:2: .+");
+}
+
+TEST(CommandLine, AnOutputThatCannotBeWrittenIsStatus2) {
+  const Scratch scratch;
+  const std::string input = scratch.file("a.xyz", kTriangle);
+  std::filesystem::create_directory(scratch.path("folder"));
+  std::filesystem::create_symlink("/dev/full", scratch.path("full"));
+  const Names before = scratch.names();
+  for (const std::string& output :
+       {scratch.path("folder"), scratch.path("none/out.jsonl"), scratch.path("a.xyz/out.jsonl"),
+        scratch.path("full"), std::string("/dev/full"), std::string("/proc/flowcert.jsonl")}) {
+    SCOPED_TRACE(output);
+    expect_error(flowcert({"compute", input, "-o", output}), output + ": cannot be written: .+");
+    EXPECT_EQ(scratch.names(), before);
+  }
+  EXPECT_EQ(content_of(input), kTriangle);
+  EXPECT_TRUE(std::filesystem::is_symlink(scratch.path("full")));
+}
+
+TEST(CommandLine, AFullStandardOutputIsStatus2) {
+  const Scratch scratch;
+  const std::string input = scratch.file("a.xyz", kTriangle);
+  const Words usages[] = {{"compute", input},
+                          {"compute", input, "--json"},
+                          {"compute", input, "-o", "/dev/stdout"},
+                          {"explain", input, "--ids", "0,1"},
+                          {"explain", input, "--ids", "0,1,2", "--json"},
+                          {"--help"},
+                          {"compute", "--help"},
+                          {"--version"}};
+  for (const Words& usage : usages) {
+    SCOPED_TRACE(::testing::PrintToString(usage));
+    expect_error(flowcert(usage, {.standard_input = "/dev/null", .standard_output = "/dev/full"}),
+                 ".*cannot be written: .+");
+  }
+}
+
+TEST(CommandLine, AnOutputFileReplacesTheOldOneAndNothingElse) {
+  const Scratch scratch;
+  const std::string input = scratch.file("a.xyz", kTriangle);
+  const std::string output = scratch.file("out.jsonl", "old\n");
+  EXPECT_EQ(flowcert({"compute", input, "-o", output}).status, 0);
+  EXPECT_TRUE(content_of(output).starts_with("{"));
+  EXPECT_EQ(scratch.names(), (Names{"a.xyz", "out.jsonl"}));
+  // What cannot be computed leaves it alone.
+  const std::string complete = content_of(output);
+  EXPECT_EQ(flowcert({"compute", scratch.path("none.xyz"), "-o", output}).status, 2);
+  EXPECT_EQ(content_of(output), complete);
+}
+
+// Writing their records takes about 150 microseconds a point.
+std::string many_points(int count) {
+  std::mt19937_64 random(1);
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    for (int axis = 0; axis < 3; ++axis) text += std::to_string(random() >> 40) + (axis < 2 ? " " : "\n");
+  }
+  return text;
+}
+
+// Waits for a third name beside input and output. Fails when the program ends without it.
+bool wait_for_temporary(const Scratch& scratch, RunningProgram& program) {
+  while (scratch.names().size() < 3) {
+    if (program.has_ended()) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return true;
+}
+
+TEST(Signals, LeaveTheOldFileAndNoTemporaryOne) {
+  const Scratch scratch;
+  const std::string input = scratch.file("many.xyz", many_points(40000));
+  const std::string output = scratch.file("out.jsonl", "old\n");
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    RunningProgram program({FLOWCERT_PROGRAM, "compute", input, "-o", output});
+    ASSERT_TRUE(wait_for_temporary(scratch, program)) << program.finish().err;
+    program.signal(number);
+    const Finished finished = program.finish();
+    EXPECT_EQ(finished.status, -number);
+    EXPECT_EQ(finished.out, "");
+    EXPECT_EQ(scratch.names(), (Names{"many.xyz", "out.jsonl"}));
+    EXPECT_EQ(content_of(output), "old\n");
+  }
+}
+
+TEST(Signals, AnIgnoredOneStaysIgnored) {
+  const Scratch scratch;
+  const std::string input = scratch.file("many.xyz", many_points(4000));
+  const std::string output = scratch.file("out.jsonl", "old\n");
+  // What nohup does.
+  RunningProgram program(
+      {"/bin/sh", "-c", R"(trap "" HUP; exec "$0" compute "$1" -o "$2")", FLOWCERT_PROGRAM, input, output});
+  ASSERT_TRUE(wait_for_temporary(scratch, program)) << program.finish().err;
+  program.signal(SIGHUP);
+  EXPECT_EQ(program.finish().status, 0);
+  EXPECT_EQ(scratch.names(), (Names{"many.xyz", "out.jsonl"}));
+  EXPECT_TRUE(content_of(output).starts_with("{"));
+}
+
+TEST(Signals, AReaderThatGoesAwayEndsTheProgram) {
+  const Scratch scratch;
+  const std::string input = scratch.file("many.xyz", many_points(4000));
+  const std::string small = scratch.file("a.xyz", kTriangle);
+  // The status of a pipeline is that of its last command; the program's own goes to standard error.
+  const auto piped = [](const std::string& command, const std::string& file) {
+    return RunningProgram({"/bin/sh", "-c", "(" + command + "; echo $? >&2) | true", FLOWCERT_PROGRAM, file})
+        .finish();
+  };
+  EXPECT_EQ(piped(R"("$0" compute "$1" -o /dev/stdout)", input).err, "141\n");  // 128 + SIGPIPE
+  // So little that it may be written before the reader is gone.
+  const Finished finished = piped(R"("$0" compute "$1" --json)", small);
+  EXPECT_EQ(finished.status, 0);
+  EXPECT_TRUE(finished.err == "0\n" || finished.err == "141\n") << finished.err;
+  EXPECT_EQ(scratch.names(), (Names{"many.xyz", "a.xyz"}));
+}
+
+}  // namespace
+}  // namespace flowcert::conformance

@@ -1,0 +1,247 @@
+// The oracle's flow: orbits worked out by hand, one for each kind of flow segment of the paper's Table 1, and
+// what every orbit must keep, on inputs of all families and rational starts that hit Voronoi faces of every
+// dimension.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+#include "fuzz/families.h"
+#include "oracle/orbit.h"
+#include "tests/cites.h"
+
+namespace oracle {
+namespace {
+
+using Rows = std::vector<std::array<double, 3>>;
+
+std::string type_of(const PointSet& set, const FlowSegment& segment) {
+  const std::string end = segment.end ? std::string(1, face_letter(set, segment.end_contact)) : "oo";
+  return std::string(1, face_letter(set, segment.start_contact)) + "-" +
+         face_letter(set, segment.crossed_contact) + "-" + end;
+}
+
+std::vector<std::string> types_of(const PointSet& set, const Orbit& path) {
+  std::vector<std::string> types;
+  for (const FlowSegment& segment : path.segments) types.push_back(type_of(set, segment));
+  return types;
+}
+
+using Types = std::vector<std::string>;
+
+TEST(OracleOrbit, FromACellThroughAFacetIntoTheMaximum) {
+  CITES("FC-FLOW-01", "FC-FLOW-02");
+  // A regular tetrahedron with its centre at (1/2,1/2,1/2). From near the point 0 towards the middle of the
+  // facet of 0 and 1.
+  const PointSet set(Rows{{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}});
+  // The origin repels (t,t,t) along the diagonal, straight to the centre, where all four meet.
+  const Orbit path = orbit(set, {Rational(1, 8), Rational(1, 8), Rational(1, 8)});
+  ASSERT_EQ(types_of(set, path), (Types{"C-C-V"}));
+  EXPECT_EQ(path.segments[0].driver, (Point{0, 0, 0}));
+  EXPECT_EQ(*path.segments[0].end, (Point{Rational(1, 2), Rational(1, 2), Rational(1, 2)}));
+  EXPECT_EQ(path.segments[0].end_contact, (std::vector<std::size_t>{0, 1, 2, 3}));
+  ASSERT_TRUE(path.limit);
+  EXPECT_EQ(path.limit->face_dimension, 3);
+  EXPECT_EQ(path.limit->hull_dimension, 3);
+}
+
+TEST(OracleOrbit, FromACellThroughAFacetAndAnEdge) {
+  CITES("FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-04");
+  // The right triangle (0,0,0) (4,0,0) (0,4,0) is obtuse nowhere; its line of centres is (2,2,z), its
+  // circumcentre the middle of the hypotenuse.
+  const PointSet set(Rows{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}});
+  // From (1,1/2,1): the origin is nearest. The way (1,1/2,1)t meets the plane x = 2 at t = 2, in (2,1,2);
+  // from there on away from the middle (2,0,0) in the direction (0,1,2) to the line of centres in (2,2,4);
+  // there the driver is (2,2,0), and the way goes up the line for ever.
+  const Orbit path = orbit(set, {1, Rational(1, 2), 1});
+  ASSERT_EQ(types_of(set, path), (Types{"C-C-F", "F-F-E", "E-E-oo"}));
+  EXPECT_EQ(*path.segments[0].end, (Point{2, 1, 2}));
+  EXPECT_EQ(path.segments[1].driver, (Point{2, 0, 0}));
+  EXPECT_EQ(*path.segments[1].end, (Point{2, 2, 4}));
+  EXPECT_EQ(path.segments[2].driver, (Point{2, 2, 0}));
+  EXPECT_FALSE(path.limit);
+}
+
+TEST(OracleOrbit, FromAnEdgeOfAnObtuseTriangleAcrossTheFacetOfItsLongSide) {
+  CITES("FC-FLOW-01", "FC-FLOW-02");
+  // Obtuse at (0,1,0): the points of its line of centres, over (0,-3/2), are driven by the middle of the long
+  // side, the origin.
+  const PointSet set(Rows{{-2, 0, 0}, {2, 0, 0}, {0, 1, 0}});
+  const FlowSegment segment = *flow_segment(set, {0, Rational(-3, 2), 1});
+  EXPECT_EQ(type_of(set, segment), "E-F-oo");
+  EXPECT_EQ(segment.driver, (Point{0, 0, 0}));
+  EXPECT_EQ(segment.start_contact, (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(segment.crossed_contact, (std::vector<std::size_t>{0, 1}));
+}
+
+TEST(OracleOrbit, FromAVertexOfARightAngleAlongItsEdge) {
+  CITES("FC-FLOW-01", "FC-FLOW-02");
+  // Figure 6: the base has a right angle, so its Voronoi edge goes straight up from the middle of the
+  // hypotenuse. The fourth point lies on that side's far end of the circumsphere of centre (0,0,1) and
+  // squared radius 2; below, the flow goes down the edge.
+  const PointSet set(Rows{{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 3}});
+  // From (0,0,-1) on the edge's lower part, which is a ray, down for ever; driver is the middle of the
+  // hypotenuse.
+  const Orbit down = orbit(set, {0, 0, -1});
+  ASSERT_EQ(types_of(set, down), (Types{"E-E-oo"}));
+  EXPECT_EQ(down.segments[0].driver, (Point{0, 0, 0}));
+  // From (0,0,1) up: to the Voronoi vertex, where (0,0,3) is as near: 1 + z^2 = (3-z)^2, z = 4/3.
+  const Orbit up = orbit(set, {0, 0, 1});
+  ASSERT_FALSE(up.segments.empty());
+  EXPECT_EQ(type_of(set, up.segments[0]), "E-E-V");
+  EXPECT_EQ(*up.segments[0].end, (Point{0, 0, Rational(4, 3)}));
+}
+
+// The facet of the edge from (-2,0,0) to (2,0,0) lies in x = 0, round its midpoint: two obtuse points make
+// its vertex (0,1,0), two acute ones its vertex (0,3,0), on the same ray from the midpoint.
+const Rows kTwoVerticesOnARay = {{-2, 0, 0}, {2, 0, 0}, {0, -1, 1}, {0, -1, -1}, {0, 1, 3}, {0, 1, -3}};
+
+TEST(OracleOrbit, FromAVertexAcrossAFacetIntoAVertex) {
+  CITES("FC-FLOW-01", "FC-FLOW-02");
+  const PointSet set(kTwoVerticesOnARay);
+  const FlowSegment segment = *flow_segment(set, {0, 1, 0});
+  EXPECT_EQ(type_of(set, segment), "V-F-V");
+  EXPECT_EQ(segment.driver, (Point{0, 0, 0}));
+  EXPECT_EQ(segment.start_contact, (std::vector<std::size_t>{0, 1, 2, 3}));
+  EXPECT_EQ(segment.crossed_contact, (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(*segment.end, (Point{0, 3, 0}));
+  EXPECT_EQ(segment.end_contact, (std::vector<std::size_t>{0, 1, 4, 5}));
+}
+
+TEST(OracleOrbit, AStationaryPointStays) {
+  CITES("FC-FLOW-03");
+  const PointSet set(Rows{{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}});
+  for (const StationaryPoint& point :
+       stationary_points({{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}}).stationary) {
+    const Orbit path = orbit(set, point.center);
+    EXPECT_TRUE(path.segments.empty());
+    ASSERT_TRUE(path.limit);
+    EXPECT_EQ(*path.limit, point);
+  }
+}
+
+const std::set<std::string> kTableOne = {"V-E-V",  "V-E-oo", "E-E-V", "E-E-oo", "V-F-V", "V-F-E",
+                                         "V-F-oo", "E-F-V",  "E-F-E", "E-F-oo", "F-F-V", "F-F-E",
+                                         "F-F-oo", "C-C-V",  "C-C-E", "C-C-F",  "C-C-oo"};
+
+// Centres of random small subsets hit Voronoi vertices, edges and facets; a mixture of two of them hits
+// hardly anything.
+Point random_start(const PointSet& set, rc::Random& random) {
+  const auto next = [&random](std::size_t bound) { return static_cast<std::size_t>(random.next() % bound); };
+  const auto centre = [&]() -> Point {
+    std::vector<Point> simplex;
+    const std::size_t size = 1 + next(4);
+    for (std::size_t k = 0; k < size; ++k) simplex.push_back(set.points[next(set.points.size())]);
+    return circumcentre(spanning_subset(simplex))->center;
+  };
+  const Point a = centre();
+  if (next(2) == 0) return a;
+  const Point b = centre();
+  const Rational weight(static_cast<long>(next(7)), 3);
+  Point mixed;
+  for (std::size_t axis = 0; axis < 3; ++axis) mixed[axis] = a[axis] + weight * (b[axis] - a[axis]);
+  return mixed;
+}
+
+void expect_segment_keeps_its_promises(const PointSet& set, const FlowSegment& segment) {
+  EXPECT_TRUE(kTableOne.contains(type_of(set, segment))) << type_of(set, segment);
+  EXPECT_TRUE(std::includes(segment.start_contact.begin(), segment.start_contact.end(),
+                            segment.crossed_contact.begin(), segment.crossed_contact.end()));
+  if (!segment.end) return;
+  // The middle of the segment has the crossed face's contact set, and the start's driver.
+  Point middle;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    middle[axis] = (segment.start[axis] + (*segment.end)[axis]) / 2;
+  EXPECT_EQ(contact_set(set, middle), segment.crossed_contact);
+  EXPECT_EQ(driver(select(set.points, nearest_places(set, middle)), middle), segment.driver);
+  EXPECT_NE(segment.end_contact, segment.crossed_contact);
+  const auto distance = [&set](const Point& x) {
+    return squared_distance(x, set.points[nearest_places(set, x)[0]]);
+  };
+  EXPECT_LT(distance(segment.start), distance(middle));
+  EXPECT_LT(distance(middle), distance(*segment.end));
+}
+
+// The squared radius of the ball that encloses C(x): Pythagoras, x being equally far from the points of C(x).
+Rational squared_ball_radius(const PointSet& set, const FlowSegment& segment) {
+  const Rational distance =
+      squared_distance(segment.start, set.points[nearest_places(set, segment.start)[0]]);
+  return distance - squared_distance(segment.start, segment.driver);
+}
+
+void expect_growing_balls(const PointSet& set, const Orbit& path) {
+  for (std::size_t k = 1; k < path.segments.size(); ++k) {
+    if (path.segments[k].driver == path.segments[k - 1].driver) continue;
+    EXPECT_LT(squared_ball_radius(set, path.segments[k - 1]), squared_ball_radius(set, path.segments[k]));
+  }
+}
+
+TEST(OracleOrbit, EveryOrbitKeepsItsPromises) {
+  CITES("FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-04", "FC-FLOW-05");
+  std::map<std::string, int> seen;
+  std::size_t orbits = 1;
+  const PointSet made(kTwoVerticesOnARay);  // V-F-V is too rare to wait for
+  for (const FlowSegment& segment : orbit(made, {0, 1, 0}).segments) {
+    expect_segment_keeps_its_promises(made, segment);
+    ++seen[type_of(made, segment)];
+  }
+  for (const flowcert::fuzz::Family& family : flowcert::fuzz::families()) {
+    rc::Random random(7);
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+      const PointSet set(flowcert::fuzz::draw(family, seed, 20).rows);
+      if (set.points.empty()) continue;
+      for (int k = 0; k < 4; ++k, ++orbits) {
+        const Orbit path = orbit(set, random_start(set, random));
+        for (const FlowSegment& segment : path.segments) {
+          expect_segment_keeps_its_promises(set, segment);
+          ++seen[type_of(set, segment)];
+        }
+        expect_growing_balls(set, path);
+        if (!path.limit) {
+          ASSERT_FALSE(path.segments.back().end);
+        } else if (!path.segments.empty()) {
+          EXPECT_EQ(path.limit->contact, path.segments.back().end_contact);
+        }
+      }
+    }
+  }
+  std::printf("%zu orbits; segments by type:", orbits);
+  for (const auto& [type, count] : seen) std::printf(" %s %d", type.c_str(), count);
+  std::printf("\n");
+  // Every entry of Table 1 was met.
+  EXPECT_EQ(seen.size(), kTableOne.size());
+}
+
+// The signed permutation (x,y,z) -> (-z, x, y), and doubling.
+TEST(OracleOrbit, IsEquivariant) {
+  CITES("FC-FLOW-06");
+  const auto turned = [](const auto& p) { return std::decay_t<decltype(p)>{-2 * p[2], 2 * p[0], 2 * p[1]}; };
+  for (const flowcert::fuzz::Family& family : flowcert::fuzz::families()) {
+    if (family.name == "extreme-scale" || family.name == "mixed-magnitudes")
+      continue;  // doubling would overflow
+    rc::Random random(11);
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+      const Rows rows = flowcert::fuzz::draw(family, seed, 20).rows;
+      if (rows.empty()) continue;
+      Rows other;
+      for (const auto& row : rows) other.push_back(turned(row));
+      const PointSet set(rows), image(other);
+      const Point start = random_start(set, random);
+      const Orbit path = orbit(set, start), turned_path = orbit(image, turned(start));
+      ASSERT_EQ(path.segments.size(), turned_path.segments.size());
+      for (std::size_t k = 0; k < path.segments.size(); ++k) {
+        const FlowSegment &a = path.segments[k], &b = turned_path.segments[k];
+        EXPECT_EQ(turned(a.start), b.start);
+        EXPECT_EQ(turned(a.driver), b.driver);
+        EXPECT_EQ(a.start_contact, b.start_contact);
+        EXPECT_EQ(a.crossed_contact, b.crossed_contact);
+        EXPECT_EQ(a.end_contact, b.end_contact);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace oracle
