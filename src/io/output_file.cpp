@@ -97,7 +97,13 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
   ::close(descriptor);
   temporary_ = name.data();
   stream_.open(temporary_, std::ios::binary);
-  if (!stream_) fail(std::strerror(errno));
+  if (!stream_) {
+    const int reason = errno;
+    // There will be no destructor.
+    ::unlink(temporary_.c_str());
+    forget();
+    fail(std::strerror(reason));
+  }
 }
 
 OutputFile::~OutputFile() {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -316,6 +317,7 @@ void check_input(const PointSet& points, PortableRandom& random, Seen& seen) {
   const Delaunay delaunay(points);
   const StationaryPoints list = stationary_points(delaunay);
   std::map<Ids, StationaryIndex> listed;
+  std::set<RationalPoint> centers;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const Ids contact(list.contact(i).begin(), list.contact(i).end());
     const Explanation of_points = explain_points(points, contact);
@@ -326,6 +328,7 @@ void check_input(const PointSet& points, PortableRandom& random, Seen& seen) {
     ASSERT_EQ(of_position.contact, contact);
     ASSERT_EQ(of_position.clause, of_points.clause);
     ASSERT_TRUE(listed.emplace(contact, list.index(i)).second);
+    ASSERT_TRUE(centers.insert(of_points.sphere->center).second);
     ++seen.indices[list.index(i)];
   }
   for (int k = 0; k < 12; ++k) {

@@ -12,10 +12,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 #include <ostream>
+#include <string>
+#include <tuple>
 
 #include "tests/cites.h"
 #include "tests/unit/point_tuples.h"
@@ -201,7 +203,7 @@ class PredicateNames {
 };
 TYPED_TEST_SUITE(PredicateTest, AllPredicates, PredicateNames);
 
-// 5 predicates, 10 kinds, 3,000 queries each, and at least 4 comparisons a query: 600,000.
+// 5 predicates, 10 kinds, 3,000 queries each, and at least 3 comparisons a query: 450,000 and more.
 TYPED_TEST(PredicateTest, NoRungContradictsTheNext) {
   CITES("FC-NUM-01");
   constexpr std::uint64_t kQueries = 3000;
@@ -324,8 +326,8 @@ TEST(RungsTest, TheFilterIsSharp) {
     const MaybeSign expected = sign > 0 ? Sign::kPositive : Sign::kNegative;
     EXPECT_EQ(answers(Angle{x, kOrigin, Point{sign * 0x1p-49, 1, 0}}).by_double, expected);
     EXPECT_EQ(answers(Orientation{kOrigin, x, y, Point{1, 1, sign * 0x1p-47}}).by_double, expected);
-    EXPECT_EQ(answers(SideOfPlane{Point{1, sign * 0x1p-44, 0}, Point{-1, 0, 0}, y, z}).by_double,
-              AskSideOfPlane::by_definition({Point{1, sign * 0x1p-44, 0}, Point{-1, 0, 0}, y, z}));
+    EXPECT_EQ(answers(SideOfPlane{x, Point{-1, 0, 0}, y, Point{0, 0, 1 + sign * 0x1p-44}}).by_double,
+              expected);
     EXPECT_EQ(answers(OutsideSphere{kOrigin, x, y, z, Point{1, 1, 1 + sign * 0x1p-44}}).by_double, expected);
     EXPECT_EQ(answers(OutsideCircle{x, y, kOrigin, Point{1, 1 + sign * 0x1p-46, 0}}).by_double, expected);
   }
