@@ -18,7 +18,8 @@ namespace {
 
 constexpr char kBlanks[] = " \t\r\v\f";  // \r: files with CR LF ends of line
 
-// Fields are separated by blanks, or by a comma with blanks around it; between two commas there is an empty field, which is no number.
+// Fields are separated by blanks, or by a comma with blanks around it; between two commas there is an empty
+// field, which is no number.
 std::vector<std::string> words_before_comment(const std::string& line) {
   const std::string content = line.substr(0, line.find('#'));
   const auto skip_blanks = [&content](std::size_t at) {
@@ -51,7 +52,8 @@ bool is_inexact_hexadecimal(const std::string& word) {
 double number(const std::string& word, const std::string& where) {
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);
-  if (word.empty() || end != word.c_str() + word.size()) throw UnusableInput(where + "'" + word + "' is not a number");
+  if (word.empty() || end != word.c_str() + word.size())
+    throw UnusableInput(where + "'" + word + "' is not a number");
   if (!std::isfinite(value)) throw UnusableInput(where + "'" + word + "' is not a finite double");
   if (is_inexact_hexadecimal(word)) throw UnusableInput(where + "'" + word + "' is not exactly a double");
   return value;

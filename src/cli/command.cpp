@@ -36,6 +36,11 @@ Input read_input(const std::string& path) {
     fmt::print(stderr, "note: {}: the coordinates are single precision, and are taken exactly as such\n",
                display_name(path));
   }
+  if (input.file.declares_single_precision) {
+    fmt::print(stderr,
+               "note: {}: declared as float, but decimals: taken as the nearest doubles, not floats\n",
+               display_name(path));
+  }
   if (const std::size_t merged = input.points.merged_duplicates(); merged > 0) {
     fmt::print(stderr, "warning: {}: {} repeated point{} merged\n", display_name(path), with_commas(merged),
                merged == 1 ? "" : "s");

@@ -197,14 +197,16 @@ PointFile read_ply(std::string_view bytes, std::string_view file) {
   PointFile points;
   LineReader lines(bytes, file);
   const PlyHeader header = read_ply_header(lines);
+  const std::vector<PlyProperty>& properties = header.elements[header.vertex].properties;
+  const bool has_float = std::any_of(header.coordinates.begin(), header.coordinates.end(),
+                                     [&](std::size_t k) { return properties[k].type == PlyType::kFloat; });
   if (header.encoding == PlyEncoding::kAscii) {
     // The type of an ascii property is only a hint: what counts is the text, read as the nearest double.
+    points.declares_single_precision = has_float;
     read_ascii(header, lines, points);
     return points;
   }
-  const std::vector<PlyProperty>& properties = header.elements[header.vertex].properties;
-  points.single_precision = std::any_of(header.coordinates.begin(), header.coordinates.end(),
-                                        [&](std::size_t k) { return properties[k].type == PlyType::kFloat; });
+  points.single_precision = has_float;
   read_binary(header, lines, points);
   return points;
 }

@@ -206,7 +206,8 @@ TEST(ExplainCommand, WhatCannotBeAskedIsStatus2) {
       {"--at", "0,0"},       {"--at", "0,0,0,0"},  {"--at", "0,,"},       {"--at", ""},
       {"--at", "0,0,x"},     {"--at", "0,0,1/-2"}, {"--at", "0,0,1/2/3"}, {"--at", "0x1p-1075,0,0"},
       {"--at", "0,0,0.5/2"}, {"--ids", "0,9"},     {"--ids", "9"},        {"--ids", "4294967295"},
-      {"--ids", "0,-1"},     {"--ids", "0,1.5"},   {"--ids", ""},         {"--ids", "0 1"}};
+      {"--ids", "0,-1"},     {"--ids", "0,1.5"},   {"--ids", ""},         {"--ids", "0 1"},
+      {"--ids", "010"},      {"--ids", "0x1"},     {"--ids", "true"},     {"--ids", "+1"}};
   for (const auto& [option, value] : questions) {
     const Finished finished = cube.text(option, value);
     EXPECT_EQ(finished.status, 2) << option << " " << value;

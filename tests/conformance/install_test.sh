@@ -1,35 +1,66 @@
 #!/usr/bin/env bash
-# The README's library example, as a user would meet it: the build is installed into an empty folder, the example's own blocks are taken
-# out of the README, configured with find_package(flowcert) outside of the tree, built and run, and print what the README says.
-# usage: install_test.sh BUILD-FOLDER
+# The installed library is what the README says: its example, copied out of it, builds against an installed copy with
+# find_package alone, outside the tree, and prints what the README says that it prints.
+#
+# usage: install_test.sh BUILD_DIR      (a build of this tree, with the library and the program built)
+#
+# The three fenced blocks are those after the lines `<!-- example: cmake -->`, `<!-- example: library -->` and
+# `<!-- example: output -->`. It fails as well when one of them is missing, and when an installed header needs CGAL.
 set -euo pipefail
-build=$1
-readme="$(cd "$(dirname "$0")/../.." && pwd)/README.md"
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+root=$(realpath "$(dirname "$0")/../..")
+build=$(realpath "$1")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
 
-# The fenced block that follows the line <!-- example: NAME -->.
-block() {
-  awk -v mark="<!-- example: $1 -->" '
-    $0 == mark { wanted = 1; next }
-    wanted && /^```/ { if (inside) exit; inside = 1; next }
-    inside { print }' "$readme" >"$2"
-  [ -s "$2" ] || { echo "README.md has no block after <!-- example: $1 -->"; exit 1; }
+fail() {
+  echo "FAIL: $*"
+  exit 1
 }
 
-cmake --install "$build" --prefix "$folder/prefix" >"$folder/install.log"
-mkdir "$folder/example"
-block cmake "$folder/example/CMakeLists.txt"
-block library "$folder/example/example.cpp"
-block output "$folder/expected"
+# The lines between the fences of the block after <!-- example: NAME -->.
+block() {
+  awk -v mark="<!-- example: $1 -->" '
+    inside && /^```/ { exit }
+    inside { print }
+    marked && /^```/ { inside = 1; marked = 0 }
+    $0 == mark { marked = 1 }' "$root/README.md"
+}
 
-if grep -rn '#include <CGAL/' "$folder/prefix/include"; then
-  echo "a public header includes CGAL"
-  exit 1
-fi
-cmake -S "$folder/example" -B "$folder/example/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-  -DCMAKE_PREFIX_PATH="$folder/prefix" -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror"
-cmake --build "$folder/example/build"
-"$folder/example/build/example" >"$folder/printed"
-diff "$folder/expected" "$folder/printed"
-"$folder/prefix/bin/flowcert" --version
+# A variable of the build's cache.
+cached() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
+
+# Runs a command; what it says is shown only if it fails.
+quietly() { "$@" >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "$*"; }; }
+
+mkdir "$scratch/example"
+block cmake >"$scratch/example/CMakeLists.txt"
+block library >"$scratch/example/example.cpp"
+block output >"$scratch/expected"
+for file in example/CMakeLists.txt example/example.cpp expected; do
+  [ -s "$scratch/$file" ] || fail "README.md has no block for $file"
+done
+grep -q 'find_package(flowcert' "$scratch/example/CMakeLists.txt" || fail "the example does not use find_package"
+
+quietly cmake --install "$build" --prefix "$scratch/prefix"
+headers=$(find "$scratch/prefix/include/flowcert" -name '*.h' | wc -l)
+[ "$headers" -gt 0 ] || fail "no header is installed"
+! grep -rn 'include.*CGAL' "$scratch/prefix/include" || fail "an installed header includes CGAL"
+for header in "$root"/src/include/flowcert/*.h; do
+  [ -f "$scratch/prefix/include/flowcert/$(basename "$header")" ] || fail "$header is not installed"
+done
+"$scratch/prefix/bin/flowcert" --version >"$scratch/version" || fail "the installed program does not run"
+! grep -rlF -e "$root" -e "$build" "$scratch/prefix/lib/"*/cmake "$scratch/prefix/lib/cmake" 2>/dev/null ||
+  fail "the installed package refers to the tree that it was built in"
+
+# An instrumented library asks the same of what it is linked with.
+flags=
+case "$(cached FLOWCERT_SANITIZE)" in ON) flags='-fsanitize=address,undefined' ;; esac
+case "$(cached FLOWCERT_COVERAGE)" in ON) flags='--coverage' ;; esac
+quietly cmake -S "$scratch/example" -B "$scratch/example/build" -G Ninja -DCMAKE_PREFIX_PATH="$scratch/prefix" \
+  -DCMAKE_CXX_COMPILER="$(cached CMAKE_CXX_COMPILER)" -DCMAKE_CXX_FLAGS="$flags -Wall -Wextra"
+found=$(sed -n 's/^flowcert_DIR:PATH=//p' "$scratch/example/build/CMakeCache.txt")
+case "$found" in "$scratch"/*) ;; *) fail "another flowcert was found: $found" ;; esac
+quietly cmake --build "$scratch/example/build"
+"$scratch/example/build/example" >"$scratch/printed" || fail "the example does not run"
+diff -u "$scratch/expected" "$scratch/printed" || fail "the example prints something else"
+echo "the README's example builds against the installed library and prints its $(wc -l <"$scratch/expected") lines"

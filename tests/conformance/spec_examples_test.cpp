@@ -1,6 +1,6 @@
 // The examples of spec/flow_complex.md, run against both implementations.
 //
-// Guarantees: every fenced block that begins with `example` is parsed by the grammar of the spec's section 8
+// Guarantees: every fenced block that begins with `example` is parsed by the grammar of the spec's section 9
 // and checked against the fast implementation and the oracle, each of which reads the points with its own
 // reader; what the grammar does not know, a block that expects nothing and an id that no clause has are
 // failures, so an example cannot be skipped by a slip of the pen.

@@ -12,8 +12,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
-#include <random>
 #include <locale>
+#include <random>
 #include <sstream>
 #include <string>
 

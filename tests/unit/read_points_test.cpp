@@ -171,6 +171,7 @@ TEST(ReadPly, AsciiFloatsAreTheNearestDoublesOfTheirText) {
       "a.ply");
   EXPECT_EQ(file.rows, (Rows{{0.1, 0.125, 1e300}}));
   EXPECT_FALSE(file.single_precision);
+  EXPECT_TRUE(file.declares_single_precision);
 }
 
 TEST(ReadPly, BinaryInEveryTypeAndBothOrders) {
@@ -212,6 +213,7 @@ TEST(ReadPly, FloatsAndDoublesAreTakenExactly) {
   const PointFile floats = read_points_from(ply_binary<float>(true, "float", single), "a.ply");
   EXPECT_EQ(floats.rows, single);
   EXPECT_TRUE(floats.single_precision);
+  EXPECT_FALSE(floats.declares_single_precision);
   EXPECT_EQ(floats.format, "ply");
 }
 

@@ -19,6 +19,9 @@ struct PointFile {
   std::vector<Point> rows;
   // The coordinates were stored as 32-bit floats (binary PLY), and are the doubles of the same values.
   bool single_precision = false;
+  // The file declares 32-bit floats but holds decimals (ascii PLY): they are the nearest doubles all the
+  // same.
+  bool declares_single_precision = false;
   // "xyz", "off", "ply" or "obj": what the file was read as.
   std::string format;
 };
