@@ -18,6 +18,9 @@ namespace {
 
 constexpr unsigned kCorners[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
 
+// Not double[4]: g++ 12 miscompiles loops over references to those under UBSan.
+using PerFacet = std::array<double, 4>;
+
 // The angles in the order of kAngleBits.
 using Angles = std::array<double, 12>;
 constexpr std::array<std::uint8_t, 12> kAngleBits = {
@@ -61,14 +64,14 @@ void set_angles(const TetrahedronPoints& points, const Angles& h, double error, 
   unsigned negative = 0;
   bool all_certain = true;  // written so that NaN, from an overflow, is not certain
   for (std::size_t k = 0; k < h.size(); ++k) {
-    negative |= unsigned{h[k] < 0} << kAngleBits[k];
+    negative |= (h[k] < 0 ? 1u : 0u) << kAngleBits[k];
     all_certain &= std::fabs(h[k]) > error;
   }
   signs.angle_negative = static_cast<std::uint16_t>(negative);
   if (!all_certain) resolve_angles(points, h, error, signs, tally);
 }
 
-void resolve_sides(const TetrahedronPoints& points, const double (&value)[4], const double (&error)[4],
+void resolve_sides(const TetrahedronPoints& points, const PerFacet& value, const PerFacet& error,
                    TetrahedronSigns& signs, FilterTally& tally) {
   for (unsigned facet = 0; facet < 4; ++facet) {
     if (std::fabs(value[facet]) > error[facet]) continue;
@@ -85,13 +88,13 @@ void resolve_sides(const TetrahedronPoints& points, const double (&value)[4], co
   }
 }
 
-void set_sides(const TetrahedronPoints& points, const double (&value)[4], const double (&error)[4],
+void set_sides(const TetrahedronPoints& points, const PerFacet& value, const PerFacet& error,
                TetrahedronSigns& signs, FilterTally& tally) {
   tally[Predicate::kSideOfPlane].calls += 4;
   unsigned negative = 0;
   bool all_certain = true;
   for (unsigned facet = 0; facet < 4; ++facet) {
-    negative |= unsigned{value[facet] < 0} << facet;
+    negative |= (value[facet] < 0 ? 1u : 0u) << facet;
     all_certain &= std::fabs(value[facet]) > error[facet];
   }
   signs.side_negative = static_cast<std::uint8_t>(negative);
@@ -127,9 +130,9 @@ TetrahedronSigns tetrahedron_signs(const TetrahedronPoints& points, CellSphere& 
   const double s1 = dot(circum.bc, circum.numerator);
   const double s2 = dot(circum.ca, circum.numerator);
   const double s0 = 2 * circum.determinant * circum.determinant - s1 - s2 - s3;
-  const double value[4] = {s0, s1, s2, s3};
-  const double error[4] = {64 * unit * t * (na * nb + nb * nc + nc * na), 32 * unit * t * (nb * nc),
-                           32 * unit * t * (nc * na), 32 * unit * t * (na * nb)};
+  const PerFacet value = {s0, s1, s2, s3};
+  const PerFacet error = {64 * unit * t * (na * nb + nb * nc + nc * na), 32 * unit * t * (nb * nc),
+                          32 * unit * t * (nc * na), 32 * unit * t * (na * nb)};
   set_sides(points, value, error, signs, tally);
   return signs;
 }
