@@ -129,7 +129,8 @@ TEST(CertifyCommand, RejectsEveryTamperedField) {
       {"squared_distance_double", 6.250000000000001},
       {"squared_distance_double", nullptr}};
   for (const auto& [key, value] : damages) {
-    const Finished judged = tampered.judge(6, [&](ordered_json& record) { record[key] = value; });
+    const Finished judged =
+        tampered.judge(6, [&key = key, &value = value](ordered_json& record) { record[key] = value; });
     EXPECT_EQ(judged.status, 1) << key << " " << value << judged.out << judged.err;
     // It names the line and a clause.
     EXPECT_TRUE(std::regex_search(judged.out, std::regex("jsonl:7: FC-[A-Z]+-[0-9]{2}"))) << judged.out;
