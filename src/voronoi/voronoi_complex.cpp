@@ -29,10 +29,6 @@ class Partition {
 
 constexpr CellIndex kPrefetchDistance = 8;
 
-std::uint64_t edge_key(VertexIndex u, VertexIndex v) {
-  return (std::uint64_t{std::min(u, v)} << 32) | std::max(u, v);
-}
-
 }  // namespace
 
 VoronoiComplex::VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally)
@@ -251,7 +247,7 @@ std::vector<PolygonSide> sides_of(const VoronoiComplex& complex, std::span<const
   }
   // A diagonal is an edge of two facets.
   std::sort(edges.begin(), edges.end(), [](const PolygonSide& a, const PolygonSide& b) {
-    return edge_key(a.v0, a.v1) < edge_key(b.v0, b.v1);
+    return std::pair(a.v0, a.v1) < std::pair(b.v0, b.v1);
   });
   std::vector<PolygonSide> sides;
   for (std::size_t k = 0; k < edges.size(); ++k) {
