@@ -24,6 +24,8 @@ class PlanarComplex {
   [[nodiscard]] Sign angle(CellIndex triangle, std::uint32_t i) const { return angles_[triangle][i]; }
   // Whether edge i of a finite triangle is a diagonal, with a triangle of the same polygon on its other side.
   [[nodiscard]] bool is_diagonal(FacetRef edge) const;
+  // Which polygon a finite triangle belongs to.
+  [[nodiscard]] std::uint32_t polygon_of(CellIndex triangle) const { return polygon_of_[triangle]; }
   // The triangles of each polygon.
   [[nodiscard]] const std::vector<std::vector<CellIndex>>& polygons() const { return polygons_; }
 

@@ -113,6 +113,16 @@ void VoronoiComplex::gather_clusters(std::span<const FacetRef> cospherical) {
   }
 }
 
+// They are kept in the order of their names.
+std::span<const CellIndex> VoronoiComplex::large_cluster_of(CellIndex cell) const {
+  std::size_t low = 0, high = large_cluster_count();
+  while (high - low > 1) {
+    const std::size_t middle = (low + high) / 2;
+    (cluster_[large_cluster(middle).front()] <= cluster_[cell] ? low : high) = middle;
+  }
+  return large_cluster(low);
+}
+
 // Two facets in one polygon lie in one plane, so their cells differ on both sides: only facets of large
 // clusters, between two of them or on the hull, can be pieces.
 void VoronoiComplex::gather_polygons(FilterTally& tally) {

@@ -41,6 +41,8 @@ class VoronoiComplex {
   [[nodiscard]] std::span<const CellIndex> large_cluster(std::size_t k) const {
     return std::span(cluster_cells_).subspan(cluster_first_[k], cluster_first_[k + 1] - cluster_first_[k]);
   }
+  // That of a cell that is not alone. O(log of their number).
+  [[nodiscard]] std::span<const CellIndex> large_cluster_of(CellIndex cell) const;
 
   // What a finite cell's facet is: inside a cluster, a polygon by itself, or one of several that make up a
   // polygon.

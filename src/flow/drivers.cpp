@@ -1,0 +1,82 @@
+// See drivers.h.
+#include "flow/drivers.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace flowcert {
+
+namespace {
+
+void keep_unique(std::vector<PolygonRef>& polygons) {
+  const auto key = [](PolygonRef p) { return std::pair(p.cell, p.index); };
+  std::sort(polygons.begin(), polygons.end(), [key](PolygonRef a, PolygonRef b) { return key(a) < key(b); });
+  polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
+}
+
+// The polygons that bound the cluster's polytope, by the sign of their side.
+struct Boundary {
+  std::vector<PolygonRef> polygons;
+  std::vector<PolygonRef> negative;
+  std::vector<PolygonRef> zero;
+};
+
+Boundary boundary_of(const VoronoiFaces& faces, CellIndex cluster) {
+  const VoronoiComplex& complex = faces.complex();
+  Boundary boundary;
+  for (const CellIndex cell : faces.cells_of(cluster)) {
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const FacetRef facet{cell, i};
+      if (complex.role(facet) == VoronoiComplex::FacetRole::kInterior) continue;
+      const PolygonRef polygon = faces.polygon(facet);
+      boundary.polygons.push_back(polygon);
+      const Sign side = complex.side(facet);
+      if (side == Sign::kNegative) boundary.negative.push_back(polygon);
+      if (side == Sign::kZero) boundary.zero.push_back(polygon);
+    }
+  }
+  keep_unique(boundary.polygons);
+  keep_unique(boundary.negative);
+  keep_unique(boundary.zero);
+  return boundary;
+}
+
+// The polytope's edge that is obtuse in both its polygons.
+FacetName doubly_obtuse_edge(const VoronoiFaces& faces, const Boundary& boundary) {
+  std::vector<std::pair<VertexIndex, VertexIndex>> obtuse;
+  for (const PolygonRef polygon : boundary.polygons) {
+    for (const PolygonSide& side : faces.sides(polygon)) {
+      if (side.angle == Sign::kNegative) obtuse.emplace_back(side.v0, side.v1);
+    }
+  }
+  std::sort(obtuse.begin(), obtuse.end());
+  const auto twice = std::adjacent_find(obtuse.begin(), obtuse.end());
+  if (twice == obtuse.end()) throw std::logic_error("a Voronoi vertex without a driver");
+  return {twice->first, twice->second};
+}
+
+}  // namespace
+
+VertexFlow vertex_flow(const VoronoiFaces& faces, CellIndex cluster) {
+  const Boundary boundary = boundary_of(faces, cluster);
+  VertexFlow flow;
+  if (boundary.negative.empty()) {
+    // It lies in its polytope: inside, or in one polygon, or in the edge that two share.
+    const std::size_t zeros = boundary.zero.size();
+    flow.index = {static_cast<std::uint8_t>(zeros == 0 ? 3 : zeros == 1 ? 2 : 1), 3};
+    return flow;
+  }
+  for (const PolygonRef polygon : boundary.negative) {
+    if (faces.driver(polygon).shape == Sign::kNegative) continue;
+    flow.way = VertexFlow::Way::kAlongEdge;
+    flow.edge = polygon;
+    return flow;
+  }
+  flow.way = VertexFlow::Way::kAcrossFacet;
+  flow.facet = doubly_obtuse_edge(faces, boundary);
+  return flow;
+}
+
+}  // namespace flowcert

@@ -1,0 +1,152 @@
+// Where the ray from m through x, m the midpoint of a Delaunay edge and x a point of its Voronoi facet,
+// leaves the facet: by binary search over the facet's ring, or by a linear scan (paper, section 4).
+//
+// Guarantees: exact; both find the same. From a start on the boundary, ceil(log2 n) signs for n elements of
+// the ring (Proposition 1; duplicate vertices were merged when the ring was made); from one inside at most
+// twice that and a few. A linear scan takes up to n.
+#pragma once
+
+#include <cstddef>
+
+#include "flowcert/orbit.h"
+#include "geometry/flow_predicates.h"
+#include "voronoi/voronoi_faces.h"
+
+namespace flowcert {
+
+// Kernel: see flow_predicates.h. Centers: makes the constructed point of a cluster, centers(cluster).
+template <class Kernel, class Centers>
+class RingQuery {
+ public:
+  using KernelPoint = typename Kernel::Point;
+
+  RingQuery(Kernel& kernel, Centers& centers, FacetRing ring, const Point& p0, const Point& p1,
+            const KernelPoint& x)
+      : kernel_(kernel), centers_(centers), ring_(ring), p0_(p0), p1_(p1), x_(x), n_(ring.elements.size()) {}
+
+  // What the ray reaches: an element, the piece before an element, or, where neither is a finite face,
+  // infinity.
+  struct Exit {
+    enum class Kind : std::uint8_t { kInfinity, kElement, kPiece } kind = Kind::kInfinity;
+    std::size_t at = 0;
+  };
+
+  // x lies on the boundary, and the ray enters the facet there. From x on, counterclockwise, the elements
+  // lie first clockwise of the ray and then counterclockwise of it; the first that does not lie clockwise
+  // tells the exit. `first` is the element that follows x, `count` how many there are up to x again, less
+  // the last one, which is known to lie counterclockwise.
+  [[nodiscard]] Exit from_boundary(FacetSearch search, std::size_t first, std::size_t count) {
+    std::size_t low = 0, high = count;  // all before low are clockwise; high is not, or the end
+    while (low < high) {
+      const std::size_t probe = search == FacetSearch::kBinary ? (low + high) / 2 : low;
+      const Sign sign = side(first + probe);
+      if (sign == Sign::kZero) return at_element(first + probe);
+      if (sign == Sign::kNegative) {
+        low = probe + 1;
+      } else {
+        high = probe;
+      }
+    }
+    return before_element(first + low);
+  }
+
+  // x lies inside.
+  [[nodiscard]] Exit from_inside(FacetSearch search) {
+    if (n_ == 0) return {};
+    if (search == FacetSearch::kBinary) {
+      for (std::size_t k = 0; k < n_; ++k) {
+        if (ring_.elements[k].vertex != kNoCell) return by_angle(k);
+      }
+    }
+    return by_all_signs();
+  }
+
+ private:
+  [[nodiscard]] const RingElement& element(std::size_t k) const { return ring_.elements[k % n_]; }
+
+  [[nodiscard]] Exit at_element(std::size_t k) const {
+    if (element(k).vertex == kNoCell) return {};
+    return {Exit::Kind::kElement, k % n_};
+  }
+  [[nodiscard]] Exit before_element(std::size_t k) const {
+    const std::size_t piece = (k + n_ - 1) % n_;
+    if (ring_.pieces[piece].polygon.cell == kNoCell) return {};
+    return {Exit::Kind::kPiece, piece};
+  }
+
+  static Sign times(int factor, Sign sign) { return static_cast<Sign>(factor * static_cast<int>(sign)); }
+
+  // Of the ray: positive for an element counterclockwise of it.
+  [[nodiscard]] Sign side(std::size_t k) {
+    const RingElement& e = element(k);
+    if (e.vertex != kNoCell) return side_of_ray(kernel_, x_, p0_, p1_, centers_(e.vertex));
+    return times(e.factor, ray_at_infinity(kernel_, x_, p0_, p1_, centers_.point(e.apex)));
+  }
+
+  // Of the line from x to the vertex `reference`, likewise.
+  [[nodiscard]] Sign side_of_reference(const KernelPoint& reference, std::size_t k) {
+    const RingElement& e = element(k);
+    if (e.vertex != kNoCell) return around_start(kernel_, x_, p0_, p1_, reference, centers_(e.vertex));
+    return times(e.factor, ray_around_start(kernel_, x_, p0_, p1_, reference, centers_.point(e.apex)));
+  }
+
+  // Goes around x from a reference vertex. Angles are counterclockwise from it; the ray's is known to lie in
+  // (0, pi), (pi, 2 pi), or to be 0 or pi, by one sign; then two signs tell whether an element comes before
+  // the ray.
+  [[nodiscard]] Exit by_angle(std::size_t reference) {
+    const KernelPoint start = centers_(element(reference).vertex);
+    const Sign first = side(reference);
+    if (first == Sign::kZero && beyond_start(kernel_, x_, p0_, p1_, start) == Sign::kPositive) {
+      return at_element(reference);
+    }
+    std::size_t low = 1, high = n_;  // counted from the reference
+    while (low < high) {
+      const std::size_t probe = (low + high) / 2;
+      const std::size_t k = reference + probe;
+      bool is_before = false;
+      if (first == Sign::kZero) {  // the ray's angle is pi
+        const Sign turn = side_of_reference(start, k);
+        if (turn == Sign::kZero) return at_element(k);
+        is_before = turn == Sign::kPositive;
+      } else {
+        const Sign sign = side(k);
+        const bool is_near = first == Sign::kNegative;  // the ray's angle is less than pi
+        // Those that decide are on the same half turn from the reference as the ray.
+        const Sign half = is_near ? Sign::kPositive : Sign::kNegative;
+        if (sign == Sign::kZero) {
+          if (side_of_reference(start, k) == half) return at_element(k);
+          is_before = !is_near;
+        } else if (is_near) {
+          is_before = sign == Sign::kNegative && side_of_reference(start, k) == Sign::kPositive;
+        } else {
+          is_before = sign == Sign::kNegative || side_of_reference(start, k) != Sign::kNegative;
+        }
+      }
+      (is_before ? low : high) = is_before ? probe + 1 : probe;
+    }
+    return before_element(reference + low);
+  }
+
+  // Looks for the change from clockwise to counterclockwise; an element on the ray's line in between is where
+  // it leaves. None where the whole boundary is parallel to the ray.
+  [[nodiscard]] Exit by_all_signs() {
+    std::size_t clockwise = n_;  // the last one seen
+    for (std::size_t k = 0; k < 2 * n_; ++k) {
+      const Sign sign = side(k);
+      if (sign == Sign::kNegative) clockwise = k;
+      if (sign == Sign::kNegative || clockwise == n_) continue;
+      return sign == Sign::kPositive ? before_element(k) : at_element(k);
+    }
+    return {};
+  }
+
+  Kernel& kernel_;
+  Centers& centers_;
+  FacetRing ring_;
+  const Point& p0_;
+  const Point& p1_;
+  const KernelPoint& x_;
+  std::size_t n_;
+};
+
+}  // namespace flowcert

@@ -1,0 +1,236 @@
+// The flow operator over a construction kernel (paper, Table 1 and section 4): which face the flow crosses
+// from here, what drives it, and where it arrives.
+//
+// Guarantees: exact, for every start and every entry of Table 1; the choice of kernel and of the search
+// changes no answer. The only decisions are signs of the merged Voronoi complex and of flow_predicates.h.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <utility>
+#include <vector>
+
+#include "flow/facet_search.h"
+#include "flow/flow_machine.h"
+
+namespace flowcert {
+
+template <class Kernel>
+class FlowOperator final : public FlowMachine {
+ public:
+  using KernelPoint = typename Kernel::Point;
+
+  FlowOperator(VoronoiFaces& faces, FacetSearch search)
+      : faces_(faces), kernel_(tally_), centers_{*this}, search_(search) {}
+
+  PointNumber add(const RationalPoint& x) override { return keep(Kernel::point(x)); }
+
+  FlowStep step(const Position& from) override {
+    switch (from.place.kind) {
+      case Place::Kind::kVertex:
+        return step_from_vertex(from);
+      case Place::Kind::kEdge:
+        return step_from_edge(from);
+      case Place::Kind::kFacet:
+        return step_from_facet(from);
+      case Place::Kind::kCell:
+        return step_from_cell(from);
+      case Place::Kind::kInfinity:
+        break;
+    }
+    return {};
+  }
+
+  Position end_of_edge(PolygonRef polygon, std::size_t side) override {
+    const CellIndex cluster = faces_.end(polygon, side);
+    return cluster == kNoCell ? Position{} : Position{Place::at_vertex(cluster), kNoPoint};
+  }
+
+  RationalPoint exact(const Position& position) override {
+    if (position.place.kind == Place::Kind::kVertex) return Kernel::exact(center(position.place.vertex));
+    return Kernel::exact(points_[position.point]);
+  }
+  std::optional<RationalPoint> known(PointNumber point) const override {
+    return Kernel::known(points_[point]);
+  }
+  std::size_t depth(PointNumber point) const override { return Kernel::depth(points_[point]); }
+
+  PointNumber kept() const override { return static_cast<PointNumber>(points_.size()); }
+  void drop_from(PointNumber point) override { points_.erase(points_.begin() + point, points_.end()); }
+
+  const KernelTally& tally() const override { return tally_; }
+
+ private:
+  // What a query of a ring needs of the operator.
+  struct Centers {
+    FlowOperator& flow;
+    const KernelPoint& operator()(CellIndex cluster) const { return flow.center(cluster); }
+    const Point& point(VertexIndex v) const { return flow.faces_.point(v); }
+  };
+  using Query = RingQuery<Kernel, const Centers>;
+
+  PointNumber keep(KernelPoint point) {
+    points_.push_back(std::move(point));
+    return static_cast<PointNumber>(points_.size() - 1);
+  }
+
+  // The Voronoi vertex, constructed when first needed. The reference holds as long as the operator.
+  const KernelPoint& center(CellIndex cluster) {
+    if (center_of_.empty()) center_of_.assign(faces_.delaunay().finite_count, kNoPoint);
+    PointNumber& number = center_of_[cluster];
+    if (number == kNoPoint) {
+      number = static_cast<PointNumber>(cluster_centers_.size());
+      const auto& v = faces_.delaunay().vertices(cluster);
+      cluster_centers_.push_back(kernel_.circumcenter(
+          {&faces_.point(v[0]), &faces_.point(v[1]), &faces_.point(v[2]), &faces_.point(v[3])}));
+    }
+    return cluster_centers_[number];
+  }
+
+  static Driver midpoint_of(FacetName facet) { return {{facet.v0, facet.v1, kInfiniteVertex}, 2}; }
+  Driver center_of(PolygonRef polygon) const { return {faces_.corners(polygon), 3}; }
+
+  // V-V-V, V-E-{V, infinity}, V-F-{V, E, infinity}.
+  FlowStep step_from_vertex(const Position& from) {
+    const CellIndex cluster = from.place.vertex;
+    const VertexFlow flow = vertex_flow(faces_, cluster);
+    FlowStep step;
+    switch (flow.way) {
+      case VertexFlow::Way::kStays:
+        step.crossed = from.place;
+        step.end = from;
+        step.stationary = flow.index;
+        break;
+      case VertexFlow::Way::kAlongEdge:
+        step.crossed = Place::on_edge(flow.edge);
+        step.driver = center_of(flow.edge);
+        step.end = end_of_edge(flow.edge, faces_.end(flow.edge, 0) == cluster ? 1 : 0);
+        break;
+      case VertexFlow::Way::kAcrossFacet: {
+        const FacetRing ring = faces_.ring(flow.facet);
+        const std::size_t start = faces_.element_of(ring, cluster);
+        const KernelPoint& x = center(cluster);
+        Query query = query_of(flow.facet, ring, x);
+        const auto exit = query.from_boundary(search_, start + 1, ring.elements.size() - 2);
+        step = across(flow.facet, ring, exit, x);
+        break;
+      }
+    }
+    return step;
+  }
+
+  // E-E-{V, infinity}, E-F-{V, E, infinity}.
+  FlowStep step_from_edge(const Position& from) {
+    const PolygonRef polygon = from.place.edge;
+    const KernelPoint& x = points_[from.point];
+    const PolygonDriver driver = faces_.driver(polygon);
+    if (driver.shape == Sign::kNegative) {
+      const FacetRing ring = faces_.ring(driver.side);
+      const std::size_t start = faces_.piece_of(ring, polygon);
+      Query query = query_of(driver.side, ring, x);
+      const auto exit = query.from_boundary(search_, start + 1, ring.elements.size() - 1);
+      return across(driver.side, ring, exit, x);
+    }
+    const auto [a, b, c] = faces_.corners(polygon);
+    const Sign side = along_edge(kernel_, x, faces_.point(a), faces_.point(b), faces_.point(c));
+    FlowStep step;
+    step.crossed = from.place;
+    step.driver = center_of(polygon);
+    if (side == Sign::kZero) {
+      step.end = from;
+      step.stationary = StationaryIndex{static_cast<std::uint8_t>(driver.shape == Sign::kZero ? 1 : 2), 2};
+    } else {
+      step.end = end_of_edge(polygon, side == Sign::kPositive ? 1 : 0);
+    }
+    return step;
+  }
+
+  // F-F-{V, E, infinity}.
+  FlowStep step_from_facet(const Position& from) {
+    const FacetName facet = from.place.facet;
+    const RationalPoint x = exact(from);
+    const Point &p0 = faces_.point(facet.v0), &p1 = faces_.point(facet.v1);
+    if (2 * x[0] == Rational(p0.x) + Rational(p1.x) && 2 * x[1] == Rational(p0.y) + Rational(p1.y) &&
+        2 * x[2] == Rational(p0.z) + Rational(p1.z)) {
+      return stays(from, {1, 1}, midpoint_of(facet));
+    }
+    const FacetRing ring = faces_.ring(facet);
+    Query query = query_of(facet, ring, points_[from.point]);
+    const auto exit = query.from_inside(search_);
+    return across(facet, ring, exit, points_[from.point]);
+  }
+
+  // C-C-{V, E, F, infinity}: the nearest of the bisectors with the Delaunay neighbours, which bound the cell.
+  FlowStep step_from_cell(const Position& from) {
+    const VertexIndex sample = from.place.sample;
+    const Point& p = faces_.point(sample);
+    const Driver driver{{sample, kInfiniteVertex, kInfiniteVertex}, 1};
+    if (exact(from) == RationalPoint{Rational(p.x), Rational(p.y), Rational(p.z)}) {
+      return stays(from, {0, 0}, driver);
+    }
+    const KernelPoint& x = points_[from.point];
+    std::vector<VertexIndex> first;
+    for (const VertexIndex q : faces_.neighbors(sample)) {
+      if (ray_at_infinity(kernel_, x, p, p, faces_.point(q)) != Sign::kPositive) continue;
+      const Sign order = first.empty()
+                             ? Sign::kNegative
+                             : compare_exits(kernel_, x, p, faces_.point(q), faces_.point(first.front()));
+      if (order == Sign::kNegative) first.clear();
+      if (order != Sign::kPositive) first.push_back(q);
+    }
+    FlowStep step;
+    step.crossed = from.place;
+    step.driver = driver;
+    if (first.empty()) return step;
+    step.end.place = faces_.place_of(sample, first);
+    if (step.end.place.kind != Place::Kind::kVertex) {
+      step.end.point = keep(kernel_.crossing(x, p, p, faces_.point(first.front())));
+    }
+    return step;
+  }
+
+  static FlowStep stays(const Position& at, StationaryIndex index, Driver driver) {
+    FlowStep step;
+    step.crossed = at.place;
+    step.driver = driver;
+    step.end = at;
+    step.stationary = index;
+    return step;
+  }
+
+  Query query_of(FacetName facet, const FacetRing& ring, const KernelPoint& x) {
+    return Query(kernel_, centers_, ring, faces_.point(facet.v0), faces_.point(facet.v1), x);
+  }
+
+  FlowStep across(FacetName facet, const FacetRing& ring, typename Query::Exit exit, const KernelPoint& x) {
+    FlowStep step;
+    step.crossed = Place::on_facet(facet);
+    step.driver = midpoint_of(facet);
+    switch (exit.kind) {
+      case Query::Exit::Kind::kInfinity:
+        break;
+      case Query::Exit::Kind::kElement:
+        step.end.place = Place::at_vertex(ring.elements[exit.at].vertex);
+        break;
+      case Query::Exit::Kind::kPiece: {
+        const RingPiece& piece = ring.pieces[exit.at];
+        step.end.place = Place::on_edge(piece.polygon);
+        step.end.point = keep(
+            kernel_.crossing(x, faces_.point(facet.v0), faces_.point(facet.v1), faces_.point(piece.apex)));
+        break;
+      }
+    }
+    return step;
+  }
+
+  VoronoiFaces& faces_;
+  KernelTally tally_;
+  Kernel kernel_;
+  const Centers centers_;
+  FacetSearch search_;
+  std::deque<KernelPoint> points_;           // references to its points must survive keep()
+  std::deque<KernelPoint> cluster_centers_;  // likewise
+  std::vector<PointNumber> center_of_;       // by CellIndex
+};
+
+}  // namespace flowcert

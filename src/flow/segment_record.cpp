@@ -1,0 +1,62 @@
+// See segment_record.h.
+#include "flow/segment_record.h"
+
+#include <algorithm>
+#include <span>
+
+namespace flowcert {
+
+char letter(Place::Kind kind) {
+  switch (kind) {
+    case Place::Kind::kVertex:
+      return 'V';
+    case Place::Kind::kEdge:
+      return 'E';
+    case Place::Kind::kFacet:
+      return 'F';
+    case Place::Kind::kCell:
+      return 'C';
+    case Place::Kind::kInfinity:
+      break;
+  }
+  return 0;
+}
+
+std::string type_text(const std::array<char, 3>& type) {
+  std::string text{type[0], '-', type[1], '-'};
+  return type[2] == 0 ? text + "inf" : text + type[2];
+}
+
+std::vector<PointId> SegmentRecorder::contact(const Place& place) const {
+  std::vector<PointId> names;
+  for (const VertexIndex v : faces_.contact(place)) names.push_back(name(v));
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+RationalPoint SegmentRecorder::position(const Driver& driver) const {
+  std::vector<PointId> names;
+  for (std::size_t k = 0; k < driver.count; ++k) names.push_back(name(driver.samples[k]));
+  std::sort(names.begin(), names.end());
+  return exact_sphere(points_, names).center;
+}
+
+FlowSegment SegmentRecorder::segment(const Position& start, const FlowStep& step) const {
+  FlowSegment segment;
+  segment.type = segment_type(start.place, step);
+  segment.start = machine_.exact(start);
+  segment.driver = step.stationary ? segment.start : position(step.driver);
+  segment.start_contact = contact(start.place);
+  segment.crossed_contact = contact(step.crossed);
+  if (step.end.place.kind != Place::Kind::kInfinity) {
+    segment.end = machine_.exact(step.end);
+    segment.end_contact = contact(step.end.place);
+  }
+  return segment;
+}
+
+StationaryLimit SegmentRecorder::limit(const Position& at, StationaryIndex index) const {
+  return {machine_.exact(at), index, contact(at.place)};
+}
+
+}  // namespace flowcert

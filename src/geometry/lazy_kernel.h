@@ -1,0 +1,181 @@
+// The construction kernel of the paper (sections 5.2 and 6): CGAL's
+// Exact_predicates_exact_constructions_kernel. A constructed point is an interval, and remembers what it was
+// constructed from; where the intervals do not decide a sign, all of that is computed again in rationals.
+//
+// Guarantees: exact. Includes CGAL: for the files in flow/ alone that need it. One construction is one node
+// of CGAL's history, also the crossing of a facet, for which CGAL has none: Lazy_rep_n takes any functor that
+// computes in intervals and in rationals alike.
+#pragma once
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "flowcert/rational.h"
+#include "geometry/common_denominator.h"
+#include "geometry/flow_predicates.h"
+
+namespace flowcert {
+
+class LazyKernel {
+  using Cgal = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Intervals = Cgal::Approximate_kernel;
+  using Rationals = Cgal::Exact_kernel;
+  using Interval = Intervals::FT;
+  static_assert(std::is_same_v<Rationals::FT, mpq_class>, "what CGAL's CMake target chooses");
+  using Node = CGAL::Lazy_rep<Intervals::Point_3, Rationals::Point_3, Cgal::E2A>;
+
+ public:
+  struct Point {
+    Cgal::Point_3 value;
+    std::size_t depth = 0;       // constructions between an input point and this one
+    const Node* node = nullptr;  // the value's, where it is ours: CGAL does not tell whether a value is exact
+  };
+
+  // The history of a longer chain is computed and dropped: CGAL walks it by recursion, and the stack ends
+  // somewhere beyond 20,000.
+  static constexpr std::size_t kLongestChain = 2000;
+
+  explicit LazyKernel(KernelTally& tally) : tally_(tally) {}
+
+  [[nodiscard]] static Point point(const RationalPoint& x) {
+    using Leaf = CGAL::Lazy_rep_0<Intervals::Point_3, Rationals::Point_3, Cgal::E2A>;
+    const auto number = [](const Rational& value) { return mpq_class(value.backend().data()); };
+    auto* leaf = new Leaf(Rationals::Point_3(number(x[0]), number(x[1]), number(x[2])));
+    return {Cgal::Point_3(leaf), 0, leaf};
+  }
+  [[nodiscard]] Point circumcenter(const std::array<const flowcert::Point*, 4>& p) {
+    const auto leaf = [](const flowcert::Point& v) { return Cgal::Point_3(v.x, v.y, v.z); };
+    const auto construct = Cgal().construct_circumcenter_3_object();
+    return counted(FlowPrimitive::kCircumcenter,
+                   {construct(leaf(*p[0]), leaf(*p[1]), leaf(*p[2]), leaf(*p[3])), 1, nullptr});
+  }
+  [[nodiscard]] Point crossing(const Point& x, const flowcert::Point& p0, const flowcert::Point& p1,
+                               const flowcert::Point& q) {
+    using Crossed = CGAL::Lazy_rep_n<Intervals::Point_3, Rationals::Point_3, CrossingInIntervals,
+                                     CrossingExactly, Cgal::E2A, false, Cgal::Point_3>;
+    const bool is_long = x.depth >= kLongestChain;
+    if (is_long) (void)CGAL::exact(x.value);
+    Node* node = nullptr;
+    {
+      const CGAL::Protect_FPU_rounding<true> upward;
+      node = new Crossed(CrossingInIntervals{p0, p1, q}, CrossingExactly{p0, p1, q}, x.value);
+    }
+    return counted(FlowPrimitive::kCrossing, {Cgal::Point_3(node), (is_long ? 0 : x.depth) + 1, node});
+  }
+
+  [[nodiscard]] static RationalPoint exact(const Point& x) {
+    const Rationals::Point_3& p = CGAL::exact(x.value);
+    return {Rational(p.x().get_mpq_t()), Rational(p.y().get_mpq_t()), Rational(p.z().get_mpq_t())};
+  }
+  // The value where it has been computed, and the longest chain of constructions behind x.
+  [[nodiscard]] static std::optional<RationalPoint> known(const Point& x) {
+    if (x.node == nullptr || x.node->is_lazy()) return std::nullopt;
+    return exact(x);
+  }
+  [[nodiscard]] static std::size_t depth(const Point& x) { return x.depth; }
+
+  template <class Polynomial>
+  [[nodiscard]] Sign decide(FlowPrimitive primitive, const Polynomial& polynomial) {
+    ++tally_[primitive].calls;
+    {
+      const CGAL::Protect_FPU_rounding<true> upward;
+      const auto sign = CGAL::sign(polynomial(InIntervals{}));
+      if (CGAL::is_certain(sign)) return static_cast<Sign>(CGAL::get_certain(sign));
+    }
+    ++tally_[primitive].failures;
+    CommonDenominator common;
+    (void)polynomial(Include{common});
+    return sign_of(polynomial(Scaled{common}));
+  }
+
+ private:
+  // What a polynomial is asked in: intervals, then integers over a common denominator, which a first pass
+  // over the polynomial gathers.
+  struct InIntervals {
+    Vector3<Interval> operator()(const flowcert::Point& p) const {
+      return {Interval(p.x), Interval(p.y), Interval(p.z)};
+    }
+    Vector3<Interval> operator()(const Intervals::Point_3& p) const { return {p.x(), p.y(), p.z()}; }
+    Vector3<Interval> operator()(const Point& x) const { return (*this)(CGAL::approx(x.value)); }
+  };
+  struct Include {
+    CommonDenominator& common;
+
+    Vector3<mpz_class> operator()(const flowcert::Point& p) const {
+      common.include(p.x), common.include(p.y), common.include(p.z);
+      return {};
+    }
+    Vector3<mpz_class> operator()(const Rationals::Point_3& p) const {
+      common.include(p.x()), common.include(p.y()), common.include(p.z());
+      return {};
+    }
+    Vector3<mpz_class> operator()(const Point& x) const { return (*this)(CGAL::exact(x.value)); }
+  };
+  struct Scaled {
+    const CommonDenominator& common;
+
+    Vector3<mpz_class> operator()(const flowcert::Point& p) const {
+      return {common.scaled(p.x), common.scaled(p.y), common.scaled(p.z)};
+    }
+    Vector3<mpz_class> operator()(const Rationals::Point_3& p) const {
+      return {common.scaled(p.x()), common.scaled(p.y()), common.scaled(p.z())};
+    }
+    Vector3<mpz_class> operator()(const Point& x) const { return (*this)(CGAL::exact(x.value)); }
+  };
+
+  // The two ways to compute a node.
+  struct CrossingInIntervals {
+    flowcert::Point p0, p1, q;
+
+    Intervals::Point_3 operator()(const Intervals::Point_3& x) const {
+      const InIntervals in;
+      const Vector3<Interval> end = flowcert::crossing(in(x), in(p0), in(p1), in(q));
+      return {end.x, end.y, end.z};
+    }
+  };
+  struct CrossingExactly {
+    flowcert::Point p0, p1, q;
+
+    Rationals::Point_3 operator()(const Rationals::Point_3& x) const {
+      CommonDenominator grid;
+      const Include include{grid};
+      include(p0), include(p1), include(q);
+      const Scaled on_grid{grid};
+      CommonDenominator common = grid;
+      Include{common}(x);
+      const mpz_class weight = common.value() / grid.value();
+      const WeightedPoint<mpz_class> end =
+          weighted_crossing(Scaled{common}(x), weight, on_grid(p0), on_grid(p1), on_grid(q));
+      const mpz_class denominator = end.denominator * grid.value();
+      const auto quotient = [&denominator](const mpz_class& numerator) {
+        mpq_class value(numerator, denominator);
+        value.canonicalize();
+        return value;
+      };
+      return {quotient(end.numerator.x), quotient(end.numerator.y), quotient(end.numerator.z)};
+    }
+  };
+
+  // An interval without bounds decides nothing: the construction's way to fail. Its exact value mends that.
+  Point counted(FlowPrimitive primitive, const Point& point) {
+    ++tally_[primitive].calls;
+    const Intervals::Point_3& p = CGAL::approx(point.value);
+    const auto is_bounded = [](const Interval& i) {
+      return std::isfinite(i.inf()) && std::isfinite(i.sup());
+    };
+    if (!is_bounded(p.x()) || !is_bounded(p.y()) || !is_bounded(p.z())) {
+      ++tally_[primitive].failures;
+      (void)CGAL::exact(point.value);
+    }
+    return point;
+  }
+
+  KernelTally& tally_;
+};
+
+}  // namespace flowcert

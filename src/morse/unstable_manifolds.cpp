@@ -1,0 +1,278 @@
+// See flowcert/unstable_manifolds.h.
+//
+// The orbits are kept as a forest of stretches: from each visited Voronoi vertex to the next, or to where the
+// orbit ends (design of the paper's section 2.3; sharing is ours).
+#include "flowcert/unstable_manifolds.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "flow/segment_record.h"
+#include "morse/record_finder.h"
+
+namespace flowcert {
+
+namespace {
+
+constexpr std::size_t kProgressStep = 256;
+constexpr std::uint32_t kNotVisited = 0xffffffffu;
+
+// The flow from one Voronoi vertex to the next one, or to its end.
+struct Stretch {
+  std::size_t first = 0, count = 0;  // of the steps
+  CellIndex next = kNoCell;          // the Voronoi vertex reached
+  // Where `next` is none: what the last step ends at; nothing for infinity.
+  std::optional<StationaryIndex> stationary;
+  Position end;
+  std::size_t visits = 0;  // by orbits
+
+  [[nodiscard]] bool is_last() const { return next == kNoCell; }
+};
+
+void add_bytes(Distribution& bytes, const RationalPoint& x) {
+  const auto length = [](const auto& integer) {
+    return integer == 0 ? 1 : static_cast<std::size_t>(msb(abs(integer))) / 8 + 1;
+  };
+  for (const Rational& value : x) bytes.add(length(numerator(value)) + length(denominator(value)));
+}
+
+}  // namespace
+
+struct UnstableManifolds::Machine {
+  Machine(const Delaunay& delaunay, const StationaryPoints& list, UnstableOptions how)
+      : points(delaunay.points()),
+        stationary(list),
+        finder(list),
+        options(how),
+        faces(delaunay, tally),
+        machine(make_flow_machine(faces, how.flow)),
+        recorder(points, faces, *machine) {}
+
+  void compute(const Progress& progress);
+  void find_saddles();
+  std::optional<std::size_t> follow(std::size_t i, std::size_t side);
+  Stretch& stretch_from(CellIndex cluster);
+  Stretch new_stretch(Position at);
+  void count_sizes();
+  void count_stretches();
+  void drop_orbit();
+  Orbit orbit(std::size_t i, std::size_t side);
+
+  const PointSet& points;
+  const StationaryPoints& stationary;
+  RecordFinder finder;
+  UnstableOptions options;
+  FilterTally tally;
+  VoronoiFaces faces;
+  std::unique_ptr<FlowMachine> machine;
+  SegmentRecorder recorder;
+
+  struct Saddle {
+    std::size_t record;
+    PolygonRef polygon;
+    bool is_reversed;  // side 0 of the manifold is end 1 of the Voronoi edge
+    std::array<std::optional<std::size_t>, 2> limits;
+  };
+  std::vector<Saddle> saddles;
+  std::vector<FlowStep> steps;
+  std::vector<Stretch> stretches;
+  std::vector<std::uint32_t> stretch_of;  // by cluster, shared
+  FlowStatistics statistics;
+
+ private:
+  [[nodiscard]] bool is_reversed(const Place& place, std::span<const VertexIndex> contact) const;
+  [[nodiscard]] Position start_of(const Saddle& saddle, std::size_t side) {
+    return machine->end_of_edge(saddle.polygon, saddle.is_reversed ? 1 - side : side);
+  }
+  [[nodiscard]] std::optional<std::size_t> record_at(const Stretch& stretch) const {
+    if (!stretch.stationary) return std::nullopt;
+    return finder.find(*stretch.stationary, recorder.contact(stretch.end.place));
+  }
+};
+
+// Whether the contact points a, b, c, in the order of their names, turn the other way than the polygon's
+// corners.
+bool UnstableManifolds::Machine::is_reversed(const Place& place, std::span<const VertexIndex> contact) const {
+  const auto corners = faces.corners(place.edge);
+  if (contact.size() == 3) {
+    const auto at = std::find(corners.begin(), corners.end(), contact[0]) - corners.begin();
+    return corners[static_cast<std::size_t>(at + 1) % 3] != contact[1];
+  }
+  const auto normal = [this](VertexIndex a, VertexIndex b, VertexIndex c) {
+    const auto vector = [this](VertexIndex from, VertexIndex to) {
+      const Point &p = faces.point(from), &q = faces.point(to);
+      return Vector3<Rational>{Rational(q.x) - Rational(p.x), Rational(q.y) - Rational(p.y),
+                               Rational(q.z) - Rational(p.z)};
+    };
+    return cross(vector(a, b), vector(a, c));
+  };
+  return dot(normal(corners[0], corners[1], corners[2]), normal(contact[0], contact[1], contact[2])) < 0;
+}
+
+void UnstableManifolds::Machine::find_saddles() {
+  const auto& positions = faces.delaunay().positions;
+  std::vector<VertexIndex> vertex_at(positions.size());
+  for (VertexIndex v = 0; v < positions.size(); ++v) vertex_at[positions[v]] = v;
+  std::vector<VertexIndex> contact;
+  const auto [first, last] = finder.range({2, 2});
+  for (std::size_t record = first; record < last; ++record) {
+    contact.clear();
+    for (const PointId name : stationary.contact(record)) {
+      contact.push_back(vertex_at[points.position_of_row(name)]);
+    }
+    const Place place = faces.place_of(contact.front(), std::span(contact).subspan(1));
+    saddles.push_back({record, place.edge, is_reversed(place, contact), {}});
+  }
+}
+
+// Steps from a Voronoi vertex until the next one, or the end.
+Stretch UnstableManifolds::Machine::new_stretch(Position at) {
+  Stretch stretch;
+  stretch.first = steps.size();
+  do {
+    const FlowStep step = machine->step(at);
+    if (step.stationary) {
+      stretch.stationary = step.stationary;
+      break;
+    }
+    steps.push_back(step);
+    at = step.end;
+    if (at.place.kind == Place::Kind::kVertex) stretch.next = at.place.vertex;
+  } while (at.place.kind == Place::Kind::kEdge);
+  stretch.count = steps.size() - stretch.first;
+  stretch.end = at;
+  return stretch;
+}
+
+Stretch& UnstableManifolds::Machine::stretch_from(CellIndex cluster) {
+  if (stretch_of.empty()) stretch_of.assign(faces.delaunay().finite_count, kNotVisited);
+  if (!options.share || stretch_of[cluster] == kNotVisited) {
+    stretch_of[cluster] = static_cast<std::uint32_t>(stretches.size());
+    stretches.push_back(new_stretch({Place::at_vertex(cluster), kNoPoint}));
+    statistics.segments_computed += stretches.back().count;
+  }
+  return stretches[stretch_of[cluster]];
+}
+
+// One orbit, from stretch to stretch; what it ends at.
+std::optional<std::size_t> UnstableManifolds::Machine::follow(std::size_t i, std::size_t side) {
+  const Position start = start_of(saddles[i], side);
+  std::size_t length = 1;
+  ++statistics.census[{'E', 'E', letter(start.place.kind)}];
+  ++statistics.segments_computed;
+  std::optional<std::size_t> limit;
+  for (CellIndex at = start.place.vertex; at != kNoCell;) {
+    Stretch& stretch = stretch_from(at);
+    ++stretch.visits;
+    length += stretch.count;
+    if (stretch.is_last()) limit = record_at(stretch);
+    at = stretch.next;
+  }
+  statistics.n_u2.add(length);
+  ++(!limit                                   ? statistics.to_infinity
+     : stationary.index(*limit).is_critical() ? statistics.to_critical
+                                              : statistics.to_regular);
+  return limit;
+}
+
+void UnstableManifolds::Machine::count_sizes() {
+  for (PointNumber point = 0; point < machine->kept(); ++point) {
+    statistics.depth = std::max(statistics.depth, machine->depth(point));
+    if (const auto value = machine->known(point)) add_bytes(statistics.exact_bytes, *value);
+  }
+}
+
+// Hands the stretches' part of the statistics over.
+void UnstableManifolds::Machine::count_stretches() {
+  for (const Stretch& stretch : stretches) {
+    if (stretch.visits == 0) continue;
+    Place::Kind at = Place::Kind::kVertex;
+    std::size_t constructed = 0;
+    for (std::size_t k = stretch.first; k < stretch.first + stretch.count; ++k) {
+      const Place::Kind end = steps[k].end.place.kind;
+      statistics.census[{letter(at), letter(steps[k].crossed.kind), letter(end)}] += stretch.visits;
+      constructed += end == Place::Kind::kEdge ? 1 : 0;
+      at = end;
+    }
+    // From its first constructed point on, a stretch makes nothing else until it ends.
+    if (constructed > 0) statistics.n_wcc.add(constructed, stretch.visits);
+  }
+}
+
+void UnstableManifolds::Machine::compute(const Progress& progress) {
+  find_saddles();
+  for (std::size_t i = 0; i < saddles.size(); ++i) {
+    if (progress && i % kProgressStep == 0) progress(i, saddles.size());
+    for (std::size_t side = 0; side < 2; ++side) {
+      saddles[i].limits[side] = follow(i, side);
+      if (!options.share) drop_orbit();
+    }
+  }
+  if (options.share) {
+    count_sizes();
+    count_stretches();
+  }
+  statistics.tally = machine->tally();
+  if (progress) progress(saddles.size(), saddles.size());
+}
+
+void UnstableManifolds::Machine::drop_orbit() {
+  count_sizes();
+  count_stretches();
+  machine->drop_from(0);
+  stretches.clear();
+  steps.clear();
+}
+
+Orbit UnstableManifolds::Machine::orbit(std::size_t i, std::size_t side) {
+  const Saddle& saddle = saddles[i];
+  const PointNumber mark = machine->kept();
+  Orbit orbit{exact_sphere(points, stationary.contact(saddle.record)).center, {}, std::nullopt};
+
+  FlowStep first;
+  first.crossed = Place::on_edge(saddle.polygon);
+  first.driver = {faces.corners(saddle.polygon), 3};
+  first.end = start_of(saddle, side);
+  Position at{first.crossed, machine->add(orbit.start)};
+  orbit.segments.push_back(recorder.segment(at, first));
+  at = first.end;
+
+  while (at.place.kind == Place::Kind::kVertex) {
+    const Stretch& stretch = stretch_from(at.place.vertex);
+    for (std::size_t k = stretch.first; k < stretch.first + stretch.count; ++k) {
+      orbit.segments.push_back(recorder.segment(at, steps[k]));
+      at = steps[k].end;
+    }
+    if (stretch.stationary) {
+      orbit.limit = recorder.limit(at, *stretch.stationary);
+      break;
+    }
+  }
+  machine->drop_from(mark);
+  if (!options.share) {
+    stretches.clear();
+    steps.clear();
+  }
+  return orbit;
+}
+
+UnstableManifolds::UnstableManifolds(const Delaunay& delaunay, const StationaryPoints& stationary,
+                                     UnstableOptions options, const Progress& progress)
+    : machine_(std::make_unique<Machine>(delaunay, stationary, options)) {
+  machine_->compute(progress);
+}
+UnstableManifolds::~UnstableManifolds() = default;
+UnstableManifolds::UnstableManifolds(UnstableManifolds&&) noexcept = default;
+UnstableManifolds& UnstableManifolds::operator=(UnstableManifolds&&) noexcept = default;
+
+std::size_t UnstableManifolds::size() const { return machine_->saddles.size(); }
+std::size_t UnstableManifolds::saddle(std::size_t i) const { return machine_->saddles[i].record; }
+std::optional<std::size_t> UnstableManifolds::limit(std::size_t i, std::size_t side) const {
+  return machine_->saddles[i].limits[side];
+}
+Orbit UnstableManifolds::orbit(std::size_t i, std::size_t side) { return machine_->orbit(i, side); }
+const FlowStatistics& UnstableManifolds::statistics() const { return machine_->statistics; }
+
+}  // namespace flowcert
