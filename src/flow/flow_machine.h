@@ -5,6 +5,8 @@
 // points stay with the machine, which hands out numbers for them. Not for two threads at once.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -43,8 +45,8 @@ class FlowMachine {
   [[nodiscard]] virtual Position end_of_edge(PolygonRef polygon, std::size_t side) = 0;
 
   [[nodiscard]] virtual RationalPoint exact(const Position& position) = 0;
-  // The exact value of a kept point, where it has been computed already.
-  [[nodiscard]] virtual std::optional<RationalPoint> known(PointNumber point) const = 0;
+  // How many bytes the coordinates of a kept point take, where they have been computed exactly.
+  [[nodiscard]] virtual std::optional<std::array<std::size_t, 3>> exact_bytes(PointNumber point) const = 0;
   [[nodiscard]] virtual std::size_t depth(PointNumber point) const = 0;
 
   // Kept points are numbered in order; the latest can be dropped.

@@ -50,8 +50,8 @@ class FlowOperator final : public FlowMachine {
     if (position.place.kind == Place::Kind::kVertex) return Kernel::exact(center(position.place.vertex));
     return Kernel::exact(points_[position.point]);
   }
-  std::optional<RationalPoint> known(PointNumber point) const override {
-    return Kernel::known(points_[point]);
+  std::optional<std::array<std::size_t, 3>> exact_bytes(PointNumber point) const override {
+    return Kernel::exact_bytes(points_[point]);
   }
   std::size_t depth(PointNumber point) const override { return Kernel::depth(points_[point]); }
 

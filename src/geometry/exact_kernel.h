@@ -31,8 +31,15 @@ class ExactKernel {
   }
 
   [[nodiscard]] static RationalPoint exact(const Point& x) { return {x.x, x.y, x.z}; }
-  // The value where it has been computed, and the longest chain of constructions behind x.
-  [[nodiscard]] static std::optional<RationalPoint> known(const Point& x) { return exact(x); }
+  // What a coordinate's numerator and denominator take.
+  [[nodiscard]] static std::optional<std::array<std::size_t, 3>> exact_bytes(const Point& x) {
+    const auto bytes = [](mpz_srcptr integer) { return (mpz_sizeinbase(integer, 2) + 7) / 8; };
+    const auto both = [&](const Rational& value) {
+      return bytes(mpq_numref(value.backend().data())) + bytes(mpq_denref(value.backend().data()));
+    };
+    return std::array{both(x.x), both(x.y), both(x.z)};
+  }
+  // There is no history.
   [[nodiscard]] static std::size_t depth(const Point&) { return 0; }
 
   template <class Polynomial>

@@ -70,13 +70,23 @@ class LazyKernel {
 
   [[nodiscard]] static RationalPoint exact(const Point& x) {
     const Rationals::Point_3& p = CGAL::exact(x.value);
-    return {Rational(p.x().get_mpq_t()), Rational(p.y().get_mpq_t()), Rational(p.z().get_mpq_t())};
+    const auto canonical = [](mpq_class value) {
+      value.canonicalize();
+      return Rational(value.get_mpq_t());
+    };
+    return {canonical(p.x()), canonical(p.y()), canonical(p.z())};
   }
-  // The value where it has been computed, and the longest chain of constructions behind x.
-  [[nodiscard]] static std::optional<RationalPoint> known(const Point& x) {
+  // What a coordinate's numerator and denominator take, as they are held, where they have been computed.
+  [[nodiscard]] static std::optional<std::array<std::size_t, 3>> exact_bytes(const Point& x) {
     if (x.node == nullptr || x.node->is_lazy()) return std::nullopt;
-    return exact(x);
+    const Rationals::Point_3& p = CGAL::exact(x.value);
+    const auto bytes = [](const mpz_class& integer) {
+      return (mpz_sizeinbase(integer.get_mpz_t(), 2) + 7) / 8;
+    };
+    const auto both = [&](const mpq_class& value) { return bytes(value.get_num()) + bytes(value.get_den()); };
+    return std::array{both(p.x()), both(p.y()), both(p.z())};
   }
+  // The longest chain of constructions behind x.
   [[nodiscard]] static std::size_t depth(const Point& x) { return x.depth; }
 
   template <class Polynomial>
@@ -151,15 +161,29 @@ class LazyKernel {
       const mpz_class weight = common.value() / grid.value();
       const WeightedPoint<mpz_class> end =
           weighted_crossing(Scaled{common}(x), weight, on_grid(p0), on_grid(p1), on_grid(q));
-      const mpz_class denominator = end.denominator * grid.value();
-      const auto quotient = [&denominator](const mpz_class& numerator) {
-        mpq_class value(numerator, denominator);
-        value.canonicalize();
-        return value;
-      };
-      return {quotient(end.numerator.x), quotient(end.numerator.y), quotient(end.numerator.z)};
+      return over_common_denominator(end.numerator, end.denominator * grid.value());
     }
   };
+
+  // Reduced as a whole: one greatest common divisor of long numbers instead of three, and the three
+  // denominators stay equal, which spares the next polynomial their least common multiple. The single
+  // coordinates may not be canonical; here, nothing but CommonDenominator, CGAL's conversion to intervals
+  // and exact() reads them.
+  static Rationals::Point_3 over_common_denominator(const Vector3<mpz_class>& numerator,
+                                                    const mpz_class& denominator) {
+    mpz_class divisor = gcd(denominator, numerator.x);
+    divisor = gcd(divisor, numerator.y);
+    divisor = gcd(divisor, numerator.z);
+    if (denominator < 0) divisor = -divisor;
+    const mpz_class reduced = denominator / divisor;
+    const auto quotient = [&](const mpz_class& part) {
+      mpq_class value;
+      mpz_divexact(value.get_num_mpz_t(), part.get_mpz_t(), divisor.get_mpz_t());
+      value.get_den() = reduced;
+      return value;
+    };
+    return {quotient(numerator.x), quotient(numerator.y), quotient(numerator.z)};
+  }
 
   // An interval without bounds decides nothing: the construction's way to fail. Its exact value mends that.
   Point counted(FlowPrimitive primitive, const Point& point) {

@@ -31,13 +31,6 @@ struct Stretch {
   [[nodiscard]] bool is_last() const { return next == kNoCell; }
 };
 
-void add_bytes(Distribution& bytes, const RationalPoint& x) {
-  const auto length = [](const auto& integer) {
-    return integer == 0 ? 1 : static_cast<std::size_t>(msb(abs(integer))) / 8 + 1;
-  };
-  for (const Rational& value : x) bytes.add(length(numerator(value)) + length(denominator(value)));
-}
-
 }  // namespace
 
 struct UnstableManifolds::Machine {
@@ -180,7 +173,9 @@ std::optional<std::size_t> UnstableManifolds::Machine::follow(std::size_t i, std
 void UnstableManifolds::Machine::count_sizes() {
   for (PointNumber point = 0; point < machine->kept(); ++point) {
     statistics.depth = std::max(statistics.depth, machine->depth(point));
-    if (const auto value = machine->known(point)) add_bytes(statistics.exact_bytes, *value);
+    if (const auto bytes = machine->exact_bytes(point)) {
+      for (const std::size_t count : *bytes) statistics.exact_bytes.add(count);
+    }
   }
 }
 
