@@ -15,7 +15,7 @@ namespace {
 std::vector<Family> all_groups() {
   std::vector<Family> all;
   for (auto* group : {lattice_families, spherical_families, flat_families, right_angle_families,
-                      scan_families, rounding_families, magnitude_families}) {
+                      scan_families, orbit_families, rounding_families, magnitude_families}) {
     for (Family& family : group()) {
       all.push_back(std::move(family));
     }

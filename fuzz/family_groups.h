@@ -14,6 +14,7 @@ std::vector<Family> spherical_families();
 std::vector<Family> flat_families();
 std::vector<Family> right_angle_families();
 std::vector<Family> scan_families();
+std::vector<Family> orbit_families();
 std::vector<Family> rounding_families();
 std::vector<Family> magnitude_families();
 

@@ -56,6 +56,12 @@ IntegerPoint times(Integer factor, const IntegerPoint& a) {
   return {factor * a[0], factor * a[1], factor * a[2]};
 }
 
+Integer nearest_integer(Integer numerator, Integer denominator) {
+  const Integer doubled = 2 * numerator + denominator;
+  const Integer quotient = doubled / (2 * denominator);
+  return doubled % (2 * denominator) < 0 ? quotient - 1 : quotient;
+}
+
 rc::Gen<Integer> whole(Integer low, Integer high) {
   const Integer target = std::clamp<Integer>(0, low, high);
   return [low, high, target](const rc::Random& random, int) {

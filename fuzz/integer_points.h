@@ -27,6 +27,9 @@ IntegerPoint cross(const IntegerPoint& a, const IntegerPoint& b);
 IntegerPoint plus(const IntegerPoint& a, const IntegerPoint& b);
 IntegerPoint times(Integer factor, const IntegerPoint& a);
 
+// numerator / denominator to the nearest integer, halves upwards. The denominator is positive.
+Integer nearest_integer(Integer numerator, Integer denominator);
+
 // Uniform in [low, high]; shrinks towards the integer of the range that is nearest to zero.
 rc::Gen<Integer> whole(Integer low, Integer high);
 rc::Gen<IntegerPoint> integer_point(Integer low, Integer high);

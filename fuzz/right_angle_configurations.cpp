@@ -29,38 +29,10 @@ IntegerPoints with_far_points(IntegerPoints boundary, const IntegerPoints& other
 
 rc::Gen<IntegerPoints> further_points(std::size_t least) { return list_of(least, 4, integer_point(-12, 12)); }
 
-// Those of the list on the positive side of a plane through the origin.
-IntegerPoints on_positive_side(const IntegerPoints& list, const IntegerPoint& normal) {
-  IntegerPoints side;
-  std::copy_if(list.begin(), list.end(), std::back_inserter(side),
-               [&](const IntegerPoint& point) { return dot(normal, point) > 0; });
-  return side;
-}
-
 void append(IntegerPoints& points, const IntegerPoints& list, const RawIndices& raw) {
   for (const IntegerPoint& point : at_raw_indices(list, raw)) {
     points.push_back(point);
   }
-}
-
-IntegerPoint quarter_turn(const IntegerPoint& flat) { return {-flat[1], flat[0], 0}; }
-
-// Of a circle's points: some polygon that has the origin strictly inside. Either a square, or a triangle
-// whose third corner lies strictly between the square's other two.
-IntegerPoints polygon_around_origin(Integer norm, std::size_t first, std::size_t third, bool square) {
-  const IntegerPoint a = at_raw_index(circle_points(norm), first);
-  const IntegerPoint b = quarter_turn(a);
-  const IntegerPoint opposite = times(-1, a);
-  IntegerPoints between;
-  for (const IntegerPoint& point : circle_points(norm)) {
-    if (dot(point, a) < 0 && dot(point, b) < 0) {
-      between.push_back(point);
-    }
-  }
-  if (square || between.empty()) {
-    return {a, b, opposite, times(-1, b)};
-  }
-  return {a, b, at_raw_index(between, third)};
 }
 
 // A vector at a right angle to this one, which is not zero.

@@ -20,13 +20,6 @@ struct Fraction {
 Fraction cosine(Integer step) { return {kSteps * kSteps - step * step, kSteps * kSteps + step * step}; }
 Fraction sine(Integer step) { return {2 * kSteps * step, kSteps * kSteps + step * step}; }
 
-// numerator / denominator to the nearest integer, halves upwards.
-Integer nearest_integer(Integer numerator, Integer denominator) {
-  const Integer doubled = 2 * numerator + denominator;
-  const Integer quotient = doubled / (2 * denominator);
-  return doubled % (2 * denominator) < 0 ? quotient - 1 : quotient;
-}
-
 IntegerPoint sphere_sample(Integer radius, Integer i, Integer j) {
   const Integer denominator = kSteps * kSteps + i * i + j * j;
   return {nearest_integer(radius * 2 * kSteps * i, denominator),

@@ -3,7 +3,9 @@
 // Guarantees: see sphere_points.h.
 #include "fuzz/sphere_points.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace flowcert::fuzz {
 namespace {
@@ -70,6 +72,31 @@ IntegerPoints at_raw_indices(IntegerPoints list, const std::vector<std::size_t>&
     list.erase(at);
   }
   return chosen;
+}
+
+IntegerPoints on_positive_side(const IntegerPoints& list, const IntegerPoint& normal) {
+  IntegerPoints side;
+  std::copy_if(list.begin(), list.end(), std::back_inserter(side),
+               [&](const IntegerPoint& point) { return dot(normal, point) > 0; });
+  return side;
+}
+
+IntegerPoint quarter_turn(const IntegerPoint& flat) { return {-flat[1], flat[0], 0}; }
+
+IntegerPoints polygon_around_origin(Integer norm, std::size_t first, std::size_t third, bool square) {
+  const IntegerPoint a = at_raw_index(circle_points(norm), first);
+  const IntegerPoint b = quarter_turn(a);
+  const IntegerPoint opposite = times(-1, a);
+  IntegerPoints between;
+  for (const IntegerPoint& point : circle_points(norm)) {
+    if (dot(point, a) < 0 && dot(point, b) < 0) {
+      between.push_back(point);
+    }
+  }
+  if (square || between.empty()) {
+    return {a, b, opposite, times(-1, b)};
+  }
+  return {a, b, at_raw_index(between, third)};
 }
 
 }  // namespace flowcert::fuzz

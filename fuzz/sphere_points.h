@@ -29,4 +29,12 @@ const IntegerPoint& at_raw_index(const IntegerPoints& list, std::size_t raw);
 // One a raw index, none of them twice; fewer where the list has fewer.
 IntegerPoints at_raw_indices(IntegerPoints list, const std::vector<std::size_t>& raw);
 
+// Those of the list on the positive side of a plane through the origin.
+IntegerPoints on_positive_side(const IntegerPoints& list, const IntegerPoint& normal);
+// Of a point with z = 0.
+IntegerPoint quarter_turn(const IntegerPoint& flat);
+// Of the circle's points: some polygon that has the origin strictly inside. Either a square, or a triangle
+// whose third corner lies strictly between the square's other two.
+IntegerPoints polygon_around_origin(Integer norm, std::size_t first, std::size_t third, bool square);
+
 }  // namespace flowcert::fuzz
