@@ -38,7 +38,7 @@ class LazyKernel {
 
   // The history of a longer chain is computed and dropped: CGAL walks it by recursion, and the stack ends
   // somewhere beyond 20,000.
-  static constexpr std::size_t kLongestChain = 2000;
+  static constexpr std::size_t kLongestChain = 1000;
 
   explicit LazyKernel(KernelTally& tally) : tally_(tally) {}
 

@@ -1,0 +1,146 @@
+// What decides the flow's signs: that intervals do where nothing is degenerate, that exact numbers are asked
+// where something is, that chains of constructions beyond the limit are cut, and the statistics' arithmetic.
+// (That the answers are right is for tests/property/orbit_agreement_test.cpp.)
+#include "flow/flow_machine.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+#include "flowcert/unstable_manifolds.h"
+#include "fuzz/large_configurations.h"
+#include "morse/record_finder.h"
+#include "tests/cites.h"
+
+namespace flowcert {
+namespace {
+
+std::vector<Point> rows_of(const fuzz::Input& input) {
+  std::vector<Point> rows;
+  for (const fuzz::Row& row : input.rows) rows.push_back({row[0], row[1], row[2]});
+  return rows;
+}
+
+// An edge whose facet is an decagon, seen from an obtuse neighbour: rows 0 and 1 are its ends.
+PointSet decagon() { return PointSet(rows_of(fuzz::high_degree_facet(10, false, 1))); }
+
+// All failures of the kernel's intervals.
+std::uint64_t failures(const KernelTally& tally) {
+  std::uint64_t sum = 0;
+  for (const FilterCount& count : tally.counts) sum += count.failures;
+  return sum;
+}
+
+TEST(LazyKernel, IntervalsDecideWhereNothingIsDegenerate) {
+  CITES("FC-NUM-01");
+  const PointSet points(
+      std::vector<Point>{{0, 0, 0}, {7, 1, 2}, {3, 9, 1}, {2, 3, 8}, {11, 12, 5}, {-4, 6, 7}});
+  const Delaunay delaunay(points);
+  Flow flow(delaunay);
+  for (int k = 0; k < 20; ++k) {
+    (void)flow.orbit({Rational(3 * k + 1) / 7, Rational(5 * k - 30) / 11, Rational(40 - 2 * k) / 13});
+  }
+  EXPECT_GT(flow.tally()[FlowPrimitive::kSideOfRay].calls, 0u);
+  EXPECT_EQ(failures(flow.tally()), 0u);
+}
+
+// The orbit that the symmetry sends through a Voronoi vertex: a sign is zero, which no interval of a
+// constructed point can tell.
+TEST(LazyKernel, ExactNumbersDecideAtAVoronoiVertex) {
+  CITES("FC-NUM-01", "FC-FLOW-02");
+  const PointSet points = decagon();
+  const Delaunay delaunay(points);
+  FilterTally unused;
+  VoronoiFaces faces(delaunay, unused);
+  const auto machine = make_flow_machine(faces, {});
+  const FacetName name = [&faces] {
+    std::array<VertexIndex, 2> v{};
+    for (VertexIndex k = 0; k < faces.delaunay().positions.size(); ++k) {
+      if (faces.delaunay().positions[k] < 2) v[faces.delaunay().positions[k]] = k;
+    }
+    return FacetName{std::min(v[0], v[1]), std::max(v[0], v[1])};
+  }();
+  const FacetRing ring = faces.ring(name);
+  std::size_t hits = 0;
+  for (std::size_t k = 0; k < ring.elements.size(); ++k) {
+    // On the way from m to a vertex, a little before it: inside the facet for those on the far side.
+    const Position vertex{Place::at_vertex(ring.elements[k].vertex), kNoPoint};
+    const RationalPoint o = machine->exact(vertex);
+    const RationalPoint x{o[0] * 999 / 1000, o[1] * 999 / 1000, o[2] * 999 / 1000};
+    if (faces.locate(x).kind != Place::Kind::kFacet) continue;
+    const std::uint64_t before = failures(machine->tally());
+    const FlowStep step = machine->step({Place::on_facet(name), machine->add(x)});
+    EXPECT_EQ(step.end.place, vertex.place);
+    EXPECT_GT(failures(machine->tally()), before);
+    ++hits;
+  }
+  EXPECT_GT(hits, 0u);
+}
+
+TEST(LazyKernel, LongChainsAreCut) {
+  CITES("FC-FLOW-05");
+  const PointSet points(rows_of(fuzz::long_cascade(1200, 1)));
+  const Delaunay delaunay(points);
+  const StationaryPoints stationary = stationary_points(delaunay);
+  const UnstableManifolds manifolds(delaunay, stationary);
+  EXPECT_GT(manifolds.statistics().n_wcc.max(), 1000u);
+  EXPECT_EQ(manifolds.statistics().depth, 1000u);
+}
+
+TEST(ExactKernel, CountsNoFailure) {
+  CITES("FC-NUM-01");
+  const PointSet points = decagon();
+  const Delaunay delaunay(points);
+  const StationaryPoints stationary = stationary_points(delaunay);
+  const UnstableManifolds manifolds(delaunay, stationary,
+                                    {{ConstructionKernel::kExact, FacetSearch::kBinary}, true});
+  EXPECT_EQ(failures(manifolds.statistics().tally), 0u);
+  EXPECT_EQ(manifolds.statistics().depth, 0u);
+  EXPECT_EQ(manifolds.statistics().exact_bytes.count(),
+            3 * manifolds.statistics().tally[FlowPrimitive::kCrossing].calls);
+}
+
+TEST(Distribution, TellsWhatAListTells) {
+  CITES("FC-FLOW-07");
+  Distribution d;
+  EXPECT_EQ(d.count(), 0u);
+  EXPECT_EQ(d.max(), 0u);
+  EXPECT_EQ(d.mode(), 0u);
+  EXPECT_EQ(d.mean(), 0);
+  EXPECT_EQ(d.median(), 0);
+  EXPECT_EQ(d.standard_deviation(), 0);
+  for (const std::size_t value : {2, 4, 4, 4, 5, 5, 7, 9}) d.add(value);
+  EXPECT_EQ(d.count(), 8u);
+  EXPECT_EQ(d.max(), 9u);
+  EXPECT_EQ(d.mode(), 4u);
+  EXPECT_EQ(d.mean(), 5);
+  EXPECT_EQ(d.median(), 4.5);
+  EXPECT_EQ(d.standard_deviation(), 2);
+  d.add(5);
+  EXPECT_EQ(d.mode(), 4u) << "of several the smallest";
+  EXPECT_EQ(d.median(), 5);
+  d.add(100, 3);
+  EXPECT_EQ(d.count(), 12u);
+}
+
+TEST(RecordFinder, FindsEachRecordAndNoOther) {
+  CITES("FC-OUT-02");
+  const PointSet points(rows_of(
+      {{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}, {0, 0, 2}, {2, 0, 2}, {0, 2, 2}, {2, 2, 2}, {5, 1, 1}}}));
+  const Delaunay delaunay(points);
+  const StationaryPoints list = stationary_points(delaunay);
+  const RecordFinder finder(list);
+  for (std::size_t record = 0; record < list.size(); ++record) {
+    EXPECT_EQ(finder.find(list.index(record), list.contact(record)), record);
+    const auto [first, last] = finder.range(list.index(record));
+    EXPECT_LE(first, record);
+    EXPECT_LT(record, last);
+  }
+  const std::array<PointId, 3> nothing{0, 7, 8};
+  EXPECT_EQ(finder.find({2, 2}, nothing), std::nullopt);
+  EXPECT_EQ(finder.range({1, 3}), (std::pair<std::size_t, std::size_t>{0, 0}));
+}
+
+}  // namespace
+}  // namespace flowcert

@@ -1,0 +1,180 @@
+// The rings of Voronoi facets, on every family of degenerate inputs, in rationals: strictly convex polygons,
+// counterclockwise, without duplicate vertices, each piece an edge of the diagram between the two vertices
+// that it says; and the lookups that make a query logarithmic.
+#include "voronoi/voronoi_faces.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <vector>
+
+#include "fuzz/families.h"
+#include "fuzz/large_configurations.h"
+#include "tests/cites.h"
+#include "tests/unit/rational_geometry.h"
+
+namespace flowcert {
+namespace {
+
+using flowcert_tests::determinant;
+using flowcert_tests::exactly;
+using flowcert_tests::inner;
+using flowcert_tests::minus;
+using flowcert_tests::normal_of;
+using flowcert_tests::sign_of;
+
+PointSet point_set(const fuzz::Input& input) {
+  std::vector<Point> rows;
+  for (const fuzz::Row& row : input.rows) rows.push_back({row[0], row[1], row[2]});
+  return PointSet(rows);
+}
+
+struct Diagram {
+  explicit Diagram(const fuzz::Input& input)
+      : points(point_set(input)), delaunay(points), faces(delaunay, tally) {}
+
+  [[nodiscard]] RationalPoint at(VertexIndex v) const { return exactly(faces.point(v)); }
+  [[nodiscard]] RationalPoint center(CellIndex cluster) const {
+    const auto& v = faces.delaunay().vertices(cluster);
+    return flowcert_tests::circumcenter(at(v[0]), at(v[1]), at(v[2]), at(v[3]));
+  }
+  // The sides of all polygons.
+  [[nodiscard]] std::vector<FacetName> facets() const {
+    std::set<std::pair<VertexIndex, VertexIndex>> names;
+    for (CellIndex cell = 0; cell < faces.delaunay().finite_count; ++cell) {
+      for (std::uint32_t i = faces.dimension() == 2 ? 3 : 0; i < 4; ++i) {
+        if (faces.dimension() == 3 && faces.complex().role({cell, i}) == VoronoiComplex::FacetRole::kInterior)
+          continue;
+        for (const PolygonSide& side : faces.sides(faces.polygon({cell, i}))) names.emplace(side.v0, side.v1);
+      }
+    }
+    std::vector<FacetName> facets;
+    for (const auto& [v0, v1] : names) facets.push_back({v0, v1});
+    return facets;
+  }
+
+  PointSet points;
+  Delaunay delaunay;
+  FilterTally tally;
+  VoronoiFaces faces;
+};
+
+// The direction in which the boundary runs along a piece: the edge turned by a quarter from its outward
+// normal.
+RationalPoint along(const Diagram& diagram, FacetName name, VertexIndex apex) {
+  const RationalPoint e = minus(diagram.at(name.v1), diagram.at(name.v0));
+  const RationalPoint g = minus(diagram.at(apex), diagram.at(name.v0));
+  return {e[1] * g[2] - e[2] * g[1], e[2] * g[0] - e[0] * g[2], e[0] * g[1] - e[1] * g[0]};
+}
+
+void expect_piece_is_an_edge(const Diagram& diagram, const FacetRing& ring, FacetName name, std::size_t k) {
+  const std::size_t n = ring.pieces.size();
+  const RingPiece& piece = ring.pieces[k];
+  const RingElement &from = ring.elements[k], &to = ring.elements[(k + 1) % n];
+  // At infinity lie exactly the gaps: from a direction that leads away to one that comes back.
+  const bool is_gap = from.vertex == kNoCell && to.vertex == kNoCell && from.factor == 1 && to.factor == -1;
+  ASSERT_EQ(piece.polygon.cell == kNoCell, is_gap);
+  if (is_gap) return;
+  const auto contact = diagram.faces.contact(Place::on_edge(piece.polygon));
+  for (const VertexIndex v : {name.v0, name.v1, piece.apex}) {
+    EXPECT_TRUE(std::find(contact.begin(), contact.end(), v) != contact.end());
+  }
+  // Its two ends are the elements beside it, whichever way round.
+  std::multiset<CellIndex> ends, beside{from.vertex, to.vertex};
+  for (const std::size_t side : {0, 1}) ends.insert(diagram.faces.end(piece.polygon, side));
+  EXPECT_EQ(ends, beside);
+  if (from.vertex != kNoCell && to.vertex != kNoCell) {
+    const RationalPoint step = minus(diagram.center(to.vertex), diagram.center(from.vertex));
+    EXPECT_GT(inner(step, along(diagram, name, piece.apex)), 0) << "counterclockwise";
+  }
+  if (from.vertex == kNoCell) {
+    EXPECT_EQ(from.apex, piece.apex);
+  }
+  if (to.vertex == kNoCell) {
+    EXPECT_EQ(to.apex, piece.apex);
+  }
+}
+
+void expect_convex(const Diagram& diagram, const FacetRing& ring, FacetName name) {
+  const RationalPoint e = minus(diagram.at(name.v1), diagram.at(name.v0));
+  const std::size_t n = ring.pieces.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const RingPiece &here = ring.pieces[k], &next = ring.pieces[(k + 1) % n];
+    if (here.polygon.cell == kNoCell || next.polygon.cell == kNoCell || n < 3) continue;
+    EXPECT_EQ(sign_of(determinant(along(diagram, name, here.apex), along(diagram, name, next.apex), e)), 1);
+  }
+}
+
+void expect_lookups(const Diagram& diagram, const FacetRing& ring) {
+  for (std::size_t k = 0; k < ring.pieces.size(); ++k) {
+    if (ring.pieces[k].polygon.cell != kNoCell) {
+      EXPECT_EQ(diagram.faces.piece_of(ring, ring.pieces[k].polygon), k);
+    }
+    if (ring.elements[k].vertex != kNoCell) {
+      EXPECT_EQ(diagram.faces.element_of(ring, ring.elements[k].vertex), k);
+    }
+  }
+}
+
+TEST(VoronoiFaces, RingsAreConvexPolygonsWithoutDuplicates) {
+  CITES("FC-VOR-01", "FC-VOR-02", "FC-VOR-03");
+  std::size_t rings = 0, unbounded = 0, merged = 0;
+  for (const fuzz::Family& family : fuzz::families()) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      const fuzz::Input input = fuzz::draw(family, seed, static_cast<int>(20 + 4 * seed));
+      if (input.rows.empty()) continue;
+      Diagram diagram(input);
+      if (diagram.faces.dimension() < 2) continue;
+      for (const FacetName name : diagram.facets()) {
+        const FacetRing ring = diagram.faces.ring(name);
+        ASSERT_EQ(ring.elements.size(), ring.pieces.size());
+        std::set<CellIndex> vertices;
+        std::size_t finite = 0;
+        for (const RingElement& element : ring.elements) {
+          if (element.vertex == kNoCell) continue;
+          vertices.insert(element.vertex);
+          ++finite;
+          merged += diagram.faces.complex().is_alone(element.vertex) ? 0 : 1;
+        }
+        EXPECT_EQ(vertices.size(), finite) << "a Voronoi vertex twice in one ring";
+        for (std::size_t k = 0; k < ring.pieces.size(); ++k) expect_piece_is_an_edge(diagram, ring, name, k);
+        expect_convex(diagram, ring, name);
+        expect_lookups(diagram, ring);
+        ++rings;
+        unbounded += finite < ring.elements.size() ? 1 : 0;
+      }
+    }
+  }
+  // Otherwise nothing of this was tested.
+  EXPECT_GT(rings, 5000u);
+  EXPECT_GT(unbounded, 1000u);
+  EXPECT_GT(merged, 500u);
+}
+
+TEST(VoronoiFaces, LargeRingsAreSearchedNotScanned) {
+  CITES("FC-VOR-03");
+  for (const bool perturbed : {false, true}) {
+    Diagram diagram(fuzz::high_degree_facet(500, perturbed, 3));
+    std::size_t large = 0;
+    for (const FacetName name : diagram.facets()) {
+      const FacetRing ring = diagram.faces.ring(name);
+      large += ring.elements.size() == 500 ? 1 : 0;
+      expect_lookups(diagram, ring);
+      // Asked again, the same array.
+      EXPECT_EQ(diagram.faces.ring(name).elements.data(), diagram.faces.ring(name).elements.data());
+    }
+    EXPECT_EQ(large, 1u);
+  }
+}
+
+TEST(VoronoiFaces, FewerDimensionsHaveNoRings) {
+  CITES("FC-VOR-03");
+  Diagram line({{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}});
+  EXPECT_TRUE(line.faces.ring({0, 1}).elements.empty());
+  EXPECT_EQ(line.faces.locate({Rational(1) / 2, Rational(1) / 2, Rational(1) / 2}).kind, Place::Kind::kFacet);
+  Diagram point({{{5, 6, 7}}});
+  EXPECT_EQ(point.faces.locate({0, 0, 0}).kind, Place::Kind::kCell);
+}
+
+}  // namespace
+}  // namespace flowcert
