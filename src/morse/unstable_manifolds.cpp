@@ -144,7 +144,6 @@ Stretch& UnstableManifolds::Machine::stretch_from(CellIndex cluster) {
   if (!options.share || stretch_of[cluster] == kNotVisited) {
     stretch_of[cluster] = static_cast<std::uint32_t>(stretches.size());
     stretches.push_back(new_stretch({Place::at_vertex(cluster), kNoPoint}));
-    statistics.segments_computed += stretches.back().count;
   }
   return stretches[stretch_of[cluster]];
 }
@@ -182,7 +181,7 @@ void UnstableManifolds::Machine::count_sizes() {
 // Hands the stretches' part of the statistics over.
 void UnstableManifolds::Machine::count_stretches() {
   for (const Stretch& stretch : stretches) {
-    if (stretch.visits == 0) continue;
+    statistics.segments_computed += stretch.count;
     Place::Kind at = Place::Kind::kVertex;
     std::size_t constructed = 0;
     for (std::size_t k = stretch.first; k < stretch.first + stretch.count; ++k) {
