@@ -52,6 +52,9 @@ class FlowMachine {
   // Kept points are numbered in order; the latest can be dropped.
   [[nodiscard]] virtual PointNumber kept() const = 0;
   virtual void drop_from(PointNumber point) = 0;
+  // Drops all that was constructed: the kept points, and the Voronoi vertices, which are otherwise
+  // constructed once and serve every orbit.
+  virtual void drop_all() = 0;
 
   [[nodiscard]] virtual const KernelTally& tally() const = 0;
 };

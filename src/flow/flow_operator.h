@@ -58,6 +58,13 @@ class FlowOperator final : public FlowMachine {
   PointNumber kept() const override { return static_cast<PointNumber>(points_.size()); }
   void drop_from(PointNumber point) override { points_.erase(points_.begin() + point, points_.end()); }
 
+  void drop_all() override {
+    points_.clear();
+    for (const CellIndex cluster : constructed_) center_of_[cluster] = kNoPoint;
+    constructed_.clear();
+    cluster_centers_.clear();
+  }
+
   const KernelTally& tally() const override { return tally_; }
 
  private:
@@ -74,12 +81,13 @@ class FlowOperator final : public FlowMachine {
     return static_cast<PointNumber>(points_.size() - 1);
   }
 
-  // The Voronoi vertex, constructed when first needed. The reference holds as long as the operator.
+  // The Voronoi vertex, constructed when first needed. The reference holds until drop_all().
   const KernelPoint& center(CellIndex cluster) {
     if (center_of_.empty()) center_of_.assign(faces_.delaunay().finite_count, kNoPoint);
     PointNumber& number = center_of_[cluster];
     if (number == kNoPoint) {
       number = static_cast<PointNumber>(cluster_centers_.size());
+      constructed_.push_back(cluster);
       const auto& v = faces_.delaunay().vertices(cluster);
       cluster_centers_.push_back(kernel_.circumcenter(
           {&faces_.point(v[0]), &faces_.point(v[1]), &faces_.point(v[2]), &faces_.point(v[3])}));
@@ -107,7 +115,7 @@ class FlowOperator final : public FlowMachine {
         step.end = end_of_edge(flow.edge, faces_.end(flow.edge, 0) == cluster ? 1 : 0);
         break;
       case VertexFlow::Way::kAcrossFacet: {
-        const FacetRing ring = faces_.ring(flow.facet);
+        const FacetRing ring = faces_.ring(flow.facet, cluster);
         const std::size_t start = faces_.element_of(ring, cluster);
         const KernelPoint& x = center(cluster);
         Query query = query_of(flow.facet, ring, x);
@@ -125,7 +133,7 @@ class FlowOperator final : public FlowMachine {
     const KernelPoint& x = points_[from.point];
     const PolygonDriver driver = faces_.driver(polygon);
     if (driver.shape == Sign::kNegative) {
-      const FacetRing ring = faces_.ring(driver.side);
+      const FacetRing ring = faces_.ring(driver.side, polygon.cell);
       const std::size_t start = faces_.piece_of(ring, polygon);
       Query query = query_of(driver.side, ring, x);
       const auto exit = query.from_boundary(search_, start + 1, ring.elements.size() - 1);
@@ -230,6 +238,7 @@ class FlowOperator final : public FlowMachine {
   FacetSearch search_;
   std::deque<KernelPoint> points_;           // references to its points must survive keep()
   std::deque<KernelPoint> cluster_centers_;  // likewise
+  std::vector<CellIndex> constructed_;       // whose centers they are
   std::vector<PointNumber> center_of_;       // by CellIndex
 };
 

@@ -1,7 +1,9 @@
 // See flowcert/unstable_manifolds.h.
 //
 // The orbits are kept as a forest of stretches: from each visited Voronoi vertex to the next, or to where the
-// orbit ends (design of the paper's section 2.3; sharing is ours).
+// orbit ends. A stretch keeps what it is made of and where it leads, not its points: they, with the history
+// that the lazy kernel keeps of each, would take 1 GiB for 35,000 samples, and are made again when an orbit
+// is asked for.
 #include "flowcert/unstable_manifolds.h"
 
 #include <algorithm>
@@ -19,14 +21,14 @@ namespace {
 constexpr std::size_t kProgressStep = 256;
 constexpr std::uint32_t kNotVisited = 0xffffffffu;
 
+using SegmentType = std::array<char, 3>;
+
 // The flow from one Voronoi vertex to the next one, or to its end.
 struct Stretch {
-  std::size_t first = 0, count = 0;  // of the steps
+  std::size_t first = 0, count = 0;  // of the segment types
   CellIndex next = kNoCell;          // the Voronoi vertex reached
-  // Where `next` is none: what the last step ends at; nothing for infinity.
-  std::optional<StationaryIndex> stationary;
-  Position end;
-  std::size_t visits = 0;  // by orbits
+  std::optional<std::size_t> limit;  // where there is none: the record it ends at; nothing for infinity
+  std::size_t visits = 0;            // by orbits
 
   [[nodiscard]] bool is_last() const { return next == kNoCell; }
 };
@@ -47,7 +49,7 @@ struct UnstableManifolds::Machine {
   void find_saddles();
   std::optional<std::size_t> follow(std::size_t i, std::size_t side);
   Stretch& stretch_from(CellIndex cluster);
-  Stretch new_stretch(Position at);
+  Stretch new_stretch(CellIndex cluster);
   void count_sizes();
   void count_stretches();
   void drop_orbit();
@@ -69,7 +71,7 @@ struct UnstableManifolds::Machine {
     std::array<std::optional<std::size_t>, 2> limits;
   };
   std::vector<Saddle> saddles;
-  std::vector<FlowStep> steps;
+  std::vector<SegmentType> types;
   std::vector<Stretch> stretches;
   std::vector<std::uint32_t> stretch_of;  // by cluster, shared
   FlowStatistics statistics;
@@ -78,10 +80,6 @@ struct UnstableManifolds::Machine {
   [[nodiscard]] bool is_reversed(const Place& place, std::span<const VertexIndex> contact) const;
   [[nodiscard]] Position start_of(const Saddle& saddle, std::size_t side) {
     return machine->end_of_edge(saddle.polygon, saddle.is_reversed ? 1 - side : side);
-  }
-  [[nodiscard]] std::optional<std::size_t> record_at(const Stretch& stretch) const {
-    if (!stretch.stationary) return std::nullopt;
-    return finder.find(*stretch.stationary, recorder.contact(stretch.end.place));
   }
 };
 
@@ -121,21 +119,23 @@ void UnstableManifolds::Machine::find_saddles() {
 }
 
 // Steps from a Voronoi vertex until the next one, or the end.
-Stretch UnstableManifolds::Machine::new_stretch(Position at) {
+Stretch UnstableManifolds::Machine::new_stretch(CellIndex cluster) {
   Stretch stretch;
-  stretch.first = steps.size();
+  stretch.first = types.size();
+  Position at{Place::at_vertex(cluster), kNoPoint};
   do {
     const FlowStep step = machine->step(at);
     if (step.stationary) {
-      stretch.stationary = step.stationary;
+      stretch.limit = finder.find(*step.stationary, recorder.contact(at.place));
       break;
     }
-    steps.push_back(step);
+    types.push_back(segment_type(at.place, step));
     at = step.end;
     if (at.place.kind == Place::Kind::kVertex) stretch.next = at.place.vertex;
   } while (at.place.kind == Place::Kind::kEdge);
-  stretch.count = steps.size() - stretch.first;
-  stretch.end = at;
+  stretch.count = types.size() - stretch.first;
+  count_sizes();
+  machine->drop_from(0);
   return stretch;
 }
 
@@ -143,7 +143,7 @@ Stretch& UnstableManifolds::Machine::stretch_from(CellIndex cluster) {
   if (stretch_of.empty()) stretch_of.assign(faces.delaunay().finite_count, kNotVisited);
   if (!options.share || stretch_of[cluster] == kNotVisited) {
     stretch_of[cluster] = static_cast<std::uint32_t>(stretches.size());
-    stretches.push_back(new_stretch({Place::at_vertex(cluster), kNoPoint}));
+    stretches.push_back(new_stretch(cluster));
   }
   return stretches[stretch_of[cluster]];
 }
@@ -159,7 +159,7 @@ std::optional<std::size_t> UnstableManifolds::Machine::follow(std::size_t i, std
     Stretch& stretch = stretch_from(at);
     ++stretch.visits;
     length += stretch.count;
-    if (stretch.is_last()) limit = record_at(stretch);
+    if (stretch.is_last()) limit = stretch.limit;
     at = stretch.next;
   }
   statistics.n_u2.add(length);
@@ -182,13 +182,10 @@ void UnstableManifolds::Machine::count_sizes() {
 void UnstableManifolds::Machine::count_stretches() {
   for (const Stretch& stretch : stretches) {
     statistics.segments_computed += stretch.count;
-    Place::Kind at = Place::Kind::kVertex;
     std::size_t constructed = 0;
     for (std::size_t k = stretch.first; k < stretch.first + stretch.count; ++k) {
-      const Place::Kind end = steps[k].end.place.kind;
-      statistics.census[{letter(at), letter(steps[k].crossed.kind), letter(end)}] += stretch.visits;
-      constructed += end == Place::Kind::kEdge ? 1 : 0;
-      at = end;
+      statistics.census[types[k]] += stretch.visits;
+      constructed += types[k][2] == 'E' ? 1 : 0;
     }
     // From its first constructed point on, a stretch makes nothing else until it ends.
     if (constructed > 0) statistics.n_wcc.add(constructed, stretch.visits);
@@ -204,51 +201,38 @@ void UnstableManifolds::Machine::compute(const Progress& progress) {
       if (!options.share) drop_orbit();
     }
   }
-  if (options.share) {
-    count_sizes();
-    count_stretches();
-  }
+  if (options.share) count_stretches();
   statistics.tally = machine->tally();
   if (progress) progress(saddles.size(), saddles.size());
 }
 
 void UnstableManifolds::Machine::drop_orbit() {
-  count_sizes();
   count_stretches();
-  machine->drop_from(0);
   stretches.clear();
-  steps.clear();
+  types.clear();
+  machine->drop_all();
 }
 
 Orbit UnstableManifolds::Machine::orbit(std::size_t i, std::size_t side) {
   const Saddle& saddle = saddles[i];
-  const PointNumber mark = machine->kept();
   Orbit orbit{exact_sphere(points, stationary.contact(saddle.record)).center, {}, std::nullopt};
 
   FlowStep first;
   first.crossed = Place::on_edge(saddle.polygon);
   first.driver = {faces.corners(saddle.polygon), 3};
   first.end = start_of(saddle, side);
-  Position at{first.crossed, machine->add(orbit.start)};
-  orbit.segments.push_back(recorder.segment(at, first));
-  at = first.end;
+  orbit.segments.push_back(recorder.segment({first.crossed, machine->add(orbit.start)}, first));
 
-  while (at.place.kind == Place::Kind::kVertex) {
-    const Stretch& stretch = stretch_from(at.place.vertex);
-    for (std::size_t k = stretch.first; k < stretch.first + stretch.count; ++k) {
-      orbit.segments.push_back(recorder.segment(at, steps[k]));
-      at = steps[k].end;
-    }
-    if (stretch.stationary) {
-      orbit.limit = recorder.limit(at, *stretch.stationary);
+  for (Position at = first.end; at.place.kind != Place::Kind::kInfinity;) {
+    const FlowStep step = machine->step(at);
+    if (step.stationary) {
+      orbit.limit = recorder.limit(at, *step.stationary);
       break;
     }
+    orbit.segments.push_back(recorder.segment(at, step));
+    at = step.end;
   }
-  machine->drop_from(mark);
-  if (!options.share) {
-    stretches.clear();
-    steps.clear();
-  }
+  machine->drop_from(0);
   return orbit;
 }
 

@@ -119,13 +119,14 @@ CellIndex VoronoiFaces::end(PolygonRef polygon, std::size_t side) const {
 
 // ---- Facets.
 
-FacetRing VoronoiFaces::ring(FacetName facet) {
+FacetRing VoronoiFaces::ring(FacetName facet, CellIndex hint) {
   if (dimension_ < 2) return {0, {}, {}};
   const std::uint64_t key = (std::uint64_t{facet.v0} << 32) | facet.v1;
   const auto [entry, is_new] = ring_of_.try_emplace(key, static_cast<std::uint32_t>(rings_.size()));
   if (is_new) {
     rings_.push_back({static_cast<std::uint32_t>(elements_.size()), 0});
-    spatial() != nullptr ? add_spatial_ring(facet) : add_planar_ring(facet);
+    const CellIndex cell = cell_with(facet, hint);
+    spatial() != nullptr ? add_spatial_ring(facet, cell) : add_planar_ring(facet, cell);
     rings_.back().count = static_cast<std::uint32_t>(elements_.size()) - rings_.back().first;
     if (rings_.back().count > kSmallRing) sort_large_ring(rings_.back());
   }
@@ -148,14 +149,13 @@ void VoronoiFaces::add_junction(CellIndex cell, VertexIndex apex_before, VertexI
 // Goes around v0 v1, counterclockwise seen from v1: in a positively oriented cell v0 v1 k l, from the facet
 // that has k to the one that has l. Facets inside of a cluster, and those between two infinite cells, bound
 // nothing.
-void VoronoiFaces::add_spatial_ring(FacetName facet) {
+void VoronoiFaces::add_spatial_ring(FacetName facet, CellIndex start) {
   struct Crossing {
     PolygonRef polygon;
     VertexIndex apex;
     CellIndex after;  // the Voronoi vertex behind it; kNoCell: infinity
   };
   std::vector<Crossing> crossings;
-  const CellIndex start = cell_with(facet);
   const auto& v = delaunay().vertices(start);
   const unsigned i0 = place_in(v, facet.v0), i1 = place_in(v, facet.v1);
   // v0 v1 k l is positive iff v0 v1 l is the outward order of the facet opposite k.
@@ -192,8 +192,7 @@ void VoronoiFaces::add_spatial_ring(FacetName facet) {
 }
 
 // A slab between two lines, or a half plane beside one: each line comes from infinity and goes there.
-void VoronoiFaces::add_planar_ring(FacetName facet) {
-  const CellIndex cell = cell_with(facet);
+void VoronoiFaces::add_planar_ring(FacetName facet, CellIndex cell) {
   const auto& v = delaunay().vertices(cell);
   std::uint32_t i = 0;
   while (v[i] == facet.v0 || v[i] == facet.v1) ++i;
@@ -275,9 +274,14 @@ std::vector<CellIndex> VoronoiFaces::star(VertexIndex p) {
 }
 
 // A finite one, given that there is one.
-CellIndex VoronoiFaces::cell_with(FacetName facet) {
+CellIndex VoronoiFaces::cell_with(FacetName facet, CellIndex hint) {
+  const auto has_both = [&](CellIndex cell) {
+    const auto& v = delaunay().vertices(cell);
+    return delaunay().is_finite(cell) && contains(v, facet.v0) && contains(v, facet.v1);
+  };
+  if (hint != kNoCell && has_both(hint)) return hint;
   for (const CellIndex cell : star(facet.v0)) {
-    if (delaunay().is_finite(cell) && contains(delaunay().vertices(cell), facet.v1)) return cell;
+    if (has_both(cell)) return cell;
   }
   return kNoCell;
 }

@@ -117,8 +117,9 @@ class VoronoiFaces {
   [[nodiscard]] CellIndex end(PolygonRef polygon, std::size_t side) const;
   [[nodiscard]] std::vector<PolygonSide> sides(PolygonRef polygon) const;
 
-  // Voronoi facets. The Delaunay edge must be one of a polygon's sides.
-  [[nodiscard]] FacetRing ring(FacetName facet);
+  // Voronoi facets. The Delaunay edge must be one of a polygon's sides. The hint is a cell that may have it,
+  // which spares a search.
+  [[nodiscard]] FacetRing ring(FacetName facet, CellIndex hint = kNoCell);
   // Where in its ring a Voronoi edge or vertex is: O(log n).
   [[nodiscard]] std::size_t piece_of(const FacetRing& ring, PolygonRef polygon) const;
   [[nodiscard]] std::size_t element_of(const FacetRing& ring, CellIndex cluster) const;
@@ -143,9 +144,9 @@ class VoronoiFaces {
   [[nodiscard]] const PlanarComplex* planar() const { return std::get_if<PlanarComplex>(&complex_); }
   [[nodiscard]] std::span<const FacetRef> large_polygon(PolygonRef polygon) const;
   [[nodiscard]] std::vector<CellIndex> star(VertexIndex p);
-  [[nodiscard]] CellIndex cell_with(FacetName facet);
-  void add_spatial_ring(FacetName facet);
-  void add_planar_ring(FacetName facet);
+  [[nodiscard]] CellIndex cell_with(FacetName facet, CellIndex hint);
+  void add_spatial_ring(FacetName facet, CellIndex start);
+  void add_planar_ring(FacetName facet, CellIndex cell);
   void add_junction(CellIndex cell, VertexIndex apex_before, VertexIndex apex_after);
   void sort_large_ring(Ring& ring);
 

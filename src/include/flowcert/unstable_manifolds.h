@@ -17,6 +17,8 @@ namespace flowcert {
 
 struct UnstableOptions {
   FlowOptions flow;
+  // Otherwise each orbit is computed alone, from its own Voronoi vertices on, as the paper did; only the
+  // arrays of facets are common.
   bool share = true;
 };
 
@@ -41,8 +43,8 @@ class UnstableManifolds {
   // by the plane through the contact points a < b < c < ... of the saddle: side 1 is the one that (b-a) x
   // (c-a) points to.
   [[nodiscard]] std::optional<std::size_t> limit(std::size_t i, std::size_t side) const;
-  // That orbit. Its start is the saddle; its first segment runs along the Voronoi edge (E-E-V or E-E-inf).
-  // Without sharing it is computed anew. Exact coordinates of long orbits take time.
+  // That orbit, flowed once more. Its start is the saddle; its first segment runs along the Voronoi edge
+  // (E-E-V or E-E-inf). Exact coordinates of long orbits take time.
   [[nodiscard]] Orbit orbit(std::size_t i, std::size_t side);
 
   [[nodiscard]] const FlowStatistics& statistics() const;
