@@ -65,6 +65,7 @@ void for_each_subset(std::size_t count, std::size_t max_size, const Visit& visit
 template <typename T>
 std::vector<T> select(const std::vector<T>& all, const std::vector<std::size_t>& places) {
   std::vector<T> result;
+  result.reserve(places.size());
   for (const std::size_t place : places) result.push_back(all[place]);
   return result;
 }

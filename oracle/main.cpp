@@ -3,17 +3,20 @@
 //   stationary INPUT        lists all stationary points of a small input, by search over all subsets
 //   certify INPUT RECORDS   judges claimed stationary points, drawn at random, by linear scans over all
 //   points
+//   orbit INPUT --from X    the flow from one position, by linear scans over all points
 //
 // Exit status: 0 all right; 1 a claim is wrong; 2 unusable input or usage, with one line on standard error.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <iomanip>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <random>
 
+#include "oracle/orbit.h"
 #include "oracle/read_points.h"
 #include "oracle/read_records.h"
 #include "oracle/stationary_points.h"
@@ -35,6 +38,8 @@ ordered_json header(const oracle::Answer& answer) {
           {"regular_stationary", {{"1-2", regular[0]}, {"2-3", regular[1]}, {"1-3", regular[2]}}}};
 }
 
+ordered_json position(const oracle::Point& x) { return {x[0].str(), x[1].str(), x[2].str()}; }
+
 ordered_json record(const oracle::StationaryPoint& s) {
   const bool critical = s.face_dimension == s.hull_dimension;
   ordered_json index = s.hull_dimension;
@@ -42,13 +47,35 @@ ordered_json record(const oracle::StationaryPoint& s) {
   return {{"index", index},
           {"kind", critical ? "critical" : "regular"},
           {"contact", s.contact},
-          {"center", {s.center[0].str(), s.center[1].str(), s.center[2].str()}},
+          {"center", position(s.center)},
           {"squared_distance", s.squared_distance.str()}};
 }
 
 void print_json(const oracle::Answer& answer) {
   std::cout << header(answer).dump() << '\n';
   for (const auto& s : answer.stationary) std::cout << record(s).dump() << '\n';
+}
+
+std::string exact_text(const oracle::Rational& x) { return x.str(); }
+
+// Numbers that are long are rounded for people, and marked.
+std::string short_text(const oracle::Rational& x) {
+  const std::string exact = x.str();
+  return exact.size() <= 10 ? exact : "~" + boost::multiprecision::mpf_float_50(x).str(6);
+}
+
+using NumberText = std::string (*)(const oracle::Rational&);
+
+std::string text(const oracle::Point& x, NumberText number) {
+  return number(x[0]) + " " + number(x[1]) + " " + number(x[2]);
+}
+
+void print_text(const oracle::StationaryPoint& s, NumberText number) {
+  std::cout << "index " << s.face_dimension;
+  if (s.face_dimension != s.hull_dimension) std::cout << '-' << s.hull_dimension;
+  std::cout << " at " << text(s.center, number) << " contact";
+  for (const std::size_t name : s.contact) std::cout << ' ' << name;
+  std::cout << " squared_distance " << number(s.squared_distance) << '\n';
 }
 
 void print_text(const oracle::Answer& answer) {
@@ -58,13 +85,57 @@ void print_text(const oracle::Answer& answer) {
             << "\ncritical " << critical[0] << ' ' << critical[1] << ' ' << critical[2] << ' ' << critical[3]
             << "\nregular stationary 1-2: " << regular[0] << ", 2-3: " << regular[1]
             << ", 1-3: " << regular[2] << '\n';
-  for (const auto& s : answer.stationary) {
-    std::cout << "index " << s.face_dimension;
-    if (s.face_dimension != s.hull_dimension) std::cout << '-' << s.hull_dimension;
-    std::cout << " at " << s.center[0] << ' ' << s.center[1] << ' ' << s.center[2] << " contact";
-    for (const std::size_t name : s.contact) std::cout << ' ' << name;
-    std::cout << " squared_distance " << s.squared_distance << '\n';
+  for (const auto& s : answer.stationary) print_text(s, exact_text);
+}
+
+ordered_json segment_fields(const oracle::PointSet& set, const oracle::FlowSegment& segment) {
+  const bool ends = segment.end.has_value();
+  return {{"type", segment_type(set, segment)},
+          {"driver", position(segment.driver)},
+          {"end", ends ? position(*segment.end) : ordered_json()},
+          {"start_contact", segment.start_contact},
+          {"crossed_contact", segment.crossed_contact},
+          {"end_contact", ends ? ordered_json(segment.end_contact) : ordered_json()}};
+}
+
+ordered_json limit_fields(const std::optional<oracle::StationaryPoint>& limit) {
+  ordered_json point = limit ? record(*limit) : ordered_json{{"kind", "infinity"}};
+  return {{"kind", point["kind"]},  // and null for the keys that are not there
+          {"index", point["index"]},
+          {"position", point["center"]},
+          {"contact", point["contact"]},
+          {"squared_distance", point["squared_distance"]}};
+}
+
+void print_json(const oracle::PointSet& set, const oracle::Point& start, const oracle::Orbit& path) {
+  ordered_json object = {{"format", "oracle-orbit"}, {"format_version", 1}, {"start", position(start)}};
+  object["segments"] = ordered_json::array();
+  for (const auto& segment : path.segments) object["segments"].push_back(segment_fields(set, segment));
+  object["limit"] = limit_fields(path.limit);
+  std::cout << object.dump() << '\n';
+}
+
+void print_text(const oracle::PointSet& set, const oracle::Point& start, const oracle::Orbit& path) {
+  std::cout << "orbit from " << text(start, short_text) << '\n' << std::left;
+  const auto row = [](const std::string& number, const std::string& type, const std::string& driver,
+                      const std::string& end) {
+    std::cout << std::setw(4) << number << std::setw(8) << type << ' ' << std::setw(36) << driver << ' '
+              << std::setw(36) << end;
+  };
+  if (!path.segments.empty()) {
+    row("", "type", "driver", "end");
+    std::cout << " contact set of the end\n";
   }
+  for (std::size_t k = 0; k < path.segments.size(); ++k) {
+    const oracle::FlowSegment& segment = path.segments[k];
+    row(std::to_string(k + 1), segment_type(set, segment), text(segment.driver, short_text),
+        segment.end ? text(*segment.end, short_text) : "infinity");
+    for (const std::size_t name : segment.end_contact) std::cout << ' ' << name;
+    std::cout << '\n';
+  }
+  std::cout << (path.segments.empty() ? "stays: " : "ends: ");
+  if (!path.limit) std::cout << "infinity\n";
+  if (path.limit) print_text(*path.limit, short_text);
 }
 
 std::string with_commas(std::size_t number) {
@@ -124,13 +195,23 @@ int run_certify(const std::string& input, const std::string& records, std::size_
   return right == drawn.size() ? 0 : kWrong;
 }
 
+int run_orbit(const std::string& input, const std::string& from, bool json) {
+  const oracle::Point start = oracle::parse_position(from, "--from: ");
+  const oracle::PointSet set(oracle::read_point_file(input));
+  if (set.points.empty()) throw oracle::UnusableInput(input + ": there are no points");
+  const oracle::Orbit path = oracle::orbit(set, start);
+  json ? print_json(set, start, path) : print_text(set, start, path);
+  return 0;
+}
+
 int run(int argc, char** argv) {
-  CLI::App app{"Exact reference for the stationary points of a point set's distance function"};
+  CLI::App app{"Exact reference for the flow of a point set's distance function and its stationary points"};
   app.require_subcommand(1);
   app.footer(
       "Examples: flowcert-oracle stationary --json cube.xyz\n"
-      "          flowcert-oracle certify bunny.xyz bunny.jsonl --sample 200 --seed 1");
-  std::string input, records;
+      "          flowcert-oracle certify bunny.xyz bunny.jsonl --sample 200 --seed 1\n"
+      "          flowcert-oracle orbit bunny.xyz --from -1/2,0.25,0x1p-3");
+  std::string input, records, from;
   bool json = false;
   std::size_t limit = 100, sample = 200;
   std::uint64_t seed = 1;
@@ -149,6 +230,14 @@ int run(int argc, char** argv) {
   judge.add_option("--seed", seed, "Seed of the draw")->capture_default_str();
   judge.footer("Example: flowcert-oracle certify bunny.xyz bunny.jsonl --sample 200 --seed 1");
 
+  CLI::App& flow = *app.add_subcommand("orbit", "Follow the flow from a position, segment by segment");
+  flow.add_option("INPUT", input, "XYZ file, or OBJ (.obj)")->required();
+  flow.add_option("--from", from,
+                  "The position X,Y,Z: decimals (the nearest doubles), hex floats or fractions p/q (exact)")
+      ->required();
+  flow.add_flag("--json", json, "One JSON object, all exact, instead of a table");
+  flow.footer("Example: flowcert-oracle orbit bunny.xyz --from -1/2,0.25,0x1p-3");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {  // --help
@@ -156,6 +245,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw oracle::UnusableInput(std::string(error.what()) + " (see --help)");
   }
+  if (flow.parsed()) return run_orbit(input, from, json);
   return list.parsed() ? run_stationary(input, json, limit) : run_certify(input, records, sample, seed);
 }
 

@@ -2,17 +2,28 @@
 #include "oracle/orbit.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace oracle {
 
 namespace {
 
-std::vector<std::size_t> names_at(const PointSet& set, const std::vector<std::size_t>& places) {
-  return select(set.names, places);
-}
-
 Point moved(const Point& x, const Rational& time, const Point& direction) {
   return {x[0] + time * direction[0], x[1] + time * direction[1], x[2] + time * direction[2]};
+}
+
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// The same direction in integers without a common factor: the length does not matter, but that of the numbers
+// does.
+Point in_integers(const Point& direction) {
+  Integer common = 1, factor = 0;
+  for (const Rational& u : direction) common = lcm(common, Integer(denominator(u)));
+  for (const Rational& u : direction) factor = gcd(factor, Integer(numerator(u * common)));
+  const Rational scale = Rational(common) / Rational(factor);
+  return {direction[0] * scale, direction[1] * scale, direction[2] * scale};
 }
 
 // C(x + t u) for all small t > 0. |x + t u - p|^2 = |x - p|^2 + 2 t <u, x - p> + t^2 |u|^2, so among the
@@ -28,21 +39,70 @@ std::vector<std::size_t> crossed_places(const PointSet& set, const std::vector<s
   return crossed;
 }
 
-// The first t > 0 at which a point q outside of the crossed set is as near as those inside, p being one of
-// them: |x - q|^2 - |x - p|^2 = 2 t <u, q - p>. Nothing iff no point ever is.
-std::optional<Rational> first_meeting(const PointSet& set, const std::vector<std::size_t>& crossed,
-                                      const Point& x, const Point& direction) {
-  const Point& p = set.points[crossed.front()];
-  const Rational nearest = squared_distance(x, p);
-  std::optional<Rational> first;
-  for (std::size_t place = 0; place < set.points.size(); ++place) {
-    const Point& q = set.points[place];
-    const Rational approach = dot(direction, minus(q, p));
-    if (approach <= 0) continue;  // q falls behind p, or keeps its lag
-    const Rational time = (squared_distance(x, q) - nearest) / (2 * approach);
-    if (!first || time < *first) first = time;
+// The first point on the way of x where a point q outside of the crossed set is as near as those inside, p
+// being one of them: |x - q|^2 - |x - p|^2 = 2 t <u, q - p>, t > 0. Nothing iff no point ever is. As the lead
+// of p over q changes linearly in t, q comes before the first so far iff it is nearer than p there.
+std::optional<Point> first_meeting(const PointSet& set, std::size_t p, const Point& x,
+                                   const Point& integer_direction) {
+  const Point& u = integer_direction;
+  const Form advance{numerator(u[0]), numerator(u[1]), numerator(u[2]), 0};
+  const Integer advance_of_p = value(advance, set.lifted[p]);
+  std::optional<Point> first;
+  Form distance;  // from the first so far
+  Integer distance_of_p;
+  for (std::size_t q = 0; q < set.lifted.size(); ++q) {
+    const bool comes_earlier =
+        first ? value(distance, set.lifted[q]) < distance_of_p : value(advance, set.lifted[q]) > advance_of_p;
+    if (!comes_earlier) continue;
+    const Rational lead = squared_distance(x, set.points[q]) - squared_distance(x, set.points[p]);
+    first = moved(x, lead / (2 * dot(u, minus(set.points[q], set.points[p]))), u);
+    distance = distance_form(set, *first);
+    distance_of_p = value(distance, set.lifted[p]);
   }
   return first;
+}
+
+// The segment from x in a direction in which, of the points of C(x), the crossed ones stay nearest.
+FlowSegment segment_along(const PointSet& set, const Point& x, const Point& driver,
+                          const std::vector<std::size_t>& contact, const std::vector<std::size_t>& crossed,
+                          const Point& direction) {
+  FlowSegment segment{x, driver, select(set.names, contact), select(set.names, crossed), std::nullopt, {}};
+  segment.end = first_meeting(set, crossed.front(), x, direction);
+  if (segment.end) segment.end_contact = contact_set(set, *segment.end);
+  return segment;
+}
+
+// Where in the set's points the named classes are.
+std::vector<std::size_t> places_of(const PointSet& set, const std::vector<std::size_t>& names) {
+  std::vector<std::size_t> places;
+  for (const std::size_t name : names) {
+    const auto position = std::lower_bound(set.names.begin(), set.names.end(), name);
+    places.push_back(static_cast<std::size_t>(position - set.names.begin()));
+  }
+  return places;
+}
+
+// Nothing iff x is stationary. `contact` are the places of C(x).
+std::optional<FlowSegment> segment_from(const PointSet& set, const Point& x,
+                                        const std::vector<std::size_t>& contact) {
+  const Point driver_of_x = driver(select(set.points, contact), x);
+  if (driver_of_x == x) return std::nullopt;
+  const Point direction = in_integers(minus(x, driver_of_x));
+  return segment_along(set, x, driver_of_x, contact, crossed_places(set, contact, direction), direction);
+}
+
+// Lets the path go on from x to its limit.
+void follow(const PointSet& set, Point x, Orbit& path) {
+  std::vector<std::size_t> contact = nearest_places(set, x);
+  while (auto segment = segment_from(set, x, contact)) {
+    path.segments.push_back(*segment);
+    if (!segment->end) return;
+    x = *segment->end;
+    contact = places_of(set, segment->end_contact);
+  }
+  const std::vector<Point> points = select(set.points, contact);
+  path.limit = StationaryPoint{x, squared_distance(x, points.front()), select(set.names, contact),
+                               *face_dimension(points, x), affine_dimension(points)};
 }
 
 }  // namespace
@@ -64,45 +124,42 @@ Point driver(const std::vector<Point>& contact, const Point& x) {
 }
 
 std::optional<FlowSegment> flow_segment(const PointSet& set, const Point& x) {
-  const std::vector<std::size_t> contact = nearest_places(set, x);
-  FlowSegment segment;
-  segment.start = x;
-  segment.driver = driver(select(set.points, contact), x);
-  if (segment.driver == x) return std::nullopt;
-  const Point direction = minus(x, segment.driver);
-  const std::vector<std::size_t> crossed = crossed_places(set, contact, direction);
-  segment.start_contact = names_at(set, contact);
-  segment.crossed_contact = names_at(set, crossed);
-  if (const auto time = first_meeting(set, crossed, x, direction)) {
-    segment.end = moved(x, *time, direction);
-    segment.end_contact = contact_set(set, *segment.end);
-  }
-  return segment;
+  return segment_from(set, x, nearest_places(set, x));
 }
 
 Orbit orbit(const PointSet& set, const Point& start) {
-  Orbit result;
-  Point x = start;
-  while (auto segment = flow_segment(set, x)) {
-    result.segments.push_back(*segment);
-    if (!segment->end) return result;
-    x = *segment->end;
+  Orbit path;
+  follow(set, start, path);
+  return path;
+}
+
+// The points of C(x) lie on a circle, so no three of them on a line. All of them stay nearest along the axis.
+Orbit unstable_orbit(const PointSet& set, const StationaryPoint& saddle, int side) {
+  if (saddle.face_dimension != 2 || saddle.hull_dimension != 2 || side < 0 || side > 1) {
+    throw std::invalid_argument("U2 has two sides, and belongs to a critical point of index 2");
   }
-  const std::vector<std::size_t> places = nearest_places(set, x);
-  const std::vector<Point> contact = select(set.points, places);
-  result.limit = StationaryPoint{x, squared_distance(x, contact.front()), names_at(set, places),
-                                 *face_dimension(contact, x), affine_dimension(contact)};
-  return result;
+  const std::vector<std::size_t> contact = places_of(set, saddle.contact);
+  const Point &a = set.points[contact[0]], &b = set.points[contact[1]], &c = set.points[contact[2]];
+  const Point direction =
+      in_integers(side == 1 ? cross(minus(b, a), minus(c, a)) : cross(minus(c, a), minus(b, a)));
+  Orbit path{{segment_along(set, saddle.center, saddle.center, contact, contact, direction)}, std::nullopt};
+  if (const auto end = path.segments.front().end) follow(set, *end, path);
+  return path;
+}
+
+std::array<Orbit, 2> unstable_orbits(const PointSet& set, const StationaryPoint& saddle) {
+  return {unstable_orbit(set, saddle, 0), unstable_orbit(set, saddle, 1)};
 }
 
 char face_letter(const PointSet& set, const std::vector<std::size_t>& contact_names) {
-  std::vector<Point> contact;
-  for (std::size_t place = 0; place < set.points.size(); ++place) {
-    if (std::binary_search(contact_names.begin(), contact_names.end(), set.names[place])) {
-      contact.push_back(set.points[place]);
-    }
-  }
-  return "CFEV"[affine_dimension(contact)];
+  return "CFEV"[affine_dimension(select(set.points, places_of(set, contact_names)))];
+}
+
+std::string segment_type(const PointSet& set, const FlowSegment& segment) {
+  const std::string start(1, face_letter(set, segment.start_contact));
+  const std::string crossed(1, face_letter(set, segment.crossed_contact));
+  const std::string end = segment.end ? std::string(1, face_letter(set, segment.end_contact)) : "inf";
+  return start + "-" + crossed + "-" + end;
 }
 
 }  // namespace oracle

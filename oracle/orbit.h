@@ -1,12 +1,13 @@
 // The orbit of a point under the flow of the distance function, from the definitions alone (FC-FLOW-01 to
-// 06).
+// 07).
 //
-// Each segment costs a scan over all points for the contact set and another for the first point that the way
-// meets. Exact, for any start, any finite point set and any dimension of it.
+// Each segment of an orbit costs two scans over all points: for the first point that the way meets, and for
+// the contact set there. Exact, for any start, any finite point set and any dimension of it.
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "oracle/stationary_points.h"
@@ -37,8 +38,20 @@ std::optional<FlowSegment> flow_segment(const PointSet& set, const Point& x);
 
 Orbit orbit(const PointSet& set, const Point& start);
 
-// 'V', 'E', 'F' or 'C': the Voronoi face whose points have this contact set, given as places in the set's
-// points.
+// One of the two orbits of U2 of a critical point x of index 2 (FC-FLOW-07). x does not move by itself; the
+// orbit leaves it along the line of all points equally far from C(x), for all small t > 0 with contact set
+// C(x). Its first segment starts in x, and x is its driver. With the contact points a < b < c < ... by name,
+// side 1 is the one that (b - a) x (c - a) points to, side 0 the other. Throws std::invalid_argument for
+// another kind of stationary point or another side.
+Orbit unstable_orbit(const PointSet& set, const StationaryPoint& saddle, int side);
+
+// Both of them, side 0 first.
+std::array<Orbit, 2> unstable_orbits(const PointSet& set, const StationaryPoint& saddle);
+
+// 'V', 'E', 'F' or 'C': the Voronoi face whose points have this contact set, given by class names.
 char face_letter(const PointSet& set, const std::vector<std::size_t>& contact_names);
+
+// "E-F-V", "E-F-inf" (FC-FLOW-02).
+std::string segment_type(const PointSet& set, const FlowSegment& segment);
 
 }  // namespace oracle

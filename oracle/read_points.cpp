@@ -16,24 +16,7 @@ namespace oracle {
 
 namespace {
 
-constexpr char kBlanks[] = " \t\r\v\f";  // \r: files with CR LF ends of line
-
-// Fields are separated by blanks, or by a comma with blanks around it; between two commas there is an empty
-// field, which is no number.
-std::vector<std::string> words_before_comment(const std::string& line) {
-  const std::string content = line.substr(0, line.find('#'));
-  const auto skip_blanks = [&content](std::size_t at) {
-    return std::min(content.find_first_not_of(kBlanks, at), content.size());
-  };
-  std::vector<std::string> words;
-  for (std::size_t at = skip_blanks(0); at < content.size();) {
-    const std::size_t end = std::min(content.find_first_of(std::string(kBlanks) + ",", at), content.size());
-    words.push_back(content.substr(at, end - at));
-    at = skip_blanks(end);
-    if (at < content.size() && content[at] == ',') at = skip_blanks(at + 1);
-  }
-  return words;
-}
+constexpr char kBlanks[] = " \t\r\v\f\n";  // \r: files with CR LF ends of line
 
 double rounded(const std::string& word, int mode) {
   const int previous = std::fegetround();
@@ -49,6 +32,24 @@ bool is_inexact_hexadecimal(const std::string& word) {
   return rounded(word, FE_UPWARD) != rounded(word, FE_DOWNWARD);
 }
 
+}  // namespace
+
+std::vector<std::string> fields(const std::string& line) {
+  const auto skip_blanks = [&line](std::size_t at) {
+    return std::min(line.find_first_not_of(kBlanks, at), line.size());
+  };
+  std::vector<std::string> words;
+  bool after_comma = false;
+  for (std::size_t at = skip_blanks(0); at < line.size() || after_comma;) {
+    const std::size_t end = std::min(line.find_first_of(std::string(kBlanks) + ",", at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = skip_blanks(end);
+    after_comma = at < line.size() && line[at] == ',';
+    if (after_comma) at = skip_blanks(at + 1);
+  }
+  return words;
+}
+
 double number(const std::string& word, const std::string& where) {
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);
@@ -59,8 +60,6 @@ double number(const std::string& word, const std::string& where) {
   return value;
 }
 
-}  // namespace
-
 std::vector<std::array<double, 3>> read_points(std::istream& in, const std::string& name,
                                                PointFormat format) {
   std::vector<std::array<double, 3>> points;
@@ -69,7 +68,7 @@ std::vector<std::array<double, 3>> read_points(std::istream& in, const std::stri
   for (std::string line; std::getline(in, line);) {
     const std::string where = name + ":" + std::to_string(++line_number) + ": ";
     if (line.find_first_not_of(" \t\r\v\f") != std::string::npos) only_white_space = false;
-    std::vector<std::string> words = words_before_comment(line);
+    std::vector<std::string> words = fields(line.substr(0, line.find('#')));
     if (words.empty()) continue;
     if (format == PointFormat::kObj) {
       if (words[0] != "v") continue;

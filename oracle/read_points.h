@@ -21,6 +21,13 @@ struct UnusableInput : std::runtime_error {
 
 enum class PointFormat { kXyz, kObj };
 
+// Fields are separated by blanks, or by a comma with blanks around it; between two commas, and behind a comma
+// at the end, there is an empty field, which is no number.
+std::vector<std::string> fields(const std::string& line);
+
+// The double that a field means. `where` opens the message of an UnusableInput.
+double number(const std::string& field, const std::string& where);
+
 // `name` is for messages only.
 std::vector<std::array<double, 3>> read_points(std::istream& in, const std::string& name, PointFormat format);
 

@@ -59,6 +59,15 @@ void read_index(const json& record, Record& result) {
   if (is_pair && face == hull) note(result, "FC-CRIT-03", "the kind names one dimension twice");
 }
 
+// A sign may stand in front of a fraction only.
+Rational coordinate(const std::string& word, const std::string& where) {
+  if (word.find('/') == std::string::npos) return Rational(number(word, where));
+  const bool has_sign_inside = word.find_first_of("+-", 1) != std::string::npos;
+  const auto fraction = parse_rational(word.starts_with('+') ? word.substr(1) : word);
+  if (!fraction || has_sign_inside) throw UnusableInput(where + "'" + word + "' is not a fraction");
+  return fraction->value;
+}
+
 Rational read_rational(const json& value, Record& result) {
   const std::string text = value.get<std::string>();
   const auto written = parse_rational(text);
@@ -108,6 +117,16 @@ std::optional<WrittenRational> parse_rational(const std::string& text) {
   if (!is_integer(numerator) || !is_integer(denominator) || to_integer(denominator) == 0) return std::nullopt;
   const Rational value = Rational(to_integer(numerator)) / Rational(to_integer(denominator));
   return WrittenRational{value, value.str() == text};
+}
+
+Point parse_position(const std::string& text, const std::string& where) {
+  const std::vector<std::string> words = fields(text);
+  if (words.size() != 3) {
+    throw UnusableInput(where + "three coordinates X,Y,Z expected, found " + std::to_string(words.size()));
+  }
+  Point x;
+  for (std::size_t axis = 0; axis < 3; ++axis) x[axis] = coordinate(words[axis], where);
+  return x;
 }
 
 bool is_nearest_double(double value, const Rational& x) {

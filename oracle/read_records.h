@@ -1,4 +1,4 @@
-// Reads a file of claimed stationary points: JSON Lines as in spec/formats.md section 2.
+// Reads a file of claimed stationary points: JSON Lines as in spec/formats.md section 2. And rationals.
 //
 // The reader distinguishes what cannot be understood (UnusableInput: no JSON, a key that is missing, 1/0 for
 // a number) from what is understood and wrong. The latter are findings for the caller to report: a rational
@@ -40,6 +40,10 @@ struct WrittenRational {
   bool canonical = false;
 };
 std::optional<WrittenRational> parse_rational(const std::string& text);
+
+// A position X,Y,Z, separated by blanks or commas. Each coordinate is a number as in a point file, or a
+// fraction p/q of integers. `where` opens the message of an UnusableInput.
+Point parse_position(const std::string& text, const std::string& where);
 
 // Whether `value` is the double nearest to x, ties to even. x beyond the midpoint between the greatest double
 // and 2^1024 has no nearest double.

@@ -65,25 +65,36 @@ PointSet::PointSet(const std::vector<std::array<double, 3>>& rows) {
   }
 }
 
-// |p - x|^2 is smallest where |p|^2 - 2 <p, x> is, a linear form in the four numbers (p, |p|^2). Multiplied
-// by the common denominator of x (and by the set's scale, squared) it is one in integers.
-std::vector<std::size_t> nearest_places(const PointSet& set, const Point& x) {
-  Integer common = 1;
-  for (const Rational& coordinate : x) common = lcm(common, Integer(denominator(coordinate)));
-  std::array<Integer, 3> factor;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    factor[axis] = -2 * set.scale * numerator(x[axis]) * (common / denominator(x[axis]));
+Integer value(const Form& form, const std::array<Integer, 4>& lifted) {
+  Integer sum;
+  for (std::size_t k = 0; k < 4; ++k) {
+    mpz_addmul(sum.backend().data(), form[k].backend().data(), lifted[k].backend().data());
   }
+  return sum;
+}
+
+// |p - x|^2 - |x|^2 is |p|^2 - 2 <p, x>, linear in p and |p|^2.
+Form distance_form(const PointSet& set, const Point& x) {
+  Form form;
+  form[3] = 1;
+  for (const Rational& coordinate : x) form[3] = lcm(form[3], Integer(denominator(coordinate)));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    form[axis] = -2 * set.scale * numerator(x[axis]) * (form[3] / denominator(x[axis]));
+  }
+  return form;
+}
+
+std::vector<std::size_t> nearest_places(const PointSet& set, const Point& x) {
+  const Form distance = distance_form(set, x);
   std::vector<std::size_t> nearest;
   Integer least;
   for (std::size_t place = 0; place < set.lifted.size(); ++place) {
-    const auto& p = set.lifted[place];
-    const Integer value = common * p[3] + factor[0] * p[0] + factor[1] * p[1] + factor[2] * p[2];
-    if (nearest.empty() || value < least) {
+    const Integer there = value(distance, set.lifted[place]);
+    if (nearest.empty() || there < least) {
       nearest.clear();
-      least = value;
+      least = there;
     }
-    if (value == least) nearest.push_back(place);
+    if (there == least) nearest.push_back(place);
   }
   return nearest;
 }

@@ -30,6 +30,14 @@ struct PointSet {
   std::vector<std::array<Integer, 4>> lifted;
 };
 
+// A linear form in the four numbers of a lifted point, and its value there.
+using Form = std::array<Integer, 4>;
+Integer value(const Form& form, const std::array<Integer, 4>& lifted);
+
+// The form that is scale^2 D (|p - x|^2 - |x|^2) at the point p, where D, its last coefficient, is the common
+// denominator of x: the smaller it is, the nearer is p.
+Form distance_form(const PointSet& set, const Point& x);
+
 // Where in `points` the points nearest to x are, ascending: the contact set C(x) of FC-DIST-01. Empty only
 // for no points.
 std::vector<std::size_t> nearest_places(const PointSet& set, const Point& x);

@@ -1,6 +1,6 @@
 // The oracle's flow: orbits worked out by hand, one for each kind of flow segment of the paper's Table 1, and
 // what every orbit must keep, on inputs of all families and rational starts that hit Voronoi faces of every
-// dimension.
+// dimension; the two orbits of index-2 points; positions as text.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +10,8 @@
 
 #include "fuzz/families.h"
 #include "oracle/orbit.h"
+#include "oracle/read_points.h"
+#include "oracle/read_records.h"
 #include "tests/cites.h"
 
 namespace oracle {
@@ -17,15 +19,9 @@ namespace {
 
 using Rows = std::vector<std::array<double, 3>>;
 
-std::string type_of(const PointSet& set, const FlowSegment& segment) {
-  const std::string end = segment.end ? std::string(1, face_letter(set, segment.end_contact)) : "oo";
-  return std::string(1, face_letter(set, segment.start_contact)) + "-" +
-         face_letter(set, segment.crossed_contact) + "-" + end;
-}
-
 std::vector<std::string> types_of(const PointSet& set, const Orbit& path) {
   std::vector<std::string> types;
-  for (const FlowSegment& segment : path.segments) types.push_back(type_of(set, segment));
+  for (const FlowSegment& segment : path.segments) types.push_back(segment_type(set, segment));
   return types;
 }
 
@@ -56,7 +52,7 @@ TEST(OracleOrbit, FromACellThroughAFacetAndAnEdge) {
   // from there on away from the middle (2,0,0) in the direction (0,1,2) to the line of centres in (2,2,4);
   // there the driver is (2,2,0), and the way goes up the line for ever.
   const Orbit path = orbit(set, {1, Rational(1, 2), 1});
-  ASSERT_EQ(types_of(set, path), (Types{"C-C-F", "F-F-E", "E-E-oo"}));
+  ASSERT_EQ(types_of(set, path), (Types{"C-C-F", "F-F-E", "E-E-inf"}));
   EXPECT_EQ(*path.segments[0].end, (Point{2, 1, 2}));
   EXPECT_EQ(path.segments[1].driver, (Point{2, 0, 0}));
   EXPECT_EQ(*path.segments[1].end, (Point{2, 2, 4}));
@@ -70,7 +66,7 @@ TEST(OracleOrbit, FromAnEdgeOfAnObtuseTriangleAcrossTheFacetOfItsLongSide) {
   // side, the origin.
   const PointSet set(Rows{{-2, 0, 0}, {2, 0, 0}, {0, 1, 0}});
   const FlowSegment segment = *flow_segment(set, {0, Rational(-3, 2), 1});
-  EXPECT_EQ(type_of(set, segment), "E-F-oo");
+  EXPECT_EQ(segment_type(set, segment), "E-F-inf");
   EXPECT_EQ(segment.driver, (Point{0, 0, 0}));
   EXPECT_EQ(segment.start_contact, (std::vector<std::size_t>{0, 1, 2}));
   EXPECT_EQ(segment.crossed_contact, (std::vector<std::size_t>{0, 1}));
@@ -85,12 +81,12 @@ TEST(OracleOrbit, FromAVertexOfARightAngleAlongItsEdge) {
   // From (0,0,-1) on the edge's lower part, which is a ray, down for ever; driver is the middle of the
   // hypotenuse.
   const Orbit down = orbit(set, {0, 0, -1});
-  ASSERT_EQ(types_of(set, down), (Types{"E-E-oo"}));
+  ASSERT_EQ(types_of(set, down), (Types{"E-E-inf"}));
   EXPECT_EQ(down.segments[0].driver, (Point{0, 0, 0}));
   // From (0,0,1) up: to the Voronoi vertex, where (0,0,3) is as near: 1 + z^2 = (3-z)^2, z = 4/3.
   const Orbit up = orbit(set, {0, 0, 1});
   ASSERT_FALSE(up.segments.empty());
-  EXPECT_EQ(type_of(set, up.segments[0]), "E-E-V");
+  EXPECT_EQ(segment_type(set, up.segments[0]), "E-E-V");
   EXPECT_EQ(*up.segments[0].end, (Point{0, 0, Rational(4, 3)}));
 }
 
@@ -102,7 +98,7 @@ TEST(OracleOrbit, FromAVertexAcrossAFacetIntoAVertex) {
   CITES("FC-FLOW-01", "FC-FLOW-02");
   const PointSet set(kTwoVerticesOnARay);
   const FlowSegment segment = *flow_segment(set, {0, 1, 0});
-  EXPECT_EQ(type_of(set, segment), "V-F-V");
+  EXPECT_EQ(segment_type(set, segment), "V-F-V");
   EXPECT_EQ(segment.driver, (Point{0, 0, 0}));
   EXPECT_EQ(segment.start_contact, (std::vector<std::size_t>{0, 1, 2, 3}));
   EXPECT_EQ(segment.crossed_contact, (std::vector<std::size_t>{0, 1}));
@@ -122,9 +118,9 @@ TEST(OracleOrbit, AStationaryPointStays) {
   }
 }
 
-const std::set<std::string> kTableOne = {"V-E-V",  "V-E-oo", "E-E-V", "E-E-oo", "V-F-V", "V-F-E",
-                                         "V-F-oo", "E-F-V",  "E-F-E", "E-F-oo", "F-F-V", "F-F-E",
-                                         "F-F-oo", "C-C-V",  "C-C-E", "C-C-F",  "C-C-oo"};
+const std::set<std::string> kTableOne = {"V-E-V",   "V-E-inf", "E-E-V", "E-E-inf", "V-F-V",  "V-F-E",
+                                         "V-F-inf", "E-F-V",   "E-F-E", "E-F-inf", "F-F-V",  "F-F-E",
+                                         "F-F-inf", "C-C-V",   "C-C-E", "C-C-F",   "C-C-inf"};
 
 // Centres of random small subsets hit Voronoi vertices, edges and facets; a mixture of two of them hits
 // hardly anything.
@@ -136,7 +132,7 @@ Point random_start(const PointSet& set, rc::Random& random) {
     for (std::size_t k = 0; k < size; ++k) simplex.push_back(set.points[next(set.points.size())]);
     return circumcentre(spanning_subset(simplex))->center;
   };
-  const Point a = centre();
+  Point a = centre();
   if (next(2) == 0) return a;
   const Point b = centre();
   const Rational weight(static_cast<long>(next(7)), 3);
@@ -146,7 +142,7 @@ Point random_start(const PointSet& set, rc::Random& random) {
 }
 
 void expect_segment_keeps_its_promises(const PointSet& set, const FlowSegment& segment) {
-  EXPECT_TRUE(kTableOne.contains(type_of(set, segment))) << type_of(set, segment);
+  EXPECT_TRUE(kTableOne.contains(segment_type(set, segment))) << segment_type(set, segment);
   EXPECT_TRUE(std::includes(segment.start_contact.begin(), segment.start_contact.end(),
                             segment.crossed_contact.begin(), segment.crossed_contact.end()));
   if (!segment.end) return;
@@ -185,7 +181,7 @@ TEST(OracleOrbit, EveryOrbitKeepsItsPromises) {
   const PointSet made(kTwoVerticesOnARay);  // V-F-V is too rare to wait for
   for (const FlowSegment& segment : orbit(made, {0, 1, 0}).segments) {
     expect_segment_keeps_its_promises(made, segment);
-    ++seen[type_of(made, segment)];
+    ++seen[segment_type(made, segment)];
   }
   for (const flowcert::fuzz::Family& family : flowcert::fuzz::families()) {
     rc::Random random(7);
@@ -196,7 +192,7 @@ TEST(OracleOrbit, EveryOrbitKeepsItsPromises) {
         const Orbit path = orbit(set, random_start(set, random));
         for (const FlowSegment& segment : path.segments) {
           expect_segment_keeps_its_promises(set, segment);
-          ++seen[type_of(set, segment)];
+          ++seen[segment_type(set, segment)];
         }
         expect_growing_balls(set, path);
         if (!path.limit) {
@@ -239,6 +235,194 @@ TEST(OracleOrbit, IsEquivariant) {
         EXPECT_EQ(a.crossed_contact, b.crossed_contact);
         EXPECT_EQ(a.end_contact, b.end_contact);
       }
+    }
+  }
+}
+
+// The critical point of index 2 with this contact set.
+StationaryPoint saddle_of(const Rows& rows, const std::vector<std::size_t>& contact) {
+  for (const StationaryPoint& point : stationary_points(rows).stationary) {
+    if (point.contact == contact && point.face_dimension == 2) return point;
+  }
+  throw std::logic_error("no such saddle");
+}
+
+TEST(OracleUnstableOrbit, OfATetrahedronsFacetGoesToTheMaximumAndToInfinity) {
+  CITES("FC-FLOW-07", "FC-FLOW-02");
+  const Rows rows = {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}};
+  const PointSet set(rows);
+  const StationaryPoint saddle = saddle_of(rows, {1, 2, 3});
+  // (b - a) x (c - a) = (-1,-1,-1): side 1 is that of the origin.
+  const auto orbits = unstable_orbits(set, saddle);
+  ASSERT_EQ(types_of(set, orbits[1]), (Types{"E-E-V"}));
+  const FlowSegment& inwards = orbits[1].segments[0];
+  EXPECT_EQ(inwards.start, saddle.center);
+  EXPECT_EQ(inwards.driver, saddle.center);
+  EXPECT_EQ(inwards.start_contact, saddle.contact);
+  EXPECT_EQ(inwards.crossed_contact, saddle.contact);
+  EXPECT_EQ(inwards.end_contact, (std::vector<std::size_t>{0, 1, 2, 3}));
+  EXPECT_EQ(*inwards.end, (Point{Rational(1, 2), Rational(1, 2), Rational(1, 2)}));
+  ASSERT_TRUE(orbits[1].limit);
+  EXPECT_EQ(orbits[1].limit->hull_dimension, 3);
+  ASSERT_EQ(types_of(set, orbits[0]), (Types{"E-E-inf"}));
+  EXPECT_FALSE(orbits[0].segments[0].end);
+  EXPECT_TRUE(orbits[0].segments[0].end_contact.empty());
+  EXPECT_FALSE(orbits[0].limit);
+}
+
+TEST(OracleUnstableOrbit, OfCocircularContacts) {
+  CITES("FC-FLOW-07");
+  // The bottom of the unit cube, named in an order that is not that of the circle; side 1 is up.
+  const Rows rows = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+  const PointSet set(rows);
+  const StationaryPoint saddle = saddle_of(rows, {0, 1, 2, 3});
+  const Orbit up = unstable_orbit(set, saddle, 1), down = unstable_orbit(set, saddle, 0);
+  ASSERT_EQ(types_of(set, up), (Types{"E-E-V"}));
+  EXPECT_EQ(up.segments[0].crossed_contact, (std::vector<std::size_t>{0, 1, 2, 3}));
+  ASSERT_TRUE(up.limit);
+  EXPECT_EQ(up.limit->center, (Point{Rational(1, 2), Rational(1, 2), Rational(1, 2)}));
+  EXPECT_EQ(types_of(set, down), (Types{"E-E-inf"}));
+}
+
+TEST(OracleUnstableOrbit, TheOrderOfTheNamesTellsTheSides) {
+  CITES("FC-FLOW-07");
+  // Repeated rows: the classes are 0, 1, 3 and 4, so names are not places.
+  const Rows rows = {{0, 0, 0}, {4, 0, 0}, {0, 0, 0}, {2, 3, 0}, {2, 1, 9}};
+  Rows other = rows;
+  std::swap(other[1], other[3]);
+  const PointSet set(rows), swapped(other);
+  const auto orbits = unstable_orbits(set, saddle_of(rows, {0, 1, 3}));
+  const auto exchanged = unstable_orbits(swapped, saddle_of(other, {0, 1, 3}));
+  ASSERT_TRUE(orbits[1].segments[0].end);
+  EXPECT_GT((*orbits[1].segments[0].end)[2], 0);
+  EXPECT_EQ(orbits[1].segments[0].end_contact, (std::vector<std::size_t>{0, 1, 3, 4}));
+  EXPECT_FALSE(orbits[0].segments[0].end);
+  EXPECT_EQ(exchanged[0].segments[0].end, orbits[1].segments[0].end);
+  EXPECT_FALSE(exchanged[1].segments[0].end);
+}
+
+TEST(OracleUnstableOrbit, OfCoplanarPointsGoesToInfinityBothWays) {
+  CITES("FC-FLOW-07");
+  const Rows rows = {{0, 0, 1}, {4, 0, 1}, {2, 3, 1}, {9, 9, 1}};
+  const PointSet set(rows);
+  for (const Orbit& path : unstable_orbits(set, saddle_of(rows, {0, 1, 2}))) {
+    EXPECT_EQ(types_of(set, path), (Types{"E-E-inf"}));
+    EXPECT_FALSE(path.limit);
+  }
+}
+
+TEST(OracleUnstableOrbit, OnlyOfIndexTwoAndTwoSides) {
+  const Rows rows = {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}};
+  const PointSet set(rows);
+  for (const StationaryPoint& point : stationary_points(rows).stationary) {
+    if (point.hull_dimension == 2) continue;
+    EXPECT_THROW(unstable_orbits(set, point), std::invalid_argument);
+  }
+  EXPECT_THROW(unstable_orbit(set, saddle_of(rows, {1, 2, 3}), 2), std::invalid_argument);
+  EXPECT_THROW(unstable_orbit(set, saddle_of(rows, {1, 2, 3}), -1), std::invalid_argument);
+}
+
+// A point on the first segment is a start like any other, and is driven by the saddle: its orbit is the rest.
+void expect_an_orbit_of_its_points(const PointSet& set, const StationaryPoint& saddle, int side) {
+  const Orbit path = unstable_orbit(set, saddle, side);
+  FlowSegment first = path.segments.front();
+  expect_segment_keeps_its_promises(set, first);
+  Point start = saddle.center;  // and beyond, anywhere before the end
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (first.end) start[axis] += ((*first.end)[axis] - start[axis]) / 3;
+  }
+  if (!first.end) {
+    std::vector<Point> p;
+    for (const std::size_t place : nearest_places(set, saddle.center)) p.push_back(set.points[place]);
+    const Point u = minus(p[1], p[0]), v = minus(p[2], p[0]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t y = (axis + 1) % 3, z = (axis + 2) % 3;
+      start[axis] += (2 * side - 1) * (u[y] * v[z] - u[z] * v[y]);
+    }
+  }
+  const Orbit rest = orbit(set, start);
+  ASSERT_EQ(rest.segments.size(), path.segments.size());
+  first.start = start;
+  for (std::size_t k = 0; k < rest.segments.size(); ++k) {
+    const FlowSegment &a = rest.segments[k], &b = k == 0 ? first : path.segments[k];
+    EXPECT_EQ(a.start, b.start);
+    EXPECT_EQ(a.driver, b.driver);
+    EXPECT_EQ(a.start_contact, b.start_contact);
+    EXPECT_EQ(a.crossed_contact, b.crossed_contact);
+    EXPECT_EQ(a.end, b.end);
+    EXPECT_EQ(a.end_contact, b.end_contact);
+  }
+  EXPECT_EQ(rest.limit, path.limit);
+}
+
+TEST(OracleUnstableOrbit, IsTheOrbitOfThePointsOfItsFirstSegment) {
+  CITES("FC-FLOW-07", "FC-FLOW-01", "FC-FLOW-04", "FC-FLOW-05");
+  std::size_t orbits = 0, to_infinity = 0, long_ones = 0, cocircular = 0;
+  for (const flowcert::fuzz::Family& family : flowcert::fuzz::families()) {
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+      const Rows rows = flowcert::fuzz::draw(family, seed, 12).rows;
+      const PointSet set(rows);
+      for (const StationaryPoint& point : stationary_points(rows).stationary) {
+        if (point.face_dimension != 2 || point.hull_dimension != 2) continue;
+        for (const int side : {0, 1}) {
+          expect_an_orbit_of_its_points(set, point, side);
+          const Orbit path = unstable_orbit(set, point, side);
+          ++orbits;
+          if (!path.limit) ++to_infinity;
+          if (path.segments.size() > 1) ++long_ones;
+          if (point.contact.size() > 3) ++cocircular;
+        }
+      }
+    }
+  }
+  std::printf("%zu orbits, %zu to infinity, %zu of several segments, %zu from cocircular contacts\n", orbits,
+              to_infinity, long_ones, cocircular);
+  EXPECT_GE(to_infinity, 100U);
+  EXPECT_GE(orbits - to_infinity, 100U);
+  EXPECT_GE(long_ones, 100U);
+  EXPECT_GE(cocircular, 50U);
+}
+
+TEST(OraclePosition, NumbersFractionsAndSeparators) {
+  CITES("FC-IN-02", "FC-NUM-02");
+  const Point expected = {Rational(-1, 2), Rational(1, 4), Rational(3)};
+  for (const char* text :
+       {"-1/2,0.25,3", " -2/4  0x1p-2\t,6/2 ", "-.5 , 002/8 +9/3", "-0x.8,25e-2,3.", "-1/2\n1/4\n3"}) {
+    EXPECT_EQ(parse_position(text, ""), expected) << text;
+  }
+  EXPECT_EQ(parse_position("0.1 -0/7 1e-400", ""), (Point{Rational(0.1), 0, 0}));
+  const std::string digits(40000, '7');
+  EXPECT_EQ(parse_position(digits + "0/" + digits + ",0,0", "")[0], Rational(10));
+}
+
+TEST(OraclePosition, WhatIsNone) {
+  CITES("FC-IN-01", "FC-IN-02");
+  const std::pair<const char*, const char*> errors[] = {
+      {"", "three coordinates X,Y,Z expected, found 0"},
+      {"1,2", "three coordinates X,Y,Z expected, found 2"},
+      {"1,2,3,4", "three coordinates X,Y,Z expected, found 4"},
+      {"1,2,3,", "three coordinates X,Y,Z expected, found 4"},
+      {"1,,3", "'' is not a number"},
+      {",1,3", "'' is not a number"},
+      {"1/0,0,0", "'1/0' is not a fraction"},
+      {"0 0 1/-2", "'1/-2' is not a fraction"},
+      {"0 0 +-1/2", "'+-1/2' is not a fraction"},
+      {"1.5/2 0 0", "'1.5/2' is not a fraction"},
+      {"0x1/2 0 0", "'0x1/2' is not a fraction"},
+      {"1/2/3 0 0", "'1/2/3' is not a fraction"},
+      {"/ 0 0", "'/' is not a fraction"},
+      {"0,nan,0", "'nan' is not a finite double"},
+      {"0,-inf,0", "'-inf' is not a finite double"},
+      {"0,1e400,0", "'1e400' is not a finite double"},
+      {"0x1.00000000000001p0,0,0", "'0x1.00000000000001p0' is not exactly a double"},
+      {"0,0,zero", "'zero' is not a number"},
+      {"0,0,1#", "'1#' is not a number"}};
+  for (const auto& [text, message] : errors) {
+    try {
+      parse_position(text, "w: ");
+      ADD_FAILURE() << text;
+    } catch (const UnusableInput& error) {
+      EXPECT_EQ(error.what(), std::string("w: ") + message);
     }
   }
 }
