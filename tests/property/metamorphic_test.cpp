@@ -8,9 +8,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +18,7 @@
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
 #include "tests/property/stationary_comparison.h"
+#include "tests/property/transformed_answers.h"
 
 namespace flowcert::property {
 namespace {
@@ -29,19 +28,6 @@ constexpr int kInputsPerFamily = 100;
 void sort_records(StationaryAnswer& answer) {
   std::sort(answer.records.begin(), answer.records.end(),
             [](const Record& a, const Record& b) { return a.order_key() < b.order_key(); });
-}
-
-// The name that the class of each row of `input` has after the rows were reordered: its smallest new place.
-std::vector<std::size_t> names_after(const fuzz::Input& input, const std::vector<std::size_t>& order) {
-  std::map<fuzz::Row, std::size_t> smallest;  // -0.0 and 0.0 are one key
-  for (std::size_t place = 0; place < order.size(); ++place) {
-    smallest.emplace(input.rows[order[place]], place);
-  }
-  std::vector<std::size_t> names;
-  for (const fuzz::Row& row : input.rows) {
-    names.push_back(smallest.at(row));
-  }
-  return names;
 }
 
 StationaryAnswer renamed(StationaryAnswer answer, const std::vector<std::size_t>& names) {
@@ -63,12 +49,6 @@ StationaryAnswer moved(StationaryAnswer answer,
     record.squared_distance *= squared_factor;
   }
   return answer;
-}
-
-Rational power_of_two(int exponent) {
-  const auto magnitude = static_cast<unsigned>(std::abs(exponent));
-  const Rational power(boost::multiprecision::mpz_int(1) << magnitude);
-  return exponent < 0 ? Rational(1 / power) : power;
 }
 
 void require_same(const StationaryAnswer& transformed_answer, const fuzz::Input& transformed_input) {
@@ -102,13 +82,7 @@ TEST_P(Metamorphic, SignedAxisPermutationMovesCentres) {
   CITES("FC-INV-04");
   expect_for_inputs([](const fuzz::Input& input) {
     const fuzz::AxisMap map = *fuzz::axis_maps().as("axes");
-    const auto move = [&map](const RationalPoint& x) {
-      RationalPoint image;
-      for (std::size_t k = 0; k < 3; ++k) {
-        image[k] = map.sign[k] * x[map.axis[k]];
-      }
-      return image;
-    };
+    const auto move = [&map](const RationalPoint& x) { return image_of(x, map); };
     require_same(moved(fast_answer(input), move, 1), fuzz::mapped(input, map));
   });
 }
@@ -119,9 +93,7 @@ TEST_P(Metamorphic, PowerOfTwoScalesCentres) {
   expect_for_inputs([&](const fuzz::Input& input) {
     const int exponent = *fuzz::exact_scalings(input).as("exponent");
     const Rational factor = power_of_two(exponent);
-    const auto move = [&factor](const RationalPoint& x) {
-      return RationalPoint{x[0] * factor, x[1] * factor, x[2] * factor};
-    };
+    const auto move = [&factor](const RationalPoint& x) { return scaled_by(x, factor); };
     require_same(moved(fast_answer(input), move, factor * factor), fuzz::scaled(input, exponent).value());
     other_than_identity += exponent != 0 ? 1 : 0;
   });
@@ -133,10 +105,7 @@ TEST_P(Metamorphic, ExactTranslationMovesCentres) {
   int other_than_identity = 0;
   expect_for_inputs([&](const fuzz::Input& input) {
     const fuzz::Row offset = *fuzz::exact_translations(input).as("offset");
-    const auto move = [&offset](const RationalPoint& x) {
-      return RationalPoint{x[0] + Rational(offset[0]), x[1] + Rational(offset[1]),
-                           x[2] + Rational(offset[2])};
-    };
+    const auto move = [&offset](const RationalPoint& x) { return translated_by(x, offset); };
     require_same(moved(fast_answer(input), move, 1), fuzz::translated(input, offset).value());
     other_than_identity += offset != fuzz::Row{0, 0, 0} ? 1 : 0;
   });

@@ -27,9 +27,10 @@ inline double scale_of_run() {
   return text == nullptr ? 1.0 : std::max(0.0, std::strtod(text, nullptr));
 }
 
-// Sizes 0 to 100, so often.
-inline rc::detail::TestParams parameters_of_run(int inputs) {
+// Sizes 0 to 100, so often. Shrinking a large input takes longer than anybody waits.
+inline rc::detail::TestParams parameters_of_run(int inputs, bool shrinks = true) {
   rc::detail::TestParams parameters;
+  parameters.disableShrinking = !shrinks;
   parameters.seed = seed_of_run();
   parameters.maxSuccess = std::max(1, static_cast<int>(inputs * scale_of_run()));
   return parameters;

@@ -1,0 +1,68 @@
+// Starts of orbits for an input, most of them placed exactly where an orbit can go wrong: on Voronoi
+// vertices, edges and facets, on drivers and stationary points, in the plane of some of the points.
+//
+// Guarantees: a start is a function of the point set and a choice, and a choice is drawn without looking at
+// the input, so both shrink, alone or together: a choice towards small numbers of the first kind. That a
+// start is where its kind says is tried for, with the oracle's geometry alone, not promised (three points
+// need not have a Voronoi edge); StartCensus counts how often it is.
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iosfwd>
+#include <vector>
+
+#include "oracle/stationary_points.h"
+
+namespace flowcert::property {
+
+enum class StartKind : std::uint8_t {
+  kNearby,      // a point of the input, plus a small rational offset
+  kBox,         // in the bounding box
+  kVertex,      // on a Voronoi vertex
+  kEdge,        // inside a Voronoi edge
+  kFacet,       // inside a Voronoi facet
+  kDriver,      // the centre of two or three points
+  kInputPoint,  // a point of the input
+  kPlane,       // in the plane of three points, or straight above a point of it
+  kSegment,     // between a point of the input and a midpoint
+  kAimed,       // across a facet or through a cell, straight at a Voronoi vertex
+};
+inline constexpr std::size_t kStartKindCount = 10;
+inline constexpr std::array<const char*, kStartKindCount> kStartKindNames = {
+    "nearby", "box", "vertex", "edge", "facet", "driver", "input-point", "plane", "segment", "aimed"};
+
+struct StartChoice {
+  StartKind kind = StartKind::kNearby;
+  std::vector<std::uint32_t> numbers;
+};
+std::ostream& operator<<(std::ostream& out, const StartChoice& choice);
+
+rc::Gen<StartChoice> start_choice();
+// So many; does not shrink their number.
+rc::Gen<std::vector<StartChoice>> start_choices(std::size_t count);
+
+// The point set must not be empty.
+oracle::Point start_of(const oracle::PointSet& set, const StartChoice& choice);
+
+// Starts by kind and by the Voronoi face that they are in.
+class StartCensus {
+ public:
+  void add(const oracle::PointSet& set, StartKind kind, const oracle::Point& start);
+
+  // Of all starts, or of those of a kind, the percentage whose face has this letter ('V', 'E', 'F', 'C').
+  [[nodiscard]] int percent(char letter) const;
+  [[nodiscard]] int percent(StartKind kind, char letter) const;
+  // A row for each kind.
+  void print() const;
+
+ private:
+  using Row = std::array<std::size_t, 4>;  // by the dimension of the contact set
+
+  std::array<Row, kStartKindCount> seen_{};
+};
+
+}  // namespace flowcert::property
