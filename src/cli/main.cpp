@@ -56,6 +56,7 @@ int run(int argc, char** argv) {
   int status = kRight;
   add_compute_command(app, status);
   add_explain_command(app, status);
+  add_orbit_command(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,41 +1,14 @@
 // See flowcert/write_stationary_points.h.
 #include "flowcert/write_stationary_points.h"
 
-#include "io/json_fields.h"
+#include "io/stationary_records.h"
 
 namespace flowcert {
-
-namespace {
-
-constexpr std::size_t kProgressStep = 1024;
-
-Json record(const PointSet& points, const StationaryPoints& stationary, std::size_t i) {
-  const ExactSphere sphere = exact_sphere(points, stationary.contact(i));
-  const StationaryIndex index = stationary.index(i);
-  return {{"index", index_field(index)},
-          {"kind", index.is_critical() ? "critical" : "regular"},
-          {"contact", stationary.contact(i)},
-          {"center", center_field(sphere.center)},
-          {"squared_distance", to_text(sphere.squared_radius)},
-          {"center_double", Json::array({double_field(sphere.center[0]), double_field(sphere.center[1]),
-                                         double_field(sphere.center[2])})},
-          {"squared_distance_double", double_field(sphere.squared_radius)}};
-}
-
-}  // namespace
 
 void write_stationary_points(std::ostream& out, const PointSet& points, const StationaryPoints& stationary,
                              const std::string& input_sha256,
                              const std::function<void(std::size_t, std::size_t)>& progress) {
-  Json header = header_fields("flowcert-stationary-points", 1, input_sha256);
-  add_counts(header, points, stationary);
-  header["classes"] = points.repeated_classes();
-  out << header.dump() << '\n';
-  for (std::size_t i = 0; i < stationary.size() && out; ++i) {
-    out << record(points, stationary, i).dump() << '\n';
-    if (progress && (i + 1) % kProgressStep == 0) progress(i + 1, stationary.size());
-  }
-  if (progress) progress(stationary.size(), stationary.size());
+  write_stationary_records(out, points, stationary, input_sha256, {}, progress);
 }
 
 }  // namespace flowcert

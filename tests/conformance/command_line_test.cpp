@@ -58,7 +58,8 @@ TEST(CommandLine, WrongUsageIsStatus2AndOneLine) {
 }
 
 TEST(CommandLine, HelpHasAnExample) {
-  for (const Words& usage : {Words{"--help"}, Words{"compute", "--help"}, Words{"explain", "--help"}}) {
+  for (const Words& usage :
+       {Words{"--help"}, Words{"compute", "--help"}, Words{"explain", "--help"}, Words{"orbit", "--help"}}) {
     const Finished finished = flowcert(usage);
     EXPECT_EQ(finished.status, 0);
     EXPECT_EQ(finished.err, "");
@@ -109,6 +110,7 @@ TEST(CommandLine, UnusableInputIsOneLineThatNamesTheLine) {
     expect_error(flowcert({"compute", input, "-o", scratch.path("out.jsonl")}), pattern);
     expect_error(flowcert({"compute", input, "--json"}), pattern);
     expect_error(flowcert({"explain", input, "--ids", "0"}), pattern);
+    expect_error(flowcert({"orbit", input, "--from", "0,0,0"}), pattern);
     EXPECT_EQ(scratch.names(), Names{bad.name});
   }
 }
@@ -195,6 +197,9 @@ TEST(CommandLine, AFullStandardOutputIsStatus2) {
                           {"compute", input, "-o", "/dev/stdout"},
                           {"explain", input, "--ids", "0,1"},
                           {"explain", input, "--ids", "0,1,2", "--json"},
+                          {"orbit", input, "--from", "1,1,1"},
+                          {"orbit", input, "--from", "1,1,1", "--json"},
+                          {"compute", input, "--manifolds", "u2", "--stats"},
                           {"--help"},
                           {"compute", "--help"},
                           {"--version"}};

@@ -1,0 +1,43 @@
+// What `flowcert compute` computes, with its times.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "flowcert/unstable_manifolds.h"
+
+namespace flowcert {
+
+// The order of the members is that of their making: each refers to those before it.
+struct ComputeRun {
+  ComputeRun(const PointSet& points, const Delaunay::Progress& progress) : delaunay(points, progress) {}
+
+  Delaunay delaunay;
+  StationaryPoints stationary;
+  FilterTally tally;
+  std::optional<UnstableManifolds> u2;  // where wanted
+};
+
+// Of a time to that of the triangulation.
+struct DelaunayRatios {
+  double critical = 0;
+  double u2 = 0;
+  double all = 0;
+};
+
+struct Measured {
+  std::unique_ptr<ComputeRun> last;
+  unsigned runs = 0;
+  double delaunay_seconds = 0;  // medians
+  double critical_seconds = 0;
+  double u2_seconds = 0;
+  // None for fewer than 4 points, or no measurable time.
+  std::optional<DelaunayRatios> ratios;
+};
+
+// As often as `runs` says: triangulation, critical points and, if u2 says how, U2 in turn, so that all see
+// the same machine.
+[[nodiscard]] Measured measure(const PointSet& points, unsigned runs,
+                               const std::optional<UnstableOptions>& u2);
+
+}  // namespace flowcert

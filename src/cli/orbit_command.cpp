@@ -1,0 +1,137 @@
+// `flowcert orbit`: where the flow takes a position, segment by segment, as a table for people or as one JSON
+// object with everything exact (spec/formats.md, section 4).
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+
+#include "cli/command.h"
+#include "cli/flow_options.h"
+#include "cli/progress_line.h"
+#include "cli/table.h"
+#include "flowcert/orbit.h"
+#include "io/orbit_fields.h"
+#include "io/rational_text.h"
+
+namespace flowcert {
+
+namespace {
+
+struct OrbitOptions {
+  std::string input;
+  std::string start;
+  bool json = false;
+  FlowChoice flow;
+};
+
+// Longer exact numbers are shown as doubles.
+constexpr std::size_t kShort = 12;
+
+std::string short_text(const Rational& value) {
+  std::string text = to_text(value);
+  if (text.size() <= kShort) return text;
+  if (const std::optional<double> nearest = nearest_double(value)) return fmt::format("{:.9g}", *nearest);
+  return value > 0 ? "> 1.8e308" : "< -1.8e308";
+}
+
+std::string point_text(const RationalPoint& p) {
+  return fmt::format("{}, {}, {}", short_text(p[0]), short_text(p[1]), short_text(p[2]));
+}
+
+std::string kind_text(StationaryIndex index) {
+  if (!index.is_critical()) {
+    return fmt::format("a regular stationary point of kind {}-{}", index.face_dimension,
+                       index.hull_dimension);
+  }
+  constexpr const char* kNames[] = {"a minimum", "a saddle", "a saddle", "a maximum"};
+  return fmt::format("{} (critical point of index {})", kNames[index.face_dimension], index.face_dimension);
+}
+
+std::string limit_text(const PointSet& points, const StationaryLimit& limit) {
+  return fmt::format("{}, contact set {}, squared distance {}", kind_text(limit.index),
+                     fmt::join(limit.contact, " "),
+                     short_text(exact_sphere(points, limit.contact).squared_radius));
+}
+
+void print_segments(const Orbit& orbit) {
+  std::vector<std::vector<std::string>> rows = {{"", "type", "driver", "end", "contact set of the end"}};
+  for (const FlowSegment& segment : orbit.segments) {
+    rows.push_back({fmt::format("{}", rows.size()), type_text(segment.type), point_text(segment.driver),
+                    segment.end ? point_text(*segment.end) : "infinity",
+                    fmt::format("{}", fmt::join(segment.end_contact, " "))});
+  }
+  print_columns(rows, "rllll");
+}
+
+// The type of the step from a stationary start, "V-V-V", is asked of the flow.
+void print_text(const Orbit& orbit, Flow& flow, const PointSet& points) {
+  fmt::print("orbit from {}\n", point_text(orbit.start));
+  if (orbit.segments.empty()) {
+    fmt::print("stays: {}, {}\n", type_text(flow.step(orbit.start).type), limit_text(points, *orbit.limit));
+    return;
+  }
+  print_segments(orbit);
+  fmt::print("{}\n", orbit.limit ? "ends at " + limit_text(points, *orbit.limit) : "goes to infinity");
+}
+
+void print_json(const Orbit& orbit, const Input& input) {
+  Json json = header_fields("flowcert-orbit", 1, input.sha256);
+  json["start"] = center_field(orbit.start);
+  Json& segments = json["segments"] = Json::array();
+  for (const FlowSegment& segment : orbit.segments) {
+    segments.push_back(segment_with_contacts_field(segment));
+  }
+  json["limit"] = limit_field(input.points, orbit.limit);
+  fmt::print("{}\n", json.dump());
+}
+
+RationalPoint parse_start(const std::string& text) {
+  try {
+    return parse_rational_point(text);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format("--from: {}", error.what()));
+  }
+}
+
+Delaunay triangulation(const PointSet& points) {
+  ProgressLine progress("Delaunay triangulation");
+  return Delaunay(points, std::ref(progress));
+}
+
+void print_orbit(const OrbitOptions& options) {
+  const RationalPoint start = parse_start(options.start);
+  const Input input = read_input(options.input);
+  if (input.points.empty()) {
+    throw InvalidInput(fmt::format("{}: there are no points", display_name(options.input)));
+  }
+  const Delaunay delaunay = triangulation(input.points);
+  Flow flow(delaunay, options.flow.options());
+  const Orbit orbit = flow.orbit(start);
+  if (options.json) {
+    print_json(orbit, input);
+  } else {
+    print_text(orbit, flow, input.points);
+  }
+}
+
+}  // namespace
+
+void add_orbit_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<OrbitOptions>();
+  CLI::App* command = app.add_subcommand("orbit", "Where the flow takes a position, segment by segment");
+  command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
+  command
+      ->add_option("--from", options->start,
+                   "The position X,Y,Z: decimals (the nearest doubles), hex floats or fractions p/q (exact)")
+      ->required();
+  command->add_flag("--json", options->json,
+                    "Print one JSON object, all exact; the table rounds long numbers");
+  add_flow_options(*command, options->flow);
+  command->footer("Example:\n  flowcert orbit bunny.obj --from -1/2,0.25,0x1p-3");
+  command->callback([options, &status] {
+    print_orbit(*options);
+    status = kRight;
+  });
+}
+
+}  // namespace flowcert

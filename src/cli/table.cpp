@@ -1,0 +1,33 @@
+// See table.h.
+#include "cli/table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace flowcert {
+
+void print_row(const std::string& name, const std::string& value, const std::string& remark) {
+  fmt::print("{:<34}{:>14}{}{}\n", name, value, remark.empty() ? "" : "   ", remark);
+}
+
+void print_columns(const std::vector<std::vector<std::string>>& rows, std::string_view alignment) {
+  std::vector<std::size_t> width(alignment.size(), 0);
+  for (const auto& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
+  }
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      line += alignment[k] == 'r' ? fmt::format("  {:>{}}", row[k], width[k])
+                                  : fmt::format("  {:<{}}", row[k], width[k]);
+    }
+    fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+  }
+}
+
+std::string seconds_text(double seconds) {
+  return seconds < 1 ? fmt::format("{:.1f} ms", 1e3 * seconds) : fmt::format("{:.2f} s", seconds);
+}
+
+}  // namespace flowcert

@@ -1,0 +1,186 @@
+// See u2_report.h.
+#include "cli/u2_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <string_view>
+
+#include "cli/command.h"
+#include "cli/table.h"
+#include "flowcert/orbit.h"
+
+namespace flowcert {
+
+namespace {
+
+using SegmentType = std::array<char, 3>;
+using TypeCount = std::pair<SegmentType, std::size_t>;
+using Cells = std::vector<std::string>;
+
+// Those of the paper's Table 1 that unstable manifolds are made of, marked [x] there.
+constexpr std::array<SegmentType, 11> kTypes = {{{'V', 'V', 'V'},
+                                                 {'V', 'E', 'V'},
+                                                 {'V', 'E', 0},
+                                                 {'V', 'F', 'V'},
+                                                 {'V', 'F', 'E'},
+                                                 {'V', 'F', 0},
+                                                 {'E', 'E', 'V'},
+                                                 {'E', 'E', 0},
+                                                 {'E', 'F', 'V'},
+                                                 {'E', 'F', 'E'},
+                                                 {'E', 'F', 0}}};
+constexpr std::string_view kFaces = "VEFC";
+
+// Zeros too; behind them whatever else came.
+std::vector<TypeCount> full_census(const FlowStatistics& statistics) {
+  std::vector<TypeCount> census;
+  for (const SegmentType& type : kTypes) {
+    const auto found = statistics.census.find(type);
+    census.emplace_back(type, found == statistics.census.end() ? 0 : found->second);
+  }
+  for (const auto& [type, count] : statistics.census) {
+    if (std::find(kTypes.begin(), kTypes.end(), type) == kTypes.end()) census.emplace_back(type, count);
+  }
+  return census;
+}
+
+// How many numbers have at least 2^k bytes, and fewer than twice that; by 2^k, the empty ranges in between
+// too.
+std::vector<std::pair<std::size_t, std::size_t>> byte_histogram(const Distribution& bytes) {
+  std::map<std::size_t, std::size_t> ranges;
+  for (const auto& [value, times] : bytes.times()) ranges[std::bit_floor(value)] += times;
+  std::vector<std::pair<std::size_t, std::size_t>> histogram;
+  for (const auto& [from, count] : ranges) {
+    while (!histogram.empty() && histogram.back().first > 0 && histogram.back().first * 2 < from) {
+      histogram.emplace_back(histogram.back().first * 2, 0);
+    }
+    histogram.emplace_back(from, count);
+  }
+  return histogram;
+}
+
+Json distribution_field(const Distribution& distribution) {
+  return {{"count", distribution.count()}, {"mean", distribution.mean()},
+          {"max", distribution.max()},     {"stddev", distribution.standard_deviation()},
+          {"mode", distribution.mode()},   {"median", distribution.median()}};
+}
+
+void add_statistics(Json& object, const FlowStatistics& statistics) {
+  object["n_u2"] = distribution_field(statistics.n_u2);
+  object["n_wcc"] = distribution_field(statistics.n_wcc);
+  Json& census = object["census"] = Json::object();
+  for (const auto& [type, count] : full_census(statistics)) census[type_text(type)] = count;
+  Json& primitives = object["primitives"] = Json::object();
+  for (std::size_t k = 0; k < kFlowPrimitiveCount; ++k) {
+    const FilterCount& count = statistics.tally.counts[k];
+    primitives[kFlowPrimitiveNames[k]] = {{"calls", count.calls}, {"failures", count.failures}};
+  }
+  const Distribution& bytes = statistics.exact_bytes;
+  Json& sizes = object["exact_bytes"] = {
+      {"count", bytes.count()}, {"mean", bytes.mean()}, {"max", bytes.max()}, {"histogram", Json::array()}};
+  for (const auto& [from, count] : byte_histogram(bytes)) {
+    sizes["histogram"].push_back(Json::array({from, count}));
+  }
+  object["depth"] = statistics.depth;
+}
+
+Cells distribution_cells(const std::string& name, const Distribution& distribution) {
+  return {name,
+          with_commas(distribution.count()),
+          fmt::format("{:.2f}", distribution.mean()),
+          with_commas(distribution.max()),
+          fmt::format("{:.2f}", distribution.standard_deviation()),
+          with_commas(distribution.mode()),
+          fmt::format("{:g}", distribution.median())};
+}
+
+void print_lengths(const FlowStatistics& statistics) {
+  fmt::print("\nlengths in flow segments (paper, Table 3)\n");
+  print_columns({{"", "count", "mean", "max", "stddev", "mode", "median"},
+                 distribution_cells("n_U2, orbits", statistics.n_u2),
+                 distribution_cells("n_WCC, cascades", statistics.n_wcc)},
+                "lrrrrrr");
+}
+
+// A line for each type that starts in this face, under the face that it crosses; two cells a type.
+void add_census_lines(std::vector<Cells>& lines, const std::vector<TypeCount>& census, char start) {
+  std::array<std::vector<TypeCount>, kFaces.size()> by_crossed;
+  for (const TypeCount& entry : census) {
+    if (entry.first[0] == start) by_crossed[kFaces.find(entry.first[1])].push_back(entry);
+  }
+  std::size_t height = 0;
+  for (const auto& entries : by_crossed) height = std::max(height, entries.size());
+  for (std::size_t k = 0; k < height; ++k) {
+    Cells& line = lines.emplace_back(Cells{k == 0 ? std::string(1, start) : ""});
+    for (const auto& entries : by_crossed) {
+      line.push_back(k < entries.size() ? type_text(entries[k].first) : "");
+      line.push_back(k < entries.size() ? with_commas(entries[k].second) : "");
+    }
+  }
+}
+
+void print_census(const FlowStatistics& statistics) {
+  fmt::print("\nflow segments by the Voronoi faces where they start, cross, end (paper, Table 1)\n");
+  const std::vector<TypeCount> census = full_census(statistics);
+  std::vector<Cells> lines = {{"start", "cross V", "", "cross E", "", "cross F"}};
+  for (const char start : kFaces) add_census_lines(lines, census, start);
+  print_columns(lines, "llrlrlrlr");
+}
+
+void print_primitives(const FlowStatistics& statistics) {
+  fmt::print("\nfilter failures of predicates and constructions (paper, Table 4)\n");
+  std::vector<Cells> lines = {{"", "failures", "calls"}};
+  for (std::size_t k = 0; k < kFlowPrimitiveCount; ++k) {
+    const FilterCount& count = statistics.tally.counts[k];
+    lines.push_back({kFlowPrimitiveNames[k], with_commas(count.failures), with_commas(count.calls)});
+  }
+  print_columns(lines, "lrr");
+}
+
+void print_exact_numbers(const FlowStatistics& statistics) {
+  const Distribution& bytes = statistics.exact_bytes;
+  fmt::print("\nbytes of exact coordinates (paper, Figure 12): mean {:.1f}, at most {}\n", bytes.mean(),
+             with_commas(bytes.max()));
+  std::vector<Cells> lines = {{"from", "numbers"}};
+  for (const auto& [from, count] : byte_histogram(bytes)) {
+    lines.push_back({with_commas(from), with_commas(count)});
+  }
+  print_columns(lines, "rr");
+}
+
+}  // namespace
+
+void print_u2_rows(const FlowStatistics& statistics) {
+  print_row("orbits", with_commas(statistics.n_u2.count()), "two from each critical point of index 2");
+  print_row("orbits to critical points", with_commas(statistics.to_critical));
+  print_row("orbits to regular points", with_commas(statistics.to_regular),
+            "where critical points of two indices collide");
+  print_row("orbits to infinity", with_commas(statistics.to_infinity));
+  print_row("flow segments computed", with_commas(statistics.segments_computed));
+}
+
+void print_u2_statistics(const FlowStatistics& statistics) {
+  print_lengths(statistics);
+  print_census(statistics);
+  print_primitives(statistics);
+  print_exact_numbers(statistics);
+  fmt::print("\ndeepest construction (paper, Table 5): {}\n", with_commas(statistics.depth));
+}
+
+Json u2_field(const U2Choice& choice, const FlowStatistics& statistics) {
+  Json object = {{"kernel", choice.flow.kernel},
+                 {"search", choice.flow.search},
+                 {"sharing", !choice.alone},
+                 {"orbits", statistics.n_u2.count()},
+                 {"to_critical", statistics.to_critical},
+                 {"to_regular", statistics.to_regular},
+                 {"to_infinity", statistics.to_infinity},
+                 {"segments_computed", statistics.segments_computed}};
+  if (choice.with_statistics) add_statistics(object, statistics);
+  return object;
+}
+
+}  // namespace flowcert
