@@ -63,9 +63,14 @@ std::vector<std::pair<std::size_t, std::size_t>> byte_histogram(const Distributi
 }
 
 Json distribution_field(const Distribution& distribution) {
-  return {{"count", distribution.count()}, {"mean", distribution.mean()},
-          {"max", distribution.max()},     {"stddev", distribution.standard_deviation()},
-          {"mode", distribution.mode()},   {"median", distribution.median()}};
+  Json field = {{"count", distribution.count()}, {"mean", distribution.mean()},
+                {"max", distribution.max()},     {"stddev", distribution.standard_deviation()},
+                {"mode", distribution.mode()},   {"median", distribution.median()},
+                {"histogram", Json::array()}};
+  for (const auto& [value, times] : distribution.times()) {
+    field["histogram"].push_back(Json::array({value, times}));
+  }
+  return field;
 }
 
 void add_statistics(Json& object, const FlowStatistics& statistics) {

@@ -120,7 +120,7 @@ TEST(UnstableSummary, HasTheKeysOfTheFormatInTheirOrder) {
     all.push_back(key);
   EXPECT_EQ(keys_of(u2), all);
   for (const char* key : {"n_u2", "n_wcc"}) {
-    EXPECT_EQ(keys_of(u2[key]), (Words{"count", "mean", "max", "stddev", "mode", "median"}));
+    EXPECT_EQ(keys_of(u2[key]), (Words{"count", "mean", "max", "stddev", "mode", "median", "histogram"}));
   }
   EXPECT_EQ(keys_of(u2["census"]), (Words{"V-V-V", "V-E-V", "V-E-inf", "V-F-V", "V-F-E", "V-F-inf", "E-E-V",
                                           "E-E-inf", "E-F-V", "E-F-E", "E-F-inf"}));
@@ -141,9 +141,10 @@ TEST(UnstableSummary, TheKnownOrbitsOfTheCube) {
   EXPECT_EQ(u2["to_critical"], 6);
   EXPECT_EQ(u2["to_regular"], 0);
   EXPECT_EQ(u2["to_infinity"], 6);
-  EXPECT_EQ(u2["n_u2"],
-            ordered_json::parse(
-                R"({"count": 12, "mean": 1.0, "max": 1, "stddev": 0.0, "mode": 1, "median": 1.0})"));
+  EXPECT_EQ(
+      u2["n_u2"],
+      ordered_json::parse(
+          R"({"count": 12, "mean": 1.0, "max": 1, "stddev": 0.0, "mode": 1, "median": 1.0, "histogram": [[1, 12]]})"));
   EXPECT_EQ(u2["n_wcc"]["count"], 0);
   for (const auto& [type, count] : u2["census"].items()) {
     EXPECT_EQ(count, type == "E-E-V" || type == "E-E-inf" ? 6 : 0) << type;
@@ -412,6 +413,9 @@ void expect_distribution(const ordered_json& claimed, std::vector<std::size_t> v
     squares += (static_cast<double>(value) - mean) * (static_cast<double>(value) - mean);
     ++times[value];
   }
+  ordered_json histogram = ordered_json::array();
+  for (const auto& [value, count] : times) histogram.push_back({value, count});
+  EXPECT_EQ(claimed["histogram"], histogram);
   const auto mode = std::max_element(times.begin(), times.end(),
                                      [](const auto& a, const auto& b) { return a.second < b.second; });
   const std::size_t low = values[(values.size() - 1) / 2], high = values[values.size() / 2];
