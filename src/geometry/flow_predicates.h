@@ -52,7 +52,7 @@ template <class Kernel>
                                 const Point& p1, const typename Kernel::Point& b,
                                 const typename Kernel::Point& c) {
   return kernel.decide(FlowPrimitive::kAroundStart, [&](const auto& in) {
-    const auto start = in(x);
+    const auto& start = in(x);
     return dot(cross(in(b)-start, in(c)-start), in(p1)-in(p0));
   });
 }
@@ -71,7 +71,7 @@ template <class Kernel>
 [[nodiscard]] Sign beyond_start(Kernel& kernel, const typename Kernel::Point& x, const Point& p0,
                                 const Point& p1, const typename Kernel::Point& c) {
   return kernel.decide(FlowPrimitive::kAroundStart, [&](const auto& in) {
-    const auto start = in(x);
+    const auto& start = in(x);
     return dot(from_midpoint(start, in(p0), in(p1)), in(c)-start);
   });
 }

@@ -2,7 +2,7 @@
 #include "morse/record_finder.h"
 
 #include <algorithm>
-#include <ranges>
+#include <utility>
 
 namespace flowcert {
 
@@ -13,32 +13,41 @@ auto list_order(StationaryIndex index) {
   return std::pair(!index.is_critical(), std::pair(index.face_dimension, index.hull_dimension));
 }
 
+// The first place from `low` on at which a property holds that holds from some place on; `high` if nowhere.
+template <class Property>
+std::size_t first_place(std::size_t low, std::size_t high, const Property& holds) {
+  while (low < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (holds(middle)) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
+  }
+  return low;
+}
+
 }  // namespace
 
+// By binary search over the places themselves; libstdc++'s ranges of integers do not compile with clang 14.
 std::pair<std::size_t, std::size_t> RecordFinder::range(StationaryIndex index) const {
-  const auto records = std::views::iota(std::size_t{0}, list_.size());
+  const auto wanted = list_order(index);
   const auto key = [this](std::size_t record) { return list_order(list_.index(record)); };
-  const auto found = std::ranges::equal_range(records, list_order(index), {}, key);
-  if (found.empty()) return {0, 0};
-  return {found.front(), found.back() + 1};
+  const std::size_t first =
+      first_place(0, list_.size(), [&](std::size_t record) { return key(record) >= wanted; });
+  const std::size_t last =
+      first_place(first, list_.size(), [&](std::size_t record) { return key(record) > wanted; });
+  return {first, last};
 }
 
 std::optional<std::size_t> RecordFinder::find(StationaryIndex index, std::span<const PointId> contact) const {
-  auto [low, high] = range(index);
-  const auto is_before = [](std::span<const PointId> a, std::span<const PointId> b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-  };
-  while (low < high) {
-    const std::size_t middle = low + (high - low) / 2;
-    if (is_before(list_.contact(middle), contact)) {
-      low = middle + 1;
-    } else if (is_before(contact, list_.contact(middle))) {
-      high = middle;
-    } else {
-      return middle;
-    }
-  }
-  return std::nullopt;
+  const auto [first, last] = range(index);
+  const std::size_t found = first_place(first, last, [&](std::size_t record) {
+    const auto there = list_.contact(record);
+    return !std::lexicographical_compare(there.begin(), there.end(), contact.begin(), contact.end());
+  });
+  if (found == last || !std::ranges::equal(list_.contact(found), contact)) return std::nullopt;
+  return found;
 }
 
 }  // namespace flowcert

@@ -139,7 +139,8 @@ TEST(RecordFinder, FindsEachRecordAndNoOther) {
   }
   const std::array<PointId, 3> nothing{0, 7, 8};
   EXPECT_EQ(finder.find({2, 2}, nothing), std::nullopt);
-  EXPECT_EQ(finder.range({1, 3}), (std::pair<std::size_t, std::size_t>{0, 0}));
+  const auto [first, last] = finder.range({1, 3});
+  EXPECT_EQ(first, last);
 }
 
 }  // namespace
