@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The time of the unstable manifolds U2 of all index-2 points against CGAL's Delaunay triangulation, with orbits that share what follows a
-# common Voronoi vertex and with each alone, as the paper computed them; one run each, one thread. The inputs: kitten.xyz of Debian's
+# common Voronoi vertex and with each alone, as the paper computed them; medians of five interleaved runs, one thread. The inputs: kitten.xyz of Debian's
 # libcgal-demo, the Stanford bunny of glmark2-data, and from a folder, if one is given, kitten.xyz and dragon_res3.xyz.
 # usage: orbits.sh PROGRAM [FOLDER]
 set -euo pipefail
@@ -28,7 +28,7 @@ done
 
 # Points, seconds of the triangulation, multiple of it for U2, mean and max of n_U2.
 figures() {
-  "$program" compute --manifolds u2 --stats --json "$@" | tr ',{}' '\n' | awk -F: '
+  "$program" compute --manifolds u2 --stats --json --runs 5 "$@" | tr ',{}' '\n' | awk -F: '
     { gsub(/["\[\] ]/, "", $1); gsub(/["\]\[ ]/, "", $2) }
     $2 == "" { part = $1 }
     $1 == "points" { points = $2 }
