@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The time of the unstable manifolds U2 of all index-2 points against CGAL's Delaunay triangulation, with orbits that share what follows a
-# common Voronoi vertex and with each alone, as the paper computed them; medians of five interleaved runs, one thread. The inputs: kitten.xyz of Debian's
+# common Voronoi vertex and with each alone, as the paper computed them; medians of five runs of each, in turn, one thread. The inputs: kitten.xyz of Debian's
 # libcgal-demo, the Stanford bunny of glmark2-data, and from a folder, if one is given, kitten.xyz and dragon_res3.xyz.
 # usage: orbits.sh PROGRAM [FOLDER]
 set -euo pipefail
@@ -26,29 +26,35 @@ for input in "$(kitten)" "${folder:+$folder/dragon_res3.xyz}" /usr/share/glmark2
   if [ -n "$input" ] && [ -f "$input" ]; then inputs+=("$input"); fi
 done
 
-# Points, seconds of the triangulation, multiple of it for U2, mean and max of n_U2.
+# Points, seconds of the triangulation, seconds of U2, mean and max of n_U2, of one run.
 figures() {
-  "$program" compute --manifolds u2 --stats --json --runs 5 "$@" | tr ',{}' '\n' | awk -F: '
+  "$program" compute --manifolds u2 --stats --json "$@" | tr ',{}' '\n' | awk -F: '
     { gsub(/["\[\] ]/, "", $1); gsub(/["\]\[ ]/, "", $2) }
     $2 == "" { part = $1 }
     $1 == "points" { points = $2 }
     part == "seconds" && $1 == "delaunay" { delaunay = $2 }
-    part == "ratio_to_delaunay" && $1 == "u2" && $2 != "" { ratio = $2 }
+    part == "seconds" && $1 == "u2" && $2 != "" { u2 = $2 }
     part == "n_u2" && $1 == "mean" { mean = $2 }
     part == "n_u2" && $1 == "max" { max = $2 }
-    END { print points, delaunay, ratio, mean, max }'
+    END { print points, delaunay, u2, mean, max }'
 }
 
 printf '%-18s %8s %14s %14s %14s %13s %10s %9s\n' input points 'Delaunay [ms]' 'U2 shared [x]' 'U2 alone [x]' 'alone/shared' \
   'n_U2 mean' 'n_U2 max'
 for input in "${inputs[@]}"; do
-  with_sharing=$(figures "$input")
-  without=$(figures "$input" --alone)
-  read -r points delaunay shared mean max <<<"$with_sharing"
-  read -r _ _ alone _ <<<"$without"
-  awk -v name="$(basename "$input")" -v points="$points" -v delaunay="$delaunay" -v shared="$shared" -v alone="$alone" \
-    -v mean="$mean" -v max="$max" 'BEGIN {
-      printf "%-18s %8d %14.1f %14.2f %14.2f %13.2f %10.2f %9d\n", name, points, 1000 * delaunay, shared, alone,
-        alone / shared, mean, max
+  for run in 1 2 3 4 5; do
+    echo "shared $(figures "$input")"
+    echo "alone $(figures "$input" --alone)"
+  done | awk -v name="$(basename "$input")" '
+    function median(list, n,    i, j, swap) {
+      for (i = 1; i <= n; i++) for (j = i + 1; j <= n; j++) if (list[j] < list[i]) { swap = list[i]; list[i] = list[j]; list[j] = swap }
+      return (list[int((n + 1) / 2)] + list[int(n / 2) + 1]) / 2
+    }
+    { delaunay[++all] = $3 }
+    $1 == "shared" { shared[++a] = $4 }
+    $1 == "alone" { alone[++b] = $4 }
+    END {
+      d = median(delaunay, all); s = median(shared, a); t = median(alone, b)
+      printf "%-18s %8d %14.1f %14.2f %14.2f %13.2f %10.2f %9d\n", name, $2, 1000 * d, s / d, t / d, t / s, $5, $6
     }'
 done
