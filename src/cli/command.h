@@ -15,6 +15,7 @@ inline constexpr int kUnusable = 2;
 
 // Each adds its subcommand, options and callback; the callback sets the exit status and throws InvalidInput
 // or OutputError.
+void add_check_command(CLI::App& app, int& status);
 void add_compute_command(CLI::App& app, int& status);
 void add_explain_command(CLI::App& app, int& status);
 void add_orbit_command(CLI::App& app, int& status);

@@ -54,6 +54,7 @@ int run(int argc, char** argv) {
       "Example:\n  flowcert compute bunny.obj\n\nExit status: 0 right, 1 a negative verdict, 2 unusable "
       "input or usage.");
   int status = kRight;
+  add_check_command(app, status);
   add_compute_command(app, status);
   add_explain_command(app, status);
   add_orbit_command(app, status);

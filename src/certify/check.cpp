@@ -1,0 +1,112 @@
+// See flowcert/check.h. The order of the levels, and the verdict.
+#include "flowcert/check.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+#include "certify/check_run.h"
+#include "certify/finding_words.h"
+
+namespace flowcert {
+
+namespace {
+
+// Claimed points by the stationary point that they are at, which are in order.
+std::vector<std::pair<std::size_t, std::size_t>> claims_by_record(const CheckRun& run) {
+  std::vector<std::pair<std::size_t, std::size_t>> claims;
+  for (std::size_t k = 0; k < run.placed.size(); ++k) {
+    if (run.placed[k].place) claims.emplace_back(run.placed[k].place->record, k);
+  }
+  std::sort(claims.begin(), claims.end());
+  return claims;
+}
+
+// Levels 2 and 3.
+void check_points(CheckRun& run) {
+  place_points(run);
+  for (std::size_t k = 0; k < run.placed.size(); ++k) {
+    if (run.placed[k].is_well_formed && !run.placed[k].place) check_stray_claim(run, k);
+  }
+  const auto claims = claims_by_record(run);
+  auto next = claims.begin();
+  std::vector<std::size_t> here;
+  for (std::size_t record = 0; record < run.truth.size(); ++record) {
+    here.clear();
+    for (; next != claims.end() && next->first == record; ++next) here.push_back(next->second);
+    if (run.index(record).is_critical()) {
+      ++run.report.true_counts.at(run.index(record).face_dimension);
+      check_claims_at_critical(run, record, here);
+    } else {
+      check_claims_at_regular(run, record, here);
+    }
+  }
+  check_euler_sum(run);
+}
+
+void sort_findings(std::vector<Finding>& findings) {
+  const auto key = [](const Finding& finding) {
+    return std::tuple(finding.level, finding.line.value_or(std::numeric_limits<std::size_t>::max()),
+                      std::tie(finding.contact));
+  };
+  std::stable_sort(findings.begin(), findings.end(),
+                   [&key](const Finding& a, const Finding& b) { return key(a) < key(b); });
+}
+
+void conclude(CheckReport& report, int highest_level) {
+  std::erase_if(report.findings, [&](const Finding& finding) { return finding.level > highest_level; });
+  sort_findings(report.findings);
+  for (const Finding& finding : report.findings) {
+    if (!finding.is_variation) {
+      report.verdict = Verdict::kFails;
+      report.conforms.at(static_cast<std::size_t>(finding.level - 1)) = false;
+    } else if (report.verdict == Verdict::kConforms) {
+      report.verdict = Verdict::kConformsWhereDetermined;
+    }
+  }
+}
+
+}  // namespace
+
+void CheckRun::find(int level, FindingReason reason, const std::string& clause, std::size_t claimed_point,
+                    const std::string& truth_text) {
+  const ClaimedPoint& point = claim.points[claimed_point];
+  report.findings.push_back(
+      {level, reason, false, clause, point.line, point.contact, claim_text(point), truth_text});
+}
+
+void CheckRun::vary(int level, FindingReason reason, const std::string& clause, std::size_t claimed_point,
+                    const std::string& truth_text) {
+  find(level, reason, clause, claimed_point, truth_text);
+  report.findings.back().is_variation = true;
+}
+
+void CheckRun::leave_unjudged(const std::string& what) {
+  if (std::ranges::find(report.not_judged, what) == report.not_judged.end()) {
+    report.not_judged.push_back(what);
+  }
+}
+
+CheckReport check(const PointSet& points, const Claim& claim, Truth& truth, const CheckOptions& options) {
+  if (!(options.tolerance >= 0 && options.tolerance <= 1))
+    throw InvalidInput("the tolerance is not between 0 and 1");
+  CheckRun run(points, claim, truth, options);
+  check_form(run);
+  run.report.conforms[0] = true;
+  if (options.highest_level >= 2) {
+    check_points(run);
+    if (!claim.points.empty()) run.report.conforms[1] = true;
+    if (options.highest_level >= 3) run.report.conforms[2] = true;
+  }
+  if (options.highest_level >= 4 && check_incidences(run)) run.report.conforms[3] = true;
+  if (options.highest_level >= 5 && check_polylines(run)) run.report.conforms[4] = true;
+  conclude(run.report, options.highest_level);
+  return std::move(run.report);
+}
+
+CheckReport check(const PointSet& points, const Claim& claim, const CheckOptions& options) {
+  const std::unique_ptr<Truth> truth = fast_truth(points);
+  return check(points, claim, *truth, options);
+}
+
+}  // namespace flowcert

@@ -1,0 +1,58 @@
+// The truth by the fast implementation (flowcert/check.h).
+#include <optional>
+
+#include "flowcert/check.h"
+#include "flowcert/unstable_manifolds.h"
+#include "morse/record_finder.h"
+
+namespace flowcert {
+
+namespace {
+
+class FastTruth final : public Truth {
+ public:
+  explicit FastTruth(const PointSet& points)
+      : points_(points), delaunay_(points), stationary_(stationary_points(delaunay_)), finder_(stationary_) {}
+
+  [[nodiscard]] std::size_t size() const override { return stationary_.size(); }
+  [[nodiscard]] StationaryIndex index(std::size_t i) const override { return stationary_.index(i); }
+  [[nodiscard]] std::span<const PointId> contact(std::size_t i) const override {
+    return stationary_.contact(i);
+  }
+  [[nodiscard]] ExactSphere sphere(std::size_t i) override {
+    return exact_sphere(points_, stationary_.contact(i));
+  }
+
+  [[nodiscard]] std::array<std::optional<std::size_t>, 2> limits(std::size_t i) override {
+    const std::size_t k = ordinal(i);
+    return {u2_->limit(k, 0), u2_->limit(k, 1)};
+  }
+
+  [[nodiscard]] std::vector<TrueSegment> polyline(std::size_t i, std::size_t side) override {
+    const std::size_t k = ordinal(i);
+    std::vector<TrueSegment> line;
+    for (FlowSegment& segment : u2_->orbit(k, side).segments) {
+      line.push_back({type_text(segment.type), std::move(segment.driver), std::move(segment.end)});
+    }
+    return line;
+  }
+
+ private:
+  // Among the index-2 critical points.
+  std::size_t ordinal(std::size_t i) {
+    if (!u2_) u2_.emplace(delaunay_, stationary_);
+    return i - finder_.range({2, 2}).first;
+  }
+
+  const PointSet& points_;
+  Delaunay delaunay_;
+  StationaryPoints stationary_;
+  RecordFinder finder_;
+  std::optional<UnstableManifolds> u2_;
+};
+
+}  // namespace
+
+std::unique_ptr<Truth> fast_truth(const PointSet& points) { return std::make_unique<FastTruth>(points); }
+
+}  // namespace flowcert

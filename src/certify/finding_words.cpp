@@ -1,0 +1,120 @@
+// See finding_words.h.
+#include "certify/finding_words.h"
+
+#include <array>
+#include <charconv>
+
+namespace flowcert {
+
+namespace {
+
+constexpr std::size_t kNamesShown = 16;
+constexpr std::size_t kDigitsShown = 20;
+
+std::string double_text(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end.ptr};
+}
+
+}  // namespace
+
+const char* verdict_text(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kConforms:
+      return "conforms";
+    case Verdict::kConformsWhereDetermined:
+      return "conforms where determined";
+    case Verdict::kFails:
+      break;
+  }
+  return "fails";
+}
+
+const char* reason_text(FindingReason reason) {
+  switch (reason) {
+    case FindingReason::kMalformed:
+      return "malformed";
+    case FindingReason::kNotCospherical:
+      return "not-cospherical";
+    case FindingReason::kBallNotEmpty:
+      return "ball-not-empty";
+    case FindingReason::kContactIncomplete:
+      return "contact-incomplete";
+    case FindingReason::kOutsideHull:
+      return "outside-hull";
+    case FindingReason::kCollisionAsCritical:
+      return "collision-as-critical";
+    case FindingReason::kWrongIndex:
+      return "wrong-index";
+    case FindingReason::kWrongPosition:
+      return "wrong-position";
+    case FindingReason::kRounding:
+      return "rounding";
+    case FindingReason::kMissing:
+      return "missing";
+    case FindingReason::kMissedByCluster:
+      return "missed-by-cluster";
+    case FindingReason::kClaimedTwice:
+      return "claimed-twice";
+    case FindingReason::kAmbiguous:
+      return "ambiguous";
+    case FindingReason::kWrongCounts:
+      return "wrong-counts";
+    case FindingReason::kWrongIncidence:
+      return "wrong-incidence";
+    case FindingReason::kWrongPolyline:
+      return "wrong-polyline";
+    case FindingReason::kSpanningPart:
+      return "spanning-part";
+    case FindingReason::kSymbolicPerturbation:
+      break;
+  }
+  return "symbolic-perturbation";
+}
+
+std::string names_text(std::span<const PointId> names) {
+  std::string text;
+  for (std::size_t k = 0; k < names.size() && k < kNamesShown; ++k) {
+    text.append(k == 0 ? "" : " ").append(std::to_string(names[k]));
+  }
+  return names.size() <= kNamesShown ? text : text + " ... (" + std::to_string(names.size()) + " points)";
+}
+
+std::string index_text(StationaryIndex index) {
+  std::string text = index.is_critical() ? "critical point of index " : "regular stationary point of kind ";
+  text += std::to_string(index.face_dimension);
+  if (!index.is_critical()) text.append("-").append(std::to_string(index.hull_dimension));
+  return text;
+}
+
+std::string claim_text(const ClaimedPoint& point) {
+  std::string text = point.hull_dimension ? "regular, kind " : "index ";
+  text += std::to_string(point.index);
+  if (point.hull_dimension) text.append("-").append(std::to_string(*point.hull_dimension));
+  if (!point.contact.empty()) text += ", contact set " + names_text(point.contact);
+  if (point.contact.empty() && point.center) text += ", at " + position_text(*point.center);
+  return text;
+}
+
+std::string stationary_text(const Truth& truth, std::size_t record) {
+  return index_text(truth.index(record)) + ", contact set " + names_text(truth.contact(record));
+}
+
+std::string number_text(const Rational& value) {
+  std::string exact = to_text(value);
+  if (exact.size() <= kDigitsShown) return exact;
+  const std::optional<double> nearest = nearest_double(value);
+  if (!nearest) return value > 0 ? "> 1.8e308" : "< -1.8e308";
+  return std::string("~").append(double_text(*nearest));
+}
+
+std::string position_text(const RationalPoint& x) {
+  return number_text(x[0]) + " " + number_text(x[1]) + " " + number_text(x[2]);
+}
+
+std::string position_text(const ClaimedPosition& x) {
+  return position_text(RationalPoint{x[0].value, x[1].value, x[2].value});
+}
+
+}  // namespace flowcert

@@ -1,0 +1,23 @@
+// Findings in words.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "flowcert/check.h"
+
+namespace flowcert {
+
+// "3 17 20"; long ones are cut short.
+[[nodiscard]] std::string names_text(std::span<const PointId> names);
+// "index 2, contact set 3 17 20"
+[[nodiscard]] std::string claim_text(const ClaimedPoint& point);
+// "critical point of index 2, contact set 0 1 2 3"
+[[nodiscard]] std::string stationary_text(const Truth& truth, std::size_t record);
+[[nodiscard]] std::string index_text(StationaryIndex index);
+// Exact where that is short, otherwise rounded and marked with ~.
+[[nodiscard]] std::string number_text(const Rational& value);
+[[nodiscard]] std::string position_text(const RationalPoint& x);
+[[nodiscard]] std::string position_text(const ClaimedPosition& x);
+
+}  // namespace flowcert

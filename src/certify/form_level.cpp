@@ -1,0 +1,144 @@
+// Level 1: whether a claim means something, and is about this input (FC-CLAIM-01).
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "certify/check_run.h"
+#include "certify/finding_words.h"
+
+namespace flowcert {
+
+namespace {
+
+constexpr char kClause[] = "FC-CLAIM-01";
+
+void find_whole(CheckRun& run, FindingReason reason, const std::string& clause, const std::string& claimed,
+                const std::string& truth) {
+  run.report.findings.push_back({1, reason, false, clause, std::nullopt, {}, claimed, truth});
+}
+
+template <std::size_t N>
+std::string counts_text(const std::array<std::size_t, N>& counts) {
+  std::string text;
+  for (const std::size_t count : counts) text.append(text.empty() ? "" : " ").append(std::to_string(count));
+  return text;
+}
+
+void check_input_of_claim(CheckRun& run) {
+  const PointSet& points = run.points;
+  const auto number = [&](const std::optional<std::size_t>& claimed, std::size_t truth, const char* what) {
+    if (!claimed || *claimed == truth) return;
+    find_whole(run, FindingReason::kWrongCounts, "FC-IN-03", std::to_string(*claimed) + " " + what,
+               std::to_string(truth));
+  };
+  number(run.claim.point_count, points.row_count(), "points");
+  number(run.claim.merged_duplicates, points.merged_duplicates(), "merged duplicates");
+  if (run.claim.classes && *run.claim.classes != points.repeated_classes()) {
+    find_whole(run, FindingReason::kMalformed, "FC-IN-03", "other classes of repeated points",
+               std::to_string(points.repeated_classes().size()) + " classes of more than one row");
+  }
+  const auto& digest = run.claim.input_sha256;
+  if (digest && run.options.input_sha256 && *digest != *run.options.input_sha256) {
+    find_whole(run, FindingReason::kMalformed, kClause, "a claim about the input with SHA-256 " + *digest,
+               "the input's is " + *run.options.input_sha256);
+  }
+}
+
+// The counts of the header are those of the list, whether the list is right or wrong.
+void check_counts_of_claim(CheckRun& run) {
+  std::array<std::size_t, 3> regular{};
+  for (const ClaimedPoint& point : run.claim.points) {
+    if (point.hull_dimension) {
+      constexpr std::array<std::pair<int, int>, 3> kKinds = {{{1, 2}, {2, 3}, {1, 3}}};
+      const auto* kind =
+          std::find(kKinds.begin(), kKinds.end(), std::pair(point.index, *point.hull_dimension));
+      if (kind != kKinds.end()) ++regular.at(static_cast<std::size_t>(kind - kKinds.begin()));
+    } else if (point.index >= 0 && point.index <= 3) {
+      ++run.report.claimed_counts.at(static_cast<std::size_t>(point.index));
+    }
+  }
+  const auto compare = [&run](const auto& claimed, const auto& listed, const char* what) {
+    if (!claimed || *claimed == listed) return;
+    find_whole(run, FindingReason::kWrongCounts, kClause, counts_text(*claimed) + " " + what,
+               "the claim itself lists " + counts_text(listed));
+  };
+  compare(run.claim.critical_counts, run.report.claimed_counts, "critical points");
+  compare(run.claim.regular_counts, regular, "regular stationary points of kinds 1-2, 2-3, 1-3");
+}
+
+// What is wrong with ids, in words; empty if nothing is.
+std::string fault_of_ids(const PointSet& points, const std::vector<PointId>& ids) {
+  for (const PointId id : ids) {
+    if (id >= points.row_count()) {
+      return "there is no point " + std::to_string(id) + "; the ids are 0 to " +
+             std::to_string(static_cast<long long>(points.row_count()) - 1);
+    }
+  }
+  std::vector<PointId> sorted = ids;
+  std::sort(sorted.begin(), sorted.end());
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  return twice == sorted.end() ? "" : "point " + std::to_string(*twice) + " is named twice";
+}
+
+std::string fault_of_index(const ClaimedPoint& point) {
+  if (!point.hull_dimension) {
+    return point.index < 0 || point.index > 3 ? "an index is 0, 1, 2 or 3" : "";
+  }
+  const bool exists = 1 <= point.index && point.index < *point.hull_dimension && *point.hull_dimension <= 3;
+  return exists ? "" : "only the kinds 1-2, 2-3 and 1-3 exist";
+}
+
+std::string fault_of_successors(const PointSet& points, const ClaimedPoint& point) {
+  if (point.successors) {
+    for (const ClaimedTarget& target : *point.successors) {
+      if (!target.is_infinity && target.contact.empty()) return "a successor without a contact set";
+      const std::string fault = fault_of_ids(points, target.contact);
+      if (!fault.empty()) return "of a successor: " + fault;
+    }
+    if (point.successors_by_side && point.successors->size() != 2) return "there are two sides";
+  }
+  if (point.samples) {
+    const std::string fault = fault_of_ids(points, *point.samples);
+    if (!fault.empty()) return "of the samples: " + fault;
+  }
+  if (point.u2 && point.u2->size() != 2) return "an unstable manifold U2 has two orbits";
+  return "";
+}
+
+std::string fault_of(const PointSet& points, const ClaimedPoint& point) {
+  if (point.contact.empty() && !point.center) return "neither a contact set nor a position";
+  for (const std::string& fault :
+       {fault_of_index(point), fault_of_ids(points, point.contact), fault_of_successors(points, point)}) {
+    if (!fault.empty()) return fault;
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<PointId> class_names(const PointSet& points, const std::vector<PointId>& rows) {
+  std::vector<PointId> names;
+  names.reserve(rows.size());
+  for (const PointId row : rows) names.push_back(points.name(points.position_of_row(row)));
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+void check_form(CheckRun& run) {
+  check_input_of_claim(run);
+  check_counts_of_claim(run);
+  for (std::size_t k = 0; k < run.claim.points.size(); ++k) {
+    const ClaimedPoint& point = run.claim.points[k];
+    const std::string fault = fault_of(run.points, point);
+    if (!fault.empty()) {
+      const bool is_kind = point.hull_dimension && !fault_of_index(point).empty();
+      run.find(1, FindingReason::kMalformed, is_kind ? "FC-CRIT-03" : kClause, k, fault);
+      continue;
+    }
+    run.placed[k].is_well_formed = true;
+    run.placed[k].names = class_names(run.points, point.contact);
+  }
+}
+
+}  // namespace flowcert

@@ -1,0 +1,256 @@
+// Level 4: incidences (FC-CLAIM-06), and what they may be where an orbit ends at a point that a perturbation
+// would let it leave (FC-CLAIM-07).
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "certify/check_run.h"
+#include "certify/contact_geometry.h"
+#include "certify/finding_words.h"
+
+namespace flowcert {
+
+namespace {
+
+// Where an orbit ends: a stationary point, or nothing for infinity.
+using Limit = std::optional<std::size_t>;
+
+constexpr StationaryIndex kIndex2{2, 2};
+
+// What a perturbation can make of where an orbit ends.
+struct Continuations {
+  std::set<Limit> limits;
+  // And, where orbits end at regular stationary points, whatever is farther from the samples than the nearest
+  // of these.
+  std::optional<Rational> beyond;
+};
+
+struct NamedTarget {
+  bool is_known = false;  // infinity, or a stationary point
+  Limit limit;
+  Fit fit = Fit::kWhole;
+};
+
+class Incidences {
+ public:
+  explicit Incidences(CheckRun& run) : run_(run) {}
+
+  // Of an index-2 critical point.
+  void check_limits(std::size_t k) {
+    const ClaimedPoint& point = run_.claim.points[k];
+    const std::array<Limit, 2> truth = run_.truth.limits(run_.placed[k].place->record);
+    std::vector<NamedTarget> targets;
+    for (const ClaimedTarget& target : *point.successors) targets.push_back(named(target));
+    const bool are_known = std::ranges::all_of(targets, &NamedTarget::is_known);
+    if (are_known && is_exactly(targets, truth, point.successors_by_side)) {
+      vary_parts(k, targets);
+    } else if (are_known && is_permitted(targets, truth, point.successors_by_side)) {
+      run_.vary(4, FindingReason::kSymbolicPerturbation, "FC-CLAIM-07", k, limits_text(truth));
+      name_targets(point);
+    } else {
+      run_.find(4, FindingReason::kWrongIncidence, "FC-FLOW-07", k, limits_text(truth));
+      name_targets(point);
+    }
+  }
+
+  // Of a sample: the index-1 points that have it in their contact set.
+  void check_edges(std::size_t k) {
+    const PointId name = run_.placed[k].names.empty() ? run_.truth.contact(run_.placed[k].place->record)[0]
+                                                      : run_.placed[k].names[0];
+    std::set<std::size_t> missing;
+    for (const std::uint32_t record : run_.contacts.of(name)) {
+      if (run_.index(record) == StationaryIndex{1, 1}) missing.insert(record);
+    }
+    std::string wrong;
+    bool varies = false;
+    std::set<std::size_t> seen;
+    for (const ClaimedTarget& target : *run_.claim.points[k].successors) {
+      const NamedTarget there = named(target);
+      const bool is_again = there.limit && !seen.insert(*there.limit).second;
+      if (is_again || (there.limit && missing.erase(*there.limit) > 0)) continue;
+      if (there.limit && is_perturbed_edge(target, *there.limit, name)) {
+        varies = true;
+      } else {
+        wrong += (wrong.empty() ? "" : ", ") + target_text(target);
+      }
+    }
+    if (!wrong.empty() || !missing.empty()) {
+      run_.find(4, FindingReason::kWrongIncidence, "FC-FLOW-07", k, edges_text(wrong, missing));
+    } else if (varies) {
+      run_.vary(4, FindingReason::kSymbolicPerturbation, "FC-CLAIM-04", k,
+                "some of the edges end in regular stationary points");
+    }
+  }
+
+  // Of an index-1 point: S1.
+  void check_samples(std::size_t k) {
+    const std::vector<PointId> names = class_names(run_.points, *run_.claim.points[k].samples);
+    const PlacedPoint& placed = run_.placed[k];
+    const auto contact = run_.truth.contact(placed.place->record);
+    // At a regular stationary point, the edge is what is claimed.
+    const bool is_right = run_.index(placed.place->record).is_critical()
+                              ? std::ranges::equal(names, contact)
+                              : placed.names.empty() || names == placed.names;
+    if (is_right) return;
+    run_.find(4, FindingReason::kWrongIncidence, "FC-FLOW-07", k,
+              "the stable manifold is the segment between the two points of the contact set");
+    run_.report.findings.back().claimed += ", samples " + names_text(names);
+  }
+
+  // Of a maximum, from which nothing flows.
+  void check_nothing_above(std::size_t k) {
+    for (const ClaimedTarget& target : *run_.claim.points[k].successors) {
+      if (target.is_infinity) continue;
+      run_.find(4, FindingReason::kWrongIncidence, "FC-FLOW-03", k, "nothing flows from a maximum");
+      run_.report.findings.back().claimed += ", up to " + target_text(target);
+    }
+  }
+
+ private:
+  NamedTarget named(const ClaimedTarget& target) {
+    if (target.is_infinity) return {true, std::nullopt, Fit::kWhole};
+    const std::optional<Place> place = place_of(run_, class_names(run_.points, target.contact));
+    if (!place) return {false, std::nullopt, Fit::kOther};
+    return {true, place->record, place->fit};
+  }
+
+  // The claimed edge from this sample, through the middle of which a perturbation makes an index-1 point.
+  bool is_perturbed_edge(const ClaimedTarget& target, std::size_t record, PointId name) const {
+    const StationaryIndex index = run_.index(record);
+    const std::vector<PointId> names = class_names(run_.points, target.contact);
+    return !index.is_critical() && index.face_dimension == 1 && names.size() == 2 &&
+           std::ranges::find(names, name) != names.end();
+  }
+
+  static std::set<Limit> as_set(const std::vector<NamedTarget>& targets) {
+    std::set<Limit> limits;
+    for (const NamedTarget& target : targets) limits.insert(target.limit);
+    return limits;
+  }
+
+  static bool is_exactly(const std::vector<NamedTarget>& targets, const std::array<Limit, 2>& truth,
+                         bool by_side) {
+    if (std::ranges::any_of(targets, [](const NamedTarget& t) { return t.fit == Fit::kOther; })) return false;
+    if (by_side) return targets[0].limit == truth[0] && targets[1].limit == truth[1];
+    return as_set(targets) == std::set<Limit>{truth[0], truth[1]};
+  }
+
+  bool is_permitted(const std::vector<NamedTarget>& targets, const std::array<Limit, 2>& truth,
+                    bool by_side) {
+    if (std::ranges::any_of(targets, [](const NamedTarget& t) { return t.fit == Fit::kOther; })) return false;
+    if (by_side) return may_end(targets[0].limit, truth[0]) && may_end(targets[1].limit, truth[1]);
+    const std::set<Limit> limits = as_set(targets);
+    if (limits.empty() || limits.size() > 2) return false;
+    const Limit &one = *limits.begin(), &other = *limits.rbegin();
+    return (may_end(one, truth[0]) && may_end(other, truth[1])) ||
+           (may_end(one, truth[1]) && may_end(other, truth[0]));
+  }
+
+  // Whether a perturbation can make the orbit that ends at `truth` end at the target.
+  bool may_end(const Limit& target, const Limit& truth) {
+    if (target == truth) return true;
+    const Continuations& permitted = continuations(truth);
+    if (permitted.limits.contains(target)) return true;
+    if (!permitted.beyond) return false;
+    if (!target) return true;
+    return run_.index(*target).hull_dimension >= 2 &&
+           run_.truth.sphere(*target).squared_radius > *permitted.beyond;
+  }
+
+  const Continuations& continuations(const Limit& from) {
+    const auto known = continuations_.find(from);
+    if (known != continuations_.end()) return known->second;
+    Continuations result;
+    result.limits.insert(from);
+    if (from && run_.index(*from) == kIndex2) {
+      // The distance grows along orbits, so this comes to an end.
+      for (const Limit& next : run_.truth.limits(*from)) {
+        const Continuations& further = continuations(next);
+        result.limits.insert(further.limits.begin(), further.limits.end());
+        if (further.beyond && (!result.beyond || *further.beyond < *result.beyond)) {
+          result.beyond = further.beyond;
+        }
+      }
+    } else if (from && !run_.index(*from).is_critical()) {
+      result.beyond = run_.truth.sphere(*from).squared_radius;
+      run_.leave_unjudged(
+          "where, beyond a regular stationary point, a perturbation lets an orbit end (FC-CLAIM-07)");
+    }
+    return continuations_.emplace(from, std::move(result)).first->second;
+  }
+
+  void vary_parts(std::size_t k, const std::vector<NamedTarget>& targets) {
+    if (std::ranges::none_of(targets, [](const NamedTarget& t) { return t.fit == Fit::kPart; })) return;
+    run_.vary(4, FindingReason::kSpanningPart, "FC-CLAIM-02", k,
+              limits_text(run_.truth.limits(run_.placed[k].place->record)));
+    name_targets(run_.claim.points[k]);
+  }
+
+  static std::string target_text(const ClaimedTarget& target) {
+    return target.is_infinity ? "infinity" : names_text(target.contact);
+  }
+  void name_targets(const ClaimedPoint& point) {
+    std::string text;
+    for (const ClaimedTarget& target : *point.successors) {
+      text += (text.empty() ? ", up to " : ", ") + target_text(target);
+    }
+    run_.report.findings.back().claimed += text.empty() ? ", up to nothing" : text;
+  }
+  [[nodiscard]] std::string limit_text(const Limit& limit) const {
+    return limit ? "a " + stationary_text(run_.truth, *limit) : "infinity";
+  }
+  [[nodiscard]] std::string limits_text(const std::array<Limit, 2>& limits) const {
+    return "its orbits end at " + limit_text(limits[0]) + " (side 0) and at " + limit_text(limits[1]) +
+           " (side 1)";
+  }
+  [[nodiscard]] std::string edges_text(const std::string& wrong, const std::set<std::size_t>& missing) const {
+    std::string text;
+    for (const std::size_t record : missing) {
+      text += (text.empty() ? "it is an end also of " : ", ") + names_text(run_.truth.contact(record));
+    }
+    if (wrong.empty()) return text;
+    return text + (text.empty() ? "" : "; ") + "it is no end of " + wrong;
+  }
+
+  CheckRun& run_;
+  std::map<Limit, Continuations> continuations_;
+};
+
+// False if there is nothing to judge. Only of points that are themselves claimed rightly.
+bool check_point(CheckRun& run, Incidences& incidences, std::size_t k) {
+  const ClaimedPoint& point = run.claim.points[k];
+  if (!run.placed[k].is_right || point.hull_dimension) return false;
+  const bool has_samples = point.samples.has_value() && point.index == 1;
+  if (has_samples) incidences.check_samples(k);
+  if (!point.successors) return has_samples;
+  if (point.index == 1) {
+    if (!point.successors->empty()) {
+      run.leave_unjudged("incidences of points of index 1 with points of index 2");
+    }
+    return has_samples;
+  }
+  if (!run.index(run.placed[k].place->record).is_critical()) {
+    run.leave_unjudged("incidences of the points that a perturbation makes of regular stationary points");
+    return false;
+  }
+  if (point.index == 0) incidences.check_edges(k);
+  if (point.index == 2) incidences.check_limits(k);
+  if (point.index == 3) incidences.check_nothing_above(k);
+  return true;
+}
+
+}  // namespace
+
+bool check_incidences(CheckRun& run) {
+  Incidences incidences(run);
+  bool judged = false;
+  for (std::size_t k = 0; k < run.placed.size(); ++k) {
+    if (check_point(run, incidences, k)) judged = true;
+  }
+  return judged;
+}
+
+}  // namespace flowcert

@@ -1,0 +1,155 @@
+// Level 2: claimed points where nothing is stationary, and the first of the conditions of FC-CRIT-05 that
+// fails; and level 2's look at centres and distances of those that are somewhere.
+#include <algorithm>
+#include <iterator>
+
+#include "certify/check_run.h"
+#include "certify/contact_geometry.h"
+#include "certify/finding_words.h"
+#include "geometry/enclosing_ball.h"
+
+namespace flowcert {
+
+namespace {
+
+struct Fault {
+  FindingReason reason;
+  std::string clause;
+  std::string words;
+};
+
+RationalPoint exactly(const Point& p) { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
+
+FindingReason rounding_or(FindingReason otherwise, bool by_rounding) {
+  return by_rounding ? FindingReason::kRounding : otherwise;
+}
+
+Fault not_cospherical(const PointSet& points, const std::vector<PointId>& names, const ExactSphere& sphere) {
+  bool by_rounding = true;
+  PointId witness = names.back();
+  for (const PointId name : names) {
+    const Rational distance = squared_distance(sphere.center, exactly(sample(points, name)));
+    if (distance == sphere.squared_radius) continue;
+    witness = name;
+    by_rounding = by_rounding && is_rounding(distance, sphere.squared_radius, rounding_length(sphere));
+  }
+  return {rounding_or(FindingReason::kNotCospherical, by_rounding), "FC-CRIT-05 (a)",
+          "point " + std::to_string(witness) +
+              " is not on the sphere of the others, centred in their affine hull"};
+}
+
+Fault not_empty(const ExactSphere& sphere, const NearestSamples& nearest) {
+  return {rounding_or(FindingReason::kBallNotEmpty,
+                      is_rounding(nearest.squared_distance, sphere.squared_radius, rounding_length(sphere))),
+          "FC-CRIT-05 (b)",
+          "point " + names_text(nearest.names) + " lies inside the ball: squared distance " +
+              number_text(nearest.squared_distance) + " from its centre, squared radius " +
+              number_text(sphere.squared_radius)};
+}
+
+Fault outside_hull(const PointSet& points, const std::vector<PointId>& names, const ExactSphere& sphere) {
+  std::vector<Point> coordinates;
+  for (const PointId name : names) coordinates.push_back(sample(points, name));
+  const RationalPoint driver = enclosing_ball_center(coordinates);
+  const bool by_rounding = is_rounding(squared_distance(driver, sphere.center), 0, rounding_length(sphere));
+  return {rounding_or(FindingReason::kOutsideHull, by_rounding), "FC-CRIT-05 (d)",
+          "the centre " + position_text(sphere.center) + " lies outside the hull of the contact set"};
+}
+
+// A set that is not the contact set of a stationary point.
+Fault fault_of(const PointSet& points, const std::vector<PointId>& names) {
+  const ExactSphere sphere = exact_sphere(points, names);
+  if (!all_on_sphere(points, names, sphere)) return not_cospherical(points, names, sphere);
+  const NearestSamples nearest = nearest_samples(points, sphere.center);
+  if (nearest.squared_distance < sphere.squared_radius) return not_empty(sphere, nearest);
+  if (nearest.names.size() == names.size()) return outside_hull(points, names, sphere);
+  std::vector<PointId> further;
+  std::ranges::set_difference(nearest.names, names, std::back_inserter(further));
+  return {FindingReason::kContactIncomplete, "FC-CRIT-05 (c)",
+          "point " + names_text(further) +
+              " lies on the sphere too, and the centre outside the hull of all of them"};
+}
+
+// The usual case, without what only decimals need.
+bool is_exactly_right(const ClaimedPoint& point, const ExactSphere& sphere) {
+  if (point.distance || (point.center && !is_exact(*point.center))) return false;
+  for (std::size_t axis = 0; point.center && axis < 3; ++axis) {
+    if ((*point.center)[axis].value != sphere.center[axis]) return false;
+  }
+  return !point.squared_distance ||
+         (point.squared_distance->is_exact && point.squared_distance->value == sphere.squared_radius);
+}
+
+bool is_exact(const ClaimedPoint& point) {
+  return (!point.center || is_exact(*point.center)) && (!point.distance || point.distance->is_exact) &&
+         (!point.squared_distance || point.squared_distance->is_exact);
+}
+
+struct WrongValue {
+  ValueMatch match;
+  std::string claimed;
+  std::string truth;
+};
+
+// Of a claimed point, if it means that stationary one.
+std::vector<WrongValue> wrong_values(CheckRun& run, const ClaimedPoint& point, std::size_t record) {
+  const ExactSphere sphere = run.truth.sphere(record);
+  if (is_exactly_right(point, sphere)) return {};
+  const ValueScale scale = value_scale(sphere, run.options.tolerance);
+  std::vector<WrongValue> wrong;
+  const auto squared = [&sphere] { return "the squared distance is " + number_text(sphere.squared_radius); };
+  if (point.center) {
+    const ValueMatch match = match_position(*point.center, sphere.center, scale);
+    if (is_wrong(match)) {
+      wrong.push_back(
+          {match, "centre " + position_text(*point.center), "the centre is " + position_text(sphere.center)});
+    }
+  }
+  if (point.squared_distance) {
+    const ValueMatch match = match_squared_distance(*point.squared_distance, sphere.squared_radius, scale);
+    if (is_wrong(match)) {
+      wrong.push_back({match, "squared distance " + number_text(point.squared_distance->value), squared()});
+    }
+  }
+  if (point.distance) {
+    const ValueMatch match = match_distance(*point.distance, sphere.squared_radius, scale);
+    if (is_wrong(match)) {
+      wrong.push_back({match, "distance " + number_text(point.distance->value), squared()});
+    }
+  }
+  return wrong;
+}
+
+}  // namespace
+
+void check_stray_claim(CheckRun& run, std::size_t k) {
+  const std::vector<PointId>& names = run.placed[k].names;
+  if (names.empty()) {
+    run.find(2, FindingReason::kWrongPosition, "FC-CRIT-01", k,
+             "no stationary point is there, or within the tolerance of it");
+    return;
+  }
+  const Fault fault = fault_of(run.points, names);
+  run.find(2, fault.reason, fault.clause, k, fault.words);
+}
+
+void check_values(CheckRun& run, std::size_t k) {
+  const ClaimedPoint& point = run.claim.points[k];
+  if (!point.center && !point.distance && !point.squared_distance) return;
+  run.report.is_exact = run.report.is_exact && is_exact(point);
+  const std::vector<WrongValue> wrong = wrong_values(run, point, run.placed[k].place->record);
+  // Of an ambiguous claim, what is right of one of those that it may mean is not wrong.
+  const bool is_right_elsewhere =
+      !wrong.empty() && std::ranges::any_of(run.placed[k].alternatives, [&](std::size_t record) {
+        return wrong_values(run, point, record).empty();
+      });
+  if (is_right_elsewhere) return;
+  for (const WrongValue& value : wrong) {
+    run.find(2,
+             value.match == ValueMatch::kRounding ? FindingReason::kRounding : FindingReason::kWrongPosition,
+             "FC-OUT-01", k, value.truth);
+    run.report.findings.back().claimed += ", " + value.claimed;
+  }
+}
+
+}  // namespace flowcert

@@ -1,0 +1,93 @@
+// See value_match.h.
+#include "certify/value_match.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "certify/contact_geometry.h"
+
+namespace flowcert {
+
+namespace {
+
+double as_double(const Rational& value) {
+  const std::optional<double> nearest = nearest_double(value);
+  if (nearest) return *nearest;
+  return std::numeric_limits<double>::max() * (value > 0 ? 1 : -1);
+}
+
+// A decimal that rounds to the same double as the truth is as right as a double can be.
+bool rounds_alike(const Rational& a, const Rational& b) {
+  const std::optional<double> x = nearest_double(a), y = nearest_double(b);
+  return x && y && *x == *y;
+}
+
+ValueMatch wrong(bool by_rounding) { return by_rounding ? ValueMatch::kRounding : ValueMatch::kOff; }
+
+}  // namespace
+
+double rounding_length(const ExactSphere& sphere) {
+  double length = std::sqrt(as_double(sphere.squared_radius));
+  for (const Rational& coordinate : sphere.center) length = std::max(length, std::abs(as_double(coordinate)));
+  return length;
+}
+
+bool is_rounding(const Rational& squared_a, const Rational& squared_b, double rounding_length) {
+  const double a = std::sqrt(as_double(squared_a)), b = std::sqrt(as_double(squared_b));
+  if (a + b == 0) return true;
+  // Not a - b, in which a difference below the last bit of either would be lost.
+  return std::abs(as_double(squared_a - squared_b)) / (a + b) <= kRoundingPart * rounding_length;
+}
+
+ValueScale value_scale(const ExactSphere& sphere, double tolerance) {
+  Rational squared_length = sphere.squared_radius;
+  if (squared_length == 0) {
+    for (const Rational& x : sphere.center) squared_length = std::max(squared_length, Rational(x * x));
+  }
+  const Rational exact_tolerance(tolerance);
+  return {squared_length, exact_tolerance * exact_tolerance, rounding_length(sphere)};
+}
+
+bool is_exact(const ClaimedPosition& claimed) {
+  return std::all_of(claimed.begin(), claimed.end(), [](const ClaimedNumber& x) { return x.is_exact; });
+}
+
+ValueMatch match_position(const ClaimedPosition& claimed, const RationalPoint& truth,
+                          const ValueScale& scale) {
+  Rational off_exactly = 0, off_by_decimals = 0;  // squared
+  bool rounds_alike_everywhere = true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Rational difference = claimed[axis].value - truth[axis];
+    if (difference == 0) continue;
+    (claimed[axis].is_exact ? off_exactly : off_by_decimals) += difference * difference;
+    rounds_alike_everywhere = rounds_alike_everywhere && rounds_alike(claimed[axis].value, truth[axis]);
+  }
+  const bool near =
+      rounds_alike_everywhere || off_by_decimals <= scale.squared_tolerance * scale.squared_length;
+  if (off_exactly == 0 && near) return is_exact(claimed) ? ValueMatch::kEqual : ValueMatch::kWithin;
+  return wrong(is_rounding(off_exactly + off_by_decimals, 0, scale.rounding_length));
+}
+
+ValueMatch match_distance(const ClaimedNumber& claimed, const Rational& squared_radius,
+                          const ValueScale& scale) {
+  if (claimed.value < 0) return ValueMatch::kOff;
+  return match_squared_distance({claimed.value * claimed.value, claimed.is_exact}, squared_radius, scale);
+}
+
+ValueMatch match_squared_distance(const ClaimedNumber& claimed, const Rational& squared_radius,
+                                  const ValueScale& scale) {
+  const Rational& square = claimed.value;
+  if (square < 0) return ValueMatch::kOff;
+  if (square == squared_radius) return claimed.is_exact ? ValueMatch::kEqual : ValueMatch::kWithin;
+  if (!claimed.is_exact) {
+    // |d - r| <= t for the roots d and r iff d^2 + r^2 - t^2 <= 2 d r.
+    const Rational left = square + squared_radius - scale.squared_tolerance * scale.squared_length;
+    if (left <= 0 || left * left <= 4 * square * squared_radius || rounds_alike(square, squared_radius)) {
+      return ValueMatch::kWithin;
+    }
+  }
+  return wrong(is_rounding(square, squared_radius, scale.rounding_length));
+}
+
+}  // namespace flowcert

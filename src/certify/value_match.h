@@ -1,0 +1,43 @@
+// Whether a claimed position or radius is the true one (FC-CLAIM-05): what is claimed exactly has to be
+// equal, what is claimed in decimals has to be near.
+#pragma once
+
+#include "flowcert/claim.h"
+#include "flowcert/stationary_points.h"
+
+namespace flowcert {
+
+enum class ValueMatch {
+  kEqual,     // exact, and equal
+  kWithin,    // in decimals, and near enough
+  kRounding,  // wrong, by no more than rounding explains
+  kOff,
+};
+
+// What "near" refers to: the radius of the point in question; where that is 0, the largest of the sample's
+// coordinates.
+struct ValueScale {
+  Rational squared_length;
+  Rational squared_tolerance;
+  // As rounding does not care for the radius alone: radius and largest coordinate, roughly.
+  double rounding_length = 0;
+};
+[[nodiscard]] ValueScale value_scale(const ExactSphere& sphere, double tolerance);
+
+[[nodiscard]] ValueMatch match_position(const ClaimedPosition& claimed, const RationalPoint& truth,
+                                        const ValueScale& scale);
+[[nodiscard]] ValueMatch match_distance(const ClaimedNumber& claimed, const Rational& squared_radius,
+                                        const ValueScale& scale);
+[[nodiscard]] ValueMatch match_squared_distance(const ClaimedNumber& claimed, const Rational& squared_radius,
+                                                const ValueScale& scale);
+
+[[nodiscard]] inline bool is_wrong(ValueMatch match) { return match >= ValueMatch::kRounding; }
+[[nodiscard]] bool is_exact(const ClaimedPosition& claimed);
+
+// Whether two lengths, given by squares, differ by no more than rounding explains, on that scale.
+inline constexpr double kRoundingPart = 0x1p-44;
+[[nodiscard]] bool is_rounding(const Rational& squared_a, const Rational& squared_b, double rounding_length);
+// As in ValueScale.
+[[nodiscard]] double rounding_length(const ExactSphere& sphere);
+
+}  // namespace flowcert

@@ -1,0 +1,108 @@
+// `flowcert check`: whether a claimed flow complex is right. Exit status 0 if it conforms, 1 if it fails.
+#include <fmt/format.h>
+
+#include <limits>
+#include <memory>
+
+#include "cli/check_report.h"
+#include "cli/command.h"
+#include "cli/oracle_truth.h"
+#include "flowcert/claim.h"
+#include "io/number_text.h"
+#include "io/output_file.h"
+
+namespace flowcert {
+
+namespace {
+
+// With a larger one there is hardly a claim that is not ambiguous.
+constexpr double kLargestTolerance = 1e-3;
+
+struct CheckCommandOptions {
+  CheckedFiles files;
+  CheckOptions check;
+  std::string junit;
+  std::size_t most = std::numeric_limits<std::size_t>::max();
+  bool json = false;
+};
+
+CheckReport report_of(const CheckCommandOptions& options, const Input& input, const Claim& claim) {
+  const std::unique_ptr<Truth> truth =
+      options.files.by_oracle ? oracle_truth(input.file.rows) : fast_truth(input.points);
+  return check(input.points, claim, *truth, options.check);
+}
+
+int check_claim(CheckCommandOptions options) {
+  CheckedFiles& files = options.files;
+  if (files.points == "-" && files.claim == "-") {
+    throw InvalidInput("POINTS and CLAIM cannot both be standard input");
+  }
+  const Claim claim = read_claim(files.claim);
+  const Input input = read_input(files.points);
+  files.points = display_name(files.points);
+  files.claim = display_name(files.claim);
+  files.claim_format = claim.format;
+  files.tolerance = options.check.tolerance;
+  files.highest_level = options.check.highest_level;
+  options.check.input_sha256 = input.sha256;
+  const CheckReport report = report_of(options, input, claim);
+  if (!options.junit.empty()) {
+    OutputFile file(options.junit);
+    write_check_junit(file.stream(), files, report);
+    file.commit();
+  }
+  if (options.json) {
+    print_check_json(files, report, input.sha256);
+  } else {
+    print_check_text(files, report, options.most);
+  }
+  return report.verdict == Verdict::kFails ? kNegativeVerdict : kRight;
+}
+
+// CLI11's own range takes nan for a number in it. Returns what is wrong.
+std::string is_small_tolerance(const std::string& word) {
+  const NumberText number = parse_number(word);
+  const bool is_small = number.fault == nullptr && 0 <= number.value && number.value <= kLargestTolerance;
+  return is_small ? "" : fmt::format("{} is no number from 0 to {}", in_quotes(word), kLargestTolerance);
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<CheckCommandOptions>();
+  CLI::App* command =
+      app.add_subcommand("check", "Whether a claimed flow complex is right, and where it is not");
+  command->add_option("POINTS", options->files.points, "Point file, or - for standard input")->required();
+  command
+      ->add_option(
+          "CLAIM", options->files.claim,
+          "What an implementation claims of it: JSON Lines as compute -o writes them, CSV, VTP, or the "
+          "text format of Giesen and Kühne's algorithm; also as .gz; - for standard input")
+      ->required();
+  command->add_flag("--json", options->json, "Print one JSON object");
+  command->add_option("--junit", options->junit, "Write a JUnit report to this file, a test case a level");
+  command
+      ->add_option("--tolerance", options->check.tolerance,
+                   "Positions and radii claimed in decimals match within this part of the radius")
+      ->check(is_small_tolerance)
+      ->capture_default_str();
+  command->add_option("--levels", options->check.highest_level, "Check levels 1 to this one")
+      ->check(CLI::Range(1, kLevels))
+      ->capture_default_str();
+  command->add_option("--most", options->most, "Show so many findings of each level; all, without this")
+      ->check(CLI::NonNegativeNumber);
+  command->add_flag(
+      "--oracle", options->files.by_oracle,
+      fmt::format("Let the oracle say what is true, not the fast implementation: up to {} points",
+                  kMostPointsForOracle));
+  command->footer(
+      "Levels: 1 well formed; 2 every claimed critical point is one; 3 none is missing, none twice, indices, "
+      "Euler sum; 4 incidences; 5 polylines.\n"
+      "Verdicts: conforms; conforms where determined (permitted variations are listed); fails.\n\n"
+      "Examples:\n  flowcert check bunny.obj claim.jsonl\n  flowcert check bunny.obj claim.csv --tolerance "
+      "1e-6 "
+      "--junit report.xml");
+  command->callback([options, &status] { status = check_claim(*options); });
+}
+
+}  // namespace flowcert

@@ -1,0 +1,194 @@
+// See check_report.h.
+#include "cli/check_report.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <ostream>
+
+#include "cli/table.h"
+#include "io/json_fields.h"
+
+namespace flowcert {
+
+namespace {
+
+constexpr std::array<const char*, kLevels> kLevelNames = {"well formed", "what is claimed is critical",
+                                                          "nothing is missing, nothing twice, indices",
+                                                          "incidences", "polylines"};
+
+const char* truth_text(const CheckedFiles& files) {
+  return files.by_oracle ? "oracle" : "fast implementation";
+}
+const char* grade_text(const CheckReport& report) { return report.is_exact ? "exact" : "approximate"; }
+
+struct LevelCount {
+  std::size_t wrong = 0;
+  std::size_t varied = 0;
+};
+
+std::array<LevelCount, kLevels> count_levels(const CheckReport& report) {
+  std::array<LevelCount, kLevels> counts{};
+  for (const Finding& finding : report.findings) {
+    LevelCount& count = counts.at(static_cast<std::size_t>(finding.level - 1));
+    ++(finding.is_variation ? count.varied : count.wrong);
+  }
+  return counts;
+}
+
+std::string finding_line(const CheckedFiles& files, const Finding& finding) {
+  const std::string place = finding.line ? fmt::format("{}:{}", files.claim, *finding.line) : files.claim;
+  return fmt::format("{}: {}, level {}: {} [{}]: claimed {}; truth: {}", place,
+                     finding.is_variation ? "permitted" : "wrong", finding.level, reason_text(finding.reason),
+                     finding.clause, finding.claimed, finding.truth);
+}
+
+void print_findings(const CheckedFiles& files, const CheckReport& report, std::size_t most) {
+  std::size_t shown = 0;
+  for (std::size_t k = 0; k < report.findings.size(); ++k) {
+    if (k > 0 && report.findings[k].level != report.findings[k - 1].level) shown = 0;
+    if (shown++ < most) fmt::print("{}\n", finding_line(files, report.findings[k]));
+  }
+  if (report.findings.size() > most) {
+    fmt::print("(of each level, {} at most are shown)\n", with_commas(most));
+  }
+  if (!report.findings.empty()) fmt::print("\n");
+}
+
+std::string level_verdict(const std::optional<bool>& conforms, const LevelCount& count) {
+  if (!conforms) return "nothing to judge";
+  if (!*conforms) return "fails";
+  return count.varied > 0 ? "conforms where determined" : "conforms";
+}
+
+void print_levels(const CheckReport& report) {
+  const auto counts = count_levels(report);
+  std::vector<std::vector<std::string>> rows = {{"level", "", "verdict", "wrong", "permitted"}};
+  for (std::size_t k = 0; k < kLevels; ++k) {
+    rows.push_back({fmt::format("{}", k + 1), kLevelNames.at(k),
+                    level_verdict(report.conforms.at(k), counts.at(k)), with_commas(counts.at(k).wrong),
+                    with_commas(counts.at(k).varied)});
+  }
+  print_columns(rows, "lllrr");
+}
+
+Json finding_field(const Finding& finding) {
+  return {{"level", finding.level},
+          {"reason", reason_text(finding.reason)},
+          {"permitted", finding.is_variation},
+          {"clause", finding.clause},
+          {"line", finding.line ? Json(*finding.line) : Json(nullptr)},
+          {"contact", finding.contact},
+          {"claimed", finding.claimed},
+          {"truth", finding.truth}};
+}
+
+Json levels_field(const CheckReport& report) {
+  const auto counts = count_levels(report);
+  Json levels = Json::object();
+  for (std::size_t k = 0; k < kLevels; ++k) {
+    const std::optional<bool>& conforms = report.conforms.at(k);
+    levels[fmt::format("{}", k + 1)] = {{"conforms", conforms ? Json(*conforms) : Json(nullptr)},
+                                        {"wrong", counts.at(k).wrong},
+                                        {"permitted", counts.at(k).varied}};
+  }
+  return levels;
+}
+
+// Text of an XML 1.0 document: whatever it holds, the document stays one.
+std::string xml_text(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        // Control characters do not exist there; nor do bytes that are no UTF-8, which file names may have.
+        escaped += (static_cast<unsigned char>(c) < 0x20 && c != '\n') || (c & 0x80) != 0 ? '?' : c;
+    }
+  }
+  return escaped;
+}
+
+void write_level(std::ostream& out, const CheckedFiles& files, const CheckReport& report, std::size_t k,
+                 const LevelCount& count) {
+  out << fmt::format("    <testcase classname=\"flowcert.check\" name=\"level {}: {}\"", k + 1,
+                     kLevelNames.at(k));
+  if (!report.conforms.at(k)) {
+    out << "><skipped message=\"nothing to judge\"/></testcase>\n";
+    return;
+  }
+  if (count.wrong + count.varied == 0) {
+    out << "/>\n";
+    return;
+  }
+  const char* element = count.wrong > 0 ? "failure" : "system-out";
+  out << ">\n      <" << element;
+  if (count.wrong > 0) out << fmt::format(" message=\"{} wrong\"", count.wrong);
+  out << ">";
+  for (const Finding& finding : report.findings) {
+    if (finding.level == static_cast<int>(k) + 1) out << xml_text(finding_line(files, finding)) << '\n';
+  }
+  out << "</" << element << ">\n    </testcase>\n";
+}
+
+}  // namespace
+
+void print_check_text(const CheckedFiles& files, const CheckReport& report, std::size_t most) {
+  print_findings(files, report, most);
+  print_row("critical points of index", "claimed", "        truth");
+  for (std::size_t index = 0; index < 4; ++index) {
+    print_row(
+        fmt::format("  {}", index), with_commas(report.claimed_counts.at(index)),
+        files.highest_level < 2 ? "" : fmt::format("{:>13}", with_commas(report.true_counts.at(index))));
+  }
+  fmt::print("\n");
+  print_levels(report);
+  for (const std::string& what : report.not_judged) fmt::print("not judged: {}\n", what);
+  fmt::print("\n{} ({}", verdict_text(report.verdict), grade_text(report));
+  if (!report.is_exact) fmt::print(", tolerance {} of the radius", files.tolerance);
+  fmt::print("; truth by the {})\n", truth_text(files));
+}
+
+void print_check_json(const CheckedFiles& files, const CheckReport& report, const std::string& input_sha256) {
+  Json json = header_fields("flowcert-check", 1, input_sha256);
+  json["verdict"] = verdict_text(report.verdict);
+  json["grade"] = grade_text(report);
+  json["tolerance"] = files.tolerance;
+  json["truth"] = truth_text(files);
+  json["claim_format"] = files.claim_format;
+  json["claimed"] = report.claimed_counts;
+  json["critical"] = files.highest_level < 2 ? Json(nullptr) : Json(report.true_counts);
+  json["levels"] = levels_field(report);
+  json["not_judged"] = report.not_judged;
+  Json& findings = json["findings"] = Json::array();
+  for (const Finding& finding : report.findings) findings.push_back(finding_field(finding));
+  fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+void write_check_junit(std::ostream& out, const CheckedFiles& files, const CheckReport& report) {
+  const auto counts = count_levels(report);
+  std::size_t failures = 0, skipped = 0;
+  for (std::size_t k = 0; k < kLevels; ++k) {
+    failures += counts.at(k).wrong > 0 ? 1 : 0;
+    skipped += report.conforms.at(k) ? 0 : 1;
+  }
+  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
+      << fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n",
+                     xml_text(fmt::format("flowcert check {} {}", files.points, files.claim)), kLevels,
+                     failures, skipped);
+  for (std::size_t k = 0; k < kLevels; ++k) write_level(out, files, report, k, counts.at(k));
+  out << "  </testsuite>\n</testsuites>\n";
+}
+
+}  // namespace flowcert

@@ -1,0 +1,28 @@
+// The three ways in which `flowcert check` reports: lines for people, one JSON object, and a JUnit file for
+// CI systems (spec/formats.md, "Report of a check").
+#pragma once
+
+#include <cstddef>
+#include <iosfwd>
+#include <string>
+
+#include "cli/command.h"
+#include "flowcert/check.h"
+
+namespace flowcert {
+
+struct CheckedFiles {
+  std::string points;
+  std::string claim;
+  std::string claim_format;
+  bool by_oracle = false;
+  double tolerance = kDefaultTolerance;
+  int highest_level = kLevels;
+};
+
+// most: findings shown of each level; the others are counted.
+void print_check_text(const CheckedFiles& files, const CheckReport& report, std::size_t most);
+void print_check_json(const CheckedFiles& files, const CheckReport& report, const std::string& input_sha256);
+void write_check_junit(std::ostream& out, const CheckedFiles& files, const CheckReport& report);
+
+}  // namespace flowcert

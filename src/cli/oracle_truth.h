@@ -1,0 +1,18 @@
+// The truth by the oracle, for `flowcert check --oracle`: every stationary point and every orbit from the
+// definitions, by scans over all points. For small inputs.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "flowcert/check.h"
+
+namespace flowcert {
+
+// Its search takes time n^5.
+inline constexpr std::size_t kMostPointsForOracle = 100;
+
+// Throws InvalidInput for more than kMostPointsForOracle rows.
+[[nodiscard]] std::unique_ptr<Truth> oracle_truth(const std::vector<Point>& rows);
+
+}  // namespace flowcert

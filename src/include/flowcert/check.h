@@ -1,0 +1,129 @@
+// Whether a claimed flow complex is right, and exactly where it is wrong.
+//
+// Guarantees: what is judged exactly is judged by exact arithmetic (spec clauses FC-CRIT, FC-FLOW, and
+// FC-CLAIM for what may vary); what is claimed in decimals is matched within a stated tolerance and never
+// graded exact. No wrong claim conforms, no right claim fails, but for what the report lists as not judged.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "flowcert/claim.h"
+#include "flowcert/point_set.h"
+#include "flowcert/rational.h"
+#include "flowcert/stationary_points.h"
+
+namespace flowcert {
+
+enum class Verdict { kConforms, kConformsWhereDetermined, kFails };
+// "conforms", "conforms where determined", "fails"
+[[nodiscard]] const char* verdict_text(Verdict verdict);
+
+// Why a claim is wrong (or varies where it may), as far as that can be told.
+enum class FindingReason {
+  kMalformed,            // ids out of range, repeated ids, an index that does not exist, another input, ...
+  kNotCospherical,       // the contact set lies on no common sphere centred in its affine hull
+  kBallNotEmpty,         // a sample lies inside the claimed ball
+  kContactIncomplete,    // further samples lie on the sphere
+  kOutsideHull,          // the centre lies outside the hull of its contact set
+  kCollisionAsCritical,  // a regular stationary point claimed as critical, otherwise than a perturbation
+                         // would
+  kWrongIndex,
+  kWrongPosition,    // centre or distance
+  kRounding,         // wrong by no more than rounding explains (FC-CLAIM-05)
+  kMissing,          // a critical point that nobody claims,
+  kMissedByCluster,  // in a cospherical or cocircular set of samples
+  kClaimedTwice,
+  kAmbiguous,    // several stationary points within the tolerance of one claim
+  kWrongCounts,  // header counts, Euler sum
+  kWrongIncidence,
+  kWrongPolyline,
+  // Permitted variations; kAmbiguous is one too.
+  kSpanningPart,          // an affinely independent spanning part of the contact set
+  kSymbolicPerturbation,  // what a perturbation makes of a regular stationary point, or of an orbit that ends
+                          // at a point that is no maximum
+};
+// A word or two with hyphens, "missed-by-cluster".
+[[nodiscard]] const char* reason_text(FindingReason reason);
+
+struct Finding {
+  int level = 0;  // 1 to 5
+  FindingReason reason = FindingReason::kMalformed;
+  bool is_variation = false;        // permitted
+  std::string clause;               // "FC-CRIT-05 (b)"
+  std::optional<std::size_t> line;  // of the claim; none for what is missing
+  std::vector<PointId> contact;     // the critical point in question, as claimed or, if missing, as it is
+  std::string claimed;              // in words
+  std::string truth;
+};
+
+inline constexpr double kDefaultTolerance = 1e-9;
+inline constexpr int kLevels = 5;
+
+struct CheckOptions {
+  // Positions and radii in decimals match within this part of the critical point's radius (FC-CLAIM-05).
+  // Meant to be small: where it is not, many stationary points are within it, and finding out which one is
+  // claimed takes long.
+  double tolerance = kDefaultTolerance;
+  // Levels beyond this one are not checked.
+  int highest_level = kLevels;
+  // Of the points, to compare with the claim's, if it has one.
+  std::optional<std::string> input_sha256 = std::nullopt;
+};
+
+struct CheckReport {
+  Verdict verdict = Verdict::kConforms;
+  // Levels 1 to 5 in [0] to [4]: false iff a finding of that level is no variation; nothing where nothing is
+  // claimed, or the level is not checked.
+  std::array<std::optional<bool>, kLevels> conforms;
+  // Every position and radius that is claimed was claimed, and judged, exactly, and none was used to find out
+  // what is claimed. Otherwise the claim is graded approximate.
+  bool is_exact = true;
+  // By level, then line (those without one last), then contact.
+  std::vector<Finding> findings;
+  // What was claimed and is not judged, in words.
+  std::vector<std::string> not_judged;
+  std::array<std::size_t, 4> claimed_counts{};  // of critical points by index, as listed
+  std::array<std::size_t, 4> true_counts{};
+};
+
+struct TrueSegment {
+  std::string type;  // "E-F-V"
+  RationalPoint driver;
+  std::optional<RationalPoint> end;  // none: infinity
+};
+
+// What is true, as the fast implementation or the oracle finds it: all stationary points, in the order of
+// FC-OUT-02, and what flows from them. Nothing is asked for that no claim needs.
+class Truth {
+ public:
+  virtual ~Truth() = default;
+
+  [[nodiscard]] virtual std::size_t size() const = 0;
+  [[nodiscard]] virtual StationaryIndex index(std::size_t i) const = 0;
+  [[nodiscard]] virtual std::span<const PointId> contact(std::size_t i) const = 0;
+  [[nodiscard]] virtual ExactSphere sphere(std::size_t i) = 0;
+
+  // Of an index-2 critical point: where its two orbits end (FC-FLOW-07), by side; none: infinity.
+  [[nodiscard]] virtual std::array<std::optional<std::size_t>, 2> limits(std::size_t i) = 0;
+  [[nodiscard]] virtual std::vector<TrueSegment> polyline(std::size_t i, std::size_t side) = 0;
+};
+
+// The fast implementation's. The points must outlive it. Time in proportion to computing the critical points;
+// U2 is computed when it is first asked for.
+[[nodiscard]] std::unique_ptr<Truth> fast_truth(const PointSet& points);
+
+// Time in proportion to the size of the claim, with what the truth is asked for, and a scan of all points in
+// floating point for each claimed point that is wrong. Throws InvalidInput for a tolerance that is not
+// between 0 and 1.
+[[nodiscard]] CheckReport check(const PointSet& points, const Claim& claim, Truth& truth,
+                                const CheckOptions& options = {});
+// By the fast implementation.
+[[nodiscard]] CheckReport check(const PointSet& points, const Claim& claim, const CheckOptions& options = {});
+
+}  // namespace flowcert

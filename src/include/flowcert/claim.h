@@ -1,0 +1,81 @@
+// A flow complex as some implementation claims it, in whatever format it came, and reading such claims.
+//
+// Guarantees: a claim is kept as it was made, right or wrong: nothing is completed, sorted or rounded. What a
+// format does not say is empty. Readers refuse what is malformed, whole; whether ids are rows of the input is
+// not theirs to know. No number in a file can make them allocate more than a multiple of its (decompressed)
+// size. Formats: spec/formats.md, "Claims, read".
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "flowcert/point_set.h"
+#include "flowcert/rational.h"
+
+namespace flowcert {
+
+// A number as claimed. Exact: a rational or a hexadecimal float. Not exact: a decimal, which stands for any
+// real number near it; `value` is then the decimal itself, not a double.
+struct ClaimedNumber {
+  Rational value;
+  bool is_exact = false;
+};
+using ClaimedPosition = std::array<ClaimedNumber, 3>;
+
+// Where an orbit is claimed to end, or what a critical point is claimed to be incident with.
+struct ClaimedTarget {
+  bool is_infinity = false;
+  std::vector<PointId> contact;  // otherwise: of the stationary point, as claimed
+};
+
+struct ClaimedSegment {
+  std::string type;  // as claimed; empty where not claimed
+  std::optional<ClaimedPosition> driver;
+  std::optional<ClaimedPosition> end;  // none: infinity
+};
+using ClaimedPolyline = std::vector<ClaimedSegment>;
+
+// One critical (or regular stationary) point of a claim.
+struct ClaimedPoint {
+  std::size_t line = 0;  // of the file, 1-based; in a VTP file, the point's ordinal, 1-based
+  // Index, 0 to 3. For a regular stationary point as this project writes them, the two numbers of its kind.
+  int index = 0;
+  std::optional<int> hull_dimension;  // set: claimed to be regular, of kind (index, hull_dimension)
+  std::vector<PointId> contact;       // rows of the input, as claimed; empty where not claimed
+  std::optional<ClaimedPosition> center;
+  std::optional<ClaimedNumber> squared_distance;  // not negative
+  std::optional<ClaimedNumber> distance;          // likewise; for formats that give the radius itself
+  // Claimed incidences with critical points of one index more; none where nothing is claimed of them.
+  std::optional<std::vector<ClaimedTarget>> successors;
+  // They are two, in order: the limits of side 0 and side 1 (FC-FLOW-07), possibly equal. Otherwise they are
+  // a set.
+  bool successors_by_side = false;
+  std::optional<std::vector<PointId>> samples;     // of an index-1 point: the ends of its stable manifold
+  std::optional<std::vector<ClaimedPolyline>> u2;  // of an index-2 point: two, one a side
+};
+
+struct Claim {
+  std::string format;  // "exchange", "csv", "giesen-kuehne", "vtp"
+  std::vector<ClaimedPoint> points;
+  // What the format says of the whole, where it does.
+  std::optional<std::size_t> point_count;  // rows of the input
+  std::optional<std::string> input_sha256;
+  std::optional<std::size_t> merged_duplicates;
+  std::optional<std::vector<std::vector<PointId>>> classes;  // of repeated rows
+  std::optional<std::array<std::size_t, 4>> critical_counts;
+  std::optional<std::array<std::size_t, 3>> regular_counts;  // of kinds 1-2, 2-3, 1-3
+};
+
+// Reads a claim of any known format, recognised by content, gzip-compressed or not; "-" is standard input.
+// Throws InvalidInput, one line "FILE:LINE: reason" or "FILE: reason", for a file that cannot be opened or
+// that is malformed.
+[[nodiscard]] Claim read_claim(const std::string& path);
+
+// The same from memory; `name` is used in messages.
+[[nodiscard]] Claim read_claim_from(std::string_view bytes, const std::string& name);
+
+}  // namespace flowcert

@@ -1,0 +1,28 @@
+// The formats of claims, one file each (spec/formats.md, "Claims, read"); read_claim.cpp tries them in order.
+//
+// To add one: a file that defines a ClaimFormat, its declaration below, and its place in the list of
+// read_claim.cpp. README.md has an example.
+#pragma once
+
+#include <string_view>
+
+#include "flowcert/claim.h"
+
+namespace flowcert {
+
+struct ClaimFormat {
+  // Becomes Claim::format.
+  const char* name;
+  // Whether a file looks like this format. May be wrong about files of formats further down the list only.
+  bool (*recognises)(std::string_view bytes);
+  // Takes the whole file, decompressed, without a byte order mark, holding more than white space; `file` is
+  // its name for messages. Guarantees what flowcert/claim.h promises of readers.
+  Claim (*read)(std::string_view bytes, std::string_view file);
+};
+
+extern const ClaimFormat kExchangeClaims;
+extern const ClaimFormat kVtpClaims;
+extern const ClaimFormat kGiesenKuehneClaims;
+extern const ClaimFormat kCsvClaims;
+
+}  // namespace flowcert

@@ -1,0 +1,81 @@
+// CSV: index,x,y,z[,squared_distance[,contact ids...]], one critical point a line, by commas or blanks; '#'
+// starts a comment, and a first line that begins with `index` names the columns.
+//
+// Integers are decimals here (a program may print 5.0000001 so); 5/1 is exact. An empty squared_distance is
+// not claimed; empty fields at the end of a line are what spreadsheets pad with.
+#include <array>
+#include <string>
+
+#include "io/claims/claim_formats.h"
+#include "io/claims/claim_numbers.h"
+#include "io/number_text.h"
+
+namespace flowcert {
+namespace {
+
+void expect_columns(std::string_view line, const LinePlace& place) {
+  Fields names(line, Separators::kBlanksAndCommas);
+  std::string_view name;
+  for (const char* expected : {"index", "x", "y", "z", "squared_distance"}) {
+    if (!names.next(name) && std::string_view(expected) == "squared_distance") return;
+    if (name != expected) place.reject(std::string("no column ") + in_quotes(expected) + " where it belongs");
+  }
+}
+
+std::vector<PointId> contact_of(Fields& fields, const LinePlace& place) {
+  std::vector<PointId> contact;
+  std::string_view field;
+  bool is_padding = false;
+  while (fields.next(field)) {
+    if (!field.empty() && is_padding) place.reject("an empty field before " + in_quotes(field));
+    is_padding = field.empty();
+    if (!is_padding) contact.push_back(claimed_id(field, place));
+  }
+  return contact;
+}
+
+ClaimedPoint point_of(std::string_view line, const LinePlace& place) {
+  ClaimedPoint point;
+  point.line = place.line;
+  Fields fields(line, Separators::kBlanksAndCommas);
+  std::string_view field;
+  fields.next(field);
+  point.index = claimed_index(field, place);
+  ClaimedPosition center;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!fields.next(field)) place.reject("too few numbers: " + std::to_string(k) + " of 3 after the index");
+    center[k] = claimed_number(field, PlainInteger::kDecimal, place);
+  }
+  point.center = std::move(center);
+  if (fields.next(field) && !field.empty())
+    point.squared_distance = claimed_distance(field, PlainInteger::kDecimal, place);
+  point.contact = contact_of(fields, place);
+  return point;
+}
+
+// It is tried last.
+bool recognises_csv(std::string_view /*bytes*/) { return true; }
+
+Claim read_csv(std::string_view text, std::string_view file) {
+  Claim claim;
+  LineReader lines(text, file);
+  std::string_view line;
+  bool is_first = true;
+  while (lines.next_uncommented(line)) {
+    std::string_view word;
+    Fields(line, Separators::kBlanksAndCommas).next(word);
+    if (is_first && word == "index") {
+      expect_columns(line, lines.place());
+    } else {
+      claim.points.push_back(point_of(line, lines.place()));
+    }
+    is_first = false;
+  }
+  return claim;
+}
+
+}  // namespace
+
+const ClaimFormat kCsvClaims = {.name = "csv", .recognises = recognises_csv, .read = read_csv};
+
+}  // namespace flowcert

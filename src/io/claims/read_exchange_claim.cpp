@@ -1,0 +1,248 @@
+// The exchange format: the JSON Lines that `flowcert compute -o` writes, a header and one record a point
+// (spec/formats.md, section 2; spec/schemas/exchange.schema.json).
+//
+// Rationals in strings are exact; numbers of JSON are decimals. Unknown keys are ignored. A key that is known
+// and is not what it should be is an error, and so is one that does not belong to a point of its index.
+#include <algorithm>
+#include <string>
+
+#include "io/claims/claim_formats.h"
+#include "io/claims/claim_numbers.h"
+#include "io/claims/json_tree.h"
+#include "io/number_text.h"
+
+namespace flowcert {
+namespace {
+
+constexpr std::string_view kFormatName = "flowcert-stationary-points";
+
+// A value and what messages call it.
+class Value {
+ public:
+  Value(const JsonTree& tree, std::string_view name, const LinePlace& place)
+      : tree_(&tree), name_(name), place_(place) {}
+
+  [[noreturn]] void reject(const std::string& what) const {
+    place_.reject("the value of " + in_quotes(name_) + " is not " + what);
+  }
+  [[nodiscard]] bool is(JsonKind kind) const { return tree_->is(kind); }
+  [[nodiscard]] bool is_null() const { return is(JsonKind::kNull); }
+  [[nodiscard]] const LinePlace& place() const { return place_; }
+
+  [[nodiscard]] const std::string& text() const {
+    if (!is(JsonKind::kString)) reject("a string");
+    return tree_->text;
+  }
+  // As it is written.
+  [[nodiscard]] const std::string& number_text() const {
+    if (!is(JsonKind::kNumber)) reject("a number");
+    return tree_->text;
+  }
+
+  // An array: how long, and its parts, under the same name.
+  [[nodiscard]] std::size_t size() const {
+    if (!is(JsonKind::kArray)) reject("an array");
+    return tree_->items.size();
+  }
+  void expect_size(std::size_t size) const {
+    if (this->size() != size) reject("an array of " + std::to_string(size));
+  }
+  [[nodiscard]] Value operator[](std::size_t k) const { return {tree_->items[k], name_, place_}; }
+
+  // The value of an object's key, if it has one.
+  [[nodiscard]] std::optional<Value> find(std::string_view key) const {
+    if (!is(JsonKind::kObject)) reject("an object");
+    const JsonTree* const found = tree_->find(key);
+    return found == nullptr ? std::nullopt : std::optional<Value>(Value(*found, key, place_));
+  }
+  [[nodiscard]] Value get(std::string_view key) const {
+    const std::optional<Value> found = find(key);
+    if (!found) place_.reject("no key " + in_quotes(key));
+    return *found;
+  }
+
+ private:
+  const JsonTree* tree_;
+  std::string_view name_;
+  LinePlace place_;
+};
+
+// An array of what `each` makes of its parts.
+template <class Each>
+auto list_of(const Value& value, Each each) {
+  std::vector<decltype(each(value))> list;
+  const std::size_t size = value.size();
+  list.reserve(size);
+  for (std::size_t k = 0; k < size; ++k) list.push_back(each(value[k]));
+  return list;
+}
+
+ClaimedNumber number_of(const Value& value) {
+  if (value.is(JsonKind::kString)) return claimed_number(value.text(), PlainInteger::kExact, value.place());
+  if (!value.is(JsonKind::kNumber)) value.reject("a rational in a string, or a number");
+  return claimed_number(value.number_text(), PlainInteger::kDecimal, value.place());
+}
+
+ClaimedNumber distance_of(const Value& value) {
+  ClaimedNumber number = number_of(value);
+  if (number.value < 0) value.reject("0 or more");
+  return number;
+}
+
+ClaimedPosition position_of(const Value& value) {
+  value.expect_size(3);
+  return {number_of(value[0]), number_of(value[1]), number_of(value[2])};
+}
+
+std::size_t count_of(const Value& value) { return claimed_count(value.number_text(), value.place()); }
+
+std::vector<PointId> ids_of(const Value& value) {
+  return list_of(value, [](const Value& id) { return claimed_id(id.number_text(), id.place()); });
+}
+
+int index_of(const Value& value) { return claimed_index(value.number_text(), value.place()); }
+
+// ---- The header ----
+
+std::array<std::size_t, 3> regular_counts_of(const Value& value) {
+  return {count_of(value.get("1-2")), count_of(value.get("2-3")), count_of(value.get("1-3"))};
+}
+
+std::string sha256_of(const Value& value) {
+  const std::string& text = value.text();
+  const auto is_hex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
+  if (text.size() != 64 || !std::all_of(text.begin(), text.end(), is_hex))
+    value.reject("64 lower case hexadecimal digits");
+  return text;
+}
+
+Claim claim_of_header(const Value& header) {
+  const Value format = header.get("format");
+  if (format.text() != kFormatName) format.reject(in_quotes(kFormatName));
+  const Value version = header.get("format_version");
+  if (version.number_text() != "1") version.reject("1, the only version that is known");
+  Claim claim;
+  if (const auto value = header.find("points")) claim.point_count = count_of(*value);
+  if (const auto value = header.find("merged_duplicates")) claim.merged_duplicates = count_of(*value);
+  if (const auto value = header.find("input_sha256")) claim.input_sha256 = sha256_of(*value);
+  if (const auto value = header.find("classes")) claim.classes = list_of(*value, ids_of);
+  if (const auto value = header.find("critical")) {
+    value->expect_size(4);
+    claim.critical_counts = {count_of((*value)[0]), count_of((*value)[1]), count_of((*value)[2]),
+                             count_of((*value)[3])};
+  }
+  if (const auto value = header.find("regular_stationary")) claim.regular_counts = regular_counts_of(*value);
+  return claim;
+}
+
+// ---- Records ----
+
+void read_index(const Value& record, ClaimedPoint& point) {
+  const Value index = record.get("index");
+  if (index.is(JsonKind::kArray)) {
+    index.expect_size(2);
+    point.index = index_of(index[0]);
+    point.hull_dimension = index_of(index[1]);
+    if (point.index < 1 || point.index >= *point.hull_dimension) index.reject("a kind: [1,2], [2,3], [1,3]");
+  } else {
+    point.index = index_of(index);
+  }
+  const auto kind = record.find("kind");
+  const char* const expected = point.hull_dimension ? "regular" : "critical";
+  if (kind && kind->text() != expected) kind->reject(in_quotes(expected) + ", which the index says");
+}
+
+// center, or else center_double; likewise squared_distance. A double is null where none is near.
+void read_sphere(const Value& record, ClaimedPoint& point) {
+  if (const auto center = record.find("center")) {
+    point.center = position_of(*center);
+  } else if (const auto near = record.find("center_double"); near && !near->is_null()) {
+    near->expect_size(3);
+    if (!(*near)[0].is_null() && !(*near)[1].is_null() && !(*near)[2].is_null())
+      point.center = position_of(*near);
+  }
+  if (const auto distance = record.find("squared_distance")) {
+    point.squared_distance = distance_of(*distance);
+  } else if (const auto near = record.find("squared_distance_double"); near && !near->is_null()) {
+    point.squared_distance = distance_of(*near);
+  }
+}
+
+ClaimedTarget limit_of(const Value& value) {
+  if (value.is_null()) return {.is_infinity = true, .contact = {}};
+  return {.is_infinity = false, .contact = ids_of(value)};
+}
+
+ClaimedSegment segment_of(const Value& value) {
+  ClaimedSegment segment;
+  if (const auto type = value.find("type")) segment.type = type->text();
+  if (const auto driver = value.find("driver")) segment.driver = position_of(*driver);
+  const Value end = value.get("end");
+  if (!end.is_null()) segment.end = position_of(end);
+  return segment;
+}
+
+ClaimedPolyline polyline_of(const Value& value) { return list_of(value, segment_of); }
+
+// A key that only critical points of one index have.
+std::optional<Value> find_of_index(const Value& record, const ClaimedPoint& point, const char* key,
+                                   int index) {
+  const auto value = record.find(key);
+  if (value && (point.hull_dimension || point.index != index)) {
+    record.place().reject(std::string("a key of critical points of index ") + std::to_string(index) +
+                          " only: " + in_quotes(key));
+  }
+  return value;
+}
+
+void read_flow(const Value& record, ClaimedPoint& point) {
+  if (const auto samples = find_of_index(record, point, "samples", 1)) point.samples = ids_of(*samples);
+  if (const auto limits = find_of_index(record, point, "limits", 2)) {
+    limits->expect_size(2);
+    point.successors = list_of(*limits, limit_of);
+    point.successors_by_side = true;
+  }
+  if (const auto u2 = find_of_index(record, point, "u2", 2)) {
+    u2->expect_size(2);
+    point.u2 = list_of(*u2, polyline_of);
+  }
+}
+
+ClaimedPoint point_of(const Value& record) {
+  ClaimedPoint point;
+  point.line = record.place().line;
+  read_index(record, point);
+  if (const auto contact = record.find("contact")) {
+    point.contact = ids_of(*contact);
+    if (point.contact.empty()) contact->reject("a contact set: it is empty");
+  }
+  read_sphere(record, point);
+  if (point.contact.empty() && !point.center) record.place().reject("neither 'contact' nor 'center'");
+  read_flow(record, point);
+  return point;
+}
+
+bool recognises_exchange(std::string_view bytes) {
+  const auto* const first = std::find_if_not(bytes.begin(), bytes.end(), is_blank);
+  return first != bytes.end() && *first == '{';
+}
+
+Claim read_exchange(std::string_view text, std::string_view file) {
+  LineReader lines(text, file);
+  std::string_view line;
+  lines.next_filled(line);
+  const JsonTree header = parse_json(line, lines.place());
+  Claim claim = claim_of_header({header, "header", lines.place()});
+  while (lines.next_filled(line)) {
+    const JsonTree record = parse_json(line, lines.place());
+    claim.points.push_back(point_of({record, "record", lines.place()}));
+  }
+  return claim;
+}
+
+}  // namespace
+
+const ClaimFormat kExchangeClaims = {
+    .name = "exchange", .recognises = recognises_exchange, .read = read_exchange};
+
+}  // namespace flowcert

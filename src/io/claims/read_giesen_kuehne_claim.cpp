@@ -1,0 +1,113 @@
+// The text format of the public implementation of Giesen and Kühne's algorithm: a line `inf 3` for the
+// maximum at infinity, with the dimension, and one critical point a line,
+//
+//   contact ids | distance | contact ids of a successor | ... |
+//
+// The index is the number of contact ids minus one: of a larger cospherical set the program lists a part that
+// spans it. A successor is a critical point above, or `inf`. Distances are not squared.
+#include <algorithm>
+#include <string>
+
+#include "io/claims/claim_formats.h"
+#include "io/claims/claim_numbers.h"
+#include "io/number_text.h"
+
+namespace flowcert {
+namespace {
+
+constexpr std::string_view kInfinity = "inf";
+
+std::vector<PointId> ids_of(std::string_view text, const LinePlace& place) {
+  std::vector<PointId> ids;
+  Fields fields(text, Separators::kBlanks);
+  std::string_view field;
+  while (fields.next(field)) ids.push_back(claimed_id(field, place));
+  if (ids.empty()) place.reject("no ids between two bars");
+  if (ids.size() > 4) place.reject("a critical point of " + std::to_string(ids.size()) + " ids, not 1 to 4");
+  return ids;
+}
+
+// What is up to the next bar, taken off the front of the line. False when nothing but blanks is left.
+bool next_part(std::string_view& line, std::string_view& part) {
+  if (std::all_of(line.begin(), line.end(), is_blank)) return false;
+  part = line.substr(0, line.find('|'));
+  line.remove_prefix(std::min(part.size() + 1, line.size()));
+  return true;
+}
+
+// The only word of a part.
+std::string_view word_of(std::string_view part, const LinePlace& place) {
+  Fields fields(part, Separators::kBlanks);
+  std::string_view word;
+  std::string_view second;
+  if (!fields.next(word)) place.reject("nothing between two bars");
+  if (fields.next(second)) place.reject("more than one number between two bars: " + in_quotes(part));
+  return word;
+}
+
+ClaimedTarget target_of(std::string_view part, const LinePlace& place) {
+  std::string_view first;
+  Fields(part, Separators::kBlanks).next(first);
+  if (first != kInfinity) return {.is_infinity = false, .contact = ids_of(part, place)};
+  (void)word_of(part, place);
+  return {.is_infinity = true, .contact = {}};
+}
+
+ClaimedPoint point_of(std::string_view line, const LinePlace& place) {
+  ClaimedPoint point;
+  point.line = place.line;
+  std::string_view part;
+  next_part(line, part);
+  point.contact = ids_of(part, place);
+  point.index = static_cast<int>(point.contact.size()) - 1;
+  if (!next_part(line, part)) place.reject("cut short: no distance");
+  point.distance = claimed_distance(word_of(part, place), PlainInteger::kDecimal, place);
+  point.successors.emplace();
+  while (next_part(line, part)) point.successors->push_back(target_of(part, place));
+  return point;
+}
+
+void expect_three_dimensions(std::string_view line, const LinePlace& place) {
+  Fields fields(line, Separators::kBlanks);
+  std::string_view word;
+  fields.next(word);
+  if (!fields.next(word)) place.reject("no dimension after 'inf'");
+  if (word != "3") place.reject("a flow complex of dimension " + in_quotes(word) + ", not 3");
+  if (fields.next(word)) place.reject("more than the dimension after 'inf': " + in_quotes(word));
+}
+
+bool is_infinity_line(std::string_view line) {
+  std::string_view word;
+  Fields(line, Separators::kBlanks).next(word);
+  return word == kInfinity;
+}
+
+bool recognises_giesen_kuehne(std::string_view bytes) {
+  LineReader lines(bytes, "");
+  std::string_view line;
+  return lines.next_uncommented(line) && (is_infinity_line(line) || line.find('|') != std::string_view::npos);
+}
+
+Claim read_giesen_kuehne(std::string_view text, std::string_view file) {
+  Claim claim;
+  LineReader lines(text, file);
+  std::string_view line;
+  bool has_infinity = false;
+  while (lines.next_filled(line)) {
+    if (!is_infinity_line(line)) {
+      claim.points.push_back(point_of(line, lines.place()));
+      continue;
+    }
+    expect_three_dimensions(line, lines.place());
+    if (has_infinity) lines.place().reject("a second maximum at infinity");
+    has_infinity = true;
+  }
+  return claim;
+}
+
+}  // namespace
+
+const ClaimFormat kGiesenKuehneClaims = {
+    .name = "giesen-kuehne", .recognises = recognises_giesen_kuehne, .read = read_giesen_kuehne};
+
+}  // namespace flowcert

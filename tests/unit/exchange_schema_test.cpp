@@ -1,0 +1,98 @@
+// spec/schemas/exchange.schema.json: it takes what compute writes, and says what our reader says of single
+// lines. The validator is valijson's.
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "tests/cites.h"
+#include "tests/unit/claim_file_samples.h"
+
+namespace flowcert {
+namespace {
+
+const std::string kHeader = "{\"format\":\"flowcert-stationary-points\",\"format_version\":1}\n";
+
+class ExchangeSchema {
+ public:
+  ExchangeSchema() {
+    std::ifstream file(FLOWCERT_EXCHANGE_SCHEMA);
+    const nlohmann::json document = nlohmann::json::parse(file, nullptr, false);
+    EXPECT_TRUE(document.is_object());
+    valijson::SchemaParser(valijson::SchemaParser::kDraft7)
+        .populateSchema(valijson::adapters::NlohmannJsonAdapter(document), schema_);
+  }
+  [[nodiscard]] bool accepts(const std::string& line) const {
+    const nlohmann::json value = nlohmann::json::parse(line, nullptr, false);
+    valijson::Validator validator;
+    return !value.is_discarded() &&
+           validator.validate(schema_, valijson::adapters::NlohmannJsonAdapter(value), nullptr);
+  }
+
+ private:
+  valijson::Schema schema_;
+};
+
+TEST(ExchangeSchema, TakesWhatComputeWrites) {
+  CITES("FC-OUT-01", "FC-NUM-02");
+  const ExchangeSchema schema;
+  for (const std::vector<Point>& rows :
+       {rows_of_many_kinds(), std::vector<Point>{},
+        std::vector<Point>{{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}},
+        std::vector<Point>{{1e308, 0, 0}, {-1e308, 1e-300, 0}, {0, 3, 1e300}, {0, -1e308, 5}}}) {
+    std::istringstream lines(exchange_file(rows));
+    std::string line;
+    while (std::getline(lines, line)) EXPECT_TRUE(schema.accepts(line)) << line;
+  }
+}
+
+TEST(ExchangeSchema, SaysWhatTheReaderSays) {
+  CITES("FC-OUT-01", "FC-NUM-02");
+  const ExchangeSchema schema;
+  for (const char* record :
+       {R"({"index":2,"center":["1/2","-3","0x1.8p1"]})", R"({"index":2,"center":["0.1",1e-4,"+.5e+7"]})",
+        R"({"index":[1,3],"kind":"regular","contact":[0],"new":1})",
+        R"({"index":1,"samples":[7],"contact":[7]})",
+        R"({"index":2,"contact":[1],"limits":[null,[1]],"u2":[[],[{"end":null}]]})",
+        R"({"index":1,"center_double":[1,2,3],"squared_distance_double":null})"}) {
+    EXPECT_TRUE(schema.accepts(record)) << record;
+    EXPECT_EQ(claim_refusal(kHeader + record), "accepted, 1 points") << record;
+  }
+  for (const char* record : {R"({"index":4,"contact":[1]})",
+                             R"({"index":"1","contact":[1]})",
+                             R"({"index":[2,1],"contact":[1]})",
+                             R"({"index":1})",
+                             R"({"index":1,"contact":[]})",
+                             R"({"index":1,"contact":[-1]})",
+                             R"({"index":1,"contact":[2147483647]})",
+                             R"({"index":1,"contact":[1.5]})",
+                             R"({"contact":[1]})",
+                             R"({"index":1,"center":["1","2"]})",
+                             R"({"index":1,"center":["1","2","x"]})",
+                             R"({"index":1,"center":["1","2","nan"]})",
+                             R"({"index":1,"center":["1","2",null]})",
+                             R"({"index":1,"contact":[1],"squared_distance":"-1"})",
+                             R"({"index":1,"contact":[1],"squared_distance":-0.5})",
+                             R"({"index":1,"kind":"regular","contact":[1]})",
+                             R"({"index":[1,2],"kind":"critical","contact":[1]})",
+                             R"({"index":1,"contact":[1],"limits":[null,null]})",
+                             R"({"index":2,"contact":[1],"limits":[null]})",
+                             R"({"index":2,"contact":[1],"u2":[[],[{}]]})",
+                             R"({"index":2,"contact":[1],"samples":[1]})",
+                             "[]",
+                             "1"}) {
+    EXPECT_FALSE(schema.accepts(record)) << record;
+    EXPECT_NE(claim_refusal(kHeader + record), "accepted, 1 points") << record;
+  }
+  for (const char* header :
+       {R"({"format":"flowcert-stationary-points"})", R"({"format":"x","format_version":1})",
+        R"({"format":"flowcert-stationary-points","format_version":1,"points":-1})"}) {
+    EXPECT_FALSE(schema.accepts(header)) << header;
+    EXPECT_NE(claim_refusal(header), "accepted, 0 points") << header;
+  }
+}
+
+}  // namespace
+}  // namespace flowcert
