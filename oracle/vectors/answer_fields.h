@@ -1,0 +1,24 @@
+// The oracle's answers in JSON, with the keys of spec/formats.md sections 2 and 4.
+//
+// Guarantees: exact; keys in the order of the formats. Nothing of src/ is used.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "oracle/orbit.h"
+#include "oracle/stationary_points.h"
+
+namespace oracle::vectors {
+
+using Json = nlohmann::ordered_json;
+
+Json position_field(const Point& x);
+// index, kind, contact, center, squared_distance.
+Json record_field(const StationaryPoint& x);
+// start, segments, limit.
+Json orbit_field(const PointSet& set, const Point& start, const Orbit& path);
+// merged_duplicates, critical, regular_stationary.
+Json counts_field(const Answer& answer);
+
+}  // namespace oracle::vectors

@@ -1,0 +1,41 @@
+// The flags of conformance vectors: what a case aims at, or has.
+//
+// Guarantees: most flags follow from input and answer, and are set iff they hold; the others, *aims*, say how
+// the input was made. Each is defined once, here, and written to spec/vectors/flags.json.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "oracle/orbit.h"
+#include "oracle/stationary_points.h"
+#include "oracle/vectors/shapes.h"
+
+namespace oracle::vectors {
+
+struct Flag {
+  std::string name;
+  std::string meaning;
+  std::vector<std::string> clauses;
+};
+
+// In the order in which cases list theirs.
+const std::vector<Flag>& all_flags();
+
+// What the oracle found out for one case.
+struct Findings {
+  PointSet set;
+  Answer answer;
+  std::vector<std::array<Orbit, 2>> unstable;  // of the index-2 points, in order; if asked for
+  std::vector<Point> starts;
+  std::vector<Orbit> orbits;  // one a start
+};
+
+// Aims and what follows from the findings. Throws std::logic_error for an aim that is no flag.
+std::vector<std::string> flags_of(const Rows& rows, const Findings& findings,
+                                  const std::vector<std::string>& aims);
+
+// Those of the flags and of the group, ascending, once each.
+std::vector<std::string> clauses_of(const std::vector<std::string>& flags, std::vector<std::string> more);
+
+}  // namespace oracle::vectors

@@ -1,0 +1,80 @@
+// The table of conformance vectors: which inputs there are, under which permanent ids, and what they aim at.
+//
+// Guarantees: a function of this source and of fuzz/ alone, the same on every machine. An id is never
+// renumbered and never given to another input: new cases get new numbers, and a family of fuzz/ that has to
+// change leaves the inputs that were drawn from it behind, as given points.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "oracle/exact_geometry.h"
+#include "oracle/vectors/shapes.h"
+
+namespace oracle::vectors {
+
+// A case with an answer.
+struct Recipe {
+  std::string id;
+  std::string comment;
+  std::vector<std::string> aims;  // flags that do not follow from input and answer (flags.h)
+  Rows points;
+  bool limits = false;         // also where the orbits of U2 end
+  std::vector<Point> starts;   // also the orbits from here,
+  std::size_t own_starts = 0;  // and from so many starts of starts.h
+};
+
+// A case that has to be refused.
+struct InvalidRecipe {
+  std::string id;
+  std::string comment;
+  std::vector<std::string> aims;
+  std::vector<std::vector<std::string>> points;   // words of a point file, a row each
+  std::optional<std::string> text;                // instead of points: all of a point file
+  std::optional<std::vector<std::string>> start;  // of an orbit, where the points are right
+};
+
+struct Group {
+  std::string name;  // also the name of its file
+  std::string title;
+  std::vector<std::string> clauses;  // what all of its cases rest on
+  std::vector<Recipe> recipes;
+  std::vector<InvalidRecipe> invalid_recipes;
+};
+
+// In the order of ids. Throws std::logic_error for an id that is given twice.
+const std::vector<Group>& groups();
+
+// The same, a source file each.
+std::vector<Group> stationary_groups();
+std::vector<Group> orbit_groups();
+std::vector<Group> invalid_groups();
+
+// "cospherical-clusters-0007".
+std::string case_id(const std::string& group, std::size_t number);
+
+// Adds cases to a group.
+class GroupWriter {
+ public:
+  explicit GroupWriter(Group& group) : group_(group) {}
+
+  // Cases first, first + 1, ...: the family's inputs of that size, one a seed.
+  void drawn(std::size_t first, const std::string& family, int size, const std::vector<std::uint64_t>& seeds);
+  void given(std::size_t number, const std::string& comment, const std::vector<std::string>& aims,
+             const Rows& points, const std::vector<Point>& starts = {});
+  // Cases first, first + 1, first + 2: exact, and with one coordinate one ulp up and one ulp down.
+  void threefold(std::size_t first, const std::string& comment, const Rows& points, std::size_t row,
+                 std::size_t axis);
+
+  // From now on.
+  void with_limits() { limits_ = true; }
+  void with_own_starts(std::size_t count) { own_starts_ = count; }
+
+ private:
+  Group& group_;
+  bool limits_ = false;
+  std::size_t own_starts_ = 0;
+};
+
+}  // namespace oracle::vectors

@@ -1,0 +1,28 @@
+// Conformance vectors as JSON: spec/formats.md, "Conformance vectors".
+//
+// Guarantees: what is expected comes from the oracle alone: stationary points by search over all subsets,
+// orbits by linear scans. Deterministic, to the byte.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "oracle/vectors/answer_fields.h"
+#include "oracle/vectors/recipes.h"
+
+namespace oracle::vectors {
+
+// Takes time n^5.
+Json case_of(const Group& group, const Recipe& recipe);
+// The same where the stationary points and the starts of the orbits are known.
+Json case_of(const Group& group, const Recipe& recipe, const Answer& answer,
+             const std::vector<Point>& starts);
+Json case_of(const Group& group, const InvalidRecipe& recipe);
+
+Json group_file(const Group& group, const std::vector<Json>& cases);
+Json flag_file();
+
+// With line breaks where people want them: what fits on a line stays on one. Ends with a line break.
+std::string text_of(const Json& file);
+
+}  // namespace oracle::vectors
