@@ -49,6 +49,7 @@ Fault not_empty(const ExactSphere& sphere, const NearestSamples& nearest) {
 
 Fault outside_hull(const PointSet& points, const std::vector<PointId>& names, const ExactSphere& sphere) {
   std::vector<Point> coordinates;
+  coordinates.reserve(names.size());
   for (const PointId name : names) coordinates.push_back(sample(points, name));
   const RationalPoint driver = enclosing_ball_center(coordinates);
   const bool by_rounding = is_rounding(squared_distance(driver, sphere.center), 0, rounding_length(sphere));

@@ -41,6 +41,7 @@ int check_claim(CheckCommandOptions options) {
   const Input input = read_input(files.points);
   files.points = display_name(files.points);
   files.claim = display_name(files.claim);
+  require_rows(claim, input.points, files.claim);
   files.claim_format = claim.format;
   files.tolerance = options.check.tolerance;
   files.highest_level = options.check.highest_level;

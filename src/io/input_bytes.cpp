@@ -1,5 +1,5 @@
 // See input_bytes.h.
-#include "io/claims/input_bytes.h"
+#include "io/input_bytes.h"
 
 #include <fcntl.h>
 #include <unistd.h>

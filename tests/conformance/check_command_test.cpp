@@ -260,7 +260,7 @@ TEST(CheckCommand, WritesAReportForCiSystems) {
 }
 
 TEST(CheckCommand, RefusesWhatItCannotUse) {
-  CITES("FC-IN-05");
+  CITES("FC-IN-05", "FC-CLAIM-01");
   const Checked own(kCube, Words{});
   const auto refuses = [](const Words& words, const std::string& what) {
     const Finished finished = flowcert(words);
@@ -275,6 +275,11 @@ TEST(CheckCommand, RefusesWhatItCannotUse) {
   refuses({"check", own.points()}, "CLAIM");
   refuses({"check", "-", "-"}, "standard input");
   refuses({"check", own.points(), own.scratch().file("cut", "inf 3\n0 1 |")}, "cut:2");
+  refuses({"check", own.points(), own.scratch().file("row", "0,0,0,0,0,0\n1,.5,0,0,.25,0,8\n")},
+          "row:2: there is no point 8; the ids are 0 to 7");
+  refuses({"check", own.points(), own.scratch().file("sample", "inf 3\n0 | 0 | 0 1 | 0 9\n")},
+          "sample:2: there is no point 9");
+  refuses({"check", own.points(), own.scratch().file("index", "4,0,0,0\n")}, "index:1: not an index, 0 to 3");
   refuses({"check", own.points(), own.claim(), "--tolerance", "1"}, "--tolerance");
   refuses({"check", own.points(), own.claim(), "--tolerance", "nan"}, "--tolerance");
   refuses({"check", own.points(), own.claim(), "--levels", "6"}, "--levels");

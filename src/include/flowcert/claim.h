@@ -2,7 +2,7 @@
 //
 // Guarantees: a claim is kept as it was made, right or wrong: nothing is completed, sorted or rounded. What a
 // format does not say is empty. Readers refuse what is malformed, whole; whether ids are rows of the input is
-// not theirs to know. No number in a file can make them allocate more than a multiple of its (decompressed)
+// not theirs to know (require_rows). No number in a file can make them allocate more than a multiple of its (decompressed)
 // size. Formats: spec/formats.md, "Claims, read".
 #pragma once
 
@@ -77,5 +77,9 @@ struct Claim {
 
 // The same from memory; `name` is used in messages.
 [[nodiscard]] Claim read_claim_from(std::string_view bytes, const std::string& name);
+
+// Throws InvalidInput, "FILE:LINE: reason", if the claim names a row that the input does not have, which no
+// reader can know. `name` is the file's. Linear in the claim.
+void require_rows(const Claim& claim, const PointSet& points, const std::string& name);
 
 }  // namespace flowcert

@@ -4,8 +4,8 @@
 
 #include "flowcert/claim.h"
 #include "io/claims/claim_formats.h"
-#include "io/claims/input_bytes.h"
 #include "io/gzip_stream.h"
+#include "io/input_bytes.h"
 #include "io/line_reader.h"
 
 namespace flowcert {
@@ -13,6 +13,16 @@ namespace {
 
 // In the order in which they are tried. The last takes what none before it does.
 constexpr std::array kFormats = {&kExchangeClaims, &kVtpClaims, &kGiesenKuehneClaims, &kCsvClaims};
+
+void require_ids(const std::vector<PointId>& ids, const PointSet& points, const LinePlace& place) {
+  for (const PointId id : ids) {
+    if (id < points.row_count()) continue;
+    const std::string truth = points.row_count() == 0
+                                  ? "the input is empty"
+                                  : "the ids are 0 to " + std::to_string(points.row_count() - 1);
+    place.reject("there is no point " + std::to_string(id) + "; " + truth);
+  }
+}
 
 }  // namespace
 
@@ -29,6 +39,16 @@ Claim read_claim_from(std::string_view bytes, const std::string& name) {
   Claim claim = (*format)->read(bytes, name);
   claim.format = (*format)->name;
   return claim;
+}
+
+void require_rows(const Claim& claim, const PointSet& points, const std::string& name) {
+  for (const ClaimedPoint& point : claim.points) {
+    const LinePlace place{.file = name, .line = point.line};
+    require_ids(point.contact, points, place);
+    if (point.samples) require_ids(*point.samples, points, place);
+    if (!point.successors) continue;
+    for (const ClaimedTarget& target : *point.successors) require_ids(target.contact, points, place);
+  }
 }
 
 Claim read_claim(const std::string& path) { return read_claim_from(read_bytes(path), path); }
