@@ -72,7 +72,7 @@ class ByPosition {
     std::vector<Candidate> within;
     for (const std::size_t record : grid_.near(at)) {
       const ExactSphere& sphere = grid_.sphere(record);
-      const ValueMatch match = match_position(at, sphere.center, value_scale(sphere, run_.options.tolerance));
+      const ValueMatch match = match_position(at, sphere.center, ValueScale(sphere, run_.options.tolerance));
       if (match == ValueMatch::kOff) continue;
       within.push_back({rank_of(run_, point, record), squared_distance(x, sphere.center), record});
       // An exact position that is one of them names that one.

@@ -35,7 +35,7 @@ class Polylines {
   void check(std::size_t k) {
     const std::size_t record = run_.placed[k].place->record;
     const auto& claimed = *run_.claim.points[k].u2;
-    const ValueScale scale = value_scale(run_.truth.sphere(record), run_.options.tolerance);
+    const ValueScale scale(run_.truth.sphere(record), run_.options.tolerance);
     for (std::size_t side = 0; side < 2; ++side) {
       const Difference found = difference(claimed[side], run_.truth.polyline(record, side), scale);
       if (found.is_wrong) report(k, side, found);

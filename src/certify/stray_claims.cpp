@@ -96,7 +96,7 @@ struct WrongValue {
 std::vector<WrongValue> wrong_values(CheckRun& run, const ClaimedPoint& point, std::size_t record) {
   const ExactSphere sphere = run.truth.sphere(record);
   if (is_exactly_right(point, sphere)) return {};
-  const ValueScale scale = value_scale(sphere, run.options.tolerance);
+  const ValueScale scale(sphere, run.options.tolerance);
   std::vector<WrongValue> wrong;
   const auto squared = [&sphere] { return "the squared distance is " + number_text(sphere.squared_radius); };
   if (point.center) {

@@ -23,6 +23,16 @@ bool rounds_alike(const Rational& a, const Rational& b) {
   return x && y && *x == *y;
 }
 
+// Without a difference of rationals, which costs most: what is claimed exactly is equal, decimals round
+// alike.
+bool matches_at_once(const ClaimedPosition& claimed, const RationalPoint& truth) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Rational& value = claimed[axis].value;
+    if (claimed[axis].is_exact ? value != truth[axis] : !rounds_alike(value, truth[axis])) return false;
+  }
+  return true;
+}
+
 ValueMatch wrong(bool by_rounding) { return by_rounding ? ValueMatch::kRounding : ValueMatch::kOff; }
 
 }  // namespace
@@ -40,14 +50,16 @@ bool is_rounding(const Rational& squared_a, const Rational& squared_b, double ro
   return std::abs(as_double(squared_a - squared_b)) / (a + b) <= kRoundingPart * rounding_length;
 }
 
-ValueScale value_scale(const ExactSphere& sphere, double tolerance) {
-  Rational squared_length = sphere.squared_radius;
+Rational ValueScale::squared_allowance() const {
+  Rational squared_length = sphere_.squared_radius;
   if (squared_length == 0) {
-    for (const Rational& x : sphere.center) squared_length = std::max(squared_length, Rational(x * x));
+    for (const Rational& x : sphere_.center) squared_length = std::max(squared_length, Rational(x * x));
   }
-  const Rational exact_tolerance(tolerance);
-  return {squared_length, exact_tolerance * exact_tolerance, rounding_length(sphere)};
+  const Rational exact_tolerance(tolerance_);
+  return exact_tolerance * exact_tolerance * squared_length;
 }
+
+double ValueScale::rounding_length() const { return flowcert::rounding_length(sphere_); }
 
 bool is_exact(const ClaimedPosition& claimed) {
   return std::all_of(claimed.begin(), claimed.end(), [](const ClaimedNumber& x) { return x.is_exact; });
@@ -55,18 +67,15 @@ bool is_exact(const ClaimedPosition& claimed) {
 
 ValueMatch match_position(const ClaimedPosition& claimed, const RationalPoint& truth,
                           const ValueScale& scale) {
+  if (matches_at_once(claimed, truth)) return is_exact(claimed) ? ValueMatch::kEqual : ValueMatch::kWithin;
   Rational off_exactly = 0, off_by_decimals = 0;  // squared
-  bool rounds_alike_everywhere = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Rational difference = claimed[axis].value - truth[axis];
     if (difference == 0) continue;
     (claimed[axis].is_exact ? off_exactly : off_by_decimals) += difference * difference;
-    rounds_alike_everywhere = rounds_alike_everywhere && rounds_alike(claimed[axis].value, truth[axis]);
   }
-  const bool near =
-      rounds_alike_everywhere || off_by_decimals <= scale.squared_tolerance * scale.squared_length;
-  if (off_exactly == 0 && near) return is_exact(claimed) ? ValueMatch::kEqual : ValueMatch::kWithin;
-  return wrong(is_rounding(off_exactly + off_by_decimals, 0, scale.rounding_length));
+  if (off_exactly == 0 && off_by_decimals <= scale.squared_allowance()) return ValueMatch::kWithin;
+  return wrong(is_rounding(off_exactly + off_by_decimals, 0, scale.rounding_length()));
 }
 
 ValueMatch match_distance(const ClaimedNumber& claimed, const Rational& squared_radius,
@@ -82,12 +91,11 @@ ValueMatch match_squared_distance(const ClaimedNumber& claimed, const Rational& 
   if (square == squared_radius) return claimed.is_exact ? ValueMatch::kEqual : ValueMatch::kWithin;
   if (!claimed.is_exact) {
     // |d - r| <= t for the roots d and r iff d^2 + r^2 - t^2 <= 2 d r.
-    const Rational left = square + squared_radius - scale.squared_tolerance * scale.squared_length;
-    if (left <= 0 || left * left <= 4 * square * squared_radius || rounds_alike(square, squared_radius)) {
-      return ValueMatch::kWithin;
-    }
+    if (rounds_alike(square, squared_radius)) return ValueMatch::kWithin;
+    const Rational left = square + squared_radius - scale.squared_allowance();
+    if (left <= 0 || left * left <= 4 * square * squared_radius) return ValueMatch::kWithin;
   }
-  return wrong(is_rounding(square, squared_radius, scale.rounding_length));
+  return wrong(is_rounding(square, squared_radius, scale.rounding_length()));
 }
 
 }  // namespace flowcert

@@ -2,6 +2,8 @@
 // equal, what is claimed in decimals has to be near.
 #pragma once
 
+#include <utility>
+
 #include "flowcert/claim.h"
 #include "flowcert/stationary_points.h"
 
@@ -16,13 +18,20 @@ enum class ValueMatch {
 
 // What "near" refers to: the radius of the point in question; where that is 0, the largest of the sample's
 // coordinates.
-struct ValueScale {
-  Rational squared_length;
-  Rational squared_tolerance;
+class ValueScale {
+ public:
+  // Costs nothing: most values match without being compared by a tolerance.
+  ValueScale(ExactSphere sphere, double tolerance) : sphere_(std::move(sphere)), tolerance_(tolerance) {}
+
+  // By which a position or distance in decimals may be off, squared.
+  [[nodiscard]] Rational squared_allowance() const;
   // As rounding does not care for the radius alone: radius and largest coordinate, roughly.
-  double rounding_length = 0;
+  [[nodiscard]] double rounding_length() const;
+
+ private:
+  ExactSphere sphere_;
+  double tolerance_;
 };
-[[nodiscard]] ValueScale value_scale(const ExactSphere& sphere, double tolerance);
 
 [[nodiscard]] ValueMatch match_position(const ClaimedPosition& claimed, const RationalPoint& truth,
                                         const ValueScale& scale);

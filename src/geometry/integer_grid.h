@@ -43,6 +43,8 @@ class IntegerGrid {
   [[nodiscard]] bool fits_wide() const { return top_exponent_ - exponent_ <= kWideBits; }
   [[nodiscard]] bool fits_narrow() const { return top_exponent_ - exponent_ <= kNarrowBits; }
 
+  [[nodiscard]] int exponent() const { return exponent_; }
+
   // to - from, in units of the grid. For NarrowInteger and WideInteger only where fits_wide().
   template <class Integer>
   [[nodiscard]] Vector3<Integer> vector_between(const Point& from, const Point& to) const;

@@ -75,7 +75,7 @@ Rational value_of(const Decimal& decimal) {
   const int power = decimal.exponent - decimal.decimals;
   const Integer scale =
       boost::multiprecision::pow(Integer(10), static_cast<unsigned>(power < 0 ? -power : power));
-  Rational value = power < 0 ? Rational(digits) / Rational(scale) : Rational(Integer(digits * scale));
+  Rational value = power < 0 ? Rational(digits, scale) : Rational(Integer(digits * scale));
   if (decimal.is_negative) value = -value;
   return value;
 }
