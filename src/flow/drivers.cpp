@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -58,6 +59,31 @@ FacetName doubly_obtuse_edge(const VoronoiFaces& faces, const Boundary& boundary
 }
 
 }  // namespace
+
+VertexSources vertex_sources(const VoronoiFaces& faces, CellIndex cluster) {
+  struct Side {
+    FacetName facet;
+    Sign angle;
+    PolygonRef polygon;
+  };
+  const Boundary boundary = boundary_of(faces, cluster);
+  VertexSources sources;
+  std::vector<Side> sides;
+  for (const PolygonRef polygon : boundary.polygons) {
+    for (const PolygonSide& side : faces.sides(polygon)) {
+      sides.push_back({{side.v0, side.v1}, side.angle, polygon});
+    }
+    const bool is_positive = std::ranges::find(boundary.negative, polygon) == boundary.negative.end() &&
+                             std::ranges::find(boundary.zero, polygon) == boundary.zero.end();
+    if (is_positive && faces.driver(polygon).shape != Sign::kNegative) sources.polygons.push_back(polygon);
+  }
+  const auto key = [](const Side& side) { return std::tuple(side.facet.v0, side.facet.v1, side.angle); };
+  std::sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) { return key(a) < key(b); });
+  for (std::size_t k = 0; k + 1 < sides.size(); k += 2) {
+    sources.edges.push_back({sides[k].facet, {sides[k].angle, sides[k + 1].angle}, sides[k].polygon});
+  }
+  return sources;
+}
 
 VertexFlow vertex_flow(const VoronoiFaces& faces, CellIndex cluster) {
   const Boundary boundary = boundary_of(faces, cluster);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "flowcert/stationary_points.h"
 #include "voronoi/voronoi_faces.h"
@@ -25,6 +26,26 @@ struct VertexFlow {
   PolygonRef edge{kNoCell, 0};  // kAlongEdge: driven by its centre
   FacetName facet{0, 0};        // kAcrossFacet: driven by its midpoint
 };
+
+// An edge of a Voronoi vertex' polytope, with the angles at it in its two polygons, the lesser first (h of
+// FC-SIGN-01). Both are zero iff its midpoint is the Voronoi vertex.
+struct PolytopeEdge {
+  FacetName facet;
+  std::array<Sign, 2> angles;
+  // Where the lesser angle is zero: the polygon that has it, whose centre is the edge's midpoint.
+  PolygonRef right_polygon{kNoCell, 0};
+
+  // Its facet leads to the Voronoi vertex (FC-STAB-03).
+  [[nodiscard]] bool leads() const { return angles[0] == Sign::kPositive; }
+};
+
+// What flows into a Voronoi vertex.
+struct VertexSources {
+  std::vector<PolytopeEdge> edges;   // all of the polytope's
+  std::vector<PolygonRef> polygons;  // whose Voronoi edges lead to it, from their centres
+};
+// dimension 3. In proportion to the number of facets of the cluster, but for sorting them.
+[[nodiscard]] VertexSources vertex_sources(const VoronoiFaces& faces, CellIndex cluster);
 
 // dimension 3. In proportion to the number of facets of the cluster, which is 4 for most.
 [[nodiscard]] VertexFlow vertex_flow(const VoronoiFaces& faces, CellIndex cluster);

@@ -35,6 +35,17 @@ struct FlowStep {
   std::optional<StationaryIndex> stationary;
 };
 
+// A backward segment of spec clause FC-STAB-04: from a front that a facet leads to, against the flow.
+struct BackwardStep {
+  // Where the facet ends on the way to its midpoint; the facet itself where the midpoint lies inside.
+  Place back;
+  // The back is the midpoint, which is stationary.
+  bool is_midpoint = false;
+  // Of a back inside a Voronoi edge that is not the midpoint: a sample of its polygon that is not the
+  // facet's.
+  VertexIndex apex = kInfiniteVertex;
+};
+
 class FlowMachine {
  public:
   virtual ~FlowMachine() = default;
@@ -43,6 +54,15 @@ class FlowMachine {
   [[nodiscard]] virtual FlowStep step(const Position& from) = 0;
   // Where the Voronoi edge of a polygon ends, on side 0 or 1.
   [[nodiscard]] virtual Position end_of_edge(PolygonRef polygon, std::size_t side) = 0;
+
+  // Against the flow. Where a facet has one back for all fronts, the front's point is not needed (kNoPoint):
+  // so is one that has its midpoint inside, and most others.
+  [[nodiscard]] virtual bool has_one_back(FacetName facet, CellIndex hint) = 0;
+  [[nodiscard]] virtual BackwardStep step_back(const Position& front, FacetName facet, CellIndex hint) = 0;
+  // Constructs the back inside a Voronoi edge.
+  [[nodiscard]] virtual PointNumber cross_back(const Position& front, FacetName facet, VertexIndex apex) = 0;
+  // Constructs the centre of the circle through three samples.
+  [[nodiscard]] virtual PointNumber add_center(const std::array<VertexIndex, 3>& samples) = 0;
 
   [[nodiscard]] virtual RationalPoint exact(const Position& position) = 0;
   // How many bytes the coordinates of a kept point take, where they have been computed exactly.

@@ -7,11 +7,13 @@
 
 #include <cstddef>
 #include <deque>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "flow/facet_search.h"
 #include "flow/flow_machine.h"
+#include "flow/obtuse_chain.h"
 
 namespace flowcert {
 
@@ -46,10 +48,41 @@ class FlowOperator final : public FlowMachine {
     return cluster == kNoCell ? Position{} : Position{Place::at_vertex(cluster), kNoPoint};
   }
 
-  RationalPoint exact(const Position& position) override {
-    if (position.place.kind == Place::Kind::kVertex) return Kernel::exact(center(position.place.vertex));
-    return Kernel::exact(points_[position.point]);
+  bool has_one_back(FacetName facet, CellIndex hint) override {
+    return chain_of(facet, faces_.ring(facet, hint)).count <= 1;
   }
+
+  // The inner vertices of the near side are first counterclockwise of the ray from the midpoint to the front,
+  // then clockwise.
+  BackwardStep step_back(const Position& front, FacetName facet, CellIndex hint) override {
+    const FacetRing ring = faces_.ring(facet, hint);
+    const ObtuseChain chain = chain_of(facet, ring);
+    const std::size_t n = ring.pieces.size();
+    if (chain.count == 0) return midpoint_step(facet, ring, chain);
+    std::size_t low = 0, high = chain.count - 1;
+    while (low < high) {
+      const std::size_t probe = search_ == FacetSearch::kBinary ? (low + high) / 2 : low;
+      const CellIndex cluster = ring.elements[(chain.first + 1 + probe) % n].vertex;
+      const Sign sign = side_of_ray(kernel_, point_of(front), faces_.point(facet.v0), faces_.point(facet.v1),
+                                    center(cluster));
+      if (sign == Sign::kZero) return {Place::at_vertex(cluster), false, kInfiniteVertex};
+      (sign == Sign::kPositive ? low : high) = sign == Sign::kPositive ? probe + 1 : probe;
+    }
+    const RingPiece& piece = ring.pieces[(chain.first + low) % n];
+    return {Place::on_edge(piece.polygon), false, piece.apex};
+  }
+
+  PointNumber cross_back(const Position& front, FacetName facet, VertexIndex apex) override {
+    return keep(kernel_.crossing(point_of(front), faces_.point(facet.v0), faces_.point(facet.v1),
+                                 faces_.point(apex)));
+  }
+
+  PointNumber add_center(const std::array<VertexIndex, 3>& samples) override {
+    return keep(kernel_.circumcenter(
+        std::array{&faces_.point(samples[0]), &faces_.point(samples[1]), &faces_.point(samples[2])}));
+  }
+
+  RationalPoint exact(const Position& position) override { return Kernel::exact(point_of(position)); }
   std::optional<std::array<std::size_t, 3>> exact_bytes(PointNumber point) const override {
     return Kernel::exact_bytes(points_[point]);
   }
@@ -90,9 +123,27 @@ class FlowOperator final : public FlowMachine {
       constructed_.push_back(cluster);
       const auto& v = faces_.delaunay().vertices(cluster);
       cluster_centers_.push_back(kernel_.circumcenter(
-          {&faces_.point(v[0]), &faces_.point(v[1]), &faces_.point(v[2]), &faces_.point(v[3])}));
+          std::array{&faces_.point(v[0]), &faces_.point(v[1]), &faces_.point(v[2]), &faces_.point(v[3])}));
     }
     return cluster_centers_[number];
+  }
+
+  const KernelPoint& point_of(const Position& position) {
+    return position.place.kind == Place::Kind::kVertex ? center(position.place.vertex)
+                                                       : points_[position.point];
+  }
+
+  ObtuseChain chain_of(FacetName facet, const FacetRing& ring) {
+    if (chains_.size() <= ring.id) chains_.resize(ring.id + 1);
+    if (!chains_[ring.id]) chains_[ring.id] = obtuse_chain(faces_, facet, ring, angle_tally_);
+    return *chains_[ring.id];
+  }
+
+  static BackwardStep midpoint_step(FacetName facet, const FacetRing& ring, const ObtuseChain& chain) {
+    Place back = Place::on_facet(facet);
+    if (chain.right_count == 1) back = Place::on_edge(ring.pieces[chain.right].polygon);
+    if (chain.right_count == 2) back = Place::at_vertex(ring.elements[chain.right].vertex);
+    return {back, true, kInfiniteVertex};
   }
 
   static Driver midpoint_of(FacetName facet) { return {{facet.v0, facet.v1, kInfiniteVertex}, 2}; }
@@ -236,10 +287,12 @@ class FlowOperator final : public FlowMachine {
   Kernel kernel_;
   const Centers centers_;
   FacetSearch search_;
-  std::deque<KernelPoint> points_;           // references to its points must survive keep()
-  std::deque<KernelPoint> cluster_centers_;  // likewise
-  std::vector<CellIndex> constructed_;       // whose centers they are
-  std::vector<PointNumber> center_of_;       // by CellIndex
+  std::deque<KernelPoint> points_;                  // references to its points must survive keep()
+  std::deque<KernelPoint> cluster_centers_;         // likewise
+  std::vector<CellIndex> constructed_;              // whose centers they are
+  std::vector<PointNumber> center_of_;              // by CellIndex
+  std::vector<std::optional<ObtuseChain>> chains_;  // by ring
+  FilterTally angle_tally_;
 };
 
 }  // namespace flowcert

@@ -24,6 +24,10 @@ class ExactKernel {
     ++tally_[FlowPrimitive::kCircumcenter].calls;
     return flowcert::circumcenter(kIn(*p[0]), kIn(*p[1]), kIn(*p[2]), kIn(*p[3]));
   }
+  [[nodiscard]] Point circumcenter(const std::array<const flowcert::Point*, 3>& p) {
+    ++tally_[FlowPrimitive::kCircumcenter].calls;
+    return flowcert::circumcenter(kIn(*p[0]), kIn(*p[1]), kIn(*p[2]));
+  }
   [[nodiscard]] Point crossing(const Point& x, const flowcert::Point& p0, const flowcert::Point& p1,
                                const flowcert::Point& q) {
     ++tally_[FlowPrimitive::kCrossing].calls;

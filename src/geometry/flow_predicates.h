@@ -130,6 +130,16 @@ template <class Integer>
   return {approach * (p0 + p1) + height * way, Integer(2) * approach};
 }
 
+// The centre of the circle through three points.
+template <class Number>
+[[nodiscard]] Vector3<Number> circumcenter(const Vector3<Number>& p0, const Vector3<Number>& p1,
+                                           const Vector3<Number>& p2) {
+  const Vector3<Number> a = p1 - p0, b = p2 - p0;
+  const Vector3<Number> n = cross(a, b);
+  const Number factor = Number(1) / (Number(2) * dot(n, n));
+  return p0 + factor * cross(dot(a, a) * b - dot(b, b) * a, n);
+}
+
 // The centre of the circumsphere of a tetrahedron.
 template <class Number>
 [[nodiscard]] Vector3<Number> circumcenter(const Vector3<Number>& p0, const Vector3<Number>& p1,

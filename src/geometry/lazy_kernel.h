@@ -54,6 +54,12 @@ class LazyKernel {
     return counted(FlowPrimitive::kCircumcenter,
                    {construct(leaf(*p[0]), leaf(*p[1]), leaf(*p[2]), leaf(*p[3])), 1, nullptr});
   }
+  [[nodiscard]] Point circumcenter(const std::array<const flowcert::Point*, 3>& p) {
+    const auto leaf = [](const flowcert::Point& v) { return Cgal::Point_3(v.x, v.y, v.z); };
+    const auto construct = Cgal().construct_circumcenter_3_object();
+    return counted(FlowPrimitive::kCircumcenter,
+                   {construct(leaf(*p[0]), leaf(*p[1]), leaf(*p[2])), 1, nullptr});
+  }
   [[nodiscard]] Point crossing(const Point& x, const flowcert::Point& p0, const flowcert::Point& p1,
                                const flowcert::Point& q) {
     using Crossed = CGAL::Lazy_rep_n<Intervals::Point_3, Rationals::Point_3, CrossingInIntervals,

@@ -1,0 +1,71 @@
+// See backward_walk.h.
+#include "morse/backward_walk.h"
+
+#include <stdexcept>
+
+namespace flowcert {
+
+FrontNumber BackwardWalk::add(const Front& front) {
+  fronts_.push_back(front);
+  return static_cast<FrontNumber>(fronts_.size() - 1);
+}
+
+FrontNumber BackwardWalk::at_vertex(CellIndex cluster) {
+  Front front;
+  front.place = Place::at_vertex(cluster);
+  return add(front);
+}
+
+FrontNumber BackwardWalk::at_center(const std::array<VertexIndex, 3>& samples, PolygonRef edge) {
+  Front front;
+  front.place = Place::on_edge(edge);
+  front.samples = samples;
+  return add(front);
+}
+
+void BackwardWalk::clear() {
+  fronts_.clear();
+  machine_.drop_from(0);
+}
+
+// Constructs whatever the front's point depends on, the first one first.
+Position BackwardWalk::position(FrontNumber front) {
+  pending_.clear();
+  for (FrontNumber at = front; at != kNone && !is_constructed(fronts_[at]); at = fronts_[at].before) {
+    pending_.push_back(at);
+  }
+  while (!pending_.empty()) {
+    Front& next = fronts_[pending_.back()];
+    pending_.pop_back();
+    if (next.before == kNone) {
+      next.point = machine_.add_center(next.samples);
+    } else {
+      const Front& before = fronts_[next.before];
+      next.point = machine_.cross_back({before.place, before.point}, next.facet, next.apex);
+    }
+  }
+  return {fronts_[front].place, fronts_[front].point};
+}
+
+BackwardWalk::Back BackwardWalk::step(FrontNumber front, FacetName facet) {
+  if (const auto record = gabriel_.find(facet)) return {record, false, 0};
+  const Place& from = fronts_[front].place;
+  const CellIndex hint = from.kind == Place::Kind::kVertex ? from.vertex : from.edge.cell;
+  const bool needs_point = !machine_.has_one_back(facet, hint);
+  const Position at = needs_point ? position(front) : Position{from, kNoPoint};
+  const BackwardStep step = machine_.step_back(at, facet, hint);
+  Front back;
+  back.place = step.back;
+  back.depth = fronts_[front].depth + 1;
+  back.facet = facet;
+  if (step.is_midpoint) {
+    if (step.back.kind == Place::Kind::kFacet) throw std::logic_error("a Gabriel edge that is not listed");
+    if (step.back.kind == Place::Kind::kEdge) back.samples = faces_.corners(step.back.edge);
+  } else {
+    back.before = front;
+    back.apex = step.apex;
+  }
+  return {std::nullopt, step.is_midpoint, add(back)};
+}
+
+}  // namespace flowcert

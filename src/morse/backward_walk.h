@@ -1,0 +1,71 @@
+// Walks against the flow over Voronoi facets, from front to front: what both the skeleton of a stable set and
+// its boundary in the chain complex are made of.
+//
+// Guarantees: exact (FlowMachine). A front's point is constructed when the first facet asks where its ray
+// ends; most facets do not (FlowMachine::has_one_back).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "flow/flow_machine.h"
+#include "morse/gabriel_edges.h"
+
+namespace flowcert {
+
+using FrontNumber = std::uint32_t;
+
+class BackwardWalk {
+ public:
+  // All three must outlive it.
+  BackwardWalk(VoronoiFaces& faces, FlowMachine& machine, const GabrielEdges& gabriel)
+      : faces_(faces), machine_(machine), gabriel_(gabriel) {}
+
+  // Fronts, which stay until clear().
+  [[nodiscard]] FrontNumber at_vertex(CellIndex cluster);
+  // The centre of a circle through three samples, inside their Voronoi edge; the edge may be left open.
+  [[nodiscard]] FrontNumber at_center(const std::array<VertexIndex, 3>& samples,
+                                      PolygonRef edge = {kNoCell, 0});
+  void clear();
+
+  // From a front that the facet leads to. A back that is no critical point becomes a front itself.
+  struct Back {
+    std::optional<std::uint32_t> critical;  // a record
+    bool is_regular = false;                // it is the facet's midpoint, on the facet's boundary
+    FrontNumber front = 0;                  // not critical
+  };
+  [[nodiscard]] Back step(FrontNumber front, FacetName facet);
+
+  [[nodiscard]] const Place& place(FrontNumber front) const { return fronts_[front].place; }
+  // Segments between it and the front that the walk began with.
+  [[nodiscard]] std::uint32_t depth(FrontNumber front) const { return fronts_[front].depth; }
+  [[nodiscard]] Position position(FrontNumber front);
+
+ private:
+  static constexpr FrontNumber kNone = 0xffffffffu;
+  struct Front {
+    Place place;
+    PointNumber point = kNoPoint;
+    std::uint32_t depth = 0;
+    // What the point is constructed from: the centre of a circle, or the crossing behind another front.
+    std::array<VertexIndex, 3> samples{};
+    FrontNumber before = kNone;
+    FacetName facet{0, 0};
+    VertexIndex apex = kInfiniteVertex;
+  };
+
+  [[nodiscard]] bool is_constructed(const Front& front) const {
+    return front.point != kNoPoint || front.place.kind == Place::Kind::kVertex;
+  }
+  FrontNumber add(const Front& front);
+
+  VoronoiFaces& faces_;
+  FlowMachine& machine_;
+  const GabrielEdges& gabriel_;
+  std::vector<Front> fronts_;
+  std::vector<FrontNumber> pending_;
+};
+
+}  // namespace flowcert

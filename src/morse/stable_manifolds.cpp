@@ -1,0 +1,210 @@
+// See flowcert/stable_manifolds.h.
+#include "flowcert/stable_manifolds.h"
+
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+#include "morse/backward_walk.h"
+#include "morse/chain_boundary.h"
+#include "morse/record_finder.h"
+
+namespace flowcert {
+
+namespace {
+
+constexpr std::size_t kProgressStep = 1024;
+
+std::vector<VertexIndex> vertices_by_position(const CompactDelaunay& delaunay) {
+  std::vector<VertexIndex> vertex_at(delaunay.positions.size());
+  for (VertexIndex v = 0; v < delaunay.positions.size(); ++v) vertex_at[delaunay.positions[v]] = v;
+  return vertex_at;
+}
+
+FacetName facet_name(VertexIndex v, VertexIndex w) { return {std::min(v, w), std::max(v, w)}; }
+
+}  // namespace
+
+struct StableManifolds::Machine {
+  Machine(const Delaunay& delaunay, const StationaryPoints& list, StableOptions options)
+      : points(delaunay.points()),
+        stationary(list),
+        faces(delaunay, tally),
+        machine(make_flow_machine(faces, options.flow)),
+        vertex_of(vertices_by_position(faces.delaunay())),
+        gabriel(points, list, vertex_of),
+        walk(faces, *machine, gabriel) {}
+
+  void compute(const Progress& progress);
+
+  struct Set {
+    std::uint32_t record = 0;
+    std::uint32_t segments = 0;
+    bool has_vertex = false, has_interval = false;
+    std::size_t boundary_first = 0, boundary_count = 0;
+  };
+
+  const PointSet& points;
+  const StationaryPoints& stationary;
+  FilterTally tally;
+  VoronoiFaces faces;
+  std::unique_ptr<FlowMachine> machine;
+  std::vector<VertexIndex> vertex_of;
+  GabrielEdges gabriel;
+  BackwardWalk walk;
+  std::vector<Set> sets;
+  std::vector<std::uint32_t> boundaries;
+  StableStatistics statistics;
+
+ private:
+  struct Task {
+    FrontNumber front;
+    FacetName facet;
+  };
+
+  void add_set(std::size_t record);
+  FrontNumber start(std::size_t record);
+  void push_sources(FrontNumber front, Set& set);
+  void push_sides(FrontNumber front, PolygonRef polygon);
+  void push_vertex(CellIndex cluster, FrontNumber front, Set& set);
+  void follow(Set& set);
+  void keep_boundary(Set& set, FrontNumber root);
+  void count(const Set& set);
+
+  std::vector<Task> tasks;
+  std::vector<VertexIndex> contact;
+  std::unordered_set<CellIndex> visited;  // Voronoi vertices of one skeleton
+  std::vector<std::uint32_t> ends;        // critical backs of one skeleton
+  std::vector<std::uint32_t> lengths;     // of the connecting orbits
+  std::size_t regular_backs = 0;
+};
+
+// What leads to the point. Of a triangle without a Voronoi edge looked up, its sides, which are all acute.
+FrontNumber StableManifolds::Machine::start(std::size_t record) {
+  contact.clear();
+  for (const PointId name : stationary.contact(record)) {
+    contact.push_back(vertex_of[points.position_of_row(name)]);
+  }
+  const bool is_critical = stationary.index(record).is_critical();
+  if (is_critical && contact.size() == 3) {
+    const FrontNumber front = walk.at_center({contact[0], contact[1], contact[2]});
+    for (std::size_t k = 0; k < 3; ++k)
+      tasks.push_back({front, facet_name(contact[k], contact[(k + 1) % 3])});
+    return front;
+  }
+  const Place place = faces.place_of(contact.front(), std::span(contact).subspan(1));
+  if (place.kind == Place::Kind::kVertex) return walk.at_vertex(place.vertex);
+  return walk.at_center(faces.corners(place.edge), place.edge);
+}
+
+void StableManifolds::Machine::push_sides(FrontNumber front, PolygonRef polygon) {
+  for (const PolygonSide& side : faces.sides(polygon)) {
+    if (side.angle == Sign::kPositive) tasks.push_back({front, {side.v0, side.v1}});
+  }
+}
+
+void StableManifolds::Machine::push_vertex(CellIndex cluster, FrontNumber front, Set& set) {
+  if (!visited.insert(cluster).second) return;
+  set.has_vertex = true;
+  const VertexSources sources = vertex_sources(faces, cluster);
+  for (const PolytopeEdge& edge : sources.edges) {
+    if (edge.leads()) tasks.push_back({front, edge.facet});
+  }
+  set.has_interval = set.has_interval || !sources.polygons.empty();
+}
+
+void StableManifolds::Machine::push_sources(FrontNumber front, Set& set) {
+  const Place place = walk.place(front);
+  if (place.kind == Place::Kind::kVertex) return push_vertex(place.vertex, front, set);
+  push_sides(front, place.edge);
+}
+
+void StableManifolds::Machine::follow(Set& set) {
+  while (!tasks.empty()) {
+    const Task task = tasks.back();
+    tasks.pop_back();
+    ++set.segments;
+    const BackwardWalk::Back back = walk.step(task.front, task.facet);
+    if (back.critical) {
+      ends.push_back(*back.critical);
+      lengths.push_back(walk.depth(task.front) + 1);
+    } else if (back.is_regular) {
+      ++regular_backs;
+    } else {
+      push_sources(back.front, set);
+    }
+  }
+}
+
+void StableManifolds::Machine::keep_boundary(Set& set, FrontNumber root) {
+  if (set.has_vertex || regular_backs > 0) {
+    ends = tie_broken_boundary(faces, walk, root, contact);
+  }
+  set.boundary_first = boundaries.size();
+  add_mod_2(ends, boundaries);
+  set.boundary_count = boundaries.size() - set.boundary_first;
+}
+
+void StableManifolds::Machine::count(const Set& set) {
+  for (const std::uint32_t length : lengths) statistics.n_s2.add(length);
+  statistics.with_vertex += set.has_vertex ? 1 : 0;
+  statistics.with_interval += set.has_interval ? 1 : 0;
+  statistics.ends_at_regular += regular_backs;
+  if (!set.has_interval) statistics.triangles.add(2 * std::size_t{set.segments});
+}
+
+void StableManifolds::Machine::add_set(std::size_t record) {
+  Set set;
+  set.record = static_cast<std::uint32_t>(record);
+  visited.clear();
+  ends.clear();
+  lengths.clear();
+  regular_backs = 0;
+  const FrontNumber root = start(record);
+  if (tasks.empty()) push_sources(root, set);
+  follow(set);
+  if (stationary.index(record).is_critical()) {
+    keep_boundary(set, root);
+    count(set);
+  }
+  walk.clear();
+  sets.push_back(set);
+}
+
+void StableManifolds::Machine::compute(const Progress& progress) {
+  const RecordFinder finder(stationary);
+  const auto [first, last] = finder.range({2, 2});
+  const std::size_t first_regular = finder.range({3, 3}).second;
+  const std::size_t total = last - first + stationary.size() - first_regular;
+  sets.reserve(total);
+  const auto add = [&](std::size_t record) {
+    if (progress && sets.size() % kProgressStep == 0) progress(sets.size(), total);
+    add_set(record);
+  };
+  for (std::size_t record = first; record < last; ++record) add(record);
+  for (std::size_t record = first_regular; record < stationary.size(); ++record) add(record);
+  statistics.tally = machine->tally();
+  if (progress) progress(total, total);
+}
+
+StableManifolds::StableManifolds(const Delaunay& delaunay, const StationaryPoints& stationary,
+                                 StableOptions options, const Progress& progress)
+    : machine_(std::make_unique<Machine>(delaunay, stationary, options)) {
+  machine_->compute(progress);
+}
+StableManifolds::~StableManifolds() = default;
+StableManifolds::StableManifolds(StableManifolds&&) noexcept = default;
+StableManifolds& StableManifolds::operator=(StableManifolds&&) noexcept = default;
+
+std::size_t StableManifolds::size() const { return machine_->sets.size(); }
+std::size_t StableManifolds::record(std::size_t i) const { return machine_->sets[i].record; }
+std::size_t StableManifolds::segment_count(std::size_t i) const { return machine_->sets[i].segments; }
+bool StableManifolds::has_vertex(std::size_t i) const { return machine_->sets[i].has_vertex; }
+bool StableManifolds::has_interval(std::size_t i) const { return machine_->sets[i].has_interval; }
+std::span<const std::uint32_t> StableManifolds::boundary(std::size_t i) const {
+  const auto& set = machine_->sets[i];
+  return std::span(machine_->boundaries).subspan(set.boundary_first, set.boundary_count);
+}
+const StableStatistics& StableManifolds::statistics() const { return machine_->statistics; }
+
+}  // namespace flowcert
