@@ -85,6 +85,10 @@ VertexSources vertex_sources(const VoronoiFaces& faces, CellIndex cluster) {
   return sources;
 }
 
+std::vector<PolygonRef> polygons_through(const VoronoiFaces& faces, CellIndex cluster) {
+  return boundary_of(faces, cluster).zero;
+}
+
 VertexFlow vertex_flow(const VoronoiFaces& faces, CellIndex cluster) {
   const Boundary boundary = boundary_of(faces, cluster);
   VertexFlow flow;

@@ -47,6 +47,9 @@ struct VertexSources {
 // dimension 3. In proportion to the number of facets of the cluster, but for sorting them.
 [[nodiscard]] VertexSources vertex_sources(const VoronoiFaces& faces, CellIndex cluster);
 
+// dimension 3. The polygons of the polytope that lie in a plane through the Voronoi vertex.
+[[nodiscard]] std::vector<PolygonRef> polygons_through(const VoronoiFaces& faces, CellIndex cluster);
+
 // dimension 3. In proportion to the number of facets of the cluster, which is 4 for most.
 [[nodiscard]] VertexFlow vertex_flow(const VoronoiFaces& faces, CellIndex cluster);
 

@@ -15,12 +15,6 @@ namespace {
 
 constexpr std::size_t kProgressStep = 1024;
 
-std::vector<VertexIndex> vertices_by_position(const CompactDelaunay& delaunay) {
-  std::vector<VertexIndex> vertex_at(delaunay.positions.size());
-  for (VertexIndex v = 0; v < delaunay.positions.size(); ++v) vertex_at[delaunay.positions[v]] = v;
-  return vertex_at;
-}
-
 FacetName facet_name(VertexIndex v, VertexIndex w) { return {std::min(v, w), std::max(v, w)}; }
 
 }  // namespace

@@ -50,6 +50,8 @@ struct UnstableManifolds::Machine {
   std::optional<std::size_t> follow(std::size_t i, std::size_t side);
   Stretch& stretch_from(CellIndex cluster);
   Stretch new_stretch(CellIndex cluster);
+  std::optional<std::size_t> limit_from(const Position& start);
+  std::optional<std::size_t> limit_beyond(std::size_t record, std::size_t choice);
   void count_sizes();
   void count_stretches();
   void drop_orbit();
@@ -77,10 +79,14 @@ struct UnstableManifolds::Machine {
   FlowStatistics statistics;
 
  private:
+  Place place_of(std::size_t record);
   [[nodiscard]] bool is_reversed(const Place& place, std::span<const VertexIndex> contact) const;
   [[nodiscard]] Position start_of(const Saddle& saddle, std::size_t side) {
     return machine->end_of_edge(saddle.polygon, saddle.is_reversed ? 1 - side : side);
   }
+
+  std::vector<VertexIndex> vertex_of;
+  std::vector<VertexIndex> contact;
 };
 
 // Whether the contact points a, b, c, in the order of their names, turn the other way than the polygon's
@@ -102,18 +108,20 @@ bool UnstableManifolds::Machine::is_reversed(const Place& place, std::span<const
   return dot(normal(corners[0], corners[1], corners[2]), normal(contact[0], contact[1], contact[2])) < 0;
 }
 
+// Sets `contact` to the vertices of its contact set, in the order of their names.
+Place UnstableManifolds::Machine::place_of(std::size_t record) {
+  contact.clear();
+  for (const PointId name : stationary.contact(record)) {
+    contact.push_back(vertex_of[points.position_of_row(name)]);
+  }
+  return faces.place_of(contact.front(), std::span(contact).subspan(1));
+}
+
 void UnstableManifolds::Machine::find_saddles() {
-  const auto& positions = faces.delaunay().positions;
-  std::vector<VertexIndex> vertex_at(positions.size());
-  for (VertexIndex v = 0; v < positions.size(); ++v) vertex_at[positions[v]] = v;
-  std::vector<VertexIndex> contact;
+  vertex_of = vertices_by_position(faces.delaunay());
   const auto [first, last] = finder.range({2, 2});
   for (std::size_t record = first; record < last; ++record) {
-    contact.clear();
-    for (const PointId name : stationary.contact(record)) {
-      contact.push_back(vertex_at[points.position_of_row(name)]);
-    }
-    const Place place = faces.place_of(contact.front(), std::span(contact).subspan(1));
+    const Place place = place_of(record);
     saddles.push_back({record, place.edge, is_reversed(place, contact), {}});
   }
 }
@@ -167,6 +175,22 @@ std::optional<std::size_t> UnstableManifolds::Machine::follow(std::size_t i, std
      : stationary.index(*limit).is_critical() ? statistics.to_critical
                                               : statistics.to_regular);
   return limit;
+}
+
+// Without counting it among the orbits.
+std::optional<std::size_t> UnstableManifolds::Machine::limit_from(const Position& start) {
+  if (start.place.kind == Place::Kind::kInfinity) return std::nullopt;
+  const Stretch* stretch = &stretch_from(start.place.vertex);
+  while (!stretch->is_last()) stretch = &stretch_from(stretch->next);
+  return stretch->limit;
+}
+
+std::optional<std::size_t> UnstableManifolds::Machine::limit_beyond(std::size_t record, std::size_t choice) {
+  const Place place = place_of(record);
+  if (place.kind == Place::Kind::kEdge) return limit_from(machine->end_of_edge(place.edge, choice % 2));
+  const std::vector<PolygonRef> polygons = polygons_through(faces, place.vertex);
+  const PolygonRef polygon = polygons.at(choice % polygons.size());
+  return limit_from(machine->end_of_edge(polygon, faces.end(polygon, 0) == place.vertex ? 1 : 0));
 }
 
 void UnstableManifolds::Machine::count_sizes() {
@@ -251,6 +275,9 @@ std::optional<std::size_t> UnstableManifolds::limit(std::size_t i, std::size_t s
   return machine_->saddles[i].limits[side];
 }
 Orbit UnstableManifolds::orbit(std::size_t i, std::size_t side) { return machine_->orbit(i, side); }
+std::optional<std::size_t> UnstableManifolds::limit_beyond(std::size_t record, std::size_t choice) {
+  return machine_->limit_beyond(record, choice);
+}
 const FlowStatistics& UnstableManifolds::statistics() const { return machine_->statistics; }
 
 }  // namespace flowcert

@@ -60,6 +60,13 @@ struct CompactDelaunay {
   }
 };
 
+// The inverse of `positions`.
+[[nodiscard]] inline std::vector<VertexIndex> vertices_by_position(const CompactDelaunay& delaunay) {
+  std::vector<VertexIndex> vertex_of(delaunay.positions.size());
+  for (VertexIndex v = 0; v < vertex_of.size(); ++v) vertex_of[delaunay.positions[v]] = v;
+  return vertex_of;
+}
+
 // O(cells), one copy.
 [[nodiscard]] CompactDelaunay compact_copy(const Delaunay& delaunay);
 

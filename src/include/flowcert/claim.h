@@ -2,8 +2,8 @@
 //
 // Guarantees: a claim is kept as it was made, right or wrong: nothing is completed, sorted or rounded. What a
 // format does not say is empty. Readers refuse what is malformed, whole; whether ids are rows of the input is
-// not theirs to know (require_rows). No number in a file can make them allocate more than a multiple of its (decompressed)
-// size. Formats: spec/formats.md, "Claims, read".
+// not theirs to know (require_rows). No number in a file can make them allocate more than a multiple of its
+// (decompressed) size. Formats: spec/formats.md, "Claims, read".
 #pragma once
 
 #include <array>

@@ -43,6 +43,9 @@ class UnstableManifolds {
   // by the plane through the contact points a < b < c < ... of the saddle: side 1 is the one that (b-a) x
   // (c-a) points to.
   [[nodiscard]] std::optional<std::size_t> limit(std::size_t i, std::size_t side) const;
+  // Where the flow goes on that leaves a stationary point of index 2, or a regular one, along a Voronoi edge
+  // (FC-CHAIN-02): a choice of one or two ways, counted modulo their number. In the list; none: infinity.
+  [[nodiscard]] std::optional<std::size_t> limit_beyond(std::size_t record, std::size_t choice);
   // That orbit, flowed once more. Its start is the saddle; its first segment runs along the Voronoi edge
   // (E-E-V or E-E-inf). Exact coordinates of long orbits take time.
   [[nodiscard]] Orbit orbit(std::size_t i, std::size_t side);

@@ -1,0 +1,168 @@
+// See flowcert/persistence.h.
+#include "flowcert/persistence.h"
+
+#include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
+#include <numeric>
+#include <stdexcept>
+
+#include "morse/record_finder.h"
+
+namespace flowcert {
+
+namespace {
+
+using Record = std::uint32_t;
+constexpr Record kNone = 0xffffffffu;
+
+// Components that know their eldest member.
+class Components {
+ public:
+  // rank: of an element, the lower the older.
+  explicit Components(std::vector<std::size_t> rank)
+      : rank_(std::move(rank)),
+        depth_(rank_.size()),
+        parent_(rank_.size()),
+        eldest_(rank_.size()),
+        sets_(depth_.data(), parent_.data()) {
+    for (std::size_t k = 0; k < rank_.size(); ++k) {
+      sets_.make_set(k);
+      eldest_[k] = k;
+    }
+  }
+
+  // The eldest of the younger of the two components, which then are one; nothing where they are already.
+  std::optional<std::size_t> merge(std::size_t a, std::size_t b) {
+    a = sets_.find_set(a);
+    b = sets_.find_set(b);
+    if (a == b) return std::nullopt;
+    std::size_t older = eldest_[a], younger = eldest_[b];
+    if (rank_[younger] < rank_[older]) std::swap(older, younger);
+    sets_.link(a, b);
+    eldest_[sets_.find_set(a)] = older;
+    return younger;
+  }
+
+ private:
+  std::vector<std::size_t> rank_, depth_, parent_, eldest_;
+  boost::disjoint_sets<std::size_t*, std::size_t*> sets_;
+};
+
+class Pairing {
+ public:
+  Pairing(const StationaryPoints& stationary, const ChainComplex& complex,
+          const std::vector<Rational>& values)
+      : complex_(complex), values_(values), finder_(stationary), partner_(values.size(), kNone) {}
+
+  std::vector<PersistencePair> pairs() {
+    pair_components();
+    pair_voids();
+    pair_tunnels();
+    return std::move(pairs_);
+  }
+
+ private:
+  // Of one index, by value, then by place in the list.
+  std::vector<Record> sorted(std::uint8_t index) const {
+    const auto [first, last] = finder_.range({index, index});
+    std::vector<Record> records(last - first);
+    std::iota(records.begin(), records.end(), static_cast<Record>(first));
+    std::stable_sort(records.begin(), records.end(),
+                     [&](Record a, Record b) { return values_[a] < values_[b]; });
+    return records;
+  }
+
+  void add(int dimension, Record birth, Record death) {
+    partner_[birth] = death;
+    partner_[death] = birth;
+    pairs_.push_back({dimension, birth, death});
+  }
+
+  // All samples are born at 0; the one listed later dies.
+  void pair_components() {
+    const auto [first, last] = finder_.range({0, 0});
+    std::vector<std::size_t> rank(last - first);
+    std::iota(rank.begin(), rank.end(), std::size_t{0});
+    Components components(std::move(rank));
+    for (const Record edge : sorted(1)) {
+      const auto ends = complex_.boundary(edge);
+      if (const auto dies = components.merge(ends[0], ends[1])) add(0, static_cast<Record>(*dies), edge);
+    }
+    for (Record sample = 0; sample < last; ++sample) {
+      if (partner_[sample] == kNone) pairs_.push_back({0, sample, std::nullopt});
+    }
+  }
+
+  // Downwards, voids come together where an index-2 point separates them; the lower maximum is paired with
+  // it. Infinity is the eldest.
+  void pair_voids() {
+    const std::size_t first = finder_.range({3, 3}).first;
+    const std::vector<Record> maxima = sorted(3);
+    std::vector<std::size_t> rank(maxima.size() + 1, 0);
+    for (std::size_t k = 0; k < maxima.size(); ++k) rank[maxima[k] - first] = maxima.size() - k;
+    Components voids(std::move(rank));
+    const auto element = [&](Record limit) {
+      return limit == ChainComplex::kInfinity ? maxima.size() : limit - first;
+    };
+    const std::size_t first_saddle = finder_.range({2, 2}).first;
+    const std::vector<Record> saddles = sorted(2);
+    for (auto saddle = saddles.rbegin(); saddle != saddles.rend(); ++saddle) {
+      const auto& limits = complex_.limits()[*saddle - first_saddle];
+      if (const auto dies = voids.merge(element(limits[0]), element(limits[1]))) {
+        add(2, *saddle, static_cast<Record>(*dies + first));
+      }
+    }
+  }
+
+  // Columns are sums of places among the index-1 points that close a tunnel, ascending.
+  void pair_tunnels() {
+    std::vector<Record> edge_at;
+    std::vector<Record> place_of(values_.size(), kNone);
+    for (const Record edge : sorted(1)) {
+      if (partner_[edge] != kNone) continue;
+      place_of[edge] = static_cast<Record>(edge_at.size());
+      edge_at.push_back(edge);
+    }
+    std::vector<std::vector<Record>> column_of(edge_at.size());  // by its last place
+    std::vector<Record> column, sum;
+    for (const Record saddle : sorted(2)) {
+      if (partner_[saddle] != kNone) continue;
+      column.clear();
+      for (const Record edge : complex_.boundary(saddle)) {
+        if (place_of[edge] != kNone) column.push_back(place_of[edge]);
+      }
+      std::sort(column.begin(), column.end());
+      while (!column.empty() && !column_of[column.back()].empty()) {
+        sum.clear();
+        std::ranges::set_symmetric_difference(column, column_of[column.back()], std::back_inserter(sum));
+        column.swap(sum);
+      }
+      if (column.empty())
+        throw std::logic_error("an index-2 point that neither opens a void nor fills a tunnel");
+      add(1, edge_at[column.back()], saddle);
+      column_of[column.back()] = column;
+    }
+  }
+
+  const ChainComplex& complex_;
+  const std::vector<Rational>& values_;
+  RecordFinder finder_;
+  std::vector<Record> partner_;
+  std::vector<PersistencePair> pairs_;
+};
+
+}  // namespace
+
+Persistence::Persistence(const PointSet& points, const StationaryPoints& stationary,
+                         const ChainComplex& complex) {
+  const std::size_t last = RecordFinder(stationary).range({3, 3}).second;
+  values_.reserve(last);
+  for (std::size_t record = 0; record < last; ++record) {
+    values_.push_back(exact_sphere(points, stationary.contact(record)).squared_radius);
+  }
+  pairs_ = Pairing(stationary, complex, values_).pairs();
+  std::ranges::sort(pairs_, {},
+                    [](const PersistencePair& pair) { return std::pair(pair.dimension, pair.birth); });
+}
+
+}  // namespace flowcert

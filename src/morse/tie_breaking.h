@@ -1,0 +1,28 @@
+// Choices that a tie leaves open: always the first, or reproducibly at random.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace flowcert {
+
+class TieBreaking {
+ public:
+  // seed 0: always the first.
+  explicit TieBreaking(std::uint64_t seed) : state_(seed), is_random_(seed != 0) {}
+
+  // One of 0 to count - 1. SplitMix64, so that the choices are the same with every standard library.
+  [[nodiscard]] std::size_t choose(std::size_t count) {
+    if (!is_random_ || count < 2) return 0;
+    std::uint64_t z = state_ += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return static_cast<std::size_t>((z ^ (z >> 31)) % count);
+  }
+
+ private:
+  std::uint64_t state_;
+  bool is_random_;
+};
+
+}  // namespace flowcert
