@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <tuple>
-#include <unordered_set>
 #include <utility>
 
 namespace flowcert {
@@ -252,7 +251,10 @@ std::size_t VoronoiFaces::element_of(const FacetRing& ring, CellIndex cluster) c
 // ---- Finding faces.
 
 // All cells that have p, the infinite ones too.
-std::vector<CellIndex> VoronoiFaces::star(VertexIndex p) {
+// Valid until the next star. The cells that were seen bear the number of their star: a set of them was most
+// of the time.
+template <class IsWanted>
+std::span<const CellIndex> VoronoiFaces::star_until(VertexIndex p, const IsWanted& is_wanted) {
   const CompactDelaunay& cells = delaunay();
   const auto corners = static_cast<unsigned>(dimension_) + 1;
   if (incident_cell_.empty()) {
@@ -260,17 +262,26 @@ std::vector<CellIndex> VoronoiFaces::star(VertexIndex p) {
     for (CellIndex cell = 0; cell < cells.finite_count; ++cell) {
       for (unsigned i = 0; i < corners; ++i) incident_cell_[cells.vertices(cell)[i]] = cell;
     }
+    seen_in_star_.assign(cells.cells.size(), 0);
   }
-  std::vector<CellIndex> found{incident_cell_[p]};
-  std::unordered_set<CellIndex> seen{found.front()};
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    const CellIndex cell = found[k];
+  ++star_number_;
+  star_.assign(1, incident_cell_[p]);
+  seen_in_star_[star_.front()] = star_number_;
+  for (std::size_t k = 0; k < star_.size(); ++k) {
+    const CellIndex cell = star_[k];
+    if (is_wanted(cell)) return std::span(star_).subspan(k, 1);
     for (unsigned i = 0; i < corners; ++i) {
       const CellIndex next = cells.neighbors(cell)[i];
-      if (cells.vertices(cell)[i] != p && seen.insert(next).second) found.push_back(next);
+      if (cells.vertices(cell)[i] == p || seen_in_star_[next] == star_number_) continue;
+      seen_in_star_[next] = star_number_;
+      star_.push_back(next);
     }
   }
-  return found;
+  return star_;
+}
+
+std::span<const CellIndex> VoronoiFaces::star(VertexIndex p) {
+  return star_until(p, [](CellIndex) { return false; });
 }
 
 // A finite one, given that there is one.
@@ -280,10 +291,7 @@ CellIndex VoronoiFaces::cell_with(FacetName facet, CellIndex hint) {
     return delaunay().is_finite(cell) && contains(v, facet.v0) && contains(v, facet.v1);
   };
   if (hint != kNoCell && has_both(hint)) return hint;
-  for (const CellIndex cell : star(facet.v0)) {
-    if (has_both(cell)) return cell;
-  }
-  return kNoCell;
+  return star_until(facet.v0, has_both).front();
 }
 
 std::vector<VertexIndex> VoronoiFaces::neighbors(VertexIndex p) {

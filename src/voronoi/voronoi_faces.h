@@ -143,7 +143,10 @@ class VoronoiFaces {
   [[nodiscard]] const VoronoiComplex* spatial() const { return std::get_if<VoronoiComplex>(&complex_); }
   [[nodiscard]] const PlanarComplex* planar() const { return std::get_if<PlanarComplex>(&complex_); }
   [[nodiscard]] std::span<const FacetRef> large_polygon(PolygonRef polygon) const;
-  [[nodiscard]] std::vector<CellIndex> star(VertexIndex p);
+  // All cells around a vertex, infinite ones too; or one that is wanted, if there is one.
+  template <class IsWanted>
+  [[nodiscard]] std::span<const CellIndex> star_until(VertexIndex p, const IsWanted& is_wanted);
+  [[nodiscard]] std::span<const CellIndex> star(VertexIndex p);
   [[nodiscard]] CellIndex cell_with(FacetName facet, CellIndex hint);
   void add_spatial_ring(FacetName facet, CellIndex start);
   void add_planar_ring(FacetName facet, CellIndex cell);
@@ -153,7 +156,10 @@ class VoronoiFaces {
   int dimension_;
   // Collinear inputs and smaller ones need no more than the triangulation.
   std::variant<CompactDelaunay, PlanarComplex, VoronoiComplex> complex_;
-  std::vector<CellIndex> incident_cell_;  // by VertexIndex; made when first needed
+  std::vector<CellIndex> incident_cell_;     // by VertexIndex; made when first needed
+  std::vector<CellIndex> star_;              // the latest
+  std::vector<std::uint32_t> seen_in_star_;  // by cell: the number of the latest star that it was seen in
+  std::uint32_t star_number_ = 0;
   std::unordered_map<std::uint64_t, std::uint32_t> ring_of_;
   std::vector<Ring> rings_;
   std::vector<RingElement> elements_;
