@@ -85,6 +85,11 @@ VertexSources vertex_sources(const VoronoiFaces& faces, CellIndex cluster) {
   return sources;
 }
 
+Sign side_at(const VoronoiFaces& faces, PolygonRef polygon, std::size_t end) {
+  const VoronoiComplex& complex = faces.complex();
+  return complex.side(end == 0 ? polygon : complex.mirror(polygon));
+}
+
 std::vector<PolygonRef> polygons_through(const VoronoiFaces& faces, CellIndex cluster) {
   return boundary_of(faces, cluster).zero;
 }

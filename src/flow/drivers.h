@@ -47,6 +47,10 @@ struct VertexSources {
 // dimension 3. In proportion to the number of facets of the cluster, but for sorting them.
 [[nodiscard]] VertexSources vertex_sources(const VoronoiFaces& faces, CellIndex cluster);
 
+// dimension 3. s(o, f) of a polygon at end 0 or 1 of its Voronoi edge, which must be a Voronoi vertex
+// (FC-SIGN-03).
+[[nodiscard]] Sign side_at(const VoronoiFaces& faces, PolygonRef polygon, std::size_t end);
+
 // dimension 3. The polygons of the polytope that lie in a plane through the Voronoi vertex.
 [[nodiscard]] std::vector<PolygonRef> polygons_through(const VoronoiFaces& faces, CellIndex cluster);
 

@@ -94,17 +94,11 @@ class TieBreaker {
     const PolygonRef polygon = edge.right_polygon;
     const std::size_t far = faces_.end(polygon, 0) == cluster ? 1 : 0;
     const CellIndex other = faces_.end(polygon, far);
-    if (other == kNoCell || side_at(polygon, far) == Sign::kPositive) {
+    if (other == kNoCell || side_at(faces_, polygon, far) == Sign::kPositive) {
       add_sides(walk_.at_center(faces_.corners(polygon), polygon), polygon);
     } else {
       add_path(other, walk_.at_vertex(other), edge.facet);
     }
-  }
-
-  // s(o, f) for the Voronoi vertex o at an end of the Voronoi edge of f.
-  Sign side_at(PolygonRef polygon, std::size_t end) const {
-    const VoronoiComplex& complex = faces_.complex();
-    return complex.side(end == 0 ? FacetRef{polygon.cell, polygon.index} : complex.mirror(polygon));
   }
 
   const VoronoiFaces& faces_;

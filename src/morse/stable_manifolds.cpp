@@ -2,12 +2,16 @@
 #include "flowcert/stable_manifolds.h"
 
 #include <algorithm>
+#include <iterator>
+#include <tuple>
 #include <unordered_set>
 #include <utility>
 
+#include "flow/segment_record.h"
 #include "morse/backward_walk.h"
 #include "morse/chain_boundary.h"
 #include "morse/record_finder.h"
+#include "morse/sectors.h"
 
 namespace flowcert {
 
@@ -25,11 +29,13 @@ struct StableManifolds::Machine {
         stationary(list),
         faces(delaunay, tally),
         machine(make_flow_machine(faces, options.flow)),
+        recorder(points, faces, *machine),
         vertex_of(vertices_by_position(faces.delaunay())),
         gabriel(points, list, vertex_of),
         walk(faces, *machine, gabriel) {}
 
   void compute(const Progress& progress);
+  StableSet geometry(std::size_t record);
 
   struct Set {
     std::uint32_t record = 0;
@@ -43,6 +49,7 @@ struct StableManifolds::Machine {
   FilterTally tally;
   VoronoiFaces faces;
   std::unique_ptr<FlowMachine> machine;
+  SegmentRecorder recorder;
   std::vector<VertexIndex> vertex_of;
   GabrielEdges gabriel;
   BackwardWalk walk;
@@ -56,14 +63,21 @@ struct StableManifolds::Machine {
     FacetName facet;
   };
 
+  void clear();
   void add_set(std::size_t record);
   FrontNumber start(std::size_t record);
   void push_sources(FrontNumber front, Set& set);
   void push_sides(FrontNumber front, PolygonRef polygon);
   void push_vertex(CellIndex cluster, FrontNumber front, Set& set);
-  void follow(Set& set);
+  void follow(Set& set, StableSet* geometry = nullptr);
   void keep_boundary(Set& set, FrontNumber root);
   void count(const Set& set);
+
+  std::vector<PointId> front_contact(FrontNumber front) const;
+  void record_segment(const Task& task, const BackwardWalk::Back& back, StableSet& geometry);
+  void record_intervals(StableSet& geometry, Set& set);
+  void record_sectors(const Arc& arc, StableSet& geometry, Set& set);
+  PointId name(VertexIndex v) const { return points.name(faces.delaunay().positions[v]); }
 
   std::vector<Task> tasks;
   std::vector<VertexIndex> contact;
@@ -71,6 +85,11 @@ struct StableManifolds::Machine {
   std::vector<std::uint32_t> ends;        // critical backs of one skeleton
   std::vector<std::uint32_t> lengths;     // of the connecting orbits
   std::size_t regular_backs = 0;
+  struct Source {
+    CellIndex cluster;
+    PolygonRef polygon;
+  };
+  std::vector<Source> sources_of_intervals;  // of one skeleton
 };
 
 // What leads to the point. Of a triangle without a Voronoi edge looked up, its sides, which are all acute.
@@ -105,6 +124,7 @@ void StableManifolds::Machine::push_vertex(CellIndex cluster, FrontNumber front,
     if (edge.leads()) tasks.push_back({front, edge.facet});
   }
   set.has_interval = set.has_interval || !sources.polygons.empty();
+  for (const PolygonRef polygon : sources.polygons) sources_of_intervals.push_back({cluster, polygon});
 }
 
 void StableManifolds::Machine::push_sources(FrontNumber front, Set& set) {
@@ -113,12 +133,13 @@ void StableManifolds::Machine::push_sources(FrontNumber front, Set& set) {
   push_sides(front, place.edge);
 }
 
-void StableManifolds::Machine::follow(Set& set) {
+void StableManifolds::Machine::follow(Set& set, StableSet* geometry) {
   while (!tasks.empty()) {
     const Task task = tasks.back();
     tasks.pop_back();
     ++set.segments;
     const BackwardWalk::Back back = walk.step(task.front, task.facet);
+    if (geometry != nullptr) record_segment(task, back, *geometry);
     if (back.critical) {
       ends.push_back(*back.critical);
       lengths.push_back(walk.depth(task.front) + 1);
@@ -147,13 +168,19 @@ void StableManifolds::Machine::count(const Set& set) {
   if (!set.has_interval) statistics.triangles.add(2 * std::size_t{set.segments});
 }
 
-void StableManifolds::Machine::add_set(std::size_t record) {
-  Set set;
-  set.record = static_cast<std::uint32_t>(record);
+void StableManifolds::Machine::clear() {
   visited.clear();
   ends.clear();
   lengths.clear();
+  sources_of_intervals.clear();
   regular_backs = 0;
+  walk.clear();
+}
+
+void StableManifolds::Machine::add_set(std::size_t record) {
+  Set set;
+  set.record = static_cast<std::uint32_t>(record);
+  clear();
   const FrontNumber root = start(record);
   if (tasks.empty()) push_sources(root, set);
   follow(set);
@@ -161,7 +188,6 @@ void StableManifolds::Machine::add_set(std::size_t record) {
     keep_boundary(set, root);
     count(set);
   }
-  walk.clear();
   sets.push_back(set);
 }
 
@@ -181,6 +207,93 @@ void StableManifolds::Machine::compute(const Progress& progress) {
   if (progress) progress(total, total);
 }
 
+void StableManifolds::Machine::record_segment(const Task& task, const BackwardWalk::Back& back,
+                                              StableSet& geometry) {
+  BackwardSegment segment;
+  segment.samples = {name(task.facet.v0), name(task.facet.v1)};
+  std::ranges::sort(segment.samples);
+  const Position front = walk.position(task.front);
+  segment.front = machine->exact(front);
+  segment.front_contact = front_contact(task.front);
+  if (back.critical) {
+    segment.back_contact = {segment.samples.begin(), segment.samples.end()};
+    segment.back = exact_sphere(points, segment.samples).center;
+  } else {
+    const Position position = walk.position(back.front);
+    const bool is_edge = position.place.kind == Place::Kind::kEdge;
+    segment.back_kind = back.is_regular ? BackKind::kRegular : is_edge ? BackKind::kEdge : BackKind::kVertex;
+    segment.back = machine->exact(position);
+    segment.back_contact = recorder.contact(position.place);
+  }
+  geometry.segments.push_back(std::move(segment));
+}
+
+// Of a front at a triangle's centre the Voronoi edge was not looked up.
+std::vector<PointId> StableManifolds::Machine::front_contact(FrontNumber front) const {
+  const Place& place = walk.place(front);
+  if (place.kind == Place::Kind::kVertex || place.edge.cell != kNoCell) return recorder.contact(place);
+  std::vector<PointId> names;
+  for (const VertexIndex v : contact) names.push_back(name(v));
+  std::ranges::sort(names);
+  return names;
+}
+
+// One interval may lead to a Voronoi vertex that adds segments and more intervals.
+void StableManifolds::Machine::record_intervals(StableSet& geometry, Set& set) {
+  while (!sources_of_intervals.empty()) {
+    const auto [cluster, polygon] = sources_of_intervals.back();
+    sources_of_intervals.pop_back();
+    const std::size_t far = faces.end(polygon, 0) == cluster ? 1 : 0;
+    const CellIndex other = faces.end(polygon, far);
+    const Sign beyond = other == kNoCell ? Sign::kPositive : side_at(faces, polygon, far);
+    BackwardInterval interval;
+    interval.polygon = recorder.contact(Place::on_edge(polygon));
+    interval.front = machine->exact({Place::at_vertex(cluster), kNoPoint});
+    interval.back_is_stationary = beyond != Sign::kNegative;
+    interval.back = interval.back_is_stationary ? exact_sphere(points, interval.polygon).center
+                                                : machine->exact({Place::at_vertex(other), kNoPoint});
+    if (!interval.back_is_stationary) push_vertex(other, walk.at_vertex(other), set);
+    record_sectors({polygon, interval.front, interval.back}, geometry, set);
+    geometry.intervals.push_back(std::move(interval));
+    follow(set, &geometry);
+  }
+}
+
+void StableManifolds::Machine::record_sectors(const Arc& arc, StableSet& geometry, Set& set) {
+  std::vector<Arc> arcs{arc};
+  while (!arcs.empty()) {
+    const Arc next = std::move(arcs.back());
+    arcs.pop_back();
+    for (const PolygonSide& side : faces.sides(next.polygon)) {
+      if (side.angle != Sign::kPositive) continue;
+      SectorParts parts = sector_of(faces, *machine, {side.v0, side.v1}, next);
+      for (const CellIndex cluster : parts.vertices) push_vertex(cluster, walk.at_vertex(cluster), set);
+      std::ranges::move(parts.arcs, std::back_inserter(arcs));
+      BackwardSector sector{{name(side.v0), name(side.v1)}, std::move(parts.corners)};
+      std::ranges::sort(sector.samples);
+      geometry.sectors.push_back(std::move(sector));
+    }
+  }
+}
+
+StableSet StableManifolds::Machine::geometry(std::size_t record) {
+  clear();
+  Set set;
+  StableSet geometry;
+  const FrontNumber root = start(record);
+  if (tasks.empty()) push_sources(root, set);
+  follow(set, &geometry);
+  record_intervals(geometry, set);
+  clear();
+  std::ranges::sort(geometry.segments, {},
+                    [](const BackwardSegment& x) { return std::tie(x.samples, x.front); });
+  std::ranges::sort(geometry.intervals, {},
+                    [](const BackwardInterval& x) { return std::tie(x.polygon, x.front); });
+  std::ranges::sort(geometry.sectors, {},
+                    [](const BackwardSector& x) { return std::tie(x.samples, x.corners); });
+  return geometry;
+}
+
 StableManifolds::StableManifolds(const Delaunay& delaunay, const StationaryPoints& stationary,
                                  StableOptions options, const Progress& progress)
     : machine_(std::make_unique<Machine>(delaunay, stationary, options)) {
@@ -190,6 +303,12 @@ StableManifolds::~StableManifolds() = default;
 StableManifolds::StableManifolds(StableManifolds&&) noexcept = default;
 StableManifolds& StableManifolds::operator=(StableManifolds&&) noexcept = default;
 
+const char* back_kind_text(BackKind kind) {
+  constexpr std::array<const char*, 4> kTexts = {"critical", "regular", "edge", "vertex"};
+  return kTexts.at(static_cast<std::size_t>(kind));
+}
+
+StableSet StableManifolds::set(std::size_t i) { return machine_->geometry(machine_->sets[i].record); }
 std::size_t StableManifolds::size() const { return machine_->sets.size(); }
 std::size_t StableManifolds::record(std::size_t i) const { return machine_->sets[i].record; }
 std::size_t StableManifolds::segment_count(std::size_t i) const { return machine_->sets[i].segments; }

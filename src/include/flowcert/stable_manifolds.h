@@ -21,6 +21,37 @@ struct StableOptions {
   FlowOptions flow;
 };
 
+// What a backward segment ends at (FC-STAB-04).
+enum class BackKind : std::uint8_t { kCritical, kRegular, kEdge, kVertex };
+// "critical", "regular", "edge", "vertex"
+[[nodiscard]] const char* back_kind_text(BackKind kind);
+
+// In the Voronoi facet of two samples; contact sets are ascending names.
+struct BackwardSegment {
+  std::array<PointId, 2> samples;  // ascending
+  RationalPoint front, back;
+  std::vector<PointId> front_contact, back_contact;
+  BackKind back_kind = BackKind::kCritical;
+};
+// On the Voronoi edge of a polygon (FC-STAB-05).
+struct BackwardInterval {
+  std::vector<PointId> polygon;
+  RationalPoint front, back;
+  bool back_is_stationary = false;
+};
+// In the Voronoi facet of two samples: the corners of its closure in cyclic order, the lexicographically
+// least first and the lesser of its neighbours second.
+struct BackwardSector {
+  std::array<PointId, 2> samples;
+  std::vector<RationalPoint> corners;
+};
+// The skeleton of a stable set, and so all of it (FC-STAB-02). Sorted: by samples or polygon, then positions.
+struct StableSet {
+  std::vector<BackwardSegment> segments;
+  std::vector<BackwardInterval> intervals;
+  std::vector<BackwardSector> sectors;
+};
+
 struct StableStatistics {
   Distribution n_s2;  // flow segments from an index-2 point down to an index-1 point, a connecting orbit each
   Distribution triangles;           // of the S2's without interval
@@ -55,6 +86,9 @@ class StableManifolds {
   // Where its skeleton has no Voronoi vertex and no regular back, FC-STAB-07 determines it; otherwise ties
   // are broken (FC-CHAIN).
   [[nodiscard]] std::span<const std::uint32_t> boundary(std::size_t i) const;
+
+  // The skeleton, with exact coordinates. Flows once more.
+  [[nodiscard]] StableSet set(std::size_t i);
 
   [[nodiscard]] const StableStatistics& statistics() const;
 
