@@ -23,12 +23,6 @@ bool in_cone(const Point& apex, std::vector<Point> base, const Point& x) {
          std::all_of(weights->begin(), weights->end() - 1, [](const Rational& w) { return w > 0; });
 }
 
-bool any_cone(const PointSet& set, const std::vector<std::size_t>& apexes, const std::vector<Point>& base,
-              const Point& x) {
-  return std::any_of(apexes.begin(), apexes.end(),
-                     [&](std::size_t name) { return in_cone(point_of(set, name), base, x); });
-}
-
 // The same with the interior of a sector as base, and `other` the mirror image of the apex. Inside of the
 // cone, x is strictly on one side of the planes through the apex and each side of the polygon; so it is in
 // the opposite cone, which is no nearer to `other` than the apex is.
@@ -44,11 +38,6 @@ bool in_sector_cone(const Point& apex, const Point& other, const std::vector<Poi
     sides.insert(dot(cross(a, b), minus(x, apex)).sign());
   }
   return sides == std::set<int>{1} || sides == std::set<int>{-1};
-}
-
-bool in_sector_cones(const PointSet& set, const Sector& sector, const Point& x) {
-  const Point &p0 = point_of(set, sector.samples[0]), &p1 = point_of(set, sector.samples[1]);
-  return in_sector_cone(p0, p1, sector.polygon, x) || in_sector_cone(p1, p0, sector.polygon, x);
 }
 
 // The corners of a convex polygon in cyclic order, from the first on towards the lesser of its neighbours.
@@ -134,17 +123,23 @@ std::vector<std::array<std::size_t, 2>> boundary_edges(const StableSet& stable) 
   return edges;
 }
 
+// A cone with apex p lies in the Voronoi cell of p, so only those with their apexes in C(x) can contain x.
 bool contains(const PointSet& set, const StableSet& stable, const Point& x) {
+  const std::vector<std::size_t> nearest = contact_set(set, x);
+  const auto in_cones = [&](const auto& apexes, const std::vector<Point>& base) {
+    return std::any_of(apexes.begin(), apexes.end(), [&](std::size_t p) {
+      return std::binary_search(nearest.begin(), nearest.end(), p) && in_cone(point_of(set, p), base, x);
+    });
+  };
   const auto by_point = [&](const SkeletonPoint& w) {
-    return x == w.position || any_cone(set, w.contact, {w.position}, x);
+    return x == w.position || in_cones(w.contact, {w.position});
   };
-  const auto by_segment = [&](const BackwardSegment& s) {
-    return any_cone(set, {s.samples[0], s.samples[1]}, {s.front, s.back}, x);
+  const auto by_segment = [&](const BackwardSegment& s) { return in_cones(s.samples, {s.front, s.back}); };
+  const auto by_interval = [&](const BackwardInterval& i) { return in_cones(i.polygon, {i.front, i.back}); };
+  const auto by_sector = [&](const Sector& s) {
+    const Point &p0 = point_of(set, s.samples[0]), &p1 = point_of(set, s.samples[1]);
+    return in_sector_cone(p0, p1, s.polygon, x) || in_sector_cone(p1, p0, s.polygon, x);
   };
-  const auto by_interval = [&](const BackwardInterval& i) {
-    return any_cone(set, i.polygon, {i.front, i.back}, x);
-  };
-  const auto by_sector = [&](const Sector& s) { return in_sector_cones(set, s, x); };
   return std::any_of(stable.points.begin(), stable.points.end(), by_point) ||
          std::any_of(stable.segments.begin(), stable.segments.end(), by_segment) ||
          std::any_of(stable.intervals.begin(), stable.intervals.end(), by_interval) ||
