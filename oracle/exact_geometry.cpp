@@ -64,6 +64,14 @@ Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], 
 
 Rational dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Point moved(const Point& x, const Rational& time, const Point& direction) {
+  return {x[0] + time * direction[0], x[1] + time * direction[1], x[2] + time * direction[2]};
+}
+
 Rational squared_distance(const Point& a, const Point& b) {
   const Point difference = minus(a, b);
   return dot(difference, difference);

@@ -24,6 +24,8 @@ Point exact(const std::array<double, 3>& row);
 
 Point minus(const Point& a, const Point& b);
 Rational dot(const Point& a, const Point& b);
+Point cross(const Point& a, const Point& b);
+Point moved(const Point& x, const Rational& time, const Point& direction);  // x + time * direction
 Rational squared_distance(const Point& a, const Point& b);
 
 // The point of the affine hull of `simplex` at equal distance from all its points, with its barycentric

@@ -8,14 +8,6 @@ namespace oracle {
 
 namespace {
 
-Point moved(const Point& x, const Rational& time, const Point& direction) {
-  return {x[0] + time * direction[0], x[1] + time * direction[1], x[2] + time * direction[2]};
-}
-
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 // The same direction in integers without a common factor: the length does not matter, but that of the numbers
 // does.
 Point in_integers(const Point& direction) {
@@ -24,19 +16,6 @@ Point in_integers(const Point& direction) {
   for (const Rational& u : direction) factor = gcd(factor, Integer(numerator(u * common)));
   const Rational scale = Rational(common) / Rational(factor);
   return {direction[0] * scale, direction[1] * scale, direction[2] * scale};
-}
-
-// C(x + t u) for all small t > 0. |x + t u - p|^2 = |x - p|^2 + 2 t <u, x - p> + t^2 |u|^2, so among the
-// points of C(x), equally far from x, those stay nearest for which <u, p> is largest.
-std::vector<std::size_t> crossed_places(const PointSet& set, const std::vector<std::size_t>& contact,
-                                        const Point& direction) {
-  Rational largest = dot(direction, set.points[contact.front()]);
-  for (const std::size_t place : contact) largest = std::max(largest, dot(direction, set.points[place]));
-  std::vector<std::size_t> crossed;
-  for (const std::size_t place : contact) {
-    if (dot(direction, set.points[place]) == largest) crossed.push_back(place);
-  }
-  return crossed;
 }
 
 // The first point on the way of x where a point q outside of the crossed set is as near as those inside, p
@@ -72,16 +51,6 @@ FlowSegment segment_along(const PointSet& set, const Point& x, const Point& driv
   return segment;
 }
 
-// Where in the set's points the named classes are.
-std::vector<std::size_t> places_of(const PointSet& set, const std::vector<std::size_t>& names) {
-  std::vector<std::size_t> places;
-  for (const std::size_t name : names) {
-    const auto position = std::lower_bound(set.names.begin(), set.names.end(), name);
-    places.push_back(static_cast<std::size_t>(position - set.names.begin()));
-  }
-  return places;
-}
-
 // Nothing iff x is stationary. `contact` are the places of C(x).
 std::optional<FlowSegment> segment_from(const PointSet& set, const Point& x,
                                         const std::vector<std::size_t>& contact) {
@@ -106,6 +75,19 @@ void follow(const PointSet& set, Point x, Orbit& path) {
 }
 
 }  // namespace
+
+// |x + t u - p|^2 = |x - p|^2 + 2 t <u, x - p> + t^2 |u|^2, so among the
+// points of C(x), equally far from x, those stay nearest for which <u, p> is largest.
+std::vector<std::size_t> crossed_places(const PointSet& set, const std::vector<std::size_t>& contact,
+                                        const Point& direction) {
+  Rational largest = dot(direction, set.points[contact.front()]);
+  for (const std::size_t place : contact) largest = std::max(largest, dot(direction, set.points[place]));
+  std::vector<std::size_t> crossed;
+  for (const std::size_t place : contact) {
+    if (dot(direction, set.points[place]) == largest) crossed.push_back(place);
+  }
+  return crossed;
+}
 
 // The nearest point lies in the relative interior of the simplex of some affinely independent points of C(x)
 // (Caratheodory), and is the projection of x to the affine hull of that simplex: its circumcentre, as x is

@@ -65,6 +65,15 @@ PointSet::PointSet(const std::vector<std::array<double, 3>>& rows) {
   }
 }
 
+std::vector<std::size_t> places_of(const PointSet& set, const std::vector<std::size_t>& names) {
+  std::vector<std::size_t> places;
+  for (const std::size_t name : names) {
+    const auto position = std::lower_bound(set.names.begin(), set.names.end(), name);
+    places.push_back(static_cast<std::size_t>(position - set.names.begin()));
+  }
+  return places;
+}
+
 Integer value(const Form& form, const std::array<Integer, 4>& lifted) {
   Integer sum;
   for (std::size_t k = 0; k < 4; ++k) {

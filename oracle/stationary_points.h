@@ -30,6 +30,9 @@ struct PointSet {
   std::vector<std::array<Integer, 4>> lifted;
 };
 
+// Where in the set's points the named classes are.
+std::vector<std::size_t> places_of(const PointSet& set, const std::vector<std::size_t>& names);
+
 // A linear form in the four numbers of a lifted point, and its value there.
 using Form = std::array<Integer, 4>;
 Integer value(const Form& form, const std::array<Integer, 4>& lifted);

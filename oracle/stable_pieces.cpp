@@ -1,0 +1,149 @@
+// How the header's promises are kept.
+#include "oracle/stable_pieces.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+namespace oracle {
+
+namespace {
+
+const Point& point_of(const PointSet& set, std::size_t name) {
+  return set.points[places_of(set, {name}).front()];
+}
+
+// x is on a half-open segment from the apex, which does not belong to it, to a point in the relative interior
+// of the simplex of `base`. The apex is outside of the affine hull of the base.
+bool in_cone(const Point& apex, std::vector<Point> base, const Point& x) {
+  base.push_back(apex);
+  const auto weights = barycentric(base, x);
+  return weights && weights->back() >= 0 &&
+         std::all_of(weights->begin(), weights->end() - 1, [](const Rational& w) { return w > 0; });
+}
+
+// The same with the interior of a sector as base, and `other` the mirror image of the apex. Inside of the
+// cone, x is strictly on one side of the planes through the apex and each side of the polygon; so it is in
+// the opposite cone, which is no nearer to `other` than the apex is.
+bool in_sector_cone(const Point& apex, const Point& other, const std::vector<Point>& polygon,
+                    const Point& x) {
+  const Point axis = minus(other, apex);
+  const Rational height = dot(axis, minus(x, apex));
+  if (height <= 0 || 2 * height > dot(axis, axis)) return false;
+  std::set<int> sides;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point a = minus(polygon[i], apex);
+    const Point b = minus(polygon[(i + 1) % polygon.size()], apex);
+    sides.insert(dot(cross(a, b), minus(x, apex)).sign());
+  }
+  return sides == std::set<int>{1} || sides == std::set<int>{-1};
+}
+
+// The corners of a convex polygon in cyclic order, from the first on towards the lesser of its neighbours.
+// From a corner a, the next is the one that has all others on its left.
+std::vector<std::size_t> in_cyclic_order(const PointSet& set, const std::vector<std::size_t>& names) {
+  const std::vector<Point> corners = select(set.points, places_of(set, names));
+  const Point normal = cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]));
+  const auto is_next = [&](std::size_t a, std::size_t b) {
+    return a != b && std::all_of(corners.begin(), corners.end(), [&](const Point& c) {
+             return dot(normal, cross(minus(corners[b], corners[a]), minus(c, corners[a]))) >= 0;
+           });
+  };
+  std::vector<std::size_t> ring = {0};
+  while (ring.size() < corners.size()) {
+    std::size_t next = 0;
+    while (!is_next(ring.back(), next)) ++next;
+    ring.push_back(next);
+  }
+  if (ring.back() < ring[1]) std::reverse(ring.begin() + 1, ring.end());
+  return select(names, ring);
+}
+
+// What is left, in the end, of the side from a to b of a polygon with its segment's front there; without b.
+void append_walk(const PointSet& set, const StableSet& stable, const Point& front, std::size_t a,
+                 std::size_t b, std::vector<std::size_t>& walk) {
+  const std::array<std::size_t, 2> samples = {std::min(a, b), std::max(a, b)};
+  const auto segment =
+      std::find_if(stable.segments.begin(), stable.segments.end(),
+                   [&](const BackwardSegment& s) { return s.front == front && s.samples == samples; });
+  if (segment == stable.segments.end() || segment->back_kind != BackKind::kEdge) {
+    walk.push_back(a);
+    return;
+  }
+  std::vector<std::size_t> ring = in_cyclic_order(set, segment->back_contact);
+  std::rotate(ring.begin(), std::find(ring.begin(), ring.end(), a), ring.end());
+  if (ring[1] == b) std::reverse(ring.begin() + 1, ring.end());
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    append_walk(set, stable, segment->back, ring[i - 1], ring[i], walk);
+  }
+}
+
+}  // namespace
+
+std::vector<Triangle> triangles(const PointSet& set, const StableSet& stable) {
+  if (!stable.intervals.empty()) throw std::invalid_argument("this stable set has dimension 3");
+  std::vector<Triangle> result;
+  for (const BackwardSegment& segment : stable.segments) {
+    for (const std::size_t name : segment.samples) {
+      result.push_back({point_of(set, name), segment.front, segment.back});
+    }
+  }
+  return result;
+}
+
+std::vector<std::size_t> boundary_walk(const PointSet& set, const StationaryPoint& z,
+                                       const StableSet& stable) {
+  if (z.hull_dimension != 2 || stable.has_vertex) {
+    throw std::invalid_argument("only a disc without Voronoi vertices has a boundary walk");
+  }
+  std::vector<std::size_t> walk;
+  const std::vector<std::size_t> ring = in_cyclic_order(set, z.contact);
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    append_walk(set, stable, z.center, ring[i], ring[(i + 1) % ring.size()], walk);
+  }
+  return walk;
+}
+
+std::vector<std::array<std::size_t, 2>> boundary_edges(const StableSet& stable) {
+  if (stable.has_vertex) throw std::invalid_argument("not a disc without Voronoi vertices");
+  std::map<Point, std::set<std::size_t>> odd;  // w -> the p for which p w is a side of an odd number
+  for (const BackwardSegment& segment : stable.segments) {
+    for (const std::size_t p : segment.samples) {
+      for (const Point& w : {segment.front, segment.back}) {
+        if (!odd[w].insert(p).second) odd[w].erase(p);
+      }
+    }
+  }
+  std::vector<std::array<std::size_t, 2>> edges;
+  for (const auto& [w, samples] : odd) {
+    if (!samples.empty()) edges.push_back({*samples.begin(), *samples.rbegin()});
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+// A cone with apex p lies in the Voronoi cell of p, so only those with their apexes in C(x) can contain x.
+bool contains(const PointSet& set, const StableSet& stable, const Point& x) {
+  const std::vector<std::size_t> nearest = contact_set(set, x);
+  const auto in_cones = [&](const auto& apexes, const std::vector<Point>& base) {
+    return std::any_of(apexes.begin(), apexes.end(), [&](std::size_t p) {
+      return std::binary_search(nearest.begin(), nearest.end(), p) && in_cone(point_of(set, p), base, x);
+    });
+  };
+  const auto by_point = [&](const SkeletonPoint& w) {
+    return x == w.position || in_cones(w.contact, {w.position});
+  };
+  const auto by_segment = [&](const BackwardSegment& s) { return in_cones(s.samples, {s.front, s.back}); };
+  const auto by_interval = [&](const BackwardInterval& i) { return in_cones(i.polygon, {i.front, i.back}); };
+  const auto by_sector = [&](const Sector& s) {
+    const Point &p0 = point_of(set, s.samples[0]), &p1 = point_of(set, s.samples[1]);
+    return in_sector_cone(p0, p1, s.polygon, x) || in_sector_cone(p1, p0, s.polygon, x);
+  };
+  return std::any_of(stable.points.begin(), stable.points.end(), by_point) ||
+         std::any_of(stable.segments.begin(), stable.segments.end(), by_segment) ||
+         std::any_of(stable.intervals.begin(), stable.intervals.end(), by_interval) ||
+         std::any_of(stable.sectors.begin(), stable.sectors.end(), by_sector);
+}
+
+}  // namespace oracle

@@ -1,0 +1,183 @@
+// How the header's promises are kept: a search against the flow, each place asked what flows into it.
+//
+// Why it ends, and meets nothing twice: d decreases along each way back, and there are finitely many faces;
+// a point has one orbit, so it is found once, where that orbit goes on.
+#include "oracle/stable_set.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+
+#include "oracle/orbit.h"
+
+namespace oracle {
+
+namespace {
+
+// A face K of conv C(y), by its places, with its centre c.
+struct Lead {
+  std::vector<std::size_t> face;
+  Point centre;
+};
+
+// K, where K leads to y (FC-STAB-03) and its first points are these two, or three; `contact` is C(y). In a
+// plane with these three the others lie on their circle, as all of C(y) lies on a sphere.
+std::optional<Lead> lead_from(const PointSet& set, const Point& y, const std::vector<std::size_t>& contact,
+                              const std::vector<std::size_t>& first_points) {
+  const Point centre = circumcentre(select(set.points, first_points))->center;
+  if (centre == y) return std::nullopt;
+  const Lead lead{crossed_places(set, contact, minus(centre, y)), centre};
+  const std::vector<Point> face = select(set.points, lead.face);
+  const bool begins_so = spanning_subset(face) == select(set.points, first_points);
+  return begins_so && face_dimension(face, centre) ? std::optional(lead) : std::nullopt;
+}
+
+// All that leads to y. No three points of a sphere lie on a line, so all pairs and triples have a centre.
+std::vector<Lead> leads_to(const PointSet& set, const Point& y) {
+  std::vector<Lead> leads;
+  const std::vector<std::size_t> contact = nearest_places(set, y);
+  for_each_subset(contact.size(), 3, [&](const std::vector<std::size_t>& subset) {
+    if (subset.size() < 2) return;
+    if (const auto lead = lead_from(set, y, contact, select(contact, subset))) leads.push_back(*lead);
+  });
+  return leads;
+}
+
+bool is_edge(const Lead& lead) { return lead.face.size() == 2; }
+
+std::array<std::size_t, 2> samples_of(const PointSet& set, const Lead& lead) {
+  return {set.names[lead.face[0]], set.names[lead.face[1]]};
+}
+
+// The way from y to the centre c, as far as its points, the ends aside, have the contact set K. At
+// y + t (c - y) a point q is farther than p, of K, by |y - q|^2 - |y - p|^2 - 2 t <c - y, q - p>, squared.
+Point way_back(const PointSet& set, const Point& y, const Lead& lead) {
+  const Point way = minus(lead.centre, y);
+  const Point& p = set.points[lead.face.front()];
+  Rational time = 1;
+  for (const Point& q : set.points) {
+    const Rational approach = 2 * dot(way, minus(q, p));
+    if (approach <= 0) continue;
+    time = std::min(time, Rational((squared_distance(y, q) - squared_distance(y, p)) / approach));
+  }
+  return moved(y, time, way);
+}
+
+bool collinear(const Point& a, const Point& b, const Point& c) {
+  return cross(minus(b, a), minus(c, a)) == Point{};
+}
+
+// The part of a convex polygon that is not nearer to q than to p.
+std::vector<Point> clipped(const std::vector<Point>& polygon, const Point& p, const Point& q) {
+  const auto lead = [&](const Point& x) { return Rational(squared_distance(x, q) - squared_distance(x, p)); };
+  std::vector<Point> result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point& a = polygon[i];
+    const Point& b = polygon[(i + 1) % polygon.size()];
+    const Rational at_a = lead(a), at_b = lead(b);
+    if (at_a >= 0) result.push_back(a);
+    if ((at_a > 0 && at_b < 0) || (at_a < 0 && at_b > 0)) {
+      result.push_back(moved(a, at_a / (at_a - at_b), minus(b, a)));
+    }
+  }
+  return result;
+}
+
+// From the least corner on, towards the lesser of its neighbours.
+std::vector<Point> canonical(std::vector<Point> polygon) {
+  std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
+  if (polygon.back() < polygon[1]) std::reverse(polygon.begin() + 1, polygon.end());
+  return polygon;
+}
+
+// The search. Each function adds what it is named after, with all that flows into that.
+class Search {
+ public:
+  explicit Search(const PointSet& set) : set_(set) {}
+
+  void add_point(const Point& y) {
+    found_.points.push_back({y, contact_set(set_, y)});
+    found_.has_vertex = found_.has_vertex || dimension_at(y) == 3;
+    for (const Lead& lead : leads_to(set_, y)) {
+      is_edge(lead) ? add_segment(y, lead) : add_interval_into(y, lead);
+    }
+  }
+
+  StableSet sorted() && {
+    std::sort(found_.points.begin(), found_.points.end());
+    std::sort(found_.segments.begin(), found_.segments.end());
+    std::sort(found_.intervals.begin(), found_.intervals.end());
+    std::sort(found_.sectors.begin(), found_.sectors.end());
+    return std::move(found_);
+  }
+
+ private:
+  int dimension_at(const Point& x) const {
+    return affine_dimension(select(set_.points, nearest_places(set_, x)));
+  }
+
+  // FC-STAB-04
+  void add_segment(const Point& y, const Lead& lead) {
+    const Point back = way_back(set_, y, lead);
+    const int dimension = dimension_at(back);
+    BackKind kind = dimension == 2 ? BackKind::kEdge : BackKind::kVertex;
+    if (back == lead.centre) kind = dimension == 1 ? BackKind::kCritical : BackKind::kRegular;
+    found_.segments.push_back(
+        {samples_of(set_, lead), y, back, contact_set(set_, y), contact_set(set_, back), kind});
+    if (back != lead.centre) add_point(back);
+  }
+
+  // FC-STAB-05, with y at a Voronoi vertex.
+  void add_interval_into(const Point& y, const Lead& lead) {
+    const Point back = way_back(set_, y, lead);
+    const bool whole = back == lead.centre;
+    add_interval({select(set_.names, lead.face), y, back,
+                  whole ? IntervalKind::kFromCentre : IntervalKind::kFromVertex});
+    if (!whole) add_point(back);
+  }
+
+  // What leads to one point of the interval leads to all. The polygon itself may, along the interval.
+  void add_interval(const BackwardInterval& interval) {
+    found_.intervals.push_back(interval);
+    const Point middle = moved(interval.front, Rational(1, 2), minus(interval.back, interval.front));
+    for (const Lead& lead : leads_to(set_, middle)) {
+      if (is_edge(lead)) add_sector(interval, lead);
+    }
+  }
+
+  // The triangle of the interval and the midpoint m, as far as it is in the facet. Its rays leave the facet
+  // through the sides that lie on none of them and the corners between two such.
+  void add_sector(const BackwardInterval& interval, const Lead& lead) {
+    const auto& [polygon, front, back, kind] = interval;
+    const Point& m = lead.centre;
+    std::vector<Point> sector = {front, back, m};
+    for (const Point& q : set_.points) sector = clipped(sector, set_.points[lead.face[0]], q);
+    found_.sectors.push_back({samples_of(set_, lead), canonical(sector)});
+    for (std::size_t i = 0; i < sector.size(); ++i) {
+      const Point& a = sector[i];
+      const Point& b = sector[(i + 1) % sector.size()];
+      if (!collinear(a, m, front) && !collinear(a, m, back)) add_point(a);
+      const bool is_front_side = std::minmax(a, b) == std::minmax(front, back);
+      if (!is_front_side && !collinear(a, b, m)) add_crossed_interval(a, b);
+    }
+  }
+
+  void add_crossed_interval(const Point& a, const Point& b) {
+    const Point middle = moved(a, Rational(1, 2), minus(b, a));
+    add_interval({contact_set(set_, middle), std::min(a, b), std::max(a, b), IntervalKind::kCrossed});
+  }
+
+  const PointSet& set_;
+  StableSet found_;
+};
+
+}  // namespace
+
+StableSet stable_set(const PointSet& set, const StationaryPoint& z) {
+  if (z.face_dimension == 3) throw std::invalid_argument("the stable set of a maximum is not built");
+  Search search(set);
+  search.add_point(z.center);
+  return std::move(search).sorted();
+}
+
+}  // namespace oracle
