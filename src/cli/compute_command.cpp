@@ -1,8 +1,10 @@
-// `flowcert compute`: all stationary points of an input and, if wanted, the unstable manifolds U2, as a table
+// `flowcert compute`: all stationary points of an input and, if wanted, the manifolds U2 and S2, as a table
 // for people, one JSON object for programs (spec/formats.md, section 3), and a file of exact records
 // (section 2).
+#include <algorithm>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "cli/command.h"
 #include "cli/compute_report.h"
@@ -10,7 +12,7 @@
 #include "cli/progress_line.h"
 #include "flowcert/write_stationary_points.h"
 #include "io/output_file.h"
-#include "io/write_unstable_manifolds.h"
+#include "io/write_manifolds.h"
 
 namespace flowcert {
 
@@ -21,22 +23,36 @@ struct ComputeOptions {
   std::string output;
   bool json = false;
   unsigned runs = 1;
-  std::string manifolds;  // empty, or "u2"
+  std::vector<std::string> manifolds;  // "u2", "s2"
   bool polylines = false;
+  bool skeletons = false;
   U2Choice u2;
 };
 
-std::optional<UnstableOptions> u2_options(const ComputeOptions& options) {
-  if (options.manifolds.empty()) return std::nullopt;
-  return UnstableOptions{.flow = options.u2.flow.options(), .share = !options.u2.alone};
+bool wants(const ComputeOptions& options, const char* manifold) {
+  return std::find(options.manifolds.begin(), options.manifolds.end(), manifold) != options.manifolds.end();
+}
+
+WantedManifolds wanted_manifolds(const ComputeOptions& options) {
+  WantedManifolds wanted;
+  const FlowOptions flow = options.u2.flow.options();
+  if (wants(options, "u2")) wanted.u2 = UnstableOptions{.flow = flow, .share = !options.u2.alone};
+  if (wants(options, "s2")) wanted.s2 = StableOptions{.flow = flow};
+  if (options.polylines && !wanted.u2) throw InvalidInput("--polylines: needs --manifolds u2");
+  if (options.u2.alone && !wanted.u2) throw InvalidInput("--alone: needs --manifolds u2");
+  if (options.skeletons && !wanted.s2) throw InvalidInput("--skeletons: needs --manifolds s2");
+  return wanted;
 }
 
 void write_records(const ComputeOptions& options, const Input& input, ComputeRun& run) {
   OutputFile file(options.output);
   ProgressLine progress("writing exact records");
-  if (run.u2) {
-    write_unstable_manifolds(file.stream(), input.points, run.stationary, *run.u2, options.polylines,
-                             input.sha256, std::ref(progress));
+  if (run.u2 || run.s2) {
+    const ManifoldsToWrite manifolds = {.u2 = run.u2 ? &*run.u2 : nullptr,
+                                        .polylines = options.polylines,
+                                        .s2 = run.s2 ? &*run.s2 : nullptr,
+                                        .skeletons = options.skeletons};
+    write_manifolds(file.stream(), input.points, run.stationary, manifolds, input.sha256, std::ref(progress));
   } else {
     write_stationary_points(file.stream(), input.points, run.stationary, input.sha256, std::ref(progress));
   }
@@ -44,8 +60,9 @@ void write_records(const ComputeOptions& options, const Input& input, ComputeRun
 }
 
 void compute(const ComputeOptions& options) {
+  const WantedManifolds wanted = wanted_manifolds(options);
   const Input input = read_input(options.input);
-  const Measured measured = measure(input.points, options.runs, u2_options(options));
+  const Measured measured = measure(input.points, options.runs, wanted);
   if (!options.output.empty()) write_records(options, input, *measured.last);
   if (options.json) {
     print_compute_summary(input, measured, options.u2);
@@ -58,9 +75,12 @@ void compute(const ComputeOptions& options) {
 void add_manifold_options(CLI::App& command, ComputeOptions& options, CLI::Option* output) {
   CLI::Option* manifolds =
       command
-          .add_option("--manifolds", options.manifolds,
-                      "Compute these as well: u2, the unstable manifolds of all critical points of index 2")
-          ->check(CLI::IsMember({"u2"}));
+          .add_option(
+              "--manifolds", options.manifolds,
+              "Compute these as well, separated by commas: u2 and s2, the unstable and stable manifolds of "
+              "all critical points of index 2")
+          ->delimiter(',')
+          ->check(CLI::IsMember({"u2", "s2"}));
   command
       .add_flag("--stats", options.u2.with_statistics,
                 "Print lengths, types and exact sizes of what flows, as the paper's tables do")
@@ -73,6 +93,11 @@ void add_manifold_options(CLI::App& command, ComputeOptions& options, CLI::Optio
   command
       .add_flag("--polylines", options.polylines,
                 "Write each U2 to the file of -o, as exact polylines: a large file")
+      ->needs(manifolds)
+      ->needs(output);
+  command
+      .add_flag("--skeletons", options.skeletons,
+                "Write each S2, and the stable sets of regular stationary points, to the file of -o, exactly")
       ->needs(manifolds)
       ->needs(output);
 }
@@ -96,7 +121,8 @@ void add_compute_command(CLI::App& app, int& status) {
       ->check(CLI::Range(1, 1000));
   add_manifold_options(*command, *options, output);
   command->footer(
-      "Examples:\n  flowcert compute bunny.obj -o bunny.jsonl\n  flowcert compute bunny.obj --manifolds u2 "
+      "Examples:\n  flowcert compute bunny.obj -o bunny.jsonl\n  flowcert compute bunny.obj --manifolds "
+      "u2,s2 "
       "--stats");
   command->callback([options, &status] {
     compute(*options);

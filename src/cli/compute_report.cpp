@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include "cli/s2_report.h"
 #include "cli/table.h"
 
 namespace flowcert {
@@ -45,14 +46,20 @@ void print_times(const Measured& measured) {
             measured.runs == 1 ? "" : fmt::format("median of {} runs", measured.runs));
   print_row("critical points", seconds_text(measured.critical_seconds),
             multiple_text(measured, &DelaunayRatios::critical));
-  if (!measured.last->u2) return;
-  print_row("unstable manifolds U2", seconds_text(measured.u2_seconds),
-            multiple_text(measured, &DelaunayRatios::u2));
+  if (measured.last->u2) {
+    print_row("unstable manifolds U2", seconds_text(measured.u2_seconds),
+              multiple_text(measured, &DelaunayRatios::u2));
+  }
+  if (measured.last->s2) {
+    print_row("stable manifolds S2", seconds_text(measured.s2_seconds),
+              multiple_text(measured, &DelaunayRatios::s2));
+  }
 }
 
 Json seconds_field(const Measured& measured) {
   Json seconds = {{"delaunay", measured.delaunay_seconds}, {"critical", measured.critical_seconds}};
   if (measured.last->u2) seconds["u2"] = measured.u2_seconds;
+  if (measured.last->s2) seconds["s2"] = measured.s2_seconds;
   return seconds;
 }
 
@@ -62,6 +69,7 @@ Json ratios_field(const Measured& measured) {
   };
   Json ratios = {{"critical", ratio(&DelaunayRatios::critical)}};
   if (measured.last->u2) ratios["u2"] = ratio(&DelaunayRatios::u2);
+  if (measured.last->s2) ratios["s2"] = ratio(&DelaunayRatios::s2);
   ratios["all"] = ratio(&DelaunayRatios::all);
   return ratios;
 }
@@ -74,6 +82,7 @@ void print_compute_table(const std::string& name, const Input& input, const Meas
   fmt::print("{} ({})\n", name, input.file.format);
   print_counts(input.points, run.stationary);
   if (run.u2) print_u2_rows(run.u2->statistics());
+  if (run.s2) print_s2_rows(run.stationary, *run.s2);
   print_times(measured);
   for (std::size_t k = 0; k < kPredicateCount; ++k) {
     const FilterCount& count = run.tally.counts[k];
@@ -82,6 +91,7 @@ void print_compute_table(const std::string& name, const Input& input, const Meas
   }
   print_row("peak memory", fmt::format("{:.1f} MiB", static_cast<double>(peak_memory()) / (1024 * 1024)));
   if (run.u2 && choice.with_statistics) print_u2_statistics(run.u2->statistics());
+  if (run.s2 && choice.with_statistics) print_s2_statistics(run.s2->statistics());
 }
 
 void print_compute_summary(const Input& input, const Measured& measured, const U2Choice& choice) {
@@ -99,6 +109,7 @@ void print_compute_summary(const Input& input, const Measured& measured, const U
     filters[kPredicateNames[k]] = {{"calls", count.calls}, {"failures", count.failures}};
   }
   if (run.u2) summary["u2"] = u2_field(choice, run.u2->statistics());
+  if (run.s2) summary["s2"] = s2_field(choice, run.stationary, *run.s2);
   summary["peak_memory_bytes"] = peak_memory();
   fmt::print("{}\n", summary.dump());
 }

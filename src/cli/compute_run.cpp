@@ -28,15 +28,15 @@ double median(std::vector<double> values) {
 
 // In seconds, an entry a run.
 struct Times {
-  std::vector<double> delaunay, critical, u2, all;
+  std::vector<double> delaunay, critical, u2, s2, all;
 };
 
 std::string of_run(const std::string& what, unsigned run, unsigned runs) {
   return runs == 1 ? what : fmt::format("{}, run {} of {}", what, run + 1, runs);
 }
 
-std::unique_ptr<ComputeRun> run_once(const PointSet& points, const std::optional<UnstableOptions>& u2,
-                                     unsigned run, unsigned runs, Times& times) {
+std::unique_ptr<ComputeRun> run_once(const PointSet& points, const WantedManifolds& wanted, unsigned run,
+                                     unsigned runs, Times& times) {
   std::optional<ProgressLine> progress(std::in_place, of_run("Delaunay triangulation", run, runs));
   const Clock::time_point start = Clock::now();
   auto result = std::make_unique<ComputeRun>(points, std::ref(*progress));
@@ -46,31 +46,42 @@ std::unique_ptr<ComputeRun> run_once(const PointSet& points, const std::optional
   times.delaunay.push_back(seconds_between(start, triangulated));
   times.critical.push_back(seconds_between(triangulated, listed));
   progress.reset();
-  if (!u2) return result;
-  progress.emplace(of_run("unstable manifolds", run, runs));
-  const Clock::time_point flowing = Clock::now();
-  result->u2.emplace(result->delaunay, result->stationary, *u2, std::ref(*progress));
-  times.u2.push_back(seconds_between(flowing, Clock::now()));
+  if (wanted.s2) {
+    progress.emplace(of_run("stable manifolds", run, runs));
+    const Clock::time_point flowing = Clock::now();
+    result->s2.emplace(result->delaunay, result->stationary, *wanted.s2, std::ref(*progress));
+    times.s2.push_back(seconds_between(flowing, Clock::now()));
+    progress.reset();
+  }
+  if (wanted.u2) {
+    progress.emplace(of_run("unstable manifolds", run, runs));
+    const Clock::time_point flowing = Clock::now();
+    result->u2.emplace(result->delaunay, result->stationary, *wanted.u2, std::ref(*progress));
+    times.u2.push_back(seconds_between(flowing, Clock::now()));
+  }
   return result;
 }
 
 }  // namespace
 
-Measured measure(const PointSet& points, unsigned runs, const std::optional<UnstableOptions>& u2) {
+Measured measure(const PointSet& points, unsigned runs, const WantedManifolds& wanted) {
   Measured result;
   Times times;
   for (unsigned run = 0; run < runs; ++run) {
     result.last.reset();
-    result.last = run_once(points, u2, run, runs, times);
-    times.all.push_back(times.critical.back() + (u2 ? times.u2.back() : 0));
+    result.last = run_once(points, wanted, run, runs, times);
+    times.all.push_back(times.critical.back() + (wanted.u2 ? times.u2.back() : 0) +
+                        (wanted.s2 ? times.s2.back() : 0));
   }
   result.runs = runs;
   result.delaunay_seconds = median(times.delaunay);
   result.critical_seconds = median(times.critical);
-  if (u2) result.u2_seconds = median(times.u2);
+  if (wanted.u2) result.u2_seconds = median(times.u2);
+  if (wanted.s2) result.s2_seconds = median(times.s2);
   if (points.size() >= 4 && result.delaunay_seconds > 0) {
     result.ratios = {.critical = result.critical_seconds / result.delaunay_seconds,
                      .u2 = result.u2_seconds / result.delaunay_seconds,
+                     .s2 = result.s2_seconds / result.delaunay_seconds,
                      .all = median(times.all) / result.delaunay_seconds};
   }
   return result;

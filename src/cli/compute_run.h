@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "flowcert/stable_manifolds.h"
 #include "flowcert/unstable_manifolds.h"
 
 namespace flowcert {
@@ -16,12 +17,20 @@ struct ComputeRun {
   StationaryPoints stationary;
   FilterTally tally;
   std::optional<UnstableManifolds> u2;  // where wanted
+  std::optional<StableManifolds> s2;    // likewise
+};
+
+// Nothing where a manifold is not wanted.
+struct WantedManifolds {
+  std::optional<UnstableOptions> u2;
+  std::optional<StableOptions> s2;
 };
 
 // Of a time to that of the triangulation.
 struct DelaunayRatios {
   double critical = 0;
   double u2 = 0;
+  double s2 = 0;
   double all = 0;
 };
 
@@ -31,13 +40,13 @@ struct Measured {
   double delaunay_seconds = 0;  // medians
   double critical_seconds = 0;
   double u2_seconds = 0;
+  double s2_seconds = 0;
   // None for fewer than 4 points, or no measurable time.
   std::optional<DelaunayRatios> ratios;
 };
 
-// As often as `runs` says: triangulation, critical points and, if u2 says how, U2 in turn, so that all see
-// the same machine.
-[[nodiscard]] Measured measure(const PointSet& points, unsigned runs,
-                               const std::optional<UnstableOptions>& u2);
+// As often as `runs` says: triangulation, critical points and what is wanted of manifolds in turn, so that
+// all see the same machine.
+[[nodiscard]] Measured measure(const PointSet& points, unsigned runs, const WantedManifolds& wanted);
 
 }  // namespace flowcert

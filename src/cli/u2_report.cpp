@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "cli/command.h"
+#include "cli/statistics_tables.h"
 #include "cli/table.h"
 #include "flowcert/orbit.h"
 
@@ -62,27 +63,12 @@ std::vector<std::pair<std::size_t, std::size_t>> byte_histogram(const Distributi
   return histogram;
 }
 
-Json distribution_field(const Distribution& distribution) {
-  Json field = {{"count", distribution.count()}, {"mean", distribution.mean()},
-                {"max", distribution.max()},     {"stddev", distribution.standard_deviation()},
-                {"mode", distribution.mode()},   {"median", distribution.median()},
-                {"histogram", Json::array()}};
-  for (const auto& [value, times] : distribution.times()) {
-    field["histogram"].push_back(Json::array({value, times}));
-  }
-  return field;
-}
-
 void add_statistics(Json& object, const FlowStatistics& statistics) {
   object["n_u2"] = distribution_field(statistics.n_u2);
   object["n_wcc"] = distribution_field(statistics.n_wcc);
   Json& census = object["census"] = Json::object();
   for (const auto& [type, count] : full_census(statistics)) census[type_text(type)] = count;
-  Json& primitives = object["primitives"] = Json::object();
-  for (std::size_t k = 0; k < kFlowPrimitiveCount; ++k) {
-    const FilterCount& count = statistics.tally.counts[k];
-    primitives[kFlowPrimitiveNames[k]] = {{"calls", count.calls}, {"failures", count.failures}};
-  }
+  object["primitives"] = primitives_field(statistics.tally);
   const Distribution& bytes = statistics.exact_bytes;
   Json& sizes = object["exact_bytes"] = {
       {"count", bytes.count()}, {"mean", bytes.mean()}, {"max", bytes.max()}, {"histogram", Json::array()}};
@@ -90,16 +76,6 @@ void add_statistics(Json& object, const FlowStatistics& statistics) {
     sizes["histogram"].push_back(Json::array({from, count}));
   }
   object["depth"] = statistics.depth;
-}
-
-Cells distribution_cells(const std::string& name, const Distribution& distribution) {
-  return {name,
-          with_commas(distribution.count()),
-          fmt::format("{:.2f}", distribution.mean()),
-          with_commas(distribution.max()),
-          fmt::format("{:.2f}", distribution.standard_deviation()),
-          with_commas(distribution.mode()),
-          fmt::format("{:g}", distribution.median())};
 }
 
 void print_lengths(const FlowStatistics& statistics) {
@@ -135,16 +111,6 @@ void print_census(const FlowStatistics& statistics) {
   print_columns(lines, "llrlrlrlr");
 }
 
-void print_primitives(const FlowStatistics& statistics) {
-  fmt::print("\nfilter failures of predicates and constructions (paper, Table 4)\n");
-  std::vector<Cells> lines = {{"", "failures", "calls"}};
-  for (std::size_t k = 0; k < kFlowPrimitiveCount; ++k) {
-    const FilterCount& count = statistics.tally.counts[k];
-    lines.push_back({kFlowPrimitiveNames[k], with_commas(count.failures), with_commas(count.calls)});
-  }
-  print_columns(lines, "lrr");
-}
-
 void print_exact_numbers(const FlowStatistics& statistics) {
   const Distribution& bytes = statistics.exact_bytes;
   fmt::print("\nbytes of exact coordinates (paper, Figure 12): mean {:.1f}, at most {}\n", bytes.mean(),
@@ -170,7 +136,7 @@ void print_u2_rows(const FlowStatistics& statistics) {
 void print_u2_statistics(const FlowStatistics& statistics) {
   print_lengths(statistics);
   print_census(statistics);
-  print_primitives(statistics);
+  print_primitives(statistics.tally);
   print_exact_numbers(statistics);
   fmt::print("\ndeepest construction (paper, Table 5): {}\n", with_commas(statistics.depth));
 }

@@ -165,7 +165,11 @@ void StableManifolds::Machine::count(const Set& set) {
   statistics.with_vertex += set.has_vertex ? 1 : 0;
   statistics.with_interval += set.has_interval ? 1 : 0;
   statistics.ends_at_regular += regular_backs;
-  if (!set.has_interval) statistics.triangles.add(2 * std::size_t{set.segments});
+  if (set.has_interval) return;
+  const std::size_t triangles = 2 * std::size_t{set.segments};
+  if (triangles > statistics.triangles.max()) statistics.largest = sets.size();
+  statistics.triangles.add(triangles);
+  statistics.triangle_count += triangles;
 }
 
 void StableManifolds::Machine::clear() {

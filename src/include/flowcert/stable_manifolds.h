@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -54,10 +55,12 @@ struct StableSet {
 
 struct StableStatistics {
   Distribution n_s2;  // flow segments from an index-2 point down to an index-1 point, a connecting orbit each
-  Distribution triangles;           // of the S2's without interval
-  std::size_t with_vertex = 0;      // S2's whose skeleton has a Voronoi vertex
-  std::size_t with_interval = 0;    // S2's that have parts of dimension 3
-  std::size_t ends_at_regular = 0;  // branches of S2's that end at a regular stationary point
+  Distribution triangles;              // of the S2's without interval
+  std::size_t triangle_count = 0;      // of all of them
+  std::optional<std::size_t> largest;  // the first of those with the most, as StableManifolds counts
+  std::size_t with_vertex = 0;         // S2's whose skeleton has a Voronoi vertex
+  std::size_t with_interval = 0;       // S2's that have parts of dimension 3
+  std::size_t ends_at_regular = 0;     // branches of S2's that end at a regular stationary point
   KernelTally tally;
 };
 
