@@ -138,7 +138,11 @@ inline std::string vtp_file(const VtpChoices& choices, const std::vector<VtpPoin
   const auto array = [&](const std::string& attributes, std::size_t offset, const std::string& data) {
     const std::string start = "<DataArray " + attributes;
     if (appended) return start + " format=\"appended\" offset=\"" + std::to_string(offset) + "\"/>\n";
-    return start + " format=\"" + (ascii ? "ascii" : "binary") + "\">\n   " + data + "\n</DataArray>\n";
+    // VTK adds such elements to arrays of several components.
+    const std::string key =
+        "<InformationKey name=\"L2_NORM_RANGE\"><Value index=\"0\">5</Value></InformationKey>";
+    return start + " format=\"" + (ascii ? "ascii" : "binary") + "\">\n   " + data + "\n" + key +
+           "</DataArray>\n";
   };
   std::ostringstream file;
   file << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\""

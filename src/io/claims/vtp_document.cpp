@@ -94,7 +94,9 @@ class VtpParser {
   }
   static void on_text(void* self, const char* text, int size) {
     guarded(self, [&](VtpParser& parser) {
-      if (parser.array_ != nullptr) parser.array_->text.append(text, static_cast<std::size_t>(size));
+      // VTK puts InformationKey elements, with text of their own, into the element of an array.
+      const bool is_of_array = parser.array_ != nullptr && parser.depth_ == parser.array_depth_;
+      if (is_of_array) parser.array_->text.append(text, static_cast<std::size_t>(size));
     });
   }
   static void on_doctype(void* self, const char* /*name*/, const char* /*system_id*/,
@@ -167,6 +169,7 @@ class VtpParser {
       place().reject("not a format of an array: " + in_quotes(format));
     }
     array_ = &array;
+    array_depth_ = depth_;
   }
 
   void start_appended(const Attributes& attributes) {
@@ -201,6 +204,7 @@ class VtpParser {
   std::string path_;  // of the open elements
   std::size_t depth_ = 0;
   VtpArray* array_ = nullptr;  // the open one, if it is wanted; the pieces do not grow meanwhile
+  std::size_t array_depth_ = 0;
   std::optional<std::size_t> appended_from_;
   bool is_stopped_ = false;
   std::exception_ptr failure_;
