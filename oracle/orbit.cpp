@@ -116,7 +116,7 @@ Orbit orbit(const PointSet& set, const Point& start) {
 }
 
 // The points of C(x) lie on a circle, so no three of them on a line. All of them stay nearest along the axis.
-Orbit unstable_orbit(const PointSet& set, const StationaryPoint& saddle, int side) {
+FlowSegment unstable_segment(const PointSet& set, const StationaryPoint& saddle, int side) {
   if (saddle.face_dimension != 2 || saddle.hull_dimension != 2 || side < 0 || side > 1) {
     throw std::invalid_argument("U2 has two sides, and belongs to a critical point of index 2");
   }
@@ -124,7 +124,11 @@ Orbit unstable_orbit(const PointSet& set, const StationaryPoint& saddle, int sid
   const Point &a = set.points[contact[0]], &b = set.points[contact[1]], &c = set.points[contact[2]];
   const Point direction =
       in_integers(side == 1 ? cross(minus(b, a), minus(c, a)) : cross(minus(c, a), minus(b, a)));
-  Orbit path{{segment_along(set, saddle.center, saddle.center, contact, contact, direction)}, std::nullopt};
+  return segment_along(set, saddle.center, saddle.center, contact, contact, direction);
+}
+
+Orbit unstable_orbit(const PointSet& set, const StationaryPoint& saddle, int side) {
+  Orbit path{{unstable_segment(set, saddle, side)}, std::nullopt};
   if (const auto end = path.segments.front().end) follow(set, *end, path);
   return path;
 }

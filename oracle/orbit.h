@@ -49,6 +49,9 @@ Orbit orbit(const PointSet& set, const Point& start);
 // another kind of stationary point or another side.
 Orbit unstable_orbit(const PointSet& set, const StationaryPoint& saddle, int side);
 
+// The first of its segments alone.
+FlowSegment unstable_segment(const PointSet& set, const StationaryPoint& saddle, int side);
+
 // Both of them, side 0 first.
 std::array<Orbit, 2> unstable_orbits(const PointSet& set, const StationaryPoint& saddle);
 

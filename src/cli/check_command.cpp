@@ -6,17 +6,14 @@
 
 #include "cli/check_report.h"
 #include "cli/command.h"
+#include "cli/judging_options.h"
 #include "cli/oracle_truth.h"
 #include "flowcert/claim.h"
-#include "io/number_text.h"
 #include "io/output_file.h"
 
 namespace flowcert {
 
 namespace {
-
-// With a larger one there is hardly a claim that is not ambiguous.
-constexpr double kLargestTolerance = 1e-3;
 
 struct CheckCommandOptions {
   CheckedFiles files;
@@ -60,13 +57,6 @@ int check_claim(CheckCommandOptions options) {
   return report.verdict == Verdict::kFails ? kNegativeVerdict : kRight;
 }
 
-// CLI11's own range takes nan for a number in it. Returns what is wrong.
-std::string is_small_tolerance(const std::string& word) {
-  const NumberText number = parse_number(word);
-  const bool is_small = number.fault == nullptr && 0 <= number.value && number.value <= kLargestTolerance;
-  return is_small ? "" : fmt::format("{} is no number from 0 to {}", in_quotes(word), kLargestTolerance);
-}
-
 }  // namespace
 
 void add_check_command(CLI::App& app, int& status) {
@@ -82,14 +72,7 @@ void add_check_command(CLI::App& app, int& status) {
       ->required();
   command->add_flag("--json", options->json, "Print one JSON object");
   command->add_option("--junit", options->junit, "Write a JUnit report to this file, a test case a level");
-  command
-      ->add_option("--tolerance", options->check.tolerance,
-                   "Positions and radii claimed in decimals match within this part of the radius")
-      ->check(is_small_tolerance)
-      ->capture_default_str();
-  command->add_option("--levels", options->check.highest_level, "Check levels 1 to this one")
-      ->check(CLI::Range(1, kLevels))
-      ->capture_default_str();
+  add_judging_options(*command, options->check);
   command->add_option("--most", options->most, "Show so many findings of each level; all, without this")
       ->check(CLI::NonNegativeNumber);
   command->add_flag(

@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "cli/table.h"
-#include "io/json_fields.h"
+#include "cli/xml_text.h"
 
 namespace flowcert {
 
@@ -36,18 +36,11 @@ std::array<LevelCount, kLevels> count_levels(const CheckReport& report) {
   return counts;
 }
 
-std::string finding_line(const CheckedFiles& files, const Finding& finding) {
-  const std::string place = finding.line ? fmt::format("{}:{}", files.claim, *finding.line) : files.claim;
-  return fmt::format("{}: {}, level {}: {} [{}]: claimed {}; truth: {}", place,
-                     finding.is_variation ? "permitted" : "wrong", finding.level, reason_text(finding.reason),
-                     finding.clause, finding.claimed, finding.truth);
-}
-
 void print_findings(const CheckedFiles& files, const CheckReport& report, std::size_t most) {
   std::size_t shown = 0;
   for (std::size_t k = 0; k < report.findings.size(); ++k) {
     if (k > 0 && report.findings[k].level != report.findings[k - 1].level) shown = 0;
-    if (shown++ < most) fmt::print("{}\n", finding_line(files, report.findings[k]));
+    if (shown++ < most) fmt::print("{}\n", finding_line(files.claim, report.findings[k]));
   }
   if (report.findings.size() > most) {
     fmt::print("(of each level, {} at most are shown)\n", with_commas(most));
@@ -72,17 +65,6 @@ void print_levels(const CheckReport& report) {
   print_columns(rows, "lllrr");
 }
 
-Json finding_field(const Finding& finding) {
-  return {{"level", finding.level},
-          {"reason", reason_text(finding.reason)},
-          {"permitted", finding.is_variation},
-          {"clause", finding.clause},
-          {"line", finding.line ? Json(*finding.line) : Json(nullptr)},
-          {"contact", finding.contact},
-          {"claimed", finding.claimed},
-          {"truth", finding.truth}};
-}
-
 Json levels_field(const CheckReport& report) {
   const auto counts = count_levels(report);
   Json levels = Json::object();
@@ -93,31 +75,6 @@ Json levels_field(const CheckReport& report) {
                                         {"permitted", counts.at(k).varied}};
   }
   return levels;
-}
-
-// Text of an XML 1.0 document: whatever it holds, the document stays one.
-std::string xml_text(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        // Control characters do not exist there; nor do bytes that are no UTF-8, which file names may have.
-        escaped += (static_cast<unsigned char>(c) < 0x20 && c != '\n') || (c & 0x80) != 0 ? '?' : c;
-    }
-  }
-  return escaped;
 }
 
 void write_level(std::ostream& out, const CheckedFiles& files, const CheckReport& report, std::size_t k,
@@ -137,12 +94,30 @@ void write_level(std::ostream& out, const CheckedFiles& files, const CheckReport
   if (count.wrong > 0) out << fmt::format(" message=\"{} wrong\"", count.wrong);
   out << ">";
   for (const Finding& finding : report.findings) {
-    if (finding.level == static_cast<int>(k) + 1) out << xml_text(finding_line(files, finding)) << '\n';
+    if (finding.level == static_cast<int>(k) + 1) out << xml_text(finding_line(files.claim, finding)) << '\n';
   }
   out << "</" << element << ">\n    </testcase>\n";
 }
 
 }  // namespace
+
+std::string finding_line(const std::string& claim, const Finding& finding) {
+  const std::string place = finding.line ? fmt::format("{}:{}", claim, *finding.line) : claim;
+  return fmt::format("{}: {}, level {}: {} [{}]: claimed {}; truth: {}", place,
+                     finding.is_variation ? "permitted" : "wrong", finding.level, reason_text(finding.reason),
+                     finding.clause, finding.claimed, finding.truth);
+}
+
+Json finding_field(const Finding& finding) {
+  return {{"level", finding.level},
+          {"reason", reason_text(finding.reason)},
+          {"permitted", finding.is_variation},
+          {"clause", finding.clause},
+          {"line", finding.line ? Json(*finding.line) : Json(nullptr)},
+          {"contact", finding.contact},
+          {"claimed", finding.claimed},
+          {"truth", finding.truth}};
+}
 
 void print_check_text(const CheckedFiles& files, const CheckReport& report, std::size_t most) {
   print_findings(files, report, most);

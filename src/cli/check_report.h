@@ -8,6 +8,7 @@
 
 #include "cli/command.h"
 #include "flowcert/check.h"
+#include "io/json_fields.h"
 
 namespace flowcert {
 
@@ -19,6 +20,10 @@ struct CheckedFiles {
   double tolerance = kDefaultTolerance;
   int highest_level = kLevels;
 };
+
+// "CLAIM:LINE: wrong, level 2: ..."
+[[nodiscard]] std::string finding_line(const std::string& claim, const Finding& finding);
+[[nodiscard]] Json finding_field(const Finding& finding);
 
 // most: findings shown of each level; the others are counted.
 void print_check_text(const CheckedFiles& files, const CheckReport& report, std::size_t most);

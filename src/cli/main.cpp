@@ -56,8 +56,11 @@ int run(int argc, char** argv) {
   int status = kRight;
   add_check_command(app, status);
   add_compute_command(app, status);
+  add_conformance_command(app, status);
   add_explain_command(app, status);
+  add_generate_command(app, status);
   add_orbit_command(app, status);
+  add_verify_command(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <stdexcept>
+#include <utility>
 
 #include "oracle/orbit.h"
-#include "oracle/stationary_points.h"
 
 namespace flowcert {
 
@@ -14,16 +15,17 @@ namespace {
 
 std::vector<std::array<double, 3>> triples(const std::vector<Point>& rows) {
   std::vector<std::array<double, 3>> result;
+  result.reserve(rows.size());
   for (const Point& p : rows) result.push_back({p.x, p.y, p.z});
   return result;
 }
 
 class OracleTruth final : public Truth {
  public:
-  explicit OracleTruth(const std::vector<std::array<double, 3>>& rows)
-      : set_(rows), answer_(oracle::stationary_points(rows)) {
+  OracleTruth(const std::vector<std::array<double, 3>>& rows, oracle::Answer answer)
+      : set_(rows), answer_(std::move(answer)) {
     for (const oracle::StationaryPoint& point : answer_.stationary) {
-      record_of_[point.contact] = contacts_.size();
+      record_at_[point.center] = contacts_.size();
       auto& contact = contacts_.emplace_back();
       for (const std::size_t name : point.contact) contact.push_back(static_cast<PointId>(name));
     }
@@ -40,28 +42,54 @@ class OracleTruth final : public Truth {
   }
 
   [[nodiscard]] std::array<std::optional<std::size_t>, 2> limits(std::size_t i) override {
-    std::array<std::optional<std::size_t>, 2> result;
-    for (int side = 0; side < 2; ++side) {
-      const oracle::Orbit orbit = oracle::unstable_orbit(set_, answer_.stationary[i], side);
-      if (orbit.limit) result[static_cast<std::size_t>(side)] = record_of_.at(orbit.limit->contact);
-    }
-    return result;
+    return {path(i, 0).limit, path(i, 1).limit};
   }
 
   [[nodiscard]] std::vector<TrueSegment> polyline(std::size_t i, std::size_t side) override {
     std::vector<TrueSegment> line;
-    const oracle::Orbit orbit = oracle::unstable_orbit(set_, answer_.stationary[i], static_cast<int>(side));
-    for (const oracle::FlowSegment& segment : orbit.segments) {
+    for (const oracle::FlowSegment& segment : path(i, side).segments) {
       line.push_back({oracle::segment_type(set_, segment), segment.driver, segment.end});
     }
     return line;
   }
 
  private:
+  struct Path {
+    std::vector<oracle::FlowSegment> segments;
+    std::optional<std::size_t> limit;  // none: infinity
+  };
+
+  // What follows a position depends on it alone (FC-FLOW-08), and at a vertex of many cospherical samples
+  // finding it takes the oracle seconds: so each step is taken once, and none from where an orbit is known to
+  // end.
+  Path path(std::size_t i, std::size_t side) {
+    Path path;
+    path.segments.push_back(oracle::unstable_segment(set_, answer_.stationary[i], static_cast<int>(side)));
+    while (path.segments.back().end) {
+      const oracle::Point& reached = *path.segments.back().end;
+      const auto record = record_at_.find(reached);
+      if (record != record_at_.end()) {
+        path.limit = record->second;
+        break;
+      }
+      path.segments.push_back(step_from(reached));
+    }
+    return path;
+  }
+
+  const oracle::FlowSegment& step_from(const oracle::Point& x) {
+    const auto known = step_from_.find(x);
+    if (known != step_from_.end()) return known->second;
+    const auto segment = oracle::flow_segment(set_, x);
+    if (!segment) throw std::logic_error("a stationary point that is not among those that are known");
+    return step_from_.emplace(x, *segment).first->second;
+  }
+
   oracle::PointSet set_;
   oracle::Answer answer_;
   std::vector<std::vector<PointId>> contacts_;
-  std::map<std::vector<std::size_t>, std::size_t> record_of_;
+  std::map<oracle::Point, std::size_t> record_at_;
+  std::map<oracle::Point, oracle::FlowSegment> step_from_;
 };
 
 }  // namespace
@@ -71,7 +99,12 @@ std::unique_ptr<Truth> oracle_truth(const std::vector<Point>& rows) {
     throw InvalidInput(fmt::format("--oracle: {} points; the oracle's search takes time n^5, and serves {}",
                                    rows.size(), kMostPointsForOracle));
   }
-  return std::make_unique<OracleTruth>(triples(rows));
+  const auto coordinates = triples(rows);
+  return std::make_unique<OracleTruth>(coordinates, oracle::stationary_points(coordinates));
+}
+
+std::unique_ptr<Truth> oracle_truth(const std::vector<Point>& rows, oracle::Answer answer) {
+  return std::make_unique<OracleTruth>(triples(rows), std::move(answer));
 }
 
 }  // namespace flowcert

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "flowcert/check.h"
+#include "oracle/stationary_points.h"
 
 namespace flowcert {
 
@@ -14,5 +15,9 @@ inline constexpr std::size_t kMostPointsForOracle = 100;
 
 // Throws InvalidInput for more than kMostPointsForOracle rows.
 [[nodiscard]] std::unique_ptr<Truth> oracle_truth(const std::vector<Point>& rows);
+
+// Where all stationary points of the rows are known, in the order of FC-OUT-02: only what flows from them is
+// left to do.
+[[nodiscard]] std::unique_ptr<Truth> oracle_truth(const std::vector<Point>& rows, oracle::Answer answer);
 
 }  // namespace flowcert

@@ -239,6 +239,18 @@ TEST(ReadCsvClaim, Variants) {
   EXPECT_TRUE(claim_of("index,x,y,z\n").points.empty());
 }
 
+TEST(ReadCsvClaim, WithoutAPosition) {
+  CITES("FC-OUT-01");
+  const Claim claim = claim_of("index,x,y,z,squared_distance,contact ids\n1,,,,,4,7\n2, , ,,.5,1,2,3,,\n");
+  ASSERT_EQ(claim.points.size(), 2U);
+  EXPECT_FALSE(claim.points[0].center || claim.points[0].squared_distance);
+  EXPECT_EQ(claim.points[0].index, 1);
+  EXPECT_EQ(claim.points[0].contact, (Ids{4, 7}));
+  EXPECT_FALSE(claim.points[1].center);
+  EXPECT_EQ(text_of(*claim.points[1].squared_distance), "1/2 near");
+  EXPECT_EQ(claim.points[1].contact, (Ids{1, 2, 3}));
+}
+
 TEST(ReadCsvClaim, Errors) {
   CITES("FC-IN-01", "FC-IN-05");
   EXPECT_EQ(claim_refusal("1,2,3\n"), "a:1: too few numbers: 2 of 3 after the index");
@@ -249,6 +261,10 @@ TEST(ReadCsvClaim, Errors) {
   EXPECT_EQ(claim_refusal("index,x,y,z,distance\n"), "a:1: no column 'squared_distance' where it belongs");
   EXPECT_EQ(claim_refusal("index,x,y\n"), "a:1: no column 'z' where it belongs");
   EXPECT_EQ(claim_refusal("1,0,,0\n"), "a:1: not a number: ''");
+  EXPECT_EQ(claim_refusal("1,,,0,,4,7\n"), "a:1: not a number: ''");
+  EXPECT_EQ(claim_refusal("1,0,1,2\n1,,,,\n"), "a:2: neither a position nor contact ids");
+  EXPECT_EQ(claim_refusal("1,,,,2,,\n"), "a:1: neither a position nor contact ids");
+  EXPECT_EQ(claim_refusal("1,,,\n"), "a:1: too few numbers: 2 of 3 after the index");
   EXPECT_EQ(claim_refusal("1,0,inf,0\n"), "a:1: not a finite number: 'inf'");
   EXPECT_EQ(claim_refusal("1,0,1e701,0\n"), "a:1: an exponent too large: '1e701'");
   EXPECT_EQ(claim_refusal("1,0,1e-99999999999999999999,0\n"),

@@ -2,8 +2,10 @@
 // starts a comment, and a first line that begins with `index` names the columns.
 //
 // Integers are decimals here (a program may print 5.0000001 so); 5/1 is exact. An empty squared_distance is
-// not claimed; empty fields at the end of a line are what spreadsheets pad with.
+// not claimed, nor is a position of three empty fields; empty fields at the end of a line are what
+// spreadsheets pad with.
 #include <array>
+#include <optional>
 #include <string>
 
 #include "io/claims/claim_formats.h"
@@ -34,6 +36,19 @@ std::vector<PointId> contact_of(Fields& fields, const LinePlace& place) {
   return contact;
 }
 
+// None where all three fields are empty.
+std::optional<ClaimedPosition> position_of(Fields& fields, const LinePlace& place) {
+  std::array<std::string_view, 3> texts;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!fields.next(texts[k]))
+      place.reject("too few numbers: " + std::to_string(k) + " of 3 after the index");
+  }
+  if (texts[0].empty() && texts[1].empty() && texts[2].empty()) return std::nullopt;
+  ClaimedPosition position;
+  for (std::size_t k = 0; k < 3; ++k) position[k] = claimed_number(texts[k], PlainInteger::kDecimal, place);
+  return position;
+}
+
 ClaimedPoint point_of(std::string_view line, const LinePlace& place) {
   ClaimedPoint point;
   point.line = place.line;
@@ -41,15 +56,11 @@ ClaimedPoint point_of(std::string_view line, const LinePlace& place) {
   std::string_view field;
   fields.next(field);
   point.index = claimed_index(field, place);
-  ClaimedPosition center;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (!fields.next(field)) place.reject("too few numbers: " + std::to_string(k) + " of 3 after the index");
-    center[k] = claimed_number(field, PlainInteger::kDecimal, place);
-  }
-  point.center = std::move(center);
+  point.center = position_of(fields, place);
   if (fields.next(field) && !field.empty())
     point.squared_distance = claimed_distance(field, PlainInteger::kDecimal, place);
   point.contact = contact_of(fields, place);
+  if (!point.center && point.contact.empty()) place.reject("neither a position nor contact ids");
   return point;
 }
 

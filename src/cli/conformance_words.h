@@ -1,0 +1,19 @@
+// The words in which a conformance run speaks of outcomes and findings: the same in every kind of report.
+#pragma once
+
+#include <string>
+
+#include "cli/conformance_run.h"
+
+namespace flowcert {
+
+// "level 3: missing [FC-CLAIM-03]: claimed nothing; truth: ..."
+[[nodiscard]] std::string finding_words(const Finding& finding);
+
+// "orbit from 1/2,0,0: claimed segment 2: type E-F-V; truth: E-F-E"
+[[nodiscard]] std::string orbit_finding_words(const OrbitFinding& finding);
+
+// What a program under test has written, for a line of a report: without control characters, and not endless.
+[[nodiscard]] std::string one_line(const std::string& text);
+
+}  // namespace flowcert

@@ -1,0 +1,13 @@
+// The options that commands share which judge claims: --tolerance and --levels.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "flowcert/check.h"
+
+namespace flowcert {
+
+// options must outlive the parsing of the command line.
+void add_judging_options(CLI::App& command, CheckOptions& options);
+
+}  // namespace flowcert

@@ -1,0 +1,35 @@
+// See vector_truth.h.
+#include "cli/vector_truth.h"
+
+#include "cli/oracle_truth.h"
+
+namespace flowcert {
+
+namespace {
+
+class VectorTruth final : public Truth {
+ public:
+  explicit VectorTruth(const VectorCase& one) : case_(one), oracle_(oracle_truth(one.rows, one.answer)) {}
+
+  [[nodiscard]] std::size_t size() const override { return oracle_->size(); }
+  [[nodiscard]] StationaryIndex index(std::size_t i) const override { return oracle_->index(i); }
+  [[nodiscard]] std::span<const PointId> contact(std::size_t i) const override { return oracle_->contact(i); }
+  [[nodiscard]] ExactSphere sphere(std::size_t i) override { return oracle_->sphere(i); }
+
+  [[nodiscard]] std::array<std::optional<std::size_t>, 2> limits(std::size_t i) override {
+    return case_.limits[i] ? *case_.limits[i] : oracle_->limits(i);
+  }
+  [[nodiscard]] std::vector<TrueSegment> polyline(std::size_t i, std::size_t side) override {
+    return oracle_->polyline(i, side);
+  }
+
+ private:
+  const VectorCase& case_;
+  std::unique_ptr<Truth> oracle_;
+};
+
+}  // namespace
+
+std::unique_ptr<Truth> vector_truth(const VectorCase& one) { return std::make_unique<VectorTruth>(one); }
+
+}  // namespace flowcert

@@ -1,0 +1,132 @@
+// `flowcert generate` as a user calls it (spec/formats.md, "Cases and answers"): what it prints, that it is
+// the same every time, and how it ends. What becomes of the cases is in pipe_command_test.cpp.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+#include "tests/cites.h"
+#include "tests/conformance/case_texts.h"
+
+namespace flowcert::conformance {
+namespace {
+
+TEST(Generate, SaysWhatItIsAndAsksAllFamiliesInTurn) {
+  CITES("FC-IN-03", "FC-IN-04");
+  const std::string stream = generated();
+  EXPECT_TRUE(stream.starts_with("# flowcert generate: 500 cases, level 1, seed 1."))
+      << stream.substr(0, 200);
+  const std::vector<std::string> cases = cases_of(stream);
+  ASSERT_EQ(cases.size(), 500U);
+  std::set<std::string> ids;
+  std::size_t small = 0, empty = 0;
+  for (const std::string& one : cases) {
+    const Words lines = lines_of(one);
+    std::istringstream head(lines.front());
+    std::string word, id, more;
+    std::size_t rows = 0;
+    ASSERT_TRUE(head >> word >> id >> rows) << lines.front();
+    EXPECT_FALSE(head >> more) << lines.front();
+    EXPECT_EQ(rows, lines.size() - 1);
+    EXPECT_LE(rows, 12U);
+    small += rows <= 8 ? 1 : 0;
+    empty += rows == 0 ? 1 : 0;
+    ids.insert(id);
+  }
+  EXPECT_EQ(ids.size(), 500U);
+  EXPECT_GT(small, 450U);
+  EXPECT_GT(empty, 0U) << "no points are an input too";
+}
+
+TEST(Generate, IsAFunctionOfItsOptions) {
+  CITES("FC-IN-02");
+  EXPECT_EQ(generated({"--seed", "7"}), generated({"--seed", "7"}));
+  EXPECT_EQ(generated(), generated({"--level", "1", "--seed", "1"}));
+  const auto points_of = [](const Words& options) {
+    std::vector<std::string> cases = cases_of(generated(options));
+    for (std::string& one : cases) one.erase(0, one.find('\n'));
+    return cases;
+  };
+  const auto first = points_of({"--cases", "72"});
+  EXPECT_NE(first, points_of({"--cases", "72", "--seed", "2"}));
+  EXPECT_NE(first, points_of({"--cases", "72", "--level", "2"}));
+  // How many there are does not matter.
+  const auto longer = points_of({"--cases", "100"});
+  EXPECT_EQ(first, std::vector(longer.begin(), longer.begin() + 72));
+}
+
+TEST(Generate, OnlyIsTheVeryCase) {
+  CITES("FC-IN-03");
+  const Words run = {"--seed", "7", "--family", "lattice-2", "--family", "collinear", "--cases", "20"};
+  const std::vector<std::string> cases = cases_of(generated(run));
+  ASSERT_EQ(cases.size(), 20U);
+  for (const std::size_t number : {std::size_t{0}, std::size_t{13}, std::size_t{19}}) {
+    const auto alone = cases_of(generated(joined(run, {"--only", std::to_string(number)})));
+    ASSERT_EQ(alone.size(), 1U);
+    EXPECT_EQ(alone.front(), cases[number]);
+  }
+}
+
+TEST(Generate, PrintsExactNumbers) {
+  CITES("FC-IN-02");
+  const Words run = {"--level", "3", "--cases", "200", "--seed", "3"};
+  const auto decimal = cases_of(generated(run));
+  const auto hexadecimal = cases_of(generated(joined(run, {"--hex"})));
+  ASSERT_EQ(decimal.size(), hexadecimal.size());
+  std::size_t most = 0;
+  for (std::size_t k = 0; k < decimal.size(); ++k) {
+    const Words rows = lines_of(decimal[k]);
+    const Words hex_rows = lines_of(hexadecimal[k]);
+    ASSERT_EQ(rows.size(), hex_rows.size());
+    EXPECT_EQ(rows.front(), hex_rows.front());
+    most = std::max(most, rows.size() - 1);
+    for (std::size_t row = 1; row < rows.size(); ++row) {
+      std::istringstream words(rows[row]), hex_words(hex_rows[row]);
+      std::string word, hex_word;
+      for (int axis = 0; axis < 3; ++axis) {
+        ASSERT_TRUE(words >> word && hex_words >> hex_word) << rows[row];
+        EXPECT_TRUE(hex_word.starts_with("0x") || hex_word.starts_with("-0x")) << hex_word;
+        EXPECT_EQ(std::strtod(word.c_str(), nullptr), std::strtod(hex_word.c_str(), nullptr)) << word;
+      }
+    }
+  }
+  EXPECT_GT(most, 100U) << "on level 3 some are large";
+}
+
+TEST(Generate, EndsSilentlyWithItsReader) {
+  CITES("FC-IN-05");
+  const Scratch scratch;
+  const std::string script = "\"$0\" generate --level 3 2>\"$1\" | head -n 1; echo ${PIPESTATUS[0]}";
+  for (const std::string& ignore : {std::string(), std::string("trap '' PIPE; ")}) {
+    const Finished finished =
+        RunningProgram({"/bin/bash", "-c", ignore + script, FLOWCERT_PROGRAM, scratch.path("err")}).finish();
+    const Words lines = lines_of(finished.out);
+    ASSERT_EQ(lines.size(), 2U) << finished.out;
+    EXPECT_TRUE(lines[0].starts_with("# flowcert generate"));
+    EXPECT_EQ(lines[1], "141") << "128 + SIGPIPE";
+    EXPECT_EQ(content_of(scratch.path("err")), "");
+  }
+}
+
+TEST(Generate, RefusesWhatItCannotUse) {
+  CITES("FC-IN-05");
+  const auto refuses = [](const Words& options, const std::string& what) {
+    const Finished finished = flowcert(joined({"generate"}, options));
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_EQ(finished.out, "");
+    EXPECT_EQ(lines_of(finished.err).size(), 1U) << finished.err;
+    EXPECT_TRUE(contains(finished.err, what)) << finished.err;
+  };
+  refuses({"--level", "0"}, "--level");
+  refuses({"--level", "4"}, "--level");
+  refuses({"--seed", "-1"}, "--seed");
+  refuses({"--seed", "18446744073709551616"}, "--seed");
+  refuses({"--cases", "0"}, "--cases");
+  refuses({"--cases", "10000001"}, "--cases");
+  refuses({"--only", "500"}, "--only: the run has 500 cases, 0 to 499");
+  refuses({"--family", "lattice-22"}, "no family is called 'lattice-22'; there are: general-position,");
+}
+
+}  // namespace
+}  // namespace flowcert::conformance

@@ -1,0 +1,459 @@
+// `flowcert generate | PROGRAM | flowcert verify` as a user calls it (spec/formats.md, "Cases and answers"),
+// with a program in the middle that can be wrong (answering_program.cpp).
+//
+// Guarantees: right answers of every family conform in every format, by the fast implementation and by the
+// oracle; each kind of wrong answer is found in its case and no other; what is no stream of answers is
+// refused with one line. The README's example is run as it stands there.
+#include <expat.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "fuzz/families.h"
+#include "tests/cites.h"
+#include "tests/conformance/case_texts.h"
+
+namespace flowcert::conformance {
+namespace {
+
+using nlohmann::json;
+
+// The three programs one after the other, with files between them.
+class Pipe {
+ public:
+  explicit Pipe(const Words& generate = {}, const Words& middle = {"exchange"})
+      : cases_(generated(generate)) {
+    RunningProgram program(joined({FLOWCERT_MIDDLE}, middle), {scratch_.file("cases", cases_), ""});
+    const Finished finished = program.finish();
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    answers_ = finished.out;
+  }
+
+  [[nodiscard]] Finished verify(const Words& options = {}) const { return verify_text(answers_, options); }
+  [[nodiscard]] Finished verify_text(const std::string& answers, const Words& options = {}) const {
+    return flowcert(joined({"verify"}, options), {scratch_.file("answers", answers), ""});
+  }
+  // With the exit status checked against the verdict, and the counts against each other.
+  [[nodiscard]] json as_json(const Words& options = {}) const {
+    const Finished finished = verify(joined(options, {"--json"}));
+    EXPECT_EQ(lines_of(finished.out).size(), 1U) << finished.err;
+    json report = json::parse(finished.out, nullptr, false);
+    EXPECT_TRUE(report.is_object()) << finished.out << finished.err;
+    if (!report.is_object()) return json::object();
+    EXPECT_EQ(finished.status, report["verdict"] == "fails" ? 1 : 0);
+    expect_counts_add_up(report);
+    return report;
+  }
+
+  [[nodiscard]] const std::string& cases() const { return cases_; }
+  [[nodiscard]] const std::string& answers() const { return answers_; }
+  [[nodiscard]] const Scratch& scratch() const { return scratch_; }
+
+ private:
+  static void expect_counts_add_up(const json& report) {
+    for (const char* outcome :
+         {"cases", "conforms", "conforms_where_determined", "fails", "unreadable", "refused", "unanswered"}) {
+      std::size_t sum = 0;
+      for (const json& family : report["families"]) sum += family[outcome].get<std::size_t>();
+      EXPECT_EQ(report[outcome], sum) << outcome;
+    }
+    const std::size_t right =
+        report["conforms"].get<std::size_t>() + report["conforms_where_determined"].get<std::size_t>();
+    EXPECT_EQ(right == report["cases"], report["verdict"] != "fails");
+  }
+
+  Scratch scratch_;
+  std::string cases_;
+  std::string answers_;
+};
+
+TEST(Verify, RightAnswersOfEveryFamilyConform) {
+  CITES("FC-CLAIM-03", "FC-CLAIM-04", "FC-CLAIM-05");
+  std::set<std::string> all;
+  for (const fuzz::Family& family : fuzz::families()) all.insert(family.name);
+  EXPECT_EQ(all.size(), 36U);
+  for (const char* form : {"exchange", "csv", "decimals", "contacts"}) {
+    SCOPED_TRACE(form);
+    const Pipe pipe({}, {form});
+    const json report = pipe.as_json();
+    EXPECT_EQ(report["verdict"], "conforms");
+    EXPECT_EQ(report["cases"], 500);
+    EXPECT_EQ(report["failures"], json::array());
+    EXPECT_EQ(report["unanswered_numbers"], json::array());
+    EXPECT_EQ(report["approximate"] == 0, std::string(form) != "decimals");
+    std::set<std::string> judged;
+    for (const json& family : report["families"]) {
+      judged.insert(family["family"]);
+      EXPECT_GE(family["cases"], 13);
+    }
+    EXPECT_EQ(judged, all);
+  }
+}
+
+TEST(Verify, PermittedVariationsAreRight) {
+  CITES("FC-CLAIM-04");
+  const Pipe pipe({"--family", "right-angle-12", "--cases", "40"}, {"perturbed"});
+  const json report = pipe.as_json();
+  EXPECT_EQ(report["verdict"], "conforms where determined");
+  EXPECT_GT(report["conforms_where_determined"], 5);
+  EXPECT_EQ(report["failures"], json::array());
+  EXPECT_TRUE(contains(pipe.verify().out, "\nconforms where determined: 40 of 40 cases are right;"));
+}
+
+// Beside what is wrong they are not reported.
+TEST(Verify, PermittedVariationsAreNoFailures) {
+  CITES("FC-CLAIM-04", "FC-CLAIM-03");
+  Words middle = {"perturbed"};
+  for (int k = 0; k < 20; ++k) middle.insert(middle.end(), {"drop", std::to_string(k)});
+  const json report = Pipe({"--family", "right-angle-12", "--cases", "20"}, middle).as_json();
+  EXPECT_EQ(report["fails"], 20);
+  for (const json& failure : report["failures"]) {
+    EXPECT_EQ(failure["wrong"], failure["findings"].size());
+    for (const json& finding : failure["findings"]) EXPECT_EQ(finding["permitted"], false) << finding;
+  }
+}
+
+TEST(Verify, TheOracleAgrees) {
+  CITES("FC-CLAIM-03");
+  // Large cases too, of which the oracle is not asked.
+  const Pipe pipe({"--level", "3", "--cases", "40", "--family", "lattice-3", "--family", "half-shell"});
+  const json report = pipe.as_json({"--oracle"});
+  EXPECT_EQ(report["verdict"], "conforms");
+  EXPECT_EQ(report["truth"], "oracle");
+  EXPECT_GT(report["too_large_for_oracle"], 0);
+  EXPECT_LT(report["too_large_for_oracle"], 20);
+  const Finished text = pipe.verify({"--oracle"});
+  EXPECT_TRUE(contains(text.out, "\nconforms: 40 of 40 cases are right; truth by the oracle, of "))
+      << text.out;
+  EXPECT_EQ(pipe.as_json()["truth"], "fast implementation");
+}
+
+TEST(Verify, TakesGiesenKuehneAndHexadecimalInput) {
+  CITES("FC-CLAIM-05", "FC-IN-02");
+  const Words run = {"--family", "general-position", "--family", "mixed-magnitudes", "--cases", "60"};
+  EXPECT_EQ(Pipe(joined(run, {"--hex"})).as_json()["verdict"], "conforms");
+  const Pipe pipe({"--family", "general-position", "--cases", "60"}, {"giesen-kuehne"});
+  EXPECT_EQ(pipe.as_json({"--levels", "3"})["verdict"], "conforms");
+  EXPECT_EQ(pipe.as_json()["verdict"], "fails") << "that format claims incidences, and they are left out";
+}
+
+TEST(Verify, FindsEachWrongAnswer) {
+  CITES("FC-CLAIM-01", "FC-CLAIM-03");
+  // In cases that have critical points.
+  const Words faults = {"drop", "3", "index", "41", "unreadable", "77", "refuse", "108", "none", "149"};
+  for (const char* form : {"csv", "decimals", "contacts"}) {
+    SCOPED_TRACE(form);
+    const Pipe pipe({"--seed", "7", "--cases", "150"}, joined({form}, faults));
+    const Words ids = ids_of(pipe.cases());
+    const json report = pipe.as_json();
+    EXPECT_EQ(report["verdict"], "fails");
+    EXPECT_EQ(report["fails"], 3);
+    EXPECT_EQ(report["unreadable"], 1);
+    EXPECT_EQ(report["refused"], 1);
+    EXPECT_EQ(report["unanswered"], 0);
+    const json& failures = report["failures"];
+    ASSERT_EQ(failures.size(), 5U);
+    const std::vector<std::size_t> numbers = {3, 41, 77, 108, 149};
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      EXPECT_EQ(failures[k]["number"], numbers[k]);
+      EXPECT_EQ(failures[k]["id"], ids[numbers[k]]);
+      EXPECT_EQ(failures[k]["family"], fuzz::families()[numbers[k] % 36].name);
+      EXPECT_EQ(failures[k]["wrong"].get<std::size_t>() == 0, k == 2 || k == 3);
+      EXPECT_EQ(failures[k]["findings"].empty(), k == 2 || k == 3);
+    }
+    EXPECT_EQ(failures[0]["verdict"], "fails");
+    const json& missing = failures[0]["findings"].back();
+    EXPECT_EQ(missing["clause"], "FC-CLAIM-03");
+    EXPECT_TRUE(missing["line"].is_null());
+    EXPECT_FALSE(failures[1]["findings"][0]["line"].is_null());
+    EXPECT_EQ(failures[2]["verdict"], "unreadable");
+    EXPECT_TRUE(contains(failures[2]["reason"], "not an index, 0 to 3: 'saddle'"));
+    EXPECT_EQ(failures[3]["verdict"], "refused");
+    EXPECT_EQ(failures[3]["reason"], "too hard <for me>");
+  }
+}
+
+TEST(Verify, ReportsToPeople) {
+  CITES("FC-CLAIM-03");
+  const Pipe pipe({"--seed", "7", "--cases", "80"}, {"csv", "drop", "3", "unreadable", "12", "refuse", "40",
+                                                     "skip", "50", "skip", "51", "skip", "70"});
+  const Words ids = ids_of(pipe.cases());
+  const Finished text = pipe.verify();
+  EXPECT_EQ(text.status, 1);
+  EXPECT_EQ(text.err, "");
+  EXPECT_TRUE(contains(text.out, "family"));
+  EXPECT_TRUE(
+      contains(text.out, "\ncase " + ids[3] + " (lattice-4) fails on level 3\n  answer: wrong, level 3: "))
+      << text.out;
+  EXPECT_TRUE(contains(text.out, "  its points: flowcert generate --level 1 --seed 7 --cases 80 --only 3\n"));
+  EXPECT_TRUE(contains(text.out, "\ncase " + ids[12] + " (coplanar-lattice) unreadable: answer:"));
+  EXPECT_TRUE(contains(text.out, "\ncase " + ids[40] + " (few-points) refused: too hard <for me>\n"));
+  EXPECT_TRUE(contains(text.out, "\nunanswered cases: 50-51, 70\n"));
+  EXPECT_TRUE(contains(text.out, "\nfails: 74 of 80 cases are right; truth by the fast implementation\n"));
+  EXPECT_FALSE(contains(text.out, "--most"));
+
+  const Finished less = pipe.verify({"--most", "1"});
+  EXPECT_EQ(less.status, 1);
+  EXPECT_TRUE(contains(less.out, ids[3]));
+  EXPECT_FALSE(contains(less.out, ids[12]));
+  EXPECT_TRUE(contains(less.out, "\n(1 of 3 failing cases are shown; --most N shows N)\n")) << less.out;
+}
+
+TEST(Verify, TenFailuresAreShownAndAllAreCounted) {
+  CITES("FC-CLAIM-03");
+  Words middle = {"csv"};
+  for (int k = 0; k < 15; ++k) middle.insert(middle.end(), {"refuse", std::to_string(2 * k)});
+  const Pipe pipe({"--cases", "40"}, middle);
+  const Finished text = pipe.verify();
+  std::size_t shown = 0;
+  for (const std::string& line : lines_of(text.out)) shown += line.starts_with("case ") ? 1 : 0;
+  EXPECT_EQ(shown, 10U);
+  EXPECT_TRUE(contains(text.out, "\n(10 of 15 failing cases are shown; --most N shows N)\n")) << text.out;
+  EXPECT_TRUE(contains(text.out, "\nfails: 25 of 40 cases are right;"));
+  EXPECT_EQ(pipe.as_json()["failures"].size(), 15U);
+  EXPECT_EQ(pipe.as_json({"--most", "4"})["failures"].size(), 4U);
+}
+
+TEST(Verify, ReportsToProgramsAreBounded) {
+  CITES("FC-CLAIM-03");
+  std::string answers;
+  for (const std::string& id : ids_of(generated({"--level", "2", "--cases", "1200"}))) {
+    answers.append("refused ").append(id).append("\n");
+  }
+  const Scratch scratch;
+  const std::string path = scratch.file("answers", answers);
+  const json report = json::parse(flowcert({"verify", "--json"}, {path, ""}).out);
+  EXPECT_EQ(report["refused"], 1200);
+  EXPECT_EQ(report["failures"].size(), 1000U);
+  EXPECT_EQ(report["failures"][999]["number"], 999);
+  EXPECT_TRUE(report["failures"][999]["reason"].is_null());
+  EXPECT_EQ(json::parse(flowcert({"verify", "--json", "--most", "1100"}, {path, ""}).out)["failures"].size(),
+            1100U);
+}
+
+TEST(Verify, AnswersMayComeInAnyOrder) {
+  CITES("FC-CLAIM-03");
+  const Pipe pipe({"--cases", "40"}, {"csv", "drop", "7", "refuse", "3"});
+  std::vector<std::string> answers;
+  for (const std::string& line : lines_of(pipe.answers())) {
+    if (line.starts_with("# here")) answers.emplace_back();
+    if (line.starts_with("refused")) answers.emplace_back();
+    answers.back() += line + "\r\n";
+  }
+  ASSERT_EQ(answers.size(), 40U);
+  std::reverse(answers.begin(), answers.end());
+  std::string reversed;
+  for (const std::string& answer : answers) reversed += answer;
+  EXPECT_EQ(pipe.verify_text(reversed).out, pipe.verify().out);
+}
+
+TEST(Verify, NamesTheUnanswered) {
+  CITES("FC-CLAIM-03");
+  const Pipe pipe({"--cases", "40"}, {"exchange", "skip", "0", "skip", "1", "skip", "2", "skip", "39"});
+  const json report = pipe.as_json();
+  EXPECT_EQ(report["verdict"], "fails");
+  EXPECT_EQ(report["unanswered"], 4);
+  EXPECT_EQ(report["unanswered_numbers"], json({{0, 2}, {39, 39}}));
+  EXPECT_EQ(report["failures"], json::array());
+}
+
+TEST(Verify, OnlyOneCase) {
+  CITES("FC-CLAIM-03");
+  const Pipe pipe({"--seed", "7", "--only", "12"});
+  EXPECT_EQ(pipe.as_json()["unanswered_numbers"], json({{0, 11}, {13, 499}}));
+  const json report = pipe.as_json({"--only", "12"});
+  EXPECT_EQ(report["verdict"], "conforms");
+  EXPECT_EQ(report["cases"], 1);
+  EXPECT_EQ(report["families"].size(), 1U);
+  const Finished other = pipe.verify({"--only", "13"});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_TRUE(contains(other.err, "standard input:3: not the case that --only names: '")) << other.err;
+}
+
+TEST(Verify, AnAnswerWithoutLinesClaimsNothing) {
+  CITES("FC-CLAIM-03", "FC-IN-04");
+  const Words run = {"--family", "few-points", "--cases", "30"};
+  std::string answers;
+  std::size_t empty = 0;
+  for (const std::string& one : cases_of(generated(run))) {
+    answers += "answer " + id_of(one) + "\nend\n";
+    empty += lines_of(one).size() == 1 ? 1 : 0;
+  }
+  EXPECT_GT(empty, 0U);
+  EXPECT_LT(empty, 30U);
+  const Scratch scratch;
+  const Finished finished = flowcert({"verify", "--json"}, {scratch.file("answers", answers), ""});
+  const json report = json::parse(finished.out);
+  EXPECT_EQ(report["conforms"], empty);
+  EXPECT_EQ(report["fails"], 30 - empty);
+}
+
+// Also a claim that `check` would refuse only because of the points.
+TEST(Verify, AnUnreadableAnswerIsOneFailure) {
+  CITES("FC-CLAIM-01");
+  const Pipe pipe({"--cases", "20"}, {"csv", "skip", "5"});
+  const std::string id = ids_of(pipe.cases())[5];
+  for (const char* claim : {"0,0,0,0,0,99", "3,nan,0,0", "{\"index\":3}", "inf 2", "\x1f\x8b\x08", "<"}) {
+    SCOPED_TRACE(claim);
+    const std::string answer = "answer " + id + "\n# mine\n" + claim + "\nend\n";
+    const Finished finished = pipe.verify_text(answer + pipe.answers(), {"--json"});
+    EXPECT_EQ(finished.status, 1) << finished.err;
+    const json report = json::parse(finished.out);
+    EXPECT_EQ(report["conforms"], 19);
+    EXPECT_EQ(report["unreadable"], 1);
+    EXPECT_EQ(report["failures"][0]["id"], id);
+    EXPECT_TRUE(report["failures"][0]["reason"].get<std::string>().starts_with("answer:"));
+  }
+}
+
+TEST(Verify, RefusesWhatIsNoStreamOfAnswers) {
+  CITES("FC-IN-05");
+  const Words run = {"--cases", "20"};
+  const auto refuses = [](const Pipe& pipe, const std::string& answers, const std::string& what) {
+    for (const Words& options : {Words{}, {"--json"}}) {
+      const Finished finished = pipe.verify_text(answers, options);
+      EXPECT_EQ(finished.status, 2);
+      EXPECT_EQ(finished.out, "");
+      EXPECT_EQ(lines_of(finished.err).size(), 1U) << finished.err;
+      EXPECT_TRUE(finished.err.starts_with("flowcert: standard input:" + what)) << finished.err;
+    }
+  };
+  const Pipe right(run);
+  const Words ids = ids_of(right.cases());
+  const std::string first = "answer " + ids[0] + "\nend\n";
+  refuses(right, "", " no answers\n");
+  refuses(right, "# nothing\n\n", " no answers\n");
+  refuses(right, first + first, "3: a second answer to the case '" + ids[0] + "'");
+  refuses(right, first + "refused " + ids[0] + "\n", "3: a second answer to the case '" + ids[0] + "'");
+  refuses(right, first + "\nhello\n", "4: neither 'answer ID' nor 'refused ID': 'hello'");
+  refuses(right, first + "end\n", "3: neither 'answer ID' nor 'refused ID': 'end'");
+  refuses(right, "answer\nend\n", "1: no id of a case after 'answer'");
+  refuses(right, "answer " + ids[0] + " 5\nend\n", "1: more than an id after 'answer': '5'");
+  refuses(right, first + "answer " + ids[1] + "\n1,2,3,4\n", "3: an answer without 'end': '" + ids[1] + "'");
+  refuses(right, "answer " + ids[1] + "\n# end\n", "1: an answer without 'end': '" + ids[1] + "'");
+  refuses(right, "answer " + ids[1] + "\n" + first, "2: 'answer' before the 'end' of the answer of line 1");
+  // Ids: damaged, of other runs, out of range, absurd.
+  for (const std::string& id :
+       {std::string("1"), std::string("::/:"), '0' + ids[0], ids[0] + '0', ids[0] + ":lattice-2",
+        std::string("1:1:20/20:0000"), std::string("1:1:0/99999999999:0000"), std::string("4:1:0/20:0000"),
+        std::string("1:1:0/20:0000:no-family"), std::string("1:1:-1/20:0000")}) {
+    std::string answers = first;
+    answers.append("answer ").append(id).append("\nend\n");
+    std::string reason = "3: no case is called '";
+    reason.append(id).append("'");
+    refuses(right, answers, reason);
+  }
+  const std::string other = ids_of(generated({"--cases", "20", "--seed", "2"}))[1];
+  refuses(right, first + "answer " + other + "\nend\n", "3: a case of another run than those before: '");
+  // The same by a program.
+  refuses(Pipe(run, {"csv", "twice", "5"}), Pipe(run, {"csv", "twice", "5"}).answers(), "");
+  for (const char* fault : {"other-id", "stray", "cut"}) {
+    const Pipe pipe(run, {"csv", fault, "5"});
+    refuses(pipe, pipe.answers(), "");
+  }
+}
+
+TEST(Verify, WritesAReportForCiSystems) {
+  CITES("FC-CLAIM-03");
+  const Pipe pipe({"--cases", "80"}, {"csv", "drop", "3", "refuse", "40", "skip", "50"});
+  const std::string path = pipe.scratch().path("report.xml");
+  EXPECT_EQ(pipe.verify({"--junit", path}).status, 1);
+  const std::string report = content_of(path);
+  struct Count {
+    std::size_t cases = 0, failures = 0;
+  } count;
+  const XML_Parser parser = XML_ParserCreate(nullptr);
+  XML_SetUserData(parser, &count);
+  XML_SetStartElementHandler(parser, [](void* data, const XML_Char* name, const XML_Char** /*attributes*/) {
+    auto* const counted = static_cast<Count*>(data);
+    counted->cases += std::string(name) == "testcase" ? 1 : 0;
+    counted->failures += std::string(name) == "failure" ? 1 : 0;
+  });
+  EXPECT_EQ(XML_Parse(parser, report.data(), static_cast<int>(report.size()), 1), XML_STATUS_OK) << report;
+  XML_ParserFree(parser);
+  EXPECT_EQ(count.cases, 36U);
+  EXPECT_EQ(count.failures, 3U);
+  EXPECT_TRUE(contains(report, "tests=\"36\" failures=\"3\" errors=\"0\" skipped=\"0\"")) << report;
+  EXPECT_TRUE(contains(report, "refused: too hard &lt;for me&gt;"));
+  EXPECT_TRUE(contains(report, "1 unanswered"));
+}
+
+TEST(Verify, KeepsFailingCasesForCheck) {
+  CITES("FC-CLAIM-03", "FC-CLAIM-01");
+  const Pipe pipe({"--seed", "7", "--cases", "80"},
+                  {"csv", "drop", "3", "unreadable", "12", "refuse", "40", "none", "75"});
+  const std::string folder = pipe.scratch().path("kept/here");
+  const Finished finished = pipe.verify({"--keep", folder});
+  EXPECT_EQ(finished.status, 1) << finished.err;
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    names.insert(entry.path().filename().string());
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"case-1-7-3.xyz", "case-1-7-3.claim", "case-1-7-12.xyz",
+                                          "case-1-7-12.claim", "case-1-7-40.xyz", "case-1-7-75.xyz",
+                                          "case-1-7-75.claim"}));
+  for (const auto& [number, status] : {std::pair("3", 1), {"12", 2}, {"75", 1}}) {
+    std::string points = folder;
+    points.append("/case-1-7-").append(number).append(".xyz");
+    const std::string claim = points.substr(0, points.size() - 3) + "claim";
+    std::string command = "flowcert check ";
+    command.append(points).append(" ").append(claim).append("\n");
+    EXPECT_TRUE(contains(finished.out, command)) << finished.out;
+    EXPECT_EQ(flowcert({"check", points, claim}).status, status) << number;
+  }
+  const std::string file = pipe.scratch().file("file", "");
+  EXPECT_EQ(pipe.verify({"--keep", file}).status, 2);
+}
+
+TEST(Verify, ToleranceIsOfTheUser) {
+  CITES("FC-CLAIM-05");
+  const Words run = {"--family", "general-position", "--cases", "20"};
+  const json exact = Pipe(run, {"decimals"}).as_json();
+  EXPECT_EQ(exact["verdict"], "conforms");
+  EXPECT_EQ(exact["tolerance"], 1e-9);
+  const Pipe rounded(run, {"rounded"});
+  EXPECT_EQ(rounded.as_json()["fails"], 20);
+  EXPECT_EQ(rounded.as_json({"--tolerance", "1e-5"})["verdict"], "conforms");
+  EXPECT_EQ(rounded.verify({"--tolerance", "1"}).status, 2);
+}
+
+// ---- The README ----
+
+std::string readme_block(const std::string& name) {
+  const Words lines = lines_of(content_of(FLOWCERT_README));
+  auto line = std::find(lines.begin(), lines.end(), "<!-- example: " + name + " -->");
+  EXPECT_GT(lines.end() - line, 3) << name;
+  std::string block;
+  if (lines.end() - line > 3) {
+    for (line += 2; line != lines.end() && *line != "```"; ++line) block += *line + '\n';
+  }
+  return block;
+}
+
+TEST(Readme, TheProgramInTheMiddle) {
+  CITES("FC-CLAIM-03");
+  const Scratch scratch;
+  std::filesystem::create_directory(scratch.path("build"));
+  std::filesystem::create_symlink(FLOWCERT_PROGRAM, scratch.path("build/flowcert"));
+  (void)scratch.file("middle.sh", readme_block("middle"));
+  const Words lines = lines_of(readme_block("pipe"));
+  ASSERT_GT(lines.size(), 1U);
+  ASSERT_TRUE(lines.front().starts_with("$ ")) << lines.front();
+  const std::string command = "cd \"$0\" && " + lines.front().substr(2);
+  const Finished finished = RunningProgram({"/bin/bash", "-c", command, scratch.path("")}).finish();
+  EXPECT_EQ(finished.status, 0) << finished.err;
+  EXPECT_EQ(finished.err, "");
+  const Words printed = lines_of(finished.out);
+  ASSERT_GT(printed.size(), 38U) << finished.out;
+  // The README shows the head of the table and what follows "...".
+  const auto gap = std::find(lines.begin(), lines.end(), "...");
+  ASSERT_NE(gap, lines.end());
+  EXPECT_EQ(Words(lines.begin() + 1, gap),
+            Words(printed.begin(), printed.begin() + (gap - lines.begin() - 1)));
+  EXPECT_EQ(Words(gap + 1, lines.end()), Words(printed.end() - (lines.end() - gap - 1), printed.end()));
+}
+
+}  // namespace
+}  // namespace flowcert::conformance
