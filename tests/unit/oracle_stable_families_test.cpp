@@ -124,7 +124,7 @@ Point mixture(const std::vector<Point>& points, rc::Random& random) {
 // Says where the orbit of x ends: exactly one stable set contains x, or none if that is a maximum or
 // infinity.
 std::optional<StationaryPoint> expect_sets_agree_with_flow(const Subject& subject, const Point& x) {
-  const auto limit = orbit(subject.set, x).limit;
+  auto limit = orbit(subject.set, x).limit;
   for (const auto& [z, stable] : subject.sets) {
     EXPECT_EQ(contains(subject.set, stable, x), limit == z)
         << x[0] << ' ' << x[1] << ' ' << x[2] << " and the set of " << ::testing::PrintToString(z.contact);
@@ -228,13 +228,17 @@ TEST(OracleStableFamilies, BesideATriangle) {
   });
 }
 
+bool is_voronoi_vertex(const Subject& subject, const SkeletonPoint& y) {
+  return affine_dimension(select(subject.set.points, places_of(subject.set, y.contact))) == 3;
+}
+
 // The polygons of conv C(y), for a Voronoi vertex y: its largest subsets that lie in a plane with the others
 // on one side.
 std::set<Names> polygons_at(const Subject& subject, const Names& contact) {
   std::set<Names> polygons;
   for_each_subset(contact.size(), 3, [&](const std::vector<std::size_t>& chosen) {
     if (chosen.size() < 3) return;
-    const Point a = subject.point(contact[chosen[0]]);
+    const Point& a = subject.point(contact[chosen[0]]);
     const Point normal =
         cross(minus(subject.point(contact[chosen[1]]), a), minus(subject.point(contact[chosen[2]]), a));
     Names in_plane;
@@ -281,33 +285,33 @@ bool leads_by_sign(const Subject& subject, const SkeletonPoint& o, const Names& 
          face_dimension(corners, circumcentre({corners[0], corners[1], corners[2]})->center);
 }
 
+void expect_leads_as_signs_say(const Subject& subject, const StableSet& stable, const SkeletonPoint& y) {
+  const bool is_vertex = is_voronoi_vertex(subject, y);
+  const std::set<Names> polygons = is_vertex ? polygons_at(subject, y.contact) : std::set<Names>{y.contact};
+  for_each_subset(y.contact.size(), 2, [&](const std::vector<std::size_t>& chosen) {
+    if (chosen.size() < 2) return;
+    const std::array<std::size_t, 2> g = {y.contact[chosen[0]], y.contact[chosen[1]]};
+    const bool found = std::any_of(
+        stable.segments.begin(), stable.segments.end(),
+        [&](const BackwardSegment& segment) { return segment.front == y.position && segment.samples == g; });
+    EXPECT_EQ(found, leads_by_sign(subject, polygons, g[0], g[1]));
+  });
+  for (const Names& polygon : polygons) {
+    const bool found =
+        std::any_of(stable.intervals.begin(), stable.intervals.end(), [&](const BackwardInterval& interval) {
+          return interval.kind != IntervalKind::kCrossed && interval.front == y.position &&
+                 interval.polygon == polygon;
+        });
+    EXPECT_EQ(found, is_vertex && leads_by_sign(subject, y, polygon));
+  }
+}
+
 TEST(OracleStableFamilies, WhatLeadsToAPointIsToldBySigns) {
   CITES("FC-STAB-03");
   for_each_subject(2, 20, [](const Subject& subject, rc::Random&) {
     for (const auto& [z, stable] : subject.sets) {
       if (z.hull_dimension < 2) continue;
-      for (const SkeletonPoint& y : stable.points) {
-        const bool is_vertex =
-            affine_dimension(select(subject.set.points, places_of(subject.set, y.contact))) == 3;
-        const std::set<Names> polygons =
-            is_vertex ? polygons_at(subject, y.contact) : std::set<Names>{y.contact};
-        for_each_subset(y.contact.size(), 2, [&](const std::vector<std::size_t>& chosen) {
-          if (chosen.size() < 2) return;
-          const std::array<std::size_t, 2> g = {y.contact[chosen[0]], y.contact[chosen[1]]};
-          const bool found = std::any_of(
-              stable.segments.begin(), stable.segments.end(),
-              [&](const auto& segment) { return segment.front == y.position && segment.samples == g; });
-          EXPECT_EQ(found, leads_by_sign(subject, polygons, g[0], g[1]));
-        });
-        for (const Names& polygon : polygons) {
-          const bool found =
-              std::any_of(stable.intervals.begin(), stable.intervals.end(), [&](const auto& interval) {
-                return interval.kind != IntervalKind::kCrossed && interval.front == y.position &&
-                       interval.polygon == polygon;
-              });
-          EXPECT_EQ(found, is_vertex && leads_by_sign(subject, y, polygon));
-        }
-      }
+      for (const SkeletonPoint& y : stable.points) expect_leads_as_signs_say(subject, stable, y);
     }
   });
 }
@@ -372,8 +376,7 @@ TEST(OracleStableFamilies, TheBoundaryWalkIsTheBoundaryOfTheTriangles) {
 bool is_within_a_sector(const Subject& subject, const StableSet& stable, const StationaryPoint& z,
                         const SkeletonPoint& w) {
   const auto is_back = [&](const auto& piece) { return piece.back == w.position; };
-  return w.position != z.center &&
-         affine_dimension(select(subject.set.points, places_of(subject.set, w.contact))) == 3 &&
+  return w.position != z.center && is_voronoi_vertex(subject, w) &&
          std::none_of(stable.segments.begin(), stable.segments.end(), is_back) &&
          std::none_of(stable.intervals.begin(), stable.intervals.end(), is_back);
 }
