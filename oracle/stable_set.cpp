@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "oracle/orbit.h"
 
@@ -146,7 +147,8 @@ class Search {
   }
 
   // The triangle of the interval and the midpoint m, as far as it is in the facet. Its rays leave the facet
-  // through the sides that lie on none of them and the corners between two such.
+  // through the sides that lie on none of them and the corners between two such. The first and the last ray
+  // are no part of the sector: what of them flows to z is a segment, or an interval, of its own.
   void add_sector(const BackwardInterval& interval, const Lead& lead) {
     const auto& [polygon, front, back, kind] = interval;
     const Point& m = lead.centre;

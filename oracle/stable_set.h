@@ -7,8 +7,8 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 #include "oracle/stationary_points.h"
@@ -21,7 +21,8 @@ struct SkeletonPoint {
   Point position;
   std::vector<std::size_t> contact;
 
-  friend auto operator<=>(const SkeletonPoint&, const SkeletonPoint&) = default;
+  friend bool operator==(const SkeletonPoint&, const SkeletonPoint&) = default;
+  friend bool operator<(const SkeletonPoint& a, const SkeletonPoint& b) { return a.position < b.position; }
 };
 
 // What a backward segment ends at: the midpoint of its samples, critical of index 1 or regular stationary, or
@@ -37,7 +38,10 @@ struct BackwardSegment {
   std::vector<std::size_t> back_contact;
   BackKind back_kind;
 
-  friend auto operator<=>(const BackwardSegment&, const BackwardSegment&) = default;
+  friend bool operator==(const BackwardSegment&, const BackwardSegment&) = default;
+  friend bool operator<(const BackwardSegment& a, const BackwardSegment& b) {
+    return std::tie(a.samples, a.front) < std::tie(b.samples, b.front);
+  }
 };
 
 // How an open interval of a Voronoi edge flows to z: along the edge, from z(f) or from the edge's other
@@ -52,7 +56,10 @@ struct BackwardInterval {
   Point back;
   IntervalKind kind;
 
-  friend auto operator<=>(const BackwardInterval&, const BackwardInterval&) = default;
+  friend bool operator==(const BackwardInterval&, const BackwardInterval&) = default;
+  friend bool operator<(const BackwardInterval& a, const BackwardInterval& b) {
+    return std::tie(a.polygon, a.front, a.back) < std::tie(b.polygon, b.front, b.back);
+  }
 };
 
 // FC-STAB-05: the interior of `polygon`, which lies in the Voronoi facet of `samples`. The corners are those
@@ -61,10 +68,14 @@ struct Sector {
   std::array<std::size_t, 2> samples;
   std::vector<Point> polygon;
 
-  friend auto operator<=>(const Sector&, const Sector&) = default;
+  friend bool operator==(const Sector&, const Sector&) = default;
+  friend bool operator<(const Sector& a, const Sector& b) {
+    return std::tie(a.samples, a.polygon) < std::tie(b.samples, b.polygon);
+  }
 };
 
-// Each list ascending, and without repetition.
+// Each list ascending: by position, by samples and front, by polygon and ends, by samples and corners. No two
+// of a list are alike in these.
 struct StableSet {
   std::vector<SkeletonPoint> points;
   std::vector<BackwardSegment> segments;

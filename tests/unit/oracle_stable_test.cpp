@@ -37,19 +37,13 @@ struct Example {
   StableSet stable;
 };
 
-template <typename T>
-std::vector<T> sorted(std::vector<T> list) {
-  std::sort(list.begin(), list.end());
-  return list;
-}
-
 // The segments of a skeleton, without their contact sets.
 struct Branch {
   std::array<std::size_t, 2> samples;
   Point front, back;
   BackKind kind;
 
-  friend auto operator<=>(const Branch&, const Branch&) = default;
+  friend bool operator==(const Branch&, const Branch&) = default;
 };
 
 std::vector<Branch> branches(const StableSet& stable) {
@@ -57,7 +51,7 @@ std::vector<Branch> branches(const StableSet& stable) {
   for (const BackwardSegment& s : stable.segments) {
     result.push_back({s.samples, s.front, s.back, s.back_kind});
   }
-  return sorted(result);
+  return result;
 }
 
 constexpr BackKind kCritical = BackKind::kCritical;
