@@ -48,7 +48,10 @@ void copy_if_regular(const fs::path& from, const fs::path& to) {
   if (fs::is_regular_file(from, ignored)) fs::copy_file(from, to);
 }
 
+// Empty, too, where the program has put something else in its place, which opening could wait for.
 std::string first_line_of(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return "";
   std::ifstream file(path);
   std::string line;
   std::getline(file, line);

@@ -113,12 +113,12 @@ void require_full_path(const char* option, const std::string& command) {
   }
 }
 
-void require_answerable(const ConformanceCommandOptions& options, const std::vector<CaseOutcome>& outcomes) {
+void require_answerable(const std::vector<CaseOutcome>& outcomes) {
   const bool is_any_run = std::ranges::any_of(
       outcomes, [](const CaseOutcome& outcome) { return outcome.outcome != RunOutcome::kSkipped; });
   if (is_any_run) return;
-  throw InvalidInput(options.run.orbit_command.empty() ? "these cases need --orbits-against"
-                                                       : "there are no such cases in this format");
+  const CaseOutcome& first = outcomes.front();
+  throw InvalidInput(fmt::format("there is nothing to run: {} {}", first.of->id, first.message));
 }
 
 int run_cases(const ConformanceCommandOptions& options, const Vectors& vectors,
@@ -135,7 +135,7 @@ int run_cases(const ConformanceCommandOptions& options, const Vectors& vectors,
     ProgressLine progress("cases");
     outcomes = run_conformance(cases, options.run, std::ref(progress));
   }
-  require_answerable(options, outcomes);
+  require_answerable(outcomes);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
   const ConformanceReport report{vectors, options.run, outcomes, seconds};
   if (junit) {

@@ -197,7 +197,10 @@ TEST_F(ConformanceCommand, GivesThePointsInOtherForms) {
   EXPECT_EQ(run({"--against", look, "--case", "invalid-input-0007"}).status, 0);
   EXPECT_EQ(content_of(seen), "0 0 0\n1 1e309 0\n0 2 0\n");
   // One that is about the text of an XYZ file.
-  EXPECT_EQ(run({"--against", look, "--case", "invalid-input-0027", "--in-format", "off"}).status, 2);
+  const Finished no_text = run({"--against", look, "--case", "invalid-input-0027", "--in-format", "off"});
+  EXPECT_EQ(no_text.status, 2);
+  EXPECT_NE(no_text.err.find("invalid-input-0027 is about the text of an XYZ file"), std::string::npos)
+      << no_text.err;
 }
 
 TEST_F(ConformanceCommand, TakesClaimsInAnyFormatFromWhereverTheyAre) {
@@ -259,6 +262,7 @@ TEST_F(ConformanceCommand, SaysWhereAClaimIsWrong) {
 TEST_F(ConformanceCommand, KnowsOutcomesApart) {
   CITES("FC-IN-05", "FC-CLAIM-01");
   expect_outcome("echo no idea >&2; exit 3", "refused", "exit status 3: no idea");
+  expect_outcome("rm ../stderr; mkfifo ../stderr; exit 3", "refused", "exit status 3");
   expect_outcome("kill -SEGV $$", "crashed", "SIGSEGV");
   expect_outcome("sh -c 'kill -ABRT $$'; exit $?", "crashed", "SIGABRT");
   expect_outcome("exit 127", "crashed", "not started");
