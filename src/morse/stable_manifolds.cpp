@@ -27,7 +27,8 @@ struct StableManifolds::Machine {
         machine(make_flow_machine(faces, options.flow)),
         vertex_of(vertices_by_position(faces.delaunay())),
         gabriel(points, list, vertex_of),
-        walk(faces, *machine, gabriel) {}
+        walk(faces, *machine, gabriel),
+        ties(options.seed) {}
 
   void compute(const Progress& progress);
 
@@ -46,6 +47,7 @@ struct StableManifolds::Machine {
   std::vector<VertexIndex> vertex_of;
   GabrielEdges gabriel;
   BackwardWalk walk;
+  TieBreaking ties;
   std::vector<Set> sets;
   std::vector<std::uint32_t> boundaries;
   StableStatistics statistics;
@@ -132,7 +134,8 @@ void StableManifolds::Machine::follow(Set& set) {
 
 void StableManifolds::Machine::keep_boundary(Set& set, FrontNumber root) {
   if (set.has_vertex || regular_backs > 0) {
-    ends = tie_broken_boundary(faces, walk, root, contact);
+    ++statistics.broken_ties;
+    ends = tie_broken_boundary(faces, walk, root, contact, ties);
   }
   set.boundary_first = boundaries.size();
   add_mod_2(ends, boundaries);

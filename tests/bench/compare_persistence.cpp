@@ -1,0 +1,84 @@
+// Persistence pairs of large inputs against those that GUDHI computes of the alpha complex: exactly, since
+// the filtration that GUDHI gets is of exact ranks.
+//
+// Usage: compare_persistence INPUT... Prints a line an input: pairs by dimension, ties broken, how many pairs
+// only one side has, and the times of our computation (everything after the triangulation), of GUDHI's
+// complex and pairs, and of the exact values. Exit status 1 if there is a difference, 2 for unusable input.
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+#include "flowcert/read_points.h"
+#include "tests/property/alpha_persistence.h"
+
+namespace {
+
+using namespace flowcert;
+
+double since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+struct Own {
+  std::vector<property::ExactPair> pairs;
+  std::size_t ties = 0;
+  double seconds = 0;
+};
+
+Own own_pairs(const PointSet& points, std::uint64_t seed) {
+  const Delaunay delaunay(points);
+  const auto start = std::chrono::steady_clock::now();
+  const StationaryPoints stationary = stationary_points(delaunay);
+  UnstableManifolds unstable(delaunay, stationary);
+  const StableManifolds stable(delaunay, stationary, {.flow = {}, .seed = seed});
+  const ChainComplex complex(points, stationary, unstable, stable, seed);
+  const Persistence persistence(points, stationary, complex);
+  Own own;
+  own.seconds = since(start);
+  own.ties = complex.broken_ties() + stable.statistics().broken_ties;
+  own.pairs = property::exact_pairs(persistence);
+  return own;
+}
+
+// Whether the pairs are the same, with ties broken in two ways.
+bool compare(const std::string& path) {
+  const PointSet points(read_points(path).rows);
+  const Own own = own_pairs(points, 0);
+  const Own at_random = own_pairs(points, 1);
+  property::AlphaTimes times;
+  const std::vector<property::ExactPair> gudhi = property::alpha_persistence(points.points(), &times);
+  std::array<std::size_t, 3> counts{};
+  for (const property::ExactPair& pair : own.pairs) ++counts.at(static_cast<std::size_t>(pair.dimension));
+  const std::size_t different = property::count_differences(own.pairs, gudhi);
+  const std::size_t by_seed = property::count_differences(at_random.pairs, gudhi);
+  fmt::print("{:<20} {:>8} {:>8} {:>8} {:>8} {:>7} {:>10} {:>11} {:>9.2f} {:>9.2f} {:>9.2f}\n",
+             std::filesystem::path(path).filename().string(), points.size(), counts[0], counts[1], counts[2],
+             own.ties, different, by_seed, own.seconds, times.gudhi, times.values);
+  if (different > 0) fmt::print("  {}\n", property::difference(own.pairs, gudhi));
+  std::fflush(stdout);
+  return different == 0 && by_seed == 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    fmt::print(stderr, "usage: compare_persistence INPUT...\n");
+    return 2;
+  }
+  fmt::print("{:<20} {:>8} {:>8} {:>8} {:>8} {:>7} {:>10} {:>11} {:>9} {:>9} {:>9}\n", "input", "points",
+             "dim. 0", "dim. 1", "dim. 2", "ties", "different", "with seed 1", "own [s]", "GUDHI [s]",
+             "exact [s]");
+  try {
+    bool agree = true;
+    for (int k = 1; k < argc; ++k) agree = compare(argv[k]) && agree;
+    return agree ? 0 : 1;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "compare_persistence: {}\n", error.what());
+    return 2;
+  }
+}
