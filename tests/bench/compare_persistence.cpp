@@ -19,36 +19,49 @@ namespace {
 
 using namespace flowcert;
 
-double since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+using Clock = std::chrono::steady_clock;
 
-struct Own {
-  std::vector<property::ExactPair> pairs;
-  std::size_t ties = 0;
-  double seconds = 0;
+double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// What does not depend on the breaking of ties.
+struct Flow {
+  explicit Flow(const PointSet& all)
+      : points(all),
+        delaunay(points),
+        start(Clock::now()),
+        stationary(stationary_points(delaunay)),
+        unstable(delaunay, stationary),
+        seconds(since(start)) {}
+
+  const PointSet& points;
+  Delaunay delaunay;
+  Clock::time_point start;
+  StationaryPoints stationary;
+  UnstableManifolds unstable;
+  double seconds;
 };
 
-Own own_pairs(const PointSet& points, std::uint64_t seed) {
-  const Delaunay delaunay(points);
-  const auto start = std::chrono::steady_clock::now();
-  const StationaryPoints stationary = stationary_points(delaunay);
-  UnstableManifolds unstable(delaunay, stationary);
-  const StableManifolds stable(delaunay, stationary, {.flow = {}, .seed = seed});
-  const ChainComplex complex(points, stationary, unstable, stable, seed);
-  const Persistence persistence(points, stationary, complex);
-  Own own;
-  own.seconds = since(start);
-  own.ties = complex.broken_ties() + stable.statistics().broken_ties;
-  own.pairs = property::exact_pairs(persistence);
-  return own;
-}
+struct Own {
+  Own(Flow& flow, std::uint64_t seed) {
+    const Clock::time_point start = Clock::now();
+    const StableManifolds stable(flow.delaunay, flow.stationary, {.flow = {}, .seed = seed});
+    const ChainComplex complex(flow.points, flow.stationary, flow.unstable, stable, seed);
+    const Persistence persistence(flow.points, flow.stationary, complex);
+    seconds = flow.seconds + since(start);
+    ties = complex.broken_ties() + stable.statistics().broken_ties;
+    pairs = property::exact_pairs(persistence);
+  }
+
+  std::vector<property::ExactPair> pairs;
+  std::size_t ties = 0;
+  double seconds = 0;  // after the triangulation
+};
 
 // Whether the pairs are the same, with ties broken in two ways.
 bool compare(const std::string& path) {
   const PointSet points(read_points(path).rows);
-  const Own own = own_pairs(points, 0);
-  const Own at_random = own_pairs(points, 1);
+  Flow flow(points);
+  const Own own(flow, 0), at_random(flow, 1);
   property::AlphaTimes times;
   const std::vector<property::ExactPair> gudhi = property::alpha_persistence(points.points(), &times);
   std::array<std::size_t, 3> counts{};

@@ -19,13 +19,15 @@
 #include "fuzz/families.h"
 #include "tests/cites.h"
 #include "tests/property/alpha_persistence.h"
+#include "tests/property/orbit_inputs.h"
 #include "tests/property/property_parameters.h"
 #include "tests/property/stationary_comparison.h"
 
 namespace flowcert::property {
 namespace {
 
-constexpr int kInputsPerFamily = 40;
+constexpr int kInputsPerFamily = 250;
+constexpr int kLargerInputs = 4;
 constexpr std::uint64_t kSeeds[] = {1, 2, 3};
 
 using Chain = std::vector<std::uint32_t>;  // records, ascending
@@ -77,6 +79,27 @@ Chain boundary_of_boundary(const Subject& subject, std::size_t record) {
   return sum;
 }
 
+// Of a maximum, without ties: the index-2 points of which exactly one orbit of U2 ends there.
+Chain boundary_by_orbits(const Subject& subject, std::size_t maximum) {
+  Chain boundary;
+  for (std::size_t i = 0; i < subject.unstable.size(); ++i) {
+    const bool both = subject.unstable.limit(i, 0) == subject.unstable.limit(i, 1);
+    const bool ends_there =
+        subject.unstable.limit(i, 0) == maximum || subject.unstable.limit(i, 1) == maximum;
+    if (ends_there && !both) boundary.push_back(static_cast<std::uint32_t>(subject.unstable.saddle(i)));
+  }
+  return boundary;
+}
+
+// Of an index-1 point, its samples.
+Chain samples_of(const Subject& subject, std::size_t record) {
+  Chain samples;
+  for (const PointId name : subject.stationary.contact(record)) {
+    samples.push_back(static_cast<std::uint32_t>(subject.points.position_of_row(name)));
+  }
+  return samples;
+}
+
 // The first law of chain complexes that is broken; empty if none.
 std::string broken_complex(const Subject& subject) {
   for (std::size_t record = 0; record < subject.critical_count(); ++record) {
@@ -91,7 +114,12 @@ std::string broken_complex(const Subject& subject) {
         return where + "its boundary is not below it";
       }
     }
-    if (subject.index(record) == 1 && boundary.size() != 2) return where + "an edge without two ends";
+    if (subject.index(record) == 1 && boundary != samples_of(subject, record))
+      return where + "not its samples";
+    if (subject.index(record) == 3 && !subject.has_ties() &&
+        boundary != boundary_by_orbits(subject, record)) {
+      return where + "not the index-2 points of which one orbit ends there";
+    }
     const bool has_to_vanish = subject.index(record) == 2 || !subject.has_ties();
     if (has_to_vanish && !boundary_of_boundary(subject, record).empty()) {
       return where + "the boundary of its boundary is not zero";
@@ -282,29 +310,87 @@ std::string complaint_about(const fuzz::Input& input, Seen& seen) {
   return difference(pairs, alpha_persistence(points.points()));
 }
 
-TEST(PersistenceTest, IsThatOfTheAlphaComplexHoweverTiesAreBroken) {
-  CITES("FC-CHAIN-01", "FC-CHAIN-02", "FC-CHAIN-03", "FC-PERS-01", "FC-PERS-02", "FC-PERS-03", "FC-PERS-04");
+// Only the first failure is shrunk, if any is to be.
+Seen run_of(const std::vector<fuzz::Family>& families, int count, bool shrinks) {
   Seen all;
   bool agreed = true;
   print_head();
-  for (const fuzz::Family& family : fuzz::families()) {
+  for (const fuzz::Family& family : families) {
     Seen seen;
     const rc::Gen<fuzz::Input> inputs = family.generate();
-    agreed = expect_holds(family.name, parameters_of_run(kInputsPerFamily, agreed),
-                          [&] {
-                            const fuzz::Input input = *inputs;
-                            const std::string complaint = complaint_about(input, seen);
-                            if (!complaint.empty()) {
-                              std::ostringstream text;
-                              text << complaint << "\ninput:\n" << input;
-                              RC_FAIL(text.str());
-                            }
-                          }) &&
-             agreed;
+    const auto holds = [&] {
+      const fuzz::Input input = *inputs;
+      const std::string complaint = complaint_about(input, seen);
+      if (complaint.empty()) return;
+      std::ostringstream text;
+      text << complaint << "\ninput:\n" << input;
+      RC_FAIL(text.str());
+    };
+    agreed = expect_holds(family.name, parameters_of_run(count, shrinks && agreed), holds) && agreed;
     print_row(family.name, seen);
     all.add(seen);
   }
   print_row("all", all);
+  return all;
+}
+
+TEST(PersistenceTest, IsThatOfTheAlphaComplexHoweverTiesAreBroken) {
+  CITES("FC-CHAIN-01", "FC-CHAIN-02", "FC-CHAIN-03", "FC-PERS-01", "FC-PERS-02", "FC-PERS-03", "FC-PERS-04");
+  const Seen all = run_of(fuzz::families(), kInputsPerFamily, true);
+  if (scale_of_run() < 1) return;
+  EXPECT_GE(all.with_maxima, all.inputs / 10);
+  EXPECT_GE(all.free_of_ties, all.with_maxima / 3);
+  EXPECT_GE(all.with_maxima - all.free_of_ties, all.with_maxima / 10);
+  EXPECT_GT(all.u2_ties, 0U);
+  EXPECT_GT(all.s2_ties, 0U);
+  EXPECT_GT(all.other_choice, 0U);
+  EXPECT_GT(all.not_a_complex, 0U);
+}
+
+TEST(PersistenceTest, IsThatOfTheAlphaComplexOfLargerInputs) {
+  CITES("FC-CHAIN-01", "FC-CHAIN-02", "FC-CHAIN-03", "FC-PERS-01", "FC-PERS-02", "FC-PERS-03", "FC-PERS-04");
+  const Seen all = run_of(larger_families(), kLargerInputs, false);
+  if (scale_of_run() < 1) return;
+  EXPECT_GT(all.free_of_ties, 0U);
+  EXPECT_GT(all.other_choice, 0U);
+  for (const std::size_t pairs : all.pairs) EXPECT_GE(pairs, 100U);
+}
+
+// fuzz/regressions/boundary-of-boundary.xyz.
+TEST(PersistenceTest, ABoundaryOfABoundaryNeedNotBeZeroWhereThereIsATie) {
+  CITES("FC-CHAIN-03", "FC-PERS-01");
+  const fuzz::Input input{{{0, 5, 0}, {-3, 0, -2}, {3, 0, -2}, {0, 0, 12}, {0, -5, 0}}};
+  const PointSet points = point_set_of(input);
+  const std::vector<ExactPair> expected = alpha_persistence(points.points());
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Subject subject(points, seed);
+    EXPECT_TRUE(subject.has_ties());
+    const std::size_t maximum = subject.critical_count() - 1;
+    ASSERT_EQ(subject.index(maximum), 3);
+    EXPECT_FALSE(boundary_of_boundary(subject, maximum).empty()) << seed;
+    EXPECT_EQ(difference(exact_pairs(subject.persistence), expected), "") << seed;
+  }
+}
+
+TEST(PersistenceTest, TheComplexOfTheCube) {
+  CITES("FC-CHAIN-01");
+  fuzz::Input input;
+  for (int k = 0; k < 8; ++k) {
+    input.rows.push_back(
+        {static_cast<double>(k & 1), static_cast<double>(k >> 1 & 1), static_cast<double>(k >> 2)});
+  }
+  const PointSet points = point_set_of(input);
+  const Subject subject(points);
+  ASSERT_EQ(subject.critical_count(), 27U);
+  EXPECT_FALSE(subject.has_ties());
+  for (std::size_t record = 0; record < 27; ++record) {
+    EXPECT_EQ(subject.boundary(record).size(), 2U * static_cast<std::size_t>(subject.index(record)));
+    // Of a face, the faces that it contains.
+    for (const std::uint32_t cell : subject.boundary(record)) {
+      EXPECT_TRUE(
+          std::ranges::includes(subject.stationary.contact(record), subject.stationary.contact(cell)));
+    }
+  }
 }
 
 }  // namespace
