@@ -28,7 +28,7 @@ struct StableManifolds::Machine {
         vertex_of(vertices_by_position(faces.delaunay())),
         gabriel(points, list, vertex_of),
         walk(faces, *machine, gabriel),
-        ties(options.seed) {}
+        ties(options.seed, TieBreaking::Of::kStable) {}
 
   void compute(const Progress& progress);
 
