@@ -17,6 +17,7 @@
 #include <set>
 
 #include "fuzz/families.h"
+#include "fuzz/integer_points.h"
 #include "tests/cites.h"
 #include "tests/property/alpha_persistence.h"
 #include "tests/property/orbit_inputs.h"
@@ -28,6 +29,7 @@ namespace {
 
 constexpr int kInputsPerFamily = 250;
 constexpr int kLargerInputs = 4;
+constexpr int kThroughTwo = 500;
 constexpr std::uint64_t kSeeds[] = {1, 2, 3};
 
 using Chain = std::vector<std::uint32_t>;  // records, ascending
@@ -354,6 +356,40 @@ TEST(PersistenceTest, IsThatOfTheAlphaComplexOfLargerInputs) {
   EXPECT_GT(all.free_of_ties, 0U);
   EXPECT_GT(all.other_choice, 0U);
   for (const std::size_t pairs : all.pairs) EXPECT_GE(pairs, 100U);
+}
+
+// Some path at a Voronoi vertex has a right-angled edge, whose branch goes on along a Voronoi edge and,
+// before it comes to that polygon's centre, to another Voronoi vertex. Among random points one in ten
+// thousand does.
+const std::vector<fuzz::IntegerPoints> kThroughTwoVertices = {
+    {{-1, 2, 1}, {2, 2, -1}, {0, -1, 0}, {-1, 0, 1}, {2, 0, 0}, {-1, 0, 0}},
+    {{-2, 2, 4}, {0, 2, 3}, {2, 2, 7}, {-1, 2, 3}, {-1, -2, 4}, {-2, -1, 4}},
+    {{1, -1, 1}, {2, 0, 2}, {-1, 1, -1}, {2, 2, 0}, {-1, 0, 2}, {0, -1, 2}},
+    {{-2, -2, 1}, {-3, 0, 1}, {-1, 2, 2}, {-2, -1, 2}, {1, 2, -1}, {-1, -2, 2}, {0, -3, 0}},
+    {{-1, 1, 1}, {0, -2, 0}, {-1, -1, 1}, {0, -1, -2}, {2, 1, -1}, {2, -1, 1}, {0, -1, 1}},
+    {{2, 1, 3}, {3, 2, 0}, {0, 2, 0}, {2, 0, 2}, {2, 0, 1}, {0, 0, 1}, {1, 0, 0}, {3, 3, 2}}};
+
+// One of them, with up to four points more.
+fuzz::Family through_two_vertices() {
+  const auto generate = [] {
+    return fuzz::input_of(rc::gen::apply(
+        [](fuzz::IntegerPoints points, const fuzz::IntegerPoints& more) {
+          points.insert(points.end(), more.begin(), more.end());
+          return points;
+        },
+        rc::gen::elementOf(kThroughTwoVertices),
+        rc::gen::mapcat(rc::gen::inRange<std::size_t>(0, 5), [](std::size_t count) {
+          return rc::gen::container<fuzz::IntegerPoints>(count, fuzz::integer_point(-6, 6));
+        })));
+  };
+  return {"through-two-vertices", "a path turns at two Voronoi vertices", generate, {}};
+}
+
+TEST(PersistenceTest, PathsGoOnFromOneVoronoiVertexToTheNext) {
+  CITES("FC-CHAIN-02", "FC-PERS-01");
+  const Seen all = run_of({through_two_vertices()}, kThroughTwo, true);
+  if (scale_of_run() < 1) return;
+  EXPECT_GE(all.other_choice, all.inputs / 10);
 }
 
 // fuzz/regressions/boundary-of-boundary.xyz: choices that suit each other, and others.
