@@ -15,8 +15,9 @@ namespace {
 FacetName facet_name(VertexIndex v, VertexIndex w) { return {std::min(v, w), std::max(v, w)}; }
 
 // Edges of a Voronoi vertex' polytope that lead from v0 to v1, all of them not obtuse and none of them
-// through the Voronoi vertex: the fewest there are.
-std::vector<PolytopeEdge> path_between(const VoronoiFaces& faces, CellIndex cluster, FacetName ends) {
+// through the Voronoi vertex: the fewest there are, or any that the ties choose.
+std::vector<PolytopeEdge> path_between(const VoronoiFaces& faces, CellIndex cluster, FacetName ends,
+                                       TieBreaking& ties) {
   const VertexSources sources = vertex_sources(faces, cluster);
   std::map<VertexIndex, std::vector<const PolytopeEdge*>> at;
   for (const PolytopeEdge& edge : sources.edges) {
@@ -24,15 +25,21 @@ std::vector<PolytopeEdge> path_between(const VoronoiFaces& faces, CellIndex clus
     at[edge.facet.v0].push_back(&edge);
     at[edge.facet.v1].push_back(&edge);
   }
-  std::map<VertexIndex, const PolytopeEdge*> came_by{{ends.v0, nullptr}};
   const auto other_end = [](const PolytopeEdge& edge, VertexIndex v) {
     return edge.facet.v0 == v ? edge.facet.v1 : edge.facet.v0;
   };
-  for (std::deque<VertexIndex> next{ends.v0}; !next.empty() && !came_by.contains(ends.v1); next.pop_front()) {
-    for (const PolytopeEdge* edge : at[next.front()]) {
-      const VertexIndex there = other_end(*edge, next.front());
-      if (came_by.emplace(there, edge).second) next.push_back(there);
-    }
+  struct Step {
+    VertexIndex to;
+    const PolytopeEdge* by;
+  };
+  std::map<VertexIndex, const PolytopeEdge*> came_by;
+  // The first of them always makes the search breadth first.
+  for (std::deque<Step> open{{ends.v0, nullptr}}; !open.empty() && !came_by.contains(ends.v1);) {
+    const auto next = open.begin() + static_cast<std::ptrdiff_t>(ties.choose(open.size()));
+    const Step step = *next;
+    open.erase(next);
+    if (!came_by.emplace(step.to, step.by).second) continue;
+    for (const PolytopeEdge* edge : at[step.to]) open.push_back({other_end(*edge, step.to), edge});
   }
   if (!came_by.contains(ends.v1)) throw std::logic_error("a polytope without a path of acute edges");
   std::vector<PolytopeEdge> path;
@@ -42,7 +49,8 @@ std::vector<PolytopeEdge> path_between(const VoronoiFaces& faces, CellIndex clus
 
 class TieBreaker {
  public:
-  TieBreaker(const VoronoiFaces& faces, BackwardWalk& walk) : faces_(faces), walk_(walk) {}
+  TieBreaker(const VoronoiFaces& faces, BackwardWalk& walk, TieBreaking& ties)
+      : faces_(faces), walk_(walk), ties_(ties) {}
 
   void add(FrontNumber front, FacetName facet) { tasks_.push_back({front, facet}); }
   // All sides that lead to a front inside the polygon's Voronoi edge.
@@ -79,7 +87,7 @@ class TieBreaker {
   };
 
   void add_path(CellIndex cluster, FrontNumber front, FacetName ends) {
-    for (const PolytopeEdge& edge : path_between(faces_, cluster, ends)) {
+    for (const PolytopeEdge& edge : path_between(faces_, cluster, ends, ties_)) {
       if (edge.leads()) {
         add(front, edge.facet);
       } else {
@@ -103,6 +111,7 @@ class TieBreaker {
 
   const VoronoiFaces& faces_;
   BackwardWalk& walk_;
+  TieBreaking& ties_;
   std::vector<Task> tasks_;
   std::vector<std::uint32_t> chain_;
 };
@@ -110,8 +119,9 @@ class TieBreaker {
 }  // namespace
 
 std::vector<std::uint32_t> tie_broken_boundary(const VoronoiFaces& faces, BackwardWalk& walk,
-                                               FrontNumber root, std::span<const VertexIndex> samples) {
-  TieBreaker breaker(faces, walk);
+                                               FrontNumber root, std::span<const VertexIndex> samples,
+                                               TieBreaking& ties) {
+  TieBreaker breaker(faces, walk, ties);
   const Place place = walk.place(root);
   if (place.edge.cell != kNoCell) {
     breaker.add_sides(root, place.edge);

@@ -25,7 +25,7 @@ std::uint32_t resolved(const StationaryPoints& stationary, UnstableManifolds& un
 
 ChainComplex::ChainComplex(const PointSet& points, const StationaryPoints& stationary,
                            UnstableManifolds& unstable, const StableManifolds& stable, std::uint64_t seed) {
-  TieBreaking ties(seed);
+  TieBreaking ties(seed, TieBreaking::Of::kUnstable);
   const RecordFinder finder(stationary);
   std::vector<std::vector<std::uint32_t>> of_maximum(finder.range({3, 3}).second);
   for (std::size_t i = 0; i < unstable.size(); ++i) {

@@ -32,7 +32,8 @@ struct StableManifolds::Machine {
         recorder(points, faces, *machine),
         vertex_of(vertices_by_position(faces.delaunay())),
         gabriel(points, list, vertex_of),
-        walk(faces, *machine, gabriel) {}
+        walk(faces, *machine, gabriel),
+        ties(options.seed, TieBreaking::Of::kStable) {}
 
   void compute(const Progress& progress);
   StableSet geometry(std::size_t record);
@@ -53,6 +54,7 @@ struct StableManifolds::Machine {
   std::vector<VertexIndex> vertex_of;
   GabrielEdges gabriel;
   BackwardWalk walk;
+  TieBreaking ties;
   std::vector<Set> sets;
   std::vector<std::uint32_t> boundaries;
   StableStatistics statistics;
@@ -153,7 +155,8 @@ void StableManifolds::Machine::follow(Set& set, StableSet* geometry) {
 
 void StableManifolds::Machine::keep_boundary(Set& set, FrontNumber root) {
   if (set.has_vertex || regular_backs > 0) {
-    ends = tie_broken_boundary(faces, walk, root, contact);
+    ++statistics.broken_ties;
+    ends = tie_broken_boundary(faces, walk, root, contact, ties);
   }
   set.boundary_first = boundaries.size();
   add_mod_2(ends, boundaries);

@@ -8,8 +8,11 @@ namespace flowcert {
 
 class TieBreaking {
  public:
-  // seed 0: always the first.
-  explicit TieBreaking(std::uint64_t seed) : state_(seed), is_random_(seed != 0) {}
+  enum class Of : std::uint8_t { kUnstable, kStable };
+
+  // seed 0: always the first. What is broken for U2 and for S2 with one seed is independent.
+  TieBreaking(std::uint64_t seed, Of which)
+      : state_(which == Of::kUnstable ? seed : seed ^ 0xd1342543de82ef95u), is_random_(seed != 0) {}
 
   // One of 0 to count - 1. SplitMix64, so that the choices are the same with every standard library.
   [[nodiscard]] std::size_t choose(std::size_t count) {

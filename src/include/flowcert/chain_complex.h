@@ -2,8 +2,9 @@
 // points of one index less that its stable manifold ends at.
 //
 // Guarantees: where no tie has to be broken the boundary operators are determined, and boundary of boundary
-// is zero. Otherwise ties are broken as clause FC-CHAIN-02 allows; whatever the choice, persistence is that
-// of the alpha complex. Source: spec section 12 (clauses FC-CHAIN).
+// is zero. Otherwise ties are broken as clause FC-CHAIN-02 allows; whatever the choice, boundaries of index-2
+// points are cycles, and persistence is that of the alpha complex. Source: spec section 12 (clauses
+// FC-CHAIN).
 #pragma once
 
 #include <cstddef>
@@ -31,7 +32,7 @@ class ChainComplex {
   // or kInfinity.
   static constexpr std::uint32_t kInfinity = 0xffffffffu;
   [[nodiscard]] const std::vector<std::array<std::uint32_t, 2>>& limits() const { return limits_; }
-  // Whether a tie had to be broken in an orbit of U2.
+  // How often an orbit of U2 came to a stationary point other than a maximum, and had to be let go on.
   [[nodiscard]] std::size_t broken_ties() const { return broken_ties_; }
 
  private:

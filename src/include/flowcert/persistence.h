@@ -1,7 +1,7 @@
 // Persistent homology of the squared distance function, over Z/2, from the chain complex of the flow complex.
 //
-// Guarantees: pairs and values are exact; equal to the persistence of the alpha complex (spec clause
-// FC-PERS-01). Pairs (0,1) by union-find over the index-1 points, pairs (2,3) by the dual union-find over the
+// Guarantees: pairs and values are exact; equal to the persistence of the alpha complex without its pairs of
+// length zero (spec clauses FC-PERS). Pairs (0,1) by union-find over the index-1 points, pairs (2,3) by the dual union-find over the
 // maxima and infinity, pairs (1,2) by reducing the boundaries of the index-2 points that are left.
 #pragma once
 
@@ -25,13 +25,10 @@ class Persistence {
   // of index-2 points that no maximum is paired with.
   Persistence(const PointSet& points, const StationaryPoints& stationary, const ChainComplex& complex);
 
-  // By dimension, then birth; of zero length, too.
+  // By dimension, then birth. None has length zero.
   [[nodiscard]] const std::vector<PersistencePair>& pairs() const { return pairs_; }
   // Exact, of a critical point.
   [[nodiscard]] const Rational& squared_value(std::size_t record) const { return values_[record]; }
-  [[nodiscard]] bool is_zero(const PersistencePair& pair) const {
-    return pair.death && values_[pair.birth] == values_[*pair.death];
-  }
 
  private:
   std::vector<Rational> values_;  // by record, critical ones

@@ -20,6 +20,8 @@ namespace flowcert {
 
 struct StableOptions {
   FlowOptions flow;
+  // Of the choices where ties are broken (FC-CHAIN-02); 0 takes the first way always.
+  std::uint64_t seed = 0;
 };
 
 // What a backward segment ends at (FC-STAB-04).
@@ -61,6 +63,7 @@ struct StableStatistics {
   std::size_t with_vertex = 0;         // S2's whose skeleton has a Voronoi vertex
   std::size_t with_interval = 0;       // S2's that have parts of dimension 3
   std::size_t ends_at_regular = 0;     // branches of S2's that end at a regular stationary point
+  std::size_t broken_ties = 0;         // index-2 points whose boundary a tie leaves open
   KernelTally tally;
 };
 
@@ -87,7 +90,7 @@ class StableManifolds {
   [[nodiscard]] bool has_interval(std::size_t i) const;
   // Of a critical point of index 2, its boundary in the chain complex: records of index 1, mod 2, ascending.
   // Where its skeleton has no Voronoi vertex and no regular back, FC-STAB-07 determines it; otherwise ties
-  // are broken (FC-CHAIN).
+  // are broken (FC-CHAIN-02).
   [[nodiscard]] std::span<const std::uint32_t> boundary(std::size_t i) const;
 
   // The skeleton, with exact coordinates. Flows once more.

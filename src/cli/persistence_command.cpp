@@ -1,0 +1,183 @@
+// `flowcert persistence`: the persistence pairs of the squared distance function, as a file that GUDHI reads,
+// a table for people, or one JSON object with everything exact (spec/formats.md, "Persistence").
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <memory>
+
+#include "cli/command.h"
+#include "cli/persistence_run.h"
+#include "cli/table.h"
+#include "io/output_file.h"
+#include "io/write_persistence.h"
+
+namespace flowcert {
+
+namespace {
+
+struct PersistenceOptions {
+  std::string input;
+  std::string output;
+  bool json = false;
+  bool with_zero = false;
+  std::uint64_t seed = 0;
+};
+
+// Pairs of one dimension.
+struct PairCounts {
+  std::size_t positive = 0;  // of length
+  std::size_t zero = 0;      // regular stationary points
+  std::size_t lasting = 0;
+};
+
+std::array<PairCounts, 3> counts_of(const PersistenceRun& run) {
+  std::array<PairCounts, 3> counts;
+  for (const PersistencePair& pair : run.persistence.pairs()) {
+    PairCounts& count = counts.at(static_cast<std::size_t>(pair.dimension));
+    ++(pair.death ? count.positive : count.lasting);
+  }
+  const RegularCounts& regular = run.stationary.regular_counts();
+  counts[1].zero = regular.kind12 + regular.kind13;
+  counts[2].zero = regular.kind23 + regular.kind13;
+  return counts;
+}
+
+bool has_ratios(const PointSet& points, const PersistenceSeconds& seconds) {
+  return points.size() >= 4 && seconds.delaunay > 0;
+}
+
+void print_times(const PointSet& points, const PersistenceSeconds& seconds) {
+  print_row("Delaunay triangulation", seconds_text(seconds.delaunay));
+  const std::pair<const char*, double> parts[] = {{"critical points", seconds.critical},
+                                                  {"unstable manifolds U2", seconds.u2},
+                                                  {"stable manifolds S2", seconds.s2},
+                                                  {"chain complex and pairs", seconds.pairs},
+                                                  {"all after the triangulation", seconds.after_delaunay()}};
+  for (const auto& [name, time] : parts) {
+    print_row(name, seconds_text(time),
+              has_ratios(points, seconds) ? fmt::format("{:.2f} x the triangulation", time / seconds.delaunay)
+                                          : "");
+  }
+}
+
+void print_table(const std::string& name, const Input& input, const PersistenceRun& run, bool with_zero) {
+  fmt::print("{} ({})\n", name, input.file.format);
+  print_row("points", with_commas(input.points.row_count()));
+  print_row("merged duplicates", with_commas(input.points.merged_duplicates()));
+  constexpr const char* kNames[] = {"components", "tunnels", "voids"};
+  std::size_t zero = 0;
+  const auto counts = counts_of(run);
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    print_row(fmt::format("pairs of dimension {}", k), with_commas(counts[k].positive),
+              fmt::format("{}; {} last{}", kNames[k], with_commas(counts[k].lasting),
+                          counts[k].lasting == 1 ? "s" : ""));
+    zero += counts[k].zero;
+  }
+  print_row("pairs of length zero", with_commas(zero),
+            with_zero ? "regular stationary points" : "regular stationary points; --zero writes them");
+  print_row("ties broken, U2", with_commas(run.complex.broken_ties()), "orbits that had to be let go on");
+  print_row("ties broken, S2", with_commas(run.stable.statistics().broken_ties),
+            "boundaries that a tie leaves open");
+  print_times(input.points, run.seconds);
+}
+
+Json seconds_field(const PersistenceSeconds& seconds) {
+  return {{"delaunay", seconds.delaunay},
+          {"critical", seconds.critical},
+          {"u2", seconds.u2},
+          {"s2", seconds.s2},
+          {"pairs", seconds.pairs}};
+}
+
+Json ratios_field(const PointSet& points, const PersistenceSeconds& seconds) {
+  const auto ratio = [&](double part) {
+    return has_ratios(points, seconds) ? Json(part / seconds.delaunay) : Json(nullptr);
+  };
+  return {{"critical", ratio(seconds.critical)},
+          {"u2", ratio(seconds.u2)},
+          {"s2", ratio(seconds.s2)},
+          {"pairs", ratio(seconds.pairs)},
+          {"all", ratio(seconds.after_delaunay())}};
+}
+
+void print_json(const Input& input, const PersistenceRun& run, const PersistenceDiagram& diagram,
+                std::uint64_t seed) {
+  Json json = header_fields("flowcert-persistence", 1, input.sha256);
+  add_counts(json, input.points, run.stationary);
+  Json& counts = json["counts"] = Json::array();
+  for (const PairCounts& count : counts_of(run)) {
+    counts.push_back({{"positive", count.positive}, {"zero", count.zero}, {"lasting", count.lasting}});
+  }
+  json["ties_broken"] = {{"u2", run.complex.broken_ties()}, {"s2", run.stable.statistics().broken_ties}};
+  json["seed"] = seed;
+  json["seconds"] = seconds_field(run.seconds);
+  json["ratio_to_delaunay"] = ratios_field(input.points, run.seconds);
+  json["has_zero"] = diagram.has_zero();
+  json["pairs"] = pairs_field(diagram, run.stationary);
+  fmt::print("{}\n", json.dump());
+}
+
+std::string text_of(const PersistenceOptions& options, const Input& input,
+                    const PersistenceDiagram& diagram) {
+  try {
+    return pers_text(diagram, input.sha256);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format("{}: {}", display_name(options.input), error.what()));
+  }
+}
+
+void write_file(const PersistenceOptions& options, const std::string& text) {
+  OutputFile file(options.output);
+  file.stream() << text;
+  file.commit();
+}
+
+void print_persistence(const PersistenceOptions& options) {
+  const Input input = read_input(options.input);
+  const PersistenceRun run(input.points, options.seed);
+  const PersistenceDiagram diagram(input.points, run.stationary, run.persistence, options.with_zero);
+  const bool has_file = !options.output.empty();
+  if (has_file) write_file(options, text_of(options, input, diagram));
+  if (options.json) {
+    print_json(input, run, diagram, options.seed);
+  } else if (has_file) {
+    print_table(display_name(options.input), input, run, options.with_zero);
+  } else {
+    fmt::print("{}", text_of(options, input, diagram));
+  }
+}
+
+// CLI11 itself takes -1, and what is too large, for the largest number.
+std::string seed_complaint(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  const bool is_seed = error == std::errc() && end == text.data() + text.size();
+  return is_seed ? "" : "not a number from 0 to 2^64 - 1: " + text;
+}
+
+}  // namespace
+
+void add_persistence_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<PersistenceOptions>();
+  CLI::App* command = app.add_subcommand(
+      "persistence",
+      "The persistence of the distance function, as its alpha complex has it; values are squared");
+  command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
+  command->add_option("-o,--output", options->output,
+                      "Write the pairs to this file, in GUDHI's .pers format, and print a table");
+  command->add_flag("--json", options->json, "Print one JSON object, all exact, with the critical points");
+  command->add_flag("--zero", options->with_zero,
+                    "Regular stationary points as well, as pairs of length zero");
+  command
+      ->add_option("--seed-ties", options->seed,
+                   "Break ties at random, reproducibly; births and deaths stay the same")
+      ->check(seed_complaint);
+  command->footer("Example:\n  flowcert persistence bunny.obj -o bunny.pers");
+  command->callback([options, &status] {
+    print_persistence(*options);
+    status = kRight;
+  });
+}
+
+}  // namespace flowcert

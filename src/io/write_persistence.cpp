@@ -1,0 +1,96 @@
+// See write_persistence.h.
+#include "io/write_persistence.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "flowcert/reproducibility.h"
+
+namespace flowcert {
+
+namespace {
+
+std::size_t critical_count(const StationaryPoints& stationary) {
+  const auto& counts = stationary.critical_counts();
+  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+std::string double_text(const Rational& value) {
+  const std::optional<double> nearest = nearest_double(value);
+  if (!nearest) {
+    throw InvalidInput(
+        "a squared distance is beyond the largest double, which a .pers file cannot say; --json has it "
+        "exactly");
+  }
+  return fmt::format("{}", *nearest);
+}
+
+Json point_field(const PersistenceDiagram& diagram, const StationaryPoints& stationary, std::size_t record) {
+  const Rational& value = diagram.squared_value(record);
+  return {{"contact", stationary.contact(record)},
+          {"squared_distance", to_text(value)},
+          {"squared_distance_double", double_field(value)}};
+}
+
+}  // namespace
+
+PersistenceDiagram::PersistenceDiagram(const PointSet& points, const StationaryPoints& stationary,
+                                       const Persistence& persistence, bool with_zero)
+    : persistence_(persistence),
+      has_zero_(with_zero),
+      first_regular_(critical_count(stationary)),
+      pairs_(persistence.pairs()) {
+  if (with_zero) add_regular(points, stationary);
+  std::ranges::sort(pairs_,
+                    [this](const PersistencePair& a, const PersistencePair& b) { return is_before(a, b); });
+}
+
+void PersistenceDiagram::add_regular(const PointSet& points, const StationaryPoints& stationary) {
+  for (std::size_t record = first_regular_; record < stationary.size(); ++record) {
+    regular_values_.push_back(exact_sphere(points, stationary.contact(record)).squared_radius);
+    const StationaryIndex index = stationary.index(record);
+    for (int dimension = index.face_dimension; dimension < index.hull_dimension; ++dimension) {
+      pairs_.push_back({dimension, record, record});
+    }
+  }
+}
+
+// A strict order of the values, and of the records where values are equal.
+bool PersistenceDiagram::is_before(const PersistencePair& a, const PersistencePair& b) const {
+  if (a.dimension != b.dimension) return a.dimension < b.dimension;
+  const Rational &birth_a = squared_value(a.birth), &birth_b = squared_value(b.birth);
+  if (birth_a != birth_b) return birth_a < birth_b;
+  if (!a.death || !b.death) return a.death.has_value();
+  const Rational &death_a = squared_value(*a.death), &death_b = squared_value(*b.death);
+  if (death_a != death_b) return death_a < death_b;
+  return a.birth < b.birth;
+}
+
+std::string pers_text(const PersistenceDiagram& diagram, const std::string& input_sha256) {
+  const Reproducibility made_by = reproducibility();
+  std::string text = fmt::format(
+      "# Persistence of the distance function: dimension, birth, death. The values are squared distances.\n"
+      "# flowcert {} (commit {}; kernel: {}; compiler: {}; CGAL {}), input_sha256 {}\n",
+      made_by.version, made_by.commit, made_by.kernel, made_by.compiler, made_by.cgal, input_sha256);
+  text += diagram.has_zero() ? "# With regular stationary points, as pairs of length zero.\n"
+                             : "# Without pairs of length zero.\n";
+  for (const PersistencePair& pair : diagram.pairs()) {
+    text += fmt::format("{} {} {}\n", pair.dimension, double_text(diagram.squared_value(pair.birth)),
+                        pair.death ? double_text(diagram.squared_value(*pair.death)) : "inf");
+  }
+  return text;
+}
+
+Json pairs_field(const PersistenceDiagram& diagram, const StationaryPoints& stationary) {
+  Json pairs = Json::array();
+  for (const PersistencePair& pair : diagram.pairs()) {
+    pairs.push_back({{"dimension", pair.dimension},
+                     {"birth", point_field(diagram, stationary, pair.birth)},
+                     {"death", pair.death ? point_field(diagram, stationary, *pair.death) : Json(nullptr)}});
+  }
+  return pairs;
+}
+
+}  // namespace flowcert
