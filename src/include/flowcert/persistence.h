@@ -1,8 +1,9 @@
 // Persistent homology of the squared distance function, over Z/2, from the chain complex of the flow complex.
 //
 // Guarantees: pairs and values are exact; equal to the persistence of the alpha complex without its pairs of
-// length zero (spec clauses FC-PERS). Pairs (0,1) by union-find over the index-1 points, pairs (2,3) by the dual union-find over the
-// maxima and infinity, pairs (1,2) by reducing the boundaries of the index-2 points that are left.
+// length zero (spec clauses FC-PERS). Pairs (0,1) by union-find over the index-1 points, pairs (2,3) by the
+// dual union-find over the maxima and infinity, pairs (1,2) by reducing the boundaries of the index-2 points
+// that are left.
 #pragma once
 
 #include <cstddef>
