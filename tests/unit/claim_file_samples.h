@@ -11,7 +11,7 @@
 
 #include "flowcert/claim.h"
 #include "flowcert/reproducibility.h"
-#include "io/write_unstable_manifolds.h"
+#include "io/write_manifolds.h"
 #include "tests/unit/point_file_samples.h"
 
 namespace flowcert {
@@ -37,7 +37,7 @@ inline std::string exchange_file(const std::vector<Point>& rows) {
   const StationaryPoints stationary = stationary_points(delaunay);
   UnstableManifolds u2(delaunay, stationary);
   std::ostringstream out;
-  write_unstable_manifolds(out, points, stationary, u2, true, coordinates_sha256(rows));
+  write_manifolds(out, points, stationary, {.u2 = &u2, .polylines = true}, coordinates_sha256(rows));
   return out.str();
 }
 
