@@ -99,7 +99,10 @@ CheckReport check(const PointSet& points, const Claim& claim, Truth& truth, cons
     if (options.highest_level >= 3) run.report.conforms[2] = true;
   }
   if (options.highest_level >= 4 && check_incidences(run)) run.report.conforms[3] = true;
-  if (options.highest_level >= 5 && check_polylines(run)) run.report.conforms[4] = true;
+  if (options.highest_level >= 5) {
+    const bool has_polylines = check_polylines(run), has_surfaces = check_surfaces(run);
+    if (has_polylines || has_surfaces) run.report.conforms[4] = true;
+  }
   conclude(run.report, options.highest_level);
   return std::move(run.report);
 }

@@ -86,5 +86,6 @@ void check_euler_sum(CheckRun& run);
 // Levels 4 and 5. True if there was something to judge.
 bool check_incidences(CheckRun& run);
 bool check_polylines(CheckRun& run);
+bool check_surfaces(CheckRun& run);
 
 }  // namespace flowcert

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "flowcert/check.h"
+#include "flowcert/stable_manifolds.h"
 #include "flowcert/unstable_manifolds.h"
 #include "morse/record_finder.h"
 
@@ -24,12 +25,12 @@ class FastTruth final : public Truth {
   }
 
   [[nodiscard]] std::array<std::optional<std::size_t>, 2> limits(std::size_t i) override {
-    const std::size_t k = ordinal(i);
+    const std::size_t k = unstable(i);
     return {u2_->limit(k, 0), u2_->limit(k, 1)};
   }
 
   [[nodiscard]] std::vector<TrueSegment> polyline(std::size_t i, std::size_t side) override {
-    const std::size_t k = ordinal(i);
+    const std::size_t k = unstable(i);
     std::vector<TrueSegment> line;
     for (FlowSegment& segment : u2_->orbit(k, side).segments) {
       line.push_back({type_text(segment.type), std::move(segment.driver), std::move(segment.end)});
@@ -37,11 +38,29 @@ class FastTruth final : public Truth {
     return line;
   }
 
+  [[nodiscard]] std::optional<std::vector<std::uint32_t>> boundary(std::size_t i) override {
+    const auto records = stable().boundary(ordinal(i));
+    return std::vector(records.begin(), records.end());
+  }
+  [[nodiscard]] StableSummary stable_summary(std::size_t i) override {
+    const std::size_t k = ordinal(i);
+    return {stable().segment_count(k), stable().has_vertex(k), stable().has_interval(k)};
+  }
+  [[nodiscard]] StableSet stable_set(std::size_t i) override { return stable().set(ordinal(i)); }
+
  private:
-  // Among the index-2 critical points.
-  std::size_t ordinal(std::size_t i) {
+  // Among the index-2 critical points, or after them among the regular ones.
+  [[nodiscard]] std::size_t ordinal(std::size_t i) const {
+    const auto [first, last] = finder_.range({2, 2});
+    return i < last ? i - first : last - first + i - finder_.range({3, 3}).second;
+  }
+  std::size_t unstable(std::size_t i) {
     if (!u2_) u2_.emplace(delaunay_, stationary_);
-    return i - finder_.range({2, 2}).first;
+    return ordinal(i);
+  }
+  StableManifolds& stable() {
+    if (!s2_) s2_.emplace(delaunay_, stationary_);
+    return *s2_;
   }
 
   const PointSet& points_;
@@ -49,6 +68,7 @@ class FastTruth final : public Truth {
   StationaryPoints stationary_;
   RecordFinder finder_;
   std::optional<UnstableManifolds> u2_;
+  std::optional<StableManifolds> s2_;
 };
 
 }  // namespace

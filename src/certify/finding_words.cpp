@@ -65,6 +65,8 @@ const char* reason_text(FindingReason reason) {
       return "wrong-incidence";
     case FindingReason::kWrongPolyline:
       return "wrong-polyline";
+    case FindingReason::kWrongSurface:
+      return "wrong-surface";
     case FindingReason::kSpanningPart:
       return "spanning-part";
     case FindingReason::kSymbolicPerturbation:

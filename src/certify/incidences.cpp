@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "certify/boundaries.h"
 #include "certify/check_run.h"
 #include "certify/contact_geometry.h"
 #include "certify/finding_words.h"
@@ -36,7 +37,41 @@ struct NamedTarget {
 
 class Incidences {
  public:
-  explicit Incidences(CheckRun& run) : run_(run) {}
+  explicit Incidences(CheckRun& run) : run_(run), boundaries_(run) {}
+
+  // Of an index-2 critical point: the index-1 points that bound its stable manifold.
+  void check_boundary(std::size_t k) {
+    boundaries_.check(k, *run_.claim.points[k].stable->boundary, 4, false);
+  }
+  void conclude_boundaries() { boundaries_.conclude(); }
+
+  // Of an index-1 critical point: the index-2 points from which a connecting orbit comes down to it. Where
+  // ties leave open where these end, they may be named or not.
+  void check_saddles_above(std::size_t k) {
+    const std::size_t record = run_.placed[k].place->record;
+    std::set<std::size_t> missing = saddles_above(record), seen;
+    std::string wrong;
+    bool varies = false;
+    for (const ClaimedTarget& target : *run_.claim.points[k].successors) {
+      const NamedTarget there = named(target);
+      if (there.limit && !seen.insert(*there.limit).second) continue;
+      if (there.limit && there.fit != Fit::kOther && missing.erase(*there.limit) > 0) {
+        varies = varies || there.fit == Fit::kPart;
+      } else if (there.limit && may_come_down(*there.limit, record)) {
+        varies = true;
+      } else {
+        wrong += (wrong.empty() ? "" : ", ") + target_text(target);
+      }
+    }
+    std::erase_if(missing,
+                  [&](std::size_t saddle) { return boundaries_.has_tie(saddle) && (varies = true); });
+    if (!wrong.empty() || !missing.empty()) {
+      run_.find(4, FindingReason::kWrongIncidence, "FC-CHAIN-01", k, saddles_text(wrong, missing));
+    } else if (varies) {
+      run_.vary(4, FindingReason::kSymbolicPerturbation, "FC-CLAIM-09", k,
+                "there are ties in the stable manifolds above it, or parts of contact sets are named");
+    }
+  }
 
   // Of an index-2 critical point.
   void check_limits(std::size_t k) {
@@ -115,6 +150,40 @@ class Incidences {
     const std::optional<Place> place = place_of(run_, class_names(run_.points, target.contact));
     if (!place) return {false, std::nullopt, Fit::kOther};
     return {true, place->record, place->fit};
+  }
+
+  // All at once, when first asked for: it is the saddles that tell.
+  const std::set<std::size_t>& saddles_above(std::size_t edge) {
+    if (saddles_above_.empty()) {
+      for (std::size_t i = 0; i < run_.truth.size(); ++i) {
+        if (run_.index(i) != kIndex2) continue;
+        for (const BackwardSegment& segment : run_.truth.stable_set(i).segments) {
+          if (segment.back_kind != BackKind::kCritical) continue;
+          const auto foot = run_.contacts.find(segment.back_contact);
+          if (foot) saddles_above_[*foot].insert(i);
+        }
+      }
+    }
+    return saddles_above_[edge];
+  }
+
+  // A saddle, or what a perturbation makes one, whose connecting orbits ties leave open.
+  bool may_come_down(std::size_t saddle, std::size_t edge) {
+    const StationaryIndex index = run_.index(saddle);
+    if (run_.truth.sphere(saddle).squared_radius <= run_.truth.sphere(edge).squared_radius) return false;
+    if (index == kIndex2) return boundaries_.has_tie(saddle);
+    return !index.is_critical();
+  }
+
+  [[nodiscard]] std::string saddles_text(const std::string& wrong,
+                                         const std::set<std::size_t>& missing) const {
+    std::string text;
+    for (const std::size_t record : missing) {
+      text +=
+          (text.empty() ? "an orbit comes to it also from " : ", ") + names_text(run_.truth.contact(record));
+    }
+    if (wrong.empty()) return text;
+    return text + (text.empty() ? "" : "; ") + "no orbit comes to it from " + wrong;
   }
 
   // The claimed edge from this sample, through the middle of which a perturbation makes an index-1 point.
@@ -216,7 +285,9 @@ class Incidences {
   }
 
   CheckRun& run_;
+  Boundaries boundaries_;
   std::map<Limit, Continuations> continuations_;
+  std::map<std::size_t, std::set<std::size_t>> saddles_above_;
 };
 
 // False if there is nothing to judge. Only of points that are themselves claimed rightly.
@@ -225,17 +296,15 @@ bool check_point(CheckRun& run, Incidences& incidences, std::size_t k) {
   if (!run.placed[k].is_right || point.hull_dimension) return false;
   const bool has_samples = point.samples.has_value() && point.index == 1;
   if (has_samples) incidences.check_samples(k);
-  if (!point.successors) return has_samples;
-  if (point.index == 1) {
-    if (!point.successors->empty()) {
-      run.leave_unjudged("incidences of points of index 1 with points of index 2");
-    }
+  const bool has_boundary = point.stable && point.stable->boundary;
+  const bool is_critical = run.index(run.placed[k].place->record).is_critical();
+  if ((point.successors || has_boundary) && !is_critical) {
+    run.leave_unjudged("incidences of the points that a perturbation makes of regular stationary points");
     return has_samples;
   }
-  if (!run.index(run.placed[k].place->record).is_critical()) {
-    run.leave_unjudged("incidences of the points that a perturbation makes of regular stationary points");
-    return false;
-  }
+  if (has_boundary) incidences.check_boundary(k);
+  if (!point.successors) return has_samples || has_boundary;
+  if (point.index == 1) incidences.check_saddles_above(k);
   if (point.index == 0) incidences.check_edges(k);
   if (point.index == 2) incidences.check_limits(k);
   if (point.index == 3) incidences.check_nothing_above(k);
@@ -250,6 +319,7 @@ bool check_incidences(CheckRun& run) {
   for (std::size_t k = 0; k < run.placed.size(); ++k) {
     if (check_point(run, incidences, k)) judged = true;
   }
+  incidences.conclude_boundaries();
   return judged;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<const char*, kLevels> kLevelNames = {"well formed", "what is claimed is critical",
                                                           "nothing is missing, nothing twice, indices",
-                                                          "incidences", "polylines"};
+                                                          "incidences", "polylines and surfaces"};
 
 const char* truth_text(const CheckedFiles& files) {
   return files.by_oracle ? "oracle" : "fast implementation";

@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <utility>
 
 #include "oracle/orbit.h"
+#include "oracle/stable_set.h"
 
 namespace flowcert {
 
@@ -18,6 +20,58 @@ std::vector<std::array<double, 3>> triples(const std::vector<Point>& rows) {
   result.reserve(rows.size());
   for (const Point& p : rows) result.push_back({p.x, p.y, p.z});
   return result;
+}
+
+std::vector<PointId> names_of(const auto& names) {
+  std::vector<PointId> result;
+  for (const std::size_t name : names) result.push_back(static_cast<PointId>(name));
+  return result;
+}
+
+BackwardSegment segment_of(const oracle::BackwardSegment& segment) {
+  static constexpr std::array kKinds = {BackKind::kCritical, BackKind::kRegular, BackKind::kEdge,
+                                        BackKind::kVertex};  // as the oracle's are ordered
+  return {{static_cast<PointId>(segment.samples[0]), static_cast<PointId>(segment.samples[1])},
+          segment.front,
+          segment.back,
+          names_of(segment.front_contact),
+          names_of(segment.back_contact),
+          kKinds.at(static_cast<std::size_t>(segment.back_kind))};
+}
+
+// The intervals that sectors come through are told by the sectors' corners.
+StableSet stable_set_of(const oracle::PointSet& points, const oracle::StableSet& set) {
+  StableSet result;
+  for (const auto& segment : set.segments) result.segments.push_back(segment_of(segment));
+  for (const auto& interval : set.intervals) {
+    if (interval.kind == oracle::IntervalKind::kCrossed) continue;
+    result.intervals.push_back({names_of(interval.polygon), interval.front, interval.back,
+                                !oracle::flow_segment(points, interval.back)});
+  }
+  for (const auto& sector : set.sectors) {
+    result.sectors.push_back(
+        {{static_cast<PointId>(sector.samples[0]), static_cast<PointId>(sector.samples[1])}, sector.polygon});
+  }
+  return result;
+}
+
+// Those that no interval adds: reached from z along segments alone.
+std::size_t segments_without_intervals(const oracle::StableSet& set, const oracle::Point& z) {
+  std::multimap<oracle::Point, const oracle::BackwardSegment*> by_front;
+  for (const auto& segment : set.segments) by_front.emplace(segment.front, &segment);
+  std::vector<oracle::Point> fronts = {z};
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < fronts.size(); ++k) {
+    const auto [first, last] = by_front.equal_range(fronts[k]);
+    for (auto it = first; it != last; ++it) {
+      ++count;
+      const bool ends = it->second->back_kind == oracle::BackKind::kCritical ||
+                        it->second->back_kind == oracle::BackKind::kRegular;
+      if (!ends) fronts.push_back(it->second->back);
+    }
+    by_front.erase(first, last);
+  }
+  return count;
 }
 
 class OracleTruth final : public Truth {
@@ -53,7 +107,36 @@ class OracleTruth final : public Truth {
     return line;
   }
 
+  // The oracle breaks no ties.
+  [[nodiscard]] std::optional<std::vector<std::uint32_t>> boundary(std::size_t i) override {
+    const oracle::StableSet& set = stable(i);
+    if (set.has_vertex) return std::nullopt;
+    std::map<oracle::Point, bool> is_odd;
+    for (const oracle::BackwardSegment& segment : set.segments) {
+      if (segment.back_kind == oracle::BackKind::kRegular) return std::nullopt;
+      if (segment.back_kind == oracle::BackKind::kCritical) is_odd[segment.back] ^= true;
+    }
+    std::vector<std::uint32_t> records;
+    for (const auto& [midpoint, odd] : is_odd) {
+      if (odd) records.push_back(static_cast<std::uint32_t>(record_at_.at(midpoint)));
+    }
+    std::ranges::sort(records);
+    return records;
+  }
+  [[nodiscard]] StableSummary stable_summary(std::size_t i) override {
+    const oracle::StableSet& set = stable(i);
+    return {segments_without_intervals(set, answer_.stationary[i].center), set.has_vertex,
+            !set.intervals.empty()};
+  }
+  [[nodiscard]] StableSet stable_set(std::size_t i) override { return stable_set_of(set_, stable(i)); }
+
  private:
+  const oracle::StableSet& stable(std::size_t i) {
+    const auto known = stable_.find(i);
+    if (known != stable_.end()) return known->second;
+    return stable_.emplace(i, oracle::stable_set(set_, answer_.stationary[i])).first->second;
+  }
+
   struct Path {
     std::vector<oracle::FlowSegment> segments;
     std::optional<std::size_t> limit;  // none: infinity
@@ -90,6 +173,7 @@ class OracleTruth final : public Truth {
   std::vector<std::vector<PointId>> contacts_;
   std::map<oracle::Point, std::size_t> record_at_;
   std::map<oracle::Point, oracle::FlowSegment> step_from_;
+  std::map<std::size_t, oracle::StableSet> stable_;
 };
 
 }  // namespace

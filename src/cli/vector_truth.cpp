@@ -22,6 +22,11 @@ class VectorTruth final : public Truth {
   [[nodiscard]] std::vector<TrueSegment> polyline(std::size_t i, std::size_t side) override {
     return oracle_->polyline(i, side);
   }
+  [[nodiscard]] std::optional<std::vector<std::uint32_t>> boundary(std::size_t i) override {
+    return oracle_->boundary(i);
+  }
+  [[nodiscard]] StableSummary stable_summary(std::size_t i) override { return oracle_->stable_summary(i); }
+  [[nodiscard]] StableSet stable_set(std::size_t i) override { return oracle_->stable_set(i); }
 
  private:
   const VectorCase& case_;

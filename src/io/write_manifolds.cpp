@@ -46,7 +46,12 @@ class FurtherKeysOf {
     StableManifolds& s2 = *manifolds_.s2;
     if (next_s2_ == s2.size() || s2.record(next_s2_) != i) return;
     record["stable"] = stable_field(stationary_, s2, next_s2_);
-    if (manifolds_.skeletons) record["skeleton"] = skeleton_field(s2.set(next_s2_));
+    if (manifolds_.skeletons) {
+      const StableSet set = s2.set(next_s2_);
+      const auto walk = boundary_walk(set, stationary_.index(i), stationary_.contact(i));
+      record["stable"]["walk"] = walk ? Json(*walk) : Json(nullptr);
+      record["skeleton"] = skeleton_field(set);
+    }
     ++next_s2_;
   }
 

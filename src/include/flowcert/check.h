@@ -16,6 +16,7 @@
 #include "flowcert/claim.h"
 #include "flowcert/point_set.h"
 #include "flowcert/rational.h"
+#include "flowcert/stable_manifolds.h"
 #include "flowcert/stationary_points.h"
 
 namespace flowcert {
@@ -43,6 +44,7 @@ enum class FindingReason {
   kWrongCounts,  // header counts, Euler sum
   kWrongIncidence,
   kWrongPolyline,
+  kWrongSurface,  // a skeleton, a boundary walk, or triangles
   // Permitted variations; kAmbiguous is one too.
   kSpanningPart,          // an affinely independent spanning part of the contact set
   kSymbolicPerturbation,  // what a perturbation makes of a regular stationary point, or of an orbit that ends
@@ -98,8 +100,15 @@ struct TrueSegment {
   std::optional<RationalPoint> end;  // none: infinity
 };
 
+// Of a stable set, as StableManifolds counts.
+struct StableSummary {
+  std::size_t segments = 0;
+  bool has_vertex = false;
+  bool has_interval = false;
+};
+
 // What is true, as the fast implementation or the oracle finds it: all stationary points, in the order of
-// FC-OUT-02, and what flows from them. Nothing is asked for that no claim needs.
+// FC-OUT-02, and what flows from and to them. Nothing is asked for that no claim needs.
 class Truth {
  public:
   virtual ~Truth() = default;
@@ -112,6 +121,13 @@ class Truth {
   // Of an index-2 critical point: where its two orbits end (FC-FLOW-07), by side; none: infinity.
   [[nodiscard]] virtual std::array<std::optional<std::size_t>, 2> limits(std::size_t i) = 0;
   [[nodiscard]] virtual std::vector<TrueSegment> polyline(std::size_t i, std::size_t side) = 0;
+
+  // Of an index-2 critical point: records of index 1, mod 2, ascending. Where a tie leaves that open, one
+  // choice that FC-CHAIN-02 allows, or none from a truth that breaks no ties.
+  [[nodiscard]] virtual std::optional<std::vector<std::uint32_t>> boundary(std::size_t i) = 0;
+  // Of an index-2 critical point or a regular stationary point.
+  [[nodiscard]] virtual StableSummary stable_summary(std::size_t i) = 0;
+  [[nodiscard]] virtual StableSet stable_set(std::size_t i) = 0;
 };
 
 // The fast implementation's. The points must outlive it. Time in proportion to computing the critical points;

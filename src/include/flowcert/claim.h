@@ -39,6 +39,39 @@ struct ClaimedSegment {
 };
 using ClaimedPolyline = std::vector<ClaimedSegment>;
 
+// The stable manifold of an index-2 point, or the stable set of a regular one (FC-STAB), in so far as it is
+// claimed. Pieces are as in flowcert/stable_manifolds.h; which of their keys are there is up to the claim.
+struct ClaimedBackwardSegment {
+  std::vector<PointId> samples;
+  ClaimedPosition front, back;
+  std::optional<std::vector<PointId>> front_contact, back_contact;
+  std::string back_kind;  // as claimed; empty where not claimed
+};
+struct ClaimedInterval {
+  std::vector<PointId> polygon;
+  ClaimedPosition front, back;
+  std::optional<bool> back_is_stationary;
+};
+struct ClaimedSector {
+  std::vector<PointId> samples;
+  std::vector<ClaimedPosition> corners;  // in cyclic order
+};
+struct ClaimedSkeleton {
+  std::vector<ClaimedBackwardSegment> segments;
+  std::vector<ClaimedInterval> intervals;
+  std::vector<ClaimedSector> sectors;
+};
+struct ClaimedSurface {
+  std::vector<ClaimedPosition> vertices;
+  std::vector<std::array<std::size_t, 3>> triangles;  // of vertices, which exist
+};
+struct ClaimedStable {
+  std::optional<std::size_t> segments;
+  std::optional<bool> has_vertex, has_interval;
+  std::optional<std::vector<std::vector<PointId>>> boundary;  // contact sets of index-1 points, mod 2
+  std::optional<std::vector<PointId>> walk;                   // closed; the first sample is not repeated
+};
+
 // One critical (or regular stationary) point of a claim.
 struct ClaimedPoint {
   std::size_t line = 0;  // of the file, 1-based; in a VTP file, the point's ordinal, 1-based
@@ -56,6 +89,10 @@ struct ClaimedPoint {
   bool successors_by_side = false;
   std::optional<std::vector<PointId>> samples;     // of an index-1 point: the ends of its stable manifold
   std::optional<std::vector<ClaimedPolyline>> u2;  // of an index-2 point: two, one a side
+  // Of an index-2 point or a regular one.
+  std::optional<ClaimedStable> stable;
+  std::optional<ClaimedSkeleton> skeleton;
+  std::optional<ClaimedSurface> surface;
 };
 
 struct Claim {

@@ -55,6 +55,13 @@ struct StableSet {
   std::vector<BackwardSector> sectors;
 };
 
+// FC-STAB-07, by names, the first not repeated at the end: from the least sample of the contact set on,
+// towards the lesser of its neighbours in the polygon. For a critical point of index 2 and a regular one of
+// kind 1-2; none for others, and where the skeleton has a Voronoi vertex. contact: of the stationary point,
+// ascending. O(n log n) for n segments.
+[[nodiscard]] std::optional<std::vector<PointId>> boundary_walk(const StableSet& set, StationaryIndex index,
+                                                                std::span<const PointId> contact);
+
 struct StableStatistics {
   Distribution n_s2;  // flow segments from an index-2 point down to an index-1 point, a connecting orbit each
   Distribution triangles;              // of the S2's without interval

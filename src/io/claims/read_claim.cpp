@@ -24,6 +24,25 @@ void require_ids(const std::vector<PointId>& ids, const PointSet& points, const 
   }
 }
 
+void require_rows_of_stable(const ClaimedPoint& point, const PointSet& points, const LinePlace& place) {
+  if (point.stable) {
+    if (point.stable->walk) require_ids(*point.stable->walk, points, place);
+    if (point.stable->boundary) {
+      for (const auto& contact : *point.stable->boundary) require_ids(contact, points, place);
+    }
+  }
+  if (!point.skeleton) return;
+  for (const ClaimedBackwardSegment& segment : point.skeleton->segments) {
+    require_ids(segment.samples, points, place);
+    if (segment.front_contact) require_ids(*segment.front_contact, points, place);
+    if (segment.back_contact) require_ids(*segment.back_contact, points, place);
+  }
+  for (const ClaimedInterval& interval : point.skeleton->intervals) {
+    require_ids(interval.polygon, points, place);
+  }
+  for (const ClaimedSector& sector : point.skeleton->sectors) require_ids(sector.samples, points, place);
+}
+
 }  // namespace
 
 Claim read_claim_from(std::string_view bytes, const std::string& name) {
@@ -46,6 +65,7 @@ void require_rows(const Claim& claim, const PointSet& points, const std::string&
     const LinePlace place{.file = name, .line = point.line};
     require_ids(point.contact, points, place);
     if (point.samples) require_ids(*point.samples, points, place);
+    require_rows_of_stable(point, points, place);
     if (!point.successors) continue;
     for (const ClaimedTarget& target : *point.successors) require_ids(target.contact, points, place);
   }

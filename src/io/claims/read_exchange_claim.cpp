@@ -7,108 +7,23 @@
 #include <string>
 
 #include "io/claims/claim_formats.h"
-#include "io/claims/claim_numbers.h"
-#include "io/claims/json_tree.h"
-#include "io/number_text.h"
+#include "io/claims/exchange_value.h"
+#include "io/claims/stable_claim_fields.h"
 
 namespace flowcert {
 namespace {
 
 constexpr std::string_view kFormatName = "flowcert-stationary-points";
 
-// A value and what messages call it.
-class Value {
- public:
-  Value(const JsonTree& tree, std::string_view name, const LinePlace& place)
-      : tree_(&tree), name_(name), place_(place) {}
-
-  [[noreturn]] void reject(const std::string& what) const {
-    place_.reject("the value of " + in_quotes(name_) + " is not " + what);
-  }
-  [[nodiscard]] bool is(JsonKind kind) const { return tree_->is(kind); }
-  [[nodiscard]] bool is_null() const { return is(JsonKind::kNull); }
-  [[nodiscard]] const LinePlace& place() const { return place_; }
-
-  [[nodiscard]] const std::string& text() const {
-    if (!is(JsonKind::kString)) reject("a string");
-    return tree_->text;
-  }
-  // As it is written.
-  [[nodiscard]] const std::string& number_text() const {
-    if (!is(JsonKind::kNumber)) reject("a number");
-    return tree_->text;
-  }
-
-  // An array: how long, and its parts, under the same name.
-  [[nodiscard]] std::size_t size() const {
-    if (!is(JsonKind::kArray)) reject("an array");
-    return tree_->items.size();
-  }
-  void expect_size(std::size_t size) const {
-    if (this->size() != size) reject("an array of " + std::to_string(size));
-  }
-  [[nodiscard]] Value operator[](std::size_t k) const { return {tree_->items[k], name_, place_}; }
-
-  // The value of an object's key, if it has one.
-  [[nodiscard]] std::optional<Value> find(std::string_view key) const {
-    if (!is(JsonKind::kObject)) reject("an object");
-    const JsonTree* const found = tree_->find(key);
-    return found == nullptr ? std::nullopt : std::optional<Value>(Value(*found, key, place_));
-  }
-  [[nodiscard]] Value get(std::string_view key) const {
-    const std::optional<Value> found = find(key);
-    if (!found) place_.reject("no key " + in_quotes(key));
-    return *found;
-  }
-
- private:
-  const JsonTree* tree_;
-  std::string_view name_;
-  LinePlace place_;
-};
-
-// An array of what `each` makes of its parts.
-template <class Each>
-auto list_of(const Value& value, Each each) {
-  std::vector<decltype(each(value))> list;
-  const std::size_t size = value.size();
-  list.reserve(size);
-  for (std::size_t k = 0; k < size; ++k) list.push_back(each(value[k]));
-  return list;
-}
-
-ClaimedNumber number_of(const Value& value) {
-  if (value.is(JsonKind::kString)) return claimed_number(value.text(), PlainInteger::kExact, value.place());
-  if (!value.is(JsonKind::kNumber)) value.reject("a rational in a string, or a number");
-  return claimed_number(value.number_text(), PlainInteger::kDecimal, value.place());
-}
-
-ClaimedNumber distance_of(const Value& value) {
-  ClaimedNumber number = number_of(value);
-  if (number.value < 0) value.reject("0 or more");
-  return number;
-}
-
-ClaimedPosition position_of(const Value& value) {
-  value.expect_size(3);
-  return {number_of(value[0]), number_of(value[1]), number_of(value[2])};
-}
-
-std::size_t count_of(const Value& value) { return claimed_count(value.number_text(), value.place()); }
-
-std::vector<PointId> ids_of(const Value& value) {
-  return list_of(value, [](const Value& id) { return claimed_id(id.number_text(), id.place()); });
-}
-
-int index_of(const Value& value) { return claimed_index(value.number_text(), value.place()); }
+int index_of(const ExchangeValue& value) { return claimed_index(value.number_text(), value.place()); }
 
 // ---- The header ----
 
-std::array<std::size_t, 3> regular_counts_of(const Value& value) {
+std::array<std::size_t, 3> regular_counts_of(const ExchangeValue& value) {
   return {count_of(value.get("1-2")), count_of(value.get("2-3")), count_of(value.get("1-3"))};
 }
 
-std::string sha256_of(const Value& value) {
+std::string sha256_of(const ExchangeValue& value) {
   const std::string& text = value.text();
   const auto is_hex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
   if (text.size() != 64 || !std::all_of(text.begin(), text.end(), is_hex))
@@ -116,10 +31,10 @@ std::string sha256_of(const Value& value) {
   return text;
 }
 
-Claim claim_of_header(const Value& header) {
-  const Value format = header.get("format");
+Claim claim_of_header(const ExchangeValue& header) {
+  const ExchangeValue format = header.get("format");
   if (format.text() != kFormatName) format.reject(in_quotes(kFormatName));
-  const Value version = header.get("format_version");
+  const ExchangeValue version = header.get("format_version");
   if (version.number_text() != "1") version.reject("1, the only version that is known");
   Claim claim;
   if (const auto value = header.find("points")) claim.point_count = count_of(*value);
@@ -137,8 +52,8 @@ Claim claim_of_header(const Value& header) {
 
 // ---- Records ----
 
-void read_index(const Value& record, ClaimedPoint& point) {
-  const Value index = record.get("index");
+void read_index(const ExchangeValue& record, ClaimedPoint& point) {
+  const ExchangeValue index = record.get("index");
   if (index.is(JsonKind::kArray)) {
     index.expect_size(2);
     point.index = index_of(index[0]);
@@ -153,7 +68,7 @@ void read_index(const Value& record, ClaimedPoint& point) {
 }
 
 // center, or else center_double; likewise squared_distance. A double is null where none is near.
-void read_sphere(const Value& record, ClaimedPoint& point) {
+void read_sphere(const ExchangeValue& record, ClaimedPoint& point) {
   if (const auto center = record.find("center")) {
     point.center = position_of(*center);
   } else if (const auto near = record.find("center_double"); near && !near->is_null()) {
@@ -168,25 +83,25 @@ void read_sphere(const Value& record, ClaimedPoint& point) {
   }
 }
 
-ClaimedTarget limit_of(const Value& value) {
+ClaimedTarget limit_of(const ExchangeValue& value) {
   if (value.is_null()) return {.is_infinity = true, .contact = {}};
   return {.is_infinity = false, .contact = ids_of(value)};
 }
 
-ClaimedSegment segment_of(const Value& value) {
+ClaimedSegment flow_segment_of(const ExchangeValue& value) {
   ClaimedSegment segment;
   if (const auto type = value.find("type")) segment.type = type->text();
   if (const auto driver = value.find("driver")) segment.driver = position_of(*driver);
-  const Value end = value.get("end");
+  const ExchangeValue end = value.get("end");
   if (!end.is_null()) segment.end = position_of(end);
   return segment;
 }
 
-ClaimedPolyline polyline_of(const Value& value) { return list_of(value, segment_of); }
+ClaimedPolyline polyline_of(const ExchangeValue& value) { return list_of(value, flow_segment_of); }
 
 // A key that only critical points of one index have.
-std::optional<Value> find_of_index(const Value& record, const ClaimedPoint& point, const char* key,
-                                   int index) {
+std::optional<ExchangeValue> find_of_index(const ExchangeValue& record, const ClaimedPoint& point,
+                                           const char* key, int index) {
   const auto value = record.find(key);
   if (value && (point.hull_dimension || point.index != index)) {
     record.place().reject(std::string("a key of critical points of index ") + std::to_string(index) +
@@ -195,7 +110,7 @@ std::optional<Value> find_of_index(const Value& record, const ClaimedPoint& poin
   return value;
 }
 
-void read_flow(const Value& record, ClaimedPoint& point) {
+void read_flow(const ExchangeValue& record, ClaimedPoint& point) {
   if (const auto samples = find_of_index(record, point, "samples", 1)) point.samples = ids_of(*samples);
   if (const auto limits = find_of_index(record, point, "limits", 2)) {
     limits->expect_size(2);
@@ -208,7 +123,25 @@ void read_flow(const Value& record, ClaimedPoint& point) {
   }
 }
 
-ClaimedPoint point_of(const Value& record) {
+// Of critical points of index 2 and of regular stationary points.
+void read_stable(const ExchangeValue& record, ClaimedPoint& point) {
+  for (const char* key : {"stable", "skeleton", "surface"}) {
+    const auto value = record.find(key);
+    if (!value) continue;
+    if (!point.hull_dimension && point.index != 2) {
+      record.place().reject("a key of critical points of index 2 and of regular stationary points only: " +
+                            in_quotes(key));
+    }
+    if (key == std::string_view("stable")) point.stable = stable_of(*value);
+    if (key == std::string_view("skeleton")) point.skeleton = skeleton_of(*value);
+    if (key == std::string_view("surface")) point.surface = surface_of(*value);
+  }
+  if (point.hull_dimension && point.stable && point.stable->boundary) {
+    record.place().reject("a boundary, which only critical points have");
+  }
+}
+
+ClaimedPoint point_of(const ExchangeValue& record) {
   ClaimedPoint point;
   point.line = record.place().line;
   read_index(record, point);
@@ -219,6 +152,7 @@ ClaimedPoint point_of(const Value& record) {
   read_sphere(record, point);
   if (point.contact.empty() && !point.center) record.place().reject("neither 'contact' nor 'center'");
   read_flow(record, point);
+  read_stable(record, point);
   return point;
 }
 

@@ -1,0 +1,352 @@
+// Level 5, of stable sets: what they are made of, boundary walks, skeletons, surfaces (FC-CLAIM-10).
+//
+// Each claimed piece is one of the true ones, and each true one is claimed once. A claim may leave out what a
+// perturbation would not make, that is what lies beyond a Voronoi vertex, or else add what it might make
+// beyond a regular stationary point.
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "certify/boundaries.h"
+#include "certify/check_run.h"
+#include "certify/finding_words.h"
+
+namespace flowcert {
+
+namespace {
+
+constexpr char kClause[] = "FC-CLAIM-10";
+
+// By segment: whether it is reached from z without passing a Voronoi vertex.
+std::vector<bool> determined_segments(const StableSet& set, const RationalPoint& z, StationaryIndex index) {
+  std::vector<bool> determined(set.segments.size(), false);
+  if (index.hull_dimension == 3) return determined;
+  std::multimap<RationalPoint, std::size_t> by_front;
+  for (std::size_t i = 0; i < set.segments.size(); ++i) by_front.emplace(set.segments[i].front, i);
+  std::vector<RationalPoint> fronts = {z};
+  while (!fronts.empty()) {
+    const auto [first, last] = by_front.equal_range(fronts.back());
+    fronts.pop_back();
+    for (auto it = first; it != last; ++it) {
+      determined[it->second] = true;
+      const BackwardSegment& segment = set.segments[it->second];
+      if (segment.back_kind == BackKind::kEdge) fronts.push_back(segment.back);
+    }
+  }
+  return determined;
+}
+
+// Claimed pieces against true ones: which are which.
+struct Comparison {
+  std::vector<bool> is_claimed;      // by true piece
+  std::vector<std::string> strange;  // claimed, and not true
+  bool is_rounding = true;           // all that is strange is near a true piece
+  bool is_beyond = true;             // or nearer to its samples than a regular back
+};
+
+Rational squared_length(const ClaimedPosition& a, const ClaimedPosition& b) {
+  Rational sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Rational difference = a[i].value - b[i].value;
+    sum += difference * difference;
+  }
+  return sum;
+}
+
+// Of the farthest regular back from its samples; none where no back is regular.
+std::optional<Rational> value_of_regular_backs(const PointSet& points, const StableSet& set) {
+  std::optional<Rational> value;
+  for (const BackwardSegment& segment : set.segments) {
+    if (segment.back_kind != BackKind::kRegular) continue;
+    const Rational here = exact_sphere(points, segment.samples).squared_radius;
+    if (!value || here > *value) value = here;
+  }
+  return value;
+}
+
+class Surfaces {
+ public:
+  Surfaces(CheckRun& run, Boundaries& boundaries) : run_(run), boundaries_(boundaries) {}
+
+  void check(std::size_t k) {
+    const ClaimedPoint& point = run_.claim.points[k];
+    const std::size_t record = run_.placed[k].place->record;
+    const bool needs_set = point.skeleton || point.surface || (point.stable && point.stable->walk);
+    if (point.stable) check_summary(k, *point.stable, record);
+    if (!needs_set) return;
+    const ExactSphere sphere = run_.truth.sphere(record);
+    const StableSet set = run_.truth.stable_set(record);
+    const ValueScale scale(sphere, run_.options.tolerance);
+    const auto determined = determined_segments(set, sphere.center, run_.index(record));
+    if (point.stable && point.stable->walk) check_walk(k, *point.stable->walk, record, set);
+    if (point.skeleton) check_skeleton(k, *point.skeleton, set, scale, determined);
+    if (point.surface) check_surface(k, *point.surface, set, scale, determined);
+  }
+
+ private:
+  void find(std::size_t k, FindingReason reason, const std::string& claimed, const std::string& truth) {
+    run_.find(5, reason, kClause, k, truth);
+    run_.report.findings.back().claimed += ", " + claimed;
+  }
+
+  void check_summary(std::size_t k, const ClaimedStable& claimed, std::size_t record) {
+    const StableSummary truth = run_.truth.stable_summary(record);
+    const auto compare = [&](const auto& value, const auto& right, const std::string& what) {
+      if (!value || *value == right) return;
+      // A perturbation leaves nothing of Voronoi vertices and intervals.
+      if (truth.has_vertex) {
+        run_.vary(5, FindingReason::kSymbolicPerturbation, kClause, k, "a Voronoi vertex is in the skeleton");
+      } else {
+        find(k, FindingReason::kWrongSurface, what, "otherwise");
+      }
+    };
+    compare(claimed.segments, truth.segments,
+            claimed.segments ? std::to_string(*claimed.segments) + " segments" : "");
+    compare(claimed.has_vertex, truth.has_vertex, "has_vertex");
+    compare(claimed.has_interval, truth.has_interval, "has_interval");
+  }
+
+  // As closed walks: from anywhere, either way around.
+  static bool are_same_walks(std::vector<PointId> a, const std::vector<PointId>& b) {
+    if (a.size() != b.size()) return false;
+    for (int way = 0; way < 2; ++way) {
+      for (std::size_t turn = 0; turn < a.size(); ++turn) {
+        if (a == b) return true;
+        std::rotate(a.begin(), a.begin() + 1, a.end());
+      }
+      std::ranges::reverse(a);
+    }
+    return a.empty();
+  }
+
+  void check_walk(std::size_t k, const std::vector<PointId>& rows, std::size_t record, const StableSet& set) {
+    std::vector<PointId> walk;
+    for (const PointId row : rows) walk.push_back(run_.points.name(run_.points.position_of_row(row)));
+    const auto truth = boundary_walk(set, run_.index(record), run_.truth.contact(record));
+    if (truth && are_same_walks(walk, *truth)) return;
+    if (!run_.index(record).is_critical()) {
+      if (truth) {
+        find(k, FindingReason::kWrongSurface, "walk " + names_text(rows),
+             "the walk is " + names_text(*truth));
+      } else {
+        run_.leave_unjudged("boundary walks of regular stationary points that are Voronoi vertices");
+      }
+      return;
+    }
+    if (truth && !boundaries_.has_tie(record)) {
+      find(k, FindingReason::kWrongSurface, "walk " + names_text(rows), "the walk is " + names_text(*truth));
+      return;
+    }
+    std::vector<std::vector<PointId>> edges;
+    for (std::size_t i = 0; i < walk.size(); ++i) edges.push_back({walk[i], walk[(i + 1) % walk.size()]});
+    boundaries_.check(k, edges, 5, true);
+  }
+
+  ValueMatch matched(const ClaimedPosition& claimed, const RationalPoint& truth, const ValueScale& scale) {
+    run_.report.is_exact = run_.report.is_exact && is_exact(claimed);
+    return match_position(claimed, truth, scale);
+  }
+
+  // matches(claimed, i): how well a claimed piece is true piece i.
+  template <typename Claimed, typename Matches, typename Beyond, typename Text>
+  static Comparison compare(const std::vector<Claimed>& claimed, std::size_t true_count,
+                            const Matches& matches, const Beyond& is_beyond, const Text& text) {
+    Comparison result{std::vector<bool>(true_count, false), {}};
+    std::size_t guess = 0;  // claims are mostly in the order of the truth
+    for (const Claimed& piece : claimed) {
+      ValueMatch best = ValueMatch::kOff;
+      for (std::size_t step = 0; step < true_count; ++step) {
+        const std::size_t i = (guess + step) % true_count;
+        if (result.is_claimed[i]) continue;
+        const ValueMatch match = matches(piece, i);
+        best = std::min(best, match);
+        if (is_wrong(match)) continue;
+        result.is_claimed[i] = true;
+        guess = i + 1;
+        break;
+      }
+      if (!is_wrong(best)) continue;
+      result.strange.push_back(text(piece));
+      result.is_rounding = result.is_rounding && best == ValueMatch::kRounding;
+      result.is_beyond = result.is_beyond && is_beyond(piece);
+    }
+    return result;
+  }
+
+  // is_determined(i): of a true piece.
+  template <typename Determined>
+  void judge(std::size_t k, const Comparison& found, const std::string& what,
+             const Determined& is_determined) {
+    std::size_t missing = 0, left_out = 0;
+    for (std::size_t i = 0; i < found.is_claimed.size(); ++i) {
+      if (!found.is_claimed[i]) ++(is_determined(i) ? missing : left_out);
+    }
+    if (!found.strange.empty() && found.is_beyond && missing + left_out == 0) {
+      run_.vary(5, FindingReason::kSymbolicPerturbation, kClause, k,
+                std::to_string(found.strange.size()) + " " + what + "s beyond a regular stationary point");
+      return;
+    }
+    if (!found.strange.empty()) {
+      find(k, found.is_rounding ? FindingReason::kRounding : FindingReason::kWrongSurface,
+           found.strange.front(),
+           "no such " + what + " is part of it (in all " + std::to_string(found.strange.size()) +
+               " such claims)");
+      return;
+    }
+    if (missing > 0) {
+      find(k, FindingReason::kWrongSurface, "too few",
+           std::to_string(missing) + " " + what + "s are missing");
+    } else if (left_out > 0) {
+      run_.vary(5, FindingReason::kSymbolicPerturbation, kClause, k,
+                std::to_string(left_out) + " " + what + "s beyond a Voronoi vertex are left out");
+    }
+  }
+
+  void check_skeleton(std::size_t k, const ClaimedSkeleton& claimed, const StableSet& set,
+                      const ValueScale& scale, const std::vector<bool>& determined) {
+    const std::optional<Rational> regular = value_of_regular_backs(run_.points, set);
+    const auto names = [this](const std::vector<PointId>& rows) { return class_names(run_.points, rows); };
+    const auto worse = [](ValueMatch a, ValueMatch b) { return std::max(a, b); };
+    const auto segment = [&](const ClaimedBackwardSegment& piece, std::size_t i) {
+      const BackwardSegment& truth = set.segments[i];
+      const bool same = std::ranges::equal(names(piece.samples), truth.samples) &&
+                        (!piece.front_contact || names(*piece.front_contact) == truth.front_contact) &&
+                        (!piece.back_contact || names(*piece.back_contact) == truth.back_contact) &&
+                        (piece.back_kind.empty() || piece.back_kind == back_kind_text(truth.back_kind));
+      if (!same) return ValueMatch::kOff;
+      return worse(matched(piece.front, truth.front, scale), matched(piece.back, truth.back, scale));
+    };
+    judge(k,
+          compare(
+              claimed.segments, set.segments.size(), segment,
+              [&](const ClaimedBackwardSegment& piece) {
+                const ClaimedPosition p = claimed_sample(piece.samples.front());
+                return regular && squared_length(piece.front, p) <= *regular;
+              },
+              [](const ClaimedBackwardSegment& piece) {
+                return "a segment of " + names_text(piece.samples) + " from " + position_text(piece.front) +
+                       " back to " + position_text(piece.back);
+              }),
+          "segment", [&](std::size_t i) { return static_cast<bool>(determined[i]); });
+    const auto interval = [&](const ClaimedInterval& piece, std::size_t i) {
+      const BackwardInterval& truth = set.intervals[i];
+      if (names(piece.polygon) != truth.polygon ||
+          (piece.back_is_stationary && *piece.back_is_stationary != truth.back_is_stationary)) {
+        return ValueMatch::kOff;
+      }
+      return worse(matched(piece.front, truth.front, scale), matched(piece.back, truth.back, scale));
+    };
+    const auto never = [](std::size_t) { return false; };
+    judge(k,
+          compare(
+              claimed.intervals, set.intervals.size(), interval, [](const ClaimedInterval&) { return false; },
+              [](const ClaimedInterval& piece) { return "an interval of " + names_text(piece.polygon); }),
+          "interval", never);
+    const auto sector = [&](const ClaimedSector& piece, std::size_t i) {
+      const BackwardSector& truth = set.sectors[i];
+      if (!std::ranges::equal(names(piece.samples), truth.samples)) return ValueMatch::kOff;
+      return match_ring(piece.corners, truth.corners, scale);
+    };
+    judge(k,
+          compare(
+              claimed.sectors, set.sectors.size(), sector, [](const ClaimedSector&) { return false; },
+              [](const ClaimedSector& piece) { return "a sector of " + names_text(piece.samples); }),
+          "sector", never);
+  }
+
+  [[nodiscard]] ClaimedPosition claimed_sample(PointId row) const {
+    const Point& p = run_.points[run_.points.position_of_row(row)];
+    return {ClaimedNumber{Rational(p.x), true}, {Rational(p.y), true}, {Rational(p.z), true}};
+  }
+
+  // Squared, of a triangle from that of its corners, perhaps a sample, that has the others nearest.
+  static Rational least_reach(const std::vector<ClaimedPosition>& corners) {
+    std::array<Rational, 3> sides;
+    for (std::size_t i = 0; i < 3; ++i) sides.at(i) = squared_length(corners[i], corners[(i + 1) % 3]);
+    return std::min(
+        {std::max(sides[0], sides[1]), std::max(sides[1], sides[2]), std::max(sides[2], sides[0])});
+  }
+
+  // From any corner, either way around.
+  ValueMatch match_ring(const std::vector<ClaimedPosition>& claimed, const std::vector<RationalPoint>& truth,
+                        const ValueScale& scale) {
+    const std::size_t n = truth.size();
+    if (claimed.size() != n) return ValueMatch::kOff;
+    ValueMatch best = ValueMatch::kOff;
+    for (std::size_t turn = 0; turn < 2 * n && is_wrong(best); ++turn) {
+      ValueMatch worst = ValueMatch::kEqual;
+      for (std::size_t i = 0; i < n && worst != ValueMatch::kOff; ++i) {
+        const std::size_t at = turn < n ? (i + turn) % n : (2 * n + turn - i) % n;
+        worst = std::max(worst, matched(claimed[i], truth[at], scale));
+      }
+      best = std::min(best, worst);
+    }
+    return best;
+  }
+
+  void check_surface(std::size_t k, const ClaimedSurface& claimed, const StableSet& set,
+                     const ValueScale& scale, const std::vector<bool>& determined) {
+    if (!set.intervals.empty()) {
+      run_.leave_unjudged("surfaces of stable sets that have parts of dimension 3");
+      return;
+    }
+    std::vector<std::vector<RationalPoint>> truth;
+    for (const BackwardSegment& segment : set.segments) {
+      for (const PointId name : segment.samples) {
+        const Point& p = run_.points[run_.points.position_of_row(name)];
+        truth.push_back({{Rational(p.x), Rational(p.y), Rational(p.z)}, segment.front, segment.back});
+      }
+    }
+    const auto corners = [&](const std::array<std::size_t, 3>& triangle) {
+      return std::vector{claimed.vertices[triangle[0]], claimed.vertices[triangle[1]],
+                         claimed.vertices[triangle[2]]};
+    };
+    const std::optional<Rational> regular = value_of_regular_backs(run_.points, set);
+    judge(k,
+          compare(
+              claimed.triangles, truth.size(),
+              [&](const std::array<std::size_t, 3>& triangle, std::size_t i) {
+                return match_ring(corners(triangle), truth[i], scale);
+              },
+              [&](const std::array<std::size_t, 3>& triangle) {
+                return regular && least_reach(corners(triangle)) <= *regular;
+              },
+              [&](const std::array<std::size_t, 3>& triangle) {
+                const auto at = corners(triangle);
+                return "a triangle " + position_text(at[0]) + " " + position_text(at[1]) + " " +
+                       position_text(at[2]);
+              }),
+          "triangle", [&](std::size_t i) { return static_cast<bool>(determined[i / 2]); });
+  }
+
+  CheckRun& run_;
+  Boundaries& boundaries_;
+};
+
+bool is_told(const ClaimedPoint& point) {
+  const bool has_summary = point.stable && (point.stable->segments || point.stable->has_vertex ||
+                                            point.stable->has_interval || point.stable->walk);
+  return has_summary || point.skeleton || point.surface;
+}
+
+}  // namespace
+
+bool check_surfaces(CheckRun& run) {
+  Boundaries boundaries(run);
+  Surfaces surfaces(run, boundaries);
+  bool judged = false;
+  for (std::size_t k = 0; k < run.placed.size(); ++k) {
+    const ClaimedPoint& point = run.claim.points[k];
+    if (!is_told(point) || !run.placed[k].is_right) continue;
+    if (!run.index(run.placed[k].place->record).is_critical() && !point.hull_dimension) {
+      run.leave_unjudged("stable sets of the points that a perturbation makes of regular stationary points");
+      continue;
+    }
+    surfaces.check(k);
+    judged = true;
+  }
+  boundaries.conclude();
+  return judged;
+}
+
+}  // namespace flowcert

@@ -1,0 +1,110 @@
+// A value of a line of the exchange format, and what messages call it.
+//
+// Guarantees: whatever is not as asked for is refused by name, with its place. Rationals in strings are
+// exact; numbers of JSON are decimals.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/claims/claim_numbers.h"
+#include "io/claims/json_tree.h"
+#include "io/number_text.h"
+
+namespace flowcert {
+
+class ExchangeValue {
+ public:
+  ExchangeValue(const JsonTree& tree, std::string_view name, const LinePlace& place)
+      : tree_(&tree), name_(name), place_(place) {}
+
+  [[noreturn]] void reject(const std::string& what) const {
+    place_.reject("the value of " + in_quotes(name_) + " is not " + what);
+  }
+  [[nodiscard]] bool is(JsonKind kind) const { return tree_->is(kind); }
+  [[nodiscard]] bool is_null() const { return is(JsonKind::kNull); }
+  [[nodiscard]] const LinePlace& place() const { return place_; }
+
+  [[nodiscard]] const std::string& text() const {
+    if (!is(JsonKind::kString)) reject("a string");
+    return tree_->text;
+  }
+  [[nodiscard]] bool is_true() const { return tree_->text == "true"; }
+  // As it is written.
+  [[nodiscard]] const std::string& number_text() const {
+    if (!is(JsonKind::kNumber)) reject("a number");
+    return tree_->text;
+  }
+
+  // An array: how long, and its parts, under the same name.
+  [[nodiscard]] std::size_t size() const {
+    if (!is(JsonKind::kArray)) reject("an array");
+    return tree_->items.size();
+  }
+  void expect_size(std::size_t size) const {
+    if (this->size() != size) reject("an array of " + std::to_string(size));
+  }
+  [[nodiscard]] ExchangeValue operator[](std::size_t k) const { return {tree_->items[k], name_, place_}; }
+
+  // The value of an object's key, if it has one.
+  [[nodiscard]] std::optional<ExchangeValue> find(std::string_view key) const {
+    if (!is(JsonKind::kObject)) reject("an object");
+    const JsonTree* const found = tree_->find(key);
+    return found == nullptr ? std::nullopt : std::optional<ExchangeValue>(ExchangeValue(*found, key, place_));
+  }
+  [[nodiscard]] ExchangeValue get(std::string_view key) const {
+    const std::optional<ExchangeValue> found = find(key);
+    if (!found) place_.reject("no key " + in_quotes(key));
+    return *found;
+  }
+
+ private:
+  const JsonTree* tree_;
+  std::string_view name_;
+  LinePlace place_;
+};
+
+// An array of what `each` makes of its parts.
+template <class Each>
+auto list_of(const ExchangeValue& value, Each each) {
+  std::vector<decltype(each(value))> list;
+  const std::size_t size = value.size();
+  list.reserve(size);
+  for (std::size_t k = 0; k < size; ++k) list.push_back(each(value[k]));
+  return list;
+}
+
+inline bool bool_of(const ExchangeValue& value) {
+  if (!value.is(JsonKind::kBoolean)) value.reject("true or false");
+  return value.is_true();
+}
+
+inline ClaimedNumber number_of(const ExchangeValue& value) {
+  if (value.is(JsonKind::kString)) return claimed_number(value.text(), PlainInteger::kExact, value.place());
+  if (!value.is(JsonKind::kNumber)) value.reject("a rational in a string, or a number");
+  return claimed_number(value.number_text(), PlainInteger::kDecimal, value.place());
+}
+
+inline ClaimedNumber distance_of(const ExchangeValue& value) {
+  ClaimedNumber number = number_of(value);
+  if (number.value < 0) value.reject("0 or more");
+  return number;
+}
+
+inline ClaimedPosition position_of(const ExchangeValue& value) {
+  value.expect_size(3);
+  return {number_of(value[0]), number_of(value[1]), number_of(value[2])};
+}
+
+inline std::size_t count_of(const ExchangeValue& value) {
+  return claimed_count(value.number_text(), value.place());
+}
+
+inline std::vector<PointId> ids_of(const ExchangeValue& value) {
+  return list_of(value, [](const ExchangeValue& id) { return claimed_id(id.number_text(), id.place()); });
+}
+
+}  // namespace flowcert

@@ -1,0 +1,126 @@
+// The boundary of a stable set as a closed walk (FC-STAB-07; flowcert/stable_manifolds.h), from its segments
+// alone: those with one front have the sides of its polygon as samples, all of them at the stationary point,
+// all but the one through which the branch comes at a crossing.
+#include <algorithm>
+#include <map>
+
+#include "flowcert/stable_manifolds.h"
+
+namespace flowcert {
+
+namespace {
+
+using Segments = std::vector<const BackwardSegment*>;
+using Side = std::array<PointId, 2>;  // in the sense of the walk
+
+PointId other_sample(const BackwardSegment& segment, PointId one) {
+  return segment.samples[0] == one ? segment.samples[1] : segment.samples[0];
+}
+
+class Walker {
+ public:
+  Walker(const StableSet& set, std::span<const PointId> contact) : contact_(contact) {
+    for (const BackwardSegment& segment : set.segments) {
+      if (std::ranges::equal(segment.front_contact, contact)) {
+        roots_.push_back(&segment);
+      } else {
+        by_front_[segment.front].push_back(&segment);
+      }
+    }
+  }
+
+  // The sides of the polygon one after the other, each with the segment that its midpoint is not at.
+  std::vector<PointId> walk() {
+    const PointId first = contact_.front();
+    follow_chain(roots_, first, first_neighbour(first));
+    std::ranges::reverse(stack_);
+    std::vector<PointId> samples;
+    while (!stack_.empty()) {
+      const auto [side, segment] = stack_.back();
+      stack_.pop_back();
+      if (segment == nullptr || segment->back_kind != BackKind::kEdge) {
+        samples.push_back(side[0]);
+        continue;
+      }
+      const std::size_t before = stack_.size();
+      const Segments& sources = by_front_.at(segment->back);
+      follow_chain(sources, side[0], next_on_chain(sources, side[0], nullptr), side[1]);
+      std::reverse(stack_.begin() + static_cast<std::ptrdiff_t>(before), stack_.end());
+    }
+    return samples;
+  }
+
+ private:
+  struct Step {
+    Side side;
+    const BackwardSegment* segment;  // none: of a regular point, the side of which it is the midpoint
+  };
+
+  static const BackwardSegment* next_on_chain(const Segments& segments, PointId at,
+                                              const BackwardSegment* from) {
+    for (const BackwardSegment* segment : segments) {
+      if (segment != from && std::ranges::find(segment->samples, at) != segment->samples.end())
+        return segment;
+    }
+    return nullptr;
+  }
+
+  // The lesser neighbour of the first sample: at a regular point one of them may be the other end of the side
+  // that no segment crosses.
+  [[nodiscard]] const BackwardSegment* first_neighbour(PointId first) const {
+    const BackwardSegment* const one = next_on_chain(roots_, first, nullptr);
+    const BackwardSegment* const other = next_on_chain(roots_, first, one);
+    if (other == nullptr) return other_sample(*one, first) < open_end(first) ? one : nullptr;
+    return other_sample(*one, first) < other_sample(*other, first) ? one : other;
+  }
+
+  // Where the chain of the roots ends that begins at this sample.
+  [[nodiscard]] PointId open_end(PointId at) const {
+    const BackwardSegment* from = nullptr;
+    while (const BackwardSegment* const next = next_on_chain(roots_, at, from)) {
+      at = other_sample(*next, at);
+      from = next;
+    }
+    return at;
+  }
+
+  // Pushes the sides from one sample on to another, or all around, beginning with the given one.
+  void follow_chain(const Segments& segments, PointId at, const BackwardSegment* next,
+                    std::optional<PointId> end = std::nullopt) {
+    const PointId first = at;
+    const PointId last = end.value_or(first);
+    do {
+      if (next == nullptr) {  // the side of a regular point's own
+        const PointId far = open_end(at);
+        stack_.push_back({{at, far}, nullptr});
+        at = far;
+      } else {
+        stack_.push_back({{at, other_sample(*next, at)}, next});
+        at = other_sample(*next, at);
+      }
+      const BackwardSegment* const from = next;
+      if (at != last) next = next_on_chain(segments, at, from);
+    } while (at != last);
+  }
+
+  std::span<const PointId> contact_;
+  Segments roots_;
+  std::map<RationalPoint, Segments> by_front_;
+  std::vector<Step> stack_;
+};
+
+bool has_vertex(const StableSet& set) {
+  return !set.intervals.empty() || std::ranges::any_of(set.segments, [](const BackwardSegment& segment) {
+    return segment.back_kind == BackKind::kVertex;
+  });
+}
+
+}  // namespace
+
+std::optional<std::vector<PointId>> boundary_walk(const StableSet& set, StationaryIndex index,
+                                                  std::span<const PointId> contact) {
+  if (index.hull_dimension != 2 || has_vertex(set)) return std::nullopt;
+  return Walker(set, contact).walk();
+}
+
+}  // namespace flowcert
