@@ -105,10 +105,35 @@ std::string fault_of_successors(const PointSet& points, const ClaimedPoint& poin
   return "";
 }
 
+// Ids of a stable set; those of a walk may repeat.
+std::string fault_of_stable(const PointSet& points, const ClaimedPoint& point) {
+  std::vector<std::vector<PointId>> lists;
+  if (point.stable && point.stable->boundary) lists = *point.stable->boundary;
+  if (point.stable && point.stable->walk) {
+    for (const PointId id : *point.stable->walk) lists.push_back({id});
+  }
+  if (point.skeleton) {
+    for (const auto& segment : point.skeleton->segments) {
+      lists.push_back(segment.samples);
+      if (segment.front_contact) lists.push_back(*segment.front_contact);
+      if (segment.back_contact) lists.push_back(*segment.back_contact);
+    }
+    for (const auto& interval : point.skeleton->intervals) lists.push_back(interval.polygon);
+    for (const auto& sector : point.skeleton->sectors) lists.push_back(sector.samples);
+  }
+  for (const std::vector<PointId>& ids : lists) {
+    if (ids.empty()) return "of a stable set: a contact set without points";
+    const std::string fault = fault_of_ids(points, ids);
+    if (!fault.empty()) return "of a stable set: " + fault;
+  }
+  return "";
+}
+
 std::string fault_of(const PointSet& points, const ClaimedPoint& point) {
   if (point.contact.empty() && !point.center) return "neither a contact set nor a position";
   for (const std::string& fault :
-       {fault_of_index(point), fault_of_ids(points, point.contact), fault_of_successors(points, point)}) {
+       {fault_of_index(point), fault_of_ids(points, point.contact), fault_of_successors(points, point),
+        fault_of_stable(points, point)}) {
     if (!fault.empty()) return fault;
   }
   return "";

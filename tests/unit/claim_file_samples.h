@@ -30,14 +30,16 @@ inline std::vector<Point> rows_of_many_kinds() {
   return {{0, 0, 1}, {1, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}, {0, 0, 1}, {0.1, 5, 0.2}, {3, 4, -1}};
 }
 
-// What `compute --manifolds u2 --polylines -o` writes of them.
+// What `compute --manifolds u2,s2 --polylines --skeletons -o` writes of them.
 inline std::string exchange_file(const std::vector<Point>& rows) {
   const PointSet points(rows);
   const Delaunay delaunay(points);
   const StationaryPoints stationary = stationary_points(delaunay);
   UnstableManifolds u2(delaunay, stationary);
+  StableManifolds s2(delaunay, stationary);
   std::ostringstream out;
-  write_manifolds(out, points, stationary, {.u2 = &u2, .polylines = true}, coordinates_sha256(rows));
+  write_manifolds(out, points, stationary, {.u2 = &u2, .polylines = true, .s2 = &s2, .skeletons = true},
+                  coordinates_sha256(rows));
   return out.str();
 }
 

@@ -56,6 +56,9 @@ TEST(ExchangeSchema, SaysWhatTheReaderSays) {
         R"({"index":[1,3],"kind":"regular","contact":[0],"new":1})",
         R"({"index":1,"samples":[7],"contact":[7]})",
         R"({"index":2,"contact":[1],"limits":[null,[1]],"u2":[[],[{"end":null}]]})",
+        R"({"index":2,"contact":[1],"stable":{"segments":3,"has_vertex":false,"boundary":[[0,1]],"walk":[0,1,0]}})",
+        R"({"index":[1,2],"contact":[1],"stable":{"walk":null},"surface":{"vertices":[],"triangles":[]}})",
+        R"({"index":2,"contact":[1],"skeleton":{"segments":[{"samples":[0,1],"front":[0,0,0],"back":["1/2",0,0]}]}})",
         R"({"index":1,"center_double":[1,2,3],"squared_distance_double":null})"}) {
     EXPECT_TRUE(schema.accepts(record)) << record;
     EXPECT_EQ(claim_refusal(kHeader + record), "accepted, 1 points") << record;
@@ -81,6 +84,15 @@ TEST(ExchangeSchema, SaysWhatTheReaderSays) {
                              R"({"index":2,"contact":[1],"limits":[null]})",
                              R"({"index":2,"contact":[1],"u2":[[],[{}]]})",
                              R"({"index":2,"contact":[1],"samples":[1]})",
+                             R"({"index":1,"contact":[1],"stable":{}})",
+                             R"({"index":[1,2],"contact":[1],"stable":{"boundary":[]}})",
+                             R"({"index":2,"contact":[1],"stable":{"has_vertex":0}})",
+                             R"({"index":2,"contact":[1],"stable":{"walk":[1.5]}})",
+                             R"({"index":2,"contact":[1],"skeleton":{}})",
+                             R"({"index":2,"contact":[1],"skeleton":{"segments":[{"samples":[0,1]}]}})",
+                             R"({"index":2,"contact":[1],"skeleton":{"segments":[],"sectors":[{"samples":[0,1],"corners":[]}]}})",
+                             R"({"index":2,"contact":[1],"surface":{"vertices":[]}})",
+                             R"({"index":2,"contact":[1],"surface":{"vertices":[],"triangles":[[0,1]]}})",
                              "[]",
                              "1"}) {
     EXPECT_FALSE(schema.accepts(record)) << record;

@@ -1,6 +1,9 @@
 // See stable_claim_fields.h.
 #include "io/claims/stable_claim_fields.h"
 
+#include <algorithm>
+#include <array>
+
 namespace flowcert {
 
 namespace {
@@ -23,7 +26,11 @@ ClaimedBackwardSegment segment_of(const ExchangeValue& value) {
   segment.back = position_of(value.get("back"));
   if (const auto contact = value.find("front_contact")) segment.front_contact = ids_of(*contact);
   if (const auto contact = value.find("back_contact")) segment.back_contact = ids_of(*contact);
-  if (const auto kind = value.find("back_kind")) segment.back_kind = kind->text();
+  if (const auto kind = value.find("back_kind")) {
+    constexpr std::array kKinds = {"critical", "regular", "edge", "vertex"};
+    segment.back_kind = kind->text();
+    if (std::ranges::find(kKinds, segment.back_kind) == kKinds.end()) kind->reject("a kind of back");
+  }
   return segment;
 }
 
