@@ -51,50 +51,52 @@ TEST(ExchangeSchema, TakesWhatComputeWrites) {
 TEST(ExchangeSchema, SaysWhatTheReaderSays) {
   CITES("FC-OUT-01", "FC-NUM-02");
   const ExchangeSchema schema;
-  for (const char* record :
-       {R"({"index":2,"center":["1/2","-3","0x1.8p1"]})", R"({"index":2,"center":["0.1",1e-4,"+.5e+7"]})",
-        R"({"index":[1,3],"kind":"regular","contact":[0],"new":1})",
-        R"({"index":1,"samples":[7],"contact":[7]})",
-        R"({"index":2,"contact":[1],"limits":[null,[1]],"u2":[[],[{"end":null}]]})",
-        R"({"index":2,"contact":[1],"stable":{"segments":3,"has_vertex":false,"boundary":[[0,1]],"walk":[0,1,0]}})",
-        R"({"index":[1,2],"contact":[1],"stable":{"walk":null},"surface":{"vertices":[],"triangles":[]}})",
-        R"({"index":2,"contact":[1],"skeleton":{"segments":[{"samples":[0,1],"front":[0,0,0],"back":["1/2",0,0]}]}})",
-        R"({"index":1,"center_double":[1,2,3],"squared_distance_double":null})"}) {
+  for (
+      const char* record :
+      {R"({"index":2,"center":["1/2","-3","0x1.8p1"]})", R"({"index":2,"center":["0.1",1e-4,"+.5e+7"]})",
+       R"({"index":[1,3],"kind":"regular","contact":[0],"new":1})",
+       R"({"index":1,"samples":[7],"contact":[7]})",
+       R"({"index":2,"contact":[1],"limits":[null,[1]],"u2":[[],[{"end":null}]]})",
+       R"({"index":2,"contact":[1],"stable":{"segments":3,"has_vertex":false,"boundary":[[0,1]],"walk":[0,1,0]}})",
+       R"({"index":[1,2],"contact":[1],"stable":{"walk":null},"surface":{"vertices":[],"triangles":[]}})",
+       R"({"index":2,"contact":[1],"skeleton":{"segments":[{"samples":[0,1],"front":[0,0,0],"back":["1/2",0,0]}]}})",
+       R"({"index":1,"center_double":[1,2,3],"squared_distance_double":null})"}) {
     EXPECT_TRUE(schema.accepts(record)) << record;
     EXPECT_EQ(claim_refusal(kHeader + record), "accepted, 1 points") << record;
   }
-  for (const char* record : {R"({"index":4,"contact":[1]})",
-                             R"({"index":"1","contact":[1]})",
-                             R"({"index":[2,1],"contact":[1]})",
-                             R"({"index":1})",
-                             R"({"index":1,"contact":[]})",
-                             R"({"index":1,"contact":[-1]})",
-                             R"({"index":1,"contact":[2147483647]})",
-                             R"({"index":1,"contact":[1.5]})",
-                             R"({"contact":[1]})",
-                             R"({"index":1,"center":["1","2"]})",
-                             R"({"index":1,"center":["1","2","x"]})",
-                             R"({"index":1,"center":["1","2","nan"]})",
-                             R"({"index":1,"center":["1","2",null]})",
-                             R"({"index":1,"contact":[1],"squared_distance":"-1"})",
-                             R"({"index":1,"contact":[1],"squared_distance":-0.5})",
-                             R"({"index":1,"kind":"regular","contact":[1]})",
-                             R"({"index":[1,2],"kind":"critical","contact":[1]})",
-                             R"({"index":1,"contact":[1],"limits":[null,null]})",
-                             R"({"index":2,"contact":[1],"limits":[null]})",
-                             R"({"index":2,"contact":[1],"u2":[[],[{}]]})",
-                             R"({"index":2,"contact":[1],"samples":[1]})",
-                             R"({"index":1,"contact":[1],"stable":{}})",
-                             R"({"index":[1,2],"contact":[1],"stable":{"boundary":[]}})",
-                             R"({"index":2,"contact":[1],"stable":{"has_vertex":0}})",
-                             R"({"index":2,"contact":[1],"stable":{"walk":[1.5]}})",
-                             R"({"index":2,"contact":[1],"skeleton":{}})",
-                             R"({"index":2,"contact":[1],"skeleton":{"segments":[{"samples":[0,1]}]}})",
-                             R"({"index":2,"contact":[1],"skeleton":{"segments":[],"sectors":[{"samples":[0,1],"corners":[]}]}})",
-                             R"({"index":2,"contact":[1],"surface":{"vertices":[]}})",
-                             R"({"index":2,"contact":[1],"surface":{"vertices":[],"triangles":[[0,1]]}})",
-                             "[]",
-                             "1"}) {
+  for (const char* record :
+       {R"({"index":4,"contact":[1]})",
+        R"({"index":"1","contact":[1]})",
+        R"({"index":[2,1],"contact":[1]})",
+        R"({"index":1})",
+        R"({"index":1,"contact":[]})",
+        R"({"index":1,"contact":[-1]})",
+        R"({"index":1,"contact":[2147483647]})",
+        R"({"index":1,"contact":[1.5]})",
+        R"({"contact":[1]})",
+        R"({"index":1,"center":["1","2"]})",
+        R"({"index":1,"center":["1","2","x"]})",
+        R"({"index":1,"center":["1","2","nan"]})",
+        R"({"index":1,"center":["1","2",null]})",
+        R"({"index":1,"contact":[1],"squared_distance":"-1"})",
+        R"({"index":1,"contact":[1],"squared_distance":-0.5})",
+        R"({"index":1,"kind":"regular","contact":[1]})",
+        R"({"index":[1,2],"kind":"critical","contact":[1]})",
+        R"({"index":1,"contact":[1],"limits":[null,null]})",
+        R"({"index":2,"contact":[1],"limits":[null]})",
+        R"({"index":2,"contact":[1],"u2":[[],[{}]]})",
+        R"({"index":2,"contact":[1],"samples":[1]})",
+        R"({"index":1,"contact":[1],"stable":{}})",
+        R"({"index":[1,2],"contact":[1],"stable":{"boundary":[]}})",
+        R"({"index":2,"contact":[1],"stable":{"has_vertex":0}})",
+        R"({"index":2,"contact":[1],"stable":{"walk":[1.5]}})",
+        R"({"index":2,"contact":[1],"skeleton":{}})",
+        R"({"index":2,"contact":[1],"skeleton":{"segments":[{"samples":[0,1]}]}})",
+        R"({"index":2,"contact":[1],"skeleton":{"segments":[],"sectors":[{"samples":[0,1],"corners":[]}]}})",
+        R"({"index":2,"contact":[1],"surface":{"vertices":[]}})",
+        R"({"index":2,"contact":[1],"surface":{"vertices":[],"triangles":[[0,1]]}})",
+        "[]",
+        "1"}) {
     EXPECT_FALSE(schema.accepts(record)) << record;
     EXPECT_NE(claim_refusal(kHeader + record), "accepted, 1 points") << record;
   }

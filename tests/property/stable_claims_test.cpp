@@ -1,0 +1,554 @@
+// Claims of stable sets, right ones and right ones with one thing made wrong, on every family of inputs; and
+// boundary walks against the oracle's.
+//
+// Guarantees: a claim made of the answer itself conforms exactly; made with what FC-CLAIM-09 and 10 permit
+// (ties broken otherwise, what lies beyond Voronoi vertices left out, decimals) it never fails. Each mutant
+// fails, on the level and the line where it was made wrong. The test fails too when some kind of mutant, or
+// of permitted variation, was hardly ever made.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flowcert/check.h"
+#include "fuzz/families.h"
+#include "fuzz/nudge.h"
+#include "oracle/stable_pieces.h"
+#include "tests/cites.h"
+#include "tests/property/property_parameters.h"
+#include "tests/property/stationary_comparison.h"
+
+namespace flowcert::property {
+namespace {
+
+constexpr int kInputsPerFamily = 20;
+constexpr std::size_t kFirstLine = 2;       // of a claim's points
+constexpr std::size_t kMostByOracle = 120;  // stationary points of an input
+
+std::size_t below(std::size_t count) { return *rc::gen::inRange<std::size_t>(0, count); }
+
+ClaimedPosition exactly(const RationalPoint& x) {
+  return {ClaimedNumber{x[0], true}, ClaimedNumber{x[1], true}, ClaimedNumber{x[2], true}};
+}
+
+struct Subject {
+  explicit Subject(const fuzz::Input& rows)
+      : input(rows),
+        points(point_set_of(rows)),
+        delaunay(points),
+        stationary(stationary_points(delaunay)),
+        truth(fast_truth(points)) {}
+
+  [[nodiscard]] std::vector<PointId> contact(std::size_t i) const {
+    const auto names = truth->contact(i);
+    return {names.begin(), names.end()};
+  }
+  // Of an index-2 critical point or a regular one.
+  [[nodiscard]] bool has_tie(std::size_t i) const {
+    return truth->stable_summary(i).has_vertex ||
+           std::ranges::any_of(truth->stable_set(i).segments, [](const BackwardSegment& segment) {
+             return segment.back_kind == BackKind::kRegular;
+           });
+  }
+
+  const fuzz::Input& input;
+  PointSet points;
+  Delaunay delaunay;
+  StationaryPoints stationary;
+  std::unique_ptr<Truth> truth;
+};
+
+ClaimedSkeleton skeleton_of(const StableSet& set) {
+  ClaimedSkeleton skeleton;
+  for (const BackwardSegment& s : set.segments) {
+    skeleton.segments.push_back({{s.samples[0], s.samples[1]},
+                                 exactly(s.front),
+                                 exactly(s.back),
+                                 s.front_contact,
+                                 s.back_contact,
+                                 back_kind_text(s.back_kind)});
+  }
+  for (const BackwardInterval& i : set.intervals) {
+    skeleton.intervals.push_back({i.polygon, exactly(i.front), exactly(i.back), i.back_is_stationary});
+  }
+  for (const BackwardSector& s : set.sectors) {
+    ClaimedSector sector{{s.samples[0], s.samples[1]}, {}};
+    for (const RationalPoint& corner : s.corners) sector.corners.push_back(exactly(corner));
+    skeleton.sectors.push_back(std::move(sector));
+  }
+  return skeleton;
+}
+
+ClaimedSurface surface_of(const Subject& subject, const StableSet& set) {
+  ClaimedSurface surface;
+  for (const BackwardSegment& s : set.segments) {
+    for (const PointId name : s.samples) {
+      const std::size_t first = surface.vertices.size();
+      surface.vertices.push_back(exactly(exact_sphere(subject.points, std::vector<PointId>{name}).center));
+      surface.vertices.push_back(exactly(s.front));
+      surface.vertices.push_back(exactly(s.back));
+      surface.triangles.push_back({first, first + 1, first + 2});
+    }
+  }
+  return surface;
+}
+
+// All stationary points by their contact sets, with all that can be claimed of stable sets; point k is of
+// record k.
+Claim stable_claim(const Subject& subject) {
+  Claim claim;
+  claim.format = "exchange";
+  std::map<std::vector<PointId>, std::vector<ClaimedTarget>> saddles;
+  for (std::size_t i = 0; i < subject.truth->size(); ++i) {
+    const StationaryIndex index = subject.truth->index(i);
+    ClaimedPoint point;
+    point.line = kFirstLine + i;
+    point.index = index.face_dimension;
+    if (!index.is_critical()) point.hull_dimension = index.hull_dimension;
+    point.contact = subject.contact(i);
+    if (index == StationaryIndex{2, 2} || !index.is_critical()) {
+      const StableSet set = subject.truth->stable_set(i);
+      const StableSummary summary = subject.truth->stable_summary(i);
+      point.stable = ClaimedStable{summary.segments, summary.has_vertex, summary.has_interval, {}, {}};
+      point.stable->walk = boundary_walk(set, index, point.contact);
+      point.skeleton = skeleton_of(set);
+      if (set.intervals.empty()) point.surface = surface_of(subject, set);
+      if (index.is_critical()) {
+        point.stable->boundary.emplace();
+        const auto boundary = subject.truth->boundary(i);
+        for (const std::uint32_t record : *boundary) {
+          point.stable->boundary->push_back(subject.contact(record));
+        }
+        for (const BackwardSegment& s : set.segments) {
+          if (s.back_kind == BackKind::kCritical) saddles[s.back_contact].push_back({false, point.contact});
+        }
+      }
+    }
+    claim.points.push_back(std::move(point));
+  }
+  for (ClaimedPoint& point : claim.points) {
+    if (point.index == 1 && !point.hull_dimension) point.successors = saddles[point.contact];
+  }
+  return claim;
+}
+
+std::string to_text(const CheckReport& report) {
+  std::string text = verdict_text(report.verdict);
+  for (const Finding& finding : report.findings) {
+    text += "\n  level " + std::to_string(finding.level) + (finding.is_variation ? " permitted " : " ") +
+            reason_text(finding.reason) + ' ' + finding.clause + ", line " +
+            (finding.line ? std::to_string(*finding.line) : "none") + ": " + finding.claimed + "; " +
+            finding.truth;
+  }
+  return text + '\n';
+}
+
+void require(const Subject& subject, bool holds, const std::string& what, const CheckReport& report) {
+  if (holds) return;
+  std::ostringstream text;
+  text << what << "\ninput:\n" << subject.input << to_text(report);
+  RC_FAIL(text.str());
+}
+
+// ---- Claims that vary where they may.
+
+void round_off(ClaimedPosition& x) {
+  for (ClaimedNumber& number : x) {
+    const std::optional<double> nearest = nearest_double(number.value);
+    if (nearest) number = {Rational(*nearest), false};
+  }
+}
+
+Claim claim_in_decimals(Claim claim) {
+  for (ClaimedPoint& point : claim.points) {
+    if (point.skeleton) {
+      for (auto& segment : point.skeleton->segments) {
+        round_off(segment.front);
+        round_off(segment.back);
+      }
+      for (auto& interval : point.skeleton->intervals) {
+        round_off(interval.front);
+        round_off(interval.back);
+      }
+      for (auto& sector : point.skeleton->sectors) {
+        for (ClaimedPosition& corner : sector.corners) round_off(corner);
+        std::ranges::reverse(sector.corners);
+      }
+      std::ranges::reverse(point.skeleton->segments);
+    }
+    if (!point.surface) continue;
+    for (ClaimedPosition& vertex : point.surface->vertices) round_off(vertex);
+    for (auto& triangle : point.surface->triangles) std::swap(triangle[0], triangle[2]);
+  }
+  return claim;
+}
+
+// Ties broken at random. How many boundaries came out otherwise is counted.
+Claim with_other_ties(const Subject& subject, Claim claim, std::size_t& differing) {
+  const StableManifolds other(subject.delaunay, subject.stationary, {.flow = {}, .seed = 1 + below(1000000)});
+  for (std::size_t k = 0; k < other.size(); ++k) {
+    ClaimedPoint& point = claim.points[other.record(k)];
+    if (point.hull_dimension) continue;
+    std::vector<std::vector<PointId>> boundary;
+    for (const std::uint32_t record : other.boundary(k)) boundary.push_back(subject.contact(record));
+    differing += boundary != *point.stable->boundary ? 1 : 0;
+    point.stable->boundary = boundary;
+  }
+  return claim;
+}
+
+// Of what is reached through Voronoi vertices some is left out.
+Claim without_what_is_beyond(const Subject& subject, Claim claim, std::size_t& left_out) {
+  for (std::size_t i = 0; i < claim.points.size(); ++i) {
+    ClaimedPoint& point = claim.points[i];
+    if (!point.skeleton || !point.stable->has_vertex.value_or(false)) continue;
+    point.surface.reset();
+    point.skeleton->intervals.clear();
+    point.skeleton->sectors.clear();
+    const StableSet set = subject.truth->stable_set(i);
+    std::erase_if(point.skeleton->segments, [&](const ClaimedBackwardSegment& segment) {
+      const auto is_vertex = [&](const BackwardSegment& s) {
+        return s.back_kind == BackKind::kVertex && s.back_contact == *segment.front_contact;
+      };
+      const bool leaves_vertex = std::ranges::any_of(set.segments, is_vertex);
+      left_out += leaves_vertex ? 1 : 0;
+      return leaves_vertex;
+    });
+  }
+  return claim;
+}
+
+// ---- Mutants.
+
+struct Mutant {
+  Claim claim;
+  int level = 0;
+  std::size_t line = 0;
+};
+using Mutation = std::function<std::optional<Mutant>(const Subject&, const Claim&)>;
+
+std::optional<std::size_t> some_point(const Claim& claim,
+                                      const std::function<bool(const ClaimedPoint&)>& qualifies) {
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < claim.points.size(); ++k) {
+    if (qualifies(claim.points[k])) places.push_back(k);
+  }
+  if (places.empty()) return std::nullopt;
+  return places[below(places.size())];
+}
+bool is_surface(const ClaimedPoint& point) { return point.surface && !point.surface->triangles.empty(); }
+bool is_saddle(const ClaimedPoint& point) { return point.stable && point.stable->boundary; }
+bool has_segments(const ClaimedPoint& point) { return point.skeleton && !point.skeleton->segments.empty(); }
+
+// Any edge more or less is no cycle.
+std::optional<Mutant> other_boundary(const Subject& subject, const Claim& claim) {
+  const auto k = some_point(claim, is_saddle);
+  const auto edge = some_point(claim, [](const ClaimedPoint& point) { return point.index == 1; });
+  if (!k || !edge) return std::nullopt;
+  Mutant mutant{claim, 4, kFirstLine + *k};
+  auto& boundary = *mutant.claim.points[*k].stable->boundary;
+  const std::vector<PointId> names = subject.contact(*edge);
+  if (std::erase(boundary, names) == 0) boundary.push_back(names);
+  return mutant;
+}
+
+// A cycle, but another one.
+std::optional<Mutant> boundary_of_another(const Subject& subject, const Claim& claim) {
+  const auto k = some_point(claim, [&](const ClaimedPoint& point) {
+    return is_saddle(point) && !subject.has_tie(point.line - kFirstLine);
+  });
+  const auto other = some_point(claim, is_saddle);
+  if (!k || *k == *other || *claim.points[*other].stable->boundary == *claim.points[*k].stable->boundary) {
+    return std::nullopt;
+  }
+  Mutant mutant{claim, 4, kFirstLine + *k};
+  mutant.claim.points[*k].stable->boundary = claim.points[*other].stable->boundary;
+  return mutant;
+}
+
+std::optional<Mutant> other_incidence(const Subject& subject, const Claim& claim) {
+  const auto k = some_point(claim, [](const ClaimedPoint& point) { return point.successors.has_value(); });
+  const auto saddle = some_point(claim, [&](const ClaimedPoint& point) {
+    return is_saddle(point) && !subject.has_tie(point.line - kFirstLine);
+  });
+  if (!k || !saddle) return std::nullopt;
+  Mutant mutant{claim, 4, kFirstLine + *k};
+  auto& successors = *mutant.claim.points[*k].successors;
+  const std::vector<PointId> names = subject.contact(*saddle);
+  const auto is_it = [&](const ClaimedTarget& target) { return target.contact == names; };
+  if (std::erase_if(successors, is_it) == 0) successors.push_back({false, names});
+  return mutant;
+}
+
+// The least of all ways to write a closed walk down.
+std::vector<PointId> least_walk(std::vector<PointId> walk) {
+  std::vector<PointId> least = walk;
+  for (std::size_t turn = 0; turn < 2 * walk.size(); ++turn) {
+    std::rotate(walk.begin(), walk.begin() + 1, walk.end());
+    if (turn + 1 == walk.size()) std::ranges::reverse(walk);
+    least = std::min(least, walk);
+  }
+  return least;
+}
+
+std::optional<Mutant> broken_walk(const Subject& subject, const Claim& claim) {
+  const auto k = some_point(claim, [&](const ClaimedPoint& point) {
+    return point.stable && point.stable->walk && !subject.has_tie(point.line - kFirstLine);
+  });
+  if (!k) return std::nullopt;
+  Mutant mutant{claim, 5, kFirstLine + *k};
+  std::vector<PointId>& walk = *mutant.claim.points[*k].stable->walk;
+  const std::vector<PointId> right = least_walk(walk);
+  const std::size_t at = below(walk.size());
+  switch (below(3)) {
+    case 0:
+      walk.erase(walk.begin() + static_cast<std::ptrdiff_t>(at));
+      break;
+    case 1:
+      walk[at] = subject.points.name(below(subject.points.size()));
+      break;
+    default:
+      std::swap(walk[at], walk[below(walk.size())]);
+  }
+  if (least_walk(walk) == right) return std::nullopt;
+  return mutant;
+}
+
+bool move(ClaimedPosition& x) {
+  Rational& coordinate = x[below(3)].value;
+  const std::optional<double> nearest = nearest_double(coordinate);
+  if (!nearest) return false;
+  const Rational rounded(*nearest);
+  coordinate = rounded != coordinate ? rounded : Rational(fuzz::nudged(*nearest, below(2) == 0 ? 1 : -1));
+  return true;
+}
+
+std::optional<Mutant> moved_skeleton(const Subject&, const Claim& claim) {
+  const auto k = some_point(claim, has_segments);
+  if (!k) return std::nullopt;
+  Mutant mutant{claim, 5, kFirstLine + *k};
+  auto& segments = mutant.claim.points[*k].skeleton->segments;
+  ClaimedBackwardSegment& segment = segments[below(segments.size())];
+  if (!move(below(2) == 0 ? segment.front : segment.back)) return std::nullopt;
+  return mutant;
+}
+
+std::optional<Mutant> moved_corner(const Subject&, const Claim& claim) {
+  const auto k = some_point(
+      claim, [](const ClaimedPoint& point) { return point.skeleton && !point.skeleton->sectors.empty(); });
+  if (!k) return std::nullopt;
+  Mutant mutant{claim, 5, kFirstLine + *k};
+  auto& sectors = mutant.claim.points[*k].skeleton->sectors;
+  auto& corners = sectors[below(sectors.size())].corners;
+  if (!move(corners[below(corners.size())])) return std::nullopt;
+  return mutant;
+}
+
+std::optional<Mutant> moved_interval(const Subject&, const Claim& claim) {
+  const auto k = some_point(
+      claim, [](const ClaimedPoint& point) { return point.skeleton && !point.skeleton->intervals.empty(); });
+  if (!k) return std::nullopt;
+  Mutant mutant{claim, 5, kFirstLine + *k};
+  auto& intervals = mutant.claim.points[*k].skeleton->intervals;
+  ClaimedInterval& interval = intervals[below(intervals.size())];
+  if (!move(below(2) == 0 ? interval.front : interval.back)) return std::nullopt;
+  return mutant;
+}
+
+std::optional<Mutant> moved_triangle(const Subject&, const Claim& claim) {
+  const auto k = some_point(claim, is_surface);
+  if (!k) return std::nullopt;
+  Mutant mutant{claim, 5, kFirstLine + *k};
+  auto& vertices = mutant.claim.points[*k].surface->vertices;
+  if (!move(vertices[below(vertices.size())])) return std::nullopt;
+  return mutant;
+}
+
+// Of the stationary point's own segments, none is beyond a Voronoi vertex.
+std::optional<Mutant> segment_less(const Subject& subject, const Claim& claim) {
+  const auto k =
+      some_point(claim, [](const ClaimedPoint& point) { return point.index == 2 && is_saddle(point); });
+  if (!k) return std::nullopt;
+  Mutant mutant{claim, 5, kFirstLine + *k};
+  auto& segments = mutant.claim.points[*k].skeleton->segments;
+  const auto own = std::ranges::find_if(segments, [&](const ClaimedBackwardSegment& segment) {
+    return *segment.front_contact == subject.contact(*k);
+  });
+  segments.erase(own);
+  return mutant;
+}
+
+std::optional<Mutant> piece_twice(const Subject&, const Claim& claim) {
+  const auto k = some_point(claim, has_segments);
+  if (!k) return std::nullopt;
+  Mutant mutant{claim, 5, kFirstLine + *k};
+  ClaimedPoint& point = mutant.claim.points[*k];
+  auto& segments = point.skeleton->segments;
+  // Where a back is regular, a piece nearer to the samples may be one that a perturbation adds.
+  if (std::ranges::any_of(segments, [](const auto& segment) { return segment.back_kind == "regular"; })) {
+    return std::nullopt;
+  }
+  if (point.surface && below(2) == 0) {
+    auto& triangles = point.surface->triangles;
+    triangles.push_back(triangles[below(triangles.size())]);
+  } else {
+    segments.push_back(segments[below(segments.size())]);
+  }
+  return mutant;
+}
+
+std::optional<Mutant> triangle_less(const Subject& subject, const Claim& claim) {
+  const auto k = some_point(claim, [&](const ClaimedPoint& point) {
+    return is_surface(point) && !*point.stable->has_vertex &&
+           subject.truth->index(point.line - kFirstLine).hull_dimension == 2;
+  });
+  if (!k) return std::nullopt;
+  Mutant mutant{claim, 5, kFirstLine + *k};
+  auto& triangles = mutant.claim.points[*k].surface->triangles;
+  triangles.erase(triangles.begin() + static_cast<std::ptrdiff_t>(below(triangles.size())));
+  return mutant;
+}
+
+std::optional<Mutant> other_summary(const Subject&, const Claim& claim) {
+  const auto k =
+      some_point(claim, [](const ClaimedPoint& point) { return point.stable && !*point.stable->has_vertex; });
+  if (!k) return std::nullopt;
+  Mutant mutant{claim, 5, kFirstLine + *k};
+  ClaimedStable& stable = *mutant.claim.points[*k].stable;
+  switch (below(3)) {
+    case 0:
+      ++*stable.segments;
+      break;
+    case 1:
+      stable.has_vertex = true;
+      break;
+    default:
+      stable.has_interval = true;
+  }
+  return mutant;
+}
+
+const std::map<std::string, Mutation>& mutations() {
+  static const std::map<std::string, Mutation> all = {
+      {"other boundary", other_boundary},   {"boundary of another", boundary_of_another},
+      {"other incidence", other_incidence}, {"broken walk", broken_walk},
+      {"moved skeleton", moved_skeleton},   {"moved corner", moved_corner},
+      {"moved interval", moved_interval},   {"moved triangle", moved_triangle},
+      {"segment less", segment_less},       {"piece twice", piece_twice},
+      {"triangle less", triangle_less},     {"other summary", other_summary}};
+  return all;
+}
+
+// ---- Properties.
+
+template <typename Property>
+void on_all_families(Property&& property) {
+  bool agreed = true;
+  for (const fuzz::Family& family : fuzz::families()) {
+    const rc::Gen<fuzz::Input> generator = family.generate();
+    agreed = expect_holds(family.name, parameters_of_run(kInputsPerFamily, agreed),
+                          [&] {
+                            const fuzz::Input input = *generator;
+                            property(Subject(input));
+                          }) &&
+             agreed;
+  }
+}
+
+TEST(StableClaims, RightClaimsNeverFail) {
+  CITES("FC-CLAIM-06", "FC-CLAIM-09", "FC-CLAIM-10");
+  std::size_t differing = 0, left_out = 0;
+  on_all_families([&](const Subject& subject) {
+    const Claim claim = stable_claim(subject);
+    const CheckReport exact = check(subject.points, claim, *subject.truth);
+    require(subject, exact.verdict == Verdict::kConforms && exact.findings.empty() && exact.is_exact,
+            "the full claim", exact);
+    const CheckReport decimals = check(subject.points, claim_in_decimals(claim), *subject.truth);
+    require(subject, decimals.verdict == Verdict::kConforms, "the claim in decimals", decimals);
+    const CheckReport ties =
+        check(subject.points, with_other_ties(subject, claim, differing), *subject.truth);
+    require(subject, ties.verdict != Verdict::kFails, "ties broken otherwise", ties);
+    const CheckReport less =
+        check(subject.points, without_what_is_beyond(subject, claim, left_out), *subject.truth);
+    require(subject, less.verdict != Verdict::kFails, "without what is beyond Voronoi vertices", less);
+  });
+  std::printf("%zu boundaries by other ties, %zu segments beyond Voronoi vertices left out\n", differing,
+              left_out);
+  if (scale_of_run() >= 1) {
+    EXPECT_GT(differing, 10U);
+    EXPECT_GT(left_out, 50U);
+  }
+}
+
+TEST(StableClaims, MutantsFailWhereTheyAreWrong) {
+  CITES("FC-CLAIM-06", "FC-CLAIM-09", "FC-CLAIM-10", "FC-STAB-04", "FC-STAB-07", "FC-CHAIN-01");
+  std::map<std::string, std::size_t> made;
+  on_all_families([&](const Subject& subject) {
+    const Claim claim = stable_claim(subject);
+    for (const auto& [name, mutation] : mutations()) {
+      const std::optional<Mutant> mutant = mutation(subject, claim);
+      if (!mutant) continue;
+      ++made[name];
+      const CheckReport report = check(subject.points, mutant->claim, *subject.truth);
+      const bool found = std::ranges::any_of(report.findings, [&](const Finding& finding) {
+        return !finding.is_variation && finding.level == mutant->level && finding.line == mutant->line;
+      });
+      require(subject, report.verdict == Verdict::kFails && found,
+              name + ": not found in line " + std::to_string(mutant->line), report);
+    }
+  });
+  for (const auto& [name, mutation] : mutations()) {
+    std::printf("%-20s %6zu mutants\n", name.c_str(), made[name]);
+    EXPECT_GT(made[name], scale_of_run() >= 1 ? 40U : 0U) << name;
+  }
+}
+
+TEST(StableClaims, WalksAreTheOracles) {
+  CITES("FC-STAB-07");
+  std::size_t walks = 0, replaced = 0, regular = 0, none = 0;
+  on_all_families([&](const Subject& subject) {
+    const oracle::PointSet set(subject.input.rows);
+    const std::size_t step = 1 + subject.truth->size() / kMostByOracle;
+    for (std::size_t i = below(step); i < subject.truth->size(); i += step) {
+      const StationaryIndex index = subject.truth->index(i);
+      if (index != StationaryIndex{2, 2} && index.is_critical()) continue;
+      const ExactSphere sphere = subject.truth->sphere(i);
+      const std::vector<PointId> contact = subject.contact(i);
+      const oracle::StationaryPoint z{sphere.center,
+                                      sphere.squared_radius,
+                                      {contact.begin(), contact.end()},
+                                      index.face_dimension,
+                                      index.hull_dimension};
+      const auto walk = boundary_walk(subject.truth->stable_set(i), index, contact);
+      const oracle::StableSet stable = oracle::stable_set(set, z);
+      const bool has_walk = index.hull_dimension == 2 && !stable.has_vertex;
+      RC_ASSERT(walk.has_value() == has_walk);
+      if (!has_walk) {
+        ++none;
+        continue;
+      }
+      const auto right = oracle::boundary_walk(set, z, stable);
+      RC_ASSERT(std::vector<std::size_t>(walk->begin(), walk->end()) == right);
+      ++walks;
+      replaced += right.size() > contact.size() ? 1 : 0;
+      regular += index.is_critical() ? 0 : 1;
+    }
+  });
+  std::printf("%zu walks, %zu with sides replaced, %zu of regular points; %zu sets without one\n", walks,
+              replaced, regular, none);
+  if (scale_of_run() >= 1) {
+    EXPECT_GT(walks, 1000U);
+    EXPECT_GT(replaced, 100U);
+    EXPECT_GT(regular, 50U);
+    EXPECT_GT(none, 50U);
+  }
+}
+
+}  // namespace
+}  // namespace flowcert::property
