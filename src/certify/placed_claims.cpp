@@ -172,7 +172,10 @@ void check_claims_at_regular(CheckRun& run, std::size_t record, const Claims& cl
       perturbed.add(k);
     } else if (judge_regular_claim(run, k, record)) {
       if (regular) find_twice(run, k, *regular);
-      if (!regular) vary_contact(run, k, record);
+      if (!regular) {
+        run.placed[k].is_right = true;
+        vary_contact(run, k, record);
+      }
       regular = k;
     }
     check_values(run, k);

@@ -27,7 +27,7 @@
 namespace flowcert::property {
 namespace {
 
-constexpr int kInputsPerFamily = 20;
+constexpr int kInputsPerFamily = 60;
 constexpr std::size_t kFirstLine = 2;       // of a claim's points
 constexpr std::size_t kMostByOracle = 120;  // stationary points of an input
 
