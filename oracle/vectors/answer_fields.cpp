@@ -1,6 +1,11 @@
 // See answer_fields.h.
 #include "oracle/vectors/answer_fields.h"
 
+#include <algorithm>
+#include <set>
+
+#include "oracle/stable_pieces.h"
+
 namespace oracle::vectors {
 
 namespace {
@@ -39,6 +44,53 @@ Json limit_field(const std::optional<StationaryPoint>& limit) {
           {"squared_distance", limit->squared_distance.str()}};
 }
 
+const char* back_kind_text(BackKind kind) {
+  switch (kind) {
+    case BackKind::kCritical:
+      return "critical";
+    case BackKind::kRegular:
+      return "regular";
+    case BackKind::kEdge:
+      return "edge";
+    case BackKind::kVertex:
+      break;
+  }
+  return "vertex";
+}
+
+// Those that the way back from z comes to along segments alone.
+std::size_t segments_without_intervals(const StationaryPoint& z, const StableSet& stable) {
+  std::set<Point> reached;
+  std::vector<Point> open = {z.center};
+  std::size_t count = 0;
+  while (!open.empty()) {
+    const Point front = open.back();
+    open.pop_back();
+    if (!reached.insert(front).second) continue;
+    for (const BackwardSegment& segment : stable.segments) {
+      if (segment.front != front) continue;
+      ++count;
+      open.push_back(segment.back);
+    }
+  }
+  return count;
+}
+
+bool has_regular_back(const StableSet& stable) {
+  return std::any_of(stable.segments.begin(), stable.segments.end(),
+                     [](const BackwardSegment& segment) { return segment.back_kind == BackKind::kRegular; });
+}
+
+// The samples of the index-1 points in which an odd number of connecting orbits end.
+Json boundary_field(const StableSet& stable) {
+  std::set<std::array<std::size_t, 2>> odd;
+  for (const BackwardSegment& segment : stable.segments) {
+    if (segment.back_kind != BackKind::kCritical) continue;
+    if (!odd.insert(segment.samples).second) odd.erase(segment.samples);
+  }
+  return odd;
+}
+
 }  // namespace
 
 Json position_field(const Point& x) { return Json::array({x[0].str(), x[1].str(), x[2].str()}); }
@@ -55,6 +107,54 @@ Json orbit_field(const PointSet& set, const Point& start, const Orbit& path) {
   Json segments = Json::array();
   for (const FlowSegment& segment : path.segments) segments.push_back(segment_field(set, segment));
   return {{"start", position_field(start)}, {"segments", segments}, {"limit", limit_field(path.limit)}};
+}
+
+Json stable_field(const PointSet& set, const StationaryPoint& z, const StableSet& stable) {
+  Json field = {{"segments", segments_without_intervals(z, stable)},
+                {"has_vertex", stable.has_vertex},
+                {"has_interval", !stable.intervals.empty()}};
+  if (z.face_dimension == z.hull_dimension) {
+    const bool has_tie = stable.has_vertex || has_regular_back(stable);
+    field["boundary"] = has_tie ? Json() : boundary_field(stable);
+  }
+  field["walk"] = stable.has_vertex ? Json() : Json(boundary_walk(set, z, stable));
+  return field;
+}
+
+// The intervals that sectors come through are not listed: the sectors' corners tell them.
+Json skeleton_field(const PointSet& set, const StableSet& stable) {
+  Json field = {{"segments", Json::array()}, {"intervals", Json::array()}, {"sectors", Json::array()}};
+  for (const BackwardSegment& segment : stable.segments) {
+    field["segments"].push_back({{"samples", segment.samples},
+                                 {"front", position_field(segment.front)},
+                                 {"back", position_field(segment.back)},
+                                 {"front_contact", segment.front_contact},
+                                 {"back_contact", segment.back_contact},
+                                 {"back_kind", back_kind_text(segment.back_kind)}});
+  }
+  for (const BackwardInterval& interval : stable.intervals) {
+    if (interval.kind == IntervalKind::kCrossed) continue;
+    field["intervals"].push_back({{"polygon", interval.polygon},
+                                  {"front", position_field(interval.front)},
+                                  {"back", position_field(interval.back)},
+                                  {"back_is_stationary", !flow_segment(set, interval.back)}});
+  }
+  for (const Sector& sector : stable.sectors) {
+    Json corners = Json::array();
+    for (const Point& corner : sector.polygon) corners.push_back(position_field(corner));
+    field["sectors"].push_back({{"samples", sector.samples}, {"corners", corners}});
+  }
+  return field;
+}
+
+Json persistence_field(const std::vector<PersistencePair>& pairs) {
+  Json field = Json::array();
+  for (const PersistencePair& pair : pairs) {
+    field.push_back({{"dimension", pair.dimension},
+                     {"birth", pair.birth.str()},
+                     {"death", pair.death ? Json(pair.death->str()) : Json()}});
+  }
+  return field;
 }
 
 Json counts_field(const Answer& answer) {

@@ -1,4 +1,5 @@
-// The oracle's answers in JSON, with the keys of spec/formats.md sections 2 and 4.
+// The oracle's answers in JSON, with the keys of spec/formats.md sections 2 and 4, and of its conformance
+// vectors.
 //
 // Guarantees: exact; keys in the order of the formats. Nothing of src/ is used.
 #pragma once
@@ -7,6 +8,8 @@
 #include <optional>
 
 #include "oracle/orbit.h"
+#include "oracle/persistence.h"
+#include "oracle/stable_set.h"
 #include "oracle/stationary_points.h"
 
 namespace oracle::vectors {
@@ -18,6 +21,12 @@ Json position_field(const Point& x);
 Json record_field(const StationaryPoint& x);
 // start, segments, limit.
 Json orbit_field(const PointSet& set, const Point& start, const Orbit& path);
+// segments, has_vertex, has_interval, boundary, walk: of z critical of index 2 or regular stationary.
+Json stable_field(const PointSet& set, const StationaryPoint& z, const StableSet& stable);
+// segments, intervals, sectors.
+Json skeleton_field(const PointSet& set, const StableSet& stable);
+// An array of dimension, birth, death.
+Json persistence_field(const std::vector<PersistencePair>& pairs);
 // merged_duplicates, critical, regular_stationary.
 Json counts_field(const Answer& answer);
 

@@ -160,6 +160,35 @@ bool has_saddle_with_one_limit(const Rows&, const Findings& found) {
                      [](const auto& two) { return two[0].limit == two[1].limit; });
 }
 
+// ---- Of stable sets, and of persistence pairs
+
+Holds some_stable_set(const std::function<bool(const StableSet&)>& holds) {
+  return [holds](const Rows&, const Findings& found) {
+    return std::any_of(found.stable.begin(), found.stable.end(),
+                       [&](const auto& set) { return holds(set.second); });
+  };
+}
+
+Holds some_back(BackKind kind) {
+  return some_stable_set([kind](const StableSet& set) {
+    return std::any_of(set.segments.begin(), set.segments.end(),
+                       [&](const BackwardSegment& segment) { return segment.back_kind == kind; });
+  });
+}
+
+Holds some_class(int dimension) {
+  return [dimension](const Rows&, const Findings& found) {
+    return found.persistence &&
+           std::any_of(found.persistence->begin(), found.persistence->end(),
+                       [&](const PersistencePair& pair) { return pair.dimension == dimension; });
+  };
+}
+
+bool has_equal_pairs(const Rows&, const Findings& found) {
+  return found.persistence &&
+         std::adjacent_find(found.persistence->begin(), found.persistence->end()) != found.persistence->end();
+}
+
 bool is_regular(const StationaryPoint& x) { return x.face_dimension != x.hull_dimension; }
 
 std::vector<Definition> aims() {
@@ -294,10 +323,51 @@ std::vector<Definition> facts_of_orbits() {
   };
 }
 
+std::vector<Definition> facts_of_stable_sets() {
+  const auto has_cut_sector = [](const StableSet& set) {
+    return std::any_of(set.sectors.begin(), set.sectors.end(),
+                       [](const Sector& sector) { return sector.polygon.size() > 3; });
+  };
+  return {
+      {{"edge-back",
+        "A listed stable set in which a backward segment ends inside a Voronoi edge, where it branches.",
+        {"FC-STAB-04", "FC-STAB-06"}},
+       some_back(BackKind::kEdge)},
+      {{"regular-back",
+        "A listed stable set in which a backward segment ends at a regular stationary point.",
+        {"FC-STAB-04", "FC-CHAIN-02"}},
+       some_back(BackKind::kRegular)},
+      {{"skeleton-vertex",
+        "A listed stable set with a Voronoi vertex in its skeleton.",
+        {"FC-STAB-03", "FC-STAB-06", "FC-CHAIN-02"}},
+       some_stable_set([](const StableSet& set) { return set.has_vertex; })},
+      {{"skeleton-interval",
+        "A listed stable set with an interval in its skeleton: a part of it has dimension 3.",
+        {"FC-STAB-05", "FC-STAB-06"}},
+       some_stable_set([](const StableSet& set) { return !set.intervals.empty(); })},
+      {{"cut-sector",
+        "A listed stable set with a sector that is no triangle: its rays leave the Voronoi facet.",
+        {"FC-STAB-05"}},
+       some_stable_set(has_cut_sector)},
+  };
+}
+
+std::vector<Definition> facts_of_persistence() {
+  return {
+      {{"tunnel", "A listed persistence pair of dimension 1.", {"FC-PERS-01", "FC-PERS-05"}}, some_class(1)},
+      {{"void", "A listed persistence pair of dimension 2.", {"FC-PERS-01", "FC-PERS-05"}}, some_class(2)},
+      {{"equal-pairs",
+        "Two listed persistence pairs of the same dimension, birth and death.",
+        {"FC-PERS-01", "FC-PERS-04"}},
+       has_equal_pairs},
+  };
+}
+
 const std::vector<Definition>& definitions() {
   static const std::vector<Definition> all = [] {
     std::vector<Definition> table;
-    for (auto* part : {aims, facts_of_inputs, facts_of_stationary_points, facts_of_orbits}) {
+    for (auto* part : {aims, facts_of_inputs, facts_of_stationary_points, facts_of_orbits,
+                       facts_of_stable_sets, facts_of_persistence}) {
       for (Definition& definition : part()) table.push_back(definition);
     }
     return table;

@@ -4,10 +4,14 @@
 // the input was made. Each is defined once, here, and written to spec/vectors/flags.json.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "oracle/orbit.h"
+#include "oracle/persistence.h"
+#include "oracle/stable_set.h"
 #include "oracle/stationary_points.h"
 #include "oracle/vectors/shapes.h"
 
@@ -29,6 +33,9 @@ struct Findings {
   std::vector<std::array<Orbit, 2>> unstable;  // of the index-2 points, in order; if asked for
   std::vector<Point> starts;
   std::vector<Orbit> orbits;  // one a start
+  // Of each stationary point that is critical of index 2 or regular, by its place in the list; if asked for.
+  std::map<std::size_t, StableSet> stable;
+  std::optional<std::vector<PersistencePair>> persistence;  // if asked for
 };
 
 // Aims and what follows from the findings. Throws std::logic_error for an aim that is no flag.

@@ -319,8 +319,8 @@ void GroupWriter::drawn(std::size_t first, const std::string& name, int size,
 
 void GroupWriter::given(std::size_t number, const std::string& comment, const std::vector<std::string>& aims,
                         const Rows& points, const std::vector<Point>& starts) {
-  group_.recipes.push_back({case_id(group_.name, number), comment, aims, points, limits_, starts,
-                            starts.empty() ? own_starts_ : 0});
+  group_.recipes.push_back({case_id(group_.name, number), comment, aims, points, limits_, stable_,
+                            persistence_, starts, starts.empty() ? own_starts_ : 0});
 }
 
 void GroupWriter::threefold(std::size_t first, const std::string& comment, const Rows& points,
@@ -344,7 +344,7 @@ const std::vector<Group>& groups() {
   static const std::vector<Group> all = [] {
     std::vector<Group> table;
     std::set<std::string> ids;
-    for (auto* part : {stationary_groups, orbit_groups, invalid_groups}) {
+    for (auto* part : {stationary_groups, orbit_groups, homology_groups, invalid_groups}) {
       for (Group& group : part()) {
         for (const Recipe& recipe : group.recipes) {
           if (!ids.insert(recipe.id).second) throw std::logic_error(recipe.id + " is there twice");

@@ -21,6 +21,8 @@ struct Recipe {
   std::vector<std::string> aims;  // flags that do not follow from input and answer (flags.h)
   Rows points;
   bool limits = false;         // also where the orbits of U2 end
+  bool stable = false;         // also the stable sets of index-2 and regular stationary points
+  bool persistence = false;    // also the persistence pairs
   std::vector<Point> starts;   // also the orbits from here,
   std::size_t own_starts = 0;  // and from so many starts of starts.h
 };
@@ -49,6 +51,7 @@ const std::vector<Group>& groups();
 // The same, a source file each.
 std::vector<Group> stationary_groups();
 std::vector<Group> orbit_groups();
+std::vector<Group> homology_groups();
 std::vector<Group> invalid_groups();
 
 // "cospherical-clusters-0007".
@@ -69,11 +72,15 @@ class GroupWriter {
 
   // From now on.
   void with_limits() { limits_ = true; }
+  void with_stable_sets() { stable_ = true; }
+  void with_persistence() { persistence_ = true; }
   void with_own_starts(std::size_t count) { own_starts_ = count; }
 
  private:
   Group& group_;
   bool limits_ = false;
+  bool stable_ = false;
+  bool persistence_ = false;
   std::size_t own_starts_ = 0;
 };
 

@@ -37,11 +37,21 @@ std::uint64_t seed_of(const std::string& id) {
   return seed;
 }
 
+// It has a stable set whose skeleton is worth telling.
+bool has_stable_field(const StationaryPoint& x) {
+  return is_saddle(x) || x.face_dimension != x.hull_dimension;
+}
+
 Findings findings_of(const Recipe& recipe, const Answer& answer, const std::vector<Point>& starts) {
-  Findings found{PointSet(recipe.points), answer, {}, starts, {}};
+  Findings found{PointSet(recipe.points), answer, {}, starts, {}, {}, {}};
   for (const StationaryPoint& x : answer.stationary) {
     if (recipe.limits && is_saddle(x)) found.unstable.push_back(unstable_orbits(found.set, x));
   }
+  for (std::size_t i = 0; recipe.stable && i < answer.stationary.size(); ++i) {
+    if (!has_stable_field(answer.stationary[i])) continue;
+    found.stable.emplace(i, stable_set(found.set, answer.stationary[i]));
+  }
+  if (recipe.persistence) found.persistence = persistence_pairs(found.set);
   for (const Point& start : starts) found.orbits.push_back(orbit(found.set, start));
   return found;
 }
@@ -58,6 +68,10 @@ Json stationary_field(const Recipe& recipe, const Findings& found) {
       }
       record["limits"] = limits;
       ++saddle;
+    }
+    if (const auto stable = found.stable.find(records.size()); stable != found.stable.end()) {
+      record["stable"] = stable_field(found.set, x, stable->second);
+      record["skeleton"] = skeleton_field(found.set, stable->second);
     }
     records.push_back(record);
   }
@@ -132,6 +146,7 @@ Json case_of(const Group& group, const Recipe& recipe, const Answer& answer,
                {"result", alternatives.empty() ? "determined" : "acceptable"}};
   Json expected = counts_field(found.answer);
   expected["stationary"] = stationary_field(recipe, found);
+  if (found.persistence) expected["persistence"] = persistence_field(*found.persistence);
   if (!found.starts.empty()) expected["orbits"] = Json::array();
   for (std::size_t k = 0; k < found.starts.size(); ++k) {
     expected["orbits"].push_back(orbit_field(found.set, found.starts[k], found.orbits[k]));

@@ -1,7 +1,8 @@
 // Conformance vectors as JSON: spec/formats.md, "Conformance vectors".
 //
 // Guarantees: what is expected comes from the oracle alone: stationary points by search over all subsets,
-// orbits by linear scans. Deterministic, to the byte.
+// orbits by linear scans, stable sets by following the flow backwards, persistence pairs by the Čech
+// filtration. Deterministic, to the byte.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// See case_run.h. A case takes one run of the command, and one of the orbit command for each start. Each run
+// See case_run.h. A case takes one run of the command, one of the orbit command for each start, and one
+// of the persistence command. Each run
 // has a folder, with a subfolder that it runs in, so that nothing of ours is in its way but the points.
 #include "cli/case_run.h"
 
@@ -25,6 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kOrbitName[] = "orbit.json";
+constexpr char kPersistenceName[] = "persistence";
 
 // What a shell exits with that was not allowed to run the command, or did not find it.
 constexpr int kNotExecutable = 126;
@@ -106,6 +108,11 @@ class CaseRun {
     if (case_.is_invalid()) return expect_refusal(run_claim());
     result_.outcome = RunOutcome::kConforms;
     judge_claim(run_claim());
+    judge_orbits();
+    if (case_.persistence && !options_.persistence_command.empty()) judge_persistence(run_persistence());
+  }
+
+  void judge_orbits() {
     if (options_.orbit_command.empty()) return;
     for (const CaseOrbit& orbit : case_.orbits) {
       const Run run = run_orbit(orbit.start);
@@ -119,6 +126,7 @@ class CaseRun {
   Run run_orbit(const std::string& start) {
     return run(options_.orbit_command, kOrbitName, {{"{start}", start}});
   }
+  Run run_persistence() { return run(options_.persistence_command, kPersistenceName, {}); }
 
   Run run(const std::string& command, const std::string& out_name,
           std::vector<std::pair<std::string, std::string>> values) {
@@ -268,6 +276,20 @@ class CaseRun {
       result_.message = words;
     }
     return true;
+  }
+
+  void judge_persistence(const Run& run) {
+    if (!ends_well(run)) return;
+    PairList claimed;
+    const bool is_read = read_answer(
+        run, [&](const std::string& bytes) { claimed = claimed_pairs_of(bytes, run.answer_name); });
+    if (!is_read) return;
+    result_.is_persistence_judged = true;
+    auto differences = pair_differences(claimed, *case_.persistence);
+    if (differences.empty()) return;
+    fail(run, RunOutcome::kFails, persistence_finding_words(differences.front()));
+    if (differences.size() > kMostFindings) differences.resize(kMostFindings);
+    result_.persistence_findings = std::move(differences);
   }
 
   const VectorCase& case_;

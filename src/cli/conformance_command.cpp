@@ -125,6 +125,7 @@ int run_cases(const ConformanceCommandOptions& options, const Vectors& vectors,
               const std::vector<const VectorCase*>& cases) {
   require_full_path("--against", options.run.command);
   require_full_path("--orbits-against", options.run.orbit_command);
+  require_full_path("--persistence-against", options.run.persistence_command);
   // What cannot be written is better known before.
   std::optional<OutputFile> junit;
   if (!options.junit.empty()) junit.emplace(options.junit);
@@ -215,6 +216,11 @@ void add_command_options(CLI::App& command, ConformanceCommandOptions& options) 
                   "A command for orbits: {start} stands for where to start, X,Y,Z; its answer is JSON as of "
                   "orbit --json")
       ->check(has_in_and_start);
+  command
+      .add_option(
+          "--persistence-against", run.persistence_command,
+          "A command for persistence pairs; its answer is JSON as of persistence --json, or a .pers file")
+      ->check(has_in);
   command.add_option("--in-format", options.in_format, "Format of the points: xyz or off")
       ->check(CLI::IsMember({"xyz", "off"}))
       ->capture_default_str();
@@ -268,6 +274,8 @@ void add_conformance_command(CLI::App& app, int& status) {
       "Examples:\n  flowcert conformance --against \"$PWD/my-flow {in} {out}\"\n"
       "  flowcert conformance --against 'flowcert compute {in} -o {out} --manifolds u2' --orbits-against "
       "'flowcert orbit {in} --from {start} --json' --jobs 2\n"
+      "  flowcert conformance --against 'flowcert compute {in} -o {out}' --persistence-against 'flowcert "
+      "persistence {in} -o {out}' --group persistence\n"
       "  flowcert conformance --list --flag kind-1-3");
   command->callback([options, &status] { status = conformance(*options); });
 }

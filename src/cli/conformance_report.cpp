@@ -113,6 +113,11 @@ std::size_t orbits_judged(const ConformanceReport& report) {
   return count;
 }
 
+std::size_t persistence_judged(const ConformanceReport& report) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(report.outcomes, &CaseOutcome::is_persistence_judged));
+}
+
 // ---- Text
 
 void print_tallies(const char* title, const std::vector<NamedTally>& tallies) {
@@ -166,6 +171,15 @@ void print_telling_flags(const ConformanceReport& report) {
   }
 }
 
+// How many cases have something that no command was asked for.
+template <typename Has>
+void print_unasked(const ConformanceReport& report, const char* what, const char* option, const Has& has) {
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(report.outcomes, has));
+  if (count == 0) return;
+  fmt::print("not judged: the {} of {} case{}, without {}\n", what, with_commas(count), count == 1 ? "" : "s",
+             option);
+}
+
 void print_judged(const ConformanceReport& report) {
   fmt::print("judged: ");
   for (std::size_t level = 0; level < kLevels; ++level) {
@@ -173,11 +187,16 @@ void print_judged(const ConformanceReport& report) {
                claims_judged(report, level) == 1 ? "" : "s", level + 1);
   }
   fmt::print("{} orbits\n", with_commas(orbits_judged(report)));
-  const auto has_orbits = [](const CaseOutcome& outcome) { return !outcome.of->orbits.empty(); };
-  const auto unasked = static_cast<std::size_t>(std::ranges::count_if(report.outcomes, has_orbits));
-  if (report.options.orbit_command.empty() && unasked > 0) {
-    fmt::print("not judged: the orbits of {} case{}, without --orbits-against\n", with_commas(unasked),
-               unasked == 1 ? "" : "s");
+  if (!report.options.persistence_command.empty()) {
+    fmt::print("judged: the persistence pairs of {} cases\n", with_commas(persistence_judged(report)));
+  }
+  if (report.options.orbit_command.empty()) {
+    print_unasked(report, "orbits", "--orbits-against",
+                  [](const CaseOutcome& outcome) { return !outcome.of->orbits.empty(); });
+  }
+  if (report.options.persistence_command.empty()) {
+    print_unasked(report, "persistence pairs", "--persistence-against",
+                  [](const CaseOutcome& outcome) { return outcome.of->persistence.has_value(); });
   }
 }
 
@@ -220,6 +239,14 @@ Json orbit_findings_field(const CaseOutcome& outcome) {
   return field;
 }
 
+Json persistence_findings_field(const CaseOutcome& outcome) {
+  Json field = Json::array();
+  for (const auto& [claimed, truth] : outcome.persistence_findings) {
+    field.push_back({{"claimed", claimed}, {"truth", truth}});
+  }
+  return field;
+}
+
 Json case_field(const CaseOutcome& outcome) {
   Json findings = Json::array();
   for (const Finding& finding : outcome.findings) findings.push_back(finding_field(finding));
@@ -232,7 +259,8 @@ Json case_field(const CaseOutcome& outcome) {
           {"message", outcome.message},
           {"findings", findings},
           {"findings_left_out", outcome.findings_left_out},
-          {"orbit_findings", orbit_findings_field(outcome)}};
+          {"orbit_findings", orbit_findings_field(outcome)},
+          {"persistence_findings", persistence_findings_field(outcome)}};
 }
 
 Json judged_field(const ConformanceReport& report) {
@@ -241,6 +269,7 @@ Json judged_field(const ConformanceReport& report) {
     field[fmt::format("{}", level + 1)] = claims_judged(report, level);
   }
   field["orbits"] = orbits_judged(report);
+  field["persistence"] = persistence_judged(report);
   return field;
 }
 
@@ -304,6 +333,8 @@ void print_conformance_json(const ConformanceReport& report) {
   json.erase("input_sha256");
   json["command"] = options.command;
   json["orbit_command"] = options.orbit_command.empty() ? Json(nullptr) : Json(options.orbit_command);
+  json["persistence_command"] =
+      options.persistence_command.empty() ? Json(nullptr) : Json(options.persistence_command);
   json["tolerance"] = options.check.tolerance;
   json["highest_level"] = options.check.highest_level;
   json["time_limit"] = options.limits.seconds;

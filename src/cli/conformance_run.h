@@ -54,12 +54,15 @@ struct CaseOutcome {
   std::vector<OrbitFinding> orbit_findings;
   std::array<bool, kLevels> judged{};  // which levels there was something to judge on
   std::size_t orbits_judged = 0;
+  std::vector<PairDifference> persistence_findings;
+  bool is_persistence_judged = false;
 };
 inline constexpr std::size_t kMostFindings = 100;
 
 struct ConformanceOptions {
-  std::string command;        // with {in}; the answer is the file {out}, or standard output
-  std::string orbit_command;  // likewise, with {start}; may be empty
+  std::string command;              // with {in}; the answer is the file {out}, or standard output
+  std::string orbit_command;        // likewise, with {start}; may be empty
+  std::string persistence_command;  // may be empty
   std::string out_name = "claim";
   PointFileStyle points;
   ProgramLimits limits;

@@ -44,4 +44,8 @@ std::string orbit_finding_words(const OrbitFinding& finding) {
                               finding.difference.claimed, finding.difference.truth));
 }
 
+std::string persistence_finding_words(const PairDifference& difference) {
+  return one_line(fmt::format("persistence: claimed {}; truth: {}", difference.claimed, difference.truth));
+}
+
 }  // namespace flowcert

@@ -86,6 +86,32 @@ CaseLimits limits_of(const Json& value, const RecordOf& record_of, std::size_t r
   return limits;
 }
 
+std::vector<std::size_t> boundary_of(const Json& value, const RecordOf& record_of, const VectorCase& one) {
+  std::vector<std::size_t> boundary;
+  for (const Json& contact : value) {
+    const auto record = record_of.find(contact_of(contact, one.rows.size()));
+    require(record != record_of.end() && one.answer.stationary[record->second].hull_dimension == 1,
+            "a boundary with what is no critical point of index 1");
+    boundary.push_back(record->second);
+  }
+  require(std::ranges::is_sorted(boundary, std::less_equal<>()), "a boundary that is not in order");
+  return boundary;
+}
+
+CaseStable stable_of(const Json& value, const RecordOf& record_of, const VectorCase& one) {
+  CaseStable stable{value.at("segments").get<std::size_t>(), value.at("has_vertex").get<bool>(),
+                    value.at("has_interval").get<bool>(), std::nullopt, std::nullopt};
+  const auto boundary = value.find("boundary");
+  if (boundary != value.end() && !boundary->is_null()) {
+    stable.boundary = boundary_of(*boundary, record_of, one);
+  }
+  if (value.at("walk").is_null()) return stable;
+  stable.walk = value.at("walk").get<std::vector<PointId>>();
+  require(std::ranges::all_of(*stable.walk, [&](PointId id) { return id < one.rows.size(); }),
+          "a walk along what is none of the points");
+  return stable;
+}
+
 // As a command line takes it, which has to be what the vector means.
 std::string start_of(const std::vector<std::string>& words) {
   std::string start = joined(words);
@@ -115,7 +141,11 @@ void add_expected(const Json& expected, VectorCase& one) {
     const auto limits = value.find("limits");
     one.limits.push_back(limits == value.end() ? std::nullopt
                                                : std::optional(limits_of(*limits, record_of, rows)));
+    const auto stable = value.find("stable");
+    one.stable.push_back(stable == value.end() ? std::nullopt
+                                               : std::optional(stable_of(*stable, record_of, one)));
   }
+  if (expected.contains("persistence")) one.persistence = expected_pairs_of(expected.at("persistence"));
   if (!expected.contains("orbits")) return;
   for (const Json& value : expected.at("orbits")) {
     one.orbits.push_back({start_of(value.at("start").get<std::vector<std::string>>()), orbit_path_of(value)});

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cli/orbit_path.h"
+#include "cli/pair_list.h"
 #include "flowcert/point_set.h"
 #include "io/json_fields.h"
 #include "oracle/stationary_points.h"
@@ -26,6 +27,16 @@ struct CaseOrbit {
 
 // Records of stationary points by side; none: infinity.
 using CaseLimits = std::array<std::optional<std::size_t>, 2>;
+
+// Of a stable set, without its skeleton.
+struct CaseStable {
+  std::size_t segments = 0;
+  bool has_vertex = false;
+  bool has_interval = false;
+  // Records of index 1, ascending. None where there is a tie, and for a regular stationary point.
+  std::optional<std::vector<std::size_t>> boundary;
+  std::optional<std::vector<PointId>> walk;
+};
 
 struct VectorCase {
   std::string id;
@@ -44,7 +55,9 @@ struct VectorCase {
   std::vector<Point> rows;
   oracle::Answer answer;
   std::vector<std::optional<CaseLimits>> limits;  // by stationary point, where the file has them
+  std::vector<std::optional<CaseStable>> stable;  // likewise
   std::vector<CaseOrbit> orbits;
+  std::optional<std::vector<ListedPair>> persistence;
 
   std::string json;  // all of it, as text
 

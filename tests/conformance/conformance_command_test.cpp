@@ -29,8 +29,11 @@ constexpr char kTetrahedron[] = "unstable-manifolds-0002";
 constexpr char kTetrahedronOrbits[] = "orbits-0003";
 // A right triangle: two of the orbits end at its regular stationary point.
 constexpr char kTriangleOrbits[] = "orbits-0004";
+// An acute triangle: edges of squared length 10, 16 and 18, and a circle of squared radius 5.
+constexpr char kTrianglePairs[] = "persistence-0005";
 
 const std::string kCompute = std::string(FLOWCERT_PROGRAM) + " compute {in} -o {out} --manifolds u2";
+const std::string kPersistence = std::string(FLOWCERT_PROGRAM) + " persistence {in} -o {out}";
 const std::string kOrbit = std::string(FLOWCERT_PROGRAM) + " orbit {in} --from {start} --json > {out}";
 
 std::vector<json> vector_cases() {
@@ -52,7 +55,8 @@ json only_case_of(const json& report) {
           {"level", ""},
           {"message", ""},
           {"findings", json::array()},
-          {"orbit_findings", json::array()}};
+          {"orbit_findings", json::array()},
+          {"persistence_findings", json::array()}};
 }
 
 bool is_running(const std::string& process_file) {
@@ -72,7 +76,7 @@ class FewVectors {
     fs::copy_file(fs::path(FLOWCERT_VECTORS) / "flags.json", scratch_.path("flags.json"));
     fs::copy_file(fs::path(FLOWCERT_VECTORS) / "invalid-input.json", scratch_.path("invalid-input.json"));
     for (const std::string group :
-         {"flat-inputs", "orbits", "regular-stationary-points", "unstable-manifolds"}) {
+         {"flat-inputs", "orbits", "persistence", "regular-stationary-points", "unstable-manifolds"}) {
       json file = json::parse(content_of(std::string(FLOWCERT_VECTORS) + "/" + group + ".json"));
       file["cases"].erase(file["cases"].begin() + kCases, file["cases"].end());
       std::ofstream(scratch_.path(group + ".json")) << file;
@@ -150,15 +154,16 @@ TEST_F(ConformanceCommand, OurOwnProgramIsRightOnAllCases) {
   CITES("FC-IN-01", "FC-IN-02", "FC-IN-03", "FC-IN-04", "FC-IN-05", "FC-CRIT-02", "FC-CRIT-03", "FC-OUT-01",
         "FC-FLOW-02", "FC-FLOW-05", "FC-FLOW-07", "FC-CLAIM-06");
   const std::vector<json> cases = vector_cases();
-  std::size_t orbits = 0;
+  std::size_t orbits = 0, with_pairs = 0;
   std::map<std::string, std::size_t> flags;
   for (const json& one : cases) {
     for (const json& flag : one["flags"]) ++flags[flag];
+    if (one.contains("expected")) with_pairs += one["expected"].contains("persistence") ? 1 : 0;
     if (one.contains("expected")) orbits += one["expected"].value("orbits", json::array()).size();
   }
-  const json report =
-      as_json({"--against", kCompute, "--orbits-against", kOrbit, "--jobs", "2", "--time-limit", "120"},
-              FLOWCERT_VECTORS);
+  const json report = as_json({"--against", kCompute, "--orbits-against", kOrbit, "--persistence-against",
+                               kPersistence, "--jobs", "2", "--time-limit", "120"},
+                              FLOWCERT_VECTORS);
   EXPECT_EQ(report["verdict"], "conforms");
   ASSERT_EQ(report["cases"].size(), cases.size());
   for (const json& one : report["cases"]) {
@@ -168,6 +173,8 @@ TEST_F(ConformanceCommand, OurOwnProgramIsRightOnAllCases) {
     EXPECT_EQ(one["findings"], json::array());
   }
   EXPECT_EQ(report["judged"]["orbits"], orbits);
+  EXPECT_EQ(report["judged"]["persistence"], with_pairs);
+  EXPECT_GE(with_pairs, 60U);
   EXPECT_GT(report["judged"]["4"], cases.size() / 2);
   EXPECT_EQ(report["flags"].size(), flags.size());
   for (const json& flag : report["flags"]) {
@@ -378,6 +385,78 @@ TEST_F(ConformanceCommand, ComparesOrbits) {
             "fails");
 }
 
+TEST_F(ConformanceCommand, ComparesPersistencePairs) {
+  CITES("FC-PERS-01", "FC-PERS-02", "FC-PERS-03", "FC-PERS-05");
+  const auto outcome = [&](const std::string& command) {
+    const json report = as_json(
+        {"--against", kCompute, "--persistence-against", command + " # {in}", "--case", kTrianglePairs});
+    EXPECT_EQ(report["persistence_command"], command + " # {in}");
+    return only_case_of(report);
+  };
+  const auto text = [&](const std::string& pairs) { return outcome("printf '" + pairs + "'"); };
+  const auto changed = [&](const std::string& change) {
+    return outcome(std::string(FLOWCERT_PROGRAM) + " persistence points.xyz --json | sed '" + change + "'");
+  };
+  const auto expect_wrong = [](const json& one, const std::string& claimed, const std::string& truth) {
+    EXPECT_EQ(one["outcome"], "fails") << one;
+    EXPECT_TRUE(one["level"].is_null());
+    ASSERT_FALSE(one["persistence_findings"].empty()) << one;
+    EXPECT_EQ(one["persistence_findings"][0]["claimed"], claimed);
+    EXPECT_EQ(one["persistence_findings"][0]["truth"], truth);
+    EXPECT_EQ(one["message"], "persistence: claimed " + claimed + "; truth: " + truth);
+  };
+  const std::string components = "0 0 inf\n0 0 2.5\n0 0 4\n", none = "no such pair";
+  // Right ones: in any order, with pairs of length zero, with decimals of the same nearest doubles.
+  EXPECT_EQ(text("# of a triangle\n" + components + "1 4.5 5\n")["outcome"], "conforms");
+  EXPECT_EQ(text("1 4.50000000000000000001 5e0 # late\n\n2 7 7\n" + components)["outcome"], "conforms");
+  EXPECT_EQ(changed("")["outcome"], "conforms");
+  // Wrong ones, by name.
+  expect_wrong(text(components + "1 4.5 5.000000000000001\n"),
+               "dimension 1, birth 4.5, death 5.000000000000001", "dimension 1, birth 4.5, death 5");
+  expect_wrong(text(components), none, "dimension 1, birth 4.5, death 5");
+  expect_wrong(text(components + "1 4.5 5\n1 4.5 5\n"), "dimension 1, birth 4.5, death 5", none);
+  expect_wrong(text(components + "2 4.5 5\n"), none, "dimension 1, birth 4.5, death 5");
+  expect_wrong(text("0 0 2.5\n0 0 4\n1 4.5 5\n"), none, "dimension 0, birth 0, death inf");
+  expect_wrong(changed("s/\"squared_distance\":\"9\\/2\"/\"squared_distance\":\"13\\/3\"/"),
+               "dimension 1, birth 13/3, death 5", "dimension 1, birth 9/2, death 5");
+  expect_wrong(changed("s/\"death\":{\"contact\":\\[0,1,2\\][^}]*}/\"death\":null/"),
+               "dimension 1, birth 9/2, death inf", "dimension 1, birth 9/2, death 5");
+}
+
+TEST_F(ConformanceCommand, KnowsOutcomesOfThePersistenceCommandApart) {
+  CITES("FC-PERS-01", "FC-IN-05");
+  const auto expect = [&](const std::string& command, const std::string& outcome,
+                          const std::string& message) {
+    const json one = only_case_of(as_json(
+        {"--against", kCompute, "--persistence-against", command + " # {in}", "--case", kTrianglePairs}));
+    EXPECT_EQ(one["outcome"], outcome) << one;
+    EXPECT_NE(one["message"].get<std::string>().find(message), std::string::npos) << one;
+    EXPECT_EQ(one["persistence_findings"], json::array());
+  };
+  expect("true", "unreadable", "standard output: empty");
+  expect("echo nonsense", "unreadable", "standard output:1: not the three words");
+  expect("printf '# x\n3 1 2\n'", "unreadable", "standard output:2: no dimension");
+  expect("echo 1 x 2", "unreadable", "no squared distance: 'x'");
+  expect("echo 1 nan inf", "unreadable", "no squared distance: 'nan'");
+  expect("echo '{}'", "unreadable", "no key 'pairs'");
+  expect("echo '{'", "unreadable", "standard output");
+  expect("echo '{\"pairs\":[{\"dimension\":0,\"birth\":{\"squared_distance\":0.5},\"death\":null}]}'",
+         "unreadable", "'squared_distance' is no string");
+  expect("echo no >&2; exit 3", "refused", "exit status 3: no");
+  expect("kill -SEGV $$", "crashed", "SIGSEGV");
+  const json missing = only_case_of(
+      as_json({"--against", kCompute, "--persistence-against", "true {in} {out}", "--case", kTrianglePairs}));
+  EXPECT_EQ(missing["outcome"], "unreadable") << missing;
+  EXPECT_EQ(missing["message"], "persistence: there is no such file");
+  // The claim that failed before keeps its message, and the pairs are judged all the same.
+  const json both =
+      only_case_of(as_json({"--against", script("echo '# nothing' > \"$2\""), "--persistence-against",
+                            "echo 0 0 inf # {in}", "--case", kTrianglePairs}));
+  EXPECT_EQ(both["level"], 3);
+  EXPECT_TRUE(both["message"].get<std::string>().starts_with("level 3")) << both;
+  EXPECT_EQ(both["persistence_findings"].size(), 3U);
+}
+
 // ---- Choosing, reports, what is kept
 
 TEST_F(ConformanceCommand, ChoosesCases) {
@@ -410,6 +489,7 @@ TEST_F(ConformanceCommand, ChoosesCases) {
   refuses({}, "--against");
   refuses({"--against", "true"}, "{in}");
   refuses({"--against", "true {in}", "--orbits-against", "true {in}"}, "{start}");
+  refuses({"--against", "true {in}", "--persistence-against", "true"}, "{in}");
   refuses({"--against", "true {in}", "--time-limit", "nan"}, "--time-limit");
   refuses({"--against", "true {in}", "--out-name", "../claim"}, "--out-name");
   refuses({"--against", "true {in}", "--junit", scratch_.path("none/report.xml")}, "none/report.xml");
@@ -452,6 +532,32 @@ TEST_F(ConformanceCommand, RefusesVectorsThatItCannotUse) {
                turned["cases"][3]["expected"]["stationary"].end());
   refuses(name, turned.dump(), "not in order");
   refuses("flags.json", "{}", "flags.json");
+  const auto damaged_other = [](const std::string& group, const std::string& id, const std::string& pointer,
+                                const json& value) {
+    json file = json::parse(content_of(std::string(FLOWCERT_VECTORS) + "/" + group + ".json"));
+    std::erase_if(file["cases"].get_ref<json::array_t&>(), [&](const json& one) { return one["id"] != id; });
+    file[json::json_pointer("/cases/0/expected/" + pointer)] = value;
+    return file.dump();
+  };
+  const auto refuses_pairs = [&](const std::string& pointer, const json& value, const std::string& what) {
+    refuses("persistence.json", damaged_other("persistence", kTrianglePairs, pointer, value), what);
+  };
+  refuses_pairs("persistence/0/dimension", 3, "'dimension'");
+  refuses_pairs("persistence/0/birth", "1/0", "no rational");
+  refuses_pairs("persistence/3/death", "9/2", "of no length");
+  refuses_pairs("persistence/0/death", "100", "not in order");
+  refuses_pairs("persistence", 5, "no array");
+  const auto refuses_stable = [&](const std::string& pointer, const json& value, const std::string& what) {
+    refuses(
+        "stable-manifolds.json",
+        damaged_other("stable-manifolds", "stable-manifolds-0005", "stationary/6/stable/" + pointer, value),
+        what);
+  };
+  refuses_stable("segments", "three", "case 1");
+  refuses_stable("boundary/0", {0, 1, 2}, "a boundary with what");
+  refuses_stable("boundary/0", {0, 9}, "none of the points");
+  refuses_stable("boundary/0", {1, 2}, "a boundary that is not in order");
+  refuses_stable("walk/0", 3, "a walk along");
   EXPECT_EQ(flowcert({"conformance", "--vectors", scratch_.path("none"), "--list"}).status, 2);
 }
 

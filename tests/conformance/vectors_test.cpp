@@ -23,10 +23,13 @@
 #include <valijson/validator.hpp>
 
 #include "flowcert/orbit.h"
+#include "flowcert/persistence.h"
 #include "flowcert/read_points.h"
+#include "flowcert/stable_manifolds.h"
 #include "flowcert/unstable_manifolds.h"
 #include "io/orbit_fields.h"
 #include "io/rational_text.h"
+#include "io/skeleton_fields.h"
 #include "oracle/orbit.h"
 #include "oracle/read_points.h"
 #include "oracle/read_records.h"
@@ -184,6 +187,39 @@ TEST(VectorFiles, TheSchemaNoticesDamages) {
   }
 }
 
+// The first cases that have them.
+TEST(VectorFiles, TheSchemaNoticesDamagesOfStableSetsAndPairs) {
+  CITES("FC-NUM-02", "FC-STAB-04", "FC-STAB-05", "FC-PERS-01");
+  const auto damaged = [](const std::string& group, const std::string& id, const char* damage) {
+    nlohmann::json file = nlohmann::json::parse(vectors_text(group));
+    std::erase_if(file["cases"].get_ref<nlohmann::json::array_t&>(),
+                  [&](const nlohmann::json& one) { return one["id"] != id; });
+    return violations(file.patch(nlohmann::json::parse(damage)));
+  };
+  for (
+      const char* damage :
+      {R"([{"op":"remove","path":"/cases/0/expected/stationary/6/skeleton"}])",
+       R"([{"op":"remove","path":"/cases/0/expected/stationary/6/stable"}])",
+       R"([{"op":"remove","path":"/cases/0/expected/stationary/6/stable/walk"}])",
+       R"([{"op":"replace","path":"/cases/0/expected/stationary/6/stable/walk","value":[0,1]}])",
+       R"([{"op":"replace","path":"/cases/0/expected/stationary/6/stable/boundary/0","value":[0,1,2]}])",
+       R"([{"op":"add","path":"/cases/0/expected/stationary/6/skeleton/more","value":1}])",
+       R"([{"op":"remove","path":"/cases/0/expected/stationary/6/skeleton/sectors"}])",
+       R"([{"op":"replace","path":"/cases/0/expected/stationary/6/skeleton/segments/0/back/1","value":"-0"}])",
+       R"([{"op":"replace","path":"/cases/0/expected/stationary/6/skeleton/segments/0/back_kind","value":"x"}])"}) {
+    EXPECT_EQ(damaged("stable-manifolds", "stable-manifolds-0005", "[]"), "");
+    EXPECT_NE(damaged("stable-manifolds", "stable-manifolds-0005", damage), "") << damage;
+  }
+  for (const char* damage :
+       {R"([{"op":"remove","path":"/cases/0/expected/persistence/0/death"}])",
+        R"([{"op":"replace","path":"/cases/0/expected/persistence/0/dimension","value":3}])",
+        R"([{"op":"replace","path":"/cases/0/expected/persistence/0/birth","value":0}])",
+        R"([{"op":"replace","path":"/cases/0/expected/persistence","value":null}])"}) {
+    EXPECT_EQ(damaged("persistence", "persistence-0005", "[]"), "");
+    EXPECT_NE(damaged("persistence", "persistence-0005", damage), "") << damage;
+  }
+}
+
 std::set<std::string> clauses_of_the_spec() {
   static const std::regex heading(R"(\*\*(FC-[A-Z]+-[0-9]{2})\*\* \()");
   const std::string spec = text_of_file(std::filesystem::path(FLOWCERT_SPEC_FOLDER) / "flow_complex.md");
@@ -219,6 +255,8 @@ TEST(VectorFiles, NameWhatThereIs) {
     }
   }
   EXPECT_GE(ids.size(), 300U);
+  EXPECT_GE(group_named("stable-manifolds")["cases"].size(), 60U);
+  EXPECT_GE(group_named("persistence")["cases"].size(), 60U);
   EXPECT_EQ(flags.size(), group_named("flags")["flags"].size()) << "a case has a flag that is not defined";
   for (const auto& [flag, cases] : flags) EXPECT_GT(cases, 0U) << flag << " is no case's flag";
 }
@@ -282,6 +320,14 @@ TEST(VectorFiles, AreConsistent) {
     expect_same(one, "regular_stationary", regular, expected["regular_stationary"]);
     expect_same(one, "alternatives", alternatives, one.value("alternatives", Json::array()));
     EXPECT_EQ(one["result"] == "acceptable", !alternatives.empty()) << one["id"];
+    for (const Json& pair : expected.value("persistence", Json::array())) {
+      const auto is_sayable = [](const Json& text) {
+        const auto number = oracle::parse_rational(text);
+        return number && number->canonical && nearest_double(number->value);
+      };
+      EXPECT_TRUE(is_sayable(pair["birth"])) << one["id"];
+      EXPECT_TRUE(pair["death"].is_null() || is_sayable(pair["death"])) << one["id"];
+    }
   }
 }
 
@@ -352,6 +398,93 @@ Json fast_orbit(const PointSet& points, Flow& flow, const Json& start) {
           {"limit", limit_field(points, path.limit)}};
 }
 
+bool any_has(const Json& stationary, const char* key) {
+  return std::any_of(stationary.begin(), stationary.end(), [&](const Json& x) { return x.contains(key); });
+}
+
+// The sides that a boundary walk goes along, as far as the skeleton knows: those whose segment ends at their
+// midpoint, and the side of which a regular stationary point is the midpoint itself.
+std::multiset<Json> sides_by_skeleton(const Json& record) {
+  std::multiset<Json> sides;
+  std::map<Json, std::size_t> of_polygon;
+  for (const Json& segment : record["skeleton"]["segments"]) {
+    if (segment["back_kind"] == "critical" || segment["back_kind"] == "regular")
+      sides.insert(segment["samples"]);
+    if (segment["front"] == record["center"]) {
+      for (const Json& sample : segment["samples"]) ++of_polygon[sample];
+    }
+  }
+  Json open = Json::array();
+  for (const auto& [sample, count] : of_polygon) {
+    if (count == 1) open.push_back(sample);
+  }
+  if (!open.empty()) sides.insert(open);
+  return sides;
+}
+
+std::multiset<Json> sides_of_walk(const Json& walk) {
+  std::multiset<Json> sides;
+  for (std::size_t k = 0; k < walk.size(); ++k) {
+    const Json &a = walk[k], &b = walk[(k + 1) % walk.size()];
+    sides.insert(a < b ? Json{a, b} : Json{b, a});
+  }
+  return sides;
+}
+
+bool any_has_regular_back(const Json& skeleton) {
+  return std::any_of(skeleton["segments"].begin(), skeleton["segments"].end(),
+                     [](const Json& segment) { return segment["back_kind"] == "regular"; });
+}
+
+// The fast implementation has no walk of its own, and a boundary even where there is a tie.
+void add_fast_stable_sets(const Delaunay& delaunay, const StationaryPoints& stationary,
+                          ConstructionKernel kernel, const Json& expected, Json& records) {
+  StableManifolds manifolds(delaunay, stationary, {.flow = {kernel, FacetSearch::kBinary}, .seed = 0});
+  for (std::size_t i = 0; i < manifolds.size(); ++i) {
+    Json& record = records[manifolds.record(i)];
+    const Json& wanted = expected[manifolds.record(i)]["stable"];
+    Json stable = stable_field(stationary, manifolds, i);
+    const Json skeleton = skeleton_field(manifolds.set(i));
+    const bool has_tie = manifolds.has_vertex(i) || any_has_regular_back(skeleton);
+    if (stable.contains("boundary") && has_tie) stable["boundary"] = Json();
+    stable["walk"] = Json();
+    record["stable"] = stable;
+    record["skeleton"] = skeleton;
+    if (manifolds.has_vertex(i)) continue;
+    const bool is_right = sides_of_walk(wanted["walk"]) == sides_by_skeleton(record);
+    record["stable"]["walk"] = is_right ? wanted["walk"] : Json("not along the sides of the skeleton");
+  }
+}
+
+Json fast_persistence(const PointSet& points, const Delaunay& delaunay, const StationaryPoints& stationary,
+                      ConstructionKernel kernel) {
+  UnstableOptions options;
+  options.flow.kernel = kernel;
+  UnstableManifolds unstable(delaunay, stationary, options);
+  const StableManifolds stable(delaunay, stationary, {.flow = {kernel, FacetSearch::kBinary}, .seed = 0});
+  const ChainComplex complex(points, stationary, unstable, stable, 0);
+  const Persistence persistence(points, stationary, complex);
+  Json pairs = Json::array();
+  for (const PersistencePair& pair : persistence.pairs()) {
+    pairs.push_back({{"dimension", pair.dimension},
+                     {"birth", to_text(persistence.squared_value(pair.birth))},
+                     {"death", pair.death ? Json(to_text(persistence.squared_value(*pair.death))) : Json()}});
+  }
+  return pairs;
+}
+
+// Its pairs come by dimension and birth; among equal births any order will do.
+Json in_order(const Json& pairs) {
+  std::vector<Json> sorted = pairs;
+  const auto number = [](const Json& text) { return oracle::parse_rational(text)->value; };
+  std::sort(sorted.begin(), sorted.end(), [&](const Json& a, const Json& b) {
+    if (a["dimension"] != b["dimension"]) return a["dimension"] < b["dimension"];
+    if (a["birth"] != b["birth"]) return number(a["birth"]) < number(b["birth"]);
+    return !a["death"].is_null() && (b["death"].is_null() || number(a["death"]) < number(b["death"]));
+  });
+  return sorted;
+}
+
 Json fast_answer(const Json& one, ConstructionKernel kernel) {
   const PointSet points = fast_points(one);
   const Delaunay delaunay(points);
@@ -361,8 +494,12 @@ Json fast_answer(const Json& one, ConstructionKernel kernel) {
   answer.erase("points");
   answer["stationary"] = fast_records(points, stationary);
   const Json& expected = one["expected"]["stationary"];
-  if (std::any_of(expected.begin(), expected.end(), [](const Json& x) { return x.contains("limits"); })) {
-    add_fast_limits(delaunay, stationary, kernel, answer["stationary"]);
+  if (any_has(expected, "limits")) add_fast_limits(delaunay, stationary, kernel, answer["stationary"]);
+  if (any_has(expected, "stable")) {
+    add_fast_stable_sets(delaunay, stationary, kernel, expected, answer["stationary"]);
+  }
+  if (has(one, "persistence")) {
+    answer["persistence"] = in_order(fast_persistence(points, delaunay, stationary, kernel));
   }
   if (!has(one, "orbits")) return answer;
   Flow flow(delaunay, {kernel, FacetSearch::kBinary});
@@ -376,10 +513,42 @@ Json fast_answer(const Json& one, ConstructionKernel kernel) {
 TEST(Vectors, TheFastImplementationPassesUnderTheLazyKernel) {
   CITES("FC-IN-02", "FC-IN-03", "FC-IN-04", "FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-04", "FC-CRIT-05",
         "FC-NUM-01", "FC-OUT-01", "FC-OUT-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-03", "FC-FLOW-05",
-        "FC-FLOW-07");
+        "FC-FLOW-07", "FC-STAB-01", "FC-STAB-04", "FC-STAB-05", "FC-STAB-06", "FC-STAB-07", "FC-PERS-01",
+        "FC-PERS-05");
   for (const Json& one : all_cases()) {
     if (!is_invalid(one)) {
       expect_same(one, "lazy", fast_answer(one, ConstructionKernel::kLazy), one["expected"]);
+    }
+  }
+}
+
+// Also where the fast implementation has not the very same thing to compare with, as for the walk.
+TEST(Vectors, TheFastImplementationDisagreesWithWhatIsWrong) {
+  CITES("FC-STAB-04", "FC-STAB-07", "FC-PERS-01");
+  const std::map<std::string, std::vector<const char*>> wrong = {
+      {"stable-manifolds-0005",
+       {R"([{"op":"replace","path":"/stationary/6/stable/walk","value":[0,1,2,1]}])",
+        R"([{"op":"replace","path":"/stationary/6/stable/walk","value":null}])",
+        R"([{"op":"replace","path":"/stationary/6/stable/boundary","value":null}])",
+        R"([{"op":"remove","path":"/stationary/6/stable/boundary/0"}])",
+        R"([{"op":"replace","path":"/stationary/6/stable/segments","value":4}])",
+        R"([{"op":"replace","path":"/stationary/6/stable/has_interval","value":true}])",
+        R"([{"op":"replace","path":"/stationary/6/skeleton/segments/1/back/0","value":"1/3"}])",
+        R"([{"op":"remove","path":"/stationary/6/skeleton/segments/2"}])"}},
+      {"stable-manifolds-0007",
+       {R"([{"op":"replace","path":"/stationary/5/stable/walk","value":[0,2,1,2]}])",
+        R"([{"op":"replace","path":"/stationary/5/stable/walk","value":[]}])"}},
+      {"persistence-0005",
+       {R"([{"op":"replace","path":"/persistence/0/death","value":null}])",
+        R"([{"op":"replace","path":"/persistence/3/birth","value":"1/3"}])",
+        R"([{"op":"remove","path":"/persistence/2"}])"}}};
+  for (const Json& one : all_cases()) {
+    const auto changes = wrong.find(one["id"]);
+    if (changes == wrong.end()) continue;
+    for (const char* change : changes->second) {
+      Json changed = one;
+      changed["expected"] = one["expected"].patch(Json::parse(change));
+      EXPECT_NE(fast_answer(changed, ConstructionKernel::kLazy).dump(), changed["expected"].dump()) << change;
     }
   }
 }

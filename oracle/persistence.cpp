@@ -1,0 +1,138 @@
+// How the header's promises are kept.
+#include "oracle/persistence.h"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <tuple>
+
+namespace oracle {
+
+namespace {
+
+using Places = std::vector<std::size_t>;
+
+struct Ball {
+  Point center;
+  Rational squared_radius;
+};
+
+std::vector<Places> facets_of(const Places& simplex) {
+  std::vector<Places> facets;
+  for (std::size_t i = 0; i < simplex.size() && simplex.size() > 1; ++i) {
+    facets.push_back(simplex);
+    facets.back().erase(facets.back().begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return facets;
+}
+
+// The smallest enclosing ball of each set of at most four samples. If that of a facet contains the point that
+// the facet lacks, it is that of the whole. If none does, no point can be spared: they are affinely
+// independent, and all on the ball's sphere, with the centre in their hull.
+std::map<Places, Ball> enclosing_balls(const std::vector<Point>& points) {
+  std::map<Places, Ball> balls;
+  const auto ball_of = [&](const Places& simplex) -> Ball {
+    for (const Places& facet : facets_of(simplex)) {
+      const Ball& ball = balls.at(facet);
+      const bool encloses = std::all_of(simplex.begin(), simplex.end(), [&](std::size_t place) {
+        return squared_distance(ball.center, points[place]) <= ball.squared_radius;
+      });
+      if (encloses) return ball;
+    }
+    const auto sphere = circumcentre(select(points, simplex));
+    if (!sphere) throw std::logic_error("dependent points that are all needed to hold a ball");
+    return {sphere->center, squared_distance(sphere->center, points[simplex[0]])};
+  };
+  for (std::size_t size = 1; size <= 4; ++size) {  // facets first
+    for_each_subset(points.size(), size, [&](const Places& simplex) {
+      if (simplex.size() == size) balls.emplace(simplex, ball_of(simplex));
+    });
+  }
+  return balls;
+}
+
+// A simplex, and when it enters the filtration: after its facets.
+struct Cell {
+  Rational value;
+  Places simplex;
+
+  friend bool operator<(const Cell& a, const Cell& b) {
+    if (a.value != b.value) return a.value < b.value;
+    return std::forward_as_tuple(a.simplex.size(), a.simplex) <
+           std::forward_as_tuple(b.simplex.size(), b.simplex);
+  }
+};
+
+std::vector<Cell> filtration(const std::vector<Point>& points) {
+  std::vector<Cell> cells;
+  for (const auto& [simplex, ball] : enclosing_balls(points)) cells.push_back({ball.squared_radius, simplex});
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
+// The places of cells, ascending.
+using Column = std::vector<std::size_t>;
+
+Column sum_mod_2(const Column& a, const Column& b) {
+  Column sum;
+  std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(sum));
+  return sum;
+}
+
+std::vector<Column> boundary_matrix(const std::vector<Cell>& cells) {
+  std::map<Places, std::size_t> place_of;
+  std::vector<Column> columns;
+  for (const Cell& cell : cells) {
+    place_of.emplace(cell.simplex, place_of.size());
+    Column column;
+    for (const Places& facet : facets_of(cell.simplex)) column.push_back(place_of.at(facet));
+    std::sort(column.begin(), column.end());
+    columns.push_back(column);
+  }
+  return columns;
+}
+
+// From left to right: a column takes those before it that have the same last place, until there is none.
+// What is left of the others is kept by its last place; that cell is born there, and dies of the column's.
+struct Reduced {
+  std::vector<std::size_t> births;              // the cells whose column has become zero
+  std::map<std::size_t, std::size_t> death_of;  // of a birth, if it dies
+};
+
+Reduced reduced(std::vector<Column> columns) {
+  Reduced result;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    while (!columns[k].empty() && result.death_of.contains(columns[k].back())) {
+      columns[k] = sum_mod_2(columns[k], columns[result.death_of.at(columns[k].back())]);
+    }
+    if (columns[k].empty()) result.births.push_back(k);
+    if (!columns[k].empty()) result.death_of[columns[k].back()] = k;
+  }
+  return result;
+}
+
+}  // namespace
+
+bool operator<(const PersistencePair& a, const PersistencePair& b) {
+  if (a.dimension != b.dimension) return a.dimension < b.dimension;
+  if (a.birth != b.birth) return a.birth < b.birth;
+  return a.death && (!b.death || *a.death < *b.death);
+}
+
+std::vector<PersistencePair> persistence_pairs(const PointSet& set) {
+  const std::vector<Cell> cells = filtration(set.points);
+  const Reduced matrix = reduced(boundary_matrix(cells));
+  std::vector<PersistencePair> pairs;
+  for (const std::size_t birth : matrix.births) {
+    const int dimension = static_cast<int>(cells[birth].simplex.size()) - 1;
+    if (dimension == 3) continue;  // the sets of five samples, which would fill these, are not listed
+    PersistencePair pair{dimension, cells[birth].value, std::nullopt};
+    const auto death = matrix.death_of.find(birth);
+    if (death != matrix.death_of.end()) pair.death = cells[death->second].value;
+    if (pair.death != pair.birth) pairs.push_back(pair);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+}  // namespace oracle
