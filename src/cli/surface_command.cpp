@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "cli/command.h"
-#include "cli/persistence_run.h"
 #include "cli/progress_line.h"
 #include "cli/surface_selection.h"
 #include "cli/table.h"
@@ -38,8 +37,8 @@ struct Counts {
   std::size_t sets = 0, selected = 0, triangles = 0, vertices = 0, with_interval = 0;
 };
 
-Counts counts_of(const PersistenceRun& run, const std::vector<std::size_t>& sets, const SurfaceMesh& mesh) {
-  Counts counts = {.sets = run.stationary.critical_counts()[2],
+Counts counts_of(const SurfaceRun& run, const std::vector<std::size_t>& sets, const SurfaceMesh& mesh) {
+  Counts counts = {.sets = run.size(),
                    .selected = sets.size(),
                    .triangles = mesh.triangles.size(),
                    .vertices = mesh.vertices.size()};
@@ -47,11 +46,10 @@ Counts counts_of(const PersistenceRun& run, const std::vector<std::size_t>& sets
   return counts;
 }
 
-SurfaceMesh mesh_of(const SurfaceOptions& options, const PointSet& points, PersistenceRun& run,
-                    const std::vector<std::size_t>& sets) {
+SurfaceMesh mesh_of(const SurfaceOptions& options, SurfaceRun& run, const std::vector<std::size_t>& sets) {
   ProgressLine progress("surface");
   try {
-    return surface_mesh(points, run.stable, sets, std::ref(progress));
+    return surface_mesh(run.points, run.stable, sets, std::ref(progress));
   } catch (const InvalidInput& error) {
     throw InvalidInput(fmt::format("{}: {}", display_name(options.input), error.what()));
   }
@@ -68,7 +66,7 @@ void print_table(const SurfaceOptions& options, const Input& input, const Counts
   print_row("vertices", with_commas(counts.vertices));
 }
 
-void print_json(const SurfaceOptions& options, const Input& input, const PersistenceRun& run,
+void print_json(const SurfaceOptions& options, const Input& input, const SurfaceRun& run,
                 const Counts& counts) {
   Json json = header_fields("flowcert-surface", 1, input.sha256);
   add_counts(json, input.points, run.stationary);
@@ -85,9 +83,9 @@ void write_surface(const SurfaceOptions& options) {
   const SurfaceSelection selection(options.selections);
   const Write write = writer_for(options.output);
   const Input input = read_input(options.input);
-  PersistenceRun run(input.points, 0);
+  SurfaceRun run(input.points);
   const std::vector<std::size_t> sets = selection.sets(run);
-  const SurfaceMesh mesh = mesh_of(options, input.points, run, sets);
+  const SurfaceMesh mesh = mesh_of(options, run, sets);
   OutputFile file(options.output);
   write(file.stream(), mesh, made_by_text("flowcert-surface", 1, input.sha256));
   file.commit();

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <string_view>
 
-#include "flowcert/point_set.h"
 #include "io/claims/claim_numbers.h"
 #include "io/number_text.h"
 
@@ -20,22 +19,6 @@ constexpr std::string_view kLargestGaps = "largest-gaps=";
 std::string without_blanks(std::string text) {
   std::erase(text, ' ');
   return text;
-}
-
-// By number in StableManifolds: death minus birth of the pair that an index-2 point is in, as the death of a
-// tunnel or the birth of a void. Every one is in a pair that does not last (FC-PERS-02).
-std::vector<Rational> gaps_of(const PersistenceRun& run) {
-  const std::size_t count = run.stationary.critical_counts()[2];
-  std::vector<Rational> gaps(count);
-  if (count == 0) return gaps;
-  const std::size_t first = run.stable.record(0);
-  for (const PersistencePair& pair : run.persistence.pairs()) {
-    if (pair.dimension == 0 || !pair.death) continue;
-    const std::size_t saddle = pair.dimension == 1 ? *pair.death : pair.birth;
-    gaps.at(saddle - first) =
-        run.persistence.squared_value(*pair.death) - run.persistence.squared_value(pair.birth);
-  }
-  return gaps;
 }
 
 // Whether each is among the n largest; of equal ones the first in the list are.
@@ -74,15 +57,25 @@ void SurfaceSelection::add(const std::string& expression, const LinePlace& place
   }
 }
 
-std::vector<std::size_t> SurfaceSelection::sets(const PersistenceRun& run) const {
-  const std::vector<Rational> gaps = gaps_of(run);
-  const std::vector<bool> is_large = among_largest(gaps, largest_gaps_.value_or(gaps.size()));
+std::vector<std::size_t> SurfaceSelection::sets(const SurfaceRun& run) const {
+  std::vector<bool> is_chosen(run.size(), true);
+  if (radius_below_) {
+    const Rational& bound = *radius_below_;
+    for (std::size_t i = 0; i < is_chosen.size(); ++i) {
+      is_chosen[i] = bound > 0 && run.squared_value(i) < bound * bound;
+    }
+  }
+  if (persistence_above_ || largest_gaps_) {
+    const std::vector<Rational> gaps = run.gaps();
+    const std::vector<bool> is_large = among_largest(gaps, largest_gaps_.value_or(gaps.size()));
+    for (std::size_t i = 0; i < is_chosen.size(); ++i) {
+      const bool is_long = !persistence_above_ || gaps[i] > *persistence_above_;
+      is_chosen[i] = is_chosen[i] && is_large[i] && is_long;
+    }
+  }
   std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < gaps.size(); ++i) {
-    const Rational& value = run.persistence.squared_value(run.stable.record(i));
-    const bool is_small = !radius_below_ || (*radius_below_ > 0 && value < *radius_below_ * *radius_below_);
-    const bool lasts = !persistence_above_ || gaps[i] > *persistence_above_;
-    if (is_large[i] && is_small && lasts) chosen.push_back(i);
+  for (std::size_t i = 0; i < is_chosen.size(); ++i) {
+    if (is_chosen[i]) chosen.push_back(i);
   }
   return chosen;
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/persistence_run.h"
+#include "cli/surface_run.h"
 #include "io/line_reader.h"
 
 namespace flowcert {
@@ -19,7 +19,7 @@ class SurfaceSelection {
   explicit SurfaceSelection(const std::vector<std::string>& expressions);
 
   // Critical points of index 2, by their numbers in StableManifolds, ascending.
-  [[nodiscard]] std::vector<std::size_t> sets(const PersistenceRun& run) const;
+  [[nodiscard]] std::vector<std::size_t> sets(const SurfaceRun& run) const;
 
  private:
   // place: which of the options it is, for messages.
