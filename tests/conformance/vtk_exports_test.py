@@ -48,6 +48,8 @@ INPUTS = {
     "interval": [(-2, 0, 0), (2, 0, 0), (0, -1, 1), (0, -1, -1), (0, 5, 0)],
     # Positions that differ by less than doubles there can tell.
     "far": [tuple(2.0**53 + 2 * random.Random(100 * k + i).randrange(4) for i in range(3)) for k in range(12)],
+    "subnormal": [(5e-324, -5e-324, -2e-323), (1e-323, 0, -1.5e-323), (1e-323, 5e-324, -2.5e-323), (0, 0, -2e-323),
+                  (0, 5e-324, -1.5e-323)],
     "random": random_points(1, 60),
     "flat": [(x, y, 0.0) for x, y, _ in random_points(2, 30)],
 }
@@ -65,7 +67,7 @@ class Faults:
 
 def nearest(text):
     value = Fraction(text)
-    return value.numerator / value.denominator  # Python rounds this correctly
+    return value.numerator / value.denominator + 0.0  # Python rounds this correctly; no negative zero
 
 
 def rounded(position):
