@@ -1,6 +1,6 @@
 // `flowcert compute`: all stationary points of an input and, if wanted, the manifolds U2 and S2, as a table
 // for people, one JSON object for programs (spec/formats.md, section 3), and a file of exact records
-// (section 2).
+// (section 2), or of files for viewers ("Exports").
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -9,6 +9,7 @@
 #include "cli/command.h"
 #include "cli/compute_report.h"
 #include "cli/compute_run.h"
+#include "cli/export_files.h"
 #include "cli/progress_line.h"
 #include "flowcert/write_stationary_points.h"
 #include "io/output_file.h"
@@ -26,11 +27,13 @@ struct ComputeOptions {
   std::vector<std::string> manifolds;  // "u2", "s2"
   bool polylines = false;
   bool skeletons = false;
+  std::string export_directory;
   U2Choice u2;
 };
 
 bool wants(const ComputeOptions& options, const char* manifold) {
-  return std::find(options.manifolds.begin(), options.manifolds.end(), manifold) != options.manifolds.end();
+  return !options.export_directory.empty() ||
+         std::find(options.manifolds.begin(), options.manifolds.end(), manifold) != options.manifolds.end();
 }
 
 WantedManifolds wanted_manifolds(const ComputeOptions& options) {
@@ -61,9 +64,13 @@ void write_records(const ComputeOptions& options, const Input& input, ComputeRun
 
 void compute(const ComputeOptions& options) {
   const WantedManifolds wanted = wanted_manifolds(options);
+  if (!options.export_directory.empty()) check_export_directory(options.export_directory);
   const Input input = read_input(options.input);
   const Measured measured = measure(input.points, options.runs, wanted);
   if (!options.output.empty()) write_records(options, input, *measured.last);
+  if (!options.export_directory.empty()) {
+    write_export_files(options.export_directory, display_name(options.input), input, *measured.last);
+  }
   if (options.json) {
     print_compute_summary(input, measured, options.u2);
   } else {
@@ -119,11 +126,15 @@ void add_compute_command(CLI::App& app, int& status) {
       ->add_option("--runs", options->runs,
                    "Measure this many times and print medians; 5 for a ratio to quote")
       ->check(CLI::Range(1, 1000));
+  command->add_option(
+      "--export", options->export_directory,
+      "Write critical points, U2 and S2 into this directory, as VTP and PLY files for viewers; "
+      "computes u2 and s2");
   add_manifold_options(*command, *options, output);
   command->footer(
       "Examples:\n  flowcert compute bunny.obj -o bunny.jsonl\n  flowcert compute bunny.obj --manifolds "
       "u2,s2 "
-      "--stats");
+      "--stats\n  flowcert compute bunny.obj --export bunny-files");
   command->callback([options, &status] {
     compute(*options);
     status = kRight;

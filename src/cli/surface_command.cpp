@@ -1,0 +1,124 @@
+// `flowcert surface`: a subset of the stable manifolds S2, chosen by persistence or radius, as a surface in a
+// PLY or OFF file (spec/formats.md, "Surfaces"); what the paper uses to reconstruct a shape from its samples.
+#include <fmt/format.h>
+
+#include <functional>
+#include <memory>
+
+#include "cli/command.h"
+#include "cli/progress_line.h"
+#include "cli/surface_selection.h"
+#include "cli/table.h"
+#include "io/json_fields.h"
+#include "io/made_by_text.h"
+#include "io/output_file.h"
+#include "io/write_surface.h"
+
+namespace flowcert {
+
+namespace {
+
+struct SurfaceOptions {
+  std::string input;
+  std::string output;
+  std::vector<std::string> selections;
+  bool json = false;
+};
+
+using Write = void (*)(std::ostream&, const SurfaceMesh&, const std::string&);
+
+Write writer_for(const std::string& path) {
+  if (path.ends_with(".ply")) return write_ply;
+  if (path.ends_with(".off")) return write_off;
+  throw InvalidInput("-o: the file's name must end in .ply or .off: " + path);
+}
+
+struct Counts {
+  std::size_t sets = 0, selected = 0, triangles = 0, vertices = 0, with_interval = 0;
+};
+
+Counts counts_of(const SurfaceRun& run, const std::vector<std::size_t>& sets, const SurfaceMesh& mesh) {
+  Counts counts = {.sets = run.size(),
+                   .selected = sets.size(),
+                   .triangles = mesh.triangles.size(),
+                   .vertices = mesh.vertices.size()};
+  for (const std::size_t set : sets) counts.with_interval += run.stable.has_interval(set) ? 1 : 0;
+  return counts;
+}
+
+SurfaceMesh mesh_of(const SurfaceOptions& options, SurfaceRun& run, const std::vector<std::size_t>& sets) {
+  ProgressLine progress("surface");
+  try {
+    return surface_mesh(run.points, run.stable, sets, std::ref(progress));
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format("{}: {}", display_name(options.input), error.what()));
+  }
+}
+
+void print_table(const SurfaceOptions& options, const Input& input, const Counts& counts) {
+  fmt::print("{} ({})\n", display_name(options.input), input.file.format);
+  print_row("points", with_commas(input.points.row_count()));
+  print_row("surfaces S2", with_commas(counts.sets), "of all critical points of index 2");
+  print_row("selected", with_commas(counts.selected));
+  print_row("with parts of dimension 3", with_commas(counts.with_interval),
+            "of those selected; no surface shows these parts");
+  print_row("triangles", with_commas(counts.triangles));
+  print_row("vertices", with_commas(counts.vertices));
+}
+
+void print_json(const SurfaceOptions& options, const Input& input, const SurfaceRun& run,
+                const Counts& counts) {
+  Json json = header_fields("flowcert-surface", 1, input.sha256);
+  add_counts(json, input.points, run.stationary);
+  json["select"] = options.selections;
+  json["sets"] = counts.sets;
+  json["selected"] = counts.selected;
+  json["with_interval"] = counts.with_interval;
+  json["triangles"] = counts.triangles;
+  json["vertices"] = counts.vertices;
+  fmt::print("{}\n", json.dump());
+}
+
+void write_surface(const SurfaceOptions& options) {
+  const SurfaceSelection selection(options.selections);
+  const Write write = writer_for(options.output);
+  const Input input = read_input(options.input);
+  SurfaceRun run(input.points);
+  const std::vector<std::size_t> sets = selection.sets(run);
+  const SurfaceMesh mesh = mesh_of(options, run, sets);
+  OutputFile file(options.output);
+  write(file.stream(), mesh, made_by_text("flowcert-surface", 1, input.sha256));
+  file.commit();
+  const Counts counts = counts_of(run, sets, mesh);
+  if (options.json) {
+    print_json(options, input, run, counts);
+  } else {
+    print_table(options, input, counts);
+  }
+}
+
+}  // namespace
+
+void add_surface_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<SurfaceOptions>();
+  CLI::App* command = app.add_subcommand(
+      "surface", "Stable manifolds of index-2 points as a surface: all of them, or those selected");
+  command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
+  command
+      ->add_option("--select", options->selections,
+                   "Only those with persistence>X (a difference of squared distances), index2-radius<R, or "
+                   "largest-gaps=N, the N most persistent ones; given several times, all must hold")
+      ->allow_extra_args(false);
+  command->add_option("-o,--output", options->output, "Write the surface to this file, .ply or .off")
+      ->required();
+  command->add_flag("--json", options->json, "Print one JSON object instead of the table");
+  command->footer(
+      "Example:\n  flowcert surface bunny.obj --select 'index2-radius<0.01' --select 'persistence>1e-6' -o "
+      "bunny.ply");
+  command->callback([options, &status] {
+    write_surface(*options);
+    status = kRight;
+  });
+}
+
+}  // namespace flowcert

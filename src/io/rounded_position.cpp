@@ -1,0 +1,34 @@
+// See rounded_position.h.
+#include "io/rounded_position.h"
+
+namespace flowcert {
+
+BeyondDoubles::BeyondDoubles()
+    : InvalidInput(
+          "a coordinate or squared distance is beyond the largest double, which an exported file cannot "
+          "say; compute -o has it exactly") {}
+
+double rounded(const Rational& value) {
+  const std::optional<double> nearest = nearest_double(value);
+  if (!nearest) throw BeyondDoubles();
+  return *nearest;
+}
+
+Point rounded(const RationalPoint& position) {
+  return {rounded(position[0]), rounded(position[1]), rounded(position[2])};
+}
+
+RationalPoint exact_position(const Point& point) {
+  return {Rational(point.x), Rational(point.y), Rational(point.z)};
+}
+
+Rational squared_distance_between(const RationalPoint& a, const RationalPoint& b) {
+  Rational sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Rational difference = a[k] - b[k];
+    sum += difference * difference;
+  }
+  return sum;
+}
+
+}  // namespace flowcert

@@ -1,0 +1,21 @@
+// Exact positions and squared distances as the doubles nearest to them, for files that hold nothing else.
+#pragma once
+
+#include "flowcert/point_set.h"
+#include "flowcert/rational.h"
+
+namespace flowcert {
+
+class BeyondDoubles : public InvalidInput {
+ public:
+  BeyondDoubles();
+};
+
+// Both throw BeyondDoubles where a number would overflow.
+[[nodiscard]] double rounded(const Rational& value);
+[[nodiscard]] Point rounded(const RationalPoint& position);
+
+[[nodiscard]] RationalPoint exact_position(const Point& point);
+[[nodiscard]] Rational squared_distance_between(const RationalPoint& a, const RationalPoint& b);
+
+}  // namespace flowcert

@@ -1,0 +1,207 @@
+// See vtk_exports.h.
+#include "io/vtk_exports.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "io/rounded_position.h"
+
+namespace flowcert {
+
+namespace {
+
+using Flags = std::vector<std::int8_t>;
+using Ids = std::vector<std::int64_t>;
+using Values = std::vector<double>;
+
+// TTK's: descending 1-separatrices are 0, saddle connectors 1; those that ascend to a maximum, and descending
+// surfaces, are 2.
+constexpr std::int8_t kSeparatrixType = 2;
+constexpr std::int64_t kInfinity = -1;
+// TTK's CriticalType of what is not critical.
+constexpr std::int8_t kRegularType = 5;
+
+void append_cell(VtpCells& cells, std::int64_t first, std::int64_t count) {
+  for (std::int64_t k = 0; k < count; ++k) cells.connectivity.push_back(first + k);
+  cells.offsets.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
+}
+
+// What lines and surfaces say of each of their cells.
+struct SeparatrixData {
+  Ids source_ids, separatrix_ids;
+  Flags types;
+  Values maxima, minima, differences;
+
+  void append(std::int64_t source, std::int64_t separatrix, double minimum, double maximum,
+              double difference) {
+    source_ids.push_back(source);
+    separatrix_ids.push_back(separatrix);
+    types.push_back(kSeparatrixType);
+    minima.push_back(minimum);
+    maxima.push_back(maximum);
+    differences.push_back(difference);
+  }
+
+  [[nodiscard]] std::vector<VtpArray> arrays() && {
+    return {{"SourceId", std::move(source_ids)},
+            {"SeparatrixId", std::move(separatrix_ids)},
+            {"SeparatrixType", std::move(types)},
+            {"SeparatrixFunctionMaximum", std::move(maxima)},
+            {"SeparatrixFunctionMinimum", std::move(minima)},
+            {"SeparatrixFunctionDifference", std::move(differences)}};
+  }
+};
+
+// An orbit, as far as it goes in finite space: `count` points from `first` on.
+struct Line {
+  std::size_t saddle = 0;
+  std::int8_t side = 0;
+  std::optional<std::size_t> limit;
+  std::int64_t first = 0, count = 0;
+};
+
+class LineSet {
+ public:
+  explicit LineSet(const PointSet& points) : points_(points) {}
+
+  void append(std::size_t saddle, std::span<const PointId> contact, std::int8_t side,
+              std::optional<std::size_t> limit, const Orbit& orbit) {
+    Line line = {.saddle = saddle, .side = side, .limit = limit, .first = size()};
+    append(orbit.start, contact[0]);
+    for (const FlowSegment& segment : orbit.segments) {
+      if (segment.end) append(*segment.end, segment.end_contact[0]);
+    }
+    line.count = size() - line.first;
+    lines_.push_back(line);
+  }
+
+  // Those of one point first, as the format has vertices before lines.
+  [[nodiscard]] std::vector<Line> take_lines() {
+    std::ranges::stable_partition(lines_, [](const Line& line) { return line.count == 1; });
+    return std::move(lines_);
+  }
+  [[nodiscard]] std::vector<Point> take_positions() { return std::move(positions_); }
+  [[nodiscard]] Values take_squared_distances() { return std::move(squared_distances_); }
+
+ private:
+  [[nodiscard]] std::int64_t size() const { return static_cast<std::int64_t>(positions_.size()); }
+
+  // nearest: a sample that is nearest to it.
+  void append(const RationalPoint& position, PointId nearest) {
+    const RationalPoint sample = exact_position(points_[points_.position_of_row(nearest)]);
+    positions_.push_back(rounded(position));
+    squared_distances_.push_back(rounded(squared_distance_between(position, sample)));
+  }
+
+  const PointSet& points_;
+  std::vector<Line> lines_;
+  std::vector<Point> positions_;
+  Values squared_distances_;
+};
+
+}  // namespace
+
+VtkExports::VtkExports(const PointSet& points, const StationaryPoints& stationary,
+                       const ExportProgress& progress)
+    : points_(points), stationary_(stationary) {
+  centers_.reserve(stationary.size());
+  squared_values_.reserve(stationary.size());
+  for (std::size_t record = 0; record < stationary.size(); ++record) {
+    ExactSphere sphere = exact_sphere(points, stationary.contact(record));
+    centers_.push_back(rounded(sphere.center));
+    squared_values_.push_back(std::move(sphere.squared_radius));
+    if (progress) progress(record + 1, stationary.size());
+  }
+}
+
+PolyData VtkExports::critical_points() const {
+  PolyData data;
+  data.points = centers_;
+  Flags dimensions, face_dimensions, are_regular, types;
+  Ids ids;
+  Values squared_distances;
+  for (std::size_t record = 0; record < stationary_.size(); ++record) {
+    const StationaryIndex index = stationary_.index(record);
+    const auto id = static_cast<std::int64_t>(record);
+    append_cell(data.vertices, id, 1);
+    ids.push_back(id);
+    dimensions.push_back(static_cast<std::int8_t>(index.hull_dimension));
+    face_dimensions.push_back(static_cast<std::int8_t>(index.face_dimension));
+    are_regular.push_back(index.is_critical() ? 0 : 1);
+    types.push_back(index.is_critical() ? static_cast<std::int8_t>(index.face_dimension) : kRegularType);
+    squared_distances.push_back(rounded(squared_values_[record]));
+  }
+  data.point_data = {
+      {"CellDimension", std::move(dimensions)}, {"CellId", std::move(ids)},
+      {"CriticalType", std::move(types)},       {"FaceDimension", std::move(face_dimensions)},
+      {"IsRegular", std::move(are_regular)},    {"SquaredDistance", std::move(squared_distances)}};
+  return data;
+}
+
+PolyData VtkExports::unstable_lines(UnstableManifolds& u2, const ExportProgress& progress) const {
+  LineSet set(points_);
+  for (std::size_t i = 0; i < u2.size(); ++i) {
+    const std::size_t saddle = u2.saddle(i);
+    for (const std::int8_t side : {std::int8_t{0}, std::int8_t{1}}) {
+      const auto number = static_cast<std::size_t>(side);
+      set.append(saddle, stationary_.contact(saddle), side, u2.limit(i, number), u2.orbit(i, number));
+    }
+    if (progress) progress(i + 1, u2.size());
+  }
+  PolyData data;
+  SeparatrixData separatrices;
+  Ids destinations;
+  Flags sides, to_infinity;
+  const std::size_t first_saddle = u2.size() > 0 ? u2.saddle(0) : 0;
+  for (const Line& line : set.take_lines()) {
+    append_cell(line.count == 1 ? data.vertices : data.lines, line.first, line.count);
+    const Rational& minimum = squared_values_[line.saddle];
+    constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+    // The critical points of index 2 follow one another in the list.
+    separatrices.append(static_cast<std::int64_t>(line.saddle),
+                        static_cast<std::int64_t>(2 * (line.saddle - first_saddle)) + line.side,
+                        rounded(minimum), line.limit ? rounded(squared_values_[*line.limit]) : kUnbounded,
+                        line.limit ? rounded(squared_values_[*line.limit] - minimum) : kUnbounded);
+    destinations.push_back(line.limit ? static_cast<std::int64_t>(*line.limit) : kInfinity);
+    sides.push_back(line.side);
+    to_infinity.push_back(line.limit ? 0 : 1);
+  }
+  data.points = set.take_positions();
+  data.point_data = {{"SquaredDistance", set.take_squared_distances()}};
+  data.cell_data = std::move(separatrices).arrays();
+  data.cell_data.push_back({"DestinationId", std::move(destinations)});
+  data.cell_data.push_back({"Side", std::move(sides)});
+  data.cell_data.push_back({"ToInfinity", std::move(to_infinity)});
+  return data;
+}
+
+PolyData VtkExports::stable_surfaces(const StableManifolds& s2, const SurfaceMesh& mesh) const {
+  PolyData data;
+  data.points = mesh.vertices;
+  for (const auto& triangle : mesh.triangles) {
+    auto& connectivity = data.polygons.connectivity;
+    connectivity.insert(connectivity.end(), triangle.begin(), triangle.end());
+    data.polygons.offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+  }
+  Values squared_distances;
+  for (const std::optional<double>& value : mesh.squared_distances) {
+    if (!value) throw BeyondDoubles();
+    squared_distances.push_back(*value);
+  }
+  SeparatrixData separatrices;
+  Flags have_interval;
+  for (const std::size_t set : mesh.set_of_triangle) {
+    const std::size_t record = s2.record(set);
+    // The function comes as near to 0 as one likes: every S2 reaches to its samples.
+    const double maximum = rounded(squared_values_[record]);
+    separatrices.append(static_cast<std::int64_t>(record), static_cast<std::int64_t>(set), 0, maximum,
+                        maximum);
+    have_interval.push_back(s2.has_interval(set) ? 1 : 0);
+  }
+  data.point_data = {{"SquaredDistance", std::move(squared_distances)}};
+  data.cell_data = std::move(separatrices).arrays();
+  data.cell_data.push_back({"HasInterval", std::move(have_interval)});
+  return data;
+}
+
+}  // namespace flowcert

@@ -1,0 +1,244 @@
+// `flowcert compute --export` and `flowcert surface` as a user calls them: what is selected, what is counted,
+// what is refused, and that no file is left behind (spec/formats.md, "Exports" and "Surfaces").
+//
+// Guarantees: selections are compared with the pairs of `flowcert persistence --json`, exactly. What is in
+// the files is read elsewhere, by VTK and CGAL.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "flowcert/rational.h"
+#include "tests/cites.h"
+#include "tests/conformance/program_run.h"
+
+namespace flowcert::conformance {
+namespace {
+
+using nlohmann::json;
+using Words = std::vector<std::string>;
+namespace fs = std::filesystem;
+
+// The circle is around the origin, of radius 5.
+constexpr char kRadiusFive[] = "5 0 0\n-3 4 0\n-3 -4 0\n";
+// Six index-2 points, all of squared value 1/2; all gaps are 1/4.
+constexpr char kCube[] = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n";
+// An S2 with parts of dimension 3.
+constexpr char kInterval[] = "-2 0 0\n2 0 0\n0 -1 1\n0 -1 -1\n0 5 0\n";
+constexpr char kBeyondDoubles[] = "1e308 0 0\n-1e308 0 0\n0 1.5e308 0\n";
+
+std::string random_points(unsigned seed, int count) {
+  std::mt19937 numbers(seed);
+  std::string text;
+  for (int k = 0; k < 3 * count; ++k) {
+    text += std::to_string(static_cast<double>(numbers() % 1000000) / 1e6) + (k % 3 == 2 ? "\n" : " ");
+  }
+  return text;
+}
+
+json json_of(const Words& words) {
+  const Finished finished = flowcert(words);
+  EXPECT_EQ(finished.status, 0) << finished.err;
+  json object = json::parse(finished.out, nullptr, false);
+  EXPECT_TRUE(object.is_object()) << finished.out;
+  return object.is_object() ? object : json::object();
+}
+
+json surface(const Scratch& scratch, const std::string& input, const Words& selections) {
+  Words words = {"surface", input, "-o", scratch.path("surface.ply"), "--json"};
+  for (const std::string& selection : selections) words.insert(words.end(), {"--select", selection});
+  return json_of(words);
+}
+
+std::size_t selected(const std::string& points, const Words& selections) {
+  const Scratch scratch;
+  return surface(scratch, scratch.file("points.xyz", points), selections).at("selected");
+}
+
+void expect_refused(const Words& words, const std::string& what) {
+  const Finished finished = flowcert(words);
+  EXPECT_EQ(finished.status, 2) << what;
+  EXPECT_EQ(finished.out, "") << what;
+  EXPECT_EQ(lines_of(finished.err).size(), 1U) << finished.err;
+  EXPECT_NE(finished.err.find(what), std::string::npos) << finished.err;
+}
+
+// Without the comment, which names the format.
+Words without_comment(const std::string& ply) {
+  Words lines = lines_of(ply);
+  std::erase_if(lines, [](const std::string& line) { return line.starts_with("comment "); });
+  return lines;
+}
+
+struct Gap {
+  Rational persistence, squared_radius;
+};
+
+std::vector<Gap> gaps_of(const std::string& input) {
+  const json answer = json_of({"persistence", input, "--json"});
+  std::vector<Gap> gaps;
+  for (const json& pair : answer.at("pairs")) {
+    if (pair.at("dimension") == 0) continue;
+    const Rational birth(pair["birth"]["squared_distance"].get<std::string>()),
+        death(pair["death"]["squared_distance"].get<std::string>());
+    gaps.push_back({death - birth, pair["dimension"] == 1 ? death : birth});
+  }
+  return gaps;
+}
+
+TEST(ExportCommand, WithoutASelectionAllSurfacesAreWritten) {
+  CITES("FC-STAB-04", "FC-STAB-06");
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", random_points(1, 80)), files = scratch.path("a/b");
+  const json summary = json_of({"compute", input, "--export", files, "--json"});
+  const json all = surface(scratch, input, {});
+  EXPECT_EQ(all["format"], "flowcert-surface");
+  EXPECT_EQ(all["sets"], summary["critical"][2]);
+  EXPECT_EQ(all["selected"], summary["critical"][2]);
+  EXPECT_EQ(all["triangles"], summary["s2"]["triangles"]);
+  EXPECT_EQ(all["with_interval"], 0);
+  EXPECT_EQ(without_comment(content_of(files + "/stable_surfaces.ply")),
+            without_comment(content_of(scratch.path("surface.ply"))));
+  EXPECT_EQ(scratch.names(), (std::set<std::string>{"a", "points.xyz", "surface.ply"}));
+}
+
+TEST(ExportCommand, SelectionsAreThoseOfThePairs) {
+  CITES("FC-PERS-01", "FC-PERS-02");
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", random_points(2, 60));
+  const std::vector<Gap> gaps = gaps_of(input);
+  const json all = surface(scratch, input, {});
+  ASSERT_EQ(all["sets"], gaps.size());
+  const Rational persistence(1, 100), radius(1, 4);
+  const auto lasts = [&](const Gap& gap) { return gap.persistence > persistence; };
+  const auto is_small = [&](const Gap& gap) { return gap.squared_radius < radius * radius; };
+  const auto both = [&](const Gap& gap) { return lasts(gap) && is_small(gap); };
+  const auto counted = [&](const auto& holds) { return std::ranges::count_if(gaps, holds); };
+  EXPECT_EQ(surface(scratch, input, {"persistence>0.01"})["selected"], counted(lasts));
+  EXPECT_EQ(surface(scratch, input, {"index2-radius<1/4"})["selected"], counted(is_small));
+  EXPECT_EQ(surface(scratch, input, {"index2-radius < 25e-2", "persistence > 1/100"})["selected"],
+            counted(both));
+  EXPECT_GT(counted(both), 0);
+  EXPECT_LT(counted(both), std::min(counted(lasts), counted(is_small)));
+}
+
+TEST(ExportCommand, TheLargestGapsAreThoseAboveTheNext) {
+  CITES("FC-PERS-01");
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", random_points(3, 60));
+  std::vector<Gap> gaps = gaps_of(input);
+  std::ranges::sort(gaps, std::greater(), &Gap::persistence);
+  ASSERT_GT(gaps.size(), 10U);
+  const json ten = surface(scratch, input, {"largest-gaps=10"});
+  const std::string file = content_of(scratch.path("surface.ply"));
+  EXPECT_EQ(ten["selected"], 10);
+  // The eleventh is not above itself.
+  ASSERT_GT(gaps[9].persistence, gaps[10].persistence);
+  EXPECT_EQ(surface(scratch, input, {"persistence>" + to_text(gaps[10].persistence)})["selected"], 10);
+  EXPECT_EQ(content_of(scratch.path("surface.ply")), file);
+}
+
+TEST(ExportCommand, ThresholdsAreExact) {
+  CITES("FC-NUM-02");
+  EXPECT_EQ(selected(kRadiusFive, {"index2-radius<5"}), 0U);
+  EXPECT_EQ(selected(kRadiusFive, {"index2-radius<10/2"}), 0U);
+  EXPECT_EQ(selected(kRadiusFive, {"index2-radius<5.0000000000000000000000000001"}), 1U);
+  EXPECT_EQ(selected(kRadiusFive, {"index2-radius<-6"}), 0U);
+  EXPECT_EQ(selected(kCube, {"persistence>0.25"}), 0U);
+  EXPECT_EQ(selected(kCube, {"persistence>0.24999999999999999999999999999"}), 6U);
+  EXPECT_EQ(selected(kCube, {"persistence>-1"}), 6U);
+}
+
+TEST(ExportCommand, OfEqualGapsTheFirstOfTheListAreTaken) {
+  CITES("FC-OUT-02");
+  EXPECT_EQ(selected(kCube, {"largest-gaps=0"}), 0U);
+  EXPECT_EQ(selected(kCube, {"largest-gaps=4"}), 4U);
+  EXPECT_EQ(selected(kCube, {"largest-gaps=4", "largest-gaps=2"}), 2U);
+  EXPECT_EQ(selected(kCube, {"largest-gaps=100"}), 6U);
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", kCube), output = scratch.path("one.off");
+  ASSERT_EQ(flowcert({"surface", input, "--select", "largest-gaps=1", "-o", output}).status, 0);
+  const Words lines = lines_of(content_of(output));
+  // The face of 0, 1, 2 and 3: z = 0. Four samples, four midpoints, the centre.
+  ASSERT_EQ(lines.at(2), "9 8 0");
+  for (std::size_t k = 3; k < 12; ++k) EXPECT_TRUE(lines.at(k).ends_with(" 0")) << lines[k];
+}
+
+TEST(ExportCommand, TheTableTellsWhatNoSurfaceShows) {
+  CITES("FC-STAB-06");
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", kInterval);
+  const json summary = json_of({"compute", input, "--manifolds", "s2", "--json"});
+  ASSERT_GT(summary["s2"]["with_interval"], 0);
+  EXPECT_EQ(surface(scratch, input, {})["with_interval"], summary["s2"]["with_interval"]);
+  const Finished finished = flowcert({"surface", input, "-o", scratch.path("surface.off")});
+  EXPECT_EQ(finished.status, 0) << finished.err;
+  for (const char* row : {"surfaces S2", "selected", "triangles", "vertices", "with parts of dimension 3"}) {
+    EXPECT_NE(finished.out.find(row), std::string::npos) << finished.out;
+  }
+}
+
+TEST(ExportCommand, CheckReadsItsOwnCriticalPoints) {
+  CITES("FC-CLAIM-05");
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", random_points(4, 50)), files = scratch.path("files");
+  ASSERT_EQ(flowcert({"compute", input, "--export", files}).status, 0);
+  const json report = json_of({"check", input, files + "/critical_points.vtp", "--json"});
+  EXPECT_EQ(report["verdict"], "conforms");
+  EXPECT_EQ(report["claimed"], report["critical"]);
+}
+
+TEST(ExportCommand, RefusesWhatIsNoSelection) {
+  CITES("FC-IN-05");
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", kCube), output = scratch.path("surface.ply");
+  const auto refuses = [&](const std::string& selection, const std::string& what) {
+    expect_refused({"surface", input, "-o", output, "--select", selection}, what);
+  };
+  refuses("persistence", "'persistence'");
+  refuses("persistence<1", "persistence>X");
+  refuses("persistence>=1", "not a number");
+  refuses("persistence>", "not a number");
+  refuses("persistence>1/0", "denominator is zero");
+  refuses("persistence>nan", "nan");
+  refuses("index2-radius<1 m", "'1m'");
+  refuses("index2-radius<1e1000000", "exponent");
+  refuses("largest-gaps=-1", "'-1'");
+  refuses("largest-gaps=1.5", "'1.5'");
+  refuses("", "''");
+  expect_refused({"surface", input}, "--output");
+  expect_refused({"surface", input, "-o", scratch.path("surface.stl")}, ".ply or .off");
+  expect_refused({"surface", scratch.path("none.xyz"), "-o", output}, "none.xyz");
+  expect_refused({"surface", input, "-o", scratch.path("none/surface.ply")}, "cannot be written");
+  EXPECT_EQ(scratch.names(), std::set<std::string>{"points.xyz"});
+}
+
+TEST(ExportCommand, WhatDoublesCannotSayLeavesNoFile) {
+  CITES("FC-NUM-02");
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", kBeyondDoubles);
+  expect_refused({"compute", input, "--export", scratch.path("files")}, "points.xyz: a coordinate");
+  EXPECT_EQ(scratch.names(), std::set<std::string>{"points.xyz"});
+  // Its squared distances only are too large.
+  EXPECT_EQ(surface(scratch, input, {})["selected"], 1);
+}
+
+TEST(ExportCommand, AFolderThatCannotBeWrittenIsRefused) {
+  CITES("FC-IN-05");
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", kCube);
+  expect_refused({"compute", input, "--export", input}, "Not a directory");
+  expect_refused({"compute", input, "--export", input + "/below"}, "cannot be made");
+  // A directory is where a file should be: the other files are whole, and nothing temporary is left.
+  const fs::path files = scratch.path("files");
+  fs::create_directories(files / "unstable_lines.vtp");
+  expect_refused({"compute", input, "--export", files.string()}, "unstable_lines.vtp: cannot be written");
+  for (const auto& entry : fs::directory_iterator(files)) {
+    EXPECT_EQ(entry.path().filename().string().find(".vtp."), std::string::npos) << entry.path();
+  }
+}
+
+}  // namespace
+}  // namespace flowcert::conformance

@@ -1,0 +1,269 @@
+"""What `flowcert compute --export` writes, opened by VTK itself (spec/formats.md, "Exports").
+
+usage: vtk_exports_test.py FLOWCERT
+
+Every position and value has to be the double nearest to the exact one of the records of the same run, to the bit; arrays their
+names and types; counts those of the summary; and vertices of surfaces one iff their exact positions are.
+"""
+import json
+import math
+import os
+import random
+import struct
+import subprocess
+import sys
+import tempfile
+from collections import Counter
+from fractions import Fraction
+
+from vtkmodules import vtkCommonCore as core
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+SIGNED_CHAR, INT64, DOUBLE = "Int8", "Int64", "Float64"
+POINT_ARRAYS = {"CellDimension": SIGNED_CHAR, "CellId": INT64, "CriticalType": SIGNED_CHAR, "FaceDimension": SIGNED_CHAR,
+                "IsRegular": SIGNED_CHAR, "SquaredDistance": DOUBLE}
+SEPARATRIX_ARRAYS = {"SourceId": INT64, "SeparatrixId": INT64, "SeparatrixType": SIGNED_CHAR,
+                     "SeparatrixFunctionMaximum": DOUBLE, "SeparatrixFunctionMinimum": DOUBLE,
+                     "SeparatrixFunctionDifference": DOUBLE}
+LINE_ARRAYS = dict(SEPARATRIX_ARRAYS, DestinationId=INT64, Side=SIGNED_CHAR, ToInfinity=SIGNED_CHAR)
+SURFACE_ARRAYS = dict(SEPARATRIX_ARRAYS, HasInterval=SIGNED_CHAR)
+
+
+def random_points(seed, count):
+    numbers = random.Random(seed)
+    return [tuple(numbers.random() for _ in range(3)) for _ in range(count)]
+
+
+INPUTS = {
+    "empty": [],
+    "one": [(1, 2, 3)],
+    "two": [(1, 2, 3), (0.1, 0.2, 0.3)],
+    "collinear": [(0, 0, 0), (1, 1, 1), (3, 3, 3), (3, 3, 3)],
+    "coplanar": [(0, 0, 0), (4, 0, 0), (1, 3, 0), (5, 3.5, 0), (9, 0, 0)],
+    "right triangle": [(0, 0, 0), (3, 0, 0), (0, 4, 0)],
+    "lattice": [(x, y, z) for x in range(3) for y in range(3) for z in range(3)],
+    "kind 1-3": [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, 0, 1)],
+    # Surfaces with parts of dimension 3.
+    "interval": [(-2, 0, 0), (2, 0, 0), (0, -1, 1), (0, -1, -1), (0, 5, 0)],
+    # Positions that differ by less than doubles there can tell.
+    "far": [tuple(2.0**53 + 2 * random.Random(100 * k + i).randrange(4) for i in range(3)) for k in range(12)],
+    "subnormal": [(5e-324, -5e-324, -2e-323), (1e-323, 0, -1.5e-323), (1e-323, 5e-324, -2.5e-323), (0, 0, -2e-323),
+                  (0, 5e-324, -1.5e-323)],
+    "random": random_points(1, 60),
+    "flat": [(x, y, 0.0) for x, y, _ in random_points(2, 30)],
+}
+
+
+class Faults:
+    def __init__(self):
+        self.found, self.checks = [], 0
+
+    def expect(self, is_right, what):
+        self.checks += 1
+        if not is_right:
+            self.found.append(what)
+
+
+def nearest(text):
+    value = Fraction(text)
+    return value.numerator / value.denominator + 0.0  # Python rounds this correctly; no negative zero
+
+
+def rounded(position):
+    return tuple(nearest(text) for text in position)
+
+
+def bits(position):
+    return struct.pack("<3d", *position)
+
+
+def read(path, reader, faults):
+    problems = []
+    reader.AddObserver("ErrorEvent", lambda *_: problems.append("error"))
+    reader.AddObserver("WarningEvent", lambda *_: problems.append("warning"))
+    reader.SetFileName(path)
+    reader.Update()
+    faults.expect(not problems and reader.GetErrorCode() == 0, f"VTK cannot read {os.path.basename(path)}: {problems}")
+    return reader.GetOutput()
+
+
+def arrays_of(data, expected, count, faults):
+    """The named arrays as lists, when names and types are those expected."""
+    names = {data.GetArrayName(k) for k in range(data.GetNumberOfArrays())}
+    faults.expect(names == set(expected), f"arrays {sorted(names)}")
+    result = {}
+    for name, wanted in expected.items():
+        array = data.GetArray(name)
+        kind = {core.VTK_SIGNED_CHAR: SIGNED_CHAR, core.VTK_DOUBLE: DOUBLE, core.VTK_LONG: INT64,
+                core.VTK_LONG_LONG: INT64}.get(array.GetDataType())
+        faults.expect(kind == wanted, f"{name} is {array.GetDataTypeAsString()}")
+        faults.expect(array.GetNumberOfTuples() == count and array.GetNumberOfComponents() == 1, f"size of {name}")
+        result[name] = [array.GetTuple1(k) for k in range(array.GetNumberOfTuples())]
+    return result
+
+
+def points_of(poly_data, faults):
+    points = poly_data.GetPoints()
+    faults.expect(points is None or points.GetDataType() == core.VTK_DOUBLE, "positions are no doubles")
+    positions = [poly_data.GetPoint(k) for k in range(poly_data.GetNumberOfPoints())]
+    faults.expect(all(math.isfinite(x) for position in positions for x in position), "a position is infinite")
+    return positions
+
+
+def cells_of(poly_data, point_count, faults):
+    cells = []
+    for k in range(poly_data.GetNumberOfCells()):
+        ids = poly_data.GetCell(k).GetPointIds()
+        cells.append([ids.GetId(i) for i in range(ids.GetNumberOfIds())])
+    faults.expect(all(0 <= id < point_count for cell in cells for id in cell), "a cell has an id out of range")
+    return cells
+
+
+def check_critical_points(poly_data, records, faults):
+    positions = points_of(poly_data, faults)
+    faults.expect(len(positions) == len(records) == poly_data.GetNumberOfVerts() == poly_data.GetNumberOfCells(),
+                  "count of stationary points")
+    faults.expect(cells_of(poly_data, len(positions), faults) == [[k] for k in range(len(records))], "vertices")
+    arrays = arrays_of(poly_data.GetPointData(), POINT_ARRAYS, len(records), faults)
+    for k, (record, position) in enumerate(zip(records, positions)):
+        is_regular = record["kind"] == "regular"
+        face, hull = record["index"] if is_regular else (record["index"], record["index"])
+        faults.expect(bits(position) == bits(record["center_double"]) == bits(rounded(record["center"])), f"centre {k}")
+        expected = {"CellId": k, "CellDimension": hull, "FaceDimension": face, "IsRegular": int(is_regular),
+                    "CriticalType": 5 if is_regular else face, "SquaredDistance": record["squared_distance_double"]}
+        faults.expect({name: values[k] for name, values in arrays.items()} == expected, f"arrays of record {k}")
+
+
+def check_function(arrays, k, minimum, maximum, what, faults):
+    """Squared distances, exact; None is infinite."""
+    faults.expect(arrays["SeparatrixType"][k] == 2, f"type of {what}")
+    faults.expect(arrays["SeparatrixFunctionMinimum"][k] == nearest(minimum), f"minimum of {what}")
+    wanted = (math.inf, math.inf) if maximum is None else (nearest(maximum), nearest(Fraction(maximum) - Fraction(minimum)))
+    faults.expect((arrays["SeparatrixFunctionMaximum"][k], arrays["SeparatrixFunctionDifference"][k]) == wanted,
+                  f"maximum or difference of {what}")
+
+
+def squared_distance(position, samples):
+    return min(sum((Fraction(x) - y) ** 2 for x, y in zip(position, sample)) for sample in samples)
+
+
+def check_lines(poly_data, records, summary, samples, faults):
+    positions = points_of(poly_data, faults)
+    cells = cells_of(poly_data, len(positions), faults)
+    faults.expect(len(cells) == summary["u2"]["orbits"] == 2 * summary["critical"][2], "count of orbits")
+    arrays = arrays_of(poly_data.GetCellData(), LINE_ARRAYS, len(cells), faults)
+    distances = arrays_of(poly_data.GetPointData(), {"SquaredDistance": DOUBLE}, len(positions), faults)["SquaredDistance"]
+    faults.expect(sum(arrays["ToInfinity"]) == summary["u2"]["to_infinity"], "count of orbits to infinity")
+    faults.expect(poly_data.GetNumberOfVerts() == sum(len(cell) == 1 for cell in cells), "count of orbits without a line")
+    saddles = [k for k, record in enumerate(records) if record["index"] == 2]
+    faults.expect(sorted(zip(arrays["SourceId"], arrays["Side"])) == [(s, side) for s in saddles for side in (0, 1)],
+                  "sources and sides")
+    by_contact = {tuple(record["contact"]): k for k, record in enumerate(records)}
+    for k, cell in enumerate(cells):
+        source, side = int(arrays["SourceId"][k]), int(arrays["Side"][k])
+        record, what = records[source], f"orbit {source}, {side}"
+        limit = record["limits"][side]
+        destination = -1 if limit is None else by_contact[tuple(limit)]
+        faults.expect(arrays["SeparatrixId"][k] == 2 * saddles.index(source) + side, f"id of {what}")
+        faults.expect((arrays["DestinationId"][k], arrays["ToInfinity"][k]) == (destination, int(limit is None)),
+                      f"destination of {what}")
+        check_function(arrays, k, record["squared_distance"],
+                       None if limit is None else records[destination]["squared_distance"], what, faults)
+        exact = [record["center"]] + [segment["end"] for segment in record["u2"][side] if segment["end"]]
+        faults.expect([bits(positions[id]) for id in cell] == [bits(rounded(p)) for p in exact], f"positions of {what}")
+        faults.expect([distances[id] for id in cell] == [nearest(squared_distance(p, samples)) for p in exact],
+                      f"distances of {what}")
+
+
+def exact_triangles(record, points):
+    """Of a skeleton: sets of three exact positions."""
+    for segment in record["skeleton"]["segments"]:
+        for sample in segment["samples"]:
+            yield frozenset([tuple(map(Fraction, points[sample])), tuple(map(Fraction, segment["front"])),
+                             tuple(map(Fraction, segment["back"]))])
+
+
+def check_surfaces(poly_data, records, summary, points, faults):
+    positions = points_of(poly_data, faults)
+    cells = cells_of(poly_data, len(positions), faults)
+    faults.expect(poly_data.GetNumberOfPolys() == len(cells) and all(len(cell) == 3 for cell in cells), "not all triangles")
+    arrays = arrays_of(poly_data.GetCellData(), SURFACE_ARRAYS, len(cells), faults)
+    faults.expect(arrays["HasInterval"].count(0) == summary["s2"]["triangles"], "count of triangles")
+    found, exact, vertices = Counter(), Counter(), Counter()
+    saddles = [k for k, record in enumerate(records) if record["index"] == 2]
+    for k, cell in enumerate(cells):
+        source = int(arrays["SourceId"][k])
+        record = records[source]
+        faults.expect(arrays["SeparatrixId"][k] == saddles.index(source), f"id of triangle {k}")
+        faults.expect(arrays["HasInterval"][k] == record["stable"]["has_interval"], f"flag of triangle {k}")
+        check_function(arrays, k, "0", record["squared_distance"], f"triangle {k}", faults)
+        found[(source, *sorted(bits(positions[id]) for id in cell))] += 1
+    for source in saddles:
+        for triangle in exact_triangles(records[source], points):
+            vertices.update(triangle)
+            exact[(source, *sorted(bits(rounded(p)) for p in triangle))] += 1
+    faults.expect(found == exact, "triangles are not those of the skeletons")
+    squared = {p: nearest(squared_distance(p, points)) for p in vertices}
+    distances = arrays_of(poly_data.GetPointData(), {"SquaredDistance": DOUBLE}, len(positions), faults)["SquaredDistance"]
+    faults.expect(Counter((bits(p), d) for p, d in zip(positions, distances)) ==
+                  Counter((bits(rounded(p)), d) for p, d in squared.items()), "vertices are not those of the skeletons")
+    degrees = Counter(id for cell in cells for id in cell)
+    faults.expect(sorted((bits(positions[id]), n) for id, n in degrees.items()) ==
+                  sorted((bits(rounded(p)), n) for p, n in vertices.items()), "vertices are not shared as exactly equal")
+    return positions, cells
+
+
+def check_ply(poly_data, positions, cells, faults):
+    """VTK keeps a PLY file's coordinates as floats."""
+    faults.expect(poly_data.GetNumberOfPoints() == len(positions), "vertices of the PLY file")
+    as_floats = [struct.unpack("<3f", struct.pack("<3f", *position)) for position in positions]
+    faults.expect([poly_data.GetPoint(k) for k in range(poly_data.GetNumberOfPoints())] == as_floats, "PLY positions")
+    faults.expect(cells_of(poly_data, len(positions), faults) == cells, "triangles of the PLY file")
+
+
+def check_input(flowcert, folder, points, faults):
+    """Returns what the input had of what matters."""
+    source, target, output = (os.path.join(folder, name) for name in ("points.off", "files", "records.jsonl"))
+    with open(source, "w", encoding="ascii") as file:
+        file.writelines([f"OFF\n{len(points)} 0 0\n"] + ["%r %r %r\n" % point for point in points])
+    run = subprocess.run([flowcert, "compute", source, "--export", target, "--json", "-o", output, "--manifolds", "u2,s2",
+                          "--polylines", "--skeletons"], capture_output=True, text=True, timeout=200)
+    faults.expect(run.returncode == 0, run.stderr)
+    summary = json.loads(run.stdout)
+    with open(output, encoding="utf-8") as file:
+        records = [json.loads(line) for line in file][1:]
+    names = ["critical_points.vtp", "stable_surfaces.ply", "stable_surfaces.vtp", "unstable_lines.vtp"]
+    faults.expect(sorted(os.listdir(target)) == names, f"files {os.listdir(target)}")
+    opened = [read(os.path.join(target, name), vtkPLYReader() if name.endswith("ply") else vtkXMLPolyDataReader(), faults)
+              for name in names]
+    samples = [tuple(map(Fraction, point)) for point in points]
+    check_critical_points(opened[0], records, faults)
+    check_lines(opened[3], records, summary, samples, faults)
+    positions, cells = check_surfaces(opened[2], records, summary, samples, faults)
+    check_ply(opened[1], positions, cells, faults)
+    return {"regular": any(record["kind"] == "regular" for record in records),
+            "interval": any(record.get("stable", {}).get("has_interval") for record in records if record["index"] == 2),
+            "infinity": summary["u2"]["to_infinity"] > 0,
+            "line to infinity": opened[3].GetNumberOfVerts() < summary["u2"]["to_infinity"],
+            "equal doubles": len(set(positions)) < len(positions)}
+
+
+def main():
+    faults, seen = Faults(), Counter()
+    for name, points in INPUTS.items():
+        before = len(faults.found)
+        with tempfile.TemporaryDirectory() as folder:
+            seen.update(key for key, value in check_input(sys.argv[1], folder, points, faults).items() if value)
+        faults.found[before:] = [f"{name}: {fault}" for fault in faults.found[before:]]
+    for key in ("regular", "interval", "infinity", "line to infinity", "equal doubles"):
+        faults.expect(seen[key] > 0, f"no input has {key}")
+    for fault in faults.found[:20]:
+        print(fault)
+    print(f"{len(INPUTS)} inputs read by VTK {core.vtkVersion.GetVTKVersion()}, {faults.checks} checks, "
+          f"{len(faults.found)} faults")
+    return 1 if faults.found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
