@@ -28,6 +28,41 @@ Integer least_top(Integer a, Integer t) {
   return c;
 }
 
+bool is_obtuse(const IntegerPoint& at, const IntegerPoint& p, const IntegerPoint& q) {
+  return dot(plus(p, times(-1, at)), plus(q, times(-1, at))) < 0;
+}
+
+struct Star {
+  Integer a;
+  Integer t;
+  IntegerPoint p;
+  IntegerPoint q;
+};
+
+void append_stars(Integer a, Integer t, std::vector<Star>& stars) {
+  const IntegerPoint left{-a, 0, 0}, right{a, 0, 0};
+  const IntegerPoints sphere = lower_sphere_points(a, t);
+  for (const IntegerPoint& p : sphere) {
+    for (const IntegerPoint& q : sphere) {
+      if (is_obtuse(p, left, right) && is_obtuse(q, left, right) && is_obtuse(q, left, p) &&
+          is_obtuse(q, right, p)) {
+        stars.push_back({a, t, p, q});
+      }
+    }
+  }
+}
+
+const std::vector<Star>& stars() {
+  static const std::vector<Star> all = [] {
+    std::vector<Star> stars;
+    for (Integer a = 3; a <= 10; ++a) {
+      for (Integer t = 1; t <= 12; ++t) append_stars(a, t, stars);
+    }
+    return stars;
+  }();
+  return all;
+}
+
 // Three of them, or none where there are none.
 rc::Gen<IntegerPoints> three_of(const IntegerPoints& points) {
   if (points.empty()) return rc::gen::just(IntegerPoints{});
@@ -85,6 +120,20 @@ const IntegerPoints& shell() {
 rc::Gen<IntegerPoints> aimed_points() {
   return rc::gen::mapcat(whole(3, 8), [](Integer a) {
     return rc::gen::mapcat(whole(1, a), [a](Integer t) { return aimed_points_of(a, t); });
+  });
+}
+
+rc::Gen<IntegerPoints> aimed_at_a_star() {
+  return rc::gen::mapcat(whole(0, static_cast<Integer>(stars().size()) - 1), [](Integer place) {
+    const Star star = stars()[static_cast<std::size_t>(place)];
+    return rc::gen::apply(
+        [star](Integer lift, const IntegerPoints& others) {
+          const IntegerPoint top{0, least_top(star.a, star.t) + lift, 0};
+          IntegerPoints points = {{-star.a, 0, 0}, {star.a, 0, 0}, top, star.p, star.q};
+          points.insert(points.end(), others.begin(), others.end());
+          return points;
+        },
+        whole(0, 2), list_of(0, 4, point_well_below(star.a)));
   });
 }
 

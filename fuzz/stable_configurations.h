@@ -17,6 +17,11 @@ namespace flowcert::fuzz {
 // point cuts it off before.
 rc::Gen<IntegerPoints> aimed_points();
 
+// The same triangle and the same Voronoi vertex, with just two points p, q of its sphere below: all four
+// triangles of these and (-a,0,0), (a,0,0) are obtuse, those at q at q. So no interval leads to the Voronoi
+// vertex, but the three edges at q do: the facets of p have but one segment there.
+rc::Gen<IntegerPoints> aimed_at_a_star();
+
 // The first four points lie on the sphere of radius 20 around the origin, which is a regular stationary
 // point, so that intervals lead to it; the others just outside of it, where they cut the facets into which
 // sectors reach.

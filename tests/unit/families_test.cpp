@@ -477,6 +477,20 @@ TEST(StableConfigurations, AimedPointsLieOnASphereOutsideOfWhichTheThirdIs) {
   EXPECT_GE(with_sphere, kSeeds / 2);
 }
 
+TEST(StableConfigurations, StarsHaveObtuseTrianglesOnly) {
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const auto points = to_numbers(to_input(aimed_at_a_star()(rc::Random(seed), 100).value()));
+    ASSERT_GE(points.size(), 5U);
+    EXPECT_LE(points.size(), 12U);
+    const auto &a = points[0], &b = points[1], &p = points[3], &q = points[4];
+    EXPECT_EQ(b, (NumberPoint{-a[0], 0, 0}));
+    EXPECT_LT(angle_sign(p, a, b), 0);
+    EXPECT_LT(angle_sign(q, a, b), 0);
+    EXPECT_LT(angle_sign(q, a, p), 0);
+    EXPECT_LT(angle_sign(q, b, p), 0);
+  }
+}
+
 TEST(StableConfigurations, CrowdedPointsStandAroundASphere) {
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     const IntegerPoints points = crowded_points()(rc::Random(seed), 100).value();
