@@ -140,7 +140,7 @@ TEST(StableAgreement, SetsAreTheOracles) {
   print_row("all", all);
   if (agreed && scale_of_run() >= 1) {
     EXPECT_GE(all.sets, 10000U);
-    EXPECT_GE(all.with_vertex, 1000U);
+    EXPECT_GE(all.with_vertex, 1500U);
     EXPECT_GE(all.with_interval, 1000U);
     EXPECT_GE(all.with_sector_cut, 200U);
     EXPECT_GE(all.regular_ends, 1000U);
