@@ -19,7 +19,7 @@ rc::Gen<IntegerPoints> aimed_points();
 
 // The same triangle and the same Voronoi vertex, with just two points p, q of its sphere below: all four
 // triangles of these and (-a,0,0), (a,0,0) are obtuse, those at q at q. So no interval leads to the Voronoi
-// vertex, but the three edges at q do: the facets of p have but one segment there.
+// vertex, but the three edges at q do, and p is an end of only one of them.
 rc::Gen<IntegerPoints> aimed_at_a_star();
 
 // The first four points lie on the sphere of radius 20 around the origin, which is a regular stationary
