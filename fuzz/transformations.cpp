@@ -173,4 +173,22 @@ rc::Gen<Row> exact_translations(const Input& input) {
       whole(0, 6), integer_point(-100, 100), whole(0, 44));
 }
 
+std::optional<Input> turned(const Input& input, const IntegerRotation& rotation) {
+  // Three products with the matrix's entries, each of which is at most the norm.
+  constexpr Integer kLargest = Integer{1} << 50;
+  const double reach = static_cast<double>(kLargest / (3 * rotation.norm));
+  IntegerPoints points;
+  for (const Row& row : input.rows) {
+    const bool fits = std::all_of(row.begin(), row.end(), [reach](double coordinate) {
+      return std::abs(coordinate) <= reach && coordinate == std::floor(coordinate);
+    });
+    if (!fits) {
+      return std::nullopt;
+    }
+    points.push_back(
+        rotation({static_cast<Integer>(row[0]), static_cast<Integer>(row[1]), static_cast<Integer>(row[2])}));
+  }
+  return to_input(points);
+}
+
 }  // namespace flowcert::fuzz

@@ -1,9 +1,9 @@
 // Transformations of an input under which its answer is known: permutations of the rows, signed permutations
-// of the axes, scalings by powers of two and translations, the last two only where they are exact on every
-// coordinate.
+// of the axes, scalings by powers of two, translations and rotations by integers, the last three only where
+// they are exact on every coordinate.
 //
-// Guarantees: no rounding. `scaled` and `translated` give nothing where a coordinate of the result would have
-// to be rounded; the generators make only exact ones, and shrink towards the identity.
+// Guarantees: no rounding. `scaled`, `translated` and `turned` give nothing where a coordinate of the result
+// would have to be rounded; the generators make only exact ones, and shrink towards the identity.
 #pragma once
 
 #include <rapidcheck.h>
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "fuzz/input.h"
+#include "fuzz/integer_points.h"
 
 namespace flowcert::fuzz {
 
@@ -40,5 +41,8 @@ std::optional<Input> translated(const Input& input, const Row& offset);
 // Integer offsets, or one that takes a point of the input to the origin; no offset where none of those tried
 // is exact.
 rc::Gen<Row> exact_translations(const Input& input);
+
+// Turned, and larger by the rotation's norm. Only for integer coordinates, well below 2^53.
+std::optional<Input> turned(const Input& input, const IntegerRotation& rotation);
 
 }  // namespace flowcert::fuzz

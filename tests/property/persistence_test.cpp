@@ -18,6 +18,7 @@
 
 #include "fuzz/families.h"
 #include "fuzz/integer_points.h"
+#include "fuzz/stable_families.h"
 #include "tests/cites.h"
 #include "tests/property/alpha_persistence.h"
 #include "tests/property/orbit_inputs.h"
@@ -28,6 +29,7 @@ namespace flowcert::property {
 namespace {
 
 constexpr int kInputsPerFamily = 250;
+constexpr int kInputsMadeForThis = 500;  // of each of the families for stable sets
 constexpr int kLargerInputs = 4;
 constexpr int kThroughTwo = 500;
 constexpr std::uint64_t kSeeds[] = {1, 2, 3};
@@ -347,6 +349,14 @@ TEST(PersistenceTest, IsThatOfTheAlphaComplexHoweverTiesAreBroken) {
   EXPECT_GT(all.s2_ties, 0U);
   EXPECT_GT(all.other_choice, 0U);
   EXPECT_GT(all.not_a_complex, 0U);
+}
+
+TEST(PersistenceTest, IsThatOfTheAlphaComplexWhereBranchesMeetVoronoiVertices) {
+  CITES("FC-CHAIN-01", "FC-CHAIN-02", "FC-CHAIN-03", "FC-PERS-01", "FC-PERS-02", "FC-PERS-03", "FC-PERS-04");
+  const Seen all = run_of(fuzz::stable_families(), kInputsMadeForThis, true);
+  if (scale_of_run() < 1) return;
+  EXPECT_GE(all.s2_ties, all.inputs / 2);
+  EXPECT_GE(all.other_choice, all.inputs / 8);
 }
 
 TEST(PersistenceTest, IsThatOfTheAlphaComplexOfLargerInputs) {

@@ -12,7 +12,7 @@
 #include <iostream>
 #include <string>
 
-#include "fuzz/families.h"
+#include "fuzz/stable_families.h"
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
 #include "tests/property/stationary_comparison.h"
@@ -123,7 +123,8 @@ std::string test_name(const ::testing::TestParamInfo<fuzz::Family>& info) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, StationaryAgreement, ::testing::ValuesIn(fuzz::families()), test_name);
+INSTANTIATE_TEST_SUITE_P(Families, StationaryAgreement, ::testing::ValuesIn(fuzz::families_and_stable_ones()),
+                         test_name);
 
 }  // namespace
 }  // namespace flowcert::property

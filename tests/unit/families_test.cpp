@@ -585,6 +585,14 @@ TEST(Transformations, AreExactOrRefused) {
   EXPECT_FALSE(scaled(smallest, 1074 + 1024).has_value());
 }
 
+TEST(Transformations, TurnsIntegersOnly) {
+  const IntegerRotation turn = rotation_of_quaternion({2, 1, 0, 0});  // 3/5 and 4/5 in the plane of y and z
+  EXPECT_EQ(turned({{{1, 2, 0}, {-1, 0, 5}}}, turn), (Input{{{5, 6, 8}, {-5, -20, 15}}}));
+  EXPECT_FALSE(turned({{{1, 2, 0.5}}}, turn).has_value());
+  EXPECT_FALSE(turned({{{0x1p50, 0, 0}}}, turn).has_value());
+  EXPECT_FALSE(turned({{{1e300, 0, 0}}}, turn).has_value());
+}
+
 TEST(Transformations, GeneratorsMakeExactOnes) {
   for (const Family& family : families()) {
     for (std::uint64_t seed = 0; seed < 30; ++seed) {

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "fuzz/families.h"
+#include "fuzz/stable_families.h"
 #include "oracle/orbit.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
@@ -29,51 +30,6 @@ long between(rc::Random& random, long low, long high) {
   return low + static_cast<long>(below(random, static_cast<std::size_t>(high - low + 1)));
 }
 
-std::array<double, 3> row(long x, long y, long z) {
-  return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-}
-
-// Some points on a sphere whose centre is regular stationary, so that intervals lead to it, and others just
-// outside of it: these cut the facets into which sectors reach.
-Rows crowded_rows(rc::Random& random) {
-  const std::vector<Rows> cores = {{{20, 0, 0}, {-12, 16, 0}, {-12, -16, 0}, {0, 0, 20}},
-                                   {{20, 0, 0}, {-16, 12, 0}, {-16, -12, 0}, {12, 0, 16}},
-                                   {{20, 0, 0}, {-20, 0, 0}, {0, 20, 0}, {0, 0, 20}},
-                                   {{20, 0, 0}, {-20, 0, 0}, {12, 16, 0}, {0, -12, 16}}};
-  Rows rows = cores[below(random, cores.size())];
-  const std::size_t count = 6 + below(random, 7);
-  while (rows.size() < count) {
-    const long x = between(random, -25, 25), y = between(random, -25, 25), z = between(random, -25, 25);
-    const long squared = x * x + y * y + z * z;
-    if (squared > 400 && squared <= 625) rows.push_back(row(x, y, z));
-  }
-  return rows;
-}
-
-// (-a,0,0), (a,0,0) and, far up, (0,c,0) make a critical point of index 2 on the axis of y. Below it, (0,t,0)
-// is a Voronoi vertex: the centre of a sphere through (-a,0,0), (a,0,0) and further points below y = 0.
-Rows aimed_rows(rc::Random& random) {
-  const long a = between(random, 3, 8), t = between(random, 1, a), squared_radius = a * a + t * t;
-  Rows sphere;
-  for (long x = -12; x <= 12; ++x) {
-    for (long y = -12; y < 0; ++y) {
-      for (long z = -12; z <= 12; ++z) {
-        if (x * x + (y - t) * (y - t) + z * z == squared_radius) sphere.push_back(row(x, y, z));
-      }
-    }
-  }
-  long c = t + 1;
-  while ((c - t) * (c - t) <= squared_radius) ++c;
-  Rows rows = {row(-a, 0, 0), row(a, 0, 0), row(0, c + between(random, 0, 2), 0)};
-  for (std::size_t k = 0; k < 3 && !sphere.empty(); ++k) rows.push_back(sphere[below(random, sphere.size())]);
-  const std::size_t others = below(random, 5);
-  for (std::size_t k = 0; k < others; ++k) {
-    rows.push_back(
-        row(between(random, -2 * a, 2 * a), between(random, -4 * a, -2 * a), between(random, -a, a)));
-  }
-  return rows;
-}
-
 // A small input, with the stable sets of all its stationary points but the maxima.
 struct Subject {
   explicit Subject(const Rows& rows) : set(rows), all(stationary_points(rows).stationary) {
@@ -89,23 +45,22 @@ struct Subject {
 };
 
 // Calls visit(subject, random) for inputs of at most 12 rows: so many of each family, and so many of each of
-// the two that are made for this.
+// those that are made for this.
 template <typename Visit>
 void for_each_subject(std::uint64_t seeds, std::uint64_t made, const Visit& visit) {
-  for (const flowcert::fuzz::Family& family : flowcert::fuzz::families()) {
-    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-      SCOPED_TRACE(family.name + ", seed " + std::to_string(seed));
-      rc::Random random(seed);
-      Rows rows = flowcert::fuzz::draw(family, seed, 12 + static_cast<int>(8 * seed)).rows;
-      if (rows.size() > 12) rows.resize(12);
-      if (!rows.empty()) visit(Subject(rows), random);
-    }
-  }
-  for (std::uint64_t seed = 0; seed < made; ++seed) {
-    SCOPED_TRACE("aimed and crowded rows, seed " + std::to_string(seed));
+  const auto visit_drawn = [&](const flowcert::fuzz::Family& family, std::uint64_t seed, int size) {
+    SCOPED_TRACE(family.name + ", seed " + std::to_string(seed));
     rc::Random random(seed);
-    visit(Subject(aimed_rows(random)), random);
-    visit(Subject(crowded_rows(random)), random);
+    Rows rows = flowcert::fuzz::draw(family, seed, size).rows;
+    if (rows.size() > 12) rows.resize(12);
+    if (!rows.empty()) visit(Subject(rows), random);
+  };
+  for (const flowcert::fuzz::Family& family : flowcert::fuzz::families()) {
+    for (std::uint64_t seed = 0; seed < seeds; ++seed)
+      visit_drawn(family, seed, 12 + static_cast<int>(8 * seed));
+  }
+  for (const flowcert::fuzz::Family& family : flowcert::fuzz::stable_families()) {
+    for (std::uint64_t seed = 0; seed < made; ++seed) visit_drawn(family, seed, 100);
   }
 }
 

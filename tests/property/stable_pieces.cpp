@@ -1,0 +1,71 @@
+// Stable sets in one form; see stable_pieces.h for what that guarantees.
+#include "tests/property/stable_pieces.h"
+
+#include <map>
+
+#include "oracle/orbit.h"
+
+namespace flowcert::property {
+
+Pieces pieces_of(const StableSet& set) {
+  Pieces pieces;
+  for (const auto& s : set.segments) {
+    pieces.segments.emplace_back(ids(s.samples), s.front, s.back, ids(s.front_contact), ids(s.back_contact),
+                                 back_kind_text(s.back_kind));
+  }
+  for (const auto& i : set.intervals) {
+    pieces.intervals.emplace_back(ids(i.polygon), i.front, i.back, i.back_is_stationary);
+  }
+  for (const auto& s : set.sectors) pieces.sectors.emplace_back(ids(s.samples), s.corners);
+  pieces.sort();
+  return pieces;
+}
+
+Pieces pieces_of(const oracle::PointSet& points, const oracle::StableSet& set) {
+  const std::map<oracle::BackKind, std::string> kinds = {{oracle::BackKind::kCritical, "critical"},
+                                                         {oracle::BackKind::kRegular, "regular"},
+                                                         {oracle::BackKind::kEdge, "edge"},
+                                                         {oracle::BackKind::kVertex, "vertex"}};
+  Pieces pieces;
+  for (const auto& s : set.segments) {
+    pieces.segments.emplace_back(ids(s.samples), s.front, s.back, s.front_contact, s.back_contact,
+                                 kinds.at(s.back_kind));
+  }
+  for (const auto& i : set.intervals) {
+    if (i.kind == oracle::IntervalKind::kCrossed) continue;
+    pieces.intervals.emplace_back(i.polygon, i.front, i.back, !oracle::flow_segment(points, i.back));
+  }
+  for (const auto& s : set.sectors) pieces.sectors.emplace_back(ids(s.samples), s.polygon);
+  pieces.sort();
+  return pieces;
+}
+
+std::string text_of(const RationalPoint& x) {
+  return '(' + x[0].str() + ' ' + x[1].str() + ' ' + x[2].str() + ')';
+}
+std::string text_of(const Ids& names) {
+  std::string text = "{";
+  for (const std::size_t name : names) text.append(text.size() > 1 ? " " : "").append(std::to_string(name));
+  text += '}';
+  return text;
+}
+
+std::string text_of(const Pieces& pieces) {
+  std::string text;
+  for (const auto& [samples, front, back, front_contact, back_contact, kind] : pieces.segments) {
+    text += "  segment " + text_of(samples) + ' ' + text_of(front) + text_of(front_contact) + " to " +
+            text_of(back) + text_of(back_contact) + ' ' + kind + '\n';
+  }
+  for (const auto& [polygon, front, back, is_stationary] : pieces.intervals) {
+    text += "  interval " + text_of(polygon) + ' ' + text_of(front) + " to " + text_of(back) +
+            (is_stationary ? " stationary\n" : "\n");
+  }
+  for (const auto& [samples, corners] : pieces.sectors) {
+    text += "  sector " + text_of(samples);
+    for (const RationalPoint& x : corners) text += ' ' + text_of(x);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace flowcert::property

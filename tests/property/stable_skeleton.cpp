@@ -1,0 +1,126 @@
+// How the header's promises are kept.
+#include "tests/property/stable_skeleton.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace flowcert::property {
+namespace {
+
+using oracle::Point;
+
+const Point& point_of(const oracle::PointSet& set, std::size_t name) {
+  return set.points[oracle::places_of(set, {name}).front()];
+}
+
+Point middle(const Point& a, const Point& b) { return oracle::moved(a, Rational(1, 2), oracle::minus(b, a)); }
+
+// Three corners in a row of a convex polygon need not span its plane, but some do.
+Point normal_of(const std::vector<Point>& corners) {
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    const Point normal =
+        oracle::cross(oracle::minus(corners[1], corners[0]), oracle::minus(corners[i], corners[0]));
+    if (normal != Point{}) return normal;
+  }
+  return {};
+}
+
+// Whether the rays towards m leave the sector at the side from corner i to the next: m is beyond it.
+bool is_exit(const std::vector<Point>& corners, const Point& normal, const Point& m, std::size_t i) {
+  const Point& a = corners[i % corners.size()];
+  const Point side = oracle::minus(corners[(i + 1) % corners.size()], a);
+  return oracle::dot(normal, oracle::cross(side, oracle::minus(m, a))) < 0;
+}
+
+class Conversion {
+ public:
+  explicit Conversion(const oracle::PointSet& set) : set_(set) {}
+
+  void add_point(const Point& x) {
+    if (!seen_.insert(x).second) return;
+    const std::vector<std::size_t> contact = oracle::contact_set(set_, x);
+    const bool is_vertex =
+        oracle::affine_dimension(oracle::select(set_.points, oracle::places_of(set_, contact))) == 3;
+    result_.has_vertex = result_.has_vertex || is_vertex;
+    result_.points.push_back({x, contact});
+  }
+
+  void add(const BackwardSegment& s) {
+    static const std::map<BackKind, oracle::BackKind> kinds = {
+        {BackKind::kCritical, oracle::BackKind::kCritical},
+        {BackKind::kRegular, oracle::BackKind::kRegular},
+        {BackKind::kEdge, oracle::BackKind::kEdge},
+        {BackKind::kVertex, oracle::BackKind::kVertex}};
+    result_.segments.push_back({{s.samples[0], s.samples[1]},
+                                s.front,
+                                s.back,
+                                {s.front_contact.begin(), s.front_contact.end()},
+                                {s.back_contact.begin(), s.back_contact.end()},
+                                kinds.at(s.back_kind)});
+    add_point(s.front);
+    if (s.back_kind == BackKind::kEdge || s.back_kind == BackKind::kVertex) add_point(s.back);
+  }
+
+  void add(const BackwardInterval& i) {
+    const auto kind =
+        i.back_is_stationary ? oracle::IntervalKind::kFromCentre : oracle::IntervalKind::kFromVertex;
+    result_.intervals.push_back({{i.polygon.begin(), i.polygon.end()}, i.front, i.back, kind});
+    add_point(i.front);
+    if (!i.back_is_stationary) add_point(i.back);
+  }
+
+  void add(const BackwardSector& s) {
+    result_.sectors.push_back({{s.samples[0], s.samples[1]}, s.corners});
+    const std::size_t count = s.corners.size();
+    const Point m = middle(point_of(set_, s.samples[0]), point_of(set_, s.samples[1]));
+    const Point normal = normal_of(s.corners);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!is_exit(s.corners, normal, m, i)) continue;
+      const auto [a, b] = std::minmax(s.corners[i], s.corners[(i + 1) % count]);
+      result_.intervals.push_back(
+          {oracle::contact_set(set_, middle(a, b)), a, b, oracle::IntervalKind::kCrossed});
+      if (is_exit(s.corners, normal, m, i + 1)) add_point(s.corners[(i + 1) % count]);
+    }
+  }
+
+  oracle::StableSet sorted() && {
+    std::sort(result_.points.begin(), result_.points.end());
+    std::sort(result_.segments.begin(), result_.segments.end());
+    std::sort(result_.intervals.begin(), result_.intervals.end());
+    std::sort(result_.sectors.begin(), result_.sectors.end());
+    return std::move(result_);
+  }
+
+ private:
+  const oracle::PointSet& set_;
+  std::set<Point> seen_;
+  oracle::StableSet result_;
+};
+
+}  // namespace
+
+oracle::StableSet skeleton_of(const oracle::PointSet& set, const oracle::StationaryPoint& z,
+                              const StableSet& fast) {
+  Conversion conversion(set);
+  conversion.add_point(z.center);
+  for (const BackwardSegment& s : fast.segments) conversion.add(s);
+  for (const BackwardInterval& i : fast.intervals) conversion.add(i);
+  for (const BackwardSector& s : fast.sectors) conversion.add(s);
+  return std::move(conversion).sorted();
+}
+
+oracle::StationaryPoint stationary_point_of(const PointSet& points, const StationaryPoints& stationary,
+                                            std::size_t record) {
+  const auto contact = stationary.contact(record);
+  const ExactSphere sphere = exact_sphere(points, contact);
+  return {sphere.center,
+          sphere.squared_radius,
+          {contact.begin(), contact.end()},
+          stationary.index(record).face_dimension,
+          stationary.index(record).hull_dimension};
+}
+
+}  // namespace flowcert::property

@@ -1,0 +1,23 @@
+// The fast implementation's stable set as the oracle's structure, so that the oracle's functions can be asked
+// about it: triangles, and which points it contains.
+//
+// Guarantees: exact. Everything comes from the fast set's own pieces and from contact sets; what the fast set
+// does not list (points, and the intervals through which the rays of sectors leave) is told by its sectors'
+// corners, with FC-STAB-05. Nothing flows here.
+#pragma once
+
+#include <cstddef>
+
+#include "flowcert/stable_manifolds.h"
+#include "oracle/stable_set.h"
+
+namespace flowcert::property {
+
+oracle::StableSet skeleton_of(const oracle::PointSet& set, const oracle::StationaryPoint& z,
+                              const StableSet& fast);
+
+// A stationary point of the fast implementation's list, the same way.
+oracle::StationaryPoint stationary_point_of(const PointSet& points, const StationaryPoints& stationary,
+                                            std::size_t record);
+
+}  // namespace flowcert::property
