@@ -81,7 +81,8 @@ void add_check_command(CLI::App& app, int& status) {
                   kMostPointsForOracle));
   command->footer(
       "Levels: 1 well formed; 2 every claimed critical point is one; 3 none is missing, none twice, indices, "
-      "Euler sum; 4 incidences; 5 polylines.\n"
+      "Euler sum; 4 incidences; 5 polylines and "
+      "surfaces.\n"
       "Verdicts: conforms; conforms where determined (permitted variations are listed); fails.\n\n"
       "Examples:\n  flowcert check bunny.obj claim.jsonl\n  flowcert check bunny.obj claim.csv --tolerance "
       "1e-6 "

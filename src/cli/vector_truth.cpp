@@ -23,9 +23,14 @@ class VectorTruth final : public Truth {
     return oracle_->polyline(i, side);
   }
   [[nodiscard]] std::optional<std::vector<std::uint32_t>> boundary(std::size_t i) override {
-    return oracle_->boundary(i);
+    if (!case_.stable[i]) return oracle_->boundary(i);
+    if (!case_.stable[i]->boundary) return std::nullopt;
+    return std::vector<std::uint32_t>(case_.stable[i]->boundary->begin(), case_.stable[i]->boundary->end());
   }
-  [[nodiscard]] StableSummary stable_summary(std::size_t i) override { return oracle_->stable_summary(i); }
+  [[nodiscard]] StableSummary stable_summary(std::size_t i) override {
+    if (!case_.stable[i]) return oracle_->stable_summary(i);
+    return {case_.stable[i]->segments, case_.stable[i]->has_vertex, case_.stable[i]->has_interval};
+  }
   [[nodiscard]] StableSet stable_set(std::size_t i) override { return oracle_->stable_set(i); }
 
  private:

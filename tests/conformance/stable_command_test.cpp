@@ -41,7 +41,7 @@ TEST(StableCommand, TheSkeletonOfAnAcuteTriangle) {
   const json& saddle = records.at(6);
   EXPECT_EQ(saddle["index"], 2);
   EXPECT_EQ(saddle["stable"], json::parse(R"({"segments":3,"has_vertex":false,"has_interval":false,
-                                             "boundary":[[0,1],[0,2],[1,2]]})"));
+                                             "boundary":[[0,1],[0,2],[1,2]],"walk":[0,1,2]})"));
   EXPECT_EQ(saddle["skeleton"]["intervals"], json::array());
   EXPECT_EQ(saddle["skeleton"]["sectors"], json::array());
   ASSERT_EQ(saddle["skeleton"]["segments"].size(), 3U);
@@ -56,7 +56,8 @@ TEST(StableCommand, TheSkeletonOfARegularStationaryPoint) {
   CITES("FC-STAB-01", "FC-STAB-03");
   const json regular = records_of(kRight, {"--skeletons"}).at(5);
   EXPECT_EQ(regular["kind"], "regular");
-  EXPECT_EQ(regular["stable"], json::parse(R"({"segments":2,"has_vertex":false,"has_interval":false})"));
+  EXPECT_EQ(regular["stable"],
+            json::parse(R"({"segments":2,"has_vertex":false,"has_interval":false,"walk":[0,1,2]})"));
   EXPECT_EQ(regular["skeleton"]["segments"][0]["back"], json::parse(R"(["3/2","0","0"])"));
 }
 

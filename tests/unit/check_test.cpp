@@ -300,7 +300,7 @@ ClaimedTarget to(const Ids& contact) { return {false, contact}; }
 const ClaimedTarget kInfinity = {true, {}};
 
 TEST(CheckTest, JudgesIncidences) {
-  CITES("FC-CLAIM-06", "FC-FLOW-07");
+  CITES("FC-CLAIM-06", "FC-FLOW-07", "FC-CHAIN-01");
   const Truly tetrahedron({{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}});
   const auto report = [&](const std::vector<ClaimedTarget>& targets) {
     Claimed claimed = tetrahedron.claim_without({{0, 1, 2}}).add(2, {0, 1, 2});
@@ -325,8 +325,26 @@ TEST(CheckTest, JudgesIncidences) {
   Claimed edge = tetrahedron.claim_without({{0, 1}}).add(1, {0, 1});
   edge.last().successors = {{to({0, 1, 2}), to({0, 1, 3})}};
   const CheckReport upwards = tetrahedron.check(edge);
-  EXPECT_EQ(upwards.conforms[3], std::nullopt);
-  EXPECT_EQ(upwards.not_judged.size(), 1U);
+  EXPECT_EQ(upwards.conforms[3], true);
+  EXPECT_TRUE(upwards.not_judged.empty());
+  for (const auto& wrong : {std::vector<ClaimedTarget>{to({0, 1, 2})},
+                            {to({0, 1, 2}), to({0, 2, 3})},
+                            {to({0, 1, 2}), to({0, 1, 3}), to(top)},
+                            {to({0, 1, 2}), to({0, 1, 3}), kInfinity},
+                            {}}) {
+    edge.last().successors = wrong;
+    expect_finding(tetrahedron.check(edge), 4, FindingReason::kWrongIncidence, "FC-CHAIN-01", 15);
+  }
+}
+
+TEST(CheckTest, AnEdgeWithoutSaddlesGoesToInfinity) {
+  CITES("FC-CLAIM-06");
+  const Truly pair({{0, 0, 0}, {1, 0, 0}});
+  Claimed edge = pair.claim_without({{0, 1}}).add(1, {0, 1});
+  for (const auto& right : {std::vector<ClaimedTarget>{kInfinity}, {}}) {
+    edge.last().successors = right;
+    EXPECT_EQ(pair.check(edge).verdict, Verdict::kConforms);
+  }
 }
 
 // From the triangle 0 1 2, one orbit ends at the regular stationary point of kind 2-3 above it.
