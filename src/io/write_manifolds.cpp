@@ -1,6 +1,7 @@
 // See write_manifolds.h.
 #include "io/write_manifolds.h"
 
+#include "flowcert/connecting_orbits.h"
 #include "io/orbit_fields.h"
 #include "io/skeleton_fields.h"
 #include "io/stationary_records.h"
@@ -11,8 +12,8 @@ namespace {
 
 class FurtherKeysOf {
  public:
-  FurtherKeysOf(const StationaryPoints& stationary, const ManifoldsToWrite& manifolds)
-      : stationary_(stationary), manifolds_(manifolds) {}
+  FurtherKeysOf(const PointSet& points, const StationaryPoints& stationary, const ManifoldsToWrite& manifolds)
+      : points_(points), stationary_(stationary), manifolds_(manifolds) {}
 
   void operator()(std::size_t i, Json& record) {
     if (stationary_.index(i) == StationaryIndex{1, 1}) record["samples"] = stationary_.contact(i);
@@ -51,10 +52,15 @@ class FurtherKeysOf {
       const auto walk = boundary_walk(set, stationary_.index(i), stationary_.contact(i));
       record["stable"]["walk"] = walk ? Json(*walk) : Json(nullptr);
       record["skeleton"] = skeleton_field(set);
+      if (stationary_.index(i).is_critical()) {
+        const RationalPoint center = exact_sphere(points_, stationary_.contact(i)).center;
+        record["skeleton"]["orbits"] = connecting_orbits(set, center);
+      }
     }
     ++next_s2_;
   }
 
+  const PointSet& points_;
   const StationaryPoints& stationary_;
   const ManifoldsToWrite& manifolds_;
   std::size_t next_u2_ = 0, next_s2_ = 0;
@@ -65,7 +71,7 @@ class FurtherKeysOf {
 void write_manifolds(std::ostream& out, const PointSet& points, const StationaryPoints& stationary,
                      const ManifoldsToWrite& manifolds, const std::string& input_sha256,
                      const std::function<void(std::size_t, std::size_t)>& progress) {
-  FurtherKeysOf add_further_keys(stationary, manifolds);
+  FurtherKeysOf add_further_keys(points, stationary, manifolds);
   write_stationary_records(out, points, stationary, input_sha256, std::ref(add_further_keys), progress);
 }
 

@@ -86,6 +86,52 @@ TEST(StableCommand, ABranchGoesOnThroughAnObtuseTriangle) {
   EXPECT_TRUE(summary["ratio_to_delaunay"].contains("s2"));
 }
 
+// Rounded, so that there are ties and long orbits: each orbit is a chain of segments, one for each critical
+// back, and their lengths are n_S2.
+TEST(StableCommand, ConnectingOrbitsAreChainsOfSegments) {
+  CITES("FC-STAB-06");
+  const Scratch scratch;
+  std::string rows;
+  std::uint32_t state = 1;
+  for (int i = 0; i < 300; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      state = state * 1664525U + 1013904223U;
+      rows += std::to_string(state >> 26) + (k < 2 ? " " : "\n");
+    }
+  }
+  const std::string input = scratch.file("points.xyz", rows), output = scratch.path("records");
+  const Finished finished =
+      flowcert({"compute", input, "--manifolds", "s2", "--json", "--stats", "--skeletons", "-o", output});
+  ASSERT_EQ(finished.status, 0) << finished.err;
+  std::size_t longest = 0, count = 0, total = 0;
+  for (const std::string& line : lines_of(content_of(output))) {
+    const json record = json::parse(line);
+    if (!record.contains("skeleton") || record["kind"] != "critical") continue;
+    if (record["stable"]["has_interval"] == true) continue;
+    const json& segments = record["skeleton"]["segments"];
+    std::size_t critical_backs = 0;
+    for (const json& segment : segments) critical_backs += segment["back_kind"] == "critical" ? 1 : 0;
+    EXPECT_EQ(record["skeleton"]["orbits"].size(), critical_backs) << line;
+    for (const json& orbit : record["skeleton"]["orbits"]) {
+      json at = record["center"];
+      for (const json& place : orbit) {
+        EXPECT_EQ(segments[place.get<std::size_t>()]["front"], at);
+        at = segments[place.get<std::size_t>()]["back"];
+      }
+      EXPECT_EQ(segments[orbit.back().get<std::size_t>()]["back_kind"], "critical");
+      longest = std::max(longest, orbit.size());
+      total += orbit.size();
+      ++count;
+    }
+  }
+  const json n_s2 = json::parse(finished.out)["s2"]["n_s2"];
+  EXPECT_GT(longest, 3U);
+  EXPECT_LE(count, n_s2["count"].get<std::size_t>()) << "orbits of sets with intervals are counted too";
+  EXPECT_GT(2 * count, n_s2["count"].get<std::size_t>());
+  EXPECT_LE(longest, n_s2["max"].get<std::size_t>());
+  EXPECT_GT(total, count);
+}
+
 TEST(StableCommand, TheTableNamesTheLargest) {
   CITES("FC-STAB-06");
   const Scratch scratch;
