@@ -84,7 +84,7 @@ void write_export_files(const std::string& directory, const std::string& input_n
       {"unstable_lines.vtp", &exports.unstable_lines},
       {"stable_surfaces.vtp", &exports.stable_surfaces}};
   for (const auto& [name, data] : data_sets) {
-    write_file(folder / name, [&](std::ostream& out) { write_vtp(out, *data, comment); });
+    write_file(folder / name, [&comment, poly = data](std::ostream& out) { write_vtp(out, *poly, comment); });
   }
   write_file(folder / "stable_surfaces.ply",
              [&](std::ostream& out) { write_ply(out, exports.mesh, comment); });

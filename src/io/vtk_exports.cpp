@@ -77,7 +77,7 @@ class LineSet {
 
   // Those of one point first, as the format has vertices before lines.
   [[nodiscard]] std::vector<Line> take_lines() {
-    std::ranges::stable_partition(lines_, [](const Line& line) { return line.count == 1; });
+    std::stable_partition(lines_.begin(), lines_.end(), [](const Line& line) { return line.count == 1; });
     return std::move(lines_);
   }
   [[nodiscard]] std::vector<Point> take_positions() { return std::move(positions_); }

@@ -43,8 +43,6 @@ struct SetAnswer {
 struct StableAnswer {
   std::map<Ids, SetAnswer> sets;  // by the contact set of the stationary point
   std::vector<ExactPair> pairs;
-
-  friend bool operator==(const StableAnswer&, const StableAnswer&) = default;
 };
 
 // Empty: leaves the names as they are.
