@@ -13,10 +13,10 @@
 
 #include "flowcert/persistence.h"
 #include "fuzz/families.h"
+#include "fuzz/properties/stationary_comparison.h"
 #include "oracle/persistence.h"
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
-#include "tests/property/stationary_comparison.h"
 
 namespace flowcert::property {
 namespace {

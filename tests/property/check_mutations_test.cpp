@@ -18,10 +18,10 @@
 #include "flowcert/check.h"
 #include "fuzz/families.h"
 #include "fuzz/nudge.h"
+#include "fuzz/properties/stationary_comparison.h"
 #include "oracle/exact_geometry.h"
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
-#include "tests/property/stationary_comparison.h"
 
 namespace flowcert::property {
 namespace {

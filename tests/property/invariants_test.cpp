@@ -14,10 +14,10 @@
 
 #include "fuzz/input.h"
 #include "fuzz/integer_points.h"
+#include "fuzz/properties/stationary_comparison.h"
 #include "oracle/stationary_points.h"
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
-#include "tests/property/stationary_comparison.h"
 
 namespace flowcert::property {
 namespace {

@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "fuzz/families.h"
+#include "fuzz/properties/stationary_comparison.h"
 #include "fuzz/transformations.h"
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
-#include "tests/property/stationary_comparison.h"
 #include "tests/property/transformed_answers.h"
 
 namespace flowcert::property {

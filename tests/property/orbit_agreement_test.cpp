@@ -16,11 +16,11 @@
 
 #include "flowcert/orbit.h"
 #include "fuzz/families.h"
+#include "fuzz/properties/orbit_comparison.h"
+#include "fuzz/properties/orbit_starts.h"
 #include "oracle/orbit.h"
 #include "tests/cites.h"
-#include "tests/property/orbit_comparison.h"
 #include "tests/property/orbit_inputs.h"
-#include "tests/property/orbit_starts.h"
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
 

@@ -10,9 +10,9 @@
 
 #include "flowcert/unstable_manifolds.h"
 #include "fuzz/large_configurations.h"
+#include "fuzz/properties/orbit_comparison.h"
 #include "oracle/orbit.h"
 #include "tests/cites.h"
-#include "tests/property/orbit_comparison.h"
 #include "tests/property/orbit_subject.h"
 
 namespace flowcert::property {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/properties/orbit_comparison.h"
 #include "oracle/stationary_points.h"
-#include "tests/property/orbit_comparison.h"
 
 namespace flowcert::property {
 

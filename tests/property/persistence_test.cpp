@@ -18,12 +18,12 @@
 
 #include "fuzz/families.h"
 #include "fuzz/integer_points.h"
+#include "fuzz/properties/stationary_comparison.h"
 #include "fuzz/stable_families.h"
 #include "tests/cites.h"
 #include "tests/property/alpha_persistence.h"
 #include "tests/property/orbit_inputs.h"
 #include "tests/property/property_parameters.h"
-#include "tests/property/stationary_comparison.h"
 
 namespace flowcert::property {
 namespace {

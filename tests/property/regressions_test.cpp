@@ -12,8 +12,8 @@
 #include <string>
 
 #include "fuzz/input.h"
+#include "fuzz/properties/stationary_comparison.h"
 #include "tests/cites.h"
-#include "tests/property/stationary_comparison.h"
 
 namespace flowcert::property {
 namespace {

@@ -15,12 +15,12 @@
 #include <vector>
 
 #include "flowcert/stable_manifolds.h"
+#include "fuzz/properties/stable_pieces.h"
 #include "fuzz/stable_families.h"
 #include "oracle/stable_set.h"
 #include "tests/cites.h"
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
-#include "tests/property/stable_pieces.h"
 #include "tests/property/stable_skeleton.h"
 
 namespace flowcert::property {

@@ -18,11 +18,11 @@
 
 #include "flowcert/check.h"
 #include "fuzz/nudge.h"
+#include "fuzz/properties/stationary_comparison.h"
 #include "fuzz/stable_families.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
-#include "tests/property/stationary_comparison.h"
 
 namespace flowcert::property {
 namespace {

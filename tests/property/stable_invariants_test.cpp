@@ -18,14 +18,14 @@
 
 #include "flowcert/stable_manifolds.h"
 #include "fuzz/integer_points.h"
+#include "fuzz/properties/orbit_starts.h"
+#include "fuzz/properties/stable_pieces.h"
 #include "fuzz/stable_families.h"
 #include "oracle/orbit.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
-#include "tests/property/orbit_starts.h"
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
-#include "tests/property/stable_pieces.h"
 #include "tests/property/stable_skeleton.h"
 
 namespace flowcert::property {

@@ -19,13 +19,13 @@
 #include <vector>
 
 #include "flowcert/persistence.h"
+#include "fuzz/properties/stable_pieces.h"
 #include "fuzz/stable_families.h"
 #include "fuzz/transformations.h"
 #include "tests/cites.h"
 #include "tests/property/alpha_persistence.h"
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
-#include "tests/property/stable_pieces.h"
 #include "tests/property/transformed_answers.h"
 
 namespace flowcert::property {

@@ -12,10 +12,10 @@
 #include <iostream>
 #include <string>
 
+#include "fuzz/properties/stationary_comparison.h"
 #include "fuzz/stable_families.h"
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
-#include "tests/property/stationary_comparison.h"
 
 namespace flowcert::property {
 namespace {

@@ -1,5 +1,5 @@
 // Starts of orbits; see orbit_starts.h for what they guarantee.
-#include "tests/property/orbit_starts.h"
+#include "fuzz/properties/orbit_starts.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,5 +1,5 @@
 // Stable sets in one form; see stable_pieces.h for what that guarantees.
-#include "tests/property/stable_pieces.h"
+#include "fuzz/properties/stable_pieces.h"
 
 #include <map>
 

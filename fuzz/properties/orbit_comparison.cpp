@@ -1,5 +1,5 @@
 // Comparison of orbits; see orbit_comparison.h for what it guarantees.
-#include "tests/property/orbit_comparison.h"
+#include "fuzz/properties/orbit_comparison.h"
 
 #include <algorithm>
 #include <sstream>
