@@ -1,0 +1,263 @@
+// See degeneracy_signature.h. The faces of the Voronoi diagram are made once more for the clusters, polygons
+// and chains, which no public interface tells; on a few points that is microseconds.
+#include "fuzz/campaign/degeneracy_signature.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <numeric>
+#include <set>
+#include <span>
+
+#include "flowcert/delaunay.h"
+#include "flowcert/point_set.h"
+#include "flowcert/stable_manifolds.h"
+#include "flowcert/stationary_points.h"
+#include "flowcert/unstable_manifolds.h"
+#include "voronoi/voronoi_faces.h"
+
+namespace flowcert::fuzz {
+namespace {
+
+// ---- Words and buckets ----
+
+template <std::size_t kCount>
+std::vector<std::string> texts_of(const std::array<const char*, kCount>& names) {
+  return {names.begin(), names.end()};
+}
+
+std::vector<SignatureComponent> table() {
+  const std::vector<std::string> yes_or_no{"0", "1+"};
+  const std::vector<std::string> few{"0", "1", "2+"};
+  const std::vector<std::string> lengths{"0", "1", "2", "3-4", "5-8", "9+"};
+  return {
+      {"dimension", "Of the affine hull of the points.", {"none", "0", "1", "2", "3"}},
+      {"duplicates", "Rows that repeat another one.", yes_or_no},
+      {"cluster",
+       "Points of the largest contact set of a stationary point or a Voronoi vertex.",
+       {"0-4", "5", "6", "7-8", "9+"}},
+      {"polygon", "Corners of the largest polygon of a Voronoi edge.", {"0-3", "4", "5-6", "7+"}},
+      {"12", "Regular stationary points of kind 1-2.", few},
+      {"23", "Regular stationary points of kind 2-3.", few},
+      {"13", "Regular stationary points of kind 1-3.", few},
+      {"chain",
+       "Voronoi edges of right-angled polygons that hang together at Voronoi vertices, most of them.",
+       {"0", "1", "2", "3+"}},
+      {"vertex-starts", "Segments of unstable manifolds that start at a Voronoi vertex.", few},
+      {"vertex-hits", "Segments of unstable manifolds that cross a facet and meet a Voronoi vertex.", few},
+      {"ends-regular", "Orbits of unstable manifolds that end at a regular stationary point.", yes_or_no},
+      {"ends-infinity", "Orbits of unstable manifolds that go to infinity.", yes_or_no},
+      {"cascade", "Segments of the longest orbit of an unstable manifold.", lengths},
+      {"descent", "Segments of the longest connecting orbit down to a point of index 1.", lengths},
+      {"s2-vertex", "Stable manifolds of index 2 with a Voronoi vertex in their skeleton.", yes_or_no},
+      {"s2-interval", "Stable manifolds of index 2 with a part of dimension 3.", yes_or_no},
+      {"ties", "Points of index 2 whose boundary a tie leaves open.", yes_or_no},
+      {"exact", "Predicates of the stationary points that exact arithmetic had to decide.",
+       texts_of(kPredicateNames), true, false},
+      {"exact-flow", "Signs and constructions of the flow that intervals did not settle.",
+       texts_of(kFlowPrimitiveNames), true, false},
+  };
+}
+
+// How many of the ascending bounds the count has reached.
+std::uint8_t bucket(std::size_t count, std::initializer_list<std::size_t> bounds) {
+  return static_cast<std::uint8_t>(
+      std::count_if(bounds.begin(), bounds.end(), [count](std::size_t bound) { return count >= bound; }));
+}
+std::uint8_t some(std::size_t count) { return bucket(count, {1}); }
+std::uint8_t few(std::size_t count) { return bucket(count, {1, 2}); }
+std::uint8_t length(std::size_t count) { return bucket(count, {1, 2, 3, 5, 9}); }
+
+// ---- The Voronoi diagram ----
+
+struct Extent {
+  std::size_t cluster = 0;
+  std::size_t polygon = 0;
+  std::size_t chain = 0;
+};
+
+std::size_t points_of_cluster(const VoronoiComplex& complex, std::span<const CellIndex> cells) {
+  std::set<VertexIndex> points;
+  for (const CellIndex cell : cells) {
+    const auto& v = complex.delaunay().vertices(cell);
+    points.insert(v.begin(), v.end());
+  }
+  return points.size();
+}
+
+// Voronoi vertices by what they are connected to, each set with its number of edges.
+class Chains {
+ public:
+  explicit Chains(std::size_t vertices) : parent_(vertices), edges_(vertices) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+
+  // The number of edges that the new one hangs together with, itself included. An end may be at infinity, not
+  // both: dimension 3 has no Voronoi edge that is a line.
+  std::size_t add(CellIndex from, CellIndex to) {
+    const std::size_t a = root(from == kNoCell ? to : from);
+    const std::size_t b = root(to == kNoCell ? from : to);
+    if (a != b) edges_[b] += edges_[a];
+    parent_[a] = b;
+    return ++edges_[b];
+  }
+
+ private:
+  [[nodiscard]] std::size_t root(std::size_t vertex) const {
+    while (parent_[vertex] != vertex) vertex = parent_[vertex];
+    return vertex;
+  }
+
+  std::vector<std::size_t> parent_;
+  std::vector<std::size_t> edges_;
+};
+
+Extent spatial_extent(const VoronoiFaces& faces) {
+  const VoronoiComplex& complex = faces.complex();
+  Extent extent{4, 3, 0};
+  for (std::size_t k = 0; k < complex.large_cluster_count(); ++k) {
+    extent.cluster = std::max(extent.cluster, points_of_cluster(complex, complex.large_cluster(k)));
+  }
+  // A polygon of k triangles has k + 2 corners.
+  for (std::size_t k = 0; k < complex.large_polygon_count(); ++k) {
+    extent.polygon = std::max(extent.polygon, complex.large_polygon(k).size() + 2);
+  }
+  Chains chains(faces.delaunay().finite_count);
+  for (CellIndex cell = 0; cell < faces.delaunay().finite_count; ++cell) {
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const FacetRef facet{cell, i};
+      if (complex.role(facet) == VoronoiComplex::FacetRole::kInterior) continue;
+      if (faces.polygon(facet) != facet || faces.driver(facet).shape != Sign::kZero) continue;
+      extent.chain = std::max(extent.chain, chains.add(faces.end(facet, 0), faces.end(facet, 1)));
+    }
+  }
+  return extent;
+}
+
+// A polygon is the contact set of its centre; its Voronoi edge is a line, a chain alone.
+Extent planar_extent(const VoronoiFaces& faces) {
+  Extent extent;
+  for (CellIndex cell = 0; cell < faces.delaunay().finite_count; ++cell) {
+    const PolygonRef polygon = faces.polygon({cell, 0});
+    extent.polygon = std::max(extent.polygon, faces.sides(polygon).size());
+    if (faces.driver(polygon).shape == Sign::kZero) extent.chain = 1;
+  }
+  return extent;
+}
+
+Extent extent_of(const Delaunay& delaunay, const StationaryPoints& stationary) {
+  Extent extent;
+  if (delaunay.dimension() >= 2) {
+    FilterTally unused;
+    const VoronoiFaces faces(delaunay, unused);
+    extent = delaunay.dimension() == 3 ? spatial_extent(faces) : planar_extent(faces);
+  }
+  for (std::size_t i = 0; i < stationary.size(); ++i) {
+    extent.cluster = std::max(extent.cluster, stationary.contact(i).size());
+  }
+  return extent;
+}
+
+// ---- The rest ----
+
+template <std::size_t kCount>
+std::uint8_t failures_of(const std::array<FilterCount, kCount>& counts) {
+  static_assert(kCount <= 8);
+  std::uint8_t set = 0;
+  for (std::size_t k = 0; k < kCount; ++k) {
+    if (counts[k].failures > 0) set = static_cast<std::uint8_t>(set | 1U << k);
+  }
+  return set;
+}
+
+void add_unstable(const FlowStatistics& statistics, DegeneracySignature& signature) {
+  std::size_t starts = 0;
+  std::size_t hits = 0;
+  for (const auto& [type, times] : statistics.census) {
+    if (type[0] == 'V') starts += times;
+    if (type[1] == 'F' && type[2] == 'V') hits += times;
+  }
+  signature[SignaturePart::kVertexStarts] = few(starts);
+  signature[SignaturePart::kVertexHits] = few(hits);
+  signature[SignaturePart::kEndsAtRegular] = some(statistics.to_regular);
+  signature[SignaturePart::kEndsAtInfinity] = some(statistics.to_infinity);
+  signature[SignaturePart::kCascade] = length(statistics.n_u2.max());
+}
+
+void add_stable(const StableStatistics& statistics, DegeneracySignature& signature) {
+  signature[SignaturePart::kDescent] = length(statistics.n_s2.max());
+  signature[SignaturePart::kStableVertex] = some(statistics.with_vertex);
+  signature[SignaturePart::kStableInterval] = some(statistics.with_interval);
+  signature[SignaturePart::kTies] = some(statistics.broken_ties);
+}
+
+PointSet points_of(const Input& input) {
+  std::vector<Point> rows;
+  rows.reserve(input.rows.size());
+  for (const Row& row : input.rows) rows.push_back({row[0], row[1], row[2]});
+  return PointSet(rows);
+}
+
+}  // namespace
+
+const std::vector<SignatureComponent>& signature_components() {
+  static const std::vector<SignatureComponent> components = table();
+  return components;
+}
+
+DegeneracySignature signature_of(const Input& input) {
+  const PointSet points = points_of(input);
+  const Delaunay delaunay(points);
+  FilterTally tally;
+  const StationaryPoints stationary = stationary_points(delaunay, &tally);
+  const UnstableManifolds unstable(delaunay, stationary);
+  const StableManifolds stable(delaunay, stationary);
+  const Extent extent = extent_of(delaunay, stationary);
+
+  DegeneracySignature signature;
+  signature[SignaturePart::kDimension] = static_cast<std::uint8_t>(delaunay.dimension() + 1);
+  signature[SignaturePart::kDuplicates] = some(points.merged_duplicates());
+  signature[SignaturePart::kCluster] = bucket(extent.cluster, {5, 6, 7, 9});
+  signature[SignaturePart::kPolygon] = bucket(extent.polygon, {4, 5, 7});
+  signature[SignaturePart::kKind12] = few(stationary.regular_counts().kind12);
+  signature[SignaturePart::kKind23] = few(stationary.regular_counts().kind23);
+  signature[SignaturePart::kKind13] = few(stationary.regular_counts().kind13);
+  signature[SignaturePart::kChain] = bucket(extent.chain, {1, 2, 3});
+  add_unstable(unstable.statistics(), signature);
+  add_stable(stable.statistics(), signature);
+  signature[SignaturePart::kExact] = failures_of(tally.counts);
+  signature[SignaturePart::kExactFlow] = static_cast<std::uint8_t>(
+      failures_of(unstable.statistics().tally.counts) | failures_of(stable.statistics().tally.counts));
+  return signature;
+}
+
+DegeneracySignature combinatorial_part(DegeneracySignature signature) {
+  for (std::size_t k = 0; k < kSignatureSize; ++k) {
+    if (!signature_components()[k].is_combinatorial) signature.values[k] = 0;
+  }
+  return signature;
+}
+
+std::size_t value_count(std::size_t component) {
+  const SignatureComponent& words = signature_components().at(component);
+  return words.is_set ? std::size_t{1} << words.texts.size() : words.texts.size();
+}
+
+std::string value_text(std::size_t component, std::uint8_t value) {
+  const SignatureComponent& words = signature_components().at(component);
+  if (!words.is_set) return words.texts.at(value);
+  std::string text;
+  for (std::size_t bit = 0; bit < words.texts.size(); ++bit) {
+    if ((value >> bit & 1U) != 0) text += (text.empty() ? "" : ",") + words.texts[bit];
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string to_text(const DegeneracySignature& signature) {
+  std::string text;
+  for (std::size_t k = 0; k < kSignatureSize; ++k) {
+    text += (k > 0 ? " " : "") + signature_components()[k].name + '=' + value_text(k, signature.values[k]);
+  }
+  return text;
+}
+
+}  // namespace flowcert::fuzz

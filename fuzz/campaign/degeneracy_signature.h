@@ -1,0 +1,81 @@
+// What is degenerate about an input, in a few small numbers: what a campaign tells inputs apart by, to keep
+// those that show something new.
+//
+// Guarantees: a function of the input alone, computed by the fast implementation. Every component but the two
+// about arithmetic belongs to the point set, whatever the order of its rows; what exact arithmetic had to
+// decide depends on the triangulation, and so on the order as well. Numbers come in buckets, so that there
+// are some thousands of signatures and not millions.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "fuzz/input.h"
+
+namespace flowcert::fuzz {
+
+// In the order of signature_components().
+enum class SignaturePart : std::uint8_t {
+  kDimension,
+  kDuplicates,
+  kCluster,
+  kPolygon,
+  kKind12,
+  kKind23,
+  kKind13,
+  // A Voronoi edge is right-angled iff its polygon has a diameter of its circle as a side: then the driver of
+  // the edge lies on it, the middle of that side. A chain: right-angled Voronoi edges that hang together at
+  // Voronoi vertices. Its length: how many they are.
+  kChain,
+  kVertexStarts,
+  kVertexHits,
+  kEndsAtRegular,
+  kEndsAtInfinity,
+  kCascade,
+  kDescent,
+  kStableVertex,
+  kStableInterval,
+  kTies,
+  kExact,
+  kExactFlow,
+};
+inline constexpr std::size_t kSignatureSize = 19;
+
+struct SignatureComponent {
+  std::string name;
+  std::string description;  // a sentence
+  // What the values 0, 1, ... mean; of a set: what the bits of the value mean.
+  std::vector<std::string> texts;
+  bool is_set = false;
+  // Whether it belongs to the point set, in any order of the rows.
+  bool is_combinatorial = true;
+};
+const std::vector<SignatureComponent>& signature_components();
+
+struct DegeneracySignature {
+  std::array<std::uint8_t, kSignatureSize> values{};
+
+  [[nodiscard]] std::uint8_t operator[](SignaturePart part) const {
+    return values[static_cast<std::size_t>(part)];
+  }
+  std::uint8_t& operator[](SignaturePart part) { return values[static_cast<std::size_t>(part)]; }
+  friend auto operator<=>(const DegeneracySignature&, const DegeneracySignature&) = default;
+};
+
+// Throws InvalidInput for a coordinate that is NaN or infinite.
+[[nodiscard]] DegeneracySignature signature_of(const Input& input);
+// Zero where a component is not combinatorial.
+[[nodiscard]] DegeneracySignature combinatorial_part(DegeneracySignature signature);
+
+// How many values a component can have.
+[[nodiscard]] std::size_t value_count(std::size_t component);
+// "3-4"; of a set "angle,cospherical", or "none".
+[[nodiscard]] std::string value_text(std::size_t component, std::uint8_t value);
+// One line: "dimension=3 duplicates=0 cluster=6 polygon=4 12=1 ... exact=angle,cospherical exact-flow=none".
+[[nodiscard]] std::string to_text(const DegeneracySignature& signature);
+
+}  // namespace flowcert::fuzz
