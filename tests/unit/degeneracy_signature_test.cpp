@@ -11,7 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "flowcert/delaunay.h"
 #include "flowcert/point_set.h"
+#include "flowcert/stable_manifolds.h"
+#include "flowcert/stationary_points.h"
 #include "fuzz/configurations.h"
 #include "fuzz/large_configurations.h"
 #include "fuzz/stable_configurations.h"
@@ -179,6 +182,27 @@ TEST(Signature, SeesWhatStableManifoldsAreMadeOf) {
   EXPECT_EQ(value_of(SignaturePart::kStableVertex, generic()), "0");
   EXPECT_EQ(value_of(SignaturePart::kStableInterval, generic()), "0");
   EXPECT_EQ(value_of(SignaturePart::kTies, generic()), "0");
+}
+
+// Each from its own number, and not from another one that is often zero at the same time.
+TEST(Signature, SaysOfStableManifoldsWhatTheirStatisticsSay) {
+  const auto yes_or_no = [](std::size_t count) { return std::string(count > 0 ? "1+" : "0"); };
+  for (const Family& family : families_and_stable_ones()) {
+    for (std::uint64_t seed = 0; seed < 25; ++seed) {
+      const Input input = draw(family, seed, 60);
+      std::vector<Point> rows;
+      for (const auto& [x, y, z] : input.rows) rows.push_back({x, y, z});
+      const PointSet points(rows);
+      const Delaunay delaunay(points);
+      const StationaryPoints stationary = stationary_points(delaunay);
+      const StableManifolds stable(delaunay, stationary);
+      const StableStatistics& statistics = stable.statistics();
+      EXPECT_EQ(value_of(SignaturePart::kStableVertex, input), yes_or_no(statistics.with_vertex)) << input;
+      EXPECT_EQ(value_of(SignaturePart::kStableInterval, input), yes_or_no(statistics.with_interval))
+          << input;
+      EXPECT_EQ(value_of(SignaturePart::kTies, input), yes_or_no(statistics.broken_ties)) << input;
+    }
+  }
 }
 
 TEST(Signature, SeesWhatExactArithmeticDecided) {
