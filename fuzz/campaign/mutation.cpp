@@ -103,26 +103,35 @@ MaybePoint circle_center(const RationalPoint& p, const RationalPoint& q, const R
 
 using Points = std::vector<RationalPoint>;
 
+// Of any one of the points. No expression here draws twice: compilers differ in which operand comes first.
+RationalPoint image_through(const RationalPoint& at, const Points& points, const RationalPoint& normal,
+                            rc::Random& random) {
+  return image(points[below(random, points.size())], at, normal);
+}
+
 MaybePoint on_circumsphere(const Points& others, const RationalPoint&, rc::Random& random) {
   const auto z = center(others[0], {others[1] - others[0], others[2] - others[0], others[3] - others[0]},
                         /*last_is_normal=*/false);
   if (!z) return std::nullopt;
-  return image(others[below(random, 4)], *z, small_vector(random));
+  const RationalPoint normal = small_vector(random);
+  return image_through(*z, others, normal, random);
 }
 
 MaybePoint on_circumcircle(const Points& others, const RationalPoint&, rc::Random& random) {
   const auto z = circle_center(others[0], others[1], others[2]);
   if (!z) return std::nullopt;
-  const RationalPoint normal =
-      between(random, -2, 2) * (others[1] - others[0]) + between(random, -2, 2) * (others[2] - others[0]);
+  const Rational first = between(random, -2, 2);
+  const Rational second = between(random, -2, 2);
+  const RationalPoint normal = first * (others[1] - others[0]) + second * (others[2] - others[0]);
   if (is_zero(normal)) return std::nullopt;
-  return image(others[below(random, 3)], *z, normal);
+  return image_through(*z, others, normal, random);
 }
 
 MaybePoint on_great_sphere(const Points& others, const RationalPoint&, rc::Random& random) {
   const auto z = circle_center(others[0], others[1], others[2]);
   if (!z) return std::nullopt;
-  return image(others[below(random, 3)], *z, small_vector(random));
+  const RationalPoint normal = small_vector(random);
+  return image_through(*z, others, normal, random);
 }
 
 MaybePoint on_diameter_sphere(const Points& others, const RationalPoint&, rc::Random& random) {

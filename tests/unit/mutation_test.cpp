@@ -389,14 +389,33 @@ TEST(Mutations, SeedsNameTheSameMutantsForGood) {
   const Input parent{{{0, 0, 0}, {4, 1, 0}, {1, 3, -2}, {0, 2, 5}, {-1, -1, 2}}};
   std::ostringstream text;
   for (std::uint64_t seed = 0; seed < 8; ++seed) text << mutated(parent, seed).by << ' ';
-  for (const std::string name : {"onto-circumsphere", "onto-circumcircle"}) {
+  for (const Mutation& mutation : mutations()) {
     rc::Random random(7);
-    text << '\n' << mutation_named(name).apply(parent, random).value().input;
+    const Mutant mutant = mutation.apply(parent, random).value();
+    // What has moved or come, or the last row, and what shows by how much all have been multiplied.
+    const std::size_t row = mutant.rows.empty() ? mutant.input.rows.size() - 1 : mutant.rows[0];
+    text << '\n' << mutation.name << ' ' << Input{{mutant.input.rows[row], mutant.input.rows[1]}};
   }
   EXPECT_EQ(text.str(),
-            "scale scale scale duplicate turn remove onto-leg onto-bisector "
-            "\n0 0 0\n124 31 0\n0 10 -1\n0 62 155\n-31 -31 62\n"
-            "\n0 0 0\n68 17 0\n17 51 -34\n0 34 85\n-17 -17 34\n9 -6 6\n");
+            "scale scale scale duplicate turn remove onto-leg onto-bisector \n"
+            "onto-circumsphere 0 10 -1\n124 31 0\n\n"
+            "onto-circumcircle -47 80 43\n84 21 0\n\n"
+            "onto-great-sphere 0 -73 56\n172 43 0\n\n"
+            "onto-diameter-sphere 0 0 5\n4 1 0\n\n"
+            "onto-foot -1 -1 -2\n4 1 0\n\n"
+            "onto-leg -13 5 2\n4 1 0\n\n"
+            "onto-bisector -12 7 0\n4 1 0\n\n"
+            "onto-mirror-image 1 -4 1\n12 3 0\n\n"
+            "onto-parallelogram 1 3 3\n1 3 3\n\n"
+            "onto-line 0 1 2.5\n4 1 0\n\n"
+            "snap 0 0 0\n4 1 0\n\n"
+            "duplicate 0 0 0\n4 1 0\n\n"
+            "nudge 0 2 5.000000000000001\n4 1 0\n\n"
+            "copy-coordinate 4 2 5\n4 1 0\n\n"
+            "remove -1 -1 2\n4 1 0\n\n"
+            "add 1 -1 1\n4 1 0\n\n"
+            "scale -0.00390625 -0.00390625 0.0078125\n0.015625 0.00390625 0\n\n"
+            "turn 10 22 -4\n-10 -24 -32\n");
 }
 
 }  // namespace
