@@ -1,8 +1,9 @@
-// How the header's promises are kept: Gram systems, solved by elimination in rationals.
+// How the header's promises are kept: Gram systems, solved by elimination in integers.
 //
 // For a simplex p0 ... pk with edges e_i = p_i - p0, the point p0 + sum of l_i e_i has the inner products <.,
 // e_j> that a right hand side prescribes iff G l = rhs, G the matrix of the <e_i, e_j>. The circumcentre and
-// the barycentric coordinates of a point are two right hand sides of it.
+// the barycentric coordinates of a point are two right hand sides of it. Points are multiplied by a common
+// denominator first, so that a fraction is reduced only where it is a result.
 #include "oracle/exact_geometry.h"
 
 #include <algorithm>
@@ -11,44 +12,87 @@ namespace oracle {
 
 namespace {
 
-using Row = std::vector<Rational>;
+using IntegerPoint = std::array<Integer, 3>;
+using IntegerRow = std::vector<Integer>;
 
-std::vector<Point> edges_from_first(const std::vector<Point>& simplex) {
-  std::vector<Point> edges;
-  for (std::size_t i = 1; i < simplex.size(); ++i) edges.push_back(minus(simplex[i], simplex[0]));
-  return edges;
+Integer dot(const IntegerPoint& a, const IntegerPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+IntegerPoint minus(const IntegerPoint& a, const IntegerPoint& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-// Solves <sum of l_i e_i, e_j> = rhs_j for all j; nothing iff the edges are linearly dependent. No pivot has
-// to be looked for: the leading minors of a Gram matrix are positive as long as the edges are independent,
-// and the first pivot that is zero shows an edge that depends on those before it.
-std::optional<Row> solve_gram(const std::vector<Point>& edges, const Row& rhs) {
+// The least common multiple of `scale` and the denominators of x.
+Integer common_denominator(Integer scale, const Point& x) {
+  for (const Rational& coordinate : x) scale = lcm(scale, Integer(denominator(coordinate)));
+  return scale;
+}
+
+// `scale` is a multiple of the denominators of x.
+IntegerPoint times(const Integer& scale, const Point& x) {
+  const auto coordinate = [&](std::size_t axis) -> Integer {
+    return numerator(x[axis]) * (scale / denominator(x[axis]));
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
+
+// A simplex times a common denominator.
+struct IntegerSimplex {
+  explicit IntegerSimplex(const std::vector<Point>& simplex, const Integer& at_least = 1) : scale(at_least) {
+    for (const Point& point : simplex) scale = common_denominator(scale, point);
+    origin = times(scale, simplex[0]);
+    for (std::size_t i = 1; i < simplex.size(); ++i) edges.push_back(minus(times(scale, simplex[i]), origin));
+  }
+  Integer scale;
+  IntegerPoint origin;
+  std::vector<IntegerPoint> edges;
+};
+
+// The l_i of <sum of l_i e_i, e_j> = rhs_j for all j, times `denominator`, which is not 0.
+struct Coefficients {
+  IntegerRow numerators;
+  Integer denominator = 1;
+};
+
+// Nothing iff the edges are linearly dependent. No pivot has to be looked for: the leading minors of a Gram
+// matrix are positive as long as the edges are independent, and the first pivot that is zero shows an edge
+// that depends on those before it. The elimination is Bareiss's: after each step all entries are minors, and
+// the division by the pivot before leaves no rest; in the end the matrix is its determinant times the
+// identity.
+std::optional<Coefficients> solve_gram(const std::vector<IntegerPoint>& edges, const IntegerRow& rhs) {
   const std::size_t size = edges.size();
-  std::vector<Row> matrix(size);
+  std::vector<IntegerRow> matrix(size);
   for (std::size_t j = 0; j < size; ++j) {
-    for (const Point& edge : edges) matrix[j].push_back(dot(edges[j], edge));
+    for (const IntegerPoint& edge : edges) matrix[j].push_back(dot(edges[j], edge));
     matrix[j].push_back(rhs[j]);
   }
-  for (std::size_t pivot = 0; pivot < size; ++pivot) {
-    if (matrix[pivot][pivot] == 0) return std::nullopt;
+  Coefficients result;
+  for (std::size_t step = 0; step < size; ++step) {
+    const Integer pivot = matrix[step][step];
+    if (pivot == 0) return std::nullopt;
     for (std::size_t row = 0; row < size; ++row) {
-      if (row == pivot) continue;
-      const Rational factor = matrix[row][pivot] / matrix[pivot][pivot];
-      for (std::size_t k = pivot; k <= size; ++k) matrix[row][k] -= factor * matrix[pivot][k];
+      if (row == step) continue;
+      const Integer factor = matrix[row][step];
+      for (std::size_t k = 0; k <= size; ++k) {
+        matrix[row][k] = (pivot * matrix[row][k] - factor * matrix[step][k]) / result.denominator;
+      }
     }
+    result.denominator = pivot;
   }
-  Row solution;
-  for (std::size_t j = 0; j < size; ++j) solution.push_back(matrix[j][size] / matrix[j][j]);
-  return solution;
+  for (const IntegerRow& row : matrix) result.numerators.push_back(row[size]);
+  return result;
 }
 
 // The point p0 + sum of l_i e_i, and its barycentric coordinates (1 - sum of l_i, l_1, ..., l_k).
-Circumcentre combine(const Point& origin, const std::vector<Point>& edges, const Row& coefficients) {
-  Circumcentre result{origin, {Rational(1)}};
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) result.center[axis] += coefficients[i] * edges[i][axis];
-    result.weights[0] -= coefficients[i];
-    result.weights.push_back(coefficients[i]);
+Circumcentre combine(const IntegerSimplex& simplex, const Coefficients& l) {
+  Circumcentre result;
+  Integer first = l.denominator;
+  for (const Integer& numerator : l.numerators) first -= numerator;
+  result.weights.emplace_back(first, l.denominator);
+  for (const Integer& numerator : l.numerators) result.weights.emplace_back(numerator, l.denominator);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Integer sum = l.denominator * simplex.origin[axis];
+    for (std::size_t i = 0; i < simplex.edges.size(); ++i) sum += l.numerators[i] * simplex.edges[i][axis];
+    result.center[axis] = Rational(sum, l.denominator * simplex.scale);
   }
   return result;
 }
@@ -77,26 +121,28 @@ Rational squared_distance(const Point& a, const Point& b) {
   return dot(difference, difference);
 }
 
-std::optional<Circumcentre> circumcentre(const std::vector<Point>& simplex) {
-  if (simplex.empty() || simplex.size() > 4) return std::nullopt;
+std::optional<Circumcentre> circumcentre(const std::vector<Point>& points) {
+  if (points.empty() || points.size() > 4) return std::nullopt;
   // |z - p0| = |z - p_j| says 2 <z - p0, e_j> = <e_j, e_j>.
-  const std::vector<Point> edges = edges_from_first(simplex);
-  Row rhs;
-  for (const Point& edge : edges) rhs.push_back(dot(edge, edge) / 2);
-  const auto coefficients = solve_gram(edges, rhs);
+  const IntegerSimplex simplex(points);
+  IntegerRow rhs;
+  for (const IntegerPoint& edge : simplex.edges) rhs.push_back(dot(edge, edge));
+  auto coefficients = solve_gram(simplex.edges, rhs);
   if (!coefficients) return std::nullopt;
-  return combine(simplex[0], edges, *coefficients);
+  coefficients->denominator *= 2;
+  return combine(simplex, *coefficients);
 }
 
-std::optional<Row> barycentric(const std::vector<Point>& simplex, const Point& x) {
-  if (simplex.empty() || simplex.size() > 4) return std::nullopt;
-  const std::vector<Point> edges = edges_from_first(simplex);
-  Row rhs;
-  for (const Point& edge : edges) rhs.push_back(dot(minus(x, simplex[0]), edge));
-  const auto coefficients = solve_gram(edges, rhs);
+std::optional<std::vector<Rational>> barycentric(const std::vector<Point>& points, const Point& x) {
+  if (points.empty() || points.size() > 4) return std::nullopt;
+  const IntegerSimplex simplex(points, common_denominator(1, x));
+  const IntegerPoint way = minus(times(simplex.scale, x), simplex.origin);
+  IntegerRow rhs;
+  for (const IntegerPoint& edge : simplex.edges) rhs.push_back(dot(way, edge));
+  const auto coefficients = solve_gram(simplex.edges, rhs);
   if (!coefficients) return std::nullopt;
   // What was found is the orthogonal projection of x to the affine hull: x itself iff x lies there.
-  const Circumcentre projection = combine(simplex[0], edges, *coefficients);
+  const Circumcentre projection = combine(simplex, *coefficients);
   if (projection.center != x) return std::nullopt;
   return projection.weights;
 }
