@@ -21,10 +21,13 @@ using oracle::Rational;
 constexpr std::size_t kNumbers = 12;
 constexpr int kAttempts = 12;
 
-// The numbers of a choice, one after the other; when they run out, from the front again, changed.
+// The numbers of a choice, one after the other; when they run out, from the front again, changed. None count
+// as a single 0.
 class Numbers {
  public:
-  explicit Numbers(const StartChoice& choice) : numbers_(choice.numbers) {}
+  explicit Numbers(const StartChoice& choice) : numbers_(choice.numbers) {
+    if (numbers_.empty()) numbers_.push_back(0);
+  }
 
   std::size_t below(std::size_t bound) {
     const std::size_t round = next_ / numbers_.size();
@@ -37,7 +40,7 @@ class Numbers {
   }
 
  private:
-  const std::vector<std::uint32_t>& numbers_;
+  std::vector<std::uint32_t> numbers_;
   std::size_t next_ = 0;
 };
 

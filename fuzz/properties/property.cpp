@@ -1,0 +1,62 @@
+// The table of properties; see property.h for what it guarantees.
+#include "fuzz/properties/property.h"
+
+#include <algorithm>
+#include <exception>
+
+#include "fuzz/properties/property_checks.h"
+#include "oracle/orbit.h"
+
+namespace flowcert::property {
+
+oracle::Point start_of(const Trial& trial) {
+  if (const auto* point = std::get_if<oracle::Point>(&trial.start)) return *point;
+  return start_of(oracle::PointSet(trial.input.rows), std::get<StartChoice>(trial.start));
+}
+
+const std::vector<Property>& properties() {
+  static const std::vector<Property> table = {
+      {.name = "critical-points",
+       .description = "all stationary points, fast against oracle, and the laws that either must keep",
+       .check = check_critical_points},
+      {.name = "orbit",
+       .description = "the orbit of one start, segment by segment, fast against oracle",
+       .check = check_orbit},
+      {.name = "unstable-manifolds",
+       .description = "both orbits of every index-2 point, fast against oracle",
+       .one_in = 4,
+       .check = check_unstable_manifolds},
+      {.name = "stable-sets",
+       .description = "the stable sets of all index-2 and regular stationary points, fast against oracle",
+       .most_rows = 10,
+       .one_in = 8,
+       .check = check_stable_sets},
+      {.name = "persistence",
+       .description = "persistence pairs, fast against the oracle's of the Čech filtration",
+       .most_rows = 8,
+       .one_in = 16,
+       .check = check_persistence},
+      {.name = "kernels",
+       .description = "lazy against exact constructions, binary against linear search, shared against alone",
+       .one_in = 8,
+       .check = check_kernels},
+  };
+  return table;
+}
+
+const Property* property_named(std::string_view name) {
+  const auto found = std::find_if(properties().begin(), properties().end(),
+                                  [&](const Property& one) { return one.name == name; });
+  return found == properties().end() ? nullptr : &*found;
+}
+
+std::optional<Disagreement> disagreement(const Property& property, const Trial& trial) {
+  if (trial.input.rows.size() > property.most_rows) return std::nullopt;
+  try {
+    return property.check(trial);
+  } catch (const std::exception& error) {
+    return Disagreement{"throws", "FC-IN-01", error.what(), "the exception", error.what(), "", ""};
+  }
+}
+
+}  // namespace flowcert::property

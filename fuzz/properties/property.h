@@ -1,0 +1,61 @@
+// What a campaign holds every input to: the properties, by name, each with what it found where it does not
+// hold.
+//
+// Guarantees: exact comparison, by the fast implementation and the oracle as they are; nothing is caught or
+// repaired but exceptions, which are disagreements of their own. A property is a function of the trial alone.
+// The kind of a disagreement says what is wrong without saying where, so that it can stay the same while the
+// input shrinks.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "fuzz/input.h"
+#include "fuzz/properties/orbit_starts.h"
+
+namespace flowcert::property {
+
+// An input, and where an orbit starts in it: by a choice that depends on the input, or as coordinates.
+struct Trial {
+  fuzz::Input input;
+  std::variant<StartChoice, oracle::Point> start;
+};
+// The input must not be empty.
+[[nodiscard]] oracle::Point start_of(const Trial& trial);
+
+struct Disagreement {
+  std::string kind;       // a few words with hyphens: "missing", "segment-type"
+  std::string clause;     // of the spec, that one of the two violates: "FC-CRIT-05"
+  std::string complaint;  // one line
+  // Both answers, as text of any number of lines, and whose they are.
+  std::string first_name, first;
+  std::string second_name, second;
+};
+
+struct Property {
+  std::string name;  // kebab-case
+  std::string description;
+  // Inputs of more rows take the oracle too long, and pass.
+  std::size_t most_rows = 12;
+  // In a campaign that names no properties, one case in so many is held to it.
+  std::size_t one_in = 1;
+  // Of inputs that are tried to make a failing one small.
+  std::size_t shrinking_budget = 3000;
+  std::function<std::optional<Disagreement>(const Trial&)> check = {};
+};
+
+// critical-points, orbit, unstable-manifolds, stable-sets, persistence, kernels.
+[[nodiscard]] const std::vector<Property>& properties();
+// Nothing for a name that is no property's.
+[[nodiscard]] const Property* property_named(std::string_view name);
+
+// What the property says of the trial; an exception is a disagreement of kind "throws". Passes what has too
+// many rows.
+[[nodiscard]] std::optional<Disagreement> disagreement(const Property& property, const Trial& trial);
+
+}  // namespace flowcert::property

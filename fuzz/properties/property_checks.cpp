@@ -1,0 +1,344 @@
+// How the properties are checked; see property.h for what they guarantee.
+#include "fuzz/properties/property_checks.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include "flowcert/orbit.h"
+#include "flowcert/persistence.h"
+#include "flowcert/stable_manifolds.h"
+#include "flowcert/unstable_manifolds.h"
+#include "fuzz/properties/orbit_comparison.h"
+#include "fuzz/properties/stable_pieces.h"
+#include "fuzz/properties/stationary_comparison.h"
+#include "fuzz/properties/subject.h"
+#include "oracle/orbit.h"
+#include "oracle/persistence.h"
+#include "oracle/stable_set.h"
+
+namespace flowcert::property {
+namespace {
+
+constexpr FlowOptions kExactLinear = {ConstructionKernel::kExact, FacetSearch::kLinear};
+constexpr const char* kFast = "the fast answer";
+constexpr const char* kOracle = "the oracle's answer";
+
+// ---- Critical points ----
+
+struct KindAndClause {
+  std::string kind;
+  std::string clause;
+};
+
+// Both have records, sorted by another key than the contact set, and no two alike.
+KindAndClause difference_kind(const StationaryAnswer& fast, const StationaryAnswer& oracle) {
+  if (fast.points != oracle.points || fast.merged_duplicates != oracle.merged_duplicates) {
+    return {"points", "FC-IN-03"};
+  }
+  const auto find = [](const StationaryAnswer& answer, const std::vector<std::size_t>& contact) {
+    const auto found = std::find_if(answer.records.begin(), answer.records.end(),
+                                    [&](const Record& one) { return one.contact == contact; });
+    return found == answer.records.end() ? nullptr : &*found;
+  };
+  for (const Record& record : oracle.records) {
+    if (find(fast, record.contact) == nullptr) return {"missing", "FC-CRIT-05"};
+  }
+  for (const Record& record : fast.records) {
+    const Record* same = find(oracle, record.contact);
+    if (same == nullptr) return {"not-stationary", "FC-CRIT-05"};
+    if (same->order_key() != record.order_key()) return {"index", "FC-CRIT-02"};
+    if (*same != record) return {"position", "FC-OUT-01"};
+  }
+  return fast.records == oracle.records ? KindAndClause{"counts", "FC-OUT-01"}
+                                        : KindAndClause{"order", "FC-OUT-02"};
+}
+
+// "FC-INV-01: ..." is split.
+std::optional<Disagreement> broken_law(const StationaryAnswer& answer, const char* whose) {
+  const std::string complaint = broken_clause(answer);
+  if (complaint.empty()) return std::nullopt;
+  return Disagreement{"law", complaint.substr(0, complaint.find(':')), complaint, whose, to_text(answer), "",
+                      ""};
+}
+
+// ---- Orbits ----
+
+// Empty if the same.
+std::string difference_kind(const SegmentRecord& a, const SegmentRecord& b) {
+  if (a.type != b.type) return "segment-type";
+  if (a.start != b.start || a.start_contact != b.start_contact) return "start";
+  if (a.driver != b.driver) return "driver";
+  if (a.crossed_contact != b.crossed_contact) return "crossed-face";
+  return a == b ? "" : "end";
+}
+
+std::string difference_kind(const OrbitRecord& a, const OrbitRecord& b) {
+  for (std::size_t k = 0; k < std::min(a.segments.size(), b.segments.size()); ++k) {
+    const std::string kind = difference_kind(a.segments[k], b.segments[k]);
+    if (!kind.empty()) return kind;
+  }
+  return a.segments.size() != b.segments.size() ? "length" : "limit";
+}
+
+struct NamedOrbit {
+  std::string name;
+  OrbitRecord orbit;
+};
+
+std::optional<Disagreement> difference_of_orbits(const std::string& what, const NamedOrbit& a,
+                                                 const NamedOrbit& b) {
+  const std::string found = difference(a.orbit, b.orbit);
+  if (found.empty()) return std::nullopt;
+  const std::string kind = difference_kind(a.orbit, b.orbit);
+  return Disagreement{kind,
+                      kind == "limit" ? "FC-FLOW-05" : "FC-FLOW-02",
+                      what + ": " + found,
+                      a.name,
+                      to_text(a.orbit),
+                      b.name,
+                      to_text(b.orbit)};
+}
+
+// ---- Unstable manifolds ----
+
+std::string name_of_orbit(const StationaryPoints& stationary, std::size_t record, std::size_t side) {
+  return "the orbit of " + text_of(ids(stationary.contact(record))) + " on side " + std::to_string(side);
+}
+
+// Fast orbits of U2 computed one way, against those computed another way.
+std::optional<Disagreement> difference_of_unstable(const Subject& subject, const StationaryPoints& stationary,
+                                                   const UnstableOptions& options, const char* name) {
+  UnstableManifolds usual(subject.delaunay, stationary);
+  UnstableManifolds other(subject.delaunay, stationary, options);
+  for (std::size_t i = 0; i < usual.size(); ++i) {
+    for (const std::size_t side : {0, 1}) {
+      const std::string what = name_of_orbit(stationary, usual.saddle(i), side);
+      if (auto found = difference_of_orbits(what, {"lazy, binary, shared", record_of(usual.orbit(i, side))},
+                                            {name, record_of(other.orbit(i, side))})) {
+        return found;
+      }
+      if (usual.limit(i, side) != other.limit(i, side)) {
+        return Disagreement{"limit", "FC-FLOW-07", what + ": another limit", "", "", "", ""};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// ---- Stable sets ----
+
+oracle::StationaryPoint oracle_point(const Subject& subject, const StationaryPoints& stationary,
+                                     std::size_t record) {
+  const ExactSphere sphere = exact_sphere(subject.points, stationary.contact(record));
+  return {sphere.center, sphere.squared_radius, ids(stationary.contact(record)),
+          stationary.index(record).face_dimension, stationary.index(record).hull_dimension};
+}
+
+std::optional<Disagreement> difference_of_pieces(const std::string& what, const Pieces& a, const char* a_name,
+                                                 const Pieces& b, const char* b_name) {
+  if (a == b) return std::nullopt;
+  const std::string kind = a.segments != b.segments     ? "segments"
+                           : a.intervals != b.intervals ? "intervals"
+                                                        : "sectors";
+  return Disagreement{
+      kind, kind == "segments" ? "FC-STAB-04" : "FC-STAB-05", what, a_name, text_of(a), b_name, text_of(b)};
+}
+
+// What the list of stable sets says of one without building it.
+std::optional<Disagreement> wrong_summary(const StableManifolds& manifolds, std::size_t i,
+                                          const std::string& what, const Pieces& pieces, bool has_vertex) {
+  const auto wrong = [&](const char* said) {
+    return Disagreement{
+        "summary", "FC-STAB-02", what + ": " + said + " is wrong", kOracle, text_of(pieces), "", ""};
+  };
+  if (manifolds.has_vertex(i) != has_vertex) return wrong("has_vertex()");
+  if (manifolds.has_interval(i) == pieces.intervals.empty()) return wrong("has_interval()");
+  if (pieces.intervals.empty() && manifolds.segment_count(i) != pieces.segments.size()) {
+    return wrong("segment_count()");
+  }
+  return std::nullopt;
+}
+
+// Sample pairs that critical backs lie between, an odd number of times; nothing where a tie leaves the
+// boundary open.
+std::optional<std::vector<Ids>> boundary_by_pieces(const Pieces& pieces, bool has_vertex) {
+  std::map<Ids, std::size_t> times;
+  for (const SegmentKey& segment : pieces.segments) {
+    if (std::get<5>(segment) == "regular") return std::nullopt;
+    if (std::get<5>(segment) == "critical") ++times[std::get<0>(segment)];
+  }
+  std::vector<Ids> edges;
+  for (const auto& [samples, count] : times) {
+    if (count % 2 == 1) edges.push_back(samples);
+  }
+  return has_vertex ? std::nullopt : std::optional(edges);
+}
+
+std::optional<Disagreement> wrong_boundary(const StationaryPoints& stationary,
+                                           const StableManifolds& manifolds, std::size_t i,
+                                           const std::string& what, const Pieces& pieces, bool has_vertex) {
+  const auto expected = boundary_by_pieces(pieces, has_vertex);
+  if (!expected || !stationary.index(manifolds.record(i)).is_critical()) return std::nullopt;
+  std::vector<Ids> edges;
+  for (const std::uint32_t record : manifolds.boundary(i)) edges.push_back(ids(stationary.contact(record)));
+  std::sort(edges.begin(), edges.end());
+  if (edges == *expected) return std::nullopt;
+  std::string text;
+  for (const Ids& edge : edges) text += text_of(edge) + '\n';
+  return Disagreement{"boundary", "FC-STAB-07",   what + ": its boundary is wrong", kFast, text,
+                      kOracle,    text_of(pieces)};
+}
+
+// ---- Persistence ----
+
+std::vector<oracle::PersistencePair> fast_pairs(const Subject& subject) {
+  const StationaryPoints stationary = stationary_points(subject.delaunay);
+  UnstableManifolds unstable(subject.delaunay, stationary);
+  const StableManifolds stable(subject.delaunay, stationary);
+  const ChainComplex complex(subject.points, stationary, unstable, stable);
+  const Persistence persistence(subject.points, stationary, complex);
+  std::vector<oracle::PersistencePair> pairs;
+  for (const PersistencePair& pair : persistence.pairs()) {
+    pairs.push_back({pair.dimension, persistence.squared_value(pair.birth), std::nullopt});
+    if (pair.death) pairs.back().death = persistence.squared_value(*pair.death);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+std::string to_text(const std::vector<oracle::PersistencePair>& pairs) {
+  std::string text;
+  for (const auto& pair : pairs) {
+    text += std::to_string(pair.dimension) + ' ' + pair.birth.str() + ' ' +
+            (pair.death ? pair.death->str() : "inf") + '\n';
+  }
+  return text;
+}
+
+// ---- Kernels ----
+
+std::optional<Disagreement> difference_of_flows(const Subject& subject, const Trial& trial) {
+  const RationalPoint start = start_of(trial);
+  Flow usual(subject.delaunay);
+  const OrbitRecord orbit = record_of(usual.orbit(start));
+  for (const auto& [name, options] :
+       {std::pair{"lazy, linear", FlowOptions{ConstructionKernel::kLazy, FacetSearch::kLinear}},
+        std::pair{"exact, binary", FlowOptions{ConstructionKernel::kExact, FacetSearch::kBinary}},
+        std::pair{"exact, linear", kExactLinear}}) {
+    Flow other(subject.delaunay, options);
+    if (auto found = difference_of_orbits("the orbit", {"lazy, binary", orbit},
+                                          {name, record_of(other.orbit(start))})) {
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Disagreement> difference_of_stable(const Subject& subject, const StationaryPoints& stationary) {
+  StableManifolds lazy(subject.delaunay, stationary);
+  StableManifolds exact(subject.delaunay, stationary, {.flow = kExactLinear, .seed = 0});
+  for (std::size_t i = 0; i < lazy.size(); ++i) {
+    const std::string what = "the stable set of " + text_of(ids(stationary.contact(lazy.record(i))));
+    if (auto found = difference_of_pieces(what, pieces_of(lazy.set(i)), "lazy, binary",
+                                          pieces_of(exact.set(i)), "exact, linear")) {
+      return found;
+    }
+    if (!std::ranges::equal(lazy.boundary(i), exact.boundary(i))) {
+      return Disagreement{"boundary", "FC-STAB-07", what + ": another boundary", "", "", "", ""};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Disagreement> check_critical_points(const Trial& trial) {
+  const StationaryAnswer fast = fast_answer(trial.input);
+  const StationaryAnswer oracle = oracle_answer(trial.input);
+  const std::string found = difference(fast, oracle);
+  if (!found.empty()) {
+    const auto [kind, clause] = difference_kind(fast, oracle);
+    return Disagreement{kind, clause, found, kFast, to_text(fast), kOracle, to_text(oracle)};
+  }
+  if (auto broken = broken_law(fast, kFast)) return broken;
+  return broken_law(oracle, kOracle);
+}
+
+std::optional<Disagreement> check_orbit(const Trial& trial) {
+  const Subject subject(trial.input);
+  if (subject.points.empty()) return std::nullopt;
+  const RationalPoint start = start_of(trial);
+  Flow flow(subject.delaunay);
+  return difference_of_orbits("the orbit", {kFast, record_of(flow.orbit(start))},
+                              {kOracle, record_of(subject.set, start, oracle::orbit(subject.set, start))});
+}
+
+std::optional<Disagreement> check_unstable_manifolds(const Trial& trial) {
+  const Subject subject(trial.input);
+  const StationaryPoints stationary = stationary_points(subject.delaunay);
+  UnstableManifolds manifolds(subject.delaunay, stationary);
+  for (std::size_t i = 0; i < manifolds.size(); ++i) {
+    const oracle::StationaryPoint saddle = oracle_point(subject, stationary, manifolds.saddle(i));
+    for (const std::size_t side : {0, 1}) {
+      const OrbitRecord truth = record_of(
+          subject.set, saddle.center, oracle::unstable_orbit(subject.set, saddle, static_cast<int>(side)));
+      const std::string what = name_of_orbit(stationary, manifolds.saddle(i), side);
+      if (auto found =
+              difference_of_orbits(what, {kFast, record_of(manifolds.orbit(i, side))}, {kOracle, truth})) {
+        return found;
+      }
+      const auto limit = manifolds.limit(i, side);
+      const bool right = limit.has_value() == truth.limit.has_value() &&
+                         (!limit || ids(stationary.contact(*limit)) == truth.limit->contact);
+      if (!right) {
+        return Disagreement{"limit", "FC-FLOW-07", what + ": limit() is wrong", kOracle, to_text(truth), "",
+                            ""};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Disagreement> check_stable_sets(const Trial& trial) {
+  const Subject subject(trial.input);
+  const StationaryPoints stationary = stationary_points(subject.delaunay);
+  StableManifolds manifolds(subject.delaunay, stationary);
+  for (std::size_t i = 0; i < manifolds.size(); ++i) {
+    const auto z = oracle_point(subject, stationary, manifolds.record(i));
+    const oracle::StableSet truth = oracle::stable_set(subject.set, z);
+    const Pieces pieces = pieces_of(subject.set, truth);
+    const std::string what = "the stable set of " + text_of(z.contact);
+    if (auto found = difference_of_pieces(what, pieces_of(manifolds.set(i)), kFast, pieces, kOracle)) {
+      return found;
+    }
+    if (auto found = wrong_summary(manifolds, i, what, pieces, truth.has_vertex)) return found;
+    if (auto found = wrong_boundary(stationary, manifolds, i, what, pieces, truth.has_vertex)) return found;
+  }
+  return std::nullopt;
+}
+
+std::optional<Disagreement> check_persistence(const Trial& trial) {
+  const Subject subject(trial.input);
+  const auto fast = fast_pairs(subject);
+  const auto truth = oracle::persistence_pairs(subject.set);
+  if (fast == truth) return std::nullopt;
+  return Disagreement{"pairs", "FC-PERS-05",  "other persistence pairs", kFast, to_text(fast),
+                      kOracle, to_text(truth)};
+}
+
+std::optional<Disagreement> check_kernels(const Trial& trial) {
+  const Subject subject(trial.input);
+  if (subject.points.empty()) return std::nullopt;
+  if (auto found = difference_of_flows(subject, trial)) return found;
+  const StationaryPoints stationary = stationary_points(subject.delaunay);
+  if (auto found = difference_of_unstable(subject, stationary, {.flow = {}, .share = false}, "alone")) {
+    return found;
+  }
+  const UnstableOptions exact{.flow = kExactLinear, .share = true};
+  if (auto found = difference_of_unstable(subject, stationary, exact, "exact, linear")) return found;
+  return difference_of_stable(subject, stationary);
+}
+
+}  // namespace flowcert::property
