@@ -1,6 +1,7 @@
 // See finding_words.h.
 #include "certify/finding_words.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -117,6 +118,13 @@ std::string position_text(const RationalPoint& x) {
 
 std::string position_text(const ClaimedPosition& x) {
   return position_text(RationalPoint{x[0].value, x[1].value, x[2].value});
+}
+
+const Finding& telling_finding(const std::vector<Finding>& findings) {
+  const auto of_a_point = std::ranges::find_if(findings, [&](const Finding& finding) {
+    return finding.level == findings.front().level && !finding.contact.empty();
+  });
+  return of_a_point == findings.end() ? findings.front() : *of_a_point;
 }
 
 }  // namespace flowcert

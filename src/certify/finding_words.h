@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "flowcert/check.h"
 
@@ -19,5 +20,9 @@ namespace flowcert {
 [[nodiscard]] std::string number_text(const Rational& value);
 [[nodiscard]] std::string position_text(const RationalPoint& x);
 [[nodiscard]] std::string position_text(const ClaimedPosition& x);
+
+// The one to tell first: the first of the lowest level that is about a point, since what is wrong with the
+// whole, a count, mostly follows from that. The findings are not empty, and sorted as in a report.
+[[nodiscard]] const Finding& telling_finding(const std::vector<Finding>& findings);
 
 }  // namespace flowcert

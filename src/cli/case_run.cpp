@@ -1,6 +1,5 @@
-// See case_run.h. A case takes one run of the command, one of the orbit command for each start, and one
-// of the persistence command. Each run
-// has a folder, with a subfolder that it runs in, so that nothing of ours is in its way but the points.
+// See case_run.h. A case takes one run of the command, one of the orbit command for each start, and one of
+// the persistence command.
 #include "cli/case_run.h"
 
 #include <fmt/format.h>
@@ -9,8 +8,8 @@
 #include <fstream>
 #include <new>
 
-#include "cli/bounded_file.h"
-#include "cli/command_template.h"
+#include "certify/finding_words.h"
+#include "cli/command_run.h"
 #include "cli/conformance_words.h"
 #include "cli/scratch_folder.h"
 #include "cli/vector_truth.h"
@@ -28,21 +27,6 @@ namespace fs = std::filesystem;
 constexpr char kOrbitName[] = "orbit.json";
 constexpr char kPersistenceName[] = "persistence";
 
-// What a shell exits with that was not allowed to run the command, or did not find it.
-constexpr int kNotExecutable = 126;
-constexpr int kNotFound = 127;
-
-// Answers to the vectors are a hundredth of this, and a compressed one could become a thousand times larger.
-constexpr std::size_t kMostBytes = std::size_t{16} << 20;
-constexpr std::size_t kMostCompressedBytes = std::size_t{1} << 20;
-
-void write_file(const fs::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw OutputError(path.string() + ": cannot be written");
-}
-
 // In place of what an earlier run may have left.
 void copy_if_regular(const fs::path& from, const fs::path& to) {
   fs::remove(to);
@@ -50,36 +34,7 @@ void copy_if_regular(const fs::path& from, const fs::path& to) {
   if (fs::is_regular_file(from, ignored)) fs::copy_file(from, to);
 }
 
-// Empty, too, where the program has put something else in its place, which opening could wait for.
-std::string first_line_of(const fs::path& path) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) return "";
-  std::ifstream file(path);
-  std::string line;
-  std::getline(file, line);
-  return line;
-}
-
-// The first of the lowest level that is about a point: what is wrong with the whole, a count, mostly follows
-// from that. The findings are not empty.
-const Finding& telling_finding(const std::vector<Finding>& findings) {
-  const auto of_a_point = std::ranges::find_if(findings, [&](const Finding& finding) {
-    return finding.level == findings.front().level && !finding.contact.empty();
-  });
-  return of_a_point == findings.end() ? findings.front() : *of_a_point;
-}
-
-// A run that has ended, and where it has left what.
-struct Run {
-  fs::path folder;
-  std::string answer_name;
-  fs::path answer;
-  ProgramEnd end;
-
-  [[nodiscard]] fs::path work() const { return folder / "work"; }
-  [[nodiscard]] fs::path out() const { return folder / "stdout"; }
-  [[nodiscard]] fs::path err() const { return folder / "stderr"; }
-};
+using Run = CommandRun;
 
 class CaseRun {
  public:
@@ -129,20 +84,9 @@ class CaseRun {
   Run run_persistence() { return run(options_.persistence_command, kPersistenceName, {}); }
 
   Run run(const std::string& command, const std::string& out_name,
-          std::vector<std::pair<std::string, std::string>> values) {
-    Run run;
-    run.folder = folder_ / fmt::format("{}", ++runs_);
-    fs::create_directories(run.work());
-    const fs::path points = run.work() / point_file_name(options_.points);
-    write_file(points, points_);
-    const bool has_out = has_place(command, "{out}");
-    run.answer_name = has_out ? out_name : "standard output";
-    run.answer = has_out ? run.work() / out_name : run.out();
-    values.emplace_back("{in}", points.string());
-    values.emplace_back("{out}", run.answer.string());
-    run.end =
-        run_limited(filled_in(command, values), {run.work().string(), run.out().string(), run.err().string()},
-                    options_.limits, is_cancelled_);
+          const std::vector<std::pair<std::string, std::string>>& values) {
+    Run run = run_command({command, point_file_name(options_.points), points_, out_name, values},
+                          folder_ / fmt::format("{}", ++runs_), options_.limits, is_cancelled_);
     result_.seconds += run.end.seconds;
     return run;
   }
@@ -160,16 +104,11 @@ class CaseRun {
   void keep(const Run& run) const {
     const fs::path folder = fs::path(options_.keep) / case_.id;
     fs::create_directories(folder);
-    write_file(folder / point_file_name(options_.points), points_);
-    write_file(folder / "case.json", case_.json + "\n");
+    write_text_file(folder / point_file_name(options_.points), points_);
+    write_text_file(folder / "case.json", case_.json + "\n");
     copy_if_regular(run.out(), folder / "stdout");
     copy_if_regular(run.err(), folder / "stderr");
     if (run.answer != run.out()) copy_if_regular(run.answer, folder / run.answer_name);
-  }
-
-  [[nodiscard]] static std::string status_text(const Run& run) {
-    const std::string said = first_line_of(run.err());
-    return fmt::format("exit status {}{}", run.end.number, said.empty() ? "" : ": " + one_line(said));
   }
 
   // Says no for what is neither a yes nor a no of the program.
@@ -179,7 +118,7 @@ class CaseRun {
       fail(run, RunOutcome::kTimedOut, fmt::format("not done after {} s", options_.limits.seconds));
     } else if (end.ending == ProgramEnding::kSignalled) {
       fail(run, RunOutcome::kCrashed, signal_text(end.number));
-    } else if (end.number == kNotExecutable || end.number == kNotFound) {
+    } else if (was_not_started(end)) {
       fail(run, RunOutcome::kCrashed, "not started: " + status_text(run));
     } else {
       return end.ending == ProgramEnding::kExited;
@@ -202,21 +141,11 @@ class CaseRun {
 
   // ---- What it answers
 
-  [[nodiscard]] static std::string answer_of(const Run& run) {
-    std::string bytes = read_bounded(run.answer.string(), kMostBytes, run.answer_name);
-    const bool is_compressed = bytes.starts_with("\x1f\x8b");
-    if (is_compressed && bytes.size() > kMostCompressedBytes) {
-      throw InvalidInput(fmt::format("{}: more than {} compressed bytes are not read", run.answer_name,
-                                     kMostCompressedBytes));
-    }
-    return bytes;
-  }
-
   // Calls read(bytes); false if it cannot be read.
   template <typename Read>
   bool read_answer(const Run& run, const Read& read) {
     try {
-      read(answer_of(run));
+      read(answer_bytes(run));
       return true;
     } catch (const InvalidInput& error) {
       fail(run, RunOutcome::kUnreadable, one_line(error.what()));

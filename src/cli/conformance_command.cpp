@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "cli/command.h"
+#include "cli/command_run.h"
 #include "cli/command_template.h"
 #include "cli/conformance_report.h"
 #include "cli/interruption.h"
@@ -101,16 +102,9 @@ void print_list(const std::vector<const VectorCase*>& cases) {
 
 // ---- Running
 
-// A relative path would be looked for in the folder of a case.
 void require_full_path(const char* option, const std::string& command) {
-  const std::string program = command.substr(0, command.find_first_of(" \t\n;|&<>()"));
-  std::error_code ignored;
-  if (program.find('/') != std::string::npos && program.front() != '/' && fs::exists(program, ignored)) {
-    throw InvalidInput(
-        fmt::format("{}: the command does not run here, but in a folder for each case: name {} by its full "
-                    "path, \"$PWD/{}\"",
-                    option, in_quotes(program), program));
-  }
+  const std::string fault = fault_of_relative_path(command);
+  if (!fault.empty()) throw InvalidInput(fmt::format("{}: {}", option, fault));
 }
 
 void require_answerable(const std::vector<CaseOutcome>& outcomes) {
