@@ -1,5 +1,4 @@
-// See case_stream.h. Seeds are mixed by splitmix64's finalizer, so that neighbouring cases of neighbouring
-// runs have nothing in common.
+// See case_stream.h. Seeds are mixed, so that neighbouring cases of neighbouring runs have nothing in common.
 #include "fuzz/case_stream.h"
 
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include <system_error>
 
 #include "fuzz/large_configurations.h"
+#include "fuzz/mixed.h"
 
 namespace flowcert::fuzz {
 namespace {
@@ -19,13 +19,6 @@ namespace {
 constexpr std::array<std::size_t, kCaseLevels> kUsualCases{500, 5'000, 20'000};
 // Of what families draw from: at 50 most of them have up to 8 points, at 75 up to 10, at 100 up to 12.
 constexpr std::array<int, kCaseLevels> kLargestSize{50, 75, 100};
-
-std::uint64_t mixed(std::uint64_t value) {
-  value += 0x9e3779b97f4a7c15U;
-  value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9U;
-  value = (value ^ (value >> 27)) * 0x94d049bb133111ebU;
-  return value ^ (value >> 31);
-}
 
 // ---- Large inputs ----
 

@@ -19,6 +19,7 @@ void add_check_command(CLI::App& app, int& status);
 void add_compute_command(CLI::App& app, int& status);
 void add_conformance_command(CLI::App& app, int& status);
 void add_explain_command(CLI::App& app, int& status);
+void add_fuzz_command(CLI::App& app, int& status);
 void add_generate_command(CLI::App& app, int& status);
 void add_orbit_command(CLI::App& app, int& status);
 void add_persistence_command(CLI::App& app, int& status);

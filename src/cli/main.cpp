@@ -58,6 +58,7 @@ int run(int argc, char** argv) {
   add_compute_command(app, status);
   add_conformance_command(app, status);
   add_explain_command(app, status);
+  add_fuzz_command(app, status);
   add_generate_command(app, status);
   add_orbit_command(app, status);
   add_persistence_command(app, status);

@@ -1,0 +1,207 @@
+// See batch.h.
+#include "fuzz/campaign/batch.h"
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "fuzz/campaign/mutation.h"
+#include "fuzz/campaign/shrinking.h"
+#include "fuzz/campaign/trial_mix.h"
+#include "fuzz/mixed.h"
+
+namespace flowcert::fuzz {
+namespace {
+
+using nlohmann::json;
+using property::Disagreement;
+using property::Property;
+
+constexpr std::uint64_t kMostMoves = 3;
+constexpr const char* kMutant = "mutant";
+// Of a case: its numbers for this and that.
+enum Salt : std::uint64_t { kSourceSalt = 1, kParentSalt, kMovesSalt, kStartSalt, kShareSalt = 100 };
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+class Batch {
+ public:
+  Batch(const CampaignPlan& plan, const std::vector<Property>& properties, const BatchOrder& order,
+        BatchObserver& observer)
+      : plan_(plan),
+        properties_(properties),
+        order_(order),
+        observer_(observer),
+        mix_(plan),
+        corpus_(plan.corpus) {}
+
+  BatchResult result() {
+    const std::size_t first = order_.batch * plan_.batch_cases;
+    for (std::size_t number = first; number < first + order_.cases; ++number) {
+      if (observer_.is_stopped()) return std::move(result_);
+      if (!order_.left_out.contains(number)) run_case(number);
+    }
+    result_.is_complete = true;
+    return std::move(result_);
+  }
+
+ private:
+  void run_case(std::size_t number) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::uint64_t seed = mixed(mixed(plan_.seed) ^ number);
+    const FreshTrial drawn = drawn_trial(seed);
+    look_at_signature(number, drawn.trial);
+    for (std::size_t k = 0; k < properties_.size(); ++k) {
+      const bool is_its_share = mixed(seed ^ (kShareSalt + k)) % properties_[k].one_in == 0;
+      if (is_its_share) hold(number, drawn, properties_[k]);
+    }
+    Tally& tally = result_.tally;
+    ++tally.cases;
+    ++tally.by_source[drawn.family];
+    RowsTally& rows = tally.by_rows[drawn.trial.input.rows.size()];
+    ++rows.cases;
+    rows.seconds += seconds_since(start);
+    observer_.has_done(number, drawn.family);
+  }
+
+  FreshTrial drawn_trial(std::uint64_t seed) {
+    const bool is_mutant = mixed(seed ^ kSourceSalt) % 100 < plan_.searched_percent;
+    if (!is_mutant || corpus_.empty()) return mix_.draw(seed);
+    const Input& parent = corpus_[mixed(seed ^ kParentSalt) % corpus_.size()];
+    Mutant mutant{parent, "", {}};
+    std::uint64_t dice = mixed(seed ^ kMovesSalt);
+    for (std::uint64_t moves = 1 + dice % kMostMoves; moves > 0; --moves) {
+      dice = mixed(dice);
+      Mutant next = mutated(mutant.input, dice);
+      if (next.input.rows.size() < plan_.fewest_rows || next.input.rows.size() > plan_.most_rows) break;
+      mutant = std::move(next);
+      ++result_.tally.by_mutation[mutant.by];
+    }
+    return {{std::move(mutant.input), TrialMix::draw_start(mixed(seed ^ kStartSalt))}, kMutant};
+  }
+
+  void look_at_signature(std::size_t number, const property::Trial& trial) {
+    observer_.tries(number, "signature", trial);
+    const DegeneracySignature signature = signature_of(trial.input);
+    for (std::size_t k = 0; k < kSignatureSize; ++k) ++result_.tally.reached[k][signature.values[k]];
+    if (!seen_.insert(signature).second) return;
+    corpus_.push_back(trial.input);
+    observer_.discovered({signature, number, trial.input});
+  }
+
+  void hold(std::size_t number, const FreshTrial& drawn, const Property& property) {
+    ++result_.tally.by_property[property.name];
+    const auto judge = [&](const property::Trial& trial) {
+      observer_.tries(number, property.name, trial);
+      return disagreement(property, trial);
+    };
+    const std::optional<Disagreement> found = judge(drawn.trial);
+    if (!found) return;
+    const bool is_known = ++result_.tally.failures[property.name + ' ' + found->kind] > 1;
+    if (is_known) return;
+    Shrunk small = shrunk(drawn.trial, *found, judge, property.shrinking_budget);
+    observer_.found({plan_.seed, number, drawn.family, drawn.trial.input.rows.size(), property.name,
+                     std::move(small.trial), std::move(small.disagreement)});
+  }
+
+  const CampaignPlan& plan_;
+  const std::vector<Property>& properties_;
+  const BatchOrder& order_;
+  BatchObserver& observer_;
+  TrialMix mix_;
+  std::vector<Input> corpus_;
+  std::set<DegeneracySignature> seen_;
+  BatchResult result_;
+};
+
+template <typename Map>
+void add_counts(Map& sum, const Map& part) {
+  for (const auto& [key, count] : part) sum[key] += count;
+}
+
+template <typename Map>
+json pairs_of(const Map& counts) {
+  json pairs = json::array();
+  for (const auto& [key, count] : counts) pairs.push_back({key, count});
+  return pairs;
+}
+
+template <typename Map>
+void read_pairs(const json& pairs, Map& counts) {
+  for (const json& pair : pairs)
+    counts[pair.at(0).get<typename Map::key_type>()] = pair.at(1).get<std::size_t>();
+}
+
+}  // namespace
+
+void Tally::add(const Tally& other) {
+  cases += other.cases;
+  add_counts(by_source, other.by_source);
+  add_counts(by_mutation, other.by_mutation);
+  for (const auto& [rows, tally] : other.by_rows) {
+    by_rows[rows].cases += tally.cases;
+    by_rows[rows].seconds += tally.seconds;
+  }
+  add_counts(by_property, other.by_property);
+  add_counts(failures, other.failures);
+  for (std::size_t k = 0; k < kSignatureSize; ++k) add_counts(reached[k], other.reached[k]);
+}
+
+json json_of(const Tally& tally) {
+  json rows = json::array();
+  for (const auto& [count, of] : tally.by_rows) rows.push_back({count, of.cases, of.seconds});
+  json reached = json::array();
+  for (const auto& values : tally.reached) reached.push_back(pairs_of(values));
+  return {{"cases", tally.cases},
+          {"by_source", pairs_of(tally.by_source)},
+          {"by_mutation", pairs_of(tally.by_mutation)},
+          {"by_rows", rows},
+          {"by_property", pairs_of(tally.by_property)},
+          {"failures", pairs_of(tally.failures)},
+          {"reached", reached}};
+}
+
+Tally tally_of(const json& object) {
+  Tally tally;
+  object.at("cases").get_to(tally.cases);
+  read_pairs(object.at("by_source"), tally.by_source);
+  read_pairs(object.at("by_mutation"), tally.by_mutation);
+  for (const json& row : object.at("by_rows")) {
+    tally.by_rows[row.at(0).get<std::size_t>()] = {row.at(1).get<std::size_t>(), row.at(2).get<double>()};
+  }
+  read_pairs(object.at("by_property"), tally.by_property);
+  read_pairs(object.at("failures"), tally.failures);
+  for (std::size_t k = 0; k < kSignatureSize; ++k) read_pairs(object.at("reached").at(k), tally.reached[k]);
+  return tally;
+}
+
+json json_of(const Discovery& discovery) {
+  return {{"signature", discovery.signature.values},
+          {"number", discovery.number},
+          {"rows", json_of(discovery.input)}};
+}
+
+Discovery discovery_of(const json& object) {
+  return {{object.at("signature").get<std::array<std::uint8_t, kSignatureSize>>()},
+          object.at("number").get<std::size_t>(),
+          input_of(object.at("rows"))};
+}
+
+BatchResult run_batch(const CampaignPlan& plan, const std::vector<Property>& properties,
+                      const BatchOrder& order, BatchObserver& observer) {
+  return Batch(plan, properties, order, observer).result();
+}
+
+std::vector<Property> own_properties(const CampaignPlan& plan) {
+  if (plan.properties.empty()) return property::properties();
+  std::vector<Property> named;
+  for (const std::string& name : plan.properties) {
+    named.push_back(*property::property_named(name));
+    named.back().one_in = 1;
+  }
+  return named;
+}
+
+}  // namespace flowcert::fuzz

@@ -1,0 +1,89 @@
+// One batch of a campaign: its cases, one after the other, each held to the properties, and what came of
+// them.
+//
+// Guarantees: cases, findings and signatures are a function of plan, number of cases and batch, and of the
+// cases that are left out; only times are not. A case is fresh (trial_mix.h), or a mutant (mutation.h) of an
+// input that showed a new signature earlier in the batch, or that the plan's corpus has. A disagreement is
+// shrunk when the batch meets its kind for the first time; of the others the number of the case is told,
+// which is enough to make it again.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "fuzz/campaign/campaign_plan.h"
+#include "fuzz/campaign/degeneracy_signature.h"
+#include "fuzz/campaign/finding.h"
+
+namespace flowcert::fuzz {
+
+struct RowsTally {
+  std::size_t cases = 0;
+  double seconds = 0;  // of one job
+};
+
+struct Tally {
+  std::size_t cases = 0;
+  std::map<std::string, std::size_t> by_source;  // names of families, and "mutant"
+  std::map<std::string, std::size_t> by_mutation;
+  std::map<std::size_t, RowsTally> by_rows;
+  std::map<std::string, std::size_t> by_property;  // cases held to it
+  std::map<std::string, std::size_t> failures;     // by "PROPERTY KIND"
+  // How often each value of each component of signatures came.
+  std::vector<std::map<std::uint8_t, std::size_t>> reached =
+      std::vector<std::map<std::uint8_t, std::size_t>>(kSignatureSize);
+
+  void add(const Tally& other);
+};
+[[nodiscard]] nlohmann::json json_of(const Tally& tally);
+// Throws nlohmann::json::exception.
+[[nodiscard]] Tally tally_of(const nlohmann::json& object);
+
+// An input that showed a signature first, in its batch.
+struct Discovery {
+  DegeneracySignature signature;
+  std::size_t number = 0;
+  Input input;
+};
+[[nodiscard]] nlohmann::json json_of(const Discovery& discovery);
+[[nodiscard]] Discovery discovery_of(const nlohmann::json& object);
+
+// Who is told, as it happens, and may stop the batch.
+class BatchObserver {
+ public:
+  virtual ~BatchObserver() = default;
+
+  // Before a property is tried: if the process ends here, this is why.
+  virtual void tries(std::size_t number, const std::string& property, const property::Trial& trial) = 0;
+  virtual void has_done(std::size_t number, const std::string& source) = 0;
+  virtual void found(const Finding& finding) = 0;
+  virtual void discovered(const Discovery& discovery) = 0;
+  [[nodiscard]] virtual bool is_stopped() = 0;
+};
+
+struct BatchOrder {
+  std::size_t batch = 0;
+  std::size_t cases = 0;
+  std::set<std::size_t> left_out;  // numbers of cases that ended a process before
+};
+
+struct BatchResult {
+  Tally tally;
+  bool is_complete = false;
+};
+
+// Properties: those of the plan, or what stands for them.
+[[nodiscard]] BatchResult run_batch(const CampaignPlan& plan,
+                                    const std::vector<property::Property>& properties,
+                                    const BatchOrder& order, BatchObserver& observer);
+
+// The properties that a plan of no other implementation's means: those that it names, each on all cases, or
+// all of them, each on its share.
+[[nodiscard]] std::vector<property::Property> own_properties(const CampaignPlan& plan);
+
+}  // namespace flowcert::fuzz

@@ -1,0 +1,261 @@
+// See campaign.h.
+#include "fuzz/campaign/campaign.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "fuzz/campaign/message.h"
+
+namespace flowcert::fuzz {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+constexpr const char* kPlanName = "plan.json";
+constexpr const char* kBatchesName = "batches.jsonl";
+constexpr const char* kFindingsName = "findings.jsonl";
+constexpr const char* kSignaturesName = "signatures.jsonl";
+constexpr const char* kFindingsFolder = "findings";
+
+// Kinds with which a process ends: the case cannot be part of its batch.
+bool ends_process(const property::Disagreement& found) {
+  return found.kind == "crash" || found.kind == "hang";
+}
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& why) {
+  throw UnusableFolder(path.string() + ": " + why);
+}
+
+// A file that lines are added to, each at once and whole.
+class LineFile {
+ public:
+  explicit LineFile(const fs::path& path)
+      : path_(path), descriptor_(::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644)) {
+    if (descriptor_ < 0) refuse(path_, fmt::format("cannot be written: {}", std::strerror(errno)));
+  }
+  ~LineFile() { ::close(descriptor_); }
+  LineFile(const LineFile&) = delete;
+  LineFile& operator=(const LineFile&) = delete;
+
+  void add(const std::string& line) {
+    const std::string text = line + '\n';
+    for (std::size_t done = 0; done < text.size();) {
+      const ssize_t more = ::write(descriptor_, text.data() + done, text.size() - done);
+      if (more < 0 && errno == EINTR) continue;
+      if (more < 0) refuse(path_, fmt::format("cannot be written: {}", std::strerror(errno)));
+      done += static_cast<std::size_t>(more);
+    }
+  }
+
+ private:
+  fs::path path_;
+  int descriptor_;
+};
+
+void write_file(const fs::path& path, const std::string& text) {
+  const fs::path unfinished = path.string() + ".part";
+  std::ofstream file(unfinished, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) refuse(path, "cannot be written");
+  fs::rename(unfinished, path);
+}
+
+void make_folder(const fs::path& path) {
+  std::error_code failure;
+  fs::create_directories(path, failure);
+  if (failure) refuse(path, "cannot be made: " + failure.message());
+}
+
+// The whole lines of a file. What stands after the last of them is cut off: a kill came in between.
+std::vector<std::string> whole_lines(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream buffer;
+  buffer << file.rdbuf();
+  const std::string text = buffer.str();
+  const std::size_t end = text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1;
+  if (end < text.size()) fs::resize_file(path, end);
+  std::vector<std::string> lines;
+  std::istringstream whole(text.substr(0, end));
+  for (std::string line; std::getline(whole, line);) lines.push_back(line);
+  return lines;
+}
+
+json total_json(const std::optional<std::size_t>& total) { return total ? json(*total) : json(nullptr); }
+
+}  // namespace
+
+struct Campaign::Files {
+  explicit Files(const fs::path& folder)
+      : lock(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)),
+        batches(folder / kBatchesName),
+        findings(folder / kFindingsName),
+        signatures(folder / kSignaturesName) {
+    if (lock < 0 || ::flock(lock, LOCK_EX | LOCK_NB) != 0) refuse(folder, "another campaign is using it");
+  }
+  ~Files() { ::close(lock); }
+  Files(const Files&) = delete;
+  Files& operator=(const Files&) = delete;
+
+  int lock;
+  LineFile batches, findings, signatures;
+};
+
+Campaign::Campaign(CampaignPlan plan, std::optional<std::size_t> total_cases, fs::path findings)
+    : plan_(std::move(plan)), total_cases_(total_cases), findings_folder_(std::move(findings)) {}
+Campaign::~Campaign() = default;
+Campaign::Campaign(Campaign&&) noexcept = default;
+
+Campaign Campaign::begun(CampaignPlan plan, std::optional<std::size_t> total_cases, const fs::path& folder) {
+  make_folder(folder);
+  if (fs::exists(folder / kPlanName)) {
+    refuse(folder, "there is a campaign in it already; --resume goes on with it");
+  }
+  Campaign campaign(std::move(plan), total_cases, folder / kFindingsFolder);
+  campaign.files_ = std::make_unique<Files>(folder);
+  write_file(folder / kPlanName,
+             json{{"plan", to_text(campaign.plan_)}, {"cases", total_json(total_cases)}}.dump() + '\n');
+  return campaign;
+}
+
+Campaign Campaign::resumed(const fs::path& folder, std::optional<std::size_t> total_cases) {
+  std::ifstream file(folder / kPlanName);
+  if (!file) refuse(folder, "there is no campaign in it");
+  try {
+    const json object = json::parse(file);
+    if (!total_cases && !object.at("cases").is_null()) total_cases = object.at("cases").get<std::size_t>();
+    Campaign campaign(plan_of(object.at("plan").get<std::string>()), total_cases, folder / kFindingsFolder);
+    auto files = std::make_unique<Files>(folder);  // nobody else's from here on
+    campaign.load(folder);
+    campaign.files_ = std::move(files);
+    write_file(folder / kPlanName,
+               json{{"plan", to_text(campaign.plan_)}, {"cases", total_json(total_cases)}}.dump() + '\n');
+    return campaign;
+  } catch (const json::exception&) {
+    refuse(folder, "its files cannot be read");
+  } catch (const std::invalid_argument& error) {
+    refuse(folder, error.what());
+  }
+}
+
+void Campaign::load(const fs::path& folder) {
+  for (const char* name : {kFindingsName, kSignaturesName, kBatchesName}) {
+    for (const std::string& line : whole_lines(folder / name)) absorb(line);
+  }
+}
+
+std::optional<BatchOrder> Campaign::next_batch() {
+  while (const auto batch = batch_from(plan_, total_cases_, first_open_)) {
+    if (!done_.contains(*batch)) break;
+    first_open_ = *batch + 1;
+  }
+  std::optional<std::size_t> batch = batch_from(plan_, total_cases_, first_open_);
+  while (batch && (done_.contains(*batch) || handed_out_.contains(*batch))) {
+    batch = batch_from(plan_, total_cases_, *batch + 1);
+  }
+  if (!batch) return std::nullopt;
+  handed_out_.insert(*batch);
+  BatchOrder order{*batch, cases_of_batch(plan_, total_cases_, *batch), {}};
+  for (const auto& [key, finding] : findings_) {
+    if (ends_process(finding.disagreement)) order.left_out.insert(key.first);
+  }
+  return order;
+}
+
+void Campaign::absorb(const std::string& message) {
+  const json object = json::parse(message);
+  if (object.contains("finding")) return absorb(finding_of(object.at("finding")));
+  if (object.contains("discovery")) return absorb(discovery_of(object.at("discovery")));
+  const auto batch = object.at("batch").get<std::size_t>();
+  Tally tally = tally_of(object.at("tally"));
+  if (!object.at("complete").get<bool>()) {
+    handed_out_.erase(batch);
+    unfinished_.add(tally);
+    return sum_.add(tally);
+  }
+  absorb_batch(batch, std::move(tally));
+}
+
+void Campaign::absorb_batch(std::size_t batch, Tally tally) {
+  handed_out_.erase(batch);
+  // The last batch of a campaign that was to be shorter is done again.
+  const auto known = done_.find(batch);
+  if (known != done_.end() && known->second.cases >= tally.cases) return;
+  if (files_) files_->batches.add(message_of(batch, {tally, true}));
+  const std::size_t expected = cases_of_batch(plan_, total_cases_, batch);
+  std::size_t left_out = 0;
+  for (const auto& [key, finding] : findings_) {
+    left_out += ends_process(finding.disagreement) && key.first / plan_.batch_cases == batch ? 1 : 0;
+  }
+  if (tally.cases + left_out < expected) return;
+  if (known == done_.end()) {
+    sum_.add(tally);
+    done_.emplace(batch, std::move(tally));
+    return;
+  }
+  known->second = std::move(tally);
+  sum_ = unfinished_;
+  for (const auto& [number, each] : done_) sum_.add(each);
+}
+
+void Campaign::absorb(const Finding& finding) {
+  const std::pair key(finding.number, finding.property);
+  const auto known = findings_.find(key);
+  // What ended a process is reported as it was, and then once more, small.
+  const bool is_smaller = known != findings_.end() && ends_process(finding.disagreement) &&
+                          file_text(finding) != file_text(known->second);
+  if (known != findings_.end() && !is_smaller) return;
+  findings_.insert_or_assign(key, finding);
+  if (files_) files_->findings.add(message_of(finding));
+  std::set<std::string>& names = written_[finding.property + ' ' + finding.disagreement.kind];
+  if (names.size() >= kMostFindingsOfKind && !names.contains(name_of(finding))) return;
+  make_folder(findings_folder_);
+  write_file(findings_folder_ / (name_of(finding) + ".xyz"), file_text(finding));
+  names.insert(name_of(finding));
+}
+
+void Campaign::absorb(const Discovery& discovery) {
+  const auto known = signatures_.find(discovery.signature);
+  if (known != signatures_.end() && known->second.number <= discovery.number) return;
+  if (files_) files_->signatures.add(message_of(discovery));
+  signatures_.insert_or_assign(discovery.signature, Discovered{discovery.number, discovery.input});
+}
+
+void Campaign::absorb(const Campaign& part) {
+  CampaignPlan plan = part.plan_;
+  plan.shard = plan_.shard;
+  if (plan != plan_) throw std::invalid_argument("a part of another campaign");
+  for (const auto& [key, finding] : part.findings_) absorb(finding);
+  for (const auto& [signature, where] : part.signatures_) absorb({signature, where.number, where.input});
+  for (const auto& [batch, tally] : part.done_) absorb_batch(batch, tally);
+}
+
+std::optional<std::size_t> Campaign::expected_cases() const {
+  if (!total_cases_) return std::nullopt;
+  std::size_t sum = 0;
+  for (auto batch = batch_from(plan_, total_cases_, 0); batch;
+       batch = batch_from(plan_, total_cases_, *batch + 1)) {
+    sum += cases_of_batch(plan_, total_cases_, *batch);
+  }
+  return sum;
+}
+
+fs::path Campaign::file_of(const Finding& finding) const {
+  const auto names = written_.find(finding.property + ' ' + finding.disagreement.kind);
+  const bool is_written = names != written_.end() && names->second.contains(name_of(finding));
+  return is_written ? findings_folder_ / (name_of(finding) + ".xyz") : fs::path();
+}
+
+}  // namespace flowcert::fuzz

@@ -1,0 +1,105 @@
+// A campaign under way: which batches are done, what came of them, and its folder on disk, from which it goes
+// on after any interruption.
+//
+// Guarantees: whatever has been absorbed is in the folder before `absorb` returns: a kill -9 loses the
+// batches under way at most, which are done again, and no finding. Absorbing the same again changes nothing.
+// Who does the batches, in what order and how many at a time, makes no difference to what is there in the
+// end.
+//
+// The folder: plan.json, the plan and the number of cases; batches.jsonl, a line for each finished batch;
+// findings.jsonl and signatures.jsonl, a line for each; findings/ with a point file for each finding.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fuzz/campaign/batch.h"
+
+namespace flowcert::fuzz {
+
+// Of each property and kind so many findings are written; the others are counted.
+inline constexpr std::size_t kMostFindingsOfKind = 10;
+
+// A campaign's folder that cannot be used. what() is one line.
+class UnusableFolder : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct Discovered {
+  std::size_t number = 0;
+  Input input;
+};
+
+class Campaign {
+ public:
+  // In memory alone, but for findings, which go to `findings` as point files; made when there is one.
+  Campaign(CampaignPlan plan, std::optional<std::size_t> total_cases, std::filesystem::path findings);
+  // In a new folder.
+  static Campaign begun(CampaignPlan plan, std::optional<std::size_t> total_cases,
+                        const std::filesystem::path& folder);
+  // From its folder; with another number of cases, if given. Lines that were cut short are left out.
+  static Campaign resumed(const std::filesystem::path& folder, std::optional<std::size_t> total_cases);
+  ~Campaign();
+  Campaign(Campaign&&) noexcept;
+  Campaign& operator=(Campaign&&) = delete;
+
+  [[nodiscard]] const CampaignPlan& plan() const { return plan_; }
+  [[nodiscard]] std::optional<std::size_t> total_cases() const { return total_cases_; }
+
+  // The next batch that is not done and not handed out; nothing: no such batch is left.
+  [[nodiscard]] std::optional<BatchOrder> next_batch();
+  // To be handed out again.
+  void give_back(std::size_t batch) { handed_out_.erase(batch); }
+  // Whether all that was handed out has come back.
+  [[nodiscard]] bool is_settled() const { return handed_out_.empty(); }
+
+  // One line from whoever does a batch (message.h). Throws UnusableFolder if the folder cannot be written.
+  void absorb(const std::string& message);
+  // All of another part of the same campaign. Throws std::invalid_argument for a part of another one.
+  void absorb(const Campaign& part);
+
+  // Of all batches that are done, and of those that were stopped half-way since the campaign was opened.
+  [[nodiscard]] const Tally& tally() const { return sum_; }
+  [[nodiscard]] std::size_t done_batches() const { return done_.size(); }
+  // Of the shard, if there is a number of cases: all its cases.
+  [[nodiscard]] std::optional<std::size_t> expected_cases() const;
+  [[nodiscard]] const std::map<DegeneracySignature, Discovered>& signatures() const { return signatures_; }
+  // By number, then property.
+  [[nodiscard]] const std::map<std::pair<std::size_t, std::string>, Finding>& findings() const {
+    return findings_;
+  }
+  // Empty if it was not written.
+  [[nodiscard]] std::filesystem::path file_of(const Finding& finding) const;
+
+ private:
+  struct Files;
+
+  void absorb(const Finding& finding);
+  void absorb(const Discovery& discovery);
+  void absorb_batch(std::size_t batch, Tally tally);
+  void load(const std::filesystem::path& folder);
+
+  CampaignPlan plan_;
+  std::optional<std::size_t> total_cases_;
+  std::filesystem::path findings_folder_;
+  std::unique_ptr<Files> files_;  // none: in memory
+  std::map<std::size_t, Tally> done_;
+  Tally unfinished_;
+  Tally sum_;  // of both
+  std::size_t first_open_ = 0;
+  std::set<std::size_t> handed_out_;
+  std::map<DegeneracySignature, Discovered> signatures_;
+  std::map<std::pair<std::size_t, std::string>, Finding> findings_;
+  std::map<std::string, std::set<std::string>> written_;  // by property and kind: names of files
+};
+
+}  // namespace flowcert::fuzz

@@ -1,0 +1,129 @@
+// See campaign_plan.h. Doubles are written as hexadecimal floats, in strings: JSON has no exact ones.
+#include "fuzz/campaign/campaign_plan.h"
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string_view>
+
+#include "fuzz/campaign/input_json.h"
+#include "fuzz/properties/property.h"
+#include "fuzz/stable_families.h"
+
+namespace flowcert::fuzz {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kVersion = 1;
+constexpr std::uint64_t kMostWeight = 1'000'000;
+
+void require_family(const std::string& name) {
+  static const std::vector<Family> all = families_and_stable_ones();
+  if (std::none_of(all.begin(), all.end(), [&](const Family& one) { return one.name == name; })) {
+    throw std::invalid_argument("no family is called '" + name + "'");
+  }
+}
+
+std::uint64_t weight_of(std::string_view word) {
+  std::uint64_t weight = 0;
+  const auto result = std::from_chars(word.data(), word.data() + word.size(), weight);
+  if (result.ec != std::errc() || result.ptr != word.data() + word.size() || weight == 0 ||
+      weight > kMostWeight) {
+    throw std::invalid_argument("'" + std::string(word) + "' is no weight, a number from 1 to 1000000");
+  }
+  return weight;
+}
+
+void require_sound(const CampaignPlan& plan) {
+  for (const WeightedFamily& family : plan.families) require_family(family.name);
+  for (const std::string& name : plan.properties) {
+    if (property::property_named(name) == nullptr) {
+      throw std::invalid_argument("no property is called '" + name + "'");
+    }
+  }
+  if (plan.fewest_rows > plan.most_rows || plan.most_rows > kMostRowsOfTrial || plan.searched_percent > 100 ||
+      plan.batch_cases == 0 || plan.shard.count == 0 || plan.shard.index >= plan.shard.count) {
+    throw std::invalid_argument("a number of the plan is out of its range");
+  }
+}
+
+}  // namespace
+
+std::string to_text(const CampaignPlan& plan) {
+  json families = json::array();
+  for (const WeightedFamily& family : plan.families) families.push_back({family.name, family.weight});
+  json corpus = json::array();
+  for (const Input& input : plan.corpus) corpus.push_back(json_of(input));
+  return json{{"format", "flowcert-fuzz"},
+              {"version", kVersion},
+              {"seed", plan.seed},
+              {"families", families},
+              {"fewest_rows", plan.fewest_rows},
+              {"most_rows", plan.most_rows},
+              {"searched_percent", plan.searched_percent},
+              {"properties", plan.properties},
+              {"against", plan.against},
+              {"batch_cases", plan.batch_cases},
+              {"corpus", corpus},
+              {"shard", {plan.shard.index, plan.shard.count}}}
+      .dump();
+}
+
+CampaignPlan plan_of(const std::string& text) {
+  CampaignPlan plan;
+  try {
+    const json object = json::parse(text);
+    if (object.at("format") != "flowcert-fuzz" || object.at("version") != kVersion) {
+      throw std::invalid_argument("the plan of another version");
+    }
+    object.at("seed").get_to(plan.seed);
+    for (const json& pair : object.at("families")) {
+      plan.families.push_back({pair.at(0).get<std::string>(), pair.at(1).get<std::uint64_t>()});
+    }
+    object.at("fewest_rows").get_to(plan.fewest_rows);
+    object.at("most_rows").get_to(plan.most_rows);
+    object.at("searched_percent").get_to(plan.searched_percent);
+    object.at("properties").get_to(plan.properties);
+    object.at("against").get_to(plan.against);
+    object.at("batch_cases").get_to(plan.batch_cases);
+    for (const json& rows : object.at("corpus")) plan.corpus.push_back(input_of(rows));
+    plan.shard = {object.at("shard").at(0).get<std::size_t>(), object.at("shard").at(1).get<std::size_t>()};
+  } catch (const json::exception&) {
+    throw std::invalid_argument("no plan of a campaign");
+  }
+  require_sound(plan);
+  return plan;
+}
+
+std::vector<WeightedFamily> families_of(const std::string& list) {
+  std::vector<WeightedFamily> families;
+  std::string_view rest = list;
+  while (!rest.empty()) {
+    const std::string_view part = rest.substr(0, rest.find(','));
+    rest.remove_prefix(std::min(part.size() + 1, rest.size()));
+    const std::size_t colon = part.find(':');
+    WeightedFamily family{std::string(part.substr(0, colon)), 1};
+    require_family(family.name);
+    if (colon != std::string_view::npos) family.weight = weight_of(part.substr(colon + 1));
+    families.push_back(std::move(family));
+  }
+  return families;
+}
+
+std::size_t cases_of_batch(const CampaignPlan& plan, std::optional<std::size_t> total, std::size_t batch) {
+  if (!total) return plan.batch_cases;
+  if (batch > *total / plan.batch_cases) return 0;
+  return std::min(plan.batch_cases, *total - batch * plan.batch_cases);
+}
+
+std::optional<std::size_t> batch_from(const CampaignPlan& plan, std::optional<std::size_t> total,
+                                      std::size_t batch) {
+  const std::size_t ahead =
+      (plan.shard.index + plan.shard.count - batch % plan.shard.count) % plan.shard.count;
+  const std::size_t next = batch + ahead;
+  return cases_of_batch(plan, total, next) == 0 ? std::nullopt : std::optional(next);
+}
+
+}  // namespace flowcert::fuzz

@@ -1,0 +1,69 @@
+// What a fuzzing campaign is: everything that its cases, and what they are held to, depend on.
+//
+// Guarantees: two campaigns of the same plan have the same cases and the same findings, on any machine, with
+// any number of jobs, shards and interruptions. A plan survives its text: what plan_of reads is equal to what
+// was written.
+//
+// A campaign is cut into batches. A batch is a function of the plan and its number: it has a corpus of its
+// own, which begins with the plan's and grows with the batch's own cases.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fuzz/input.h"
+
+namespace flowcert::fuzz {
+
+inline constexpr std::size_t kMostRowsOfTrial = 12;
+
+struct WeightedFamily {
+  std::string name;
+  std::uint64_t weight = 1;
+
+  friend bool operator==(const WeightedFamily&, const WeightedFamily&) = default;
+};
+
+// Of the campaign's batches the part that this run does: those with number % count == index.
+struct Shard {
+  std::size_t index = 0;
+  std::size_t count = 1;
+
+  friend bool operator==(const Shard&, const Shard&) = default;
+};
+
+struct CampaignPlan {
+  std::uint64_t seed = 1;
+  std::vector<WeightedFamily> families;  // empty: all of them alike
+  std::size_t fewest_rows = 0;
+  std::size_t most_rows = kMostRowsOfTrial;
+  std::size_t searched_percent = 30;    // of the cases are mutants of inputs that showed something new
+  std::vector<std::string> properties;  // empty: all of them, each on its share of the cases
+  std::string against;                  // another implementation's command; empty: ours alone
+  std::size_t batch_cases = 1000;
+  std::vector<Input> corpus;
+  Shard shard;
+
+  friend bool operator==(const CampaignPlan&, const CampaignPlan&) = default;
+};
+
+// One line of JSON.
+[[nodiscard]] std::string to_text(const CampaignPlan& plan);
+// Throws std::invalid_argument, one line, for what is no plan, or names a family or a property that does not
+// exist.
+[[nodiscard]] CampaignPlan plan_of(const std::string& text);
+
+// "box:3,shell" as weighted families. Throws std::invalid_argument, one line.
+[[nodiscard]] std::vector<WeightedFamily> families_of(const std::string& list);
+
+// Of a campaign of so many cases in all: the batches of the plan's shard, and the cases of each.
+[[nodiscard]] std::size_t cases_of_batch(const CampaignPlan& plan, std::optional<std::size_t> total,
+                                         std::size_t batch);
+// The first batch of the shard that is not before this one; nothing beyond the campaign's end.
+[[nodiscard]] std::optional<std::size_t> batch_from(const CampaignPlan& plan,
+                                                    std::optional<std::size_t> total, std::size_t batch);
+
+}  // namespace flowcert::fuzz

@@ -1,0 +1,41 @@
+// A case on which a property does not hold, and its file.
+//
+// Guarantees: the file is a point file in XYZ format that every reader of such files takes; what else there
+// is to know stands in its comments: where the case came from, which property it breaks, how, and both
+// answers. What finding_of reads from a file is enough to try the case again: property, kind, start and
+// points are as they were written; points exactly.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "fuzz/campaign/input_json.h"
+#include "fuzz/properties/property.h"
+
+namespace flowcert::fuzz {
+
+struct Finding {
+  std::uint64_t seed = 0;
+  std::size_t number = 0;       // of the case in its campaign
+  std::string source;           // a family's name, or "mutant"
+  std::size_t rows_before = 0;  // of the case before it was shrunk
+  std::string property;
+  property::Trial trial;  // with its start as coordinates, if it has points
+  property::Disagreement disagreement;
+};
+
+// One word, for the name of a file: "orbit-segment-type-1234".
+[[nodiscard]] std::string name_of(const Finding& finding);
+
+[[nodiscard]] std::string file_text(const Finding& finding);
+// The property's name is empty where the file says nothing of it, and the start a choice. Throws
+// std::invalid_argument, one line "LINE: reason", for rows and comments that cannot be read.
+[[nodiscard]] Finding finding_of(const std::string& file_text);
+
+[[nodiscard]] nlohmann::json json_of(const Finding& finding);
+// Throws nlohmann::json::exception or std::invalid_argument.
+[[nodiscard]] Finding finding_of(const nlohmann::json& object);
+
+}  // namespace flowcert::fuzz

@@ -1,0 +1,28 @@
+// Makes a failing case small: fewer points, then smaller integers, and a simpler start.
+//
+// Guarantees: what is returned fails with the same kind of disagreement, and is the same for the same
+// arguments. It is no larger in rows than what was given; unless the budget ran out, no single row can be
+// left out of it. The start of an orbit comes out as coordinates.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+#include "fuzz/properties/property.h"
+
+namespace flowcert::fuzz {
+
+using Judge = std::function<std::optional<property::Disagreement>(const property::Trial&)>;
+
+struct Shrunk {
+  property::Trial trial;
+  property::Disagreement disagreement;
+  std::size_t judged = 0;  // how many trials were
+};
+
+// `failing` must fail, with the disagreement given. Judges at most `budget` trials.
+[[nodiscard]] Shrunk shrunk(const property::Trial& failing, const property::Disagreement& disagreement,
+                            const Judge& judge, std::size_t budget);
+
+}  // namespace flowcert::fuzz

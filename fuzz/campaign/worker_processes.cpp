@@ -1,0 +1,405 @@
+// See worker_processes.h. Each worker reads orders from a pipe and writes messages to another one.
+#include "fuzz/campaign/worker_processes.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "fuzz/campaign/message.h"
+#include "fuzz/campaign/shared_trial.h"
+#include "fuzz/campaign/shrinking.h"
+
+namespace flowcert::fuzz {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using property::Disagreement;
+using property::Property;
+using property::Trial;
+
+constexpr int kPollMilliseconds = 100;
+// Each smaller input costs a process.
+constexpr std::size_t kCrashShrinkingBudget = 300;
+constexpr unsigned kCrashSeconds = 10;
+
+// ---- Pipes ----
+
+class Pipe {
+ public:
+  Pipe() {
+    if (::pipe2(ends_.data(), O_CLOEXEC) != 0)
+      throw std::system_error(errno, std::generic_category(), "pipe");
+  }
+  ~Pipe() {
+    close_reading();
+    close_writing();
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+
+  [[nodiscard]] int reading() const { return ends_[0]; }
+  [[nodiscard]] int writing() const { return ends_[1]; }
+  void close_reading() { close_end(ends_[0]); }
+  void close_writing() { close_end(ends_[1]); }
+
+ private:
+  static void close_end(int& end) {
+    if (end >= 0) ::close(end);
+    end = -1;
+  }
+  std::array<int, 2> ends_{-1, -1};
+};
+
+// False if the other end is gone.
+bool write_line(int descriptor, const std::string& line) {
+  const std::string text = line + '\n';
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t more = ::write(descriptor, text.data() + done, text.size() - done);
+    if (more < 0 && errno == EINTR) continue;
+    if (more <= 0) return false;
+    done += static_cast<std::size_t>(more);
+  }
+  return true;
+}
+
+class LineReader {
+ public:
+  explicit LineReader(int descriptor) : descriptor_(descriptor) {}
+
+  // Takes what is there, and waits if nothing is. False at the end.
+  bool read_more() {
+    std::array<char, 65536> buffer{};
+    ssize_t count = 0;
+    do {
+      count = ::read(descriptor_, buffer.data(), buffer.size());
+    } while (count < 0 && errno == EINTR);
+    if (count <= 0) return false;
+    text_.append(buffer.data(), static_cast<std::size_t>(count));
+    return true;
+  }
+  std::optional<std::string> next_line() {
+    const std::size_t end = text_.find('\n');
+    if (end == std::string::npos) return std::nullopt;
+    std::string line = text_.substr(0, end);
+    text_.erase(0, end + 1);
+    return line;
+  }
+
+ private:
+  int descriptor_;
+  std::string text_;
+};
+
+// ---- A process of its own for one trial ----
+
+// The child's side of a fork: dies with its parent, and leaves Ctrl-C to it.
+void be_a_child(pid_t parent) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(1);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::signal(number, SIG_IGN);
+}
+
+// All but the standard ones and these two: the others are ends of other workers' pipes, which would never
+// close, and the lock of the campaign's folder.
+void close_descriptors_but(int one, int other) {
+  const auto lesser = static_cast<unsigned>(std::min(one, other));
+  const auto greater = static_cast<unsigned>(std::max(one, other));
+  constexpr unsigned kFirst = STDERR_FILENO + 1;
+  if (kFirst < lesser) ::close_range(kFirst, lesser - 1, 0);
+  if (lesser + 1 < greater) ::close_range(lesser + 1, greater - 1, 0);
+  ::close_range(greater + 1, ~0U, 0);
+}
+
+std::string text_of_signal(int status) {
+  return fmt::format("the process ended by signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status)));
+}
+
+Disagreement crash_of(const std::string& how) { return {"crash", "", how, "", "", "", ""}; }
+
+// Whether the property ends its process on this trial.
+std::optional<Disagreement> crash_in_own_process(const std::function<void(const Trial&)>& attempt,
+                                                 const Trial& trial, unsigned seconds) {
+  const pid_t parent = ::getpid();
+  const pid_t child = ::fork();
+  if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  if (child == 0) {
+    be_a_child(parent);
+    ::alarm(seconds);
+    attempt(trial);
+    ::_exit(0);
+  }
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  const bool has_crashed = WIFSIGNALED(status) && WTERMSIG(status) != SIGALRM;
+  return has_crashed ? std::optional(crash_of(text_of_signal(status))) : std::nullopt;
+}
+
+// ---- The worker's side ----
+
+class PipeObserver : public BatchObserver {
+ public:
+  PipeObserver(int descriptor, SharedTrial& shared) : descriptor_(descriptor), shared_(shared) {}
+
+  void tries(std::size_t number, const std::string& property, const Trial& trial) override {
+    shared_.note(number, property, trial);
+  }
+  void has_done(std::size_t, const std::string&) override {
+    shared_.forget();
+    shared_.count_case();
+  }
+  void found(const Finding& finding) override { tell(message_of(finding)); }
+  void discovered(const Discovery& discovery) override { tell(message_of(discovery)); }
+  [[nodiscard]] bool is_stopped() override { return shared_.is_told_to_stop(); }
+
+  void tell(const std::string& message) const {
+    if (!write_line(descriptor_, message)) ::_exit(1);
+  }
+
+ private:
+  int descriptor_;
+  SharedTrial& shared_;
+};
+
+struct Crash {
+  NotedTrial at;
+  Disagreement disagreement;
+};
+
+void run_property(const std::vector<Property>& properties, const std::string& name, const Trial& trial) {
+  if (name == "signature") (void)signature_of(trial.input);
+  for (const Property& property : properties) {
+    if (property.name == name) (void)disagreement(property, trial);
+  }
+}
+
+Finding crash_finding(const CampaignPlan& plan, const Crash& crash) {
+  return {plan.seed,         crash.at.number, crash.at.source,   crash.at.trial.input.rows.size(),
+          crash.at.property, crash.at.trial,  crash.disagreement};
+}
+
+void report_shrunk(const CampaignPlan& plan, const std::vector<Property>& properties, const Crash& crash,
+                   const PipeObserver& observer) {
+  Finding finding = crash_finding(plan, crash);
+  if (crash.disagreement.kind == "crash") {
+    const auto attempt = [&](const Trial& trial) { run_property(properties, crash.at.property, trial); };
+    const Judge judge = [&](const Trial& trial) {
+      return crash_in_own_process(attempt, trial, kCrashSeconds);
+    };
+    Shrunk small = shrunk(crash.at.trial, crash.disagreement, judge, kCrashShrinkingBudget);
+    finding.trial = std::move(small.trial);
+    finding.disagreement = std::move(small.disagreement);
+  }
+  observer.tell(message_of(finding));
+}
+
+[[noreturn]] void be_a_worker(const CampaignPlan& plan, const std::vector<Property>& properties, int orders,
+                              int messages, SharedTrial& shared, const std::optional<Crash>& crash) {
+  PipeObserver observer(messages, shared);
+  if (crash) report_shrunk(plan, properties, *crash, observer);
+  LineReader reader(orders);
+  while (true) {
+    auto line = reader.next_line();
+    if (!line) {
+      if (!reader.read_more()) ::_exit(0);
+      continue;
+    }
+    const BatchOrder order = order_of(*line);
+    shared.start_batch();
+    observer.tell(message_of(order.batch, run_batch(plan, properties, order, observer)));
+    shared.start_batch();
+  }
+}
+
+// ---- The parent's side ----
+
+class Worker {
+ public:
+  Worker(const CampaignPlan& plan, const std::vector<Property>& properties,
+         const std::optional<Crash>& crash) {
+    const pid_t parent = ::getpid();
+    process_ = ::fork();
+    if (process_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
+    if (process_ == 0) {
+      be_a_child(parent);
+      close_descriptors_but(orders_.reading(), messages_.writing());
+      be_a_worker(plan, properties, orders_.reading(), messages_.writing(), shared_, crash);
+    }
+    orders_.close_reading();
+    messages_.close_writing();
+    reader_ = LineReader(messages_.reading());
+  }
+  ~Worker() {
+    if (process_ > 0) {
+      ::kill(process_, SIGKILL);
+      (void)wait_for_end();
+    }
+  }
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  void give(const BatchOrder& order) {
+    batch = order.batch;
+    (void)write_line(orders_.writing(), to_text(order));
+  }
+  void dismiss() { orders_.close_writing(); }
+  void kill() const { ::kill(process_, SIGKILL); }
+  int wait_for_end() {
+    int status = 0;
+    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+    }
+    process_ = -1;
+    return status;
+  }
+
+  // Whether it has been at one trial for too long.
+  bool hangs(double seconds) {
+    const Clock::time_point now = Clock::now();
+    const std::uint64_t trials = shared_.trials();
+    if (trials != last_trials_ || !shared_.is_trying()) {
+      last_trials_ = trials;
+      last_change_ = now;
+    }
+    return std::chrono::duration<double>(now - last_change_).count() > seconds;
+  }
+
+  [[nodiscard]] int descriptor() const { return messages_.reading(); }
+  [[nodiscard]] LineReader& reader() { return reader_; }
+  [[nodiscard]] SharedTrial& shared() { return shared_; }
+
+  std::optional<std::size_t> batch;
+  bool was_hanging = false;
+
+ private:
+  SharedTrial shared_;
+  Pipe orders_, messages_;
+  pid_t process_ = -1;
+  LineReader reader_{-1};
+  std::uint64_t last_trials_ = 0;
+  Clock::time_point last_change_ = Clock::now();
+};
+
+class Work {
+ public:
+  Work(Campaign& campaign, const std::vector<Property>& properties, const WorkOptions& options)
+      : campaign_(campaign), properties_(properties), options_(options) {}
+
+  void run() {
+    for (unsigned k = 0; k < options_.jobs; ++k) {
+      workers_.push_back(std::make_unique<Worker>(campaign_.plan(), properties_, std::nullopt));
+      employ(*workers_.back());
+    }
+    while (!workers_.empty()) {
+      wait();
+      if (options_.is_stopped()) stop();
+      for (std::size_t k = 0; k < workers_.size(); ++k) look_after_hanging(*workers_[k]);
+      options_.progress(under_way());
+    }
+  }
+
+ private:
+  void employ(Worker& worker) {
+    worker.batch.reset();
+    const auto order = is_stopping_ ? std::nullopt : campaign_.next_batch();
+    if (order) {
+      worker.give(*order);
+    } else {
+      worker.dismiss();
+    }
+  }
+
+  void wait() {
+    std::vector<pollfd> waited;
+    for (const auto& worker : workers_) waited.push_back({worker->descriptor(), POLLIN, 0});
+    if (::poll(waited.data(), waited.size(), kPollMilliseconds) <= 0) return;
+    std::vector<std::size_t> ended;
+    for (std::size_t k = 0; k < waited.size(); ++k) {
+      if (waited[k].revents == 0) continue;
+      if (!workers_[k]->reader().read_more()) ended.push_back(k);
+      take_messages(*workers_[k]);
+    }
+    for (auto k = ended.rbegin(); k != ended.rend(); ++k) take_end(*k);
+  }
+
+  void take_messages(Worker& worker) {
+    while (const auto line = worker.reader().next_line()) {
+      campaign_.absorb(*line);
+      if (line->starts_with("{\"batch\":")) employ(worker);
+    }
+  }
+
+  void take_end(std::size_t k) {
+    Worker& worker = *workers_[k];
+    const int status = worker.wait_for_end();
+    if (WIFEXITED(status) && !worker.batch) {
+      workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(k));
+      return;
+    }
+    if (!worker.shared().is_trying()) {
+      throw std::runtime_error(WIFSIGNALED(status) ? text_of_signal(status)
+                                                   : "a process of the campaign has ended");
+    }
+    Crash crash{worker.shared().noted(),
+                crash_of(WIFSIGNALED(status) ? text_of_signal(status) : "the process ended by itself")};
+    if (worker.was_hanging) {
+      crash.disagreement =
+          Disagreement{"hang", "", fmt::format("not done after {} s", options_.hang_seconds), "", "", "", ""};
+    }
+    crash.at.source = "process";
+    if (worker.batch) campaign_.give_back(*worker.batch);
+    // Reported at once, as it is: so the batch is done without it. The small one follows in a file of its
+    // own.
+    campaign_.absorb(message_of(crash_finding(campaign_.plan(), crash)));
+    workers_[k] = std::make_unique<Worker>(campaign_.plan(), properties_, std::optional(crash));
+    if (is_stopping_) workers_[k]->shared().tell_to_stop();
+    employ(*workers_[k]);
+  }
+
+  void look_after_hanging(Worker& worker) {
+    if (!worker.hangs(options_.hang_seconds)) return;
+    worker.was_hanging = true;
+    worker.kill();
+  }
+
+  void stop() {
+    is_stopping_ = true;
+    for (const auto& worker : workers_) worker->shared().tell_to_stop();
+  }
+
+  [[nodiscard]] std::size_t under_way() const {
+    std::size_t sum = 0;
+    for (const auto& worker : workers_) sum += worker->batch ? worker->shared().cases() : 0;
+    return sum;
+  }
+
+  Campaign& campaign_;
+  const std::vector<Property>& properties_;
+  const WorkOptions& options_;
+  std::vector<std::unique_ptr<Worker>> workers_;
+  bool is_stopping_ = false;
+};
+
+}  // namespace
+
+void work_on(Campaign& campaign, const std::vector<Property>& properties, const WorkOptions& options) {
+  // A worker that is gone is told by its messages' end.
+  const auto before = ::signal(SIGPIPE, SIG_IGN);
+  Work(campaign, properties, options).run();
+  ::signal(SIGPIPE, before);
+}
+
+}  // namespace flowcert::fuzz

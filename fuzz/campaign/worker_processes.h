@@ -1,0 +1,36 @@
+// A campaign's batches by several processes on this machine.
+//
+// Guarantees: a process that a case ends, by a signal or by taking too long, is a finding, which names the
+// case; the campaign goes on without it. What such a case has come down to is found by trying each smaller
+// one in a process of its own. No process is left when the call comes back, or when this process is killed.
+//
+// Processes, not threads: so that a case can end one, and because the lazy kernel's shared values make
+// threads wait for each other.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fuzz/campaign/campaign.h"
+
+namespace flowcert::fuzz {
+
+struct WorkOptions {
+  unsigned jobs = 1;
+  // A property that takes longer on one input hangs.
+  double hang_seconds = 120;
+  // Asked several times a second; when true, cases under way are finished and nothing more.
+  std::function<bool()> is_stopped;
+  // Told several times a second: the cases of batches under way.
+  std::function<void(std::size_t under_way)> progress;
+};
+
+// Until no batch is left, or is_stopped. Throws UnusableFolder, and std::system_error if no process can be
+// started. No other thread may be running.
+void work_on(Campaign& campaign, const std::vector<property::Property>& properties,
+             const WorkOptions& options);
+
+}  // namespace flowcert::fuzz

@@ -1,0 +1,188 @@
+// `flowcert fuzz`: campaigns of degenerate inputs, ours against ours or anyone's against ours. Exit status 0
+// if no case failed, 1 if one did.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+
+#include "cli/command.h"
+#include "cli/fuzz_options.h"
+#include "cli/fuzz_progress.h"
+#include "cli/fuzz_report.h"
+#include "cli/interruption.h"
+#include "cli/scratch_folder.h"
+#include "fuzz/campaign/worker_processes.h"
+
+namespace flowcert {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FuzzCommandOptions : FuzzOptions {
+  std::vector<std::string> replay;
+  std::vector<std::string> merged;
+};
+
+int verdict_of(const fuzz::Campaign& campaign) {
+  return campaign.findings().empty() ? kRight : kNegativeVerdict;
+}
+
+void print(const FuzzRun& run, bool json) {
+  if (json) {
+    print_fuzz_json(run);
+  } else {
+    print_fuzz_text(run);
+  }
+}
+
+int run_campaign(const FuzzOptions& options) {
+  fuzz::Campaign campaign = campaign_of(options);
+  const ScratchFolder scratch;
+  const auto properties = properties_of(campaign.plan(), options, scratch.path());
+  const std::size_t before = campaign.tally().cases;
+  const Interruption interruption;
+  double seconds = 0;
+  {
+    FuzzProgress progress(campaign, options.seconds);
+    fuzz::WorkOptions work;
+    work.jobs = options.jobs;
+    work.hang_seconds = options.hang_seconds;
+    work.is_stopped = [&] {
+      return Interruption::signal() != 0 ||
+             (options.seconds && progress.seconds_so_far() >= *options.seconds);
+    };
+    work.progress = [&](std::size_t under_way) { progress(under_way); };
+    fuzz::work_on(campaign, properties, work);
+    seconds = progress.seconds_so_far();
+  }
+  print({campaign, seconds, campaign.tally().cases - before, options.jobs, Interruption::signal() != 0},
+        options.json);
+  return verdict_of(campaign);
+}
+
+// ---- Again
+
+std::string content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream buffer;
+  buffer << file.rdbuf();
+  if (!file) throw InvalidInput(path + ": cannot be read");
+  return buffer.str();
+}
+
+fuzz::Finding finding_in(const std::string& path) {
+  try {
+    return fuzz::finding_of(content_of(path));
+  } catch (const std::invalid_argument& error) {
+    throw InvalidInput(path + ":" + error.what());
+  }
+}
+
+// All properties where the file names none.
+bool is_right_on(const fuzz::Finding& finding, const std::vector<property::Property>& properties,
+                 bool is_for_peer, const std::string& path) {
+  bool is_right = true;
+  for (const property::Property& property : properties) {
+    const bool is_asked = is_for_peer || finding.property.empty() || finding.property == property.name;
+    if (!is_asked) continue;
+    const auto found = property::disagreement(property, finding.trial);
+    is_right = is_right && !found;
+    fmt::print("{}: {}: {}\n", path, property.name,
+               found ? fmt::format("{} [{}]: {}", found->kind, found->clause, found->complaint) : "holds");
+    if (!found) continue;
+    for (const auto& [name, text] :
+         {std::pair(found->first_name, found->first), std::pair(found->second_name, found->second)}) {
+      if (!name.empty()) fmt::print("{}:\n{}\n", name, text);
+    }
+  }
+  return is_right;
+}
+
+int replay(const FuzzCommandOptions& options) {
+  const ScratchFolder scratch;
+  fuzz::CampaignPlan plan;
+  plan.against = options.peer.command;
+  plan.properties = options.properties;
+  const auto properties = properties_of(plan, options, scratch.path());
+  int status = kRight;
+  for (const std::string& path : options.replay) {
+    const fuzz::Finding finding = finding_in(path);
+    const bool is_chosen = !plan.against.empty() || !plan.properties.empty();
+    if (!is_right_on(finding, properties, is_chosen, path)) status = kNegativeVerdict;
+  }
+  return status;
+}
+
+// ---- Parts
+
+int merge(const FuzzCommandOptions& options) {
+  std::vector<fuzz::Campaign> parts;
+  for (const std::string& folder : options.merged) {
+    parts.push_back(fuzz::Campaign::resumed(folder, std::nullopt));
+  }
+  fuzz::CampaignPlan plan = parts.front().plan();
+  plan.shard = {};
+  const auto total = parts.front().total_cases();
+  fuzz::Campaign whole = options.out.empty() ? fuzz::Campaign(plan, total, fs::path())
+                                             : fuzz::Campaign::begun(plan, total, options.out);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    try {
+      whole.absorb(parts[k]);
+    } catch (const std::invalid_argument& error) {
+      throw InvalidInput(
+          fmt::format("{}: {} than {}", options.merged[k], error.what(), options.merged.front()));
+    }
+  }
+  print({whole, std::nullopt}, options.json);
+  return verdict_of(whole);
+}
+
+int fuzz_or_list(const FuzzCommandOptions& options) {
+  if (options.families == "list") {
+    print_families();
+    return kRight;
+  }
+  return options.replay.empty() ? run_campaign(options) : replay(options);
+}
+
+// CLI11 would take a word for a subcommand's only there.
+void add_merge_command(CLI::App& command, std::shared_ptr<FuzzCommandOptions> options, int& status) {
+  CLI::App* merge_command = command.add_subcommand("merge", "Put the parts of a campaign together");
+  merge_command->add_option("DIR", options->merged, "Folders of campaigns that differ in --shard alone")
+      ->required();
+  merge_command->add_option("--out", options->out, "A new folder for the whole, to go on with or to look at");
+  merge_command->add_flag("--json", options->json, "Print one JSON object");
+  merge_command->footer("Example:\n  flowcert fuzz merge part-1 part-2 --out whole");
+  merge_command->callback([options, &status] { status = merge(*options); });
+}
+
+}  // namespace
+
+void add_fuzz_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<FuzzCommandOptions>();
+  CLI::App* command =
+      app.add_subcommand("fuzz", "Search for degenerate inputs on which implementations disagree");
+  add_fuzz_options(*command, *options);
+  command
+      ->add_option("--replay", options->replay,
+                   "Try the case of a finding's file, or of any point file, again")
+      ->type_name("FILE");
+  add_merge_command(*command, options, status);
+  command->footer(
+      "The same seed has the same cases and findings on any machine, however many jobs and interruptions "
+      "there are. Ctrl-C stops after the cases under way; --resume goes on, after a kill as well.\n\n"
+      "Examples:\n  flowcert fuzz --time 60 --jobs 2\n"
+      "  flowcert fuzz --count 1000000 --property critical-points --property orbit --out campaign\n"
+      "  flowcert fuzz --resume campaign --jobs 2\n"
+      "  flowcert fuzz --time 60 --against \"$PWD/my-flow {in} {out}\" --families box:3,sphere\n"
+      "  flowcert fuzz --count 100000 --shard 1/4 --out part-1");
+  command->callback([options, command, &status] {
+    if (command->get_subcommands().empty()) status = fuzz_or_list(*options);
+  });
+}
+
+}  // namespace flowcert

@@ -1,0 +1,251 @@
+// See fuzz_options.h.
+#include "cli/fuzz_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "cli/command_run.h"
+#include "cli/command_template.h"
+#include "cli/table.h"
+#include "flowcert/point_set.h"
+#include "fuzz/stable_families.h"
+#include "io/number_text.h"
+
+namespace flowcert {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kLongestSeconds = 366.0 * 86400;
+constexpr std::size_t kMostMebibytes = std::size_t{1} << 24;
+constexpr std::size_t kMostShards = 1'000'000;
+constexpr std::size_t kMostCases = 1'000'000'000'000;
+// A command takes a process for each case: a batch of a thousand would be long.
+constexpr std::size_t kCasesOfPeerBatch = 100;
+// So many inputs of a corpus folder are used, the first by name.
+constexpr std::size_t kMostOfCorpus = 2000;
+
+// "4-8", "2/5": two numbers.
+std::optional<std::pair<std::size_t, std::size_t>> two_numbers(const std::string& text, char separator) {
+  std::pair<std::size_t, std::size_t> numbers;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, numbers.first);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != separator) return std::nullopt;
+  const auto second = std::from_chars(first.ptr + 1, end, numbers.second);
+  if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
+  return numbers;
+}
+
+// Validators return what is wrong.
+std::string is_families(const std::string& list) {
+  if (list == "list") return "";
+  try {
+    return fuzz::families_of(list).empty() ? "no family is named" : "";
+  } catch (const std::invalid_argument& error) {
+    return std::string(error.what()) + "; --families list prints them";
+  }
+}
+std::string is_row_range(const std::string& text) {
+  const auto range = two_numbers(text, '-');
+  const bool is_one = range && range->first <= range->second && range->second <= fuzz::kMostRowsOfTrial;
+  return is_one ? ""
+                : fmt::format("{} is no range like 4-8, of 0 to {}", in_quotes(text), fuzz::kMostRowsOfTrial);
+}
+std::string is_shard(const std::string& text) {
+  const auto shard = two_numbers(text, '/');
+  const bool is_one =
+      shard && 1 <= shard->first && shard->first <= shard->second && shard->second <= kMostShards;
+  return is_one ? "" : in_quotes(text) + " is no part i/n, i from 1 to n";
+}
+std::string is_property(const std::string& name) {
+  if (property::property_named(name) != nullptr) return "";
+  std::string names;
+  for (const auto& one : property::properties()) names += (names.empty() ? "" : ", ") + one.name;
+  return fmt::format("no property is called {}; there are: {}", in_quotes(name), names);
+}
+std::string has_in(const std::string& command) {
+  return has_place(command, "{in}") ? "" : "there is no {in} in the command";
+}
+// CLI11's own range takes nan for a number in it.
+std::string is_time(const std::string& word) {
+  const NumberText number = parse_number(word);
+  const bool is_right = number.fault == nullptr && 0 < number.value && number.value <= kLongestSeconds;
+  return is_right ? "" : in_quotes(word) + " is no number of seconds, of at most a year";
+}
+std::string is_seed(const std::string& word) {
+  std::uint64_t seed = 0;
+  const auto result = std::from_chars(word.data(), word.data() + word.size(), seed);
+  const bool is_one = result.ec == std::errc() && result.ptr == word.data() + word.size();
+  return is_one ? "" : in_quotes(word) + " is no number from 0 to 18446744073709551615";
+}
+
+// ---- Corpus
+
+std::string content_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream buffer;
+  buffer << file.rdbuf();
+  if (!file) throw InvalidInput(path.string() + ": cannot be read");
+  return buffer.str();
+}
+
+// The point files of a folder, by name. Those with too many points for a case are left out.
+std::vector<fuzz::Input> corpus_of(const std::string& folder) {
+  std::set<fs::path> paths;
+  std::error_code failure;
+  for (const auto& entry : fs::directory_iterator(folder, failure)) {
+    if (entry.path().extension() == ".xyz") paths.insert(entry.path());
+  }
+  if (failure) throw InvalidInput(folder + ": " + failure.message());
+  std::vector<fuzz::Input> corpus;
+  for (const fs::path& path : paths) {
+    try {
+      fuzz::Input input = fuzz::finding_of(content_of(path)).trial.input;
+      const std::size_t rows = input.rows.size();
+      if (0 < rows && rows <= fuzz::kMostRowsOfTrial) corpus.push_back(std::move(input));
+    } catch (const std::invalid_argument& error) {
+      throw InvalidInput(path.string() + ":" + error.what());
+    }
+    if (corpus.size() == kMostOfCorpus) break;
+  }
+  return corpus;
+}
+
+fuzz::CampaignPlan plan_of(const FuzzOptions& options) {
+  fuzz::CampaignPlan plan;
+  plan.seed = options.seed;
+  plan.families = fuzz::families_of(options.families);
+  plan.searched_percent = options.searched_percent;
+  plan.properties = options.properties;
+  plan.against = options.peer.command;
+  if (!plan.against.empty()) {
+    plan.batch_cases = kCasesOfPeerBatch;
+    plan.fewest_rows = 1;
+  }
+  if (const auto range = two_numbers(options.points, '-')) {
+    plan.fewest_rows = range->first;
+    plan.most_rows = range->second;
+  }
+  if (const auto shard = two_numbers(options.shard, '/')) plan.shard = {shard->first - 1, shard->second};
+  if (!options.corpus.empty()) plan.corpus = corpus_of(options.corpus);
+  return plan;
+}
+
+void require_startable(const property::Property& peer) {
+  const auto found = peer.check({{{{0, 0, 0}, {2, 0, 0}}}, property::StartChoice{}});
+  if (found && found->kind == "not-started") {
+    throw InvalidInput("--against: the command was not started: " + found->complaint);
+  }
+}
+
+void add_case_options(CLI::App& command, FuzzOptions& options) {
+  command
+      .add_option("--families", options.families,
+                  "Draw from these, NAME or NAME:WEIGHT, with commas between; 'list' prints them")
+      ->check(is_families);
+  command.add_option("--points", options.points, "So many points, LEAST-MOST; mostly 4 to 8 of up to 12")
+      ->check(is_row_range);
+  command
+      .add_option("--search", options.searched_percent,
+                  "Percentage of the cases that are mutants of inputs which showed something new")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
+  command
+      .add_option("--corpus", options.corpus,
+                  "Also begin with the point files of this folder, NAME.xyz, as inputs to mutate")
+      ->type_name("DIR");
+  command.add_option("--seed", options.seed, "Another seed, other cases")
+      ->check(is_seed)
+      ->capture_default_str();
+}
+
+void add_property_options(CLI::App& command, FuzzOptions& options) {
+  auto* property =
+      command
+          .add_option("--property", options.properties,
+                      "Hold every case to this; may be given again. Without it: to all, each on its share")
+          ->check(is_property)
+          ->allow_extra_args(false);
+  command
+      .add_option("--against", options.peer.command,
+                  "Another implementation's command instead: {in} stands for a file of points, {out} for the "
+                  "file to write its claim to; without {out}, standard output is the claim")
+      ->check(has_in)
+      ->excludes(property);
+  command.add_option("--time-limit", options.peer.limits.seconds, "Seconds after which its run is killed")
+      ->check(is_time)
+      ->capture_default_str();
+  command
+      .add_option("--memory-limit", options.memory_mebibytes,
+                  "MiB of address space that it may have; 0: no limit")
+      ->check(CLI::Range(std::size_t{0}, kMostMebibytes))
+      ->capture_default_str();
+}
+
+void add_run_options(CLI::App& command, FuzzOptions& options) {
+  command.add_option("--count", options.count, "So many cases in all")
+      ->check(CLI::Range(std::size_t{1}, kMostCases));
+  command.add_option("--time", options.seconds, "Stop after so many seconds")->check(is_time);
+  command.add_option("--jobs", options.jobs, "Processes that work at a time")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command
+      .add_option("--shard", options.shard,
+                  "Only this part of the campaign, i/n: all n parts together are the campaign")
+      ->check(is_shard);
+  auto* out = command.add_option(
+      "--out", options.out,
+      "Keep the campaign in this new folder: findings, signatures, and what to go on with");
+  command.add_option("--resume", options.resume, "Go on with the campaign in this folder")->excludes(out);
+  command.add_option("--hang", options.hang_seconds, "Seconds after which a property is taken to hang")
+      ->check(is_time)
+      ->capture_default_str();
+  command.add_flag("--json", options.json, "Print one JSON object");
+}
+
+}  // namespace
+
+void add_fuzz_options(CLI::App& command, FuzzOptions& options) {
+  add_case_options(command, options);
+  add_property_options(command, options);
+  add_run_options(command, options);
+}
+
+fuzz::Campaign campaign_of(const FuzzOptions& options) {
+  if (!options.resume.empty()) return fuzz::Campaign::resumed(options.resume, options.count);
+  if (!options.count && !options.seconds) {
+    throw InvalidInput("one of --count and --time is required: when is it enough?");
+  }
+  const std::string fault = fault_of_relative_path(options.peer.command);
+  if (!fault.empty()) throw InvalidInput("--against: " + fault);
+  if (!options.out.empty()) return fuzz::Campaign::begun(plan_of(options), options.count, options.out);
+  return {plan_of(options), options.count, fmt::format("flowcert-fuzz-{}", options.seed)};
+}
+
+std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan, const FuzzOptions& options,
+                                              const fs::path& scratch) {
+  if (plan.against.empty()) return fuzz::own_properties(plan);
+  PeerOptions peer = options.peer;
+  peer.command = plan.against;
+  peer.limits.memory_bytes = std::uint64_t{options.memory_mebibytes} << 20;
+  std::vector<property::Property> properties{peer_property(peer, scratch)};
+  require_startable(properties.front());
+  return properties;
+}
+
+void print_families() {
+  std::vector<std::vector<std::string>> rows;
+  for (const fuzz::Family& family : fuzz::families_and_stable_ones()) {
+    rows.push_back({family.name, family.description});
+  }
+  print_columns(rows, "ll");
+}
+
+}  // namespace flowcert

@@ -1,0 +1,49 @@
+// The options of a fuzzing campaign, and what they mean: a campaign to go on with, and the properties that it
+// holds its cases to.
+//
+// Guarantees: what cannot be used is refused before anything is run or written.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/peer_property.h"
+#include "fuzz/campaign/campaign.h"
+
+namespace flowcert {
+
+struct FuzzOptions {
+  std::string families;  // "list", or NAME[:WEIGHT],...
+  std::string points;    // "4-8"
+  std::vector<std::string> properties;
+  PeerOptions peer;
+  std::size_t memory_mebibytes = 4096;
+  std::uint64_t seed = 1;
+  std::size_t searched_percent = 30;
+  std::string corpus;  // a folder
+  std::string shard;   // "2/5"
+  std::optional<std::size_t> count;
+  std::optional<double> seconds;
+  unsigned jobs = 1;
+  std::string out, resume;  // folders
+  double hang_seconds = 120;
+  bool json = false;
+};
+
+void add_fuzz_options(CLI::App& command, FuzzOptions& options);
+
+// Throws InvalidInput, or fuzz::UnusableFolder.
+[[nodiscard]] fuzz::Campaign campaign_of(const FuzzOptions& options);
+// Those of the campaign's plan. Runs its command once, if it has one, and throws InvalidInput if it cannot be
+// started.
+[[nodiscard]] std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan,
+                                                            const FuzzOptions& options,
+                                                            const std::filesystem::path& scratch);
+
+void print_families();
+
+}  // namespace flowcert

@@ -1,0 +1,22 @@
+// What came of a campaign, for people and for programs, on standard output.
+#pragma once
+
+#include <optional>
+
+#include "fuzz/campaign/campaign.h"
+
+namespace flowcert {
+
+struct FuzzRun {
+  const fuzz::Campaign& campaign;
+  // Of this run: none where nothing was run, as of merged parts.
+  std::optional<double> seconds;
+  std::size_t cases = 0;
+  unsigned jobs = 1;
+  bool is_interrupted = false;
+};
+
+void print_fuzz_text(const FuzzRun& run);
+void print_fuzz_json(const FuzzRun& run);
+
+}  // namespace flowcert

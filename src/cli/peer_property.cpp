@@ -1,0 +1,109 @@
+// See peer_property.h.
+#include "cli/peer_property.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <new>
+#include <sstream>
+#include <system_error>
+
+#include "certify/finding_words.h"
+#include "cli/command_run.h"
+#include "cli/conformance_words.h"
+#include "cli/scratch_folder.h"
+#include "flowcert/claim.h"
+#include "flowcert/reproducibility.h"
+
+namespace flowcert {
+
+namespace {
+
+namespace fs = std::filesystem;
+using property::Disagreement;
+
+// Each run takes a process, so fewer are spent on a small failure than on our own.
+constexpr std::size_t kShrinkingBudget = 400;
+constexpr std::size_t kMostFindingsShown = 20;
+
+Disagreement ending(std::string kind, const std::string& complaint) {
+  return {std::move(kind), "", complaint, "", "", "", ""};
+}
+
+std::optional<Disagreement> bad_ending(const CommandRun& run, const ProgramLimits& limits) {
+  if (run.end.ending == ProgramEnding::kTimedOut) {
+    return ending("time-limit", fmt::format("not done after {} s", limits.seconds));
+  }
+  if (run.end.ending == ProgramEnding::kSignalled) return ending("signal", signal_text(run.end.number));
+  if (was_not_started(run.end)) {
+    return ending("not-started", status_text(run));
+  }
+  if (run.end.number != 0) return ending("refusal", status_text(run));
+  return std::nullopt;
+}
+
+std::optional<Disagreement> wrong_claim(const CheckReport& report, const std::string& claim) {
+  if (report.verdict != Verdict::kFails) return std::nullopt;
+  std::vector<Finding> wrong;
+  for (const Finding& finding : report.findings) {
+    if (!finding.is_variation) wrong.push_back(finding);
+  }
+  const Finding& telling = telling_finding(wrong);
+  std::string truth;
+  for (std::size_t k = 0; k < std::min(wrong.size(), kMostFindingsShown); ++k) {
+    truth += finding_words(wrong[k]) + '\n';
+  }
+  return Disagreement{reason_text(telling.reason), telling.clause, finding_words(telling), "the claim", claim,
+                      "what is wrong with it",     truth};
+}
+
+class Peer {
+ public:
+  Peer(const PeerOptions& options, const fs::path& scratch) : options_(options), scratch_(scratch) {}
+
+  std::optional<Disagreement> judge(const fuzz::Input& input) {
+    std::ostringstream rows;
+    rows << input;
+    const ScratchFolder folder(scratch_ / fmt::format("{}-{}", ::getpid(), ++runs_));
+    const CommandRun run = run_command({options_.command, "points.xyz", rows.str(), options_.out_name, {}},
+                                       folder.path(), options_.limits, [] { return false; });
+    if (auto bad = bad_ending(run, options_.limits)) return bad;
+    std::vector<Point> points;
+    for (const auto& [x, y, z] : input.rows) points.push_back({x, y, z});
+    try {
+      return judge_answer(points, answer_bytes(run), run.answer_name);
+    } catch (const InvalidInput& error) {
+      return ending("unreadable", one_line(error.what()));
+    } catch (const std::bad_alloc&) {
+      return ending("unreadable", run.answer_name + ": too large to be read");
+    }
+  }
+
+ private:
+  [[nodiscard]] std::optional<Disagreement> judge_answer(const std::vector<Point>& rows,
+                                                         const std::string& bytes,
+                                                         const std::string& name) const {
+    const PointSet points(rows);
+    const Claim claim = read_claim_from(bytes, name);
+    require_rows(claim, points, name);
+    CheckOptions options = options_.check;
+    options.input_sha256 = coordinates_sha256(rows);
+    return wrong_claim(check(points, claim, options), bytes);
+  }
+
+  PeerOptions options_;
+  fs::path scratch_;
+  std::size_t runs_ = 0;
+};
+
+}  // namespace
+
+property::Property peer_property(const PeerOptions& options, const fs::path& scratch) {
+  auto peer = std::make_shared<Peer>(options, scratch);
+  return {.name = kPeerProperty,
+          .description = "what the command claims is right",
+          .shrinking_budget = kShrinkingBudget,
+          .check = [peer](const property::Trial& trial) { return peer->judge(trial.input); }};
+}
+
+}  // namespace flowcert

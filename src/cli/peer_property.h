@@ -1,0 +1,31 @@
+// Another implementation's command as a property: what it claims of an input is right.
+//
+// Guarantees: those of command_run.h and flowcert/check.h: however the command ends, there is a verdict, and
+// what the claim is free to say is permitted. The kind of a disagreement is how the run ended ("crash",
+// "time-limit", "refusal", "unreadable"), or the reason of the finding that tells most ("missed-by-cluster").
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "cli/limited_program.h"
+#include "flowcert/check.h"
+#include "fuzz/properties/property.h"
+
+namespace flowcert {
+
+struct PeerOptions {
+  std::string command;  // with {in}, and {out}, or else standard output
+  std::string out_name = "claim";
+  ProgramLimits limits;
+  CheckOptions check;
+};
+
+inline constexpr char kPeerProperty[] = "against";
+
+// Runs in folders of its own below `scratch`, which must outlive it. May be used in several processes at
+// once.
+[[nodiscard]] property::Property peer_property(const PeerOptions& options,
+                                               const std::filesystem::path& scratch);
+
+}  // namespace flowcert
