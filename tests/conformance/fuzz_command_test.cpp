@@ -1,0 +1,267 @@
+// `flowcert fuzz` as a shell sees it: campaigns that are the same however they are run, that end cleanly and
+// go on after any end, and that find what is wrong with another implementation and make it small.
+//
+// Guarantees: no test waits for a time to pass; a campaign is interrupted when its files say that it is under
+// way.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/cites.h"
+#include "tests/conformance/program_run.h"
+
+namespace flowcert::conformance {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::vector<std::string> fuzz(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"fuzz", "--json"});
+  return arguments;
+}
+
+// Without what depends on the time, on where the files are, and on how the run was cut.
+json account_of(const Finished& finished) {
+  json report = json::parse(finished.out);
+  for (const char* key : {"seconds", "cases_per_second", "jobs", "by_points", "shard"}) report.erase(key);
+  for (json& finding : report.at("findings")) finding.erase("file");
+  return report;
+}
+
+json campaign(const std::vector<std::string>& arguments, int status = 0) {
+  const Finished finished = flowcert(fuzz(arguments));
+  EXPECT_EQ(finished.status, status) << finished.err;
+  EXPECT_EQ(finished.err, "");
+  return account_of(finished);
+}
+
+std::string peer(const std::string& how) { return std::string(FLOWCERT_PEER) + " {in} {out} " + how; }
+
+TEST(FuzzCommand, ListsFamiliesWithASentenceEach) {
+  const Finished finished = flowcert({"fuzz", "--families", "list"});
+  EXPECT_EQ(finished.status, 0);
+  const auto lines = lines_of(finished.out);
+  EXPECT_GE(lines.size(), 35U);
+  for (const std::string& line : lines) EXPECT_GE(line.size(), 40U) << line;
+  EXPECT_NE(finished.out.find("box-corners"), std::string::npos);
+}
+
+TEST(FuzzCommand, HoldsAllPropertiesOnASmallCampaign) {
+  CITES("FC-CRIT-05", "FC-FLOW-02", "FC-STAB-04", "FC-PERS-05", "FC-INV-01");
+  const Scratch scratch;
+  const json report = campaign(
+      {"--count", "600", "--seed", "5", "--points", "0-7", "--jobs", "2", "--out", scratch.path("campaign")});
+  EXPECT_EQ(report.at("cases"), 600);
+  EXPECT_EQ(report.at("failing_cases"), 0);
+  EXPECT_GE(report.at("signatures"), 100);
+  EXPECT_EQ(report.at("by_property").at("critical-points"), 600);
+  EXPECT_EQ(report.at("by_property").at("orbit"), 600);
+  for (const char* name : {"unstable-manifolds", "stable-sets", "persistence", "kernels"}) {
+    EXPECT_GE(report.at("by_property").at(name), 15) << name;
+  }
+  EXPECT_GE(report.at("by_family").at("mutant"), 100);
+  EXPECT_GE(report.at("by_family").size(), 30U);
+  // Most families reach most of what there is to reach.
+  EXPECT_GE(report.at("reached").at("cluster").size(), 4U);
+  EXPECT_GE(report.at("reached").at("polygon").size(), 3U);
+  EXPECT_GE(report.at("reached").at("cascade").size(), 3U);
+  EXPECT_FALSE(fs::exists(scratch.path("campaign") + "/findings"));
+}
+
+TEST(FuzzCommand, IsTheSameWithAnyNumberOfJobsAndParts) {
+  const Scratch scratch;
+  const std::vector<std::string> plan{"--count",         "2500",     "--seed", "9", "--property",
+                                      "critical-points", "--points", "0-5"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), plan.begin(), plan.end());
+    return campaign(more);
+  };
+  const json whole = with({});
+  EXPECT_EQ(whole.at("cases"), 2500);
+  EXPECT_EQ(with({"--jobs", "3"}), whole);
+  const std::string first = scratch.path("first");
+  const std::string second = scratch.path("second");
+  const json a = with({"--shard", "1/2", "--out", first});
+  const json b = with({"--shard", "2/2", "--out", second});
+  EXPECT_EQ(a.at("cases").get<int>() + b.at("cases").get<int>(), 2500);
+  const Finished merged =
+      flowcert({"fuzz", "merge", first, second, "--json", "--out", scratch.path("whole")});
+  EXPECT_EQ(merged.status, 0) << merged.err;
+  EXPECT_EQ(account_of(merged), whole);
+  // What was put together is a campaign like any other, and complete.
+  EXPECT_EQ(account_of(flowcert({"fuzz", "--json", "--resume", scratch.path("whole")})), whole);
+}
+
+TEST(FuzzCommand, PartsOfOtherCampaignsAreRefused) {
+  const Scratch scratch;
+  (void)campaign({"--count", "10", "--out", scratch.path("a")});
+  (void)campaign({"--count", "10", "--seed", "2", "--out", scratch.path("b")});
+  const Finished finished = flowcert({"fuzz", "merge", scratch.path("a"), scratch.path("b")});
+  EXPECT_EQ(finished.status, 2);
+  EXPECT_NE(finished.err.find("another campaign"), std::string::npos) << finished.err;
+}
+
+// Waits until the campaign has written a batch.
+void wait_for_a_batch(RunningProgram& program, const std::string& folder) {
+  for (int k = 0; k < 3000 && !program.has_ended(); ++k) {
+    std::error_code ignored;
+    if (fs::file_size(folder + "/batches.jsonl", ignored) > 0 && !ignored) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  FAIL() << "the campaign never got anywhere";
+}
+
+class FuzzCommandInterrupted : public testing::TestWithParam<int> {};
+
+TEST_P(FuzzCommandInterrupted, GoesOnToTheSameEnd) {
+  const Scratch scratch;
+  const std::string folder = scratch.path("campaign");
+  const std::vector<std::string> plan{"--count",         "3500",     "--seed", "3", "--property",
+                                      "critical-points", "--points", "3-5"};
+  static const json uninterrupted = campaign(plan);
+  auto start = fuzz(plan);
+  start.insert(start.end(), {"--jobs", "2", "--out", folder});
+  start.insert(start.begin(), FLOWCERT_PROGRAM);
+  RunningProgram program(start);
+  wait_for_a_batch(program, folder);
+  program.signal(GetParam());
+  const Finished finished = program.finish();
+  if (GetParam() == SIGKILL) {
+    EXPECT_EQ(finished.status, -SIGKILL);
+  } else {
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    EXPECT_TRUE(json::parse(finished.out).at("interrupted"));
+  }
+  // Workers die with their parent, but not in the same instant.
+  Finished resumed = flowcert(fuzz({"--resume", folder, "--jobs", "2"}));
+  for (int k = 0; k < 50 && resumed.status == 2; ++k) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    resumed = flowcert(fuzz({"--resume", folder, "--jobs", "2"}));
+  }
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_EQ(account_of(resumed), uninterrupted);
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, FuzzCommandInterrupted, testing::Values(SIGINT, SIGTERM, SIGKILL));
+
+TEST(FuzzCommand, StopsWhenItsTimeIsOver) {
+  const auto start = std::chrono::steady_clock::now();
+  const json report = campaign({"--time", "1", "--property", "critical-points"});
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+  EXPECT_GT(report.at("cases"), 0);
+}
+
+// The findings of a campaign against a program that gets cospherical points wrong.
+TEST(FuzzCommand, FindsWhatIsWrongWithCosphericalPointsAndMakesItSmall) {
+  CITES("FC-CLAIM-03");
+  const Scratch scratch;
+  const std::string folder = scratch.path("campaign");
+  const json report =
+      campaign({"--count", "300", "--against", peer("--strict"), "--jobs", "2", "--out", folder}, 1);
+  EXPECT_GT(report.at("failing_cases"), 20);
+  ASSERT_GE(report.at("findings").size(), 1U);
+  bool is_cospherical = false;
+  for (const json& finding : report.at("findings")) {
+    EXPECT_LE(finding.at("points"), 6) << finding;
+    is_cospherical = is_cospherical || finding.at("kind") == "missed-by-cluster";
+  }
+  EXPECT_TRUE(is_cospherical) << report.at("findings");
+  // Each file is wrong again, and only by the command.
+  for (const auto& entry : fs::directory_iterator(folder + "/findings")) {
+    const std::string path = entry.path().string();
+    const Finished again = flowcert({"fuzz", "--replay", path, "--against", peer("--strict")});
+    EXPECT_EQ(again.status, 1) << path << again.err;
+    EXPECT_EQ(flowcert({"fuzz", "--replay", path, "--property", "critical-points"}).status, 0) << path;
+    EXPECT_EQ(flowcert({"compute", path}).status, 0) << path;
+  }
+}
+
+TEST(FuzzCommand, OurOwnClaimsAreRight) {
+  const json report = campaign({"--count", "200", "--against",
+                                std::string(FLOWCERT_PROGRAM) + " compute {in} -o {out}", "--jobs", "2"});
+  EXPECT_EQ(report.at("failing_cases"), 0);
+  EXPECT_EQ(report.at("by_property").at("against"), 200);
+}
+
+// Name and arguments of what the program does with six rows and more, and the kind of the finding.
+class FuzzCommandEndings : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(FuzzCommandEndings, AreFindings) {
+  const Scratch scratch;
+  const auto& [how, kind] = GetParam();
+  const json report = campaign({"--count", "12", "--against", peer(how), "--points", "5-7", "--search", "0",
+                                "--time-limit", "0.3", "--out", scratch.path("campaign")},
+                               1);
+  bool is_found = false;
+  for (const json& finding : report.at("findings")) {
+    if (finding.at("kind") != kind) continue;
+    is_found = true;
+    EXPECT_EQ(finding.at("points"), 6);
+  }
+  EXPECT_TRUE(is_found) << report.at("findings");
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FuzzCommandEndings,
+                         testing::Values(std::pair("--crash 6", "signal"),
+                                         std::pair("--hang 6", "time-limit"),
+                                         std::pair("--refuse 6", "refusal")));
+
+TEST(FuzzCommand, ReplaysAnyPointFile) {
+  const Scratch scratch;
+  const std::string square = scratch.file("square.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
+  const Finished finished = flowcert({"fuzz", "--replay", square});
+  EXPECT_EQ(finished.status, 0) << finished.err;
+  EXPECT_EQ(lines_of(finished.out).size(), 6U) << finished.out;
+  EXPECT_EQ(flowcert({"fuzz", "--replay", scratch.file("bad.xyz", "0 0 0\n1 0\n")}).status, 2);
+  EXPECT_EQ(flowcert({"fuzz", "--replay", scratch.path("none.xyz")}).status, 2);
+}
+
+TEST(FuzzCommand, BeginsWithACorpus) {
+  const Scratch scratch;
+  fs::create_directory(scratch.path("corpus"));
+  (void)scratch.file("corpus/square.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
+  const json with = campaign({"--count", "50", "--corpus", scratch.path("corpus"), "--search", "100"});
+  EXPECT_EQ(with.at("by_family").at("mutant"), 50);
+  (void)scratch.file("corpus/bad.xyz", "0 0\n");
+  const Finished bad = flowcert({"fuzz", "--count", "50", "--corpus", scratch.path("corpus")});
+  EXPECT_EQ(bad.status, 2);
+  EXPECT_NE(bad.err.find("bad.xyz:1:"), std::string::npos) << bad.err;
+}
+
+TEST(FuzzCommand, RefusesWhatItCannotUse) {
+  const Scratch scratch;
+  const std::vector<std::vector<std::string>> wrong = {
+      {"fuzz"},
+      {"fuzz", "--count", "0"},
+      {"fuzz", "--count", "10", "--families", "no-such"},
+      {"fuzz", "--count", "10", "--points", "8-4"},
+      {"fuzz", "--count", "10", "--points", "4-13"},
+      {"fuzz", "--count", "10", "--property", "no-such"},
+      {"fuzz", "--count", "10", "--shard", "3/2"},
+      {"fuzz", "--count", "10", "--shard", "0/2"},
+      {"fuzz", "--time", "nan"},
+      {"fuzz", "--count", "10", "--jobs", "0"},
+      {"fuzz", "--count", "10", "--against", "true"},
+      {"fuzz", "--count", "10", "--against", "/no/such/program {in}"},
+      {"fuzz", "--count", "10", "--out", "/proc/none"},
+      {"fuzz", "--resume", scratch.path("none")},
+      {"fuzz", "--count", "10", "--corpus", scratch.path("none")},
+      {"fuzz", "merge"},
+      {"fuzz", "merge", scratch.path("none")},
+  };
+  for (const auto& words : wrong) {
+    const Finished finished = flowcert(words);
+    std::string line;
+    for (const std::string& word : words) line += word + ' ';
+    EXPECT_EQ(finished.status, 2) << line;
+    EXPECT_EQ(lines_of(finished.err).size(), 1U) << line << finished.err;
+    EXPECT_EQ(finished.out, "") << line;
+  }
+}
+
+}  // namespace
+}  // namespace flowcert::conformance

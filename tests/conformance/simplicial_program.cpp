@@ -1,0 +1,123 @@
+// A program as many have been written, for tests of `flowcert fuzz --against`: critical points by trying all
+// simplices of up to four points, in floating point, with no thought for cospherical ones.
+//
+//   simplicial_program IN OUT [--strict | --crash ROWS | --hang ROWS | --refuse ROWS]
+//
+// Claims, in the format of Giesen and Kuehne's program, each simplex whose circumcentre is inside of it with
+// no other point in its open ball: a square comes out as two right triangles' worth of diagonals. --strict:
+// no other point on the sphere either, so that what is cospherical goes missing. The others: what becomes of
+// an input of at least so many rows.
+#include <unistd.h>
+
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Vector = std::array<double, 3>;
+
+Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+struct Sphere {
+  Vector center{};
+  double squared_radius = 0;
+  bool is_inside = true;  // the centre, of the simplex
+};
+
+// By Cramer's rule on the Gram matrix of up to three edges; nothing for a matrix that looks singular.
+std::optional<Sphere> circumsphere(const std::vector<Vector>& simplex) {
+  const std::size_t n = simplex.size() - 1;
+  double gram[3][4] = {};
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      gram[i][j] = 2 * dot(minus(simplex[i + 1], simplex[0]), minus(simplex[j + 1], simplex[0]));
+    }
+    gram[i][3] = gram[i][i] / 2;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (std::fabs(gram[i][i]) < 1e-12) return std::nullopt;
+    for (std::size_t k = 0; k < n; ++k) {
+      if (k == i) continue;
+      const double factor = gram[k][i] / gram[i][i];
+      for (std::size_t j = 0; j < 4; ++j) gram[k][j] -= factor * gram[i][j];
+    }
+  }
+  Sphere sphere{simplex[0], 0, true};
+  double rest = 1;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double weight = gram[i][3] / gram[i][i];
+    rest -= weight;
+    sphere.is_inside = sphere.is_inside && weight > 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      sphere.center.at(axis) += weight * (simplex[i + 1].at(axis) - simplex[0].at(axis));
+    }
+  }
+  sphere.is_inside = sphere.is_inside && rest > 0;
+  sphere.squared_radius = dot(minus(sphere.center, simplex[0]), minus(sphere.center, simplex[0]));
+  return sphere;
+}
+
+struct Claims {
+  const std::vector<Vector>& points;
+  bool is_strict;
+  std::ostream& out;
+
+  void claim(const std::vector<std::size_t>& ids) const {
+    std::vector<Vector> simplex;
+    for (const std::size_t id : ids) simplex.push_back(points[id]);
+    const auto sphere = circumsphere(simplex);
+    if (!sphere || !sphere->is_inside) return;
+    for (std::size_t q = 0; q < points.size(); ++q) {
+      bool is_own = false;
+      for (const std::size_t id : ids) is_own = is_own || id == q;
+      const Vector away = minus(points[q], sphere->center);
+      const double reach = sphere->squared_radius * (is_strict ? 1 + 1e-9 : 1 - 1e-9);
+      if (!is_own && dot(away, away) < reach) return;
+    }
+    for (const std::size_t id : ids) out << id << ' ';
+    out.precision(18);
+    out << "| " << std::sqrt(sphere->squared_radius) << " |  \n";
+  }
+
+  void claim_all(std::vector<std::size_t>& ids) const {
+    if (!ids.empty()) claim(ids);
+    if (ids.size() == 4) return;
+    for (std::size_t next = ids.empty() ? 0 : ids.back() + 1; next < points.size(); ++next) {
+      ids.push_back(next);
+      claim_all(ids);
+      ids.pop_back();
+    }
+  }
+};
+
+void misbehave(const std::string& how) {
+  if (how == "--crash") std::raise(SIGSEGV);
+  if (how == "--hang") ::sleep(3600);
+  if (how == "--refuse") {
+    std::cerr << "too many points for me\n";
+    std::exit(3);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3) return 2;
+  std::ifstream in(argv[1]);
+  std::vector<Vector> points;
+  for (Vector p; in >> p[0] >> p[1] >> p[2];) points.push_back(p);
+  const std::string how = argc > 3 ? argv[3] : "";
+  if (argc > 4 && points.size() >= std::stoul(argv[4])) misbehave(how);
+  std::ofstream out(argv[2]);
+  out << "inf 3\n";
+  std::vector<std::size_t> ids;
+  Claims{points, how == "--strict", out}.claim_all(ids);
+  return out.flush() ? 0 : 1;
+}

@@ -1,0 +1,338 @@
+// Campaigns: that they are a function of their plan, however they are cut, interrupted and put together, and
+// that nothing that was reported is lost. The properties here are made for this: they fail on what they are
+// told to.
+#include "fuzz/campaign/campaign.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <stdexcept>
+
+#include "fuzz/campaign/message.h"
+#include "fuzz/campaign/worker_processes.h"
+
+namespace flowcert::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+using property::Disagreement;
+using property::Property;
+using property::Trial;
+
+class CampaignTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "flowcert-test-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path folder_;
+};
+
+CampaignPlan small_plan() {
+  CampaignPlan plan;
+  plan.seed = 7;
+  plan.batch_cases = 40;
+  return plan;
+}
+
+// Fails on inputs of at least so many rows.
+Property rows_property(std::size_t rows) {
+  return {.name = "rows", .description = "few rows", .check = [rows](const Trial& trial) {
+            return trial.input.rows.size() < rows
+                       ? std::nullopt
+                       : std::optional(Disagreement{"too-many", "FC-IN-01", "too many rows", "", "", "", ""});
+          }};
+}
+
+void work(
+    Campaign& campaign, const std::vector<Property>& properties, unsigned jobs,
+    const std::function<bool()>& is_stopped = [] { return false; }) {
+  WorkOptions options;
+  options.jobs = jobs;
+  options.hang_seconds = 2;
+  options.is_stopped = is_stopped;
+  options.progress = [](std::size_t) {};
+  work_on(campaign, properties, options);
+}
+
+// All that has to be the same: times are left out.
+std::string account_of(const Campaign& campaign) {
+  std::string text = std::to_string(campaign.tally().cases) + '\n';
+  for (const auto& [name, count] : campaign.tally().by_source)
+    text += name + ' ' + std::to_string(count) + '\n';
+  for (const auto& [name, count] : campaign.tally().by_mutation)
+    text += name + ' ' + std::to_string(count) + '\n';
+  for (const auto& [name, count] : campaign.tally().failures)
+    text += name + ' ' + std::to_string(count) + '\n';
+  for (const auto& [signature, where] : campaign.signatures()) {
+    text += to_text(signature) + ' ' + std::to_string(where.number) + '\n';
+  }
+  for (const auto& [key, finding] : campaign.findings()) text += file_text(finding);
+  return text;
+}
+
+std::string account_of_run(const CampaignPlan& plan, std::size_t cases, unsigned jobs,
+                           const fs::path& folder) {
+  Campaign campaign(plan, cases, folder);
+  work(campaign, {rows_property(8)}, jobs);
+  return account_of(campaign);
+}
+
+TEST_F(CampaignTest, IsTheSameWithAnyNumberOfJobs) {
+  const std::string one = account_of_run(small_plan(), 410, 1, folder_ / "one");
+  EXPECT_EQ(account_of_run(small_plan(), 410, 3, folder_ / "three"), one);
+  EXPECT_NE(one.find("rows too-many"), std::string::npos);
+  EXPECT_NE(one.find("mutant"), std::string::npos);
+  CampaignPlan other = small_plan();
+  other.seed = 8;
+  EXPECT_NE(account_of_run(other, 410, 1, folder_ / "other"), one);
+}
+
+TEST_F(CampaignTest, ShardsTogetherAreTheWhole) {
+  const std::string whole = account_of_run(small_plan(), 410, 1, folder_ / "whole");
+  Campaign merged(small_plan(), 410, folder_ / "merged");
+  std::size_t cases = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    CampaignPlan plan = small_plan();
+    plan.shard = {k, 3};
+    Campaign part(plan, 410, folder_ / "part");
+    work(part, {rows_property(8)}, 1);
+    EXPECT_EQ(part.tally().cases, part.expected_cases());
+    cases += part.tally().cases;
+    merged.absorb(part);
+    merged.absorb(part);
+  }
+  EXPECT_EQ(cases, 410U);
+  EXPECT_EQ(account_of(merged), whole);
+  CampaignPlan other = small_plan();
+  other.seed = 8;
+  EXPECT_THROW(merged.absorb(Campaign(other, 410, folder_ / "part")), std::invalid_argument);
+}
+
+TEST_F(CampaignTest, GoesOnWhereItWasStopped) {
+  const std::string whole = account_of_run(small_plan(), 410, 1, folder_ / "whole");
+  const fs::path folder = folder_ / "campaign";
+  {
+    Campaign campaign = Campaign::begun(small_plan(), 410, folder);
+    work(campaign, {rows_property(8)}, 1, [&] { return campaign.done_batches() >= 3; });
+    EXPECT_GE(campaign.tally().cases, 120U);
+    EXPECT_THROW(Campaign::resumed(folder, std::nullopt), UnusableFolder);  // in use
+  }
+  // As a kill in the middle of a line would leave it.
+  std::ofstream(folder / "batches.jsonl", std::ios::app) << R"({"batch":3,"comp)";
+  std::ofstream(folder / "findings.jsonl", std::ios::app) << R"({"find)";
+  Campaign campaign = Campaign::resumed(folder, std::nullopt);
+  EXPECT_GE(campaign.done_batches(), 3U);
+  EXPECT_LT(campaign.done_batches(), 11U);
+  work(campaign, {rows_property(8)}, 2);
+  EXPECT_EQ(account_of(campaign), whole);
+  for (const auto& [key, finding] : campaign.findings()) {
+    const fs::path file = campaign.file_of(finding);
+    EXPECT_TRUE(file.empty() || fs::exists(file)) << file;
+  }
+}
+
+TEST_F(CampaignTest, CanBeMadeLonger) {
+  const std::string whole = account_of_run(small_plan(), 410, 1, folder_ / "whole");
+  const fs::path folder = folder_ / "campaign";
+  {
+    Campaign campaign = Campaign::begun(small_plan(), 130, folder);
+    work(campaign, {rows_property(8)}, 1);
+    EXPECT_EQ(campaign.tally().cases, 130U);
+  }
+  Campaign campaign = Campaign::resumed(folder, 410);
+  work(campaign, {rows_property(8)}, 1);
+  EXPECT_EQ(account_of(campaign), whole);
+}
+
+TEST_F(CampaignTest, KilledOutrightLosesNoFinding) {
+  const std::string whole = account_of_run(small_plan(), 4000, 1, folder_ / "whole");
+  const fs::path folder = folder_ / "campaign";
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    Campaign campaign = Campaign::begun(small_plan(), 4000, folder);
+    WorkOptions options;
+    options.jobs = 2;
+    options.is_stopped = [] { return false; };
+    options.progress = [&](std::size_t) {
+      if (campaign.done_batches() >= 5) ::raise(SIGKILL);
+    };
+    work_on(campaign, {rows_property(8)}, options);
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  std::size_t findings_before = 0;
+  {
+    // The workers die with their parent, but not in the same instant.
+    Campaign campaign = [&] {
+      for (int attempt = 0;; ++attempt) {
+        try {
+          return Campaign::resumed(folder, std::nullopt);
+        } catch (const UnusableFolder&) {
+          if (attempt == 50) throw;
+          ::usleep(100'000);
+        }
+      }
+    }();
+    findings_before = campaign.findings().size();
+    EXPECT_GT(findings_before, 0U);
+    work(campaign, {rows_property(8)}, 2);
+    EXPECT_EQ(account_of(campaign), whole);
+  }
+}
+
+TEST_F(CampaignTest, ACaseThatEndsItsProcessIsAFinding) {
+  Property property = rows_property(100);
+  property.check = [](const Trial& trial) -> std::optional<Disagreement> {
+    if (trial.input.rows.size() >= 9) ::raise(SIGSEGV);
+    return std::nullopt;
+  };
+  CampaignPlan plan = small_plan();
+  plan.searched_percent = 0;
+  Campaign campaign(plan, 80, folder_ / "findings");
+  work(campaign, {property}, 2);
+  ASSERT_FALSE(campaign.findings().empty());
+  for (const auto& [key, finding] : campaign.findings()) {
+    EXPECT_EQ(finding.disagreement.kind, "crash");
+    EXPECT_EQ(finding.property, "rows");
+    EXPECT_EQ(finding.trial.input.rows.size(), 9U);
+  }
+  EXPECT_EQ(campaign.tally().cases + campaign.findings().size(), 80U);
+  EXPECT_TRUE(campaign.is_settled());
+}
+
+TEST_F(CampaignTest, ACaseThatHangsIsAFinding) {
+  Property property = rows_property(100);
+  property.check = [](const Trial& trial) -> std::optional<Disagreement> {
+    if (trial.input.rows.size() >= 12) ::sleep(60);
+    return std::nullopt;
+  };
+  CampaignPlan plan = small_plan();
+  plan.searched_percent = 0;
+  Campaign campaign(plan, 80, folder_ / "findings");
+  work(campaign, {property}, 1);
+  ASSERT_FALSE(campaign.findings().empty());
+  for (const auto& [key, finding] : campaign.findings()) EXPECT_EQ(finding.disagreement.kind, "hang");
+}
+
+TEST_F(CampaignTest, ExceptionsAreFindings) {
+  Property property = rows_property(100);
+  property.check = [](const Trial& trial) -> std::optional<Disagreement> {
+    if (trial.input.rows.size() >= 5) throw std::logic_error("five rows \xff and more");
+    return std::nullopt;
+  };
+  Campaign campaign(small_plan(), 40, folder_ / "findings");
+  work(campaign, {property}, 1);
+  ASSERT_EQ(campaign.findings().size(), 1U);
+  const Finding& finding = campaign.findings().begin()->second;
+  EXPECT_EQ(finding.disagreement.kind, "throws");
+  EXPECT_EQ(finding.trial.input.rows.size(), 5U);
+}
+
+TEST_F(CampaignTest, RefusesFoldersThatItCannotUse) {
+  EXPECT_THROW(Campaign::resumed(folder_ / "none", std::nullopt), UnusableFolder);
+  std::ofstream(folder_ / "plan.json") << "{}\n";
+  EXPECT_THROW(Campaign::resumed(folder_, std::nullopt), UnusableFolder);
+  EXPECT_THROW(Campaign::begun(small_plan(), 10, folder_), UnusableFolder);
+  EXPECT_THROW(Campaign::begun(small_plan(), 10, "/proc/none"), UnusableFolder);
+}
+
+TEST(CampaignPlan, SurvivesItsText) {
+  CampaignPlan plan;
+  plan.seed = 0xffffffffffffffffU;
+  plan.families = families_of("box-corners:3,half-shell");
+  plan.fewest_rows = 3;
+  plan.most_rows = 9;
+  plan.searched_percent = 55;
+  plan.properties = {"orbit", "kernels"};
+  plan.against = "my 'flow' {in}";
+  plan.batch_cases = 17;
+  plan.corpus = {{{{0.1, -0.0, 1e300}, {5e-324, 2, 3}}}};
+  plan.shard = {2, 5};
+  EXPECT_EQ(plan_of(to_text(plan)), plan);
+  for (const char* text : {"", "{}", "[]", "{\"format\":\"flowcert-fuzz\",\"version\":2}"}) {
+    EXPECT_THROW((void)plan_of(text), std::invalid_argument) << text;
+  }
+  plan.properties = {"orbits"};
+  EXPECT_THROW((void)plan_of(to_text(plan)), std::invalid_argument);
+}
+
+TEST(CampaignPlan, RefusesUnknownFamiliesAndWeights) {
+  for (const char* list :
+       {"no-such", "half-shell:0", "half-shell:-1", "half-shell:x", "half-shell:", "half-shell:9999999"}) {
+    EXPECT_THROW((void)families_of(list), std::invalid_argument) << list;
+  }
+  EXPECT_EQ(families_of("half-shell,box-corners:12").at(1), (WeightedFamily{"box-corners", 12}));
+}
+
+TEST(CampaignPlan, CutsCasesIntoBatchesAndShards) {
+  CampaignPlan plan;
+  plan.batch_cases = 10;
+  EXPECT_EQ(cases_of_batch(plan, 25, 2), 5U);
+  EXPECT_EQ(cases_of_batch(plan, 25, 3), 0U);
+  EXPECT_EQ(cases_of_batch(plan, 30, 2), 10U);
+  EXPECT_EQ(cases_of_batch(plan, std::nullopt, 1000), 10U);
+  plan.shard = {1, 3};
+  EXPECT_EQ(batch_from(plan, 75, 0), 1U);
+  EXPECT_EQ(batch_from(plan, 75, 2), 4U);
+  EXPECT_EQ(batch_from(plan, 75, 7), 7U);
+  EXPECT_EQ(batch_from(plan, 75, 8), std::nullopt);
+}
+
+Finding some_finding() {
+  Finding finding{12,
+                  345,
+                  "shell",
+                  9,
+                  "orbit",
+                  {},
+                  {"segment-type", "FC-FLOW-02", "two\nlines", "fast", "a\nb", "oracle", "c"}};
+  finding.trial.input.rows = {{0.1, -2, 1e-300}, {3, 4, 5}};
+  finding.trial.start = oracle::Point{oracle::Rational(1, 3), oracle::Rational(-2), oracle::Rational(0)};
+  return finding;
+}
+
+TEST(Finding, SurvivesItsFile) {
+  const Finding finding = some_finding();
+  const std::string text = file_text(finding);
+  const Finding read = finding_of(text);
+  EXPECT_EQ(read.trial.input, finding.trial.input);
+  EXPECT_EQ(std::get<oracle::Point>(read.trial.start), std::get<oracle::Point>(finding.trial.start));
+  EXPECT_EQ(read.property, "orbit");
+  EXPECT_EQ(read.disagreement.kind, "segment-type");
+  EXPECT_EQ(read.disagreement.clause, "FC-FLOW-02");
+  EXPECT_EQ(name_of(finding), "orbit-segment-type-345");
+  // A reader of point files sees rows alone: every other line is a comment.
+  std::istringstream lines(text);
+  std::size_t rows = 0;
+  for (std::string line; std::getline(lines, line);) rows += line.starts_with('#') ? 0 : 1;
+  EXPECT_EQ(rows, 2U);
+}
+
+TEST(Finding, RefusesRowsThatAreNone) {
+  for (const char* text : {"1 2\n", "1 2 x\n", "1 2 inf\n", "# start: 1/0 2 3\n1 2 3\n", "# start: 1 2\n"}) {
+    EXPECT_THROW((void)finding_of(std::string(text)), std::invalid_argument) << text;
+  }
+  EXPECT_EQ(
+      finding_of(std::string("# any comment\n1 2 3 # and more\n\n0x1p-3 0 0\n")).trial.input.rows.size(), 2U);
+}
+
+TEST(BatchOrder, SurvivesItsText) {
+  const BatchOrder order = order_of(to_text(BatchOrder{3, 40, {121, 130}}));
+  EXPECT_EQ(order.batch, 3U);
+  EXPECT_EQ(order.cases, 40U);
+  EXPECT_EQ(order.left_out, (std::set<std::size_t>{121, 130}));
+  EXPECT_THROW((void)order_of("x"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace flowcert::fuzz
