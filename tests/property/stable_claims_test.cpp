@@ -11,44 +11,26 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "flowcert/check.h"
 #include "fuzz/nudge.h"
-#include "fuzz/properties/stationary_comparison.h"
 #include "fuzz/stable_families.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
-#include "tests/property/property_parameters.h"
+#include "tests/property/claim_properties.h"
 
 namespace flowcert::property {
 namespace {
 
 constexpr int kInputsPerFamily = 60;
-constexpr std::size_t kFirstLine = 2;       // of a claim's points
 constexpr std::size_t kMostByOracle = 120;  // stationary points of an input
 
-std::size_t below(std::size_t count) { return *rc::gen::inRange<std::size_t>(0, count); }
-
-ClaimedPosition exactly(const RationalPoint& x) {
-  return {ClaimedNumber{x[0], true}, ClaimedNumber{x[1], true}, ClaimedNumber{x[2], true}};
-}
-
-struct Subject {
+struct Subject : ClaimSubject {
   explicit Subject(const fuzz::Input& rows)
-      : input(rows),
-        points(point_set_of(rows)),
-        delaunay(points),
-        stationary(stationary_points(delaunay)),
-        truth(fast_truth(points)) {}
+      : ClaimSubject(rows), delaunay(points), stationary(stationary_points(delaunay)) {}
 
-  [[nodiscard]] std::vector<PointId> contact(std::size_t i) const {
-    const auto names = truth->contact(i);
-    return {names.begin(), names.end()};
-  }
   // Of an index-2 critical point or a regular one.
   [[nodiscard]] bool has_tie(std::size_t i) const {
     return truth->stable_summary(i).has_vertex ||
@@ -57,11 +39,8 @@ struct Subject {
            });
   }
 
-  const fuzz::Input& input;
-  PointSet points;
   Delaunay delaunay;
   StationaryPoints stationary;
-  std::unique_ptr<Truth> truth;
 };
 
 ClaimedSkeleton skeleton_of(const StableSet& set) {
@@ -136,24 +115,6 @@ Claim stable_claim(const Subject& subject) {
     if (point.index == 1 && !point.hull_dimension) point.successors = saddles[point.contact];
   }
   return claim;
-}
-
-std::string to_text(const CheckReport& report) {
-  std::string text = verdict_text(report.verdict);
-  for (const Finding& finding : report.findings) {
-    text += "\n  level " + std::to_string(finding.level) + (finding.is_variation ? " permitted " : " ") +
-            reason_text(finding.reason) + ' ' + finding.clause + ", line " +
-            (finding.line ? std::to_string(*finding.line) : "none") + ": " + finding.claimed + "; " +
-            finding.truth;
-  }
-  return text + '\n';
-}
-
-void require(const Subject& subject, bool holds, const std::string& what, const CheckReport& report) {
-  if (holds) return;
-  std::ostringstream text;
-  text << what << "\ninput:\n" << subject.input << to_text(report);
-  RC_FAIL(text.str());
 }
 
 // ---- Claims that vary where they may.
@@ -233,15 +194,6 @@ struct Mutant {
 };
 using Mutation = std::function<std::optional<Mutant>(const Subject&, const Claim&)>;
 
-std::optional<std::size_t> some_point(const Claim& claim,
-                                      const std::function<bool(const ClaimedPoint&)>& qualifies) {
-  std::vector<std::size_t> places;
-  for (std::size_t k = 0; k < claim.points.size(); ++k) {
-    if (qualifies(claim.points[k])) places.push_back(k);
-  }
-  if (places.empty()) return std::nullopt;
-  return places[below(places.size())];
-}
 bool is_surface(const ClaimedPoint& point) { return point.surface && !point.surface->triangles.empty(); }
 bool is_saddle(const ClaimedPoint& point) { return point.stable && point.stable->boundary; }
 bool has_segments(const ClaimedPoint& point) { return point.skeleton && !point.skeleton->segments.empty(); }
@@ -447,24 +399,10 @@ const std::map<std::string, Mutation>& mutations() {
 
 // ---- Properties.
 
-template <typename Property>
-void on_all_families(Property&& property) {
-  bool agreed = true;
-  for (const fuzz::Family& family : fuzz::families_and_stable_ones()) {
-    const rc::Gen<fuzz::Input> generator = family.generate();
-    agreed = expect_holds(family.name, parameters_of_run(kInputsPerFamily, agreed),
-                          [&] {
-                            const fuzz::Input input = *generator;
-                            property(Subject(input));
-                          }) &&
-             agreed;
-  }
-}
-
 TEST(StableClaims, RightClaimsNeverFail) {
   CITES("FC-CLAIM-06", "FC-CLAIM-09", "FC-CLAIM-10");
   std::size_t differing = 0, left_out = 0;
-  on_all_families([&](const Subject& subject) {
+  on_all_families<Subject>(fuzz::families_and_stable_ones(), kInputsPerFamily, [&](const Subject& subject) {
     const Claim claim = stable_claim(subject);
     const CheckReport exact = check(subject.points, claim, *subject.truth);
     require(subject, exact.verdict == Verdict::kConforms && exact.findings.empty() && exact.is_exact,
@@ -489,7 +427,7 @@ TEST(StableClaims, RightClaimsNeverFail) {
 TEST(StableClaims, MutantsFailWhereTheyAreWrong) {
   CITES("FC-CLAIM-06", "FC-CLAIM-09", "FC-CLAIM-10", "FC-STAB-04", "FC-STAB-07", "FC-CHAIN-01");
   std::map<std::string, std::size_t> made;
-  on_all_families([&](const Subject& subject) {
+  on_all_families<Subject>(fuzz::families_and_stable_ones(), kInputsPerFamily, [&](const Subject& subject) {
     const Claim claim = stable_claim(subject);
     for (const auto& [name, mutation] : mutations()) {
       const std::optional<Mutant> mutant = mutation(subject, claim);
@@ -512,7 +450,7 @@ TEST(StableClaims, MutantsFailWhereTheyAreWrong) {
 TEST(StableClaims, WalksAreTheOracles) {
   CITES("FC-STAB-07");
   std::size_t walks = 0, replaced = 0, regular = 0, none = 0;
-  on_all_families([&](const Subject& subject) {
+  on_all_families<Subject>(fuzz::families_and_stable_ones(), kInputsPerFamily, [&](const Subject& subject) {
     const oracle::PointSet set(subject.input.rows);
     const std::size_t step = 1 + subject.truth->size() / kMostByOracle;
     for (std::size_t i = below(step); i < subject.truth->size(); i += step) {
