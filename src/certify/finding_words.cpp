@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 
+#include "certify/value_match.h"
+
 namespace flowcert {
 
 namespace {
@@ -115,8 +117,6 @@ std::string position_text(const RationalPoint& x) {
   return number_text(x[0]) + " " + number_text(x[1]) + " " + number_text(x[2]);
 }
 
-std::string position_text(const ClaimedPosition& x) {
-  return position_text(RationalPoint{x[0].value, x[1].value, x[2].value});
-}
+std::string position_text(const ClaimedPosition& x) { return position_text(values_of(x)); }
 
 }  // namespace flowcert
