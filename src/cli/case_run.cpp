@@ -1,6 +1,6 @@
-// See case_run.h. A case takes one run of the command, one of the orbit command for each start, and one
-// of the persistence command. Each run
-// has a folder, with a subfolder that it runs in, so that nothing of ours is in its way but the points.
+// See case_run.h. A case takes one run of the command, one of the orbit command for each start, and one of
+// the persistence command. Each run has a folder, with a subfolder that it runs in, so that nothing of ours
+// is in its way but the points.
 #include "cli/case_run.h"
 
 #include <fmt/format.h>
