@@ -126,7 +126,7 @@ class Surfaces {
       }
       return;
     }
-    if (truth && !boundaries_.has_tie(record)) {
+    if (truth && !has_tie(run_.truth, record)) {
       find(k, FindingReason::kWrongSurface, "walk " + names_text(rows), "the walk is " + names_text(*truth));
       return;
     }

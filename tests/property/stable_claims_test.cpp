@@ -15,11 +15,13 @@
 #include <string>
 #include <vector>
 
+#include "certify/boundaries.h"
 #include "fuzz/nudge.h"
 #include "fuzz/stable_families.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
 #include "tests/property/claim_properties.h"
+#include "tests/property/stable_skeleton.h"
 
 namespace flowcert::property {
 namespace {
@@ -30,14 +32,6 @@ constexpr std::size_t kMostByOracle = 120;  // stationary points of an input
 struct Subject : ClaimSubject {
   explicit Subject(const fuzz::Input& rows)
       : ClaimSubject(rows), delaunay(points), stationary(stationary_points(delaunay)) {}
-
-  // Of an index-2 critical point or a regular one.
-  [[nodiscard]] bool has_tie(std::size_t i) const {
-    return truth->stable_summary(i).has_vertex ||
-           std::ranges::any_of(truth->stable_set(i).segments, [](const BackwardSegment& segment) {
-             return segment.back_kind == BackKind::kRegular;
-           });
-  }
 
   Delaunay delaunay;
   StationaryPoints stationary;
@@ -213,7 +207,7 @@ std::optional<Mutant> other_boundary(const Subject& subject, const Claim& claim)
 // A cycle, but another one.
 std::optional<Mutant> boundary_of_another(const Subject& subject, const Claim& claim) {
   const auto k = some_point(claim, [&](const ClaimedPoint& point) {
-    return is_saddle(point) && !subject.has_tie(point.line - kFirstLine);
+    return is_saddle(point) && !has_tie(*subject.truth, point.line - kFirstLine);
   });
   const auto other = some_point(claim, is_saddle);
   if (!k || *k == *other || *claim.points[*other].stable->boundary == *claim.points[*k].stable->boundary) {
@@ -227,7 +221,7 @@ std::optional<Mutant> boundary_of_another(const Subject& subject, const Claim& c
 std::optional<Mutant> other_incidence(const Subject& subject, const Claim& claim) {
   const auto k = some_point(claim, [](const ClaimedPoint& point) { return point.successors.has_value(); });
   const auto saddle = some_point(claim, [&](const ClaimedPoint& point) {
-    return is_saddle(point) && !subject.has_tie(point.line - kFirstLine);
+    return is_saddle(point) && !has_tie(*subject.truth, point.line - kFirstLine);
   });
   if (!k || !saddle) return std::nullopt;
   Mutant mutant{claim, 4, kFirstLine + *k};
@@ -251,7 +245,7 @@ std::vector<PointId> least_walk(std::vector<PointId> walk) {
 
 std::optional<Mutant> broken_walk(const Subject& subject, const Claim& claim) {
   const auto k = some_point(claim, [&](const ClaimedPoint& point) {
-    return point.stable && point.stable->walk && !subject.has_tie(point.line - kFirstLine);
+    return point.stable && point.stable->walk && !has_tie(*subject.truth, point.line - kFirstLine);
   });
   if (!k) return std::nullopt;
   Mutant mutant{claim, 5, kFirstLine + *k};
@@ -456,13 +450,8 @@ TEST(StableClaims, WalksAreTheOracles) {
     for (std::size_t i = below(step); i < subject.truth->size(); i += step) {
       const StationaryIndex index = subject.truth->index(i);
       if (index != StationaryIndex{2, 2} && index.is_critical()) continue;
-      const ExactSphere sphere = subject.truth->sphere(i);
       const std::vector<PointId> contact = subject.contact(i);
-      const oracle::StationaryPoint z{sphere.center,
-                                      sphere.squared_radius,
-                                      {contact.begin(), contact.end()},
-                                      index.face_dimension,
-                                      index.hull_dimension};
+      const auto z = stationary_point_of(subject.points, subject.stationary, i);
       const auto walk = boundary_walk(subject.truth->stable_set(i), index, contact);
       const oracle::StableSet stable = oracle::stable_set(set, z);
       const bool has_walk = index.hull_dimension == 2 && !stable.has_vertex;
