@@ -123,6 +123,29 @@ std::vector<std::array<std::size_t, 2>> boundary_edges(const StableSet& stable) 
   return edges;
 }
 
+std::size_t segments_without_intervals(const StationaryPoint& z, const StableSet& stable) {
+  std::multimap<Point, const BackwardSegment*> by_front;
+  for (const BackwardSegment& segment : stable.segments) by_front.emplace(segment.front, &segment);
+  std::vector<Point> fronts = {z.center};
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < fronts.size(); ++k) {
+    const auto [first, last] = by_front.equal_range(fronts[k]);
+    for (auto it = first; it != last; ++it) {
+      ++count;
+      const BackKind kind = it->second->back_kind;
+      if (kind == BackKind::kEdge || kind == BackKind::kVertex) fronts.push_back(it->second->back);
+    }
+    by_front.erase(first, last);
+  }
+  return count;
+}
+
+bool has_tie(const StableSet& stable) {
+  return stable.has_vertex ||
+         std::any_of(stable.segments.begin(), stable.segments.end(),
+                     [](const BackwardSegment& segment) { return segment.back_kind == BackKind::kRegular; });
+}
+
 // A cone with apex p lies in the Voronoi cell of p, so only those with their apexes in C(x) can contain x.
 bool contains(const PointSet& set, const StableSet& stable, const Point& x) {
   const std::vector<std::size_t> nearest = contact_set(set, x);

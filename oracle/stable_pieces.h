@@ -31,6 +31,12 @@ std::vector<std::size_t> boundary_walk(const PointSet& set, const StationaryPoin
 // Voronoi vertex.
 std::vector<std::array<std::size_t, 2>> boundary_edges(const StableSet& stable);
 
+// Those that no interval adds: reached from z along segments alone.
+std::size_t segments_without_intervals(const StationaryPoint& z, const StableSet& stable);
+
+// Whether there is a Voronoi vertex or a regular back: then FC-STAB-07 leaves the boundary open.
+bool has_tie(const StableSet& stable);
+
 // Whether x is in the stable set.
 bool contains(const PointSet& set, const StableSet& stable, const Point& x);
 

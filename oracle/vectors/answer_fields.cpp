@@ -58,29 +58,6 @@ const char* back_kind_text(BackKind kind) {
   return "vertex";
 }
 
-// Those that the way back from z comes to along segments alone.
-std::size_t segments_without_intervals(const StationaryPoint& z, const StableSet& stable) {
-  std::set<Point> reached;
-  std::vector<Point> open = {z.center};
-  std::size_t count = 0;
-  while (!open.empty()) {
-    const Point front = open.back();
-    open.pop_back();
-    if (!reached.insert(front).second) continue;
-    for (const BackwardSegment& segment : stable.segments) {
-      if (segment.front != front) continue;
-      ++count;
-      open.push_back(segment.back);
-    }
-  }
-  return count;
-}
-
-bool has_regular_back(const StableSet& stable) {
-  return std::any_of(stable.segments.begin(), stable.segments.end(),
-                     [](const BackwardSegment& segment) { return segment.back_kind == BackKind::kRegular; });
-}
-
 // The samples of the index-1 points in which an odd number of connecting orbits end.
 Json boundary_field(const StableSet& stable) {
   std::set<std::array<std::size_t, 2>> odd;
@@ -114,8 +91,7 @@ Json stable_field(const PointSet& set, const StationaryPoint& z, const StableSet
                 {"has_vertex", stable.has_vertex},
                 {"has_interval", !stable.intervals.empty()}};
   if (z.face_dimension == z.hull_dimension) {
-    const bool has_tie = stable.has_vertex || has_regular_back(stable);
-    field["boundary"] = has_tie ? Json() : boundary_field(stable);
+    field["boundary"] = has_tie(stable) ? Json() : boundary_field(stable);
   }
   field["walk"] = stable.has_vertex ? Json() : Json(boundary_walk(set, z, stable));
   return field;

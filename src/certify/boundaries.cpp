@@ -42,17 +42,17 @@ bool is_cycle(const std::vector<std::vector<PointId>>& edges) {
 
 }  // namespace
 
+bool has_tie(Truth& truth, std::size_t record) {
+  if (truth.stable_summary(record).has_vertex) return true;
+  const StableSet set = truth.stable_set(record);
+  return std::ranges::any_of(
+      set.segments, [](const BackwardSegment& segment) { return segment.back_kind == BackKind::kRegular; });
+}
+
 void Boundaries::find(std::size_t k, int level, const std::string& claimed, const std::string& truth) {
   run_.find(level, level == 4 ? FindingReason::kWrongIncidence : FindingReason::kWrongSurface, kClause, k,
             truth);
   run_.report.findings.back().claimed += claimed;
-}
-
-bool Boundaries::has_tie(std::size_t record) {
-  if (run_.truth.stable_summary(record).has_vertex) return true;
-  const StableSet set = run_.truth.stable_set(record);
-  return std::ranges::any_of(
-      set.segments, [](const BackwardSegment& segment) { return segment.back_kind == BackKind::kRegular; });
 }
 
 void Boundaries::check(std::size_t k, const std::vector<std::vector<PointId>>& chain, int level,
@@ -93,7 +93,7 @@ void Boundaries::check(std::size_t k, const std::vector<std::vector<PointId>>& c
     right += chain_text(names);
   }
   if (!is_cycle(edges)) return find(k, level, claimed, truth ? right : "a boundary is a cycle");
-  if (!has_tie(record)) return find(k, level, claimed, right);
+  if (!has_tie(run_.truth, record)) return find(k, level, claimed, right);
   if (has_regular || !truth) {
     run_.leave_unjudged(
         "which of the boundaries that ties allow are claimed, where they pass regular "

@@ -15,6 +15,9 @@
 
 namespace flowcert {
 
+// Whether a tie leaves the boundary of a stationary point open (FC-CHAIN-02).
+[[nodiscard]] bool has_tie(Truth& truth, std::size_t record);
+
 class Boundaries {
  public:
   explicit Boundaries(CheckRun& run) : run_(run) {}
@@ -22,8 +25,6 @@ class Boundaries {
   // Of the index-2 critical point at which point k is. The chain: contact sets by rows, taken mod 2 where
   // is_walk says so; otherwise none may be there twice. level: of the findings.
   void check(std::size_t k, const std::vector<std::vector<PointId>>& chain, int level, bool is_walk);
-  // Whether a tie leaves the boundary of a stationary point open (FC-CHAIN-02).
-  bool has_tie(std::size_t record);
   // Judges what check() has put off.
   void conclude();
 

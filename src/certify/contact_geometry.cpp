@@ -7,12 +7,11 @@
 #include <optional>
 
 #include "geometry/predicates.h"
+#include "geometry/rational_point.h"
 
 namespace flowcert {
 
 namespace {
-
-RationalPoint exactly(const Point& p) { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
 
 Sign orientation(const PointSet& points, std::span<const PointId> plane, PointId q) {
   FilterTally unused;
@@ -62,14 +61,9 @@ std::vector<std::size_t> candidates(const PointSet& points, const RationalPoint&
 
 const Point& sample(const PointSet& points, PointId name) { return points[points.position_of_row(name)]; }
 
-Rational squared_distance(const RationalPoint& x, const RationalPoint& y) {
-  const Rational dx = x[0] - y[0], dy = x[1] - y[1], dz = x[2] - y[2];
-  return dx * dx + dy * dy + dz * dz;
-}
-
 bool all_on_sphere(const PointSet& points, std::span<const PointId> names, const ExactSphere& sphere) {
   return std::all_of(names.begin(), names.end(), [&](PointId name) {
-    return squared_distance(sphere.center, exactly(sample(points, name))) == sphere.squared_radius;
+    return squared_distance(sphere.center, sample(points, name)) == sphere.squared_radius;
   });
 }
 
@@ -101,7 +95,7 @@ std::vector<PointId> supported_face(const PointSet& points, std::span<const Poin
 NearestSamples nearest_samples(const PointSet& points, const RationalPoint& x) {
   NearestSamples nearest;
   for (const std::size_t k : candidates(points, x)) {
-    const Rational distance = squared_distance(x, exactly(points[k]));
+    const Rational distance = squared_distance(x, points[k]);
     if (!nearest.names.empty() && distance > nearest.squared_distance) continue;
     if (nearest.names.empty() || distance < nearest.squared_distance) nearest.names.clear();
     nearest.squared_distance = distance;

@@ -32,6 +32,4 @@ struct NearestSamples {
 };
 [[nodiscard]] NearestSamples nearest_samples(const PointSet& points, const RationalPoint& x);
 
-[[nodiscard]] Rational squared_distance(const RationalPoint& x, const RationalPoint& y);
-
 }  // namespace flowcert

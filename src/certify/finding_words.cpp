@@ -5,6 +5,8 @@
 #include <array>
 #include <charconv>
 
+#include "certify/value_match.h"
+
 namespace flowcert {
 
 namespace {
@@ -116,9 +118,7 @@ std::string position_text(const RationalPoint& x) {
   return number_text(x[0]) + " " + number_text(x[1]) + " " + number_text(x[2]);
 }
 
-std::string position_text(const ClaimedPosition& x) {
-  return position_text(RationalPoint{x[0].value, x[1].value, x[2].value});
-}
+std::string position_text(const ClaimedPosition& x) { return position_text(values_of(x)); }
 
 const Finding& telling_finding(const std::vector<Finding>& findings) {
   const auto of_a_point = std::ranges::find_if(findings, [&](const Finding& finding) {

@@ -67,7 +67,7 @@ class Incidences {
       }
     }
     std::erase_if(missing,
-                  [&](std::size_t saddle) { return boundaries_.has_tie(saddle) && (varies = true); });
+                  [&](std::size_t saddle) { return has_tie(run_.truth, saddle) && (varies = true); });
     if (!wrong.empty() || !missing.empty()) {
       run_.find(4, FindingReason::kWrongIncidence, "FC-CHAIN-01", k, saddles_text(wrong, missing));
     } else if (varies) {
@@ -174,7 +174,7 @@ class Incidences {
   bool may_come_down(std::size_t saddle, std::size_t edge) {
     const StationaryIndex index = run_.index(saddle);
     if (run_.truth.sphere(saddle).squared_radius <= run_.truth.sphere(edge).squared_radius) return false;
-    if (index == kIndex2) return boundaries_.has_tie(saddle);
+    if (index == kIndex2) return has_tie(run_.truth, saddle);
     return !index.is_critical();
   }
 

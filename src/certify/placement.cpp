@@ -10,6 +10,7 @@
 #include "certify/contact_geometry.h"
 #include "certify/finding_words.h"
 #include "certify/position_grid.h"
+#include "geometry/rational_point.h"
 
 namespace flowcert {
 
@@ -68,7 +69,7 @@ class ByPosition {
   // Ascending.
   std::vector<Candidate> candidates(const ClaimedPoint& point) const {
     const ClaimedPosition& at = point.center.value();
-    const RationalPoint x = {at[0].value, at[1].value, at[2].value};
+    const RationalPoint x = values_of(at);
     std::vector<Candidate> within;
     for (const std::size_t record : grid_.near(at)) {
       const ExactSphere& sphere = grid_.sphere(record);

@@ -64,7 +64,7 @@ PositionGrid::Cell PositionGrid::cell_of(const std::array<double, 3>& position) 
 }
 
 std::vector<std::size_t> PositionGrid::near(const ClaimedPosition& position) const {
-  const std::array<double, 3> at = rounded({position[0].value, position[1].value, position[2].value});
+  const std::array<double, 3> at = rounded(values_of(position));
   const Cell middle = cell_of(at);
   std::vector<std::size_t> found;
   for (int k = 0; k < 27; ++k) {

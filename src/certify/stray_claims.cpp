@@ -7,6 +7,7 @@
 #include "certify/contact_geometry.h"
 #include "certify/finding_words.h"
 #include "geometry/enclosing_ball.h"
+#include "geometry/rational_point.h"
 
 namespace flowcert {
 
@@ -18,8 +19,6 @@ struct Fault {
   std::string words;
 };
 
-RationalPoint exactly(const Point& p) { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
-
 FindingReason rounding_or(FindingReason otherwise, bool by_rounding) {
   return by_rounding ? FindingReason::kRounding : otherwise;
 }
@@ -28,7 +27,7 @@ Fault not_cospherical(const PointSet& points, const std::vector<PointId>& names,
   bool by_rounding = true;
   PointId witness = names.back();
   for (const PointId name : names) {
-    const Rational distance = squared_distance(sphere.center, exactly(sample(points, name)));
+    const Rational distance = squared_distance(sphere.center, sample(points, name));
     if (distance == sphere.squared_radius) continue;
     witness = name;
     by_rounding = by_rounding && is_rounding(distance, sphere.squared_radius, rounding_length(sphere));

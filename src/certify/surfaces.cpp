@@ -9,7 +9,9 @@
 
 #include "certify/boundaries.h"
 #include "certify/check_run.h"
+#include "certify/contact_geometry.h"
 #include "certify/finding_words.h"
+#include "geometry/rational_point.h"
 
 namespace flowcert {
 
@@ -43,15 +45,6 @@ struct Comparison {
   bool is_rounding = true;           // all that is strange is near a true piece
   bool is_beyond = true;             // or nearer to its samples than a regular back
 };
-
-Rational squared_length(const ClaimedPosition& a, const ClaimedPosition& b) {
-  Rational sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Rational difference = a[i].value - b[i].value;
-    sum += difference * difference;
-  }
-  return sum;
-}
 
 // Of the farthest regular back from its samples; none where no back is regular.
 std::optional<Rational> value_of_regular_backs(const PointSet& points, const StableSet& set) {
@@ -133,7 +126,7 @@ class Surfaces {
       }
       return;
     }
-    if (truth && !boundaries_.has_tie(record)) {
+    if (truth && !has_tie(run_.truth, record)) {
       find(k, FindingReason::kWrongSurface, "walk " + names_text(rows), "the walk is " + names_text(*truth));
       return;
     }
@@ -220,8 +213,8 @@ class Surfaces {
           compare(
               claimed.segments, set.segments.size(), segment,
               [&](const ClaimedBackwardSegment& piece) {
-                const ClaimedPosition p = claimed_sample(piece.samples.front());
-                return regular && squared_length(piece.front, p) <= *regular;
+                const Point& p = sample(run_.points, piece.samples.front());
+                return regular && squared_distance(values_of(piece.front), p) <= *regular;
               },
               [](const ClaimedBackwardSegment& piece) {
                 return "a segment of " + names_text(piece.samples) + " from " + position_text(piece.front) +
@@ -254,15 +247,12 @@ class Surfaces {
           "sector", never);
   }
 
-  [[nodiscard]] ClaimedPosition claimed_sample(PointId row) const {
-    const Point& p = run_.points[run_.points.position_of_row(row)];
-    return {ClaimedNumber{Rational(p.x), true}, {Rational(p.y), true}, {Rational(p.z), true}};
-  }
-
   // Squared, of a triangle from that of its corners, perhaps a sample, that has the others nearest.
   static Rational least_reach(const std::vector<ClaimedPosition>& corners) {
     std::array<Rational, 3> sides;
-    for (std::size_t i = 0; i < 3; ++i) sides.at(i) = squared_length(corners[i], corners[(i + 1) % 3]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      sides.at(i) = squared_distance(values_of(corners[i]), values_of(corners[(i + 1) % 3]));
+    }
     return std::min(
         {std::max(sides[0], sides[1]), std::max(sides[1], sides[2]), std::max(sides[2], sides[0])});
   }
@@ -293,8 +283,7 @@ class Surfaces {
     std::vector<std::vector<RationalPoint>> truth;
     for (const BackwardSegment& segment : set.segments) {
       for (const PointId name : segment.samples) {
-        const Point& p = run_.points[run_.points.position_of_row(name)];
-        truth.push_back({{Rational(p.x), Rational(p.y), Rational(p.z)}, segment.front, segment.back});
+        truth.push_back({exact_position(sample(run_.points, name)), segment.front, segment.back});
       }
     }
     const auto corners = [&](const std::array<std::size_t, 3>& triangle) {

@@ -65,6 +65,10 @@ bool is_exact(const ClaimedPosition& claimed) {
   return std::all_of(claimed.begin(), claimed.end(), [](const ClaimedNumber& x) { return x.is_exact; });
 }
 
+RationalPoint values_of(const ClaimedPosition& claimed) {
+  return {claimed[0].value, claimed[1].value, claimed[2].value};
+}
+
 ValueMatch match_position(const ClaimedPosition& claimed, const RationalPoint& truth,
                           const ValueScale& scale) {
   if (matches_at_once(claimed, truth)) return is_exact(claimed) ? ValueMatch::kEqual : ValueMatch::kWithin;

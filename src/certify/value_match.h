@@ -42,6 +42,7 @@ class ValueScale {
 
 [[nodiscard]] inline bool is_wrong(ValueMatch match) { return match >= ValueMatch::kRounding; }
 [[nodiscard]] bool is_exact(const ClaimedPosition& claimed);
+[[nodiscard]] RationalPoint values_of(const ClaimedPosition& claimed);
 
 // Whether two lengths, given by squares, differ by no more than rounding explains, on that scale.
 inline constexpr double kRoundingPart = 0x1p-44;

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "oracle/orbit.h"
-#include "oracle/stable_set.h"
+#include "oracle/stable_pieces.h"
 
 namespace flowcert {
 
@@ -55,25 +55,6 @@ StableSet stable_set_of(const oracle::PointSet& points, const oracle::StableSet&
   return result;
 }
 
-// Those that no interval adds: reached from z along segments alone.
-std::size_t segments_without_intervals(const oracle::StableSet& set, const oracle::Point& z) {
-  std::multimap<oracle::Point, const oracle::BackwardSegment*> by_front;
-  for (const auto& segment : set.segments) by_front.emplace(segment.front, &segment);
-  std::vector<oracle::Point> fronts = {z};
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < fronts.size(); ++k) {
-    const auto [first, last] = by_front.equal_range(fronts[k]);
-    for (auto it = first; it != last; ++it) {
-      ++count;
-      const bool ends = it->second->back_kind == oracle::BackKind::kCritical ||
-                        it->second->back_kind == oracle::BackKind::kRegular;
-      if (!ends) fronts.push_back(it->second->back);
-    }
-    by_front.erase(first, last);
-  }
-  return count;
-}
-
 class OracleTruth final : public Truth {
  public:
   OracleTruth(const std::vector<std::array<double, 3>>& rows, oracle::Answer answer)
@@ -110,10 +91,9 @@ class OracleTruth final : public Truth {
   // The oracle breaks no ties.
   [[nodiscard]] std::optional<std::vector<std::uint32_t>> boundary(std::size_t i) override {
     const oracle::StableSet& set = stable(i);
-    if (set.has_vertex) return std::nullopt;
+    if (oracle::has_tie(set)) return std::nullopt;
     std::map<oracle::Point, bool> is_odd;
     for (const oracle::BackwardSegment& segment : set.segments) {
-      if (segment.back_kind == oracle::BackKind::kRegular) return std::nullopt;
       if (segment.back_kind == oracle::BackKind::kCritical) is_odd[segment.back] ^= true;
     }
     std::vector<std::uint32_t> records;
@@ -125,7 +105,7 @@ class OracleTruth final : public Truth {
   }
   [[nodiscard]] StableSummary stable_summary(std::size_t i) override {
     const oracle::StableSet& set = stable(i);
-    return {segments_without_intervals(set, answer_.stationary[i].center), set.has_vertex,
+    return {oracle::segments_without_intervals(answer_.stationary[i], set), set.has_vertex,
             !set.intervals.empty()};
   }
   [[nodiscard]] StableSet stable_set(std::size_t i) override { return stable_set_of(set_, stable(i)); }

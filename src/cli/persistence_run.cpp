@@ -2,9 +2,8 @@
 #include "cli/persistence_run.h"
 
 #include <chrono>
-#include <functional>
 
-#include "cli/progress_line.h"
+#include "cli/with_progress.h"
 
 namespace flowcert {
 
@@ -25,12 +24,11 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-// What `make` makes, given something to tell its progress to.
+// with_progress(), timed.
 template <typename Make>
 auto timed(const char* what, double& seconds, const Make& make) {
-  ProgressLine progress(what);
   const Stopwatch watch(seconds);
-  return make(std::ref(progress));
+  return with_progress(what, make);
 }
 
 }  // namespace

@@ -1,22 +1,9 @@
 // See surface_run.h.
 #include "cli/surface_run.h"
 
-#include <functional>
-
-#include "cli/progress_line.h"
+#include "cli/with_progress.h"
 
 namespace flowcert {
-
-namespace {
-
-// What `make` makes, given something to tell its progress to.
-template <typename Make>
-auto with_progress(const char* what, const Make& make) {
-  ProgressLine progress(what);
-  return make(std::ref(progress));
-}
-
-}  // namespace
 
 SurfaceRun::SurfaceRun(const PointSet& points_)
     : points(points_),

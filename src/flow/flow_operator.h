@@ -14,6 +14,7 @@
 #include "flow/facet_search.h"
 #include "flow/flow_machine.h"
 #include "flow/obtuse_chain.h"
+#include "geometry/rational_point.h"
 
 namespace flowcert {
 
@@ -224,7 +225,7 @@ class FlowOperator final : public FlowMachine {
     const VertexIndex sample = from.place.sample;
     const Point& p = faces_.point(sample);
     const Driver driver{{sample, kInfiniteVertex, kInfiniteVertex}, 1};
-    if (exact(from) == RationalPoint{Rational(p.x), Rational(p.y), Rational(p.z)}) {
+    if (exact(from) == exact_position(p)) {
       return stays(from, {0, 0}, driver);
     }
     const KernelPoint& x = points_[from.point];

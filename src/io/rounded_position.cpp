@@ -18,17 +18,4 @@ Point rounded(const RationalPoint& position) {
   return {rounded(position[0]), rounded(position[1]), rounded(position[2])};
 }
 
-RationalPoint exact_position(const Point& point) {
-  return {Rational(point.x), Rational(point.y), Rational(point.z)};
-}
-
-Rational squared_distance_between(const RationalPoint& a, const RationalPoint& b) {
-  Rational sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Rational difference = a[k] - b[k];
-    sum += difference * difference;
-  }
-  return sum;
-}
-
 }  // namespace flowcert

@@ -15,7 +15,4 @@ class BeyondDoubles : public InvalidInput {
 [[nodiscard]] double rounded(const Rational& value);
 [[nodiscard]] Point rounded(const RationalPoint& position);
 
-[[nodiscard]] RationalPoint exact_position(const Point& point);
-[[nodiscard]] Rational squared_distance_between(const RationalPoint& a, const RationalPoint& b);
-
 }  // namespace flowcert

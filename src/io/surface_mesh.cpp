@@ -7,6 +7,7 @@
 #include <limits>
 #include <unordered_map>
 
+#include "geometry/rational_point.h"
 #include "io/rounded_position.h"
 
 namespace flowcert {
@@ -69,7 +70,7 @@ class MeshBuilder {
       throw InvalidInput("a surface of more than 2^31 - 1 vertices cannot be written");
     }
     mesh_.vertices.push_back(rounded(position));
-    mesh_.squared_distances.push_back(nearest_double(squared_distance_between(position, apex)));
+    mesh_.squared_distances.push_back(nearest_double(squared_distance(position, apex)));
     return next;
   }
 

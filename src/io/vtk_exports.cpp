@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/rational_point.h"
 #include "io/rounded_position.h"
 
 namespace flowcert {
@@ -90,7 +91,7 @@ class LineSet {
   void append(const RationalPoint& position, PointId nearest) {
     const RationalPoint sample = exact_position(points_[points_.position_of_row(nearest)]);
     positions_.push_back(rounded(position));
-    squared_distances_.push_back(rounded(squared_distance_between(position, sample)));
+    squared_distances_.push_back(rounded(squared_distance(position, sample)));
   }
 
   const PointSet& points_;

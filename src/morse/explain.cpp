@@ -4,15 +4,11 @@
 #include <algorithm>
 
 #include "geometry/enclosing_ball.h"
+#include "geometry/rational_point.h"
 
 namespace flowcert {
 
 namespace {
-
-Rational squared_distance(const RationalPoint& x, const Point& p) {
-  const Rational dx = x[0] - Rational(p.x), dy = x[1] - Rational(p.y), dz = x[2] - Rational(p.z);
-  return dx * dx + dy * dy + dz * dz;
-}
 
 // C(x) and d(x)^2 by a scan of all points.
 void scan_contact(const PointSet& points, const RationalPoint& x, Explanation& answer) {

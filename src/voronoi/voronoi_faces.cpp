@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/rational_point.h"
+
 namespace flowcert {
 
 namespace {
@@ -34,11 +36,6 @@ std::variant<CompactDelaunay, PlanarComplex, VoronoiComplex> make_complex(const 
   if (copy.dimension == 3) return VoronoiComplex(std::move(copy), tally);
   if (copy.dimension == 2) return PlanarComplex(std::move(copy), tally);
   return copy;
-}
-
-Rational squared_distance(const RationalPoint& x, const Point& p) {
-  const Rational dx = x[0] - Rational(p.x), dy = x[1] - Rational(p.y), dz = x[2] - Rational(p.z);
-  return dx * dx + dy * dy + dz * dz;
 }
 
 }  // namespace

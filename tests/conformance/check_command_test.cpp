@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <random>
 
 #include "tests/cites.h"
+#include "tests/conformance/lattice_points.h"
 #include "tests/conformance/program_run.h"
 
 namespace flowcert::conformance {
@@ -66,15 +66,6 @@ constexpr char kCollisionsClaimed[] = R"(inf 3
 4 7 8 | 80.2410468658716809 | inf 
 6 | 0 | 0 6 
 )";
-
-std::string lattice_points(unsigned seed, int count, unsigned side) {
-  std::mt19937 random(seed);
-  std::string text;
-  for (int k = 0; k < 3 * count; ++k) {
-    text += std::to_string(random() % side) + (k % 3 < 2 ? " " : "\n");
-  }
-  return text;
-}
 
 // Points and a claim, in files.
 class Checked {

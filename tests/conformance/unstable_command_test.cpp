@@ -10,11 +10,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <random>
 #include <regex>
 
 #include "oracle/read_records.h"
 #include "tests/cites.h"
+#include "tests/conformance/lattice_points.h"
 #include "tests/conformance/program_run.h"
 
 namespace flowcert::conformance {
@@ -27,16 +27,6 @@ using Words = std::vector<std::string>;
 
 constexpr char kCube[] = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n";
 constexpr char kTriangle[] = "0 0 0\n2 0 0\n1 2 0\n";
-
-// Points of {0, ..., side-1}^3: the smaller the side, the more degenerate.
-std::string lattice_points(unsigned seed, int count, unsigned side) {
-  std::mt19937 random(seed);
-  std::string text;
-  for (int k = 0; k < 3 * count; ++k) {
-    text += std::to_string(random() % side) + (k % 3 < 2 ? " " : "\n");
-  }
-  return text;
-}
 
 struct Input {
   std::string name;

@@ -10,45 +10,30 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
-#include "flowcert/check.h"
-#include "fuzz/families.h"
 #include "fuzz/nudge.h"
-#include "fuzz/properties/stationary_comparison.h"
 #include "oracle/exact_geometry.h"
 #include "tests/cites.h"
-#include "tests/property/property_parameters.h"
+#include "tests/property/claim_properties.h"
 
 namespace flowcert::property {
 namespace {
 
 constexpr int kInputsPerFamily = 12;
-constexpr std::size_t kFirstLine = 2;  // of a claim's points
 
-ClaimedNumber exactly(const Rational& value) { return {value, true}; }
-ClaimedPosition exactly(const RationalPoint& x) { return {exactly(x[0]), exactly(x[1]), exactly(x[2])}; }
 // As a decimal with all digits of the nearest double.
 ClaimedNumber in_decimals(const Rational& value) {
   const std::optional<double> nearest = nearest_double(value);
   return nearest ? ClaimedNumber{Rational(*nearest), false} : exactly(value);
 }
 
-struct Subject {
-  explicit Subject(const fuzz::Input& rows)
-      : input(rows), points(point_set_of(rows)), truth(fast_truth(points)) {}
+struct Subject : ClaimSubject {
+  using ClaimSubject::ClaimSubject;
 
-  const fuzz::Input& input;
-  PointSet points;
-  std::unique_ptr<Truth> truth;
-
-  [[nodiscard]] std::vector<PointId> contact(std::size_t i) const {
-    const auto names = truth->contact(i);
-    return {names.begin(), names.end()};
-  }
   [[nodiscard]] std::vector<oracle::Point> coordinates(const std::vector<PointId>& names) const {
     std::vector<oracle::Point> result;
     for (const PointId name : names) {
@@ -101,27 +86,6 @@ Claim full_claim(const Subject& subject) {
   }
   return claim;
 }
-
-std::string to_text(const CheckReport& report) {
-  std::string text = verdict_text(report.verdict);
-  for (const Finding& finding : report.findings) {
-    text += "\n  level " + std::to_string(finding.level) + (finding.is_variation ? " permitted " : " ") +
-            reason_text(finding.reason) + ' ' + finding.clause + ", line " +
-            (finding.line ? std::to_string(*finding.line) : "none") + ": " + finding.claimed + "; " +
-            finding.truth;
-  }
-  return text + '\n';
-}
-
-void require(const Subject& subject, bool holds, const std::string& what, const CheckReport& report) {
-  if (!holds) {
-    std::ostringstream text;
-    text << what << "\ninput:\n" << subject.input << to_text(report);
-    RC_FAIL(text.str());
-  }
-}
-
-std::size_t below(std::size_t count) { return *rc::gen::inRange<std::size_t>(0, count); }
 
 // ---- Claims that vary where they may.
 
@@ -273,16 +237,6 @@ using Mutation = std::function<std::optional<Mutant>(const Subject&, const Claim
 
 std::size_t line_of(std::size_t k) { return kFirstLine + k; }
 
-// One of the points that qualify, by chance.
-std::optional<std::size_t> some_point(const Claim& claim,
-                                      const std::function<bool(const ClaimedPoint&)>& qualifies) {
-  std::vector<std::size_t> places;
-  for (std::size_t k = 0; k < claim.points.size(); ++k) {
-    if (qualifies(claim.points[k])) places.push_back(k);
-  }
-  if (places.empty()) return std::nullopt;
-  return places[below(places.size())];
-}
 bool is_critical(const ClaimedPoint& point) { return !point.hull_dimension; }
 bool is_any(const ClaimedPoint&) { return true; }
 
@@ -504,24 +458,10 @@ bool is_at(const Finding& finding, const Mutant& mutant) {
 
 // ---- Properties.
 
-template <typename Property>
-void on_all_families(Property&& property) {
-  bool agreed = true;
-  for (const fuzz::Family& family : fuzz::families()) {
-    const rc::Gen<fuzz::Input> generator = family.generate();
-    agreed = expect_holds(family.name, parameters_of_run(kInputsPerFamily, agreed),
-                          [&] {
-                            const fuzz::Input input = *generator;
-                            property(Subject(input));
-                          }) &&
-             agreed;
-  }
-}
-
 TEST(CheckMutations, RightClaimsNeverFail) {
   CITES("FC-CLAIM-01", "FC-CLAIM-02", "FC-CLAIM-04", "FC-CLAIM-05", "FC-CLAIM-06", "FC-CLAIM-08");
   std::size_t perturbed_points = 0, parts = 0;
-  on_all_families([&](const Subject& subject) {
+  on_all_families<Subject>(fuzz::families(), kInputsPerFamily, [&](const Subject& subject) {
     const CheckReport exact = check(subject.points, full_claim(subject), *subject.truth);
     require(subject, exact.verdict == Verdict::kConforms && exact.findings.empty() && exact.is_exact,
             "the full claim", exact);
@@ -550,7 +490,7 @@ TEST(CheckMutations, MutantsFailWhereTheyAreWrong) {
   CITES("FC-CLAIM-01", "FC-CLAIM-03", "FC-CLAIM-05", "FC-CLAIM-06", "FC-CLAIM-08", "FC-CRIT-05",
         "FC-CRIT-06");
   std::map<std::string, std::size_t> made;
-  on_all_families([&](const Subject& subject) {
+  on_all_families<Subject>(fuzz::families(), kInputsPerFamily, [&](const Subject& subject) {
     const Claim claim = full_claim(subject);
     for (const auto& [name, mutation] : mutations()) {
       const std::optional<Mutant> mutant = mutation(subject, claim);
@@ -575,7 +515,7 @@ TEST(CheckMutations, MutantsFailWhereTheyAreWrong) {
 TEST(CheckMutations, HalfAPerturbationFails) {
   CITES("FC-CLAIM-04");
   std::size_t made = 0;
-  on_all_families([&](const Subject& subject) {
+  on_all_families<Subject>(fuzz::families(), kInputsPerFamily, [&](const Subject& subject) {
     PerturbedClaim half = perturbed_claim(subject);
     if (half.lines.empty()) return;
     // Of the four points of a kind 1-3, three are never right; neither is one of two.

@@ -11,57 +11,30 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "flowcert/check.h"
+#include "certify/boundaries.h"
 #include "fuzz/nudge.h"
-#include "fuzz/properties/stationary_comparison.h"
 #include "fuzz/stable_families.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
-#include "tests/property/property_parameters.h"
+#include "tests/property/claim_properties.h"
+#include "tests/property/stable_skeleton.h"
 
 namespace flowcert::property {
 namespace {
 
 constexpr int kInputsPerFamily = 60;
-constexpr std::size_t kFirstLine = 2;       // of a claim's points
 constexpr std::size_t kMostByOracle = 120;  // stationary points of an input
 
-std::size_t below(std::size_t count) { return *rc::gen::inRange<std::size_t>(0, count); }
-
-ClaimedPosition exactly(const RationalPoint& x) {
-  return {ClaimedNumber{x[0], true}, ClaimedNumber{x[1], true}, ClaimedNumber{x[2], true}};
-}
-
-struct Subject {
+struct Subject : ClaimSubject {
   explicit Subject(const fuzz::Input& rows)
-      : input(rows),
-        points(point_set_of(rows)),
-        delaunay(points),
-        stationary(stationary_points(delaunay)),
-        truth(fast_truth(points)) {}
+      : ClaimSubject(rows), delaunay(points), stationary(stationary_points(delaunay)) {}
 
-  [[nodiscard]] std::vector<PointId> contact(std::size_t i) const {
-    const auto names = truth->contact(i);
-    return {names.begin(), names.end()};
-  }
-  // Of an index-2 critical point or a regular one.
-  [[nodiscard]] bool has_tie(std::size_t i) const {
-    return truth->stable_summary(i).has_vertex ||
-           std::ranges::any_of(truth->stable_set(i).segments, [](const BackwardSegment& segment) {
-             return segment.back_kind == BackKind::kRegular;
-           });
-  }
-
-  const fuzz::Input& input;
-  PointSet points;
   Delaunay delaunay;
   StationaryPoints stationary;
-  std::unique_ptr<Truth> truth;
 };
 
 ClaimedSkeleton skeleton_of(const StableSet& set) {
@@ -136,24 +109,6 @@ Claim stable_claim(const Subject& subject) {
     if (point.index == 1 && !point.hull_dimension) point.successors = saddles[point.contact];
   }
   return claim;
-}
-
-std::string to_text(const CheckReport& report) {
-  std::string text = verdict_text(report.verdict);
-  for (const Finding& finding : report.findings) {
-    text += "\n  level " + std::to_string(finding.level) + (finding.is_variation ? " permitted " : " ") +
-            reason_text(finding.reason) + ' ' + finding.clause + ", line " +
-            (finding.line ? std::to_string(*finding.line) : "none") + ": " + finding.claimed + "; " +
-            finding.truth;
-  }
-  return text + '\n';
-}
-
-void require(const Subject& subject, bool holds, const std::string& what, const CheckReport& report) {
-  if (holds) return;
-  std::ostringstream text;
-  text << what << "\ninput:\n" << subject.input << to_text(report);
-  RC_FAIL(text.str());
 }
 
 // ---- Claims that vary where they may.
@@ -233,15 +188,6 @@ struct Mutant {
 };
 using Mutation = std::function<std::optional<Mutant>(const Subject&, const Claim&)>;
 
-std::optional<std::size_t> some_point(const Claim& claim,
-                                      const std::function<bool(const ClaimedPoint&)>& qualifies) {
-  std::vector<std::size_t> places;
-  for (std::size_t k = 0; k < claim.points.size(); ++k) {
-    if (qualifies(claim.points[k])) places.push_back(k);
-  }
-  if (places.empty()) return std::nullopt;
-  return places[below(places.size())];
-}
 bool is_surface(const ClaimedPoint& point) { return point.surface && !point.surface->triangles.empty(); }
 bool is_saddle(const ClaimedPoint& point) { return point.stable && point.stable->boundary; }
 bool has_segments(const ClaimedPoint& point) { return point.skeleton && !point.skeleton->segments.empty(); }
@@ -261,7 +207,7 @@ std::optional<Mutant> other_boundary(const Subject& subject, const Claim& claim)
 // A cycle, but another one.
 std::optional<Mutant> boundary_of_another(const Subject& subject, const Claim& claim) {
   const auto k = some_point(claim, [&](const ClaimedPoint& point) {
-    return is_saddle(point) && !subject.has_tie(point.line - kFirstLine);
+    return is_saddle(point) && !has_tie(*subject.truth, point.line - kFirstLine);
   });
   const auto other = some_point(claim, is_saddle);
   if (!k || *k == *other || *claim.points[*other].stable->boundary == *claim.points[*k].stable->boundary) {
@@ -275,7 +221,7 @@ std::optional<Mutant> boundary_of_another(const Subject& subject, const Claim& c
 std::optional<Mutant> other_incidence(const Subject& subject, const Claim& claim) {
   const auto k = some_point(claim, [](const ClaimedPoint& point) { return point.successors.has_value(); });
   const auto saddle = some_point(claim, [&](const ClaimedPoint& point) {
-    return is_saddle(point) && !subject.has_tie(point.line - kFirstLine);
+    return is_saddle(point) && !has_tie(*subject.truth, point.line - kFirstLine);
   });
   if (!k || !saddle) return std::nullopt;
   Mutant mutant{claim, 4, kFirstLine + *k};
@@ -299,7 +245,7 @@ std::vector<PointId> least_walk(std::vector<PointId> walk) {
 
 std::optional<Mutant> broken_walk(const Subject& subject, const Claim& claim) {
   const auto k = some_point(claim, [&](const ClaimedPoint& point) {
-    return point.stable && point.stable->walk && !subject.has_tie(point.line - kFirstLine);
+    return point.stable && point.stable->walk && !has_tie(*subject.truth, point.line - kFirstLine);
   });
   if (!k) return std::nullopt;
   Mutant mutant{claim, 5, kFirstLine + *k};
@@ -447,24 +393,10 @@ const std::map<std::string, Mutation>& mutations() {
 
 // ---- Properties.
 
-template <typename Property>
-void on_all_families(Property&& property) {
-  bool agreed = true;
-  for (const fuzz::Family& family : fuzz::families_and_stable_ones()) {
-    const rc::Gen<fuzz::Input> generator = family.generate();
-    agreed = expect_holds(family.name, parameters_of_run(kInputsPerFamily, agreed),
-                          [&] {
-                            const fuzz::Input input = *generator;
-                            property(Subject(input));
-                          }) &&
-             agreed;
-  }
-}
-
 TEST(StableClaims, RightClaimsNeverFail) {
   CITES("FC-CLAIM-06", "FC-CLAIM-09", "FC-CLAIM-10");
   std::size_t differing = 0, left_out = 0;
-  on_all_families([&](const Subject& subject) {
+  on_all_families<Subject>(fuzz::families_and_stable_ones(), kInputsPerFamily, [&](const Subject& subject) {
     const Claim claim = stable_claim(subject);
     const CheckReport exact = check(subject.points, claim, *subject.truth);
     require(subject, exact.verdict == Verdict::kConforms && exact.findings.empty() && exact.is_exact,
@@ -489,7 +421,7 @@ TEST(StableClaims, RightClaimsNeverFail) {
 TEST(StableClaims, MutantsFailWhereTheyAreWrong) {
   CITES("FC-CLAIM-06", "FC-CLAIM-09", "FC-CLAIM-10", "FC-STAB-04", "FC-STAB-07", "FC-CHAIN-01");
   std::map<std::string, std::size_t> made;
-  on_all_families([&](const Subject& subject) {
+  on_all_families<Subject>(fuzz::families_and_stable_ones(), kInputsPerFamily, [&](const Subject& subject) {
     const Claim claim = stable_claim(subject);
     for (const auto& [name, mutation] : mutations()) {
       const std::optional<Mutant> mutant = mutation(subject, claim);
@@ -512,19 +444,14 @@ TEST(StableClaims, MutantsFailWhereTheyAreWrong) {
 TEST(StableClaims, WalksAreTheOracles) {
   CITES("FC-STAB-07");
   std::size_t walks = 0, replaced = 0, regular = 0, none = 0;
-  on_all_families([&](const Subject& subject) {
+  on_all_families<Subject>(fuzz::families_and_stable_ones(), kInputsPerFamily, [&](const Subject& subject) {
     const oracle::PointSet set(subject.input.rows);
     const std::size_t step = 1 + subject.truth->size() / kMostByOracle;
     for (std::size_t i = below(step); i < subject.truth->size(); i += step) {
       const StationaryIndex index = subject.truth->index(i);
       if (index != StationaryIndex{2, 2} && index.is_critical()) continue;
-      const ExactSphere sphere = subject.truth->sphere(i);
       const std::vector<PointId> contact = subject.contact(i);
-      const oracle::StationaryPoint z{sphere.center,
-                                      sphere.squared_radius,
-                                      {contact.begin(), contact.end()},
-                                      index.face_dimension,
-                                      index.hull_dimension};
+      const auto z = stationary_point_of(subject.points, subject.stationary, i);
       const auto walk = boundary_walk(subject.truth->stable_set(i), index, contact);
       const oracle::StableSet stable = oracle::stable_set(set, z);
       const bool has_walk = index.hull_dimension == 2 && !stable.has_vertex;

@@ -281,10 +281,7 @@ std::set<Ids> boundary_of(const FastSets& all, const FastSet& set, BoundariesSee
 
 // Without a tie all edges that are left are critical, and they are the boundary in the chain complex.
 void require_chain_of(const FastSets& all, const FastSet& set, const std::set<Ids>& edges) {
-  const bool has_tie =
-      set.skeleton.has_vertex || std::any_of(set.pieces.segments.begin(), set.pieces.segments.end(),
-                                             [](const auto& s) { return s.back_kind == BackKind::kRegular; });
-  if (has_tie || set.z.face_dimension < set.z.hull_dimension) return;
+  if (oracle::has_tie(set.skeleton) || set.z.face_dimension < set.z.hull_dimension) return;
   std::set<Ids> chain;
   for (const std::uint32_t record : all.manifolds.boundary(set.number)) {
     chain.insert(ids(all.stationary.contact(record)));

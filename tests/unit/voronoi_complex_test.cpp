@@ -1,9 +1,6 @@
 // The merged Voronoi complex, as contact sets: the same whatever order the points come in and however CGAL
 // cuts what is cospherical, and, on small inputs, the same as a search by definition over all subsets of the
 // points, in rationals, without any triangulation.
-//
-// Also the second invariant: counting every zero sign as positive on merged faces exceeds the strict counts
-// by what the regular stationary points of each kind account for, in space and in a plane.
 #include "voronoi/voronoi_complex.h"
 
 #include <gtest/gtest.h>
@@ -11,17 +8,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iostream>
 #include <map>
+#include <ostream>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "flowcert/stationary_points.h"
-#include "fuzz/families.h"
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
 #include "tests/unit/rational_geometry.h"
+#include "tests/unit/read_out_complex.h"
 #include "voronoi/planar_complex.h"
 
 namespace flowcert {
@@ -63,84 +59,10 @@ std::ostream& operator<<(std::ostream& out, const Faces& faces) {
 
 // ---- The complex under test, read out ----
 
-using EdgeKey = std::pair<VertexIndex, VertexIndex>;
-EdgeKey key_of(VertexIndex u, VertexIndex v) { return {std::min(u, v), std::max(u, v)}; }
-
-// What lies around a Delaunay edge.
-struct AroundEdge {
-  std::set<std::size_t> polygons;
-  Sign least_angle = Sign::kPositive;
-  bool on_hull = false;
-};
-
-// The polygons of a complex under one numbering: large ones first, then whole facets, once from both sides.
-class Polygons {
- public:
-  explicit Polygons(const VoronoiComplex& complex) : complex_(complex) {}
-  std::size_t of(FacetRef facet) const {
-    if (complex_.role(facet) == VoronoiComplex::FacetRole::kPiece) return complex_.large_polygon_of(facet);
-    const FacetRef mirror = complex_.delaunay().mirror(facet);
-    const FacetRef first =
-        complex_.delaunay().is_finite(mirror.cell) && mirror.cell < facet.cell ? mirror : facet;
-    return complex_.large_polygon_count() + 4 * std::size_t{first.cell} + first.index;
-  }
-
- private:
-  const VoronoiComplex& complex_;
-};
-
-Sign angle_of(const TetrahedronSigns& signs, unsigned facet, unsigned vertex) {
-  const unsigned bit = TetrahedronSigns::angle_bit(facet, vertex);
-  if (((signs.angle_negative >> bit) & 1u) != 0) return Sign::kNegative;
-  return ((signs.angle_zero >> bit) & 1u) != 0 ? Sign::kZero : Sign::kPositive;
-}
-
-// Every facet of every cell tells what it knows of its three edges; together they have gone around each edge.
-std::map<EdgeKey, AroundEdge> edges_of(const VoronoiComplex& complex) {
-  std::map<EdgeKey, AroundEdge> edges;
-  const CompactDelaunay& delaunay = complex.delaunay();
-  const Polygons polygons(complex);
-  for (CellIndex cell = 0; cell < delaunay.finite_count; ++cell) {
-    const auto& v = delaunay.vertices(cell);
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      const bool is_interior = complex.role({cell, i}) == VoronoiComplex::FacetRole::kInterior;
-      for (std::uint32_t j = 0; j < 4; ++j) {
-        if (j == i) continue;
-        std::vector<VertexIndex> ends;
-        for (std::uint32_t k = 0; k < 4; ++k) {
-          if (k != i && k != j) ends.push_back(v[k]);
-        }
-        AroundEdge& edge = edges[key_of(ends[0], ends[1])];
-        edge.least_angle = std::min(edge.least_angle, angle_of(complex.signs(cell), i, j));
-        if (!is_interior) edge.polygons.insert(polygons.of({cell, i}));
-      }
-    }
-  }
-  return edges;
-}
-
 ContactSet contact_of(const CompactDelaunay& delaunay, const std::set<VertexIndex>& vertices) {
   ContactSet contact;
   for (const VertexIndex v : vertices) contact.insert(coordinates_of(delaunay.points[v]));
   return contact;
-}
-
-// Facets of all polygons, seen from one side each.
-std::map<std::size_t, std::vector<FacetRef>> facets_by_polygon(const VoronoiComplex& complex) {
-  std::map<std::size_t, std::vector<FacetRef>> facets;
-  const CompactDelaunay& delaunay = complex.delaunay();
-  const Polygons polygons(complex);
-  for (std::size_t k = 0; k < complex.large_polygon_count(); ++k) {
-    for (const FacetRef facet : complex.large_polygon(k)) facets[k].push_back(facet);
-  }
-  for (CellIndex cell = 0; cell < delaunay.finite_count; ++cell) {
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      if (complex.role({cell, i}) != VoronoiComplex::FacetRole::kWhole) continue;
-      std::vector<FacetRef>& whole = facets[polygons.of({cell, i})];
-      if (whole.empty()) whole.push_back({cell, i});
-    }
-  }
-  return facets;
 }
 
 std::set<VertexIndex> vertices_of(const CompactDelaunay& delaunay, const std::vector<FacetRef>& facets) {
@@ -172,23 +94,6 @@ Faces faces_of(const VoronoiComplex& complex) {
     if (around.polygons.size() > 1) faces.facets.insert(contact_of(delaunay, {edge.first, edge.second}));
   }
   return faces;
-}
-
-std::map<EdgeKey, AroundEdge> edges_of(const PlanarComplex& complex) {
-  std::map<EdgeKey, AroundEdge> edges;
-  const CompactDelaunay& delaunay = complex.delaunay();
-  for (std::size_t k = 0; k < complex.polygons().size(); ++k) {
-    for (const CellIndex cell : complex.polygons()[k]) {
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        const auto& v = delaunay.vertices(cell);
-        AroundEdge& edge = edges[key_of(v[(i + 1) % 3], v[(i + 2) % 3])];
-        edge.polygons.insert(k);
-        edge.least_angle = std::min(edge.least_angle, complex.angle(cell, i));
-        edge.on_hull = edge.on_hull || !delaunay.is_finite(delaunay.neighbors(cell)[i]);
-      }
-    }
-  }
-  return edges;
 }
 
 // The lines of centres are the edges of the diagram of a coplanar set; it has no vertices.
@@ -619,144 +524,6 @@ TEST(VoronoiComplexTest, SignsAreThoseOfThePolygonNotOfItsPieces) {
       }
     }
   }
-}
-
-// ---- FC-INV-02 ----
-
-using Counts = std::array<long long, 3>;  // of index 1, 2, 3
-
-Counts closed_counts(const VoronoiComplex& complex) {
-  Counts closed{};
-  const CompactDelaunay& delaunay = complex.delaunay();
-  for (const auto& [edge, around] : edges_of(complex)) {
-    closed[0] += around.polygons.size() > 1 && around.least_angle != Sign::kNegative ? 1 : 0;
-  }
-  for (const auto& [polygon, facets] : facets_by_polygon(complex)) {
-    bool counts = true;
-    for (const PolygonSide& side : sides_of(complex, facets))
-      counts = counts && side.angle != Sign::kNegative;
-    const FacetRef mirror = delaunay.mirror(facets.front());
-    counts = counts && complex.side(facets.front()) != Sign::kNegative;
-    counts = counts && (!delaunay.is_finite(mirror.cell) || complex.side(mirror) != Sign::kNegative);
-    closed[1] += counts ? 1 : 0;
-  }
-  std::map<CellIndex, bool> clusters;
-  for (CellIndex cell = 0; cell < delaunay.finite_count; ++cell) {
-    bool& counts = clusters.try_emplace(complex.cluster(cell), true).first->second;
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      if (complex.role({cell, i}) == VoronoiComplex::FacetRole::kInterior) continue;
-      counts = counts && complex.side({cell, i}) != Sign::kNegative;
-    }
-  }
-  for (const auto& [cluster, counts] : clusters) closed[2] += counts ? 1 : 0;
-  return closed;
-}
-
-Counts closed_counts(const PlanarComplex& complex) {
-  Counts closed{};
-  const CompactDelaunay& delaunay = complex.delaunay();
-  for (const auto& [edge, around] : edges_of(complex)) {
-    const bool is_facet = around.polygons.size() > 1 || around.on_hull;
-    closed[0] += is_facet && around.least_angle != Sign::kNegative ? 1 : 0;
-  }
-  for (const std::vector<CellIndex>& polygon : complex.polygons()) {
-    bool counts = true;
-    for (const CellIndex cell : polygon) {
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        const CellIndex beyond = delaunay.neighbors(cell)[i];
-        // Not is_diagonal(), which the strict counts use.
-        if (std::find(polygon.begin(), polygon.end(), beyond) != polygon.end()) continue;
-        counts = counts && complex.angle(cell, i) != Sign::kNegative;
-      }
-    }
-    closed[1] += counts ? 1 : 0;
-  }
-  return closed;
-}
-
-struct KindsSeen {
-  int inputs = 0;
-  std::array<std::size_t, 3> points{};  // regular stationary points of kind 1-2, 2-3, 1-3
-  std::array<int, 3> inputs_with{};
-};
-
-// Nothing is checked, and nothing counted, where the points do not span the dimension.
-void check_closed_rule(const std::vector<Point>& rows, int dimension, KindsSeen& seen) {
-  const PointSet points(rows);
-  const Delaunay delaunay(points);
-  if (delaunay.dimension() != dimension) return;
-  const StationaryPoints strict = stationary_points(delaunay);
-  FilterTally tally;
-  const Counts closed = dimension == 3 ? closed_counts(VoronoiComplex(compact_copy(delaunay), tally))
-                                       : closed_counts(PlanarComplex(compact_copy(delaunay), tally));
-  const auto& counts = strict.critical_counts();
-  const RegularCounts regular = strict.regular_counts();
-  const std::array<std::size_t, 3> by_kind = {regular.kind12, regular.kind23, regular.kind13};
-  const auto n12 = static_cast<long long>(by_kind[0]), n23 = static_cast<long long>(by_kind[1]),
-             n13 = static_cast<long long>(by_kind[2]);
-  const Counts excess = {n12 + n13, n12 + 2 * n13 + n23, n13 + n23};
-  for (std::size_t k = 0; k < 3; ++k) {
-    ASSERT_EQ(closed[k] - static_cast<long long>(counts[k + 1]), excess[k]) << "index " << k + 1;
-  }
-  ASSERT_EQ(static_cast<long long>(points.size()) - closed[0] + closed[1] - closed[2], 1);
-  ++seen.inputs;
-  for (std::size_t k = 0; k < 3; ++k) {
-    seen.points[k] += by_kind[k];
-    seen.inputs_with[k] += by_kind[k] > 0 ? 1 : 0;
-  }
-}
-
-KindsSeen check_families(int dimension, const std::set<std::string>& names, int inputs_each,
-                         int largest_size) {
-  KindsSeen seen;
-  std::size_t found = 0;
-  for (const fuzz::Family& family : fuzz::families()) {
-    if (!names.contains(family.name)) continue;
-    ++found;
-    for (int k = 0; k < inputs_each; ++k) {
-      const fuzz::Input input =
-          fuzz::draw(family, static_cast<std::uint64_t>(1000 + k), k % (largest_size + 1));
-      std::vector<Point> rows;
-      for (const fuzz::Row& row : input.rows) rows.push_back({row[0], row[1], row[2]});
-      SCOPED_TRACE(testing::Message() << family.name << ", seed " << 1000 + k << '\n' << input);
-      check_closed_rule(rows, dimension, seen);
-      if (testing::Test::HasFatalFailure()) return seen;
-    }
-  }
-  EXPECT_EQ(found, names.size()) << "a family has another name now";
-  std::cout << seen.inputs << " inputs of dimension " << dimension
-            << "; regular stationary points of kind 1-2: " << seen.points[0] << " in " << seen.inputs_with[0]
-            << " inputs, 2-3: " << seen.points[1] << " in " << seen.inputs_with[1]
-            << ", 1-3: " << seen.points[2] << " in " << seen.inputs_with[2] << '\n';
-  return seen;
-}
-
-TEST(ClosedRuleTest, ExceedsTheStrictCountsByTheRegularPoints) {
-  CITES("FC-INV-02", "FC-INV-01", "FC-SIGN-04");
-  const KindsSeen seen =
-      check_families(3,
-                     {"lattice-2", "lattice-3", "right-angles", "signed-permutations", "integer-sphere",
-                      "sphere-and-others", "box-corners", "two-circles", "duplicates", "one-ulp-off",
-                      "far-away", "rounded-sphere", "mixed-magnitudes"},
-                     300, 60);
-  EXPECT_GE(seen.inputs, 2000);
-  for (std::size_t k = 0; k < 3; ++k) EXPECT_GT(seen.inputs_with[k], 50);
-}
-
-TEST(ClosedRuleTest, ExceedsTheStrictCountsOfCoplanarInput) {
-  CITES("FC-INV-02", "FC-INV-01");
-  const KindsSeen seen = check_families(2, {"coplanar-lattice", "coplanar-circles", "few-points"}, 400, 60);
-  EXPECT_GE(seen.inputs, 500);
-  EXPECT_GT(seen.inputs_with[0], 100);
-  EXPECT_EQ(seen.inputs_with[1] + seen.inputs_with[2], 0) << "kinds that need three dimensions";
-}
-
-// The signs that the rule counts, on an input where each kind occurs (spec, example of FC-INV-01).
-TEST(ClosedRuleTest, OfAnExample) {
-  CITES("FC-INV-02");
-  KindsSeen seen;
-  check_closed_rule({{0, 0, 1}, {1, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}}, 3, seen);
-  EXPECT_EQ(seen.points, (std::array<std::size_t, 3>{2, 0, 1}));
 }
 
 }  // namespace
