@@ -1,4 +1,4 @@
-// Claims, and the refusals of all readers; see reading.h for what is asked of them.
+// Claims; see reading.h for what is asked of them.
 #include <algorithm>
 #include <array>
 
@@ -10,7 +10,6 @@
 namespace flowcert::fuzz {
 namespace {
 
-constexpr std::size_t kLongestMessage = 300;
 // Names of rows are below the most rows that there can be.
 constexpr PointId kLargestId = 2147483646;
 
@@ -61,15 +60,6 @@ std::string complaint_about_judging(const Claim& claim) {
 }
 
 }  // namespace
-
-std::string complaint_about_refusal(const InvalidInput& error) {
-  const std::string message = error.what();
-  const bool is_one_line = message.find('\n') == std::string::npos;
-  const bool names_file = message.starts_with("a:") || message.starts_with("a.");
-  return is_one_line && names_file && message.size() <= kLongestMessage
-             ? ""
-             : "the message is not one short line about the file: " + message;
-}
 
 std::string complaint_about_claim(Bytes bytes, std::string_view format) {
   const std::string_view text = text_of(bytes);

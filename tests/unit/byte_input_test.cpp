@@ -7,7 +7,6 @@
 #include <cmath>
 #include <set>
 
-#include "fuzz/families.h"
 #include "oracle/stationary_points.h"
 #include "tests/unit/portable_random.h"
 
