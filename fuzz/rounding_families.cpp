@@ -4,8 +4,6 @@
 //
 // Guarantees: see families.h. Each coordinate is one correctly rounded division, so the doubles are the same
 // everywhere.
-#include <cmath>
-#include <limits>
 #include <tuple>
 
 #include "fuzz/configurations.h"
@@ -87,14 +85,6 @@ rc::Gen<Input> one_ulp_off() {
 }
 
 }  // namespace
-
-double nudged(double value, int steps) {
-  if (steps == 0) {
-    return value;
-  }
-  const double infinity = std::numeric_limits<double>::infinity();
-  return std::nextafter(value, steps > 0 ? infinity : -infinity);
-}
 
 std::vector<Family> rounding_families() {
   return {

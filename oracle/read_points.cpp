@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 
 namespace oracle {
 
@@ -30,6 +31,14 @@ double rounded(const std::string& word, int mode) {
 bool is_inexact_hexadecimal(const std::string& word) {
   if (word.find_first_of("xX") == std::string::npos) return false;
   return rounded(word, FE_UPWARD) != rounded(word, FE_DOWNWARD);
+}
+
+// OBJ knows no commas.
+std::vector<std::string> blank_separated(const std::string& line) {
+  std::istringstream in(line);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
 }
 
 }  // namespace
@@ -68,7 +77,8 @@ std::vector<std::array<double, 3>> read_points(std::istream& in, const std::stri
   for (std::string line; std::getline(in, line);) {
     const std::string where = name + ":" + std::to_string(++line_number) + ": ";
     if (line.find_first_not_of(" \t\r\v\f") != std::string::npos) only_white_space = false;
-    std::vector<std::string> words = fields(line.substr(0, line.find('#')));
+    const std::string text = line.substr(0, line.find('#'));
+    std::vector<std::string> words = format == PointFormat::kObj ? blank_separated(text) : fields(text);
     if (words.empty()) continue;
     if (format == PointFormat::kObj) {
       if (words[0] != "v") continue;

@@ -21,8 +21,8 @@ struct UnusableInput : std::runtime_error {
 
 enum class PointFormat { kXyz, kObj };
 
-// Fields are separated by blanks, or by a comma with blanks around it; between two commas, and behind a comma
-// at the end, there is an empty field, which is no number.
+// Of XYZ. Fields are separated by blanks, or by a comma with blanks around it; between two commas, and behind
+// a comma at the end, there is an empty field, which is no number.
 std::vector<std::string> fields(const std::string& line);
 
 // The double that a field means. `where` opens the message of an UnusableInput.

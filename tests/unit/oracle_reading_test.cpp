@@ -96,6 +96,9 @@ TEST(OracleReadObj, VerticesOnly) {
   EXPECT_EQ(points(text, PointFormat::kObj), (Rows{{1, 2, 3}, {4, 5, 6}}));
   EXPECT_EQ(points_error("vn 1 2 3\nv 1 2\n", PointFormat::kObj), "f:2: three numbers expected, found 2");
   EXPECT_EQ(points_error("v 1 2 z\n", PointFormat::kObj), "f:1: 'z' is not a number");
+  // Commas are XYZ's.
+  EXPECT_EQ(points_error("v 1,2,3\n", PointFormat::kObj), "f:1: three numbers expected, found 1");
+  EXPECT_EQ(points("v,1,2,3\nv 4 5 6\n", PointFormat::kObj), (Rows{{4, 5, 6}}));
 }
 
 TEST(OracleRationals, CanonicalOrNot) {

@@ -1,0 +1,102 @@
+// Point files; see reading.h for what is asked of them.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <sstream>
+
+#include "flowcert/read_points.h"
+#include "fuzz/targets/reading.h"
+#include "oracle/read_points.h"
+
+namespace flowcert::fuzz {
+namespace {
+
+using Rows = std::vector<Row>;
+
+Rows rows_of(const PointFile& file) {
+  Rows rows;
+  for (const Point& row : file.rows) rows.push_back({row.x, row.y, row.z});
+  return rows;
+}
+
+// -0.0 is not 0.0 here.
+bool same_bits(const Rows& a, const Rows& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Row)) == 0);
+}
+
+bool is_finite(const Row& row) {
+  return std::isfinite(row[0]) && std::isfinite(row[1]) && std::isfinite(row[2]);
+}
+
+std::string text_of(const Rows& rows) {
+  std::ostringstream text;
+  text << rows.size() << " rows:\n" << Input{rows};
+  return text.str();
+}
+
+// Nothing: refused.
+std::optional<PointFile> file_read(std::string_view text, const std::string& name) {
+  try {
+    return read_points_from(text, name);
+  } catch (const InvalidInput&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<Rows> rows_for_oracle(std::string_view text, const std::string& name) {
+  const bool is_obj = name.ends_with(".obj");
+  std::istringstream in{std::string(text)};
+  try {
+    return oracle::read_points(in, name, is_obj ? oracle::PointFormat::kObj : oracle::PointFormat::kXyz);
+  } catch (const oracle::UnusableInput&) {
+    return std::nullopt;
+  }
+}
+
+bool is_for_oracle(std::string_view text) {
+  if (text.starts_with("\x1f\x8b") || text.starts_with("\xef\xbb\xbf")) return false;
+  for (std::size_t k = text.find('\r'); k != std::string_view::npos; k = text.find('\r', k + 1)) {
+    if (!text.substr(k).starts_with("\r\n")) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string complaint_about_points(Bytes bytes, const std::string& name) {
+  PointFile file;
+  try {
+    file = read_points_from(text_of(bytes), name);
+  } catch (const InvalidInput& error) {
+    return complaint_about_refusal(error);
+  }
+  const Rows rows = rows_of(file);
+  if (!std::all_of(rows.begin(), rows.end(), is_finite)) return "not all finite: " + text_of(rows);
+  if (!rows.empty()) {
+    std::ostringstream xyz;
+    xyz << Input{rows};
+    const Rows again = rows_of(read_points_from(xyz.str(), "a.xyz"));
+    if (!same_bits(rows, again)) return "as XYZ, others: " + text_of(rows) + "became " + text_of(again);
+  }
+  const auto other = file_read(text_of(bytes), "-");
+  if (other && other->format == file.format && !same_bits(rows, rows_of(*other))) {
+    return "by content, others: " + text_of(rows) + "became " + text_of(rows_of(*other));
+  }
+  return {};
+}
+
+std::string complaint_against_oracle(Bytes bytes, const std::string& name) {
+  const std::string_view text = text_of(bytes);
+  if (!is_for_oracle(text)) return {};
+  const std::optional<PointFile> file = file_read(text, name);
+  const std::optional<Rows> truth = rows_for_oracle(text, name);
+  if (file.has_value() != truth.has_value()) {
+    return file ? "the oracle refuses, and the library reads " + text_of(rows_of(*file))
+                : "the library refuses, and the oracle reads " + text_of(*truth);
+  }
+  if (!file || same_bits(rows_of(*file), *truth)) return {};
+  return text_of(rows_of(*file)) + "are, for the oracle, " + text_of(*truth);
+}
+
+}  // namespace flowcert::fuzz
