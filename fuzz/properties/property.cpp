@@ -36,10 +36,18 @@ const std::vector<Property>& properties() {
        .most_rows = 8,
        .one_in = 16,
        .check = check_persistence},
-      {.name = "kernels",
-       .description = "lazy against exact constructions, binary against linear search, shared against alone",
+      {.name = "orbit-kernels",
+       .description = "the orbit by lazy and exact constructions, by binary and linear search",
        .one_in = 8,
-       .check = check_kernels},
+       .check = check_orbit_kernels},
+      {.name = "unstable-kernels",
+       .description = "orbits of index-2 points, lazy against exact, shared against each alone",
+       .one_in = 8,
+       .check = check_unstable_kernels},
+      {.name = "stable-kernels",
+       .description = "stable sets and boundaries, lazy against exact constructions",
+       .one_in = 8,
+       .check = check_stable_kernels},
   };
   return table;
 }

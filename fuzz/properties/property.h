@@ -49,7 +49,8 @@ struct Property {
   std::function<std::optional<Disagreement>(const Trial&)> check = {};
 };
 
-// critical-points, orbit, unstable-manifolds, stable-sets, persistence, kernels.
+// critical-points, orbit, unstable-manifolds, stable-sets and persistence: the fast implementation against
+// the oracle. orbit-kernels, unstable-kernels and stable-kernels: against itself.
 [[nodiscard]] const std::vector<Property>& properties();
 // Nothing for a name that is no property's.
 [[nodiscard]] const Property* property_named(std::string_view name);

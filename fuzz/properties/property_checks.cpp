@@ -328,17 +328,24 @@ std::optional<Disagreement> check_persistence(const Trial& trial) {
                       kOracle, to_text(truth)};
 }
 
-std::optional<Disagreement> check_kernels(const Trial& trial) {
+std::optional<Disagreement> check_orbit_kernels(const Trial& trial) {
   const Subject subject(trial.input);
-  if (subject.points.empty()) return std::nullopt;
-  if (auto found = difference_of_flows(subject, trial)) return found;
+  return subject.points.empty() ? std::nullopt : difference_of_flows(subject, trial);
+}
+
+std::optional<Disagreement> check_unstable_kernels(const Trial& trial) {
+  const Subject subject(trial.input);
   const StationaryPoints stationary = stationary_points(subject.delaunay);
   if (auto found = difference_of_unstable(subject, stationary, {.flow = {}, .share = false}, "alone")) {
     return found;
   }
   const UnstableOptions exact{.flow = kExactLinear, .share = true};
-  if (auto found = difference_of_unstable(subject, stationary, exact, "exact, linear")) return found;
-  return difference_of_stable(subject, stationary);
+  return difference_of_unstable(subject, stationary, exact, "exact, linear");
+}
+
+std::optional<Disagreement> check_stable_kernels(const Trial& trial) {
+  const Subject subject(trial.input);
+  return difference_of_stable(subject, stationary_points(subject.delaunay));
 }
 
 }  // namespace flowcert::property

@@ -14,6 +14,8 @@ namespace flowcert::property {
 [[nodiscard]] std::optional<Disagreement> check_unstable_manifolds(const Trial& trial);
 [[nodiscard]] std::optional<Disagreement> check_stable_sets(const Trial& trial);
 [[nodiscard]] std::optional<Disagreement> check_persistence(const Trial& trial);
-[[nodiscard]] std::optional<Disagreement> check_kernels(const Trial& trial);
+[[nodiscard]] std::optional<Disagreement> check_orbit_kernels(const Trial& trial);
+[[nodiscard]] std::optional<Disagreement> check_unstable_kernels(const Trial& trial);
+[[nodiscard]] std::optional<Disagreement> check_stable_kernels(const Trial& trial);
 
 }  // namespace flowcert::property

@@ -60,7 +60,8 @@ TEST(FuzzCommand, HoldsAllPropertiesOnASmallCampaign) {
   EXPECT_GE(report.at("signatures"), 100);
   EXPECT_EQ(report.at("by_property").at("critical-points"), 600);
   EXPECT_EQ(report.at("by_property").at("orbit"), 600);
-  for (const char* name : {"unstable-manifolds", "stable-sets", "persistence", "kernels"}) {
+  for (const char* name : {"unstable-manifolds", "stable-sets", "persistence", "orbit-kernels",
+                           "unstable-kernels", "stable-kernels"}) {
     EXPECT_GE(report.at("by_property").at(name), 15) << name;
   }
   EXPECT_GE(report.at("by_family").at("mutant"), 100);
@@ -215,7 +216,7 @@ TEST(FuzzCommand, ReplaysAnyPointFile) {
   const std::string square = scratch.file("square.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
   const Finished finished = flowcert({"fuzz", "--replay", square});
   EXPECT_EQ(finished.status, 0) << finished.err;
-  EXPECT_EQ(lines_of(finished.out).size(), 6U) << finished.out;
+  EXPECT_EQ(lines_of(finished.out).size(), 8U) << finished.out;
   EXPECT_EQ(flowcert({"fuzz", "--replay", scratch.file("bad.xyz", "0 0 0\n1 0\n")}).status, 2);
   EXPECT_EQ(flowcert({"fuzz", "--replay", scratch.path("none.xyz")}).status, 2);
 }

@@ -253,7 +253,7 @@ TEST(CampaignPlan, SurvivesItsText) {
   plan.fewest_rows = 3;
   plan.most_rows = 9;
   plan.searched_percent = 55;
-  plan.properties = {"orbit", "kernels"};
+  plan.properties = {"orbit", "stable-kernels"};
   plan.against = "my 'flow' {in}";
   plan.batch_cases = 17;
   plan.corpus = {{{{0.1, -0.0, 1e300}, {5e-324, 2, 3}}}};

@@ -1,0 +1,16 @@
+// The properties of campaigns, for targets.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+
+#include "fuzz/properties/property.h"
+
+namespace flowcert::fuzz {
+
+// What the first of the named properties that does not hold has to say, with the input as rows of a point
+// file; empty if all hold. The names exist.
+[[nodiscard]] std::string complaint_of(std::initializer_list<const char*> properties,
+                                       const property::Trial& trial);
+
+}  // namespace flowcert::fuzz
