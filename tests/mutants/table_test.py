@@ -85,7 +85,7 @@ class Order(unittest.TestCase):
         for name in ("src/geometry/predicates.cpp", "src/morse/sectors.cpp", "src/cli/main.cpp"):
             order = run.order_for({"file": name})
             self.assertEqual(sorted(order), sorted(run.TESTS))
-        self.assertEqual(run.order_for({"file": "src/geometry/predicates.cpp"})[0], "predicates_test")
+        self.assertEqual(run.order_for({"file": "src/geometry/rational.cpp"})[0], "rational_test")
         known = {run.name_of(test) for test in run.TESTS}
         self.assertLessEqual({name for names in run.LIKELY.values() for name in names}, known)
 
