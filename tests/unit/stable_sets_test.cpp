@@ -1,0 +1,107 @@
+// What is told of stable sets beyond the sets themselves: connecting orbits, of sets made by hand, and the
+// statistics, against the same counts taken one set at a time.
+//
+// (That the sets are right is for tests/property/stable_agreement_test.cpp.)
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "flowcert/connecting_orbits.h"
+#include "flowcert/stable_manifolds.h"
+#include "fuzz/stable_families.h"
+#include "tests/cites.h"
+
+namespace flowcert {
+namespace {
+
+RationalPoint at(int x) { return {Rational(x), Rational(0), Rational(0)}; }
+
+BackwardSegment segment(int front, int back, BackKind kind) {
+  BackwardSegment made;
+  made.front = at(front);
+  made.back = at(back);
+  made.back_kind = kind;
+  return made;
+}
+
+using Orbits = std::vector<std::vector<std::size_t>>;
+
+TEST(ConnectingOrbits, GoFromTheStationaryPointDown) {
+  CITES("FC-STAB-06");
+  StableSet set;
+  set.segments = {segment(2, 3, BackKind::kCritical), segment(0, 1, BackKind::kEdge),
+                  segment(1, 2, BackKind::kEdge), segment(0, 4, BackKind::kCritical),
+                  segment(1, 5, BackKind::kRegular)};
+  EXPECT_EQ(connecting_orbits(set, at(0)), (Orbits{{1, 2, 0}, {3}}));
+}
+
+// A front that no segment has as its back is reached through an interval.
+TEST(ConnectingOrbits, ThoseThroughIntervalsAreLeftOut) {
+  CITES("FC-STAB-06");
+  StableSet set;
+  set.segments = {segment(0, 1, BackKind::kEdge), segment(1, 2, BackKind::kCritical),
+                  segment(7, 8, BackKind::kEdge), segment(8, 9, BackKind::kCritical),
+                  segment(7, 6, BackKind::kCritical)};
+  EXPECT_EQ(connecting_orbits(set, at(0)), (Orbits{{0, 1}}));
+}
+
+// The counts of the sets of index 2, which come first.
+struct Counts {
+  Distribution triangles;
+  std::size_t triangle_count = 0, with_vertex = 0, with_interval = 0;
+  std::optional<std::size_t> largest;
+};
+
+Counts count_sets(const StableManifolds& stable, const StationaryPoints& stationary) {
+  Counts counts;
+  for (std::size_t i = 0; i < stable.size() && stationary.index(stable.record(i)).is_critical(); ++i) {
+    counts.with_vertex += stable.has_vertex(i) ? 1 : 0;
+    counts.with_interval += stable.has_interval(i) ? 1 : 0;
+    if (stable.has_interval(i)) continue;
+    const std::size_t triangles = 2 * stable.segment_count(i);
+    if (!counts.largest || triangles > counts.triangles.max()) counts.largest = i;
+    counts.triangles.add(triangles);
+    counts.triangle_count += triangles;
+  }
+  return counts;
+}
+
+TEST(StableStatistics, AreTheSumsOverTheSets) {
+  CITES("FC-STAB-06");
+  std::size_t with_interval = 0, with_vertex = 0, ties_for_largest = 0;
+  for (const fuzz::Family& family : fuzz::families_and_stable_ones()) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      std::vector<Point> rows;
+      for (const fuzz::Row& row : fuzz::draw(family, seed, static_cast<int>(20 + 4 * seed)).rows) {
+        rows.push_back({row[0], row[1], row[2]});
+      }
+      const PointSet points(rows);
+      const Delaunay delaunay(points);
+      const StationaryPoints stationary = stationary_points(delaunay);
+      const StableManifolds stable(delaunay, stationary);
+      const Counts expected = count_sets(stable, stationary);
+      const StableStatistics& told = stable.statistics();
+      EXPECT_EQ(told.triangle_count, expected.triangle_count);
+      EXPECT_EQ(told.triangles.count(), expected.triangles.count());
+      EXPECT_EQ(told.triangles.max(), expected.triangles.max());
+      EXPECT_EQ(told.triangles.mean(), expected.triangles.mean());
+      EXPECT_EQ(told.with_vertex, expected.with_vertex);
+      EXPECT_EQ(told.with_interval, expected.with_interval);
+      EXPECT_EQ(told.largest, expected.largest);
+      with_interval += expected.with_interval;
+      with_vertex += expected.with_vertex;
+      ties_for_largest +=
+          expected.largest && expected.triangles.median() == static_cast<double>(expected.triangles.max())
+              ? 1
+              : 0;
+    }
+  }
+  // Otherwise nothing of this was tested.
+  EXPECT_GT(with_interval, 10u);
+  EXPECT_GT(with_vertex, 10u);
+  EXPECT_GT(ties_for_largest, 10u);
+}
+
+}  // namespace
+}  // namespace flowcert
