@@ -95,8 +95,9 @@ class Copy:
         self.environment.setdefault("GTEST_BRIEF", "1")
 
     def refresh(self):
-        """Copies what differs, so that an earlier run's objects serve this one."""
-        names = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
+        """Copies what differs, so that an earlier run's objects serve this one. New files too: a test just written."""
+        listing = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
+        names = subprocess.run(listing, cwd=ROOT, check=True, capture_output=True, text=True).stdout
         for name in filter(None, names.split("\0")):
             source, target = ROOT / name, self.folder / name
             if not source.is_file() or (target.is_file() and target.read_bytes() == source.read_bytes()):
