@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "flowcert/connecting_orbits.h"
@@ -44,6 +45,63 @@ TEST(ConnectingOrbits, ThoseThroughIntervalsAreLeftOut) {
                   segment(7, 8, BackKind::kEdge), segment(8, 9, BackKind::kCritical),
                   segment(7, 6, BackKind::kCritical)};
   EXPECT_EQ(connecting_orbits(set, at(0)), (Orbits{{0, 1}}));
+}
+
+BackwardSegment leading(const std::vector<PointId>& front, int front_at, PointId a, PointId b,
+                        BackKind kind = BackKind::kCritical, int back_at = 9) {
+  BackwardSegment made = segment(front_at, back_at, kind);
+  made.samples = {std::min(a, b), std::max(a, b)};
+  made.front_contact = front;
+  return made;
+}
+
+using Walk = std::vector<PointId>;
+
+TEST(BoundaryWalk, StartsAtTheLeastSampleTowardsTheLesserNeighbour) {
+  CITES("FC-STAB-07");
+  StableSet triangle;
+  const Walk of_three{0, 1, 2};
+  triangle.segments = {leading(of_three, 0, 0, 2), leading(of_three, 0, 0, 1), leading(of_three, 0, 1, 2)};
+  EXPECT_EQ(boundary_walk(triangle, {2, 2}, of_three), of_three);
+  StableSet square;
+  const Walk of_four{0, 1, 2, 3};
+  square.segments = {leading(of_four, 0, 0, 3), leading(of_four, 0, 0, 2), leading(of_four, 0, 1, 2),
+                     leading(of_four, 0, 1, 3)};
+  EXPECT_EQ(boundary_walk(square, {2, 2}, of_four), (Walk{0, 2, 1, 3}));
+}
+
+// A branch that crosses a Voronoi edge goes around the other sides of its polygon.
+TEST(BoundaryWalk, GoesAroundWhatABranchCrosses) {
+  CITES("FC-STAB-07");
+  StableSet set;
+  const Walk contact{0, 1, 2}, beyond{1, 2, 5, 7};
+  set.segments = {
+      leading(contact, 0, 0, 1), leading(contact, 0, 0, 2), leading(contact, 0, 1, 2, BackKind::kEdge, 1),
+      leading(beyond, 1, 1, 7),  leading(beyond, 1, 5, 7),  leading(beyond, 1, 2, 5)};
+  EXPECT_EQ(boundary_walk(set, {2, 2}, contact), (Walk{0, 1, 7, 5, 2}));
+}
+
+// The side of which the point is the midpoint has no segment; it may be the lesser way, or not.
+TEST(BoundaryWalk, OfARegularPoint) {
+  CITES("FC-STAB-07");
+  const Walk contact{0, 1, 2};
+  StableSet set;
+  set.segments = {leading(contact, 0, 0, 2), leading(contact, 0, 1, 2)};
+  EXPECT_EQ(boundary_walk(set, {1, 2}, contact), (Walk{0, 1, 2}));
+  set.segments = {leading(contact, 0, 0, 1), leading(contact, 0, 1, 2)};
+  EXPECT_EQ(boundary_walk(set, {1, 2}, contact), (Walk{0, 1, 2}));
+  set.segments = {leading(contact, 0, 0, 1), leading(contact, 0, 0, 2)};
+  EXPECT_EQ(boundary_walk(set, {1, 2}, contact), (Walk{0, 1, 2}));
+}
+
+TEST(BoundaryWalk, OfWhatHasNone) {
+  CITES("FC-STAB-07");
+  const Walk contact{0, 1, 2};
+  StableSet set;
+  set.segments = {leading(contact, 0, 0, 1), leading(contact, 0, 0, 2),
+                  leading(contact, 0, 1, 2, BackKind::kVertex)};
+  EXPECT_EQ(boundary_walk(set, {2, 2}, contact), std::nullopt);
+  EXPECT_EQ(boundary_walk(set, {2, 3}, contact), std::nullopt);
 }
 
 // The counts of the sets of index 2, which come first.
