@@ -106,14 +106,16 @@ TEST(BoundaryWalk, OfWhatHasNone) {
 
 // The counts of the sets of index 2, which come first.
 struct Counts {
-  Distribution triangles;
+  Distribution orbits, triangles;
   std::size_t triangle_count = 0, with_vertex = 0, with_interval = 0;
   std::optional<std::size_t> largest;
 };
 
-Counts count_sets(const StableManifolds& stable, const StationaryPoints& stationary) {
+Counts count_sets(const PointSet& points, StableManifolds& stable, const StationaryPoints& stationary) {
   Counts counts;
   for (std::size_t i = 0; i < stable.size() && stationary.index(stable.record(i)).is_critical(); ++i) {
+    const RationalPoint center = exact_sphere(points, stationary.contact(stable.record(i))).center;
+    for (const auto& orbit : connecting_orbits(stable.set(i), center)) counts.orbits.add(orbit.size());
     counts.with_vertex += stable.has_vertex(i) ? 1 : 0;
     counts.with_interval += stable.has_interval(i) ? 1 : 0;
     if (stable.has_interval(i)) continue;
@@ -137,9 +139,12 @@ TEST(StableStatistics, AreTheSumsOverTheSets) {
       const PointSet points(rows);
       const Delaunay delaunay(points);
       const StationaryPoints stationary = stationary_points(delaunay);
-      const StableManifolds stable(delaunay, stationary);
-      const Counts expected = count_sets(stable, stationary);
+      StableManifolds stable(delaunay, stationary);
+      const Counts expected = count_sets(points, stable, stationary);
       const StableStatistics& told = stable.statistics();
+      EXPECT_EQ(told.n_s2.count(), expected.orbits.count());
+      EXPECT_EQ(told.n_s2.max(), expected.orbits.max());
+      EXPECT_EQ(told.n_s2.mean(), expected.orbits.mean());
       EXPECT_EQ(told.triangle_count, expected.triangle_count);
       EXPECT_EQ(told.triangles.count(), expected.triangles.count());
       EXPECT_EQ(told.triangles.max(), expected.triangles.max());
