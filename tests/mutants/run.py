@@ -32,7 +32,7 @@ CPU_FACTOR, CPU_LEAST, CLOCK_LIMIT = 4, 4, 900
 # The quick tests, those that are cheap for what they kill first. With a colon: what GoogleTest is to run of them.
 TESTS = [
     "vectors_test:Vectors.TheFast*", "voronoi_faces_test", "explain_test", "metamorphic_test", "voronoi_complex_test",
-    "flow_machine_test", "stable_sets_test", "spec_examples_test", "orbit_invariants_test",
+    "flow_machine_test", "stable_sets_test", "chain_complex_test", "spec_examples_test", "orbit_invariants_test",
     "stable_invariants_test",
     "stable_agreement_test", "persistence_test", "unstable_agreement_test", "orbit_agreement_test",
     "invariants_test", "stationary_agreement_test", "orbit_cascades_test", "cech_persistence_test",
