@@ -147,5 +147,19 @@ TEST(StableAgreement, SetsAreTheOracles) {
   }
 }
 
+// Sectors whose two rays, each in one of the sets, end in a Voronoi vertex of the near side: it belongs to
+// neither side of the ray, and nothing beyond it to the sector. Few of what is drawn is like that.
+TEST(StableAgreement, SectorsWhoseRaysMeetVoronoiVerticesAreTheOracles) {
+  CITES("FC-STAB-05");
+  const std::vector<fuzz::Input> inputs = {
+      {{{-9, -2, 3}, {-1, -2, 3}, {-5, 6, 3}, {-5, -4, 5}, {-5, -4, 1}}},
+      {{{-3, 1, 1}, {5, 1, 1}, {1, 9, 1}, {-1, -1, 1}, {1, -1, -1}, {1, -1, 3}}}};
+  for (const fuzz::Input& input : inputs) {
+    Totals totals;
+    expect_holds("sectors", parameters_of_run(1), [&] { require_right_sets(Subject(input), totals); });
+    EXPECT_GE(totals.with_interval, 2U);
+  }
+}
+
 }  // namespace
 }  // namespace flowcert::property

@@ -45,6 +45,15 @@ TEST(LazyKernel, IntervalsDecideWhereNothingIsDegenerate) {
   EXPECT_EQ(failures(flow.tally()), 0u);
 }
 
+// The decagon's facet.
+FacetName facet_of_rows_0_and_1(const VoronoiFaces& faces) {
+  std::array<VertexIndex, 2> v{};
+  for (VertexIndex k = 0; k < faces.delaunay().positions.size(); ++k) {
+    if (faces.delaunay().positions[k] < 2) v[faces.delaunay().positions[k]] = k;
+  }
+  return {std::min(v[0], v[1]), std::max(v[0], v[1])};
+}
+
 // The orbit that the symmetry sends through a Voronoi vertex: a sign is zero, which no interval of a
 // constructed point can tell.
 TEST(LazyKernel, ExactNumbersDecideAtAVoronoiVertex) {
@@ -54,13 +63,7 @@ TEST(LazyKernel, ExactNumbersDecideAtAVoronoiVertex) {
   FilterTally unused;
   VoronoiFaces faces(delaunay, unused);
   const auto machine = make_flow_machine(faces, {});
-  const FacetName name = [&faces] {
-    std::array<VertexIndex, 2> v{};
-    for (VertexIndex k = 0; k < faces.delaunay().positions.size(); ++k) {
-      if (faces.delaunay().positions[k] < 2) v[faces.delaunay().positions[k]] = k;
-    }
-    return FacetName{std::min(v[0], v[1]), std::max(v[0], v[1])};
-  }();
+  const FacetName name = facet_of_rows_0_and_1(faces);
   const FacetRing ring = faces.ring(name);
   std::size_t hits = 0;
   for (std::size_t k = 0; k < ring.elements.size(); ++k) {
@@ -76,6 +79,40 @@ TEST(LazyKernel, ExactNumbersDecideAtAVoronoiVertex) {
     ++hits;
   }
   EXPECT_GT(hits, 0u);
+}
+
+// The same way, missing the Voronoi vertex by less and less: below the rounding of a double, intervals that
+// are not rounded outwards would tell a sign that is wrong.
+TEST(LazyKernel, NearTiesAreTheExactKernels) {
+  CITES("FC-NUM-01", "FC-FLOW-02");
+  const PointSet points = decagon();
+  const Delaunay delaunay(points);
+  FilterTally unused;
+  VoronoiFaces faces(delaunay, unused);
+  const auto lazy = make_flow_machine(faces, {ConstructionKernel::kLazy, FacetSearch::kBinary});
+  const auto exact = make_flow_machine(faces, {ConstructionKernel::kExact, FacetSearch::kBinary});
+  const FacetName name = facet_of_rows_0_and_1(faces);
+  const FacetRing ring = faces.ring(name);
+  const std::size_t n = ring.elements.size();
+  std::size_t compared = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const RationalPoint o = exact->exact({Place::at_vertex(ring.elements[k].vertex), kNoPoint});
+    const RationalPoint beside =
+        exact->exact({Place::at_vertex(ring.elements[(k + 1) % n].vertex), kNoPoint});
+    for (int exponent = 40; exponent < 80; ++exponent) {
+      for (const int sign : {-1, 1}) {
+        const Rational little = Rational(sign) / Rational(std::uint64_t{1} << (exponent / 2)) /
+                                Rational(std::uint64_t{1} << (exponent - exponent / 2));
+        RationalPoint x;
+        for (std::size_t i = 0; i < 3; ++i) x[i] = o[i] * 997 / 1000 + little * (beside[i] - o[i]);
+        if (faces.locate(x).kind != Place::Kind::kFacet) continue;
+        const Place start = Place::on_facet(name);
+        EXPECT_EQ(lazy->step({start, lazy->add(x)}).end.place, exact->step({start, exact->add(x)}).end.place);
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 100u);
 }
 
 TEST(LazyKernel, LongChainsAreCut) {

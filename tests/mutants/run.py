@@ -1,0 +1,328 @@
+#!/usr/bin/env python3
+"""Mutation score of the quick tests: ./dev mutants (or tests/mutants/run.py) plants the faults of mutants.json in a copy
+of the tracked tree, one at a time, builds, runs the quick tests until one fails, and prints which faults survive.
+
+Guarantees: the work tree is not touched; everything happens below build-mutants/. Before the first fault all quick tests
+must pass; a test's limit of processor time comes from that run, so that a busy machine kills nothing. A fault that does
+not compile is an error of the table, not a kill. Exit status: 0; 1 where the score is below 95 % or a mutant without a
+written reason survives; 2 where the table is wrong or the tests fail without a fault.
+"""
+import argparse
+import concurrent.futures
+import dataclasses
+import json
+import os
+import pathlib
+import queue
+import subprocess
+import sys
+import threading
+import time
+
+import table
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LEAST_PERCENT = 95
+# Enough inputs to kill, few enough to be quick.
+ENVIRONMENT = {"FLOWCERT_PROPERTY_SCALE": "0.1", "GTEST_FAIL_FAST": "1", "CCACHE_NOHASHDIR": "1"}
+MEMORY_LIMIT_KIB = 3 << 20
+# A mutant in an endless loop is killed by processor time; one that sleeps, by the clock.
+CPU_FACTOR, CPU_LEAST, CLOCK_LIMIT = 4, 4, 900
+
+# The quick tests, those that are cheap for what they kill first. With a colon: what GoogleTest is to run of them.
+TESTS = [
+    "vectors_test:Vectors.TheFast*", "voronoi_faces_test", "explain_test", "metamorphic_test", "voronoi_complex_test",
+    "flow_machine_test", "stable_sets_test", "chain_complex_test", "spec_examples_test", "orbit_invariants_test",
+    "stable_invariants_test",
+    "stable_agreement_test", "persistence_test", "unstable_agreement_test", "orbit_agreement_test",
+    "invariants_test", "stationary_agreement_test", "orbit_cascades_test", "cech_persistence_test",
+    "stable_metamorphic_test", "point_set_test", "rational_test", "filter_bounds_test", "predicates_test", "tetrahedron_signs_test"]
+# What is likely to kill a mutant of a file or folder, ahead of the others.
+LIKELY = {
+    "src/geometry/predicates": ["filter_bounds_test", "predicates_test"],
+    "src/geometry/integer_grid": ["predicates_test"],
+    "src/geometry/tetrahedron_signs": ["filter_bounds_test", "tetrahedron_signs_test"],
+    "src/geometry/point_set": ["point_set_test"],
+    "src/geometry/rational": ["rational_test"],
+    "src/geometry/circumsphere": ["explain_test"],
+    "src/geometry/enclosing_ball": ["explain_test"],
+    "src/geometry/": ["flow_machine_test", "vectors_test", "explain_test", "orbit_agreement_test", "orbit_cascades_test"],
+    "src/voronoi/voronoi_complex": ["voronoi_complex_test"],
+    "src/voronoi/voronoi_faces": ["voronoi_faces_test"],
+    "src/flow/flow_statistics": ["flow_machine_test"],
+    "src/flow/": ["vectors_test", "orbit_agreement_test", "unstable_agreement_test"],
+    "src/morse/stationary_points": ["vectors_test", "metamorphic_test", "stationary_agreement_test"],
+    "src/morse/unstable_manifolds": ["vectors_test", "unstable_agreement_test"],
+    "src/morse/persistence": ["vectors_test", "persistence_test"],
+    "src/morse/chain": ["vectors_test", "persistence_test"],
+    "src/morse/tie_breaking": ["persistence_test"],
+    "src/morse/": ["vectors_test", "stable_agreement_test", "stable_invariants_test"],
+}
+
+# Tests that do not reach a folder's code, and so cannot tell.
+OF_GEOMETRY = {"point_set_test", "rational_test", "filter_bounds_test", "predicates_test", "tetrahedron_signs_test"}
+BLIND = {
+    "voronoi": OF_GEOMETRY,
+    "flow": OF_GEOMETRY | {"voronoi_faces_test", "voronoi_complex_test", "explain_test", "metamorphic_test",
+                           "invariants_test", "stationary_agreement_test"},
+    "morse": OF_GEOMETRY | {"voronoi_faces_test"},
+}
+
+
+class BuildFailure(Exception):
+    pass
+
+
+def give_up(message):
+    print(f"error: {message}", file=sys.stderr)
+    sys.exit(2)
+
+
+@dataclasses.dataclass
+class Outcome:
+    killed: bool
+    by: str = ""
+    how: str = ""
+    seconds: float = 0.0
+
+
+class Copy:
+    """A copy of the tracked tree with a build folder in it: compilers see the same relative paths in every copy."""
+
+    def __init__(self, folder, jobs):
+        self.folder, self.build, self.jobs = folder, folder / "build", jobs
+        self.environment = {**ENVIRONMENT, "CCACHE_BASEDIR": str(folder.parent), **os.environ}
+        self.environment.setdefault("GTEST_BRIEF", "1")
+
+    def refresh(self):
+        """Copies what differs, so that an earlier run's objects serve this one. New files too: a test just written."""
+        listing = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
+        names = subprocess.run(listing, cwd=ROOT, check=True, capture_output=True, text=True).stdout
+        for name in filter(None, names.split("\0")):
+            source, target = ROOT / name, self.folder / name
+            if not source.is_file() or (target.is_file() and target.read_bytes() == source.read_bytes()):
+                continue
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(source.read_bytes())
+
+    def run_tool(self, command):
+        done = subprocess.run(command, cwd=self.folder, env=self.environment, text=True, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, check=False)
+        if done.returncode != 0:
+            raise BuildFailure("\n".join(done.stdout.splitlines()[-25:]))
+
+    def configure(self):
+        self.run_tool(["cmake", "-S", ".", "-B", "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"])
+
+    def compile(self, *targets):
+        self.run_tool(["cmake", "--build", "build", "--parallel", str(self.jobs), "--target", *targets])
+
+    def run(self, test, cpu_limit):
+        """Nothing where the test passes, otherwise how it ended; and the processor time it took."""
+        target, _, wanted = test.partition(":")
+        program = next(self.build.glob(f"tests/*/{target}"))
+        limited = f'ulimit -c 0; ulimit -v {MEMORY_LIMIT_KIB}; ulimit -t {cpu_limit}; exec "$0" "$@"'
+        command = ["sh", "-c", limited, str(program)] + ([f"--gtest_filter={wanted}"] if wanted else [])
+        before = os.times()
+        try:
+            code = subprocess.run(command, cwd=self.build, env=self.environment, timeout=CLOCK_LIMIT, check=False,
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode
+        except subprocess.TimeoutExpired:
+            return "time limit", CLOCK_LIMIT
+        after = os.times()
+        used = after.children_user + after.children_system - before.children_user - before.children_system
+        if code == 0:
+            return None, used
+        return ("a failure" if code == 1 else "time limit" if code in (-24, -9, 128 + 9) else f"signal {-code}"), used
+
+
+def name_of(test):
+    return test.partition(":")[0]
+
+
+def order_for(entry):
+    likely = [name for prefix, names in LIKELY.items() if entry["file"].startswith(prefix) for name in names]
+    first = [test for name in likely for test in TESTS if name_of(test) == name]
+    blind = BLIND.get(table.folder_of(entry), set())
+    return [test for test in dict.fromkeys(first + TESTS) if name_of(test) not in blind]
+
+
+def try_mutant(copy, entry, limits):
+    path = copy.folder / entry["file"]
+    original = path.read_text(encoding="utf-8")
+    start = time.monotonic()
+    path.write_text(table.mutated(entry, original), encoding="utf-8")
+    try:
+        for test in order_for(entry):
+            copy.compile(name_of(test))
+            ending, _ = copy.run(test, limits[test])
+            if ending is not None:
+                return Outcome(True, name_of(test), ending, time.monotonic() - start)
+        return Outcome(False, seconds=time.monotonic() - start)
+    finally:
+        path.write_text(original, encoding="utf-8")
+
+
+def measure_limits(copy, known):
+    """Runs every quick test without a fault, but those of which an interrupted run knows the time."""
+    limits = {}
+    for test in TESTS:
+        if test in known:
+            limits[test] = known[test]
+            continue
+        ending, used = copy.run(test, CLOCK_LIMIT)
+        if ending is not None:
+            give_up(f"without a fault, {name_of(test)} ends with {ending}")
+        limits[test] = int(max(CPU_LEAST, CPU_FACTOR * used)) + 1
+        print(f"  {name_of(test):28} {used:6.1f} s", flush=True)
+    return limits
+
+
+class Results:
+    """What is known of each mutant, kept in a file after each."""
+
+    def __init__(self, path, resume):
+        self.path, self.lock, self.known, self.limits = path, threading.Lock(), {}, {}
+        if resume and path.is_file():
+            kept = json.loads(path.read_text(encoding="utf-8"))
+            self.known, self.limits = kept["mutants"], kept["limits"]
+
+    def killed_before(self, entry):
+        """A survivor is tried again: there may be a new test."""
+        known = self.known.get(entry["id"], {})
+        return known.get("killed", False) and known["edit"] == [entry["file"], entry["old"], entry["new"]]
+
+    def keep(self, entry, outcome):
+        with self.lock:
+            edit = [entry["file"], entry["old"], entry["new"]]
+            self.known[entry["id"]] = {**dataclasses.asdict(outcome), "edit": edit}
+            kept = {"limits": self.limits, "mutants": self.known}
+            self.path.write_text(json.dumps(kept, indent=1), encoding="utf-8")
+
+
+def reason_of(entry):
+    return next((f"{kind}: {entry[kind]}" for kind in sorted(table.REASONS) if kind in entry), None)
+
+
+def describe(entry, outcome):
+    if outcome.killed:
+        return f"{entry['id']}: killed by {outcome.by} ({outcome.how}) after {outcome.seconds:.0f} s"
+    return f"{entry['id']}: SURVIVED, {outcome.seconds:.0f} s: {entry['wrong']}"
+
+
+def run_all(entries, results, copies):
+    """Each entry on the next copy that is free. What did not compile is returned."""
+    for copy in copies:
+        print(f"building the quick tests in {copy.folder.relative_to(ROOT)}/", flush=True)
+        copy.refresh()
+        try:
+            copy.configure()
+            copy.compile(*map(name_of, TESTS))
+        except BuildFailure as failure:
+            give_up(f"without a fault:\n{failure}")
+    print("processor time without a fault")
+    limits = results.limits = measure_limits(copies[0], results.limits)
+    free, broken = queue.SimpleQueue(), []
+    for copy in copies:
+        free.put(copy)
+
+    def task(entry):
+        copy = free.get()
+        try:
+            outcome = try_mutant(copy, entry, limits)
+            results.keep(entry, outcome)
+            print(describe(entry, outcome), flush=True)
+        except BuildFailure as failure:
+            broken.append(entry["id"])
+            print(f"{entry['id']}: DOES NOT COMPILE\n{failure}", flush=True)
+        finally:
+            free.put(copy)
+
+    with concurrent.futures.ThreadPoolExecutor(len(copies)) as pool:
+        list(pool.map(task, entries))
+    return broken
+
+
+def report(entries, results):
+    """The table by folder; whether all is well."""
+    rows, survivors = {}, []
+    for entry in entries:
+        row = rows.setdefault(table.folder_of(entry), [0, 0, 0, 0])
+        killed = results.known.get(entry["id"], {}).get("killed", False)
+        row[0 if killed else 1 if "equivalent" in entry else 2 if "accepted" in entry else 3] += 1
+        if not killed:
+            survivors.append(entry)
+    rows["all"] = [sum(column) for column in zip(*rows.values())]
+    print(f"\n{'folder':10} {'mutants':>8} {'killed':>8} {'equivalent':>11} {'accepted':>9} {'survived':>9}")
+    for folder, (killed, equivalent, accepted, alive) in rows.items():
+        total = killed + equivalent + accepted + alive
+        print(f"{folder:10} {total:8} {killed:8} {equivalent:11} {accepted:9} {alive:9}")
+    for entry in survivors:
+        print(f"{entry['id']}: {reason_of(entry) or 'SURVIVED: ' + entry['wrong']}")
+    killed, _, accepted, alive = rows["all"]
+    percent = 100 * killed / max(1, killed + accepted + alive)
+    print(f"mutation score: {percent:.1f} % of {killed + accepted + alive} (equivalent ones apart; "
+          f"at least {LEAST_PERCENT} % asked)")
+    return percent >= LEAST_PERCENT and alive == 0
+
+
+def spread(entries):
+    """Neighbours in the table far apart, so that an interrupted run has seen every folder."""
+    step = 11
+    return [entry for start in range(step) for entry in entries[start::step]]
+
+
+def arguments():
+    parser = argparse.ArgumentParser(prog="./dev mutants", description="mutation score of the quick tests")
+    parser.add_argument("--only", metavar="ID", action="append", help="this mutant alone, reason or not; repeatable")
+    parser.add_argument("--list", action="store_true", help="print the table and stop")
+    parser.add_argument("--check", action="store_true", help="check that every entry applies, and stop")
+    parser.add_argument("--jobs", type=int, default=1, help="how many copies of the tree work at a time (1)")
+    parser.add_argument("--resume", action="store_true", help="keep the kills of the last run, go on with the rest")
+    return parser.parse_args()
+
+
+def chosen(entries, only):
+    if not only:
+        return entries
+    unknown = set(only) - {entry["id"] for entry in entries}
+    if unknown:
+        give_up(f"no such mutant: {', '.join(sorted(unknown))}")
+    return [entry for entry in entries if entry["id"] in only]
+
+
+def main():
+    options = arguments()
+    entries = table.read()
+    faults = table.faults_of(entries, ROOT)
+    if faults:
+        print("\n".join(["the table of mutants is wrong:", *faults]), file=sys.stderr)
+        return 2
+    if options.check:
+        print(f"{len(entries)} mutants, each of them applies")
+        return 0
+    entries = chosen(entries, options.only)
+    if options.list:
+        for entry in entries:
+            print(f"{entry['id']} ({entry['file']}): {entry['wrong']}")
+        return 0
+    work = ROOT / "build-mutants"
+    work.mkdir(exist_ok=True)
+    results = Results(work / "results.json", options.resume or options.only)
+    to_try = [entry for entry in entries
+              if options.only or (reason_of(entry) is None and not results.killed_before(entry))]
+    compile_jobs = max(1, (os.cpu_count() or 1) // max(1, options.jobs))
+    copies = [Copy(work / ("source" if k == 0 else f"source-{k + 1}"), compile_jobs)
+              for k in range(max(1, options.jobs))]
+    start = time.monotonic()
+    broken = run_all(spread(to_try), results, copies) if to_try else []
+    well = report(entries, results)
+    print(f"{len(to_try)} mutants in {(time.monotonic() - start) / 60:.0f} minutes")
+    if broken:
+        print(f"error: does not compile: {', '.join(broken)}", file=sys.stderr)
+        return 2
+    return 0 if well else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,100 @@
+"""Damages of the table of mutants, each of which its check must notice; and how the runner counts."""
+import contextlib
+import io
+import pathlib
+import tempfile
+import types
+import unittest
+
+import run
+import table
+
+TEXT = "if (a < b) return a;\nif (a < c) return a;\nreturn b;\n"
+GOOD = {"id": "less-or-equal", "file": "src/geometry/least.cpp", "old": "a < b", "new": "a <= b",
+        "wrong": "Of two equal numbers the other is returned."}
+
+
+def faults(*entries, least=1):
+    with tempfile.TemporaryDirectory() as name:
+        root = pathlib.Path(name)
+        (root / "src/geometry").mkdir(parents=True)
+        (root / GOOD["file"]).write_text(TEXT, encoding="utf-8")
+        return table.faults_of(list(entries), root, least)
+
+
+def outcome_of(entries, killed):
+    """What the runner says of mutants of which the named ones are known to be killed."""
+    results = types.SimpleNamespace(known={name: {"killed": True} for name in killed})
+    text = io.StringIO()
+    with contextlib.redirect_stdout(text):
+        well = run.report(entries, results)
+    return well, text.getvalue()
+
+
+class Table(unittest.TestCase):
+    def test_what_applies_is_right(self):
+        self.assertEqual(faults(GOOD), [])
+        self.assertEqual(faults({**GOOD, "equivalent": "It is never asked of equal numbers."}), [])
+        self.assertEqual(table.mutated(GOOD, TEXT), TEXT.replace("a < b", "a <= b"))
+
+    def test_damages_are_noticed(self):
+        damages = [{"old": "a < d"}, {"old": "return a;"}, {"new": "a < b"}, {"file": "src/geometry/most.cpp"},
+                   {"file": "tests/least.cpp"}, {"id": "Less or equal"}, {"wrong": "something"}, {"reason": "None."},
+                   {"equivalent": ""}, {"equivalent": "It is.", "accepted": "It is."}]
+        for damage in damages:
+            self.assertEqual(len(faults({**GOOD, **damage})), 1, damage)
+        for field in table.FIELDS:
+            self.assertEqual(len(faults({k: v for k, v in GOOD.items() if k != field})), 1, field)
+        self.assertEqual(len(faults(GOOD, GOOD)), 1)
+        self.assertEqual(len(faults(GOOD, least=2)), 1)
+
+
+class Report(unittest.TestCase):
+    def entries(self, count):
+        return [{**GOOD, "id": f"m{k}"} for k in range(count)]
+
+    def test_survivors_without_a_reason_fail(self):
+        entries = self.entries(40)
+        names = [entry["id"] for entry in entries]
+        self.assertTrue(outcome_of(entries, names)[0])
+        well, text = outcome_of(entries, names[1:])
+        self.assertFalse(well)
+        self.assertIn("m0: SURVIVED", text)
+        self.assertIn("97.5 % of 40", text)
+
+    def test_reasons(self):
+        entries = self.entries(40)
+        names = [entry["id"] for entry in entries]
+        entries[0]["accepted"] = "Nobody minds."
+        self.assertEqual(outcome_of(entries, names[1:])[0], True)
+        self.assertIn("97.5 % of 40", outcome_of(entries, names[1:])[1])
+        entries[0] = {**GOOD, "id": "m0", "equivalent": "There are no equal numbers."}
+        self.assertIn("100.0 % of 39", outcome_of(entries, names[1:])[1])
+
+    def test_too_many_reasons_fail(self):
+        entries = self.entries(40)
+        for entry in entries[:3]:
+            entry["accepted"] = "Nobody minds."
+        well, text = outcome_of(entries, [entry["id"] for entry in entries[3:]])
+        self.assertFalse(well)
+        self.assertIn("92.5 % of 40", text)
+
+
+class Order(unittest.TestCase):
+    def test_every_test_is_run_once_and_the_likely_ones_first(self):
+        for name in ("src/geometry/predicates.cpp", "src/morse/sectors.cpp", "src/cli/main.cpp"):
+            order = run.order_for({"file": name})
+            blind = run.BLIND.get(name.split("/")[1], set())
+            self.assertEqual(sorted(order), sorted(test for test in run.TESTS if run.name_of(test) not in blind))
+        self.assertEqual(run.order_for({"file": "src/geometry/rational.cpp"})[0], "rational_test")
+        known = {run.name_of(test) for test in run.TESTS}
+        for names in [*run.LIKELY.values(), *run.BLIND.values()]:
+            self.assertLessEqual(set(names), known)
+
+    def test_none_is_lost_by_spreading(self):
+        entries = list(range(146))
+        self.assertEqual(sorted(run.spread(entries)), entries)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,269 @@
+// The error bounds of the double filters, held against those that predicates.h and tetrahedron_signs.cpp
+// prove: what a double tells within the proven error of zero, a filter must leave open.
+//
+// Random inputs seldom have rounding errors near the worst case, so that a bound ten times too small hardly
+// ever contradicts the next rung; here it is wrong on every near tie. Each test counts the values that fell
+// within the bound, and those beyond a tenth of it, which alone can tell.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "geometry/predicates.h"
+#include "geometry/tetrahedron_signs.h"
+#include "geometry/vector3.h"
+#include "tests/cites.h"
+#include "tests/unit/point_tuples.h"
+#include "tests/unit/portable_random.h"
+
+namespace flowcert {
+namespace {
+
+using flowcert_tests::draw_tuple;
+using flowcert_tests::PortableRandom;
+using flowcert_tests::TupleKind;
+
+using Vector = Vector3<double>;
+
+double norm(const Vector& v) { return std::sqrt(dot(v, v)); }
+
+// A polynomial's value in doubles, and the error that is proven for it.
+struct Value {
+  double value = 0, error = 0;
+};
+
+// How many values lay within the proven error, and how many of them not within a tenth of it.
+struct Seen {
+  int within = 0, telling = 0;
+
+  void add(const Value& v) {
+    ++within;
+    telling += std::fabs(v.value) > v.error / 5 ? 1 : 0;
+  }
+};
+
+template <std::size_t N>
+std::array<Vector, N - 1> vectors_from_first(const std::array<Point, N>& t) {
+  std::array<Vector, N - 1> vectors;
+  for (std::size_t k = 1; k < N; ++k) vectors[k - 1] = vector_between(t[0], t[k]);
+  return vectors;
+}
+
+// The integer points of a wide grid, moved towards a tie by a Newton step on the last point's x: ties up to
+// rounding, of points that have all their bits. `f` must be smooth.
+template <std::size_t N, class Function>
+std::array<Point, N> near_tie(PortableRandom& random, const Function& f) {
+  for (;;) {
+    std::array<Point, N> t = draw_tuple<N>(TupleKind::kGeneric, random);
+    Point& last = t[N - 1];
+    for (int round = 0; round < 30; ++round) {
+      constexpr double kStep = 1e-6;
+      const double here = f(t);
+      std::array<Point, N> beside = t;
+      beside[N - 1].x += kStep;
+      const double slope = (f(beside) - here) / kStep;
+      if (!(std::fabs(slope) > 1e-3)) break;
+      last.x -= here / slope;
+    }
+    if (!(std::fabs(last.x) < 8)) continue;
+    const double far = random.coin() ? 16 : -16;
+    for (int ulps = 1 << random.below(7); ulps > 1; --ulps) last.x = std::nextafter(last.x, far);
+    return t;
+  }
+}
+
+constexpr double u = kUnitRoundoff;
+
+Value angle_value(const std::array<Point, 3>& t) {
+  const Vector a = vector_between(t[1], t[0]), b = vector_between(t[1], t[2]);
+  return {dot(a, b), 5.1 * u * norm(a) * norm(b)};
+}
+Value orientation_value(const std::array<Point, 4>& t) {
+  const auto [a, b, c] = vectors_from_first(t);
+  return {dot(a, cross(b, c)), 9.8 * u * norm(a) * norm(b) * norm(c)};
+}
+// <a x b, numerator>: 13.8 for the numerator, 5.7 for a x b, 3 for their product.
+Value side_value(const std::array<Point, 4>& t) {
+  const auto [a, b, c] = vectors_from_first(t);
+  const auto sphere = circumsphere(a, b, c);
+  const double abc = norm(a) * norm(b) * norm(c);
+  return {dot(sphere.ab, sphere.numerator),
+          22.5 * u * norm(a) * norm(b) * abc * (norm(a) + norm(b) + norm(c))};
+}
+// |v|^2 det: 5.1 + 9.8 + 1; <numerator, v> has more.
+Value sphere_value(const std::array<Point, 5>& t) {
+  const auto [a, b, c, v] = vectors_from_first(t);
+  const auto sphere = circumsphere(a, b, c);
+  const double product = norm(a) * norm(b) * norm(c) * norm(v);
+  return {dot(v, v) * sphere.determinant - dot(sphere.numerator, v),
+          15.9 * u * product * (norm(a) + norm(b) + norm(c) + norm(v))};
+}
+// For points with z = 0: two products of 5.1 + 5.7 + 1 each.
+Value circle_value(const std::array<Point, 4>& t) {
+  const Vector aq = vector_between(t[2], t[0]), bq = vector_between(t[2], t[1]);
+  const Vector ar = vector_between(t[3], t[0]), br = vector_between(t[3], t[1]);
+  return {dot(aq, bq) * std::fabs(cross(ar, br).z) + dot(ar, br) * std::fabs(cross(aq, bq).z),
+          23.6 * u * norm(aq) * norm(bq) * norm(ar) * norm(br)};
+}
+
+constexpr int kTies = 3000;
+
+template <std::size_t N, class Of, class Query>
+void expect_open_within_the_error(const Of& value_of, const Query& query, bool is_flat = false) {
+  PortableRandom random(1234);
+  Seen seen;
+  for (int k = 0; k < kTies; ++k) {
+    const auto f = [&](std::array<Point, N> t) {
+      for (Point& p : t) p.z = is_flat ? 0 : p.z;
+      return value_of(t).value;
+    };
+    std::array<Point, N> t = near_tie<N>(random, f);
+    for (Point& p : t) p.z = is_flat ? 0 : p.z;
+    const Value value = value_of(t);
+    if (std::fabs(value.value) > value.error) continue;
+    seen.add(value);
+    EXPECT_EQ(sign_on_rung(query(t), Rung::kDouble), std::nullopt) << value.value << " of " << value.error;
+  }
+  EXPECT_GT(seen.within, kTies / 5);
+  EXPECT_GT(seen.telling, 10);
+}
+
+TEST(FilterBounds, OfTheAngle) {
+  CITES("FC-NUM-01");
+  expect_open_within_the_error<3>(angle_value, [](const auto& t) { return Angle{t[0], t[1], t[2]}; });
+}
+
+TEST(FilterBounds, OfTheOrientation) {
+  CITES("FC-NUM-01");
+  expect_open_within_the_error<4>(orientation_value, [](const auto& t) {
+    return Orientation{t[0], t[1], t[2], t[3]};
+  });
+}
+
+TEST(FilterBounds, OfTheSideOfAPlane) {
+  CITES("FC-NUM-01");
+  expect_open_within_the_error<4>(side_value, [](const auto& t) {
+    return SideOfPlane{t[0], t[1], t[2], t[3]};
+  });
+}
+
+TEST(FilterBounds, OfTheSphere) {
+  CITES("FC-NUM-01");
+  expect_open_within_the_error<5>(sphere_value, [](const auto& t) {
+    return OutsideSphere{t[0], t[1], t[2], t[3], t[4]};
+  });
+}
+
+TEST(FilterBounds, OfTheCircle) {
+  CITES("FC-NUM-01");
+  expect_open_within_the_error<4>(
+      circle_value,
+      [](const auto& t) {
+        return OutsideCircle{t[0], t[1], t[2], t[3]};
+      },
+      true);
+}
+
+// The filter of a whole cell does not tell what it left open, but counts it.
+struct CellValues {
+  std::array<Value, 12> angles;
+  std::array<Value, 4> sides;  // [i]: of the facet opposite vertex i
+};
+
+CellValues cell_values(const std::array<Point, 4>& t) {
+  const auto [a, b, c] = vectors_from_first(t);
+  const double na = norm(a), nb = norm(b), nc = norm(c);
+  const double largest = std::max({na, nb, nc});
+  CellValues values;
+  std::size_t filled = 0;
+  for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t l = k + 1; l < 4; ++l) {
+        if (j == k || j == l) continue;
+        // At vertex 0 one dot product (5.1), elsewhere up to four of them, and three sums (9).
+        values.angles[filled++] = {dot(vector_between(t[j], t[k]), vector_between(t[j], t[l])),
+                                   (j == 0 ? 5.1 : 20.4) * u * largest * largest};
+      }
+    }
+  }
+  const auto sphere = circumsphere(a, b, c);
+  const double s3 = dot(sphere.ab, sphere.numerator), s1 = dot(sphere.bc, sphere.numerator),
+               s2 = dot(sphere.ca, sphere.numerator);
+  const double total = na * nb * nc * (na + nb + nc);
+  values.sides = {Value{2 * sphere.determinant * sphere.determinant - s1 - s2 - s3,
+                        30 * u * total * (na * nb + nb * nc + nc * na)},
+                  {s1, 22.5 * u * total * nb * nc},
+                  {s2, 22.5 * u * total * nc * na},
+                  {s3, 22.5 * u * total * na * nb}};
+  return values;
+}
+
+TEST(FilterBounds, OfTheAnglesAndSidesOfACell) {
+  CITES("FC-NUM-01", "FC-SIGN-01", "FC-SIGN-03");
+  PortableRandom random(77);
+  std::array<Seen, 12> angles;
+  std::array<Seen, 4> sides;
+  for (int k = 0; k < 16 * 2000; ++k) {
+    const auto which = static_cast<std::size_t>(k % 16);
+    // Any of the four is the one that is moved.
+    const auto turn = static_cast<std::ptrdiff_t>(random.below(4));
+    const auto turned = [turn](std::array<Point, 4> tuple) {
+      std::rotate(tuple.begin(), tuple.begin() + turn, tuple.end());
+      return tuple;
+    };
+    const std::array<Point, 4> t = turned(near_tie<4>(random, [&](const std::array<Point, 4>& tuple) {
+      const CellValues values = cell_values(turned(tuple));
+      return which < 12 ? values.angles[which].value : values.sides[which - 12].value;
+    }));
+    if (unfiltered_sign(Orientation{t[0], t[1], t[2], t[3]}) != Sign::kPositive) continue;
+    const CellValues values = cell_values(t);
+    CellSphere unused;
+    FilterTally tally;
+    (void)tetrahedron_signs({&t[0], &t[1], &t[2], &t[3]}, unused, tally);
+    std::uint64_t open_angles = 0, open_sides = 0;
+    for (std::size_t i = 0; i < 12; ++i) {
+      if (std::fabs(values.angles[i].value) > values.angles[i].error) continue;
+      ++open_angles;
+      angles[i].add(values.angles[i]);
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (std::fabs(values.sides[i].value) > values.sides[i].error) continue;
+      ++open_sides;
+      sides[i].add(values.sides[i]);
+    }
+    ASSERT_GE(tally[Predicate::kAngle].failures, open_angles);
+    ASSERT_GE(tally[Predicate::kSideOfPlane].failures, open_sides);
+  }
+  for (const Seen& seen : angles) EXPECT_GT(seen.within, 30);
+  for (const Seen& seen : sides) EXPECT_GT(seen.telling, 5);
+}
+
+TEST(FilterBounds, OfTheCellsSphere) {
+  CITES("FC-NUM-01", "FC-VOR-01");
+  PortableRandom random(78);
+  Seen seen;
+  for (int k = 0; k < kTies; ++k) {
+    std::array<Point, 5> t =
+        near_tie<5>(random, [](const std::array<Point, 5>& tuple) { return sphere_value(tuple).value; });
+    if (unfiltered_sign(Orientation{t[0], t[1], t[2], t[3]}) != Sign::kPositive) std::swap(t[2], t[3]);
+    const Value value = sphere_value(t);
+    if (std::fabs(value.value) > value.error) continue;
+    seen.add(value);
+    const TetrahedronPoints cell{&t[0], &t[1], &t[2], &t[3]};
+    CellSphere sphere;
+    FilterTally tally;
+    (void)tetrahedron_signs(cell, sphere, tally);
+    (void)on_sphere(cell, sphere, t[4], tally);
+    ASSERT_EQ(tally[Predicate::kCospherical].failures, 1u) << value.value << " of " << value.error;
+  }
+  EXPECT_GT(seen.within, kTies / 2);
+  EXPECT_GT(seen.telling, 10);
+}
+
+}  // namespace
+}  // namespace flowcert
