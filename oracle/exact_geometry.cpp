@@ -82,12 +82,27 @@ std::optional<Coefficients> solve_gram(const std::vector<IntegerPoint>& edges, c
   return result;
 }
 
+// |z - p0| = |z - p_j| says 2 <z - p0, e_j> = <e_j, e_j>. The denominator is positive, as Gram determinants
+// are.
+std::optional<Coefficients> circumcentre_coefficients(const IntegerSimplex& simplex) {
+  IntegerRow rhs;
+  for (const IntegerPoint& edge : simplex.edges) rhs.push_back(dot(edge, edge));
+  auto coefficients = solve_gram(simplex.edges, rhs);
+  if (coefficients) coefficients->denominator *= 2;
+  return coefficients;
+}
+
+// 1 - sum of l_i, times the denominator.
+Integer first_weight(const Coefficients& l) {
+  Integer first = l.denominator;
+  for (const Integer& numerator : l.numerators) first -= numerator;
+  return first;
+}
+
 // The point p0 + sum of l_i e_i, and its barycentric coordinates (1 - sum of l_i, l_1, ..., l_k).
 Circumcentre combine(const IntegerSimplex& simplex, const Coefficients& l) {
   Circumcentre result;
-  Integer first = l.denominator;
-  for (const Integer& numerator : l.numerators) first -= numerator;
-  result.weights.emplace_back(first, l.denominator);
+  result.weights.emplace_back(first_weight(l), l.denominator);
   for (const Integer& numerator : l.numerators) result.weights.emplace_back(numerator, l.denominator);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     Integer sum = l.denominator * simplex.origin[axis];
@@ -123,14 +138,21 @@ Rational squared_distance(const Point& a, const Point& b) {
 
 std::optional<Circumcentre> circumcentre(const std::vector<Point>& points) {
   if (points.empty() || points.size() > 4) return std::nullopt;
-  // |z - p0| = |z - p_j| says 2 <z - p0, e_j> = <e_j, e_j>.
   const IntegerSimplex simplex(points);
-  IntegerRow rhs;
-  for (const IntegerPoint& edge : simplex.edges) rhs.push_back(dot(edge, edge));
-  auto coefficients = solve_gram(simplex.edges, rhs);
+  const auto coefficients = circumcentre_coefficients(simplex);
   if (!coefficients) return std::nullopt;
-  coefficients->denominator *= 2;
   return combine(simplex, *coefficients);
+}
+
+std::optional<Point> inner_circumcentre(const std::vector<Point>& points) {
+  if (points.empty() || points.size() > 4) return std::nullopt;
+  const IntegerSimplex simplex(points);
+  const auto coefficients = circumcentre_coefficients(simplex);
+  if (!coefficients || first_weight(*coefficients) <= 0) return std::nullopt;
+  for (const Integer& weight : coefficients->numerators) {
+    if (weight <= 0) return std::nullopt;
+  }
+  return combine(simplex, *coefficients).center;
 }
 
 std::optional<std::vector<Rational>> barycentric(const std::vector<Point>& points, const Point& x) {

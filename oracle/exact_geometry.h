@@ -36,6 +36,10 @@ struct Circumcentre {
 };
 std::optional<Circumcentre> circumcentre(const std::vector<Point>& simplex);
 
+// That point, if all these coordinates are positive: the circumcentre in the relative interior of the
+// simplex.
+std::optional<Point> inner_circumcentre(const std::vector<Point>& simplex);
+
 // The barycentric coordinates of x. Nothing iff the points are affinely dependent or x is not in their affine
 // hull.
 std::optional<std::vector<Rational>> barycentric(const std::vector<Point>& simplex, const Point& x);

@@ -95,12 +95,9 @@ std::vector<std::size_t> crossed_places(const PointSet& set, const std::vector<s
 Point driver(const std::vector<Point>& contact, const Point& x) {
   std::optional<Point> nearest;
   for_each_subset(contact.size(), 4, [&](const std::vector<std::size_t>& subset) {
-    const auto centre = circumcentre(select(contact, subset));
+    const auto centre = inner_circumcentre(select(contact, subset));
     if (!centre) return;
-    const auto is_positive = [](const Rational& weight) { return weight > 0; };
-    if (!std::all_of(centre->weights.begin(), centre->weights.end(), is_positive)) return;
-    if (!nearest || squared_distance(x, centre->center) < squared_distance(x, *nearest))
-      nearest = centre->center;
+    if (!nearest || squared_distance(x, *centre) < squared_distance(x, *nearest)) nearest = centre;
   });
   return *nearest;
 }

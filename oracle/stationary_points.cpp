@@ -130,15 +130,12 @@ Answer stationary_points(const std::vector<std::array<double, 3>>& rows) {
   std::map<std::vector<std::size_t>, Point>
       found;  // contact set (as places) -> stationary point (FC-CRIT-06)
   for_each_subset(set.points.size(), 4, [&](const std::vector<std::size_t>& subset) {
-    const auto sphere = circumcentre(select(set.points, subset));
-    if (!sphere) return;
-    for (const Rational& weight : sphere->weights) {
-      if (weight <= 0) return;
-    }
+    const auto center = inner_circumcentre(select(set.points, subset));
+    if (!center) return;
     // The subset is at one distance from the centre: if one of it is nearest, all are, and no point is
     // nearer.
-    const auto nearest = nearest_places(set, sphere->center);
-    if (std::binary_search(nearest.begin(), nearest.end(), subset[0])) found.emplace(nearest, sphere->center);
+    const auto nearest = nearest_places(set, *center);
+    if (std::binary_search(nearest.begin(), nearest.end(), subset[0])) found.emplace(nearest, *center);
   });
 
   Answer answer{rows.size(), set.merged_duplicates, {}};
