@@ -101,7 +101,10 @@ class Batch {
     if (!found) return;
     const bool is_known = ++result_.tally.failures[property.name + ' ' + found->kind] > 1;
     if (is_known) return;
-    Shrunk small = shrunk(drawn.trial, *found, judge, property.shrinking_budget);
+    const auto judge_unless_stopped = [&](const property::Trial& trial) {
+      return observer_.is_stopped() ? std::nullopt : judge(trial);
+    };
+    Shrunk small = shrunk(drawn.trial, *found, judge_unless_stopped, property.shrinking_budget);
     observer_.found({plan_.seed, number, drawn.family, drawn.trial.input.rows.size(), property.name,
                      std::move(small.trial), std::move(small.disagreement)});
   }

@@ -34,6 +34,15 @@ bool ends_process(const property::Disagreement& found) {
   return found.kind == "crash" || found.kind == "hang";
 }
 
+// What ended a process is reported as it was, and then once more, small; what was being made small when the
+// campaign was stopped, again when it goes on.
+bool is_smaller(const Finding& one, const Finding& other) {
+  const auto size = [](const Finding& finding) {
+    return std::pair(finding.trial.input.rows.size(), file_text(finding).size());
+  };
+  return size(one) < size(other);
+}
+
 [[noreturn]] void refuse(const fs::path& path, const std::string& why) {
   throw UnusableFolder(path.string() + ": " + why);
 }
@@ -213,10 +222,7 @@ void Campaign::absorb_batch(std::size_t batch, Tally tally) {
 void Campaign::absorb(const Finding& finding) {
   const std::pair key(finding.number, finding.property);
   const auto known = findings_.find(key);
-  // What ended a process is reported as it was, and then once more, small.
-  const bool is_smaller = known != findings_.end() && ends_process(finding.disagreement) &&
-                          file_text(finding) != file_text(known->second);
-  if (known != findings_.end() && !is_smaller) return;
+  if (known != findings_.end() && !is_smaller(finding, known->second)) return;
   findings_.insert_or_assign(key, finding);
   if (files_) files_->findings.add(message_of(finding));
   std::set<std::string>& names = written_[finding.property + ' ' + finding.disagreement.kind];

@@ -2,7 +2,7 @@
 // if no case failed, 1 if one did.
 #include <fmt/format.h>
 
-#include <chrono>
+#include <algorithm>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -50,7 +50,8 @@ int run_campaign(const FuzzOptions& options) {
     FuzzProgress progress(campaign, options.seconds);
     fuzz::WorkOptions work;
     work.jobs = options.jobs;
-    work.hang_seconds = options.hang_seconds;
+    // A command that is late is a finding of another kind.
+    work.hang_seconds = std::max(options.hang_seconds, 2 * options.peer.limits.seconds);
     work.is_stopped = [&] {
       return Interruption::signal() != 0 ||
              (options.seconds && progress.seconds_so_far() >= *options.seconds);
@@ -127,6 +128,11 @@ int merge(const FuzzCommandOptions& options) {
   fuzz::CampaignPlan plan = parts.front().plan();
   plan.shard = {};
   const auto total = parts.front().total_cases();
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (parts[k].total_cases() != total) {
+      throw InvalidInput(options.merged[k] + ": another number of cases than " + options.merged.front());
+    }
+  }
   fuzz::Campaign whole = options.out.empty() ? fuzz::Campaign(plan, total, fs::path())
                                              : fuzz::Campaign::begun(plan, total, options.out);
   for (std::size_t k = 0; k < parts.size(); ++k) {

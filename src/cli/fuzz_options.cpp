@@ -203,7 +203,13 @@ void add_run_options(CLI::App& command, FuzzOptions& options) {
   auto* out = command.add_option(
       "--out", options.out,
       "Keep the campaign in this new folder: findings, signatures, and what to go on with");
-  command.add_option("--resume", options.resume, "Go on with the campaign in this folder")->excludes(out);
+  auto* resume =
+      command.add_option("--resume", options.resume, "Go on with the campaign in this folder")->excludes(out);
+  // What a campaign is, its folder says.
+  for (const char* name :
+       {"--families", "--points", "--search", "--corpus", "--seed", "--property", "--against", "--shard"}) {
+    resume->excludes(command.get_option(name));
+  }
   command.add_option("--hang", options.hang_seconds, "Seconds after which a property is taken to hang")
       ->check(is_time)
       ->capture_default_str();

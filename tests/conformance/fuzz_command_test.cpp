@@ -250,6 +250,7 @@ TEST(FuzzCommand, RefusesWhatItCannotUse) {
       {"fuzz", "--count", "10", "--against", "/no/such/program {in}"},
       {"fuzz", "--count", "10", "--out", "/proc/none"},
       {"fuzz", "--resume", scratch.path("none")},
+      {"fuzz", "--resume", scratch.path("none"), "--seed", "2"},
       {"fuzz", "--count", "10", "--corpus", scratch.path("none")},
       {"fuzz", "merge"},
       {"fuzz", "merge", scratch.path("none")},
