@@ -113,7 +113,7 @@ std::optional<Disagreement> difference_of_unstable(const Subject& subject, const
   UnstableManifolds usual(subject.delaunay, stationary);
   UnstableManifolds other(subject.delaunay, stationary, options);
   for (std::size_t i = 0; i < usual.size(); ++i) {
-    for (const std::size_t side : {0, 1}) {
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
       const std::string what = name_of_orbit(stationary, usual.saddle(i), side);
       if (auto found = difference_of_orbits(what, {"lazy, binary, shared", record_of(usual.orbit(i, side))},
                                             {name, record_of(other.orbit(i, side))})) {
@@ -281,7 +281,7 @@ std::optional<Disagreement> check_unstable_manifolds(const Trial& trial) {
   UnstableManifolds manifolds(subject.delaunay, stationary);
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
     const oracle::StationaryPoint saddle = oracle_point(subject, stationary, manifolds.saddle(i));
-    for (const std::size_t side : {0, 1}) {
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
       const OrbitRecord truth = record_of(
           subject.set, saddle.center, oracle::unstable_orbit(subject.set, saddle, static_cast<int>(side)));
       const std::string what = name_of_orbit(stationary, manifolds.saddle(i), side);
