@@ -147,7 +147,7 @@ TEST(Distribution, TellsWhatAListTells) {
   EXPECT_EQ(d.mean(), 0);
   EXPECT_EQ(d.median(), 0);
   EXPECT_EQ(d.standard_deviation(), 0);
-  for (const std::size_t value : {2, 4, 4, 4, 5, 5, 7, 9}) d.add(value);
+  for (const std::size_t value : std::initializer_list<std::size_t>{2, 4, 4, 4, 5, 5, 7, 9}) d.add(value);
   EXPECT_EQ(d.count(), 8u);
   EXPECT_EQ(d.max(), 9u);
   EXPECT_EQ(d.mode(), 4u);
