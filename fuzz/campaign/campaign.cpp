@@ -29,11 +29,6 @@ constexpr const char* kFindingsName = "findings.jsonl";
 constexpr const char* kSignaturesName = "signatures.jsonl";
 constexpr const char* kFindingsFolder = "findings";
 
-// Kinds with which a process ends: the case cannot be part of its batch.
-bool ends_process(const property::Disagreement& found) {
-  return found.kind == "crash" || found.kind == "hang";
-}
-
 [[noreturn]] void refuse(const fs::path& path, const std::string& why) {
   throw UnusableFolder(path.string() + ": " + why);
 }
@@ -169,7 +164,7 @@ std::optional<BatchOrder> Campaign::next_batch() {
   handed_out_.insert(*batch);
   BatchOrder order{*batch, cases_of_batch(plan_, total_cases_, *batch), {}};
   for (const auto& [key, finding] : findings_) {
-    if (ends_process(finding.disagreement)) order.left_out.insert(key.first);
+    if (ends_process(finding)) order.left_out.insert(key.first);
   }
   return order;
 }
@@ -197,7 +192,7 @@ void Campaign::absorb_batch(std::size_t batch, Tally tally) {
   const std::size_t expected = cases_of_batch(plan_, total_cases_, batch);
   std::size_t left_out = 0;
   for (const auto& [key, finding] : findings_) {
-    left_out += ends_process(finding.disagreement) && key.first / plan_.batch_cases == batch ? 1 : 0;
+    left_out += ends_process(finding) && key.first / plan_.batch_cases == batch ? 1 : 0;
   }
   if (tally.cases + left_out < expected) return;
   if (known == done_.end()) {
@@ -214,8 +209,8 @@ void Campaign::absorb(const Finding& finding) {
   const std::pair key(finding.number, finding.property);
   const auto known = findings_.find(key);
   // What ended a process is reported as it was, and then once more, small.
-  const bool is_smaller = known != findings_.end() && ends_process(finding.disagreement) &&
-                          file_text(finding) != file_text(known->second);
+  const bool is_smaller =
+      known != findings_.end() && ends_process(finding) && file_text(finding) != file_text(known->second);
   if (known != findings_.end() && !is_smaller) return;
   findings_.insert_or_assign(key, finding);
   if (files_) files_->findings.add(message_of(finding));
