@@ -97,8 +97,10 @@ class DistantCampaign : public fuzz::BatchSource {
 
 void do_batches(DistantCampaign& campaign, const FuzzOptions& options) {
   if (!campaign.wait_for_plan()) return;
-  const ScratchFolder scratch;
-  const auto properties = properties_of(campaign.plan(), options, scratch.path());
+  // Only if it is needed: a rank that is killed leaves it.
+  std::optional<ScratchFolder> scratch;
+  if (!campaign.plan().against.empty()) scratch.emplace();
+  const auto properties = properties_of(campaign.plan(), options, scratch ? scratch->path() : "");
   campaign.tell("ready " + program_version());
   Clock::time_point counted = Clock::now();
   fuzz::WorkOptions work;

@@ -5,7 +5,6 @@
 
 #include <chrono>
 #include <cstdio>
-#include <set>
 #include <thread>
 
 #include "cli/interruption.h"
@@ -196,17 +195,6 @@ class Lead {
 LedCampaign lead(fuzz::Campaign& campaign, RankLines& lines, const FuzzMpiOptions& options,
                  FuzzProgress& progress) {
   return Lead(campaign, lines, options, progress).run();
-}
-
-bool have_ended(RankLines& lines, int count, double seconds) {
-  const Clock::time_point start = Clock::now();
-  std::set<int> ended;
-  while (std::ssize(ended) < count && seconds_since(start) < seconds) {
-    const auto line = lines.receive();
-    if (!line) std::this_thread::sleep_for(kPause);
-    if (line && line->text == "ended") ended.insert(line->from);
-  }
-  return std::ssize(ended) >= count;
 }
 
 }  // namespace flowcert

@@ -24,7 +24,4 @@ struct LedCampaign {
 [[nodiscard]] LedCampaign lead(fuzz::Campaign& campaign, RankLines& lines, const FuzzMpiOptions& options,
                                FuzzProgress& progress);
 
-// Whether so many ranks say within so many seconds that they have put everything away.
-[[nodiscard]] bool have_ended(RankLines& lines, int count, double seconds);
-
 }  // namespace flowcert

@@ -4,11 +4,14 @@
 // other ranks end with 0.
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <thread>
 
 #include "cli/command.h"
 #include "cli/conformance_words.h"
@@ -24,6 +27,7 @@ using namespace flowcert;
 
 // A rank that is not through by then has been killed since it was last heard of.
 constexpr double kSecondsToEnd = 5;
+constexpr std::chrono::milliseconds kBeforeLeaving{700};
 
 constexpr const char* kFooter =
     "Rank 0 hands out batches and gathers findings; the others work. The account is that of flowcert fuzz "
@@ -86,8 +90,10 @@ int lead_campaign(RankLines& lines, const FuzzMpiOptions& options, int& ranks) {
   }
   fuzz::Campaign campaign = campaign_of(options);
   {
-    const ScratchFolder scratch;
-    (void)properties_of(campaign.plan(), options, scratch.path());  // refuses what cannot be used
+    std::optional<ScratchFolder> scratch;
+    if (!campaign.plan().against.empty()) scratch.emplace();
+    // Refuses what cannot be used.
+    (void)properties_of(campaign.plan(), options, scratch ? scratch->path() : "");
   }
   const std::size_t before = campaign.tally().cases;
   const Interruption interruption;
@@ -121,8 +127,9 @@ int be_rank_0(RankLines& lines, const CommandLine& line) {
   }
   std::fflush(stdout);
   for (int rank = 1; !line.status && rank < lines.size(); ++rank) lines.send(rank, "end");
-  const bool are_all_there = have_ended(lines, ranks, kSecondsToEnd) && ranks == lines.size() - 1;
+  const bool are_all_there = lines.have_said("ended", ranks, kSecondsToEnd) && ranks == lines.size() - 1;
   // MPI_Finalize would wait for ranks that are dead.
+  for (int rank = 1; rank < lines.size(); ++rank) lines.send(rank, are_all_there ? "finalize" : "leave");
   if (!are_all_there) MPI_Abort(MPI_COMM_WORLD, status);
   return status;
 }
@@ -133,7 +140,10 @@ void be_another_rank(RankLines& lines, std::unique_ptr<BatchProcess> process, co
   if (process) work_for_rank_0(lines, *process, line.options);
   process.reset();
   lines.send(0, "ended");
-  lines.flush(kSecondsToEnd);
+  if (lines.have_said("finalize", 1, 2 * kSecondsToEnd, "leave")) return;
+  // Rank 0 aborts, with its status, so that is to come first; with --enable-recovery it ends no other rank.
+  std::this_thread::sleep_for(kBeforeLeaving);
+  std::_Exit(kRight);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <chrono>
+#include <set>
 #include <thread>
 #include <utility>
 
@@ -63,14 +64,20 @@ std::optional<RankLines::Line> RankLines::receive() {
   }
 }
 
-void RankLines::flush(double seconds) {
+bool RankLines::have_said(const std::string& word, int ranks, double seconds, const std::string& other) {
   const auto start = std::chrono::steady_clock::now();
-  forget_sent_pieces();
-  while (!on_their_way_.empty() &&
-         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < seconds) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  std::set<int> who;
+  while (std::ssize(who) < ranks) {
+    const auto line = receive();
+    if (line && line->text == word) who.insert(line->from);
+    if (line && line->text == other) return false;
+    if (line) continue;
+    const double so_far = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (so_far > seconds) return false;
     forget_sent_pieces();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
+  return true;
 }
 
 }  // namespace flowcert

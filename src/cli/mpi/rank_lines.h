@@ -33,8 +33,10 @@ class RankLines {
   };
   // Nothing: none is there yet.
   [[nodiscard]] std::optional<Line> receive();
-  // Until all that was sent has left, or so many seconds.
-  void flush(double seconds);
+  // Whether so many ranks say this word within so many seconds, and none before says the other one. Further
+  // lines are lost.
+  [[nodiscard]] bool have_said(const std::string& word, int ranks, double seconds,
+                               const std::string& other = "");
 
  private:
   struct Piece {

@@ -5,7 +5,7 @@
 // to end it leaves the campaign, after the case under way, which goes on without it.
 //
 // Lines to rank 0: those of batch_process.h, and "alive", and "ended" when the process is gone.
-// From it: those of batch_process.h, "alive", "end".
+// From it: those of batch_process.h, "alive", "end", and then "finalize", or "leave" if a rank is missing.
 #pragma once
 
 #include "cli/mpi/batch_process.h"
