@@ -11,8 +11,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using Words = std::vector<std::string>;
 
-// Five batches.
-const Words kPlan{"--count", "4500", "--seed", "3", "--property", "critical-points", "--points", "0-5"};
+// Four batches.
+const Words kPlan{"--count", "3500", "--seed", "3", "--property", "critical-points", "--points", "0-5"};
 
 Words joined(const std::vector<Words>& parts) {
   Words all;
@@ -137,9 +137,7 @@ TEST_F(MpiCampaign, IsResumedAfterMpirunHasEndedAllRanks) {
 TEST_F(MpiCampaign, RefusesWhatItCannotUseInOneLine) {
   const std::vector<std::pair<int, Words>> wrong = {
       {1, kPlan},
-      {2, {"--count", "0"}},
       {2, joined({kPlan, {"--jobs", "2"}})},
-      {2, {}},
       {2, {"--resume", scratch_.path("none")}},
   };
   for (const auto& [ranks, arguments] : wrong) {
@@ -149,8 +147,8 @@ TEST_F(MpiCampaign, RefusesWhatItCannotUseInOneLine) {
     std::size_t ours = 0;
     for (const std::string& line : lines_of(finished.err)) ours += line.starts_with("flowcert-fuzz-mpi: ");
     EXPECT_EQ(ours, 1U) << finished.err;
+    if (ranks == 1) EXPECT_NE(finished.err.find("needs at least 2 ranks"), std::string::npos);
   }
-  EXPECT_NE(run(1, kPlan).err.find("needs at least 2 ranks"), std::string::npos);
 }
 
 }  // namespace
