@@ -110,9 +110,10 @@ class Lead {
   }
 
   void take_back(Worker& worker) {
-    if (worker.batch) campaign_.give_back(*worker.batch);
-    worker.batch.reset();
     worker.cases = 0;
+    if (!worker.batch) return;
+    campaign_.give_back(*worker.batch);
+    worker.batch.reset();
     is_dry_ = false;
   }
   void leave_out(Worker& worker, const std::string& why) {
