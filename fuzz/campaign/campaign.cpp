@@ -29,11 +29,6 @@ constexpr const char* kFindingsName = "findings.jsonl";
 constexpr const char* kSignaturesName = "signatures.jsonl";
 constexpr const char* kFindingsFolder = "findings";
 
-// Kinds with which a process ends: the case cannot be part of its batch.
-bool ends_process(const property::Disagreement& found) {
-  return found.kind == "crash" || found.kind == "hang";
-}
-
 // What ended a process is reported as it was, and then once more, small; what was being made small when the
 // campaign was stopped, again when it goes on.
 bool is_smaller(const Finding& one, const Finding& other) {
@@ -178,7 +173,7 @@ std::optional<BatchOrder> Campaign::next_batch() {
   handed_out_.insert(*batch);
   BatchOrder order{*batch, cases_of_batch(plan_, total_cases_, *batch), {}};
   for (const auto& [key, finding] : findings_) {
-    if (ends_process(finding.disagreement)) order.left_out.insert(key.first);
+    if (ends_process(finding)) order.left_out.insert(key.first);
   }
   return order;
 }
@@ -206,7 +201,7 @@ void Campaign::absorb_batch(std::size_t batch, Tally tally) {
   const std::size_t expected = cases_of_batch(plan_, total_cases_, batch);
   std::size_t left_out = 0;
   for (const auto& [key, finding] : findings_) {
-    left_out += ends_process(finding.disagreement) && key.first / plan_.batch_cases == batch ? 1 : 0;
+    left_out += ends_process(finding) && key.first / plan_.batch_cases == batch ? 1 : 0;
   }
   if (tally.cases + left_out < expected) return;
   if (known == done_.end()) {

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-#include "fuzz/campaign/batch.h"
+#include "fuzz/campaign/batch_source.h"
 
 namespace flowcert::fuzz {
 
@@ -39,7 +39,7 @@ struct Discovered {
   Input input;
 };
 
-class Campaign {
+class Campaign : public BatchSource {
  public:
   // In memory alone, but for findings, which go to `findings` as point files; made when there is one.
   Campaign(CampaignPlan plan, std::optional<std::size_t> total_cases, std::filesystem::path findings);
@@ -48,22 +48,22 @@ class Campaign {
                         const std::filesystem::path& folder);
   // From its folder; with another number of cases, if given. Lines that were cut short are left out.
   static Campaign resumed(const std::filesystem::path& folder, std::optional<std::size_t> total_cases);
-  ~Campaign();
+  ~Campaign() override;
   Campaign(Campaign&&) noexcept;
   Campaign& operator=(Campaign&&) = delete;
 
-  [[nodiscard]] const CampaignPlan& plan() const { return plan_; }
+  [[nodiscard]] const CampaignPlan& plan() const override { return plan_; }
   [[nodiscard]] std::optional<std::size_t> total_cases() const { return total_cases_; }
 
   // The next batch that is not done and not handed out; nothing: no such batch is left.
-  [[nodiscard]] std::optional<BatchOrder> next_batch();
+  [[nodiscard]] std::optional<BatchOrder> next_batch() override;
   // To be handed out again.
-  void give_back(std::size_t batch) { handed_out_.erase(batch); }
+  void give_back(std::size_t batch) override { handed_out_.erase(batch); }
   // Whether all that was handed out has come back.
   [[nodiscard]] bool is_settled() const { return handed_out_.empty(); }
 
   // One line from whoever does a batch (message.h). Throws UnusableFolder if the folder cannot be written.
-  void absorb(const std::string& message);
+  void absorb(const std::string& message) override;
   // All of another part of the same campaign. Throws std::invalid_argument for a part of another one.
   void absorb(const Campaign& part);
 

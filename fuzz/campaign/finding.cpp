@@ -72,6 +72,10 @@ json start_json(const property::Trial& trial) {
 
 }  // namespace
 
+bool ends_process(const Finding& finding) {
+  return finding.disagreement.kind == "crash" || finding.disagreement.kind == "hang";
+}
+
 std::string name_of(const Finding& finding) {
   std::string name = fmt::format("{}-{}-{}", finding.property, finding.disagreement.kind, finding.number);
   for (char& c : name) {

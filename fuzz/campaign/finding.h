@@ -29,6 +29,9 @@ struct Finding {
 // One word, for the name of a file: "orbit-segment-type-1234".
 [[nodiscard]] std::string name_of(const Finding& finding);
 
+// Whether the case ended its process, by a crash or by hanging: so it cannot be part of its batch.
+[[nodiscard]] bool ends_process(const Finding& finding);
+
 [[nodiscard]] std::string file_text(const Finding& finding);
 // The property's name is empty where the file says nothing of it, and the start a choice. Throws
 // std::invalid_argument, one line "LINE: reason", for rows and comments that cannot be read.

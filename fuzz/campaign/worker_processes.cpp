@@ -1,15 +1,12 @@
 // See worker_processes.h. Each worker reads orders from a pipe and writes messages to another one.
 #include "fuzz/campaign/worker_processes.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -19,6 +16,8 @@
 #include <system_error>
 #include <utility>
 
+#include "fuzz/campaign/child_process.h"
+#include "fuzz/campaign/line_pipe.h"
 #include "fuzz/campaign/message.h"
 #include "fuzz/campaign/shared_trial.h"
 #include "fuzz/campaign/shrinking.h"
@@ -36,82 +35,7 @@ constexpr int kPollMilliseconds = 100;
 constexpr std::size_t kCrashShrinkingBudget = 300;
 constexpr unsigned kCrashSeconds = 10;
 
-// ---- Pipes ----
-
-class Pipe {
- public:
-  Pipe() {
-    if (::pipe2(ends_.data(), O_CLOEXEC) != 0)
-      throw std::system_error(errno, std::generic_category(), "pipe");
-  }
-  ~Pipe() {
-    close_reading();
-    close_writing();
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-
-  [[nodiscard]] int reading() const { return ends_[0]; }
-  [[nodiscard]] int writing() const { return ends_[1]; }
-  void close_reading() { close_end(ends_[0]); }
-  void close_writing() { close_end(ends_[1]); }
-
- private:
-  static void close_end(int& end) {
-    if (end >= 0) ::close(end);
-    end = -1;
-  }
-  std::array<int, 2> ends_{-1, -1};
-};
-
-// False if the other end is gone.
-bool write_line(int descriptor, const std::string& line) {
-  const std::string text = line + '\n';
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t more = ::write(descriptor, text.data() + done, text.size() - done);
-    if (more < 0 && errno == EINTR) continue;
-    if (more <= 0) return false;
-    done += static_cast<std::size_t>(more);
-  }
-  return true;
-}
-
-class LineReader {
- public:
-  explicit LineReader(int descriptor) : descriptor_(descriptor) {}
-
-  // Takes what is there, and waits if nothing is. False at the end.
-  bool read_more() {
-    std::array<char, 65536> buffer{};
-    ssize_t count = 0;
-    do {
-      count = ::read(descriptor_, buffer.data(), buffer.size());
-    } while (count < 0 && errno == EINTR);
-    if (count <= 0) return false;
-    text_.append(buffer.data(), static_cast<std::size_t>(count));
-    return true;
-  }
-  std::optional<std::string> next_line() {
-    const std::size_t end = text_.find('\n');
-    if (end == std::string::npos) return std::nullopt;
-    std::string line = text_.substr(0, end);
-    text_.erase(0, end + 1);
-    return line;
-  }
-
- private:
-  int descriptor_;
-  std::string text_;
-};
-
 // ---- A process of its own for one trial ----
-
-// The child's side of a fork: dies with its parent, and leaves Ctrl-C to it.
-void be_a_child(pid_t parent) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(1);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::signal(number, SIG_IGN);
-}
 
 // All but the standard ones and these two: the others are ends of other workers' pipes, which would never
 // close, and the lock of the campaign's folder.
@@ -295,12 +219,12 @@ class Worker {
 
 class Work {
  public:
-  Work(Campaign& campaign, const std::vector<Property>& properties, const WorkOptions& options)
-      : campaign_(campaign), properties_(properties), options_(options) {}
+  Work(BatchSource& source, const std::vector<Property>& properties, const WorkOptions& options)
+      : source_(source), properties_(properties), options_(options) {}
 
   void run() {
     for (unsigned k = 0; k < options_.jobs; ++k) {
-      workers_.push_back(std::make_unique<Worker>(campaign_.plan(), properties_, std::nullopt));
+      workers_.push_back(std::make_unique<Worker>(source_.plan(), properties_, std::nullopt));
       employ(*workers_.back());
     }
     while (!workers_.empty()) {
@@ -314,7 +238,7 @@ class Work {
  private:
   void employ(Worker& worker) {
     worker.batch.reset();
-    const auto order = is_stopping_ ? std::nullopt : campaign_.next_batch();
+    const auto order = is_stopping_ ? std::nullopt : source_.next_batch();
     if (order) {
       worker.give(*order);
     } else {
@@ -337,7 +261,7 @@ class Work {
 
   void take_messages(Worker& worker) {
     while (const auto line = worker.reader().next_line()) {
-      campaign_.absorb(*line);
+      source_.absorb(*line);
       if (line->starts_with("{\"batch\":")) employ(worker);
     }
   }
@@ -360,11 +284,11 @@ class Work {
           Disagreement{"hang", "", fmt::format("not done after {} s", options_.hang_seconds), "", "", "", ""};
     }
     crash.at.source = "process";
-    if (worker.batch) campaign_.give_back(*worker.batch);
+    if (worker.batch) source_.give_back(*worker.batch);
     // Reported at once, as it is: so the batch is done without it. The small one follows in a file of its
     // own.
-    campaign_.absorb(message_of(crash_finding(campaign_.plan(), crash)));
-    workers_[k] = std::make_unique<Worker>(campaign_.plan(), properties_, std::optional(crash));
+    source_.absorb(message_of(crash_finding(source_.plan(), crash)));
+    workers_[k] = std::make_unique<Worker>(source_.plan(), properties_, std::optional(crash));
     if (is_stopping_) workers_[k]->shared().tell_to_stop();
     employ(*workers_[k]);
   }
@@ -386,7 +310,7 @@ class Work {
     return sum;
   }
 
-  Campaign& campaign_;
+  BatchSource& source_;
   const std::vector<Property>& properties_;
   const WorkOptions& options_;
   std::vector<std::unique_ptr<Worker>> workers_;
@@ -395,10 +319,10 @@ class Work {
 
 }  // namespace
 
-void work_on(Campaign& campaign, const std::vector<Property>& properties, const WorkOptions& options) {
+void work_on(BatchSource& source, const std::vector<Property>& properties, const WorkOptions& options) {
   // A worker that is gone is told by its messages' end.
   const auto before = ::signal(SIGPIPE, SIG_IGN);
-  Work(campaign, properties, options).run();
+  Work(source, properties, options).run();
   ::signal(SIGPIPE, before);
 }
 

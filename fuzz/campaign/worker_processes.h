@@ -1,4 +1,4 @@
-// A campaign's batches by several processes on this machine.
+// Batches of a campaign by several processes on this machine.
 //
 // Guarantees: a process that a case ends, by a signal or by taking too long, is a finding, which names the
 // case; the campaign goes on without it. What such a case has come down to is found by trying each smaller
@@ -8,13 +8,12 @@
 // threads wait for each other.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "fuzz/campaign/campaign.h"
+#include "fuzz/campaign/batch_source.h"
 
 namespace flowcert::fuzz {
 
@@ -28,9 +27,10 @@ struct WorkOptions {
   std::function<void(std::size_t under_way)> progress;
 };
 
-// Until no batch is left, or is_stopped. Throws UnusableFolder, and std::system_error if no process can be
-// started. No other thread may be running.
-void work_on(Campaign& campaign, const std::vector<property::Property>& properties,
+// Until no batch is left, or is_stopped. Throws what the source throws, and std::system_error if no process
+// can be started. No other thread may be running. A source that waits for its next batch holds up all jobs:
+// it is for one job.
+void work_on(BatchSource& source, const std::vector<property::Property>& properties,
              const WorkOptions& options);
 
 }  // namespace flowcert::fuzz

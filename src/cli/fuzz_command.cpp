@@ -27,18 +27,6 @@ struct FuzzCommandOptions : FuzzOptions {
   std::vector<std::string> merged;
 };
 
-int verdict_of(const fuzz::Campaign& campaign) {
-  return campaign.findings().empty() ? kRight : kNegativeVerdict;
-}
-
-void print(const FuzzRun& run, bool json) {
-  if (json) {
-    print_fuzz_json(run);
-  } else {
-    print_fuzz_text(run);
-  }
-}
-
 int run_campaign(const FuzzOptions& options) {
   fuzz::Campaign campaign = campaign_of(options);
   const ScratchFolder scratch;
@@ -60,8 +48,8 @@ int run_campaign(const FuzzOptions& options) {
     fuzz::work_on(campaign, properties, work);
     seconds = progress.seconds_so_far();
   }
-  print({campaign, seconds, campaign.tally().cases - before, options.jobs, Interruption::signal() != 0},
-        options.json);
+  print_fuzz({campaign, seconds, campaign.tally().cases - before, options.jobs, Interruption::signal() != 0},
+             options.json);
   return verdict_of(campaign);
 }
 
@@ -143,7 +131,7 @@ int merge(const FuzzCommandOptions& options) {
           fmt::format("{}: {} than {}", options.merged[k], error.what(), options.merged.front()));
     }
   }
-  print({whole, std::nullopt}, options.json);
+  print_fuzz({whole, std::nullopt}, options.json);
   return verdict_of(whole);
 }
 
@@ -173,6 +161,9 @@ void add_fuzz_command(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("fuzz", "Search for degenerate inputs on which implementations disagree");
   add_fuzz_options(*command, *options);
+  command->add_option("--jobs", options->jobs, "Processes that work at a time")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
   command
       ->add_option("--replay", options->replay,
                    "Try the case of a finding's file, or of any point file, again")

@@ -193,9 +193,6 @@ void add_run_options(CLI::App& command, FuzzOptions& options) {
   command.add_option("--count", options.count, "So many cases in all")
       ->check(CLI::Range(std::size_t{1}, kMostCases));
   command.add_option("--time", options.seconds, "Stop after so many seconds")->check(is_time);
-  command.add_option("--jobs", options.jobs, "Processes that work at a time")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
   command
       .add_option("--shard", options.shard,
                   "Only this part of the campaign, i/n: all n parts together are the campaign")

@@ -34,6 +34,7 @@ struct FuzzOptions {
   bool json = false;
 };
 
+// All but jobs, which are how one of the programs does it.
 void add_fuzz_options(CLI::App& command, FuzzOptions& options);
 
 // Throws InvalidInput, or fuzz::UnusableFolder.

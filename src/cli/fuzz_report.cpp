@@ -115,8 +115,6 @@ std::size_t failing_cases(const fuzz::Campaign& campaign) {
   return sum;
 }
 
-}  // namespace
-
 void print_fuzz_text(const FuzzRun& run) {
   const fuzz::Campaign& campaign = run.campaign;
   const fuzz::Tally& tally = campaign.tally();
@@ -144,8 +142,6 @@ void print_fuzz_text(const FuzzRun& run) {
   if (run.is_interrupted) fmt::print("\nStopped by a signal.\n");
 }
 
-namespace {
-
 ordered_json finding_json(const fuzz::Campaign& campaign, const fuzz::Finding& finding) {
   return {{"case", finding.number},
           {"source", finding.source},
@@ -167,8 +163,6 @@ ordered_json reached_json(const fuzz::Tally& tally) {
   }
   return components;
 }
-
-}  // namespace
 
 void print_fuzz_json(const FuzzRun& run) {
   const fuzz::Campaign& campaign = run.campaign;
@@ -198,6 +192,20 @@ void print_fuzz_json(const FuzzRun& run) {
     report["jobs"] = run.jobs;
   }
   fmt::print("{}\n", report.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+}
+
+}  // namespace
+
+void print_fuzz(const FuzzRun& run, bool json) {
+  if (json) {
+    print_fuzz_json(run);
+  } else {
+    print_fuzz_text(run);
+  }
+}
+
+int verdict_of(const fuzz::Campaign& campaign) {
+  return campaign.findings().empty() ? kRight : kNegativeVerdict;
 }
 
 }  // namespace flowcert

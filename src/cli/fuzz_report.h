@@ -16,7 +16,9 @@ struct FuzzRun {
   bool is_interrupted = false;
 };
 
-void print_fuzz_text(const FuzzRun& run);
-void print_fuzz_json(const FuzzRun& run);
+void print_fuzz(const FuzzRun& run, bool json);
+
+// The exit status: whether a case failed.
+[[nodiscard]] int verdict_of(const fuzz::Campaign& campaign);
 
 }  // namespace flowcert

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "tests/cites.h"
+#include "tests/conformance/campaign_account.h"
 #include "tests/conformance/program_run.h"
 
 namespace flowcert::conformance {
@@ -22,14 +23,6 @@ using nlohmann::json;
 std::vector<std::string> fuzz(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"fuzz", "--json"});
   return arguments;
-}
-
-// Without what depends on the time, on where the files are, and on how the run was cut.
-json account_of(const Finished& finished) {
-  json report = json::parse(finished.out);
-  for (const char* key : {"seconds", "cases_per_second", "jobs", "by_points", "shard"}) report.erase(key);
-  for (json& finding : report.at("findings")) finding.erase("file");
-  return report;
 }
 
 json campaign(const std::vector<std::string>& arguments, int status = 0) {
@@ -104,16 +97,6 @@ TEST(FuzzCommand, PartsOfOtherCampaignsAreRefused) {
   const Finished finished = flowcert({"fuzz", "merge", scratch.path("a"), scratch.path("b")});
   EXPECT_EQ(finished.status, 2);
   EXPECT_NE(finished.err.find("another campaign"), std::string::npos) << finished.err;
-}
-
-// Waits until the campaign has written a batch.
-void wait_for_a_batch(RunningProgram& program, const std::string& folder) {
-  for (int k = 0; k < 3000 && !program.has_ended(); ++k) {
-    std::error_code ignored;
-    if (fs::file_size(folder + "/batches.jsonl", ignored) > 0 && !ignored) return;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  FAIL() << "the campaign never got anywhere";
 }
 
 class FuzzCommandInterrupted : public testing::TestWithParam<int> {};
