@@ -245,12 +245,7 @@ void Campaign::absorb(const Campaign& part) {
 
 std::optional<std::size_t> Campaign::expected_cases() const {
   if (!total_cases_) return std::nullopt;
-  std::size_t sum = 0;
-  for (auto batch = batch_from(plan_, total_cases_, 0); batch;
-       batch = batch_from(plan_, total_cases_, *batch + 1)) {
-    sum += cases_of_batch(plan_, total_cases_, *batch);
-  }
-  return sum;
+  return cases_of_shard(plan_, *total_cases_);
 }
 
 fs::path Campaign::file_of(const Finding& finding) const {

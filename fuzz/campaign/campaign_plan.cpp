@@ -118,6 +118,14 @@ std::size_t cases_of_batch(const CampaignPlan& plan, std::optional<std::size_t> 
   return std::min(plan.batch_cases, *total - batch * plan.batch_cases);
 }
 
+std::size_t cases_of_shard(const CampaignPlan& plan, std::size_t total) {
+  const std::size_t batches = total / plan.batch_cases + (total % plan.batch_cases == 0 ? 0 : 1);
+  if (plan.shard.index >= batches) return 0;
+  const std::size_t own = (batches - 1 - plan.shard.index) / plan.shard.count + 1;
+  const std::size_t last = plan.shard.index + (own - 1) * plan.shard.count;
+  return (own - 1) * plan.batch_cases + cases_of_batch(plan, total, last);
+}
+
 std::optional<std::size_t> batch_from(const CampaignPlan& plan, std::optional<std::size_t> total,
                                       std::size_t batch) {
   const std::size_t ahead =

@@ -62,6 +62,8 @@ struct CampaignPlan {
 // Of a campaign of so many cases in all: the batches of the plan's shard, and the cases of each.
 [[nodiscard]] std::size_t cases_of_batch(const CampaignPlan& plan, std::optional<std::size_t> total,
                                          std::size_t batch);
+// All cases of the plan's shard.
+[[nodiscard]] std::size_t cases_of_shard(const CampaignPlan& plan, std::size_t total);
 // The first batch of the shard that is not before this one; nothing beyond the campaign's end.
 [[nodiscard]] std::optional<std::size_t> batch_from(const CampaignPlan& plan,
                                                     std::optional<std::size_t> total, std::size_t batch);

@@ -288,6 +288,25 @@ TEST(CampaignPlan, CutsCasesIntoBatchesAndShards) {
   EXPECT_EQ(batch_from(plan, 75, 8), std::nullopt);
 }
 
+TEST(CampaignPlan, CountsTheCasesOfAShard) {
+  CampaignPlan plan;
+  plan.batch_cases = 10;
+  for (const std::size_t total :
+       {std::size_t{0}, std::size_t{5}, std::size_t{10}, std::size_t{75}, std::size_t{80}}) {
+    for (plan.shard.count = 1; plan.shard.count < 12; ++plan.shard.count) {
+      for (plan.shard.index = 0; plan.shard.index < plan.shard.count; ++plan.shard.index) {
+        std::size_t sum = 0;
+        for (auto batch = batch_from(plan, total, 0); batch; batch = batch_from(plan, total, *batch + 1)) {
+          sum += cases_of_batch(plan, total, *batch);
+        }
+        EXPECT_EQ(cases_of_shard(plan, total), sum) << total;
+      }
+    }
+  }
+  plan.shard = {3, 7};
+  EXPECT_EQ(cases_of_shard(plan, 700'000'000'000), 100'000'000'000U);
+}
+
 Finding some_finding() {
   Finding finding{12,
                   345,
