@@ -4,8 +4,7 @@
 // Guarantees: cases, findings and signatures are a function of plan, number of cases and batch, and of the
 // cases that are left out; only times are not. A case is fresh (trial_mix.h), or a mutant (mutation.h) of an
 // input that showed a new signature earlier in the batch, or that the plan's corpus has. A disagreement is
-// shrunk when the batch meets its kind for the first time; of the others the number of the case is told,
-// which is enough to make it again.
+// shrunk when the batch meets its kind for the first time; the others of its kind are counted.
 #pragma once
 
 #include <cstddef>

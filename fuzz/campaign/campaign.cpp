@@ -127,6 +127,7 @@ Campaign Campaign::begun(CampaignPlan plan, std::optional<std::size_t> total_cas
   if (fs::exists(folder / kPlanName)) {
     refuse(folder, "there is a campaign in it already; --resume goes on with it");
   }
+  if (!fs::is_empty(folder)) refuse(folder, "it is not empty");
   Campaign campaign(std::move(plan), total_cases, folder / kFindingsFolder);
   campaign.files_ = std::make_unique<Files>(folder);
   write_file(folder / kPlanName,
@@ -139,11 +140,16 @@ Campaign Campaign::resumed(const fs::path& folder, std::optional<std::size_t> to
   if (!file) refuse(folder, "there is no campaign in it");
   try {
     const json object = json::parse(file);
-    if (!total_cases && !object.at("cases").is_null()) total_cases = object.at("cases").get<std::size_t>();
+    const json& cases = object.at("cases");
+    const bool is_number = cases.is_number_unsigned() && cases.get<std::size_t>() <= kMostCasesOfCampaign;
+    if (!cases.is_null() && !is_number) refuse(folder, "its number of cases cannot be read");
+    if (!total_cases && is_number) total_cases = cases.get<std::size_t>();
     Campaign campaign(plan_of(object.at("plan").get<std::string>()), total_cases, folder / kFindingsFolder);
     auto files = std::make_unique<Files>(folder);  // nobody else's from here on
     campaign.load(folder);
     campaign.files_ = std::move(files);
+    const auto expected = campaign.expected_cases();
+    if (expected && campaign.tally().cases > *expected) refuse(folder, "more cases than that are done");
     write_file(folder / kPlanName,
                json{{"plan", to_text(campaign.plan_)}, {"cases", total_json(total_cases)}}.dump() + '\n');
     return campaign;
@@ -199,11 +205,11 @@ void Campaign::absorb_batch(std::size_t batch, Tally tally) {
   if (known != done_.end() && known->second.cases >= tally.cases) return;
   if (files_) files_->batches.add(message_of(batch, {tally, true}));
   const std::size_t expected = cases_of_batch(plan_, total_cases_, batch);
-  std::size_t left_out = 0;
+  std::set<std::size_t> left_out;
   for (const auto& [key, finding] : findings_) {
-    left_out += ends_process(finding) && key.first / plan_.batch_cases == batch ? 1 : 0;
+    if (ends_process(finding) && key.first / plan_.batch_cases == batch) left_out.insert(key.first);
   }
-  if (tally.cases + left_out < expected) return;
+  if (tally.cases + left_out.size() < expected) return;
   if (known == done_.end()) {
     sum_.add(tally);
     done_.emplace(batch, std::move(tally));
@@ -215,7 +221,7 @@ void Campaign::absorb_batch(std::size_t batch, Tally tally) {
 }
 
 void Campaign::absorb(const Finding& finding) {
-  const std::pair key(finding.number, finding.property);
+  const std::pair key(finding.number, finding.property + ' ' + finding.disagreement.kind);
   const auto known = findings_.find(key);
   if (known != findings_.end() && !is_smaller(finding, known->second)) return;
   findings_.insert_or_assign(key, finding);

@@ -25,7 +25,7 @@
 
 namespace flowcert::fuzz {
 
-// Of each property and kind so many findings are written; the others are counted.
+// Of each property and kind so many findings get a point file, the first that come; findings.jsonl has all.
 inline constexpr std::size_t kMostFindingsOfKind = 10;
 
 // A campaign's folder that cannot be used. what() is one line.
@@ -73,7 +73,7 @@ class Campaign : public BatchSource {
   // Of the shard, if there is a number of cases: all its cases.
   [[nodiscard]] std::optional<std::size_t> expected_cases() const;
   [[nodiscard]] const std::map<DegeneracySignature, Discovered>& signatures() const { return signatures_; }
-  // By number, then property.
+  // By number, then "PROPERTY KIND".
   [[nodiscard]] const std::map<std::pair<std::size_t, std::string>, Finding>& findings() const {
     return findings_;
   }

@@ -37,7 +37,14 @@ std::uint64_t weight_of(std::string_view word) {
 }
 
 void require_sound(const CampaignPlan& plan) {
-  for (const WeightedFamily& family : plan.families) require_family(family.name);
+  for (const WeightedFamily& family : plan.families) {
+    require_family(family.name);
+    if (family.weight == 0 || family.weight > kMostWeight)
+      throw std::invalid_argument("a weight out of its range");
+  }
+  for (const Input& input : plan.corpus) {
+    if (input.rows.size() > kMostRowsOfTrial) throw std::invalid_argument("a corpus of too many points");
+  }
   for (const std::string& name : plan.properties) {
     if (property::property_named(name) == nullptr) {
       throw std::invalid_argument("no property is called '" + name + "'");
@@ -65,6 +72,8 @@ std::string to_text(const CampaignPlan& plan) {
               {"searched_percent", plan.searched_percent},
               {"properties", plan.properties},
               {"against", plan.against},
+              {"time_limit_seconds", plan.time_limit_seconds},
+              {"memory_limit_mebibytes", plan.memory_limit_mebibytes},
               {"batch_cases", plan.batch_cases},
               {"corpus", corpus},
               {"shard", {plan.shard.index, plan.shard.count}}}
@@ -87,6 +96,8 @@ CampaignPlan plan_of(const std::string& text) {
     object.at("searched_percent").get_to(plan.searched_percent);
     object.at("properties").get_to(plan.properties);
     object.at("against").get_to(plan.against);
+    object.at("time_limit_seconds").get_to(plan.time_limit_seconds);
+    object.at("memory_limit_mebibytes").get_to(plan.memory_limit_mebibytes);
     object.at("batch_cases").get_to(plan.batch_cases);
     for (const json& rows : object.at("corpus")) plan.corpus.push_back(input_of(rows));
     plan.shard = {object.at("shard").at(0).get<std::size_t>(), object.at("shard").at(1).get<std::size_t>()};

@@ -19,6 +19,7 @@
 namespace flowcert::fuzz {
 
 inline constexpr std::size_t kMostRowsOfTrial = 12;
+inline constexpr std::size_t kMostCasesOfCampaign = 1'000'000'000'000;
 
 struct WeightedFamily {
   std::string name;
@@ -42,7 +43,10 @@ struct CampaignPlan {
   std::size_t most_rows = kMostRowsOfTrial;
   std::size_t searched_percent = 30;    // of the cases are mutants of inputs that showed something new
   std::vector<std::string> properties;  // empty: all of them, each on its share of the cases
-  std::string against;                  // another implementation's command; empty: ours alone
+  // Another implementation's command, and the limits under which it runs; empty: ours alone.
+  std::string against;
+  double time_limit_seconds = 10;
+  std::size_t memory_limit_mebibytes = 4096;
   std::size_t batch_cases = 1000;
   std::vector<Input> corpus;
   Shard shard;

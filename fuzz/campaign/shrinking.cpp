@@ -22,8 +22,7 @@ double cost_of(double value) {
   const double size = std::fabs(value);
   if (size == 0) return 0;
   const bool is_integer = size < 0x1p53 && std::floor(size) == size;
-  return (is_integer ? 0 : 4000) + 1 + std::min(std::fabs(std::log2(size)) * 2, 3000.0) +
-         (value < 0 ? 0.5 : 0);
+  return (is_integer ? 0 : 4000) + 1 + 2 * std::abs(std::ilogb(size)) + (value < 0 ? 0.5 : 0);
 }
 
 double cost_of(const Input& input) {

@@ -131,8 +131,10 @@ void report_shrunk(const CampaignPlan& plan, const std::vector<Property>& proper
   observer.tell(message_of(finding));
 }
 
+// An exception ends the process, as a crash at the trial that it was at: nothing of the parent's is to be
+// undone here.
 [[noreturn]] void be_a_worker(const CampaignPlan& plan, const std::vector<Property>& properties, int orders,
-                              int messages, SharedTrial& shared, const std::optional<Crash>& crash) {
+                              int messages, SharedTrial& shared, const std::optional<Crash>& crash) noexcept {
   PipeObserver observer(messages, shared);
   if (crash) report_shrunk(plan, properties, *crash, observer);
   LineReader reader(orders);

@@ -28,18 +28,18 @@ struct FuzzCommandOptions : FuzzOptions {
 };
 
 int run_campaign(const FuzzOptions& options) {
+  const Interruption interruption;
   fuzz::Campaign campaign = campaign_of(options);
   const ScratchFolder scratch;
   const auto properties = properties_of(campaign.plan(), options, scratch.path());
   const std::size_t before = campaign.tally().cases;
-  const Interruption interruption;
   double seconds = 0;
   {
     FuzzProgress progress(campaign, options.seconds);
     fuzz::WorkOptions work;
     work.jobs = options.jobs;
     // A command that is late is a finding of another kind.
-    work.hang_seconds = std::max(options.hang_seconds, 2 * options.peer.limits.seconds);
+    work.hang_seconds = std::max(options.hang_seconds, 2 * campaign.plan().time_limit_seconds);
     work.is_stopped = [&] {
       return Interruption::signal() != 0 ||
              (options.seconds && progress.seconds_so_far() >= *options.seconds);
@@ -58,8 +58,9 @@ int run_campaign(const FuzzOptions& options) {
 std::string content_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::stringstream buffer;
+  std::error_code ignored;
+  if (!file || !fs::is_regular_file(path, ignored)) throw InvalidInput(path + ": cannot be read");
   buffer << file.rdbuf();
-  if (!file) throw InvalidInput(path + ": cannot be read");
   return buffer.str();
 }
 
@@ -95,6 +96,8 @@ int replay(const FuzzCommandOptions& options) {
   const ScratchFolder scratch;
   fuzz::CampaignPlan plan;
   plan.against = options.peer.command;
+  plan.time_limit_seconds = options.time_limit.value_or(plan.time_limit_seconds);
+  plan.memory_limit_mebibytes = options.memory_limit.value_or(plan.memory_limit_mebibytes);
   plan.properties = options.properties;
   const auto properties = properties_of(plan, options, scratch.path());
   int status = kRight;
@@ -164,10 +167,13 @@ void add_fuzz_command(CLI::App& app, int& status) {
   command->add_option("--jobs", options->jobs, "Processes that work at a time")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  command
-      ->add_option("--replay", options->replay,
-                   "Try the case of a finding's file, or of any point file, again")
-      ->type_name("FILE");
+  auto* replay_option = command
+                            ->add_option("--replay", options->replay,
+                                         "Try the case of a finding's file, or of any point file, again")
+                            ->type_name("FILE");
+  for (const char* name : {"--count", "--time", "--out", "--resume", "--shard", "--corpus", "--json"}) {
+    replay_option->excludes(command->get_option(name));
+  }
   add_merge_command(*command, options, status);
   command->footer(
       "The same seed has the same cases and findings on any machine, however many jobs and interruptions "
@@ -175,7 +181,8 @@ void add_fuzz_command(CLI::App& app, int& status) {
       "Examples:\n  flowcert fuzz --time 60 --jobs 2\n"
       "  flowcert fuzz --count 1000000 --property critical-points --property orbit --out campaign\n"
       "  flowcert fuzz --resume campaign --jobs 2\n"
-      "  flowcert fuzz --time 60 --against \"$PWD/my-flow {in} {out}\" --families box:3,sphere\n"
+      "  flowcert fuzz --time 60 --against \"$PWD/my-flow {in} {out}\" --families "
+      "box-corners:3,integer-sphere\n"
       "  flowcert fuzz --count 100000 --shard 1/4 --out part-1");
   command->callback([options, command, &status] {
     if (command->get_subcommands().empty()) status = fuzz_or_list(*options);

@@ -12,6 +12,7 @@
 
 #include "cli/command_run.h"
 #include "cli/command_template.h"
+#include "cli/scratch_folder.h"
 #include "cli/table.h"
 #include "flowcert/point_set.h"
 #include "fuzz/stable_families.h"
@@ -26,7 +27,6 @@ namespace fs = std::filesystem;
 constexpr double kLongestSeconds = 366.0 * 86400;
 constexpr std::size_t kMostMebibytes = std::size_t{1} << 24;
 constexpr std::size_t kMostShards = 1'000'000;
-constexpr std::size_t kMostCases = 1'000'000'000'000;
 // A command takes a process for each case: a batch of a thousand would be long.
 constexpr std::size_t kCasesOfPeerBatch = 100;
 // So many inputs of a corpus folder are used, the first by name.
@@ -91,8 +91,9 @@ std::string is_seed(const std::string& word) {
 std::string content_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::stringstream buffer;
+  std::error_code ignored;
+  if (!file || !fs::is_regular_file(path, ignored)) throw InvalidInput(path.string() + ": cannot be read");
   buffer << file.rdbuf();
-  if (!file) throw InvalidInput(path.string() + ": cannot be read");
   return buffer.str();
 }
 
@@ -123,8 +124,13 @@ fuzz::CampaignPlan plan_of(const FuzzOptions& options) {
   plan.seed = options.seed;
   plan.families = fuzz::families_of(options.families);
   plan.searched_percent = options.searched_percent;
-  plan.properties = options.properties;
+  for (const std::string& name : options.properties) {
+    const bool is_new = std::ranges::find(plan.properties, name) == plan.properties.end();
+    if (is_new) plan.properties.push_back(name);
+  }
   plan.against = options.peer.command;
+  plan.time_limit_seconds = options.time_limit.value_or(plan.time_limit_seconds);
+  plan.memory_limit_mebibytes = options.memory_limit.value_or(plan.memory_limit_mebibytes);
   if (!plan.against.empty()) {
     plan.batch_cases = kCasesOfPeerBatch;
     plan.fewest_rows = 1;
@@ -179,19 +185,19 @@ void add_property_options(CLI::App& command, FuzzOptions& options) {
                   "file to write its claim to; without {out}, standard output is the claim")
       ->check(has_in)
       ->excludes(property);
-  command.add_option("--time-limit", options.peer.limits.seconds, "Seconds after which its run is killed")
-      ->check(is_time)
-      ->capture_default_str();
   command
-      .add_option("--memory-limit", options.memory_mebibytes,
-                  "MiB of address space that it may have; 0: no limit")
-      ->check(CLI::Range(std::size_t{0}, kMostMebibytes))
-      ->capture_default_str();
+      .add_option("--time-limit", options.time_limit,
+                  "Seconds after which its run is killed; without this 10")
+      ->check(is_time);
+  command
+      .add_option("--memory-limit", options.memory_limit,
+                  "MiB of address space that it may have, 0: no limit; without this 4096")
+      ->check(CLI::Range(std::size_t{0}, kMostMebibytes));
 }
 
 void add_run_options(CLI::App& command, FuzzOptions& options) {
   command.add_option("--count", options.count, "So many cases in all")
-      ->check(CLI::Range(std::size_t{1}, kMostCases));
+      ->check(CLI::Range(std::size_t{1}, fuzz::kMostCasesOfCampaign));
   command.add_option("--time", options.seconds, "Stop after so many seconds")->check(is_time);
   command
       .add_option("--shard", options.shard,
@@ -203,8 +209,8 @@ void add_run_options(CLI::App& command, FuzzOptions& options) {
   auto* resume =
       command.add_option("--resume", options.resume, "Go on with the campaign in this folder")->excludes(out);
   // What a campaign is, its folder says.
-  for (const char* name :
-       {"--families", "--points", "--search", "--corpus", "--seed", "--property", "--against", "--shard"}) {
+  for (const char* name : {"--families", "--points", "--search", "--corpus", "--seed", "--property",
+                           "--against", "--shard", "--time-limit", "--memory-limit"}) {
     resume->excludes(command.get_option(name));
   }
   command.add_option("--hang", options.hang_seconds, "Seconds after which a property is taken to hang")
@@ -222,14 +228,31 @@ void add_fuzz_options(CLI::App& command, FuzzOptions& options) {
 }
 
 fuzz::Campaign campaign_of(const FuzzOptions& options) {
-  if (!options.resume.empty()) return fuzz::Campaign::resumed(options.resume, options.count);
+  if (!options.resume.empty()) {
+    fuzz::Campaign campaign = fuzz::Campaign::resumed(options.resume, options.count);
+    if (!campaign.total_cases() && !options.seconds) {
+      throw InvalidInput(options.resume +
+                         ": it has no number of cases: one of --count and --time is required");
+    }
+    return campaign;
+  }
   if (!options.count && !options.seconds) {
     throw InvalidInput("one of --count and --time is required: when is it enough?");
   }
   const std::string fault = fault_of_relative_path(options.peer.command);
   if (!fault.empty()) throw InvalidInput("--against: " + fault);
-  if (!options.out.empty()) return fuzz::Campaign::begun(plan_of(options), options.count, options.out);
-  return {plan_of(options), options.count, fmt::format("flowcert-fuzz-{}", options.seed)};
+  const fuzz::CampaignPlan plan = plan_of(options);
+  {
+    const ScratchFolder scratch;
+    (void)properties_of(plan, options, scratch.path());  // refuses a command that cannot be started
+  }
+  if (!options.out.empty()) return fuzz::Campaign::begun(plan, options.count, options.out);
+  const std::string findings = fmt::format("flowcert-fuzz-{}", options.seed);
+  if (fs::exists(findings)) {
+    throw InvalidInput(findings +
+                       ": there are findings of another campaign in it; name another folder by --out");
+  }
+  return {plan, options.count, findings};
 }
 
 std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan, const FuzzOptions& options,
@@ -237,7 +260,8 @@ std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan, co
   if (plan.against.empty()) return fuzz::own_properties(plan);
   PeerOptions peer = options.peer;
   peer.command = plan.against;
-  peer.limits.memory_bytes = std::uint64_t{options.memory_mebibytes} << 20;
+  peer.limits.seconds = plan.time_limit_seconds;
+  peer.limits.memory_bytes = std::uint64_t{plan.memory_limit_mebibytes} << 20;
   std::vector<property::Property> properties{peer_property(peer, scratch)};
   require_startable(properties.front());
   return properties;

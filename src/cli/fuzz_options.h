@@ -21,7 +21,8 @@ struct FuzzOptions {
   std::string points;    // "4-8"
   std::vector<std::string> properties;
   PeerOptions peer;
-  std::size_t memory_mebibytes = 4096;
+  std::optional<double> time_limit;
+  std::optional<std::size_t> memory_limit;
   std::uint64_t seed = 1;
   std::size_t searched_percent = 30;
   std::string corpus;  // a folder

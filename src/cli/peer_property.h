@@ -1,8 +1,9 @@
 // Another implementation's command as a property: what it claims of an input is right.
 //
 // Guarantees: those of command_run.h and flowcert/check.h: however the command ends, there is a verdict, and
-// what the claim is free to say is permitted. The kind of a disagreement is how the run ended ("crash",
-// "time-limit", "refusal", "unreadable"), or the reason of the finding that tells most ("missed-by-cluster").
+// what the claim is free to say is permitted. The kind of a disagreement is how the run ended ("signal",
+// "time-limit", "refusal", "unreadable", "not-started"), or the reason of the finding that tells most
+// ("missed-by-cluster").
 #pragma once
 
 #include <filesystem>

@@ -216,6 +216,41 @@ TEST(FuzzCommand, BeginsWithACorpus) {
   EXPECT_NE(bad.err.find("bad.xyz:1:"), std::string::npos) << bad.err;
 }
 
+TEST(FuzzCommand, AsksNobodyAboutNoPoints) {
+  const Scratch scratch;
+  const json report =
+      campaign({"--count", "20", "--against", "exit 3; {in}", "--out", scratch.path("campaign")}, 1);
+  for (const json& finding : report.at("findings")) EXPECT_EQ(finding.at("points"), 1);
+}
+
+TEST(FuzzCommand, RefusesFoldersThatDoNotFit) {
+  const Scratch scratch;
+  fs::create_directory(scratch.path("full"));
+  (void)scratch.file("full/batches.jsonl", "");
+  const std::string timed = scratch.path("timed");
+  (void)campaign({"--time", "0.2", "--points", "1-3", "--out", timed});
+  const std::string done = scratch.path("done");
+  (void)campaign({"--count", "50", "--points", "1-3", "--out", done});
+  const std::string damaged = scratch.path("damaged");
+  fs::copy(done, damaged);
+  (void)scratch.file("damaged/plan.json", R"({"cases":-1,"plan":""})");
+  const std::vector<std::vector<std::string>> wrong = {
+      {"fuzz", "--count", "10", "--out", scratch.path("full")},
+      {"fuzz", "--resume", timed},
+      {"fuzz", "--resume", done, "--count", "20"},
+      {"fuzz", "--resume", damaged},
+      {"fuzz", "--replay", scratch.path("full")},
+      {"fuzz", "--count", "5", "--against", "/no/such {in}", "--out", scratch.path("new")},
+  };
+  for (const auto& words : wrong) {
+    const Finished finished = flowcert(words);
+    EXPECT_EQ(finished.status, 2) << words.at(2) << finished.out;
+    EXPECT_EQ(lines_of(finished.err).size(), 1U) << words.at(2) << finished.err;
+  }
+  EXPECT_FALSE(fs::exists(scratch.path("new")));
+  EXPECT_FALSE(fs::exists(scratch.path("full") + "/plan.json"));
+}
+
 TEST(FuzzCommand, RefusesWhatItCannotUse) {
   const Scratch scratch;
   const std::vector<std::vector<std::string>> wrong = {
