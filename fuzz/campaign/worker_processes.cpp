@@ -31,6 +31,7 @@ using property::Property;
 using property::Trial;
 
 constexpr int kPollMilliseconds = 100;
+constexpr double kLongestLook = 1;  // seconds between two looks at a worker, at most, unless suspended
 // Each smaller input costs a process.
 constexpr std::size_t kCrashShrinkingBudget = 300;
 constexpr unsigned kCrashSeconds = 10;
@@ -192,15 +193,17 @@ class Worker {
     return status;
   }
 
-  // Whether it has been at one trial for too long.
+  // Whether it has been at one trial for too long. Time in which nobody looked does not count: then this
+  // process was suspended as well.
   bool hangs(double seconds) {
     const Clock::time_point now = Clock::now();
+    const double since = std::chrono::duration<double>(now - last_look_).count();
+    last_look_ = now;
     const std::uint64_t trials = shared_.trials();
-    if (trials != last_trials_ || !shared_.is_trying()) {
-      last_trials_ = trials;
-      last_change_ = now;
-    }
-    return std::chrono::duration<double>(now - last_change_).count() > seconds;
+    const bool is_at_the_same = trials == last_trials_ && shared_.is_trying();
+    last_trials_ = trials;
+    seconds_at_trial_ = is_at_the_same ? seconds_at_trial_ + std::min(since, kLongestLook) : 0;
+    return seconds_at_trial_ > seconds;
   }
 
   [[nodiscard]] int descriptor() const { return messages_.reading(); }
@@ -216,7 +219,8 @@ class Worker {
   pid_t process_ = -1;
   LineReader reader_{-1};
   std::uint64_t last_trials_ = 0;
-  Clock::time_point last_change_ = Clock::now();
+  double seconds_at_trial_ = 0;
+  Clock::time_point last_look_ = Clock::now();
 };
 
 class Work {

@@ -1,8 +1,7 @@
 // `flowcert fuzz` as a shell sees it: campaigns that are the same however they are run, that end cleanly and
 // go on after any end, and that find what is wrong with another implementation and make it small.
 //
-// Guarantees: no test waits for a time to pass; a campaign is interrupted when its files say that it is under
-// way.
+// Guarantees: a campaign is interrupted when its files say that it is under way, not after some time.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -131,6 +130,23 @@ TEST_P(FuzzCommandInterrupted, GoesOnToTheSameEnd) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, FuzzCommandInterrupted, testing::Values(SIGINT, SIGTERM, SIGKILL));
+
+// As by Ctrl-Z, for longer than a property may take.
+TEST(FuzzCommand, IsNotMisledByBeingSuspended) {
+  const Scratch scratch;
+  auto start = fuzz({"--count", "8000", "--property", "critical-points", "--points", "3-5", "--jobs", "2",
+                     "--hang", "1", "--out", scratch.path("campaign")});
+  start.insert(start.begin(), FLOWCERT_PROGRAM);
+  RunningProgram program(start);
+  wait_for_a_batch(program, scratch.path("campaign"));
+  ASSERT_FALSE(program.has_ended());
+  program.signal_family(SIGSTOP);
+  std::this_thread::sleep_for(std::chrono::milliseconds(2500));
+  program.signal_family(SIGCONT);
+  const Finished finished = program.finish();
+  EXPECT_EQ(finished.status, 0) << finished.out;
+  EXPECT_EQ(account_of(finished).at("cases"), 8000);
+}
 
 TEST(FuzzCommand, StopsWhenItsTimeIsOver) {
   const auto start = std::chrono::steady_clock::now();

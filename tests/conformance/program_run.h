@@ -105,6 +105,13 @@ class RunningProgram {
   }
 
   void signal(int number) const { ::kill(process_, number); }
+  // To its children as well, those that it has now.
+  void signal_family(int number) const {
+    const std::string process = std::to_string(process_);
+    std::istringstream children(content_of("/proc/" + process + "/task/" + process + "/children"));
+    signal(number);
+    for (pid_t child = 0; children >> child;) ::kill(child, number);
+  }
 
   // Whether it has ended; never waits.
   [[nodiscard]] bool has_ended() {

@@ -3,10 +3,9 @@
 //
 //   simplicial_program IN OUT [--strict | --crash ROWS | --hang ROWS | --refuse ROWS]
 //
-// Claims, in the format of Giesen and Kuehne's program, each simplex whose circumcentre is inside of it with
-// no other point in its open ball: a square comes out as two right triangles' worth of diagonals. --strict:
-// no other point on the sphere either, so that what is cospherical goes missing. The others: what becomes of
-// an input of at least so many rows.
+// Claims, as lines of CSV, each simplex whose circumcentre is inside of it with no other point in its open
+// ball: a square comes out as two diagonals. --strict: no other point on the sphere either, so that what is
+// cospherical goes missing. The others: what becomes of an input of at least so many rows.
 #include <unistd.h>
 
 #include <array>
@@ -81,9 +80,12 @@ struct Claims {
       const double reach = sphere->squared_radius * (is_strict ? 1 + 1e-9 : 1 - 1e-9);
       if (!is_own && dot(away, away) < reach) return;
     }
-    for (const std::size_t id : ids) out << id << ' ';
-    out.precision(18);
-    out << "| " << std::sqrt(sphere->squared_radius) << " |  \n";
+    out.precision(17);
+    out << ids.size() - 1;
+    for (const double coordinate : sphere->center) out << ',' << coordinate;
+    out << ',' << sphere->squared_radius;
+    for (const std::size_t id : ids) out << ',' << id;
+    out << '\n';
   }
 
   void claim_all(std::vector<std::size_t>& ids) const {
@@ -116,7 +118,6 @@ int main(int argc, char** argv) {
   const std::string how = argc > 3 ? argv[3] : "";
   if (argc > 4 && points.size() >= std::stoul(argv[4])) misbehave(how);
   std::ofstream out(argv[2]);
-  out << "inf 3\n";
   std::vector<std::size_t> ids;
   Claims{points, how == "--strict", out}.claim_all(ids);
   return out.flush() ? 0 : 1;
