@@ -506,9 +506,8 @@ TEST(CheckMutations, MutantsFailWhereTheyAreWrong) {
               report);
     }
   });
-  for (const auto& [name, mutation] : mutations()) {
-    EXPECT_GT(made[name], scale_of_run() >= 1 ? 50U : 0U) << name;
-  }
+  if (scale_of_run() < 1) return;  // fewer inputs may have none of a kind
+  for (const auto& [name, mutation] : mutations()) EXPECT_GT(made[name], 50U) << name;
 }
 
 // Of what a perturbation makes of a regular stationary point, no part is right without the others.
