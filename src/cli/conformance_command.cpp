@@ -15,6 +15,7 @@
 #include "cli/conformance_report.h"
 #include "cli/interruption.h"
 #include "cli/judging_options.h"
+#include "cli/option_checks.h"
 #include "cli/progress_line.h"
 #include "cli/table.h"
 #include "io/number_text.h"
@@ -168,9 +169,6 @@ int conformance(ConformanceCommandOptions& options) {
 // ---- Options
 
 // Validators return what is wrong.
-std::string has_in(const std::string& command) {
-  return has_place(command, "{in}") ? "" : "there is no {in} in the command";
-}
 std::string has_in_and_start(const std::string& command) {
   return has_place(command, "{start}") ? has_in(command) : "there is no {start} in the command";
 }
@@ -179,12 +177,7 @@ std::string is_file_name(const std::string& name) {
   const bool is_free = name.find('/') == std::string::npos && !has(taken, name);
   return is_free ? "" : in_quotes(name) + " is no file name that is free";
 }
-// CLI11's own range takes nan for a number in it.
-std::string is_time(const std::string& word) {
-  const NumberText number = parse_number(word);
-  const bool is_right = number.fault == nullptr && 0 < number.value && number.value <= kLongestSeconds;
-  return is_right ? "" : in_quotes(word) + " is no number of seconds, of at most a day";
-}
+std::string is_time(const std::string& word) { return fault_of_seconds(word, kLongestSeconds, "a day"); }
 
 void add_choice_options(CLI::App& command, ConformanceCommandOptions& options) {
   command.add_option("--vectors", options.folder,

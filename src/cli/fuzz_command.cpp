@@ -2,13 +2,11 @@
 // if no case failed, 1 if one did.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <fstream>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 
 #include "cli/command.h"
+#include "cli/finding_file.h"
 #include "cli/fuzz_options.h"
 #include "cli/fuzz_progress.h"
 #include "cli/fuzz_report.h"
@@ -20,8 +18,6 @@ namespace flowcert {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 struct FuzzCommandOptions : FuzzOptions {
   std::vector<std::string> replay;
   std::vector<std::string> merged;
@@ -31,15 +27,14 @@ int run_campaign(const FuzzOptions& options) {
   const Interruption interruption;
   fuzz::Campaign campaign = campaign_of(options);
   const ScratchFolder scratch;
-  const auto properties = properties_of(campaign.plan(), options, scratch.path());
+  const auto properties = properties_of(campaign.plan(), scratch.path());
   const std::size_t before = campaign.tally().cases;
   double seconds = 0;
   {
     FuzzProgress progress(campaign, options.seconds);
     fuzz::WorkOptions work;
     work.jobs = options.jobs;
-    // A command that is late is a finding of another kind.
-    work.hang_seconds = std::max(options.hang_seconds, 2 * campaign.plan().time_limit_seconds);
+    work.hang_seconds = hang_seconds(campaign.plan(), options);
     work.is_stopped = [&] {
       return Interruption::signal() != 0 ||
              (options.seconds && progress.seconds_so_far() >= *options.seconds);
@@ -54,23 +49,6 @@ int run_campaign(const FuzzOptions& options) {
 }
 
 // ---- Again
-
-std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream buffer;
-  std::error_code ignored;
-  if (!file || !fs::is_regular_file(path, ignored)) throw InvalidInput(path + ": cannot be read");
-  buffer << file.rdbuf();
-  return buffer.str();
-}
-
-fuzz::Finding finding_in(const std::string& path) {
-  try {
-    return fuzz::finding_of(content_of(path));
-  } catch (const std::invalid_argument& error) {
-    throw InvalidInput(path + ":" + error.what());
-  }
-}
 
 // All properties where the file names none.
 bool is_right_on(const fuzz::Finding& finding, const std::vector<property::Property>& properties,
@@ -94,15 +72,12 @@ bool is_right_on(const fuzz::Finding& finding, const std::vector<property::Prope
 
 int replay(const FuzzCommandOptions& options) {
   const ScratchFolder scratch;
-  fuzz::CampaignPlan plan;
-  plan.against = options.peer.command;
-  plan.time_limit_seconds = options.time_limit.value_or(plan.time_limit_seconds);
-  plan.memory_limit_mebibytes = options.memory_limit.value_or(plan.memory_limit_mebibytes);
-  plan.properties = options.properties;
-  const auto properties = properties_of(plan, options, scratch.path());
+  const fuzz::CampaignPlan plan = plan_of(options);
+  require_startable(plan);
+  const auto properties = properties_of(plan, scratch.path());
   int status = kRight;
   for (const std::string& path : options.replay) {
-    const fuzz::Finding finding = finding_in(path);
+    const fuzz::Finding finding = read_finding(path);
     const bool is_chosen = !plan.against.empty() || !plan.properties.empty();
     if (!is_right_on(finding, properties, is_chosen, path)) status = kNegativeVerdict;
   }
@@ -124,7 +99,7 @@ int merge(const FuzzCommandOptions& options) {
       throw InvalidInput(options.merged[k] + ": another number of cases than " + options.merged.front());
     }
   }
-  fuzz::Campaign whole = options.out.empty() ? fuzz::Campaign(plan, total, fs::path())
+  fuzz::Campaign whole = options.out.empty() ? fuzz::Campaign(plan, total, std::filesystem::path())
                                              : fuzz::Campaign::begun(plan, total, options.out);
   for (std::size_t k = 0; k < parts.size(); ++k) {
     try {

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "cli/command_run.h"
-#include "cli/command_template.h"
+#include "cli/finding_file.h"
+#include "cli/option_checks.h"
+#include "cli/peer_property.h"
 #include "cli/scratch_folder.h"
 #include "cli/table.h"
 #include "flowcert/point_set.h"
@@ -70,32 +70,9 @@ std::string is_property(const std::string& name) {
   for (const auto& one : property::properties()) names += (names.empty() ? "" : ", ") + one.name;
   return fmt::format("no property is called {}; there are: {}", in_quotes(name), names);
 }
-std::string has_in(const std::string& command) {
-  return has_place(command, "{in}") ? "" : "there is no {in} in the command";
-}
-// CLI11's own range takes nan for a number in it.
-std::string is_time(const std::string& word) {
-  const NumberText number = parse_number(word);
-  const bool is_right = number.fault == nullptr && 0 < number.value && number.value <= kLongestSeconds;
-  return is_right ? "" : in_quotes(word) + " is no number of seconds, of at most a year";
-}
-std::string is_seed(const std::string& word) {
-  std::uint64_t seed = 0;
-  const auto result = std::from_chars(word.data(), word.data() + word.size(), seed);
-  const bool is_one = result.ec == std::errc() && result.ptr == word.data() + word.size();
-  return is_one ? "" : in_quotes(word) + " is no number from 0 to 18446744073709551615";
-}
+std::string is_time(const std::string& word) { return fault_of_seconds(word, kLongestSeconds, "a year"); }
 
 // ---- Corpus
-
-std::string content_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream buffer;
-  std::error_code ignored;
-  if (!file || !fs::is_regular_file(path, ignored)) throw InvalidInput(path.string() + ": cannot be read");
-  buffer << file.rdbuf();
-  return buffer.str();
-}
 
 // The point files of a folder, by name. Those with too many points for a case are left out.
 std::vector<fuzz::Input> corpus_of(const std::string& folder) {
@@ -107,48 +84,12 @@ std::vector<fuzz::Input> corpus_of(const std::string& folder) {
   if (failure) throw InvalidInput(folder + ": " + failure.message());
   std::vector<fuzz::Input> corpus;
   for (const fs::path& path : paths) {
-    try {
-      fuzz::Input input = fuzz::finding_of(content_of(path)).trial.input;
-      const std::size_t rows = input.rows.size();
-      if (0 < rows && rows <= fuzz::kMostRowsOfTrial) corpus.push_back(std::move(input));
-    } catch (const std::invalid_argument& error) {
-      throw InvalidInput(path.string() + ":" + error.what());
-    }
+    fuzz::Input input = read_finding(path).trial.input;
+    const std::size_t rows = input.rows.size();
+    if (0 < rows && rows <= fuzz::kMostRowsOfTrial) corpus.push_back(std::move(input));
     if (corpus.size() == kMostOfCorpus) break;
   }
   return corpus;
-}
-
-fuzz::CampaignPlan plan_of(const FuzzOptions& options) {
-  fuzz::CampaignPlan plan;
-  plan.seed = options.seed;
-  plan.families = fuzz::families_of(options.families);
-  plan.searched_percent = options.searched_percent;
-  for (const std::string& name : options.properties) {
-    const bool is_new = std::ranges::find(plan.properties, name) == plan.properties.end();
-    if (is_new) plan.properties.push_back(name);
-  }
-  plan.against = options.peer.command;
-  plan.time_limit_seconds = options.time_limit.value_or(plan.time_limit_seconds);
-  plan.memory_limit_mebibytes = options.memory_limit.value_or(plan.memory_limit_mebibytes);
-  if (!plan.against.empty()) {
-    plan.batch_cases = kCasesOfPeerBatch;
-    plan.fewest_rows = 1;
-  }
-  if (const auto range = two_numbers(options.points, '-')) {
-    plan.fewest_rows = range->first;
-    plan.most_rows = range->second;
-  }
-  if (const auto shard = two_numbers(options.shard, '/')) plan.shard = {shard->first - 1, shard->second};
-  if (!options.corpus.empty()) plan.corpus = corpus_of(options.corpus);
-  return plan;
-}
-
-void require_startable(const property::Property& peer) {
-  const auto found = peer.check({{{{0, 0, 0}, {2, 0, 0}}}, property::StartChoice{}});
-  if (found && found->kind == "not-started") {
-    throw InvalidInput("--against: the command was not started: " + found->complaint);
-  }
 }
 
 void add_case_options(CLI::App& command, FuzzOptions& options) {
@@ -180,7 +121,7 @@ void add_property_options(CLI::App& command, FuzzOptions& options) {
           ->check(is_property)
           ->allow_extra_args(false);
   command
-      .add_option("--against", options.peer.command,
+      .add_option("--against", options.against,
                   "Another implementation's command instead: {in} stands for a file of points, {out} for the "
                   "file to write its claim to; without {out}, standard output is the claim")
       ->check(has_in)
@@ -227,6 +168,31 @@ void add_fuzz_options(CLI::App& command, FuzzOptions& options) {
   add_run_options(command, options);
 }
 
+fuzz::CampaignPlan plan_of(const FuzzOptions& options) {
+  fuzz::CampaignPlan plan;
+  plan.seed = options.seed;
+  plan.families = fuzz::families_of(options.families);
+  plan.searched_percent = options.searched_percent;
+  for (const std::string& name : options.properties) {
+    const bool is_new = std::ranges::find(plan.properties, name) == plan.properties.end();
+    if (is_new) plan.properties.push_back(name);
+  }
+  plan.against = options.against;
+  plan.time_limit_seconds = options.time_limit.value_or(plan.time_limit_seconds);
+  plan.memory_limit_mebibytes = options.memory_limit.value_or(plan.memory_limit_mebibytes);
+  if (!plan.against.empty()) {
+    plan.batch_cases = kCasesOfPeerBatch;
+    plan.fewest_rows = 1;
+  }
+  if (const auto range = two_numbers(options.points, '-')) {
+    plan.fewest_rows = range->first;
+    plan.most_rows = range->second;
+  }
+  if (const auto shard = two_numbers(options.shard, '/')) plan.shard = {shard->first - 1, shard->second};
+  if (!options.corpus.empty()) plan.corpus = corpus_of(options.corpus);
+  return plan;
+}
+
 fuzz::Campaign campaign_of(const FuzzOptions& options) {
   if (!options.resume.empty()) {
     fuzz::Campaign campaign = fuzz::Campaign::resumed(options.resume, options.count);
@@ -234,18 +200,16 @@ fuzz::Campaign campaign_of(const FuzzOptions& options) {
       throw InvalidInput(options.resume +
                          ": it has no number of cases: one of --count and --time is required");
     }
+    require_startable(campaign.plan());
     return campaign;
   }
   if (!options.count && !options.seconds) {
     throw InvalidInput("one of --count and --time is required: when is it enough?");
   }
-  const std::string fault = fault_of_relative_path(options.peer.command);
+  const std::string fault = fault_of_relative_path(options.against);
   if (!fault.empty()) throw InvalidInput("--against: " + fault);
   const fuzz::CampaignPlan plan = plan_of(options);
-  {
-    const ScratchFolder scratch;
-    (void)properties_of(plan, options, scratch.path());  // refuses a command that cannot be started
-  }
+  require_startable(plan);
   if (!options.out.empty()) return fuzz::Campaign::begun(plan, options.count, options.out);
   const std::string findings = fmt::format("flowcert-fuzz-{}", options.seed);
   if (fs::exists(findings)) {
@@ -255,16 +219,28 @@ fuzz::Campaign campaign_of(const FuzzOptions& options) {
   return {plan, options.count, findings};
 }
 
-std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan, const FuzzOptions& options,
-                                              const fs::path& scratch) {
+std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan, const fs::path& scratch) {
   if (plan.against.empty()) return fuzz::own_properties(plan);
-  PeerOptions peer = options.peer;
+  PeerOptions peer;
   peer.command = plan.against;
   peer.limits.seconds = plan.time_limit_seconds;
   peer.limits.memory_bytes = std::uint64_t{plan.memory_limit_mebibytes} << 20;
-  std::vector<property::Property> properties{peer_property(peer, scratch)};
-  require_startable(properties.front());
-  return properties;
+  return {peer_property(peer, scratch)};
+}
+
+void require_startable(const fuzz::CampaignPlan& plan) {
+  if (plan.against.empty()) return;
+  const ScratchFolder scratch;
+  const auto found =
+      properties_of(plan, scratch.path()).front().check({{{{0, 0, 0}, {2, 0, 0}}}, property::StartChoice{}});
+  if (found && found->kind == "not-started") {
+    throw InvalidInput("--against: the command was not started: " + found->complaint);
+  }
+}
+
+double hang_seconds(const fuzz::CampaignPlan& plan, const FuzzOptions& options) {
+  return plan.against.empty() ? options.hang_seconds
+                              : std::max(options.hang_seconds, 2 * plan.time_limit_seconds);
 }
 
 void print_families() {

@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/peer_property.h"
 #include "fuzz/campaign/campaign.h"
 
 namespace flowcert {
@@ -20,7 +19,7 @@ struct FuzzOptions {
   std::string families;  // "list", or NAME[:WEIGHT],...
   std::string points;    // "4-8"
   std::vector<std::string> properties;
-  PeerOptions peer;
+  std::string against;  // a command
   std::optional<double> time_limit;
   std::optional<std::size_t> memory_limit;
   std::uint64_t seed = 1;
@@ -38,13 +37,18 @@ struct FuzzOptions {
 // All but jobs, which are how one of the programs does it.
 void add_fuzz_options(CLI::App& command, FuzzOptions& options);
 
-// Throws InvalidInput, or fuzz::UnusableFolder.
+// What the options say of a new campaign. Throws InvalidInput for a corpus that cannot be read.
+[[nodiscard]] fuzz::CampaignPlan plan_of(const FuzzOptions& options);
+// Throws InvalidInput, also for a command that cannot be started, or fuzz::UnusableFolder.
 [[nodiscard]] fuzz::Campaign campaign_of(const FuzzOptions& options);
-// Those of the campaign's plan. Runs its command once, if it has one, and throws InvalidInput if it cannot be
-// started.
+
+// Those of the plan; its command runs in folders of its own below `scratch`.
 [[nodiscard]] std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan,
-                                                            const FuzzOptions& options,
                                                             const std::filesystem::path& scratch);
+// Runs the plan's command once, if it has one, and throws InvalidInput if it cannot be started.
+void require_startable(const fuzz::CampaignPlan& plan);
+// Seconds after which a property is taken to hang. A command that is late is a finding of another kind.
+[[nodiscard]] double hang_seconds(const fuzz::CampaignPlan& plan, const FuzzOptions& options);
 
 void print_families();
 

@@ -8,7 +8,6 @@
 #include <signal.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -16,6 +15,7 @@
 #include <system_error>
 
 #include "cli/command.h"
+#include "cli/option_checks.h"
 #include "fuzz/case_stream.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
@@ -91,14 +91,7 @@ void generate(const GenerateOptions& options) {
   }
 }
 
-// These two return what is wrong. CLI11 itself takes what is too large for the largest seed.
-std::string is_seed(const std::string& word) {
-  std::uint64_t seed = 0;
-  const auto result = std::from_chars(word.data(), word.data() + word.size(), seed);
-  const bool is_one = result.ec == std::errc() && result.ptr == word.data() + word.size();
-  return is_one ? "" : in_quotes(word) + " is no number from 0 to 18446744073709551615";
-}
-
+// Returns what is wrong.
 std::string is_family(const std::string& name) {
   try {
     (void)fuzz::chosen_families({name});

@@ -19,7 +19,6 @@
 #include "cli/interruption.h"
 #include "cli/mpi/leading_rank.h"
 #include "cli/mpi/worker_rank.h"
-#include "cli/scratch_folder.h"
 
 namespace {
 
@@ -89,12 +88,6 @@ int lead_campaign(RankLines& lines, const FuzzMpiOptions& options, int& ranks) {
     return kRight;
   }
   fuzz::Campaign campaign = campaign_of(options);
-  {
-    std::optional<ScratchFolder> scratch;
-    if (!campaign.plan().against.empty()) scratch.emplace();
-    // Refuses what cannot be used.
-    (void)properties_of(campaign.plan(), options, scratch ? scratch->path() : "");
-  }
   const std::size_t before = campaign.tally().cases;
   const Interruption interruption;
   LedCampaign led;
