@@ -152,6 +152,12 @@ void Tally::add(const Tally& other) {
   for (std::size_t k = 0; k < kSignatureSize; ++k) add_counts(reached[k], other.reached[k]);
 }
 
+std::size_t Tally::failing_cases() const {
+  std::size_t sum = 0;
+  for (const auto& [kind, count] : failures) sum += count;
+  return sum;
+}
+
 json json_of(const Tally& tally) {
   json rows = json::array();
   for (const auto& [count, of] : tally.by_rows) rows.push_back({count, of.cases, of.seconds});

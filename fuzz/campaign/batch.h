@@ -38,6 +38,8 @@ struct Tally {
       std::vector<std::map<std::uint8_t, std::size_t>>(kSignatureSize);
 
   void add(const Tally& other);
+  // Of all kinds together.
+  [[nodiscard]] std::size_t failing_cases() const;
 };
 [[nodiscard]] nlohmann::json json_of(const Tally& tally);
 // Throws nlohmann::json::exception.

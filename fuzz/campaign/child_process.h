@@ -1,14 +1,20 @@
-// What a process does first that was forked to work for another one.
+// Processes that are forked to work for this one.
 //
-// Guarantees: it ends when its parent does, however that comes about, and leaves Ctrl-C, SIGTERM and SIGHUP
-// to it.
+// Guarantees: such a process ends when its parent does, however that comes about, and leaves Ctrl-C, SIGTERM
+// and SIGHUP to it. An exception in its work ends it as a crash does: nothing of its parent's is undone in
+// it.
 #pragma once
 
 #include <sys/types.h>
 
+#include <functional>
+
 namespace flowcert::fuzz {
 
-// parent: as it was before the fork.
-void be_a_child(pid_t parent);
+// Does the work in a new process, which then ends with 0. Throws std::system_error.
+[[nodiscard]] pid_t start_child(const std::function<void()>& work);
+
+// Waits; its status as of waitpid.
+int wait_for_end(pid_t child);
 
 }  // namespace flowcert::fuzz

@@ -20,6 +20,12 @@ std::string message_of(std::size_t batch, const BatchResult& result) {
   return json{{"batch", batch}, {"complete", result.is_complete}, {"tally", json_of(result.tally)}}.dump();
 }
 
+// Keys are written in alphabetical order.
+bool ends_batch(const std::string& message) { return message.starts_with(R"({"batch":)"); }
+bool ends_whole_batch(const std::string& message) {
+  return ends_batch(message) && message.find(R"("complete":true)") != std::string::npos;
+}
+
 std::string to_text(const BatchOrder& order) {
   std::string text = std::to_string(order.batch) + ' ' + std::to_string(order.cases);
   for (const std::size_t number : order.left_out) text += ' ' + std::to_string(number);

@@ -14,6 +14,10 @@ namespace flowcert::fuzz {
 [[nodiscard]] std::string message_of(const Discovery& discovery);
 [[nodiscard]] std::string message_of(std::size_t batch, const BatchResult& result);
 
+// Whether it is the last one of a batch, and then whether all of the batch was done.
+[[nodiscard]] bool ends_batch(const std::string& message);
+[[nodiscard]] bool ends_whole_batch(const std::string& message);
+
 [[nodiscard]] std::string to_text(const BatchOrder& order);
 // Throws std::invalid_argument.
 [[nodiscard]] BatchOrder order_of(const std::string& text);

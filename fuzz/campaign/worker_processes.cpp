@@ -13,7 +13,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
-#include <system_error>
 #include <utility>
 
 #include "fuzz/campaign/child_process.h"
@@ -58,18 +57,10 @@ Disagreement crash_of(const std::string& how) { return {"crash", "", how, "", ""
 // Whether the property ends its process on this trial.
 std::optional<Disagreement> crash_in_own_process(const std::function<void(const Trial&)>& attempt,
                                                  const Trial& trial, unsigned seconds) {
-  const pid_t parent = ::getpid();
-  const pid_t child = ::fork();
-  if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
-  if (child == 0) {
-    be_a_child(parent);
+  const int status = wait_for_end(start_child([&] {
     ::alarm(seconds);
     attempt(trial);
-    ::_exit(0);
-  }
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  }));
   const bool has_crashed = WIFSIGNALED(status) && WTERMSIG(status) != SIGALRM;
   return has_crashed ? std::optional(crash_of(text_of_signal(status))) : std::nullopt;
 }
@@ -132,17 +123,15 @@ void report_shrunk(const CampaignPlan& plan, const std::vector<Property>& proper
   observer.tell(message_of(finding));
 }
 
-// An exception ends the process, as a crash at the trial that it was at: nothing of the parent's is to be
-// undone here.
-[[noreturn]] void be_a_worker(const CampaignPlan& plan, const std::vector<Property>& properties, int orders,
-                              int messages, SharedTrial& shared, const std::optional<Crash>& crash) noexcept {
+void be_a_worker(const CampaignPlan& plan, const std::vector<Property>& properties, int orders, int messages,
+                 SharedTrial& shared, const std::optional<Crash>& crash) {
   PipeObserver observer(messages, shared);
   if (crash) report_shrunk(plan, properties, *crash, observer);
   LineReader reader(orders);
   while (true) {
     auto line = reader.next_line();
     if (!line) {
-      if (!reader.read_more()) ::_exit(0);
+      if (!reader.read_more()) return;
       continue;
     }
     const BatchOrder order = order_of(*line);
@@ -158,14 +147,10 @@ class Worker {
  public:
   Worker(const CampaignPlan& plan, const std::vector<Property>& properties,
          const std::optional<Crash>& crash) {
-    const pid_t parent = ::getpid();
-    process_ = ::fork();
-    if (process_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
-    if (process_ == 0) {
-      be_a_child(parent);
+    process_ = start_child([&] {
       close_descriptors_but(orders_.reading(), messages_.writing());
       be_a_worker(plan, properties, orders_.reading(), messages_.writing(), shared_, crash);
-    }
+    });
     orders_.close_reading();
     messages_.close_writing();
     reader_ = LineReader(messages_.reading());
@@ -185,13 +170,7 @@ class Worker {
   }
   void dismiss() { orders_.close_writing(); }
   void kill() const { ::kill(process_, SIGKILL); }
-  int wait_for_end() {
-    int status = 0;
-    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-    }
-    process_ = -1;
-    return status;
-  }
+  int wait_for_end() { return fuzz::wait_for_end(std::exchange(process_, -1)); }
 
   // Whether it has been at one trial for too long. Time in which nobody looked does not count: then this
   // process was suspended as well.
@@ -268,7 +247,7 @@ class Work {
   void take_messages(Worker& worker) {
     while (const auto line = worker.reader().next_line()) {
       source_.absorb(*line);
-      if (line->starts_with("{\"batch\":")) employ(worker);
+      if (ends_batch(*line)) employ(worker);
     }
   }
 

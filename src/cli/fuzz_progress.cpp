@@ -75,11 +75,10 @@ std::string FuzzProgress::first_line(std::size_t cases) const {
     left = seconds_ ? std::min(left, by_count) : by_count;
     total = " of " + with_commas(*expected);
   }
-  std::size_t failures = 0;
-  for (const auto& [kind, count] : campaign_.tally().failures) failures += count;
   return fmt::format("{}{} cases, {:.0f}/s | {} signatures | {} failing cases, {} findings | {} left",
                      with_commas(cases), total, rate, with_commas(campaign_.signatures().size()),
-                     with_commas(failures), campaign_.findings().size(), time_text(left));
+                     with_commas(campaign_.tally().failing_cases()), campaign_.findings().size(),
+                     time_text(left));
 }
 
 void FuzzProgress::operator()(std::size_t under_way) {

@@ -109,12 +109,6 @@ void print_findings(const fuzz::Campaign& campaign) {
   fmt::print("Again: flowcert fuzz --replay FILE{}\n", against.empty() ? "" : " --against '" + against + "'");
 }
 
-std::size_t failing_cases(const fuzz::Campaign& campaign) {
-  std::size_t sum = 0;
-  for (const auto& [kind, count] : campaign.tally().failures) sum += count;
-  return sum;
-}
-
 void print_fuzz_text(const FuzzRun& run) {
   const fuzz::Campaign& campaign = run.campaign;
   const fuzz::Tally& tally = campaign.tally();
@@ -130,7 +124,7 @@ void print_fuzz_text(const FuzzRun& run) {
   }
   print_row("signatures", with_commas(campaign.signatures().size()), "distinct degeneracies of inputs");
   print_row(
-      "failing cases", with_commas(failing_cases(campaign)),
+      "failing cases", with_commas(tally.failing_cases()),
       fmt::format("{} finding{}", campaign.findings().size(), campaign.findings().size() == 1 ? "" : "s"));
   print_properties(campaign);
   print_part("Failing cases by kind:", rows_of(tally.failures), "lr");
@@ -178,7 +172,7 @@ void print_fuzz_json(const FuzzRun& run) {
                          {"shard", {campaign.plan().shard.index + 1, campaign.plan().shard.count}},
                          {"interrupted", run.is_interrupted},
                          {"signatures", campaign.signatures().size()},
-                         {"failing_cases", failing_cases(campaign)},
+                         {"failing_cases", tally.failing_cases()},
                          {"failures", tally.failures},
                          {"by_property", tally.by_property},
                          {"by_family", tally.by_source},

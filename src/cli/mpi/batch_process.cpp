@@ -4,14 +4,11 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <system_error>
 #include <thread>
 
 #include "cli/conformance_words.h"
@@ -97,14 +94,15 @@ class DistantCampaign : public fuzz::BatchSource {
 
 void do_batches(DistantCampaign& campaign, const FuzzOptions& options) {
   if (!campaign.wait_for_plan()) return;
+  require_startable(campaign.plan());
   // Only if it is needed: a rank that is killed leaves it.
   std::optional<ScratchFolder> scratch;
   if (!campaign.plan().against.empty()) scratch.emplace();
-  const auto properties = properties_of(campaign.plan(), options, scratch ? scratch->path() : "");
+  const auto properties = properties_of(campaign.plan(), scratch ? scratch->path() : "");
   campaign.tell("ready " + program_version());
   Clock::time_point counted = Clock::now();
   fuzz::WorkOptions work;
-  work.hang_seconds = options.hang_seconds;
+  work.hang_seconds = hang_seconds(campaign.plan(), options);
   work.is_stopped = [&] { return campaign.is_stopped(); };
   work.progress = [&](std::size_t under_way) {
     if (Clock::now() - counted < kBetweenCounts) return;
@@ -114,14 +112,13 @@ void do_batches(DistantCampaign& campaign, const FuzzOptions& options) {
   fuzz::work_on(campaign, properties, work);
 }
 
-[[noreturn]] void be_the_process(const FuzzOptions& options, int orders, int messages) {
+void be_the_process(const FuzzOptions& options, int orders, int messages) {
   try {
     DistantCampaign campaign(orders, messages);
     do_batches(campaign, options);
   } catch (const std::exception& error) {
     (void)fuzz::write_line(messages, "gone " + one_line(error.what()));
   }
-  ::_exit(0);
 }
 
 }  // namespace
@@ -136,15 +133,11 @@ std::string program_version() {
 BatchProcess::BatchProcess(const FuzzOptions& options) {
   // A process that is gone is told by the end of its lines.
   ::signal(SIGPIPE, SIG_IGN);
-  const pid_t parent = ::getpid();
-  process_ = ::fork();
-  if (process_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
-  if (process_ == 0) {
-    fuzz::be_a_child(parent);
+  process_ = fuzz::start_child([&] {
     to_it_.close_writing();
     from_it_.close_reading();
     be_the_process(options, to_it_.reading(), from_it_.writing());
-  }
+  });
   to_it_.close_reading();
   from_it_.close_writing();
   reader_ = fuzz::LineReader(from_it_.reading());

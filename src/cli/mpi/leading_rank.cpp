@@ -98,12 +98,11 @@ class Lead {
   }
 
   void take_message(Worker& worker, const std::string& message) {
-    if (!message.starts_with("{\"batch\":")) return campaign_.absorb(message);
+    if (!fuzz::ends_batch(message)) return campaign_.absorb(message);
     worker.is_busy = false;
     // A whole batch counts even if another rank has got it meanwhile. Half of one only when nobody will do
     // it.
-    const bool is_whole = message.find("\"complete\":true") != std::string::npos;
-    if (!is_whole && !(is_stopping_ && worker.batch)) return take_back(worker);
+    if (!fuzz::ends_whole_batch(message) && !(is_stopping_ && worker.batch)) return take_back(worker);
     campaign_.absorb(message);
     worker.batch.reset();
     worker.cases = 0;
