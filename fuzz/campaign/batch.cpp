@@ -41,9 +41,15 @@ class Batch {
     const std::size_t first = order_.batch * plan_.batch_cases;
     for (std::size_t number = first; number < first + order_.cases; ++number) {
       if (observer_.is_stopped()) return std::move(result_);
-      if (!order_.left_out.contains(number)) run_case(number);
+      if (order_.left_out.contains(number) && number != order_.only) continue;
+      if (order_.only && number > *order_.only) break;
+      if (order_.only && number < *order_.only) {
+        prepare_for(number);
+      } else {
+        run_case(number);
+      }
     }
-    result_.is_complete = true;
+    result_.is_complete = !order_.only;
     return std::move(result_);
   }
 
@@ -51,8 +57,8 @@ class Batch {
   void run_case(std::size_t number) {
     const auto start = std::chrono::steady_clock::now();
     const std::uint64_t seed = mixed(mixed(plan_.seed) ^ number);
-    const FreshTrial drawn = drawn_trial(seed);
-    look_at_signature(number, drawn.trial);
+    const FreshTrial drawn = drawn_trial(seed, result_.tally.by_mutation);
+    look_at_signature(number, drawn);
     for (std::size_t k = 0; k < properties_.size(); ++k) {
       const bool is_its_share = mixed(seed ^ (kShareSalt + k)) % properties_[k].one_in == 0;
       if (is_its_share) hold(number, drawn, properties_[k]);
@@ -66,7 +72,14 @@ class Batch {
     observer_.has_done(number, drawn.family);
   }
 
-  FreshTrial drawn_trial(std::uint64_t seed) {
+  // What a case does for those after it.
+  void prepare_for(std::size_t number) {
+    std::map<std::string, std::size_t> uncounted;
+    const FreshTrial drawn = drawn_trial(mixed(mixed(plan_.seed) ^ number), uncounted);
+    if (seen_.insert(signature_of(drawn.trial.input)).second) corpus_.push_back(drawn.trial.input);
+  }
+
+  FreshTrial drawn_trial(std::uint64_t seed, std::map<std::string, std::size_t>& moves_made) {
     const bool is_mutant = mixed(seed ^ kSourceSalt) % 100 < plan_.searched_percent;
     if (!is_mutant || corpus_.empty()) return mix_.draw(seed);
     const Input& parent = corpus_[mixed(seed ^ kParentSalt) % corpus_.size()];
@@ -77,13 +90,14 @@ class Batch {
       Mutant next = mutated(mutant.input, dice);
       if (next.input.rows.size() < plan_.fewest_rows || next.input.rows.size() > plan_.most_rows) break;
       mutant = std::move(next);
-      ++result_.tally.by_mutation[mutant.by];
+      ++moves_made[mutant.by];
     }
     return {{std::move(mutant.input), TrialMix::draw_start(mixed(seed ^ kStartSalt))}, kMutant};
   }
 
-  void look_at_signature(std::size_t number, const property::Trial& trial) {
-    observer_.tries(number, "signature", trial);
+  void look_at_signature(std::size_t number, const FreshTrial& drawn) {
+    const property::Trial& trial = drawn.trial;
+    observer_.tries(number, drawn.family, "signature", trial);
     const DegeneracySignature signature = signature_of(trial.input);
     for (std::size_t k = 0; k < kSignatureSize; ++k) ++result_.tally.reached[k][signature.values[k]];
     if (!seen_.insert(signature).second) return;
@@ -94,19 +108,26 @@ class Batch {
   void hold(std::size_t number, const FreshTrial& drawn, const Property& property) {
     ++result_.tally.by_property[property.name];
     const auto judge = [&](const property::Trial& trial) {
-      observer_.tries(number, property.name, trial);
+      observer_.tries(number, drawn.family, property.name, trial);
       return disagreement(property, trial);
     };
     const std::optional<Disagreement> found = judge(drawn.trial);
     if (!found) return;
-    const bool is_known = ++result_.tally.failures[property.name + ' ' + found->kind] > 1;
-    if (is_known) return;
+    std::set<std::size_t>& failing = result_.tally.failures[property.name + ' ' + found->kind];
+    failing.insert(number);
+    if (failing.size() > 1 && !plan_.shrinks_all) return;
+    Finding finding{plan_.seed,    number,      drawn.family, drawn.trial.input.rows.size(),
+                    property.name, drawn.trial, *found};
+    observer_.found(finding);
     const auto judge_unless_stopped = [&](const property::Trial& trial) {
       return observer_.is_stopped() ? std::nullopt : judge(trial);
     };
-    Shrunk small = shrunk(drawn.trial, *found, judge_unless_stopped, property.shrinking_budget);
-    observer_.found({plan_.seed, number, drawn.family, drawn.trial.input.rows.size(), property.name,
-                     std::move(small.trial), std::move(small.disagreement)});
+    const bool is_slow = found->kind == property.slow_kind;
+    const std::size_t budget = is_slow ? property.slow_shrinking_budget : property.shrinking_budget;
+    Shrunk small = shrunk(drawn.trial, *found, judge_unless_stopped, budget);
+    finding.trial = std::move(small.trial);
+    finding.disagreement = std::move(small.disagreement);
+    observer_.found(finding);
   }
 
   const CampaignPlan& plan_;
@@ -148,14 +169,14 @@ void Tally::add(const Tally& other) {
     by_rows[rows].seconds += tally.seconds;
   }
   add_counts(by_property, other.by_property);
-  add_counts(failures, other.failures);
+  for (const auto& [kind, numbers] : other.failures) failures[kind].insert(numbers.begin(), numbers.end());
   for (std::size_t k = 0; k < kSignatureSize; ++k) add_counts(reached[k], other.reached[k]);
 }
 
 std::size_t Tally::failing_cases() const {
-  std::size_t sum = 0;
-  for (const auto& [kind, count] : failures) sum += count;
-  return sum;
+  std::set<std::size_t> all;
+  for (const auto& [kind, numbers] : failures) all.insert(numbers.begin(), numbers.end());
+  return all.size();
 }
 
 json json_of(const Tally& tally) {
@@ -168,7 +189,7 @@ json json_of(const Tally& tally) {
           {"by_mutation", pairs_of(tally.by_mutation)},
           {"by_rows", rows},
           {"by_property", pairs_of(tally.by_property)},
-          {"failures", pairs_of(tally.failures)},
+          {"failures", tally.failures},
           {"reached", reached}};
 }
 
@@ -181,7 +202,7 @@ Tally tally_of(const json& object) {
     tally.by_rows[row.at(0).get<std::size_t>()] = {row.at(1).get<std::size_t>(), row.at(2).get<double>()};
   }
   read_pairs(object.at("by_property"), tally.by_property);
-  read_pairs(object.at("failures"), tally.failures);
+  object.at("failures").get_to(tally.failures);
   for (std::size_t k = 0; k < kSignatureSize; ++k) read_pairs(object.at("reached").at(k), tally.reached[k]);
   return tally;
 }

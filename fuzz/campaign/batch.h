@@ -4,7 +4,9 @@
 // Guarantees: cases, findings and signatures are a function of plan, number of cases and batch, and of the
 // cases that are left out; only times are not. A case is fresh (trial_mix.h), or a mutant (mutation.h) of an
 // input that showed a new signature earlier in the batch, or that the plan's corpus has. A disagreement is
-// shrunk when the batch meets its kind for the first time; the others of its kind are counted.
+// told of as it is, and then shrunk, when the batch meets its kind for the first time, or always if the plan
+// wants it; the others of its kind are listed by the numbers of their cases, which a batch of one case makes
+// again.
 #pragma once
 
 #include <cstddef>
@@ -31,14 +33,14 @@ struct Tally {
   std::map<std::string, std::size_t> by_source;  // names of families, and "mutant"
   std::map<std::string, std::size_t> by_mutation;
   std::map<std::size_t, RowsTally> by_rows;
-  std::map<std::string, std::size_t> by_property;  // cases held to it
-  std::map<std::string, std::size_t> failures;     // by "PROPERTY KIND"
+  std::map<std::string, std::size_t> by_property;         // cases held to it
+  std::map<std::string, std::set<std::size_t>> failures;  // numbers of cases by "PROPERTY KIND"
   // How often each value of each component of signatures came.
   std::vector<std::map<std::uint8_t, std::size_t>> reached =
       std::vector<std::map<std::uint8_t, std::size_t>>(kSignatureSize);
 
   void add(const Tally& other);
-  // Of all kinds together.
+  // Of all kinds together: a case may fail in several.
   [[nodiscard]] std::size_t failing_cases() const;
 };
 [[nodiscard]] nlohmann::json json_of(const Tally& tally);
@@ -60,7 +62,8 @@ class BatchObserver {
   virtual ~BatchObserver() = default;
 
   // Before a property is tried: if the process ends here, this is why.
-  virtual void tries(std::size_t number, const std::string& property, const property::Trial& trial) = 0;
+  virtual void tries(std::size_t number, const std::string& source, const std::string& property,
+                     const property::Trial& trial) = 0;
   virtual void has_done(std::size_t number, const std::string& source) = 0;
   virtual void found(const Finding& finding) = 0;
   virtual void discovered(const Discovery& discovery) = 0;
@@ -70,7 +73,8 @@ class BatchObserver {
 struct BatchOrder {
   std::size_t batch = 0;
   std::size_t cases = 0;
-  std::set<std::size_t> left_out;  // numbers of cases that ended a process before
+  std::set<std::size_t> left_out;        // numbers of cases that ended a process before
+  std::optional<std::size_t> only = {};  // hold no other case to anything
 };
 
 struct BatchResult {

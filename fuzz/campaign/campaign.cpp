@@ -9,11 +9,14 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
+#include "flowcert/reproducibility.h"
 #include "fuzz/campaign/message.h"
 
 namespace flowcert::fuzz {
@@ -27,13 +30,16 @@ constexpr const char* kPlanName = "plan.json";
 constexpr const char* kBatchesName = "batches.jsonl";
 constexpr const char* kFindingsName = "findings.jsonl";
 constexpr const char* kSignaturesName = "signatures.jsonl";
+// In the order in which they can be absorbed.
+constexpr const char* kLineFiles[] = {kFindingsName, kSignaturesName, kBatchesName};
 constexpr const char* kFindingsFolder = "findings";
 
-// What ended a process is reported as it was, and then once more, small; what was being made small when the
+// A failing case is reported as it was, and then once more, small; what was being made small when the
 // campaign was stopped, again when it goes on.
 bool is_smaller(const Finding& one, const Finding& other) {
   const auto size = [](const Finding& finding) {
-    return std::pair(finding.trial.input.rows.size(), file_text(finding).size());
+    const bool has_choice = std::holds_alternative<property::StartChoice>(finding.trial.start);
+    return std::tuple(finding.trial.input.rows.size(), has_choice, file_text(finding).size());
   };
   return size(one) < size(other);
 }
@@ -83,19 +89,39 @@ void make_folder(const fs::path& path) {
   if (failure) refuse(path, "cannot be made: " + failure.message());
 }
 
-// The whole lines of a file. What stands after the last of them is cut off: a kill came in between.
-std::vector<std::string> whole_lines(const fs::path& path) {
+// The whole lines of a file. What stands after the last of them is left out: a kill came in between.
+std::string whole_lines(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::stringstream buffer;
   buffer << file.rdbuf();
-  const std::string text = buffer.str();
-  const std::size_t end = text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1;
-  if (end < text.size()) fs::resize_file(path, end);
-  std::vector<std::string> lines;
-  std::istringstream whole(text.substr(0, end));
-  for (std::string line; std::getline(whole, line);) lines.push_back(line);
-  return lines;
+  std::string text = buffer.str();
+  text.resize(text.rfind('\n') + 1);  // npos + 1 is 0
+  return text;
 }
+
+// Cuts off what is left out.
+void end_with_a_line(const fs::path& path) {
+  if (fs::exists(path)) fs::resize_file(path, whole_lines(path).size());
+}
+
+// Files that are there, but are none of a campaign's.
+template <typename Open>
+auto unless_unreadable(const fs::path& folder, const Open& open) {
+  try {
+    return open();
+  } catch (const json::exception&) {
+    refuse(folder, "its files cannot be read");
+  } catch (const std::invalid_argument& error) {
+    refuse(folder, error.what());
+  }
+}
+
+std::string program() {
+  const Reproducibility made_by = reproducibility();
+  return fmt::format("{} ({}; {})", made_by.version, made_by.commit, made_by.compiler);
+}
+
+std::string kind_of(const Finding& finding) { return finding.property + ' ' + finding.disagreement.kind; }
 
 json total_json(const std::optional<std::size_t>& total) { return total ? json(*total) : json(nullptr); }
 
@@ -130,43 +156,61 @@ Campaign Campaign::begun(CampaignPlan plan, std::optional<std::size_t> total_cas
   if (!fs::is_empty(folder)) refuse(folder, "it is not empty");
   Campaign campaign(std::move(plan), total_cases, folder / kFindingsFolder);
   campaign.files_ = std::make_unique<Files>(folder);
-  write_file(folder / kPlanName,
-             json{{"plan", to_text(campaign.plan_)}, {"cases", total_json(total_cases)}}.dump() + '\n');
+  campaign.write_plan(folder);
+  return campaign;
+}
+
+void Campaign::write_plan(const fs::path& folder) {
+  made_by_.insert(program());
+  const json object = {{"plan", to_text(plan_)}, {"cases", total_json(total_cases_)}, {"made_by", made_by_}};
+  write_file(folder / kPlanName, object.dump() + '\n');
+}
+
+Campaign Campaign::with_plan_in(const fs::path& folder, std::optional<std::size_t> total_cases) {
+  std::ifstream file(folder / kPlanName);
+  if (!file) refuse(folder, "there is no campaign in it");
+  const json object = json::parse(file);
+  const json& cases = object.at("cases");
+  const bool is_number = cases.is_number_unsigned() && cases.get<std::size_t>() <= kMostCasesOfCampaign;
+  if (!cases.is_null() && !is_number) refuse(folder, "its number of cases cannot be read");
+  if (!total_cases && is_number) total_cases = cases.get<std::size_t>();
+  Campaign campaign(plan_of(object.at("plan").get<std::string>()), total_cases, folder / kFindingsFolder);
+  object.at("made_by").get_to(campaign.made_by_);
   return campaign;
 }
 
 Campaign Campaign::resumed(const fs::path& folder, std::optional<std::size_t> total_cases) {
-  std::ifstream file(folder / kPlanName);
-  if (!file) refuse(folder, "there is no campaign in it");
-  try {
-    const json object = json::parse(file);
-    const json& cases = object.at("cases");
-    const bool is_number = cases.is_number_unsigned() && cases.get<std::size_t>() <= kMostCasesOfCampaign;
-    if (!cases.is_null() && !is_number) refuse(folder, "its number of cases cannot be read");
-    if (!total_cases && is_number) total_cases = cases.get<std::size_t>();
-    Campaign campaign(plan_of(object.at("plan").get<std::string>()), total_cases, folder / kFindingsFolder);
+  return unless_unreadable(folder, [&] {
+    Campaign campaign = with_plan_in(folder, total_cases);
     auto files = std::make_unique<Files>(folder);  // nobody else's from here on
+    for (const char* name : kLineFiles) end_with_a_line(folder / name);
     campaign.load(folder);
     campaign.files_ = std::move(files);
     const auto expected = campaign.expected_cases();
     if (expected && campaign.tally().cases > *expected) refuse(folder, "more cases than that are done");
-    write_file(folder / kPlanName,
-               json{{"plan", to_text(campaign.plan_)}, {"cases", total_json(total_cases)}}.dump() + '\n');
+    campaign.write_plan(folder);
     return campaign;
-  } catch (const json::exception&) {
-    refuse(folder, "its files cannot be read");
-  } catch (const std::invalid_argument& error) {
-    refuse(folder, error.what());
-  }
+  });
+}
+
+Campaign Campaign::read(const fs::path& folder) {
+  return unless_unreadable(folder, [&] {
+    Campaign campaign = with_plan_in(folder, std::nullopt);
+    campaign.is_read_only_ = true;
+    campaign.load(folder);
+    return campaign;
+  });
 }
 
 void Campaign::load(const fs::path& folder) {
-  for (const char* name : {kFindingsName, kSignaturesName, kBatchesName}) {
-    for (const std::string& line : whole_lines(folder / name)) absorb(line);
+  for (const char* name : kLineFiles) {
+    std::istringstream lines(whole_lines(folder / name));
+    for (std::string line; std::getline(lines, line);) absorb(line);
   }
 }
 
 std::optional<BatchOrder> Campaign::next_batch() {
+  if (only_) return batch_of_only();
   while (const auto batch = batch_from(plan_, total_cases_, first_open_)) {
     if (!done_.contains(*batch)) break;
     first_open_ = *batch + 1;
@@ -177,10 +221,23 @@ std::optional<BatchOrder> Campaign::next_batch() {
   }
   if (!batch) return std::nullopt;
   handed_out_.insert(*batch);
-  BatchOrder order{*batch, cases_of_batch(plan_, total_cases_, *batch), {}};
+  return order_of(*batch);
+}
+
+BatchOrder Campaign::order_of(std::size_t batch) const {
+  BatchOrder order{batch, cases_of_batch(plan_, total_cases_, batch), {}};
   for (const auto& [key, finding] : findings_) {
     if (ends_process(finding)) order.left_out.insert(key.first);
   }
+  return order;
+}
+
+std::optional<BatchOrder> Campaign::batch_of_only() {
+  const std::size_t batch = *only_ / plan_.batch_cases;
+  if (only_is_done_ || !handed_out_.insert(batch).second) return std::nullopt;
+  only_is_done_ = true;
+  BatchOrder order = order_of(batch);
+  order.only = only_;
   return order;
 }
 
@@ -192,6 +249,7 @@ void Campaign::absorb(const std::string& message) {
   Tally tally = tally_of(object.at("tally"));
   if (!object.at("complete").get<bool>()) {
     handed_out_.erase(batch);
+    if (done_.contains(batch)) return;  // one of its cases, once more
     unfinished_.add(tally);
     return sum_.add(tally);
   }
@@ -221,16 +279,29 @@ void Campaign::absorb_batch(std::size_t batch, Tally tally) {
 }
 
 void Campaign::absorb(const Finding& finding) {
-  const std::pair key(finding.number, finding.property + ' ' + finding.disagreement.kind);
+  const std::pair key(finding.number, kind_of(finding));
   const auto known = findings_.find(key);
-  if (known != findings_.end() && !is_smaller(finding, known->second)) return;
-  findings_.insert_or_assign(key, finding);
-  if (files_) files_->findings.add(message_of(finding));
-  std::set<std::string>& names = written_[finding.property + ' ' + finding.disagreement.kind];
-  if (names.size() >= kMostFindingsOfKind && !names.contains(name_of(finding))) return;
+  const bool is_new = known == findings_.end() || is_smaller(finding, known->second);
+  if (is_new) findings_.insert_or_assign(key, finding);
+  if (is_new && files_) files_->findings.add(message_of(finding));
+  if ((is_new || only_ == finding.number) && !is_read_only_) write_point_file(findings_.at(key));
+}
+
+void Campaign::write_point_file(const Finding& finding) {
+  const auto path_of = [&](std::size_t number) {
+    Finding other = finding;
+    other.number = number;
+    return findings_folder_ / (name_of(other) + ".xyz");
+  };
+  std::set<std::size_t>& written = written_[kind_of(finding)];
+  const bool is_full = written.size() >= kMostFindingsOfKind && only_ != finding.number;
+  if (is_full && *written.rbegin() < finding.number) return;
   make_folder(findings_folder_);
-  write_file(findings_folder_ / (name_of(finding) + ".xyz"), file_text(finding));
-  names.insert(name_of(finding));
+  write_file(path_of(finding.number), file_text(finding));
+  written.insert(finding.number);
+  if (!is_full || written.size() <= kMostFindingsOfKind) return;
+  fs::remove(path_of(*written.rbegin()));
+  written.erase(std::prev(written.end()));
 }
 
 void Campaign::absorb(const Discovery& discovery) {
@@ -255,8 +326,8 @@ std::optional<std::size_t> Campaign::expected_cases() const {
 }
 
 fs::path Campaign::file_of(const Finding& finding) const {
-  const auto names = written_.find(finding.property + ' ' + finding.disagreement.kind);
-  const bool is_written = names != written_.end() && names->second.contains(name_of(finding));
+  const auto numbers = written_.find(kind_of(finding));
+  const bool is_written = numbers != written_.end() && numbers->second.contains(finding.number);
   return is_written ? findings_folder_ / (name_of(finding) + ".xyz") : fs::path();
 }
 

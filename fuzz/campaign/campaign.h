@@ -25,7 +25,8 @@
 
 namespace flowcert::fuzz {
 
-// Of each property and kind so many findings get a point file, the first that come; findings.jsonl has all.
+// Of each property and kind so many findings have a point file, those of the least numbers; findings.jsonl
+// has all.
 inline constexpr std::size_t kMostFindingsOfKind = 10;
 
 // A campaign's folder that cannot be used. what() is one line.
@@ -48,12 +49,21 @@ class Campaign : public BatchSource {
                         const std::filesystem::path& folder);
   // From its folder; with another number of cases, if given. Lines that were cut short are left out.
   static Campaign resumed(const std::filesystem::path& folder, std::optional<std::size_t> total_cases);
+  // What is in a folder, somebody else's perhaps, who may be at it: nothing is written there.
+  static Campaign read(const std::filesystem::path& folder);
   ~Campaign() override;
   Campaign(Campaign&&) noexcept;
   Campaign& operator=(Campaign&&) = delete;
 
   [[nodiscard]] const CampaignPlan& plan() const override { return plan_; }
   [[nodiscard]] std::optional<std::size_t> total_cases() const { return total_cases_; }
+
+  // Does this case, which must be one of the campaign's, again or for the first time, and nothing else. Its
+  // findings have point files; it does not count as done.
+  void do_only(std::size_t number) {
+    only_ = number;
+    only_is_done_ = false;
+  }
 
   // The next batch that is not done and not handed out; nothing: no such batch is left.
   [[nodiscard]] std::optional<BatchOrder> next_batch() override;
@@ -77,6 +87,8 @@ class Campaign : public BatchSource {
   [[nodiscard]] const std::map<std::pair<std::size_t, std::string>, Finding>& findings() const {
     return findings_;
   }
+  // The programs that have worked on it: more than one may have drawn other cases.
+  [[nodiscard]] const std::set<std::string>& made_by() const { return made_by_; }
   // Empty if it was not written.
   [[nodiscard]] std::filesystem::path file_of(const Finding& finding) const;
 
@@ -86,7 +98,13 @@ class Campaign : public BatchSource {
   void absorb(const Finding& finding);
   void absorb(const Discovery& discovery);
   void absorb_batch(std::size_t batch, Tally tally);
+  [[nodiscard]] BatchOrder order_of(std::size_t batch) const;
+  [[nodiscard]] std::optional<BatchOrder> batch_of_only();
+  // Of plan.json, and of the other files.
+  static Campaign with_plan_in(const std::filesystem::path& folder, std::optional<std::size_t> total_cases);
   void load(const std::filesystem::path& folder);
+  void write_plan(const std::filesystem::path& folder);
+  void write_point_file(const Finding& finding);
 
   CampaignPlan plan_;
   std::optional<std::size_t> total_cases_;
@@ -99,7 +117,11 @@ class Campaign : public BatchSource {
   std::set<std::size_t> handed_out_;
   std::map<DegeneracySignature, Discovered> signatures_;
   std::map<std::pair<std::size_t, std::string>, Finding> findings_;
-  std::map<std::string, std::set<std::string>> written_;  // by property and kind: names of files
+  std::map<std::string, std::set<std::size_t>> written_;  // by "PROPERTY KIND": the cases that have files
+  std::set<std::string> made_by_;
+  std::optional<std::size_t> only_;
+  bool only_is_done_ = false;
+  bool is_read_only_ = false;
 };
 
 }  // namespace flowcert::fuzz

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr std::uint64_t kMostWeight = 1'000'000;
 
 void require_family(const std::string& name) {
@@ -76,6 +76,7 @@ std::string to_text(const CampaignPlan& plan) {
               {"memory_limit_mebibytes", plan.memory_limit_mebibytes},
               {"batch_cases", plan.batch_cases},
               {"corpus", corpus},
+              {"shrinks_all", plan.shrinks_all},
               {"shard", {plan.shard.index, plan.shard.count}}}
       .dump();
 }
@@ -100,6 +101,7 @@ CampaignPlan plan_of(const std::string& text) {
     object.at("memory_limit_mebibytes").get_to(plan.memory_limit_mebibytes);
     object.at("batch_cases").get_to(plan.batch_cases);
     for (const json& rows : object.at("corpus")) plan.corpus.push_back(input_of(rows));
+    object.at("shrinks_all").get_to(plan.shrinks_all);
     plan.shard = {object.at("shard").at(0).get<std::size_t>(), object.at("shard").at(1).get<std::size_t>()};
   } catch (const json::exception&) {
     throw std::invalid_argument("no plan of a campaign");

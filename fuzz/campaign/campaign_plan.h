@@ -49,6 +49,8 @@ struct CampaignPlan {
   std::size_t memory_limit_mebibytes = 4096;
   std::size_t batch_cases = 1000;
   std::vector<Input> corpus;
+  // Every failing case is made small, not only the first of a property and kind in each batch.
+  bool shrinks_all = false;
   Shard shard;
 
   friend bool operator==(const CampaignPlan&, const CampaignPlan&) = default;

@@ -51,12 +51,32 @@ Row row_of(const std::string& line) {
   return row;
 }
 
+// "vertex 3 0 17": the kind, and numbers.
+std::string choice_text(const property::StartChoice& choice) {
+  std::string text = property::kStartKindNames.at(static_cast<std::size_t>(choice.kind));
+  for (const std::uint32_t number : choice.numbers) text += ' ' + std::to_string(number);
+  return text;
+}
+property::StartChoice choice_of(const std::string& text) {
+  std::istringstream words(text);
+  std::string kind;
+  words >> kind;
+  const auto& names = property::kStartKindNames;
+  const auto name = std::find(names.begin(), names.end(), kind);
+  if (name == names.end()) throw std::invalid_argument("no choice of a start");
+  property::StartChoice choice{static_cast<property::StartKind>(name - names.begin()), {}};
+  for (std::uint32_t number = 0; words >> number;) choice.numbers.push_back(number);
+  if (!words.eof()) throw std::invalid_argument("no choice of a start");
+  return choice;
+}
+
 void read_comment(const std::string& line, Finding& finding) {
   if (const auto property = comment(line, "property")) finding.property = *property;
   if (const auto kind = comment(line, "kind")) finding.disagreement.kind = *kind;
   if (const auto clause = comment(line, "clause")) finding.disagreement.clause = *clause;
   if (const auto complaint = comment(line, "complaint")) finding.disagreement.complaint = *complaint;
   if (const auto start = comment(line, "start")) finding.trial.start = point_of(*start);
+  if (const auto choice = comment(line, "choice of start")) finding.trial.start = choice_of(*choice);
 }
 
 std::string in_one_line(std::string text) {
@@ -97,6 +117,8 @@ std::string file_text(const Finding& finding) {
                           finding.rows_before));
   if (const auto* start = std::get_if<oracle::Point>(&finding.trial.start)) {
     add_comment(text, "start", to_text(*start));
+  } else {
+    add_comment(text, "choice of start", choice_text(std::get<property::StartChoice>(finding.trial.start)));
   }
   add_answer(text, found.first_name, found.first);
   add_answer(text, found.second_name, found.second);

@@ -14,6 +14,10 @@ namespace flowcert::fuzz {
 [[nodiscard]] std::string message_of(const Discovery& discovery);
 [[nodiscard]] std::string message_of(std::size_t batch, const BatchResult& result);
 
+// Instead of one: the batch cannot be done on this machine, and why.
+[[nodiscard]] std::string failure_message(const std::string& why);
+[[nodiscard]] std::optional<std::string> failure_in(const std::string& message);
+
 // Whether it is the last one of a batch, and then whether all of the batch was done.
 [[nodiscard]] bool ends_batch(const std::string& message);
 [[nodiscard]] bool ends_whole_batch(const std::string& message);

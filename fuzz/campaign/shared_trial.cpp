@@ -15,11 +15,11 @@ namespace flowcert::fuzz {
 namespace {
 
 constexpr std::size_t kMostNumbers = 64;
-constexpr std::size_t kMostText = 16384;
+constexpr std::size_t kMostText = std::size_t{1} << 20;
 
 struct Place {
   std::uint64_t number = 0;
-  std::array<char, 64> property{};
+  std::array<char, 64> source{}, property{};
   std::size_t rows = 0;
   std::array<Row, kMostRowsOfTrial> row{};
   bool has_choice = false;
@@ -54,10 +54,12 @@ SharedTrial::SharedTrial() {
 
 SharedTrial::~SharedTrial() { ::munmap(memory_, sizeof(Memory)); }
 
-void SharedTrial::note(std::size_t number, const std::string& property, const property::Trial& trial) {
+void SharedTrial::note(std::size_t number, const std::string& source, const std::string& property,
+                       const property::Trial& trial) {
   const std::uint64_t next = memory_->trials + 1;
   Place& place = memory_->places.at(next % 2);
   place.number = number;
+  copy_text(source, place.source);
   copy_text(property, place.property);
   place.rows = std::min(trial.input.rows.size(), place.row.size());
   std::copy_n(trial.input.rows.begin(), place.rows, place.row.begin());
@@ -85,7 +87,7 @@ void SharedTrial::tell_to_stop() { memory_->stop = true; }
 
 NotedTrial SharedTrial::noted() const {
   const Place& place = memory_->places.at(memory_->trials % 2);
-  NotedTrial noted{place.number, place.property.data(), {}, {}};
+  NotedTrial noted{place.number, place.property.data(), place.source.data(), {}};
   noted.trial.input.rows.assign(place.row.begin(),
                                 place.row.begin() + static_cast<std::ptrdiff_t>(place.rows));
   if (place.has_choice) {

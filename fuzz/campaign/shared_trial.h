@@ -30,7 +30,8 @@ class SharedTrial {
   SharedTrial& operator=(const SharedTrial&) = delete;
 
   // By the worker.
-  void note(std::size_t number, const std::string& property, const property::Trial& trial);
+  void note(std::size_t number, const std::string& source, const std::string& property,
+            const property::Trial& trial);
   void count_case();
   void forget();  // nothing is being tried
   void start_batch();

@@ -13,6 +13,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <set>
+#include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "fuzz/campaign/child_process.h"
@@ -30,10 +33,16 @@ using property::Property;
 using property::Trial;
 
 constexpr int kPollMilliseconds = 100;
-constexpr double kLongestLook = 1;  // seconds between two looks at a worker, at most, unless suspended
+constexpr double kLongestLook = 0.2;  // seconds between two looks at a worker, at most, unless suspended
 // Each smaller input costs a process.
 constexpr std::size_t kCrashShrinkingBudget = 300;
 constexpr unsigned kCrashSeconds = 10;
+// What cases under way have when everything is to stop.
+constexpr double kSecondsToStop = 2;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 // ---- A process of its own for one trial ----
 
@@ -71,8 +80,9 @@ class PipeObserver : public BatchObserver {
  public:
   PipeObserver(int descriptor, SharedTrial& shared) : descriptor_(descriptor), shared_(shared) {}
 
-  void tries(std::size_t number, const std::string& property, const Trial& trial) override {
-    shared_.note(number, property, trial);
+  void tries(std::size_t number, const std::string& source, const std::string& property,
+             const Trial& trial) override {
+    shared_.note(number, source, property, trial);
   }
   void has_done(std::size_t, const std::string&) override {
     shared_.forget();
@@ -109,11 +119,12 @@ Finding crash_finding(const CampaignPlan& plan, const Crash& crash) {
 }
 
 void report_shrunk(const CampaignPlan& plan, const std::vector<Property>& properties, const Crash& crash,
-                   const PipeObserver& observer) {
+                   PipeObserver& observer) {
   Finding finding = crash_finding(plan, crash);
   if (crash.disagreement.kind == "crash") {
     const auto attempt = [&](const Trial& trial) { run_property(properties, crash.at.property, trial); };
-    const Judge judge = [&](const Trial& trial) {
+    const Judge judge = [&](const Trial& trial) -> std::optional<Disagreement> {
+      if (observer.is_stopped()) return std::nullopt;
       return crash_in_own_process(attempt, trial, kCrashSeconds);
     };
     Shrunk small = shrunk(crash.at.trial, crash.disagreement, judge, kCrashShrinkingBudget);
@@ -123,10 +134,8 @@ void report_shrunk(const CampaignPlan& plan, const std::vector<Property>& proper
   observer.tell(message_of(finding));
 }
 
-void be_a_worker(const CampaignPlan& plan, const std::vector<Property>& properties, int orders, int messages,
-                 SharedTrial& shared, const std::optional<Crash>& crash) {
-  PipeObserver observer(messages, shared);
-  if (crash) report_shrunk(plan, properties, *crash, observer);
+void do_batches(const CampaignPlan& plan, const std::vector<Property>& properties, int orders,
+                PipeObserver& observer, SharedTrial& shared) {
   LineReader reader(orders);
   while (true) {
     auto line = reader.next_line();
@@ -138,6 +147,19 @@ void be_a_worker(const CampaignPlan& plan, const std::vector<Property>& properti
     shared.start_batch();
     observer.tell(message_of(order.batch, run_batch(plan, properties, order, observer)));
     shared.start_batch();
+  }
+}
+
+void be_a_worker(const CampaignPlan& plan, const std::vector<Property>& properties, int orders, int messages,
+                 SharedTrial& shared, const std::optional<Crash>& crash) {
+  PipeObserver observer(messages, shared);
+  try {
+    if (crash) report_shrunk(plan, properties, *crash, observer);
+    do_batches(plan, properties, orders, observer, shared);
+  } catch (const property::MachineFailure& failure) {
+    observer.tell(failure_message(failure.what()));
+  } catch (const std::system_error& failure) {
+    observer.tell(failure_message(failure.what()));
   }
 }
 
@@ -169,15 +191,19 @@ class Worker {
     (void)write_line(orders_.writing(), to_text(order));
   }
   void dismiss() { orders_.close_writing(); }
-  void kill() const { ::kill(process_, SIGKILL); }
+  void kill() {
+    is_killed_ = true;
+    ::kill(process_, SIGKILL);
+  }
+  // By this process.
+  [[nodiscard]] bool is_killed() const { return is_killed_; }
   int wait_for_end() { return fuzz::wait_for_end(std::exchange(process_, -1)); }
 
   // Whether it has been at one trial for too long. Time in which nobody looked does not count: then this
   // process was suspended as well.
   bool hangs(double seconds) {
-    const Clock::time_point now = Clock::now();
-    const double since = std::chrono::duration<double>(now - last_look_).count();
-    last_look_ = now;
+    const double since = seconds_since(last_look_);
+    last_look_ = Clock::now();
     const std::uint64_t trials = shared_.trials();
     const bool is_at_the_same = trials == last_trials_ && shared_.is_trying();
     last_trials_ = trials;
@@ -188,6 +214,7 @@ class Worker {
   [[nodiscard]] int descriptor() const { return messages_.reading(); }
   [[nodiscard]] LineReader& reader() { return reader_; }
   [[nodiscard]] SharedTrial& shared() { return shared_; }
+  [[nodiscard]] const SharedTrial& shared() const { return shared_; }
 
   std::optional<std::size_t> batch;
   bool was_hanging = false;
@@ -197,6 +224,7 @@ class Worker {
   Pipe orders_, messages_;
   pid_t process_ = -1;
   LineReader reader_{-1};
+  bool is_killed_ = false;
   std::uint64_t last_trials_ = 0;
   double seconds_at_trial_ = 0;
   Clock::time_point last_look_ = Clock::now();
@@ -215,7 +243,7 @@ class Work {
     while (!workers_.empty()) {
       wait();
       if (options_.is_stopped()) stop();
-      for (std::size_t k = 0; k < workers_.size(); ++k) look_after_hanging(*workers_[k]);
+      for (const auto& worker : workers_) look_after(*worker);
       options_.progress(under_way());
     }
   }
@@ -246,6 +274,7 @@ class Work {
 
   void take_messages(Worker& worker) {
     while (const auto line = worker.reader().next_line()) {
+      if (const auto failure = failure_in(*line)) throw property::MachineFailure(*failure);
       source_.absorb(*line);
       if (ends_batch(*line)) employ(worker);
     }
@@ -254,37 +283,46 @@ class Work {
   void take_end(std::size_t k) {
     Worker& worker = *workers_[k];
     const int status = worker.wait_for_end();
-    if (WIFEXITED(status) && !worker.batch) {
+    const bool is_through = WIFEXITED(status) && !worker.batch;
+    const bool is_left_off = worker.is_killed() && !worker.was_hanging;
+    if (worker.batch) source_.give_back(*worker.batch);
+    if (is_through || is_left_off) {
       workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(k));
       return;
     }
-    if (!worker.shared().is_trying()) {
-      throw std::runtime_error(WIFSIGNALED(status) ? text_of_signal(status)
-                                                   : "a process of the campaign has ended");
-    }
-    Crash crash{worker.shared().noted(),
-                crash_of(WIFSIGNALED(status) ? text_of_signal(status) : "the process ended by itself")};
-    if (worker.was_hanging) {
-      crash.disagreement =
-          Disagreement{"hang", "", fmt::format("not done after {} s", options_.hang_seconds), "", "", "", ""};
-    }
-    crash.at.source = "process";
-    if (worker.batch) source_.give_back(*worker.batch);
-    // Reported at once, as it is: so the batch is done without it. The small one follows in a file of its
-    // own.
-    source_.absorb(message_of(crash_finding(source_.plan(), crash)));
-    workers_[k] = std::make_unique<Worker>(source_.plan(), properties_, std::optional(crash));
+    const std::optional<Crash> crash = crash_of_end(worker, status);
+    // Reported at once, as it is: so the batch is done without it. The small one follows.
+    if (crash) source_.absorb(message_of(crash_finding(source_.plan(), *crash)));
+    workers_[k] = std::make_unique<Worker>(source_.plan(), properties_, crash);
     if (is_stopping_) workers_[k]->shared().tell_to_stop();
     employ(*workers_[k]);
   }
 
-  void look_after_hanging(Worker& worker) {
-    if (!worker.hangs(options_.hang_seconds)) return;
-    worker.was_hanging = true;
-    worker.kill();
+  // Nothing: it was not the case's doing, as far as can be told.
+  std::optional<Crash> crash_of_end(const Worker& worker, int status) {
+    const std::string how = WIFSIGNALED(status) ? text_of_signal(status) : "the process ended by itself";
+    if (!worker.shared().is_trying()) throw std::runtime_error(how);
+    Crash crash{worker.shared().noted(), crash_of(how)};
+    if (worker.was_hanging) {
+      crash.disagreement =
+          Disagreement{"hang", "", fmt::format("not done after {} s", options_.hang_seconds), "", "", "", ""};
+      return crash;
+    }
+    // By whoever runs this, or the system, for want of memory: of which the second time is the case's.
+    const bool is_by_others = WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
+    if (is_by_others && killed_at_.insert(crash.at.number).second) return std::nullopt;
+    return crash;
+  }
+
+  void look_after(Worker& worker) {
+    if (worker.is_killed()) return;
+    worker.was_hanging = worker.hangs(options_.hang_seconds);
+    const bool is_late = is_stopping_ && seconds_since(stopped_) > kSecondsToStop;
+    if (worker.was_hanging || is_late) worker.kill();
   }
 
   void stop() {
+    if (!is_stopping_) stopped_ = Clock::now();
     is_stopping_ = true;
     for (const auto& worker : workers_) worker->shared().tell_to_stop();
   }
@@ -299,7 +337,9 @@ class Work {
   const std::vector<Property>& properties_;
   const WorkOptions& options_;
   std::vector<std::unique_ptr<Worker>> workers_;
+  std::set<std::size_t> killed_at_;  // cases during which a process was killed by others
   bool is_stopping_ = false;
+  Clock::time_point stopped_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <system_error>
 
 #include "fuzz/properties/property_checks.h"
 #include "oracle/orbit.h"
@@ -62,6 +63,10 @@ std::optional<Disagreement> disagreement(const Property& property, const Trial& 
   if (trial.input.rows.size() > property.most_rows) return std::nullopt;
   try {
     return property.check(trial);
+  } catch (const MachineFailure&) {
+    throw;
+  } catch (const std::system_error&) {
+    throw;
   } catch (const std::exception& error) {
     return Disagreement{"throws", "FC-IN-01", error.what(), "the exception", error.what(), "", ""};
   }

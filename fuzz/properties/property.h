@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -46,6 +47,9 @@ struct Property {
   std::size_t one_in = 1;
   // Of inputs that are tried to make a failing one small.
   std::size_t shrinking_budget = 3000;
+  // A kind of disagreement that takes as long as may be to find again, and how many of it may be tried.
+  std::string slow_kind = {};
+  std::size_t slow_shrinking_budget = 0;
   std::function<std::optional<Disagreement>(const Trial&)> check = {};
 };
 
@@ -55,8 +59,14 @@ struct Property {
 // Nothing for a name that is no property's.
 [[nodiscard]] const Property* property_named(std::string_view name);
 
-// What the property says of the trial; an exception is a disagreement of kind "throws". Passes what has too
-// many rows.
+// Something is wrong with the machine, not with the trial: a disk is full, no process can be started.
+class MachineFailure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// What the property says of the trial; an exception is a disagreement of kind "throws", but MachineFailure
+// and std::system_error, which are thrown on. Passes what has too many rows.
 [[nodiscard]] std::optional<Disagreement> disagreement(const Property& property, const Trial& trial);
 
 }  // namespace flowcert::property

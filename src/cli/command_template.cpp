@@ -5,8 +5,6 @@
 
 namespace flowcert {
 
-namespace {
-
 // Words without a meaning for the shell stay as they are, so that a user's own quotes around a place, "{in}",
 // do no harm.
 std::string shell_word(const std::string& text) {
@@ -23,8 +21,6 @@ std::string shell_word(const std::string& text) {
   }
   return word + "'";
 }
-
-}  // namespace
 
 bool has_place(std::string_view command, std::string_view place) {
   return command.find(place) != std::string_view::npos;

@@ -43,6 +43,8 @@ int run_campaign(const FuzzOptions& options) {
     fuzz::work_on(campaign, properties, work);
     seconds = progress.seconds_so_far();
   }
+  if (options.only && Interruption::signal() != 0) throw InvalidInput("stopped before the case was done");
+  if (options.only) return print_case(campaign, *options.only, options.json);
   print_fuzz({campaign, seconds, campaign.tally().cases - before, options.jobs, Interruption::signal() != 0},
              options.json);
   return verdict_of(campaign);
@@ -89,7 +91,7 @@ int replay(const FuzzCommandOptions& options) {
 int merge(const FuzzCommandOptions& options) {
   std::vector<fuzz::Campaign> parts;
   for (const std::string& folder : options.merged) {
-    parts.push_back(fuzz::Campaign::resumed(folder, std::nullopt));
+    parts.push_back(fuzz::Campaign::read(folder));
   }
   fuzz::CampaignPlan plan = parts.front().plan();
   plan.shard = {};
@@ -149,6 +151,11 @@ void add_fuzz_command(CLI::App& app, int& status) {
   for (const char* name : {"--count", "--time", "--out", "--resume", "--shard", "--corpus", "--json"}) {
     replay_option->excludes(command->get_option(name));
   }
+  auto* only = command->add_option("--case", options->only,
+                                   "Only this case of the campaign, once more: what fails is made small");
+  for (const char* name : {"--count", "--time", "--out", "--shard", "--jobs", "--replay"}) {
+    only->excludes(command->get_option(name));
+  }
   add_merge_command(*command, options, status);
   command->footer(
       "The same seed has the same cases and findings on any machine, however many jobs and interruptions "
@@ -156,6 +163,7 @@ void add_fuzz_command(CLI::App& app, int& status) {
       "Examples:\n  flowcert fuzz --time 60 --jobs 2\n"
       "  flowcert fuzz --count 1000000 --property critical-points --property orbit --out campaign\n"
       "  flowcert fuzz --resume campaign --jobs 2\n"
+      "  flowcert fuzz --resume campaign --case 4711\n"
       "  flowcert fuzz --time 60 --against \"$PWD/my-flow {in} {out}\" --families "
       "box-corners:3,integer-sphere\n"
       "  flowcert fuzz --count 100000 --shard 1/4 --out part-1");

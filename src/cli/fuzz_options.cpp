@@ -92,6 +92,44 @@ std::vector<fuzz::Input> corpus_of(const std::string& folder) {
   return corpus;
 }
 
+// ---- Campaigns
+
+fuzz::Campaign resumed_campaign(const FuzzOptions& options) {
+  fuzz::Campaign campaign = fuzz::Campaign::resumed(options.resume, options.count);
+  if (!campaign.total_cases() && !options.seconds && !options.only) {
+    throw InvalidInput(options.resume + ": it has no number of cases: one of --count and --time is required");
+  }
+  require_startable(campaign.plan());
+  return campaign;
+}
+
+fuzz::Campaign new_campaign(const FuzzOptions& options) {
+  if (!options.count && !options.seconds && !options.only) {
+    throw InvalidInput("one of --count and --time is required: when is it enough?");
+  }
+  const std::string fault = fault_of_relative_path(options.against);
+  if (!fault.empty()) throw InvalidInput("--against: " + fault);
+  const fuzz::CampaignPlan plan = plan_of(options);
+  require_startable(plan);
+  if (!options.out.empty()) return fuzz::Campaign::begun(plan, options.count, options.out);
+  const std::string findings = fmt::format("flowcert-fuzz-{}", options.seed);
+  if (fs::exists(findings) && !options.only) {
+    throw InvalidInput(findings +
+                       ": there are findings of another campaign in it; name another folder by --out");
+  }
+  return {plan, options.count, findings};
+}
+
+void require_case(const fuzz::Campaign& campaign, std::size_t number) {
+  const fuzz::CampaignPlan& plan = campaign.plan();
+  const auto total = campaign.total_cases();
+  const bool is_there =
+      (!total || number < *total) && number / plan.batch_cases % plan.shard.count == plan.shard.index;
+  if (!is_there) throw InvalidInput(fmt::format("--case {}: the campaign has no such case", number));
+}
+
+// ---- Options
+
 void add_case_options(CLI::App& command, FuzzOptions& options) {
   command
       .add_option("--families", options.families,
@@ -154,6 +192,9 @@ void add_run_options(CLI::App& command, FuzzOptions& options) {
                            "--against", "--shard", "--time-limit", "--memory-limit"}) {
     resume->excludes(command.get_option(name));
   }
+  command.add_flag("--shrink-all", options.shrinks_all,
+                   "Make every failing case small; without it, the first of its kind in each batch");
+  resume->excludes("--shrink-all");
   command.add_option("--hang", options.hang_seconds, "Seconds after which a property is taken to hang")
       ->check(is_time)
       ->capture_default_str();
@@ -178,6 +219,7 @@ fuzz::CampaignPlan plan_of(const FuzzOptions& options) {
     if (is_new) plan.properties.push_back(name);
   }
   plan.against = options.against;
+  plan.shrinks_all = options.shrinks_all;
   plan.time_limit_seconds = options.time_limit.value_or(plan.time_limit_seconds);
   plan.memory_limit_mebibytes = options.memory_limit.value_or(plan.memory_limit_mebibytes);
   if (!plan.against.empty()) {
@@ -194,29 +236,12 @@ fuzz::CampaignPlan plan_of(const FuzzOptions& options) {
 }
 
 fuzz::Campaign campaign_of(const FuzzOptions& options) {
-  if (!options.resume.empty()) {
-    fuzz::Campaign campaign = fuzz::Campaign::resumed(options.resume, options.count);
-    if (!campaign.total_cases() && !options.seconds) {
-      throw InvalidInput(options.resume +
-                         ": it has no number of cases: one of --count and --time is required");
-    }
-    require_startable(campaign.plan());
-    return campaign;
+  fuzz::Campaign campaign = options.resume.empty() ? new_campaign(options) : resumed_campaign(options);
+  if (options.only) {
+    require_case(campaign, *options.only);
+    campaign.do_only(*options.only);
   }
-  if (!options.count && !options.seconds) {
-    throw InvalidInput("one of --count and --time is required: when is it enough?");
-  }
-  const std::string fault = fault_of_relative_path(options.against);
-  if (!fault.empty()) throw InvalidInput("--against: " + fault);
-  const fuzz::CampaignPlan plan = plan_of(options);
-  require_startable(plan);
-  if (!options.out.empty()) return fuzz::Campaign::begun(plan, options.count, options.out);
-  const std::string findings = fmt::format("flowcert-fuzz-{}", options.seed);
-  if (fs::exists(findings)) {
-    throw InvalidInput(findings +
-                       ": there are findings of another campaign in it; name another folder by --out");
-  }
-  return {plan, options.count, findings};
+  return campaign;
 }
 
 std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan, const fs::path& scratch) {

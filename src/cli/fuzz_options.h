@@ -26,10 +26,12 @@ struct FuzzOptions {
   std::size_t searched_percent = 30;
   std::string corpus;  // a folder
   std::string shard;   // "2/5"
+  bool shrinks_all = false;
   std::optional<std::size_t> count;
   std::optional<double> seconds;
   unsigned jobs = 1;
-  std::string out, resume;  // folders
+  std::string out, resume;          // folders
+  std::optional<std::size_t> only;  // one case
   double hang_seconds = 120;
   bool json = false;
 };

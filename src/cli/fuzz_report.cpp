@@ -2,12 +2,17 @@
 #include "cli/fuzz_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/command_template.h"
 #include "cli/conformance_words.h"
 #include "cli/table.h"
 
@@ -20,6 +25,7 @@ using Rows = std::vector<std::vector<std::string>>;
 
 // In the text; the JSON has all.
 constexpr std::size_t kMostFindingsPrinted = 20;
+constexpr std::size_t kMostNumbersPrinted = 8;
 
 double rate_of(const fuzz::RowsTally& tally) {
   return tally.seconds > 0 ? static_cast<double>(tally.cases) / tally.seconds : 0;
@@ -55,14 +61,27 @@ void print_properties(const fuzz::Campaign& campaign) {
   Rows rows;
   for (const auto& [name, cases] : campaign.tally().by_property) {
     std::size_t failures = 0;
-    for (const auto& [kind, count] : campaign.tally().failures) {
-      if (kind.starts_with(name + ' ')) failures += count;
+    for (const auto& [kind, numbers] : campaign.tally().failures) {
+      if (kind.starts_with(name + ' ')) failures += numbers.size();
     }
     const std::size_t share = share_of(campaign.plan(), name);
     rows.push_back({name, with_commas(cases) + " cases", fmt::format("{} failing", with_commas(failures)),
                     share == 1 ? "" : fmt::format("(one case in {})", share)});
   }
   print_part("By property:", rows, "lrrl");
+}
+
+void print_failures(const fuzz::Tally& tally) {
+  Rows rows;
+  for (const auto& [kind, numbers] : tally.failures) {
+    const std::size_t printed = std::min(numbers.size(), kMostNumbersPrinted);
+    const std::vector<std::size_t> first(numbers.begin(),
+                                         std::next(numbers.begin(), static_cast<std::ptrdiff_t>(printed)));
+    rows.push_back({kind, with_commas(numbers.size()),
+                    fmt::format("case{} {}{}", numbers.size() == 1 ? "" : "s", fmt::join(first, ", "),
+                                printed < numbers.size() ? ", ..." : "")});
+  }
+  print_part("Failing cases by kind:", rows, "lrl");
 }
 
 // "cluster      none 120, 4 30, 5 11"
@@ -90,6 +109,14 @@ void print_reached(const fuzz::Campaign& campaign) {
   print_part("Degeneracy reached, by component of the signature, in cases:", rows, "ll");
 }
 
+void print_finding(const fuzz::Campaign& campaign, const fuzz::Finding& finding) {
+  const std::string file = campaign.file_of(finding).string();
+  fmt::print("  case {}, {} of {} points ({}, before {}): {}\n", finding.number, finding.disagreement.kind,
+             finding.trial.input.rows.size(), finding.source, finding.rows_before,
+             one_line(finding.disagreement.complaint));
+  if (!file.empty()) fmt::print("    {}\n", file);
+}
+
 void print_findings(const fuzz::Campaign& campaign) {
   if (campaign.findings().empty()) return;
   fmt::print("\nFindings:\n");
@@ -99,14 +126,11 @@ void print_findings(const fuzz::Campaign& campaign) {
       fmt::print("  ... and {} more\n", campaign.findings().size() - kMostFindingsPrinted);
       break;
     }
-    const std::string file = campaign.file_of(finding).string();
-    fmt::print("  case {}, {} of {} points ({}, before {}): {}\n", finding.number, finding.disagreement.kind,
-               finding.trial.input.rows.size(), finding.source, finding.rows_before,
-               one_line(finding.disagreement.complaint));
-    if (!file.empty()) fmt::print("    {}\n", file);
+    print_finding(campaign, finding);
   }
   const std::string& against = campaign.plan().against;
-  fmt::print("Again: flowcert fuzz --replay FILE{}\n", against.empty() ? "" : " --against '" + against + "'");
+  fmt::print("Again: flowcert fuzz --replay FILE{}\n",
+             against.empty() ? "" : " --against " + shell_word(against));
 }
 
 void print_fuzz_text(const FuzzRun& run) {
@@ -116,6 +140,10 @@ void print_fuzz_text(const FuzzRun& run) {
   const auto expected = campaign.expected_cases();
   print_row("cases", with_commas(tally.cases), expected ? "of " + with_commas(*expected) : "");
   print_row("seed", std::to_string(plan.seed));
+  if (campaign.made_by().size() > 1) {
+    print_row("programs", std::to_string(campaign.made_by().size()),
+              "different ones: they may have drawn other cases");
+  }
   if (plan.shard.count > 1) print_row("shard", fmt::format("{}/{}", plan.shard.index + 1, plan.shard.count));
   if (run.seconds) {
     print_row("cases a second", fmt::format("{:.0f}", static_cast<double>(run.cases) / *run.seconds),
@@ -127,7 +155,7 @@ void print_fuzz_text(const FuzzRun& run) {
       "failing cases", with_commas(tally.failing_cases()),
       fmt::format("{} finding{}", campaign.findings().size(), campaign.findings().size() == 1 ? "" : "s"));
   print_properties(campaign);
-  print_part("Failing cases by kind:", rows_of(tally.failures), "lr");
+  print_failures(tally);
   print_sizes(tally);
   print_part("By family:", rows_of(tally.by_source), "lr");
   print_part("Mutants by their moves:", rows_of(tally.by_mutation), "lr");
@@ -165,6 +193,8 @@ void print_fuzz_json(const FuzzRun& run) {
   for (const auto& [count, of] : tally.by_rows) {
     rows.push_back({{"points", count}, {"cases", of.cases}, {"cases_per_second_of_one_job", rate_of(of)}});
   }
+  ordered_json failures = ordered_json::object();
+  for (const auto& [kind, numbers] : tally.failures) failures[kind] = numbers.size();
   ordered_json findings = ordered_json::array();
   for (const auto& [key, finding] : campaign.findings()) findings.push_back(finding_json(campaign, finding));
   ordered_json report = {{"cases", tally.cases},
@@ -173,7 +203,8 @@ void print_fuzz_json(const FuzzRun& run) {
                          {"interrupted", run.is_interrupted},
                          {"signatures", campaign.signatures().size()},
                          {"failing_cases", tally.failing_cases()},
-                         {"failures", tally.failures},
+                         {"failures", failures},
+                         {"failing", tally.failures},
                          {"by_property", tally.by_property},
                          {"by_family", tally.by_source},
                          {"by_mutation", tally.by_mutation},
@@ -196,6 +227,26 @@ void print_fuzz(const FuzzRun& run, bool json) {
   } else {
     print_fuzz_text(run);
   }
+}
+
+int print_case(const fuzz::Campaign& campaign, std::size_t number, bool json) {
+  ordered_json report = ordered_json::array();
+  std::vector<const fuzz::Finding*> found;
+  for (const auto& [key, finding] : campaign.findings()) {
+    if (key.first == number) found.push_back(&finding);
+  }
+  if (!json)
+    fmt::print("case {}{}\n", number,
+               found.empty() ? ": holds" : ", of seed " + std::to_string(campaign.plan().seed));
+  for (const fuzz::Finding* finding : found) {
+    if (json) {
+      report.push_back(finding_json(campaign, *finding));
+    } else {
+      print_finding(campaign, *finding);
+    }
+  }
+  if (json) fmt::print("{}\n", report.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+  return found.empty() ? kRight : kNegativeVerdict;
 }
 
 int verdict_of(const fuzz::Campaign& campaign) {

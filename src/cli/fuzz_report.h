@@ -18,6 +18,9 @@ struct FuzzRun {
 
 void print_fuzz(const FuzzRun& run, bool json);
 
+// Of one case alone, and the exit status.
+[[nodiscard]] int print_case(const fuzz::Campaign& campaign, std::size_t number, bool json);
+
 // The exit status: whether a case failed.
 [[nodiscard]] int verdict_of(const fuzz::Campaign& campaign);
 

@@ -31,6 +31,9 @@ constexpr int kShellSignal = 128;
 constexpr int kNotStarted = 127;
 constexpr int kLastSignal = 31;
 
+// What the leader of a group is told by when this process has ended: a signal that programs do not use.
+const int kParentEnded = SIGRTMIN + 7;
+
 // A killed process may take a moment to go, and is not waited for longer than this.
 constexpr Seconds kLongestDying{5};
 
@@ -61,15 +64,20 @@ ResourceLimit limit_of(int resource, rlim_t most) {
 
 // Everything that the new process needs, made before the fork.
 struct Start {
+  pid_t parent;
   const char* command;
   const char* directory;
   std::array<int, 3> descriptors;
   std::array<ResourceLimit, 3> limits;
 };
 
+void end_own_group(int) { ::kill(0, SIGKILL); }
+
+// Of the group's leader, and so of the command.
 bool set_up(const Start& start) {
   ::setpgid(0, 0);
   for (int number = 1; number < NSIG; ++number) ::signal(number, SIG_DFL);
+  ::signal(kParentEnded, end_own_group);
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -77,15 +85,33 @@ bool set_up(const Start& start) {
     if (::dup2(start.descriptors[static_cast<std::size_t>(target)], target) < 0) return false;
   }
   ::close_range(3, ~0U, 0);
+  ::prctl(PR_SET_PDEATHSIG, kParentEnded, 0UL, 0UL, 0UL);
+  return ::getppid() == start.parent;
+}
+
+bool set_limits(const Start& start) {
   for (const auto& [resource, limit] : start.limits) {
     if (::setrlimit(static_cast<__rlimit_resource>(resource), &limit) != 0) return false;
   }
-  return ::chdir(start.directory) == 0;
+  return true;
 }
 
 [[noreturn]] void become_command(const Start& start) {
-  if (set_up(start)) ::execl("/bin/sh", "sh", "-c", start.command, static_cast<char*>(nullptr));
+  if (set_limits(start) && ::chdir(start.directory) == 0) {
+    ::execl("/bin/sh", "sh", "-c", start.command, static_cast<char*>(nullptr));
+  }
   ::_exit(kNotStarted);
+}
+
+// Waits for the command, and ends its whole group when our parent has ended, killed outright included:
+// nobody else would stop it then.
+[[noreturn]] void lead_group(const Start& start) {
+  const pid_t command = set_up(start) ? ::_Fork() : -1;  // fork itself may take locks
+  if (command < 0) ::_exit(kNotStarted);
+  if (command == 0) become_command(start);
+  int status = 0;
+  while (::waitpid(command, &status, 0) < 0 && errno == EINTR) continue;
+  ::_exit(WIFSIGNALED(status) ? kShellSignal + WTERMSIG(status) : WEXITSTATUS(status));
 }
 
 pid_t start_process(const Start& start) {
@@ -93,7 +119,7 @@ pid_t start_process(const Start& start) {
   ::prctl(PR_SET_CHILD_SUBREAPER, 1UL, 0UL, 0UL, 0UL);
   const pid_t process = ::fork();
   if (process < 0) throw std::system_error(errno, std::generic_category(), "no process can be started");
-  if (process == 0) become_command(start);
+  if (process == 0) lead_group(start);
   // Also here, so that the group exists when we first signal it.
   ::setpgid(process, process);
   return process;
@@ -145,7 +171,8 @@ ProgramEnd run_limited(const std::string& command, const ProgramPlaces& places, 
   const rlim_t memory = limits.memory_bytes == 0 ? RLIM_INFINITY : limits.memory_bytes;
   const Clock::time_point since = Clock::now();
   const pid_t process = start_process(
-      {command.c_str(),
+      {::getpid(),
+       command.c_str(),
        places.directory.c_str(),
        {in.number(), out.number(), err.number()},
        {limit_of(RLIMIT_AS, memory), limit_of(RLIMIT_FSIZE, limits.file_bytes), limit_of(RLIMIT_CORE, 0)}});

@@ -3,8 +3,9 @@
 // Guarantees: whatever the command does, the call comes back: soon after the time limit, or after a
 // cancellation. The command is a process group of its own, and when the call comes back no process of that
 // group is left, the command's background children included. (A process that leaves the group, by setsid, is
-// not found again.) It reads nothing, and writes to files, so that nobody blocks on a pipe; it gets no
-// descriptors but these, and signals at their defaults. No core is dumped.
+// not found again.) They end as well when this process is killed. The command reads nothing, and writes to
+// files, so that nobody blocks on a pipe; it gets no descriptors but these, and signals at their defaults. No
+// core is dumped.
 //
 // Our own over POSIX: Boost.Process, which Debian has, knows neither resource limits nor whether a group has
 // come to its end. posix_spawn has no resource limits either.

@@ -14,6 +14,7 @@
 #include "cli/scratch_folder.h"
 #include "flowcert/claim.h"
 #include "flowcert/reproducibility.h"
+#include "io/output_file.h"
 
 namespace flowcert {
 
@@ -24,6 +25,9 @@ using property::Disagreement;
 
 // Each run takes a process, so fewer are spent on a small failure than on our own.
 constexpr std::size_t kShrinkingBudget = 400;
+// A run that is late takes as long as it may.
+constexpr char kLate[] = "time-limit";
+constexpr std::size_t kLateShrinkingBudget = 40;
 constexpr std::size_t kMostFindingsShown = 20;
 
 Disagreement ending(std::string kind, const std::string& complaint) {
@@ -32,7 +36,7 @@ Disagreement ending(std::string kind, const std::string& complaint) {
 
 std::optional<Disagreement> bad_ending(const CommandRun& run, const ProgramLimits& limits) {
   if (run.end.ending == ProgramEnding::kTimedOut) {
-    return ending("time-limit", fmt::format("not done after {} s", limits.seconds));
+    return ending(kLate, fmt::format("not done after {} s", limits.seconds));
   }
   if (run.end.ending == ProgramEnding::kSignalled) return ending("signal", signal_text(run.end.number));
   if (was_not_started(run.end)) {
@@ -67,8 +71,7 @@ class Peer {
     std::ostringstream rows;
     rows << input;
     const ScratchFolder folder(scratch_ / fmt::format("{}-{}", ::getpid(), ++runs_));
-    const CommandRun run = run_command({options_.command, "points.xyz", rows.str(), options_.out_name, {}},
-                                       folder.path(), options_.limits, [] { return false; });
+    const CommandRun run = run_in(folder.path(), rows.str());
     if (auto bad = bad_ending(run, options_.limits)) return bad;
     std::vector<Point> points;
     for (const auto& [x, y, z] : input.rows) points.push_back({x, y, z});
@@ -82,6 +85,15 @@ class Peer {
   }
 
  private:
+  [[nodiscard]] CommandRun run_in(const fs::path& folder, const std::string& rows) const {
+    try {
+      return run_command({options_.command, "points.xyz", rows, options_.out_name, {}}, folder,
+                         options_.limits, [] { return false; });
+    } catch (const OutputError& error) {
+      throw property::MachineFailure(error.what());
+    }
+  }
+
   [[nodiscard]] std::optional<Disagreement> judge_answer(const std::vector<Point>& rows,
                                                          const std::string& bytes,
                                                          const std::string& name) const {
@@ -105,6 +117,8 @@ property::Property peer_property(const PeerOptions& options, const fs::path& scr
   return {.name = kPeerProperty,
           .description = "what the command claims is right",
           .shrinking_budget = kShrinkingBudget,
+          .slow_kind = kLate,
+          .slow_shrinking_budget = kLateShrinkingBudget,
           .check = [peer](const property::Trial& trial) { return peer->judge(trial.input); }};
 }
 

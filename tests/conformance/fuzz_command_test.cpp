@@ -3,9 +3,13 @@
 //
 // Guarantees: a campaign is interrupted when its files say that it is under way, not after some time.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -178,6 +182,55 @@ TEST(FuzzCommand, FindsWhatIsWrongWithCosphericalPointsAndMakesItSmall) {
     EXPECT_EQ(flowcert({"fuzz", "--replay", path, "--property", "critical-points"}).status, 0) << path;
     EXPECT_EQ(flowcert({"compute", path}).status, 0) << path;
   }
+}
+
+TEST(FuzzCommand, DoesOneCaseAgain) {
+  const Scratch scratch;
+  const std::string folder = scratch.path("campaign");
+  const json report =
+      campaign({"--count", "120", "--against", peer("--strict"), "--jobs", "2", "--out", folder}, 1);
+  const auto& numbers = report.at("failing").at("against missed-by-cluster");
+  EXPECT_EQ(report.at("failures").at("against missed-by-cluster"), numbers.size());
+  ASSERT_GT(numbers.size(), 5U);
+  const std::string last = std::to_string(numbers.back().get<std::size_t>());
+  const Finished again = flowcert({"fuzz", "--resume", folder, "--case", last});
+  EXPECT_EQ(again.status, 1) << again.err;
+  const std::string file = folder + "/findings/against-missed-by-cluster-" + last + ".xyz";
+  EXPECT_NE(again.out.find(file), std::string::npos) << again.out;
+  EXPECT_EQ(flowcert({"fuzz", "--replay", file, "--against", peer("--strict")}).status, 1);
+  EXPECT_EQ(flowcert({"fuzz", "--resume", folder, "--case", "120"}).status, 2);
+  const Finished right = flowcert({"fuzz", "--case", "7", "--property", "critical-points", "--json"});
+  EXPECT_EQ(right.status, 0) << right.err;
+  EXPECT_EQ(json::parse(right.out), json::array());
+}
+
+// Whether a process has these words in its command line.
+bool is_running(const std::string& words) {
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    std::ifstream file(entry.path() / "cmdline", std::ios::binary);
+    std::string line((std::istreambuf_iterator<char>(file)), {});
+    std::replace(line.begin(), line.end(), '\0', ' ');
+    if (line.find(words) == 0) return true;
+  }
+  return false;
+}
+
+TEST(FuzzCommand, LeavesNoCommandWhenItIsKilled) {
+  const Scratch scratch;
+  const std::string sleep = "sleep " + std::to_string(100'000 + ::getpid());
+  // The first run tells whether the command can be started.
+  const std::string command = "echo {in} >> '" + scratch.path("runs") + "'; test $(wc -l < '" +
+                              scratch.path("runs") + "') = 1 || { " + sleep + " & " + sleep + "; }";
+  RunningProgram program({FLOWCERT_PROGRAM, "fuzz", "--count", "10", "--time-limit", "600", "--against",
+                          command, "--out", scratch.path("campaign")});
+  for (int k = 0; k < 1000 && !is_running(sleep); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ASSERT_TRUE(is_running(sleep));
+  program.signal(SIGKILL);
+  (void)program.finish();
+  for (int k = 0; k < 1000 && is_running(sleep); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_FALSE(is_running(sleep));
 }
 
 TEST(FuzzCommand, OurOwnClaimsAreRight) {

@@ -7,9 +7,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <fstream>
+#include <set>
 #include <stdexcept>
+#include <system_error>
 
 #include "fuzz/campaign/message.h"
 #include "fuzz/campaign/worker_processes.h"
@@ -68,13 +72,24 @@ std::string account_of(const Campaign& campaign) {
     text += name + ' ' + std::to_string(count) + '\n';
   for (const auto& [name, count] : campaign.tally().by_mutation)
     text += name + ' ' + std::to_string(count) + '\n';
-  for (const auto& [name, count] : campaign.tally().failures)
-    text += name + ' ' + std::to_string(count) + '\n';
+  for (const auto& [name, numbers] : campaign.tally().failures) {
+    text += name;
+    for (const std::size_t number : numbers) text += ' ' + std::to_string(number);
+    text += '\n';
+  }
   for (const auto& [signature, where] : campaign.signatures()) {
     text += to_text(signature) + ' ' + std::to_string(where.number) + '\n';
   }
-  for (const auto& [key, finding] : campaign.findings()) text += file_text(finding);
+  for (const auto& [key, finding] : campaign.findings()) {
+    text += campaign.file_of(finding).filename().string() + '\n' + file_text(finding);
+  }
   return text;
+}
+
+std::set<std::string> names_in(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
+  return names;
 }
 
 std::string account_of_run(const CampaignPlan& plan, std::size_t cases, unsigned jobs,
@@ -87,6 +102,9 @@ std::string account_of_run(const CampaignPlan& plan, std::size_t cases, unsigned
 TEST_F(CampaignTest, IsTheSameWithAnyNumberOfJobs) {
   const std::string one = account_of_run(small_plan(), 410, 1, folder_ / "one");
   EXPECT_EQ(account_of_run(small_plan(), 410, 3, folder_ / "three"), one);
+  // Those of the least numbers, whichever came first.
+  EXPECT_EQ(names_in(folder_ / "three"), names_in(folder_ / "one"));
+  EXPECT_EQ(names_in(folder_ / "one").size(), kMostFindingsOfKind);
   EXPECT_NE(one.find("rows too-many"), std::string::npos);
   EXPECT_NE(one.find("mutant"), std::string::npos);
   CampaignPlan other = small_plan();
@@ -113,6 +131,43 @@ TEST_F(CampaignTest, ShardsTogetherAreTheWhole) {
   CampaignPlan other = small_plan();
   other.seed = 8;
   EXPECT_THROW(merged.absorb(Campaign(other, 410, folder_ / "part")), std::invalid_argument);
+}
+
+TEST_F(CampaignTest, AFailingCaseCanBeDoneAgainByItsNumber) {
+  CampaignPlan plan = small_plan();
+  plan.shrinks_all = true;
+  Campaign all(plan, 120, folder_ / "all");
+  work(all, {rows_property(8)}, 2);
+  const std::set<std::size_t>& failing = all.tally().failures.at("rows too-many");
+  EXPECT_EQ(all.findings().size(), failing.size());
+  EXPECT_EQ(all.tally().failing_cases(), failing.size());
+  ASSERT_GT(failing.size(), 20U);
+  plan.shrinks_all = false;
+  Campaign some(plan, 120, folder_ / "some");
+  work(some, {rows_property(8)}, 2);
+  EXPECT_EQ(some.tally().failures, all.tally().failures);
+  EXPECT_EQ(some.findings().size(), 3U);
+  for (const std::size_t number : failing) {
+    some.do_only(number);
+    work(some, {rows_property(8)}, 1);
+    const std::pair key(number, std::string("rows too-many"));
+    ASSERT_TRUE(some.findings().contains(key)) << number;
+    EXPECT_EQ(file_text(some.findings().at(key)), file_text(all.findings().at(key)));
+    EXPECT_TRUE(fs::exists(some.file_of(some.findings().at(key))));
+  }
+  EXPECT_EQ(some.tally().cases, 120U);
+}
+
+TEST_F(CampaignTest, ReadingLeavesAFolderAsItIs) {
+  const fs::path folder = folder_ / "campaign";
+  Campaign campaign = Campaign::begun(small_plan(), 130, folder);  // and goes on using it
+  work(campaign, {rows_property(8)}, 1);
+  std::ofstream(folder / "batches.jsonl", std::ios::app) << R"({"batch":3,"comp)";
+  const auto size = fs::file_size(folder / "batches.jsonl");
+  EXPECT_EQ(account_of(Campaign::read(folder)).find("130\n"), 0U);
+  EXPECT_EQ(Campaign::read(folder).findings().size(), campaign.findings().size());
+  EXPECT_EQ(fs::file_size(folder / "batches.jsonl"), size);
+  EXPECT_THROW(Campaign::read(folder_ / "none"), UnusableFolder);
 }
 
 TEST_F(CampaignTest, GoesOnWhereItWasStopped) {
@@ -224,6 +279,70 @@ TEST_F(CampaignTest, ACaseThatHangsIsAFinding) {
   for (const auto& [key, finding] : campaign.findings()) EXPECT_EQ(finding.disagreement.kind, "hang");
 }
 
+// Which is how whoever runs it, or a system without memory, ends a process.
+TEST_F(CampaignTest, ACaseIsNotBlamedForTheFirstSigkill) {
+  const fs::path marks = folder_ / "marks";
+  fs::create_directory(marks);
+  Property property = rows_property(100);
+  property.check = [&](const Trial& trial) -> std::optional<Disagreement> {
+    const std::size_t rows = trial.input.rows.size();
+    const bool is_first = rows == 11 && std::ofstream(marks / "of-11", std::ios::app).tellp() == 0;
+    if (is_first) std::ofstream(marks / "of-11") << "killed";
+    if (rows == 12 || is_first) ::raise(SIGKILL);
+    return std::nullopt;
+  };
+  CampaignPlan plan = small_plan();
+  plan.searched_percent = 0;
+  Campaign campaign(plan, 200, folder_ / "findings");
+  work(campaign, {property}, 1);
+  EXPECT_TRUE(fs::exists(marks / "of-11"));
+  ASSERT_FALSE(campaign.findings().empty());
+  for (const auto& [key, finding] : campaign.findings()) {
+    EXPECT_EQ(finding.disagreement.kind, "crash");
+    EXPECT_EQ(finding.rows_before, 12U);
+    EXPECT_NE(finding.source, "");
+  }
+  EXPECT_EQ(campaign.tally().cases + campaign.findings().size(), 200U);
+}
+
+TEST_F(CampaignTest, WhatTheMachineLacksIsNoFinding) {
+  Property property = rows_property(100);
+  property.check = [](const Trial& trial) -> std::optional<Disagreement> {
+    if (trial.input.rows.size() >= 5) throw std::system_error(ENOSPC, std::generic_category(), "scratch");
+    return std::nullopt;
+  };
+  Campaign campaign(small_plan(), 40, folder_ / "findings");
+  EXPECT_THROW(work(campaign, {property}, 2), property::MachineFailure);
+  EXPECT_TRUE(campaign.findings().empty());
+}
+
+TEST_F(CampaignTest, StopsInTheMiddleOfALongCase) {
+  const std::string whole = account_of_run(small_plan(), 80, 1, folder_ / "whole");
+  const fs::path folder = folder_ / "campaign";
+  Property slow = rows_property(8);
+  slow.check = [](const Trial&) -> std::optional<Disagreement> {
+    ::sleep(60);
+    return std::nullopt;
+  };
+  {
+    Campaign campaign = Campaign::begun(small_plan(), 80, folder);
+    const auto start = std::chrono::steady_clock::now();
+    WorkOptions options;
+    options.jobs = 2;
+    options.is_stopped = [&] {
+      return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(300);
+    };
+    options.progress = [](std::size_t) {};
+    work_on(campaign, {slow}, options);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+    EXPECT_TRUE(campaign.findings().empty());
+    EXPECT_TRUE(campaign.is_settled());
+  }
+  Campaign campaign = Campaign::resumed(folder, std::nullopt);
+  work(campaign, {rows_property(8)}, 1);
+  EXPECT_EQ(account_of(campaign), whole);
+}
+
 TEST_F(CampaignTest, ExceptionsAreFindings) {
   Property property = rows_property(100);
   property.check = [](const Trial& trial) -> std::optional<Disagreement> {
@@ -256,6 +375,7 @@ TEST(CampaignPlan, SurvivesItsText) {
   plan.properties = {"orbit", "stable-kernels"};
   plan.against = "my 'flow' {in}";
   plan.batch_cases = 17;
+  plan.shrinks_all = true;
   plan.corpus = {{{{0.1, -0.0, 1e300}, {5e-324, 2, 3}}}};
   plan.shard = {2, 5};
   EXPECT_EQ(plan_of(to_text(plan)), plan);
@@ -330,6 +450,11 @@ TEST(Finding, SurvivesItsFile) {
   EXPECT_EQ(read.disagreement.kind, "segment-type");
   EXPECT_EQ(read.disagreement.clause, "FC-FLOW-02");
   EXPECT_EQ(name_of(finding), "orbit-segment-type-345");
+  Finding chosen = finding;
+  chosen.trial.start = property::StartChoice{property::StartKind::kEdge, {3, 0, 4294967295}};
+  const auto choice = std::get<property::StartChoice>(finding_of(file_text(chosen)).trial.start);
+  EXPECT_EQ(choice.kind, property::StartKind::kEdge);
+  EXPECT_EQ(choice.numbers, (std::vector<std::uint32_t>{3, 0, 4294967295}));
   // A reader of point files sees rows alone: every other line is a comment.
   std::istringstream lines(text);
   std::size_t rows = 0;
@@ -338,7 +463,8 @@ TEST(Finding, SurvivesItsFile) {
 }
 
 TEST(Finding, RefusesRowsThatAreNone) {
-  for (const char* text : {"1 2\n", "1 2 x\n", "1 2 inf\n", "# start: 1/0 2 3\n1 2 3\n", "# start: 1 2\n"}) {
+  for (const char* text : {"1 2\n", "1 2 x\n", "1 2 inf\n", "# start: 1/0 2 3\n1 2 3\n", "# start: 1 2\n",
+                           "# choice of start: no-such 1\n", "# choice of start: edge 1 x\n"}) {
     EXPECT_THROW((void)finding_of(std::string(text)), std::invalid_argument) << text;
   }
   EXPECT_EQ(
@@ -350,6 +476,8 @@ TEST(BatchOrder, SurvivesItsText) {
   EXPECT_EQ(order.batch, 3U);
   EXPECT_EQ(order.cases, 40U);
   EXPECT_EQ(order.left_out, (std::set<std::size_t>{121, 130}));
+  EXPECT_EQ(order.only, std::nullopt);
+  EXPECT_EQ(order_of(to_text(BatchOrder{3, 40, {}, 125})).only, 125U);
   EXPECT_THROW((void)order_of("x"), std::invalid_argument);
 }
 
