@@ -13,6 +13,7 @@
 #include "flowcert/stable_manifolds.h"
 #include "flowcert/stationary_points.h"
 #include "flowcert/unstable_manifolds.h"
+#include "fuzz/properties/input_points.h"
 #include "voronoi/voronoi_faces.h"
 
 namespace flowcert::fuzz {
@@ -190,13 +191,6 @@ void add_stable(const StableStatistics& statistics, DegeneracySignature& signatu
   signature[SignaturePart::kTies] = some(statistics.broken_ties);
 }
 
-PointSet points_of(const Input& input) {
-  std::vector<Point> rows;
-  rows.reserve(input.rows.size());
-  for (const Row& row : input.rows) rows.push_back({row[0], row[1], row[2]});
-  return PointSet(rows);
-}
-
 }  // namespace
 
 const std::vector<SignatureComponent>& signature_components() {
@@ -205,7 +199,7 @@ const std::vector<SignatureComponent>& signature_components() {
 }
 
 DegeneracySignature signature_of(const Input& input) {
-  const PointSet points = points_of(input);
+  const PointSet points = property::point_set_of(input);
   const Delaunay delaunay(points);
   FilterTally tally;
   const StationaryPoints stationary = stationary_points(delaunay, &tally);

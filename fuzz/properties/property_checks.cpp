@@ -3,19 +3,18 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <utility>
 
 #include "flowcert/orbit.h"
-#include "flowcert/persistence.h"
 #include "flowcert/stable_manifolds.h"
 #include "flowcert/unstable_manifolds.h"
+#include "fuzz/properties/fast_persistence.h"
+#include "fuzz/properties/oracle_point.h"
 #include "fuzz/properties/orbit_comparison.h"
 #include "fuzz/properties/stable_pieces.h"
 #include "fuzz/properties/stationary_comparison.h"
 #include "fuzz/properties/subject.h"
 #include "oracle/orbit.h"
-#include "oracle/persistence.h"
 #include "oracle/stable_set.h"
 
 namespace flowcert::property {
@@ -129,13 +128,6 @@ std::optional<Disagreement> difference_of_unstable(const Subject& subject, const
 
 // ---- Stable sets ----
 
-oracle::StationaryPoint oracle_point(const Subject& subject, const StationaryPoints& stationary,
-                                     std::size_t record) {
-  const ExactSphere sphere = exact_sphere(subject.points, stationary.contact(record));
-  return {sphere.center, sphere.squared_radius, ids(stationary.contact(record)),
-          stationary.index(record).face_dimension, stationary.index(record).hull_dimension};
-}
-
 std::optional<Disagreement> difference_of_pieces(const std::string& what, const Pieces& a, const char* a_name,
                                                  const Pieces& b, const char* b_name) {
   if (a == b) return std::nullopt;
@@ -161,25 +153,10 @@ std::optional<Disagreement> wrong_summary(const StableManifolds& manifolds, std:
   return std::nullopt;
 }
 
-// Sample pairs that critical backs lie between, an odd number of times; nothing where a tie leaves the
-// boundary open.
-std::optional<std::vector<Ids>> boundary_by_pieces(const Pieces& pieces, bool has_vertex) {
-  std::map<Ids, std::size_t> times;
-  for (const SegmentKey& segment : pieces.segments) {
-    if (std::get<5>(segment) == "regular") return std::nullopt;
-    if (std::get<5>(segment) == "critical") ++times[std::get<0>(segment)];
-  }
-  std::vector<Ids> edges;
-  for (const auto& [samples, count] : times) {
-    if (count % 2 == 1) edges.push_back(samples);
-  }
-  return has_vertex ? std::nullopt : std::optional(edges);
-}
-
 std::optional<Disagreement> wrong_boundary(const StationaryPoints& stationary,
                                            const StableManifolds& manifolds, std::size_t i,
                                            const std::string& what, const Pieces& pieces, bool has_vertex) {
-  const auto expected = boundary_by_pieces(pieces, has_vertex);
+  const auto expected = boundary_of(pieces, has_vertex);
   if (!expected || !stationary.index(manifolds.record(i)).is_critical()) return std::nullopt;
   std::vector<Ids> edges;
   for (const std::uint32_t record : manifolds.boundary(i)) edges.push_back(ids(stationary.contact(record)));
@@ -189,32 +166,6 @@ std::optional<Disagreement> wrong_boundary(const StationaryPoints& stationary,
   for (const Ids& edge : edges) text += text_of(edge) + '\n';
   return Disagreement{"boundary", "FC-STAB-07",   what + ": its boundary is wrong", kFast, text,
                       kOracle,    text_of(pieces)};
-}
-
-// ---- Persistence ----
-
-std::vector<oracle::PersistencePair> fast_pairs(const Subject& subject) {
-  const StationaryPoints stationary = stationary_points(subject.delaunay);
-  UnstableManifolds unstable(subject.delaunay, stationary);
-  const StableManifolds stable(subject.delaunay, stationary);
-  const ChainComplex complex(subject.points, stationary, unstable, stable);
-  const Persistence persistence(subject.points, stationary, complex);
-  std::vector<oracle::PersistencePair> pairs;
-  for (const PersistencePair& pair : persistence.pairs()) {
-    pairs.push_back({pair.dimension, persistence.squared_value(pair.birth), std::nullopt});
-    if (pair.death) pairs.back().death = persistence.squared_value(*pair.death);
-  }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
-
-std::string to_text(const std::vector<oracle::PersistencePair>& pairs) {
-  std::string text;
-  for (const auto& pair : pairs) {
-    text += std::to_string(pair.dimension) + ' ' + pair.birth.str() + ' ' +
-            (pair.death ? pair.death->str() : "inf") + '\n';
-  }
-  return text;
 }
 
 // ---- Kernels ----
@@ -280,7 +231,7 @@ std::optional<Disagreement> check_unstable_manifolds(const Trial& trial) {
   const StationaryPoints stationary = stationary_points(subject.delaunay);
   UnstableManifolds manifolds(subject.delaunay, stationary);
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
-    const oracle::StationaryPoint saddle = oracle_point(subject, stationary, manifolds.saddle(i));
+    const oracle::StationaryPoint saddle = oracle_point(subject.points, stationary, manifolds.saddle(i));
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
       const OrbitRecord truth = record_of(
           subject.set, saddle.center, oracle::unstable_orbit(subject.set, saddle, static_cast<int>(side)));
@@ -306,7 +257,7 @@ std::optional<Disagreement> check_stable_sets(const Trial& trial) {
   const StationaryPoints stationary = stationary_points(subject.delaunay);
   StableManifolds manifolds(subject.delaunay, stationary);
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
-    const auto z = oracle_point(subject, stationary, manifolds.record(i));
+    const auto z = oracle_point(subject.points, stationary, manifolds.record(i));
     const oracle::StableSet truth = oracle::stable_set(subject.set, z);
     const Pieces pieces = pieces_of(subject.set, truth);
     const std::string what = "the stable set of " + text_of(z.contact);
@@ -321,7 +272,7 @@ std::optional<Disagreement> check_stable_sets(const Trial& trial) {
 
 std::optional<Disagreement> check_persistence(const Trial& trial) {
   const Subject subject(trial.input);
-  const auto fast = fast_pairs(subject);
+  const auto fast = fast_persistence(subject.points).pairs;
   const auto truth = oracle::persistence_pairs(subject.set);
   if (fast == truth) return std::nullopt;
   return Disagreement{"pairs", "FC-PERS-05",  "other persistence pairs", kFast, to_text(fast),

@@ -40,6 +40,19 @@ Pieces pieces_of(const oracle::PointSet& points, const oracle::StableSet& set) {
   return pieces;
 }
 
+std::optional<std::vector<Ids>> boundary_of(const Pieces& pieces, bool has_vertex) {
+  std::map<Ids, std::size_t> times;
+  for (const SegmentKey& segment : pieces.segments) {
+    if (std::get<5>(segment) == "regular") return std::nullopt;
+    if (std::get<5>(segment) == "critical") ++times[std::get<0>(segment)];
+  }
+  std::vector<Ids> edges;
+  for (const auto& [samples, count] : times) {
+    if (count % 2 == 1) edges.push_back(samples);
+  }
+  return has_vertex ? std::nullopt : std::optional(edges);
+}
+
 std::string text_of(const RationalPoint& x) {
   return '(' + x[0].str() + ' ' + x[1].str() + ' ' + x[2].str() + ')';
 }

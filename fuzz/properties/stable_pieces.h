@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -39,6 +40,10 @@ Ids ids(const auto& names) { return Ids(names.begin(), names.end()); }
 Pieces pieces_of(const StableSet& set);
 // The oracle also lists the intervals that sectors come through, which the sectors' corners tell.
 Pieces pieces_of(const oracle::PointSet& points, const oracle::StableSet& set);
+
+// Sample pairs that critical backs lie between, an odd number of times (FC-STAB-07); nothing where a tie
+// leaves the boundary open: a regular end, or a Voronoi vertex, which the pieces need not tell.
+std::optional<std::vector<Ids>> boundary_of(const Pieces& pieces, bool has_vertex);
 
 std::string text_of(const RationalPoint& x);
 std::string text_of(const Ids& names);

@@ -19,6 +19,7 @@
 #include "flowcert/rational.h"
 #include "flowcert/stationary_points.h"
 #include "fuzz/input.h"
+#include "fuzz/properties/input_points.h"
 #include "oracle/stationary_points.h"
 
 namespace flowcert::property {
@@ -51,14 +52,6 @@ struct StationaryAnswer {
     return count(0) - count(1) + count(2) - count(3);
   }
 };
-
-inline PointSet point_set_of(const fuzz::Input& input) {
-  std::vector<Point> rows;
-  for (const auto& [x, y, z] : input.rows) {
-    rows.push_back({x, y, z});
-  }
-  return PointSet(rows);
-}
 
 inline StationaryAnswer fast_answer(const fuzz::Input& input) {
   const PointSet points = point_set_of(input);

@@ -2,35 +2,21 @@
 #include <sstream>
 
 #include "flowcert/check.h"
-#include "flowcert/reproducibility.h"
-#include "fuzz/properties/stationary_comparison.h"
+#include "fuzz/properties/exchange_file.h"
+#include "fuzz/properties/input_points.h"
 #include "fuzz/targets/target.h"
-#include "io/write_manifolds.h"
 
 namespace flowcert::fuzz {
 namespace {
 
 constexpr std::size_t kMostRows = 8;
 
-std::string exchange_file(const Input& input, const PointSet& points) {
-  std::vector<Point> rows;
-  for (const auto& [x, y, z] : input.rows) rows.push_back({x, y, z});
-  const Delaunay delaunay(points);
-  const StationaryPoints stationary = stationary_points(delaunay);
-  UnstableManifolds u2(delaunay, stationary);
-  StableManifolds s2(delaunay, stationary);
-  std::ostringstream out;
-  write_manifolds(out, points, stationary, {.u2 = &u2, .polylines = true, .s2 = &s2, .skeletons = true},
-                  coordinates_sha256(rows));
-  return out.str();
-}
-
 }  // namespace
 
 std::string complaint_of(Bytes bytes) {
   const Input input = input_of_bytes(bytes, kMostRows);
   const PointSet points = property::point_set_of(input);
-  const std::string file = exchange_file(input, points);
+  const std::string file = property::exchange_file(property::rows_of(input));
   const Claim claim = read_claim_from(file, "a");
   const CheckReport report = check(points, claim);
   if (claim.format == "exchange" && report.verdict == Verdict::kConforms && report.is_exact &&

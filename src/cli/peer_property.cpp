@@ -14,6 +14,7 @@
 #include "cli/scratch_folder.h"
 #include "flowcert/claim.h"
 #include "flowcert/reproducibility.h"
+#include "fuzz/properties/input_points.h"
 #include "io/output_file.h"
 
 namespace flowcert {
@@ -73,10 +74,8 @@ class Peer {
     const ScratchFolder folder(scratch_ / fmt::format("{}-{}", ::getpid(), ++runs_));
     const CommandRun run = run_in(folder.path(), rows.str());
     if (auto bad = bad_ending(run, options_.limits)) return bad;
-    std::vector<Point> points;
-    for (const auto& [x, y, z] : input.rows) points.push_back({x, y, z});
     try {
-      return judge_answer(points, answer_bytes(run), run.answer_name);
+      return judge_answer(property::rows_of(input), answer_bytes(run), run.answer_name);
     } catch (const InvalidInput& error) {
       return ending("unreadable", one_line(error.what()));
     } catch (const std::bad_alloc&) {

@@ -10,18 +10,13 @@
 #include "cli/oracle_truth.h"
 #include "flowcert/claim.h"
 #include "flowcert/reproducibility.h"
+#include "fuzz/properties/input_points.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
 
 namespace flowcert {
 
 namespace {
-
-std::vector<Point> rows_of(const fuzz::Input& input) {
-  std::vector<Point> rows;
-  for (const auto& [x, y, z] : input.rows) rows.push_back({.x = x, .y = y, .z = z});
-  return rows;
-}
 
 bool is_empty(const std::string& text) { return std::all_of(text.begin(), text.end(), is_blank); }
 
@@ -100,7 +95,7 @@ FailedCase Verification::judge(const fuzz::NamedCase& named, const Answer& answe
     result.reason = answer.text;
     return result;
   }
-  const std::vector<Point> rows = rows_of(named.input);
+  const std::vector<Point> rows = property::rows_of(named.input);
   const PointSet points(rows);
   Claim claim;
   try {

@@ -6,14 +6,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <sstream>
 
-#include "flowcert/persistence.h"
 #include "fuzz/families.h"
-#include "fuzz/properties/stationary_comparison.h"
+#include "fuzz/properties/fast_persistence.h"
+#include "fuzz/properties/input_points.h"
 #include "oracle/persistence.h"
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
@@ -37,46 +36,16 @@ struct Totals {
   }
 };
 
-struct FastAnswer {
-  std::vector<oracle::PersistencePair> pairs;
-  bool has_ties = false;
-};
-
-FastAnswer fast_answer(const PointSet& points, std::uint64_t seed) {
-  const Delaunay delaunay(points);
-  const StationaryPoints stationary = stationary_points(delaunay);
-  UnstableManifolds unstable(delaunay, stationary);
-  const StableManifolds stable(delaunay, stationary, {.flow = {}, .seed = seed});
-  const ChainComplex complex(points, stationary, unstable, stable, seed);
-  const Persistence persistence(points, stationary, complex);
-  FastAnswer answer{{}, complex.broken_ties() > 0 || stable.statistics().broken_ties > 0};
-  for (const PersistencePair& pair : persistence.pairs()) {
-    answer.pairs.push_back({pair.dimension, persistence.squared_value(pair.birth), std::nullopt});
-    if (pair.death) answer.pairs.back().death = persistence.squared_value(*pair.death);
-  }
-  std::sort(answer.pairs.begin(), answer.pairs.end());
-  return answer;
-}
-
-std::string text_of(const std::vector<oracle::PersistencePair>& pairs) {
-  std::string text;
-  for (const auto& pair : pairs) {
-    text += "  " + std::to_string(pair.dimension) + ' ' + pair.birth.str() + ' ' +
-            (pair.death ? pair.death->str() : "inf") + '\n';
-  }
-  return text;
-}
-
 void require_same_pairs(const fuzz::Input& input, Totals& totals) {
   const PointSet points = point_set_of(input);
   const auto expected = oracle::persistence_pairs(oracle::PointSet(input.rows));
   for (const std::uint64_t seed : kSeeds) {
-    const FastAnswer fast = fast_answer(points, seed);
+    const FastPersistence fast = fast_persistence(points, seed);
     if (fast.pairs != expected) {
       std::ostringstream text;
       text << "ties broken with seed " << seed << "; the fast implementation has\n"
-           << text_of(fast.pairs) << "and the oracle\n"
-           << text_of(expected) << "input:\n"
+           << to_text(fast.pairs) << "and the oracle\n"
+           << to_text(expected) << "input:\n"
            << input;
       RC_FAIL(text.str());
     }
@@ -130,10 +99,10 @@ TEST(CechPersistence, OfARegularTetrahedron) {
   CITES("FC-PERS-05");
   const auto pairs =
       oracle::persistence_pairs(oracle::PointSet({{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}}));
-  EXPECT_EQ(text_of(pairs),
-            "  0 0 1/2\n  0 0 1/2\n  0 0 1/2\n  0 0 inf\n"
-            "  1 1/2 2/3\n  1 1/2 2/3\n  1 1/2 2/3\n"
-            "  2 2/3 3/4\n");
+  EXPECT_EQ(to_text(pairs),
+            "0 0 1/2\n0 0 1/2\n0 0 1/2\n0 0 inf\n"
+            "1 1/2 2/3\n1 1/2 2/3\n1 1/2 2/3\n"
+            "2 2/3 3/4\n");
   EXPECT_EQ(oracle::persistence_pairs(oracle::PointSet({})).size(), 0U);
 }
 

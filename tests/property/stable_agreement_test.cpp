@@ -10,11 +10,11 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "flowcert/stable_manifolds.h"
+#include "fuzz/properties/oracle_point.h"
 #include "fuzz/properties/stable_pieces.h"
 #include "fuzz/stable_families.h"
 #include "oracle/stable_set.h"
@@ -39,19 +39,6 @@ void require_same_pieces(const Subject& subject, const std::string& what, const 
                "the fast implementation's:\n" + text_of(a) + "the oracle's:\n" + text_of(b));
 }
 
-// Sample pairs that critical backs lie between, an odd number of times.
-std::vector<Ids> boundary_by_oracle(const Pieces& pieces) {
-  std::map<Ids, std::size_t> times;
-  for (const auto& segment : pieces.segments) {
-    if (std::get<5>(segment) == "critical") ++times[std::get<0>(segment)];
-  }
-  std::vector<Ids> edges;
-  for (const auto& [samples, count] : times) {
-    if (count % 2 == 1) edges.push_back(samples);
-  }
-  return edges;
-}
-
 // What the list says of a set without its geometry.
 void require_right_summary(const Subject& subject, const StationaryPoints& stationary,
                            const StableManifolds& manifolds, std::size_t i, const Pieces& pieces,
@@ -72,11 +59,12 @@ void require_right_summary(const Subject& subject, const StationaryPoints& stati
   totals.regular_ends += has_regular_end ? 1 : 0;
   totals.with_sector_cut += std::any_of(pieces.sectors.begin(), pieces.sectors.end(),
                                         [](const SectorKey& s) { return std::get<1>(s).size() > 3; });
-  if (has_vertex || has_regular_end || !stationary.index(manifolds.record(i)).is_critical()) return;
+  const auto boundary = boundary_of(pieces, has_vertex);
+  if (!boundary || !stationary.index(manifolds.record(i)).is_critical()) return;
   std::vector<Ids> edges;
   for (const std::uint32_t record : manifolds.boundary(i)) edges.push_back(ids(stationary.contact(record)));
   std::sort(edges.begin(), edges.end());
-  require_none(subject.input, edges == boundary_by_oracle(pieces) ? "" : "boundary() is wrong", "");
+  require_none(subject.input, edges == *boundary ? "" : "boundary() is wrong", "");
 }
 
 void require_right_sets(const Subject& subject, Totals& totals) {
@@ -87,7 +75,7 @@ void require_right_sets(const Subject& subject, Totals& totals) {
   const std::size_t step = 1 + lazy.size() / kSetsByOracle;
   for (std::size_t i = 0; i < lazy.size(); i += step) {
     const Pieces fast = pieces_of(lazy.set(i));
-    const auto z = stationary_point_of(subject.points, stationary, lazy.record(i));
+    const auto z = oracle_point(subject.points, stationary, lazy.record(i));
     const oracle::StableSet by_oracle = oracle::stable_set(subject.set, z);
     const std::string name = "the stable set of " + text_of(z.contact);
     require_same_pieces(subject, name, fast, pieces_of(subject.set, by_oracle));

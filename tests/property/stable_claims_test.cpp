@@ -17,6 +17,7 @@
 
 #include "certify/boundaries.h"
 #include "fuzz/nudge.h"
+#include "fuzz/properties/oracle_point.h"
 #include "fuzz/stable_families.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
@@ -451,7 +452,7 @@ TEST(StableClaims, WalksAreTheOracles) {
       const StationaryIndex index = subject.truth->index(i);
       if (index != StationaryIndex{2, 2} && index.is_critical()) continue;
       const std::vector<PointId> contact = subject.contact(i);
-      const auto z = stationary_point_of(subject.points, subject.stationary, i);
+      const auto z = oracle_point(subject.points, subject.stationary, i);
       const auto walk = boundary_walk(subject.truth->stable_set(i), index, contact);
       const oracle::StableSet stable = oracle::stable_set(set, z);
       const bool has_walk = index.hull_dimension == 2 && !stable.has_vertex;

@@ -18,6 +18,7 @@
 
 #include "flowcert/stable_manifolds.h"
 #include "fuzz/integer_points.h"
+#include "fuzz/properties/oracle_point.h"
 #include "fuzz/properties/orbit_starts.h"
 #include "fuzz/properties/stable_pieces.h"
 #include "fuzz/stable_families.h"
@@ -57,7 +58,7 @@ struct FastSets {
         stationary(stationary_points(subject.delaunay)),
         manifolds(subject.delaunay, stationary, {.flow = {.kernel = kernel}}) {
     for (std::size_t i = 0; i < manifolds.size(); ++i) {
-      const StationaryPoint z = stationary_point_of(subject.points, stationary, manifolds.record(i));
+      const StationaryPoint z = oracle_point(subject.points, stationary, manifolds.record(i));
       const StableSet set = manifolds.set(i);
       sets.push_back({i, z, set, skeleton_of(subject.set, z, set)});
     }

@@ -112,15 +112,4 @@ oracle::StableSet skeleton_of(const oracle::PointSet& set, const oracle::Station
   return std::move(conversion).sorted();
 }
 
-oracle::StationaryPoint stationary_point_of(const PointSet& points, const StationaryPoints& stationary,
-                                            std::size_t record) {
-  const auto contact = stationary.contact(record);
-  const ExactSphere sphere = exact_sphere(points, contact);
-  return {sphere.center,
-          sphere.squared_radius,
-          {contact.begin(), contact.end()},
-          stationary.index(record).face_dimension,
-          stationary.index(record).hull_dimension};
-}
-
 }  // namespace flowcert::property

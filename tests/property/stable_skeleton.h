@@ -16,8 +16,4 @@ namespace flowcert::property {
 oracle::StableSet skeleton_of(const oracle::PointSet& set, const oracle::StationaryPoint& z,
                               const StableSet& fast);
 
-// A stationary point of the fast implementation's list, the same way.
-oracle::StationaryPoint stationary_point_of(const PointSet& points, const StationaryPoints& stationary,
-                                            std::size_t record);
-
 }  // namespace flowcert::property

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "flowcert/claim.h"
-#include "flowcert/reproducibility.h"
-#include "io/write_manifolds.h"
+#include "fuzz/properties/exchange_file.h"
 #include "tests/unit/point_file_samples.h"
 
 namespace flowcert {
@@ -28,19 +27,6 @@ inline std::string claim_refusal(const std::string& bytes, const std::string& na
 // With every kind of stationary point but 2-3, a repeated row, and orbits that end at infinity.
 inline std::vector<Point> rows_of_many_kinds() {
   return {{0, 0, 1}, {1, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}, {0, 0, 1}, {0.1, 5, 0.2}, {3, 4, -1}};
-}
-
-// What `compute --manifolds u2,s2 --polylines --skeletons -o` writes of them.
-inline std::string exchange_file(const std::vector<Point>& rows) {
-  const PointSet points(rows);
-  const Delaunay delaunay(points);
-  const StationaryPoints stationary = stationary_points(delaunay);
-  UnstableManifolds u2(delaunay, stationary);
-  StableManifolds s2(delaunay, stationary);
-  std::ostringstream out;
-  write_manifolds(out, points, stationary, {.u2 = &u2, .polylines = true, .s2 = &s2, .skeletons = true},
-                  coordinates_sha256(rows));
-  return out.str();
 }
 
 inline std::string csv_file() {

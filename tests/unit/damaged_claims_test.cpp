@@ -19,16 +19,17 @@ struct Seed {
 };
 
 std::vector<Seed> seeds() {
-  return {{"exchange", exchange_file({{0, 0, 1}, {1, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}}), false},
-          {"csv", csv_file(), false},
-          {"giesen-kuehne", giesen_kuehne_file(), false},
-          {"vtp ascii", vtp_file({}), true},
-          {"vtp base64", vtp_file({.encoding = "base64"}), true},
-          {"vtp zlib", vtp_file({.encoding = "base64", .compressed = true, .long_header = true}), true},
-          {"vtp appended", vtp_file({.encoding = "appended base64", .big_endian = true}), true},
-          {"vtp raw", vtp_file({.encoding = "appended raw", .compressed = true}), true},
-          {"vtp raw plain", vtp_file({.encoding = "appended raw", .doubles = false, .types = "Int8"}), true},
-          {"gzip", gzipped(giesen_kuehne_file()), true}};
+  return {
+      {"exchange", property::exchange_file({{0, 0, 1}, {1, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}}), false},
+      {"csv", csv_file(), false},
+      {"giesen-kuehne", giesen_kuehne_file(), false},
+      {"vtp ascii", vtp_file({}), true},
+      {"vtp base64", vtp_file({.encoding = "base64"}), true},
+      {"vtp zlib", vtp_file({.encoding = "base64", .compressed = true, .long_header = true}), true},
+      {"vtp appended", vtp_file({.encoding = "appended base64", .big_endian = true}), true},
+      {"vtp raw", vtp_file({.encoding = "appended raw", .compressed = true}), true},
+      {"vtp raw plain", vtp_file({.encoding = "appended raw", .doubles = false, .types = "Int8"}), true},
+      {"gzip", gzipped(giesen_kuehne_file()), true}};
 }
 
 // How a run of damaged files went.

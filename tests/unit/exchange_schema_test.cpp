@@ -42,7 +42,7 @@ TEST(ExchangeSchema, TakesWhatComputeWrites) {
        {rows_of_many_kinds(), std::vector<Point>{},
         std::vector<Point>{{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}},
         std::vector<Point>{{1e308, 0, 0}, {-1e308, 1e-300, 0}, {0, 3, 1e300}, {0, -1e308, 5}}}) {
-    std::istringstream lines(exchange_file(rows));
+    std::istringstream lines(property::exchange_file(rows));
     std::string line;
     while (std::getline(lines, line)) EXPECT_TRUE(schema.accepts(line)) << line;
   }

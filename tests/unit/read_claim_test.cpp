@@ -42,7 +42,7 @@ TEST(ReadExchange, EverythingThatComputeWrites) {
   const Delaunay delaunay(points);
   const StationaryPoints stationary = stationary_points(delaunay);
   UnstableManifolds u2(delaunay, stationary);
-  const Claim claim = claim_of(exchange_file(rows));
+  const Claim claim = claim_of(property::exchange_file(rows));
   EXPECT_EQ(claim.format, "exchange");
   EXPECT_EQ(claim.point_count, rows.size());
   EXPECT_EQ(claim.merged_duplicates, 1U);
