@@ -28,11 +28,12 @@ enum class TupleKind {
   kSubnormal,   // a lattice at the smallest subnormal, or across the border to the normal doubles
   kNearRight,   // a right angle up to rounding, of three generic points; the others generic too
   kWidest,      // coordinates that span kWideBits bits on their grid, or one more
+  kNarrow,      // the same of kNarrowBits
 };
 inline constexpr std::array kTupleKinds = {
     TupleKind::kGeneric,   TupleKind::kLattice, TupleKind::kSpherical,  TupleKind::kRounded,
     TupleKind::kOneUlp,    TupleKind::kFarOff,  TupleKind::kMagnitudes, TupleKind::kSubnormal,
-    TupleKind::kNearRight, TupleKind::kWidest};
+    TupleKind::kNearRight, TupleKind::kWidest,  TupleKind::kNarrow};
 
 inline double& coordinate_of(flowcert::Point& p, std::size_t k) { return k == 0 ? p.x : k == 1 ? p.y : p.z; }
 
@@ -124,9 +125,11 @@ std::array<flowcert::Point, N> draw_tuple(TupleKind kind, PortableRandom& random
                    corner.z + (u.x * w.y - u.y * w.x)};
       break;
     }
-    case TupleKind::kWidest: {
-      // (2^53 - k) 2^(kWideBits - 53) is the largest there is below 2^kWideBits; the 1 fixes the grid.
-      const int top = flowcert::kWideBits - 53 + random.between(0, 1);
+    case TupleKind::kWidest:
+    case TupleKind::kNarrow: {
+      // (2^53 - k) 2^(bits - 53) is the largest there is below 2^bits; the 1 fixes the grid.
+      const int bits = kind == TupleKind::kWidest ? flowcert::kWideBits : flowcert::kNarrowBits;
+      const int top = bits - 53 + random.between(0, 1);
       for (flowcert::Point& p : points) {
         for (std::size_t k = 0; k < 3; ++k) {
           const double value = std::ldexp(0x1p53 - random.between(1, 3), top);
