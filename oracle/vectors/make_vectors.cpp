@@ -15,8 +15,8 @@
 
 namespace {
 
+using oracle::Json;
 using oracle::vectors::Group;
-using oracle::vectors::Json;
 
 struct Counts {
   std::size_t cases = 0;

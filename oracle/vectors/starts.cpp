@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
+#include "oracle/answer_fields.h"
 #include "oracle/orbit.h"
-#include "oracle/vectors/answer_fields.h"
 
 namespace oracle::vectors {
 
