@@ -83,7 +83,7 @@ int run(const std::vector<std::string>& words) {
   print("segments of given orbits", counts.types);
   for (const auto& flag : oracle::vectors::all_flags()) {
     if (wanted.empty() && !counts.flags.contains(flag.name))
-      std::printf("no case has the flag %s\n", flag.name.c_str());
+      std::printf("no case has the flag %s\n", flag.name);
   }
   return 0;
 }

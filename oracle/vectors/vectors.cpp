@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "oracle/read_points.h"
 #include "oracle/vectors/flags.h"
 #include "oracle/vectors/starts.h"
 
@@ -45,7 +46,7 @@ bool has_stable_field(const StationaryPoint& x) {
 }
 
 Findings findings_of(const Recipe& recipe, const Answer& answer, const std::vector<Point>& starts) {
-  Findings found{PointSet(recipe.points), answer, {}, starts, {}, {}, {}};
+  Findings found{recipe.points, PointSet(recipe.points), answer, {}, starts, {}, {}, {}};
   for (const StationaryPoint& x : answer.stationary) {
     if (recipe.limits && is_saddle(x)) found.unstable.push_back(unstable_orbits(found.set, x));
   }
@@ -165,14 +166,14 @@ Json case_of(const Group& group, const Recipe& recipe) {
 Json case_of(const Group& group, const Recipe& recipe, const Answer& answer,
              const std::vector<Point>& starts) {
   const Findings found = findings_of(recipe, answer, starts);
-  const std::vector<std::string> flags = flags_of(recipe.points, found, recipe.aims);
+  const std::vector<std::string> flags = flags_of(found, recipe.aims);
   const Json alternatives = alternatives_field(found.answer);
   Json made = head_of(group, recipe.id, recipe.comment, flags);
   made["points"] = points_field(recipe.points);
   made["result"] = alternatives.empty() ? "determined" : "acceptable";
   Json expected = counts_field(found.answer);
   expected["stationary"] = stationary_field(recipe, found);
-  if (found.persistence) expected["persistence"] = persistence_field(*found.persistence);
+  if (recipe.persistence) expected["persistence"] = persistence_field(found.persistence);
   if (!found.starts.empty()) expected["orbits"] = Json::array();
   for (std::size_t k = 0; k < found.starts.size(); ++k) {
     expected["orbits"].push_back(orbit_field(found.set, found.starts[k], found.orbits[k]));
@@ -206,7 +207,7 @@ Json flag_file() {
     Json field;
     field["flag"] = flag.name;
     field["meaning"] = flag.meaning;
-    field["clauses"] = flag.clauses;
+    field["clauses"] = fields(flag.clauses);
     file["flags"].push_back(field);
   }
   return file;
