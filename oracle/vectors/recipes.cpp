@@ -277,17 +277,6 @@ Group magnitudes() {
   return cases.group();
 }
 
-void require_different_ids(const std::vector<Group>& table) {
-  std::vector<std::string> ids;
-  for (const Group& group : table) {
-    for (const Recipe& recipe : group.recipes) ids.push_back(recipe.id);
-    for (const InvalidRecipe& recipe : group.invalid_recipes) ids.push_back(recipe.id);
-  }
-  std::sort(ids.begin(), ids.end());
-  const auto twice = std::adjacent_find(ids.begin(), ids.end());
-  if (twice != ids.end()) throw std::logic_error(*twice + " is there twice");
-}
-
 }  // namespace
 
 std::string case_id(const std::string& group, std::size_t number) {
@@ -354,6 +343,17 @@ void add_stationary_groups(std::vector<Group>& table) {
   table.push_back(duplicates());
   table.push_back(rounding());
   table.push_back(magnitudes());
+}
+
+void require_different_ids(const std::vector<Group>& table) {
+  std::vector<std::string> ids;
+  for (const Group& group : table) {
+    for (const Recipe& recipe : group.recipes) ids.push_back(recipe.id);
+    for (const InvalidRecipe& recipe : group.invalid_recipes) ids.push_back(recipe.id);
+  }
+  std::sort(ids.begin(), ids.end());
+  const auto twice = std::adjacent_find(ids.begin(), ids.end());
+  if (twice != ids.end()) throw std::logic_error(*twice + " is there twice");
 }
 
 const std::vector<Group>& groups() {

@@ -47,8 +47,11 @@ struct Group {
   std::vector<InvalidRecipe> invalid_recipes;
 };
 
-// In the order of ids. Throws std::logic_error for an id that is given twice.
+// In the order of ids.
 const std::vector<Group>& groups();
+
+// Throws std::logic_error for an id that is given twice.
+void require_different_ids(const std::vector<Group>& table);
 
 // Their parts, a source file each.
 void add_stationary_groups(std::vector<Group>& table);
