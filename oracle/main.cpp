@@ -42,7 +42,8 @@ std::string exact_text(const oracle::Rational& x) { return x.str(); }
 // Numbers that are long are rounded for people, and marked.
 std::string short_text(const oracle::Rational& x) {
   const std::string exact = x.str();
-  return exact.size() <= 10 ? exact : "~" + boost::multiprecision::mpf_float_50(x).str(6);
+  if (exact.size() <= 10) return exact;
+  return "~" + boost::multiprecision::mpf_float_50(x).str(6);
 }
 
 using NumberText = std::string (*)(const oracle::Rational&);
