@@ -27,12 +27,6 @@ bool in_cone(const Point& apex, std::vector<Point> base, const Point& x) {
   return true;
 }
 
-std::vector<Point> both(const Point& a, const Point& b) {
-  std::vector<Point> points(1, a);
-  points.push_back(b);
-  return points;
-}
-
 // x is in such a cone with one of the apexes. A cone with apex p lies in the Voronoi cell of p, so only those
 // with their apexes in C(x), here by name, can contain x.
 bool in_some_cone(const PointSet& set, const std::vector<std::size_t>& nearest,
@@ -75,7 +69,7 @@ std::vector<std::size_t> in_cyclic_order(const PointSet& set, const std::vector<
     }
     return true;
   };
-  std::vector<std::size_t> ring(1, 0);
+  std::vector<std::size_t> ring = {0};
   while (ring.size() < corners.size()) {
     std::size_t next = 0;
     while (!is_next(ring.back(), next)) ++next;
@@ -151,7 +145,7 @@ std::vector<std::array<std::size_t, 2>> boundary_edges(const StableSet& stable) 
 std::size_t segments_without_intervals(const StationaryPoint& z, const StableSet& stable) {
   std::multimap<Point, const BackwardSegment*> by_front;
   for (const BackwardSegment& segment : stable.segments) by_front.emplace(segment.front, &segment);
-  std::vector<Point> fronts(1, z.center);
+  std::vector<Point> fronts = {z.center};
   std::size_t count = 0;
   for (std::size_t k = 0; k < fronts.size(); ++k) {
     const auto [first, last] = by_front.equal_range(fronts[k]);
@@ -175,14 +169,13 @@ bool has_tie(const StableSet& stable) {
 bool contains(const PointSet& set, const StableSet& stable, const Point& x) {
   const std::vector<std::size_t> nearest = contact_set(set, x);
   for (const SkeletonPoint& w : stable.points) {
-    if (x == w.position || in_some_cone(set, nearest, w.contact, std::vector<Point>(1, w.position), x))
-      return true;
+    if (x == w.position || in_some_cone(set, nearest, w.contact, {w.position}, x)) return true;
   }
   for (const BackwardSegment& s : stable.segments) {
-    if (in_some_cone(set, nearest, s.samples, both(s.front, s.back), x)) return true;
+    if (in_some_cone(set, nearest, s.samples, {s.front, s.back}, x)) return true;
   }
   for (const BackwardInterval& i : stable.intervals) {
-    if (in_some_cone(set, nearest, i.polygon, both(i.front, i.back), x)) return true;
+    if (in_some_cone(set, nearest, i.polygon, {i.front, i.back}, x)) return true;
   }
   for (const Sector& s : stable.sectors) {
     const Point &p0 = point_of(set, s.samples[0]), &p1 = point_of(set, s.samples[1]);

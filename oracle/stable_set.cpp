@@ -65,10 +65,7 @@ Point way_back(const PointSet& set, const Point& y, const Lead& lead) {
 }
 
 bool collinear(const Point& a, const Point& b, const Point& c) {
-  for (const Rational& coordinate : cross(minus(b, a), minus(c, a))) {
-    if (coordinate != 0) return false;
-  }
-  return true;
+  return cross(minus(b, a), minus(c, a)) == Point{};
 }
 
 Point middle(const Point& a, const Point& b) { return moved(a, Rational(1, 2), minus(b, a)); }
@@ -162,9 +159,7 @@ class Search {
   void add_sector(const BackwardInterval& interval, const Lead& lead) {
     const auto& [polygon, front, back, kind] = interval;
     const Point& m = lead.centre;
-    std::vector<Point> sector(1, front);
-    sector.push_back(back);
-    sector.push_back(m);
+    std::vector<Point> sector = {front, back, m};
     for (const Point& q : set_.points) sector = clipped(sector, set_.points[lead.face[0]], q);
     found_.sectors.push_back({samples_of(set_, lead), canonical(sector)});
     for (std::size_t i = 0; i < sector.size(); ++i) {
