@@ -15,10 +15,15 @@ namespace {
 using IntegerPoint = std::array<Integer, 3>;
 using IntegerRow = std::vector<Integer>;
 
-Integer dot(const IntegerPoint& a, const IntegerPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Integer dot(const IntegerPoint& a, const IntegerPoint& b) {
+  Integer sum = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) sum += a[axis] * b[axis];
+  return sum;
+}
 
-IntegerPoint minus(const IntegerPoint& a, const IntegerPoint& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+IntegerPoint minus(IntegerPoint a, const IntegerPoint& b) {
+  for (std::size_t axis = 0; axis < 3; ++axis) a[axis] -= b[axis];
+  return a;
 }
 
 // The least common multiple of `scale` and the denominators of x.
@@ -29,10 +34,12 @@ Integer common_denominator(Integer scale, const Point& x) {
 
 // `scale` is a multiple of the denominators of x.
 IntegerPoint times(const Integer& scale, const Point& x) {
-  const auto coordinate = [&](std::size_t axis) -> Integer {
-    return numerator(x[axis]) * (scale / denominator(x[axis]));
-  };
-  return {coordinate(0), coordinate(1), coordinate(2)};
+  IntegerPoint product;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    product[axis] = scale / denominator(x[axis]);
+    product[axis] *= numerator(x[axis]);
+  }
+  return product;
 }
 
 // A simplex times a common denominator.
@@ -73,7 +80,10 @@ std::optional<Coefficients> solve_gram(const std::vector<IntegerPoint>& edges, c
       if (row == step) continue;
       const Integer factor = matrix[row][step];
       for (std::size_t k = 0; k <= size; ++k) {
-        matrix[row][k] = (pivot * matrix[row][k] - factor * matrix[step][k]) / result.denominator;
+        Integer& entry = matrix[row][k];
+        entry *= pivot;
+        entry -= factor * matrix[step][k];
+        entry /= result.denominator;
       }
     }
     result.denominator = pivot;
@@ -116,19 +126,32 @@ Circumcentre combine(const IntegerSimplex& simplex, const Coefficients& l) {
 
 Point exact(const std::array<double, 3>& row) {
   // GMP's conversion from a double is exact, for subnormals too.
-  return {Rational(row[0]), Rational(row[1]), Rational(row[2])};
+  Point x;
+  for (std::size_t axis = 0; axis < 3; ++axis) x[axis] = Rational(row[axis]);
+  return x;
 }
 
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Point minus(Point a, const Point& b) {
+  for (std::size_t axis = 0; axis < 3; ++axis) a[axis] -= b[axis];
+  return a;
+}
 
 Rational dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  Point product;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
+    product[axis] = a[next] * b[last];
+    product[axis] -= a[last] * b[next];
+  }
+  return product;
 }
 
 Point moved(const Point& x, const Rational& time, const Point& direction) {
-  return {x[0] + time * direction[0], x[1] + time * direction[1], x[2] + time * direction[2]};
+  Point end = x;
+  for (std::size_t axis = 0; axis < 3; ++axis) end[axis] += time * direction[axis];
+  return end;
 }
 
 Rational squared_distance(const Point& a, const Point& b) {

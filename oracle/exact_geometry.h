@@ -22,7 +22,7 @@ using Point = std::array<Rational, 3>;
 // The same point in rationals (FC-IN-02). Every finite double is a rational; the doubles have to be finite.
 Point exact(const std::array<double, 3>& row);
 
-Point minus(const Point& a, const Point& b);
+Point minus(Point a, const Point& b);
 Rational dot(const Point& a, const Point& b);
 Point cross(const Point& a, const Point& b);
 Point moved(const Point& x, const Rational& time, const Point& direction);  // x + time * direction

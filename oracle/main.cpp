@@ -12,10 +12,11 @@
 #include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <random>
+#include <string_view>
 
+#include "oracle/answer_fields.h"
 #include "oracle/orbit.h"
 #include "oracle/read_points.h"
 #include "oracle/read_records.h"
@@ -23,37 +24,17 @@
 
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr int kWrong = 1;
 constexpr int kUnusable = 2;
 
-ordered_json header(const oracle::Answer& answer) {
-  const auto regular = answer.regular_counts();
-  return {{"format", "oracle-stationary-points"},
-          {"format_version", 1},
-          {"points", answer.points},
-          {"merged_duplicates", answer.merged_duplicates},
-          {"critical", answer.critical_counts()},
-          {"regular_stationary", {{"1-2", regular[0]}, {"2-3", regular[1]}, {"1-3", regular[2]}}}};
-}
-
-ordered_json position(const oracle::Point& x) { return {x[0].str(), x[1].str(), x[2].str()}; }
-
-ordered_json record(const oracle::StationaryPoint& s) {
-  const bool critical = s.face_dimension == s.hull_dimension;
-  ordered_json index = s.hull_dimension;
-  if (!critical) index = {s.face_dimension, s.hull_dimension};
-  return {{"index", index},
-          {"kind", critical ? "critical" : "regular"},
-          {"contact", s.contact},
-          {"center", position(s.center)},
-          {"squared_distance", s.squared_distance.str()}};
-}
-
 void print_json(const oracle::Answer& answer) {
-  std::cout << header(answer).dump() << '\n';
-  for (const auto& s : answer.stationary) std::cout << record(s).dump() << '\n';
+  oracle::Json header;
+  header["format"] = "oracle-stationary-points";
+  header["format_version"] = 1;
+  header["points"] = answer.points;
+  header.update(oracle::counts_field(answer));
+  std::cout << header.dump() << '\n';
+  for (const auto& s : answer.stationary) std::cout << oracle::record_field(s).dump() << '\n';
 }
 
 std::string exact_text(const oracle::Rational& x) { return x.str(); }
@@ -61,7 +42,8 @@ std::string exact_text(const oracle::Rational& x) { return x.str(); }
 // Numbers that are long are rounded for people, and marked.
 std::string short_text(const oracle::Rational& x) {
   const std::string exact = x.str();
-  return exact.size() <= 10 ? exact : "~" + boost::multiprecision::mpf_float_50(x).str(6);
+  if (exact.size() <= 10) return exact;
+  return "~" + boost::multiprecision::mpf_float_50(x).str(6);
 }
 
 using NumberText = std::string (*)(const oracle::Rational&);
@@ -88,37 +70,18 @@ void print_text(const oracle::Answer& answer) {
   for (const auto& s : answer.stationary) print_text(s, exact_text);
 }
 
-ordered_json segment_fields(const oracle::PointSet& set, const oracle::FlowSegment& segment) {
-  const bool ends = segment.end.has_value();
-  return {{"type", segment_type(set, segment)},
-          {"driver", position(segment.driver)},
-          {"end", ends ? position(*segment.end) : ordered_json()},
-          {"start_contact", segment.start_contact},
-          {"crossed_contact", segment.crossed_contact},
-          {"end_contact", ends ? ordered_json(segment.end_contact) : ordered_json()}};
-}
-
-ordered_json limit_fields(const std::optional<oracle::StationaryPoint>& limit) {
-  ordered_json point = limit ? record(*limit) : ordered_json{{"kind", "infinity"}};
-  return {{"kind", point["kind"]},  // and null for the keys that are not there
-          {"index", point["index"]},
-          {"position", point["center"]},
-          {"contact", point["contact"]},
-          {"squared_distance", point["squared_distance"]}};
-}
-
 void print_json(const oracle::PointSet& set, const oracle::Point& start, const oracle::Orbit& path) {
-  ordered_json object = {{"format", "oracle-orbit"}, {"format_version", 1}, {"start", position(start)}};
-  object["segments"] = ordered_json::array();
-  for (const auto& segment : path.segments) object["segments"].push_back(segment_fields(set, segment));
-  object["limit"] = limit_fields(path.limit);
+  oracle::Json object;
+  object["format"] = "oracle-orbit";
+  object["format_version"] = 1;
+  object.update(oracle::orbit_field(set, start, path));
   std::cout << object.dump() << '\n';
 }
 
 void print_text(const oracle::PointSet& set, const oracle::Point& start, const oracle::Orbit& path) {
   std::cout << "orbit from " << text(start, short_text) << '\n' << std::left;
-  const auto row = [](const std::string& number, const std::string& type, const std::string& driver,
-                      const std::string& end) {
+  const auto row = [](std::string_view number, std::string_view type, std::string_view driver,
+                      std::string_view end) {
     std::cout << std::setw(4) << number << std::setw(8) << type << ' ' << std::setw(36) << driver << ' '
               << std::setw(36) << end;
   };

@@ -15,7 +15,9 @@ Point in_integers(const Point& direction) {
   for (const Rational& u : direction) common = lcm(common, Integer(denominator(u)));
   for (const Rational& u : direction) factor = gcd(factor, Integer(numerator(u * common)));
   const Rational scale = Rational(common) / Rational(factor);
-  return {direction[0] * scale, direction[1] * scale, direction[2] * scale};
+  Point result = direction;
+  for (Rational& u : result) u *= scale;
+  return result;
 }
 
 // The first point on the way of x where a point q outside of the crossed set is as near as those inside, p
@@ -24,7 +26,8 @@ Point in_integers(const Point& direction) {
 std::optional<Point> first_meeting(const PointSet& set, std::size_t p, const Point& x,
                                    const Point& integer_direction) {
   const Point& u = integer_direction;
-  const Form advance{numerator(u[0]), numerator(u[1]), numerator(u[2]), 0};
+  Form advance;
+  for (std::size_t axis = 0; axis < 3; ++axis) advance[axis] = numerator(u[axis]);
   const Integer advance_of_p = value(advance, set.lifted[p]);
   std::optional<Point> first;
   Form distance;  // from the first so far
@@ -93,13 +96,14 @@ std::vector<std::size_t> crossed_places(const PointSet& set, const std::vector<s
 // (Caratheodory), and is the projection of x to the affine hull of that simplex: its circumcentre, as x is
 // equally far from its points.
 Point driver(const std::vector<Point>& contact, const Point& x) {
-  std::optional<Point> nearest;
+  std::vector<Point> centres;
   for_each_subset(contact.size(), 4, [&](const std::vector<std::size_t>& subset) {
     const auto centre = inner_circumcentre(select(contact, subset));
-    if (!centre) return;
-    if (!nearest || squared_distance(x, *centre) < squared_distance(x, *nearest)) nearest = centre;
+    if (centre) centres.push_back(*centre);
   });
-  return *nearest;
+  return *std::min_element(centres.begin(), centres.end(), [&](const Point& a, const Point& b) {
+    return squared_distance(x, a) < squared_distance(x, b);
+  });
 }
 
 std::optional<FlowSegment> flow_segment(const PointSet& set, const Point& x) {
@@ -118,15 +122,17 @@ FlowSegment unstable_segment(const PointSet& set, const StationaryPoint& saddle,
     throw std::invalid_argument("U2 has two sides, and belongs to a critical point of index 2");
   }
   const std::vector<std::size_t> contact = places_of(set, saddle.contact);
-  const Point &a = set.points[contact[0]], &b = set.points[contact[1]], &c = set.points[contact[2]];
-  const Point direction =
-      in_integers(side == 1 ? cross(minus(b, a), minus(c, a)) : cross(minus(c, a), minus(b, a)));
+  const Point ab = minus(set.points[contact[1]], set.points[contact[0]]);
+  const Point ac = minus(set.points[contact[2]], set.points[contact[0]]);
+  const Point direction = in_integers(side == 1 ? cross(ab, ac) : cross(ac, ab));
   return segment_along(set, saddle.center, saddle.center, contact, contact, direction);
 }
 
 Orbit unstable_orbit(const PointSet& set, const StationaryPoint& saddle, int side) {
-  Orbit path{{unstable_segment(set, saddle, side)}, std::nullopt};
-  if (const auto end = path.segments.front().end) follow(set, *end, path);
+  const FlowSegment first = unstable_segment(set, saddle, side);
+  Orbit path;
+  path.segments.push_back(first);
+  if (first.end) follow(set, *first.end, path);
   return path;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <span>
 #include <stdexcept>
 
 namespace oracle {
@@ -19,25 +20,41 @@ const Point& point_of(const PointSet& set, std::size_t name) {
 bool in_cone(const Point& apex, std::vector<Point> base, const Point& x) {
   base.push_back(apex);
   const auto weights = barycentric(base, x);
-  return weights && weights->back() >= 0 &&
-         std::all_of(weights->begin(), weights->end() - 1, [](const Rational& w) { return w > 0; });
+  if (!weights || weights->back() < 0) return false;
+  for (std::size_t i = 0; i + 1 < weights->size(); ++i) {
+    if ((*weights)[i] <= 0) return false;
+  }
+  return true;
 }
 
-// The same with the interior of a sector as base, and `other` the mirror image of the apex. Inside of the
-// cone, x is strictly on one side of the planes through the apex and each side of the polygon; so it is in
-// the opposite cone, which is no nearer to `other` than the apex is.
+// x is in such a cone with one of the apexes. A cone with apex p lies in the Voronoi cell of p, so only those
+// with their apexes in C(x), here by name, can contain x.
+bool in_some_cone(const PointSet& set, const std::vector<std::size_t>& nearest,
+                  std::span<const std::size_t> apexes, const std::vector<Point>& base, const Point& x) {
+  for (const std::size_t p : apexes) {
+    if (!std::binary_search(nearest.begin(), nearest.end(), p)) continue;
+    if (in_cone(point_of(set, p), base, x)) return true;
+  }
+  return false;
+}
+
+// As in_cone(), with the interior of a sector as base, and `other` the mirror image of the apex. Inside of
+// the cone, x is strictly on one side of the planes through the apex and each side of the polygon; so it is
+// in the opposite cone, which is no nearer to `other` than the apex is.
 bool in_sector_cone(const Point& apex, const Point& other, const std::vector<Point>& polygon,
                     const Point& x) {
   const Point axis = minus(other, apex);
   const Rational height = dot(axis, minus(x, apex));
   if (height <= 0 || 2 * height > dot(axis, axis)) return false;
-  std::set<int> sides;
+  std::size_t left = 0, right = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point a = minus(polygon[i], apex);
     const Point b = minus(polygon[(i + 1) % polygon.size()], apex);
-    sides.insert(dot(cross(a, b), minus(x, apex)).sign());
+    const int side = dot(cross(a, b), minus(x, apex)).sign();
+    if (side > 0) ++left;
+    if (side < 0) ++right;
   }
-  return sides == std::set<int>{1} || sides == std::set<int>{-1};
+  return left == polygon.size() || right == polygon.size();
 }
 
 // The corners of a convex polygon in cyclic order, from the first on towards the lesser of its neighbours.
@@ -46,9 +63,11 @@ std::vector<std::size_t> in_cyclic_order(const PointSet& set, const std::vector<
   const std::vector<Point> corners = select(set.points, places_of(set, names));
   const Point normal = cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]));
   const auto is_next = [&](std::size_t a, std::size_t b) {
-    return a != b && std::all_of(corners.begin(), corners.end(), [&](const Point& c) {
-             return dot(normal, cross(minus(corners[b], corners[a]), minus(c, corners[a]))) >= 0;
-           });
+    if (a == b) return false;
+    for (const Point& c : corners) {
+      if (dot(normal, cross(minus(corners[b], corners[a]), minus(c, corners[a]))) < 0) return false;
+    }
+    return true;
   };
   std::vector<std::size_t> ring = {0};
   while (ring.size() < corners.size()) {
@@ -110,8 +129,8 @@ std::vector<std::array<std::size_t, 2>> boundary_edges(const StableSet& stable) 
   std::map<Point, std::set<std::size_t>> odd;  // w -> the p for which p w is a side of an odd number
   for (const BackwardSegment& segment : stable.segments) {
     for (const std::size_t p : segment.samples) {
-      for (const Point& w : {segment.front, segment.back}) {
-        if (!odd[w].insert(p).second) odd[w].erase(p);
+      for (const Point* w : {&segment.front, &segment.back}) {
+        if (!odd[*w].insert(p).second) odd[*w].erase(p);
       }
     }
   }
@@ -141,32 +160,28 @@ std::size_t segments_without_intervals(const StationaryPoint& z, const StableSet
 }
 
 bool has_tie(const StableSet& stable) {
-  return stable.has_vertex ||
-         std::any_of(stable.segments.begin(), stable.segments.end(),
-                     [](const BackwardSegment& segment) { return segment.back_kind == BackKind::kRegular; });
+  for (const BackwardSegment& segment : stable.segments) {
+    if (segment.back_kind == BackKind::kRegular) return true;
+  }
+  return stable.has_vertex;
 }
 
-// A cone with apex p lies in the Voronoi cell of p, so only those with their apexes in C(x) can contain x.
 bool contains(const PointSet& set, const StableSet& stable, const Point& x) {
   const std::vector<std::size_t> nearest = contact_set(set, x);
-  const auto in_cones = [&](const auto& apexes, const std::vector<Point>& base) {
-    return std::any_of(apexes.begin(), apexes.end(), [&](std::size_t p) {
-      return std::binary_search(nearest.begin(), nearest.end(), p) && in_cone(point_of(set, p), base, x);
-    });
-  };
-  const auto by_point = [&](const SkeletonPoint& w) {
-    return x == w.position || in_cones(w.contact, {w.position});
-  };
-  const auto by_segment = [&](const BackwardSegment& s) { return in_cones(s.samples, {s.front, s.back}); };
-  const auto by_interval = [&](const BackwardInterval& i) { return in_cones(i.polygon, {i.front, i.back}); };
-  const auto by_sector = [&](const Sector& s) {
+  for (const SkeletonPoint& w : stable.points) {
+    if (x == w.position || in_some_cone(set, nearest, w.contact, {w.position}, x)) return true;
+  }
+  for (const BackwardSegment& s : stable.segments) {
+    if (in_some_cone(set, nearest, s.samples, {s.front, s.back}, x)) return true;
+  }
+  for (const BackwardInterval& i : stable.intervals) {
+    if (in_some_cone(set, nearest, i.polygon, {i.front, i.back}, x)) return true;
+  }
+  for (const Sector& s : stable.sectors) {
     const Point &p0 = point_of(set, s.samples[0]), &p1 = point_of(set, s.samples[1]);
-    return in_sector_cone(p0, p1, s.polygon, x) || in_sector_cone(p1, p0, s.polygon, x);
-  };
-  return std::any_of(stable.points.begin(), stable.points.end(), by_point) ||
-         std::any_of(stable.segments.begin(), stable.segments.end(), by_segment) ||
-         std::any_of(stable.intervals.begin(), stable.intervals.end(), by_interval) ||
-         std::any_of(stable.sectors.begin(), stable.sectors.end(), by_sector);
+    if (in_sector_cone(p0, p1, s.polygon, x) || in_sector_cone(p1, p0, s.polygon, x)) return true;
+  }
+  return false;
 }
 
 }  // namespace oracle

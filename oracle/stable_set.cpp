@@ -68,6 +68,8 @@ bool collinear(const Point& a, const Point& b, const Point& c) {
   return cross(minus(b, a), minus(c, a)) == Point{};
 }
 
+Point middle(const Point& a, const Point& b) { return moved(a, Rational(1, 2), minus(b, a)); }
+
 // The part of a convex polygon that is not nearer to q than to p.
 std::vector<Point> clipped(const std::vector<Point>& polygon, const Point& p, const Point& q) {
   const auto lead = [&](const Point& x) { return Rational(squared_distance(x, q) - squared_distance(x, p)); };
@@ -78,7 +80,8 @@ std::vector<Point> clipped(const std::vector<Point>& polygon, const Point& p, co
     const Rational at_a = lead(a), at_b = lead(b);
     if (at_a >= 0) result.push_back(a);
     if ((at_a > 0 && at_b < 0) || (at_a < 0 && at_b > 0)) {
-      result.push_back(moved(a, at_a / (at_a - at_b), minus(b, a)));
+      const Rational time = at_a / (at_a - at_b);
+      result.push_back(moved(a, time, minus(b, a)));
     }
   }
   return result;
@@ -123,8 +126,13 @@ class Search {
     const int dimension = dimension_at(back);
     BackKind kind = dimension == 2 ? BackKind::kEdge : BackKind::kVertex;
     if (back == lead.centre) kind = dimension == 1 ? BackKind::kCritical : BackKind::kRegular;
-    found_.segments.push_back(
-        {samples_of(set_, lead), y, back, contact_set(set_, y), contact_set(set_, back), kind});
+    BackwardSegment& segment = found_.segments.emplace_back();
+    segment.samples = samples_of(set_, lead);
+    segment.front = y;
+    segment.back = back;
+    segment.front_contact = contact_set(set_, y);
+    segment.back_contact = contact_set(set_, back);
+    segment.back_kind = kind;
     if (back != lead.centre) add_point(back);
   }
 
@@ -132,16 +140,15 @@ class Search {
   void add_interval_into(const Point& y, const Lead& lead) {
     const Point back = way_back(set_, y, lead);
     const bool whole = back == lead.centre;
-    add_interval({select(set_.names, lead.face), y, back,
-                  whole ? IntervalKind::kFromCentre : IntervalKind::kFromVertex});
+    const IntervalKind kind = whole ? IntervalKind::kFromCentre : IntervalKind::kFromVertex;
+    add_interval({select(set_.names, lead.face), y, back, kind});
     if (!whole) add_point(back);
   }
 
   // What leads to one point of the interval leads to all. The polygon itself may, along the interval.
   void add_interval(const BackwardInterval& interval) {
     found_.intervals.push_back(interval);
-    const Point middle = moved(interval.front, Rational(1, 2), minus(interval.back, interval.front));
-    for (const Lead& lead : leads_to(set_, middle)) {
+    for (const Lead& lead : leads_to(set_, middle(interval.front, interval.back))) {
       if (is_edge(lead)) add_sector(interval, lead);
     }
   }
@@ -165,8 +172,8 @@ class Search {
   }
 
   void add_crossed_interval(const Point& a, const Point& b) {
-    const Point middle = moved(a, Rational(1, 2), minus(b, a));
-    add_interval({contact_set(set_, middle), std::min(a, b), std::max(a, b), IntervalKind::kCrossed});
+    const std::vector<std::size_t> polygon = contact_set(set_, middle(a, b));
+    add_interval({polygon, std::min(a, b), std::max(a, b), IntervalKind::kCrossed});
   }
 
   const PointSet& set_;

@@ -58,7 +58,8 @@ PointSet::PointSet(const std::vector<std::array<double, 3>>& rows) {
   for (const Point& point : points) {
     std::array<Integer, 4> row;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      row[axis] = numerator(point[axis]) * (scale / denominator(point[axis]));
+      row[axis] = scale / denominator(point[axis]);
+      row[axis] *= numerator(point[axis]);
       row[3] += row[axis] * row[axis];
     }
     lifted.push_back(row);
@@ -88,7 +89,9 @@ Form distance_form(const PointSet& set, const Point& x) {
   form[3] = 1;
   for (const Rational& coordinate : x) form[3] = lcm(form[3], Integer(denominator(coordinate)));
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    form[axis] = -2 * set.scale * numerator(x[axis]) * (form[3] / denominator(x[axis]));
+    form[axis] = form[3] / denominator(x[axis]);
+    form[axis] *= -2 * set.scale;
+    form[axis] *= numerator(x[axis]);
   }
   return form;
 }
@@ -141,8 +144,12 @@ Answer stationary_points(const std::vector<std::array<double, 3>>& rows) {
   Answer answer{rows.size(), set.merged_duplicates, {}};
   for (const auto& [places, center] : found) {
     const std::vector<Point> contact = select(set.points, places);
-    answer.stationary.push_back({center, squared_distance(center, contact[0]), select(set.names, places),
-                                 face_dimension(contact, center).value(), affine_dimension(contact)});
+    StationaryPoint& x = answer.stationary.emplace_back();
+    x.center = center;
+    x.squared_distance = squared_distance(center, contact[0]);
+    x.contact = select(set.names, places);
+    x.face_dimension = face_dimension(contact, center).value();
+    x.hull_dimension = affine_dimension(contact);
   }
   std::sort(answer.stationary.begin(), answer.stationary.end(), output_order);
   return answer;

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <map>
-#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,17 +17,9 @@
 
 namespace oracle::vectors {
 
-struct Flag {
-  std::string name;
-  std::string meaning;
-  std::vector<std::string> clauses;
-};
-
-// In the order in which cases list theirs.
-const std::vector<Flag>& all_flags();
-
 // What the oracle found out for one case.
 struct Findings {
+  Rows rows;
   PointSet set;
   Answer answer;
   std::vector<std::array<Orbit, 2>> unstable;  // of the index-2 points, in order; if asked for
@@ -35,12 +27,21 @@ struct Findings {
   std::vector<Orbit> orbits;  // one a start
   // Of each stationary point that is critical of index 2 or regular, by its place in the list; if asked for.
   std::map<std::size_t, StableSet> stable;
-  std::optional<std::vector<PersistencePair>> persistence;  // if asked for
+  std::vector<PersistencePair> persistence;  // ascending; if asked for
 };
 
+struct Flag {
+  const char* name;
+  const char* meaning;
+  const char* clauses;             // parted by blanks
+  bool (*holds)(const Findings&);  // null for an aim
+};
+
+// In the order in which cases list theirs.
+std::span<const Flag> all_flags();
+
 // Aims and what follows from the findings. Throws std::logic_error for an aim that is no flag.
-std::vector<std::string> flags_of(const Rows& rows, const Findings& findings,
-                                  const std::vector<std::string>& aims);
+std::vector<std::string> flags_of(const Findings& findings, const std::vector<std::string>& aims);
 
 // Those of the flags and of the group, ascending, once each.
 std::vector<std::string> clauses_of(const std::vector<std::string>& flags, std::vector<std::string> more);

@@ -26,46 +26,43 @@ const Rows kThroughTwoMore = {{-2, -2, 1}, {-3, 0, 1},  {-1, 2, 2}, {-2, -1, 2},
 
 // What both groups begin with.
 void add_by_hand(GroupWriter& cases) {
-  cases.given(1, "no point", {}, {});
-  cases.given(2, "one point, twice", {}, {{1, 2, 3}, {1, 2, 3}});
-  cases.given(3, "two points", {}, {{0, 0, 0}, {1, 0, 0}});
-  cases.given(4, "four points of a line", {}, {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {5, 5, 5}});
-  cases.given(5, "an acute triangle", {}, kAcute);
-  cases.given(6, "an obtuse triangle below an acute one", {}, kObtuseBelow);
-  cases.given(7, "a right triangle: kind 1-2", {"right-angle"}, kRightTriangle);
-  cases.given(8, "a square", {"cocircular"}, grid(2, 2, 1));
-  cases.given(9, "a kite with two right angles", {"cocircular", "right-angle"}, kKite);
-  cases.given(10, "a regular tetrahedron", {}, kTetrahedron);
-  cases.given(11, "the centre of a sphere inside one of four triangles: kind 2-3", {}, kKind23);
-  cases.given(12, "an edge through the centre of a sphere: kind 1-3", {"right-angle"}, kKind13);
-  cases.given(13, "a square and a point above its centre", {}, kSquareAndPoint);
-  cases.given(14, "the faces of a cospherical cluster, to be merged", {"cospherical", "right-angle"},
+  cases.given(1, "no point", "", {});
+  cases.given(2, "one point, twice", "", {{1, 2, 3}, {1, 2, 3}});
+  cases.given(3, "two points", "", {{0, 0, 0}, {1, 0, 0}});
+  cases.given(4, "four points of a line", "", {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {5, 5, 5}});
+  cases.given(5, "an acute triangle", "", kAcute);
+  cases.given(6, "an obtuse triangle below an acute one", "", kObtuseBelow);
+  cases.given(7, "a right triangle: kind 1-2", "right-angle", kRightTriangle);
+  cases.given(8, "a square", "cocircular", grid(2, 2, 1));
+  cases.given(9, "a kite with two right angles", "cocircular right-angle", kKite);
+  cases.given(10, "a regular tetrahedron", "", kTetrahedron);
+  cases.given(11, "the centre of a sphere inside one of four triangles: kind 2-3", "", kKind23);
+  cases.given(12, "an edge through the centre of a sphere: kind 1-3", "right-angle", kKind13);
+  cases.given(13, "a square and a point above its centre", "", kSquareAndPoint);
+  cases.given(14, "the faces of a cospherical cluster, to be merged", "cospherical right-angle",
               kUnmergedFaces);
-  cases.given(15, "a pyramid over a pentagon of a circle", {"cocircular"}, kPyramid);
-  cases.given(16, "a prism over a triangle", {"cospherical", "cocircular"}, kPrism);
-  cases.given(17, "the octahedron", {"cospherical"}, sphere(1));
-  cases.given(18, "the octahedron and its centre", {"right-angle"}, joined(sphere(1), {{0, 0, 0}}));
-  cases.given(19, "the cube", {"cospherical", "cocircular"}, grid(2, 2, 2));
-  cases.given(20, "two cubes with a common face", {"lattice", "cospherical"}, grid(2, 2, 3));
-  cases.given(21, "the cuboctahedron", {"cospherical", "cocircular"}, sphere(2));
-  cases.given(22, "half of the cuboctahedron: a square through the centre of the sphere", {"cospherical"},
+  cases.given(15, "a pyramid over a pentagon of a circle", "cocircular", kPyramid);
+  cases.given(16, "a prism over a triangle", "cospherical cocircular", kPrism);
+  cases.given(17, "the octahedron", "cospherical", sphere(1));
+  cases.given(18, "the octahedron and its centre", "right-angle", joined(sphere(1), {{0, 0, 0}}));
+  cases.given(19, "the cube", "cospherical cocircular", grid(2, 2, 2));
+  cases.given(20, "two cubes with a common face", "lattice cospherical", grid(2, 2, 3));
+  cases.given(21, "the cuboctahedron", "cospherical cocircular", sphere(2));
+  cases.given(22, "half of the cuboctahedron: a square through the centre of the sphere", "cospherical",
               first_of(sphere(2), 8));
-  cases.given(23, "ties whose choices need not suit each other", {"right-angle"}, kTieInTheComplex);
-  cases.given(24, "a tie at a Voronoi vertex that goes on at another one", {"right-angle"},
+  cases.given(23, "ties whose choices need not suit each other", "right-angle", kTieInTheComplex);
+  cases.given(24, "a tie at a Voronoi vertex that goes on at another one", "right-angle",
               kThroughTwoVertices);
-  cases.given(25, "another such tie", {"right-angle"}, kThroughTwoMore);
-  cases.given(26, "a square of 9 points", {"lattice", "cocircular"}, grid(3, 3, 1));
-  cases.given(27, "8 points in general position", {"general-position"}, general(8, 21));
-  cases.given(28, "11 points in general position", {"general-position"}, general(11, 22));
+  cases.given(25, "another such tie", "right-angle", kThroughTwoMore);
+  cases.given(26, "a square of 9 points", "lattice cocircular", grid(3, 3, 1));
+  cases.given(27, "8 points in general position", "general-position", general(8, 21));
+  cases.given(28, "11 points in general position", "general-position", general(11, 22));
 }
 
 Group stable_manifolds() {
-  Group group{"stable-manifolds",
-              "What flows to each critical point of index 2 and each regular stationary point",
-              {"FC-CHAIN-01", "FC-STAB-01", "FC-STAB-02", "FC-STAB-04", "FC-STAB-07"},
-              {},
-              {}};
-  GroupWriter cases(group);
+  GroupWriter cases("stable-manifolds",
+                    "What flows to each critical point of index 2 and each regular stationary point",
+                    "FC-CHAIN-01 FC-STAB-01 FC-STAB-02 FC-STAB-04 FC-STAB-07");
   cases.with_stable_sets();
   add_by_hand(cases);
   cases.drawn(29, "general-position", 100, {3, 6});
@@ -99,25 +96,21 @@ Group stable_manifolds() {
   cases.drawn(98, "extreme-scale", 100, {2, 3});
   cases.drawn(100, "two-scales", 100, {4, 5});
   cases.drawn(102, "mixed-magnitudes", 100, {7});
-  return group;
+  return cases.group();
 }
 
 Group persistence() {
-  Group group{"persistence",
-              "The persistence pairs of the squared distance function",
-              {"FC-PERS-01", "FC-PERS-02", "FC-PERS-03", "FC-PERS-05"},
-              {},
-              {}};
-  GroupWriter cases(group);
+  GroupWriter cases("persistence", "The persistence pairs of the squared distance function",
+                    "FC-PERS-01 FC-PERS-02 FC-PERS-03 FC-PERS-05");
   cases.with_persistence();
   add_by_hand(cases);
-  cases.given(29, "two pairs of points, far from each other, and one pair again", {},
+  cases.given(29, "two pairs of points, far from each other, and one pair again", "",
               {{0, 0, 0}, {1, 0, 0}, {0, 0, 100}, {1, 0, 100}, {0, 0, 0}, {1, 0, 0}});
-  cases.given(30, "a circle of 12 points", {"cocircular"}, circle(25, 0));
-  cases.given(31, "two squares, each around a corner of the other", {"cocircular"},
+  cases.given(30, "a circle of 12 points", "cocircular", circle(25, 0));
+  cases.given(31, "two squares, each around a corner of the other", "cocircular",
               joined({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}},
                      {{1, 0, -1}, {3, 0, -1}, {3, 0, 1}, {1, 0, 1}}));
-  cases.given(32, "two tetrahedra, one a thousand times as large", {},
+  cases.given(32, "two tetrahedra, one a thousand times as large", "",
               joined(scaled(kTetrahedron, 10), shifted(kTetrahedron, {300, 200, 100})));
   cases.threefold(33, "a rectangle", {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {3, 4, 0}}, 3, 1);
   cases.threefold(36, "a right triangle, upright", {{0, 0, 0}, {0, 3, 0}, {0, 0, 4}}, 0, 1);
@@ -152,14 +145,17 @@ Group persistence() {
   // No squared distance is beyond the doubles: a .pers file could not say it.
   cases.drawn(102, "extreme-scale", 100, {2, 3});
   cases.drawn(104, "two-scales", 100, {2, 5});
-  cases.given(106, "a regular tetrahedron at 2^-200, another at 2^200", {"extreme-scale"},
+  cases.given(106, "a regular tetrahedron at 2^-200, another at 2^200", "extreme-scale",
               joined(scaled(kTetrahedron, -200), shifted(scaled(kTetrahedron, 200), {0x1p+202, 0, 0})));
-  cases.given(107, "kind 2-3 at 2^500", {"extreme-scale"}, scaled(kKind23, 500));
-  return group;
+  cases.given(107, "kind 2-3 at 2^500", "extreme-scale", scaled(kKind23, 500));
+  return cases.group();
 }
 
 }  // namespace
 
-std::vector<Group> homology_groups() { return {stable_manifolds(), persistence()}; }
+void add_homology_groups(std::vector<Group>& table) {
+  table.push_back(stable_manifolds());
+  table.push_back(persistence());
+}
 
 }  // namespace oracle::vectors

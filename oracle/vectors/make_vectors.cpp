@@ -15,8 +15,8 @@
 
 namespace {
 
+using oracle::Json;
 using oracle::vectors::Group;
-using oracle::vectors::Json;
 
 struct Counts {
   std::size_t cases = 0;
@@ -57,6 +57,13 @@ void make(const Group& group, const std::filesystem::path& folder, Counts& count
   std::fflush(stdout);
 }
 
+void require_group(const std::string& name) {
+  for (const Group& group : oracle::vectors::groups()) {
+    if (group.name == name) return;
+  }
+  throw std::runtime_error("there is no group " + name);
+}
+
 void print(const char* what, const std::map<std::string, std::size_t>& counts) {
   std::printf("%s\n", what);
   for (const auto& [name, number] : counts) std::printf("  %-26s %4zu\n", name.c_str(), number);
@@ -69,21 +76,22 @@ int run(const std::vector<std::string>& words) {
   }
   const std::filesystem::path folder = words[0];
   const std::vector<std::string> wanted(words.begin() + 1, words.end());
+  for (const std::string& name : wanted) require_group(name);
   Counts counts;
   for (const Group& group : oracle::vectors::groups()) {
     if (wanted.empty() || std::count(wanted.begin(), wanted.end(), group.name) > 0) {
       make(group, folder, counts);
     }
   }
-  if (counts.cases == 0) throw std::runtime_error("there is no such group");
   write(folder / "flags.json", oracle::vectors::flag_file());
   std::printf("%-28s %4zu cases\n", "all", counts.cases);
   print("results", counts.results);
   print("flags", counts.flags);
   print("segments of given orbits", counts.types);
   for (const auto& flag : oracle::vectors::all_flags()) {
-    if (wanted.empty() && !counts.flags.contains(flag.name))
-      std::printf("no case has the flag %s\n", flag.name.c_str());
+    if (wanted.empty() && !counts.flags.contains(flag.name)) {
+      std::printf("no case has the flag %s\n", flag.name);
+    }
   }
   return 0;
 }

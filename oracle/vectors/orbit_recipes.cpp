@@ -1,18 +1,10 @@
 // The table of recipes, second part: the groups that are about the flow.
-#include <numeric>
-
 #include "fuzz/large_configurations.h"
 #include "oracle/vectors/recipes.h"
 
 namespace oracle::vectors {
 
 namespace {
-
-std::vector<std::uint64_t> seeds(std::size_t count) {
-  std::vector<std::uint64_t> list(count);
-  std::iota(list.begin(), list.end(), std::uint64_t{1});
-  return list;
-}
 
 Rows cascade(std::size_t points, std::uint64_t seed) {
   return flowcert::fuzz::long_cascade(points, seed).rows;
@@ -23,20 +15,16 @@ Rows facet(std::size_t degree, bool perturbed, std::uint64_t seed) {
 }
 
 Group unstable_manifolds() {
-  Group group{"unstable-manifolds",
-              "Where the two orbits of U2 of each critical point of index 2 end",
-              {"FC-CRIT-02", "FC-FLOW-05", "FC-FLOW-07", "FC-FLOW-08"},
-              {},
-              {}};
-  GroupWriter cases(group);
+  GroupWriter cases("unstable-manifolds", "Where the two orbits of U2 of each critical point of index 2 end",
+                    "FC-CRIT-02 FC-FLOW-05 FC-FLOW-07 FC-FLOW-08");
   cases.with_limits();
-  cases.given(1, "an acute triangle: both orbits go to infinity", {}, {{0, 0, 0}, {4, 0, 0}, {1, 3, 0}});
-  cases.given(2, "a regular tetrahedron", {}, {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}});
-  cases.given(3, "two cubes with a common face", {"lattice", "cospherical"}, grid(2, 2, 3));
-  cases.given(4, "the octahedron", {"cospherical"}, sphere(1));
-  cases.given(5, "four points with a maximum of kind 2-3", {},
+  cases.given(1, "an acute triangle: both orbits go to infinity", "", {{0, 0, 0}, {4, 0, 0}, {1, 3, 0}});
+  cases.given(2, "a regular tetrahedron", "", {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}});
+  cases.given(3, "two cubes with a common face", "lattice cospherical", grid(2, 2, 3));
+  cases.given(4, "the octahedron", "cospherical", sphere(1));
+  cases.given(5, "four points with a maximum of kind 2-3", "",
               {{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}});
-  cases.given(6, "a square and a point above its centre", {},
+  cases.given(6, "a square and a point above its centre", "",
               {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 3}});
   cases.drawn(7, "general-position", 100, seeds(4));
   cases.drawn(11, "lattice-3", 100, seeds(4));
@@ -52,74 +40,58 @@ Group unstable_manifolds() {
   cases.drawn(56, "one-ulp-off", 100, seeds(4));
   cases.drawn(60, "duplicates", 100, seeds(2));
   cases.drawn(62, "extreme-scale", 100, {11, 12});
-  cases.given(64, "20 teeth of two combs", {"cascade"}, cascade(20, 1));
-  cases.given(65, "40 teeth of two combs", {"cascade"}, cascade(40, 2));
-  cases.given(66, "60 teeth of two combs", {"cascade"}, cascade(60, 3));
-  cases.given(67, "an open paraboloid of 40 points", {"scan", "half-shell"}, shell(40, 1));
-  cases.given(68, "an open paraboloid of 60 points", {"scan", "half-shell"}, shell(60, 2));
-  cases.given(69, "a facet of 24 sides", {"high-degree-facet", "cocircular"}, facet(24, false, 1));
-  cases.given(70, "a facet of 40 sides, perturbed", {"high-degree-facet"}, facet(40, true, 2));
-  cases.given(71, "the lattice {0..2}^3", {"lattice", "cospherical"}, grid(3, 3, 3));
-  cases.given(72, "40 points of {0..6}^3", {"lattice"}, scattered(40, 7, 21));
-  return group;
+  cases.given(64, "20 teeth of two combs", "cascade", cascade(20, 1));
+  cases.given(65, "40 teeth of two combs", "cascade", cascade(40, 2));
+  cases.given(66, "60 teeth of two combs", "cascade", cascade(60, 3));
+  cases.given(67, "an open paraboloid of 40 points", "scan half-shell", shell(40, 1));
+  cases.given(68, "an open paraboloid of 60 points", "scan half-shell", shell(60, 2));
+  cases.given(69, "a facet of 24 sides", "high-degree-facet cocircular", facet(24, false, 1));
+  cases.given(70, "a facet of 40 sides, perturbed", "high-degree-facet", facet(40, true, 2));
+  cases.given(71, "the lattice {0..2}^3", "lattice cospherical", grid(3, 3, 3));
+  cases.given(72, "40 points of {0..6}^3", "lattice", scattered(40, 7, 21));
+  return cases.group();
 }
 
 // The orbits that tests/unit works out by hand, and others of which a line says where they go.
 void add_orbits_by_hand(GroupWriter& cases) {
-  const auto q = [](long p, long r) { return Rational(p, r); };
   const Rows tetrahedron = {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}};
-  cases.given(1, "one point: its orbits go to infinity, or stay", {}, {{0, 0, 0}},
-              {{0, 0, 0}, {q(1, 3), 0, q(-1, 2)}});
-  cases.given(2, "two points: from a cell, from the facet, from the saddle", {}, {{0, 0, 0}, {1, 0, 0}},
-              {{q(1, 4), 0, 0}, {q(1, 4), 1, 0}, {q(1, 2), q(1, 3), 0}, {q(1, 2), 0, 0}, {-1, 0, 0}});
-  cases.given(3, "a regular tetrahedron: straight to the maximum, and onto facet, edge and vertex", {},
-              tetrahedron,
-              {{q(1, 8), q(1, 8), q(1, 8)},
-               {q(1, 8), q(1, 8), 0},
-               {q(1, 3), q(1, 4), q(1, 8)},
-               {q(1, 2), q(1, 2), q(1, 2)}});
-  cases.given(4, "a right triangle: along the line over the middle of the hypotenuse", {"right-angle"},
-              {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}},
-              {{1, q(1, 2), 1}, {2, 2, 1}, {2, 2, 0}, {1, 1, 0}, {3, 3, 0}});
-  cases.given(5, "an obtuse triangle: from its line of centres across the facet of the long side", {},
-              {{-2, 0, 0}, {2, 0, 0}, {0, 1, 0}},
-              {{0, q(-3, 2), 1}, {0, q(-3, 2), 0}, {0, -2, 0}, {q(1, 9), 0, 0}});
-  cases.given(6, "a boundary degenerate flow: a right angle sends it along the edge", {"right-angle"},
-              {{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 3}},
-              {{0, 0, 1}, {0, 0, q(1, 2)}, {0, 0, 0}, {0, 0, q(4, 3)}});
-  cases.given(7, "a square and a point above its centre", {},
-              {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 3}},
-              {{q(1, 2), q(1, 4), q(1, 2)}, {1, 1, q(1, 2)}, {1, 1, -1}, {1, q(1, 2), 1}});
-  cases.given(8, "the cube: centre, faces, edges, corners, and outside", {"cospherical"}, grid(2, 2, 2),
-              {{q(1, 2), q(1, 2), q(1, 2)},
-               {q(1, 2), q(1, 2), 0},
-               {q(1, 2), 0, 0},
-               {0, 0, 0},
-               {q(1, 2), q(1, 2), q(1, 8)},
-               {q(1, 2), q(1, 2), -1},
-               {q(1, 4), q(1, 4), q(1, 4)},
-               {q(1, 4), q(1, 8), q(1, 16)}});
-  cases.given(9, "points of a line: cells, planes between them, and the ends", {},
-              {{0, 0, 0}, {1, 1, 1}, {4, 4, 4}},
-              {{q(1, 2), q(1, 2), q(1, 2)}, {1, 0, q(1, 2)}, {2, 1, 0}, {3, 3, 3}, {-1, 0, 0}});
-  cases.given(10, "the octahedron and its centre", {"right-angle"}, joined(sphere(1), {{0, 0, 0}}),
-              {{q(1, 8), q(1, 8), q(1, 8)},
-               {q(1, 2), q(1, 2), q(1, 2)},
-               {q(1, 2), q(1, 2), 0},
-               {q(1, 2), q(1, 3), 0},
-               {q(1, 4), 0, 0}});
-  cases.given(11, "subnormals: the start is given in their units", {"extreme-scale"},
-              scaled(grid(2, 2, 1), -1074),
-              {{0, 0, 0}, {Rational(0x1p-1074) / 3, Rational(0x1p-1074) / 4, 0}, {1, 0, 0}});
+  cases.given(1, "one point: its orbits go to infinity, or stay", "", {{0, 0, 0}});
+  cases.start_from(positions({"0 0 0", "1/3 0 -1/2"}));
+  cases.given(2, "two points: from a cell, from the facet, from the saddle", "", {{0, 0, 0}, {1, 0, 0}});
+  cases.start_from(positions({"1/4 0 0", "1/4 1 0", "1/2 1/3 0", "1/2 0 0", "-1 0 0"}));
+  cases.given(3, "a regular tetrahedron: straight to the maximum, and onto facet, edge and vertex", "",
+              tetrahedron);
+  cases.start_from(positions({"1/8 1/8 1/8", "1/8 1/8 0", "1/3 1/4 1/8", "1/2 1/2 1/2"}));
+  cases.given(4, "a right triangle: along the line over the middle of the hypotenuse", "right-angle",
+              {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}});
+  cases.start_from(positions({"1 1/2 1", "2 2 1", "2 2 0", "1 1 0", "3 3 0"}));
+  cases.given(5, "an obtuse triangle: from its line of centres across the facet of the long side", "",
+              {{-2, 0, 0}, {2, 0, 0}, {0, 1, 0}});
+  cases.start_from(positions({"0 -3/2 1", "0 -3/2 0", "0 -2 0", "1/9 0 0"}));
+  cases.given(6, "a boundary degenerate flow: a right angle sends it along the edge", "right-angle",
+              {{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 3}});
+  cases.start_from(positions({"0 0 1", "0 0 1/2", "0 0 0", "0 0 4/3"}));
+  cases.given(7, "a square and a point above its centre", "",
+              {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 3}});
+  cases.start_from(positions({"1/2 1/4 1/2", "1 1 1/2", "1 1 -1", "1 1/2 1"}));
+  cases.given(8, "the cube: centre, faces, edges, corners, and outside", "cospherical", grid(2, 2, 2));
+  cases.start_from(positions({"1/2 1/2 1/2", "1/2 1/2 0", "1/2 0 0", "0 0 0", "1/2 1/2 1/8", "1/2 1/2 -1",
+                              "1/4 1/4 1/4", "1/4 1/8 1/16"}));
+  cases.given(9, "points of a line: cells, planes between them, and the ends", "",
+              {{0, 0, 0}, {1, 1, 1}, {4, 4, 4}});
+  cases.start_from(positions({"1/2 1/2 1/2", "1 0 1/2", "2 1 0", "3 3 3", "-1 0 0"}));
+  cases.given(10, "the octahedron and its centre", "right-angle", joined(sphere(1), {{0, 0, 0}}));
+  cases.start_from(positions({"1/8 1/8 1/8", "1/2 1/2 1/2", "1/2 1/2 0", "1/2 1/3 0", "1/4 0 0"}));
+  std::vector<Point> starts = positions({"0 0 0", "1/3 1/4 0", "1 0 0"});
+  for (Rational& coordinate : starts[1]) coordinate *= Rational(0x1p-1074);
+  cases.given(11, "subnormals: the start is given in their units", "extreme-scale",
+              scaled(grid(2, 2, 1), -1074));
+  cases.start_from(starts);
 }
 
 Group orbits() {
-  Group group{"orbits",
-              "Orbits from given starts, segment by segment",
-              {"FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-05"},
-              {},
-              {}};
-  GroupWriter cases(group);
+  GroupWriter cases("orbits", "Orbits from given starts, segment by segment",
+                    "FC-FLOW-01 FC-FLOW-02 FC-FLOW-05");
   add_orbits_by_hand(cases);
   constexpr std::size_t kStarts = 7;
   cases.with_own_starts(kStarts);
@@ -149,17 +121,20 @@ Group orbits() {
   cases.drawn(86, "far-away", 100, {21, 22});
   cases.drawn(88, "extreme-scale", 100, {21, 22});
   cases.drawn(90, "two-scales", 40, {21});
-  cases.given(91, "24 teeth of two combs", {"cascade"}, cascade(24, 11));
-  cases.given(92, "60 teeth of two combs", {"cascade"}, cascade(60, 12));
-  cases.given(93, "an open paraboloid of 40 points", {"scan", "half-shell"}, shell(40, 11));
-  cases.given(94, "a facet of 16 sides", {"high-degree-facet", "cocircular"}, facet(16, false, 11));
-  cases.given(95, "24 points of one sphere", {"cospherical", "cocircular"}, sphere(5));
-  cases.given(96, "the lattice {0..2}^3", {"lattice", "cospherical"}, grid(3, 3, 3));
-  return group;
+  cases.given(91, "24 teeth of two combs", "cascade", cascade(24, 11));
+  cases.given(92, "60 teeth of two combs", "cascade", cascade(60, 12));
+  cases.given(93, "an open paraboloid of 40 points", "scan half-shell", shell(40, 11));
+  cases.given(94, "a facet of 16 sides", "high-degree-facet cocircular", facet(16, false, 11));
+  cases.given(95, "24 points of one sphere", "cospherical cocircular", sphere(5));
+  cases.given(96, "the lattice {0..2}^3", "lattice cospherical", grid(3, 3, 3));
+  return cases.group();
 }
 
 }  // namespace
 
-std::vector<Group> orbit_groups() { return {unstable_manifolds(), orbits()}; }
+void add_orbit_groups(std::vector<Group>& table) {
+  table.push_back(unstable_manifolds());
+  table.push_back(orbits());
+}
 
 }  // namespace oracle::vectors

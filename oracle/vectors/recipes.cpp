@@ -1,13 +1,14 @@
 // The table of recipes, first part: ids, and the groups that are about stationary points.
 #include "oracle/vectors/recipes.h"
 
+#include <algorithm>
 #include <cstdio>
-#include <map>
 #include <numeric>
-#include <set>
 #include <stdexcept>
 
 #include "fuzz/families.h"
+#include "oracle/read_points.h"
+#include "oracle/read_records.h"
 
 namespace oracle::vectors {
 
@@ -23,52 +24,55 @@ const Family& family_named(const std::string& name) {
 }
 
 // What the inputs of a family aim at.
-std::vector<std::string> aims_of(const std::string& family) {
-  static const std::map<std::string, std::vector<std::string>> table = {
-      {"general-position", {"general-position"}},
-      {"lattice-2", {"lattice"}},
-      {"lattice-3", {"lattice"}},
-      {"lattice-4", {"lattice"}},
-      {"few-points", {}},
-      {"duplicates", {"lattice"}},
-      {"signed-permutations", {"cospherical"}},
-      {"integer-sphere", {"cospherical"}},
-      {"sphere-and-others", {"cospherical"}},
-      {"box-corners", {"cospherical", "cocircular", "right-angle"}},
-      {"tilted-circle", {"cocircular"}},
-      {"two-circles", {"cospherical", "cocircular"}},
-      {"coplanar-lattice", {"lattice"}},
-      {"coplanar-circles", {"cocircular"}},
-      {"collinear", {}},
-      {"right-angle-12", {"cocircular", "right-angle"}},
-      {"right-angle-23", {"cospherical", "right-angle"}},
-      {"right-angle-13", {"cospherical", "right-angle"}},
-      {"right-angles", {"right-angle"}},
-      {"sphere-scan", {"scan"}},
-      {"torus-scan", {"scan"}},
-      {"sheet-scan", {"scan"}},
-      {"long-cascade", {"cascade"}},
-      {"half-shell", {"scan", "half-shell"}},
-      {"high-degree-facet", {"high-degree-facet"}},
-      {"right-angle-chain", {"right-angle", "right-angle-chain"}},
-      {"through-vertex", {"symmetric"}},
-      {"rounded-sphere", {"cospherical", "rounded"}},
-      {"rounded-rotation", {"rounded"}},
-      {"rounded-to-float", {"rounded", "single-precision"}},
-      {"one-ulp-off", {"one-ulp"}},
-      {"far-away", {}},
-      {"far-away-rounded", {"rounded"}},
-      {"extreme-scale", {"extreme-scale"}},
-      {"two-scales", {}},
-      {"mixed-magnitudes", {}},
-  };
-  return table.at(family);
-}
+struct FamilyAims {
+  const char* family;
+  const char* aims;
+};
 
-std::vector<std::uint64_t> seeds(std::size_t count) {
-  std::vector<std::uint64_t> list(count);
-  std::iota(list.begin(), list.end(), std::uint64_t{1});
-  return list;
+constexpr FamilyAims kAimsOfFamilies[] = {
+    {"general-position", "general-position"},
+    {"lattice-2", "lattice"},
+    {"lattice-3", "lattice"},
+    {"lattice-4", "lattice"},
+    {"few-points", ""},
+    {"duplicates", "lattice"},
+    {"signed-permutations", "cospherical"},
+    {"integer-sphere", "cospherical"},
+    {"sphere-and-others", "cospherical"},
+    {"box-corners", "cospherical cocircular right-angle"},
+    {"tilted-circle", "cocircular"},
+    {"two-circles", "cospherical cocircular"},
+    {"coplanar-lattice", "lattice"},
+    {"coplanar-circles", "cocircular"},
+    {"collinear", ""},
+    {"right-angle-12", "cocircular right-angle"},
+    {"right-angle-23", "cospherical right-angle"},
+    {"right-angle-13", "cospherical right-angle"},
+    {"right-angles", "right-angle"},
+    {"sphere-scan", "scan"},
+    {"torus-scan", "scan"},
+    {"sheet-scan", "scan"},
+    {"long-cascade", "cascade"},
+    {"half-shell", "scan half-shell"},
+    {"high-degree-facet", "high-degree-facet"},
+    {"right-angle-chain", "right-angle right-angle-chain"},
+    {"through-vertex", "symmetric"},
+    {"rounded-sphere", "cospherical rounded"},
+    {"rounded-rotation", "rounded"},
+    {"rounded-to-float", "rounded single-precision"},
+    {"one-ulp-off", "one-ulp"},
+    {"far-away", ""},
+    {"far-away-rounded", "rounded"},
+    {"extreme-scale", "extreme-scale"},
+    {"two-scales", ""},
+    {"mixed-magnitudes", ""},
+};
+
+const char* aims_of(const std::string& family) {
+  for (const FamilyAims& row : kAimsOfFamilies) {
+    if (row.family == family) return row.aims;
+  }
+  throw std::logic_error("what does the family " + family + " aim at?");
 }
 
 const Rows kTetrahedron = {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}};
@@ -80,16 +84,14 @@ const Rows kSquareAndPoint = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1,
 const Rows kPrism = {{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {5, 0, 6}, {-3, 4, 6}, {-3, -4, 6}};
 
 Group critical_points() {
-  Group group{
-      "critical-points", "Critical points of all indices", {"FC-CRIT-02", "FC-CRIT-05", "FC-INV-01"}, {}, {}};
-  GroupWriter cases(group);
-  cases.given(1, "two points", {}, {{0, 0, 0}, {1, 0, 0}});
-  cases.given(2, "an acute triangle", {}, {{0, 0, 0}, {4, 0, 0}, {1, 3, 0}});
-  cases.given(3, "an obtuse triangle", {}, {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}});
-  cases.given(4, "a regular tetrahedron", {}, kTetrahedron);
-  cases.given(5, "a tetrahedron without a maximum: its circumcentre is outside", {},
+  GroupWriter cases("critical-points", "Critical points of all indices", "FC-CRIT-02 FC-CRIT-05 FC-INV-01");
+  cases.given(1, "two points", "", {{0, 0, 0}, {1, 0, 0}});
+  cases.given(2, "an acute triangle", "", {{0, 0, 0}, {4, 0, 0}, {1, 3, 0}});
+  cases.given(3, "an obtuse triangle", "", {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}});
+  cases.given(4, "a regular tetrahedron", "", kTetrahedron);
+  cases.given(5, "a tetrahedron without a maximum: its circumcentre is outside", "",
               {{0, 0, 0}, {6, 0, 0}, {2, 5, 0}, {2, 2, 1}});
-  cases.given(6, "a square and a point above its centre", {}, kSquareAndPoint);
+  cases.given(6, "a square and a point above its centre", "", kSquareAndPoint);
   cases.drawn(7, "general-position", 100, seeds(7));
   cases.drawn(14, "general-position", 30, seeds(3));
   cases.drawn(17, "lattice-2", 100, {1, 3, 5, 6, 7});
@@ -98,38 +100,34 @@ Group critical_points() {
   cases.drawn(36, "sphere-scan", 100, seeds(5));
   cases.drawn(41, "torus-scan", 100, seeds(5));
   cases.drawn(46, "sheet-scan", 100, seeds(5));
-  cases.given(51, "the lattice {0..2}^3: FC-INV-05 gives its counts", {"lattice", "cospherical"},
-              grid(3, 3, 3));
-  cases.given(52, "the lattice {0..2}x{0..3}x{0..4}", {"lattice", "cospherical"}, grid(3, 4, 5));
-  cases.given(53, "20 points of {0..4}^3", {"lattice"}, scattered(20, 5, 1));
-  cases.given(54, "30 points of {0..4}^3", {"lattice"}, scattered(30, 5, 2));
-  cases.given(55, "40 points of {0..5}^3", {"lattice"}, scattered(40, 6, 3));
-  cases.given(56, "60 points of {0..6}^3", {"lattice"}, scattered(60, 7, 4));
-  cases.given(57, "20 points in general position", {"general-position"}, general(20, 1));
-  cases.given(58, "40 points in general position", {"general-position"}, general(40, 2));
-  cases.given(59, "60 points in general position", {"general-position"}, general(60, 3));
-  return group;
+  cases.given(51, "the lattice {0..2}^3: FC-INV-05 gives its counts", "lattice cospherical", grid(3, 3, 3));
+  cases.given(52, "the lattice {0..2}x{0..3}x{0..4}", "lattice cospherical", grid(3, 4, 5));
+  cases.given(53, "20 points of {0..4}^3", "lattice", scattered(20, 5, 1));
+  cases.given(54, "30 points of {0..4}^3", "lattice", scattered(30, 5, 2));
+  cases.given(55, "40 points of {0..5}^3", "lattice", scattered(40, 6, 3));
+  cases.given(56, "60 points of {0..6}^3", "lattice", scattered(60, 7, 4));
+  cases.given(57, "20 points in general position", "general-position", general(20, 1));
+  cases.given(58, "40 points in general position", "general-position", general(40, 2));
+  cases.given(59, "60 points in general position", "general-position", general(60, 3));
+  return cases.group();
 }
 
 Group regular_stationary_points() {
-  Group group{"regular-stationary-points",
-              "Stationary points that are not critical: an index 1, 2 or 3 collides with another",
-              {"FC-CRIT-01", "FC-CRIT-03", "FC-INV-01"},
-              {},
-              {}};
-  GroupWriter cases(group);
-  cases.given(1, "a right triangle: kind 1-2", {"right-angle"}, kRightTriangle);
-  cases.given(2, "the centre of a sphere inside one of four triangles: kind 2-3", {}, kKind23);
-  cases.given(3, "an edge through the centre of a sphere: kind 1-3", {"right-angle"}, kKind13);
+  GroupWriter cases("regular-stationary-points",
+                    "Stationary points that are not critical: an index 1, 2 or 3 collides with another",
+                    "FC-CRIT-01 FC-CRIT-03 FC-INV-01");
+  cases.given(1, "a right triangle: kind 1-2", "right-angle", kRightTriangle);
+  cases.given(2, "the centre of a sphere inside one of four triangles: kind 2-3", "", kKind23);
+  cases.given(3, "an edge through the centre of a sphere: kind 1-3", "right-angle", kKind13);
   cases.given(4, "counting the faces of any one triangulation strictly gives a wrong Euler sum",
-              {"cospherical", "right-angle"}, kUnmergedFaces);
+              "cospherical right-angle", kUnmergedFaces);
   cases.given(5, "right angles and cocircular points in several places, none of them stationary",
-              {"right-angle"}, {{0, 5, 0}, {-3, 0, -2}, {3, 0, -2}, {0, 0, 12}, {0, -5, 0}});
-  cases.given(6, "a Voronoi vertex driven by the midpoint of the first and the last point", {"right-angle"},
+              "right-angle", {{0, 5, 0}, {-3, 0, -2}, {3, 0, -2}, {0, 0, 12}, {0, -5, 0}});
+  cases.given(6, "a Voronoi vertex driven by the midpoint of the first and the last point", "right-angle",
               {{1, 2, 2}, {0, 2, 1}, {1, 2, 0}, {0, 1, 0}});
-  cases.given(7, "half of the cuboctahedron: a square through the centre of the sphere", {"cospherical"},
+  cases.given(7, "half of the cuboctahedron: a square through the centre of the sphere", "cospherical",
               first_of(sphere(2), 8));
-  cases.given(8, "half of a circle of 16 points, its diameter included", {"cocircular", "right-angle"},
+  cases.given(8, "half of a circle of 16 points, its diameter included", "cocircular right-angle",
               {{8, 1, 0},
                {8, -1, 0},
                {7, 4, 0},
@@ -143,66 +141,58 @@ Group regular_stationary_points() {
   cases.drawn(19, "right-angle-23", 100, seeds(11));
   cases.drawn(30, "right-angle-13", 100, seeds(11));
   cases.drawn(41, "right-angles", 100, seeds(5));
-  cases.given(46, "16 of 24 points of a sphere, eight of them on a great circle: kind 2-3", {"cospherical"},
+  cases.given(46, "16 of 24 points of a sphere, eight of them on a great circle: kind 2-3", "cospherical",
               first_of(sphere(5), 16));
-  return group;
+  return cases.group();
 }
 
 Group cospherical_clusters() {
-  Group group{"cospherical-clusters",
-              "Cospherical and cocircular points, which a Delaunay triangulation cuts arbitrarily",
-              {"FC-CRIT-02", "FC-OUT-01", "FC-VOR-01", "FC-VOR-04"},
-              {},
-              {}};
-  GroupWriter cases(group);
-  cases.given(1, "a square", {"cocircular"}, grid(2, 2, 1));
-  cases.given(2, "the cube", {"cospherical", "cocircular"}, grid(2, 2, 2));
-  cases.given(3, "the octahedron", {"cospherical"}, sphere(1));
-  cases.given(4, "the octahedron and its centre", {"right-angle"}, joined(sphere(1), {{0, 0, 0}}));
-  cases.given(5, "the cuboctahedron", {"cospherical", "cocircular"}, sphere(2));
-  cases.given(6, "a prism over a triangle", {"cospherical", "cocircular"}, kPrism);
-  cases.given(7, "a pyramid over a pentagon of a circle", {"cocircular"},
+  GroupWriter cases("cospherical-clusters",
+                    "Cospherical and cocircular points, which a Delaunay triangulation cuts arbitrarily",
+                    "FC-CRIT-02 FC-OUT-01 FC-VOR-01 FC-VOR-04");
+  cases.given(1, "a square", "cocircular", grid(2, 2, 1));
+  cases.given(2, "the cube", "cospherical cocircular", grid(2, 2, 2));
+  cases.given(3, "the octahedron", "cospherical", sphere(1));
+  cases.given(4, "the octahedron and its centre", "right-angle", joined(sphere(1), {{0, 0, 0}}));
+  cases.given(5, "the cuboctahedron", "cospherical cocircular", sphere(2));
+  cases.given(6, "a prism over a triangle", "cospherical cocircular", kPrism);
+  cases.given(7, "a pyramid over a pentagon of a circle", "cocircular",
               {{5, 0, 0}, {3, 4, 0}, {-4, 3, 0}, {-4, -3, 0}, {0, -5, 0}, {0, 0, 7}});
-  cases.given(8, "two cubes with a common face", {"lattice", "cospherical"}, grid(2, 2, 3));
-  cases.given(9, "the rhombic dodecahedron's corners", {"cocircular"},
-              joined(sphere(3), scaled(sphere(1), 1)));
+  cases.given(8, "two cubes with a common face", "lattice cospherical", grid(2, 2, 3));
+  cases.given(9, "the rhombic dodecahedron's corners", "cocircular", joined(sphere(3), scaled(sphere(1), 1)));
   cases.drawn(10, "signed-permutations", 100, seeds(6));
   cases.drawn(16, "integer-sphere", 100, seeds(6));
   cases.drawn(22, "sphere-and-others", 100, seeds(6));
   cases.drawn(28, "box-corners", 100, seeds(6));
   cases.drawn(34, "tilted-circle", 100, seeds(6));
   cases.drawn(40, "two-circles", 100, seeds(6));
-  cases.given(46, "24 points of one sphere", {"cospherical", "cocircular"}, sphere(5));
-  cases.given(47, "30 points of one sphere", {"cospherical", "cocircular"}, sphere(9));
-  cases.given(48, "48 points of one sphere", {"cospherical", "cocircular"}, sphere(14));
-  cases.given(49, "60 of the 72 points of a sphere: a part of it is missing", {"cospherical", "cocircular"},
+  cases.given(46, "24 points of one sphere", "cospherical cocircular", sphere(5));
+  cases.given(47, "30 points of one sphere", "cospherical cocircular", sphere(9));
+  cases.given(48, "48 points of one sphere", "cospherical cocircular", sphere(14));
+  cases.given(49, "60 of the 72 points of a sphere: a part of it is missing", "cospherical cocircular",
               sphere(26, 60));
-  cases.given(50, "16 points of a circle, and one above and one below its centre", {"cocircular"},
+  cases.given(50, "16 points of a circle, and one above and one below its centre", "cocircular",
               joined(circle(65, 0), {{0, 0, 3}, {0, 0, -4}}));
-  cases.given(51, "three circles of 8, 12 and 12 points about one axis", {"cospherical", "cocircular"},
+  cases.given(51, "three circles of 8, 12 and 12 points about one axis", "cospherical cocircular",
               joined(joined(circle(5, 0), circle(25, 2)), circle(25, -3)));
-  return group;
+  return cases.group();
 }
 
 Group flat_inputs() {
-  Group group{"flat-inputs",
-              "No point, few points, points of a line, points of a plane",
-              {"FC-CRIT-02", "FC-IN-04", "FC-INV-01"},
-              {},
-              {}};
-  GroupWriter cases(group);
-  cases.given(1, "no point", {}, {});
-  cases.given(2, "one point", {}, {{1, 2, 3}});
-  cases.given(3, "three points of a line", {}, {{0, 0, 0}, {1, 1, 1}, {5, 5, 5}});
-  cases.given(4, "a rectangle", {"cocircular", "right-angle"}, {{0, 0, 1}, {3, 0, 1}, {3, 4, 1}, {0, 4, 1}});
-  cases.given(5, "a kite with two right angles", {"cocircular", "right-angle"},
+  GroupWriter cases("flat-inputs", "No point, few points, points of a line, points of a plane",
+                    "FC-CRIT-02 FC-IN-04 FC-INV-01");
+  cases.given(1, "no point", "", {});
+  cases.given(2, "one point", "", {{1, 2, 3}});
+  cases.given(3, "three points of a line", "", {{0, 0, 0}, {1, 1, 1}, {5, 5, 5}});
+  cases.given(4, "a rectangle", "cocircular right-angle", {{0, 0, 1}, {3, 0, 1}, {3, 4, 1}, {0, 4, 1}});
+  cases.given(5, "a kite with two right angles", "cocircular right-angle",
               {{0, 0, 0}, {25, 0, 0}, {9, 12, 0}, {9, -12, 0}});
-  cases.given(6, "a triangle with a point strictly inside", {}, {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {2, 3, 0}});
+  cases.given(6, "a triangle with a point strictly inside", "", {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {2, 3, 0}});
   cases.drawn(7, "few-points", 0, {24, 2, 5, 7, 8, 9, 10, 22});
   cases.drawn(15, "collinear", 100, seeds(6));
   cases.drawn(21, "coplanar-lattice", 100, seeds(8));
   cases.drawn(29, "coplanar-circles", 100, seeds(8));
-  cases.given(37, "60 points of a line, unevenly spaced", {}, [] {
+  cases.given(37, "60 points of a line, unevenly spaced", "", [] {
     Rows rows;
     for (int k = 0; k < 60; ++k) {
       const double t = k * k % 61 + 61 * (k % 2);
@@ -210,43 +200,35 @@ Group flat_inputs() {
     }
     return rows;
   }());
-  cases.given(38, "a square lattice of 25 points", {"lattice", "cocircular"}, grid(5, 5, 1));
-  cases.given(39, "a square lattice of 60 points, upright", {"lattice", "cocircular"}, grid(1, 6, 10));
-  cases.given(40, "16 points of a circle", {"cocircular"}, circle(65, 1));
-  return group;
+  cases.given(38, "a square lattice of 25 points", "lattice cocircular", grid(5, 5, 1));
+  cases.given(39, "a square lattice of 60 points, upright", "lattice cocircular", grid(1, 6, 10));
+  cases.given(40, "16 points of a circle", "cocircular", circle(65, 1));
+  return cases.group();
 }
 
 Group duplicates() {
-  Group group{"duplicates",
-              "Rows with equal coordinates, and zeros of both signs",
-              {"FC-CRIT-04", "FC-IN-02", "FC-IN-03", "FC-OUT-01"},
-              {},
-              {}};
-  GroupWriter cases(group);
-  cases.given(1, "one point, twice", {}, {{1, 2, 3}, {1, 2, 3}});
-  cases.given(2, "one point, with zeros of both signs", {}, {{0, 0, 0}, {-0.0, 0, 0}, {0, -0.0, -0.0}});
-  cases.given(3, "two classes, one inside the other", {}, {{0, 0, 0}, {2, 0, -0.0}, {0, 0, 0}, {2, 0, 0}});
+  GroupWriter cases("duplicates", "Rows with equal coordinates, and zeros of both signs",
+                    "FC-CRIT-04 FC-IN-02 FC-IN-03 FC-OUT-01");
+  cases.given(1, "one point, twice", "", {{1, 2, 3}, {1, 2, 3}});
+  cases.given(2, "one point, with zeros of both signs", "", {{0, 0, 0}, {-0.0, 0, 0}, {0, -0.0, -0.0}});
+  cases.given(3, "two classes, one inside the other", "", {{0, 0, 0}, {2, 0, -0.0}, {0, 0, 0}, {2, 0, 0}});
   cases.given(
-      4, "a class is named by its first row: the cube, each corner again, backwards", {"cospherical"},
+      4, "a class is named by its first row: the cube, each corner again, backwards", "cospherical",
       joined(grid(2, 2, 2),
              {{1, 1, 1}, {1, 1, 0}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}));
-  cases.given(5, "a right triangle, each corner twice", {"right-angle"},
+  cases.given(5, "a right triangle, each corner twice", "right-angle",
               joined(kRightTriangle, kRightTriangle));
-  cases.given(6, "one ulp is no duplicate", {}, {{1, 0, 0}, {0x1.0000000000001p+0, 0, 0}, {1, 0, 0}});
-  cases.given(7, "subnormals are not zero", {}, {{0, 0, 0}, {0x1p-1074, 0, 0}, {-0.0, 0, 0}});
+  cases.given(6, "one ulp is no duplicate", "", {{1, 0, 0}, {0x1.0000000000001p+0, 0, 0}, {1, 0, 0}});
+  cases.given(7, "subnormals are not zero", "", {{0, 0, 0}, {0x1p-1074, 0, 0}, {-0.0, 0, 0}});
   cases.drawn(8, "duplicates", 100, seeds(14));
-  cases.given(22, "60 rows, 40 points", {"lattice"},
+  cases.given(22, "60 rows, 40 points", "lattice",
               joined(scattered(40, 5, 11), first_of(scattered(40, 5, 11), 20)));
-  return group;
+  return cases.group();
 }
 
 Group rounding() {
-  Group group{"rounding",
-              "Degenerate exactly, up to rounding, and up to one ulp",
-              {"FC-CRIT-05", "FC-NUM-01", "FC-OUT-01"},
-              {},
-              {}};
-  GroupWriter cases(group);
+  GroupWriter cases("rounding", "Degenerate exactly, up to rounding, and up to one ulp",
+                    "FC-CRIT-05 FC-NUM-01 FC-OUT-01");
   cases.threefold(1, "a right triangle", kRightTriangle, 0, 0);
   cases.threefold(4, "a square", grid(2, 2, 1), 3, 1);
   cases.threefold(7, "the cube", grid(2, 2, 2), 7, 2);
@@ -262,41 +244,37 @@ Group rounding() {
   cases.drawn(39, "rounded-rotation", 100, seeds(6));
   cases.drawn(45, "rounded-to-float", 100, {11, 12, 13, 14, 15, 16});
   cases.drawn(51, "one-ulp-off", 100, seeds(8));
-  return group;
+  return cases.group();
 }
 
 Group magnitudes() {
-  Group group{"magnitudes",
-              "From the smallest subnormal to the largest double",
-              {"FC-CRIT-05", "FC-IN-04", "FC-NUM-01", "FC-NUM-02"},
-              {},
-              {}};
-  GroupWriter cases(group);
+  GroupWriter cases("magnitudes", "From the smallest subnormal to the largest double",
+                    "FC-CRIT-05 FC-IN-04 FC-NUM-01 FC-NUM-02");
   constexpr double kLargest = 0x1.fffffffffffffp+1023;
-  cases.given(1, "1e-300 and 1e300", {}, {{1e-300, 0, 0}, {1e300, 0, 0}, {0, 1e-300, 1e300}, {0, 0, 1e-300}});
-  cases.given(2, "a regular tetrahedron of subnormals", {"extreme-scale"}, scaled(kTetrahedron, -1074));
-  cases.given(3, "a regular tetrahedron next to overflow", {"extreme-scale"}, scaled(kTetrahedron, 1023));
-  cases.given(4, "the corners of the cube of all doubles", {"cospherical", "extreme-scale"}, [] {
+  cases.given(1, "1e-300 and 1e300", "", {{1e-300, 0, 0}, {1e300, 0, 0}, {0, 1e-300, 1e300}, {0, 0, 1e-300}});
+  cases.given(2, "a regular tetrahedron of subnormals", "extreme-scale", scaled(kTetrahedron, -1074));
+  cases.given(3, "a regular tetrahedron next to overflow", "extreme-scale", scaled(kTetrahedron, 1023));
+  cases.given(4, "the corners of the cube of all doubles", "cospherical extreme-scale", [] {
     Rows rows = sphere(3);
     for (Row& row : rows) {
       for (double& coordinate : row) coordinate *= kLargest;
     }
     return rows;
   }());
-  cases.given(5, "the smallest and the largest doubles on a line", {},
+  cases.given(5, "the smallest and the largest doubles on a line", "",
               {{-kLargest, 0, 0}, {-0x1p-1074, 0, 0}, {0, 0, 0}, {0x1p-1074, 0, 0}, {kLargest, 0, 0}});
-  cases.given(6, "a right triangle of subnormals", {"right-angle", "extreme-scale"},
+  cases.given(6, "a right triangle of subnormals", "right-angle extreme-scale",
               scaled(kRightTriangle, -1074));
-  cases.given(7, "kind 2-3 next to overflow", {"extreme-scale"}, scaled(kKind23, 1021));
-  cases.given(8, "kind 1-3 at 2^-1060", {"right-angle", "extreme-scale"}, scaled(kKind13, -1060));
-  cases.given(9, "a cube of size 1 at 2^52", {"cospherical"},
+  cases.given(7, "kind 2-3 next to overflow", "extreme-scale", scaled(kKind23, 1021));
+  cases.given(8, "kind 1-3 at 2^-1060", "right-angle extreme-scale", scaled(kKind13, -1060));
+  cases.given(9, "a cube of size 1 at 2^52", "cospherical",
               shifted(grid(2, 2, 2), {0x1p+52, 0x1p+52, -0x1p+52}));
   cases.drawn(10, "far-away", 100, seeds(7));
   cases.drawn(17, "far-away-rounded", 100, seeds(6));
   cases.drawn(23, "extreme-scale", 100, seeds(8));
   cases.drawn(31, "two-scales", 60, seeds(6));
   cases.drawn(37, "mixed-magnitudes", 10, seeds(7));
-  return group;
+  return cases.group();
 }
 
 }  // namespace
@@ -307,7 +285,25 @@ std::string case_id(const std::string& group, std::size_t number) {
   return group + "-" + digits;
 }
 
-void GroupWriter::drawn(std::size_t first, const std::string& name, int size,
+std::vector<std::uint64_t> seeds(std::size_t count) {
+  std::vector<std::uint64_t> list(count);
+  std::iota(list.begin(), list.end(), std::uint64_t{1});
+  return list;
+}
+
+std::vector<Point> positions(std::initializer_list<const char*> texts) {
+  std::vector<Point> list;
+  for (const char* text : texts) list.push_back(parse_position(text, "a recipe: "));
+  return list;
+}
+
+GroupWriter::GroupWriter(const char* name, const char* title, const char* clauses) {
+  group_.name = name;
+  group_.title = title;
+  group_.clauses = fields(clauses);
+}
+
+void GroupWriter::drawn(std::size_t first, const char* name, int size,
                         const std::vector<std::uint64_t>& seeds) {
   const Family& family = family_named(name);
   for (const std::uint64_t seed : seeds) {
@@ -317,44 +313,57 @@ void GroupWriter::drawn(std::size_t first, const std::string& name, int size,
   }
 }
 
-void GroupWriter::given(std::size_t number, const std::string& comment, const std::vector<std::string>& aims,
-                        const Rows& points, const std::vector<Point>& starts) {
-  group_.recipes.push_back({case_id(group_.name, number), comment, aims, points, limits_, stable_,
-                            persistence_, starts, starts.empty() ? own_starts_ : 0});
+void GroupWriter::given(std::size_t number, const std::string& comment, const char* aims,
+                        const Rows& points) {
+  Recipe& recipe = group_.recipes.emplace_back();
+  recipe.id = case_id(group_.name, number);
+  recipe.comment = comment;
+  recipe.aims = fields(aims);
+  recipe.points = points;
+  recipe.limits = limits_;
+  recipe.stable = stable_;
+  recipe.persistence = persistence_;
+  recipe.own_starts = own_starts_;
 }
+
+void GroupWriter::start_from(const std::vector<Point>& starts) { group_.recipes.back().starts = starts; }
 
 void GroupWriter::threefold(std::size_t first, const std::string& comment, const Rows& points,
                             std::size_t row, std::size_t axis) {
-  given(first, comment, {"exact-of-three"}, points);
-  given(first + 1, comment + ", a coordinate one ulp up", {"one-ulp"}, nudged(points, row, axis, 1));
-  given(first + 2, comment + ", a coordinate one ulp down", {"one-ulp"}, nudged(points, row, axis, -1));
+  given(first, comment, "exact-of-three", points);
+  given(first + 1, comment + ", a coordinate one ulp up", "one-ulp", nudged(points, row, axis, 1));
+  given(first + 2, comment + ", a coordinate one ulp down", "one-ulp", nudged(points, row, axis, -1));
 }
 
-std::vector<Group> stationary_groups() {
-  return {critical_points(),
-          regular_stationary_points(),
-          cospherical_clusters(),
-          flat_inputs(),
-          duplicates(),
-          rounding(),
-          magnitudes()};
+void add_stationary_groups(std::vector<Group>& table) {
+  table.push_back(critical_points());
+  table.push_back(regular_stationary_points());
+  table.push_back(cospherical_clusters());
+  table.push_back(flat_inputs());
+  table.push_back(duplicates());
+  table.push_back(rounding());
+  table.push_back(magnitudes());
+}
+
+void require_different_ids(const std::vector<Group>& table) {
+  std::vector<std::string> ids;
+  for (const Group& group : table) {
+    for (const Recipe& recipe : group.recipes) ids.push_back(recipe.id);
+    for (const InvalidRecipe& recipe : group.invalid_recipes) ids.push_back(recipe.id);
+  }
+  std::sort(ids.begin(), ids.end());
+  const auto twice = std::adjacent_find(ids.begin(), ids.end());
+  if (twice != ids.end()) throw std::logic_error(*twice + " is there twice");
 }
 
 const std::vector<Group>& groups() {
   static const std::vector<Group> all = [] {
     std::vector<Group> table;
-    std::set<std::string> ids;
-    for (auto* part : {stationary_groups, orbit_groups, homology_groups, invalid_groups}) {
-      for (Group& group : part()) {
-        for (const Recipe& recipe : group.recipes) {
-          if (!ids.insert(recipe.id).second) throw std::logic_error(recipe.id + " is there twice");
-        }
-        for (const InvalidRecipe& recipe : group.invalid_recipes) {
-          if (!ids.insert(recipe.id).second) throw std::logic_error(recipe.id + " is there twice");
-        }
-        table.push_back(std::move(group));
-      }
-    }
+    add_stationary_groups(table);
+    add_orbit_groups(table);
+    add_homology_groups(table);
+    add_invalid_groups(table);
+    require_different_ids(table);
     return table;
   }();
   return all;

@@ -5,6 +5,8 @@
 // change leaves the inputs that were drawn from it behind, as given points.
 #pragma once
 
+#include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,27 +47,36 @@ struct Group {
   std::vector<InvalidRecipe> invalid_recipes;
 };
 
-// In the order of ids. Throws std::logic_error for an id that is given twice.
+// In the order of ids.
 const std::vector<Group>& groups();
 
-// The same, a source file each.
-std::vector<Group> stationary_groups();
-std::vector<Group> orbit_groups();
-std::vector<Group> homology_groups();
-std::vector<Group> invalid_groups();
+// Throws std::logic_error for an id that is given twice.
+void require_different_ids(const std::vector<Group>& table);
+
+// Their parts, a source file each.
+void add_stationary_groups(std::vector<Group>& table);
+void add_orbit_groups(std::vector<Group>& table);
+void add_homology_groups(std::vector<Group>& table);
+void add_invalid_groups(std::vector<Group>& table);
 
 // "cospherical-clusters-0007".
 std::string case_id(const std::string& group, std::size_t number);
 
-// Adds cases to a group.
+// {1, ..., count}.
+std::vector<std::uint64_t> seeds(std::size_t count);
+// Of texts such as "1/2 0 -3".
+std::vector<Point> positions(std::initializer_list<const char*> texts);
+
+// Makes a group, case by case. Clauses and aims are lists of words, parted by blanks.
 class GroupWriter {
  public:
-  explicit GroupWriter(Group& group) : group_(group) {}
+  GroupWriter(const char* name, const char* title, const char* clauses);
 
   // Cases first, first + 1, ...: the family's inputs of that size, one a seed.
-  void drawn(std::size_t first, const std::string& family, int size, const std::vector<std::uint64_t>& seeds);
-  void given(std::size_t number, const std::string& comment, const std::vector<std::string>& aims,
-             const Rows& points, const std::vector<Point>& starts = {});
+  void drawn(std::size_t first, const char* family, int size, const std::vector<std::uint64_t>& seeds);
+  void given(std::size_t number, const std::string& comment, const char* aims, const Rows& points);
+  // The orbits of the case given last.
+  void start_from(const std::vector<Point>& starts);
   // Cases first, first + 1, first + 2: exact, and with one coordinate one ulp up and one ulp down.
   void threefold(std::size_t first, const std::string& comment, const Rows& points, std::size_t row,
                  std::size_t axis);
@@ -76,8 +87,10 @@ class GroupWriter {
   void with_persistence() { persistence_ = true; }
   void with_own_starts(std::size_t count) { own_starts_ = count; }
 
+  [[nodiscard]] const Group& group() const { return group_; }
+
  private:
-  Group& group_;
+  Group group_;
   bool limits_ = false;
   bool stable_ = false;
   bool persistence_ = false;

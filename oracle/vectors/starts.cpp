@@ -7,17 +7,14 @@
 #include <set>
 #include <string>
 
+#include "oracle/answer_fields.h"
 #include "oracle/orbit.h"
-#include "oracle/vectors/answer_fields.h"
 
 namespace oracle::vectors {
 
 namespace {
 
-Point between(const Point& a, const Point& b, const Rational& part) {
-  const Point way = minus(b, a);
-  return {a[0] + part * way[0], a[1] + part * way[1], a[2] + part * way[2]};
-}
+Point between(const Point& a, const Point& b, const Rational& part) { return moved(a, part, minus(b, a)); }
 
 // The largest difference of two coordinates, or 1.
 Rational extent(const PointSet& set) {
@@ -27,10 +24,9 @@ Rational extent(const PointSet& set) {
       most = std::max(most, Rational(abs(p[axis] - set.points.front()[axis])));
     }
   }
-  return most == 0 ? Rational(1) : most;
+  if (most == 0) most = 1;
+  return most;
 }
-
-Point plus(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
 class Candidates {
  public:
@@ -113,7 +109,7 @@ class Candidates {
         const Point back = minus(between(p, set_.points[contact[j]], Rational(1, 2)), vertex);
         const Rational entrance = way_out(p, vertex, back);
         if (entrance <= 0) continue;
-        add(between(vertex, plus(vertex, back), entrance < 1 ? entrance : Rational(1, 3)));
+        add(moved(vertex, entrance < 1 ? entrance : Rational(1, 3), back));
       }
     }
   }
@@ -144,14 +140,19 @@ class Candidates {
 };
 
 std::string kind_text(const std::optional<StationaryPoint>& x) {
-  return x ? std::to_string(x->face_dimension) + std::to_string(x->hull_dimension) : "infinity";
+  if (!x) return "infinity";
+  return std::to_string(x->face_dimension) + std::to_string(x->hull_dimension);
 }
 
 // What an orbit shows.
 std::set<std::string> features_of(const PointSet& set, const Point& start, const Orbit& path) {
-  const std::string letter(1, face_letter(set, contact_set(set, start)));
-  if (path.segments.empty()) return {"stays at " + kind_text(path.limit)};
-  std::set<std::string> features{"from " + letter, "to " + kind_text(path.limit)};
+  std::set<std::string> features;
+  if (path.segments.empty()) {
+    features.insert("stays at " + kind_text(path.limit));
+    return features;
+  }
+  features.insert(std::string("from ") + face_letter(set, contact_set(set, start)));
+  features.insert("to " + kind_text(path.limit));
   for (const FlowSegment& segment : path.segments) {
     features.insert(segment_type(set, segment));
     if (&segment != &path.segments.front() && face_letter(set, segment.start_contact) == 'V') {

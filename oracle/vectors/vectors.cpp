@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "oracle/read_points.h"
 #include "oracle/vectors/flags.h"
 #include "oracle/vectors/starts.h"
 
@@ -23,7 +24,9 @@ std::string hexadecimal(double value) {
 Json points_field(const Rows& rows) {
   Json points = Json::array();
   for (const Row& row : rows) {
-    points.push_back({hexadecimal(row[0]), hexadecimal(row[1]), hexadecimal(row[2])});
+    Json point;
+    for (const double coordinate : row) point.push_back(hexadecimal(coordinate));
+    points.push_back(point);
   }
   return points;
 }
@@ -43,7 +46,7 @@ bool has_stable_field(const StationaryPoint& x) {
 }
 
 Findings findings_of(const Recipe& recipe, const Answer& answer, const std::vector<Point>& starts) {
-  Findings found{PointSet(recipe.points), answer, {}, starts, {}, {}, {}};
+  Findings found{recipe.points, PointSet(recipe.points), answer, {}, starts, {}, {}, {}};
   for (const StationaryPoint& x : answer.stationary) {
     if (recipe.limits && is_saddle(x)) found.unstable.push_back(unstable_orbits(found.set, x));
   }
@@ -56,6 +59,12 @@ Findings findings_of(const Recipe& recipe, const Answer& answer, const std::vect
   return found;
 }
 
+// Null for infinity.
+Json limit_contact(const Orbit& path) {
+  if (!path.limit) return nullptr;
+  return path.limit->contact;
+}
+
 Json stationary_field(const Recipe& recipe, const Findings& found) {
   Json records = Json::array();
   std::size_t saddle = 0;
@@ -63,9 +72,7 @@ Json stationary_field(const Recipe& recipe, const Findings& found) {
     Json record = record_field(x);
     if (recipe.limits && is_saddle(x)) {
       Json limits = Json::array();
-      for (const Orbit& path : found.unstable[saddle]) {
-        limits.push_back(path.limit ? Json(path.limit->contact) : Json());
-      }
+      for (const Orbit& path : found.unstable[saddle]) limits.push_back(limit_contact(path));
       record["limits"] = limits;
       ++saddle;
     }
@@ -81,16 +88,39 @@ Json stationary_field(const Recipe& recipe, const Findings& found) {
 // What a symbolic perturbation may make of a regular stationary point: FC-INV-02 counts how many critical
 // points collide there, and whichever meet may annihilate each other or stay.
 Json alternatives_field(const Answer& answer) {
+  using Claims = std::vector<std::vector<int>>;  // each the indices that are claimed there
   Json alternatives = Json::array();
   for (const StationaryPoint& x : answer.stationary) {
     if (x.face_dimension == x.hull_dimension) continue;
-    Json claims = Json::array({Json::array()});
+    Claims claims(1);  // none
     if (x.face_dimension == 1) claims.push_back({1, 2});
     if (x.hull_dimension == 3) claims.push_back({2, 3});
     if (x.face_dimension == 1 && x.hull_dimension == 3) claims.push_back({1, 2, 2, 3});
-    alternatives.push_back({{"contact", x.contact}, {"claims", claims}});
+    Json alternative;
+    alternative["contact"] = x.contact;
+    alternative["claims"] = claims;
+    alternatives.push_back(alternative);
   }
   return alternatives;
+}
+
+// What cases of all sorts begin with.
+Json head_of(const Group& group, const std::string& id, const std::string& comment,
+             const std::vector<std::string>& flags) {
+  Json made;
+  made["id"] = id;
+  made["comment"] = comment;
+  made["flags"] = flags;
+  made["clauses"] = clauses_of(flags, group.clauses);
+  return made;
+}
+
+Json head_of_file(const char* format) {
+  Json file;
+  file["format"] = format;
+  file["format_version"] = kFormatVersion;
+  file["generator"] = "flowcert-make-vectors";
+  return file;
 }
 
 // Whether a value takes one line of a file for people.
@@ -136,17 +166,14 @@ Json case_of(const Group& group, const Recipe& recipe) {
 Json case_of(const Group& group, const Recipe& recipe, const Answer& answer,
              const std::vector<Point>& starts) {
   const Findings found = findings_of(recipe, answer, starts);
-  const std::vector<std::string> flags = flags_of(recipe.points, found, recipe.aims);
+  const std::vector<std::string> flags = flags_of(found, recipe.aims);
   const Json alternatives = alternatives_field(found.answer);
-  Json made = {{"id", recipe.id},
-               {"comment", recipe.comment},
-               {"flags", flags},
-               {"clauses", clauses_of(flags, group.clauses)},
-               {"points", points_field(recipe.points)},
-               {"result", alternatives.empty() ? "determined" : "acceptable"}};
+  Json made = head_of(group, recipe.id, recipe.comment, flags);
+  made["points"] = points_field(recipe.points);
+  made["result"] = alternatives.empty() ? "determined" : "acceptable";
   Json expected = counts_field(found.answer);
   expected["stationary"] = stationary_field(recipe, found);
-  if (found.persistence) expected["persistence"] = persistence_field(*found.persistence);
+  if (recipe.persistence) expected["persistence"] = persistence_field(found.persistence);
   if (!found.starts.empty()) expected["orbits"] = Json::array();
   for (std::size_t k = 0; k < found.starts.size(); ++k) {
     expected["orbits"].push_back(orbit_field(found.set, found.starts[k], found.orbits[k]));
@@ -157,11 +184,9 @@ Json case_of(const Group& group, const Recipe& recipe, const Answer& answer,
 }
 
 Json case_of(const Group& group, const InvalidRecipe& recipe) {
-  Json made = {{"id", recipe.id},
-               {"comment", recipe.comment},
-               {"flags", recipe.aims},
-               {"clauses", clauses_of(recipe.aims, group.clauses)}};
-  made[recipe.text ? "text" : "points"] = recipe.text ? Json(*recipe.text) : Json(recipe.points);
+  Json made = head_of(group, recipe.id, recipe.comment, recipe.aims);
+  if (recipe.text) made["text"] = *recipe.text;
+  if (!recipe.text) made["points"] = recipe.points;
   if (recipe.start) made["start"] = *recipe.start;
   made["result"] = "invalid";
   made["refused"] = recipe.start ? "start" : "points";
@@ -169,23 +194,23 @@ Json case_of(const Group& group, const InvalidRecipe& recipe) {
 }
 
 Json group_file(const Group& group, const std::vector<Json>& cases) {
-  return {{"format", "flowcert-vectors"},
-          {"format_version", kFormatVersion},
-          {"generator", "flowcert-make-vectors"},
-          {"group", group.name},
-          {"title", group.title},
-          {"cases", cases}};
+  Json file = head_of_file("flowcert-vectors");
+  file["group"] = group.name;
+  file["title"] = group.title;
+  file["cases"] = cases;
+  return file;
 }
 
 Json flag_file() {
-  Json flags = Json::array();
+  Json file = head_of_file("flowcert-vector-flags");
   for (const Flag& flag : all_flags()) {
-    flags.push_back({{"flag", flag.name}, {"meaning", flag.meaning}, {"clauses", flag.clauses}});
+    Json field;
+    field["flag"] = flag.name;
+    field["meaning"] = flag.meaning;
+    field["clauses"] = fields(flag.clauses);
+    file["flags"].push_back(field);
   }
-  return {{"format", "flowcert-vector-flags"},
-          {"format_version", kFormatVersion},
-          {"generator", "flowcert-make-vectors"},
-          {"flags", flags}};
+  return file;
 }
 
 std::string text_of(const Json& file) {

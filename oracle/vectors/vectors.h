@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/vectors/answer_fields.h"
+#include "oracle/answer_fields.h"
 #include "oracle/vectors/recipes.h"
 
 namespace oracle::vectors {

@@ -35,6 +35,16 @@ TEST(OracleExact, TakesDoublesAsTheyAre) {
             Rational(((oracle::Integer(1) << 53) - 1) << 971));
 }
 
+TEST(OraclePoints, AreCalculatedWithExactly) {
+  CITES("FC-CRIT-05");
+  const Point a = point(1, 2, 3), b = point(4, -5, 6);
+  EXPECT_EQ(oracle::minus(a, b), point(-3, 7, -3));
+  EXPECT_EQ(oracle::dot(a, b), 12);
+  EXPECT_EQ(oracle::cross(a, b), point(27, 6, -13));
+  EXPECT_EQ(oracle::moved(a, ratio(1, 3), b), (Point{ratio(7, 3), ratio(1, 3), 5}));
+  EXPECT_EQ(oracle::squared_distance(a, b), 67);
+}
+
 TEST(OracleCircumcentre, OfOneToFourPoints) {
   CITES("FC-CRIT-05");
   const auto one = oracle::circumcentre({point(3, 1, 4)});
@@ -77,6 +87,20 @@ TEST(OracleCircumcentre, DependentPointsHaveNone) {
   EXPECT_FALSE(oracle::circumcentre(kOctahedron));
 }
 
+TEST(OracleInnerCircumcentre, OnlyInTheRelativeInterior) {
+  CITES("FC-CRIT-05");
+  EXPECT_EQ(oracle::inner_circumcentre({point(3, 1, 4)}), point(3, 1, 4));
+  EXPECT_EQ(oracle::inner_circumcentre({point(0, 0, 0), point(2, 4, 6)}), point(1, 2, 3));
+  EXPECT_EQ(oracle::inner_circumcentre({point(-3, -4, 1), point(-3, 4, 1), point(5, 0, 1)}), point(0, 0, 1));
+  // A right angle, and an obtuse one at the first and at the last point.
+  EXPECT_FALSE(oracle::inner_circumcentre({point(0, 0, 1), point(3, 0, 1), point(0, 4, 1)}));
+  EXPECT_FALSE(oracle::inner_circumcentre({point(1, 1, 0), point(0, 0, 0), point(4, 0, 0)}));
+  EXPECT_FALSE(oracle::inner_circumcentre({point(0, 0, 0), point(4, 0, 0), point(1, 1, 0)}));
+  EXPECT_FALSE(oracle::inner_circumcentre({}));
+  EXPECT_FALSE(oracle::inner_circumcentre(kSquare));
+  EXPECT_FALSE(oracle::inner_circumcentre(kOctahedron));
+}
+
 TEST(OracleBarycentric, InAndOffTheHull) {
   CITES("FC-CRIT-02");
   const Points triangle = {point(0, 0, 0), point(4, 0, 0), point(0, 4, 0)};
@@ -85,6 +109,8 @@ TEST(OracleBarycentric, InAndOffTheHull) {
   EXPECT_EQ(oracle::barycentric(triangle, point(-4, 0, 0)).value(), (std::vector<Rational>{2, -1, 0}));
   EXPECT_FALSE(oracle::barycentric(triangle, {1, 2, Rational(kSubnormal)}));
   EXPECT_FALSE(oracle::barycentric(kSquare, point(1, 1, 0)));
+  EXPECT_FALSE(oracle::barycentric(kOctahedron, point(0, 0, 0)));
+  EXPECT_FALSE(oracle::barycentric({}, point(0, 0, 0)));
 }
 
 TEST(OracleAffineDimension, OfEachDimension) {

@@ -1,18 +1,17 @@
 // The oracle's answers in JSON, with the keys of spec/formats.md sections 2 and 4, and of its conformance
 // vectors.
 //
-// Guarantees: exact; keys in the order of the formats. Nothing of src/ is used.
+// Guarantees: exact; keys in the order of the formats.
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "oracle/orbit.h"
 #include "oracle/persistence.h"
 #include "oracle/stable_set.h"
 #include "oracle/stationary_points.h"
 
-namespace oracle::vectors {
+namespace oracle {
 
 using Json = nlohmann::ordered_json;
 
@@ -30,4 +29,4 @@ Json persistence_field(const std::vector<PersistencePair>& pairs);
 // merged_duplicates, critical, regular_stationary.
 Json counts_field(const Answer& answer);
 
-}  // namespace oracle::vectors
+}  // namespace oracle
