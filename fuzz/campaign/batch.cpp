@@ -49,7 +49,7 @@ class Batch {
         run_case(number);
       }
     }
-    result_.is_complete = !order_.only;
+    result_.is_complete = !order_.only && !is_cut_off_;
     return std::move(result_);
   }
 
@@ -62,6 +62,7 @@ class Batch {
     for (std::size_t k = 0; k < properties_.size(); ++k) {
       const bool is_its_share = mixed(seed ^ (kShareSalt + k)) % properties_[k].one_in == 0;
       if (is_its_share) hold(number, drawn, properties_[k]);
+      if (is_cut_off_) return;
     }
     Tally& tally = result_.tally;
     ++tally.cases;
@@ -76,6 +77,7 @@ class Batch {
   void prepare_for(std::size_t number) {
     std::map<std::string, std::size_t> uncounted;
     const FreshTrial drawn = drawn_trial(mixed(mixed(plan_.seed) ^ number), uncounted);
+    observer_.tries(number, drawn.family, "signature", drawn.trial);
     if (seen_.insert(signature_of(drawn.trial.input)).second) corpus_.push_back(drawn.trial.input);
   }
 
@@ -125,8 +127,12 @@ class Batch {
     const bool is_slow = found->kind == property.slow_kind;
     const std::size_t budget = is_slow ? property.slow_shrinking_budget : property.shrinking_budget;
     Shrunk small = shrunk(drawn.trial, *found, judge_unless_stopped, budget);
+    // What is half small depends on when it was stopped: the batch is done again.
+    is_cut_off_ = observer_.is_stopped();
+    if (is_cut_off_) return;
     finding.trial = std::move(small.trial);
     finding.disagreement = std::move(small.disagreement);
+    finding.is_small = true;
     observer_.found(finding);
   }
 
@@ -138,6 +144,7 @@ class Batch {
   std::vector<Input> corpus_;
   std::set<DegeneracySignature> seen_;
   BatchResult result_;
+  bool is_cut_off_ = false;
 };
 
 template <typename Map>

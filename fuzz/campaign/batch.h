@@ -74,7 +74,7 @@ struct BatchOrder {
   std::size_t batch = 0;
   std::size_t cases = 0;
   std::set<std::size_t> left_out;        // numbers of cases that ended a process before
-  std::optional<std::size_t> only = {};  // hold no other case to anything
+  std::optional<std::size_t> only = {};  // hold no other case to anything; the batch is not complete then
 };
 
 struct BatchResult {

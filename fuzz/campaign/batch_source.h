@@ -20,6 +20,8 @@ class BatchSource {
   [[nodiscard]] virtual std::optional<BatchOrder> next_batch() = 0;
   // A batch that was not done, to be handed out again.
   virtual void give_back(std::size_t batch) = 0;
+  // A case that ended its process and has not been made small, each once; nothing: there is no other.
+  [[nodiscard]] virtual std::optional<Finding> next_crash() { return std::nullopt; }
   // One line from whoever does a batch (message.h).
   virtual void absorb(const std::string& message) = 0;
 };

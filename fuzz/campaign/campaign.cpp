@@ -13,8 +13,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "flowcert/reproducibility.h"
 #include "fuzz/campaign/message.h"
@@ -30,18 +30,14 @@ constexpr const char* kPlanName = "plan.json";
 constexpr const char* kBatchesName = "batches.jsonl";
 constexpr const char* kFindingsName = "findings.jsonl";
 constexpr const char* kSignaturesName = "signatures.jsonl";
-// In the order in which they can be absorbed.
+// In the order in which they can be absorbed: a batch is done when its findings are known.
 constexpr const char* kLineFiles[] = {kFindingsName, kSignaturesName, kBatchesName};
 constexpr const char* kFindingsFolder = "findings";
 
-// A failing case is reported as it was, and then once more, small; what was being made small when the
-// campaign was stopped, again when it goes on.
-bool is_smaller(const Finding& one, const Finding& other) {
-  const auto size = [](const Finding& finding) {
-    const bool has_choice = std::holds_alternative<property::StartChoice>(finding.trial.start);
-    return std::tuple(finding.trial.input.rows.size(), has_choice, file_text(finding).size());
-  };
-  return size(one) < size(other);
+// A failing case is reported as it was, and then once more, small. What it was when someone asked for it
+// again is the latest.
+bool replaces(const Finding& one, const Finding& known) {
+  return one.is_asked || (one.is_small && !known.is_small);
 }
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& why) {
@@ -128,17 +124,19 @@ json total_json(const std::optional<std::size_t>& total) { return total ? json(*
 }  // namespace
 
 struct Campaign::Files {
-  explicit Files(const fs::path& folder)
-      : lock(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)),
-        batches(folder / kBatchesName),
-        findings(folder / kFindingsName),
-        signatures(folder / kSignaturesName) {
-    if (lock < 0 || ::flock(lock, LOCK_EX | LOCK_NB) != 0) refuse(folder, "another campaign is using it");
+  explicit Files(const fs::path& path)
+      : folder(path),
+        lock(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)),
+        batches(path / kBatchesName),
+        findings(path / kFindingsName),
+        signatures(path / kSignaturesName) {
+    if (lock < 0 || ::flock(lock, LOCK_EX | LOCK_NB) != 0) refuse(path, "another campaign is using it");
   }
   ~Files() { ::close(lock); }
   Files(const Files&) = delete;
   Files& operator=(const Files&) = delete;
 
+  fs::path folder;
   int lock;
   LineFile batches, findings, signatures;
 };
@@ -156,14 +154,14 @@ Campaign Campaign::begun(CampaignPlan plan, std::optional<std::size_t> total_cas
   if (!fs::is_empty(folder)) refuse(folder, "it is not empty");
   Campaign campaign(std::move(plan), total_cases, folder / kFindingsFolder);
   campaign.files_ = std::make_unique<Files>(folder);
-  campaign.write_plan(folder);
+  campaign.made_by_.insert(program());
+  campaign.write_plan();
   return campaign;
 }
 
-void Campaign::write_plan(const fs::path& folder) {
-  made_by_.insert(program());
+void Campaign::write_plan() {
   const json object = {{"plan", to_text(plan_)}, {"cases", total_json(total_cases_)}, {"made_by", made_by_}};
-  write_file(folder / kPlanName, object.dump() + '\n');
+  write_file(files_->folder / kPlanName, object.dump() + '\n');
 }
 
 Campaign Campaign::with_plan_in(const fs::path& folder, std::optional<std::size_t> total_cases) {
@@ -188,7 +186,8 @@ Campaign Campaign::resumed(const fs::path& folder, std::optional<std::size_t> to
     campaign.files_ = std::move(files);
     const auto expected = campaign.expected_cases();
     if (expected && campaign.tally().cases > *expected) refuse(folder, "more cases than that are done");
-    campaign.write_plan(folder);
+    campaign.made_by_.insert(program());
+    campaign.write_plan();
     return campaign;
   });
 }
@@ -203,14 +202,20 @@ Campaign Campaign::read(const fs::path& folder) {
 }
 
 void Campaign::load(const fs::path& folder) {
-  for (const char* name : kLineFiles) {
-    std::istringstream lines(whole_lines(folder / name));
+  is_loading_ = true;
+  // Read the other way round: whoever may be writing writes a batch after its findings.
+  std::vector<std::string> texts;
+  for (auto name = std::rbegin(kLineFiles); name != std::rend(kLineFiles); ++name) {
+    texts.insert(texts.begin(), whole_lines(folder / *name));
+  }
+  for (const std::string& text : texts) {
+    std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) absorb(line);
   }
+  is_loading_ = false;
 }
 
 std::optional<BatchOrder> Campaign::next_batch() {
-  if (only_) return batch_of_only();
   while (const auto batch = batch_from(plan_, total_cases_, first_open_)) {
     if (!done_.contains(*batch)) break;
     first_open_ = *batch + 1;
@@ -232,13 +237,11 @@ BatchOrder Campaign::order_of(std::size_t batch) const {
   return order;
 }
 
-std::optional<BatchOrder> Campaign::batch_of_only() {
-  const std::size_t batch = *only_ / plan_.batch_cases;
-  if (only_is_done_ || !handed_out_.insert(batch).second) return std::nullopt;
-  only_is_done_ = true;
-  BatchOrder order = order_of(batch);
-  order.only = only_;
-  return order;
+std::optional<Finding> Campaign::next_crash() {
+  for (const auto& [key, finding] : findings_) {
+    if (ends_process(finding) && !finding.is_small && crashes_handed_out_.insert(key).second) return finding;
+  }
+  return std::nullopt;
 }
 
 void Campaign::absorb(const std::string& message) {
@@ -249,7 +252,6 @@ void Campaign::absorb(const std::string& message) {
   Tally tally = tally_of(object.at("tally"));
   if (!object.at("complete").get<bool>()) {
     handed_out_.erase(batch);
-    if (done_.contains(batch)) return;  // one of its cases, once more
     unfinished_.add(tally);
     return sum_.add(tally);
   }
@@ -281,10 +283,12 @@ void Campaign::absorb_batch(std::size_t batch, Tally tally) {
 void Campaign::absorb(const Finding& finding) {
   const std::pair key(finding.number, kind_of(finding));
   const auto known = findings_.find(key);
-  const bool is_new = known == findings_.end() || is_smaller(finding, known->second);
-  if (is_new) findings_.insert_or_assign(key, finding);
-  if (is_new && files_) files_->findings.add(message_of(finding));
-  if ((is_new || only_ == finding.number) && !is_read_only_) write_point_file(findings_.at(key));
+  if (known != findings_.end() && !replaces(finding, known->second)) return;
+  // Whoever works on the campaign makes it small already.
+  if (!is_loading_) crashes_handed_out_.insert(key);
+  findings_.insert_or_assign(key, finding);
+  if (files_) files_->findings.add(message_of(finding));
+  if (!is_read_only_ && !findings_folder_.empty()) write_point_file(finding);
 }
 
 void Campaign::write_point_file(const Finding& finding) {
@@ -293,15 +297,18 @@ void Campaign::write_point_file(const Finding& finding) {
     other.number = number;
     return findings_folder_ / (name_of(other) + ".xyz");
   };
-  std::set<std::size_t>& written = written_[kind_of(finding)];
-  const bool is_full = written.size() >= kMostFindingsOfKind && only_ != finding.number;
-  if (is_full && *written.rbegin() < finding.number) return;
+  std::set<std::size_t>& least = least_[kind_of(finding)];
+  std::set<std::size_t>& asked = asked_[kind_of(finding)];
+  if (finding.is_asked) asked.insert(finding.number);
+  least.insert(finding.number);
+  if (least.size() > kMostFindingsOfKind) {
+    const std::size_t last = *least.rbegin();
+    least.erase(last);
+    if (last != finding.number && !asked.contains(last)) fs::remove(path_of(last));
+  }
+  if (!least.contains(finding.number) && !asked.contains(finding.number)) return;
   make_folder(findings_folder_);
   write_file(path_of(finding.number), file_text(finding));
-  written.insert(finding.number);
-  if (!is_full || written.size() <= kMostFindingsOfKind) return;
-  fs::remove(path_of(*written.rbegin()));
-  written.erase(std::prev(written.end()));
 }
 
 void Campaign::absorb(const Discovery& discovery) {
@@ -318,6 +325,8 @@ void Campaign::absorb(const Campaign& part) {
   for (const auto& [key, finding] : part.findings_) absorb(finding);
   for (const auto& [signature, where] : part.signatures_) absorb({signature, where.number, where.input});
   for (const auto& [batch, tally] : part.done_) absorb_batch(batch, tally);
+  made_by_.insert(part.made_by_.begin(), part.made_by_.end());
+  if (files_) write_plan();
 }
 
 std::optional<std::size_t> Campaign::expected_cases() const {
@@ -326,9 +335,11 @@ std::optional<std::size_t> Campaign::expected_cases() const {
 }
 
 fs::path Campaign::file_of(const Finding& finding) const {
-  const auto numbers = written_.find(kind_of(finding));
-  const bool is_written = numbers != written_.end() && numbers->second.contains(finding.number);
-  return is_written ? findings_folder_ / (name_of(finding) + ".xyz") : fs::path();
+  const auto is_in = [&](const auto& numbers) {
+    const auto of_kind = numbers.find(kind_of(finding));
+    return of_kind != numbers.end() && of_kind->second.contains(finding.number);
+  };
+  return is_in(least_) || is_in(asked_) ? findings_folder_ / (name_of(finding) + ".xyz") : fs::path();
 }
 
 }  // namespace flowcert::fuzz

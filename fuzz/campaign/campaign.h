@@ -42,7 +42,8 @@ struct Discovered {
 
 class Campaign : public BatchSource {
  public:
-  // In memory alone, but for findings, which go to `findings` as point files; made when there is one.
+  // In memory alone, but for findings, which go to `findings` as point files, if that is not empty; made when
+  // there is one.
   Campaign(CampaignPlan plan, std::optional<std::size_t> total_cases, std::filesystem::path findings);
   // In a new folder.
   static Campaign begun(CampaignPlan plan, std::optional<std::size_t> total_cases,
@@ -58,15 +59,10 @@ class Campaign : public BatchSource {
   [[nodiscard]] const CampaignPlan& plan() const override { return plan_; }
   [[nodiscard]] std::optional<std::size_t> total_cases() const { return total_cases_; }
 
-  // Does this case, which must be one of the campaign's, again or for the first time, and nothing else. Its
-  // findings have point files; it does not count as done.
-  void do_only(std::size_t number) {
-    only_ = number;
-    only_is_done_ = false;
-  }
-
   // The next batch that is not done and not handed out; nothing: no such batch is left.
   [[nodiscard]] std::optional<BatchOrder> next_batch() override;
+  [[nodiscard]] BatchOrder order_of(std::size_t batch) const;
+  [[nodiscard]] std::optional<Finding> next_crash() override;
   // To be handed out again.
   void give_back(std::size_t batch) override { handed_out_.erase(batch); }
   // Whether all that was handed out has come back.
@@ -74,6 +70,7 @@ class Campaign : public BatchSource {
 
   // One line from whoever does a batch (message.h). Throws UnusableFolder if the folder cannot be written.
   void absorb(const std::string& message) override;
+  void absorb(const Finding& finding);
   // All of another part of the same campaign. Throws std::invalid_argument for a part of another one.
   void absorb(const Campaign& part);
 
@@ -95,15 +92,12 @@ class Campaign : public BatchSource {
  private:
   struct Files;
 
-  void absorb(const Finding& finding);
   void absorb(const Discovery& discovery);
   void absorb_batch(std::size_t batch, Tally tally);
-  [[nodiscard]] BatchOrder order_of(std::size_t batch) const;
-  [[nodiscard]] std::optional<BatchOrder> batch_of_only();
   // Of plan.json, and of the other files.
   static Campaign with_plan_in(const std::filesystem::path& folder, std::optional<std::size_t> total_cases);
   void load(const std::filesystem::path& folder);
-  void write_plan(const std::filesystem::path& folder);
+  void write_plan();
   void write_point_file(const Finding& finding);
 
   CampaignPlan plan_;
@@ -117,11 +111,12 @@ class Campaign : public BatchSource {
   std::set<std::size_t> handed_out_;
   std::map<DegeneracySignature, Discovered> signatures_;
   std::map<std::pair<std::size_t, std::string>, Finding> findings_;
-  std::map<std::string, std::set<std::size_t>> written_;  // by "PROPERTY KIND": the cases that have files
+  // Numbers of cases by "PROPERTY KIND": those that have files for being the least, or for being asked for.
+  std::map<std::string, std::set<std::size_t>> least_, asked_;
+  std::set<std::pair<std::size_t, std::string>> crashes_handed_out_;
   std::set<std::string> made_by_;
-  std::optional<std::size_t> only_;
-  bool only_is_done_ = false;
   bool is_read_only_ = false;
+  bool is_loading_ = false;
 };
 
 }  // namespace flowcert::fuzz

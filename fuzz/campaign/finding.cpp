@@ -159,7 +159,9 @@ json json_of(const Finding& finding) {
           {"kind", found.kind},
           {"clause", found.clause},
           {"complaint", found.complaint},
-          {"answers", {found.first_name, found.first, found.second_name, found.second}}};
+          {"answers", {found.first_name, found.first, found.second_name, found.second}},
+          {"small", finding.is_small},
+          {"asked", finding.is_asked}};
 }
 
 Finding finding_of(const json& object) {
@@ -184,6 +186,8 @@ Finding finding_of(const json& object) {
   object.at("clause").get_to(found.clause);
   object.at("complaint").get_to(found.complaint);
   const json& answers = object.at("answers");
+  object.at("small").get_to(finding.is_small);
+  object.at("asked").get_to(finding.is_asked);
   found.first_name = answers.at(0).get<std::string>();
   found.first = answers.at(1).get<std::string>();
   found.second_name = answers.at(2).get<std::string>();

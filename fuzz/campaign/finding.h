@@ -24,6 +24,8 @@ struct Finding {
   std::string property;
   property::Trial trial;  // with its start as coordinates, if it has points
   property::Disagreement disagreement;
+  bool is_small = false;  // made so, as far as it goes
+  bool is_asked = false;  // for by its number (one_case.h)
 };
 
 // One word, for the name of a file: "orbit-segment-type-1234".

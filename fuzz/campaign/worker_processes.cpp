@@ -37,6 +37,9 @@ constexpr double kLongestLook = 0.2;  // seconds between two looks at a worker, 
 // Each smaller input costs a process.
 constexpr std::size_t kCrashShrinkingBudget = 300;
 constexpr unsigned kCrashSeconds = 10;
+constexpr int kMachineFailed = 99;  // exit status
+// Of processes that others kill while they try nothing, in a row: more, and the campaign is over.
+constexpr std::size_t kMostKills = 20;
 // What cases under way have when everything is to stop.
 constexpr double kSecondsToStop = 2;
 
@@ -63,15 +66,24 @@ std::string text_of_signal(int status) {
 
 Disagreement crash_of(const std::string& how) { return {"crash", "", how, "", "", "", ""}; }
 
-// Whether the property ends its process on this trial.
-std::optional<Disagreement> crash_in_own_process(const std::function<void(const Trial&)>& attempt,
-                                                 const Trial& trial, unsigned seconds) {
+// Whether the property ends its process on this trial in the same way.
+std::optional<Disagreement> same_crash(const Disagreement& crash,
+                                       const std::function<void(const Trial&)>& attempt, const Trial& trial) {
   const int status = wait_for_end(start_child([&] {
-    ::alarm(seconds);
-    attempt(trial);
+    ::alarm(kCrashSeconds);
+    try {
+      attempt(trial);
+    } catch (const property::MachineFailure&) {
+      ::_exit(kMachineFailed);
+    } catch (const std::system_error&) {
+      ::_exit(kMachineFailed);
+    }
   }));
-  const bool has_crashed = WIFSIGNALED(status) && WTERMSIG(status) != SIGALRM;
-  return has_crashed ? std::optional(crash_of(text_of_signal(status))) : std::nullopt;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == kMachineFailed) {
+    throw property::MachineFailure("a crash cannot be made small: something is wrong with this machine");
+  }
+  const bool is_same = WIFSIGNALED(status) && text_of_signal(status) == crash.complaint;
+  return is_same ? std::optional(crash) : std::nullopt;
 }
 
 // ---- The worker's side ----
@@ -113,24 +125,30 @@ void run_property(const std::vector<Property>& properties, const std::string& na
   }
 }
 
+// A case that hangs stays as it is.
 Finding crash_finding(const CampaignPlan& plan, const Crash& crash) {
-  return {plan.seed,         crash.at.number, crash.at.source,   crash.at.trial.input.rows.size(),
-          crash.at.property, crash.at.trial,  crash.disagreement};
+  Finding finding{plan.seed,         crash.at.number, crash.at.source,   crash.at.trial.input.rows.size(),
+                  crash.at.property, crash.at.trial,  crash.disagreement};
+  finding.is_small = crash.disagreement.kind != "crash";
+  return finding;
+}
+
+Crash crash_in(const Finding& finding) {
+  return {{finding.number, finding.property, finding.source, finding.trial}, finding.disagreement};
 }
 
 void report_shrunk(const CampaignPlan& plan, const std::vector<Property>& properties, const Crash& crash,
                    PipeObserver& observer) {
   Finding finding = crash_finding(plan, crash);
-  if (crash.disagreement.kind == "crash") {
-    const auto attempt = [&](const Trial& trial) { run_property(properties, crash.at.property, trial); };
-    const Judge judge = [&](const Trial& trial) -> std::optional<Disagreement> {
-      if (observer.is_stopped()) return std::nullopt;
-      return crash_in_own_process(attempt, trial, kCrashSeconds);
-    };
-    Shrunk small = shrunk(crash.at.trial, crash.disagreement, judge, kCrashShrinkingBudget);
-    finding.trial = std::move(small.trial);
-    finding.disagreement = std::move(small.disagreement);
-  }
+  if (finding.is_small) return;
+  const auto attempt = [&](const Trial& trial) { run_property(properties, crash.at.property, trial); };
+  const Judge judge = [&](const Trial& trial) -> std::optional<Disagreement> {
+    if (observer.is_stopped()) return std::nullopt;
+    return same_crash(crash.disagreement, attempt, trial);
+  };
+  finding.trial = shrunk(crash.at.trial, crash.disagreement, judge, kCrashShrinkingBudget).trial;
+  if (observer.is_stopped()) return;
+  finding.is_small = true;
   observer.tell(message_of(finding));
 }
 
@@ -167,8 +185,8 @@ void be_a_worker(const CampaignPlan& plan, const std::vector<Property>& properti
 
 class Worker {
  public:
-  Worker(const CampaignPlan& plan, const std::vector<Property>& properties,
-         const std::optional<Crash>& crash) {
+  Worker(const CampaignPlan& plan, const std::vector<Property>& properties, const std::optional<Crash>& crash)
+      : has_crash_(crash.has_value()) {
     process_ = start_child([&] {
       close_descriptors_but(orders_.reading(), messages_.writing());
       be_a_worker(plan, properties, orders_.reading(), messages_.writing(), shared_, crash);
@@ -216,10 +234,14 @@ class Worker {
   [[nodiscard]] SharedTrial& shared() { return shared_; }
   [[nodiscard]] const SharedTrial& shared() const { return shared_; }
 
+  // It tries nothing of its own yet.
+  [[nodiscard]] bool makes_crash_small() const { return has_crash_ && shared_.trials() == 0; }
+
   std::optional<std::size_t> batch;
-  bool was_hanging = false;
+  std::optional<NotedTrial> hanging_at;
 
  private:
+  bool has_crash_;
   SharedTrial shared_;
   Pipe orders_, messages_;
   pid_t process_ = -1;
@@ -237,8 +259,7 @@ class Work {
 
   void run() {
     for (unsigned k = 0; k < options_.jobs; ++k) {
-      workers_.push_back(std::make_unique<Worker>(source_.plan(), properties_, std::nullopt));
-      employ(*workers_.back());
+      add_worker(next_crash());
     }
     while (!workers_.empty()) {
       wait();
@@ -249,6 +270,15 @@ class Work {
   }
 
  private:
+  std::optional<Crash> next_crash() {
+    const auto finding = source_.next_crash();
+    return finding ? std::optional(crash_in(*finding)) : std::nullopt;
+  }
+  void add_worker(const std::optional<Crash>& crash) {
+    workers_.push_back(std::make_unique<Worker>(source_.plan(), properties_, crash));
+    if (is_stopping_) workers_.back()->shared().tell_to_stop();
+    employ(*workers_.back());
+  }
   void employ(Worker& worker) {
     worker.batch.reset();
     const auto order = is_stopping_ ? std::nullopt : source_.next_batch();
@@ -276,49 +306,54 @@ class Work {
     while (const auto line = worker.reader().next_line()) {
       if (const auto failure = failure_in(*line)) throw property::MachineFailure(*failure);
       source_.absorb(*line);
-      if (ends_batch(*line)) employ(worker);
+      if (!ends_batch(*line)) continue;
+      kills_ = 0;
+      employ(worker);
     }
   }
 
   void take_end(std::size_t k) {
-    Worker& worker = *workers_[k];
-    const int status = worker.wait_for_end();
-    const bool is_through = WIFEXITED(status) && !worker.batch;
-    const bool is_left_off = worker.is_killed() && !worker.was_hanging;
-    if (worker.batch) source_.give_back(*worker.batch);
+    const std::unique_ptr<Worker> worker = std::move(workers_[k]);
+    workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(k));
+    const int status = worker->wait_for_end();
+    const bool is_through = WIFEXITED(status) && !worker->batch;
+    const bool is_left_off = worker->is_killed() && !worker->hanging_at;
+    if (worker->batch) source_.give_back(*worker->batch);
     if (is_through || is_left_off) {
-      workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(k));
+      const auto left = is_stopping_ ? std::nullopt : next_crash();
+      if (left) add_worker(left);
       return;
     }
-    const std::optional<Crash> crash = crash_of_end(worker, status);
+    const std::optional<Crash> crash = crash_of_end(*worker, status);
     // Reported at once, as it is: so the batch is done without it. The small one follows.
     if (crash) source_.absorb(message_of(crash_finding(source_.plan(), *crash)));
-    workers_[k] = std::make_unique<Worker>(source_.plan(), properties_, crash);
-    if (is_stopping_) workers_[k]->shared().tell_to_stop();
-    employ(*workers_[k]);
+    add_worker(crash);
   }
 
   // Nothing: it was not the case's doing, as far as can be told.
   std::optional<Crash> crash_of_end(const Worker& worker, int status) {
     const std::string how = WIFSIGNALED(status) ? text_of_signal(status) : "the process ended by itself";
-    if (!worker.shared().is_trying()) throw std::runtime_error(how);
-    Crash crash{worker.shared().noted(), crash_of(how)};
-    if (worker.was_hanging) {
-      crash.disagreement =
-          Disagreement{"hang", "", fmt::format("not done after {} s", options_.hang_seconds), "", "", "", ""};
-      return crash;
+    if (worker.hanging_at) {
+      const std::string late = fmt::format("not done after {} s", options_.hang_seconds);
+      return Crash{*worker.hanging_at, {"hang", "", late, "", "", "", ""}};
     }
+    if (worker.makes_crash_small()) return std::nullopt;
     // By whoever runs this, or the system, for want of memory: of which the second time is the case's.
     const bool is_by_others = WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
+    if (!worker.shared().is_trying()) {
+      if (!is_by_others || ++kills_ > kMostKills) throw std::runtime_error(how);
+      return std::nullopt;
+    }
+    Crash crash{worker.shared().noted(), crash_of(how)};
     if (is_by_others && killed_at_.insert(crash.at.number).second) return std::nullopt;
     return crash;
   }
 
   void look_after(Worker& worker) {
     if (worker.is_killed()) return;
-    worker.was_hanging = worker.hangs(options_.hang_seconds);
+    if (worker.hangs(options_.hang_seconds)) worker.hanging_at = worker.shared().noted();
     const bool is_late = is_stopping_ && seconds_since(stopped_) > kSecondsToStop;
-    if (worker.was_hanging || is_late) worker.kill();
+    if (worker.hanging_at || is_late) worker.kill();
   }
 
   void stop() {
@@ -338,6 +373,7 @@ class Work {
   const WorkOptions& options_;
   std::vector<std::unique_ptr<Worker>> workers_;
   std::set<std::size_t> killed_at_;  // cases during which a process was killed by others
+  std::size_t kills_ = 0;            // while nothing was tried, since a batch was done
   bool is_stopping_ = false;
   Clock::time_point stopped_;
 };

@@ -23,28 +23,36 @@ struct FuzzCommandOptions : FuzzOptions {
   std::vector<std::string> merged;
 };
 
+// The seconds that it takes. source: the campaign, or a part of it.
+double work_on(fuzz::BatchSource& source, const fuzz::Campaign& campaign, const FuzzOptions& options) {
+  const ScratchFolder scratch;
+  const auto properties = properties_of(campaign.plan(), scratch.path());
+  FuzzProgress progress(campaign, options.seconds);
+  fuzz::WorkOptions work;
+  work.jobs = options.jobs;
+  work.hang_seconds = hang_seconds(campaign.plan(), options);
+  work.is_stopped = [&] {
+    return Interruption::signal() != 0 || (options.seconds && progress.seconds_so_far() >= *options.seconds);
+  };
+  work.progress = [&](std::size_t under_way) { progress(under_way); };
+  fuzz::work_on(source, properties, work);
+  return progress.seconds_so_far();
+}
+
+int run_case(fuzz::Campaign& campaign, const FuzzOptions& options) {
+  fuzz::OneCase one(campaign, *options.only);
+  work_on(one, campaign, options);
+  if (!one.is_done())
+    throw InvalidInput(fmt::format("case {} was stopped before it was done", *options.only));
+  return print_case(campaign, one, options.json);
+}
+
 int run_campaign(const FuzzOptions& options) {
   const Interruption interruption;
   fuzz::Campaign campaign = campaign_of(options);
-  const ScratchFolder scratch;
-  const auto properties = properties_of(campaign.plan(), scratch.path());
+  if (options.only) return run_case(campaign, options);
   const std::size_t before = campaign.tally().cases;
-  double seconds = 0;
-  {
-    FuzzProgress progress(campaign, options.seconds);
-    fuzz::WorkOptions work;
-    work.jobs = options.jobs;
-    work.hang_seconds = hang_seconds(campaign.plan(), options);
-    work.is_stopped = [&] {
-      return Interruption::signal() != 0 ||
-             (options.seconds && progress.seconds_so_far() >= *options.seconds);
-    };
-    work.progress = [&](std::size_t under_way) { progress(under_way); };
-    fuzz::work_on(campaign, properties, work);
-    seconds = progress.seconds_so_far();
-  }
-  if (options.only && Interruption::signal() != 0) throw InvalidInput("stopped before the case was done");
-  if (options.only) return print_case(campaign, *options.only, options.json);
+  const double seconds = work_on(campaign, campaign, options);
   print_fuzz({campaign, seconds, campaign.tally().cases - before, options.jobs, Interruption::signal() != 0},
              options.json);
   return verdict_of(campaign);
@@ -151,15 +159,18 @@ void add_fuzz_command(CLI::App& app, int& status) {
   for (const char* name : {"--count", "--time", "--out", "--resume", "--shard", "--corpus", "--json"}) {
     replay_option->excludes(command->get_option(name));
   }
-  auto* only = command->add_option("--case", options->only,
-                                   "Only this case of the campaign, once more: what fails is made small");
+  auto* only = command->add_option(
+      "--case", options->only,
+      "Only this case of the campaign, once more: what fails is made small. After a crash or a hang in "
+      "its batch, with --resume alone it is the same case");
   for (const char* name : {"--count", "--time", "--out", "--shard", "--jobs", "--replay"}) {
     only->excludes(command->get_option(name));
   }
   add_merge_command(*command, options, status);
   command->footer(
       "The same seed has the same cases and findings on any machine, however many jobs and interruptions "
-      "there are. Ctrl-C stops after the cases under way; --resume goes on, after a kill as well.\n\n"
+      "there are. Ctrl-C stops after the cases under way, or after two seconds; --resume goes on, after a "
+      "kill as well.\n\n"
       "Examples:\n  flowcert fuzz --time 60 --jobs 2\n"
       "  flowcert fuzz --count 1000000 --property critical-points --property orbit --out campaign\n"
       "  flowcert fuzz --resume campaign --jobs 2\n"

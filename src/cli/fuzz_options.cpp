@@ -120,14 +120,6 @@ fuzz::Campaign new_campaign(const FuzzOptions& options) {
   return {plan, options.count, findings};
 }
 
-void require_case(const fuzz::Campaign& campaign, std::size_t number) {
-  const fuzz::CampaignPlan& plan = campaign.plan();
-  const auto total = campaign.total_cases();
-  const bool is_there =
-      (!total || number < *total) && number / plan.batch_cases % plan.shard.count == plan.shard.index;
-  if (!is_there) throw InvalidInput(fmt::format("--case {}: the campaign has no such case", number));
-}
-
 // ---- Options
 
 void add_case_options(CLI::App& command, FuzzOptions& options) {
@@ -236,12 +228,7 @@ fuzz::CampaignPlan plan_of(const FuzzOptions& options) {
 }
 
 fuzz::Campaign campaign_of(const FuzzOptions& options) {
-  fuzz::Campaign campaign = options.resume.empty() ? new_campaign(options) : resumed_campaign(options);
-  if (options.only) {
-    require_case(campaign, *options.only);
-    campaign.do_only(*options.only);
-  }
-  return campaign;
+  return options.resume.empty() ? new_campaign(options) : resumed_campaign(options);
 }
 
 std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan, const fs::path& scratch) {

@@ -229,24 +229,19 @@ void print_fuzz(const FuzzRun& run, bool json) {
   }
 }
 
-int print_case(const fuzz::Campaign& campaign, std::size_t number, bool json) {
+int print_case(const fuzz::Campaign& campaign, const fuzz::OneCase& one, bool json) {
+  const bool holds = one.findings().empty();
   ordered_json report = ordered_json::array();
-  std::vector<const fuzz::Finding*> found;
-  for (const auto& [key, finding] : campaign.findings()) {
-    if (key.first == number) found.push_back(&finding);
-  }
-  if (!json)
-    fmt::print("case {}{}\n", number,
-               found.empty() ? ": holds" : ", of seed " + std::to_string(campaign.plan().seed));
-  for (const fuzz::Finding* finding : found) {
+  if (!json) fmt::print("case {} of seed {}{}\n", one.number(), campaign.plan().seed, holds ? ": holds" : "");
+  for (const auto& [kind, finding] : one.findings()) {
     if (json) {
-      report.push_back(finding_json(campaign, *finding));
+      report.push_back(finding_json(campaign, finding));
     } else {
-      print_finding(campaign, *finding);
+      print_finding(campaign, finding);
     }
   }
   if (json) fmt::print("{}\n", report.dump(2, ' ', false, ordered_json::error_handler_t::replace));
-  return found.empty() ? kRight : kNegativeVerdict;
+  return holds ? kRight : kNegativeVerdict;
 }
 
 int verdict_of(const fuzz::Campaign& campaign) {

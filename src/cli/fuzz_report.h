@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/campaign/one_case.h"
 
 namespace flowcert {
 
@@ -18,8 +19,8 @@ struct FuzzRun {
 
 void print_fuzz(const FuzzRun& run, bool json);
 
-// Of one case alone, and the exit status.
-[[nodiscard]] int print_case(const fuzz::Campaign& campaign, std::size_t number, bool json);
+// Of one case alone, which is done; the exit status.
+[[nodiscard]] int print_case(const fuzz::Campaign& campaign, const fuzz::OneCase& one, bool json);
 
 // The exit status: whether a case failed.
 [[nodiscard]] int verdict_of(const fuzz::Campaign& campaign);

@@ -199,6 +199,10 @@ TEST(FuzzCommand, DoesOneCaseAgain) {
   EXPECT_NE(again.out.find(file), std::string::npos) << again.out;
   EXPECT_EQ(flowcert({"fuzz", "--replay", file, "--against", peer("--strict")}).status, 1);
   EXPECT_EQ(flowcert({"fuzz", "--resume", folder, "--case", "120"}).status, 2);
+  EXPECT_EQ(flowcert({"fuzz", "--case", "18446744073709551615"}).status, 2);
+  // Without a folder the merged campaign has nowhere to put its files.
+  const Finished merged = flowcert({"fuzz", "merge", folder});
+  EXPECT_EQ(merged.status, 1) << merged.err;
   const Finished right = flowcert({"fuzz", "--case", "7", "--property", "critical-points", "--json"});
   EXPECT_EQ(right.status, 0) << right.err;
   EXPECT_EQ(json::parse(right.out), json::array());

@@ -3,101 +3,21 @@
 // told to.
 #include "fuzz/campaign/campaign.h"
 
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <fstream>
-#include <set>
+#include <sstream>
 #include <stdexcept>
-#include <system_error>
 
 #include "fuzz/campaign/message.h"
-#include "fuzz/campaign/worker_processes.h"
+#include "fuzz/campaign/one_case.h"
+#include "tests/unit/campaign_fixture.h"
 
 namespace flowcert::fuzz {
 namespace {
-
-namespace fs = std::filesystem;
-using property::Disagreement;
-using property::Property;
-using property::Trial;
-
-class CampaignTest : public testing::Test {
- protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "flowcert-test-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  fs::path folder_;
-};
-
-CampaignPlan small_plan() {
-  CampaignPlan plan;
-  plan.seed = 7;
-  plan.batch_cases = 40;
-  return plan;
-}
-
-// Fails on inputs of at least so many rows.
-Property rows_property(std::size_t rows) {
-  return {.name = "rows", .description = "few rows", .check = [rows](const Trial& trial) {
-            return trial.input.rows.size() < rows
-                       ? std::nullopt
-                       : std::optional(Disagreement{"too-many", "FC-IN-01", "too many rows", "", "", "", ""});
-          }};
-}
-
-void work(
-    Campaign& campaign, const std::vector<Property>& properties, unsigned jobs,
-    const std::function<bool()>& is_stopped = [] { return false; }) {
-  WorkOptions options;
-  options.jobs = jobs;
-  options.hang_seconds = 2;
-  options.is_stopped = is_stopped;
-  options.progress = [](std::size_t) {};
-  work_on(campaign, properties, options);
-}
-
-// All that has to be the same: times are left out.
-std::string account_of(const Campaign& campaign) {
-  std::string text = std::to_string(campaign.tally().cases) + '\n';
-  for (const auto& [name, count] : campaign.tally().by_source)
-    text += name + ' ' + std::to_string(count) + '\n';
-  for (const auto& [name, count] : campaign.tally().by_mutation)
-    text += name + ' ' + std::to_string(count) + '\n';
-  for (const auto& [name, numbers] : campaign.tally().failures) {
-    text += name;
-    for (const std::size_t number : numbers) text += ' ' + std::to_string(number);
-    text += '\n';
-  }
-  for (const auto& [signature, where] : campaign.signatures()) {
-    text += to_text(signature) + ' ' + std::to_string(where.number) + '\n';
-  }
-  for (const auto& [key, finding] : campaign.findings()) {
-    text += campaign.file_of(finding).filename().string() + '\n' + file_text(finding);
-  }
-  return text;
-}
-
-std::set<std::string> names_in(const fs::path& folder) {
-  std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
-  return names;
-}
-
-std::string account_of_run(const CampaignPlan& plan, std::size_t cases, unsigned jobs,
-                           const fs::path& folder) {
-  Campaign campaign(plan, cases, folder);
-  work(campaign, {rows_property(8)}, jobs);
-  return account_of(campaign);
-}
 
 TEST_F(CampaignTest, IsTheSameWithAnyNumberOfJobs) {
   const std::string one = account_of_run(small_plan(), 410, 1, folder_ / "one");
@@ -148,14 +68,70 @@ TEST_F(CampaignTest, AFailingCaseCanBeDoneAgainByItsNumber) {
   EXPECT_EQ(some.tally().failures, all.tally().failures);
   EXPECT_EQ(some.findings().size(), 3U);
   for (const std::size_t number : failing) {
-    some.do_only(number);
-    work(some, {rows_property(8)}, 1);
-    const std::pair key(number, std::string("rows too-many"));
-    ASSERT_TRUE(some.findings().contains(key)) << number;
-    EXPECT_EQ(file_text(some.findings().at(key)), file_text(all.findings().at(key)));
-    EXPECT_TRUE(fs::exists(some.file_of(some.findings().at(key))));
+    OneCase one(some, number);
+    work(one, {rows_property(8)}, 1);
+    EXPECT_TRUE(one.is_done());
+    const std::string expected = file_text(all.findings().at({number, "rows too-many"}));
+    ASSERT_EQ(one.findings().size(), 1U) << number;
+    EXPECT_EQ(file_text(one.findings().at("rows too-many")), expected);
+    EXPECT_EQ(file_text(some.findings().at({number, "rows too-many"})), expected);
+    EXPECT_TRUE(fs::exists(some.file_of(one.findings().at("rows too-many"))));
   }
   EXPECT_EQ(some.tally().cases, 120U);
+  for (const std::size_t number : {std::size_t{120}, ~std::size_t{0}}) {
+    EXPECT_THROW(OneCase(some, number), std::invalid_argument);
+  }
+}
+
+// What the case was before is not what it is now.
+TEST_F(CampaignTest, ACaseThatIsDoneAgainIsJudgedAnew) {
+  const fs::path folder = folder_ / "campaign";
+  std::size_t number = 0;
+  std::set<std::string> files;
+  {
+    Campaign campaign = Campaign::begun(small_plan(), 400, folder);
+    work(campaign, {rows_property(8)}, 1);
+    number = *campaign.tally().failures.at("rows too-many").rbegin();
+    OneCase mended(campaign, number);
+    work(mended, {rows_property(100)}, 1);
+    EXPECT_TRUE(mended.is_done());
+    EXPECT_TRUE(mended.findings().empty());
+    OneCase worse(campaign, number);
+    work(worse, {rows_property(3)}, 1);
+    ASSERT_EQ(worse.findings().size(), 1U);
+    EXPECT_EQ(worse.findings().begin()->second.trial.input.rows.size(), 3U);
+    files = names_in(folder / "findings");
+    EXPECT_EQ(files.size(), kMostFindingsOfKind + 1);
+  }
+  // Nor does its file go when the campaign goes on.
+  Campaign campaign = Campaign::resumed(folder, 800);
+  work(campaign, {rows_property(8)}, 1);
+  EXPECT_EQ(names_in(folder / "findings"), files);
+  EXPECT_EQ(campaign.findings().at({number, "rows too-many"}).trial.input.rows.size(), 3U);
+}
+
+TEST_F(CampaignTest, ACaseThatIsKilledOrStoppedIsNotDone) {
+  Campaign campaign(small_plan(), 40, folder_ / "findings");
+  Property slow = rows_property(100);
+  slow.check = [](const Trial&) -> std::optional<Disagreement> {
+    ::sleep(60);
+    return std::nullopt;
+  };
+  const auto start = std::chrono::steady_clock::now();
+  OneCase stopped(campaign, 3);
+  work(stopped, {slow}, 1,
+       [&] { return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(200); });
+  EXPECT_FALSE(stopped.is_done());
+  Property killed = rows_property(100);
+  killed.check = [](const Trial&) -> std::optional<Disagreement> {
+    ::raise(SIGKILL);
+    return std::nullopt;
+  };
+  OneCase twice(campaign, 3);
+  work(twice, {killed}, 1);
+  EXPECT_TRUE(twice.is_done());
+  ASSERT_EQ(twice.findings().size(), 1U);
+  EXPECT_EQ(twice.findings().begin()->second.disagreement.kind, "crash");
 }
 
 TEST_F(CampaignTest, ReadingLeavesAFolderAsItIs) {
@@ -243,118 +219,6 @@ TEST_F(CampaignTest, KilledOutrightLosesNoFinding) {
     work(campaign, {rows_property(8)}, 2);
     EXPECT_EQ(account_of(campaign), whole);
   }
-}
-
-TEST_F(CampaignTest, ACaseThatEndsItsProcessIsAFinding) {
-  Property property = rows_property(100);
-  property.check = [](const Trial& trial) -> std::optional<Disagreement> {
-    if (trial.input.rows.size() >= 9) ::raise(SIGSEGV);
-    return std::nullopt;
-  };
-  CampaignPlan plan = small_plan();
-  plan.searched_percent = 0;
-  Campaign campaign(plan, 80, folder_ / "findings");
-  work(campaign, {property}, 2);
-  ASSERT_FALSE(campaign.findings().empty());
-  for (const auto& [key, finding] : campaign.findings()) {
-    EXPECT_EQ(finding.disagreement.kind, "crash");
-    EXPECT_EQ(finding.property, "rows");
-    EXPECT_EQ(finding.trial.input.rows.size(), 9U);
-  }
-  EXPECT_EQ(campaign.tally().cases + campaign.findings().size(), 80U);
-  EXPECT_TRUE(campaign.is_settled());
-}
-
-TEST_F(CampaignTest, ACaseThatHangsIsAFinding) {
-  Property property = rows_property(100);
-  property.check = [](const Trial& trial) -> std::optional<Disagreement> {
-    if (trial.input.rows.size() >= 12) ::sleep(60);
-    return std::nullopt;
-  };
-  CampaignPlan plan = small_plan();
-  plan.searched_percent = 0;
-  Campaign campaign(plan, 80, folder_ / "findings");
-  work(campaign, {property}, 1);
-  ASSERT_FALSE(campaign.findings().empty());
-  for (const auto& [key, finding] : campaign.findings()) EXPECT_EQ(finding.disagreement.kind, "hang");
-}
-
-// Which is how whoever runs it, or a system without memory, ends a process.
-TEST_F(CampaignTest, ACaseIsNotBlamedForTheFirstSigkill) {
-  const fs::path marks = folder_ / "marks";
-  fs::create_directory(marks);
-  Property property = rows_property(100);
-  property.check = [&](const Trial& trial) -> std::optional<Disagreement> {
-    const std::size_t rows = trial.input.rows.size();
-    const bool is_first = rows == 11 && std::ofstream(marks / "of-11", std::ios::app).tellp() == 0;
-    if (is_first) std::ofstream(marks / "of-11") << "killed";
-    if (rows == 12 || is_first) ::raise(SIGKILL);
-    return std::nullopt;
-  };
-  CampaignPlan plan = small_plan();
-  plan.searched_percent = 0;
-  Campaign campaign(plan, 200, folder_ / "findings");
-  work(campaign, {property}, 1);
-  EXPECT_TRUE(fs::exists(marks / "of-11"));
-  ASSERT_FALSE(campaign.findings().empty());
-  for (const auto& [key, finding] : campaign.findings()) {
-    EXPECT_EQ(finding.disagreement.kind, "crash");
-    EXPECT_EQ(finding.rows_before, 12U);
-    EXPECT_NE(finding.source, "");
-  }
-  EXPECT_EQ(campaign.tally().cases + campaign.findings().size(), 200U);
-}
-
-TEST_F(CampaignTest, WhatTheMachineLacksIsNoFinding) {
-  Property property = rows_property(100);
-  property.check = [](const Trial& trial) -> std::optional<Disagreement> {
-    if (trial.input.rows.size() >= 5) throw std::system_error(ENOSPC, std::generic_category(), "scratch");
-    return std::nullopt;
-  };
-  Campaign campaign(small_plan(), 40, folder_ / "findings");
-  EXPECT_THROW(work(campaign, {property}, 2), property::MachineFailure);
-  EXPECT_TRUE(campaign.findings().empty());
-}
-
-TEST_F(CampaignTest, StopsInTheMiddleOfALongCase) {
-  const std::string whole = account_of_run(small_plan(), 80, 1, folder_ / "whole");
-  const fs::path folder = folder_ / "campaign";
-  Property slow = rows_property(8);
-  slow.check = [](const Trial&) -> std::optional<Disagreement> {
-    ::sleep(60);
-    return std::nullopt;
-  };
-  {
-    Campaign campaign = Campaign::begun(small_plan(), 80, folder);
-    const auto start = std::chrono::steady_clock::now();
-    WorkOptions options;
-    options.jobs = 2;
-    options.is_stopped = [&] {
-      return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(300);
-    };
-    options.progress = [](std::size_t) {};
-    work_on(campaign, {slow}, options);
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
-    EXPECT_TRUE(campaign.findings().empty());
-    EXPECT_TRUE(campaign.is_settled());
-  }
-  Campaign campaign = Campaign::resumed(folder, std::nullopt);
-  work(campaign, {rows_property(8)}, 1);
-  EXPECT_EQ(account_of(campaign), whole);
-}
-
-TEST_F(CampaignTest, ExceptionsAreFindings) {
-  Property property = rows_property(100);
-  property.check = [](const Trial& trial) -> std::optional<Disagreement> {
-    if (trial.input.rows.size() >= 5) throw std::logic_error("five rows \xff and more");
-    return std::nullopt;
-  };
-  Campaign campaign(small_plan(), 40, folder_ / "findings");
-  work(campaign, {property}, 1);
-  ASSERT_EQ(campaign.findings().size(), 1U);
-  const Finding& finding = campaign.findings().begin()->second;
-  EXPECT_EQ(finding.disagreement.kind, "throws");
-  EXPECT_EQ(finding.trial.input.rows.size(), 5U);
 }
 
 TEST_F(CampaignTest, RefusesFoldersThatItCannotUse) {

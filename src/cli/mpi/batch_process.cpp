@@ -48,6 +48,8 @@ class DistantCampaign : public fuzz::BatchSource {
     if (!fuzz::write_line(messages_, line)) throw std::runtime_error("the rank of this process is gone");
   }
   bool is_stopped() {
+    // It may have come together with the order.
+    is_stopped_ = is_stopped_ || is_told_to_stop();
     pollfd waited{orders_, POLLIN, 0};
     if (!is_stopped_ && ::poll(&waited, 1, 0) > 0) is_stopped_ = !reader_.read_more() || is_told_to_stop();
     return is_stopped_;

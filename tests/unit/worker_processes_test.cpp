@@ -1,0 +1,204 @@
+// The processes that work on campaigns: that whatever ends one of them, a case, a stop, somebody else, or
+// what the machine lacks, is told apart, and costs no case and no finding.
+#include "fuzz/campaign/worker_processes.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <stdexcept>
+#include <system_error>
+
+#include "tests/unit/campaign_fixture.h"
+
+namespace flowcert::fuzz {
+namespace {
+
+using WorkerProcessesTest = CampaignTest;
+
+TEST_F(WorkerProcessesTest, ACaseThatEndsItsProcessIsAFinding) {
+  Property property = rows_property(100);
+  property.check = [](const Trial& trial) -> std::optional<Disagreement> {
+    if (trial.input.rows.size() >= 9) ::raise(SIGSEGV);
+    return std::nullopt;
+  };
+  CampaignPlan plan = small_plan();
+  plan.searched_percent = 0;
+  Campaign campaign(plan, 80, folder_ / "findings");
+  work(campaign, {property}, 2);
+  ASSERT_FALSE(campaign.findings().empty());
+  for (const auto& [key, finding] : campaign.findings()) {
+    EXPECT_EQ(finding.disagreement.kind, "crash");
+    EXPECT_EQ(finding.property, "rows");
+    EXPECT_EQ(finding.trial.input.rows.size(), 9U);
+  }
+  EXPECT_EQ(campaign.tally().cases + campaign.findings().size(), 80U);
+  EXPECT_TRUE(campaign.is_settled());
+}
+
+TEST_F(WorkerProcessesTest, ACaseThatHangsIsAFinding) {
+  Property property = rows_property(100);
+  property.check = [](const Trial& trial) -> std::optional<Disagreement> {
+    if (trial.input.rows.size() >= 12) ::sleep(60);
+    return std::nullopt;
+  };
+  CampaignPlan plan = small_plan();
+  plan.searched_percent = 0;
+  Campaign campaign(plan, 80, folder_ / "findings");
+  work(
+      campaign, {property}, 1, [] { return false; }, 2);
+  ASSERT_FALSE(campaign.findings().empty());
+  for (const auto& [key, finding] : campaign.findings()) EXPECT_EQ(finding.disagreement.kind, "hang");
+}
+
+// Which is how whoever runs it, or a system without memory, ends a process.
+TEST_F(WorkerProcessesTest, ACaseIsNotBlamedForTheFirstSigkill) {
+  const fs::path marks = folder_ / "marks";
+  fs::create_directory(marks);
+  Property property = rows_property(100);
+  property.check = [&](const Trial& trial) -> std::optional<Disagreement> {
+    const std::size_t rows = trial.input.rows.size();
+    const bool is_first = rows == 11 && std::ofstream(marks / "of-11", std::ios::app).tellp() == 0;
+    if (is_first) std::ofstream(marks / "of-11") << "killed";
+    if (rows == 12 || is_first) ::raise(SIGKILL);
+    return std::nullopt;
+  };
+  CampaignPlan plan = small_plan();
+  plan.searched_percent = 0;
+  Campaign campaign(plan, 200, folder_ / "findings");
+  work(campaign, {property}, 1);
+  EXPECT_TRUE(fs::exists(marks / "of-11"));
+  ASSERT_FALSE(campaign.findings().empty());
+  for (const auto& [key, finding] : campaign.findings()) {
+    EXPECT_EQ(finding.disagreement.kind, "crash");
+    EXPECT_EQ(finding.rows_before, 12U);
+    EXPECT_NE(finding.source, "");
+  }
+  EXPECT_EQ(campaign.tally().cases + campaign.findings().size(), 200U);
+}
+
+// Whatever they are at: most of these come when nothing is tried.
+TEST_F(WorkerProcessesTest, OutlivesTheKillingOfItsProcesses) {
+  const fs::path marks = folder_ / "marks";
+  Property property = rows_property(8);
+  property.check = [&, usual = property.check](const Trial& trial) {
+    std::ofstream(marks, std::ios::app) << '.';
+    const bool is_time = fs::file_size(marks) % 97 == 0;
+    const pid_t worker = ::getpid();
+    if (is_time && ::fork() == 0) {
+      ::usleep(500);
+      ::kill(worker, SIGKILL);
+      ::_exit(0);
+    }
+    return usual(trial);
+  };
+  Campaign campaign(small_plan(), 410, folder_ / "findings");
+  work(campaign, {property}, 1);
+  std::set<std::size_t> killed_twice;
+  for (const auto& [key, finding] : campaign.findings()) {
+    if (ends_process(finding)) killed_twice.insert(key.first);
+  }
+  EXPECT_LT(killed_twice.size(), 3U);
+  EXPECT_EQ(campaign.tally().cases + killed_twice.size(), 410U);
+}
+
+// A stop, whenever it comes, leaves nothing half small.
+TEST_F(WorkerProcessesTest, StoppedWhileMakingSmallItEndsTheSame) {
+  CampaignPlan plan = small_plan();
+  plan.batch_cases = 5;
+  for (const bool crashes : {false, true}) {
+    Property property = rows_property(6);
+    property.check = [&, usual = property.check](const Trial& trial) {
+      const auto found = usual(trial);
+      ::usleep(found ? 2000 : 0);
+      if (found && crashes) ::raise(SIGSEGV);
+      return found;
+    };
+    const auto account = [&](const fs::path& folder, int stops) {
+      Campaign::begun(plan, 20, folder);
+      for (int k = 0; k < stops; ++k) {
+        Campaign campaign = Campaign::resumed(folder, std::nullopt);
+        const auto start = std::chrono::steady_clock::now();
+        const std::chrono::milliseconds span(15 * (k + 1));
+        work(campaign, {property}, 1, [&] { return std::chrono::steady_clock::now() - start > span; });
+      }
+      Campaign campaign = Campaign::resumed(folder, std::nullopt);
+      work(campaign, {property}, 1);
+      for (const auto& [key, finding] : campaign.findings()) EXPECT_TRUE(finding.is_small);
+      return account_of(campaign);
+    };
+    const std::string name = crashes ? "crashing" : "failing";
+    const std::string whole = account(folder_ / name, 0);
+    EXPECT_NE(whole.find(crashes ? "crash" : "too-many"), std::string::npos);
+    EXPECT_EQ(account(folder_ / (name + "-stopped"), 5), whole);
+  }
+}
+
+TEST_F(WorkerProcessesTest, ACrashForWantOfAMachineIsNotMadeSmall) {
+  Property property = rows_property(100);
+  const pid_t test = ::getpid();
+  property.check = [&](const Trial& trial) -> std::optional<Disagreement> {
+    if (trial.input.rows.size() < 9) return std::nullopt;
+    // A worker is the child of the test, and those that make a crash small are children of workers.
+    if (::getppid() != test) throw property::MachineFailure("no more processes");
+    ::raise(SIGSEGV);
+    return std::nullopt;
+  };
+  CampaignPlan plan = small_plan();
+  plan.searched_percent = 0;
+  Campaign campaign(plan, 80, folder_ / "findings");
+  EXPECT_THROW(work(campaign, {property}, 1), property::MachineFailure);
+  ASSERT_EQ(campaign.findings().size(), 1U);
+  EXPECT_GE(campaign.findings().begin()->second.trial.input.rows.size(), 9U);
+}
+
+TEST_F(WorkerProcessesTest, WhatTheMachineLacksIsNoFinding) {
+  Property property = rows_property(100);
+  property.check = [](const Trial& trial) -> std::optional<Disagreement> {
+    if (trial.input.rows.size() >= 5) throw std::system_error(ENOSPC, std::generic_category(), "scratch");
+    return std::nullopt;
+  };
+  Campaign campaign(small_plan(), 40, folder_ / "findings");
+  EXPECT_THROW(work(campaign, {property}, 2), property::MachineFailure);
+  EXPECT_TRUE(campaign.findings().empty());
+}
+
+TEST_F(WorkerProcessesTest, StopsInTheMiddleOfALongCase) {
+  const std::string whole = account_of_run(small_plan(), 80, 1, folder_ / "whole");
+  const fs::path folder = folder_ / "campaign";
+  Property slow = rows_property(8);
+  slow.check = [](const Trial&) -> std::optional<Disagreement> {
+    ::sleep(60);
+    return std::nullopt;
+  };
+  {
+    Campaign campaign = Campaign::begun(small_plan(), 80, folder);
+    const auto start = std::chrono::steady_clock::now();
+    work(campaign, {slow}, 2,
+         [&] { return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(300); });
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+    EXPECT_TRUE(campaign.findings().empty());
+    EXPECT_TRUE(campaign.is_settled());
+  }
+  Campaign campaign = Campaign::resumed(folder, std::nullopt);
+  work(campaign, {rows_property(8)}, 1);
+  EXPECT_EQ(account_of(campaign), whole);
+}
+
+TEST_F(WorkerProcessesTest, ExceptionsAreFindings) {
+  Property property = rows_property(100);
+  property.check = [](const Trial& trial) -> std::optional<Disagreement> {
+    if (trial.input.rows.size() >= 5) throw std::logic_error("five rows \xff and more");
+    return std::nullopt;
+  };
+  Campaign campaign(small_plan(), 40, folder_ / "findings");
+  work(campaign, {property}, 1);
+  ASSERT_EQ(campaign.findings().size(), 1U);
+  const Finding& finding = campaign.findings().begin()->second;
+  EXPECT_EQ(finding.disagreement.kind, "throws");
+  EXPECT_EQ(finding.trial.input.rows.size(), 5U);
+}
+
+}  // namespace
+}  // namespace flowcert::fuzz
