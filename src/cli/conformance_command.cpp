@@ -92,13 +92,13 @@ std::vector<const VectorCase*> chosen_cases(const Vectors& vectors,
 }
 
 void print_list(const std::vector<const VectorCase*>& cases) {
-  std::vector<std::vector<std::string>> rows;
+  Table table("lll");
   for (const VectorCase* one : cases) {
     std::string flags;
     for (const std::string& flag : one->flags) flags += (flags.empty() ? "" : " ") + flag;
-    rows.push_back({one->id, one->comment, flags});
+    table.row(one->id).cell(one->comment).cell(flags);
   }
-  print_columns(rows, "lll");
+  table.print();
 }
 
 // ---- Running
