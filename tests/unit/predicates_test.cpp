@@ -48,6 +48,7 @@ Sign sign_of_int(int sign) { return static_cast<Sign>(sign); }
 // How often each rung was the first to answer.
 struct Decided {
   std::uint64_t by_double = 0, by_wide = 0, by_big = 0, zeros = 0;
+  std::uint64_t narrow = 0;  // answered by the narrow integers too
   [[nodiscard]] std::uint64_t total() const { return by_double + by_wide + by_big; }
 };
 
@@ -55,9 +56,14 @@ struct Decided {
 template <class Query>
 void compare_rungs(const Query& query, Decided& decided) {
   const MaybeSign by_double = sign_on_rung(query, Rung::kDouble);
+  const MaybeSign by_narrow = sign_on_rung(query, Rung::kNarrow);
   const MaybeSign by_wide = sign_on_rung(query, Rung::kWide);
   const MaybeSign by_big = sign_on_rung(query, Rung::kBig);
   ASSERT_TRUE(by_big.has_value());
+  if (by_narrow) {
+    ASSERT_EQ(*by_narrow, *by_big);
+    ASSERT_TRUE(by_wide.has_value()) << "what fits fewer bits fits more";
+  }
   if (by_wide) {
     ASSERT_EQ(*by_wide, *by_big);
   }
@@ -72,6 +78,7 @@ void compare_rungs(const Query& query, Decided& decided) {
   expected[Query::kPredicate] = {1, by_double ? 0u : 1u};
   ASSERT_EQ(tally.counts, expected.counts);
   decided.zeros += *by_big == Sign::kZero ? 1 : 0;
+  decided.narrow += by_narrow ? 1 : 0;
   ++(by_double ? decided.by_double : by_wide ? decided.by_wide : decided.by_big);
 }
 
@@ -224,6 +231,8 @@ TYPED_TEST(PredicateTest, NoRungContradictsTheNext) {
   EXPECT_GT(seen[TupleKind::kRounded].by_wide, seen[TupleKind::kRounded].zeros);
   EXPECT_GT(seen[TupleKind::kOneUlp].by_wide, 100u);
   EXPECT_GT(seen[TupleKind::kFarOff].zeros, 30u);
+  EXPECT_EQ(seen[TupleKind::kLattice].narrow, kQueries);
+  EXPECT_LT(seen[TupleKind::kMagnitudes].narrow, kQueries / 2);
   EXPECT_GT(seen[TupleKind::kMagnitudes].by_big, kQueries / 2);
   EXPECT_EQ(seen[TupleKind::kSubnormal].by_wide, kQueries) << "such norms are outside the filter's range";
   EXPECT_GT(seen[TupleKind::kSubnormal].zeros, 30u);
