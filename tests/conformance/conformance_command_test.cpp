@@ -346,6 +346,30 @@ TEST_F(ConformanceCommand, KeepsWhatIsNeededToSeeForOneself) {
   EXPECT_EQ(run({"--against", script("mkfifo \"$2\""), "--case", kTetrahedron, "--keep", folder}).status, 1);
   EXPECT_FALSE(fs::exists(kept + "/claim"));
   EXPECT_EQ(content_of(kept + "/stdout"), "");
+  // Where a folder cannot be made, the run ends, however many cases run at a time.
+  const std::string other = scratch_.path("other");
+  fs::create_directory(other);
+  for (const char* id : {kTetrahedron, "unstable-manifolds-0003"})
+    std::ofstream(other + "/" + id) << "in the way";
+  const Finished ended =
+      run({"--against", command, "--group", "unstable-manifolds", "--keep", other, "--jobs", "2"});
+  EXPECT_EQ(ended.status, 2) << ended.out;
+  EXPECT_EQ(ended.out, "");
+  EXPECT_EQ(lines_of(ended.err).size(), 1U) << ended.err;
+  EXPECT_NE(ended.err.find("unstable-manifolds-000"), std::string::npos) << ended.err;
+}
+
+// On a terminal a line tells how many cases are done, from two seconds on, and is taken back in the end.
+TEST_F(ConformanceCommand, TellsAUserHowFarItIs) {
+  CITES("FC-CLAIM-03");
+  const std::string typed =
+      std::string(FLOWCERT_PROGRAM) + " conformance --vectors '" + few_vectors->folder() +
+      "' --group flat-inputs --against 'sleep 0.6; exit 1 # {in}' > '" + scratch_.path("out") + "'";
+  const std::string seen = RunningProgram({"/usr/bin/script", "-qec", typed, "/dev/null"}).finish().out;
+  EXPECT_NE(seen.find("\rcases [#"), std::string::npos) << seen;
+  EXPECT_NE(seen.find(" s left\033[K"), std::string::npos) << seen;
+  EXPECT_TRUE(seen.ends_with("\r\033[K")) << seen;
+  EXPECT_NE(content_of(scratch_.path("out")).find("6 cases in "), std::string::npos);
 }
 
 // The README's example, in a folder with a program build/flowcert.

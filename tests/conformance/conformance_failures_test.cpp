@@ -288,6 +288,9 @@ TEST_F(ConformanceCommand, ComparesPersistencePairs) {
   expect_wrong(text("0 0 2.5\n0 0 4\n1 4.5 5\n"), none, "dimension 0, birth 0, death inf");
   expect_wrong(changed("s/\"squared_distance\":\"9\\/2\"/\"squared_distance\":\"13\\/3\"/"),
                "dimension 1, birth 13/3, death 5", "dimension 1, birth 9/2, death 5");
+  expect_wrong(
+      changed("s/\"squared_distance\":\"9\\/2\"/\"squared_distance\":\"1" + std::string(60, '0') + "\"/"),
+      "dimension 1, birth 1" + std::string(59, '0') + "..., death 5", "dimension 1, birth 9/2, death 5");
   expect_wrong(changed("s/\"death\":{\"contact\":\\[0,1,2\\][^}]*}/\"death\":null/"),
                "dimension 1, birth 9/2, death inf", "dimension 1, birth 9/2, death 5");
 }
@@ -313,6 +316,16 @@ TEST_F(ConformanceCommand, KnowsOutcomesOfThePersistenceCommandApart) {
          "unreadable", "'squared_distance' is no string");
   expect("echo no >&2; exit 3", "refused", "exit status 3: no");
   expect("kill -SEGV $$", "crashed", "SIGSEGV");
+  for (const std::string word : {"-1", "1x", "9999999999"}) {
+    expect("echo " + word + " 0 1", "unreadable",
+           "standard output:1: no dimension 0, 1 or 2: '" + word + "'");
+  }
+  expect("echo '{\"pairs\":5}'", "unreadable", "'pairs' is no array");
+  expect("echo '{\"pairs\":[5]}'", "unreadable", "no object that could have 'dimension'");
+  for (const std::string dimension : {"-1", "3", "\"1\"", "0.5"}) {
+    expect("echo '{\"pairs\":[{\"dimension\":" + dimension + "}]}'", "unreadable",
+           "'dimension' is not 0, 1 or 2");
+  }
   const json missing = only_case_of(
       as_json({"--against", kCompute, "--persistence-against", "true {in} {out}", "--case", kTrianglePairs}));
   EXPECT_EQ(missing["outcome"], "unreadable") << missing;
