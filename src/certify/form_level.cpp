@@ -131,11 +131,11 @@ std::string fault_of_stable(const PointSet& points, const ClaimedPoint& point) {
 
 std::string fault_of(const PointSet& points, const ClaimedPoint& point) {
   if (point.contact.empty() && !point.center) return "neither a contact set nor a position";
-  for (const std::string& fault : {fault_of_index(point), fault_of_ids(points, point.contact),
-                                   fault_of_successors(points, point), fault_of_stable(points, point)}) {
-    if (!fault.empty()) return fault;
-  }
-  return "";
+  std::string fault = fault_of_index(point);
+  if (fault.empty()) fault = fault_of_ids(points, point.contact);
+  if (fault.empty()) fault = fault_of_successors(points, point);
+  if (fault.empty()) fault = fault_of_stable(points, point);
+  return fault;
 }
 
 }  // namespace

@@ -20,10 +20,9 @@ struct Difference {
   std::string truth;
 };
 
-std::string end_text(const std::optional<ClaimedPosition>& end) {
-  return end ? position_text(*end) : "infinity";
-}
-std::string end_text(const std::optional<RationalPoint>& end) {
+// Of a claimed position, or of a true one.
+template <typename Position>
+std::string end_text(const std::optional<Position>& end) {
   return end ? position_text(*end) : "infinity";
 }
 
@@ -59,6 +58,7 @@ class Polylines {
     return limit && run_.index(*limit) != StationaryIndex{3, 3};
   }
 
+  // The true one has a segment at least: an index-2 critical point's orbits leave it.
   Difference difference(const ClaimedPolyline& claimed, const std::vector<TrueSegment>& truth,
                         const ValueScale& scale) {
     for (std::size_t i = 0; i < claimed.size() && i < truth.size(); ++i) {
@@ -68,8 +68,7 @@ class Polylines {
     }
     if (claimed.size() == truth.size()) return {};
     return {true, false, claimed.size() > truth.size(), std::to_string(claimed.size()) + " segments",
-            std::to_string(truth.size()) + " segments, to " +
-                (truth.empty() ? "nowhere" : end_text(truth.back().end))};
+            std::to_string(truth.size()) + " segments, to " + end_text(truth.back().end)};
   }
 
   Difference difference(const ClaimedSegment& claimed, const TrueSegment& truth, const std::string& where,

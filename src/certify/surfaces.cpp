@@ -4,7 +4,9 @@
 // perturbation would not make, that is what lies beyond a Voronoi vertex, or else add what it might make
 // beyond a regular stationary point.
 #include <algorithm>
+#include <array>
 #include <map>
+#include <span>
 #include <string>
 
 #include "certify/boundaries.h"
@@ -19,13 +21,17 @@ namespace {
 
 constexpr char kClause[] = "FC-CLAIM-10";
 
+// By corner, or by side.
+template <typename Each>
+using Triangle = std::array<Each, 3>;
+
 // By segment: whether it is reached from z without passing a Voronoi vertex.
 std::vector<bool> determined_segments(const StableSet& set, const RationalPoint& z, StationaryIndex index) {
   std::vector<bool> determined(set.segments.size(), false);
   if (index.hull_dimension == 3) return determined;
   std::multimap<RationalPoint, std::size_t> by_front;
   for (std::size_t i = 0; i < set.segments.size(); ++i) by_front.emplace(set.segments[i].front, i);
-  std::vector<RationalPoint> fronts = {z};
+  std::vector<RationalPoint> fronts(1, z);
   while (!fronts.empty()) {
     const auto [first, last] = by_front.equal_range(fronts.back());
     fronts.pop_back();
@@ -93,8 +99,7 @@ class Surfaces {
         find(k, FindingReason::kWrongSurface, what, "otherwise");
       }
     };
-    compare(claimed.segments, truth.segments,
-            claimed.segments ? std::to_string(*claimed.segments) + " segments" : "");
+    compare(claimed.segments, truth.segments, std::to_string(claimed.segments.value_or(0)) + " segments");
     compare(claimed.has_vertex, truth.has_vertex, "has_vertex");
     compare(claimed.has_interval, truth.has_interval, "has_interval");
   }
@@ -248,17 +253,18 @@ class Surfaces {
   }
 
   // Squared, of a triangle from that of its corners, perhaps a sample, that has the others nearest.
-  static Rational least_reach(const std::vector<ClaimedPosition>& corners) {
-    std::array<Rational, 3> sides;
+  static Rational least_reach(const Triangle<ClaimedPosition>& corners) {
+    Triangle<Rational> sides;
     for (std::size_t i = 0; i < 3; ++i) {
-      sides.at(i) = squared_distance(values_of(corners[i]), values_of(corners[(i + 1) % 3]));
+      sides[i] = squared_distance(values_of(corners[i]), values_of(corners[(i + 1) % 3]));
     }
-    return std::min(
-        {std::max(sides[0], sides[1]), std::max(sides[1], sides[2]), std::max(sides[2], sides[0])});
+    // From the corner opposite the longest side, the others are as far as the second longest.
+    std::ranges::sort(sides);
+    return sides[1];
   }
 
   // From any corner, either way around.
-  ValueMatch match_ring(const std::vector<ClaimedPosition>& claimed, const std::vector<RationalPoint>& truth,
+  ValueMatch match_ring(std::span<const ClaimedPosition> claimed, std::span<const RationalPoint> truth,
                         const ValueScale& scale) {
     const std::size_t n = truth.size();
     if (claimed.size() != n) return ValueMatch::kOff;
@@ -280,15 +286,15 @@ class Surfaces {
       run_.leave_unjudged("surfaces of stable sets that have parts of dimension 3");
       return;
     }
-    std::vector<std::vector<RationalPoint>> truth;
+    std::vector<Triangle<RationalPoint>> truth;
     for (const BackwardSegment& segment : set.segments) {
       for (const PointId name : segment.samples) {
         truth.push_back({exact_position(sample(run_.points, name)), segment.front, segment.back});
       }
     }
     const auto corners = [&](const std::array<std::size_t, 3>& triangle) {
-      return std::vector{claimed.vertices[triangle[0]], claimed.vertices[triangle[1]],
-                         claimed.vertices[triangle[2]]};
+      return Triangle<ClaimedPosition>{claimed.vertices[triangle[0]], claimed.vertices[triangle[1]],
+                                       claimed.vertices[triangle[2]]};
     };
     const std::optional<Rational> regular = value_of_regular_backs(run_.points, set);
     judge(k,

@@ -62,7 +62,7 @@ Rational ValueScale::squared_allowance() const {
 double ValueScale::rounding_length() const { return flowcert::rounding_length(sphere_); }
 
 bool is_exact(const ClaimedPosition& claimed) {
-  return std::all_of(claimed.begin(), claimed.end(), [](const ClaimedNumber& x) { return x.is_exact; });
+  return claimed[0].is_exact && claimed[1].is_exact && claimed[2].is_exact;
 }
 
 RationalPoint values_of(const ClaimedPosition& claimed) {

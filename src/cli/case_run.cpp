@@ -174,8 +174,7 @@ class CaseRun {
   void take(const Run& run, CheckReport report) {
     for (std::size_t k = 0; k < kLevels; ++k) result_.judged.at(k) = report.conforms.at(k).has_value();
     auto& findings = report.findings;
-    std::stable_partition(findings.begin(), findings.end(),
-                          [](const Finding& finding) { return !finding.is_variation; });
+    std::ranges::stable_sort(findings, {}, &Finding::is_variation);  // what is wrong comes first
     if (report.verdict == Verdict::kConformsWhereDetermined) {
       result_.outcome = RunOutcome::kConformsWhereDetermined;
       result_.message = finding_words(findings.front());

@@ -56,13 +56,13 @@ std::string level_verdict(const std::optional<bool>& conforms, const LevelCount&
 
 void print_levels(const CheckReport& report) {
   const auto counts = count_levels(report);
-  std::vector<std::vector<std::string>> rows = {{"level", "", "verdict", "wrong", "permitted"}};
+  Table table("lllrr", {"level", "", "verdict", "wrong", "permitted"});
   for (std::size_t k = 0; k < kLevels; ++k) {
-    rows.push_back({fmt::format("{}", k + 1), kLevelNames.at(k),
-                    level_verdict(report.conforms.at(k), counts.at(k)), with_commas(counts.at(k).wrong),
-                    with_commas(counts.at(k).varied)});
+    table.row(fmt::format("{}", k + 1)).cell(kLevelNames.at(k));
+    table.cell(level_verdict(report.conforms.at(k), counts.at(k)));
+    table.cell(counts.at(k).wrong).cell(counts.at(k).varied);
   }
-  print_columns(rows, "lllrr");
+  table.print();
 }
 
 Json levels_field(const CheckReport& report) {
@@ -70,9 +70,10 @@ Json levels_field(const CheckReport& report) {
   Json levels = Json::object();
   for (std::size_t k = 0; k < kLevels; ++k) {
     const std::optional<bool>& conforms = report.conforms.at(k);
-    levels[fmt::format("{}", k + 1)] = {{"conforms", conforms ? Json(*conforms) : Json(nullptr)},
-                                        {"wrong", counts.at(k).wrong},
-                                        {"permitted", counts.at(k).varied}};
+    Json& level = levels[fmt::format("{}", k + 1)];
+    level["conforms"] = conforms ? Json(*conforms) : Json(nullptr);
+    level["wrong"] = counts.at(k).wrong;
+    level["permitted"] = counts.at(k).varied;
   }
   return levels;
 }
@@ -109,14 +110,16 @@ std::string finding_line(const std::string& claim, const Finding& finding) {
 }
 
 Json finding_field(const Finding& finding) {
-  return {{"level", finding.level},
-          {"reason", reason_text(finding.reason)},
-          {"permitted", finding.is_variation},
-          {"clause", finding.clause},
-          {"line", finding.line ? Json(*finding.line) : Json(nullptr)},
-          {"contact", finding.contact},
-          {"claimed", finding.claimed},
-          {"truth", finding.truth}};
+  Json field;
+  field["level"] = finding.level;
+  field["reason"] = reason_text(finding.reason);
+  field["permitted"] = finding.is_variation;
+  field["clause"] = finding.clause;
+  field["line"] = finding.line ? Json(*finding.line) : Json(nullptr);
+  field["contact"] = finding.contact;
+  field["claimed"] = finding.claimed;
+  field["truth"] = finding.truth;
+  return field;
 }
 
 void print_check_text(const CheckedFiles& files, const CheckReport& report, std::size_t most) {

@@ -57,7 +57,9 @@ void print_times(const Measured& measured) {
 }
 
 Json seconds_field(const Measured& measured) {
-  Json seconds = {{"delaunay", measured.delaunay_seconds}, {"critical", measured.critical_seconds}};
+  Json seconds;
+  seconds["delaunay"] = measured.delaunay_seconds;
+  seconds["critical"] = measured.critical_seconds;
   if (measured.last->u2) seconds["u2"] = measured.u2_seconds;
   if (measured.last->s2) seconds["s2"] = measured.s2_seconds;
   return seconds;
@@ -67,7 +69,8 @@ Json ratios_field(const Measured& measured) {
   const auto ratio = [&](double DelaunayRatios::*part) {
     return measured.ratios ? Json(*measured.ratios.*part) : Json(nullptr);
   };
-  Json ratios = {{"critical", ratio(&DelaunayRatios::critical)}};
+  Json ratios;
+  ratios["critical"] = ratio(&DelaunayRatios::critical);
   if (measured.last->u2) ratios["u2"] = ratio(&DelaunayRatios::u2);
   if (measured.last->s2) ratios["s2"] = ratio(&DelaunayRatios::s2);
   ratios["all"] = ratio(&DelaunayRatios::all);
@@ -105,8 +108,9 @@ void print_compute_summary(const Input& input, const Measured& measured, const U
   summary["ratio_to_delaunay"] = ratios_field(measured);
   Json& filters = summary["filters"] = Json::object();
   for (std::size_t k = 0; k < kPredicateCount; ++k) {
-    const FilterCount& count = run.tally.counts[k];
-    filters[kPredicateNames[k]] = {{"calls", count.calls}, {"failures", count.failures}};
+    Json& field = filters[kPredicateNames[k]];
+    field["calls"] = run.tally.counts[k].calls;
+    field["failures"] = run.tally.counts[k].failures;
   }
   if (run.u2) summary["u2"] = u2_field(choice, run.u2->statistics());
   if (run.s2) summary["s2"] = s2_field(choice, run.stationary, *run.s2);

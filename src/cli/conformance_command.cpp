@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "cli/command.h"
 #include "cli/command_run.h"
@@ -92,13 +93,13 @@ std::vector<const VectorCase*> chosen_cases(const Vectors& vectors,
 }
 
 void print_list(const std::vector<const VectorCase*>& cases) {
-  std::vector<std::vector<std::string>> rows;
+  Table table("lll");
   for (const VectorCase* one : cases) {
     std::string flags;
     for (const std::string& flag : one->flags) flags += (flags.empty() ? "" : " ") + flag;
-    rows.push_back({one->id, one->comment, flags});
+    table.row(one->id).cell(one->comment).cell(flags);
   }
-  print_columns(rows, "lll");
+  table.print();
 }
 
 // ---- Running
@@ -173,8 +174,9 @@ std::string has_in_and_start(const std::string& command) {
   return has_place(command, "{start}") ? has_in(command) : "there is no {start} in the command";
 }
 std::string is_file_name(const std::string& name) {
-  const Names taken = {"", ".", "..", "points.xyz", "points.off", "stdout", "stderr", "case.json"};
-  const bool is_free = name.find('/') == std::string::npos && !has(taken, name);
+  constexpr std::string_view kTaken[] = {"",           ".",      "..",     "points.xyz",
+                                         "points.off", "stdout", "stderr", "case.json"};
+  const bool is_free = name.find('/') == std::string::npos && std::ranges::count(kTaken, name) == 0;
   return is_free ? "" : in_quotes(name) + " is no file name that is free";
 }
 std::string is_time(const std::string& word) { return fault_of_seconds(word, kLongestSeconds, "a day"); }

@@ -86,19 +86,19 @@ std::vector<NamedTally> tallies_by_flag(const ConformanceReport& report) {
     const auto has_flag = [&](const VectorCase& one) {
       return std::ranges::find(one.flags, flag.name) != one.flags.end();
     };
-    tallies.push_back({flag.name, tally_of(report, has_flag)});
+    const Tally tally = tally_of(report, has_flag);
+    if (tally.cases > 0) tallies.push_back({flag.name, tally});
   }
-  std::erase_if(tallies, [](const NamedTally& named) { return named.tally.cases == 0; });
   return tallies;
 }
 
+// Also those whose cases were all skipped.
 std::vector<NamedTally> tallies_by_group(const ConformanceReport& report) {
   std::vector<NamedTally> tallies;
   for (const std::string& group : report.vectors.groups) {
-    tallies.push_back({group, tally_of(report, [&](const VectorCase& one) { return one.group == group; })});
+    const Tally tally = tally_of(report, [&](const VectorCase& one) { return one.group == group; });
+    if (tally.cases + tally.skipped > 0) tallies.push_back({group, tally});
   }
-  std::erase_if(tallies,
-                [](const NamedTally& named) { return named.tally.cases + named.tally.skipped == 0; });
   return tallies;
 }
 
@@ -121,16 +121,16 @@ std::size_t persistence_judged(const ConformanceReport& report) {
 // ---- Text
 
 void print_tallies(const char* title, const std::vector<NamedTally>& tallies) {
-  std::vector<std::vector<std::string>> rows = {{title, "cases", "conforms", "where determined", "fails",
-                                                 "refused", "crashed", "timed out", "unreadable"}};
+  Table table("lrrrrrrrr", {title, "cases", "conforms", "where determined", "fails", "refused", "crashed",
+                            "timed out", "unreadable"});
   for (const auto& [name, tally] : tallies) {
-    rows.push_back({name});
+    table.row(name);
     for (const std::size_t count : {tally.cases, tally.conforms, tally.where_determined, tally.fails,
                                     tally.refused, tally.crashed, tally.timed_out, tally.unreadable}) {
-      rows.back().push_back(with_commas(count));
+      table.cell(count);
     }
   }
-  print_columns(rows, "lrrrrrrrr");
+  table.print();
   fmt::print("\n");
 }
 
@@ -211,15 +211,17 @@ void print_skipped(const ConformanceReport& report) {
 
 Json tally_field(const char* key, const NamedTally& named) {
   const Tally& tally = named.tally;
-  return {{key, named.name},
-          {"cases", tally.cases},
-          {"conforms", tally.conforms},
-          {"conforms_where_determined", tally.where_determined},
-          {"fails", tally.fails},
-          {"refused", tally.refused},
-          {"crashed", tally.crashed},
-          {"timed_out", tally.timed_out},
-          {"unreadable", tally.unreadable}};
+  Json field;
+  field[key] = named.name;
+  field["cases"] = tally.cases;
+  field["conforms"] = tally.conforms;
+  field["conforms_where_determined"] = tally.where_determined;
+  field["fails"] = tally.fails;
+  field["refused"] = tally.refused;
+  field["crashed"] = tally.crashed;
+  field["timed_out"] = tally.timed_out;
+  field["unreadable"] = tally.unreadable;
+  return field;
 }
 
 Json tallies_field(const char* key, const std::vector<NamedTally>& tallies) {
@@ -231,10 +233,12 @@ Json tallies_field(const char* key, const std::vector<NamedTally>& tallies) {
 Json orbit_findings_field(const CaseOutcome& outcome) {
   Json field = Json::array();
   for (const auto& [start, difference] : outcome.orbit_findings) {
-    field.push_back({{"start", start},
-                     {"permitted", difference.is_permitted},
-                     {"claimed", difference.claimed},
-                     {"truth", difference.truth}});
+    Json finding;
+    finding["start"] = start;
+    finding["permitted"] = difference.is_permitted;
+    finding["claimed"] = difference.claimed;
+    finding["truth"] = difference.truth;
+    field.push_back(std::move(finding));
   }
   return field;
 }
@@ -242,7 +246,10 @@ Json orbit_findings_field(const CaseOutcome& outcome) {
 Json persistence_findings_field(const CaseOutcome& outcome) {
   Json field = Json::array();
   for (const auto& [claimed, truth] : outcome.persistence_findings) {
-    field.push_back({{"claimed", claimed}, {"truth", truth}});
+    Json finding;
+    finding["claimed"] = claimed;
+    finding["truth"] = truth;
+    field.push_back(std::move(finding));
   }
   return field;
 }
@@ -250,17 +257,19 @@ Json persistence_findings_field(const CaseOutcome& outcome) {
 Json case_field(const CaseOutcome& outcome) {
   Json findings = Json::array();
   for (const Finding& finding : outcome.findings) findings.push_back(finding_field(finding));
-  return {{"id", outcome.of->id},
-          {"group", outcome.of->group},
-          {"outcome", run_outcome_text(outcome.outcome)},
-          {"negative", is_negative(outcome.outcome)},
-          {"level", outcome.level ? Json(*outcome.level) : Json(nullptr)},
-          {"seconds", outcome.seconds},
-          {"message", outcome.message},
-          {"findings", findings},
-          {"findings_left_out", outcome.findings_left_out},
-          {"orbit_findings", orbit_findings_field(outcome)},
-          {"persistence_findings", persistence_findings_field(outcome)}};
+  Json field;
+  field["id"] = outcome.of->id;
+  field["group"] = outcome.of->group;
+  field["outcome"] = run_outcome_text(outcome.outcome);
+  field["negative"] = is_negative(outcome.outcome);
+  field["level"] = outcome.level ? Json(*outcome.level) : Json(nullptr);
+  field["seconds"] = outcome.seconds;
+  field["message"] = outcome.message;
+  field["findings"] = std::move(findings);
+  field["findings_left_out"] = outcome.findings_left_out;
+  field["orbit_findings"] = orbit_findings_field(outcome);
+  field["persistence_findings"] = persistence_findings_field(outcome);
+  return field;
 }
 
 Json judged_field(const ConformanceReport& report) {

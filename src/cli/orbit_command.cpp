@@ -54,13 +54,13 @@ std::string limit_text(const PointSet& points, const StationaryLimit& limit) {
 }
 
 void print_segments(const Orbit& orbit) {
-  std::vector<std::vector<std::string>> rows = {{"", "type", "driver", "end", "contact set of the end"}};
+  Table table("rllll", {"", "type", "driver", "end", "contact set of the end"});
   for (const FlowSegment& segment : orbit.segments) {
-    rows.push_back({fmt::format("{}", rows.size()), type_text(segment.type), point_text(segment.driver),
-                    segment.end ? point_text(*segment.end) : "infinity",
-                    fmt::format("{}", fmt::join(segment.end_contact, " "))});
+    table.row(fmt::format("{}", table.height())).cell(type_text(segment.type));
+    table.cell(point_text(segment.driver)).cell(segment.end ? point_text(*segment.end) : "infinity");
+    table.cell(fmt::format("{}", fmt::join(segment.end_contact, " ")));
   }
-  print_columns(rows, "rllll");
+  table.print();
 }
 
 // The type of the step from a stationary start, "V-V-V", is asked of the flow.

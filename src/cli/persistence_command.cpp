@@ -83,22 +83,26 @@ void print_table(const std::string& name, const Input& input, const PersistenceR
 }
 
 Json seconds_field(const PersistenceSeconds& seconds) {
-  return {{"delaunay", seconds.delaunay},
-          {"critical", seconds.critical},
-          {"u2", seconds.u2},
-          {"s2", seconds.s2},
-          {"pairs", seconds.pairs}};
+  Json field;
+  field["delaunay"] = seconds.delaunay;
+  field["critical"] = seconds.critical;
+  field["u2"] = seconds.u2;
+  field["s2"] = seconds.s2;
+  field["pairs"] = seconds.pairs;
+  return field;
 }
 
 Json ratios_field(const PointSet& points, const PersistenceSeconds& seconds) {
   const auto ratio = [&](double part) {
     return has_ratios(points, seconds) ? Json(part / seconds.delaunay) : Json(nullptr);
   };
-  return {{"critical", ratio(seconds.critical)},
-          {"u2", ratio(seconds.u2)},
-          {"s2", ratio(seconds.s2)},
-          {"pairs", ratio(seconds.pairs)},
-          {"all", ratio(seconds.after_delaunay())}};
+  Json field;
+  field["critical"] = ratio(seconds.critical);
+  field["u2"] = ratio(seconds.u2);
+  field["s2"] = ratio(seconds.s2);
+  field["pairs"] = ratio(seconds.pairs);
+  field["all"] = ratio(seconds.after_delaunay());
+  return field;
 }
 
 void print_json(const Input& input, const PersistenceRun& run, const PersistenceDiagram& diagram,
@@ -107,9 +111,15 @@ void print_json(const Input& input, const PersistenceRun& run, const Persistence
   add_counts(json, input.points, run.stationary);
   Json& counts = json["counts"] = Json::array();
   for (const PairCounts& count : counts_of(run)) {
-    counts.push_back({{"positive", count.positive}, {"zero", count.zero}, {"lasting", count.lasting}});
+    Json field;
+    field["positive"] = count.positive;
+    field["zero"] = count.zero;
+    field["lasting"] = count.lasting;
+    counts.push_back(std::move(field));
   }
-  json["ties_broken"] = {{"u2", run.complex.broken_ties()}, {"s2", run.stable.statistics().broken_ties}};
+  Json& broken = json["ties_broken"];
+  broken["u2"] = run.complex.broken_ties();
+  broken["s2"] = run.stable.statistics().broken_ties;
   json["seed"] = seed;
   json["seconds"] = seconds_field(run.seconds);
   json["ratio_to_delaunay"] = ratios_field(input.points, run.seconds);

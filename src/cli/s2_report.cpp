@@ -6,7 +6,6 @@
 
 #include "cli/command.h"
 #include "cli/statistics_tables.h"
-#include "cli/table.h"
 
 namespace flowcert {
 
@@ -26,25 +25,26 @@ void print_s2_rows(const StationaryPoints& stationary, const StableManifolds& s2
 
 void print_s2_statistics(const StableStatistics& statistics) {
   fmt::print("\nlengths in flow segments (paper, Table 3), and sizes\n");
-  print_columns({{"", "count", "mean", "max", "stddev", "mode", "median"},
-                 distribution_cells("n_S2, down to index 1", statistics.n_s2),
-                 distribution_cells("triangles of an S2", statistics.triangles)},
-                "lrrrrrr");
+  Table table = distribution_table();
+  add_distribution(table, "n_S2, down to index 1", statistics.n_s2);
+  add_distribution(table, "triangles of an S2", statistics.triangles);
+  table.print();
   print_primitives(statistics.tally);
 }
 
 Json s2_field(const U2Choice& choice, const StationaryPoints& stationary, const StableManifolds& s2) {
   const StableStatistics& statistics = s2.statistics();
-  Json object = {{"kernel", choice.flow.kernel},
-                 {"search", choice.flow.search},
-                 {"sets", s2.size()},
-                 {"triangles", statistics.triangle_count},
-                 {"largest_triangles", statistics.triangles.max()},
-                 {"largest_contact", nullptr},
-                 {"through_vertex", statistics.with_vertex},
-                 {"with_interval", statistics.with_interval},
-                 {"to_regular", statistics.ends_at_regular}};
-  if (statistics.largest) object["largest_contact"] = stationary.contact(s2.record(*statistics.largest));
+  Json object;
+  object["kernel"] = choice.flow.kernel;
+  object["search"] = choice.flow.search;
+  object["sets"] = s2.size();
+  object["triangles"] = statistics.triangle_count;
+  object["largest_triangles"] = statistics.triangles.max();
+  Json& largest = object["largest_contact"] = nullptr;
+  if (statistics.largest) largest = stationary.contact(s2.record(*statistics.largest));
+  object["through_vertex"] = statistics.with_vertex;
+  object["with_interval"] = statistics.with_interval;
+  object["to_regular"] = statistics.ends_at_regular;
   if (!choice.with_statistics) return object;
   object["n_s2"] = distribution_field(statistics.n_s2);
   object["triangles_of_set"] = distribution_field(statistics.triangles);

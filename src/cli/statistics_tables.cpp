@@ -3,49 +3,48 @@
 
 #include <fmt/format.h>
 
-#include "cli/command.h"
-#include "cli/table.h"
-
 namespace flowcert {
 
 Json distribution_field(const Distribution& distribution) {
-  Json field = {{"count", distribution.count()}, {"mean", distribution.mean()},
-                {"max", distribution.max()},     {"stddev", distribution.standard_deviation()},
-                {"mode", distribution.mode()},   {"median", distribution.median()},
-                {"histogram", Json::array()}};
-  for (const auto& [value, times] : distribution.times()) {
-    field["histogram"].push_back(Json::array({value, times}));
-  }
+  Json field;
+  field["count"] = distribution.count();
+  field["mean"] = distribution.mean();
+  field["max"] = distribution.max();
+  field["stddev"] = distribution.standard_deviation();
+  field["mode"] = distribution.mode();
+  field["median"] = distribution.median();
+  Json& histogram = field["histogram"] = Json::array();
+  for (const auto& [value, times] : distribution.times()) histogram.push_back(std::array{value, times});
   return field;
 }
 
 Json primitives_field(const KernelTally& tally) {
   Json primitives = Json::object();
   for (std::size_t k = 0; k < kFlowPrimitiveCount; ++k) {
-    const FilterCount& count = tally.counts[k];
-    primitives[kFlowPrimitiveNames[k]] = {{"calls", count.calls}, {"failures", count.failures}};
+    Json& field = primitives[kFlowPrimitiveNames[k]];
+    field["calls"] = tally.counts[k].calls;
+    field["failures"] = tally.counts[k].failures;
   }
   return primitives;
 }
 
-std::vector<std::string> distribution_cells(const std::string& name, const Distribution& distribution) {
-  return {name,
-          with_commas(distribution.count()),
-          fmt::format("{:.2f}", distribution.mean()),
-          with_commas(distribution.max()),
-          fmt::format("{:.2f}", distribution.standard_deviation()),
-          with_commas(distribution.mode()),
-          fmt::format("{:g}", distribution.median())};
+Table distribution_table() {
+  return Table("lrrrrrr", {"", "count", "mean", "max", "stddev", "mode", "median"});
+}
+
+void add_distribution(Table& table, const char* name, const Distribution& distribution) {
+  table.row(name).cell(distribution.count()).cell(fmt::format("{:.2f}", distribution.mean()));
+  table.cell(distribution.max()).cell(fmt::format("{:.2f}", distribution.standard_deviation()));
+  table.cell(distribution.mode()).cell(fmt::format("{:g}", distribution.median()));
 }
 
 void print_primitives(const KernelTally& tally) {
   fmt::print("\nfilter failures of predicates and constructions (paper, Table 4)\n");
-  std::vector<std::vector<std::string>> lines = {{"", "failures", "calls"}};
+  Table table("lrr", {"", "failures", "calls"});
   for (std::size_t k = 0; k < kFlowPrimitiveCount; ++k) {
-    const FilterCount& count = tally.counts[k];
-    lines.push_back({kFlowPrimitiveNames[k], with_commas(count.failures), with_commas(count.calls)});
+    table.row(kFlowPrimitiveNames[k]).cell(tally.counts[k].failures).cell(tally.counts[k].calls);
   }
-  print_columns(lines, "lrr");
+  table.print();
 }
 
 }  // namespace flowcert

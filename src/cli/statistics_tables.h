@@ -2,8 +2,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "cli/table.h"
 #include "flowcert/flow_statistics.h"
 #include "io/json_fields.h"
 
@@ -14,9 +14,9 @@ namespace flowcert {
 // By name: calls, failures.
 [[nodiscard]] Json primitives_field(const KernelTally& tally);
 
-// A row for print_columns(): name, count, mean, max, stddev, mode, median.
-[[nodiscard]] std::vector<std::string> distribution_cells(const std::string& name,
-                                                          const Distribution& distribution);
+// A table of distributions, a row each: name, count, mean, max, stddev, mode, median.
+[[nodiscard]] Table distribution_table();
+void add_distribution(Table& table, const char* name, const Distribution& distribution);
 // The paper's Table 4.
 void print_primitives(const KernelTally& tally);
 

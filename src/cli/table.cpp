@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "cli/command.h"
+
 namespace flowcert {
 
 void print_row(const std::string& name, const std::string& value, const std::string& remark) {
@@ -25,6 +27,22 @@ void print_columns(const std::vector<std::vector<std::string>>& rows, std::strin
     fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
   }
 }
+
+Table::Table(std::string_view alignment, std::initializer_list<const char*> titles) : alignment_(alignment) {
+  rows_.emplace_back(titles.begin(), titles.end());
+}
+
+Table& Table::row(std::string first) {
+  rows_.emplace_back();
+  return cell(std::move(first));
+}
+
+Table& Table::cell(std::string text) {
+  rows_.back().push_back(std::move(text));
+  return *this;
+}
+
+Table& Table::cell(std::size_t number) { return cell(with_commas(number)); }
 
 std::string seconds_text(double seconds) {
   return seconds < 1 ? fmt::format("{:.1f} ms", 1e3 * seconds) : fmt::format("{:.2f} s", seconds);

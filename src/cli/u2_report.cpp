@@ -10,7 +10,6 @@
 
 #include "cli/command.h"
 #include "cli/statistics_tables.h"
-#include "cli/table.h"
 #include "flowcert/orbit.h"
 
 namespace flowcert {
@@ -19,7 +18,6 @@ namespace {
 
 using SegmentType = std::array<char, 3>;
 using TypeCount = std::pair<SegmentType, std::size_t>;
-using Cells = std::vector<std::string>;
 
 // Those of the paper's Table 1 that unstable manifolds are made of, marked [x] there.
 constexpr std::array<SegmentType, 11> kTypes = {{{'V', 'V', 'V'},
@@ -70,24 +68,25 @@ void add_statistics(Json& object, const FlowStatistics& statistics) {
   for (const auto& [type, count] : full_census(statistics)) census[type_text(type)] = count;
   object["primitives"] = primitives_field(statistics.tally);
   const Distribution& bytes = statistics.exact_bytes;
-  Json& sizes = object["exact_bytes"] = {
-      {"count", bytes.count()}, {"mean", bytes.mean()}, {"max", bytes.max()}, {"histogram", Json::array()}};
-  for (const auto& [from, count] : byte_histogram(bytes)) {
-    sizes["histogram"].push_back(Json::array({from, count}));
-  }
+  Json& sizes = object["exact_bytes"];
+  sizes["count"] = bytes.count();
+  sizes["mean"] = bytes.mean();
+  sizes["max"] = bytes.max();
+  Json& histogram = sizes["histogram"] = Json::array();
+  for (const auto& [from, count] : byte_histogram(bytes)) histogram.push_back(std::array{from, count});
   object["depth"] = statistics.depth;
 }
 
 void print_lengths(const FlowStatistics& statistics) {
   fmt::print("\nlengths in flow segments (paper, Table 3)\n");
-  print_columns({{"", "count", "mean", "max", "stddev", "mode", "median"},
-                 distribution_cells("n_U2, orbits", statistics.n_u2),
-                 distribution_cells("n_WCC, cascades", statistics.n_wcc)},
-                "lrrrrrr");
+  Table table = distribution_table();
+  add_distribution(table, "n_U2, orbits", statistics.n_u2);
+  add_distribution(table, "n_WCC, cascades", statistics.n_wcc);
+  table.print();
 }
 
 // A line for each type that starts in this face, under the face that it crosses; two cells a type.
-void add_census_lines(std::vector<Cells>& lines, const std::vector<TypeCount>& census, char start) {
+void add_census_lines(Table& table, const std::vector<TypeCount>& census, char start) {
   std::array<std::vector<TypeCount>, kFaces.size()> by_crossed;
   for (const TypeCount& entry : census) {
     if (entry.first[0] == start) by_crossed[kFaces.find(entry.first[1])].push_back(entry);
@@ -95,10 +94,13 @@ void add_census_lines(std::vector<Cells>& lines, const std::vector<TypeCount>& c
   std::size_t height = 0;
   for (const auto& entries : by_crossed) height = std::max(height, entries.size());
   for (std::size_t k = 0; k < height; ++k) {
-    Cells& line = lines.emplace_back(Cells{k == 0 ? std::string(1, start) : ""});
+    table.row(k == 0 ? std::string(1, start) : "");
     for (const auto& entries : by_crossed) {
-      line.push_back(k < entries.size() ? type_text(entries[k].first) : "");
-      line.push_back(k < entries.size() ? with_commas(entries[k].second) : "");
+      if (k < entries.size()) {
+        table.cell(type_text(entries[k].first)).cell(entries[k].second);
+      } else {
+        table.cell("").cell("");
+      }
     }
   }
 }
@@ -106,20 +108,18 @@ void add_census_lines(std::vector<Cells>& lines, const std::vector<TypeCount>& c
 void print_census(const FlowStatistics& statistics) {
   fmt::print("\nflow segments by the Voronoi faces where they start, cross, end (paper, Table 1)\n");
   const std::vector<TypeCount> census = full_census(statistics);
-  std::vector<Cells> lines = {{"start", "cross V", "", "cross E", "", "cross F"}};
-  for (const char start : kFaces) add_census_lines(lines, census, start);
-  print_columns(lines, "llrlrlrlr");
+  Table table("llrlrlrlr", {"start", "cross V", "", "cross E", "", "cross F"});
+  for (const char start : kFaces) add_census_lines(table, census, start);
+  table.print();
 }
 
 void print_exact_numbers(const FlowStatistics& statistics) {
   const Distribution& bytes = statistics.exact_bytes;
   fmt::print("\nbytes of exact coordinates (paper, Figure 12): mean {:.1f}, at most {}\n", bytes.mean(),
              with_commas(bytes.max()));
-  std::vector<Cells> lines = {{"from", "numbers"}};
-  for (const auto& [from, count] : byte_histogram(bytes)) {
-    lines.push_back({with_commas(from), with_commas(count)});
-  }
-  print_columns(lines, "rr");
+  Table table("rr", {"from", "numbers"});
+  for (const auto& [from, count] : byte_histogram(bytes)) table.row(with_commas(from)).cell(count);
+  table.print();
 }
 
 }  // namespace
@@ -142,14 +142,15 @@ void print_u2_statistics(const FlowStatistics& statistics) {
 }
 
 Json u2_field(const U2Choice& choice, const FlowStatistics& statistics) {
-  Json object = {{"kernel", choice.flow.kernel},
-                 {"search", choice.flow.search},
-                 {"sharing", !choice.alone},
-                 {"orbits", statistics.n_u2.count()},
-                 {"to_critical", statistics.to_critical},
-                 {"to_regular", statistics.to_regular},
-                 {"to_infinity", statistics.to_infinity},
-                 {"segments_computed", statistics.segments_computed}};
+  Json object;
+  object["kernel"] = choice.flow.kernel;
+  object["search"] = choice.flow.search;
+  object["sharing"] = !choice.alone;
+  object["orbits"] = statistics.n_u2.count();
+  object["to_critical"] = statistics.to_critical;
+  object["to_regular"] = statistics.to_regular;
+  object["to_infinity"] = statistics.to_infinity;
+  object["segments_computed"] = statistics.segments_computed;
   if (choice.with_statistics) add_statistics(object, statistics);
   return object;
 }

@@ -254,9 +254,9 @@ Vectors read_vectors(const std::string& folder) {
   require(fs::is_directory(folder), folder + ": no folder of conformance vectors");
   std::vector<std::string> paths;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".json" && entry.path().filename() != kFlagFile) {
-      paths.push_back(entry.path().string());
-    }
+    const std::string extension = entry.path().extension().string();
+    const std::string name = entry.path().filename().string();
+    if (extension == ".json" && name != kFlagFile) paths.push_back(entry.path().string());
   }
   std::ranges::sort(paths);
   Vectors vectors;

@@ -39,18 +39,17 @@ std::size_t right_of(const OutcomeCounts& counts) {
   return count_of(counts, Outcome::kConforms) + count_of(counts, Outcome::kConformsWhereDetermined);
 }
 
-std::vector<std::string> table_row(const std::string& name, const OutcomeCounts& counts) {
-  std::vector<std::string> row = {name, with_commas(total_of(counts))};
-  for (const Outcome outcome : kColumns) row.push_back(with_commas(count_of(counts, outcome)));
-  return row;
+void add_row(Table& table, const std::string& name, const OutcomeCounts& counts) {
+  table.row(name).cell(total_of(counts));
+  for (const Outcome outcome : kColumns) table.cell(count_of(counts, outcome));
 }
 
 void print_family_table(const Verification& verification) {
-  std::vector<std::vector<std::string>> rows = {
-      {"family", "cases", "conforms", "where determined", "fails", "unreadable", "refused", "unanswered"}};
-  for (const auto& [name, counts] : verification.counts_by_family()) rows.push_back(table_row(name, counts));
-  rows.push_back(table_row("all", verification.counts()));
-  print_columns(rows, "lrrrrrrr");
+  Table table("lrrrrrrr", {"family", "cases", "conforms", "where determined", "fails", "unreadable",
+                           "refused", "unanswered"});
+  for (const auto& [name, counts] : verification.counts_by_family()) add_row(table, name, counts);
+  add_row(table, "all", verification.counts());
+  table.print();
 }
 
 // "fails on level 3", "unreadable: answer:1: not an index", "refused: out of memory"
@@ -133,7 +132,8 @@ void print_verdict(const Verification& verification) {
 // ---- JSON ----
 
 Json counts_field(const OutcomeCounts& counts) {
-  Json field = {{"cases", total_of(counts)}};
+  Json field;
+  field["cases"] = total_of(counts);
   for (const Outcome outcome : kColumns) {
     std::string key = outcome_text(outcome);
     std::replace(key.begin(), key.end(), ' ', '_');
@@ -145,7 +145,8 @@ Json counts_field(const OutcomeCounts& counts) {
 Json families_field(const Verification& verification) {
   Json families = Json::array();
   for (const auto& [name, counts] : verification.counts_by_family()) {
-    Json family = {{"family", name}};
+    Json family;
+    family["family"] = name;
     family.update(counts_field(counts));
     families.push_back(std::move(family));
   }
@@ -155,14 +156,16 @@ Json families_field(const Verification& verification) {
 Json failure_field(const Verification& verification, std::size_t number, const FailedCase& failed) {
   Json findings = Json::array();
   for (const Finding& finding : failed.findings) findings.push_back(finding_field(finding));
-  return {{"id", failed.id},
-          {"number", number},
-          {"family", fuzz::family_of_case(verification.run(), number).name},
-          {"verdict", outcome_text(failed.outcome)},
-          {"reason", failed.reason.empty() ? Json(nullptr) : Json(failed.reason)},
-          {"wrong", failed.wrong},
-          {"findings", std::move(findings)},
-          {"points", generate_command(verification.run(), number)}};
+  Json field;
+  field["id"] = failed.id;
+  field["number"] = number;
+  field["family"] = fuzz::family_of_case(verification.run(), number).name;
+  field["verdict"] = outcome_text(failed.outcome);
+  field["reason"] = failed.reason.empty() ? Json(nullptr) : Json(failed.reason);
+  field["wrong"] = failed.wrong;
+  field["findings"] = std::move(findings);
+  field["points"] = generate_command(verification.run(), number);
+  return field;
 }
 
 // ---- JUnit ----

@@ -4,9 +4,11 @@
 namespace flowcert {
 
 Json segment_field(const FlowSegment& segment) {
-  return {{"type", type_text(segment.type)},
-          {"driver", center_field(segment.driver)},
-          {"end", segment.end ? center_field(*segment.end) : Json(nullptr)}};
+  Json field;
+  field["type"] = type_text(segment.type);
+  field["driver"] = center_field(segment.driver);
+  field["end"] = segment.end ? center_field(*segment.end) : Json(nullptr);
+  return field;
 }
 
 Json segment_with_contacts_field(const FlowSegment& segment) {
@@ -18,18 +20,18 @@ Json segment_with_contacts_field(const FlowSegment& segment) {
 }
 
 Json limit_field(const PointSet& points, const std::optional<StationaryLimit>& limit) {
+  Json field;
   if (!limit) {
-    return {{"kind", "infinity"},
-            {"index", nullptr},
-            {"position", nullptr},
-            {"contact", nullptr},
-            {"squared_distance", nullptr}};
+    field["kind"] = "infinity";
+    for (const char* key : {"index", "position", "contact", "squared_distance"}) field[key] = nullptr;
+    return field;
   }
-  return {{"kind", limit->index.is_critical() ? "critical" : "regular"},
-          {"index", index_field(limit->index)},
-          {"position", center_field(limit->position)},
-          {"contact", limit->contact},
-          {"squared_distance", to_text(exact_sphere(points, limit->contact).squared_radius)}};
+  field["kind"] = limit->index.is_critical() ? "critical" : "regular";
+  field["index"] = index_field(limit->index);
+  field["position"] = center_field(limit->position);
+  field["contact"] = limit->contact;
+  field["squared_distance"] = to_text(exact_sphere(points, limit->contact).squared_radius);
+  return field;
 }
 
 }  // namespace flowcert

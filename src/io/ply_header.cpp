@@ -176,9 +176,7 @@ std::size_t PlyElement::smallest_row() const {
   return size;
 }
 
-bool PlyElement::has_lists() const {
-  return std::any_of(properties.begin(), properties.end(), [](const PlyProperty& p) { return p.is_list; });
-}
+bool PlyElement::has_lists() const { return std::ranges::any_of(properties, &PlyProperty::is_list); }
 
 PlyHeader read_ply_header(LineReader& lines) {
   std::string_view line;

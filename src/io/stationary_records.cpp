@@ -10,14 +10,16 @@ constexpr std::size_t kProgressStep = 64;
 Json record(const PointSet& points, const StationaryPoints& stationary, std::size_t i) {
   const ExactSphere sphere = exact_sphere(points, stationary.contact(i));
   const StationaryIndex index = stationary.index(i);
-  return {{"index", index_field(index)},
-          {"kind", index.is_critical() ? "critical" : "regular"},
-          {"contact", stationary.contact(i)},
-          {"center", center_field(sphere.center)},
-          {"squared_distance", to_text(sphere.squared_radius)},
-          {"center_double", Json::array({double_field(sphere.center[0]), double_field(sphere.center[1]),
-                                         double_field(sphere.center[2])})},
-          {"squared_distance_double", double_field(sphere.squared_radius)}};
+  Json fields;
+  fields["index"] = index_field(index);
+  fields["kind"] = index.is_critical() ? "critical" : "regular";
+  fields["contact"] = stationary.contact(i);
+  fields["center"] = center_field(sphere.center);
+  fields["squared_distance"] = to_text(sphere.squared_radius);
+  Json& doubles = fields["center_double"] = Json::array();
+  for (const Rational& coordinate : sphere.center) doubles.push_back(double_field(coordinate));
+  fields["squared_distance_double"] = double_field(sphere.squared_radius);
+  return fields;
 }
 
 }  // namespace

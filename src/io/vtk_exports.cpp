@@ -44,12 +44,14 @@ struct SeparatrixData {
   }
 
   [[nodiscard]] std::vector<VtpArray> arrays() && {
-    return {{"SourceId", std::move(source_ids)},
-            {"SeparatrixId", std::move(separatrix_ids)},
-            {"SeparatrixType", std::move(types)},
-            {"SeparatrixFunctionMaximum", std::move(maxima)},
-            {"SeparatrixFunctionMinimum", std::move(minima)},
-            {"SeparatrixFunctionDifference", std::move(differences)}};
+    std::vector<VtpArray> arrays;
+    arrays.push_back({"SourceId", std::move(source_ids)});
+    arrays.push_back({"SeparatrixId", std::move(separatrix_ids)});
+    arrays.push_back({"SeparatrixType", std::move(types)});
+    arrays.push_back({"SeparatrixFunctionMaximum", std::move(maxima)});
+    arrays.push_back({"SeparatrixFunctionMinimum", std::move(minima)});
+    arrays.push_back({"SeparatrixFunctionDifference", std::move(differences)});
+    return arrays;
   }
 };
 
@@ -132,10 +134,12 @@ PolyData VtkExports::critical_points() const {
     types.push_back(index.is_critical() ? static_cast<std::int8_t>(index.face_dimension) : kRegularType);
     squared_distances.push_back(rounded(squared_values_[record]));
   }
-  data.point_data = {
-      {"CellDimension", std::move(dimensions)}, {"CellId", std::move(ids)},
-      {"CriticalType", std::move(types)},       {"FaceDimension", std::move(face_dimensions)},
-      {"IsRegular", std::move(are_regular)},    {"SquaredDistance", std::move(squared_distances)}};
+  data.point_data.push_back({"CellDimension", std::move(dimensions)});
+  data.point_data.push_back({"CellId", std::move(ids)});
+  data.point_data.push_back({"CriticalType", std::move(types)});
+  data.point_data.push_back({"FaceDimension", std::move(face_dimensions)});
+  data.point_data.push_back({"IsRegular", std::move(are_regular)});
+  data.point_data.push_back({"SquaredDistance", std::move(squared_distances)});
   return data;
 }
 
@@ -168,7 +172,7 @@ PolyData VtkExports::unstable_lines(UnstableManifolds& u2, const ExportProgress&
     to_infinity.push_back(line.limit ? 0 : 1);
   }
   data.points = set.take_positions();
-  data.point_data = {{"SquaredDistance", set.take_squared_distances()}};
+  data.point_data.push_back({"SquaredDistance", set.take_squared_distances()});
   data.cell_data = std::move(separatrices).arrays();
   data.cell_data.push_back({"DestinationId", std::move(destinations)});
   data.cell_data.push_back({"Side", std::move(sides)});
@@ -199,7 +203,7 @@ PolyData VtkExports::stable_surfaces(const StableManifolds& s2, const SurfaceMes
                         maximum);
     have_interval.push_back(s2.has_interval(set) ? 1 : 0);
   }
-  data.point_data = {{"SquaredDistance", std::move(squared_distances)}};
+  data.point_data.push_back({"SquaredDistance", std::move(squared_distances)});
   data.cell_data = std::move(separatrices).arrays();
   data.cell_data.push_back({"HasInterval", std::move(have_interval)});
   return data;

@@ -38,8 +38,12 @@ class FurtherKeysOf {
   // Index-2 points and regular ones come in the order of the list.
   void add_u2(std::size_t i, Json& record) {
     if (next_u2_ == manifolds_.u2->size() || manifolds_.u2->saddle(next_u2_) != i) return;
-    record["limits"] = Json::array({limit_contact(0), limit_contact(1)});
-    if (manifolds_.polylines) record["u2"] = Json::array({polyline(0), polyline(1)});
+    Json& limits = record["limits"] = Json::array();
+    for (const std::size_t side : {0U, 1U}) limits.push_back(limit_contact(side));
+    if (manifolds_.polylines) {
+      Json& u2 = record["u2"] = Json::array();
+      for (const std::size_t side : {0U, 1U}) u2.push_back(polyline(side));
+    }
     ++next_u2_;
   }
 

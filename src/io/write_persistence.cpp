@@ -29,9 +29,11 @@ std::string double_text(const Rational& value) {
 
 Json point_field(const PersistenceDiagram& diagram, const StationaryPoints& stationary, std::size_t record) {
   const Rational& value = diagram.squared_value(record);
-  return {{"contact", stationary.contact(record)},
-          {"squared_distance", to_text(value)},
-          {"squared_distance_double", double_field(value)}};
+  Json field;
+  field["contact"] = stationary.contact(record);
+  field["squared_distance"] = to_text(value);
+  field["squared_distance_double"] = double_field(value);
+  return field;
 }
 
 }  // namespace
@@ -86,9 +88,11 @@ std::string pers_text(const PersistenceDiagram& diagram, const std::string& inpu
 Json pairs_field(const PersistenceDiagram& diagram, const StationaryPoints& stationary) {
   Json pairs = Json::array();
   for (const PersistencePair& pair : diagram.pairs()) {
-    pairs.push_back({{"dimension", pair.dimension},
-                     {"birth", point_field(diagram, stationary, pair.birth)},
-                     {"death", pair.death ? point_field(diagram, stationary, *pair.death) : Json(nullptr)}});
+    Json field;
+    field["dimension"] = pair.dimension;
+    field["birth"] = point_field(diagram, stationary, pair.birth);
+    field["death"] = pair.death ? point_field(diagram, stationary, *pair.death) : Json(nullptr);
+    pairs.push_back(std::move(field));
   }
   return pairs;
 }

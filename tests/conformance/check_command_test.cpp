@@ -150,6 +150,49 @@ TEST(CheckCommand, OurOwnClaimsConformExactly) {
   }
 }
 
+// Where a tie leaves a boundary open, the oracle takes any that may be.
+TEST(CheckCommand, OurOwnStableSetsConformExactly) {
+  CITES("FC-CLAIM-06", "FC-CLAIM-09", "FC-CLAIM-10");
+  const std::string arch = "0 5 0\n-3 0 -2\n3 0 -2\n0 0 12\n0 -5 0\n";
+  const std::string right_angle = "2 0 1\n0 0 0\n2 2 0\n1 2 0\n";
+  // And whether a tie leaves a boundary open.
+  const std::vector<std::pair<std::string, bool>> inputs = {{arch, true},
+                                                            {right_angle, true},
+                                                            {kCube, false},
+                                                            {"1 0 0\n-1 0 0\n0 1 0\n0 0 1\n", false},
+                                                            {lattice_points(1, 14, 3), true},
+                                                            {lattice_points(2, 12, 1000003), false}};
+  for (const auto& [points, has_tie] : inputs) {
+    SCOPED_TRACE(points);
+    const Checked own(points, Words{"--manifolds", "u2,s2", "--skeletons", "--polylines"});
+    for (const Words& by : {Words{}, {"--oracle"}}) {
+      const json report = own.as_json(by);
+      EXPECT_EQ(report["verdict"], "conforms");
+      EXPECT_EQ(report["grade"], "exact");
+      EXPECT_EQ(report["findings"], json::array());
+      EXPECT_EQ(levels(report), json({true, true, true, true, true}));
+      EXPECT_EQ(report["not_judged"].size(), has_tie && !by.empty() ? 1U : 0U) << report;
+    }
+  }
+  // A boundary that is no cycle is wrong by either truth, as is one without a tie that is another.
+  const Checked own(arch, Words{"--manifolds", "s2"});
+  for (const auto& [right, wrong] :
+       {std::pair{R"("boundary":[[0,1],[0,3],[1,4],[3,4]])", R"("boundary":[[0,1]])"},
+        {R"("boundary":[[0,1],[0,2],[1,2]])", R"("boundary":[])"}}) {
+    std::string claim = content_of(own.claim());
+    const std::size_t place = claim.find(right);
+    ASSERT_NE(place, std::string::npos) << claim;
+    claim.replace(place, std::string(right).size(), wrong);
+    for (const Words& by : {Words{}, {"--oracle"}}) {
+      const json report = Checked(arch, claim).as_json(by);
+      ASSERT_EQ(report["findings"].size(), 1U) << report;
+      EXPECT_EQ(report["findings"][0]["reason"], "wrong-incidence");
+      EXPECT_EQ(report["findings"][0]["clause"], "FC-CHAIN-01");
+      EXPECT_EQ(levels(report)[3], false);
+    }
+  }
+}
+
 TEST(CheckCommand, JudgesAnotherImplementationWhereItIsDetermined) {
   CITES("FC-CLAIM-04", "FC-CLAIM-05", "FC-CLAIM-06");
   const Checked other(kCollisions, kCollisionsClaimed);
@@ -244,6 +287,14 @@ TEST(CheckCommand, WritesAReportForCiSystems) {
   EXPECT_EQ(cases, 5U);
   EXPECT_NE(report.find("missing [FC-CLAIM-03]"), std::string::npos);
   EXPECT_EQ(report.find("< "), std::string::npos);
+
+  // What is permitted is told, and is no failure.
+  const Checked varied(kCollisions, kCollisionsClaimed);
+  EXPECT_EQ(varied.run({"--junit", path}).status, 0);
+  const std::string permitted = content_of(path);
+  EXPECT_NE(permitted.find("failures=\"0\""), std::string::npos) << permitted;
+  EXPECT_NE(permitted.find("<system-out>"), std::string::npos);
+  EXPECT_NE(permitted.find("permitted, level 2: symbolic-perturbation [FC-CLAIM-04]"), std::string::npos);
 
   const Checked right(kCube, Words{});
   EXPECT_EQ(right.run({"--junit", path, "--json"}).status, 0);

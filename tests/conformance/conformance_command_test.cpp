@@ -24,6 +24,11 @@ std::vector<json> vector_cases() {
   return cases;
 }
 
+// Of the right triangle: an edge and a facet at one place.
+constexpr char kPerturbedTriangle[] =
+    "printf '0,0,0,0\\n0,3,0,0\\n0,0,4,0\\n1,1.5,0,0\\n1,0,2,0\\n1,1.5,2,0,,1,2\\n2,1.5,2,0,,0,1,2\\n' > "
+    "$2";
+
 // ---- Programs that are right
 
 TEST_F(ConformanceCommand, OurOwnProgramIsRightOnAllCases) {
@@ -96,11 +101,8 @@ TEST_F(ConformanceCommand, TakesClaimsInAnyFormatFromWhereverTheyAre) {
                  "--out-name", "my claim's", "--case", kTetrahedron})
                 .status,
             0);
-  // A perturbation's, of the right triangle: an edge and a facet at one place.
-  const json one = outcome_of(
-      "printf '0,0,0,0\\n0,3,0,0\\n0,0,4,0\\n1,1.5,0,0\\n1,0,2,0\\n1,1.5,2,0,,1,2\\n2,1.5,2,0,,0,1,2\\n' > "
-      "$2",
-      "regular-stationary-points-0001");
+  // A perturbation's.
+  const json one = outcome_of(kPerturbedTriangle, "regular-stationary-points-0001");
   EXPECT_EQ(one["outcome"], "conforms where determined") << one;
   EXPECT_NE(one["message"].get<std::string>().find("symbolic-perturbation [FC-CLAIM-04]"), std::string::npos);
 }
@@ -255,6 +257,32 @@ TEST_F(ConformanceCommand, PrintsATable) {
   EXPECT_EQ(finished.err, "");
 }
 
+TEST_F(ConformanceCommand, PrintsWhatWasJudged) {
+  CITES("FC-CLAIM-03", "FC-PERS-01");
+  const Words cases = {"--case", kTriangleOrbits, "--case", kTetrahedronOrbits, "--case", kTrianglePairs};
+  const auto printed = [&](Words words) {
+    words.insert(words.end(), cases.begin(), cases.end());
+    const Finished finished = run(words);
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    return finished.out;
+  };
+  const std::string compute = kCompute + ",s2";
+  const std::string without = printed({"--against", compute});
+  EXPECT_NE(
+      without.find("\njudged: 3 claims on level 1, 3 claims on level 2, 3 claims on level 3, 3 claims on "
+                   "level 4, "),
+      std::string::npos)
+      << without;
+  EXPECT_NE(without.find("\nnot judged: the orbits of 2 cases, without --orbits-against\n"
+                         "not judged: the persistence pairs of 1 case, without --persistence-against\n"),
+            std::string::npos)
+      << without;
+  const std::string with =
+      printed({"--against", compute, "--orbits-against", kOrbit, "--persistence-against", kPersistence});
+  EXPECT_EQ(with.find("not judged"), std::string::npos) << with;
+  EXPECT_NE(with.find(", 9 orbits\njudged: the persistence pairs of 1 case"), std::string::npos) << with;
+}
+
 // The name of each element, and whether the document is one.
 std::vector<std::string> elements_of(const std::string& document) {
   std::vector<std::string> names;
@@ -287,6 +315,15 @@ TEST_F(ConformanceCommand, WritesAReportForCiSystems) {
       << content_of(path);
   EXPECT_NE(content_of(path).find("a &lt;b&gt; &amp; ? &quot;c&quot;"), std::string::npos)
       << content_of(path);
+  // What conforms where it is determined is no failure, and tells what varies.
+  const Words varied = {
+      "--against", script(kPerturbedTriangle), "--case", "regular-stationary-points-0001", "--junit", path};
+  EXPECT_EQ(run(varied).status, 0);
+  EXPECT_EQ(elements_of(content_of(path)), (Words{"testsuites", "testsuite", "testcase", "system-out"}));
+  EXPECT_NE(content_of(path).find("failures=\"0\""), std::string::npos);
+  EXPECT_NE(content_of(path).find("<system-out>level 2: symbolic-perturbation [FC-CLAIM-04]"),
+            std::string::npos)
+      << content_of(path);
 }
 
 TEST_F(ConformanceCommand, KeepsWhatIsNeededToSeeForOneself) {
@@ -309,6 +346,30 @@ TEST_F(ConformanceCommand, KeepsWhatIsNeededToSeeForOneself) {
   EXPECT_EQ(run({"--against", script("mkfifo \"$2\""), "--case", kTetrahedron, "--keep", folder}).status, 1);
   EXPECT_FALSE(fs::exists(kept + "/claim"));
   EXPECT_EQ(content_of(kept + "/stdout"), "");
+  // Where a folder cannot be made, the run ends, however many cases run at a time.
+  const std::string other = scratch_.path("other");
+  fs::create_directory(other);
+  for (const char* id : {kTetrahedron, "unstable-manifolds-0003"})
+    std::ofstream(other + "/" + id) << "in the way";
+  const Finished ended =
+      run({"--against", command, "--group", "unstable-manifolds", "--keep", other, "--jobs", "2"});
+  EXPECT_EQ(ended.status, 2) << ended.out;
+  EXPECT_EQ(ended.out, "");
+  EXPECT_EQ(lines_of(ended.err).size(), 1U) << ended.err;
+  EXPECT_NE(ended.err.find("unstable-manifolds-000"), std::string::npos) << ended.err;
+}
+
+// On a terminal a line tells how many cases are done, from two seconds on, and is taken back in the end.
+TEST_F(ConformanceCommand, TellsAUserHowFarItIs) {
+  CITES("FC-CLAIM-03");
+  const std::string typed =
+      std::string(FLOWCERT_PROGRAM) + " conformance --vectors '" + few_vectors->folder() +
+      "' --group flat-inputs --against 'sleep 0.6; exit 1 # {in}' > '" + scratch_.path("out") + "'";
+  const std::string seen = RunningProgram({"/usr/bin/script", "-qec", typed, "/dev/null"}).finish().out;
+  EXPECT_NE(seen.find("\rcases [#"), std::string::npos) << seen;
+  EXPECT_NE(seen.find(" s left\033[K"), std::string::npos) << seen;
+  EXPECT_TRUE(seen.ends_with("\r\033[K")) << seen;
+  EXPECT_NE(content_of(scratch_.path("out")).find("6 cases in "), std::string::npos);
 }
 
 // The README's example, in a folder with a program build/flowcert.

@@ -179,6 +179,81 @@ TEST_F(ConformanceCommand, ComparesOrbits) {
             "fails");
 }
 
+// The first orbit of the tetrahedron is one segment, of type C-C-V, from the sample 0 to the maximum; of the
+// triangle, three to infinity.
+TEST_F(ConformanceCommand, SaysWhereAnOrbitIsWrong) {
+  CITES("FC-FLOW-02", "FC-FLOW-05", "FC-FLOW-07");
+  const auto expect = [&](const std::string& id, const std::string& change, const std::string& claimed,
+                          const std::string& truth) {
+    const std::string orbits =
+        std::string(FLOWCERT_PROGRAM) + " orbit {in} --from {start} --json | sed '" + change + "'";
+    const json one = only_case_of(as_json({"--against", kCompute, "--orbits-against", orbits, "--case", id}));
+    EXPECT_EQ(one["outcome"], "fails") << change;
+    ASSERT_FALSE(one["orbit_findings"].empty()) << change << one;
+    EXPECT_EQ(one["orbit_findings"][0]["claimed"], claimed) << change;
+    EXPECT_EQ(one["orbit_findings"][0]["truth"], truth) << change;
+  };
+  const auto of_tetrahedron = [&](const std::string& change, const std::string& claimed,
+                                  const std::string& truth) {
+    expect(kTetrahedronOrbits, change, claimed, truth);
+  };
+  const std::string top = "(1/2, 1/2, 1/2)", maximum = "critical point of index 3 at " + top;
+  of_tetrahedron("s/\"end\":\\[\"1\\/2/\"end\":[\"3\\/2/", "segment 1: end (3/2, 1/2, 1/2)", top);
+  of_tetrahedron("s/\"end\":\\[[^]]*\\]/\"end\":null/", "segment 1: end infinity", top);
+  of_tetrahedron("s/\"driver\":\\[\"0/\"driver\":[\"1\\/3/", "segment 1: driver (1/3, 0, 0)", "(0, 0, 0)");
+  of_tetrahedron("s/\"type\":\"C/\"type\":\"a type of more than forty letters, which are cut off/",
+                 "segment 1: type a type of more than forty letters, which...", "C-C-V");
+  of_tetrahedron("s/\"start_contact\":\\[0\\]/\"start_contact\":[2,1]/", "segment 1: start, contact set 1 2",
+                 "contact set 0");
+  of_tetrahedron("s/\"crossed_contact\":\\[0\\]/\"crossed_contact\":[]/",
+                 "segment 1: on the way, contact set ", "contact set 0");
+  of_tetrahedron("s/\"end_contact\":\\[0,/\"end_contact\":[/", "segment 1: end, contact set 1 2 3",
+                 "contact set 0 1 2 3");
+  of_tetrahedron("s/\"segments\":\\[.*\\],\"limit/\"segments\":[],\"limit/", "0 segments", "1");
+  of_tetrahedron("s/\"limit\":.*/\"limit\":{\"kind\":\"infinity\"}}/", "limit infinity", maximum);
+  of_tetrahedron("s/\"index\":3/\"index\":[2,3]/", "limit critical point of index [2,3] at " + top, maximum);
+  of_tetrahedron("s/\"position\":\\[\"1/\"position\":[\"3/",
+                 "limit critical point of index 3 at (3/2, 1/2, 1/2)", maximum);
+  of_tetrahedron("s/\"contact\":\\[0,/\"contact\":[/", "limit, contact set 1 2 3", "contact set 0 1 2 3");
+  of_tetrahedron("s/\"squared_distance\":\"3\\/4/\"squared_distance\":\"1\\/2/",
+                 "limit, squared distance 1/2", "3/4");
+  const std::string place = "s/\"end\":null,\"start/\"end\":[\"1\",\"2\",\"3\"],\"start/";
+  expect(kTriangleOrbits, place, "segment 3: end (1, 2, 3)", "infinity");
+  expect(kTriangleOrbits,
+         "s/\"kind\":\"infinity\".*/\"kind\":\"critical\",\"index\":3,\"position\":[\"1\",\"2\",\"3\"],"
+         "\"contact\":[0],\"squared_distance\":\"1\"}}/",
+         "limit critical point of index 3 at (1, 2, 3)", "infinity");
+}
+
+TEST_F(ConformanceCommand, KnowsOutcomesOfTheOrbitCommandApart) {
+  CITES("FC-FLOW-02", "FC-IN-05");
+  const auto expect = [&](const std::string& change, const std::string& message) {
+    const std::string orbits =
+        std::string(FLOWCERT_PROGRAM) + " orbit {in} --from {start} --json | sed '" + change + "'";
+    const json one = only_case_of(
+        as_json({"--against", kCompute, "--orbits-against", orbits, "--case", kTetrahedronOrbits}));
+    EXPECT_EQ(one["outcome"], "unreadable") << change;
+    EXPECT_EQ(one["message"], message) << change;
+  };
+  expect("s/.*/[1]/", "no object that could have 'segments'");
+  expect("s/\"segments\":\\[.*\\],\"limit/\"segments\":{},\"limit/", "'segments' is no array");
+  expect("s/\"segments\":\\[.*\\],\"limit/\"segments\":[7],\"limit/", "no object that could have 'type'");
+  expect("s/\"type\":\"[^\"]*\"/\"type\":7/", "'type' is no string");
+  expect("s/\"type\"/\"kind\"/", "no key 'type'");
+  expect("s/\"driver\":\\[/\"driver\":[\"1\",/", "'driver' is no array of three rationals");
+  expect("s/\"driver\":\\[[^]]*\\]/\"driver\":\"0 0 0\"/", "'driver' is no array of three rationals");
+  expect("s/\"driver\":\\[\"0\"/\"driver\":[0/", "'driver' is no string");
+  expect("s/\"driver\":\\[\"0\"/\"driver\":[\"zero\"/", "no rational: 'zero'");
+  for (const std::string id : {"-1", "2147483648", "\"0\"", "0.5"}) {
+    expect("s/\"start_contact\":\\[0\\]/\"start_contact\":[" + id + "]/",
+           "'start_contact' has something that is no id");
+  }
+  expect("s/\"start_contact\":\\[0\\]/\"start_contact\":0/", "'start_contact' is no array");
+  expect("s/\"limit\":.*/\"limit\":null}/", "no object that could have 'kind'");
+  expect("s/\"kind\":\"critical\"/\"kind\":3/", "'kind' is no string");
+  expect("s/\"squared_distance\":\"[^\"]*\"/\"squared_distance\":null/", "'squared_distance' is no string");
+}
+
 TEST_F(ConformanceCommand, ComparesPersistencePairs) {
   CITES("FC-PERS-01", "FC-PERS-02", "FC-PERS-03", "FC-PERS-05");
   const auto outcome = [&](const std::string& command) {
@@ -213,6 +288,9 @@ TEST_F(ConformanceCommand, ComparesPersistencePairs) {
   expect_wrong(text("0 0 2.5\n0 0 4\n1 4.5 5\n"), none, "dimension 0, birth 0, death inf");
   expect_wrong(changed("s/\"squared_distance\":\"9\\/2\"/\"squared_distance\":\"13\\/3\"/"),
                "dimension 1, birth 13/3, death 5", "dimension 1, birth 9/2, death 5");
+  expect_wrong(
+      changed("s/\"squared_distance\":\"9\\/2\"/\"squared_distance\":\"1" + std::string(60, '0') + "\"/"),
+      "dimension 1, birth 1" + std::string(59, '0') + "..., death 5", "dimension 1, birth 9/2, death 5");
   expect_wrong(changed("s/\"death\":{\"contact\":\\[0,1,2\\][^}]*}/\"death\":null/"),
                "dimension 1, birth 9/2, death inf", "dimension 1, birth 9/2, death 5");
 }
@@ -238,6 +316,16 @@ TEST_F(ConformanceCommand, KnowsOutcomesOfThePersistenceCommandApart) {
          "unreadable", "'squared_distance' is no string");
   expect("echo no >&2; exit 3", "refused", "exit status 3: no");
   expect("kill -SEGV $$", "crashed", "SIGSEGV");
+  for (const std::string word : {"-1", "1x", "9999999999"}) {
+    expect("echo " + word + " 0 1", "unreadable",
+           "standard output:1: no dimension 0, 1 or 2: '" + word + "'");
+  }
+  expect("echo '{\"pairs\":5}'", "unreadable", "'pairs' is no array");
+  expect("echo '{\"pairs\":[5]}'", "unreadable", "no object that could have 'dimension'");
+  for (const std::string dimension : {"-1", "3", "\"1\"", "0.5"}) {
+    expect("echo '{\"pairs\":[{\"dimension\":" + dimension + "}]}'", "unreadable",
+           "'dimension' is not 0, 1 or 2");
+  }
   const json missing = only_case_of(
       as_json({"--against", kCompute, "--persistence-against", "true {in} {out}", "--case", kTrianglePairs}));
   EXPECT_EQ(missing["outcome"], "unreadable") << missing;

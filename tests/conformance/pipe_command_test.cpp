@@ -201,6 +201,30 @@ TEST(Verify, ReportsToPeople) {
   EXPECT_TRUE(contains(less.out, "\n(1 of 3 failing cases are shown; --most N shows N)\n")) << less.out;
 }
 
+TEST(Verify, SaysHowManyAnswersAreApproximate) {
+  CITES("FC-CLAIM-05");
+  const Pipe pipe({"--cases", "40"}, {"decimals"});
+  const std::size_t approximate = pipe.as_json()["approximate"];
+  EXPECT_GT(approximate, 0U);
+  const Finished text = pipe.verify({"--tolerance", "1e-7"});
+  EXPECT_TRUE(contains(text.out, ": 40 of 40 cases are right; " + std::to_string(approximate) +
+                                     " approximate, tolerance 1e-07 of the radius; truth by the fast"))
+      << text.out;
+}
+
+TEST(Verify, TwentyRangesOfUnansweredAreShown) {
+  CITES("FC-CLAIM-03");
+  Words middle = {"csv"};
+  std::string shown = "0";
+  for (int k = 0; k < 21; ++k) {
+    middle.insert(middle.end(), {"skip", std::to_string(2 * k)});
+    if (k > 0 && k < 20) shown += ", " + std::to_string(2 * k);
+  }
+  const Pipe pipe({"--cases", "60"}, middle);
+  EXPECT_TRUE(contains(pipe.verify().out, "\nunanswered cases: " + shown + ", ...\n")) << pipe.verify().out;
+  EXPECT_EQ(pipe.as_json()["unanswered_numbers"].size(), 21U);
+}
+
 TEST(Verify, TenFailuresAreShownAndAllAreCounted) {
   CITES("FC-CLAIM-03");
   Words middle = {"csv"};

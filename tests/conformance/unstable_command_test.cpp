@@ -237,6 +237,25 @@ TEST(UnstableTable, HasARowForEveryCount) {
   EXPECT_EQ(plain.out.find("n_WCC"), std::string::npos) << plain.out;
 }
 
+// Integers near the origin, and decimals, whose doubles are long, far from it: the numbers are of few bytes
+// or of many, and the table has the sizes in between.
+TEST(UnstableTable, HasTheSizesOfExactNumbers) {
+  const Scratch scratch;
+  const std::string input = scratch.file(
+      "points.xyz", "7 2 7\n2 6 1\n6 3 7\n8 8 6\n91.1 99 95.3\n97.9 97.9 90\n99 97.9 99\n99 97.9 95.3\n");
+  const Words options = {"--kernel", "exact", "--stats"};
+  const ordered_json sizes = summary_of(input, options)["u2"]["exact_bytes"];
+  EXPECT_EQ(sizes["histogram"], ordered_json::parse("[[8,1],[16,0],[32,2]]"));
+  EXPECT_EQ(sizes["count"], 3);
+  const Finished finished = flowcert({"compute", input, "--manifolds", "u2", "--kernel", "exact", "--stats"});
+  const Words lines = lines_of(finished.out);
+  const auto title = std::ranges::find(lines, "  from  numbers");
+  ASSERT_GT(lines.end() - title, 3) << finished.out;
+  EXPECT_EQ(title[1], "     8        1");
+  EXPECT_EQ(title[2], "    16        0");
+  EXPECT_EQ(title[3], "    32        2");
+}
+
 TEST(UnstableRecords, OnlyGainKeys) {
   CITES("FC-OUT-01", "FC-OUT-02", "FC-FLOW-07");
   const Scratch scratch;

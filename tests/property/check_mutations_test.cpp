@@ -28,7 +28,7 @@ constexpr int kInputsPerFamily = 12;
 // As a decimal with all digits of the nearest double.
 ClaimedNumber in_decimals(const Rational& value) {
   const std::optional<double> nearest = nearest_double(value);
-  return nearest ? ClaimedNumber{Rational(*nearest), false} : exactly(value);
+  return nearest ? ClaimedNumber{Rational(*nearest), false} : number(value);
 }
 
 struct Subject : ClaimSubject {
@@ -49,15 +49,6 @@ ClaimedTarget target_of(const Subject& subject, const std::optional<std::size_t>
   return {false, subject.contact(*limit)};
 }
 
-ClaimedPolyline polyline_of(const std::vector<TrueSegment>& truth) {
-  ClaimedPolyline line;
-  for (const TrueSegment& segment : truth) {
-    line.push_back({segment.type, exactly(segment.driver), std::nullopt});
-    if (segment.end) line.back().end = exactly(*segment.end);
-  }
-  return line;
-}
-
 // All that can be claimed, as `compute -o --manifolds u2 --polylines` does; point k is of record k.
 Claim full_claim(const Subject& subject) {
   Claim claim;
@@ -74,7 +65,7 @@ Claim full_claim(const Subject& subject) {
     if (!index.is_critical()) point.hull_dimension = index.hull_dimension;
     point.contact = subject.contact(i);
     point.center = exactly(sphere.center);
-    point.squared_distance = exactly(sphere.squared_radius);
+    point.squared_distance = number(sphere.squared_radius);
     if (index == StationaryIndex{1, 1}) point.samples = point.contact;
     if (index == StationaryIndex{2, 2}) {
       const auto limits = subject.truth->limits(i);

@@ -18,6 +18,7 @@
 #include "fuzz/families.h"
 #include "fuzz/properties/stationary_comparison.h"
 #include "tests/property/property_parameters.h"
+#include "tests/true_claims.h"
 
 namespace flowcert::property {
 
@@ -25,19 +26,11 @@ constexpr std::size_t kFirstLine = 2;  // of a claim's points
 
 inline std::size_t below(std::size_t count) { return *rc::gen::inRange<std::size_t>(0, count); }
 
-inline ClaimedNumber exactly(const Rational& value) { return {value, true}; }
-inline ClaimedPosition exactly(const RationalPoint& x) {
-  return {exactly(x[0]), exactly(x[1]), exactly(x[2])};
-}
-
 struct ClaimSubject {
   explicit ClaimSubject(const fuzz::Input& rows)
       : input(rows), points(point_set_of(rows)), truth(fast_truth(points)) {}
 
-  [[nodiscard]] std::vector<PointId> contact(std::size_t i) const {
-    const auto names = truth->contact(i);
-    return {names.begin(), names.end()};
-  }
+  [[nodiscard]] std::vector<PointId> contact(std::size_t i) const { return contact_of(*truth, i); }
 
   const fuzz::Input& input;
   PointSet points;

@@ -23,6 +23,7 @@
 #include "tests/cites.h"
 #include "tests/property/claim_properties.h"
 #include "tests/property/stable_skeleton.h"
+#include "tests/true_claims.h"
 
 namespace flowcert::property {
 namespace {
@@ -37,80 +38,6 @@ struct Subject : ClaimSubject {
   Delaunay delaunay;
   StationaryPoints stationary;
 };
-
-ClaimedSkeleton skeleton_of(const StableSet& set) {
-  ClaimedSkeleton skeleton;
-  for (const BackwardSegment& s : set.segments) {
-    skeleton.segments.push_back({{s.samples[0], s.samples[1]},
-                                 exactly(s.front),
-                                 exactly(s.back),
-                                 s.front_contact,
-                                 s.back_contact,
-                                 back_kind_text(s.back_kind)});
-  }
-  for (const BackwardInterval& i : set.intervals) {
-    skeleton.intervals.push_back({i.polygon, exactly(i.front), exactly(i.back), i.back_is_stationary});
-  }
-  for (const BackwardSector& s : set.sectors) {
-    ClaimedSector sector{{s.samples[0], s.samples[1]}, {}};
-    for (const RationalPoint& corner : s.corners) sector.corners.push_back(exactly(corner));
-    skeleton.sectors.push_back(std::move(sector));
-  }
-  return skeleton;
-}
-
-ClaimedSurface surface_of(const Subject& subject, const StableSet& set) {
-  ClaimedSurface surface;
-  for (const BackwardSegment& s : set.segments) {
-    for (const PointId name : s.samples) {
-      const std::size_t first = surface.vertices.size();
-      surface.vertices.push_back(exactly(exact_sphere(subject.points, std::vector<PointId>{name}).center));
-      surface.vertices.push_back(exactly(s.front));
-      surface.vertices.push_back(exactly(s.back));
-      surface.triangles.push_back({first, first + 1, first + 2});
-    }
-  }
-  return surface;
-}
-
-// All stationary points by their contact sets, with all that can be claimed of stable sets; point k is of
-// record k.
-Claim stable_claim(const Subject& subject) {
-  Claim claim;
-  claim.format = "exchange";
-  std::map<std::vector<PointId>, std::vector<ClaimedTarget>> saddles;
-  for (std::size_t i = 0; i < subject.truth->size(); ++i) {
-    const StationaryIndex index = subject.truth->index(i);
-    ClaimedPoint point;
-    point.line = kFirstLine + i;
-    point.index = index.face_dimension;
-    if (!index.is_critical()) point.hull_dimension = index.hull_dimension;
-    point.contact = subject.contact(i);
-    if (index == StationaryIndex{2, 2} || !index.is_critical()) {
-      const StableSet set = subject.truth->stable_set(i);
-      const StableSummary summary = subject.truth->stable_summary(i);
-      point.stable = ClaimedStable{summary.segments, summary.has_vertex, summary.has_interval, {}, {}};
-      point.stable->walk = boundary_walk(set, index, point.contact);
-      point.skeleton = skeleton_of(set);
-      if (set.intervals.empty()) point.surface = surface_of(subject, set);
-      if (index.is_critical()) {
-        point.stable->boundary.emplace();
-        const auto boundary = subject.truth->boundary(i);
-        for (const std::uint32_t record : *boundary) {
-          point.stable->boundary->push_back(subject.contact(record));
-        }
-        for (const BackwardSegment& s : set.segments) {
-          if (s.back_kind == BackKind::kCritical) saddles[s.back_contact].push_back({false, point.contact});
-        }
-      }
-    }
-    claim.points.push_back(std::move(point));
-  }
-  for (ClaimedPoint& point : claim.points) {
-    if (point.index == 1 && !point.hull_dimension) point.successors = saddles[point.contact];
-  }
-  return claim;
-}
 
 // ---- Claims that vary where they may.
 
@@ -398,7 +325,7 @@ TEST(StableClaims, RightClaimsNeverFail) {
   CITES("FC-CLAIM-06", "FC-CLAIM-09", "FC-CLAIM-10");
   std::size_t differing = 0, left_out = 0;
   on_all_families<Subject>(fuzz::families_and_stable_ones(), kInputsPerFamily, [&](const Subject& subject) {
-    const Claim claim = stable_claim(subject);
+    const Claim claim = stable_claim(subject.points, *subject.truth, kFirstLine);
     const CheckReport exact = check(subject.points, claim, *subject.truth);
     require(subject, exact.verdict == Verdict::kConforms && exact.findings.empty() && exact.is_exact,
             "the full claim", exact);
@@ -423,7 +350,7 @@ TEST(StableClaims, MutantsFailWhereTheyAreWrong) {
   CITES("FC-CLAIM-06", "FC-CLAIM-09", "FC-CLAIM-10", "FC-STAB-04", "FC-STAB-07", "FC-CHAIN-01");
   std::map<std::string, std::size_t> made;
   on_all_families<Subject>(fuzz::families_and_stable_ones(), kInputsPerFamily, [&](const Subject& subject) {
-    const Claim claim = stable_claim(subject);
+    const Claim claim = stable_claim(subject.points, *subject.truth, kFirstLine);
     for (const auto& [name, mutation] : mutations()) {
       const std::optional<Mutant> mutant = mutation(subject, claim);
       if (!mutant) continue;

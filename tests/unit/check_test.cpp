@@ -7,96 +7,10 @@
 #include <limits>
 
 #include "tests/cites.h"
+#include "tests/unit/hand_made_claims.h"
 
 namespace flowcert {
 namespace {
-
-using Ids = std::vector<PointId>;
-
-ClaimedNumber number(const Rational& value) { return {value, true}; }
-ClaimedNumber decimal(const Rational& value) { return {value, false}; }
-ClaimedPosition exactly(const RationalPoint& x) { return {number(x[0]), number(x[1]), number(x[2])}; }
-ClaimedPosition decimals(const RationalPoint& x) { return {decimal(x[0]), decimal(x[1]), decimal(x[2])}; }
-
-// A claim by contact sets, one line each from line 1 on.
-class Claimed {
- public:
-  Claimed& add(int index, const Ids& contact) {
-    ClaimedPoint point;
-    point.line = claim.points.size() + 1;
-    point.index = index;
-    point.contact = contact;
-    claim.points.push_back(point);
-    return *this;
-  }
-  Claimed& regular(int face, int hull, const Ids& contact) {
-    add(face, contact);
-    claim.points.back().hull_dimension = hull;
-    return *this;
-  }
-  Claimed& at(int index, const ClaimedPosition& position) {
-    add(index, {});
-    claim.points.back().center = position;
-    return *this;
-  }
-  ClaimedPoint& last() { return claim.points.back(); }
-
-  Claim claim;
-};
-
-// All that is true of some points.
-class Truly {
- public:
-  explicit Truly(const std::vector<Point>& rows) : points(rows), truth(fast_truth(points)) {}
-
-  // Without those of the given contact sets.
-  [[nodiscard]] Claimed claim_without(const std::vector<Ids>& contacts) const {
-    Claimed claimed;
-    for (std::size_t i = 0; i < truth->size(); ++i) {
-      const Ids contact(truth->contact(i).begin(), truth->contact(i).end());
-      if (!truth->index(i).is_critical() || std::ranges::find(contacts, contact) != contacts.end()) continue;
-      claimed.add(truth->index(i).face_dimension, contact);
-    }
-    return claimed;
-  }
-  [[nodiscard]] Claimed claim() const { return claim_without({}); }
-  [[nodiscard]] CheckReport check(const Claimed& claimed, const CheckOptions& options = {}) const {
-    return flowcert::check(points, claimed.claim, *truth, options);
-  }
-
-  PointSet points;
-  std::unique_ptr<Truth> truth;
-};
-
-std::string text(const CheckReport& report) {
-  std::string result = verdict_text(report.verdict);
-  for (const Finding& finding : report.findings) {
-    result.append("\n").append(std::to_string(finding.level)).append(" ").append(reason_text(finding.reason));
-    result.append(" ").append(finding.clause).append(": ").append(finding.claimed);
-    result.append("; ").append(finding.truth);
-  }
-  return result;
-}
-
-std::size_t count(const CheckReport& report, FindingReason reason) {
-  return static_cast<std::size_t>(std::ranges::count(report.findings, reason, &Finding::reason));
-}
-
-void expect_finding(const CheckReport& report, int level, FindingReason reason, const std::string& clause,
-                    const std::optional<std::size_t>& line) {
-  const bool found = std::ranges::any_of(report.findings, [&](const Finding& finding) {
-    return finding.level == level && finding.reason == reason && finding.clause == clause &&
-           finding.line == line;
-  });
-  EXPECT_TRUE(found) << reason_text(reason) << " in " << text(report);
-}
-
-const std::vector<Point> kCube = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
-                                  {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
-// The examples of FC-CRIT-03: one regular stationary point each.
-const std::vector<Point> kRightTriangle = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
-const std::vector<Point> kKind23 = {{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}};
-const std::vector<Point> kKind13 = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 TEST(CheckTest, ReportsWhatItChecked) {
   CITES("FC-CLAIM-03", "FC-INV-01");
@@ -296,12 +210,9 @@ TEST(CheckTest, FindsOutWhatIsClaimedByPosition) {
   EXPECT_EQ(count(nearly.check(both), FindingReason::kMissing), 1U);
 }
 
-ClaimedTarget to(const Ids& contact) { return {false, contact}; }
-const ClaimedTarget kInfinity = {true, {}};
-
 TEST(CheckTest, JudgesIncidences) {
   CITES("FC-CLAIM-06", "FC-FLOW-07", "FC-CHAIN-01");
-  const Truly tetrahedron({{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}});
+  const Truly tetrahedron(kTetrahedron);
   const auto report = [&](const std::vector<ClaimedTarget>& targets) {
     Claimed claimed = tetrahedron.claim_without({{0, 1, 2}}).add(2, {0, 1, 2});
     claimed.last().successors = targets;

@@ -202,6 +202,9 @@ TEST(ReadExchange, ErrorsInARecord) {
   EXPECT_EQ(record_refusal("{\"index\":1,\"center\":[0,0,\"1 \"]}"), "a:2: not a number: '1 '");
   EXPECT_EQ(record_refusal("{\"index\":1,\"center\":[0,0,\"" + std::string(1000001, '1') + "\"]}"),
             "a:2: a number of too many digits: '" + std::string(40, '1') + "...'");
+  EXPECT_EQ(record_refusal("{\"index\":1,\"center\":[0,0,\"0." + std::string(2000, '1') + "\"]}"),
+            "a:2: a number of too many digits: '0." + std::string(38, '1') + "...'")
+      << "a decimal, of which fewer are taken";
   EXPECT_EQ(record_refusal("{\"index\":1,\"contact\":[1],\"squared_distance\":\"-1/4\"}"),
             "a:2: the value of 'squared_distance' is not 0 or more");
   EXPECT_EQ(record_refusal("{\"index\":1,\"contact\":[1],\"limits\":[null,null]}"),

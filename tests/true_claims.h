@@ -1,0 +1,126 @@
+// Claims made of the truth: all that can be claimed of stable sets, of polylines, of incidences.
+//
+// Guarantees: exact, and so right; point k is of record k, in the lines from a first one on.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "certify/boundaries.h"
+#include "flowcert/check.h"
+
+namespace flowcert {
+
+inline ClaimedNumber number(const Rational& value) { return {value, true}; }
+inline ClaimedPosition exactly(const RationalPoint& x) { return {number(x[0]), number(x[1]), number(x[2])}; }
+
+inline std::vector<PointId> contact_of(const Truth& truth, std::size_t i) {
+  const auto names = truth.contact(i);
+  return {names.begin(), names.end()};
+}
+
+inline ClaimedPolyline polyline_of(const std::vector<TrueSegment>& truth) {
+  ClaimedPolyline line;
+  for (const TrueSegment& segment : truth) {
+    line.push_back({segment.type, exactly(segment.driver), std::nullopt});
+    if (segment.end) line.back().end = exactly(*segment.end);
+  }
+  return line;
+}
+
+inline ClaimedSkeleton skeleton_of(const StableSet& set) {
+  ClaimedSkeleton skeleton;
+  for (const BackwardSegment& s : set.segments) {
+    skeleton.segments.push_back({{s.samples[0], s.samples[1]},
+                                 exactly(s.front),
+                                 exactly(s.back),
+                                 s.front_contact,
+                                 s.back_contact,
+                                 back_kind_text(s.back_kind)});
+  }
+  for (const BackwardInterval& i : set.intervals) {
+    skeleton.intervals.push_back({i.polygon, exactly(i.front), exactly(i.back), i.back_is_stationary});
+  }
+  for (const BackwardSector& s : set.sectors) {
+    ClaimedSector sector{{s.samples[0], s.samples[1]}, {}};
+    for (const RationalPoint& corner : s.corners) sector.corners.push_back(exactly(corner));
+    skeleton.sectors.push_back(std::move(sector));
+  }
+  return skeleton;
+}
+
+inline ClaimedSurface surface_of(const PointSet& points, const StableSet& set) {
+  ClaimedSurface surface;
+  for (const BackwardSegment& s : set.segments) {
+    for (const PointId name : s.samples) {
+      const std::size_t first = surface.vertices.size();
+      surface.vertices.push_back(exactly(exact_sphere(points, std::vector<PointId>{name}).center));
+      surface.vertices.push_back(exactly(s.front));
+      surface.vertices.push_back(exactly(s.back));
+      surface.triangles.push_back({first, first + 1, first + 2});
+    }
+  }
+  return surface;
+}
+
+// All stationary points by their contact sets, with all that can be claimed of stable sets; point k is of
+// record k.
+inline Claim stable_claim(const PointSet& points, Truth& truth, std::size_t first_line) {
+  Claim claim;
+  claim.format = "exchange";
+  std::map<std::vector<PointId>, std::vector<ClaimedTarget>> saddles;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const StationaryIndex index = truth.index(i);
+    ClaimedPoint point;
+    point.line = first_line + i;
+    point.index = index.face_dimension;
+    if (!index.is_critical()) point.hull_dimension = index.hull_dimension;
+    point.contact = contact_of(truth, i);
+    if (index == StationaryIndex{2, 2} || !index.is_critical()) {
+      const StableSet set = truth.stable_set(i);
+      const StableSummary summary = truth.stable_summary(i);
+      point.stable = ClaimedStable{summary.segments, summary.has_vertex, summary.has_interval, {}, {}};
+      point.stable->walk = boundary_walk(set, index, point.contact);
+      point.skeleton = skeleton_of(set);
+      if (set.intervals.empty()) point.surface = surface_of(points, set);
+      if (index.is_critical()) {
+        point.stable->boundary.emplace();
+        const auto boundary = truth.boundary(i);
+        for (const std::uint32_t record : *boundary) {
+          point.stable->boundary->push_back(contact_of(truth, record));
+        }
+        for (const BackwardSegment& s : set.segments) {
+          if (s.back_kind == BackKind::kCritical) saddles[s.back_contact].push_back({false, point.contact});
+        }
+      }
+    }
+    claim.points.push_back(std::move(point));
+  }
+  for (ClaimedPoint& point : claim.points) {
+    if (point.index == 1 && !point.hull_dimension) point.successors = saddles[point.contact];
+  }
+  return claim;
+}
+
+// That, and where the orbits of the index-2 points go and how; and the samples of the index-1 points.
+inline Claim true_claim(const PointSet& points, Truth& truth) {
+  Claim claim = stable_claim(points, truth, 1);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    ClaimedPoint& point = claim.points[i];
+    if (truth.index(i) == StationaryIndex{1, 1}) point.samples = point.contact;
+    if (truth.index(i) != StationaryIndex{2, 2}) continue;
+    point.successors.emplace();
+    point.u2.emplace();
+    for (std::size_t side = 0; side < 2; ++side) {
+      const auto limit = truth.limits(i).at(side);
+      point.successors->push_back(limit ? ClaimedTarget{false, contact_of(truth, *limit)}
+                                        : ClaimedTarget{true, {}});
+      point.u2->push_back(polyline_of(truth.polyline(i, side)));
+    }
+    point.successors_by_side = true;
+  }
+  return claim;
+}
+
+}  // namespace flowcert

@@ -1,0 +1,320 @@
+// check() on what a claim says of itself, and on which points it has where (levels 1 to 3): claims by hand,
+// and what is said of them, word for word.
+#include <gtest/gtest.h>
+
+#include "tests/cites.h"
+#include "tests/unit/hand_made_claims.h"
+
+namespace flowcert {
+namespace {
+
+// Of all that is true but for one change to the point of this contact set.
+template <typename Change>
+std::string said(const Truly& truly, const Ids& contact, const Change& change) {
+  Claimed claimed = truly.whole_claim();
+  change(claimed.of(contact));
+  return text(truly.check(claimed));
+}
+
+std::string said(const Truly& truly, const Claimed& claimed) { return text(truly.check(claimed)); }
+
+Rational ten_to(int exponent) {
+  Rational power = 1;
+  for (int k = 0; k < exponent; ++k) power *= 10;
+  return power;
+}
+
+// ---- Form
+
+TEST(FormFindings, OfTheWhole) {
+  CITES("FC-CLAIM-01", "FC-IN-03");
+  const Truly points({{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {3, 0, 0}});
+  Claimed claimed = points.whole_claim();
+  claimed.claim.merged_duplicates = 1;
+  claimed.claim.classes = {{{1, 3}}};
+  claimed.claim.critical_counts = {{3, 2, 0, 0}};
+  claimed.claim.regular_counts = {{1, 0, 0}};
+  EXPECT_EQ(said(points, claimed), "conforms");
+  claimed.claim.merged_duplicates = 2;
+  claimed.claim.classes->clear();
+  claimed.claim.regular_counts = {{0, 0, 1}};
+  EXPECT_EQ(said(points, claimed),
+            "fails"
+            "\n1 wrong-counts FC-IN-03: 2 merged duplicates; 1"
+            "\n1 malformed FC-IN-03: other classes of repeated points; 1 classes of more than one row"
+            "\n1 wrong-counts FC-CLAIM-01: 0 0 1 regular stationary points of kinds 1-2, 2-3, 1-3; the claim "
+            "itself lists 1 0 0");
+}
+
+TEST(FormFindings, OfIndicesAndKinds) {
+  CITES("FC-CLAIM-01", "FC-CRIT-03");
+  const Truly points(kTetrahedron);
+  const auto added = [&](int index, const std::optional<int>& hull) {
+    Claimed claimed = points.claim().add(index, {0, 1, 2, 3});
+    claimed.last().hull_dimension = hull;
+    claimed.claim.points.erase(claimed.claim.points.end() - 2);  // the right one
+    return text(points.check(claimed, {.highest_level = 1}));
+  };
+  for (const int index : {-1, 4}) {
+    EXPECT_EQ(added(index, {}), "fails\n1 malformed FC-CLAIM-01: index " + std::to_string(index) +
+                                    ", contact set 0 1 2 3; an index is 0, 1, 2 or 3");
+  }
+  for (const auto& [index, hull] : {std::pair{0, 2}, {1, 1}, {2, 1}, {1, 4}, {3, 3}}) {
+    EXPECT_EQ(added(index, hull), "fails\n1 malformed FC-CRIT-03: regular, kind " + std::to_string(index) +
+                                      "-" + std::to_string(hull) +
+                                      ", contact set 0 1 2 3; only the kinds 1-2, 2-3 and 1-3 exist");
+  }
+  for (const auto& [index, hull] : {std::pair{1, 2}, {2, 3}, {1, 3}})
+    EXPECT_EQ(added(index, hull), "conforms");
+  EXPECT_EQ(text(points.check(points.claim().add(1, {}), {.highest_level = 1})),
+            "fails\n1 malformed FC-CLAIM-01: index 1; neither a contact set nor a position");
+}
+
+TEST(FormFindings, OfWhatFlows) {
+  CITES("FC-CLAIM-01");
+  const Truly points(kTetrahedron);
+  const auto fault = [&](const auto& change) {
+    Claimed claimed = points.whole_claim();
+    change(claimed.of({0, 1, 2}));
+    const CheckReport report = points.check(claimed, {.highest_level = 1});
+    EXPECT_EQ(report.findings.size(), 1U) << text(report);
+    if (report.findings.size() != 1) return std::string();
+    EXPECT_EQ(report.findings[0].reason, FindingReason::kMalformed);
+    EXPECT_EQ(report.findings[0].clause, "FC-CLAIM-01");
+    EXPECT_EQ(report.findings[0].line, 11U);
+    return report.findings[0].truth;
+  };
+  using Point = ClaimedPoint;
+  EXPECT_EQ(fault([](Point& point) {
+              point.successors->front() = {false, {}};
+            }),
+            "a successor without a contact set");
+  EXPECT_EQ(fault([](Point& point) {
+              point.successors->front() = to({0, 4});
+            }),
+            "of a successor: there is no point 4; the ids are 0 to 3");
+  EXPECT_EQ(fault([](Point& point) { point.successors->pop_back(); }), "there are two sides");
+  EXPECT_EQ(fault([](Point& point) {
+              point.samples = {{2, 0, 2}};
+            }),
+            "of the samples: point 2 is named twice");
+  EXPECT_EQ(fault([](Point& point) { point.u2->pop_back(); }), "an unstable manifold U2 has two orbits");
+  EXPECT_EQ(fault([](Point& point) { point.stable->boundary->front().clear(); }),
+            "of a stable set: a contact set without points");
+  EXPECT_EQ(fault([](Point& point) {
+              point.stable->walk = {{0, 1, 7}};
+            }),
+            "of a stable set: there is no point 7; the ids are 0 to 3");
+  EXPECT_EQ(fault([](Point& point) {
+              point.skeleton->segments[0].samples = {1, 1};
+            }),
+            "of a stable set: point 1 is named twice");
+  EXPECT_EQ(fault([](Point& point) {
+              point.skeleton->segments[1].front_contact = {{0, 5}};
+            }),
+            "of a stable set: there is no point 5; the ids are 0 to 3");
+  EXPECT_EQ(fault([](Point& point) { point.skeleton->segments[1].back_contact = Ids{}; }),
+            "of a stable set: a contact set without points");
+  EXPECT_EQ(fault([](Point& point) {
+              point.skeleton->intervals.push_back({{0, 1, 6}, {}, {}, {}});
+            }),
+            "of a stable set: there is no point 6; the ids are 0 to 3");
+  EXPECT_EQ(fault([](Point& point) {
+              point.skeleton->sectors.push_back({{}, {}});
+            }),
+            "of a stable set: a contact set without points");
+}
+
+TEST(FormFindings, OnlyToTheLevelThatIsAskedFor) {
+  CITES("FC-CLAIM-03");
+  const Truly points(kTetrahedron);
+  Claimed claimed = points.whole_claim();
+  claimed.of({0, 1}).samples = {{0, 3}};
+  claimed.of({0, 1, 2}).stable->walk->pop_back();
+  claimed.of({0, 1, 3}).stable->walk->pop_back();
+  claimed.of({0, 2, 3}).center = exactly(RationalPoint{1, 2, 3});
+  claimed.claim.points.erase(claimed.claim.points.begin());
+  const std::array<std::size_t, 5> expected = {0, 1, 3, 4, 6};
+  for (int level = 1; level <= kLevels; ++level) {
+    const CheckReport report = points.check(claimed, {.highest_level = level});
+    const auto at = static_cast<std::size_t>(level - 1);
+    EXPECT_EQ(report.findings.size(), expected[at]) << text(report);
+    for (std::size_t k = at + 1; k < 5; ++k) EXPECT_FALSE(report.conforms[k].has_value());
+  }
+  EXPECT_THROW((void)points.check(claimed, {.tolerance = 1.5}), InvalidInput);
+}
+
+// ---- At regular stationary points
+
+TEST(PlaceFindings, OfRegularPoints) {
+  CITES("FC-CLAIM-03", "FC-CLAIM-04", "FC-CRIT-03");
+  const Truly triangle(kRightTriangle), both(kKind13);
+  EXPECT_EQ(
+      said(triangle, triangle.claim().regular(1, 3, {0, 1, 2})),
+      "fails\n3 wrong-index FC-CRIT-03: regular, kind 1-3, contact set 0 1 2; a regular stationary point "
+      "of kind 1-2, contact set 0 1 2");
+  EXPECT_EQ(
+      said(triangle, triangle.claim().regular(2, 3, {0, 1, 2})),
+      "fails\n3 wrong-index FC-CRIT-03: regular, kind 2-3, contact set 0 1 2; a regular stationary point "
+      "of kind 1-2, contact set 0 1 2");
+  const std::string incomplete = said(triangle, triangle.claim().regular(1, 2, {1, 2}));
+  EXPECT_TRUE(incomplete.starts_with(
+      "fails\n2 contact-incomplete FC-CRIT-05 (c): regular, kind 1-2, contact set 1 2; "))
+      << incomplete;
+  EXPECT_EQ(
+      said(triangle, triangle.claim().regular(1, 2, {0, 1, 2}).regular(1, 2, {0, 1, 2})),
+      "fails\n3 claimed-twice FC-CRIT-06: regular, kind 1-2, contact set 0 1 2; claimed already in line 6");
+  EXPECT_EQ(said(both, both.claim().regular(1, 3, {0, 1, 2, 3})), "conforms");
+}
+
+TEST(PlaceFindings, OfWhatAPerturbationWouldNotMake) {
+  CITES("FC-CLAIM-04", "FC-CRIT-03");
+  const Truly triangle(kRightTriangle);
+  for (const auto& [index, names] : {std::pair{0, Ids{1, 2}}, {3, {0, 1, 2}}, {2, {1, 2}}, {1, {0, 1, 2}}}) {
+    const CheckReport report = triangle.check(triangle.claim().add(index, names));
+    EXPECT_EQ(count(report, FindingReason::kCollisionAsCritical), 1U) << text(report);
+    EXPECT_NE(text(report).find("; no face of it with that centre is claimed"), std::string::npos)
+        << text(report);
+  }
+}
+
+// By position it is not known which of the two polygons of a kind 1-3 is meant; of three claims, two are the
+// same.
+TEST(PlaceFindings, OfPerturbedPointsByPosition) {
+  CITES("FC-CLAIM-04", "FC-CLAIM-05");
+  const Truly points(kKind13);
+  const ClaimedPosition center = exactly(RationalPoint{0, 0, 0});
+  const auto all = [&] { return points.claim().at(1, center).at(2, center).at(2, center).at(3, center); };
+  EXPECT_EQ(points.check(all()).verdict, Verdict::kConformsWhereDetermined);
+  EXPECT_EQ(count(points.check(all()), FindingReason::kSymbolicPerturbation), 4U);
+  const CheckReport thrice = points.check(all().at(2, center));
+  EXPECT_EQ(count(thrice, FindingReason::kClaimedTwice), 1U) << text(thrice);
+  EXPECT_EQ(points.check(points.claim().at(1, center).at(2, center)).verdict,
+            Verdict::kConformsWhereDetermined);
+  // One by position, the other by a contact set.
+  EXPECT_EQ(points.check(points.claim().add(1, {0, 1}).at(2, center).add(2, {0, 1, 2}).at(3, center)).verdict,
+            Verdict::kConformsWhereDetermined);
+  Claimed regular = points.claim().at(1, center);
+  regular.last().hull_dimension = 3;
+  EXPECT_EQ(said(points, regular), "conforms");
+  regular.last().hull_dimension = 2;
+  EXPECT_EQ(count(points.check(regular), FindingReason::kWrongIndex), 1U);
+}
+
+// ---- Positions and distances
+
+TEST(PlaceFindings, OfAnArcOfSamples) {
+  CITES("FC-CRIT-05");
+  const Truly arc({{25, 0, 0}, {24, 7, 0}, {20, 15, 0}, {15, 20, 0}});
+  EXPECT_EQ(
+      text(arc.check(arc.claim().add(2, {0, 1, 2}), {.highest_level = 2})),
+      "fails\n2 contact-incomplete FC-CRIT-05 (c): index 2, contact set 0 1 2; point 3 lies on the sphere "
+      "too, and the centre outside the hull of all of them");
+  EXPECT_EQ(
+      text(arc.check(arc.claim().add(2, {0, 1, 2, 3}), {.highest_level = 2})),
+      "fails\n2 outside-hull FC-CRIT-05 (d): index 2, contact set 0 1 2 3; the centre 0 0 0 lies outside "
+      "the hull of the contact set");
+}
+
+TEST(PlaceFindings, OfValuesBeyondDoubles) {
+  CITES("FC-CLAIM-05", "FC-OUT-01");
+  const Truly points({{0, 0, 0}, {2, 0, 0}});
+  const Rational huge = ten_to(400);
+  const auto with = [&](const auto& change) { return said(points, {0, 1}, change); };
+  const std::string start = "fails\n2 wrong-position FC-OUT-01: index 1, contact set 0 1, ";
+  EXPECT_EQ(with([&](ClaimedPoint& point) {
+              point.center = exactly(RationalPoint{huge, -huge, 0});
+            }),
+            start + "centre > 1.8e308 < -1.8e308 0; the centre is 1 0 0");
+  EXPECT_EQ(with([&](ClaimedPoint& point) {
+              point.center = decimals({-huge, huge, 0});
+            }),
+            start + "centre < -1.8e308 > 1.8e308 0; the centre is 1 0 0");
+  EXPECT_EQ(with([&](ClaimedPoint& point) { point.squared_distance = decimal(huge); }),
+            start + "squared distance > 1.8e308; the squared distance is 1");
+  EXPECT_EQ(with([&](ClaimedPoint& point) { point.squared_distance = number(huge); }),
+            start + "squared distance > 1.8e308; the squared distance is 1");
+  for (const Rational& x : {huge, Rational(-huge)}) {
+    EXPECT_EQ(text(points.check(points.claim().at(1, decimals({x, 0, 0})), {.highest_level = 2})),
+              std::string("fails\n2 wrong-position FC-CRIT-01: index 1, at ") + (x > 0 ? ">" : "< -") +
+                  (x > 0 ? " 1.8e308" : "1.8e308") +
+                  " 0 0; no stationary point is there, or within the tolerance of it");
+  }
+  EXPECT_EQ(
+      text(Truly({}).check(Claimed().at(0, decimals({1, 2, 3})), {.highest_level = 2})),
+      "fails\n2 wrong-position FC-CRIT-01: index 0, at 1 2 3; no stationary point is there, or within the "
+      "tolerance of it");
+}
+
+TEST(PlaceFindings, OfDistances) {
+  CITES("FC-CLAIM-05", "FC-OUT-01");
+  const Truly points({{0, 0, 0}, {2, 0, 0}});
+  const auto with = [&](const auto& change) { return said(points, {0, 1}, change); };
+  const std::string start = "fails\n2 wrong-position FC-OUT-01: index 1, contact set 0 1, ";
+  const std::string rounding = "fails\n2 rounding FC-OUT-01: index 1, contact set 0 1, ";
+  const std::string end = "; the squared distance is 1";
+  const Rational tiny = Rational(1) / (Rational(1 << 30) * Rational(1 << 22));
+  EXPECT_EQ(with([](ClaimedPoint& point) { point.distance = number(1); }), "conforms");
+  EXPECT_EQ(with([](ClaimedPoint& point) { point.distance = number(-1); }), start + "distance -1" + end);
+  EXPECT_EQ(with([](ClaimedPoint& point) { point.squared_distance = number(-1); }),
+            start + "squared distance -1" + end);
+  EXPECT_EQ(with([](ClaimedPoint& point) { point.squared_distance = decimal(2); }),
+            start + "squared distance 2" + end);
+  EXPECT_EQ(with([&](ClaimedPoint& point) { point.squared_distance = number(1 + tiny); }),
+            rounding + "squared distance ~1.0000000000000002" + end);
+  EXPECT_EQ(with([&](ClaimedPoint& point) { point.squared_distance = decimal(1 + tiny); }), "conforms");
+  // As far off as all of the radius.
+  Claimed nothing = points.claim();
+  nothing.last().squared_distance = decimal(0);
+  EXPECT_EQ(points.check(nothing, {.tolerance = 1}).verdict, Verdict::kConforms);
+  EXPECT_EQ(points.check(nothing, {.tolerance = 0.5}).verdict, Verdict::kFails);
+  // Exact and in decimals at once: approximate.
+  Claimed mixed = points.claim();
+  mixed.last().center = {number(1), decimal(0), number(0)};
+  EXPECT_FALSE(points.check(mixed).is_exact);
+  EXPECT_EQ(points.check(mixed).verdict, Verdict::kConforms);
+  mixed.last().center = {number(2), decimal(0), number(0)};
+  EXPECT_EQ(points.check(mixed).verdict, Verdict::kFails) << "what is exact has no tolerance";
+}
+
+// Three claims for what two places have: each finds its own where that can be.
+TEST(PlaceFindings, OfAmbiguousPositions) {
+  CITES("FC-CLAIM-05");
+  const Truly nearly({{0, 0, 0}, {2, 0, 0}, {1, 1 + 0x1p-40, 0}});
+  const auto claim = [&](const std::vector<int>& indices) {
+    Claimed claimed = nearly.claim_without({{0, 1}, {0, 1, 2}});
+    for (const int index : indices) claimed.at(index, decimals({1, 0, 0}));
+    return nearly.check(claimed);
+  };
+  EXPECT_EQ(count(claim({1, 2}), FindingReason::kAmbiguous), 2U) << text(claim({1, 2}));
+  EXPECT_EQ(claim({1, 2}).verdict, Verdict::kConformsWhereDetermined);
+  EXPECT_EQ(claim({2, 1}).verdict, Verdict::kConformsWhereDetermined);
+  const CheckReport again = claim({1, 2, 1});
+  EXPECT_EQ(count(again, FindingReason::kClaimedTwice), 1U) << text(again);
+  const CheckReport wrong = claim({1, 3});
+  EXPECT_EQ(wrong.verdict, Verdict::kFails);
+  // Exactly at one of them, it is that one.
+  Claimed exact = nearly.claim_without({{0, 1}});
+  exact.at(1, exactly(RationalPoint{1, 0, 0}));
+  EXPECT_EQ(said(nearly, exact), "conforms");
+}
+
+// What is claimed wrongly, or a second time, is not followed any further.
+TEST(PlaceFindings, OnlyRightPointsAreFollowed) {
+  CITES("FC-CLAIM-06", "FC-CLAIM-08");
+  const Truly points(kTetrahedron);
+  Claimed claimed = points.whole_claim();
+  ClaimedPoint again = claimed.of({0, 1, 2});
+  again.line = claimed.claim.points.size() + 1;
+  again.u2->front().clear();
+  again.successors->clear();
+  again.successors_by_side = false;
+  again.stable->segments = 9;
+  claimed.claim.points.push_back(again);
+  const CheckReport report = points.check(claimed);
+  for (const Finding& finding : report.findings) EXPECT_EQ(finding.level, 3) << text(report);
+  EXPECT_EQ(count(report, FindingReason::kClaimedTwice), 1U);
+}
+
+}  // namespace
+}  // namespace flowcert

@@ -1,0 +1,371 @@
+// check() on polylines, boundary walks, skeletons and surfaces (level 5): all that is true with one thing
+// changed, and what is said of it, word for word.
+#include <gtest/gtest.h>
+
+#include "tests/cites.h"
+#include "tests/unit/hand_made_claims.h"
+
+namespace flowcert {
+namespace {
+
+const Ids kTriangle = {0, 1, 2};
+const Ids kSaddleOfArch = {0, 3, 4};
+
+// What is said of all that is true but for one change to the point of this contact set.
+template <typename Change>
+std::string said(const Truly& truly, const Ids& contact, const Change& change) {
+  Claimed claimed = truly.whole_claim();
+  change(claimed.of(contact));
+  return text(truly.check(claimed));
+}
+
+template <typename Change>
+std::string said_of_skeleton(const Truly& truly, const Ids& contact, const Change& change) {
+  return said(truly, contact, [&](ClaimedPoint& point) { change(*point.skeleton); });
+}
+
+// Off by less than rounding may be.
+void nudge(ClaimedPosition& x) { x[0].value += Rational(1) / (Rational(1 << 30) * Rational(1 << 22)); }
+void shift(ClaimedPosition& x) { x[0].value += Rational(1, 8); }
+
+// ---- Polylines
+
+TEST(PolylineFindings, OfEachPartOfASegment) {
+  CITES("FC-CLAIM-08");
+  const Truly points(kTetrahedron);
+  const auto side = points.truth->limits(10).at(0) ? 0U : 1U;
+  ASSERT_EQ(contact_of(*points.truth, 10), kTriangle);
+  const std::string start = "index 2, contact set 0 1 2, side " + std::to_string(side) + ", ";
+  const auto changed = [&](const auto& change) {
+    return said(points, kTriangle, [&](ClaimedPoint& point) { change((*point.u2)[side]); });
+  };
+  const std::string wrong = "fails\n5 wrong-polyline FC-CLAIM-08: " + start;
+  const std::string rounding = "fails\n5 rounding FC-CLAIM-08: " + start;
+  EXPECT_EQ(changed([](ClaimedPolyline& line) { line[0].type.clear(); }), "conforms");
+  EXPECT_EQ(changed([](ClaimedPolyline& line) { line[0].driver.reset(); }), "conforms");
+  EXPECT_EQ(changed([](ClaimedPolyline& line) { line[0].type = "V-V-V"; }),
+            wrong + "segment 1: type V-V-V; type E-E-V");
+  EXPECT_EQ(changed([](ClaimedPolyline& line) { shift(*line[0].driver); }),
+            wrong + "segment 1: driver 19/24 1/3 1/3; driver 2/3 1/3 1/3");
+  EXPECT_EQ(changed([](ClaimedPolyline& line) { nudge(*line[0].driver); }),
+            rounding + "segment 1: driver ~0.6666666666666669 1/3 1/3; driver 2/3 1/3 1/3");
+  EXPECT_EQ(changed([](ClaimedPolyline& line) { shift(*line[0].end); }),
+            wrong + "segment 1: end 5/8 1/2 1/2; end 1/2 1/2 1/2");
+  EXPECT_EQ(changed([](ClaimedPolyline& line) { nudge(*line[0].end); }),
+            rounding + "segment 1: end ~0.5000000000000002 1/2 1/2; end 1/2 1/2 1/2");
+  EXPECT_EQ(changed([](ClaimedPolyline& line) { line[0].end.reset(); }),
+            wrong + "segment 1: end infinity; end 1/2 1/2 1/2");
+  EXPECT_EQ(changed([](ClaimedPolyline& line) { line.clear(); }),
+            wrong + "0 segments; 1 segments, to 1/2 1/2 1/2");
+  EXPECT_EQ(changed([](ClaimedPolyline& line) { line.push_back(line[0]); }),
+            wrong + "2 segments; 1 segments, to 1/2 1/2 1/2");
+}
+
+TEST(PolylineFindings, ToInfinity) {
+  CITES("FC-CLAIM-08");
+  const Truly points(kTetrahedron);
+  const auto side = points.truth->limits(10).at(0) ? 1U : 0U;
+  const std::string start =
+      "fails\n5 wrong-polyline FC-CLAIM-08: index 2, contact set 0 1 2, side " + std::to_string(side) + ", ";
+  const auto changed = [&](const auto& change) {
+    return said(points, kTriangle, [&](ClaimedPoint& point) { change((*point.u2)[side]); });
+  };
+  EXPECT_EQ(changed([](ClaimedPolyline& line) {
+              line[0].end = exactly(RationalPoint{1, 2, 3});
+            }),
+            start + "segment 1: end 1 2 3; end infinity");
+  EXPECT_EQ(changed([](ClaimedPolyline& line) { line.push_back(line[0]); }),
+            start + "2 segments; 1 segments, to infinity");
+}
+
+TEST(PolylineFindings, BeyondASaddle) {
+  CITES("FC-CLAIM-07", "FC-CLAIM-08");
+  const Truly arch(kArch);
+  EXPECT_EQ(said(arch, kTriangle, [](ClaimedPoint& point) { (*point.u2)[1].push_back({}); })
+                .find("conforms where determined\n5 symbolic-perturbation FC-CLAIM-07: index 2, contact set "
+                      "0 1 2, side 1, "),
+            0U);
+}
+
+// ---- What a stable set is made of
+
+TEST(StableFindings, OfItsSize) {
+  CITES("FC-CLAIM-10");
+  const Truly points(kTetrahedron), arch(kArch);
+  const auto alone = [](const Truly& truly, const Ids& contact, const ClaimedStable& stable) {
+    return said(truly, contact, [&](ClaimedPoint& point) {
+      point.stable = stable;
+      point.skeleton.reset();
+      point.surface.reset();
+    });
+  };
+  const std::string start = "fails\n5 wrong-surface FC-CLAIM-10: index 2, contact set 0 1 2, ";
+  EXPECT_EQ(alone(points, kTriangle, {3, {}, {}, {}, {}}), "conforms");
+  EXPECT_EQ(alone(points, kTriangle, {{}, {}, false, {}, {}}), "conforms");
+  EXPECT_EQ(alone(points, kTriangle, {4, {}, {}, {}, {}}), start + "4 segments; otherwise");
+  EXPECT_EQ(alone(points, kTriangle, {{}, true, {}, {}, {}}), start + "has_vertex; otherwise");
+  EXPECT_EQ(alone(points, kTriangle, {{}, {}, true, {}, {}}), start + "has_interval; otherwise");
+  // Where there is a Voronoi vertex, a perturbation leaves other pieces.
+  EXPECT_EQ(alone(arch, kSaddleOfArch, {7, false, true, {}, {}}),
+            "conforms where determined"
+            "\n5 symbolic-perturbation FC-CLAIM-10: index 2, contact set 0 3 4; a Voronoi vertex is in the "
+            "skeleton"
+            "\n5 symbolic-perturbation FC-CLAIM-10: index 2, contact set 0 3 4; a Voronoi vertex is in the "
+            "skeleton");
+}
+
+// ---- Walks
+
+TEST(WalkFindings, WithoutATie) {
+  CITES("FC-CLAIM-10", "FC-STAB-07");
+  const Truly points(kTetrahedron);
+  const auto walking = [&](const Ids& walk) {
+    return said(points, kTriangle, [&](ClaimedPoint& point) { point.stable->walk = walk; });
+  };
+  const std::string start = "fails\n5 wrong-surface FC-CLAIM-10: index 2, contact set 0 1 2, walk ";
+  for (const Ids& right : {Ids{1, 2, 0}, Ids{2, 1, 0}, Ids{0, 2, 1}}) EXPECT_EQ(walking(right), "conforms");
+  EXPECT_EQ(walking({0, 1, 3}), start + "0 1 3; the walk is 0 1 2");
+  EXPECT_EQ(walking({0, 1, 2, 3}), start + "0 1 2 3; the walk is 0 1 2");
+  EXPECT_EQ(walking({}), start + "; the walk is 0 1 2");
+}
+
+TEST(WalkFindings, WhereThereIsATie) {
+  CITES("FC-CLAIM-09", "FC-CLAIM-10");
+  const Truly arch(kArch), regular(kRegularBack);
+  const auto walking = [](const Truly& truly, const Ids& contact, const Ids& walk) {
+    return said(truly, contact, [&](ClaimedPoint& point) { point.stable->walk = walk; });
+  };
+  const std::string start = "index 2, contact set 0 3 4, walking along ";
+  EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 1, 4, 3}), "conforms");
+  EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 2, 4, 3}),
+            "conforms where determined\n5 symbolic-perturbation FC-CLAIM-09: " + start +
+                "0 2, 2 4, 4 3, 3 0; another way to break ties");
+  // To a sample and back along the same edge.
+  EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 2, 0, 1, 4, 3}), "conforms");
+  const std::string wrong = "fails\n5 wrong-surface FC-CHAIN-01: " + start;
+  EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 1, 2}),
+            wrong + "0 1, 1 2, 2 0; no way to break ties gives this boundary");
+  EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 1, 2, 3}),
+            wrong + "0 1, 1 2, 2 3, 3 0; 2 3 does not lie below it");
+  EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 0}), wrong + "0 0, 0 0; 0 0 is no critical point of index 1");
+  // Through the hypotenuse of the right angle 0 2 3, or along its sides.
+  EXPECT_EQ(walking(regular, {0, 1, 3}, {0, 2, 3, 1}), "conforms");
+}
+
+TEST(WalkFindings, OfRegularPoints) {
+  CITES("FC-CLAIM-10", "FC-STAB-07");
+  const Truly triangle(kRightTriangle), vertex(kKind13);
+  const auto walking = [](const Truly& truly, const Ids& contact, const Ids& walk) {
+    return said(truly, contact, [&](ClaimedPoint& point) { point.stable->walk = walk; });
+  };
+  EXPECT_EQ(walking(triangle, kTriangle, {0, 1}),
+            "fails\n5 wrong-surface FC-CLAIM-10: regular, kind 1-2, contact set 0 1 2, walk 0 1; the walk is "
+            "0 1 2");
+  EXPECT_EQ(walking(vertex, {0, 1, 2, 3}, {0, 1}),
+            "conforms\nnot judged: boundary walks of regular stationary points that are Voronoi vertices");
+}
+
+// ---- Skeletons
+
+TEST(SkeletonFindings, OfEachPartOfASegment) {
+  CITES("FC-CLAIM-10", "FC-STAB-04");
+  const Truly points(kTetrahedron);
+  const auto changed = [&](const auto& change) {
+    return said_of_skeleton(points, kTriangle,
+                            [&](ClaimedSkeleton& skeleton) { change(skeleton.segments[0]); });
+  };
+  using Segment = ClaimedBackwardSegment;
+  const std::string start = "FC-CLAIM-10: index 2, contact set 0 1 2, a segment of ";
+  const std::string end = "; no such segment is part of it (in all 1 such claims)";
+  const std::string as_it_is = "0 1 from 2/3 1/3 1/3 back to 1/2 1/2 0";
+  const std::string wrong = "fails\n5 wrong-surface " + start;
+  EXPECT_EQ(changed([](Segment& segment) {
+              segment.front_contact.reset();
+              segment.back_contact.reset();
+              segment.back_kind.clear();
+            }),
+            "conforms");
+  EXPECT_EQ(changed([](Segment& segment) {
+              segment.samples = {0, 3};
+            }),
+            wrong + "0 3 from 2/3 1/3 1/3 back to 1/2 1/2 0" + end);
+  EXPECT_EQ(changed([](Segment& segment) { segment.front_contact = {{0, 1, 3}}; }), wrong + as_it_is + end);
+  EXPECT_EQ(changed([](Segment& segment) { segment.back_contact = {{0, 2}}; }), wrong + as_it_is + end);
+  EXPECT_EQ(changed([](Segment& segment) { segment.back_kind = "edge"; }), wrong + as_it_is + end);
+  EXPECT_EQ(changed([](Segment& segment) { shift(segment.front); }),
+            wrong + "0 1 from 19/24 1/3 1/3 back to 1/2 1/2 0" + end);
+  EXPECT_EQ(changed([](Segment& segment) { shift(segment.back); }),
+            wrong + "0 1 from 2/3 1/3 1/3 back to 5/8 1/2 0" + end);
+  EXPECT_EQ(changed([](Segment& segment) { nudge(segment.back); }),
+            "fails\n5 rounding " + start + "0 1 from 2/3 1/3 1/3 back to ~0.5000000000000002 1/2 0" + end);
+}
+
+TEST(SkeletonFindings, OfPiecesTooFewOrTooMany) {
+  CITES("FC-CLAIM-10");
+  const Truly points(kTetrahedron);
+  const std::string start = "fails\n5 wrong-surface FC-CLAIM-10: index 2, contact set 0 1 2, ";
+  EXPECT_EQ(said_of_skeleton(points, kTriangle,
+                             [](ClaimedSkeleton& skeleton) { std::ranges::reverse(skeleton.segments); }),
+            "conforms");
+  EXPECT_EQ(
+      said_of_skeleton(points, kTriangle, [](ClaimedSkeleton& skeleton) { skeleton.segments.resize(1); }),
+      start + "too few; 2 segments are missing");
+  EXPECT_EQ(said_of_skeleton(points, kTriangle,
+                             [](ClaimedSkeleton& skeleton) {
+                               skeleton.segments.push_back(skeleton.segments[1]);
+                               skeleton.segments.push_back(skeleton.segments[2]);
+                             }),
+            start +
+                "a segment of 0 2 from 2/3 1/3 1/3 back to 1/2 0 1/2; no such segment is part of it (in "
+                "all 2 such claims)");
+}
+
+TEST(SkeletonFindings, BeyondAVoronoiVertex) {
+  CITES("FC-CLAIM-10");
+  const Truly arch(kArch);
+  const std::string start = "index 2, contact set 0 3 4";
+  const auto left_out = [&](const std::string& what) {
+    return "conforms where determined\n5 symbolic-perturbation FC-CLAIM-10: " + start + "; " + what +
+           "s beyond a Voronoi vertex are left out";
+  };
+  EXPECT_EQ(said_of_skeleton(arch, kSaddleOfArch,
+                             [](ClaimedSkeleton& skeleton) {
+                               std::erase_if(skeleton.segments, [](const auto& segment) {
+                                 return segment.front_contact->size() == 4;
+                               });
+                             }),
+            left_out("5 segment"));
+  EXPECT_EQ(
+      said_of_skeleton(arch, kSaddleOfArch, [](ClaimedSkeleton& skeleton) { skeleton.intervals.clear(); }),
+      left_out("2 interval"));
+  EXPECT_EQ(
+      said_of_skeleton(arch, kSaddleOfArch, [](ClaimedSkeleton& skeleton) { skeleton.sectors.resize(5); }),
+      left_out("1 sector"));
+  // The own segments are not beyond it.
+  EXPECT_EQ(said_of_skeleton(arch, kSaddleOfArch,
+                             [](ClaimedSkeleton& skeleton) {
+                               std::erase_if(skeleton.segments, [](const auto& segment) {
+                                 return segment.front_contact->size() == 3;
+                               });
+                             }),
+            "fails\n5 wrong-surface FC-CLAIM-10: " + start + ", too few; 3 segments are missing");
+}
+
+TEST(SkeletonFindings, OfIntervalsAndSectors) {
+  CITES("FC-CLAIM-10", "FC-STAB-05");
+  const Truly arch(kArch);
+  const std::string start = "fails\n5 wrong-surface FC-CLAIM-10: index 2, contact set 0 3 4, ";
+  const auto interval = [&](const auto& change) {
+    return said_of_skeleton(arch, kSaddleOfArch,
+                            [&](ClaimedSkeleton& skeleton) { change(skeleton.intervals[0]); });
+  };
+  const std::string no_interval = "; no such interval is part of it (in all 1 such claims)";
+  EXPECT_EQ(interval([](ClaimedInterval& one) { one.back_is_stationary.reset(); }), "conforms");
+  EXPECT_EQ(interval([](ClaimedInterval& one) { one.back_is_stationary = false; }),
+            start + "an interval of 0 1 2" + no_interval);
+  EXPECT_EQ(interval([](ClaimedInterval& one) {
+              one.polygon = {0, 1, 4};
+            }),
+            start + "an interval of 0 1 4" + no_interval);
+  EXPECT_EQ(interval([](ClaimedInterval& one) { shift(one.front); }),
+            start + "an interval of 0 1 2" + no_interval);
+  EXPECT_EQ(interval([](ClaimedInterval& one) { nudge(one.back); }),
+            "fails\n5 rounding FC-CLAIM-10: index 2, contact set 0 3 4, an interval of 0 1 2" + no_interval);
+  const auto sector = [&](const auto& change) {
+    return said_of_skeleton(arch, kSaddleOfArch,
+                            [&](ClaimedSkeleton& skeleton) { change(skeleton.sectors[0]); });
+  };
+  const std::string no_sector = "a sector of 0 1; no such sector is part of it (in all 1 such claims)";
+  EXPECT_EQ(sector([](ClaimedSector& one) { std::ranges::reverse(one.corners); }), "conforms");
+  EXPECT_EQ(sector([](ClaimedSector& one) { one.corners.pop_back(); }), start + no_sector);
+  EXPECT_EQ(sector([](ClaimedSector& one) { one.corners.clear(); }), start + no_sector);
+  EXPECT_EQ(sector([](ClaimedSector& one) { shift(one.corners[1]); }), start + no_sector);
+  EXPECT_EQ(sector([](ClaimedSector& one) {
+              one.samples = {1, 3};
+            }),
+            start + "a sector of 1 3; no such sector is part of it (in all 1 such claims)");
+}
+
+// Pieces may be added only beyond a regular back, that is nearer to their samples, and only to all the
+// others.
+TEST(SkeletonFindings, BeyondARegularPoint) {
+  CITES("FC-CLAIM-10");
+  const Truly points(kRegularBack), none(kTetrahedron);
+  const Ids saddle = {0, 1, 3};
+  const auto added = [](const Truly& truly, const Ids& contact, const RationalPoint& front,
+                        std::size_t kept) {
+    return said_of_skeleton(truly, contact, [&](ClaimedSkeleton& skeleton) {
+      skeleton.segments.resize(kept);
+      skeleton.segments.push_back(
+          {{0, 2}, exactly(front), exactly(RationalPoint{2, 1, Rational(1, 2)}), {}, {}, ""});
+    });
+  };
+  const RationalPoint near = {Rational(3, 2), 1, Rational(1, 2)}, far = {0, 1, Rational(1, 2)};
+  const std::string found = "FC-CLAIM-10: index 2, contact set 0 1 3";
+  EXPECT_EQ(added(points, saddle, near, 3), "conforms where determined\n5 symbolic-perturbation " + found +
+                                                "; 1 segments beyond a regular stationary point");
+  const std::string end = " 1 1/2 back to 2 1 1/2; no such segment is part of it (in all 1 such claims)";
+  EXPECT_EQ(added(points, saddle, far, 3),
+            "fails\n5 wrong-surface " + found + ", a segment of 0 2 from 0" + end);
+  EXPECT_EQ(added(points, saddle, near, 2),
+            "fails\n5 wrong-surface " + found + ", a segment of 0 2 from 3/2" + end);
+  EXPECT_EQ(
+      added(none, kTriangle, near, 3),
+      "fails\n5 wrong-surface FC-CLAIM-10: index 2, contact set 0 1 2, a segment of 0 2 from 3/2" + end);
+}
+
+// ---- Surfaces
+
+TEST(SurfaceFindings, OfTriangles) {
+  CITES("FC-CLAIM-10", "FC-STAB-04");
+  const Truly points(kTetrahedron);
+  const auto changed = [&](const auto& change) {
+    return said(points, kTriangle, [&](ClaimedPoint& point) { change(*point.surface); });
+  };
+  const std::string start = "FC-CLAIM-10: index 2, contact set 0 1 2, ";
+  EXPECT_EQ(
+      changed([](ClaimedSurface& surface) { std::swap(surface.triangles[0][0], surface.triangles[0][2]); }),
+      "conforms");
+  EXPECT_EQ(changed([](ClaimedSurface& surface) { surface.triangles.pop_back(); }),
+            "fails\n5 wrong-surface " + start + "too few; 1 triangles are missing");
+  EXPECT_EQ(
+      changed([](ClaimedSurface& surface) { surface.triangles.push_back(surface.triangles[0]); }),
+      "fails\n5 wrong-surface " + start +
+          "a triangle 0 0 0 2/3 1/3 1/3 1/2 1/2 0; no such triangle is part of it (in all 1 such claims)");
+  EXPECT_EQ(
+      changed([](ClaimedSurface& surface) { shift(surface.vertices[0]); }),
+      "fails\n5 wrong-surface " + start +
+          "a triangle 1/8 0 0 2/3 1/3 1/3 1/2 1/2 0; no such triangle is part of it (in all 1 such claims)");
+  EXPECT_EQ(
+      changed([](ClaimedSurface& surface) { nudge(surface.vertices[2]); }),
+      "fails\n5 rounding " + start +
+          "a triangle 0 0 0 2/3 1/3 1/3 ~0.5000000000000002 1/2 0; no such triangle is part of it (in all "
+          "1 such claims)");
+}
+
+TEST(SurfaceFindings, BeyondVerticesAndRegularPoints) {
+  CITES("FC-CLAIM-10");
+  const Truly points(kRegularBack), arch(kArch);
+  const auto added = [&](const RationalPoint& third) {
+    return said(points, {0, 1, 3}, [&](ClaimedPoint& point) {
+      ClaimedSurface& surface = *point.surface;
+      const std::size_t first = surface.vertices.size();
+      for (const RationalPoint& x : {RationalPoint{2, 0, 1}, RationalPoint{2, 1, Rational(1, 2)}, third}) {
+        surface.vertices.push_back(exactly(x));
+      }
+      surface.triangles.push_back({first, first + 1, first + 2});
+    });
+  };
+  const std::string found = "FC-CLAIM-10: index 2, contact set 0 1 3";
+  EXPECT_EQ(added({Rational(3, 2), 1, Rational(1, 2)}),
+            "conforms where determined\n5 symbolic-perturbation " + found +
+                "; 1 triangles beyond a regular stationary point");
+  EXPECT_EQ(added({-1, 1, Rational(1, 2)}),
+            "fails\n5 wrong-surface " + found +
+                ", a triangle 2 0 1 2 1 1/2 -1 1 1/2; no such triangle is part of it (in all 1 such claims)");
+  EXPECT_EQ(said(arch, kSaddleOfArch, [](ClaimedPoint& point) { point.surface.emplace(); }),
+            "conforms\nnot judged: surfaces of stable sets that have parts of dimension 3");
+}
+
+}  // namespace
+}  // namespace flowcert
