@@ -41,7 +41,10 @@ class Batch {
     const std::size_t first = order_.batch * plan_.batch_cases;
     for (std::size_t number = first; number < first + order_.cases; ++number) {
       if (observer_.is_stopped()) return std::move(result_);
-      if (order_.left_out.contains(number) && number != order_.only) continue;
+      if (order_.left_out.contains(number) && number != order_.only) {
+        ++result_.tally.left_out;
+        continue;
+      }
       if (order_.only && number > *order_.only) break;
       if (order_.only && number < *order_.only) {
         prepare_for(number);
@@ -169,6 +172,7 @@ void read_pairs(const json& pairs, Map& counts) {
 
 void Tally::add(const Tally& other) {
   cases += other.cases;
+  left_out += other.left_out;
   add_counts(by_source, other.by_source);
   add_counts(by_mutation, other.by_mutation);
   for (const auto& [rows, tally] : other.by_rows) {
@@ -192,6 +196,7 @@ json json_of(const Tally& tally) {
   json reached = json::array();
   for (const auto& values : tally.reached) reached.push_back(pairs_of(values));
   return {{"cases", tally.cases},
+          {"left_out", tally.left_out},
           {"by_source", pairs_of(tally.by_source)},
           {"by_mutation", pairs_of(tally.by_mutation)},
           {"by_rows", rows},
@@ -203,6 +208,7 @@ json json_of(const Tally& tally) {
 Tally tally_of(const json& object) {
   Tally tally;
   object.at("cases").get_to(tally.cases);
+  object.at("left_out").get_to(tally.left_out);
   read_pairs(object.at("by_source"), tally.by_source);
   read_pairs(object.at("by_mutation"), tally.by_mutation);
   for (const json& row : object.at("by_rows")) {

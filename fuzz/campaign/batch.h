@@ -30,6 +30,7 @@ struct RowsTally {
 
 struct Tally {
   std::size_t cases = 0;
+  std::size_t left_out = 0;                      // cases that were not tried again: they had ended a process
   std::map<std::string, std::size_t> by_source;  // names of families, and "mutant"
   std::map<std::string, std::size_t> by_mutation;
   std::map<std::size_t, RowsTally> by_rows;

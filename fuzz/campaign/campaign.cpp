@@ -231,9 +231,8 @@ std::optional<BatchOrder> Campaign::next_batch() {
 
 BatchOrder Campaign::order_of(std::size_t batch) const {
   BatchOrder order{batch, cases_of_batch(plan_, total_cases_, batch), {}};
-  for (const auto& [key, finding] : findings_) {
-    if (ends_process(finding)) order.left_out.insert(key.first);
-  }
+  const auto first = left_out_.lower_bound(batch * plan_.batch_cases);
+  order.left_out.insert(first, left_out_.lower_bound((batch + 1) * plan_.batch_cases));
   return order;
 }
 
@@ -262,14 +261,10 @@ void Campaign::absorb_batch(std::size_t batch, Tally tally) {
   handed_out_.erase(batch);
   // The last batch of a campaign that was to be shorter is done again.
   const auto known = done_.find(batch);
-  if (known != done_.end() && known->second.cases >= tally.cases) return;
+  const std::size_t cases = tally.cases + tally.left_out;
+  if (known != done_.end() && known->second.cases + known->second.left_out >= cases) return;
   if (files_) files_->batches.add(message_of(batch, {tally, true}));
-  const std::size_t expected = cases_of_batch(plan_, total_cases_, batch);
-  std::set<std::size_t> left_out;
-  for (const auto& [key, finding] : findings_) {
-    if (ends_process(finding) && key.first / plan_.batch_cases == batch) left_out.insert(key.first);
-  }
-  if (tally.cases + left_out.size() < expected) return;
+  if (cases < cases_of_batch(plan_, total_cases_, batch)) return;
   if (known == done_.end()) {
     sum_.add(tally);
     done_.emplace(batch, std::move(tally));
@@ -282,6 +277,7 @@ void Campaign::absorb_batch(std::size_t batch, Tally tally) {
 
 void Campaign::absorb(const Finding& finding) {
   const std::pair key(finding.number, kind_of(finding));
+  if (ends_process(finding) && !finding.is_asked) left_out_.insert(finding.number);
   const auto known = findings_.find(key);
   if (known != findings_.end() && !replaces(finding, known->second)) return;
   // Whoever works on the campaign makes it small already.
@@ -289,6 +285,12 @@ void Campaign::absorb(const Finding& finding) {
   findings_.insert_or_assign(key, finding);
   if (files_) files_->findings.add(message_of(finding));
   if (!is_read_only_ && !findings_folder_.empty()) write_point_file(finding);
+}
+
+void Campaign::write_asked(const Finding& finding) {
+  asked_[kind_of(finding)].insert(finding.number);
+  make_folder(findings_folder_);
+  write_file(findings_folder_ / (name_of(finding) + ".xyz"), file_text(finding));
 }
 
 void Campaign::write_point_file(const Finding& finding) {

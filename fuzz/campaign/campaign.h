@@ -71,12 +71,15 @@ class Campaign : public BatchSource {
   // One line from whoever does a batch (message.h). Throws UnusableFolder if the folder cannot be written.
   void absorb(const std::string& message) override;
   void absorb(const Finding& finding);
+  // Writes its point file, and nothing else: the campaign does not have it.
+  void write_asked(const Finding& finding);
   // All of another part of the same campaign. Throws std::invalid_argument for a part of another one.
   void absorb(const Campaign& part);
 
   // Of all batches that are done, and of those that were stopped half-way since the campaign was opened.
   [[nodiscard]] const Tally& tally() const { return sum_; }
   [[nodiscard]] std::size_t done_batches() const { return done_.size(); }
+  [[nodiscard]] bool is_done(std::size_t batch) const { return done_.contains(batch); }
   // Of the shard, if there is a number of cases: all its cases.
   [[nodiscard]] std::optional<std::size_t> expected_cases() const;
   [[nodiscard]] const std::map<DegeneracySignature, Discovered>& signatures() const { return signatures_; }
@@ -114,6 +117,7 @@ class Campaign : public BatchSource {
   // Numbers of cases by "PROPERTY KIND": those that have files for being the least, or for being asked for.
   std::map<std::string, std::set<std::size_t>> least_, asked_;
   std::set<std::pair<std::size_t, std::string>> crashes_handed_out_;
+  std::set<std::size_t> left_out_;  // cases that ended a process in their batch
   std::set<std::string> made_by_;
   bool is_read_only_ = false;
   bool is_loading_ = false;

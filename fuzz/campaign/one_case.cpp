@@ -30,13 +30,14 @@ void OneCase::absorb(const std::string& message) {
 }
 
 void OneCase::absorb(Finding finding) {
-  const bool is_asked = finding.number == number_;
-  finding.is_asked = is_asked && finding.is_small;
-  if (is_asked) {
-    findings_.insert_or_assign(finding.property + ' ' + finding.disagreement.kind, finding);
-    is_done_ = is_done_ || ends_process(finding);
-  }
-  if (!is_asked || finding.is_small) campaign_.absorb(finding);
+  if (finding.number != number_) return campaign_.absorb(finding);  // ended a process before it was its turn
+  finding.is_asked = true;
+  const std::string kind = finding.property + ' ' + finding.disagreement.kind;
+  findings_.insert_or_assign(kind, finding);
+  is_done_ = is_done_ || ends_process(finding);
+  if (!campaign_.is_done(number_ / plan().batch_cases)) return campaign_.write_asked(finding);
+  // Something small gives way to nothing but something small.
+  if (finding.is_small || !campaign_.findings().contains({number_, kind})) campaign_.absorb(finding);
 }
 
 }  // namespace flowcert::fuzz

@@ -1,8 +1,9 @@
 // One case of a campaign, once more or for the first time, and nothing else.
 //
 // Guarantees: the case is what it is in the campaign, as far as the cases are known that ended a process in
-// its batch before it: the batch's later cases do not know of those. What is found goes to the campaign as
-// well, and has a point file there; the case does not count as done.
+// its batch before it: the batch's later cases do not know of those. What is found has a point file with
+// those of the campaign. The campaign has it as well if the batch is done, instead of what it had of the case
+// before; otherwise the batch will find it by itself.
 #pragma once
 
 #include <cstddef>

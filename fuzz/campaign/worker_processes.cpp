@@ -186,7 +186,7 @@ void be_a_worker(const CampaignPlan& plan, const std::vector<Property>& properti
 class Worker {
  public:
   Worker(const CampaignPlan& plan, const std::vector<Property>& properties, const std::optional<Crash>& crash)
-      : has_crash_(crash.has_value()) {
+      : crash_(crash) {
     process_ = start_child([&] {
       close_descriptors_but(orders_.reading(), messages_.writing());
       be_a_worker(plan, properties, orders_.reading(), messages_.writing(), shared_, crash);
@@ -235,13 +235,14 @@ class Worker {
   [[nodiscard]] const SharedTrial& shared() const { return shared_; }
 
   // It tries nothing of its own yet.
-  [[nodiscard]] bool makes_crash_small() const { return has_crash_ && shared_.trials() == 0; }
+  [[nodiscard]] bool makes_crash_small() const { return crash_ && shared_.trials() == 0; }
+  [[nodiscard]] const std::optional<Crash>& crash() const { return crash_; }
 
   std::optional<std::size_t> batch;
   std::optional<NotedTrial> hanging_at;
 
  private:
-  bool has_crash_;
+  std::optional<Crash> crash_;  // that it makes small first
   SharedTrial shared_;
   Pipe orders_, messages_;
   pid_t process_ = -1;
@@ -324,6 +325,7 @@ class Work {
       if (left) add_worker(left);
       return;
     }
+    if (worker->makes_crash_small()) return add_worker(after_making_small(*worker, status));
     const std::optional<Crash> crash = crash_of_end(*worker, status);
     // Reported at once, as it is: so the batch is done without it. The small one follows.
     if (crash) source_.absorb(message_of(crash_finding(source_.plan(), *crash)));
@@ -337,17 +339,20 @@ class Work {
       const std::string late = fmt::format("not done after {} s", options_.hang_seconds);
       return Crash{*worker.hanging_at, {"hang", "", late, "", "", "", ""}};
     }
-    if (worker.makes_crash_small()) return std::nullopt;
-    // By whoever runs this, or the system, for want of memory: of which the second time is the case's.
-    const bool is_by_others = WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
     if (!worker.shared().is_trying()) {
-      if (!is_by_others || ++kills_ > kMostKills) throw std::runtime_error(how);
+      if (!is_by_others(status) || ++kills_ > kMostKills) throw std::runtime_error(how);
       return std::nullopt;
     }
     Crash crash{worker.shared().noted(), crash_of(how)};
-    if (is_by_others && killed_at_.insert(crash.at.number).second) return std::nullopt;
+    if (is_by_others(status) && killed_at_.insert(crash.at.number).second) return std::nullopt;
     return crash;
   }
+  // Once more, unless it was its own doing: then the crash stays as it is.
+  std::optional<Crash> after_making_small(const Worker& worker, int status) {
+    return is_by_others(status) && ++kills_ <= kMostKills ? worker.crash() : std::nullopt;
+  }
+  // By whoever runs this, or the system, for want of memory: of which the second time is the case's.
+  static bool is_by_others(int status) { return WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL; }
 
   void look_after(Worker& worker) {
     if (worker.is_killed()) return;

@@ -10,6 +10,7 @@
 
 #include "cli/command_run.h"
 #include "cli/finding_file.h"
+#include "cli/interruption.h"
 #include "cli/option_checks.h"
 #include "cli/peer_property.h"
 #include "cli/scratch_folder.h"
@@ -118,6 +119,14 @@ fuzz::Campaign new_campaign(const FuzzOptions& options) {
                        ": there are findings of another campaign in it; name another folder by --out");
   }
   return {plan, options.count, findings};
+}
+
+PeerOptions peer_of(const fuzz::CampaignPlan& plan) {
+  PeerOptions peer;
+  peer.command = plan.against;
+  peer.limits.seconds = plan.time_limit_seconds;
+  peer.limits.memory_bytes = std::uint64_t{plan.memory_limit_mebibytes} << 20;
+  return peer;
 }
 
 // ---- Options
@@ -233,18 +242,16 @@ fuzz::Campaign campaign_of(const FuzzOptions& options) {
 
 std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan, const fs::path& scratch) {
   if (plan.against.empty()) return fuzz::own_properties(plan);
-  PeerOptions peer;
-  peer.command = plan.against;
-  peer.limits.seconds = plan.time_limit_seconds;
-  peer.limits.memory_bytes = std::uint64_t{plan.memory_limit_mebibytes} << 20;
-  return {peer_property(peer, scratch)};
+  return {peer_property(peer_of(plan), scratch)};
 }
 
 void require_startable(const fuzz::CampaignPlan& plan) {
   if (plan.against.empty()) return;
   const ScratchFolder scratch;
+  PeerOptions peer = peer_of(plan);
+  peer.is_cancelled = [] { return Interruption::signal() != 0; };
   const auto found =
-      properties_of(plan, scratch.path()).front().check({{{{0, 0, 0}, {2, 0, 0}}}, property::StartChoice{}});
+      peer_property(peer, scratch.path()).check({{{{0, 0, 0}, {2, 0, 0}}}, property::StartChoice{}});
   if (found && found->kind == "not-started") {
     throw InvalidInput("--against: the command was not started: " + found->complaint);
   }

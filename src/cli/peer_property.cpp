@@ -11,7 +11,6 @@
 #include "certify/finding_words.h"
 #include "cli/command_run.h"
 #include "cli/conformance_words.h"
-#include "cli/interruption.h"
 #include "cli/scratch_folder.h"
 #include "flowcert/claim.h"
 #include "flowcert/reproducibility.h"
@@ -88,7 +87,7 @@ class Peer {
   [[nodiscard]] CommandRun run_in(const fs::path& folder, const std::string& rows) const {
     try {
       const CommandRun run = run_command({options_.command, "points.xyz", rows, options_.out_name, {}},
-                                         folder, options_.limits, [] { return Interruption::signal() != 0; });
+                                         folder, options_.limits, options_.is_cancelled);
       if (run.end.ending == ProgramEnding::kCancelled) throw property::MachineFailure("stopped by a signal");
       return run;
     } catch (const OutputError& error) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "cli/limited_program.h"
@@ -20,6 +21,7 @@ struct PeerOptions {
   std::string out_name = "claim";
   ProgramLimits limits;
   CheckOptions check;
+  std::function<bool()> is_cancelled = [] { return false; };  // a run: it throws property::MachineFailure
 };
 
 inline constexpr char kPeerProperty[] = "against";

@@ -110,6 +110,26 @@ TEST_F(CampaignTest, ACaseThatIsDoneAgainIsJudgedAnew) {
   EXPECT_EQ(campaign.findings().at({number, "rows too-many"}).trial.input.rows.size(), 3U);
 }
 
+// Its batch will find it by itself, and leaves out only what ended a process there.
+TEST_F(CampaignTest, AnOpenBatchIsNotToldOfACaseThatWasAskedFor) {
+  const std::string whole = account_of_run(small_plan(), 40, 1, folder_ / "whole");
+  Campaign campaign(small_plan(), 40, folder_ / "findings");
+  Property crashing = rows_property(100);
+  crashing.check = [](const Trial&) -> std::optional<Disagreement> {
+    ::raise(SIGSEGV);
+    return std::nullopt;
+  };
+  for (const std::size_t number : {std::size_t{3}, std::size_t{18}}) {
+    OneCase one(campaign, number);
+    work(one, {number == 3 ? crashing : rows_property(8)}, 1);
+    ASSERT_EQ(one.findings().size(), 1U);
+    EXPECT_TRUE(fs::exists(campaign.file_of(one.findings().begin()->second)));
+    EXPECT_TRUE(campaign.findings().empty());
+  }
+  work(campaign, {rows_property(8)}, 1);
+  EXPECT_EQ(account_of(campaign), whole);
+}
+
 TEST_F(CampaignTest, ACaseThatIsKilledOrStoppedIsNotDone) {
   Campaign campaign(small_plan(), 40, folder_ / "findings");
   Property slow = rows_property(100);

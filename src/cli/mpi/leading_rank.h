@@ -2,7 +2,8 @@
 //
 // Guarantees: it never waits for a rank. The batch of a rank that is gone, or that is not heard of for too
 // long, is handed out again, so that the account is the same without it; one that is heard of again is
-// employed again. The campaign ends when all is done, when it is told to stop, or when no rank is left.
+// employed again. The campaign ends when all is done, when it is told to stop, or when no rank is left. A
+// crash that a rank was making small when it was lost stays as it is, until `flowcert fuzz --resume`.
 #pragma once
 
 #include <string>
