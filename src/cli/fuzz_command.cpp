@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "cli/command.h"
@@ -25,8 +26,10 @@ struct FuzzCommandOptions : FuzzOptions {
 
 // The seconds that it takes. source: the campaign, or a part of it.
 double work_on(fuzz::BatchSource& source, const fuzz::Campaign& campaign, const FuzzOptions& options) {
-  const ScratchFolder scratch;
-  const auto properties = properties_of(campaign.plan(), scratch.path());
+  // Only if it is needed: who is killed leaves it.
+  std::optional<ScratchFolder> scratch;
+  if (!campaign.plan().against.empty()) scratch.emplace();
+  const auto properties = properties_of(campaign.plan(), scratch ? scratch->path() : "");
   FuzzProgress progress(campaign, options.seconds);
   fuzz::WorkOptions work;
   work.jobs = options.jobs;

@@ -225,8 +225,11 @@ TEST(FuzzCommand, LeavesNoCommandWhenItIsKilled) {
   // The first run tells whether the command can be started.
   const std::string command = "echo {in} >> '" + scratch.path("runs") + "'; test $(wc -l < '" +
                               scratch.path("runs") + "') = 1 || { " + sleep + " & " + sleep + "; }";
-  RunningProgram program({FLOWCERT_PROGRAM, "fuzz", "--count", "10", "--time-limit", "600", "--against",
-                          command, "--out", scratch.path("campaign")});
+  // It leaves its temporary folder, here.
+  fs::create_directory(scratch.path("temporary"));
+  RunningProgram program({"/usr/bin/env", "TMPDIR=" + scratch.path("temporary"), FLOWCERT_PROGRAM, "fuzz",
+                          "--count", "10", "--time-limit", "600", "--against", command, "--out",
+                          scratch.path("campaign")});
   for (int k = 0; k < 1000 && !is_running(sleep); ++k)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   ASSERT_TRUE(is_running(sleep));
