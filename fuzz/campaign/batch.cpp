@@ -47,7 +47,8 @@ class Batch {
       }
       if (order_.only && number > *order_.only) break;
       if (order_.only && number < *order_.only) {
-        prepare_for(number);
+        (void)drawn_case(number);  // for what it does for those after it
+        result_.tally = {};
       } else {
         run_case(number);
       }
@@ -59,9 +60,8 @@ class Batch {
  private:
   void run_case(std::size_t number) {
     const auto start = std::chrono::steady_clock::now();
-    const std::uint64_t seed = mixed(mixed(plan_.seed) ^ number);
-    const FreshTrial drawn = drawn_trial(seed, result_.tally.by_mutation);
-    look_at_signature(number, drawn);
+    const std::uint64_t seed = seed_of(number);
+    const FreshTrial drawn = drawn_case(number);
     for (std::size_t k = 0; k < properties_.size(); ++k) {
       const bool is_its_share = mixed(seed ^ (kShareSalt + k)) % properties_[k].one_in == 0;
       if (is_its_share) hold(number, drawn, properties_[k]);
@@ -76,15 +76,15 @@ class Batch {
     observer_.has_done(number, drawn.family);
   }
 
-  // What a case does for those after it.
-  void prepare_for(std::size_t number) {
-    std::map<std::string, std::size_t> uncounted;
-    const FreshTrial drawn = drawn_trial(mixed(mixed(plan_.seed) ^ number), uncounted);
-    observer_.tries(number, drawn.family, "signature", drawn.trial);
-    if (seen_.insert(signature_of(drawn.trial.input)).second) corpus_.push_back(drawn.trial.input);
+  [[nodiscard]] std::uint64_t seed_of(std::size_t number) const { return mixed(mixed(plan_.seed) ^ number); }
+
+  FreshTrial drawn_case(std::size_t number) {
+    FreshTrial drawn = drawn_trial(seed_of(number));
+    look_at_signature(number, drawn);
+    return drawn;
   }
 
-  FreshTrial drawn_trial(std::uint64_t seed, std::map<std::string, std::size_t>& moves_made) {
+  FreshTrial drawn_trial(std::uint64_t seed) {
     const bool is_mutant = mixed(seed ^ kSourceSalt) % 100 < plan_.searched_percent;
     if (!is_mutant || corpus_.empty()) return mix_.draw(seed);
     const Input& parent = corpus_[mixed(seed ^ kParentSalt) % corpus_.size()];
@@ -95,7 +95,7 @@ class Batch {
       Mutant next = mutated(mutant.input, dice);
       if (next.input.rows.size() < plan_.fewest_rows || next.input.rows.size() > plan_.most_rows) break;
       mutant = std::move(next);
-      ++moves_made[mutant.by];
+      ++result_.tally.by_mutation[mutant.by];
     }
     return {{std::move(mutant.input), TrialMix::draw_start(mixed(seed ^ kStartSalt))}, kMutant};
   }
@@ -118,11 +118,11 @@ class Batch {
     };
     const std::optional<Disagreement> found = judge(drawn.trial);
     if (!found) return;
-    std::set<std::size_t>& failing = result_.tally.failures[property.name + ' ' + found->kind];
-    failing.insert(number);
-    if (failing.size() > 1 && !plan_.shrinks_all) return;
     Finding finding{plan_.seed,    number,      drawn.family, drawn.trial.input.rows.size(),
                     property.name, drawn.trial, *found};
+    std::set<std::size_t>& failing = result_.tally.failures[kind_of(finding)];
+    failing.insert(number);
+    if (failing.size() > 1 && !plan_.shrinks_all) return;
     observer_.found(finding);
     const auto judge_unless_stopped = [&](const property::Trial& trial) {
       return observer_.is_stopped() ? std::nullopt : judge(trial);

@@ -95,11 +95,6 @@ std::string whole_lines(const fs::path& path) {
   return text;
 }
 
-// Cuts off what is left out.
-void end_with_a_line(const fs::path& path) {
-  if (fs::exists(path)) fs::resize_file(path, whole_lines(path).size());
-}
-
 // Files that are there, but are none of a campaign's.
 template <typename Open>
 auto unless_unreadable(const fs::path& folder, const Open& open) {
@@ -116,8 +111,6 @@ std::string program() {
   const Reproducibility made_by = reproducibility();
   return fmt::format("{} ({}; {})", made_by.version, made_by.commit, made_by.compiler);
 }
-
-std::string kind_of(const Finding& finding) { return finding.property + ' ' + finding.disagreement.kind; }
 
 json total_json(const std::optional<std::size_t>& total) { return total ? json(*total) : json(nullptr); }
 
@@ -180,10 +173,8 @@ Campaign Campaign::with_plan_in(const fs::path& folder, std::optional<std::size_
 Campaign Campaign::resumed(const fs::path& folder, std::optional<std::size_t> total_cases) {
   return unless_unreadable(folder, [&] {
     Campaign campaign = with_plan_in(folder, total_cases);
-    auto files = std::make_unique<Files>(folder);  // nobody else's from here on
-    for (const char* name : kLineFiles) end_with_a_line(folder / name);
+    campaign.files_ = std::make_unique<Files>(folder);  // nobody else's from here on
     campaign.load(folder);
-    campaign.files_ = std::move(files);
     const auto expected = campaign.expected_cases();
     if (expected && campaign.tally().cases > *expected) refuse(folder, "more cases than that are done");
     campaign.made_by_.insert(program());
@@ -195,7 +186,7 @@ Campaign Campaign::resumed(const fs::path& folder, std::optional<std::size_t> to
 Campaign Campaign::read(const fs::path& folder) {
   return unless_unreadable(folder, [&] {
     Campaign campaign = with_plan_in(folder, std::nullopt);
-    campaign.is_read_only_ = true;
+    campaign.findings_folder_.clear();
     campaign.load(folder);
     return campaign;
   });
@@ -207,6 +198,7 @@ void Campaign::load(const fs::path& folder) {
   std::vector<std::string> texts;
   for (auto name = std::rbegin(kLineFiles); name != std::rend(kLineFiles); ++name) {
     texts.insert(texts.begin(), whole_lines(folder / *name));
+    if (files_) fs::resize_file(folder / *name, texts.front().size());
   }
   for (const std::string& text : texts) {
     std::istringstream lines(text);
@@ -263,7 +255,7 @@ void Campaign::absorb_batch(std::size_t batch, Tally tally) {
   const auto known = done_.find(batch);
   const std::size_t cases = tally.cases + tally.left_out;
   if (known != done_.end() && known->second.cases + known->second.left_out >= cases) return;
-  if (files_) files_->batches.add(message_of(batch, {tally, true}));
+  if (keeps_lines()) files_->batches.add(message_of(batch, {tally, true}));
   if (cases < cases_of_batch(plan_, total_cases_, batch)) return;
   if (known == done_.end()) {
     sum_.add(tally);
@@ -283,22 +275,27 @@ void Campaign::absorb(const Finding& finding) {
   // Whoever works on the campaign makes it small already.
   if (!is_loading_) crashes_handed_out_.insert(key);
   findings_.insert_or_assign(key, finding);
-  if (files_) files_->findings.add(message_of(finding));
-  if (!is_read_only_ && !findings_folder_.empty()) write_point_file(finding);
+  if (keeps_lines()) files_->findings.add(message_of(finding));
+  if (!findings_folder_.empty()) offer_point_file(finding);
+}
+
+bool Campaign::keeps_lines() const { return files_ && !is_loading_; }
+
+fs::path Campaign::path_of(const Finding& finding) const {
+  return findings_folder_ / (name_of(finding) + ".xyz");
+}
+
+void Campaign::write_point_file(const Finding& finding) const {
+  make_folder(findings_folder_);
+  write_file(path_of(finding), file_text(finding));
 }
 
 void Campaign::write_asked(const Finding& finding) {
   asked_[kind_of(finding)].insert(finding.number);
-  make_folder(findings_folder_);
-  write_file(findings_folder_ / (name_of(finding) + ".xyz"), file_text(finding));
+  write_point_file(finding);
 }
 
-void Campaign::write_point_file(const Finding& finding) {
-  const auto path_of = [&](std::size_t number) {
-    Finding other = finding;
-    other.number = number;
-    return findings_folder_ / (name_of(other) + ".xyz");
-  };
+void Campaign::offer_point_file(const Finding& finding) {
   std::set<std::size_t>& least = least_[kind_of(finding)];
   std::set<std::size_t>& asked = asked_[kind_of(finding)];
   if (finding.is_asked) asked.insert(finding.number);
@@ -306,17 +303,19 @@ void Campaign::write_point_file(const Finding& finding) {
   if (least.size() > kMostFindingsOfKind) {
     const std::size_t last = *least.rbegin();
     least.erase(last);
-    if (last != finding.number && !asked.contains(last)) fs::remove(path_of(last));
+    if (last != finding.number && !asked.contains(last)) {
+      Finding other = finding;
+      other.number = last;
+      fs::remove(path_of(other));
+    }
   }
-  if (!least.contains(finding.number) && !asked.contains(finding.number)) return;
-  make_folder(findings_folder_);
-  write_file(path_of(finding.number), file_text(finding));
+  if (least.contains(finding.number) || asked.contains(finding.number)) write_point_file(finding);
 }
 
 void Campaign::absorb(const Discovery& discovery) {
   const auto known = signatures_.find(discovery.signature);
   if (known != signatures_.end() && known->second.number <= discovery.number) return;
-  if (files_) files_->signatures.add(message_of(discovery));
+  if (keeps_lines()) files_->signatures.add(message_of(discovery));
   signatures_.insert_or_assign(discovery.signature, Discovered{discovery.number, discovery.input});
 }
 
@@ -341,7 +340,7 @@ fs::path Campaign::file_of(const Finding& finding) const {
     const auto of_kind = numbers.find(kind_of(finding));
     return of_kind != numbers.end() && of_kind->second.contains(finding.number);
   };
-  return is_in(least_) || is_in(asked_) ? findings_folder_ / (name_of(finding) + ".xyz") : fs::path();
+  return is_in(least_) || is_in(asked_) ? path_of(finding) : fs::path();
 }
 
 }  // namespace flowcert::fuzz

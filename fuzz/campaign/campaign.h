@@ -101,7 +101,12 @@ class Campaign : public BatchSource {
   static Campaign with_plan_in(const std::filesystem::path& folder, std::optional<std::size_t> total_cases);
   void load(const std::filesystem::path& folder);
   void write_plan();
-  void write_point_file(const Finding& finding);
+  // Whether what is absorbed is written to files, and not read from them.
+  [[nodiscard]] bool keeps_lines() const;
+  [[nodiscard]] std::filesystem::path path_of(const Finding& finding) const;
+  void write_point_file(const Finding& finding) const;
+  // If it is one of the least, or asked for.
+  void offer_point_file(const Finding& finding);
 
   CampaignPlan plan_;
   std::optional<std::size_t> total_cases_;
@@ -119,7 +124,6 @@ class Campaign : public BatchSource {
   std::set<std::pair<std::size_t, std::string>> crashes_handed_out_;
   std::set<std::size_t> left_out_;  // cases that ended a process in their batch
   std::set<std::string> made_by_;
-  bool is_read_only_ = false;
   bool is_loading_ = false;
 };
 

@@ -96,6 +96,8 @@ bool ends_process(const Finding& finding) {
   return finding.disagreement.kind == "crash" || finding.disagreement.kind == "hang";
 }
 
+std::string kind_of(const Finding& finding) { return finding.property + ' ' + finding.disagreement.kind; }
+
 std::string name_of(const Finding& finding) {
   std::string name = fmt::format("{}-{}-{}", finding.property, finding.disagreement.kind, finding.number);
   for (char& c : name) {

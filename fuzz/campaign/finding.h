@@ -31,6 +31,9 @@ struct Finding {
 // One word, for the name of a file: "orbit-segment-type-1234".
 [[nodiscard]] std::string name_of(const Finding& finding);
 
+// "PROPERTY KIND".
+[[nodiscard]] std::string kind_of(const Finding& finding);
+
 // Whether the case ended its process, by a crash or by hanging: so it cannot be part of its batch.
 [[nodiscard]] bool ends_process(const Finding& finding);
 

@@ -32,7 +32,7 @@ void OneCase::absorb(const std::string& message) {
 void OneCase::absorb(Finding finding) {
   if (finding.number != number_) return campaign_.absorb(finding);  // ended a process before it was its turn
   finding.is_asked = true;
-  const std::string kind = finding.property + ' ' + finding.disagreement.kind;
+  const std::string kind = kind_of(finding);
   findings_.insert_or_assign(kind, finding);
   is_done_ = is_done_ || ends_process(finding);
   if (!campaign_.is_done(number_ / plan().batch_cases)) return campaign_.write_asked(finding);

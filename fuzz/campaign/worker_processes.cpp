@@ -75,8 +75,6 @@ std::optional<Disagreement> same_crash(const Disagreement& crash,
       attempt(trial);
     } catch (const property::MachineFailure&) {
       ::_exit(kMachineFailed);
-    } catch (const std::system_error&) {
-      ::_exit(kMachineFailed);
     }
   }));
   if (WIFEXITED(status) && WEXITSTATUS(status) == kMachineFailed) {

@@ -65,8 +65,8 @@ std::optional<Disagreement> disagreement(const Property& property, const Trial& 
     return property.check(trial);
   } catch (const MachineFailure&) {
     throw;
-  } catch (const std::system_error&) {
-    throw;
+  } catch (const std::system_error& failure) {
+    throw MachineFailure(failure.what());
   } catch (const std::exception& error) {
     return Disagreement{"throws", "FC-IN-01", error.what(), "the exception", error.what(), "", ""};
   }

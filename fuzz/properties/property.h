@@ -65,8 +65,8 @@ class MachineFailure : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// What the property says of the trial; an exception is a disagreement of kind "throws", but MachineFailure
-// and std::system_error, which are thrown on. Passes what has too many rows.
+// What the property says of the trial; an exception is a disagreement of kind "throws", but MachineFailure,
+// which is thrown on, and std::system_error, which is thrown as one. Passes what has too many rows.
 [[nodiscard]] std::optional<Disagreement> disagreement(const Property& property, const Trial& trial);
 
 }  // namespace flowcert::property
