@@ -107,11 +107,6 @@ auto unless_unreadable(const fs::path& folder, const Open& open) {
   }
 }
 
-std::string program() {
-  const Reproducibility made_by = reproducibility();
-  return fmt::format("{} ({}; {})", made_by.version, made_by.commit, made_by.compiler);
-}
-
 json total_json(const std::optional<std::size_t>& total) { return total ? json(*total) : json(nullptr); }
 
 }  // namespace
@@ -134,6 +129,11 @@ struct Campaign::Files {
   LineFile batches, findings, signatures;
 };
 
+std::string program_version() {
+  const Reproducibility made_by = reproducibility();
+  return fmt::format("{} ({}; {}; CGAL {})", made_by.version, made_by.commit, made_by.compiler, made_by.cgal);
+}
+
 Campaign::Campaign(CampaignPlan plan, std::optional<std::size_t> total_cases, fs::path findings)
     : plan_(std::move(plan)), total_cases_(total_cases), findings_folder_(std::move(findings)) {}
 Campaign::~Campaign() = default;
@@ -147,7 +147,7 @@ Campaign Campaign::begun(CampaignPlan plan, std::optional<std::size_t> total_cas
   if (!fs::is_empty(folder)) refuse(folder, "it is not empty");
   Campaign campaign(std::move(plan), total_cases, folder / kFindingsFolder);
   campaign.files_ = std::make_unique<Files>(folder);
-  campaign.made_by_.insert(program());
+  campaign.made_by_.insert(program_version());
   campaign.write_plan();
   return campaign;
 }
@@ -177,7 +177,7 @@ Campaign Campaign::resumed(const fs::path& folder, std::optional<std::size_t> to
     campaign.load(folder);
     const auto expected = campaign.expected_cases();
     if (expected && campaign.tally().cases > *expected) refuse(folder, "more cases than that are done");
-    campaign.made_by_.insert(program());
+    campaign.made_by_.insert(program_version());
     campaign.write_plan();
     return campaign;
   });

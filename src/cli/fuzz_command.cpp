@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <optional>
 #include <stdexcept>
 
 #include "cli/command.h"
@@ -12,7 +11,6 @@
 #include "cli/fuzz_progress.h"
 #include "cli/fuzz_report.h"
 #include "cli/interruption.h"
-#include "cli/scratch_folder.h"
 #include "fuzz/campaign/worker_processes.h"
 
 namespace flowcert {
@@ -26,10 +24,7 @@ struct FuzzCommandOptions : FuzzOptions {
 
 // The seconds that it takes. source: the campaign, or a part of it.
 double work_on(fuzz::BatchSource& source, const fuzz::Campaign& campaign, const FuzzOptions& options) {
-  // Only if it is needed: who is killed leaves it.
-  std::optional<ScratchFolder> scratch;
-  if (!campaign.plan().against.empty()) scratch.emplace();
-  const auto properties = properties_of(campaign.plan(), scratch ? scratch->path() : "");
+  const auto properties = properties_of(campaign.plan());
   FuzzProgress progress(campaign, options.seconds);
   fuzz::WorkOptions work;
   work.jobs = options.jobs;
@@ -84,10 +79,9 @@ bool is_right_on(const fuzz::Finding& finding, const std::vector<property::Prope
 }
 
 int replay(const FuzzCommandOptions& options) {
-  const ScratchFolder scratch;
   const fuzz::CampaignPlan plan = plan_of(options);
   require_startable(plan);
-  const auto properties = properties_of(plan, scratch.path());
+  const auto properties = properties_of(plan);
   int status = kRight;
   for (const std::string& path : options.replay) {
     const fuzz::Finding finding = read_finding(path);

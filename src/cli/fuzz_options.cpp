@@ -13,7 +13,6 @@
 #include "cli/interruption.h"
 #include "cli/option_checks.h"
 #include "cli/peer_property.h"
-#include "cli/scratch_folder.h"
 #include "cli/table.h"
 #include "flowcert/point_set.h"
 #include "fuzz/stable_families.h"
@@ -240,18 +239,16 @@ fuzz::Campaign campaign_of(const FuzzOptions& options) {
   return options.resume.empty() ? new_campaign(options) : resumed_campaign(options);
 }
 
-std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan, const fs::path& scratch) {
+std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan) {
   if (plan.against.empty()) return fuzz::own_properties(plan);
-  return {peer_property(peer_of(plan), scratch)};
+  return {peer_property(peer_of(plan))};
 }
 
 void require_startable(const fuzz::CampaignPlan& plan) {
   if (plan.against.empty()) return;
-  const ScratchFolder scratch;
   PeerOptions peer = peer_of(plan);
   peer.is_cancelled = [] { return Interruption::signal() != 0; };
-  const auto found =
-      peer_property(peer, scratch.path()).check({{{{0, 0, 0}, {2, 0, 0}}}, property::StartChoice{}});
+  const auto found = peer_property(peer).check({{{{0, 0, 0}, {2, 0, 0}}}, property::StartChoice{}});
   if (found && found->kind == "not-started") {
     throw InvalidInput("--against: the command was not started: " + found->complaint);
   }

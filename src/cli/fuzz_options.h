@@ -44,9 +44,8 @@ void add_fuzz_options(CLI::App& command, FuzzOptions& options);
 // Throws InvalidInput, also for a command that cannot be started, or fuzz::UnusableFolder.
 [[nodiscard]] fuzz::Campaign campaign_of(const FuzzOptions& options);
 
-// Those of the plan; its command runs in folders of its own below `scratch`.
-[[nodiscard]] std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan,
-                                                            const std::filesystem::path& scratch);
+// Those of the plan.
+[[nodiscard]] std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan);
 // Runs the plan's command once, if it has one, and throws InvalidInput if it cannot be started.
 void require_startable(const fuzz::CampaignPlan& plan);
 // Seconds after which a property is taken to hang. A command that is late is a finding of another kind.

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <filesystem>
+#include <memory>
 #include <new>
 #include <sstream>
 #include <system_error>
@@ -64,14 +66,14 @@ std::optional<Disagreement> wrong_claim(const CheckReport& report, const std::st
 
 class Peer {
  public:
-  Peer(const PeerOptions& options, const fs::path& scratch) : options_(options), scratch_(scratch) {}
+  explicit Peer(const PeerOptions& options) : options_(options) {}
 
   // No program has to take a file without points: none is asked about it.
   std::optional<Disagreement> judge(const fuzz::Input& input) {
     if (input.rows.empty()) return std::nullopt;
     std::ostringstream rows;
     rows << input;
-    const ScratchFolder folder(scratch_ / fmt::format("{}-{}", ::getpid(), ++runs_));
+    const ScratchFolder folder(scratch_.path() / fmt::format("{}-{}", ::getpid(), ++runs_));
     const CommandRun run = run_in(folder.path(), rows.str());
     if (auto bad = bad_ending(run, options_.limits)) return bad;
     try {
@@ -107,14 +109,14 @@ class Peer {
   }
 
   PeerOptions options_;
-  fs::path scratch_;
+  ScratchFolder scratch_;
   std::size_t runs_ = 0;
 };
 
 }  // namespace
 
-property::Property peer_property(const PeerOptions& options, const fs::path& scratch) {
-  auto peer = std::make_shared<Peer>(options, scratch);
+property::Property peer_property(const PeerOptions& options) {
+  auto peer = std::make_shared<Peer>(options);
   return {.name = kPeerProperty,
           .description = "what the command claims is right",
           .shrinking_budget = kShrinkingBudget,

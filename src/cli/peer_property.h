@@ -6,7 +6,6 @@
 // ("missed-by-cluster").
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -26,9 +25,8 @@ struct PeerOptions {
 
 inline constexpr char kPeerProperty[] = "against";
 
-// Runs in folders of its own below `scratch`, which must outlive it. May be used in several processes at
-// once.
-[[nodiscard]] property::Property peer_property(const PeerOptions& options,
-                                               const std::filesystem::path& scratch);
+// Runs in folders of its own, below a temporary one that goes when the last copy of the property does. May be
+// used in several processes at once, forked ones that end without unwinding.
+[[nodiscard]] property::Property peer_property(const PeerOptions& options);
 
 }  // namespace flowcert

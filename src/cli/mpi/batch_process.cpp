@@ -12,8 +12,6 @@
 #include <thread>
 
 #include "cli/conformance_words.h"
-#include "cli/scratch_folder.h"
-#include "flowcert/reproducibility.h"
 #include "fuzz/campaign/child_process.h"
 #include "fuzz/campaign/message.h"
 #include "fuzz/campaign/worker_processes.h"
@@ -97,11 +95,8 @@ class DistantCampaign : public fuzz::BatchSource {
 void do_batches(DistantCampaign& campaign, const FuzzOptions& options) {
   if (!campaign.wait_for_plan()) return;
   require_startable(campaign.plan());
-  // Only if it is needed: a rank that is killed leaves it.
-  std::optional<ScratchFolder> scratch;
-  if (!campaign.plan().against.empty()) scratch.emplace();
-  const auto properties = properties_of(campaign.plan(), scratch ? scratch->path() : "");
-  campaign.tell("ready " + program_version());
+  const auto properties = properties_of(campaign.plan());
+  campaign.tell("ready " + fuzz::program_version());
   Clock::time_point counted = Clock::now();
   fuzz::WorkOptions work;
   work.hang_seconds = hang_seconds(campaign.plan(), options);
@@ -124,11 +119,6 @@ void be_the_process(const FuzzOptions& options, int orders, int messages) {
 }
 
 }  // namespace
-
-std::string program_version() {
-  const Reproducibility made_by = reproducibility();
-  return fmt::format("{} ({}; {}; CGAL {})", made_by.version, made_by.commit, made_by.compiler, made_by.cgal);
-}
 
 // ---- In the rank
 

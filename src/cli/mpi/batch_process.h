@@ -18,9 +18,6 @@
 
 namespace flowcert {
 
-// What made a program: ranks work together only if it is the same.
-[[nodiscard]] std::string program_version();
-
 class BatchProcess {
  public:
   // Throws std::system_error.

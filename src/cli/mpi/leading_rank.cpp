@@ -8,7 +8,6 @@
 #include <thread>
 
 #include "cli/interruption.h"
-#include "cli/mpi/batch_process.h"
 #include "fuzz/campaign/message.h"
 
 namespace flowcert {
@@ -91,7 +90,7 @@ class Lead {
     if (line.starts_with("cases ")) worker.cases = std::stoull(line.substr(6));
     if (line.starts_with("gone ") && !worker.is_gone) leave_out(worker, "is gone: " + line.substr(5));
     if (line.starts_with("ready ")) {
-      worker.is_ready = line.substr(6) == program_version();
+      worker.is_ready = line.substr(6) == fuzz::program_version();
       if (!worker.is_ready) leave_out(worker, "is of another version: " + line.substr(6));
       if (is_stopping_) lines_.send(worker.rank, "stop");
     }
