@@ -65,7 +65,8 @@ void Boundaries::check(std::size_t k, const std::vector<std::vector<PointId>>& c
   bool has_regular = false;
   for (const auto& rows : chain) {
     edges.push_back(class_names(run_.points, rows));
-    const std::optional<Place> place = edges.back().empty() ? std::nullopt : place_of(run_, edges.back());
+    const std::optional<Placement> place =
+        edges.back().empty() ? std::nullopt : placement_of(run_, edges.back());
     if (!place || run_.index(place->record).face_dimension != 1 || edges.back().size() != 2) {
       return find(k, level, claimed, names_text(rows) + " is no critical point of index 1");
     }

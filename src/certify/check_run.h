@@ -22,7 +22,7 @@ enum class Fit {
   kPosition,  // none is claimed; by position
 };
 
-struct Place {
+struct Placement {
   std::size_t record = 0;  // in the truth
   Fit fit = Fit::kWhole;
 };
@@ -30,7 +30,7 @@ struct Place {
 struct PlacedPoint {
   bool is_well_formed = false;
   std::vector<PointId> names;  // the claimed contact set, by classes, ascending
-  std::optional<Place> place;
+  std::optional<Placement> place;
   std::vector<std::size_t> alternatives;  // all within the tolerance, where they are several
   bool is_right = false;  // claims rightly what is there: its successors and polylines can be judged
 };
@@ -67,7 +67,7 @@ struct CheckRun {
 [[nodiscard]] std::vector<PointId> class_names(const PointSet& points, const std::vector<PointId>& rows);
 
 // The stationary point with the same centre as the smallest sphere through these samples, if it is one.
-[[nodiscard]] std::optional<Place> place_of(CheckRun& run, const std::vector<PointId>& names);
+[[nodiscard]] std::optional<Placement> placement_of(CheckRun& run, const std::vector<PointId>& names);
 
 // Level 1. Sets is_well_formed and names.
 void check_form(CheckRun& run);

@@ -150,7 +150,7 @@ class Incidences {
  private:
   NamedTarget named(const ClaimedTarget& target) {
     if (target.is_infinity) return {true, std::nullopt, Fit::kWhole};
-    const std::optional<Place> place = place_of(run_, class_names(run_.points, target.contact));
+    const std::optional<Placement> place = placement_of(run_, class_names(run_.points, target.contact));
     if (!place) return {false, std::nullopt, Fit::kOther};
     return {true, place->record, place->fit};
   }

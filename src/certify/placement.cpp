@@ -99,7 +99,7 @@ class ByPosition {
 
   void place(std::size_t k, const std::vector<Candidate>& within, std::size_t record) {
     PlacedPoint& placed = run_.placed[k];
-    placed.place = Place{record, Fit::kPosition};
+    placed.place = Placement{record, Fit::kPosition};
     if (within.size() == 1) return;
     std::string others;
     for (const Candidate& candidate : within) {
@@ -119,14 +119,14 @@ class ByPosition {
 
 }  // namespace
 
-std::optional<Place> place_of(CheckRun& run, const std::vector<PointId>& names) {
-  if (const auto whole = run.contacts.find(names)) return Place{*whole, Fit::kWhole};
+std::optional<Placement> placement_of(CheckRun& run, const std::vector<PointId>& names) {
+  if (const auto whole = run.contacts.find(names)) return Placement{*whole, Fit::kWhole};
   const std::vector<std::size_t> larger = run.contacts.larger(names);
   if (larger.empty()) return std::nullopt;
   const ExactSphere sphere = exact_sphere(run.points, names);
   for (const std::size_t record : larger) {
     if (run.truth.sphere(record).center == sphere.center)
-      return Place{record, fit_of_part(run, names, record)};
+      return Placement{record, fit_of_part(run, names, record)};
   }
   return std::nullopt;
 }
@@ -137,7 +137,7 @@ void place_points(CheckRun& run) {
     PlacedPoint& placed = run.placed[k];
     if (!placed.is_well_formed) continue;
     if (!placed.names.empty()) {
-      placed.place = place_of(run, placed.names);
+      placed.place = placement_of(run, placed.names);
       continue;
     }
     run.report.is_exact = run.report.is_exact && is_exact(*run.claim.points[k].center);

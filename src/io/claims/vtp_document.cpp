@@ -151,9 +151,9 @@ class VtpParser {
     piece.point_count = claimed_count(attributes.get("NumberOfPoints", place()), place());
   }
 
-  void start_array(std::optional<VtpArray>& slot, const Attributes& attributes) {
+  void start_array(std::optional<EncodedVtpArray>& slot, const Attributes& attributes) {
     if (slot) place().reject("a second array of the same kind in one piece");
-    VtpArray& array = slot.emplace();
+    EncodedVtpArray& array = slot.emplace();
     array.place = place();
     array.type = attributes.get("type", place());
     array.components = claimed_count(attributes.find("NumberOfComponents").value_or("1"), place());
@@ -203,7 +203,7 @@ class VtpParser {
   VtpDocument document_;
   std::string path_;  // of the open elements
   std::size_t depth_ = 0;
-  VtpArray* array_ = nullptr;  // the open one, if it is wanted; the pieces do not grow meanwhile
+  EncodedVtpArray* array_ = nullptr;  // the open one, if it is wanted; the pieces do not grow meanwhile
   std::size_t array_depth_ = 0;
   std::optional<std::size_t> appended_from_;
   bool is_stopped_ = false;

@@ -20,7 +20,7 @@ namespace flowcert {
 enum class VtpPlacement { kAscii, kInlineBase64, kAppended };
 
 // A DataArray element.
-struct VtpArray {
+struct EncodedVtpArray {
   LinePlace place;
   std::string type;  // "Float32", "Int8", ...
   std::size_t components = 1;
@@ -32,8 +32,8 @@ struct VtpArray {
 struct VtpPiece {
   LinePlace place;
   std::uint64_t point_count = 0;
-  std::optional<VtpArray> points;
-  std::optional<VtpArray> data;
+  std::optional<EncodedVtpArray> points;
+  std::optional<EncodedVtpArray> data;
 };
 
 struct VtpDocument {

@@ -28,7 +28,7 @@ constexpr std::array<std::pair<const char*, std::size_t>, 10> kTypes = {{{"Int8"
                                                                          {"Float32", 4},
                                                                          {"Float64", 8}}};
 
-VtpType type_of(const VtpArray& array) {
+VtpType type_of(const EncodedVtpArray& array) {
   for (std::size_t k = 0; k < kTypes.size(); ++k) {
     if (array.type == kTypes[k].first) return static_cast<VtpType>(k);
   }
@@ -86,7 +86,7 @@ std::string binary_bytes(EncodedBytes& encoded, const VtpDocument& document, std
 
 }  // namespace
 
-VtpValues VtpDecoder::decode(const VtpArray& array, std::uint64_t tuples) {
+VtpValues VtpDecoder::decode(const EncodedVtpArray& array, std::uint64_t tuples) {
   constexpr std::uint64_t kMostTuples = std::uint64_t{1} << 48;
   if (tuples > kMostTuples) array.place.reject("more points than any file holds: " + std::to_string(tuples));
   VtpValues values;

@@ -39,7 +39,7 @@ class VtpDecoder {
       : document_(document), appended_left_(document.appended.size()) {}
 
   // The values of an array of `tuples` times its components.
-  [[nodiscard]] VtpValues decode(const VtpArray& array, std::uint64_t tuples);
+  [[nodiscard]] VtpValues decode(const EncodedVtpArray& array, std::uint64_t tuples);
 
  private:
   const VtpDocument& document_;
