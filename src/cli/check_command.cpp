@@ -1,6 +1,7 @@
 // `flowcert check`: whether a claimed flow complex is right. Exit status 0 if it conforms, 1 if it fails.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <limits>
 #include <memory>
 

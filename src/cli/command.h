@@ -2,10 +2,13 @@
 // unusable input or usage.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "flowcert/read_points.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace flowcert {
 

@@ -1,6 +1,7 @@
 // `flowcert compute`: all stationary points of an input and, if wanted, the manifolds U2 and S2, as a table
 // for people, one JSON object for programs (spec/formats.md, section 3), and a file of exact records
 // (section 2), or of files for viewers ("Exports").
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
 #include <memory>

@@ -2,6 +2,7 @@
 // all is right, 1 if something is not.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <filesystem>

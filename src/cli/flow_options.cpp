@@ -1,6 +1,8 @@
 // See flow_options.h.
 #include "cli/flow_options.h"
 
+#include <CLI/CLI.hpp>
+
 namespace flowcert {
 
 FlowOptions FlowChoice::options() const {

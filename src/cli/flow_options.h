@@ -1,11 +1,15 @@
 // The options --kernel and --search, which say how orbits are computed, not what they are.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <string>
 
 #include "flowcert/orbit.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace flowcert {
 

@@ -2,6 +2,7 @@
 // if no case failed, 1 if one did.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <stdexcept>
 

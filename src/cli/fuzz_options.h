@@ -4,7 +4,6 @@
 // Guarantees: what cannot be used is refused before anything is run or written.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -12,6 +11,10 @@
 #include <vector>
 
 #include "fuzz/campaign/campaign.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace flowcert {
 

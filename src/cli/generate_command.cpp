@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 #include <signal.h>
 
+#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>

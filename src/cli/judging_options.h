@@ -1,9 +1,11 @@
 // The options that commands share which judge claims: --tolerance and --levels.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "flowcert/check.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace flowcert {
 

@@ -2,6 +2,7 @@
 // a table for people, or one JSON object with everything exact (spec/formats.md, "Persistence").
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <array>
 #include <charconv>
 #include <memory>

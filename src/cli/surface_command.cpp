@@ -2,6 +2,7 @@
 // PLY or OFF file (spec/formats.md, "Surfaces"); what the paper uses to reconstruct a shape from its samples.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
 

@@ -2,6 +2,7 @@
 // if all are, 1 if any is not or is missing.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 

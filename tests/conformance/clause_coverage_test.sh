@@ -6,7 +6,7 @@
 #        clause_coverage_test.sh --self-test   damages a small tree in every way that must fail, and sees it fail
 #
 # A C++ test cites by CITES("ID", ...), the first statement of its body; a shell test by a line `# CITES: ID ID`. Only
-# files that a CMakeLists.txt of tests/ registers (flowcert_test, or add_test of the script) count, and no DISABLED_ test.
+# files that a CMakeLists.txt of tests/ registers (flowcert_test_program, flowcert_script_test, add_test with --file) count, and no DISABLED_ test.
 set -euo pipefail
 
 id='FC-[A-Z]+-[0-9]+'
@@ -27,14 +27,16 @@ clauses() {
 
 # The test files that ctest runs, as they are registered in the CMakeLists.txt files.
 registered_files() {
-  local list folder
+  local list folder text
   while read -r list; do
     folder=$(dirname "$list")
-    sed 's/#.*//' "$list" | tr '\n' ' ' | grep -oE 'flowcert_test\( *[a-z]+ +[A-Za-z0-9_]+' |
-      awk -v folder="$folder" '{ print folder "/" $NF ".cpp" }' || true
-    sed 's/#.*//' "$list" | tr '\n' ' ' | grep -oE 'add_test\([^)]*' |
-      grep -oE '\$\{CMAKE_CURRENT_SOURCE_DIR\}/[A-Za-z0-9_]+\.sh' |
-      sed "s|\${CMAKE_CURRENT_SOURCE_DIR}|$folder|" || true
+    text=$(sed 's/#.*//' "$list" | tr '\n' ' ')
+    # What stands between TESTS and the next word in capitals.
+    grep -oE 'flowcert_test_program\([^)]*' <<<"$text" | grep -oP '\bTESTS\b\K[^A-Z]*' | grep -oE '[a-z0-9_]+_test\b' |
+      sed "s|.*|$folder/&.cpp|" || true
+    grep -oE 'add_test\([^)]*' <<<"$text" | grep -oP -- '--file \K[a-z0-9_]+\.cpp' | sed "s|.*|$folder/&|" || true
+    grep -oE 'flowcert_script_test\([^)]*' <<<"$text" | grep -oP '\$\{scripts\}/\K[a-z0-9_]+\.sh' |
+      sed "s|.*|$folder/&|" || true
   done < <(find "$1/tests" -name CMakeLists.txt | sort) | sort -u
 }
 
@@ -122,8 +124,8 @@ make_small_tree() {
   mkdir -p "$1"/{spec,tests/unit,src}
   printf '%s\n' '**FC-IN-01** (must reject). One.' '' '**FC-IN-02** (determined). Two.' >"$1/spec/flow_complex.md"
   printf '%s\n' '// FC-IN-01' >"$1/src/a.cpp"
-  printf '%s\n' 'flowcert_test(unit a_test' '  flowcert)' 'add_test(NAME unit/b COMMAND bash' \
-    '  ${CMAKE_CURRENT_SOURCE_DIR}/b_test.sh)' >"$1/tests/unit/CMakeLists.txt"
+  printf '%s\n' 'flowcert_test_program(unit_tests' '  TESTS' '    a_test' '  LINKS d_test)' 'flowcert_script_test(b bash' \
+    '  ${scripts}/b_test.sh)' >"$1/tests/unit/CMakeLists.txt"
   printf '%s\n' 'TEST(A,' '     B) {' '  CITES("FC-IN-01");' '}' >"$1/tests/unit/a_test.cpp"
   printf '%s\n' '# CITES: FC-IN-02' >"$1/tests/unit/b_test.sh"
 }
@@ -160,7 +162,8 @@ self_test() {
   must_fail "no level" $spec 's/ (determined)//' 'FC-IN-02 has no level'
   must_fail "no clauses" $spec 's/\*\*//g' 'no clause found'
   must_fail "a test file that is not registered" $cmake 's/a_test/c_test/' 'FC-IN-01 is cited by no test'
-  must_fail "a registration in a comment" $cmake 's/^flowcert/# flowcert/' 'FC-IN-01 is cited by no test'
+  must_fail "a library for a test" $cmake 's/LINKS d_test/LINKS a_test/; s/^    a_test//' 'FC-IN-01 is cited by no test'
+  must_fail "a registration in a comment" $cmake 's/^    a_test/# a_test/' 'FC-IN-01 is cited by no test'
   must_fail "a script that is not registered" $cmake 's/b_test/c_test/' 'FC-IN-02 is cited by no test'
   must_fail "a citation in a comment" $cpp 's/  CITES/  \/\/ CITES/' 'FC-IN-01 is cited by no test'
   must_fail "a citation outside a test" $cpp 's/^TEST/void f/' "$scratch/tree/$cpp:3: CITES is not the first"

@@ -30,14 +30,6 @@ MEMORY_LIMIT_KIB = 3 << 20
 # A mutant in an endless loop is killed by processor time; one that sleeps, by the clock.
 CPU_FACTOR, CPU_LEAST, CLOCK_LIMIT = 4, 4, 900
 
-# The quick tests, those that are cheap for what they kill first. With a colon: what GoogleTest is to run of them.
-TESTS = [
-    "vectors_test:Vectors.TheFast*", "voronoi_faces_test", "explain_test", "metamorphic_test", "voronoi_complex_test",
-    "flow_machine_test", "stable_sets_test", "chain_complex_test", "spec_examples_test", "orbit_invariants_test",
-    "stable_invariants_test",
-    "stable_agreement_test", "persistence_test", "unstable_agreement_test", "orbit_agreement_test",
-    "invariants_test", "stationary_agreement_test", "orbit_cascades_test", "cech_persistence_test",
-    "stable_metamorphic_test", "point_set_test", "rational_test", "filter_bounds_test", "predicates_test", "tetrahedron_signs_test"]
 # What is likely to kill a mutant of a file or folder, ahead of the others.
 LIKELY = {
     "src/geometry/predicates": ["filter_bounds_test", "predicates_test"],
@@ -47,17 +39,17 @@ LIKELY = {
     "src/geometry/rational": ["rational_test"],
     "src/geometry/circumsphere": ["explain_test"],
     "src/geometry/enclosing_ball": ["explain_test"],
-    "src/geometry/": ["flow_machine_test", "vectors_test", "explain_test", "orbit_agreement_test", "orbit_cascades_test"],
+    "src/geometry/": ["flow_machine_test", "vectors_fast_test", "explain_test", "orbit_agreement_test", "orbit_cascades_test"],
     "src/voronoi/voronoi_complex": ["voronoi_complex_test"],
     "src/voronoi/voronoi_faces": ["voronoi_faces_test"],
     "src/flow/flow_statistics": ["flow_machine_test"],
-    "src/flow/": ["vectors_test", "orbit_agreement_test", "unstable_agreement_test"],
-    "src/morse/stationary_points": ["vectors_test", "metamorphic_test", "stationary_agreement_test"],
-    "src/morse/unstable_manifolds": ["vectors_test", "unstable_agreement_test"],
-    "src/morse/persistence": ["vectors_test", "persistence_test"],
-    "src/morse/chain": ["vectors_test", "persistence_test"],
+    "src/flow/": ["vectors_fast_test", "orbit_agreement_test", "unstable_agreement_test"],
+    "src/morse/stationary_points": ["vectors_fast_test", "metamorphic_test", "stationary_agreement_test"],
+    "src/morse/unstable_manifolds": ["vectors_fast_test", "unstable_agreement_test"],
+    "src/morse/persistence": ["vectors_fast_test", "persistence_test"],
+    "src/morse/chain": ["vectors_fast_test", "persistence_test"],
     "src/morse/tie_breaking": ["persistence_test"],
-    "src/morse/": ["vectors_test", "stable_sets_test", "chain_complex_test", "stable_agreement_test"],
+    "src/morse/": ["vectors_fast_test", "stable_sets_test", "chain_complex_test", "stable_agreement_test"],
 }
 
 # Tests that do not reach a folder's code, and so cannot tell.
@@ -124,19 +116,28 @@ class Copy:
                                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False))
         if done.returncode != 0:
             raise BuildFailure("\n".join(done.stdout.splitlines()[-25:]))
+        return done.stdout
 
     def configure(self):
-        self.run_tool(["cmake", "-S", ".", "-B", "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"])
+        self.run_tool(["cmake", "--preset", "release"])
+
+    def quick_tests(self):
+        """The tests that carry ctest's label `quick`, by name without folder, with their command lines."""
+        listing = self.run_tool(["ctest", "--test-dir", "build", "-L", "^quick$", "--show-only=json-v1"])
+        tests = {entry["name"].rpartition("/")[2]: entry["command"] for entry in json.loads(listing)["tests"]}
+        unknown = ({name for names in LIKELY.values() for name in names} | set().union(*BLIND.values())) - tests.keys()
+        if unknown:
+            give_up(f"no quick test, but named here: {', '.join(sorted(unknown))}")
+        return tests
 
     def compile(self, *targets):
         self.run_tool(["cmake", "--build", "build", "--parallel", str(self.jobs), "--target", *targets])
 
-    def run(self, test, cpu_limit):
+    def run(self, command, cpu_limit):
         """Nothing where the test passes, otherwise how it ended; and the processor time it took."""
-        target, _, wanted = test.partition(":")
-        program = next(self.build.glob(f"tests/*/{target}"))
+        program = self.build / pathlib.Path(command[0]).relative_to(pathlib.Path(command[0]).parents[2])
         limited = f'ulimit -c 0; ulimit -v {MEMORY_LIMIT_KIB}; ulimit -t {cpu_limit}; exec "$0" "$@"'
-        command = ["sh", "-c", limited, str(program)] + ([f"--gtest_filter={wanted}"] if wanted else [])
+        command = ["sh", "-c", limited, str(program), *command[1:]]
         before = os.times()
         try:
             done = subprocess.run(command, cwd=self.build, env=self.environment, timeout=CLOCK_LIMIT, check=False,
@@ -151,45 +152,46 @@ class Copy:
         return ("a failure" if code == 1 else "time limit" if code in (-24, -9, 128 + 9) else f"signal {-code}"), used
 
 
-def name_of(test):
-    return test.partition(":")[0]
+def program_of(command):
+    """The build's target for a test's command line."""
+    return pathlib.Path(command[0]).name
 
 
-def order_for(entry):
+def order_for(entry, limits):
+    """Names of tests: what is likely to kill comes first, then what takes least time."""
     likely = [name for prefix, names in LIKELY.items() if entry["file"].startswith(prefix) for name in names]
-    first = [test for name in likely for test in TESTS if name_of(test) == name]
     blind = BLIND.get(table.folder_of(entry), set())
-    return [test for test in dict.fromkeys(first + TESTS) if name_of(test) not in blind]
+    return [name for name in dict.fromkeys(likely + sorted(limits, key=limits.get)) if name not in blind]
 
 
-def try_mutant(copy, entry, limits):
+def try_mutant(copy, entry, tests, limits):
     path = copy.folder / entry["file"]
     original = path.read_text(encoding="utf-8")
     start = time.monotonic()
     path.write_text(table.mutated(entry, original), encoding="utf-8")
     try:
-        for test in order_for(entry):
-            copy.compile(name_of(test))
-            ending, _ = copy.run(test, limits[test])
+        for name in order_for(entry, limits):
+            copy.compile(program_of(tests[name]))
+            ending, _ = copy.run(tests[name], limits[name])
             if ending is not None:
-                return Outcome(True, name_of(test), ending, time.monotonic() - start)
+                return Outcome(True, name, ending, time.monotonic() - start)
         return Outcome(False, seconds=time.monotonic() - start)
     finally:
         path.write_text(original, encoding="utf-8")
 
 
-def measure_limits(copy, known):
+def measure_limits(copy, tests, known):
     """Runs every quick test without a fault, but those of which an interrupted run knows the time."""
     limits = {}
-    for test in TESTS:
-        if test in known:
-            limits[test] = known[test]
+    for name, command in tests.items():
+        if name in known:
+            limits[name] = known[name]
             continue
-        ending, used = copy.run(test, CLOCK_LIMIT)
+        ending, used = copy.run(command, CLOCK_LIMIT)
         if ending is not None:
-            give_up(f"without a fault, {name_of(test)} ends with {ending}")
-        limits[test] = int(max(CPU_LEAST, CPU_FACTOR * used)) + 1
-        print(f"  {name_of(test):28} {used:6.1f} s", flush=True)
+            give_up(f"without a fault, {name} ends with {ending}")
+        limits[name] = int(max(CPU_LEAST, CPU_FACTOR * used)) + 1
+        print(f"  {name:28} {used:6.1f} s", flush=True)
     return limits
 
 
@@ -232,11 +234,12 @@ def run_all(entries, results, copies):
         copy.refresh()
         try:
             copy.configure()
-            copy.compile(*map(name_of, TESTS))
+            tests = copy.quick_tests()
+            copy.compile(*{program_of(command) for command in tests.values()})
         except BuildFailure as failure:
             give_up(f"without a fault:\n{failure}")
     print("processor time without a fault")
-    limits = results.limits = measure_limits(copies[0], results.limits)
+    limits = results.limits = measure_limits(copies[0], tests, results.limits)
     free, broken = queue.SimpleQueue(), []
     for copy in copies:
         free.put(copy)
@@ -245,7 +248,7 @@ def run_all(entries, results, copies):
         copy = free.get()
         try:
             unless_stopping(None)
-            outcome = try_mutant(copy, entry, limits)
+            outcome = try_mutant(copy, entry, tests, limits)
             results.keep(entry, outcome)
             print(describe(entry, outcome), flush=True)
         except BuildFailure as failure:

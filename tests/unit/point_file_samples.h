@@ -42,7 +42,7 @@ inline std::string gzipped(const std::string& bytes) {
   stream.next_out = reinterpret_cast<Bytef*>(output.data());
   stream.avail_out = static_cast<uInt>(output.size());
   EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
-  output.resize(output.size() - stream.avail_out);
+  output.erase(stream.total_out);
   deflateEnd(&stream);
   return output;
 }

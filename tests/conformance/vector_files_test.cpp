@@ -1,0 +1,241 @@
+// The files of spec/vectors/: their form, what they leave out, and that nobody edited one by hand.
+//
+// Guarantees: the files are made once more and compared, but for two things that take minutes: for more than
+// 12 points the search for stationary points (vectors_oracle_test certifies those listed one by one), for
+// more than 8 the choice of starts.
+#include "tests/conformance/vector_files.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "flowcert/rational.h"
+#include "oracle/read_records.h"
+#include "oracle/vectors/flags.h"
+#include "oracle/vectors/vectors.h"
+#include "tests/cites.h"
+#include "tests/json_schema.h"
+
+namespace flowcert::conformance {
+namespace {
+
+namespace vectors = oracle::vectors;
+
+constexpr std::size_t kMadeOnceMore = 8;  // points
+
+// What violates the schema, a line each; empty if nothing does.
+std::string violations(const nlohmann::json& file) {
+  static const flowcert_tests::JsonSchema schema(spec_folder() / "schemas" / "vectors.schema.json");
+  return schema.violations(file);
+}
+
+TEST(VectorFiles, ConformToTheSchema) {
+  CITES("FC-NUM-02", "FC-OUT-01", "FC-FLOW-02");
+  for (const std::string& name : names_of_files()) {
+    EXPECT_EQ(violations(nlohmann::json::parse(vectors_text(name))), "") << name;
+  }
+}
+
+TEST(VectorFiles, TheSchemaNoticesDamages) {
+  CITES("FC-NUM-02", "FC-OUT-01", "FC-FLOW-02");
+  nlohmann::json small = nlohmann::json::parse(vectors_text("orbits"));
+  small["cases"].erase(small["cases"].begin() + 4, small["cases"].end());
+  ASSERT_EQ(violations(small), "");
+  const std::vector<const char*> damages = {
+      R"([{"op":"remove","path":"/group"}])",
+      R"([{"op":"add","path":"/more","value":1}])",
+      R"([{"op":"replace","path":"/format_version","value":2}])",
+      R"([{"op":"replace","path":"/cases/1/id","value":"orbits-2"}])",
+      R"([{"op":"remove","path":"/cases/1/comment"}])",
+      R"([{"op":"add","path":"/cases/1/more","value":1}])",
+      R"([{"op":"remove","path":"/cases/1/expected"}])",
+      R"([{"op":"replace","path":"/cases/1/result","value":"acceptable"}])",
+      R"([{"op":"replace","path":"/cases/1/result","value":"invalid"}])",
+      R"([{"op":"replace","path":"/cases/1/clauses","value":["FC-NONE"]}])",
+      R"([{"op":"replace","path":"/cases/1/points/0/0","value":"0.5"}])",
+      R"([{"op":"replace","path":"/cases/1/points/0","value":["0x0p+0","0x0p+0"]}])",
+      R"([{"op":"replace","path":"/cases/1/expected/critical","value":[1,1,0]}])",
+      R"([{"op":"replace","path":"/cases/1/expected/stationary/0/index","value":4}])",
+      R"([{"op":"replace","path":"/cases/1/expected/stationary/0/index","value":[2,2]}])",
+      R"([{"op":"replace","path":"/cases/1/expected/stationary/0/center/0","value":"-0"}])",
+      R"([{"op":"replace","path":"/cases/1/expected/orbits/0/segments/0/type","value":"C-F-V"}])",
+      R"([{"op":"remove","path":"/cases/1/expected/orbits/0/limit"}])"};
+  for (const char* damage : damages) {
+    EXPECT_NE(violations(small.patch(nlohmann::json::parse(damage))), "") << damage;
+  }
+}
+
+// The first cases that have them.
+TEST(VectorFiles, TheSchemaNoticesDamagesOfStableSetsAndPairs) {
+  CITES("FC-NUM-02", "FC-STAB-04", "FC-STAB-05", "FC-PERS-01");
+  const auto damaged = [](const std::string& group, const std::string& id, const char* damage) {
+    nlohmann::json file = nlohmann::json::parse(vectors_text(group));
+    std::erase_if(file["cases"].get_ref<nlohmann::json::array_t&>(),
+                  [&](const nlohmann::json& one) { return one["id"] != id; });
+    return violations(file.patch(nlohmann::json::parse(damage)));
+  };
+  for (
+      const char* damage :
+      {R"([{"op":"remove","path":"/cases/0/expected/stationary/6/skeleton"}])",
+       R"([{"op":"remove","path":"/cases/0/expected/stationary/6/stable"}])",
+       R"([{"op":"remove","path":"/cases/0/expected/stationary/6/stable/walk"}])",
+       R"([{"op":"replace","path":"/cases/0/expected/stationary/6/stable/walk","value":[0,1]}])",
+       R"([{"op":"replace","path":"/cases/0/expected/stationary/6/stable/boundary/0","value":[0,1,2]}])",
+       R"([{"op":"add","path":"/cases/0/expected/stationary/6/skeleton/more","value":1}])",
+       R"([{"op":"remove","path":"/cases/0/expected/stationary/6/skeleton/sectors"}])",
+       R"([{"op":"replace","path":"/cases/0/expected/stationary/6/skeleton/segments/0/back/1","value":"-0"}])",
+       R"([{"op":"replace","path":"/cases/0/expected/stationary/6/skeleton/segments/0/back_kind","value":"x"}])"}) {
+    EXPECT_EQ(damaged("stable-manifolds", "stable-manifolds-0005", "[]"), "");
+    EXPECT_NE(damaged("stable-manifolds", "stable-manifolds-0005", damage), "") << damage;
+  }
+  for (const char* damage :
+       {R"([{"op":"remove","path":"/cases/0/expected/persistence/0/death"}])",
+        R"([{"op":"replace","path":"/cases/0/expected/persistence/0/dimension","value":3}])",
+        R"([{"op":"replace","path":"/cases/0/expected/persistence/0/birth","value":0}])",
+        R"([{"op":"replace","path":"/cases/0/expected/persistence","value":null}])"}) {
+    EXPECT_EQ(damaged("persistence", "persistence-0005", "[]"), "");
+    EXPECT_NE(damaged("persistence", "persistence-0005", damage), "") << damage;
+  }
+}
+
+std::set<std::string> clauses_of_the_spec() {
+  static const std::regex heading(R"(\*\*(FC-[A-Z]+-[0-9]{2})\*\* \()");
+  const std::string spec = text_of_file(spec_folder() / "flow_complex.md");
+  std::set<std::string> clauses;
+  for (auto match = std::sregex_iterator(spec.begin(), spec.end(), heading); match != std::sregex_iterator();
+       ++match) {
+    clauses.insert((*match)[1]);
+  }
+  return clauses;
+}
+
+TEST(VectorFiles, NameWhatThereIs) {
+  CITES("FC-IN-04", "FC-CRIT-03", "FC-FLOW-02");
+  const std::set<std::string> clauses = clauses_of_the_spec();
+  std::map<std::string, std::size_t> flags;
+  for (const Json& flag : group_named("flags")["flags"]) {
+    EXPECT_TRUE(flags.emplace(flag["flag"], 0).second) << flag["flag"] << " is defined twice";
+    for (const Json& clause : flag["clauses"]) EXPECT_TRUE(clauses.contains(clause)) << flag["flag"];
+  }
+  std::set<std::string> ids, inputs;
+  for (const std::string& name : names_of_files()) {
+    if (name == "flags") continue;
+    EXPECT_EQ(group_named(name)["group"], name);
+    std::string previous;
+    for (const Json& one : group_named(name)["cases"]) {
+      const std::string id = one["id"];
+      EXPECT_TRUE(ids.insert(id).second && previous < id && id.starts_with(name + "-")) << id;
+      previous = id;
+      for (const Json& clause : one["clauses"]) EXPECT_TRUE(clauses.contains(clause)) << id << clause;
+      for (const Json& flag : one["flags"]) EXPECT_GT(++flags[flag], 0U) << id;
+      const Json start = one.value("start", Json());
+      EXPECT_TRUE(inputs.insert(name + xyz_text(one) + start.dump()).second) << id << " is there twice";
+    }
+  }
+  EXPECT_GE(ids.size(), 300U);
+  EXPECT_GE(group_named("stable-manifolds")["cases"].size(), 60U);
+  EXPECT_GE(group_named("persistence")["cases"].size(), 60U);
+  EXPECT_EQ(flags.size(), group_named("flags")["flags"].size()) << "a case has a flag that is not defined";
+  for (const auto& [flag, cases] : flags) EXPECT_GT(cases, 0U) << flag << " is no case's flag";
+}
+
+// Numbers of points, kinds of stationary points, results, types of flow segments: all there.
+TEST(VectorFiles, LeaveNothingOut) {
+  CITES("FC-IN-04", "FC-CRIT-02", "FC-CRIT-03", "FC-FLOW-02", "FC-FLOW-07");
+  std::set<std::string> results, kinds, types, limits;
+  std::set<std::size_t> sizes;
+  for (const Json& one : all_cases()) {
+    results.insert(one["result"]);
+    if (is_invalid(one)) continue;
+    sizes.insert(one["points"].size());
+    for (const Json& x : one["expected"]["stationary"]) {
+      kinds.insert(x["index"].dump());
+      for (const Json& limit : x.value("limits", Json::array())) limits.insert(limit.type_name());
+    }
+    if (!has(one, "orbits")) continue;
+    for (const Json& path : one["expected"]["orbits"]) {
+      limits.insert(path["limit"]["index"].dump());
+      for (const Json& segment : path["segments"]) types.insert(segment["type"]);
+    }
+  }
+  using Texts = std::set<std::string>;
+  EXPECT_EQ(results, (Texts{"acceptable", "determined", "invalid"}));
+  EXPECT_EQ(kinds, (Texts{"0", "1", "2", "3", "[1,2]", "[1,3]", "[2,3]"}));
+  EXPECT_EQ(limits, (Texts{"0", "1", "2", "3", "[1,2]", "[1,3]", "[2,3]", "array", "null"}));
+  EXPECT_EQ(types.size(), 17U) << "of Table 1";
+  EXPECT_EQ(*sizes.begin(), 0U);
+  EXPECT_EQ(*sizes.rbegin(), 60U);
+}
+
+// The alternatives of a case are those of its regular stationary points; the counts are those of its list.
+TEST(VectorFiles, AreConsistent) {
+  CITES("FC-INV-01", "FC-INV-02", "FC-CRIT-06", "FC-NUM-02");
+  const std::map<std::string, Json> claims = {
+      {"[1,2]", Json::parse("[[],[1,2]]")},
+      {"[2,3]", Json::parse("[[],[2,3]]")},
+      {"[1,3]", Json::parse("[[],[1,2],[2,3],[1,2,2,3]]")},
+  };
+  for (const Json& one : all_cases()) {
+    if (is_invalid(one)) continue;
+    const Json& expected = one["expected"];
+    std::map<std::string, int> counts;
+    Json alternatives = Json::array();
+    for (const Json& x : expected["stationary"]) {
+      const std::string index = x["index"].dump();
+      ++counts[index];
+      if (claims.contains(index)) {
+        alternatives.push_back({{"contact", x["contact"]}, {"claims", claims.at(index)}});
+      }
+      for (const Json& number : x["center"]) {
+        const auto rational = oracle::parse_rational(number);
+        EXPECT_TRUE(rational && rational->canonical) << one["id"] << number;
+      }
+    }
+    const Json critical = {counts["0"], counts["1"], counts["2"], counts["3"]};
+    expect_same(one, "critical", critical, expected["critical"]);
+    EXPECT_EQ(counts["0"] - counts["1"] + counts["2"] - counts["3"], one["points"].empty() ? 0 : 1);
+    const Json regular = {{"1-2", counts["[1,2]"]}, {"2-3", counts["[2,3]"]}, {"1-3", counts["[1,3]"]}};
+    expect_same(one, "regular_stationary", regular, expected["regular_stationary"]);
+    expect_same(one, "alternatives", alternatives, one.value("alternatives", Json::array()));
+    EXPECT_EQ(one["result"] == "acceptable", !alternatives.empty()) << one["id"];
+    for (const Json& pair : expected.value("persistence", Json::array())) {
+      const auto is_sayable = [](const Json& text) {
+        const auto number = oracle::parse_rational(text);
+        return number && number->canonical && nearest_double(number->value);
+      };
+      EXPECT_TRUE(is_sayable(pair["birth"])) << one["id"];
+      EXPECT_TRUE(pair["death"].is_null() || is_sayable(pair["death"])) << one["id"];
+    }
+  }
+}
+
+// Printed by the tool, from what the tool's table says. (What is expected of larger inputs: TheOraclePasses.)
+TEST(VectorFiles, AreAsTheToolMakesThem) {
+  CITES("FC-CRIT-05", "FC-FLOW-05");
+  EXPECT_EQ(vectors_text("flags"), vectors::text_of(vectors::flag_file()));
+  std::vector<std::string> names = {"flags"};
+  for (const vectors::Group& group : vectors::groups()) {
+    names.push_back(group.name);
+    const Json& file = group_named(group.name);
+    const std::vector<Json> cases = file["cases"];
+    EXPECT_TRUE(vectors::text_of(vectors::group_file(group, cases)) == vectors_text(group.name))
+        << group.name;
+    ASSERT_EQ(cases.size(), group.recipes.size() + group.invalid_recipes.size()) << group.name;
+    for (std::size_t k = 0; k < group.recipes.size(); ++k) {
+      if (group.recipes[k].points.size() > kMadeOnceMore) continue;
+      expect_same(cases[k], "all", vectors::case_of(group, group.recipes[k]), cases[k]);
+    }
+    for (std::size_t k = 0; k < group.invalid_recipes.size(); ++k) {
+      const Json& one = cases[group.recipes.size() + k];
+      expect_same(one, "all", vectors::case_of(group, group.invalid_recipes[k]), one);
+    }
+  }
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, names_of_files());
+}
+
+}  // namespace
+}  // namespace flowcert::conformance

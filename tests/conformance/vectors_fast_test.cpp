@@ -1,0 +1,244 @@
+// The conformance vectors of spec/vectors/, against the fast implementation.
+//
+// Guarantees: every case of every file is run, under both kernels; whatever is expected there is compared as
+// JSON, exactly.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "flowcert/orbit.h"
+#include "flowcert/persistence.h"
+#include "flowcert/read_points.h"
+#include "flowcert/stable_manifolds.h"
+#include "flowcert/unstable_manifolds.h"
+#include "io/orbit_fields.h"
+#include "io/rational_text.h"
+#include "io/skeleton_fields.h"
+#include "oracle/read_records.h"
+#include "tests/cites.h"
+#include "tests/conformance/vector_files.h"
+
+namespace flowcert::conformance {
+namespace {
+
+PointSet fast_points(const Json& one) { return PointSet(read_points_from(xyz_text(one), "case.xyz").rows); }
+
+Json fast_records(const PointSet& points, const StationaryPoints& stationary) {
+  Json records = Json::array();
+  for (std::size_t i = 0; i < stationary.size(); ++i) {
+    const StationaryIndex index = stationary.index(i);
+    const ExactSphere sphere = exact_sphere(points, stationary.contact(i));
+    records.push_back({{"index", index_field(index)},
+                       {"kind", index.is_critical() ? "critical" : "regular"},
+                       {"contact", stationary.contact(i)},
+                       {"center", center_field(sphere.center)},
+                       {"squared_distance", to_text(sphere.squared_radius)}});
+  }
+  return records;
+}
+
+void add_fast_limits(const Delaunay& delaunay, const StationaryPoints& stationary, ConstructionKernel kernel,
+                     Json& records) {
+  UnstableOptions options;
+  options.flow.kernel = kernel;
+  const UnstableManifolds manifolds(delaunay, stationary, options);
+  for (std::size_t i = 0; i < manifolds.size(); ++i) {
+    Json limits = Json::array();
+    for (const std::size_t side : {0U, 1U}) {
+      const auto limit = manifolds.limit(i, side);
+      limits.push_back(limit ? Json(stationary.contact(*limit)) : Json());
+    }
+    records[manifolds.saddle(i)]["limits"] = limits;
+  }
+}
+
+Json fast_orbit(const PointSet& points, Flow& flow, const Json& start) {
+  const Orbit path = flow.orbit(parse_rational_point(words_in_a_row(start)));
+  Json segments = Json::array();
+  for (const FlowSegment& segment : path.segments) segments.push_back(segment_with_contacts_field(segment));
+  return {{"start", center_field(path.start)},
+          {"segments", segments},
+          {"limit", limit_field(points, path.limit)}};
+}
+
+bool any_has(const Json& stationary, const char* key) {
+  return std::any_of(stationary.begin(), stationary.end(), [&](const Json& x) { return x.contains(key); });
+}
+
+// The sides that a boundary walk goes along, as far as the skeleton knows: those whose segment ends at their
+// midpoint, and the side of which a regular stationary point is the midpoint itself.
+std::multiset<Json> sides_by_skeleton(const Json& record) {
+  std::multiset<Json> sides;
+  std::map<Json, std::size_t> of_polygon;
+  for (const Json& segment : record["skeleton"]["segments"]) {
+    if (segment["back_kind"] == "critical" || segment["back_kind"] == "regular")
+      sides.insert(segment["samples"]);
+    if (segment["front"] == record["center"]) {
+      for (const Json& sample : segment["samples"]) ++of_polygon[sample];
+    }
+  }
+  Json open = Json::array();
+  for (const auto& [sample, count] : of_polygon) {
+    if (count == 1) open.push_back(sample);
+  }
+  if (!open.empty()) sides.insert(open);
+  return sides;
+}
+
+std::multiset<Json> sides_of_walk(const Json& walk) {
+  std::multiset<Json> sides;
+  for (std::size_t k = 0; k < walk.size(); ++k) {
+    const Json &a = walk[k], &b = walk[(k + 1) % walk.size()];
+    sides.insert(a < b ? Json{a, b} : Json{b, a});
+  }
+  return sides;
+}
+
+bool any_has_regular_back(const Json& skeleton) {
+  return std::any_of(skeleton["segments"].begin(), skeleton["segments"].end(),
+                     [](const Json& segment) { return segment["back_kind"] == "regular"; });
+}
+
+// The fast implementation has no walk of its own, and a boundary even where there is a tie.
+void add_fast_stable_sets(const Delaunay& delaunay, const StationaryPoints& stationary,
+                          ConstructionKernel kernel, const Json& expected, Json& records) {
+  StableManifolds manifolds(delaunay, stationary, {.flow = {kernel, FacetSearch::kBinary}, .seed = 0});
+  for (std::size_t i = 0; i < manifolds.size(); ++i) {
+    Json& record = records[manifolds.record(i)];
+    const Json& wanted = expected[manifolds.record(i)]["stable"];
+    Json stable = stable_field(stationary, manifolds, i);
+    const Json skeleton = skeleton_field(manifolds.set(i));
+    const bool has_tie = manifolds.has_vertex(i) || any_has_regular_back(skeleton);
+    if (stable.contains("boundary") && has_tie) stable["boundary"] = Json();
+    stable["walk"] = Json();
+    record["stable"] = stable;
+    record["skeleton"] = skeleton;
+    if (manifolds.has_vertex(i)) continue;
+    const bool is_right = sides_of_walk(wanted["walk"]) == sides_by_skeleton(record);
+    record["stable"]["walk"] = is_right ? wanted["walk"] : Json("not along the sides of the skeleton");
+  }
+}
+
+Json fast_persistence(const PointSet& points, const Delaunay& delaunay, const StationaryPoints& stationary,
+                      ConstructionKernel kernel) {
+  UnstableOptions options;
+  options.flow.kernel = kernel;
+  UnstableManifolds unstable(delaunay, stationary, options);
+  const StableManifolds stable(delaunay, stationary, {.flow = {kernel, FacetSearch::kBinary}, .seed = 0});
+  const ChainComplex complex(points, stationary, unstable, stable, 0);
+  const Persistence persistence(points, stationary, complex);
+  Json pairs = Json::array();
+  for (const PersistencePair& pair : persistence.pairs()) {
+    pairs.push_back({{"dimension", pair.dimension},
+                     {"birth", to_text(persistence.squared_value(pair.birth))},
+                     {"death", pair.death ? Json(to_text(persistence.squared_value(*pair.death))) : Json()}});
+  }
+  return pairs;
+}
+
+// Its pairs come by dimension and birth; among equal births any order will do.
+Json in_order(const Json& pairs) {
+  std::vector<Json> sorted = pairs;
+  const auto number = [](const Json& text) { return oracle::parse_rational(text)->value; };
+  std::sort(sorted.begin(), sorted.end(), [&](const Json& a, const Json& b) {
+    if (a["dimension"] != b["dimension"]) return a["dimension"] < b["dimension"];
+    if (a["birth"] != b["birth"]) return number(a["birth"]) < number(b["birth"]);
+    return !a["death"].is_null() && (b["death"].is_null() || number(a["death"]) < number(b["death"]));
+  });
+  return sorted;
+}
+
+Json fast_answer(const Json& one, ConstructionKernel kernel) {
+  const PointSet points = fast_points(one);
+  const Delaunay delaunay(points);
+  const StationaryPoints stationary = stationary_points(delaunay);
+  Json answer;
+  add_counts(answer, points, stationary);
+  answer.erase("points");
+  answer["stationary"] = fast_records(points, stationary);
+  const Json& expected = one["expected"]["stationary"];
+  if (any_has(expected, "limits")) add_fast_limits(delaunay, stationary, kernel, answer["stationary"]);
+  if (any_has(expected, "stable")) {
+    add_fast_stable_sets(delaunay, stationary, kernel, expected, answer["stationary"]);
+  }
+  if (has(one, "persistence")) {
+    answer["persistence"] = in_order(fast_persistence(points, delaunay, stationary, kernel));
+  }
+  if (!has(one, "orbits")) return answer;
+  Flow flow(delaunay, {kernel, FacetSearch::kBinary});
+  answer["orbits"] = Json::array();
+  for (const Json& path : one["expected"]["orbits"]) {
+    answer["orbits"].push_back(fast_orbit(points, flow, path["start"]));
+  }
+  return answer;
+}
+
+TEST(Vectors, TheFastImplementationPassesUnderTheLazyKernel) {
+  CITES("FC-IN-02", "FC-IN-03", "FC-IN-04", "FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-04", "FC-CRIT-05",
+        "FC-NUM-01", "FC-OUT-01", "FC-OUT-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-03", "FC-FLOW-05",
+        "FC-FLOW-07", "FC-STAB-01", "FC-STAB-04", "FC-STAB-05", "FC-STAB-06", "FC-STAB-07", "FC-PERS-01",
+        "FC-PERS-05");
+  for (const Json& one : all_cases()) {
+    if (!is_invalid(one)) {
+      expect_same(one, "lazy", fast_answer(one, ConstructionKernel::kLazy), one["expected"]);
+    }
+  }
+}
+
+// Also where the fast implementation has not the very same thing to compare with, as for the walk.
+TEST(Vectors, TheFastImplementationDisagreesWithWhatIsWrong) {
+  CITES("FC-STAB-04", "FC-STAB-07", "FC-PERS-01");
+  const std::map<std::string, std::vector<const char*>> wrong = {
+      {"stable-manifolds-0005",
+       {R"([{"op":"replace","path":"/stationary/6/stable/walk","value":[0,1,2,1]}])",
+        R"([{"op":"replace","path":"/stationary/6/stable/walk","value":null}])",
+        R"([{"op":"replace","path":"/stationary/6/stable/boundary","value":null}])",
+        R"([{"op":"remove","path":"/stationary/6/stable/boundary/0"}])",
+        R"([{"op":"replace","path":"/stationary/6/stable/segments","value":4}])",
+        R"([{"op":"replace","path":"/stationary/6/stable/has_interval","value":true}])",
+        R"([{"op":"replace","path":"/stationary/6/skeleton/segments/1/back/0","value":"1/3"}])",
+        R"([{"op":"remove","path":"/stationary/6/skeleton/segments/2"}])"}},
+      {"stable-manifolds-0007",
+       {R"([{"op":"replace","path":"/stationary/5/stable/walk","value":[0,2,1,2]}])",
+        R"([{"op":"replace","path":"/stationary/5/stable/walk","value":[]}])"}},
+      {"persistence-0005",
+       {R"([{"op":"replace","path":"/persistence/0/death","value":null}])",
+        R"([{"op":"replace","path":"/persistence/3/birth","value":"1/3"}])",
+        R"([{"op":"remove","path":"/persistence/2"}])"}}};
+  for (const Json& one : all_cases()) {
+    const auto changes = wrong.find(one["id"]);
+    if (changes == wrong.end()) continue;
+    for (const char* change : changes->second) {
+      Json changed = one;
+      changed["expected"] = one["expected"].patch(Json::parse(change));
+      EXPECT_NE(fast_answer(changed, ConstructionKernel::kLazy).dump(), changed["expected"].dump()) << change;
+    }
+  }
+}
+
+TEST(Vectors, TheFastImplementationPassesUnderTheExactKernel) {
+  CITES("FC-NUM-01", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-03", "FC-FLOW-05", "FC-FLOW-07");
+  for (const Json& one : all_cases()) {
+    if (!is_invalid(one)) {
+      expect_same(one, "exact", fast_answer(one, ConstructionKernel::kExact), one["expected"]);
+    }
+  }
+}
+
+TEST(Vectors, TheFastImplementationRefusesWhatIsInvalid) {
+  CITES("FC-IN-01", "FC-IN-02", "FC-IN-05");
+  for (const Json& one : all_cases()) {
+    if (!is_invalid(one)) continue;
+    if (one["refused"] == "points") {
+      EXPECT_THROW(fast_points(one), InvalidInput) << one["id"];
+    } else {
+      EXPECT_EQ(fast_points(one).size(), one["points"].size()) << one["id"];
+      EXPECT_THROW(parse_rational_point(words_in_a_row(one["start"])), InvalidInput) << one["id"];
+    }
+  }
+}
+
+}  // namespace
+}  // namespace flowcert::conformance

@@ -1,0 +1,80 @@
+// The conformance vectors of spec/vectors/, against the oracle.
+//
+// Guarantees: every case of every file is run; whatever is expected there is compared as JSON, exactly. For
+// more than 12 points, the stationary points that a case lists are certified one by one, and not searched
+// for.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "oracle/orbit.h"
+#include "oracle/read_points.h"
+#include "oracle/read_records.h"
+#include "oracle/vectors/vectors.h"
+#include "tests/cites.h"
+#include "tests/conformance/vector_files.h"
+
+namespace flowcert::conformance {
+namespace {
+
+namespace vectors = oracle::vectors;
+
+constexpr std::size_t kSearched = 12;  // points
+
+std::vector<std::array<double, 3>> oracle_rows(const Json& one) {
+  std::istringstream in(xyz_text(one));
+  return oracle::read_points(in, "case", oracle::PointFormat::kXyz);
+}
+
+// The answer that a case expects, each stationary point certified.
+oracle::Answer certified_answer(const Json& one, const std::vector<std::array<double, 3>>& rows) {
+  const oracle::PointSet set(rows);
+  oracle::Answer answer{rows.size(), set.merged_duplicates, {}};
+  for (const Json& x : one["expected"]["stationary"]) {
+    const oracle::Record record = oracle::parse_record(x.dump(), one["id"]);
+    const auto finding = record.finding ? record.finding : oracle::certify(set, record.claim);
+    EXPECT_FALSE(finding) << one["id"] << finding->explanation;
+    answer.stationary.push_back(record.claim);
+  }
+  return answer;
+}
+
+std::vector<oracle::Point> starts_of(const Json& one) {
+  std::vector<oracle::Point> starts;
+  for (const Json& path : one["expected"].value("orbits", Json::array())) {
+    starts.push_back(oracle::parse_position(words_in_a_row(path["start"]), "start"));
+  }
+  return starts;
+}
+
+TEST(Vectors, TheOraclePasses) {
+  CITES("FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-05", "FC-OUT-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-05",
+        "FC-FLOW-07");
+  for (const vectors::Group& group : vectors::groups()) {
+    const Json& cases = group_named(group.name)["cases"];
+    for (std::size_t k = 0; k < group.recipes.size(); ++k) {
+      const auto rows = oracle_rows(cases[k]);
+      const oracle::Answer answer =
+          rows.size() > kSearched ? certified_answer(cases[k], rows) : oracle::stationary_points(rows);
+      const Json made = vectors::case_of(group, group.recipes[k], answer, starts_of(cases[k]));
+      expect_same(cases[k], "the case", made, cases[k]);
+    }
+  }
+}
+
+TEST(Vectors, TheOracleRefusesWhatIsInvalid) {
+  CITES("FC-IN-01", "FC-IN-02", "FC-IN-05");
+  for (const Json& one : all_cases()) {
+    if (!is_invalid(one)) continue;
+    if (one["refused"] == "points") {
+      EXPECT_THROW(oracle_rows(one), oracle::UnusableInput) << one["id"];
+    } else {
+      EXPECT_EQ(oracle_rows(one).size(), one["points"].size()) << one["id"];
+      EXPECT_THROW(oracle::parse_position(words_in_a_row(one["start"]), "start"), oracle::UnusableInput)
+          << one["id"];
+    }
+  }
+}
+
+}  // namespace
+}  // namespace flowcert::conformance

@@ -1,0 +1,157 @@
+#!/usr/bin/env bash
+# ./dev fresh: what a newcomer does, on a Debian 12 machine that has nothing.
+#
+# usage: fresh_machine.sh [--new] [--ccache DIR] [--keep] [--then COMMAND]…
+#
+# Makes a bare root with mmdebstrap (minbase, git, ca-certificates), clones HEAD into it, and runs there, word for word, the commands
+# of README.md's first block; then it installs the library and builds the README's example with it, and runs each COMMAND of --then.
+# The last lines are the time of each step. Root and packages are kept in a cache folder; --new makes the root anew.
+#
+# Guarantees: everything is mounted in a mount namespace of its own, so no removal ever sees the machine's own files. Nothing that
+# was installed by hand on this machine is there. Exit status: 0; 1 where a step fails; 3 where no root can be made here, which one
+# line on standard error explains.
+set -euo pipefail
+repository=$(realpath "$(dirname "$0")/..")
+cache=${XDG_CACHE_HOME:-$HOME/.cache}/flowcert-fresh
+new=0 keep=0 ccache= later=()
+suite=bookworm
+
+cannot() { echo "fresh: no bare Debian root can be made here: $*" >&2; exit 3; }
+fail() { echo "fresh: $*" >&2; exit 1; }
+say() { printf '\n== fresh: %s\n' "$*"; }
+
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --new) new=1 ;;
+    --keep) keep=1 ;;
+    --ccache) ccache=$(realpath -m "${2:?--ccache DIR}"); shift ;;
+    --then) later+=("${2:?--then COMMAND}"); shift ;;
+    *) echo "fresh: unknown option $1" >&2; exit 2 ;;
+  esac
+  shift
+done
+
+# The commands of the README's first block of code, one a line.
+readme_commands() { awk '/^    [^ ]/ { inside = 1; print substr($0, 5); next } inside { exit }' "$repository/README.md"; }
+mapfile -t commands < <(readme_commands)
+[ ${#commands[@]} -ge 2 ] || fail "README.md does not begin with a block of commands"
+
+# ---- What the root takes over from this machine
+
+# Debian's own package sources. A third party's key is a file outside the root.
+debian_sources() {
+  local file
+  for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
+    [ ! -f "$file" ] || grep -E '^deb( \[signed-by=[^] ]*debian-archive[^] ]*\])? [^[]' "$file" | grep -w "$suite" || true
+  done
+}
+debian_stanzas() {
+  local file
+  for file in /etc/apt/sources.list.d/*.sources; do
+    [ ! -f "$file" ] || awk -v RS= -v ORS='\n\n' -v suite="$suite" \
+      '$0 ~ "Suites:.*" suite && (!/Signed-By:/ || /Signed-By:[^\n]*debian-archive/)' "$file"
+  done
+}
+# How this machine reaches them: proxies, whether dates count.
+acquire_settings() { apt-config dump --format '%f "%v";%n' Acquire | grep -vE 'IndexTargets|CompressionTypes|cdrom|""'; }
+
+# ---- The root
+
+[ "$(id -u)" -eq 0 ] || cannot "that needs the rights of root"
+command -v unshare >/dev/null && unshare --mount --pid --fork mount -t tmpfs none /mnt 2>/dev/null ||
+  cannot "this machine does not let it mount"
+command -v apt-get >/dev/null || cannot "there is no apt-get"
+if ! command -v mmdebstrap >/dev/null; then
+  { apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends mmdebstrap; } >/dev/null 2>&1 ||
+    cannot "mmdebstrap cannot be installed"
+fi
+
+mkdir -p "$cache/archives"
+exec 9>"$cache/lock"
+flock -n 9 || cannot "another run is using $cache"
+rm -rf --one-file-system "$cache"/run.*  # left by a run that was killed
+work=$(mktemp -d "$cache/run.XXXXXX")
+root=$work/root
+finish() {
+  if [ "$keep" -eq 1 ]; then echo "kept: $root"; else rm -rf --one-file-system "$work"; fi
+}
+trap finish EXIT
+acquire_settings >"$work/acquire"
+{ debian_sources; } >"$work/debian.list"
+{ debian_stanzas; } >"$work/debian.sources"
+
+steps=() seconds=()
+# step WHAT COMMAND…: runs it and notes the time. WHAT is empty for what is not to be listed.
+step() {
+  local what=$1 start=$SECONDS
+  shift
+  say "$what"
+  "$@" || { report; fail "failed: $what"; }
+  steps+=("$what")
+  seconds+=($((SECONDS - start)))
+}
+report() {
+  local k
+  printf '\n'
+  for k in "${!steps[@]}"; do printf '%6d s  %s\n' "${seconds[k]}" "${steps[k]}"; done
+}
+
+make_root() {
+  local sources=("$work/debian.sources")
+  [ ! -s "$work/debian.list" ] || sources=("$work/debian.list")
+  [ -s "${sources[0]}" ] || sources=()
+  mmdebstrap --quiet --variant=minbase --include=git,ca-certificates --aptopt="$work/acquire" \
+    --setup-hook='mkdir -p "$1"/var/cache/apt/archives' --setup-hook="sync-in $cache/archives /var/cache/apt/archives" \
+    --customize-hook="sync-out /var/cache/apt/archives $cache/archives" \
+    "$suite" "$cache/root.tar.new" "${sources[@]}" 2>"$work/log" ||
+    { tail -n 5 "$work/log" >&2; cannot "mmdebstrap fails, or the package mirror does not answer"; }
+  mv "$cache/root.tar.new" "$cache/root.tar"
+}
+[ "$new" -eq 0 ] || rm -f "$cache/root.tar"
+[ -s "$cache/root.tar" ] || step "making a bare root" make_root
+
+unpack_root() {
+  mkdir "$root"
+  tar -C "$root" -xpf "$cache/root.tar"
+  cp "$work/acquire" "$root/etc/apt/apt.conf.d/99machine"
+  rm -f "$root/etc/apt/sources.list" "$root"/etc/apt/sources.list.d/*
+  if [ -s "$work/debian.list" ]; then cp "$work/debian.list" "$root/etc/apt/sources.list"; fi
+  if [ -s "$work/debian.sources" ]; then cp "$work/debian.sources" "$root/etc/apt/sources.list.d/"; fi
+  cp /etc/hosts "$root/etc/hosts"
+  cp -L /etc/resolv.conf "$root/etc/resolv.conf"
+  git clone --quiet --no-hardlinks "$repository" "$root/root/flowcert"
+  git -C "$root/root/flowcert" checkout --quiet "$(git -C "$repository" rev-parse HEAD)"
+}
+[ -z "$(git -C "$repository" status --porcelain)" ] || echo "fresh: warning: HEAD is tried; what is not committed is not in it" >&2
+step "unpacking the root, cloning $(git -C "$repository" rev-parse --short HEAD)" unpack_root
+
+# inside COMMAND: a line of shell, run in the clone as a newcomer would, in namespaces of its own.
+inside() {
+  local settings=(HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 TERM=dumb) name
+  for name in http_proxy https_proxy no_proxy FLOWCERT_PROPERTY_SCALE; do
+    [ -z "${!name:-}" ] || settings+=("$name=${!name}")
+  done
+  [ -z "$ccache" ] || settings+=(CCACHE_DIR=/ccache)
+  unshare --mount --pid --fork --kill-child bash -c '
+    set -e
+    root=$1 archives=$2 ccache=$3
+    shift 3
+    mount -t proc proc "$root/proc"
+    mount --rbind /dev "$root/dev"
+    mount --bind "$archives" "$root/var/cache/apt/archives"
+    if [ -n "$ccache" ]; then mkdir -p "$root/ccache"; mount --bind "$ccache" "$root/ccache"; fi
+    exec chroot "$root" env -i "${@:2}" bash -c "cd /root/flowcert && $1"
+  ' fresh "$root" "$cache/archives" "$ccache" "$1" "${settings[@]}" </dev/null
+}
+
+mirror_answers() { inside 'apt-get update -qq -o APT::Update::Error-Mode=any'; }
+mirror_answers || cannot "the package mirror does not answer"
+inside 'rm -rf /var/lib/apt/lists/*'
+if [ -n "$ccache" ]; then
+  mkdir -p "$ccache"
+  step "installing ccache" inside 'apt-get update -qq && apt-get install -y -qq --no-install-recommends ccache >/dev/null'
+fi
+for command in "${commands[@]}"; do step "$command" inside "$command"; done
+step "installing the library, building the README's example" inside 'bash tests/conformance/install_test.sh build'
+for command in "${later[@]}"; do step "$command" inside "$command"; done
+report
