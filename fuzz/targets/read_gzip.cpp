@@ -21,7 +21,7 @@ std::string gzipped(std::string text) {
   stream.next_out = reinterpret_cast<Bytef*>(output.data());
   stream.avail_out = static_cast<uInt>(output.size());
   const int result = deflate(&stream, Z_FINISH);
-  output.resize(output.size() - stream.avail_out);
+  output.erase(stream.total_out);
   deflateEnd(&stream);
   if (result != Z_STREAM_END) throw std::runtime_error("zlib does not end");
   return output;

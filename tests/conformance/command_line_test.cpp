@@ -289,5 +289,28 @@ TEST(Signals, AReaderThatGoesAwayEndsTheProgram) {
   EXPECT_EQ(scratch.names(), (Names{"many.xyz", "a.xyz"}));
 }
 
+// The program of ./dev demo: what computes is there, and the rest says what builds it.
+TEST(CommandLine, TheFirstProgramNamesWhatItLacks) {
+  const Scratch scratch;
+  const std::string input = scratch.file("a.xyz", kTriangle);
+  const auto first = [](Words arguments) {
+    arguments.insert(arguments.begin(), FLOWCERT_FIRST_PROGRAM);
+    return RunningProgram(arguments).finish();
+  };
+  for (const Words& command :
+       {Words{"compute", input, "--manifolds", "u2,s2"}, Words{"orbit", input, "--from", "0,0,1"},
+        Words{"persistence", input},
+        Words{"surface", input, "--select", "largest-gaps=1", "-o", scratch.path("s.ply")}}) {
+    EXPECT_EQ(first(command).status, 0) << command.front();
+  }
+  for (const Words& command :
+       {Words{"check", input, input}, Words{"check", "--help"}, Words{"conformance", "--against", "a {in}"},
+        Words{"fuzz"}, Words{"generate", "--level", "1"}, Words{"verify"}}) {
+    const Finished finished = first(command);
+    expect_error(finished, command.front() + ": this program was built without it; './dev build' adds it .*");
+  }
+  EXPECT_NE(first({"--help"}).out.find("Not built yet"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace flowcert::conformance
