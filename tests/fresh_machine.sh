@@ -77,16 +77,22 @@ finish() {
 }
 trap finish EXIT
 acquire_settings >"$work/acquire"
-{ debian_sources; } >"$work/debian.list"
-{ debian_stanzas; } >"$work/debian.sources"
+debian_sources >"$work/debian.list"
+debian_stanzas >"$work/debian.sources"
 
 steps=() seconds=()
-# step WHAT COMMAND…: runs it and notes the time. WHAT is empty for what is not to be listed.
+# step WHAT COMMAND…: runs it, notes the time, and ends everything where it fails. A subshell, because bash ignores -e in a function
+# that is called with "||".
 step() {
-  local what=$1 start=$SECONDS
+  local what=$1 start=$SECONDS status
   shift
   say "$what"
-  "$@" || { report; fail "failed: $what"; }
+  set +e
+  (set -e; "$@")
+  status=$?
+  set -e
+  [ "$status" -ne 3 ] || exit 3  # no root can be made
+  [ "$status" -eq 0 ] || { report; fail "failed: $what"; }
   steps+=("$what")
   seconds+=($((SECONDS - start)))
 }
@@ -100,7 +106,7 @@ make_root() {
   local sources=("$work/debian.sources")
   [ ! -s "$work/debian.list" ] || sources=("$work/debian.list")
   [ -s "${sources[0]}" ] || sources=()
-  mmdebstrap --quiet --variant=minbase --include=git,ca-certificates --aptopt="$work/acquire" \
+  mmdebstrap --quiet --format=tar --variant=minbase --include=git,ca-certificates --aptopt="$work/acquire" \
     --setup-hook='mkdir -p "$1"/var/cache/apt/archives' --setup-hook="sync-in $cache/archives /var/cache/apt/archives" \
     --customize-hook="sync-out /var/cache/apt/archives $cache/archives" \
     "$suite" "$cache/root.tar.new" "${sources[@]}" 2>"$work/log" ||
@@ -141,7 +147,7 @@ inside() {
     mount --bind "$archives" "$root/var/cache/apt/archives"
     if [ -n "$ccache" ]; then mkdir -p "$root/ccache"; mount --bind "$ccache" "$root/ccache"; fi
     exec chroot "$root" env -i "${@:2}" bash -c "cd /root/flowcert && $1"
-  ' fresh "$root" "$cache/archives" "$ccache" "$1" "${settings[@]}" </dev/null
+  ' fresh "$root" "$cache/archives" "$ccache" "$1" "${settings[@]}" </dev/null || return 1
 }
 
 mirror_answers() { inside 'apt-get update -qq -o APT::Update::Error-Mode=any'; }
