@@ -3,13 +3,14 @@
 #
 # usage: fresh_machine.sh [--new] [--ccache DIR] [--keep] [--then COMMAND]…
 #
-# Makes a bare root with mmdebstrap (minbase, git, ca-certificates), clones HEAD into it, and runs there, word for word, the commands
-# of README.md's first block; then it installs the library and builds the README's example with it, and runs each COMMAND of --then.
-# The last lines are the time of each step. Root and packages are kept in a cache folder; --new makes the root anew.
+# Makes a bare root with mmdebstrap (minbase, git, ca-certificates), clones HEAD into it, and runs there, word for word,
+# the commands of README.md's first block; then it installs the library and builds the README's example with it, and
+# runs each COMMAND of --then. The last lines are the time of each step. Root and packages are kept in a cache folder;
+# --new makes the root anew.
 #
-# Guarantees: everything is mounted in a mount namespace of its own, so no removal ever sees the machine's own files. Nothing that
-# was installed by hand on this machine is there. Exit status: 0; 1 where a step fails; 3 where no root can be made here, which one
-# line on standard error explains.
+# Guarantees: everything is mounted in a mount namespace of its own, so no removal ever sees the machine's own files.
+# Nothing that was installed by hand on this machine is there. Exit status: 0; 1 where a step fails; 3 where no root can
+# be made here, which one line on standard error explains.
 set -euo pipefail
 repository=$(realpath "$(dirname "$0")/..")
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/flowcert-fresh
@@ -32,7 +33,9 @@ while [ $# -gt 0 ]; do
 done
 
 # The commands of the README's first block of code, one a line.
-readme_commands() { awk '/^    [^ ]/ { inside = 1; print substr($0, 5); next } inside { exit }' "$repository/README.md"; }
+readme_commands() {
+  awk '/^    [^ ]/ { inside = 1; print substr($0, 5); next } inside { exit }' "$repository/README.md"
+}
 mapfile -t commands < <(readme_commands)
 [ ${#commands[@]} -ge 2 ] || fail "README.md does not begin with a block of commands"
 
@@ -42,7 +45,8 @@ mapfile -t commands < <(readme_commands)
 debian_sources() {
   local file
   for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
-    [ ! -f "$file" ] || grep -E '^deb( \[signed-by=[^] ]*debian-archive[^] ]*\])? [^[]' "$file" | grep -w "$suite" || true
+    [ -f "$file" ] || continue
+    grep -E '^deb( \[signed-by=[^] ]*debian-archive[^] ]*\])? [^[]' "$file" | grep -w "$suite" || true
   done
 }
 debian_stanzas() {
@@ -53,7 +57,9 @@ debian_stanzas() {
   done
 }
 # How this machine reaches them: proxies, whether dates count.
-acquire_settings() { apt-config dump --format '%f "%v";%n' Acquire | grep -vE 'IndexTargets|CompressionTypes|cdrom|""'; }
+acquire_settings() {
+  apt-config dump --format '%f "%v";%n' Acquire | grep -vE 'IndexTargets|CompressionTypes|cdrom|""'
+}
 
 # ---- The root
 
@@ -62,7 +68,8 @@ command -v unshare >/dev/null && unshare --mount --pid --fork mount -t tmpfs non
   cannot "this machine does not let it mount"
 command -v apt-get >/dev/null || cannot "there is no apt-get"
 if ! command -v mmdebstrap >/dev/null; then
-  { apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends mmdebstrap; } >/dev/null 2>&1 ||
+  { apt-get update -qq &&
+    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends mmdebstrap; } >/dev/null 2>&1 ||
     cannot "mmdebstrap cannot be installed"
 fi
 
@@ -81,8 +88,8 @@ debian_sources >"$work/debian.list"
 debian_stanzas >"$work/debian.sources"
 
 steps=() seconds=()
-# step WHAT COMMAND…: runs it, notes the time, and ends everything where it fails. A subshell, because bash ignores -e in a function
-# that is called with "||".
+# step WHAT COMMAND…: runs it, notes the time, and ends everything where it fails. A subshell, because bash ignores -e
+# in a function that is called with "||".
 step() {
   local what=$1 start=$SECONDS status
   shift
@@ -128,12 +135,14 @@ unpack_root() {
   git clone --quiet --no-hardlinks "$repository" "$root/root/flowcert"
   git -C "$root/root/flowcert" checkout --quiet "$(git -C "$repository" rev-parse HEAD)"
 }
-[ -z "$(git -C "$repository" status --porcelain)" ] || echo "fresh: warning: HEAD is tried; what is not committed is not in it" >&2
+[ -z "$(git -C "$repository" status --porcelain)" ] ||
+  echo "fresh: warning: HEAD is tried; what is not committed is not in it" >&2
 step "unpacking the root, cloning $(git -C "$repository" rev-parse --short HEAD)" unpack_root
 
 # inside COMMAND: a line of shell, run in the clone as a newcomer would, in namespaces of its own.
 inside() {
-  local settings=(HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 TERM=dumb) name
+  local settings=(HOME=/root LANG=C.UTF-8 TERM=dumb) name
+  settings+=(PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin)
   for name in http_proxy https_proxy no_proxy FLOWCERT_PROPERTY_SCALE; do
     [ -z "${!name:-}" ] || settings+=("$name=${!name}")
   done
@@ -155,7 +164,8 @@ mirror_answers || cannot "the package mirror does not answer"
 inside 'rm -rf /var/lib/apt/lists/*'
 if [ -n "$ccache" ]; then
   mkdir -p "$ccache"
-  step "installing ccache" inside 'apt-get update -qq && apt-get install -y -qq --no-install-recommends ccache >/dev/null'
+  step "installing ccache" inside \
+    'apt-get update -qq && apt-get install -y -qq --no-install-recommends ccache >/dev/null'
 fi
 for command in "${commands[@]}"; do step "$command" inside "$command"; done
 step "installing the library, building the README's example" inside 'bash tests/conformance/install_test.sh build'

@@ -3,8 +3,8 @@
 #
 # usage: run.sh [TARGET [--time SECONDS] [--jobs N] [--afl]]      (without an argument: the targets, a line each)
 #
-# What a fuzzer learns stays in build-fuzz/corpus/ or build-afl/corpus/, what it finds in build-fuzz/findings/. Exit status: that of
-# the fuzzer; 1 where something is found; 2 for wrong usage.
+# What a fuzzer learns stays in build-fuzz/corpus/ or build-afl/corpus/, what it finds in build-fuzz/findings/. Exit
+# status: that of the fuzzer; 1 where something is found; 2 for wrong usage.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
@@ -35,7 +35,7 @@ tell_findings() {
   ls "$folder"
   cat <<TEXT
 again, with the complaint:   build-fuzz/fuzz/fuzz_$target $folder/FILE
-smaller:                     build-fuzz/fuzz/fuzz_$target -minimize_crash=1 -runs=10000 -artifact_prefix=$folder/ $folder/FILE
+smaller:                     the same with  -minimize_crash=1 -runs=10000 -artifact_prefix=$folder/  before the file
 without a fuzzer, by g++:    cmake --build build --target fuzz_$target && build/fuzz/fuzz_$target $folder/FILE
 When it is mended, the file becomes a regression: put it in fuzz/corpus/$target/ under a name that says what was wrong.
 TEXT
@@ -62,7 +62,8 @@ fuzz_by_libfuzzer() {
 fuzz_by_afl() {
   local target=$1 seconds=$2
   local out=build-afl/corpus/$target
-  export AFL_QUIET=1 AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_SKIP_CPUFREQ=1 AFL_NO_AFFINITY=1 AFL_NO_UI=1 AFL_AUTORESUME=1
+  export AFL_QUIET=1 AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_SKIP_CPUFREQ=1 AFL_NO_AFFINITY=1 AFL_NO_UI=1
+  export AFL_AUTORESUME=1
   build afl
   local options=(-i "fuzz/corpus/$target" -o "$out" -m none -t 30000)
   [ "$seconds" -eq 0 ] || options+=(-V "$seconds")
@@ -70,7 +71,8 @@ fuzz_by_afl() {
   mkdir -p build-afl/corpus
   say "AFL++ on $target; what it learns stays in $out/"
   afl-fuzz "${options[@]}" -- "build-afl/fuzz/fuzz_$target"
-  grep -E '^(run_time|execs_done|execs_per_sec|corpus_count|edges_found|saved_crashes|saved_hangs)' "$out/default/fuzzer_stats"
+  grep -E '^(run_time|execs_done|execs_per_sec|corpus_count|edges_found|saved_crashes|saved_hangs)' \
+    "$out/default/fuzzer_stats"
   local findings=build-fuzz/findings/$target
   mkdir -p "$findings"
   find "$out/default/crashes" "$out/default/hangs" -name 'id*' -exec cp -t "$findings" {} +

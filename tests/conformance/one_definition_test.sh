@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# No type, and no inline function, is defined twice: all objects of a build at -O0 agree on the size of each weak symbol of ours.
+# No type, and no inline function, is defined twice: all objects of a build at -O0 agree on the size of each weak symbol
+# of ours.
 #
 # usage: one_definition_test.sh BUILD_DIR      (a build with -O0: inlining hides what differs)
 #        one_definition_test.sh --self-test    (two types of one name are found; needs a compiler)
 #
-# The linker keeps one of the functions of a name. Where two types share it, some code calls the other's. ./dev same-types also asks
-# the compiler, by -Wodr at link time; this test sees what the linker sees.
+# The linker keeps one of the functions of a name. Where two types share it, some code calls the other's. ./dev
+# same-types also asks the compiler, by -Wodr at link time; this test sees what the linker sees.
 set -euo pipefail
 
 # disagreements FOLDER: symbols of flowcert or of the oracle that have several sizes, each with its sizes and objects.
@@ -28,11 +29,13 @@ if [ "${1:-}" = --self-test ]; then
   trap 'rm -rf "$scratch"' EXIT
   for size in 2 3; do
     echo "#include <vector>
-      namespace flowcert { struct Twice { long members[$size]; }; void f$size(std::vector<Twice>& all) { all.push_back({}); } }" \
+      namespace flowcert { struct Twice { long members[$size]; };
+                           void f$size(std::vector<Twice>& all) { all.push_back({}); } }" \
       >"$scratch/$size.cpp"
     "${CXX:-c++}" -std=c++20 -O0 -c "$scratch/$size.cpp" -o "$scratch/$size.o"
   done
-  disagreements "$scratch" 2>/dev/null | grep -q 'flowcert::Twice' || { echo "FAIL: two types of one name are not found"; exit 1; }
+  disagreements "$scratch" 2>/dev/null | grep -q 'flowcert::Twice' ||
+    { echo "FAIL: two types of one name are not found"; exit 1; }
   rm "$scratch/3.o"
   [ -z "$(disagreements "$scratch" 2>/dev/null)" ] || { echo "FAIL: one type is found to be two"; exit 1; }
   echo "ok"
