@@ -61,31 +61,7 @@ acquire_settings() {
   apt-config dump --format '%f "%v";%n' Acquire | grep -vE 'IndexTargets|CompressionTypes|cdrom|""'
 }
 
-# ---- The root
-
-[ "$(id -u)" -eq 0 ] || cannot "that needs the rights of root"
-command -v unshare >/dev/null && unshare --mount --pid --fork mount -t tmpfs none /mnt 2>/dev/null ||
-  cannot "this machine does not let it mount"
-command -v apt-get >/dev/null || cannot "there is no apt-get"
-if ! command -v mmdebstrap >/dev/null; then
-  { apt-get update -qq &&
-    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends mmdebstrap; } >/dev/null 2>&1 ||
-    cannot "mmdebstrap cannot be installed"
-fi
-
-mkdir -p "$cache/archives"
-exec 9>"$cache/lock"
-flock -n 9 || cannot "another run is using $cache"
-rm -rf --one-file-system "$cache"/run.*  # left by a run that was killed
-work=$(mktemp -d "$cache/run.XXXXXX")
-root=$work/root
-finish() {
-  if [ "$keep" -eq 1 ]; then echo "kept: $root"; else rm -rf --one-file-system "$work"; fi
-}
-trap finish EXIT
-acquire_settings >"$work/acquire"
-debian_sources >"$work/debian.list"
-debian_stanzas >"$work/debian.sources"
+# ---- Steps
 
 steps=() seconds=()
 # step WHAT COMMAND…: runs it, notes the time, and ends everything where it fails. A subshell, because bash ignores -e
@@ -109,6 +85,37 @@ report() {
   for k in "${!steps[@]}"; do printf '%6d s  %s\n' "${seconds[k]}" "${steps[k]}"; done
 }
 
+# ---- The root
+
+check_machine() {
+  [ "$(id -u)" -eq 0 ] || cannot "that needs the rights of root"
+  command -v unshare >/dev/null && unshare --mount --pid --fork mount -t tmpfs none /mnt 2>/dev/null ||
+    cannot "this machine does not let it mount"
+  command -v apt-get >/dev/null || cannot "there is no apt-get"
+  if ! command -v mmdebstrap >/dev/null; then
+    { apt-get update -qq &&
+      DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends mmdebstrap; } >/dev/null 2>&1 ||
+      cannot "mmdebstrap cannot be installed"
+  fi
+}
+
+# Only one run at a time uses the cache.
+prepare() {
+  mkdir -p "$cache/archives"
+  exec 9>"$cache/lock"
+  flock -n 9 || cannot "another run is using $cache"
+  rm -rf --one-file-system "$cache"/run.*  # left by a run that was killed
+  work=$(mktemp -d "$cache/run.XXXXXX")
+  root=$work/root
+  trap finish EXIT
+  acquire_settings >"$work/acquire"
+  debian_sources >"$work/debian.list"
+  debian_stanzas >"$work/debian.sources"
+}
+finish() {
+  if [ "$keep" -eq 1 ]; then echo "kept: $root"; else rm -rf --one-file-system "$work"; fi
+}
+
 make_root() {
   local sources=("$work/debian.sources")
   [ ! -s "$work/debian.list" ] || sources=("$work/debian.list")
@@ -120,8 +127,6 @@ make_root() {
     { tail -n 5 "$work/log" >&2; cannot "mmdebstrap fails, or the package mirror does not answer"; }
   mv "$cache/root.tar.new" "$cache/root.tar"
 }
-[ "$new" -eq 0 ] || rm -f "$cache/root.tar"
-[ -s "$cache/root.tar" ] || step "making a bare root" make_root
 
 unpack_root() {
   mkdir "$root"
@@ -135,10 +140,6 @@ unpack_root() {
   git clone --quiet --no-hardlinks "$repository" "$root/root/flowcert"
   git -C "$root/root/flowcert" checkout --quiet "$(git -C "$repository" rev-parse HEAD)"
 }
-[ -z "$(git -C "$repository" status --porcelain)" ] ||
-  echo "fresh: warning: HEAD is tried; what is not committed is not in it" >&2
-step "unpacking the root, cloning $(git -C "$repository" rev-parse --short HEAD)" unpack_root
-
 # inside COMMAND: a line of shell, run in the clone as a newcomer would, in namespaces of its own.
 inside() {
   local settings=(HOME=/root LANG=C.UTF-8 TERM=dumb) name
@@ -159,15 +160,28 @@ inside() {
   ' fresh "$root" "$cache/archives" "$ccache" "$1" "${settings[@]}" </dev/null || return 1
 }
 
-mirror_answers() { inside 'apt-get update -qq -o APT::Update::Error-Mode=any'; }
-mirror_answers || cannot "the package mirror does not answer"
-inside 'rm -rf /var/lib/apt/lists/*'
-if [ -n "$ccache" ]; then
-  mkdir -p "$ccache"
-  step "installing ccache" inside \
-    'apt-get update -qq && apt-get install -y -qq --no-install-recommends ccache >/dev/null'
-fi
-for command in "${commands[@]}"; do step "$command" inside "$command"; done
-step "installing the library, building the README's example" inside 'bash tests/conformance/install_test.sh build'
-for command in "${later[@]}"; do step "$command" inside "$command"; done
-report
+# ---- All of it. In a function, because bash reads a script as it goes: it may be edited meanwhile.
+
+main() {
+  check_machine
+  prepare
+  [ -z "$(git -C "$repository" status --porcelain)" ] ||
+    echo "fresh: warning: HEAD is tried; what is not committed is not in it" >&2
+  [ "$new" -eq 0 ] || rm -f "$cache/root.tar"
+  [ -s "$cache/root.tar" ] || step "making a bare root" make_root
+  step "unpacking the root, cloning $(git -C "$repository" rev-parse --short HEAD)" unpack_root
+  inside 'apt-get update -qq -o APT::Update::Error-Mode=any' || cannot "the package mirror does not answer"
+  inside 'rm -rf /var/lib/apt/lists/*'
+  if [ -n "$ccache" ]; then
+    mkdir -p "$ccache"
+    step "installing ccache" inside \
+      'apt-get update -qq && apt-get install -y -qq --no-install-recommends ccache >/dev/null'
+  fi
+  local command
+  for command in "${commands[@]}"; do step "$command" inside "$command"; done
+  step "installing the library, building the README's example" inside 'bash tests/conformance/install_test.sh build'
+  for command in "${later[@]}"; do step "$command" inside "$command"; done
+  report
+  exit 0
+}
+main
