@@ -15,6 +15,7 @@
 #include "oracle/orbit.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
+#include "tests/property/property_parameters.h"
 
 namespace oracle {
 namespace {
@@ -44,15 +45,21 @@ struct Subject {
   std::vector<std::pair<StationaryPoint, StableSet>> sets;
 };
 
-// Calls visit(subject, random) for inputs of at most 12 rows: so many of each family, and so many of each of
-// those that are made for this.
+constexpr std::size_t kMostRows = 12;
+
+// Fewer where the run is scaled down, as under the sanitizers: the oracle's time grows fast with the rows.
+std::size_t most_rows_of_run() { return flowcert::property::scale_of_run() < 1 ? 8 : kMostRows; }
+
+// Calls visit(subject, random) for inputs of at most so many rows: `seeds` of each family, and `made` of each
+// of those that are made for this.
 template <typename Visit>
-void for_each_subject(std::uint64_t seeds, std::uint64_t made, const Visit& visit) {
+void for_each_subject(std::uint64_t seeds, std::uint64_t made, const Visit& visit,
+                      std::size_t most_rows = most_rows_of_run()) {
   const auto visit_drawn = [&](const flowcert::fuzz::Family& family, std::uint64_t seed, int size) {
     SCOPED_TRACE(family.name + ", seed " + std::to_string(seed));
     rc::Random random(seed);
     Rows rows = flowcert::fuzz::draw(family, seed, size).rows;
-    if (rows.size() > 12) rows.resize(12);
+    if (rows.size() > most_rows) rows.resize(most_rows);
     if (!rows.empty()) visit(Subject(rows), random);
   };
   for (const flowcert::fuzz::Family& family : flowcert::fuzz::families()) {
@@ -343,22 +350,26 @@ TEST(OracleStableFamilies, AllKindsOfPiecesAreMetAndNoneTwice) {
     return std::adjacent_find(list.begin(), list.end(),
                               [](const auto& a, const auto& b) { return !(a < b); }) == list.end();
   };
-  for_each_subject(3, 40, [&](const Subject& subject, rc::Random&) {
-    for (const auto& [z, stable] : subject.sets) {
-      EXPECT_TRUE(strictly_ascending(stable.points) && strictly_ascending(stable.segments) &&
-                  strictly_ascending(stable.intervals) && strictly_ascending(stable.sectors));
-      const std::string kind = std::to_string(z.face_dimension) + std::to_string(z.hull_dimension);
-      ++seen["set of " + kind + (stable.intervals.empty() ? "" : ", intervals")];
-      for (const auto& s : stable.segments)
-        ++seen["segment " + std::to_string(static_cast<int>(s.back_kind))];
-      for (const auto& i : stable.intervals) ++seen["interval " + std::to_string(static_cast<int>(i.kind))];
-      for (const auto& s : stable.sectors)
-        ++seen["sector of " + std::to_string(s.polygon.size()) + " corners"];
-      for (const auto& w : stable.points) {
-        if (is_within_a_sector(subject, stable, z, w)) ++seen["vertex within a sector"];
-      }
-    }
-  });
+  for_each_subject(
+      3, 40,
+      [&](const Subject& subject, rc::Random&) {
+        for (const auto& [z, stable] : subject.sets) {
+          EXPECT_TRUE(strictly_ascending(stable.points) && strictly_ascending(stable.segments) &&
+                      strictly_ascending(stable.intervals) && strictly_ascending(stable.sectors));
+          const std::string kind = std::to_string(z.face_dimension) + std::to_string(z.hull_dimension);
+          ++seen["set of " + kind + (stable.intervals.empty() ? "" : ", intervals")];
+          for (const auto& s : stable.segments)
+            ++seen["segment " + std::to_string(static_cast<int>(s.back_kind))];
+          for (const auto& i : stable.intervals)
+            ++seen["interval " + std::to_string(static_cast<int>(i.kind))];
+          for (const auto& s : stable.sectors)
+            ++seen["sector of " + std::to_string(s.polygon.size()) + " corners"];
+          for (const auto& w : stable.points) {
+            if (is_within_a_sector(subject, stable, z, w)) ++seen["vertex within a sector"];
+          }
+        }
+      },
+      kMostRows);
   for (const auto& [what, count] : seen) std::printf("%6d  %s\n", count, what.c_str());
   for (const char* what :
        {"segment 0", "segment 1", "segment 2", "segment 3", "interval 0", "interval 1", "interval 2",
