@@ -95,7 +95,7 @@ def arguments():
     parser.add_argument("scans", nargs="*", metavar="SCAN")
     parser.add_argument("--generated", type=int, default=1000, metavar="N", help="inputs that are generated (1000)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N")
-    return parser.parse_args()
+    return parser.parse_intermixed_args()
 
 
 def main():

@@ -2,9 +2,9 @@
 //
 // Rank 0 turns every failure into one line on standard error, and has the exit status of `flowcert fuzz`; the
 // other ranks end with 0.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
