@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -49,6 +50,12 @@ inline Property rows_property(std::size_t rows) {
                        ? std::nullopt
                        : std::optional(Disagreement{"too-many", "FC-IN-01", "too many rows", "", "", "", ""});
           }};
+}
+
+// Ends this process by a signal, as a bad pointer does. A sanitizer would catch the signal and exit instead.
+inline void crash() {
+  (void)::signal(SIGSEGV, SIG_DFL);
+  ::raise(SIGSEGV);
 }
 
 inline void work(

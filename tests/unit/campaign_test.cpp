@@ -116,7 +116,7 @@ TEST_F(CampaignTest, AnOpenBatchIsNotToldOfACaseThatWasAskedFor) {
   Campaign campaign(small_plan(), 40, folder_ / "findings");
   Property crashing = rows_property(100);
   crashing.check = [](const Trial&) -> std::optional<Disagreement> {
-    ::raise(SIGSEGV);
+    crash();
     return std::nullopt;
   };
   for (const std::size_t number : {std::size_t{3}, std::size_t{18}}) {

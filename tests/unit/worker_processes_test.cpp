@@ -21,7 +21,7 @@ using WorkerProcessesTest = CampaignTest;
 TEST_F(WorkerProcessesTest, ACaseThatEndsItsProcessIsAFinding) {
   Property property = rows_property(100);
   property.check = [](const Trial& trial) -> std::optional<Disagreement> {
-    if (trial.input.rows.size() >= 9) ::raise(SIGSEGV);
+    if (trial.input.rows.size() >= 9) crash();
     return std::nullopt;
   };
   CampaignPlan plan = small_plan();
@@ -122,7 +122,7 @@ TEST_F(WorkerProcessesTest, ACrashIsMadeSmallThoughItsProcessIsKilled) {
       std::ofstream(marks) << '.';
       ::kill(parent, SIGKILL);
     }
-    ::raise(SIGSEGV);
+    crash();
     return std::nullopt;
   };
   CampaignPlan plan = small_plan();
@@ -148,7 +148,7 @@ TEST_F(WorkerProcessesTest, StoppedWhileMakingSmallItEndsTheSame) {
     property.check = [&, usual = property.check](const Trial& trial) {
       std::ofstream(marks, std::ios::app) << '.';
       const auto found = usual(trial);
-      if (found && crashes) ::raise(SIGSEGV);
+      if (found && crashes) crash();
       return found;
     };
     // Stops after so many checks more each time, most of which are there to make something small.
@@ -178,7 +178,7 @@ TEST_F(WorkerProcessesTest, ACrashForWantOfAMachineIsNotMadeSmall) {
     if (trial.input.rows.size() < 9) return std::nullopt;
     // A worker is the child of the test, and those that make a crash small are children of workers.
     if (::getppid() != test) throw property::MachineFailure("no more processes");
-    ::raise(SIGSEGV);
+    crash();
     return std::nullopt;
   };
   CampaignPlan plan = small_plan();
