@@ -12,7 +12,7 @@ namespace flowcert {
 
 namespace {
 
-constexpr char kClause[] = "FC-CHAIN-01";
+constexpr char kBoundaryClause[] = "FC-CHAIN-01";
 
 using Chain = std::vector<std::uint32_t>;  // ascending, mod 2
 
@@ -50,8 +50,8 @@ bool has_tie(Truth& truth, std::size_t record) {
 }
 
 void Boundaries::find(std::size_t k, int level, const std::string& claimed, const std::string& truth) {
-  run_.find(level, level == 4 ? FindingReason::kWrongIncidence : FindingReason::kWrongSurface, kClause, k,
-            truth);
+  run_.find(level, level == 4 ? FindingReason::kWrongIncidence : FindingReason::kWrongSurface,
+            kBoundaryClause, k, truth);
   run_.report.findings.back().claimed += claimed;
 }
 

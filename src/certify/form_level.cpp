@@ -10,7 +10,7 @@ namespace flowcert {
 
 namespace {
 
-constexpr char kClause[] = "FC-CLAIM-01";
+constexpr char kClaimClause[] = "FC-CLAIM-01";
 
 void find_whole(CheckRun& run, FindingReason reason, const std::string& clause, const std::string& claimed,
                 const std::string& truth) {
@@ -39,7 +39,8 @@ void check_input_of_claim(CheckRun& run) {
   }
   const auto& digest = run.claim.input_sha256;
   if (digest && run.options.input_sha256 && *digest != *run.options.input_sha256) {
-    find_whole(run, FindingReason::kMalformed, kClause, "a claim about the input with SHA-256 " + *digest,
+    find_whole(run, FindingReason::kMalformed, kClaimClause,
+               "a claim about the input with SHA-256 " + *digest,
                "the input's is " + *run.options.input_sha256);
   }
 }
@@ -59,7 +60,7 @@ void check_counts_of_claim(CheckRun& run) {
   }
   const auto compare = [&run](const auto& claimed, const auto& listed, const char* what) {
     if (!claimed || *claimed == listed) return;
-    find_whole(run, FindingReason::kWrongCounts, kClause, counts_text(*claimed) + " " + what,
+    find_whole(run, FindingReason::kWrongCounts, kClaimClause, counts_text(*claimed) + " " + what,
                "the claim itself lists " + counts_text(listed));
   };
   compare(run.claim.critical_counts, run.report.claimed_counts, "critical points");
@@ -157,7 +158,7 @@ void check_form(CheckRun& run) {
     const std::string fault = fault_of(run.points, point);
     if (!fault.empty()) {
       const bool is_kind = point.hull_dimension && !fault_of_index(point).empty();
-      run.find(1, FindingReason::kMalformed, is_kind ? "FC-CRIT-03" : kClause, k, fault);
+      run.find(1, FindingReason::kMalformed, is_kind ? "FC-CRIT-03" : kClaimClause, k, fault);
       continue;
     }
     run.placed[k].is_well_formed = true;

@@ -9,7 +9,7 @@ namespace flowcert {
 
 namespace {
 
-constexpr char kClause[] = "FC-CLAIM-08";
+constexpr char kPolylineClause[] = "FC-CLAIM-08";
 
 // What is wrong with a polyline, and where.
 struct Difference {
@@ -46,8 +46,8 @@ class Polylines {
     if (found.goes_on && ends_below(run_.placed[k].place->record, side)) {
       run_.vary(5, FindingReason::kSymbolicPerturbation, "FC-CLAIM-07", k, found.truth);
     } else {
-      run_.find(5, found.by_rounding ? FindingReason::kRounding : FindingReason::kWrongPolyline, kClause, k,
-                found.truth);
+      run_.find(5, found.by_rounding ? FindingReason::kRounding : FindingReason::kWrongPolyline,
+                kPolylineClause, k, found.truth);
     }
     run_.report.findings.back().claimed += ", side " + std::to_string(side) + ", " + found.claimed;
   }

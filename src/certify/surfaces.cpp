@@ -19,7 +19,7 @@ namespace flowcert {
 
 namespace {
 
-constexpr char kClause[] = "FC-CLAIM-10";
+constexpr char kSurfaceClause[] = "FC-CLAIM-10";
 
 // By corner, or by side.
 template <typename Each>
@@ -84,7 +84,7 @@ class Surfaces {
 
  private:
   void find(std::size_t k, FindingReason reason, const std::string& claimed, const std::string& truth) {
-    run_.find(5, reason, kClause, k, truth);
+    run_.find(5, reason, kSurfaceClause, k, truth);
     run_.report.findings.back().claimed += ", " + claimed;
   }
 
@@ -94,7 +94,8 @@ class Surfaces {
       if (!value || *value == right) return;
       // A perturbation leaves nothing of Voronoi vertices and intervals.
       if (truth.has_vertex) {
-        run_.vary(5, FindingReason::kSymbolicPerturbation, kClause, k, "a Voronoi vertex is in the skeleton");
+        run_.vary(5, FindingReason::kSymbolicPerturbation, kSurfaceClause, k,
+                  "a Voronoi vertex is in the skeleton");
       } else {
         find(k, FindingReason::kWrongSurface, what, "otherwise");
       }
@@ -180,7 +181,7 @@ class Surfaces {
       if (!found.is_claimed[i]) ++(is_determined(i) ? missing : left_out);
     }
     if (!found.strange.empty() && found.is_beyond && missing + left_out == 0) {
-      run_.vary(5, FindingReason::kSymbolicPerturbation, kClause, k,
+      run_.vary(5, FindingReason::kSymbolicPerturbation, kSurfaceClause, k,
                 std::to_string(found.strange.size()) + " " + what + "s beyond a regular stationary point");
       return;
     }
@@ -195,7 +196,7 @@ class Surfaces {
       find(k, FindingReason::kWrongSurface, "too few",
            std::to_string(missing) + " " + what + "s are missing");
     } else if (left_out > 0) {
-      run_.vary(5, FindingReason::kSymbolicPerturbation, kClause, k,
+      run_.vary(5, FindingReason::kSymbolicPerturbation, kSurfaceClause, k,
                 std::to_string(left_out) + " " + what + "s beyond a Voronoi vertex are left out");
     }
   }
