@@ -7,11 +7,11 @@
 
 #include <filesystem>
 
-#include "oracle/vectors/flags.h"
-#include "oracle/vectors/recipes.h"
-#include "oracle/vectors/starts.h"
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
+#include "tests/vectors/flags.h"
+#include "tests/vectors/recipes.h"
+#include "tests/vectors/starts.h"
 
 namespace flowcert::conformance {
 namespace {

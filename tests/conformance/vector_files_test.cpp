@@ -14,10 +14,10 @@
 
 #include "flowcert/rational.h"
 #include "oracle/read_records.h"
-#include "oracle/vectors/flags.h"
-#include "oracle/vectors/vectors.h"
 #include "tests/cites.h"
 #include "tests/json_schema.h"
+#include "tests/vectors/flags.h"
+#include "tests/vectors/vectors.h"
 
 namespace flowcert::conformance {
 namespace {

@@ -10,9 +10,9 @@
 #include "oracle/orbit.h"
 #include "oracle/read_points.h"
 #include "oracle/read_records.h"
-#include "oracle/vectors/vectors.h"
 #include "tests/cites.h"
 #include "tests/conformance/vector_files.h"
+#include "tests/vectors/vectors.h"
 
 namespace flowcert::conformance {
 namespace {

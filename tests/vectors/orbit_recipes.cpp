@@ -1,6 +1,6 @@
 // The table of recipes, second part: the groups that are about the flow.
 #include "fuzz/large_configurations.h"
-#include "oracle/vectors/recipes.h"
+#include "tests/vectors/recipes.h"
 
 namespace oracle::vectors {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "oracle/answer_fields.h"
-#include "oracle/vectors/recipes.h"
+#include "tests/vectors/recipes.h"
 
 namespace oracle::vectors {
 

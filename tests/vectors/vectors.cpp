@@ -1,12 +1,12 @@
 // See vectors.h.
-#include "oracle/vectors/vectors.h"
+#include "tests/vectors/vectors.h"
 
 #include <cstdio>
 #include <stdexcept>
 
 #include "oracle/read_points.h"
-#include "oracle/vectors/flags.h"
-#include "oracle/vectors/starts.h"
+#include "tests/vectors/flags.h"
+#include "tests/vectors/starts.h"
 
 namespace oracle::vectors {
 

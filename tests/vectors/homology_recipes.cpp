@@ -1,6 +1,6 @@
 // The table of recipes, third part: stable manifolds, and persistence. All inputs are small, at most 12
 // points: skeletons are long, and the Čech filtration has n^4 / 24 simplices.
-#include "oracle/vectors/recipes.h"
+#include "tests/vectors/recipes.h"
 
 namespace oracle::vectors {
 

@@ -10,8 +10,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "oracle/vectors/flags.h"
-#include "oracle/vectors/vectors.h"
+#include "tests/vectors/flags.h"
+#include "tests/vectors/vectors.h"
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "oracle/exact_geometry.h"
-#include "oracle/vectors/shapes.h"
+#include "tests/vectors/shapes.h"
 
 namespace oracle::vectors {
 

@@ -1,5 +1,5 @@
 // See flags.h.
-#include "oracle/vectors/flags.h"
+#include "tests/vectors/flags.h"
 
 #include <algorithm>
 #include <cfloat>

@@ -1,5 +1,5 @@
 // The table of recipes, first part: ids, and the groups that are about stationary points.
-#include "oracle/vectors/recipes.h"
+#include "tests/vectors/recipes.h"
 
 #include <algorithm>
 #include <cstdio>

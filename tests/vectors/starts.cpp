@@ -1,6 +1,6 @@
 // See starts.h. Candidates come from the orbits of a few starts around the points: their ends are Voronoi
 // vertices and points of Voronoi edges and facets, and their segments cross the others.
-#include "oracle/vectors/starts.h"
+#include "tests/vectors/starts.h"
 
 #include <algorithm>
 #include <random>

@@ -1,5 +1,5 @@
 // See shapes.h. Random numbers are the raw output of std::mt19937_64, which the standard fixes.
-#include "oracle/vectors/shapes.h"
+#include "tests/vectors/shapes.h"
 
 #include <algorithm>
 #include <cmath>

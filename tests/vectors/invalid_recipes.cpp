@@ -1,6 +1,6 @@
 // The table of recipes, third part: what has to be refused.
 #include "oracle/read_points.h"
-#include "oracle/vectors/recipes.h"
+#include "tests/vectors/recipes.h"
 
 namespace oracle::vectors {
 

@@ -13,7 +13,7 @@
 #include "oracle/persistence.h"
 #include "oracle/stable_set.h"
 #include "oracle/stationary_points.h"
-#include "oracle/vectors/shapes.h"
+#include "tests/vectors/shapes.h"
 
 namespace oracle::vectors {
 
