@@ -1,4 +1,6 @@
 // `flowcert check`: whether a claimed flow complex is right. Exit status 0 if it conforms, 1 if it fails.
+#include "cli/check_command.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -6,9 +8,7 @@
 #include <memory>
 
 #include "cli/check_report.h"
-#include "cli/command.h"
 #include "cli/judging_options.h"
-#include "cli/oracle_truth.h"
 #include "flowcert/claim.h"
 #include "io/output_file.h"
 
@@ -24,13 +24,14 @@ struct CheckCommandOptions {
   bool json = false;
 };
 
-CheckReport report_of(const CheckCommandOptions& options, const Input& input, const Claim& claim) {
+CheckReport report_of(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input,
+                      const Claim& claim) {
   const std::unique_ptr<Truth> truth =
-      options.files.by_oracle ? oracle_truth(input.file.rows) : fast_truth(input.points);
+      options.files.by_oracle ? oracle.of(input.file.rows) : fast_truth(input.points);
   return check(input.points, claim, *truth, options.check);
 }
 
-int check_claim(CheckCommandOptions options) {
+int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
   CheckedFiles& files = options.files;
   if (files.points == "-" && files.claim == "-") {
     throw InvalidInput("POINTS and CLAIM cannot both be standard input");
@@ -44,7 +45,7 @@ int check_claim(CheckCommandOptions options) {
   files.tolerance = options.check.tolerance;
   files.highest_level = options.check.highest_level;
   options.check.input_sha256 = input.sha256;
-  const CheckReport report = report_of(options, input, claim);
+  const CheckReport report = report_of(options, oracle, input, claim);
   if (!options.junit.empty()) {
     OutputFile file(options.junit);
     write_check_junit(file.stream(), files, report);
@@ -60,7 +61,7 @@ int check_claim(CheckCommandOptions options) {
 
 }  // namespace
 
-void add_check_command(CLI::App& app, int& status) {
+void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
   auto options = std::make_shared<CheckCommandOptions>();
   CLI::App* command =
       app.add_subcommand("check", "Whether a claimed flow complex is right, and where it is not");
@@ -79,7 +80,7 @@ void add_check_command(CLI::App& app, int& status) {
   command->add_flag(
       "--oracle", options->files.by_oracle,
       fmt::format("Let the oracle say what is true, not the fast implementation: up to {} points",
-                  kMostPointsForOracle));
+                  oracle.most_points));
   command->footer(
       "Levels: 1 well formed; 2 every claimed critical point is one; 3 none is missing, none twice, indices, "
       "Euler sum; 4 incidences; 5 polylines and "
@@ -88,7 +89,7 @@ void add_check_command(CLI::App& app, int& status) {
       "Examples:\n  flowcert check bunny.obj claim.jsonl\n  flowcert check bunny.obj claim.csv --tolerance "
       "1e-6 "
       "--junit report.xml");
-  command->callback([options, &status] { status = check_claim(*options); });
+  command->callback([options, oracle, &status] { status = check_claim(*options, oracle); });
 }
 
 }  // namespace flowcert

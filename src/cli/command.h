@@ -1,5 +1,5 @@
 // What every subcommand of `flowcert` is, and what they share. Exit status: 0 right, 1 a negative verdict, 2
-// unusable input or usage.
+// unusable input or usage. The subcommands that draw inputs and judge programs are in fuzz/commands/.
 #pragma once
 
 #include <string>
@@ -18,16 +18,11 @@ inline constexpr int kUnusable = 2;
 
 // Each adds its subcommand, options and callback; the callback sets the exit status and throws InvalidInput
 // or OutputError.
-void add_check_command(CLI::App& app, int& status);
 void add_compute_command(CLI::App& app, int& status);
-void add_conformance_command(CLI::App& app, int& status);
 void add_explain_command(CLI::App& app, int& status);
-void add_fuzz_command(CLI::App& app, int& status);
-void add_generate_command(CLI::App& app, int& status);
 void add_orbit_command(CLI::App& app, int& status);
 void add_persistence_command(CLI::App& app, int& status);
 void add_surface_command(CLI::App& app, int& status);
-void add_verify_command(CLI::App& app, int& status);
 
 // Reads the file, and says on standard error what a user should know of it: single precision, merged
 // duplicates.

@@ -11,6 +11,7 @@
 
 #include "cli/command.h"
 #include "flowcert/reproducibility.h"
+#include "fuzz/commands/commands.h"
 #include "io/output_file.h"
 
 namespace {

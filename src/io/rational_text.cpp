@@ -16,9 +16,10 @@ namespace {
 
 using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
-Integer parse_integer(std::string_view text, bool may_have_sign) {
-  const bool negative = may_have_sign && !text.empty() && text.front() == '-';
-  const bool has_sign = negative || (may_have_sign && !text.empty() && text.front() == '+');
+// signs: those that it may begin with.
+Integer parse_integer(std::string_view text, std::string_view signs) {
+  const bool has_sign = !text.empty() && signs.find(text.front()) != std::string_view::npos;
+  const bool negative = has_sign && text.front() == '-';
   const std::string digits(text.substr(has_sign ? 1 : 0));
   if (digits.empty() ||
       !std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; })) {
@@ -30,6 +31,14 @@ Integer parse_integer(std::string_view text, bool may_have_sign) {
   return negative ? Integer(-value) : value;
 }
 
+Rational parse_fraction(std::string_view text, std::size_t slash, std::string_view signs_above,
+                        std::string_view signs_below) {
+  const Integer numerator = parse_integer(text.substr(0, slash), signs_above);
+  const Integer denominator = parse_integer(text.substr(slash + 1), signs_below);
+  if (denominator == 0) throw InvalidInput("the denominator is zero: " + in_quotes(text));
+  return Rational(numerator) / Rational(denominator);
+}
+
 }  // namespace
 
 Rational parse_rational(std::string_view text) {
@@ -39,10 +48,17 @@ Rational parse_rational(std::string_view text) {
     if (number.fault != nullptr) throw InvalidInput(number.fault + (": " + in_quotes(text)));
     return Rational(number.value);
   }
-  const Integer numerator = parse_integer(text.substr(0, slash), true);
-  const Integer denominator = parse_integer(text.substr(slash + 1), false);
-  if (denominator == 0) throw InvalidInput("the denominator is zero: " + in_quotes(text));
-  return Rational(numerator) / Rational(denominator);
+  return parse_fraction(text, slash, "+-", "");
+}
+
+Rational exact_rational(std::string_view text) {
+  try {
+    const std::size_t slash = text.find('/');
+    if (slash == std::string_view::npos) return Rational(parse_integer(text, "-"));
+    return parse_fraction(text, slash, "-", "-");
+  } catch (const InvalidInput&) {
+    throw InvalidInput("no rational: " + in_quotes(text));
+  }
 }
 
 RationalPoint parse_rational_point(std::string_view text) {

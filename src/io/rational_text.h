@@ -11,7 +11,11 @@ namespace flowcert {
 // Throws InvalidInput, one line, for what is no number.
 [[nodiscard]] Rational parse_rational(std::string_view text);
 
-// Three of them, separated by commas or blanks.
+// "-3/4", "5": an integer is exact, however large it is. Decimals are refused, as all else, with
+// InvalidInput.
+[[nodiscard]] Rational exact_rational(std::string_view text);
+
+// Three numbers that parse_rational takes, separated by commas or blanks.
 [[nodiscard]] RationalPoint parse_rational_point(std::string_view text);
 
 }  // namespace flowcert

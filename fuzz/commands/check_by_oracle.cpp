@@ -1,0 +1,13 @@
+// Gives `flowcert check` the oracle, which src/ does not know.
+#include "cli/check_command.h"
+#include "fuzz/commands/commands.h"
+#include "fuzz/judge/oracle_truth.h"
+
+namespace flowcert {
+
+void add_check_command(CLI::App& app, int& status) {
+  add_check_command(
+      app, status, {kMostPointsForOracle, [](const std::vector<Point>& rows) { return oracle_truth(rows); }});
+}
+
+}  // namespace flowcert

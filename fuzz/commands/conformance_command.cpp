@@ -1,0 +1,273 @@
+// `flowcert conformance`: what any program's answers to the conformance vectors are worth. Exit status 0 if
+// all is right, 1 if something is not.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "cli/judging_options.h"
+#include "cli/progress_line.h"
+#include "cli/table.h"
+#include "fuzz/commands/commands.h"
+#include "fuzz/commands/conformance_report.h"
+#include "fuzz/commands/option_checks.h"
+#include "fuzz/judge/command_run.h"
+#include "fuzz/judge/command_template.h"
+#include "fuzz/judge/interruption.h"
+#include "io/number_text.h"
+#include "io/output_file.h"
+
+namespace flowcert {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostMebibytes = std::size_t{1} << 24;
+constexpr double kLongestSeconds = 86400;
+// What a shell says of a program that a signal has ended.
+constexpr int kShellSignal = 128;
+
+using Names = std::vector<std::string>;
+
+struct ConformanceCommandOptions {
+  ConformanceOptions run;
+  std::string folder;  // of the vectors
+  Names groups, flags, cases;
+  std::string in_format = "xyz";
+  std::size_t memory_mebibytes = 4096;
+  std::string junit;
+  std::size_t most = 10;
+  bool json = false;
+  bool list = false;
+};
+
+// ---- Which vectors
+
+// Beside an installed program, else in the tree that it was built from.
+std::string usual_folder() {
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path installed = program.parent_path().parent_path() / FLOWCERT_INSTALLED_VECTORS;
+  return fs::is_directory(installed, ignored) ? installed.string() : FLOWCERT_SOURCE_VECTORS;
+}
+
+bool has(const Names& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+// Every name that is asked for has to be one of the known ones.
+void require_known(const char* what, const Names& asked, const Names& known) {
+  for (const std::string& name : asked) {
+    if (!has(known, name)) throw InvalidInput(fmt::format("there is no {} {}", what, in_quotes(name)));
+  }
+}
+
+// No name asked for: all.
+bool is_chosen(const VectorCase& one, const ConformanceCommandOptions& options) {
+  const auto has_asked_flag = [&](const std::string& flag) { return has(options.flags, flag); };
+  return (options.groups.empty() || has(options.groups, one.group)) &&
+         (options.cases.empty() || has(options.cases, one.id)) &&
+         (options.flags.empty() || std::ranges::any_of(one.flags, has_asked_flag));
+}
+
+std::vector<const VectorCase*> chosen_cases(const Vectors& vectors,
+                                            const ConformanceCommandOptions& options) {
+  Names flags, ids;
+  for (const VectorFlag& flag : vectors.flags) flags.push_back(flag.name);
+  for (const VectorCase& one : vectors.cases) ids.push_back(one.id);
+  require_known("group", options.groups, vectors.groups);
+  require_known("flag", options.flags, flags);
+  require_known("case", options.cases, ids);
+  std::vector<const VectorCase*> chosen;
+  for (const VectorCase& one : vectors.cases) {
+    if (is_chosen(one, options)) chosen.push_back(&one);
+  }
+  if (chosen.empty()) throw InvalidInput("no case is in all of --group, --flag and --case");
+  return chosen;
+}
+
+void print_list(const std::vector<const VectorCase*>& cases) {
+  Table table("lll");
+  for (const VectorCase* one : cases) {
+    std::string flags;
+    for (const std::string& flag : one->flags) flags += (flags.empty() ? "" : " ") + flag;
+    table.row(one->id).cell(one->comment).cell(flags);
+  }
+  table.print();
+}
+
+// ---- Running
+
+void require_full_path(const char* option, const std::string& command) {
+  const std::string fault = fault_of_relative_path(command);
+  if (!fault.empty()) throw InvalidInput(fmt::format("{}: {}", option, fault));
+}
+
+void require_answerable(const std::vector<CaseOutcome>& outcomes) {
+  const bool is_any_run = std::ranges::any_of(
+      outcomes, [](const CaseOutcome& outcome) { return outcome.outcome != RunOutcome::kSkipped; });
+  if (is_any_run) return;
+  const CaseOutcome& first = outcomes.front();
+  throw InvalidInput(fmt::format("there is nothing to run: {} {}", first.of->id, first.message));
+}
+
+int run_cases(const ConformanceCommandOptions& options, const Vectors& vectors,
+              const std::vector<const VectorCase*>& cases) {
+  require_full_path("--against", options.run.command);
+  require_full_path("--orbits-against", options.run.orbit_command);
+  require_full_path("--persistence-against", options.run.persistence_command);
+  // What cannot be written is better known before.
+  std::optional<OutputFile> junit;
+  if (!options.junit.empty()) junit.emplace(options.junit);
+  if (!options.run.keep.empty()) fs::create_directories(options.run.keep);
+  const auto since = std::chrono::steady_clock::now();
+  std::vector<CaseOutcome> outcomes;
+  {
+    ProgressLine progress("cases");
+    outcomes = run_conformance(cases, options.run, std::ref(progress));
+  }
+  require_answerable(outcomes);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+  const ConformanceReport report{vectors, options.run, outcomes, seconds};
+  if (junit) {
+    write_conformance_junit(junit->stream(), report);
+    junit->commit();
+  }
+  if (options.json) {
+    print_conformance_json(report);
+  } else {
+    print_conformance_text(report, options.most);
+  }
+  return report.verdict() == Verdict::kFails ? kNegativeVerdict : kRight;
+}
+
+int conformance(ConformanceCommandOptions& options) {
+  const Interruption interruption;
+  options.run.limits.memory_bytes = std::uint64_t{options.memory_mebibytes} << 20;
+  options.run.points.format = options.in_format == "off" ? PointFileFormat::kOff : PointFileFormat::kXyz;
+  if (!options.run.keep.empty()) options.run.keep = fs::absolute(options.run.keep).string();
+  const Vectors vectors = read_vectors(options.folder.empty() ? usual_folder() : options.folder);
+  const std::vector<const VectorCase*> cases = chosen_cases(vectors, options);
+  if (options.list) {
+    print_list(cases);
+    return kRight;
+  }
+  if (options.run.command.empty()) throw InvalidInput("--against is required");
+  try {
+    return run_cases(options, vectors, cases);
+  } catch (const Interrupted& interrupted) {
+    fmt::print(stderr, "flowcert: interrupted\n");
+    return kShellSignal + interrupted.signal;
+  }
+}
+
+// ---- Options
+
+// Validators return what is wrong.
+std::string has_in_and_start(const std::string& command) {
+  return has_place(command, "{start}") ? has_in(command) : "there is no {start} in the command";
+}
+std::string is_file_name(const std::string& name) {
+  constexpr std::string_view kTaken[] = {"",           ".",      "..",     "points.xyz",
+                                         "points.off", "stdout", "stderr", "case.json"};
+  const bool is_free = name.find('/') == std::string::npos && std::ranges::count(kTaken, name) == 0;
+  return is_free ? "" : in_quotes(name) + " is no file name that is free";
+}
+std::string is_time(const std::string& word) { return fault_of_seconds(word, kLongestSeconds, "a day"); }
+
+void add_choice_options(CLI::App& command, ConformanceCommandOptions& options) {
+  command.add_option("--vectors", options.folder,
+                     "Folder of the vectors; without this, those that came with the program");
+  command.add_option("--group", options.groups, "Only the cases of this group; may be given several times")
+      ->allow_extra_args(false);
+  command.add_option("--flag", options.flags, "Only the cases with this flag; may be given several times")
+      ->allow_extra_args(false);
+  command.add_option("--case", options.cases, "Only this case; may be given several times")
+      ->allow_extra_args(false);
+  command.add_flag("--list", options.list, "Run nothing; print id, comment and flags of the cases");
+}
+
+void add_command_options(CLI::App& command, ConformanceCommandOptions& options) {
+  ConformanceOptions& run = options.run;
+  command
+      .add_option("--against", run.command,
+                  "The command: {in} stands for a file of points, {out} for the file to write the claim to; "
+                  "without {out}, standard output is the claim")
+      ->check(has_in);
+  command
+      .add_option("--orbits-against", run.orbit_command,
+                  "A command for orbits: {start} stands for where to start, X,Y,Z; its answer is JSON as of "
+                  "orbit --json")
+      ->check(has_in_and_start);
+  command
+      .add_option(
+          "--persistence-against", run.persistence_command,
+          "A command for persistence pairs; its answer is JSON as of persistence --json, or a .pers file")
+      ->check(has_in);
+  command.add_option("--in-format", options.in_format, "Format of the points: xyz or off")
+      ->check(CLI::IsMember({"xyz", "off"}))
+      ->capture_default_str();
+  command.add_flag("--hex", run.points.hexadecimal,
+                   "Points as hexadecimal floats, not as the shortest decimals that read back to them");
+  command.add_option("--out-name", run.out_name, "Name of the file {out}")
+      ->check(is_file_name)
+      ->capture_default_str();
+  command
+      .add_option("--time-limit", run.limits.seconds,
+                  "Seconds after which a run is killed, with all it started")
+      ->check(is_time)
+      ->capture_default_str();
+  command
+      .add_option("--memory-limit", options.memory_mebibytes,
+                  "MiB of address space that each process may have; 0: no limit")
+      ->check(CLI::Range(std::size_t{0}, kMostMebibytes))
+      ->capture_default_str();
+  command.add_option("--jobs", run.jobs, "Cases that run at a time")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  add_judging_options(command, run.check);
+}
+
+void add_report_options(CLI::App& command, ConformanceCommandOptions& options) {
+  command.add_option("--keep", options.run.keep,
+                     "For each negative case, leave points, claim, what the command said, and the case, in a "
+                     "folder of its name here");
+  command.add_option("--most", options.most, "Show so many negative cases")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command.add_flag("--json", options.json, "Print one JSON object");
+  command.add_option("--junit", options.junit,
+                     "Write a JUnit report to this file, a test suite a group, a test case a case");
+}
+
+}  // namespace
+
+void add_conformance_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<ConformanceCommandOptions>();
+  CLI::App* command =
+      app.add_subcommand("conformance", "How any program answers the conformance vectors, by flag");
+  add_command_options(*command, *options);
+  add_choice_options(*command, *options);
+  add_report_options(*command, *options);
+  command->footer(
+      "The command runs by /bin/sh in a folder of its own for each case, and is killed with all it started "
+      "when it is done, or late. It has to exit with 0 and leave a right claim (formats: see flowcert "
+      "check); "
+      "of an invalid case, with another status.\n\n"
+      "Examples:\n  flowcert conformance --against \"$PWD/my-flow {in} {out}\"\n"
+      "  flowcert conformance --against 'flowcert compute {in} -o {out} --manifolds u2' --orbits-against "
+      "'flowcert orbit {in} --from {start} --json' --jobs 2\n"
+      "  flowcert conformance --against 'flowcert compute {in} -o {out}' --persistence-against 'flowcert "
+      "persistence {in} -o {out}' --group persistence\n"
+      "  flowcert conformance --list --flag kind-1-3");
+  command->callback([options, &status] { status = conformance(*options); });
+}
+
+}  // namespace flowcert

@@ -1,0 +1,366 @@
+// See conformance_report.h.
+#include "fuzz/commands/conformance_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <ostream>
+
+#include "cli/check_report.h"
+#include "cli/command.h"
+#include "cli/table.h"
+#include "cli/xml_text.h"
+#include "fuzz/judge/conformance_words.h"
+
+namespace flowcert {
+
+namespace {
+
+// ---- Counting
+
+// The columns of the tables; what an invalid case comes to is counted with what it is as good as.
+struct Tally {
+  std::size_t cases = 0;  // without those skipped
+  std::size_t conforms = 0;
+  std::size_t where_determined = 0;
+  std::size_t fails = 0;
+  std::size_t refused = 0;
+  std::size_t crashed = 0;
+  std::size_t timed_out = 0;
+  std::size_t unreadable = 0;
+  std::size_t skipped = 0;
+
+  [[nodiscard]] std::size_t negative() const { return fails + refused + crashed + timed_out + unreadable; }
+};
+
+std::size_t& column_of(Tally& tally, RunOutcome outcome) {
+  switch (outcome) {
+    case RunOutcome::kConforms:
+    case RunOutcome::kProperlyRefused:
+      return tally.conforms;
+    case RunOutcome::kConformsWhereDetermined:
+      return tally.where_determined;
+    case RunOutcome::kSkipped:
+      return tally.skipped;
+    case RunOutcome::kFails:
+    case RunOutcome::kAccepted:
+      return tally.fails;
+    case RunOutcome::kRefused:
+      return tally.refused;
+    case RunOutcome::kCrashed:
+      return tally.crashed;
+    case RunOutcome::kTimedOut:
+      return tally.timed_out;
+    case RunOutcome::kUnreadable:
+      break;
+  }
+  return tally.unreadable;
+}
+
+// Of the cases for which includes(case).
+template <typename Includes>
+Tally tally_of(const ConformanceReport& report, const Includes& includes) {
+  Tally tally;
+  for (const CaseOutcome& outcome : report.outcomes) {
+    if (!includes(*outcome.of)) continue;
+    ++column_of(tally, outcome.outcome);
+    if (outcome.outcome != RunOutcome::kSkipped) ++tally.cases;
+  }
+  return tally;
+}
+
+Tally tally_of_all(const ConformanceReport& report) {
+  return tally_of(report, [](const VectorCase&) { return true; });
+}
+
+struct NamedTally {
+  std::string name;
+  Tally tally;
+};
+
+// Those that have a case that was run.
+std::vector<NamedTally> tallies_by_flag(const ConformanceReport& report) {
+  std::vector<NamedTally> tallies;
+  for (const VectorFlag& flag : report.vectors.flags) {
+    const auto has_flag = [&](const VectorCase& one) {
+      return std::ranges::find(one.flags, flag.name) != one.flags.end();
+    };
+    const Tally tally = tally_of(report, has_flag);
+    if (tally.cases > 0) tallies.push_back({flag.name, tally});
+  }
+  return tallies;
+}
+
+// Also those whose cases were all skipped.
+std::vector<NamedTally> tallies_by_group(const ConformanceReport& report) {
+  std::vector<NamedTally> tallies;
+  for (const std::string& group : report.vectors.groups) {
+    const Tally tally = tally_of(report, [&](const VectorCase& one) { return one.group == group; });
+    if (tally.cases + tally.skipped > 0) tallies.push_back({group, tally});
+  }
+  return tallies;
+}
+
+std::size_t claims_judged(const ConformanceReport& report, std::size_t level) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      report.outcomes, [&](const CaseOutcome& outcome) { return outcome.judged.at(level); }));
+}
+
+std::size_t orbits_judged(const ConformanceReport& report) {
+  std::size_t count = 0;
+  for (const CaseOutcome& outcome : report.outcomes) count += outcome.orbits_judged;
+  return count;
+}
+
+std::size_t persistence_judged(const ConformanceReport& report) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(report.outcomes, &CaseOutcome::is_persistence_judged));
+}
+
+// ---- Text
+
+void print_tallies(const char* title, const std::vector<NamedTally>& tallies) {
+  Table table("lrrrrrrrr", {title, "cases", "conforms", "where determined", "fails", "refused", "crashed",
+                            "timed out", "unreadable"});
+  for (const auto& [name, tally] : tallies) {
+    table.row(name);
+    for (const std::size_t count : {tally.cases, tally.conforms, tally.where_determined, tally.fails,
+                                    tally.refused, tally.crashed, tally.timed_out, tally.unreadable}) {
+      table.cell(count);
+    }
+  }
+  table.print();
+  fmt::print("\n");
+}
+
+std::string outcome_words(const CaseOutcome& outcome) {
+  switch (outcome.outcome) {
+    case RunOutcome::kAccepted:
+      return "accepts what is invalid";
+    case RunOutcome::kRefused:
+      return "refuses what is valid";
+    default:
+      return run_outcome_text(outcome.outcome);
+  }
+}
+
+void print_negative_cases(const ConformanceReport& report, std::size_t most) {
+  std::size_t shown = 0, left_out = 0;
+  for (const CaseOutcome& outcome : report.outcomes) {
+    if (!is_negative(outcome.outcome)) continue;
+    if (shown == most) {
+      ++left_out;
+      continue;
+    }
+    ++shown;
+    fmt::print("{} ({}): {}\n  {}\n", outcome.of->id, outcome.of->comment, outcome_words(outcome),
+               outcome.message);
+  }
+  if (left_out > 0) fmt::print("and {} more; --most shows more\n", with_commas(left_out));
+  if (shown + left_out > 0) fmt::print("\n");
+}
+
+// Where not simply everything is negative.
+void print_telling_flags(const ConformanceReport& report) {
+  const Tally all = tally_of_all(report);
+  if (all.negative() == all.cases) return;
+  for (const auto& [name, tally] : tallies_by_flag(report)) {
+    if (tally.cases < 2 || tally.negative() < tally.cases) continue;
+    fmt::print("all {} cases with the flag {} are negative\n", tally.cases, name);
+  }
+}
+
+// How many cases have something that no command was asked for.
+template <typename Has>
+void print_unasked(const ConformanceReport& report, const char* what, const char* option, const Has& has) {
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(report.outcomes, has));
+  if (count == 0) return;
+  fmt::print("not judged: the {} of {} case{}, without {}\n", what, with_commas(count), count == 1 ? "" : "s",
+             option);
+}
+
+void print_judged(const ConformanceReport& report) {
+  fmt::print("judged: ");
+  for (std::size_t level = 0; level < kLevels; ++level) {
+    fmt::print("{} claim{} on level {}, ", with_commas(claims_judged(report, level)),
+               claims_judged(report, level) == 1 ? "" : "s", level + 1);
+  }
+  fmt::print("{} orbits\n", with_commas(orbits_judged(report)));
+  if (!report.options.persistence_command.empty()) {
+    fmt::print("judged: the persistence pairs of {} cases\n", with_commas(persistence_judged(report)));
+  }
+  if (report.options.orbit_command.empty()) {
+    print_unasked(report, "orbits", "--orbits-against",
+                  [](const CaseOutcome& outcome) { return !outcome.of->orbits.empty(); });
+  }
+  if (report.options.persistence_command.empty()) {
+    print_unasked(report, "persistence pairs", "--persistence-against",
+                  [](const CaseOutcome& outcome) { return outcome.of->persistence.has_value(); });
+  }
+}
+
+void print_skipped(const ConformanceReport& report) {
+  for (const CaseOutcome& outcome : report.outcomes) {
+    if (outcome.outcome != RunOutcome::kSkipped) continue;
+    fmt::print("skipped: {} ({}): it {}\n", outcome.of->id, outcome.of->comment, outcome.message);
+  }
+}
+
+// ---- JSON
+
+Json tally_field(const char* key, const NamedTally& named) {
+  const Tally& tally = named.tally;
+  Json field;
+  field[key] = named.name;
+  field["cases"] = tally.cases;
+  field["conforms"] = tally.conforms;
+  field["conforms_where_determined"] = tally.where_determined;
+  field["fails"] = tally.fails;
+  field["refused"] = tally.refused;
+  field["crashed"] = tally.crashed;
+  field["timed_out"] = tally.timed_out;
+  field["unreadable"] = tally.unreadable;
+  return field;
+}
+
+Json tallies_field(const char* key, const std::vector<NamedTally>& tallies) {
+  Json field = Json::array();
+  for (const NamedTally& named : tallies) field.push_back(tally_field(key, named));
+  return field;
+}
+
+Json orbit_findings_field(const CaseOutcome& outcome) {
+  Json field = Json::array();
+  for (const auto& [start, difference] : outcome.orbit_findings) {
+    Json finding;
+    finding["start"] = start;
+    finding["permitted"] = difference.is_permitted;
+    finding["claimed"] = difference.claimed;
+    finding["truth"] = difference.truth;
+    field.push_back(std::move(finding));
+  }
+  return field;
+}
+
+Json persistence_findings_field(const CaseOutcome& outcome) {
+  Json field = Json::array();
+  for (const auto& [claimed, truth] : outcome.persistence_findings) {
+    Json finding;
+    finding["claimed"] = claimed;
+    finding["truth"] = truth;
+    field.push_back(std::move(finding));
+  }
+  return field;
+}
+
+Json case_field(const CaseOutcome& outcome) {
+  Json findings = Json::array();
+  for (const Finding& finding : outcome.findings) findings.push_back(finding_field(finding));
+  Json field;
+  field["id"] = outcome.of->id;
+  field["group"] = outcome.of->group;
+  field["outcome"] = run_outcome_text(outcome.outcome);
+  field["negative"] = is_negative(outcome.outcome);
+  field["level"] = outcome.level ? Json(*outcome.level) : Json(nullptr);
+  field["seconds"] = outcome.seconds;
+  field["message"] = outcome.message;
+  field["findings"] = std::move(findings);
+  field["findings_left_out"] = outcome.findings_left_out;
+  field["orbit_findings"] = orbit_findings_field(outcome);
+  field["persistence_findings"] = persistence_findings_field(outcome);
+  return field;
+}
+
+Json judged_field(const ConformanceReport& report) {
+  Json field = Json::object();
+  for (std::size_t level = 0; level < kLevels; ++level) {
+    field[fmt::format("{}", level + 1)] = claims_judged(report, level);
+  }
+  field["orbits"] = orbits_judged(report);
+  field["persistence"] = persistence_judged(report);
+  return field;
+}
+
+// ---- JUnit
+
+void write_test_case(std::ostream& out, const CaseOutcome& outcome) {
+  out << fmt::format("    <testcase classname=\"flowcert.conformance.{}\" name=\"{}\" time=\"{:.3f}\"",
+                     xml_text(outcome.of->group), xml_text(outcome.of->id), outcome.seconds);
+  const std::string message = xml_text(outcome.message);
+  if (is_negative(outcome.outcome)) {
+    out << fmt::format(">\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n",
+                       xml_text(outcome_words(outcome)), message);
+  } else if (outcome.outcome == RunOutcome::kSkipped) {
+    out << fmt::format("><skipped message=\"{}\"/></testcase>\n", message);
+  } else if (outcome.outcome == RunOutcome::kConformsWhereDetermined) {
+    out << fmt::format(">\n      <system-out>{}</system-out>\n    </testcase>\n", message);
+  } else {
+    out << "/>\n";
+  }
+}
+
+void write_test_suite(std::ostream& out, const ConformanceReport& report, const NamedTally& group) {
+  const Tally& tally = group.tally;
+  double seconds = 0;
+  for (const CaseOutcome& outcome : report.outcomes) {
+    if (outcome.of->group == group.name) seconds += outcome.seconds;
+  }
+  out << fmt::format(
+      "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\" time=\"{:.3f}\">\n",
+      xml_text(group.name), tally.cases + tally.skipped, tally.negative(), tally.skipped, seconds);
+  for (const CaseOutcome& outcome : report.outcomes) {
+    if (outcome.of->group == group.name) write_test_case(out, outcome);
+  }
+  out << "  </testsuite>\n";
+}
+
+}  // namespace
+
+Verdict ConformanceReport::verdict() const {
+  const Tally all = tally_of_all(*this);
+  if (all.negative() > 0) return Verdict::kFails;
+  return all.where_determined > 0 ? Verdict::kConformsWhereDetermined : Verdict::kConforms;
+}
+
+void print_conformance_text(const ConformanceReport& report, std::size_t most) {
+  print_tallies("flag", tallies_by_flag(report));
+  print_tallies("group", tallies_by_group(report));
+  print_negative_cases(report, most);
+  print_telling_flags(report);
+  print_skipped(report);
+  print_judged(report);
+  const Tally all = tally_of_all(report);
+  fmt::print("{} cases in {}: {} conform, {} where determined, {} negative\n\n{}\n", with_commas(all.cases),
+             seconds_text(report.seconds), with_commas(all.conforms), with_commas(all.where_determined),
+             with_commas(all.negative()), verdict_text(report.verdict()));
+}
+
+void print_conformance_json(const ConformanceReport& report) {
+  const ConformanceOptions& options = report.options;
+  Json json = header_fields("flowcert-conformance", 1, "");
+  json.erase("input_sha256");
+  json["command"] = options.command;
+  json["orbit_command"] = options.orbit_command.empty() ? Json(nullptr) : Json(options.orbit_command);
+  json["persistence_command"] =
+      options.persistence_command.empty() ? Json(nullptr) : Json(options.persistence_command);
+  json["tolerance"] = options.check.tolerance;
+  json["highest_level"] = options.check.highest_level;
+  json["time_limit"] = options.limits.seconds;
+  json["verdict"] = verdict_text(report.verdict());
+  json["seconds"] = report.seconds;
+  json["judged"] = judged_field(report);
+  json["flags"] = tallies_field("flag", tallies_by_flag(report));
+  json["groups"] = tallies_field("group", tallies_by_group(report));
+  Json& cases = json["cases"] = Json::array();
+  for (const CaseOutcome& outcome : report.outcomes) cases.push_back(case_field(outcome));
+  fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+void write_conformance_junit(std::ostream& out, const ConformanceReport& report) {
+  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+  for (const NamedTally& group : tallies_by_group(report)) write_test_suite(out, report, group);
+  out << "</testsuites>\n";
+}
+
+}  // namespace flowcert

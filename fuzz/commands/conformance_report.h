@@ -1,0 +1,28 @@
+// The three ways in which `flowcert conformance` reports: tables for people, one JSON object, and a JUnit
+// file for CI systems (spec/formats.md, "Report of a conformance run").
+#pragma once
+
+#include <cstddef>
+#include <iosfwd>
+#include <vector>
+
+#include "fuzz/judge/conformance_run.h"
+
+namespace flowcert {
+
+struct ConformanceReport {
+  const Vectors& vectors;
+  const ConformanceOptions& options;
+  const std::vector<CaseOutcome>& outcomes;
+  double seconds = 0;  // of the whole run
+
+  // Of the cases that were not skipped.
+  [[nodiscard]] Verdict verdict() const;
+};
+
+// most: negative cases shown; the others are counted.
+void print_conformance_text(const ConformanceReport& report, std::size_t most);
+void print_conformance_json(const ConformanceReport& report);
+void write_conformance_junit(std::ostream& out, const ConformanceReport& report);
+
+}  // namespace flowcert

@@ -1,0 +1,184 @@
+// `flowcert fuzz`: campaigns of degenerate inputs, ours against ours or anyone's against ours. Exit status 0
+// if no case failed, 1 if one did.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <stdexcept>
+
+#include "fuzz/campaign/worker_processes.h"
+#include "fuzz/commands/commands.h"
+#include "fuzz/commands/finding_file.h"
+#include "fuzz/commands/fuzz_options.h"
+#include "fuzz/commands/fuzz_progress.h"
+#include "fuzz/commands/fuzz_report.h"
+#include "fuzz/judge/interruption.h"
+
+namespace flowcert {
+
+namespace {
+
+struct FuzzCommandOptions : FuzzOptions {
+  std::vector<std::string> replay;
+  std::vector<std::string> merged;
+};
+
+// The seconds that it takes. source: the campaign, or a part of it.
+double work_on(fuzz::BatchSource& source, const fuzz::Campaign& campaign, const FuzzOptions& options) {
+  const auto properties = properties_of(campaign.plan());
+  FuzzProgress progress(campaign, options.seconds);
+  fuzz::WorkOptions work;
+  work.jobs = options.jobs;
+  work.hang_seconds = hang_seconds(campaign.plan(), options);
+  work.is_stopped = [&] {
+    return Interruption::signal() != 0 || (options.seconds && progress.seconds_so_far() >= *options.seconds);
+  };
+  work.progress = [&](std::size_t under_way) { progress(under_way); };
+  fuzz::work_on(source, properties, work);
+  return progress.seconds_so_far();
+}
+
+int run_case(fuzz::Campaign& campaign, const FuzzOptions& options) {
+  fuzz::OneCase one(campaign, *options.only);
+  work_on(one, campaign, options);
+  if (!one.is_done())
+    throw InvalidInput(fmt::format("case {} was stopped before it was done", *options.only));
+  return print_case(campaign, one, options.json);
+}
+
+int run_campaign(const FuzzOptions& options) {
+  const Interruption interruption;
+  fuzz::Campaign campaign = campaign_of(options);
+  if (options.only) return run_case(campaign, options);
+  const std::size_t before = campaign.tally().cases;
+  const double seconds = work_on(campaign, campaign, options);
+  print_fuzz({campaign, seconds, campaign.tally().cases - before, options.jobs, Interruption::signal() != 0},
+             options.json);
+  return verdict_of(campaign);
+}
+
+// ---- Again
+
+// All properties where the file names none.
+bool is_right_on(const fuzz::Finding& finding, const std::vector<property::Property>& properties,
+                 bool is_for_peer, const std::string& path) {
+  bool is_right = true;
+  for (const property::Property& property : properties) {
+    const bool is_asked = is_for_peer || finding.property.empty() || finding.property == property.name;
+    if (!is_asked) continue;
+    const auto found = property::disagreement(property, finding.trial);
+    is_right = is_right && !found;
+    fmt::print("{}: {}: {}\n", path, property.name,
+               found ? fmt::format("{} [{}]: {}", found->kind, found->clause, found->complaint) : "holds");
+    if (!found) continue;
+    for (const auto& [name, text] :
+         {std::pair(found->first_name, found->first), std::pair(found->second_name, found->second)}) {
+      if (!name.empty()) fmt::print("{}:\n{}\n", name, text);
+    }
+  }
+  return is_right;
+}
+
+int replay(const FuzzCommandOptions& options) {
+  const fuzz::CampaignPlan plan = plan_of(options);
+  require_startable(plan);
+  const auto properties = properties_of(plan);
+  int status = kRight;
+  for (const std::string& path : options.replay) {
+    const fuzz::Finding finding = read_finding(path);
+    const bool is_chosen = !plan.against.empty() || !plan.properties.empty();
+    if (!is_right_on(finding, properties, is_chosen, path)) status = kNegativeVerdict;
+  }
+  return status;
+}
+
+// ---- Parts
+
+int merge(const FuzzCommandOptions& options) {
+  std::vector<fuzz::Campaign> parts;
+  for (const std::string& folder : options.merged) {
+    parts.push_back(fuzz::Campaign::read(folder));
+  }
+  fuzz::CampaignPlan plan = parts.front().plan();
+  plan.shard = {};
+  const auto total = parts.front().total_cases();
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (parts[k].total_cases() != total) {
+      throw InvalidInput(options.merged[k] + ": another number of cases than " + options.merged.front());
+    }
+  }
+  fuzz::Campaign whole = options.out.empty() ? fuzz::Campaign(plan, total, std::filesystem::path())
+                                             : fuzz::Campaign::begun(plan, total, options.out);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    try {
+      whole.absorb(parts[k]);
+    } catch (const std::invalid_argument& error) {
+      throw InvalidInput(
+          fmt::format("{}: {} than {}", options.merged[k], error.what(), options.merged.front()));
+    }
+  }
+  print_fuzz({whole, std::nullopt}, options.json);
+  return verdict_of(whole);
+}
+
+int fuzz_or_list(const FuzzCommandOptions& options) {
+  if (options.families == "list") {
+    print_families();
+    return kRight;
+  }
+  return options.replay.empty() ? run_campaign(options) : replay(options);
+}
+
+// CLI11 would take a word for a subcommand's only there.
+void add_merge_command(CLI::App& command, std::shared_ptr<FuzzCommandOptions> options, int& status) {
+  CLI::App* merge_command = command.add_subcommand("merge", "Put the parts of a campaign together");
+  merge_command->add_option("DIR", options->merged, "Folders of campaigns that differ in --shard alone")
+      ->required();
+  merge_command->add_option("--out", options->out, "A new folder for the whole, to go on with or to look at");
+  merge_command->add_flag("--json", options->json, "Print one JSON object");
+  merge_command->footer("Example:\n  flowcert fuzz merge part-1 part-2 --out whole");
+  merge_command->callback([options, &status] { status = merge(*options); });
+}
+
+}  // namespace
+
+void add_fuzz_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<FuzzCommandOptions>();
+  CLI::App* command =
+      app.add_subcommand("fuzz", "Search for degenerate inputs on which implementations disagree");
+  add_fuzz_options(*command, *options);
+  command->add_option("--jobs", options->jobs, "Processes that work at a time")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  auto* replay_option = command
+                            ->add_option("--replay", options->replay,
+                                         "Try the case of a finding's file, or of any point file, again")
+                            ->type_name("FILE");
+  for (const char* name : {"--count", "--time", "--out", "--resume", "--shard", "--corpus", "--json"}) {
+    replay_option->excludes(command->get_option(name));
+  }
+  auto* only = command->add_option(
+      "--case", options->only,
+      "Only this case of the campaign, once more: what fails is made small. After a crash or a hang in "
+      "its batch, with --resume alone it is the same case");
+  for (const char* name : {"--count", "--time", "--out", "--shard", "--jobs", "--replay"}) {
+    only->excludes(command->get_option(name));
+  }
+  add_merge_command(*command, options, status);
+  command->footer(
+      "The same seed has the same cases and findings on any machine, however many jobs and interruptions "
+      "there are. Ctrl-C stops after the cases under way, or after two seconds; --resume goes on, after a "
+      "kill as well.\n\n"
+      "Examples:\n  flowcert fuzz --time 60 --jobs 2\n"
+      "  flowcert fuzz --count 1000000 --property critical-points --property orbit --out campaign\n"
+      "  flowcert fuzz --resume campaign --jobs 2\n"
+      "  flowcert fuzz --resume campaign --case 4711\n"
+      "  flowcert fuzz --time 60 --against \"$PWD/my-flow {in} {out}\" --families "
+      "box-corners:3,integer-sphere\n"
+      "  flowcert fuzz --count 100000 --shard 1/4 --out part-1");
+  command->callback([options, command, &status] {
+    if (command->get_subcommands().empty()) status = fuzz_or_list(*options);
+  });
+}
+
+}  // namespace flowcert

@@ -1,0 +1,271 @@
+// See fuzz_options.h.
+#include "fuzz/commands/fuzz_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <set>
+#include <stdexcept>
+
+#include "cli/table.h"
+#include "flowcert/point_set.h"
+#include "fuzz/commands/finding_file.h"
+#include "fuzz/commands/option_checks.h"
+#include "fuzz/judge/command_run.h"
+#include "fuzz/judge/interruption.h"
+#include "fuzz/judge/peer_property.h"
+#include "fuzz/stable_families.h"
+#include "io/number_text.h"
+
+namespace flowcert {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kLongestSeconds = 366.0 * 86400;
+constexpr std::size_t kMostMebibytes = std::size_t{1} << 24;
+constexpr std::size_t kMostShards = 1'000'000;
+// A command takes a process for each case: a batch of a thousand would be long.
+constexpr std::size_t kCasesOfPeerBatch = 100;
+// So many inputs of a corpus folder are used, the first by name.
+constexpr std::size_t kMostOfCorpus = 2000;
+
+// "4-8", "2/5": two numbers.
+std::optional<std::pair<std::size_t, std::size_t>> two_numbers(const std::string& text, char separator) {
+  std::pair<std::size_t, std::size_t> numbers;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, numbers.first);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != separator) return std::nullopt;
+  const auto second = std::from_chars(first.ptr + 1, end, numbers.second);
+  if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
+  return numbers;
+}
+
+// Validators return what is wrong.
+std::string is_families(const std::string& list) {
+  if (list == "list") return "";
+  try {
+    return fuzz::families_of(list).empty() ? "no family is named" : "";
+  } catch (const std::invalid_argument& error) {
+    return std::string(error.what()) + "; --families list prints them";
+  }
+}
+std::string is_row_range(const std::string& text) {
+  const auto range = two_numbers(text, '-');
+  const bool is_one = range && range->first <= range->second && range->second <= fuzz::kMostRowsOfTrial;
+  return is_one ? ""
+                : fmt::format("{} is no range like 4-8, of 0 to {}", in_quotes(text), fuzz::kMostRowsOfTrial);
+}
+std::string is_shard(const std::string& text) {
+  const auto shard = two_numbers(text, '/');
+  const bool is_one =
+      shard && 1 <= shard->first && shard->first <= shard->second && shard->second <= kMostShards;
+  return is_one ? "" : in_quotes(text) + " is no part i/n, i from 1 to n";
+}
+std::string is_property(const std::string& name) {
+  if (property::property_named(name) != nullptr) return "";
+  std::string names;
+  for (const auto& one : property::properties()) names += (names.empty() ? "" : ", ") + one.name;
+  return fmt::format("no property is called {}; there are: {}", in_quotes(name), names);
+}
+std::string is_time(const std::string& word) { return fault_of_seconds(word, kLongestSeconds, "a year"); }
+
+// ---- Corpus
+
+// The point files of a folder, by name. Those with too many points for a case are left out.
+std::vector<fuzz::Input> corpus_of(const std::string& folder) {
+  std::set<fs::path> paths;
+  std::error_code failure;
+  for (const auto& entry : fs::directory_iterator(folder, failure)) {
+    if (entry.path().extension() == ".xyz") paths.insert(entry.path());
+  }
+  if (failure) throw InvalidInput(folder + ": " + failure.message());
+  std::vector<fuzz::Input> corpus;
+  for (const fs::path& path : paths) {
+    fuzz::Input input = read_finding(path).trial.input;
+    const std::size_t rows = input.rows.size();
+    if (0 < rows && rows <= fuzz::kMostRowsOfTrial) corpus.push_back(std::move(input));
+    if (corpus.size() == kMostOfCorpus) break;
+  }
+  return corpus;
+}
+
+// ---- Campaigns
+
+fuzz::Campaign resumed_campaign(const FuzzOptions& options) {
+  fuzz::Campaign campaign = fuzz::Campaign::resumed(options.resume, options.count);
+  if (!campaign.total_cases() && !options.seconds && !options.only) {
+    throw InvalidInput(options.resume + ": it has no number of cases: one of --count and --time is required");
+  }
+  require_startable(campaign.plan());
+  return campaign;
+}
+
+fuzz::Campaign new_campaign(const FuzzOptions& options) {
+  if (!options.count && !options.seconds && !options.only) {
+    throw InvalidInput("one of --count and --time is required: when is it enough?");
+  }
+  const std::string fault = fault_of_relative_path(options.against);
+  if (!fault.empty()) throw InvalidInput("--against: " + fault);
+  const fuzz::CampaignPlan plan = plan_of(options);
+  require_startable(plan);
+  if (!options.out.empty()) return fuzz::Campaign::begun(plan, options.count, options.out);
+  const std::string findings = fmt::format("flowcert-fuzz-{}", options.seed);
+  if (fs::exists(findings) && !options.only) {
+    throw InvalidInput(findings +
+                       ": there are findings of another campaign in it; name another folder by --out");
+  }
+  return {plan, options.count, findings};
+}
+
+PeerOptions peer_of(const fuzz::CampaignPlan& plan) {
+  PeerOptions peer;
+  peer.command = plan.against;
+  peer.limits.seconds = plan.time_limit_seconds;
+  peer.limits.memory_bytes = std::uint64_t{plan.memory_limit_mebibytes} << 20;
+  return peer;
+}
+
+// ---- Options
+
+void add_case_options(CLI::App& command, FuzzOptions& options) {
+  command
+      .add_option("--families", options.families,
+                  "Draw from these, NAME or NAME:WEIGHT, with commas between; 'list' prints them")
+      ->check(is_families);
+  command.add_option("--points", options.points, "So many points, LEAST-MOST; mostly 4 to 8 of up to 12")
+      ->check(is_row_range);
+  command
+      .add_option("--search", options.searched_percent,
+                  "Percentage of the cases that are mutants of inputs which showed something new")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
+  command
+      .add_option("--corpus", options.corpus,
+                  "Also begin with the point files of this folder, NAME.xyz, as inputs to mutate")
+      ->type_name("DIR");
+  command.add_option("--seed", options.seed, "Another seed, other cases")
+      ->check(is_seed)
+      ->capture_default_str();
+}
+
+void add_property_options(CLI::App& command, FuzzOptions& options) {
+  auto* property =
+      command
+          .add_option("--property", options.properties,
+                      "Hold every case to this; may be given again. Without it: to all, each on its share")
+          ->check(is_property)
+          ->allow_extra_args(false);
+  command
+      .add_option("--against", options.against,
+                  "Another implementation's command instead: {in} stands for a file of points, {out} for the "
+                  "file to write its claim to; without {out}, standard output is the claim")
+      ->check(has_in)
+      ->excludes(property);
+  command
+      .add_option("--time-limit", options.time_limit,
+                  "Seconds after which its run is killed; without this 10")
+      ->check(is_time);
+  command
+      .add_option("--memory-limit", options.memory_limit,
+                  "MiB of address space that it may have, 0: no limit; without this 4096")
+      ->check(CLI::Range(std::size_t{0}, kMostMebibytes));
+}
+
+void add_run_options(CLI::App& command, FuzzOptions& options) {
+  command.add_option("--count", options.count, "So many cases in all")
+      ->check(CLI::Range(std::size_t{1}, fuzz::kMostCasesOfCampaign));
+  command.add_option("--time", options.seconds, "Stop after so many seconds")->check(is_time);
+  command
+      .add_option("--shard", options.shard,
+                  "Only this part of the campaign, i/n: all n parts together are the campaign")
+      ->check(is_shard);
+  auto* out = command.add_option(
+      "--out", options.out,
+      "Keep the campaign in this new folder: findings, signatures, and what to go on with");
+  auto* resume =
+      command.add_option("--resume", options.resume, "Go on with the campaign in this folder")->excludes(out);
+  // What a campaign is, its folder says.
+  for (const char* name : {"--families", "--points", "--search", "--corpus", "--seed", "--property",
+                           "--against", "--shard", "--time-limit", "--memory-limit"}) {
+    resume->excludes(command.get_option(name));
+  }
+  command.add_flag("--shrink-all", options.shrinks_all,
+                   "Make every failing case small; without it, the first of its kind in each batch");
+  resume->excludes("--shrink-all");
+  command.add_option("--hang", options.hang_seconds, "Seconds after which a property is taken to hang")
+      ->check(is_time)
+      ->capture_default_str();
+  command.add_flag("--json", options.json, "Print one JSON object");
+}
+
+}  // namespace
+
+void add_fuzz_options(CLI::App& command, FuzzOptions& options) {
+  add_case_options(command, options);
+  add_property_options(command, options);
+  add_run_options(command, options);
+}
+
+fuzz::CampaignPlan plan_of(const FuzzOptions& options) {
+  fuzz::CampaignPlan plan;
+  plan.seed = options.seed;
+  plan.families = fuzz::families_of(options.families);
+  plan.searched_percent = options.searched_percent;
+  for (const std::string& name : options.properties) {
+    const bool is_new = std::ranges::find(plan.properties, name) == plan.properties.end();
+    if (is_new) plan.properties.push_back(name);
+  }
+  plan.against = options.against;
+  plan.shrinks_all = options.shrinks_all;
+  plan.time_limit_seconds = options.time_limit.value_or(plan.time_limit_seconds);
+  plan.memory_limit_mebibytes = options.memory_limit.value_or(plan.memory_limit_mebibytes);
+  if (!plan.against.empty()) {
+    plan.batch_cases = kCasesOfPeerBatch;
+    plan.fewest_rows = 1;
+  }
+  if (const auto range = two_numbers(options.points, '-')) {
+    plan.fewest_rows = range->first;
+    plan.most_rows = range->second;
+  }
+  if (const auto shard = two_numbers(options.shard, '/')) plan.shard = {shard->first - 1, shard->second};
+  if (!options.corpus.empty()) plan.corpus = corpus_of(options.corpus);
+  return plan;
+}
+
+fuzz::Campaign campaign_of(const FuzzOptions& options) {
+  return options.resume.empty() ? new_campaign(options) : resumed_campaign(options);
+}
+
+std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan) {
+  if (plan.against.empty()) return fuzz::own_properties(plan);
+  return {peer_property(peer_of(plan))};
+}
+
+void require_startable(const fuzz::CampaignPlan& plan) {
+  if (plan.against.empty()) return;
+  PeerOptions peer = peer_of(plan);
+  peer.is_cancelled = [] { return Interruption::signal() != 0; };
+  const auto found = peer_property(peer).check({{{{0, 0, 0}, {2, 0, 0}}}, property::StartChoice{}});
+  if (found && found->kind == "not-started") {
+    throw InvalidInput("--against: the command was not started: " + found->complaint);
+  }
+}
+
+double hang_seconds(const fuzz::CampaignPlan& plan, const FuzzOptions& options) {
+  return plan.against.empty() ? options.hang_seconds
+                              : std::max(options.hang_seconds, 2 * plan.time_limit_seconds);
+}
+
+void print_families() {
+  std::vector<std::vector<std::string>> rows;
+  for (const fuzz::Family& family : fuzz::families_and_stable_ones()) {
+    rows.push_back({family.name, family.description});
+  }
+  print_columns(rows, "ll");
+}
+
+}  // namespace flowcert

@@ -1,0 +1,251 @@
+// See fuzz_report.h.
+#include "fuzz/commands/fuzz_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "cli/table.h"
+#include "fuzz/judge/command_template.h"
+#include "fuzz/judge/conformance_words.h"
+
+namespace flowcert {
+
+namespace {
+
+using nlohmann::ordered_json;
+using Rows = std::vector<std::vector<std::string>>;
+
+// In the text; the JSON has all.
+constexpr std::size_t kMostFindingsPrinted = 20;
+constexpr std::size_t kMostNumbersPrinted = 8;
+
+double rate_of(const fuzz::RowsTally& tally) {
+  return tally.seconds > 0 ? static_cast<double>(tally.cases) / tally.seconds : 0;
+}
+
+template <typename Counts>
+Rows rows_of(const Counts& counts) {
+  Rows rows;
+  for (const auto& [name, count] : counts) rows.push_back({name, with_commas(count)});
+  return rows;
+}
+
+void print_part(const char* title, const Rows& rows, std::string_view alignment) {
+  if (rows.empty()) return;
+  fmt::print("\n{}\n", title);
+  print_columns(rows, alignment);
+}
+
+void print_sizes(const fuzz::Tally& tally) {
+  Rows rows{{"points", "cases", "cases/s of one job"}};
+  for (const auto& [count, of] : tally.by_rows) {
+    rows.push_back({std::to_string(count), with_commas(of.cases), fmt::format("{:.0f}", rate_of(of))});
+  }
+  print_part("By number of points:", rows, "rrr");
+}
+
+std::size_t share_of(const fuzz::CampaignPlan& plan, const std::string& name) {
+  const property::Property* property = property::property_named(name);
+  return property == nullptr || !plan.properties.empty() ? 1 : property->one_in;
+}
+
+void print_properties(const fuzz::Campaign& campaign) {
+  Rows rows;
+  for (const auto& [name, cases] : campaign.tally().by_property) {
+    std::size_t failures = 0;
+    for (const auto& [kind, numbers] : campaign.tally().failures) {
+      if (kind.starts_with(name + ' ')) failures += numbers.size();
+    }
+    const std::size_t share = share_of(campaign.plan(), name);
+    rows.push_back({name, with_commas(cases) + " cases", fmt::format("{} failing", with_commas(failures)),
+                    share == 1 ? "" : fmt::format("(one case in {})", share)});
+  }
+  print_part("By property:", rows, "lrrl");
+}
+
+void print_failures(const fuzz::Tally& tally) {
+  Rows rows;
+  for (const auto& [kind, numbers] : tally.failures) {
+    const std::size_t printed = std::min(numbers.size(), kMostNumbersPrinted);
+    const std::vector<std::size_t> first(numbers.begin(),
+                                         std::next(numbers.begin(), static_cast<std::ptrdiff_t>(printed)));
+    rows.push_back({kind, with_commas(numbers.size()),
+                    fmt::format("case{} {}{}", numbers.size() == 1 ? "" : "s", fmt::join(first, ", "),
+                                printed < numbers.size() ? ", ..." : "")});
+  }
+  print_part("Failing cases by kind:", rows, "lrl");
+}
+
+// "cluster      none 120, 4 30, 5 11"
+void print_reached(const fuzz::Campaign& campaign) {
+  Rows rows;
+  const auto& components = fuzz::signature_components();
+  for (std::size_t k = 0; k < components.size(); ++k) {
+    std::string values;
+    const auto& reached = campaign.tally().reached[k];
+    if (!components[k].is_set) {
+      for (const auto& [value, cases] : reached) {
+        values += fmt::format("{}{}: {}", values.empty() ? "" : ",  ", fuzz::value_text(k, value),
+                              with_commas(cases));
+      }
+    } else {
+      for (std::size_t bit = 0; bit < components[k].texts.size(); ++bit) {
+        std::size_t with = 0;
+        for (const auto& [value, cases] : reached) with += (value >> bit & 1) != 0 ? cases : 0;
+        values +=
+            fmt::format("{}{}: {}", values.empty() ? "" : ",  ", components[k].texts[bit], with_commas(with));
+      }
+    }
+    rows.push_back({components[k].name, values});
+  }
+  print_part("Degeneracy reached, by component of the signature, in cases:", rows, "ll");
+}
+
+void print_finding(const fuzz::Campaign& campaign, const fuzz::Finding& finding) {
+  const std::string file = campaign.file_of(finding).string();
+  fmt::print("  case {}, {} of {} points ({}, before {}): {}\n", finding.number, finding.disagreement.kind,
+             finding.trial.input.rows.size(), finding.source, finding.rows_before,
+             one_line(finding.disagreement.complaint));
+  if (!file.empty()) fmt::print("    {}\n", file);
+}
+
+void print_findings(const fuzz::Campaign& campaign) {
+  if (campaign.findings().empty()) return;
+  fmt::print("\nFindings:\n");
+  std::size_t printed = 0;
+  for (const auto& [key, finding] : campaign.findings()) {
+    if (printed++ == kMostFindingsPrinted) {
+      fmt::print("  ... and {} more\n", campaign.findings().size() - kMostFindingsPrinted);
+      break;
+    }
+    print_finding(campaign, finding);
+  }
+  const std::string& against = campaign.plan().against;
+  fmt::print("Again: flowcert fuzz --replay FILE{}\n",
+             against.empty() ? "" : " --against " + shell_word(against));
+}
+
+void print_fuzz_text(const FuzzRun& run) {
+  const fuzz::Campaign& campaign = run.campaign;
+  const fuzz::Tally& tally = campaign.tally();
+  const fuzz::CampaignPlan& plan = campaign.plan();
+  const auto expected = campaign.expected_cases();
+  print_row("cases", with_commas(tally.cases), expected ? "of " + with_commas(*expected) : "");
+  print_row("seed", std::to_string(plan.seed));
+  if (campaign.made_by().size() > 1) {
+    print_row("programs", std::to_string(campaign.made_by().size()),
+              "different ones: they may have drawn other cases");
+  }
+  if (plan.shard.count > 1) print_row("shard", fmt::format("{}/{}", plan.shard.index + 1, plan.shard.count));
+  if (run.seconds) {
+    print_row("cases a second", fmt::format("{:.0f}", static_cast<double>(run.cases) / *run.seconds),
+              fmt::format("{} cases in {}, {} job{}", with_commas(run.cases), seconds_text(*run.seconds),
+                          run.jobs, run.jobs == 1 ? "" : "s"));
+  }
+  print_row("signatures", with_commas(campaign.signatures().size()), "distinct degeneracies of inputs");
+  print_row(
+      "failing cases", with_commas(tally.failing_cases()),
+      fmt::format("{} finding{}", campaign.findings().size(), campaign.findings().size() == 1 ? "" : "s"));
+  print_properties(campaign);
+  print_failures(tally);
+  print_sizes(tally);
+  print_part("By family:", rows_of(tally.by_source), "lr");
+  print_part("Mutants by their moves:", rows_of(tally.by_mutation), "lr");
+  print_reached(campaign);
+  print_findings(campaign);
+  if (run.is_interrupted) fmt::print("\nStopped by a signal.\n");
+}
+
+ordered_json finding_json(const fuzz::Campaign& campaign, const fuzz::Finding& finding) {
+  return {{"case", finding.number},
+          {"source", finding.source},
+          {"property", finding.property},
+          {"kind", finding.disagreement.kind},
+          {"clause", finding.disagreement.clause},
+          {"complaint", finding.disagreement.complaint},
+          {"points", finding.trial.input.rows.size()},
+          {"points_before", finding.rows_before},
+          {"file", campaign.file_of(finding).string()}};
+}
+
+ordered_json reached_json(const fuzz::Tally& tally) {
+  ordered_json components = ordered_json::object();
+  for (std::size_t k = 0; k < fuzz::signature_components().size(); ++k) {
+    ordered_json values = ordered_json::object();
+    for (const auto& [value, cases] : tally.reached[k]) values[fuzz::value_text(k, value)] = cases;
+    components[fuzz::signature_components()[k].name] = values;
+  }
+  return components;
+}
+
+void print_fuzz_json(const FuzzRun& run) {
+  const fuzz::Campaign& campaign = run.campaign;
+  const fuzz::Tally& tally = campaign.tally();
+  ordered_json rows = ordered_json::array();
+  for (const auto& [count, of] : tally.by_rows) {
+    rows.push_back({{"points", count}, {"cases", of.cases}, {"cases_per_second_of_one_job", rate_of(of)}});
+  }
+  ordered_json failures = ordered_json::object();
+  for (const auto& [kind, numbers] : tally.failures) failures[kind] = numbers.size();
+  ordered_json findings = ordered_json::array();
+  for (const auto& [key, finding] : campaign.findings()) findings.push_back(finding_json(campaign, finding));
+  ordered_json report = {{"cases", tally.cases},
+                         {"seed", campaign.plan().seed},
+                         {"shard", {campaign.plan().shard.index + 1, campaign.plan().shard.count}},
+                         {"interrupted", run.is_interrupted},
+                         {"signatures", campaign.signatures().size()},
+                         {"failing_cases", tally.failing_cases()},
+                         {"failures", failures},
+                         {"failing", tally.failures},
+                         {"by_property", tally.by_property},
+                         {"by_family", tally.by_source},
+                         {"by_mutation", tally.by_mutation},
+                         {"by_points", rows},
+                         {"reached", reached_json(tally)},
+                         {"findings", findings}};
+  if (run.seconds) {
+    report["seconds"] = *run.seconds;
+    report["cases_per_second"] = static_cast<double>(run.cases) / *run.seconds;
+    report["jobs"] = run.jobs;
+  }
+  fmt::print("{}\n", report.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+}
+
+}  // namespace
+
+void print_fuzz(const FuzzRun& run, bool json) {
+  if (json) {
+    print_fuzz_json(run);
+  } else {
+    print_fuzz_text(run);
+  }
+}
+
+int print_case(const fuzz::Campaign& campaign, const fuzz::OneCase& one, bool json) {
+  const bool holds = one.findings().empty();
+  ordered_json report = ordered_json::array();
+  if (!json) fmt::print("case {} of seed {}{}\n", one.number(), campaign.plan().seed, holds ? ": holds" : "");
+  for (const auto& [kind, finding] : one.findings()) {
+    if (json) {
+      report.push_back(finding_json(campaign, finding));
+    } else {
+      print_finding(campaign, finding);
+    }
+  }
+  if (json) fmt::print("{}\n", report.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+  return holds ? kRight : kNegativeVerdict;
+}
+
+int verdict_of(const fuzz::Campaign& campaign) {
+  return campaign.findings().empty() ? kRight : kNegativeVerdict;
+}
+
+}  // namespace flowcert

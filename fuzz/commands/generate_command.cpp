@@ -1,0 +1,139 @@
+// `flowcert generate`: cases for any program to answer, on standard output (spec/formats.md, "Cases and
+// answers"). The counterpart of `flowcert verify`.
+//
+// Guarantees: each case is flushed before the next is made, so that it can be answered at once. A reader that
+// goes away ends it silently, as any filter.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <signal.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <system_error>
+
+#include "fuzz/case_stream.h"
+#include "fuzz/commands/commands.h"
+#include "fuzz/commands/option_checks.h"
+#include "io/number_text.h"
+#include "io/output_file.h"
+
+namespace flowcert {
+
+namespace {
+
+struct GenerateOptions {
+  int level = 1;
+  std::uint64_t seed = 1;
+  std::optional<std::size_t> cases;
+  std::optional<std::size_t> only;
+  std::vector<std::string> families;
+  bool hexadecimal = false;
+};
+
+fuzz::CaseRun run_of(const GenerateOptions& options) {
+  fuzz::CaseRun run;
+  run.level = options.level;
+  run.seed = options.seed;
+  run.cases = options.cases.value_or(fuzz::usual_cases(options.level));
+  run.chosen = fuzz::chosen_families(options.families);
+  if (options.only && *options.only >= run.cases) {
+    throw InvalidInput(
+        fmt::format("--only: the run has {} cases, 0 to {}", with_commas(run.cases), run.cases - 1));
+  }
+  return run;
+}
+
+// Also where SIGPIPE is ignored.
+[[noreturn]] void end_of_the_pipe() {
+  ::signal(SIGPIPE, SIG_DFL);
+  ::raise(SIGPIPE);
+  throw OutputError("standard output cannot be written: the pipe is closed");
+}
+
+void put(const std::string& text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
+  if (errno == EPIPE) end_of_the_pipe();
+  throw OutputError(
+      fmt::format("standard output cannot be written: {}", std::strerror(errno != 0 ? errno : EIO)));
+}
+
+std::string introduction(const fuzz::CaseRun& run, const std::string& id) {
+  return fmt::format(
+      "# flowcert generate: {} case{}, level {}, seed {}. After 'case ID N' there are N points, x y z; a "
+      "point's id is its place, from 0.\n"
+      "# Answer each case to flowcert verify, in any order. A critical point is a line "
+      "index,x,y,z,squared_distance,ids of all nearest points;\n"
+      "# what you do not have stays empty (other formats: spec/formats.md). For two points (0,0,0) and "
+      "(2,0,0):\n"
+      "#   answer {}\n"
+      "#   0,0,0,0,0,0\n"
+      "#   0,2,0,0,0,1\n"
+      "#   1,1,0,0,1,0,1\n"
+      "#   end\n"
+      "# or, if your program gives up on a case: refused ID REASON\n",
+      run.cases, run.cases == 1 ? "" : "s", run.level, run.seed, id);
+}
+
+void generate(const GenerateOptions& options) {
+  const fuzz::CaseRun run = run_of(options);
+  const auto form = options.hexadecimal ? fuzz::NumberForm::kHexadecimal : fuzz::NumberForm::kDecimal;
+  const std::size_t first = options.only.value_or(0);
+  const std::size_t last = options.only.value_or(run.cases - 1);
+  for (std::size_t number = first; number <= last; ++number) {
+    const fuzz::Input input = fuzz::input_of_case(run, number);
+    const std::string id = fuzz::case_id(run, number, input);
+    if (number == first) put(introduction(run, id));
+    put(fuzz::case_text(id, input, form));
+  }
+}
+
+// Returns what is wrong.
+std::string is_family(const std::string& name) {
+  try {
+    (void)fuzz::chosen_families({name});
+    return "";
+  } catch (const std::invalid_argument& error) {
+    return fmt::format("{}; there are: {}", error.what(), fmt::join(fuzz::family_names({}), ", "));
+  }
+}
+
+}  // namespace
+
+void add_generate_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<GenerateOptions>();
+  CLI::App* command = app.add_subcommand("generate", "Cases for any program to answer, for flowcert verify");
+  command
+      ->add_option("--level", options->level,
+                   "1: 500 cases, most of up to 8 points; 2: 5,000, most of up to 10; 3: 20,000 of up to 12, "
+                   "and some of hundreds")
+      ->check(CLI::Range(1, fuzz::kCaseLevels))
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Another seed, other cases")
+      ->check(is_seed)
+      ->capture_default_str();
+  command->add_option("--cases", options->cases, "So many cases, instead of those of the level")
+      ->check(CLI::Range(std::size_t{1}, fuzz::kMostCases));
+  command
+      ->add_option("--family", options->families,
+                   "Cases of this family of degeneracy; may be given again. All of them, without this")
+      ->check(is_family)
+      ->allow_extra_args(false)
+      ->type_name("NAME");
+  command->add_option("--only", options->only, "This case of the run alone, by its number, from 0")
+      ->check(CLI::NonNegativeNumber);
+  command->add_flag("--hex", options->hexadecimal, "Print hexadecimal floats, not decimals");
+  command->footer(
+      "Example:\n  flowcert generate --level 1 --seed 7 | ./your-program | flowcert verify\n"
+      "  flowcert generate --level 1 --seed 7 --only 12");
+  command->callback([options, &status] {
+    generate(*options);
+    status = kRight;
+  });
+}
+
+}  // namespace flowcert

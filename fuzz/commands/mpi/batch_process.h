@@ -1,0 +1,41 @@
+// The process of a rank that does its batches.
+//
+// Guarantees: it knows nothing of MPI, since it is there before MPI is, so it may fork as it likes: a case
+// that ends a process ends one of its children, and never a rank. It ends with its rank.
+//
+// Lines to it: "plan PLAN" first, then "order ORDER" (message.h), one at a time, and "stop", which ends it
+// after the case under way, as does the end of its lines. Lines from it: "ready VERSION", "cases N" of the
+// batch under way, "gone WHY" if it cannot go on, and the messages of message.h.
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+#include "fuzz/campaign/line_pipe.h"
+#include "fuzz/commands/fuzz_options.h"
+
+namespace flowcert {
+
+class BatchProcess {
+ public:
+  // Throws std::system_error.
+  explicit BatchProcess(const FuzzOptions& options);
+  ~BatchProcess();
+  BatchProcess(const BatchProcess&) = delete;
+  BatchProcess& operator=(const BatchProcess&) = delete;
+
+  void give(const std::string& line);
+  // Those that are there, or come within so many milliseconds.
+  [[nodiscard]] std::vector<std::string> lines(int milliseconds);
+  [[nodiscard]] bool has_ended() const { return has_ended_; }
+
+ private:
+  fuzz::Pipe to_it_, from_it_;
+  fuzz::LineReader reader_{-1};
+  pid_t process_ = -1;
+  bool has_ended_ = false;
+};
+
+}  // namespace flowcert

@@ -1,0 +1,55 @@
+// One run of a user's command on a point file, and what it leaves: its answer, what it said, how it ended.
+//
+// Guarantees: those of limited_program.h. The run has a folder, with a subfolder that it runs in, so that
+// nothing of ours is in its way but the points. Nothing is assumed of what it leaves.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fuzz/judge/limited_program.h"
+
+namespace flowcert {
+
+struct CommandOrder {
+  std::string command;  // with {in}; the answer is the file {out}, or standard output
+  std::string points_name;
+  std::string points;
+  std::string out_name;
+  std::vector<std::pair<std::string, std::string>> values;  // for further places
+};
+
+// A run that has ended, and where it has left what.
+struct CommandRun {
+  std::filesystem::path folder;
+  std::string answer_name;
+  std::filesystem::path answer;
+  ProgramEnd end;
+
+  [[nodiscard]] std::filesystem::path work() const { return folder / "work"; }
+  [[nodiscard]] std::filesystem::path out() const { return folder / "stdout"; }
+  [[nodiscard]] std::filesystem::path err() const { return folder / "stderr"; }
+};
+
+// Makes the folder. Throws OutputError if the points cannot be written.
+[[nodiscard]] CommandRun run_command(const CommandOrder& order, const std::filesystem::path& folder,
+                                     const ProgramLimits& limits, const std::function<bool()>& is_cancelled);
+
+// Whether a shell was not allowed to run the command, or did not find it.
+[[nodiscard]] bool was_not_started(const ProgramEnd& end);
+// "exit status 3: the first line that it said"
+[[nodiscard]] std::string status_text(const CommandRun& run);
+// Throws InvalidInput for what is missing, no regular file, or too long for an answer to a small input.
+[[nodiscard]] std::string answer_bytes(const CommandRun& run);
+
+// A command that names its program by a relative path would not find it in the folder of a run: what to say
+// of it, empty if it does not.
+[[nodiscard]] std::string fault_of_relative_path(const std::string& command);
+
+// Throws OutputError.
+void write_text_file(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace flowcert

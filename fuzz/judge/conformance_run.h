@@ -1,0 +1,83 @@
+// A user's command, run on conformance vectors, and what came of each.
+//
+// Guarantees: every case has an outcome, whatever the command does (limited_program.h): its answer is a claim
+// that is judged like any other, by the vector's stored answers (vector_truth.h). Nothing is left behind but
+// what --keep asks for.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "certify/orbit_difference.h"
+#include "certify/pair_differences.h"
+#include "flowcert/check.h"
+#include "fuzz/judge/case_points.h"
+#include "fuzz/judge/limited_program.h"
+#include "fuzz/judge/vector_cases.h"
+
+namespace flowcert {
+
+enum class RunOutcome {
+  kConforms,
+  kConformsWhereDetermined,
+  kProperlyRefused,  // an invalid case: the command said no, by its exit status
+  kSkipped,          // not asked of the command
+  // Negative from here on.
+  kFails,
+  kAccepted,  // an invalid case, with exit status 0
+  kRefused,   // a valid one, with another exit status
+  kCrashed,   // ended by a signal, or not even started
+  kTimedOut,
+  kUnreadable,  // exit status 0, but no answer that can be read
+};
+inline constexpr std::size_t kRunOutcomes = 10;
+
+// "conforms where determined"
+[[nodiscard]] const char* run_outcome_text(RunOutcome outcome);
+[[nodiscard]] inline bool is_negative(RunOutcome outcome) { return outcome >= RunOutcome::kFails; }
+
+struct OrbitFinding {
+  std::string start;
+  PathDifference difference;
+};
+
+struct CaseOutcome {
+  const VectorCase* of = nullptr;
+  RunOutcome outcome = RunOutcome::kSkipped;
+  std::string message;       // one line; empty where there is nothing to say
+  std::optional<int> level;  // of a claim that fails: the first of its levels that does
+  double seconds = 0;        // of all runs of the case
+  std::vector<Finding> findings;
+  std::size_t findings_left_out = 0;  // beyond the first kMostFindings
+  std::vector<OrbitFinding> orbit_findings;
+  std::array<bool, kLevels> judged{};  // which levels there was something to judge on
+  std::size_t orbits_judged = 0;
+  std::vector<PairDifference> persistence_findings;
+  bool is_persistence_judged = false;
+};
+inline constexpr std::size_t kMostFindings = 100;
+
+struct ConformanceOptions {
+  std::string command;              // with {in}; the answer is the file {out}, or standard output
+  std::string orbit_command;        // likewise, with {start}; may be empty
+  std::string persistence_command;  // may be empty
+  std::string out_name = "claim";
+  PointFileStyle points;
+  ProgramLimits limits;
+  CheckOptions check;
+  unsigned jobs = 1;
+  std::string keep;  // a folder; may be empty
+};
+
+// In the order of the cases, which must outlive the outcomes. Throws Interrupted if a signal came (there has
+// to be an Interruption), and std::exception for what makes it impossible to go on: no disk, no process, a
+// vector that contradicts itself.
+[[nodiscard]] std::vector<CaseOutcome> run_conformance(
+    const std::vector<const VectorCase*>& cases, const ConformanceOptions& options,
+    const std::function<void(std::size_t done, std::size_t total)>& progress);
+
+}  // namespace flowcert

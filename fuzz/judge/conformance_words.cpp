@@ -1,0 +1,51 @@
+// See conformance_words.h.
+#include "fuzz/judge/conformance_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace flowcert {
+
+namespace {
+
+constexpr std::size_t kLongestLine = 300;
+
+}  // namespace
+
+const char* run_outcome_text(RunOutcome outcome) {
+  constexpr std::array<const char*, kRunOutcomes> kTexts = {"conforms",
+                                                            "conforms where determined",
+                                                            "properly refused",
+                                                            "skipped",
+                                                            "fails",
+                                                            "accepted",
+                                                            "refused",
+                                                            "crashed",
+                                                            "timed out",
+                                                            "unreadable"};
+  return kTexts.at(static_cast<std::size_t>(outcome));
+}
+
+std::string one_line(const std::string& text) {
+  std::string line = text.substr(0, kLongestLine);
+  std::ranges::replace_if(
+      line, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
+  return text.size() > kLongestLine ? line + "..." : line;
+}
+
+std::string finding_words(const Finding& finding) {
+  return one_line(fmt::format("level {}: {} [{}]: claimed {}; truth: {}", finding.level,
+                              reason_text(finding.reason), finding.clause, finding.claimed, finding.truth));
+}
+
+std::string orbit_finding_words(const OrbitFinding& finding) {
+  return one_line(fmt::format("orbit from {}: claimed {}; truth: {}", finding.start,
+                              finding.difference.claimed, finding.difference.truth));
+}
+
+std::string persistence_finding_words(const PairDifference& difference) {
+  return one_line(fmt::format("persistence: claimed {}; truth: {}", difference.claimed, difference.truth));
+}
+
+}  // namespace flowcert

@@ -1,0 +1,32 @@
+// Another implementation's command as a property: what it claims of an input is right.
+//
+// Guarantees: those of command_run.h and flowcert/check.h: however the command ends, there is a verdict, and
+// what the claim is free to say is permitted. The kind of a disagreement is how the run ended ("signal",
+// "time-limit", "refusal", "unreadable", "not-started"), or the reason of the finding that tells most
+// ("missed-by-cluster").
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "flowcert/check.h"
+#include "fuzz/judge/limited_program.h"
+#include "fuzz/properties/property.h"
+
+namespace flowcert {
+
+struct PeerOptions {
+  std::string command;  // with {in}, and {out}, or else standard output
+  std::string out_name = "claim";
+  ProgramLimits limits;
+  CheckOptions check;
+  std::function<bool()> is_cancelled = [] { return false; };  // a run: it throws property::MachineFailure
+};
+
+inline constexpr char kPeerProperty[] = "against";
+
+// Runs in folders of its own, below a temporary one that goes when the last copy of the property does. May be
+// used in several processes at once, forked ones that end without unwinding.
+[[nodiscard]] property::Property peer_property(const PeerOptions& options);
+
+}  // namespace flowcert

@@ -1,0 +1,80 @@
+// The conformance vectors as they are stored (spec/formats.md, "Conformance vectors").
+//
+// Guarantees: a file that is not as the format says, so that it could not be used, throws InvalidInput "FILE:
+// case: reason"; nothing is believed that would make a later step fail. What is right is what the file says,
+// nothing is computed here.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flowcert/point_set.h"
+#include "io/claims/orbit_claim.h"
+#include "io/claims/pair_claim.h"
+#include "io/json_fields.h"
+#include "oracle/stationary_points.h"
+
+namespace flowcert {
+
+enum class CaseResult { kDetermined, kAcceptable, kInvalid };
+
+struct CaseOrbit {
+  std::string start;  // "1/2,0,-3", as a command line takes it
+  OrbitPath path;
+};
+
+// Records of stationary points by side; none: infinity.
+using CaseLimits = std::array<std::optional<std::size_t>, 2>;
+
+// Of a stable set, without its skeleton.
+struct CaseStable {
+  std::size_t segments = 0;
+  bool has_vertex = false;
+  bool has_interval = false;
+  // Records of index 1, ascending. None where there is a tie, and for a regular stationary point.
+  std::optional<std::vector<std::size_t>> boundary;
+  std::optional<std::vector<PointId>> walk;
+};
+
+struct VectorCase {
+  std::string id;
+  std::string group;
+  std::string comment;
+  std::vector<std::string> flags;
+  CaseResult result = CaseResult::kDetermined;
+
+  // Of an invalid case: its rows, or all of its point file, and the start if it is that what has to be
+  // refused.
+  std::vector<std::vector<std::string>> words;
+  std::optional<std::string> text;
+  std::optional<std::string> refused_start;
+
+  // Of the others: the points, and what is right.
+  std::vector<Point> rows;
+  oracle::Answer answer;
+  std::vector<std::optional<CaseLimits>> limits;  // by stationary point, where the file has them
+  std::vector<std::optional<CaseStable>> stable;  // likewise
+  std::vector<CaseOrbit> orbits;
+  std::optional<std::vector<ListedPair>> persistence;
+
+  std::string json;  // all of it, as text
+
+  [[nodiscard]] bool is_invalid() const { return result == CaseResult::kInvalid; }
+};
+
+struct VectorFlag {
+  std::string name;
+  std::string meaning;
+};
+
+struct Vectors {
+  std::vector<VectorFlag> flags;    // in the order of flags.json
+  std::vector<std::string> groups;  // in alphabetical order, as the cases
+  std::vector<VectorCase> cases;
+};
+
+[[nodiscard]] Vectors read_vectors(const std::string& folder);
+
+}  // namespace flowcert

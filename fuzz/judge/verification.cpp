@@ -1,0 +1,188 @@
+// See verification.h.
+#include "fuzz/judge/verification.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+
+#include "flowcert/claim.h"
+#include "flowcert/reproducibility.h"
+#include "fuzz/judge/oracle_truth.h"
+#include "fuzz/properties/input_points.h"
+#include "io/number_text.h"
+#include "io/output_file.h"
+
+namespace flowcert {
+
+namespace {
+
+bool is_empty(const std::string& text) { return std::all_of(text.begin(), text.end(), is_blank); }
+
+// Nothing between 'answer' and 'end' claims that there is no critical point; to the readers of files it is an
+// empty file, which they refuse.
+Claim claim_of(const std::string& text, const PointSet& points) {
+  Claim claim;
+  if (is_empty(text)) {
+    claim.format = "csv";
+    return claim;
+  }
+  claim = read_claim_from(text, "answer");
+  require_rows(claim, points, "answer");
+  return claim;
+}
+
+Outcome outcome_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kConforms:
+      return Outcome::kConforms;
+    case Verdict::kConformsWhereDetermined:
+      return Outcome::kConformsWhereDetermined;
+    default:
+      return Outcome::kFails;
+  }
+}
+
+void write_file(const std::string& path, const std::string& content) {
+  OutputFile file(path);
+  file.stream() << content;
+  file.commit();
+}
+
+}  // namespace
+
+const char* outcome_text(Outcome outcome) {
+  constexpr std::array<const char*, kOutcomes> kTexts = {
+      "conforms", "conforms where determined", "fails", "unreadable", "refused", "unanswered"};
+  return kTexts.at(static_cast<std::size_t>(outcome));
+}
+
+bool is_right(Outcome outcome) {
+  return outcome == Outcome::kConforms || outcome == Outcome::kConformsWhereDetermined;
+}
+
+void Verification::begin_or_continue(const fuzz::NamedCase& named, const Answer& answer) {
+  if (!has_begun()) {
+    run_ = named.run;
+    outcomes_.assign(run_.cases, Outcome::kUnanswered);
+  }
+  if (named.run != run_) {
+    answer.place.reject("a case of another run than those before: " + in_quotes(answer.id));
+  }
+  if (!is_expected(named.number)) {
+    answer.place.reject("not the case that --only names: " + in_quotes(answer.id));
+  }
+  if (outcomes_[named.number] != Outcome::kUnanswered) {
+    answer.place.reject("a second answer to the case " + in_quotes(answer.id));
+  }
+}
+
+CheckReport Verification::report_of(const std::vector<Point>& rows, const PointSet& points,
+                                    const Claim& claim) {
+  const bool is_small = rows.size() <= kMostPointsForOracle;
+  too_large_ += options_.by_oracle && !is_small ? 1 : 0;
+  const std::unique_ptr<Truth> truth =
+      options_.by_oracle && is_small ? oracle_truth(rows) : fast_truth(points);
+  CheckOptions check_options = options_.check;
+  check_options.input_sha256 = coordinates_sha256(rows);
+  return check(points, claim, *truth, check_options);
+}
+
+FailedCase Verification::judge(const fuzz::NamedCase& named, const Answer& answer) {
+  FailedCase result{.id = answer.id, .outcome = Outcome::kRefused, .reason = {}, .findings = {}};
+  if (answer.is_refusal) {
+    result.reason = answer.text;
+    return result;
+  }
+  const std::vector<Point> rows = property::rows_of(named.input);
+  const PointSet points(rows);
+  Claim claim;
+  try {
+    claim = claim_of(answer.text, points);
+  } catch (const InvalidInput& error) {
+    result.outcome = Outcome::kUnreadable;
+    result.reason = error.what();
+    return result;
+  }
+  CheckReport report = report_of(rows, points, claim);
+  result.outcome = outcome_of(report.verdict);
+  approximate_ += report.is_exact ? 0 : 1;
+  partly_judged_ += report.not_judged.empty() ? 0 : 1;
+  for (Finding& finding : report.findings) {
+    if (finding.is_variation) continue;
+    if (result.wrong++ < kMostFindingsKept) result.findings.push_back(std::move(finding));
+  }
+  return result;
+}
+
+void Verification::take(const Answer& answer) {
+  const std::optional<fuzz::NamedCase> named = fuzz::case_named(answer.id);
+  if (!named) answer.place.reject("no case is called " + in_quotes(answer.id));
+  begin_or_continue(*named, answer);
+  FailedCase result = judge(*named, answer);
+  outcomes_[named->number] = result.outcome;
+  ++taken_;
+  if (is_right(result.outcome)) return;
+  if (!options_.folder.empty()) keep(*named, answer);
+  failures_.emplace(named->number, std::move(result));
+  if (failures_.size() > options_.most_failures_kept) failures_.erase(std::prev(failures_.end()));
+}
+
+std::string Verification::kept_path(std::size_t number) const {
+  return fmt::format("{}/case-{}-{}-{}", options_.folder, run_.level, run_.seed, number);
+}
+
+void Verification::keep(const fuzz::NamedCase& named, const Answer& answer) const {
+  std::error_code failure;
+  std::filesystem::create_directories(options_.folder, failure);
+  if (failure) throw OutputError(options_.folder + ": cannot be written: " + failure.message());
+  const std::string path = kept_path(named.number);
+  // Never an empty file, which no reader takes.
+  write_file(path + ".xyz", "# " + fuzz::case_text(answer.id, named.input, fuzz::NumberForm::kDecimal));
+  if (answer.is_refusal) return;
+  write_file(path + ".claim", is_empty(answer.text) ? "# no critical points\n" : answer.text);
+}
+
+OutcomeCounts Verification::counts() const {
+  OutcomeCounts counts{};
+  for (std::size_t number = 0; number < outcomes_.size(); ++number) {
+    if (is_expected(number)) ++counts.at(static_cast<std::size_t>(outcomes_[number]));
+  }
+  return counts;
+}
+
+std::vector<std::pair<std::string, OutcomeCounts>> Verification::counts_by_family() const {
+  std::vector<std::pair<std::string, OutcomeCounts>> table;
+  for (std::string& name : fuzz::family_names(run_)) table.emplace_back(std::move(name), OutcomeCounts{});
+  for (std::size_t number = 0; number < outcomes_.size(); ++number) {
+    OutcomeCounts& counts = table[number % table.size()].second;
+    if (is_expected(number)) ++counts.at(static_cast<std::size_t>(outcomes_[number]));
+  }
+  std::erase_if(table, [](const auto& row) { return row.second == OutcomeCounts{}; });
+  return table;
+}
+
+Verdict Verification::verdict() const {
+  const OutcomeCounts of = counts();
+  const auto count = [&](Outcome outcome) { return of.at(static_cast<std::size_t>(outcome)); };
+  if (count(Outcome::kConforms) == expected()) return Verdict::kConforms;
+  const std::size_t right = count(Outcome::kConforms) + count(Outcome::kConformsWhereDetermined);
+  return right == expected() ? Verdict::kConformsWhereDetermined : Verdict::kFails;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> Verification::unanswered_ranges() const {
+  std::vector<std::pair<std::size_t, std::size_t>> ranges;
+  for (std::size_t number = 0; number < outcomes_.size(); ++number) {
+    if (outcomes_[number] != Outcome::kUnanswered || !is_expected(number)) continue;
+    const bool goes_on = !ranges.empty() && ranges.back().second + 1 == number;
+    if (goes_on) {
+      ranges.back().second = number;
+    } else {
+      ranges.emplace_back(number, number);
+    }
+  }
+  return ranges;
+}
+
+}  // namespace flowcert

@@ -1,0 +1,114 @@
+// What becomes of the cases of a run (fuzz/case_stream.h) when a program's answers are judged.
+//
+// Guarantees: every case of the run has one outcome in the end, the unanswered ones too. Answers are judged
+// one at a time and forgotten; what is kept is a byte a case, and of so many failing cases as asked for, the
+// first by number, a few findings each.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "flowcert/check.h"
+#include "fuzz/case_stream.h"
+#include "fuzz/judge/answer_reader.h"
+
+namespace flowcert {
+
+// In the order in which reports list them.
+enum class Outcome : std::uint8_t {
+  kConforms,
+  kConformsWhereDetermined,
+  kFails,
+  kUnreadable,
+  kRefused,
+  kUnanswered
+};
+inline constexpr std::size_t kOutcomes = 6;
+// "conforms", "conforms where determined", "fails", "unreadable", "refused", "unanswered"
+[[nodiscard]] const char* outcome_text(Outcome outcome);
+[[nodiscard]] bool is_right(Outcome outcome);
+
+using OutcomeCounts = std::array<std::size_t, kOutcomes>;
+
+inline constexpr std::size_t kMostFindingsKept = 10;
+
+// A case whose answer is wrong.
+struct FailedCase {
+  std::string id;
+  Outcome outcome = Outcome::kFails;
+  std::string reason;             // of a refusal, or why the answer is unreadable; else empty
+  std::vector<Finding> findings;  // the first kMostFindingsKept that are wrong
+  std::size_t wrong = 0;          // how many there are
+};
+
+struct VerificationOptions {
+  CheckOptions check;
+  bool by_oracle = false;  // for inputs of up to kMostPointsForOracle points
+  std::optional<std::size_t> only;
+  std::size_t most_failures_kept = 0;
+  std::string folder;  // for points and claims of failing cases; empty: not kept
+};
+
+class Verification {
+ public:
+  explicit Verification(VerificationOptions options) : options_(std::move(options)) {}
+
+  // Judges an answer. Throws InvalidInput, with the answer's place, for the id of no case, of a case of
+  // another run than that of the first answer, or of one that has been answered; OutputError for a folder
+  // that cannot be written.
+  void take(const Answer& answer);
+
+  // Whether there was any answer. There is nothing else to ask before.
+  [[nodiscard]] bool has_begun() const { return !outcomes_.empty(); }
+
+  [[nodiscard]] const VerificationOptions& options() const { return options_; }
+  [[nodiscard]] const fuzz::CaseRun& run() const { return run_; }
+  // How many answers are expected, and were taken.
+  [[nodiscard]] std::size_t expected() const { return options_.only ? 1 : run_.cases; }
+  [[nodiscard]] std::size_t taken() const { return taken_; }
+
+  [[nodiscard]] OutcomeCounts counts() const;
+  // By the names of families, in the order of fuzz::family_names; without families that have no case.
+  [[nodiscard]] std::vector<std::pair<std::string, OutcomeCounts>> counts_by_family() const;
+  [[nodiscard]] Verdict verdict() const;
+
+  // By number.
+  [[nodiscard]] const std::map<std::size_t, FailedCase>& failures() const { return failures_; }
+  // First and last number of each, ascending.
+  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> unanswered_ranges() const;
+
+  // Cases with anything claimed in decimals; with something claimed that is not judged; and, though the
+  // oracle was asked for, too large for it.
+  [[nodiscard]] std::size_t approximate() const { return approximate_; }
+  [[nodiscard]] std::size_t partly_judged() const { return partly_judged_; }
+  [[nodiscard]] std::size_t too_large() const { return too_large_; }
+
+  // Where points and claim of a failing case are kept, without the endings .xyz and .claim.
+  [[nodiscard]] std::string kept_path(std::size_t number) const;
+
+ private:
+  void begin_or_continue(const fuzz::NamedCase& named, const Answer& answer);
+  FailedCase judge(const fuzz::NamedCase& named, const Answer& answer);
+  CheckReport report_of(const std::vector<Point>& rows, const PointSet& points, const Claim& claim);
+  void keep(const fuzz::NamedCase& named, const Answer& answer) const;
+  [[nodiscard]] bool is_expected(std::size_t number) const {
+    return !options_.only || *options_.only == number;
+  }
+
+  VerificationOptions options_;
+  fuzz::CaseRun run_;
+  std::vector<Outcome> outcomes_;  // by number
+  std::map<std::size_t, FailedCase> failures_;
+  std::size_t taken_ = 0;
+  std::size_t approximate_ = 0;
+  std::size_t partly_judged_ = 0;
+  std::size_t too_large_ = 0;
+};
+
+}  // namespace flowcert

@@ -1,0 +1,23 @@
+// `flowcert check`, told by its caller who else knows what is true: src/ knows no other implementation.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "cli/command.h"
+#include "flowcert/check.h"
+
+namespace flowcert {
+
+// An implementation that shares nothing with this one, for `--oracle`.
+struct OtherTruth {
+  std::size_t most_points = 0;
+  // Throws InvalidInput for more points.
+  std::function<std::unique_ptr<Truth>(const std::vector<Point>& rows)> of;
+};
+
+void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle);
+
+}  // namespace flowcert

@@ -1,0 +1,80 @@
+// Reads orbits of JSON objects. Whoever calls it says where the object stands.
+#include "io/claims/orbit_claim.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/claims/required_field.h"
+#include "io/rational_text.h"
+
+namespace flowcert {
+
+namespace {
+
+const Json::string_t& text_of(const Json& value, const char* what) {
+  if (!value.is_string()) throw InvalidInput(fmt::format("'{}' is no string", what));
+  return value.get_ref<const Json::string_t&>();
+}
+
+RationalPoint position_of(const Json& value, const char* what) {
+  if (!value.is_array() || value.size() != 3) {
+    throw InvalidInput(fmt::format("'{}' is no array of three rationals", what));
+  }
+  RationalPoint position;
+  for (std::size_t k = 0; k < 3; ++k) position.at(k) = exact_rational(text_of(value[k], what));
+  return position;
+}
+
+std::vector<PointId> ids_of(const Json& value, const char* what) {
+  std::vector<PointId> ids;
+  if (!value.is_array()) throw InvalidInput(fmt::format("'{}' is no array", what));
+  for (const Json& id : value) {
+    if (!id.is_number_unsigned() || id.get<std::uint64_t>() >= (std::uint64_t{1} << 31)) {
+      throw InvalidInput(fmt::format("'{}' has something that is no id", what));
+    }
+    ids.push_back(id.get<PointId>());
+  }
+  std::ranges::sort(ids);
+  return ids;
+}
+
+std::optional<std::vector<PointId>> contact_of(const Json& segment, const char* key) {
+  const auto value = segment.find(key);
+  if (value == segment.end() || value->is_null()) return std::nullopt;
+  return ids_of(*value, key);
+}
+
+PathSegment segment_of(const Json& object) {
+  PathSegment segment;
+  segment.type = text_of(required_field(object, "type"), "type");
+  segment.driver = position_of(required_field(object, "driver"), "driver");
+  const Json& end = required_field(object, "end");
+  if (!end.is_null()) segment.end = position_of(end, "end");
+  segment.start_contact = contact_of(object, "start_contact");
+  segment.crossed_contact = contact_of(object, "crossed_contact");
+  segment.end_contact = contact_of(object, "end_contact");
+  return segment;
+}
+
+std::optional<PathLimit> limit_of(const Json& object) {
+  const std::string kind = text_of(required_field(object, "kind"), "kind");
+  if (kind == "infinity") return std::nullopt;
+  return PathLimit{kind, required_field(object, "index"),
+                   position_of(required_field(object, "position"), "position"),
+                   ids_of(required_field(object, "contact"), "contact"),
+                   exact_rational(text_of(required_field(object, "squared_distance"), "squared_distance"))};
+}
+
+}  // namespace
+
+OrbitPath orbit_path_of(const Json& object) {
+  OrbitPath path;
+  const Json& segments = required_field(object, "segments");
+  if (!segments.is_array()) throw InvalidInput("'segments' is no array");
+  for (const Json& segment : segments) path.segments.push_back(segment_of(segment));
+  path.limit = limit_of(required_field(object, "limit"));
+  return path;
+}
+
+}  // namespace flowcert

@@ -1,0 +1,129 @@
+// Reads persistence pairs of JSON and of text.
+#include "io/claims/pair_claim.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <sstream>
+
+#include "io/claims/required_field.h"
+#include "io/number_text.h"
+#include "io/rational_text.h"
+
+namespace flowcert {
+
+namespace {
+
+// ---- JSON
+
+const Json& array_of(const Json& value, const char* what) {
+  if (!value.is_array()) throw InvalidInput(fmt::format("'{}' is no array", what));
+  return value;
+}
+
+int dimension_of(const Json& pair) {
+  const Json& value = required_field(pair, "dimension");
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= kPairDimensions) {
+    throw InvalidInput("'dimension' is not 0, 1 or 2");
+  }
+  return value.get<int>();
+}
+
+Rational rational_of(const Json& value, const char* what) {
+  if (!value.is_string()) throw InvalidInput(fmt::format("'{}' is no string", what));
+  return exact_rational(value.get_ref<const Json::string_t&>());
+}
+
+PairList pairs_of_json(const std::string& bytes) {
+  const Json object = Json::parse(bytes);
+  PairList list;
+  const auto value = [](const Json& point) {
+    return rational_of(required_field(point, "squared_distance"), "squared_distance");
+  };
+  for (const Json& pair : array_of(required_field(object, "pairs"), "pairs")) {
+    list.pairs.push_back({dimension_of(pair), value(required_field(pair, "birth")), std::nullopt});
+    const Json& death = required_field(pair, "death");
+    if (!death.is_null()) list.pairs.back().death = value(death);
+  }
+  return list;
+}
+
+// ---- Text
+
+int dimension_of(const std::string& word) {
+  int dimension = 0;
+  const char* end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, dimension);
+  if (error != std::errc() || stop != end || dimension < 0 || dimension >= kPairDimensions) {
+    throw InvalidInput("no dimension 0, 1 or 2: " + in_quotes(word));
+  }
+  return dimension;
+}
+
+Rational double_of(const std::string& word) {
+  const NumberText number = parse_number(word);
+  if (number.fault != nullptr) throw InvalidInput("no squared distance: " + in_quotes(word));
+  return Rational(number.value);
+}
+
+std::optional<ListedPair> pair_of_line(const std::string& line) {
+  std::istringstream in(line.substr(0, line.find('#')));
+  const std::vector<std::string> words(std::istream_iterator<std::string>(in), {});
+  if (words.empty()) return std::nullopt;
+  if (words.size() != 3) throw InvalidInput("not the three words dimension, birth, death");
+  ListedPair pair{dimension_of(words[0]), double_of(words[1]), std::nullopt};
+  if (words[2] != "inf") pair.death = double_of(words[2]);
+  return pair;
+}
+
+PairList pairs_of_text(const std::string& bytes, const std::string& name) {
+  PairList list{{}, true};
+  std::istringstream in(bytes);
+  std::string line;
+  for (std::size_t number = 1; std::getline(in, line); ++number) {
+    try {
+      if (const auto pair = pair_of_line(line)) list.pairs.push_back(*pair);
+    } catch (const InvalidInput& error) {
+      throw InvalidInput(fmt::format("{}:{}: {}", name, number, error.what()));
+    }
+  }
+  return list;
+}
+
+}  // namespace
+
+bool is_before(const ListedPair& a, const ListedPair& b) {
+  if (a.dimension != b.dimension) return a.dimension < b.dimension;
+  if (a.birth != b.birth) return a.birth < b.birth;
+  return a.death && (!b.death || *a.death < *b.death);
+}
+
+std::vector<ListedPair> expected_pairs_of(const Json& array) {
+  std::vector<ListedPair> pairs;
+  for (const Json& value : array_of(array, "persistence")) {
+    pairs.push_back(
+        {dimension_of(value), rational_of(required_field(value, "birth"), "birth"), std::nullopt});
+    const Json& death = required_field(value, "death");
+    if (!death.is_null()) pairs.back().death = rational_of(death, "death");
+    const bool is_positive = !pairs.back().death || pairs.back().birth < *pairs.back().death;
+    if (!is_positive) throw InvalidInput("a persistence pair of no length");
+  }
+  if (!std::ranges::is_sorted(pairs, is_before))
+    throw InvalidInput("persistence pairs that are not in order");
+  return pairs;
+}
+
+PairList claimed_pairs_of(const std::string& bytes, const std::string& name) {
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos) throw InvalidInput(name + ": empty");
+  if (bytes[first] != '{') return pairs_of_text(bytes, name);
+  try {
+    return pairs_of_json(bytes);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format("{}: {}", name, error.what()));
+  }
+}
+
+}  // namespace flowcert
