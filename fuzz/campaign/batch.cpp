@@ -8,7 +8,7 @@
 #include "fuzz/campaign/mutation.h"
 #include "fuzz/campaign/shrinking.h"
 #include "fuzz/campaign/trial_mix.h"
-#include "fuzz/mixed.h"
+#include "fuzz/inputs/mixed.h"
 
 namespace flowcert::fuzz {
 namespace {

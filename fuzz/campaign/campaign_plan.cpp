@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "fuzz/campaign/input_json.h"
+#include "fuzz/inputs/stable_families.h"
 #include "fuzz/properties/property.h"
-#include "fuzz/stable_families.h"
 
 namespace flowcert::fuzz {
 namespace {

@@ -7,7 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "fuzz/input.h"
+#include "fuzz/inputs/input.h"
 #include "oracle/exact_geometry.h"
 
 namespace flowcert::fuzz {

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "flowcert/rational.h"
-#include "fuzz/integer_points.h"
-#include "fuzz/nudge.h"
-#include "fuzz/transformations.h"
+#include "fuzz/inputs/integer_points.h"
+#include "fuzz/inputs/nudge.h"
+#include "fuzz/inputs/transformations.h"
 
 namespace flowcert::fuzz {
 namespace {

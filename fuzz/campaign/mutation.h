@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/input.h"
+#include "fuzz/inputs/input.h"
 
 namespace flowcert::fuzz {
 

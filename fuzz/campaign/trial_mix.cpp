@@ -5,8 +5,8 @@
 #include <array>
 #include <utility>
 
-#include "fuzz/mixed.h"
-#include "fuzz/stable_families.h"
+#include "fuzz/inputs/mixed.h"
+#include "fuzz/inputs/stable_families.h"
 
 namespace flowcert::fuzz {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "fuzz/campaign/campaign_plan.h"
-#include "fuzz/families.h"
+#include "fuzz/inputs/families.h"
 #include "fuzz/properties/property.h"
 
 namespace flowcert::fuzz {

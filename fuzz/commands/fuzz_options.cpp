@@ -13,10 +13,10 @@
 #include "flowcert/point_set.h"
 #include "fuzz/commands/finding_file.h"
 #include "fuzz/commands/option_checks.h"
+#include "fuzz/inputs/stable_families.h"
 #include "fuzz/judge/command_run.h"
 #include "fuzz/judge/interruption.h"
 #include "fuzz/judge/peer_property.h"
-#include "fuzz/stable_families.h"
 #include "io/number_text.h"
 
 namespace flowcert {

@@ -15,9 +15,9 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "fuzz/case_stream.h"
 #include "fuzz/commands/commands.h"
 #include "fuzz/commands/option_checks.h"
+#include "fuzz/inputs/case_stream.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "flowcert/check.h"
-#include "fuzz/case_stream.h"
+#include "fuzz/inputs/case_stream.h"
 #include "fuzz/judge/answer_reader.h"
 
 namespace flowcert {

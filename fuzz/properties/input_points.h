@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "flowcert/point_set.h"
-#include "fuzz/input.h"
+#include "fuzz/inputs/input.h"
 
 namespace flowcert::property {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "fuzz/integer_points.h"
+#include "fuzz/inputs/integer_points.h"
 
 namespace flowcert::property {
 namespace {

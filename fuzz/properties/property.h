@@ -16,7 +16,7 @@
 #include <variant>
 #include <vector>
 
-#include "fuzz/input.h"
+#include "fuzz/inputs/input.h"
 #include "fuzz/properties/orbit_starts.h"
 
 namespace flowcert::property {

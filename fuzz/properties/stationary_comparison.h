@@ -18,7 +18,7 @@
 #include "flowcert/point_set.h"
 #include "flowcert/rational.h"
 #include "flowcert/stationary_points.h"
-#include "fuzz/input.h"
+#include "fuzz/inputs/input.h"
 #include "fuzz/properties/input_points.h"
 #include "oracle/stationary_points.h"
 

@@ -5,7 +5,7 @@
 
 #include "flowcert/delaunay.h"
 #include "flowcert/point_set.h"
-#include "fuzz/input.h"
+#include "fuzz/inputs/input.h"
 #include "fuzz/properties/stationary_comparison.h"
 #include "oracle/stationary_points.h"
 

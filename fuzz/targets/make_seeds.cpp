@@ -9,9 +9,9 @@
 #include <string>
 
 #include "flowcert/read_points.h"
-#include "fuzz/byte_input.h"
-#include "fuzz/families.h"
-#include "fuzz/stable_families.h"
+#include "fuzz/inputs/byte_input.h"
+#include "fuzz/inputs/families.h"
+#include "fuzz/inputs/stable_families.h"
 
 namespace flowcert::fuzz {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "flowcert/claim.h"
-#include "fuzz/byte_input.h"
+#include "fuzz/inputs/byte_input.h"
 
 namespace flowcert::fuzz {
 

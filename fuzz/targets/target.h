@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "fuzz/byte_input.h"
+#include "fuzz/inputs/byte_input.h"
 
 namespace flowcert::fuzz {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "flowcert/stationary_points.h"
+#include "flowcert/stationary_index.h"
 #include "voronoi/voronoi_faces.h"
 
 namespace flowcert {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <span>
 
+#include "flowcert/exact_sphere.h"
+
 namespace flowcert {
 
 char letter(Place::Kind kind) {

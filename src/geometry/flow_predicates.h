@@ -9,7 +9,7 @@
 // cell, and m is p.
 #pragma once
 
-#include "flowcert/flow_statistics.h"
+#include "flowcert/kernel_tally.h"
 #include "flowcert/point_set.h"
 #include "geometry/sign.h"
 #include "geometry/vector3.h"

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "flow/flow_machine.h"
-#include "fuzz/large_configurations.h"
+#include "fuzz/inputs/large_configurations.h"
 
 namespace {
 

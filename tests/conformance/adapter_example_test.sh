@@ -52,12 +52,13 @@ int main(int, char** argv) {
   }
 }
 CPP
-flags=()
+flags=() public_headers=("$root"/src/*/include)
 case "$(sed -n 's/^FLOWCERT_SANITIZE:[A-Z]*=//p' "$build/CMakeCache.txt")" in ON) flags+=(-fsanitize=address,undefined) ;; esac
 case "$(sed -n 's/^FLOWCERT_COVERAGE:[A-Z]*=//p' "$build/CMakeCache.txt")" in ON) flags+=(--coverage) ;; esac
-"$compiler" -std=c++20 -Wall -Wextra -Wconversion -Werror "${flags[@]}" -I "$scratch" -I "$root/src" -I "$root/src/include" \
+"$compiler" -std=c++20 -Wall -Wextra -Wconversion -Werror "${flags[@]}" -I "$scratch" -I "$root/src" \
+  "${public_headers[@]/#/-I}" \
   "$scratch/main.cpp" "$scratch/io/claims/read_claim.cpp" "$scratch/io/claims/read_my_claim.cpp" "$library" \
-  -lgmp -lmpfr -lz -lexpat -lcrypto -o "$scratch/reader" || fail "the adapter does not build"
+  -lgmp -lmpfr -lz -lexpat -lcrypto -lfmt -o "$scratch/reader" || fail "the adapter does not build"
 
 expect() {
   local result

@@ -45,7 +45,7 @@ quietly cmake --install "$build" --prefix "$scratch/prefix"
 headers=$(find "$scratch/prefix/include/flowcert" -name '*.h' | wc -l)
 [ "$headers" -gt 0 ] || fail "no header is installed"
 ! grep -rn 'include.*CGAL' "$scratch/prefix/include" || fail "an installed header includes CGAL"
-for header in "$root"/src/include/flowcert/*.h; do
+for header in "$root"/src/*/include/flowcert/*.h; do
   [ -f "$scratch/prefix/include/flowcert/$(basename "$header")" ] || fail "$header is not installed"
 done
 "$scratch/prefix/bin/flowcert" --version >"$scratch/version" || fail "the installed program does not run"

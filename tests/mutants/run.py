@@ -37,7 +37,7 @@ LIKELY = {
     "src/geometry/tetrahedron_signs": ["filter_bounds_test", "tetrahedron_signs_test"],
     "src/geometry/point_set": ["point_set_test"],
     "src/geometry/rational": ["rational_test"],
-    "src/geometry/circumsphere": ["explain_test"],
+    "src/geometry/exact_sphere": ["explain_test"],
     "src/geometry/enclosing_ball": ["explain_test"],
     "src/geometry/": ["flow_machine_test", "vectors_fast_test", "explain_test", "orbit_agreement_test", "orbit_cascades_test"],
     "src/voronoi/voronoi_complex": ["voronoi_complex_test"],

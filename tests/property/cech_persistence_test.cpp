@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "fuzz/families.h"
+#include "fuzz/inputs/families.h"
 #include "fuzz/properties/fast_persistence.h"
 #include "fuzz/properties/input_points.h"
 #include "oracle/persistence.h"

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/nudge.h"
+#include "fuzz/inputs/nudge.h"
 #include "oracle/exact_geometry.h"
 #include "tests/cites.h"
 #include "tests/property/claim_properties.h"

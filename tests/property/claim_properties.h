@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "flowcert/check.h"
-#include "fuzz/families.h"
+#include "fuzz/inputs/families.h"
 #include "fuzz/properties/stationary_comparison.h"
 #include "tests/property/property_parameters.h"
 #include "tests/true_claims.h"

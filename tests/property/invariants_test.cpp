@@ -12,8 +12,8 @@
 #include <set>
 #include <string>
 
-#include "fuzz/input.h"
-#include "fuzz/integer_points.h"
+#include "fuzz/inputs/input.h"
+#include "fuzz/inputs/integer_points.h"
 #include "fuzz/properties/stationary_comparison.h"
 #include "oracle/stationary_points.h"
 #include "tests/cites.h"

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "fuzz/families.h"
+#include "fuzz/inputs/families.h"
+#include "fuzz/inputs/transformations.h"
 #include "fuzz/properties/stationary_comparison.h"
-#include "fuzz/transformations.h"
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
 #include "tests/property/transformed_answers.h"

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "flowcert/orbit.h"
-#include "fuzz/families.h"
+#include "fuzz/inputs/families.h"
 #include "fuzz/properties/orbit_comparison.h"
 #include "fuzz/properties/orbit_starts.h"
 #include "oracle/orbit.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "flowcert/unstable_manifolds.h"
-#include "fuzz/large_configurations.h"
+#include "fuzz/inputs/large_configurations.h"
 #include "fuzz/properties/orbit_comparison.h"
 #include "oracle/orbit.h"
 #include "tests/cites.h"

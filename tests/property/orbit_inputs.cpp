@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "fuzz/integer_points.h"
+#include "fuzz/inputs/integer_points.h"
 
 namespace flowcert::property {
 namespace {

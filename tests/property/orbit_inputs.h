@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "fuzz/families.h"
+#include "fuzz/inputs/families.h"
 
 namespace flowcert::property {
 

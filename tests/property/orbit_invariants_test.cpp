@@ -15,10 +15,10 @@
 #include <vector>
 
 #include "flowcert/orbit.h"
-#include "fuzz/families.h"
+#include "fuzz/inputs/families.h"
+#include "fuzz/inputs/transformations.h"
 #include "fuzz/properties/orbit_comparison.h"
 #include "fuzz/properties/orbit_starts.h"
-#include "fuzz/transformations.h"
 #include "tests/cites.h"
 #include "tests/property/orbit_inputs.h"
 #include "tests/property/orbit_laws.h"

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "fuzz/input.h"
+#include "fuzz/inputs/input.h"
 #include "fuzz/properties/orbit_comparison.h"
 #include "fuzz/properties/subject.h"
 

@@ -16,10 +16,10 @@
 #include <numeric>
 #include <set>
 
-#include "fuzz/families.h"
-#include "fuzz/integer_points.h"
+#include "fuzz/inputs/families.h"
+#include "fuzz/inputs/integer_points.h"
+#include "fuzz/inputs/stable_families.h"
 #include "fuzz/properties/stationary_comparison.h"
-#include "fuzz/stable_families.h"
 #include "tests/cites.h"
 #include "tests/property/alpha_persistence.h"
 #include "tests/property/orbit_inputs.h"

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "flowcert/stable_manifolds.h"
+#include "fuzz/inputs/stable_families.h"
 #include "fuzz/properties/oracle_point.h"
 #include "fuzz/properties/stable_pieces.h"
-#include "fuzz/stable_families.h"
 #include "oracle/stable_set.h"
 #include "tests/cites.h"
 #include "tests/property/orbit_subject.h"

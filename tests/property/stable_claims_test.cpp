@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "certify/boundaries.h"
-#include "fuzz/nudge.h"
+#include "fuzz/inputs/nudge.h"
+#include "fuzz/inputs/stable_families.h"
 #include "fuzz/properties/oracle_point.h"
-#include "fuzz/stable_families.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
 #include "tests/property/claim_properties.h"

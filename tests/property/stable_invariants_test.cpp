@@ -17,11 +17,11 @@
 #include <vector>
 
 #include "flowcert/stable_manifolds.h"
-#include "fuzz/integer_points.h"
+#include "fuzz/inputs/integer_points.h"
+#include "fuzz/inputs/stable_families.h"
 #include "fuzz/properties/oracle_point.h"
 #include "fuzz/properties/orbit_starts.h"
 #include "fuzz/properties/stable_pieces.h"
-#include "fuzz/stable_families.h"
 #include "oracle/orbit.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"

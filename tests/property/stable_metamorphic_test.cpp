@@ -19,9 +19,9 @@
 #include <vector>
 
 #include "flowcert/persistence.h"
+#include "fuzz/inputs/stable_families.h"
+#include "fuzz/inputs/transformations.h"
 #include "fuzz/properties/stable_pieces.h"
-#include "fuzz/stable_families.h"
-#include "fuzz/transformations.h"
 #include "tests/cites.h"
 #include "tests/property/alpha_persistence.h"
 #include "tests/property/orbit_subject.h"

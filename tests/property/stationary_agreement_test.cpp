@@ -12,8 +12,8 @@
 #include <iostream>
 #include <string>
 
+#include "fuzz/inputs/stable_families.h"
 #include "fuzz/properties/stationary_comparison.h"
-#include "fuzz/stable_families.h"
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
 

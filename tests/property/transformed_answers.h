@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "flowcert/rational.h"
-#include "fuzz/input.h"
-#include "fuzz/transformations.h"
+#include "fuzz/inputs/input.h"
+#include "fuzz/inputs/transformations.h"
 
 namespace flowcert::property {
 

@@ -17,7 +17,7 @@
 #include "flowcert/flow_statistics.h"
 #include "flowcert/stationary_points.h"
 #include "flowcert/unstable_manifolds.h"
-#include "fuzz/families.h"
+#include "fuzz/inputs/families.h"
 #include "fuzz/properties/orbit_comparison.h"
 #include "oracle/orbit.h"
 #include "tests/cites.h"

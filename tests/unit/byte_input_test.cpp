@@ -1,6 +1,6 @@
 // Bytes as inputs: every byte string is one, ties are common among random ones, and lattice inputs can be put
 // into bytes.
-#include "fuzz/byte_input.h"
+#include "fuzz/inputs/byte_input.h"
 
 #include <gtest/gtest.h>
 

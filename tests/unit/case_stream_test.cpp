@@ -1,5 +1,5 @@
 // Runs of cases: that they are what their numbers say, for good, and that ids name nothing else.
-#include "fuzz/case_stream.h"
+#include "fuzz/inputs/case_stream.h"
 
 #include <gtest/gtest.h>
 

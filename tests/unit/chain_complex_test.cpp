@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "fuzz/stable_families.h"
+#include "fuzz/inputs/stable_families.h"
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "flowcert/stationary_points.h"
-#include "fuzz/families.h"
+#include "fuzz/inputs/families.h"
 #include "tests/cites.h"
 #include "tests/unit/read_out_complex.h"
 

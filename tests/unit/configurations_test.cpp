@@ -1,7 +1,7 @@
 // The generators' configurations, small and large: that each has the geometry that it is named for.
 //
 // Guarantees: exact, in integers of any size, by geometry that is written down here.
-#include "fuzz/configurations.h"
+#include "fuzz/inputs/configurations.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
-#include "fuzz/integer_points.h"
-#include "fuzz/large_configurations.h"
+#include "fuzz/inputs/integer_points.h"
+#include "fuzz/inputs/large_configurations.h"
 
 namespace flowcert::fuzz {
 namespace {

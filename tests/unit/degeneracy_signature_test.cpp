@@ -15,11 +15,11 @@
 #include "flowcert/point_set.h"
 #include "flowcert/stable_manifolds.h"
 #include "flowcert/stationary_points.h"
-#include "fuzz/configurations.h"
-#include "fuzz/large_configurations.h"
-#include "fuzz/stable_configurations.h"
-#include "fuzz/stable_families.h"
-#include "fuzz/transformations.h"
+#include "fuzz/inputs/configurations.h"
+#include "fuzz/inputs/large_configurations.h"
+#include "fuzz/inputs/stable_configurations.h"
+#include "fuzz/inputs/stable_families.h"
+#include "fuzz/inputs/transformations.h"
 
 namespace flowcert::fuzz {
 namespace {

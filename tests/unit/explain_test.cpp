@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/families.h"
+#include "fuzz/inputs/families.h"
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
 #include "tests/unit/rational_geometry.h"

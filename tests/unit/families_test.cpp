@@ -3,7 +3,7 @@
 //
 // Guarantees: exact integer checks; which stationary points the inputs have is checked by the property tests,
 // which hold every family to its promise.
-#include "fuzz/families.h"
+#include "fuzz/inputs/families.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -23,10 +23,10 @@
 #include <utility>
 #include <vector>
 
-#include "fuzz/integer_points.h"
-#include "fuzz/nudge.h"
-#include "fuzz/sphere_points.h"
-#include "fuzz/transformations.h"
+#include "fuzz/inputs/integer_points.h"
+#include "fuzz/inputs/nudge.h"
+#include "fuzz/inputs/sphere_points.h"
+#include "fuzz/inputs/transformations.h"
 
 namespace flowcert::fuzz {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "flowcert/unstable_manifolds.h"
-#include "fuzz/large_configurations.h"
+#include "fuzz/inputs/large_configurations.h"
 #include "morse/record_finder.h"
 #include "tests/cites.h"
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "fuzz/families.h"
+#include "fuzz/inputs/families.h"
 #include "oracle/orbit.h"
 #include "oracle/read_points.h"
 #include "oracle/read_records.h"

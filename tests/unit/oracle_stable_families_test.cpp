@@ -10,8 +10,8 @@
 #include <set>
 #include <string>
 
-#include "fuzz/families.h"
-#include "fuzz/stable_families.h"
+#include "fuzz/inputs/families.h"
+#include "fuzz/inputs/stable_families.h"
 #include "oracle/orbit.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"

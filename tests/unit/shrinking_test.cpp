@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fuzz/families.h"
+#include "fuzz/inputs/families.h"
 
 namespace flowcert::fuzz {
 namespace {

@@ -3,7 +3,7 @@
 //
 // Guarantees: exact integer checks; which stable sets the inputs have is checked by the property tests, which
 // ask for so many of each kind.
-#include "fuzz/stable_families.h"
+#include "fuzz/inputs/stable_families.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -12,7 +12,7 @@
 #include <set>
 #include <string>
 
-#include "fuzz/stable_configurations.h"
+#include "fuzz/inputs/stable_configurations.h"
 
 namespace flowcert::fuzz {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "flowcert/connecting_orbits.h"
 #include "flowcert/stable_manifolds.h"
-#include "fuzz/stable_families.h"
+#include "fuzz/inputs/stable_families.h"
 #include "tests/cites.h"
 
 namespace flowcert {

@@ -8,8 +8,8 @@
 #include <set>
 #include <vector>
 
-#include "fuzz/families.h"
-#include "fuzz/large_configurations.h"
+#include "fuzz/inputs/families.h"
+#include "fuzz/inputs/large_configurations.h"
 #include "tests/cites.h"
 #include "tests/unit/rational_geometry.h"
 

@@ -1,5 +1,5 @@
 // The table of recipes, second part: the groups that are about the flow.
-#include "fuzz/large_configurations.h"
+#include "fuzz/inputs/large_configurations.h"
 #include "tests/vectors/recipes.h"
 
 namespace oracle::vectors {

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "fuzz/families.h"
+#include "fuzz/inputs/families.h"
 #include "oracle/read_points.h"
 #include "oracle/read_records.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "fuzz/nudge.h"
-#include "fuzz/sphere_points.h"
+#include "fuzz/inputs/nudge.h"
+#include "fuzz/inputs/sphere_points.h"
 
 namespace oracle::vectors {
 

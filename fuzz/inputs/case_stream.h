@@ -1,0 +1,66 @@
+// Runs of numbered cases over the families: what a program outside is asked, one input after the other, and
+// how each is named so that whoever judges the answer can make the input again.
+//
+// Guarantees: a case is a function of level, seed, number and chosen families alone; how many cases the run
+// has does not matter. Its id is one word of printable ASCII that says all of that, and has a digest of the
+// input: an id that another version of the generators made, or that was damaged, is refused rather than taken
+// for another input.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fuzz/inputs/families.h"
+
+namespace flowcert::fuzz {
+
+// 1: up to 8 points in most cases; 2: up to 10; 3: all that a family may have, and in some cases of three
+// families hundreds.
+inline constexpr int kCaseLevels = 3;
+// What keeps an account of every case of a run in a byte each stays small.
+inline constexpr std::size_t kMostCases = 10'000'000;
+
+[[nodiscard]] std::size_t usual_cases(int level);
+
+struct CaseRun {
+  int level = 1;
+  std::uint64_t seed = 1;
+  std::size_t cases = usual_cases(1);
+  // Places in families(), ascending, each once; empty: all of them.
+  std::vector<std::size_t> chosen;
+
+  friend bool operator==(const CaseRun&, const CaseRun&) = default;
+};
+
+// The places of families by name, in any order; empty where all are named or none. Throws
+// std::invalid_argument, one line, for a name that is no family's.
+[[nodiscard]] std::vector<std::size_t> chosen_families(const std::vector<std::string>& names);
+
+// The families of a run, in the order in which its cases take turns.
+[[nodiscard]] std::vector<std::string> family_names(const CaseRun& run);
+
+// Numbers count from 0.
+[[nodiscard]] const Family& family_of_case(const CaseRun& run, std::size_t number);
+[[nodiscard]] Input input_of_case(const CaseRun& run, std::size_t number);
+
+// "1:7:12/500:9f3c": level, seed, number, cases, digest; then the families, if not all: ":lattice-2,shell".
+[[nodiscard]] std::string case_id(const CaseRun& run, std::size_t number, const Input& input);
+
+struct NamedCase {
+  CaseRun run;
+  std::size_t number = 0;
+  Input input;
+};
+// Nothing for what is not, to the letter, the id of a case.
+[[nodiscard]] std::optional<NamedCase> case_named(std::string_view id);
+
+// A line "case ID ROWS", and the rows: the shortest decimals that read back to the same doubles, or
+// hexadecimal floats.
+enum class NumberForm { kDecimal, kHexadecimal };
+[[nodiscard]] std::string case_text(const std::string& id, const Input& input, NumberForm form);
+
+}  // namespace flowcert::fuzz

@@ -1,0 +1,34 @@
+// Exact printing of an input: std::to_chars without a precision is the shortest text that reads back the
+// same, and does not depend on the locale.
+//
+// Guarantees: see input.h.
+#include "fuzz/inputs/input.h"
+
+#include <charconv>
+#include <ostream>
+#include <string_view>
+
+namespace flowcert::fuzz {
+namespace {
+
+void print(std::ostream& out, double value) {
+  std::array<char, 40> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  out << std::string_view(text.data(), static_cast<std::size_t>(end - text.data()));
+}
+
+}  // namespace
+
+std::ostream& operator<<(std::ostream& out, const Input& input) {
+  for (const Row& row : input.rows) {
+    print(out, row[0]);
+    out << ' ';
+    print(out, row[1]);
+    out << ' ';
+    print(out, row[2]);
+    out << '\n';
+  }
+  return out;
+}
+
+}  // namespace flowcert::fuzz

@@ -1,0 +1,73 @@
+// Building blocks of the families: integers, integer points, integer rotations, and lists of them as
+// generators.
+//
+// Guarantees: portable. The only randomness is rc::Random; no std distribution, whose results differ between
+// standard libraries. Integers shrink towards zero, rotations towards the identity, lists element by element;
+// rows are removed by `shrink_by_removing`, which every family ends with, so that no generator has to take
+// care of that itself.
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "fuzz/inputs/input.h"
+
+namespace flowcert::fuzz {
+
+using Integer = std::int64_t;
+using IntegerPoint = std::array<Integer, 3>;
+using IntegerPoints = std::vector<IntegerPoint>;
+
+Integer dot(const IntegerPoint& a, const IntegerPoint& b);
+IntegerPoint cross(const IntegerPoint& a, const IntegerPoint& b);
+IntegerPoint plus(const IntegerPoint& a, const IntegerPoint& b);
+IntegerPoint times(Integer factor, const IntegerPoint& a);
+
+// numerator / denominator to the nearest integer, halves upwards. The denominator is positive.
+Integer nearest_integer(Integer numerator, Integer denominator);
+
+// Uniform in [low, high]; shrinks towards the integer of the range that is nearest to zero.
+rc::Gen<Integer> whole(Integer low, Integer high);
+rc::Gen<IntegerPoint> integer_point(Integer low, Integer high);
+
+// Between least and most, few more often than many, most only near size 100. Does not shrink.
+rc::Gen<std::size_t> row_count(std::size_t least, std::size_t most);
+
+// A list of row_count(least, most) elements; shrinks its elements, not its length.
+template <typename T>
+rc::Gen<std::vector<T>> list_of(std::size_t least, std::size_t most, const rc::Gen<T>& element) {
+  return rc::gen::mapcat(row_count(least, most), [element](std::size_t count) {
+    return rc::gen::container<std::vector<T>>(count, element);
+  });
+}
+
+// A rotation times the positive integer `norm`: the matrix of a quaternion of integers. Its rows are
+// orthogonal and of length `norm`, so it keeps right angles and spheres exactly.
+struct IntegerRotation {
+  std::array<IntegerPoint, 3> rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  Integer norm = 1;
+
+  [[nodiscard]] IntegerPoint operator()(const IntegerPoint& point) const;
+};
+IntegerRotation rotation_of_quaternion(const std::array<Integer, 4>& quaternion);
+// Every other one is the identity; the others have quaternions with entries up to `reach`.
+rc::Gen<IntegerRotation> integer_rotation(Integer reach);
+
+// Turned by an integer rotation and shifted by a little.
+rc::Gen<IntegerPoints> placed(const rc::Gen<IntegerPoints>& points);
+
+// Without repeated points; the first of each stays.
+IntegerPoints distinct(const IntegerPoints& points);
+// Exact: all coordinates here are far below 2^53.
+Input to_input(const IntegerPoints& points);
+
+// The same inputs, which now shrink by losing rows, before anything else.
+rc::Gen<Input> shrink_by_removing(const rc::Gen<Input>& inputs);
+// Both of the above.
+rc::Gen<Input> input_of(const rc::Gen<IntegerPoints>& points);
+
+}  // namespace flowcert::fuzz

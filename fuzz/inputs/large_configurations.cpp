@@ -1,0 +1,224 @@
+// How the facets, shells and cascades of large_configurations.h are made; all of it in integers but for one
+// correctly rounded division.
+//
+// Facets: v in the plane z = 0 belongs to the facet of p0p1 iff 2<v,q> <= |q|² - h² for all neighbours q. For
+// q = c + w with |w| = R, and v = c + y, that is 2<y,w> + 2<y,c> <= R² - h² - |c|². The lines of all w touch
+// the conic 2R|y| + 2<y,c> = R² - h² - |c|²: an ellipse with a focus in c, if |c| < R and h² + |c|² < R². So
+// none of them is redundant, however many there are. Where the circle comes nearer to the origin than h, q is
+// obtuse.
+#include "fuzz/inputs/large_configurations.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "fuzz/inputs/integer_points.h"
+
+namespace flowcert::fuzz {
+namespace {
+
+// The raw output of std::mt19937_64, which the standard fixes, and none of its distributions.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : engine_(seed) {}
+
+  Integer between(Integer low, Integer high) {
+    return low + static_cast<Integer>(engine_() % (static_cast<std::uint64_t>(high - low) + 1));
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+void require(bool served, const char* complaint) {
+  if (!served) {
+    throw std::invalid_argument(complaint);
+  }
+}
+
+using Gaussian = std::array<Integer, 2>;
+
+Gaussian product(const Gaussian& a, const Gaussian& b) {
+  return {a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]};
+}
+
+Gaussian power(const Gaussian& base, int exponent) {
+  Gaussian result{1, 0};
+  for (int k = 0; k < exponent; ++k) {
+    result = product(result, base);
+  }
+  return result;
+}
+
+// The Gaussian primes over 5, 13, 17, 29, 37, 41, 53 and 61.
+constexpr std::array<Gaussian, 8> kPrimes{{{2, 1}, {3, 2}, {4, 1}, {5, 2}, {6, 1}, {5, 4}, {7, 2}, {6, 5}}};
+// In this order they are multiplied to a norm N: x² + y² = N has four times as many solutions as N has
+// divisors, 120,960 in the end, with coordinates below 2^48.
+constexpr std::array<std::size_t, 23> kOrder{0, 1, 2, 3, 0, 4, 5, 1, 6, 0, 2, 7,
+                                             3, 0, 4, 1, 5, 0, 6, 2, 3, 1, 0};
+
+// A norm whose circle has at least so many points, as exponents of the primes.
+std::array<int, kPrimes.size()> norm_with_points(std::size_t least) {
+  std::array<int, kPrimes.size()> exponents{};
+  std::size_t points = 4;
+  for (const std::size_t prime : kOrder) {
+    if (points >= least) {
+      break;
+    }
+    const auto before = static_cast<std::size_t>(++exponents[prime]);
+    points = points / before * (before + 1);
+  }
+  return exponents;
+}
+
+bool is_upper(const Gaussian& z) { return z[1] > 0 || (z[1] == 0 && z[0] > 0); }
+
+// Of points of one circle about the origin: by angle.
+bool comes_before(const Gaussian& a, const Gaussian& b) {
+  if (is_upper(a) != is_upper(b)) {
+    return is_upper(a);
+  }
+  return is_upper(a) ? a[0] > b[0] : a[0] < b[0];
+}
+
+// All integer points of a circle that has so many, or as many as there are in the tables; by angle.
+std::vector<Gaussian> circle_with_points(std::size_t least) {
+  const auto exponents = norm_with_points(least);
+  std::vector<Gaussian> circle{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  for (std::size_t k = 0; k < kPrimes.size(); ++k) {
+    const Gaussian& prime = kPrimes[k];
+    const Gaussian conjugate{prime[0], -prime[1]};
+    std::vector<Gaussian> multiples;
+    for (int split = 0; split <= exponents[k]; ++split) {
+      const Gaussian factor = product(power(prime, split), power(conjugate, exponents[k] - split));
+      for (const Gaussian& point : circle) {
+        multiples.push_back(product(point, factor));
+      }
+    }
+    circle = std::move(multiples);
+  }
+  std::sort(circle.begin(), circle.end(), comes_before);
+  return circle;
+}
+
+// So many of a list, one of each of so many equal parts of it.
+std::vector<Gaussian> spread_choice(const std::vector<Gaussian>& list, std::size_t count, Dice& dice) {
+  std::vector<Gaussian> chosen;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto first = static_cast<Integer>(k * list.size() / count);
+    const auto last = static_cast<Integer>((k + 1) * list.size() / count) - 1;
+    chosen.push_back(list[static_cast<std::size_t>(dice.between(first, last))]);
+  }
+  return chosen;
+}
+
+// So that the radius is large enough for a choice of centres.
+constexpr std::size_t kLeastCircle = 1000;
+
+constexpr Integer kRadius = Integer{1} << 47;
+
+Integer rounded(double value) { return static_cast<Integer>(std::floor(value + 0.5)); }
+
+// Of the circle of kRadius, rounded, by angle: in each quarter the parameters k / n of the rational
+// parametrisation, so that angles between neighbours are from 1/n to 2/n.
+std::vector<Gaussian> rounded_circle(std::size_t count) {
+  std::vector<Gaussian> circle;
+  for (std::size_t quarter = 0; quarter < 4; ++quarter) {
+    const auto n = static_cast<Integer>(count / 4 + (quarter < count % 4 ? 1 : 0));
+    for (Integer k = 0; k < n; ++k) {
+      const auto norm = static_cast<double>(n * n + k * k);
+      const Gaussian point{rounded(static_cast<double>(n * n - k * k) / norm * static_cast<double>(kRadius)),
+                           rounded(static_cast<double>(2 * n * k) / norm * static_cast<double>(kRadius))};
+      circle.push_back(product(point, power({0, 1}, static_cast<int>(quarter))));
+    }
+  }
+  return circle;
+}
+
+// 0.45 to 0.55 radii from the origin: far enough for obtuse neighbours, near enough for them to surround it.
+Gaussian off_centre(Integer radius, Dice& dice) {
+  const Integer unit = radius / 100;
+  const auto is_in_ring = [](const Gaussian& c) {
+    const Integer norm = c[0] * c[0] + c[1] * c[1];
+    return norm >= 45 * 45 && norm <= 55 * 55;
+  };
+  Gaussian centre{0, 0};
+  while (!is_in_ring(centre)) {
+    centre = {dice.between(-55, 55), dice.between(-55, 55)};
+  }
+  // Not a multiple of the unit: nothing is to be symmetric.
+  return {centre[0] * unit + dice.between(0, unit / 100), centre[1] * unit + dice.between(0, unit / 100)};
+}
+
+constexpr Integer kCell = 64;                // of the shell's grid
+constexpr Integer kStep = Integer{1} << 24;  // from tooth to tooth
+
+}  // namespace
+
+Input high_degree_facet(std::size_t degree, bool perturbed, std::uint64_t seed) {
+  require(degree >= 10 && degree <= 100'000, "high_degree_facet: degrees are 10 to 100,000");
+  Dice dice(seed);
+  const std::vector<Gaussian> circle =
+      perturbed ? rounded_circle(degree)
+                : spread_choice(circle_with_points(std::max(4 * degree, kLeastCircle)), degree, dice);
+  Integer radius = 0;
+  for (const Gaussian& w : circle) {
+    radius = std::max(radius, std::abs(w[0]));
+  }
+  // In the polar dual the lines of a circle's points are points of a circle. Neighbours at an angle g leave a
+  // point between them g²/2 radii before it sinks below their chord, and all errors count less than 50 times
+  // as much there. Here g is about 4 / degree.
+  const auto whole_degree = static_cast<Integer>(degree);
+  const Integer reach = perturbed ? radius / (16 * whole_degree * whole_degree) : 0;
+  const Gaussian centre = off_centre(radius, dice);
+  const Integer h = radius / 4 * 3;
+  IntegerPoints points{{0, 0, -h}, {0, 0, h}};
+  for (const Gaussian& w : circle) {
+    const Integer x = centre[0] + w[0] + dice.between(-reach, reach);
+    const Integer y = centre[1] + w[1] + dice.between(-reach, reach);
+    points.push_back({x, y, dice.between(-reach, reach)});
+  }
+  return to_input(points);
+}
+
+Input half_shell(std::size_t points, std::uint64_t seed) {
+  require(points <= 100'000'000, "half_shell: at most 100,000,000 points");
+  Dice dice(seed);
+  Integer side = 1;
+  while (static_cast<std::size_t>(side * side) < points) {
+    ++side;
+  }
+  IntegerPoints sheet;
+  for (std::size_t k = 0; k < points; ++k) {
+    const auto cell = static_cast<Integer>(k);
+    const Integer x = (cell % side) * kCell - side * kCell / 2 + dice.between(0, kCell / 2);
+    const Integer y = (cell / side) * kCell - side * kCell / 2 + dice.between(0, kCell / 2);
+    sheet.push_back({x, y, (2 * x * x + 3 * y * y) / (side * kCell)});
+  }
+  return to_input(sheet);
+}
+
+Input long_cascade(std::size_t points, std::uint64_t seed) {
+  require(points >= 8 && points <= 100'000, "long_cascade: at least 8, at most 100,000 points");
+  Dice dice(seed);
+  const auto teeth = static_cast<Integer>(points - 2);
+  // The combs are the lines (t, 2t, 0) and (t, -2t, 0), with t from `start` to twice that, in turn.
+  const Integer start = teeth * kStep;
+  const Integer reach = kStep / (32 * teeth);
+  const auto tooth = [&](Integer k) {
+    const Integer t = start + k * kStep + dice.between(-kStep / 2, kStep / 2);
+    const Integer side = k % 2 == 0 ? 2 : -2;
+    const Integer y = side * t + dice.between(-reach, reach);
+    return IntegerPoint{t, y, dice.between(-reach, reach)};
+  };
+  IntegerPoints combs{tooth(0), tooth(1), {start, 0, start / 4 * 9}, {20 * start, 0, 0}};
+  for (Integer k = 2; k < teeth; ++k) {
+    combs.push_back(tooth(k));
+  }
+  return to_input(combs);
+}
+
+}  // namespace flowcert::fuzz

@@ -1,0 +1,52 @@
+// What the paper's section 6 reports of a computation of orbits: lengths, types, filter failures, sizes of
+// exact numbers, depths of cascades (Tables 1, 3, 4, 5, Figure 12).
+//
+// Guarantees: lengths and types are properties of the input alone, the same with and without sharing and for
+// every kernel. The tally, bit sizes and depths say how they were computed.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+
+#include "flowcert/kernel_tally.h"
+
+namespace flowcert {
+
+// Numbers that come often: how often each came.
+class Distribution {
+ public:
+  void add(std::size_t value, std::size_t times = 1) { times_[value] += times; }
+
+  [[nodiscard]] const std::map<std::size_t, std::size_t>& times() const { return times_; }
+  [[nodiscard]] std::size_t count() const;
+  [[nodiscard]] double mean() const;  // all of these are 0 where there is nothing
+  [[nodiscard]] std::size_t max() const;
+  [[nodiscard]] double standard_deviation() const;  // of the whole, not an estimate from a sample
+  [[nodiscard]] std::size_t mode() const;           // the smallest, if there are several
+  [[nodiscard]] double median() const;              // halfway between the middle two, if there are two
+
+  friend bool operator==(const Distribution&, const Distribution&) = default;
+
+ private:
+  std::map<std::size_t, std::size_t> times_;
+};
+
+struct FlowStatistics {
+  // The orbits, counted one by one also where they share what follows: two for each index-2 point.
+  Distribution n_u2;   // segments of an orbit, the first one included
+  Distribution n_wcc;  // runs of consecutive segments that end at a constructed point
+  std::map<std::array<char, 3>, std::size_t> census;  // segments by type
+  std::size_t to_critical = 0;                        // orbits that end at a critical point,
+  std::size_t to_regular = 0;                         // at a regular stationary point,
+  std::size_t to_infinity = 0;
+
+  // The computation.
+  KernelTally tally;
+  std::size_t segments_computed = 0;  // with sharing, each shared segment once
+  Distribution exact_bytes;  // numerator and denominator of the coordinates of constructed points whose exact
+                             // value was asked for
+  std::size_t depth = 0;     // the longest chain of lazy constructions, from input points up
+};
+
+}  // namespace flowcert

@@ -1,0 +1,95 @@
+// The flow of the distance function: one segment from any point, and whole orbits.
+//
+// Guarantees: exact, on every input and for every start, whatever the dimension of the points and however
+// degenerate the flow; the same answer from both kernels and both ways to search a facet. Source: spec
+// section 8 (clauses FC-FLOW); paper, Definition 3, Table 1, section 4.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flowcert/delaunay.h"
+#include "flowcert/flow_statistics.h"
+#include "flowcert/rational.h"
+#include "flowcert/stationary_index.h"
+
+namespace flowcert {
+
+// How constructed points are represented.
+enum class ConstructionKernel : std::uint8_t {
+  kLazy,   // CGAL's Epeck: intervals with their history, exact rationals where they do not decide
+  kExact,  // rationals throughout; slow on long orbits, for comparison
+};
+
+// How the Voronoi edge at which an orbit leaves a facet of n edges is found.
+enum class FacetSearch : std::uint8_t {
+  kBinary,  // O(log n) signs (paper, Proposition 1)
+  kLinear,  // O(n) signs
+};
+
+struct FlowOptions {
+  ConstructionKernel kernel = ConstructionKernel::kLazy;
+  FacetSearch search = FacetSearch::kBinary;
+};
+
+// A step of an orbit (FC-FLOW-02). Contact sets are ascending names.
+struct FlowSegment {
+  // The Voronoi faces that it starts in, crosses and reaches, each 'V', 'E', 'F' or 'C'; the last one is 0 at
+  // infinity.
+  std::array<char, 3> type{};
+  RationalPoint start;
+  RationalPoint driver;
+  std::vector<PointId> start_contact;
+  std::vector<PointId> crossed_contact;
+  std::optional<RationalPoint> end;  // none: infinity
+  std::vector<PointId> end_contact;  // empty at infinity
+
+  // A stationary point's only step: from x to x.
+  [[nodiscard]] bool stays() const { return end && *end == start; }
+};
+
+// "E-F-V", "V-E-inf".
+[[nodiscard]] std::string type_text(const std::array<char, 3>& type);
+
+// A stationary point at which orbits end.
+struct StationaryLimit {
+  RationalPoint position;
+  StationaryIndex index;
+  std::vector<PointId> contact;
+};
+
+struct Orbit {
+  RationalPoint start;
+  std::vector<FlowSegment> segments;     // none from a stationary point
+  std::optional<StationaryLimit> limit;  // none: infinity
+};
+
+// Not to be used from two threads at once: it remembers the Voronoi facets that it has crossed.
+class Flow {
+ public:
+  // The triangulation must outlive the flow. O(cells); its facets are put together when first met.
+  explicit Flow(const Delaunay& delaunay, FlowOptions options = {});
+  explicit Flow(Delaunay&&, FlowOptions = {}) = delete;
+  ~Flow();
+  Flow(Flow&&) noexcept;
+  Flow& operator=(Flow&&) noexcept;
+
+  // The next segment from x; from a stationary point the one that stays there, all three of its faces the
+  // one that x lies in (V-V-V at a Voronoi vertex, FC-FLOW-03). Throws InvalidInput for an empty point set.
+  [[nodiscard]] FlowSegment step(const RationalPoint& x);
+
+  // Throws InvalidInput for an empty point set.
+  [[nodiscard]] Orbit orbit(const RationalPoint& start);
+
+  // What all steps so far have asked of the kernel.
+  [[nodiscard]] const KernelTally& tally() const;
+
+ private:
+  struct Machine;
+  std::unique_ptr<Machine> machine_;
+};
+
+}  // namespace flowcert

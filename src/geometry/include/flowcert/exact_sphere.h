@@ -1,0 +1,21 @@
+// The smallest sphere through a cospherical set of points.
+//
+// Guarantees: exact. Source: spec clause FC-CRIT-02.
+#pragma once
+
+#include <span>
+
+#include "flowcert/point_set.h"
+#include "flowcert/rational.h"
+
+namespace flowcert {
+
+// The centre and squared radius of the smallest sphere through a cospherical set (one point and more, by
+// name).
+struct ExactSphere {
+  RationalPoint center;
+  Rational squared_radius;
+};
+[[nodiscard]] ExactSphere exact_sphere(const PointSet& points, std::span<const PointId> contact);
+
+}  // namespace flowcert

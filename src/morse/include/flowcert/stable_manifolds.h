@@ -1,0 +1,114 @@
+// The stable manifolds S2 of all critical points of index 2, and the stable sets of the regular stationary
+// points: everything that the flow carries there.
+//
+// Guarantees: exact, on every input. Sizes, boundaries and statistics are computed at once; the geometry of
+// a set is made when asked for. Source: spec section 11 (clauses FC-STAB); paper, section 2.3.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "flowcert/orbit.h"
+#include "flowcert/stationary_points.h"
+
+namespace flowcert {
+
+struct StableOptions {
+  FlowOptions flow;
+  // Of the choices where ties are broken (FC-CHAIN-02); 0 takes the first way always.
+  std::uint64_t seed = 0;
+};
+
+// What a backward segment ends at (FC-STAB-04).
+enum class BackKind : std::uint8_t { kCritical, kRegular, kEdge, kVertex };
+// "critical", "regular", "edge", "vertex"
+[[nodiscard]] const char* back_kind_text(BackKind kind);
+
+// In the Voronoi facet of two samples; contact sets are ascending names.
+struct BackwardSegment {
+  std::array<PointId, 2> samples;  // ascending
+  RationalPoint front, back;
+  std::vector<PointId> front_contact, back_contact;
+  BackKind back_kind = BackKind::kCritical;
+};
+// On the Voronoi edge of a polygon (FC-STAB-05).
+struct BackwardInterval {
+  std::vector<PointId> polygon;
+  RationalPoint front, back;
+  bool back_is_stationary = false;
+};
+// In the Voronoi facet of two samples: the corners of its closure in cyclic order, the lexicographically
+// least first and the lesser of its neighbours second.
+struct BackwardSector {
+  std::array<PointId, 2> samples;
+  std::vector<RationalPoint> corners;
+};
+// The skeleton of a stable set, and so all of it (FC-STAB-02). Sorted: by samples or polygon, then positions.
+struct StableSet {
+  std::vector<BackwardSegment> segments;
+  std::vector<BackwardInterval> intervals;
+  std::vector<BackwardSector> sectors;
+};
+
+// FC-STAB-07, by names, the first not repeated at the end: from the least sample of the contact set on,
+// towards the lesser of its neighbours in the polygon. For a critical point of index 2 and a regular one of
+// kind 1-2; none for others, and where the skeleton has a Voronoi vertex. contact: of the stationary point,
+// ascending. O(n log n) for n segments.
+[[nodiscard]] std::optional<std::vector<PointId>> boundary_walk(const StableSet& set, StationaryIndex index,
+                                                                std::span<const PointId> contact);
+
+struct StableStatistics {
+  Distribution n_s2;  // flow segments from an index-2 point down to an index-1 point, a connecting orbit each
+  Distribution triangles;              // of the S2's without interval
+  std::size_t triangle_count = 0;      // of all of them
+  std::optional<std::size_t> largest;  // the first of those with the most, as StableManifolds counts
+  std::size_t with_vertex = 0;         // S2's whose skeleton has a Voronoi vertex
+  std::size_t with_interval = 0;       // S2's that have parts of dimension 3
+  std::size_t ends_at_regular = 0;     // branches of S2's that end at a regular stationary point
+  std::size_t broken_ties = 0;         // index-2 points whose boundary a tie leaves open
+  KernelTally tally;
+};
+
+class StableManifolds {
+ public:
+  // Told now and then how many stationary points are done; may throw to stop.
+  using Progress = std::function<void(std::size_t done, std::size_t total)>;
+
+  // stationary: that of the same triangulation. Both must outlive this. Time in proportion to the segments of
+  // all skeletons.
+  StableManifolds(const Delaunay& delaunay, const StationaryPoints& stationary, StableOptions options = {},
+                  const Progress& progress = {});
+  ~StableManifolds();
+  StableManifolds(StableManifolds&&) noexcept;
+  StableManifolds& operator=(StableManifolds&&) noexcept;
+
+  // The critical points of index 2 and then the regular stationary points, in the order of the list.
+  [[nodiscard]] std::size_t size() const;
+  // Where the i-th of them is in the list.
+  [[nodiscard]] std::size_t record(std::size_t i) const;
+  // Of its skeleton, intervals left out: backward segments. A surface has two triangles for each.
+  [[nodiscard]] std::size_t segment_count(std::size_t i) const;
+  [[nodiscard]] bool has_vertex(std::size_t i) const;
+  [[nodiscard]] bool has_interval(std::size_t i) const;
+  // Of a critical point of index 2, its boundary in the chain complex: records of index 1, mod 2, ascending.
+  // Where its skeleton has no Voronoi vertex and no regular back, FC-STAB-07 determines it; otherwise ties
+  // are broken (FC-CHAIN-02).
+  [[nodiscard]] std::span<const std::uint32_t> boundary(std::size_t i) const;
+
+  // The skeleton, with exact coordinates. Flows once more.
+  [[nodiscard]] StableSet set(std::size_t i);
+
+  [[nodiscard]] const StableStatistics& statistics() const;
+
+ private:
+  struct Machine;
+  std::unique_ptr<Machine> machine_;
+};
+
+}  // namespace flowcert

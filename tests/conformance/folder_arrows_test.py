@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+"""The arrows between the project's folders: what each folder may include, judged by what the compiler really read.
+
+usage: folder_arrows_test.py BUILD_DIR        (a Ninja build)
+       folder_arrows_test.py --self-test
+
+Guarantees: every file of the project that an object's compilation read lies in a folder that the object's folder may
+see, itself or through others. It fails as well where the table has a cycle, where a folder is not in it, and where
+nothing of src/ or fuzz/ was seen. Exit status: 0; 1 where an arrow is wrong.
+"""
+import collections
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+# FOLDER: those that it may include. What they include, it may read.
+ARROWS = {
+    "src/geometry": [],
+    "src/voronoi": ["src/geometry"],
+    "src/flow": ["src/voronoi"],
+    "src/morse": ["src/flow"],
+    "src/io": ["src/morse"],
+    "src/io/claims": ["src/io"],
+    "src/certify": ["src/io/claims"],
+    "src/cli": ["src/certify"],
+    "oracle": [],
+    "fuzz/inputs": ["src/geometry"],
+    "fuzz/properties": ["fuzz/inputs", "oracle", "src/io"],
+    "fuzz/campaign": ["fuzz/properties"],
+    "fuzz/judge": ["fuzz/properties", "src/certify"],
+    "fuzz/commands": ["fuzz/campaign", "fuzz/judge", "src/cli"],
+    "fuzz/commands/mpi": ["fuzz/commands"],
+    "fuzz/targets": ["fuzz/properties", "src/certify"],
+    "tests": ["src/certify"],
+    "tests/vectors": ["fuzz/inputs", "oracle"],
+    "tests/conformance": ["tests", "tests/vectors", "fuzz/inputs", "oracle", "src/certify"],
+    "tests/property": ["tests", "fuzz/campaign", "src/certify"],
+    "tests/unit": ["tests/property", "fuzz/campaign"],
+    "tests/bench": ["tests/property"],
+}
+# The program's main file alone puts together what the other folders keep apart.
+COMPOSITION = {"src/cli/main.cpp": ["fuzz/commands"]}
+
+
+def closure(arrows):
+    """FOLDER: itself and all that can be reached. Raises ValueError where a folder reaches itself."""
+    reached = {}
+
+    def visit(folder, path):
+        if folder in path:
+            raise ValueError("a cycle: " + " -> ".join([*path, folder]))
+        if folder not in reached:
+            below = [visit(other, [*path, folder]) for other in arrows[folder]]
+            reached[folder] = {folder}.union(*below)
+        return reached[folder]
+
+    for folder in arrows:
+        visit(folder, [])
+    return reached
+
+
+def folder_of(file):
+    """Of a file, relative to ROOT. Public headers belong to their layer."""
+    return str(pathlib.PurePosixPath(file).parent).split("/include")[0]
+
+
+def wrong_arrows(read_by, reached, composition):
+    """read_by: SOURCE: the files that compiling it read. Yields a line for each wrong arrow."""
+    for source, files in sorted(read_by.items()):
+        allowed = set(reached.get(folder_of(source), ()))
+        if not allowed:
+            yield f"{source}: its folder is not in the table"
+        for folder in composition.get(source, ()):
+            allowed |= reached[folder]
+        for file in sorted(files):
+            if folder_of(file) not in allowed:
+                yield f"{source} reads {file}: {folder_of(source)} must not include {folder_of(file)}"
+
+
+def read_by_sources(build):
+    """From ninja's record: SOURCE: the project's files that were read. A batch of sources read them together."""
+    record = subprocess.run(["ninja", "-C", build, "-t", "deps"], check=True, capture_output=True, text=True).stdout
+    known = {}
+
+    def relative(name):
+        if name not in known:
+            path = (pathlib.Path(build) / name).resolve()
+            known[name] = str(path.relative_to(ROOT)) if path.is_relative_to(ROOT) else None
+        return known[name]
+
+    read_by = collections.defaultdict(set)
+    for block in record.split("\n\n"):
+        head, *lines = block.splitlines() or [""]
+        if "STALE" in head:
+            continue
+        files = {file for line in lines if (file := relative(line.strip()))}
+        files = {file for file in files if file.startswith(("src/", "oracle/", "fuzz/", "tests/"))}
+        for source in files:
+            if source.endswith(".cpp"):
+                read_by[source] |= files
+    return read_by
+
+
+def check(build):
+    reached = closure(ARROWS)
+    read_by = read_by_sources(build)
+    complaints = list(wrong_arrows(read_by, reached, COMPOSITION))
+    seen = {folder_of(source) for source in read_by}
+    complaints += [f"nothing of {folder} was compiled in {build}" for folder in ("src/morse", "oracle", "fuzz/judge")
+                   if folder not in seen]
+    for complaint in complaints:
+        print("FAIL:", complaint)
+    if not complaints:
+        print(f"{len(read_by)} sources in {len(seen)} folders: every arrow is in the table, which has no cycle")
+    return 1 if complaints else 0
+
+
+def self_test():
+    reached = closure({"a": [], "b": ["a"], "c": ["b"], "d": []})
+    assert reached["c"] == {"a", "b", "c"}
+    right = {"b/x.cpp": {"b/x.cpp", "a/include/p/y.h"}, "c/main.cpp": {"c/main.cpp", "d/z.h", "a/y.h"}}
+    assert list(wrong_arrows(right, reached, {"c/main.cpp": ["d"]})) == []
+    assert list(wrong_arrows({"a/x.cpp": {"b/y.h"}}, reached, {})) == ["a/x.cpp reads b/y.h: a must not include b"]
+    assert list(wrong_arrows({"c/x.cpp": {"d/z.h"}}, reached, {"c/main.cpp": ["d"]})) != []
+    assert list(wrong_arrows({"e/x.cpp": set()}, reached, {})) == ["e/x.cpp: its folder is not in the table"]
+    try:
+        closure({"a": ["b"], "b": ["a"]})
+    except ValueError as error:
+        assert str(error) == "a cycle: a -> b -> a"
+    else:
+        raise AssertionError("a cycle is not found")
+    print("finds arrows upwards, folders that it does not know, and cycles")
+    return 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    sys.exit(self_test() if sys.argv[1] == "--self-test" else check(sys.argv[1]))
