@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The README's adapter, "Add your format", is one: copied out of it and put in as it says, it builds, reads what the text says that the
+# The adapter of src/io/README.md, "Add your format", is one: copied out of it and put in as it says, it builds, reads what the text says that the
 # program prints, and refuses what is not so with file and line.
 # CITES: FC-CLAIM-01
 #
@@ -22,8 +22,8 @@ awk '
   inside && /^```/ { exit }
   inside { print }
   marked && /^```/ { inside = 1; marked = 0 }
-  $0 == "<!-- example: adapter -->" { marked = 1 }' "$root/README.md" >"$scratch/io/claims/read_my_claim.cpp"
-[ -s "$scratch/io/claims/read_my_claim.cpp" ] || fail "README.md has no adapter"
+  $0 == "<!-- example: adapter -->" { marked = 1 }' "$root/src/io/README.md" >"$scratch/io/claims/read_my_claim.cpp"
+[ -s "$scratch/io/claims/read_my_claim.cpp" ] || fail "src/io/README.md has no adapter"
 lines=$(wc -l <"$scratch/io/claims/read_my_claim.cpp")
 [ "$lines" -le 50 ] || fail "the adapter has $lines lines: it should take 50"
 

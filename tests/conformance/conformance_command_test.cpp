@@ -375,7 +375,7 @@ TEST_F(ConformanceCommand, TellsAUserHowFarItIs) {
 // The README's example, in a folder with a program build/flowcert.
 TEST_F(ConformanceCommand, DoesWhatTheReadmeSays) {
   CITES("FC-CLAIM-03");
-  const auto lines = lines_of(content_of(FLOWCERT_README));
+  const auto lines = lines_of(content_of(FLOWCERT_FUZZ_README));
   auto line = std::ranges::find(lines, "<!-- example: conformance -->");
   ASSERT_LT(line, lines.end() - 3);
   const std::string typed = *(line += 2);

@@ -321,7 +321,7 @@ TEST(OrbitCommand, WhatIsNoInputIsStatus2) {
 
 // The block after <!-- example: orbit --> is a command line after a dollar, and all that it prints.
 TEST(OrbitCommand, TheReadmesExampleIsRight) {
-  const Words lines = lines_of(content_of(FLOWCERT_README));
+  const Words lines = lines_of(content_of(FLOWCERT_CLI_README));
   auto line = std::find(lines.begin(), lines.end(), "<!-- example: orbit -->");
   ASSERT_GT(lines.end() - line, 3);
   line += 2;  // the mark, the fence

@@ -294,7 +294,7 @@ TEST(PersistenceCommand, ReadsStandardInput) {
 
 // The block after <!-- example: persistence --> is a command line after a dollar, and all that it prints.
 TEST(PersistenceCommand, TheReadmesExampleIsRight) {
-  const Words lines = lines_of(content_of(FLOWCERT_README));
+  const Words lines = lines_of(content_of(FLOWCERT_CLI_README));
   auto line = std::find(lines.begin(), lines.end(), "<!-- example: persistence -->");
   ASSERT_GT(lines.end() - line, 3);
   line += 2;  // the mark, the fence

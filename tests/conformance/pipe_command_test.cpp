@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "fuzz/families.h"
+#include "fuzz/inputs/families.h"
 #include "tests/cites.h"
 #include "tests/conformance/case_texts.h"
 
@@ -446,7 +446,7 @@ TEST(Verify, ToleranceIsOfTheUser) {
 // ---- The README ----
 
 std::string readme_block(const std::string& name) {
-  const Words lines = lines_of(content_of(FLOWCERT_README));
+  const Words lines = lines_of(content_of(FLOWCERT_FUZZ_README));
   auto line = std::find(lines.begin(), lines.end(), "<!-- example: " + name + " -->");
   EXPECT_GT(lines.end() - line, 3) << name;
   std::string block;

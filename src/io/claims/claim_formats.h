@@ -1,7 +1,7 @@
 // The formats of claims, one file each (spec/formats.md, "Claims, read"); read_claim.cpp tries them in order.
 //
 // To add one: a file that defines a ClaimFormat, its declaration below, and its place in the list of
-// read_claim.cpp. README.md has an example.
+// read_claim.cpp. src/io/README.md has an example.
 #pragma once
 
 #include <string_view>
