@@ -12,6 +12,8 @@
 
 namespace flowcert {
 
+using namespace certify;
+
 inline ClaimedNumber number(const Rational& value) { return {value, true}; }
 inline ClaimedPosition exactly(const RationalPoint& x) { return {number(x[0]), number(x[1]), number(x[2])}; }
 

@@ -17,6 +17,8 @@
 #include "voronoi/voronoi_faces.h"
 
 namespace flowcert::fuzz {
+
+using namespace voronoi;
 namespace {
 
 // ---- Words and buckets ----

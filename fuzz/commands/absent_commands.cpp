@@ -6,7 +6,7 @@
 
 #include "fuzz/commands/commands.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 namespace {
 
@@ -28,4 +28,4 @@ void add_fuzz_command(CLI::App& app, int&) { add_absent_command(app, "fuzz"); }
 void add_generate_command(CLI::App& app, int&) { add_absent_command(app, "generate"); }
 void add_verify_command(CLI::App& app, int&) { add_absent_command(app, "verify"); }
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

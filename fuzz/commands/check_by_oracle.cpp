@@ -3,11 +3,11 @@
 #include "fuzz/commands/commands.h"
 #include "fuzz/judge/oracle_truth.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 void add_check_command(CLI::App& app, int& status) {
-  add_check_command(
+  cli::add_check_command(
       app, status, {kMostPointsForOracle, [](const std::vector<Point>& rows) { return oracle_truth(rows); }});
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

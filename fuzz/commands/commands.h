@@ -3,8 +3,9 @@
 #pragma once
 
 #include "cli/command.h"
+#include "fuzz/commands/layer.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 // `check --oracle` asks the oracle.
 void add_check_command(CLI::App& app, int& status);
@@ -13,4 +14,4 @@ void add_fuzz_command(CLI::App& app, int& status);
 void add_generate_command(CLI::App& app, int& status);
 void add_verify_command(CLI::App& app, int& status);
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

@@ -23,7 +23,7 @@
 #include "io/number_text.h"
 #include "io/output_file.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 namespace {
 
@@ -270,4 +270,4 @@ void add_conformance_command(CLI::App& app, int& status) {
   command->callback([options, &status] { status = conformance(*options); });
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

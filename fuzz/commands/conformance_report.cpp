@@ -13,7 +13,7 @@
 #include "cli/xml_text.h"
 #include "fuzz/judge/conformance_words.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 namespace {
 
@@ -363,4 +363,4 @@ void write_conformance_junit(std::ostream& out, const ConformanceReport& report)
   out << "</testsuites>\n";
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

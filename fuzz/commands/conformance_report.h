@@ -6,9 +6,10 @@
 #include <iosfwd>
 #include <vector>
 
+#include "fuzz/commands/layer.h"
 #include "fuzz/judge/conformance_run.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 struct ConformanceReport {
   const Vectors& vectors;
@@ -25,4 +26,4 @@ void print_conformance_text(const ConformanceReport& report, std::size_t most);
 void print_conformance_json(const ConformanceReport& report);
 void write_conformance_junit(std::ostream& out, const ConformanceReport& report);
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

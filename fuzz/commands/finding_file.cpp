@@ -7,7 +7,7 @@
 
 #include "flowcert/point_set.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 fuzz::Finding read_finding(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -24,4 +24,4 @@ fuzz::Finding read_finding(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

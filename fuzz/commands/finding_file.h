@@ -4,10 +4,11 @@
 #include <filesystem>
 
 #include "fuzz/campaign/finding.h"
+#include "fuzz/commands/layer.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 // Throws InvalidInput, "FILE:LINE: reason" or "FILE: reason".
 [[nodiscard]] fuzz::Finding read_finding(const std::filesystem::path& path);
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

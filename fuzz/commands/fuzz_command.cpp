@@ -14,7 +14,7 @@
 #include "fuzz/commands/fuzz_report.h"
 #include "fuzz/judge/interruption.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 namespace {
 
@@ -181,4 +181,4 @@ void add_fuzz_command(CLI::App& app, int& status) {
   });
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

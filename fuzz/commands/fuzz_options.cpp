@@ -19,7 +19,7 @@
 #include "fuzz/judge/peer_property.h"
 #include "io/number_text.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 namespace {
 
@@ -268,4 +268,4 @@ void print_families() {
   print_columns(rows, "ll");
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

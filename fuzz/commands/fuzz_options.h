@@ -11,12 +11,13 @@
 #include <vector>
 
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/commands/layer.h"
 
 namespace CLI {
 class App;
 }  // namespace CLI
 
-namespace flowcert {
+namespace flowcert::commands {
 
 struct FuzzOptions {
   std::string families;  // "list", or NAME[:WEIGHT],...
@@ -56,4 +57,4 @@ void require_startable(const fuzz::CampaignPlan& plan);
 
 void print_families();
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

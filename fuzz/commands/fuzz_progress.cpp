@@ -12,7 +12,7 @@
 
 #include "cli/command.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 namespace {
 
@@ -97,4 +97,4 @@ void FuzzProgress::operator()(std::size_t under_way) {
   lines_drawn_ = lines.size();
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

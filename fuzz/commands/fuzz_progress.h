@@ -9,8 +9,9 @@
 #include <optional>
 
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/commands/layer.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 class FuzzProgress {
  public:
@@ -40,4 +41,4 @@ class FuzzProgress {
   bool is_terminal_;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

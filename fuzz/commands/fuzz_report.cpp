@@ -16,7 +16,7 @@
 #include "fuzz/judge/command_template.h"
 #include "fuzz/judge/conformance_words.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 namespace {
 
@@ -248,4 +248,4 @@ int verdict_of(const fuzz::Campaign& campaign) {
   return campaign.findings().empty() ? kRight : kNegativeVerdict;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

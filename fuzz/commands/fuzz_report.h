@@ -5,8 +5,9 @@
 
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/campaign/one_case.h"
+#include "fuzz/commands/layer.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 struct FuzzRun {
   const fuzz::Campaign& campaign;
@@ -25,4 +26,4 @@ void print_fuzz(const FuzzRun& run, bool json);
 // The exit status: whether a case failed.
 [[nodiscard]] int verdict_of(const fuzz::Campaign& campaign);
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

@@ -21,7 +21,7 @@
 #include "io/number_text.h"
 #include "io/output_file.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 namespace {
 
@@ -136,4 +136,4 @@ void add_generate_command(CLI::App& app, int& status) {
   });
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

@@ -10,7 +10,7 @@
 #include "fuzz/judge/command_template.h"
 #include "io/number_text.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 std::string has_in(const std::string& command) {
   return has_place(command, "{in}") ? "" : "there is no {in} in the command";
@@ -29,4 +29,4 @@ std::string fault_of_seconds(const std::string& word, double most, const std::st
   return is_right ? "" : fmt::format("{} is no number of seconds, of at most {}", in_quotes(word), span);
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

@@ -5,7 +5,9 @@
 
 #include <string>
 
-namespace flowcert {
+#include "fuzz/commands/layer.h"
+
+namespace flowcert::commands {
 
 // A place {in} is in the command.
 [[nodiscard]] std::string has_in(const std::string& command);
@@ -14,4 +16,4 @@ namespace flowcert {
 // A positive number of seconds, at most so many, which are `span` ("a day"). CLI11's range takes nan for one.
 [[nodiscard]] std::string fault_of_seconds(const std::string& word, double most, const std::string& span);
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

@@ -13,7 +13,7 @@
 #include "fuzz/judge/oracle_truth.h"
 #include "io/output_file.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 namespace {
 
@@ -92,4 +92,4 @@ void add_verify_command(CLI::App& app, int& status) {
   command->callback([options, &status] { status = verify(*options); });
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

@@ -12,7 +12,7 @@
 #include "cli/table.h"
 #include "cli/xml_text.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 namespace {
 
@@ -244,4 +244,4 @@ void write_verify_junit(std::ostream& out, const Verification& verification) {
   out << "  </testsuite>\n</testsuites>\n";
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

@@ -6,7 +6,7 @@
 
 #include "io/number_text.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 namespace {
 
@@ -83,4 +83,4 @@ bool AnswerReader::next(Answer& answer) {
   return true;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

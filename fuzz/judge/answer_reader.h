@@ -9,9 +9,10 @@
 #include <iosfwd>
 #include <string>
 
+#include "fuzz/judge/layer.h"
 #include "io/line_reader.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 struct Answer {
   LinePlace place;  // of its first line
@@ -39,4 +40,4 @@ class AnswerReader {
   std::size_t number_ = 0;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

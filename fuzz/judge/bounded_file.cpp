@@ -11,7 +11,7 @@
 
 #include "flowcert/point_set.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::string read_bounded(const std::string& path, std::size_t most, const std::s
   reject(name, fmt::format("more than {} bytes are not read", most));
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

@@ -6,9 +6,11 @@
 #include <cstddef>
 #include <string>
 
-namespace flowcert {
+#include "fuzz/judge/layer.h"
+
+namespace flowcert::judge {
 
 // Throws InvalidInput, "NAME: reason", for what is missing, no regular file, or longer than `most` bytes.
 [[nodiscard]] std::string read_bounded(const std::string& path, std::size_t most, const std::string& name);
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

@@ -8,7 +8,7 @@
 
 #include "io/number_text.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::string point_file_name(const PointFileStyle& style) {
   return style.format == PointFileFormat::kXyz ? "points.xyz" : "points.off";
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

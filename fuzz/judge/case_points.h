@@ -10,7 +10,7 @@
 
 #include "fuzz/judge/vector_cases.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 enum class PointFileFormat { kXyz, kOff };
 
@@ -25,4 +25,4 @@ struct PointFileStyle {
 // "points.xyz"
 [[nodiscard]] std::string point_file_name(const PointFileStyle& style);
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

@@ -20,7 +20,7 @@
 #include "io/number_text.h"
 #include "io/output_file.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 namespace {
 
@@ -239,4 +239,4 @@ CaseOutcome run_case(const VectorCase& one, const ConformanceOptions& options, c
   return CaseRun(one, options, folder.path(), is_cancelled).result();
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

@@ -6,11 +6,11 @@
 
 #include "fuzz/judge/conformance_run.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 // In a new folder in `scratch`, gone afterwards. If is_cancelled, what is returned means nothing.
 [[nodiscard]] CaseOutcome run_case(const VectorCase& one, const ConformanceOptions& options,
                                    const std::filesystem::path& scratch,
                                    const std::function<bool()>& is_cancelled);
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

@@ -12,7 +12,7 @@
 #include "io/number_text.h"
 #include "io/output_file.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 namespace {
 
@@ -93,4 +93,4 @@ void write_text_file(const fs::path& path, const std::string& text) {
   if (!file) throw OutputError(path.string() + ": cannot be written");
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

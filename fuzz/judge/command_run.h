@@ -12,7 +12,7 @@
 
 #include "fuzz/judge/limited_program.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 struct CommandOrder {
   std::string command;  // with {in}; the answer is the file {out}, or standard output
@@ -52,4 +52,4 @@ struct CommandRun {
 // Throws OutputError.
 void write_text_file(const std::filesystem::path& path, const std::string& text);
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

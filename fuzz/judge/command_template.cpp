@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace flowcert {
+namespace flowcert::judge {
 
 // Words without a meaning for the shell stay as they are, so that a user's own quotes around a place, "{in}",
 // do no harm.
@@ -43,4 +43,4 @@ std::string filled_in(std::string_view command,
   return text;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
-namespace flowcert {
+#include "fuzz/judge/layer.h"
+
+namespace flowcert::judge {
 
 [[nodiscard]] bool has_place(std::string_view command, std::string_view place);
 
@@ -18,4 +20,4 @@ namespace flowcert {
 [[nodiscard]] std::string filled_in(std::string_view command,
                                     const std::vector<std::pair<std::string, std::string>>& values);
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

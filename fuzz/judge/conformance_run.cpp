@@ -12,7 +12,7 @@
 #include "fuzz/judge/interruption.h"
 #include "fuzz/judge/scratch_folder.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 namespace {
 
@@ -78,4 +78,4 @@ std::vector<CaseOutcome> run_conformance(const std::vector<const VectorCase*>& c
   return ConformanceRun(cases, options, progress).outcomes();
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

@@ -19,7 +19,7 @@
 #include "fuzz/judge/limited_program.h"
 #include "fuzz/judge/vector_cases.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 enum class RunOutcome {
   kConforms,
@@ -80,4 +80,4 @@ struct ConformanceOptions {
     const std::vector<const VectorCase*>& cases, const ConformanceOptions& options,
     const std::function<void(std::size_t done, std::size_t total)>& progress);
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace flowcert {
+namespace flowcert::judge {
 
 namespace {
 
@@ -48,4 +48,4 @@ std::string persistence_finding_words(const PairDifference& difference) {
   return one_line(fmt::format("persistence: claimed {}; truth: {}", difference.claimed, difference.truth));
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

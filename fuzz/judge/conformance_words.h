@@ -5,7 +5,7 @@
 
 #include "fuzz/judge/conformance_run.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 // "level 3: missing [FC-CLAIM-03]: claimed nothing; truth: ..."
 [[nodiscard]] std::string finding_words(const Finding& finding);
@@ -19,4 +19,4 @@ namespace flowcert {
 // What a program under test has written, for a line of a report: without control characters, and not endless.
 [[nodiscard]] std::string one_line(const std::string& text);
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

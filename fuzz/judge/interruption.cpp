@@ -5,7 +5,7 @@
 
 #include <atomic>
 
-namespace flowcert {
+namespace flowcert::judge {
 
 namespace {
 
@@ -38,4 +38,4 @@ Interruption::~Interruption() { replace_handlers(note, SIG_DFL); }
 
 int Interruption::signal() { return noted; }
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

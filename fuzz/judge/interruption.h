@@ -4,7 +4,9 @@
 // shell's background job) stays so. One object at a time.
 #pragma once
 
-namespace flowcert {
+#include "fuzz/judge/layer.h"
+
+namespace flowcert::judge {
 
 class Interruption {
  public:
@@ -22,4 +24,4 @@ struct Interrupted {
   int signal = 0;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

@@ -18,7 +18,7 @@
 #include <thread>
 #include <utility>
 
-namespace flowcert {
+namespace flowcert::judge {
 
 namespace {
 
@@ -196,4 +196,4 @@ std::string signal_text(int number) {
   return name == nullptr ? "signal " + std::to_string(number) : std::string("SIG") + name;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

@@ -15,7 +15,9 @@
 #include <functional>
 #include <string>
 
-namespace flowcert {
+#include "fuzz/judge/layer.h"
+
+namespace flowcert::judge {
 
 struct ProgramLimits {
   double seconds = 10;
@@ -47,4 +49,4 @@ struct ProgramEnd {
 // "SIGSEGV"
 [[nodiscard]] std::string signal_text(int number);
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

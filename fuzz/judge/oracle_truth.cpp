@@ -11,7 +11,7 @@
 #include "oracle/orbit.h"
 #include "oracle/stable_pieces.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 namespace {
 
@@ -171,4 +171,4 @@ std::unique_ptr<Truth> oracle_truth(const std::vector<Point>& rows, oracle::Answ
   return std::make_unique<OracleTruth>(triples(rows), std::move(answer));
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "flowcert/check.h"
+#include "fuzz/judge/layer.h"
 #include "oracle/stationary_points.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 // Its search takes time n^5.
 inline constexpr std::size_t kMostPointsForOracle = 100;
@@ -20,4 +21,4 @@ inline constexpr std::size_t kMostPointsForOracle = 100;
 // left to do.
 [[nodiscard]] std::unique_ptr<Truth> oracle_truth(const std::vector<Point>& rows, oracle::Answer answer);
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

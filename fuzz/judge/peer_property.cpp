@@ -19,7 +19,7 @@
 #include "fuzz/properties/input_points.h"
 #include "io/output_file.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 namespace {
 
@@ -125,4 +125,4 @@ property::Property peer_property(const PeerOptions& options) {
           .check = [peer](const property::Trial& trial) { return peer->judge(trial.input); }};
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

@@ -13,7 +13,7 @@
 #include "fuzz/judge/limited_program.h"
 #include "fuzz/properties/property.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 struct PeerOptions {
   std::string command;  // with {in}, and {out}, or else standard output
@@ -29,4 +29,4 @@ inline constexpr char kPeerProperty[] = "against";
 // used in several processes at once, forked ones that end without unwinding.
 [[nodiscard]] property::Property peer_property(const PeerOptions& options);
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

@@ -7,7 +7,7 @@
 #include <string>
 #include <system_error>
 
-namespace flowcert {
+namespace flowcert::judge {
 
 namespace fs = std::filesystem;
 
@@ -40,4 +40,4 @@ ScratchFolder::~ScratchFolder() {
   fs::remove_all(path_, ignored);
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

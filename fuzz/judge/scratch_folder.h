@@ -3,7 +3,9 @@
 
 #include <filesystem>
 
-namespace flowcert {
+#include "fuzz/judge/layer.h"
+
+namespace flowcert::judge {
 
 class ScratchFolder {
  public:
@@ -21,4 +23,4 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

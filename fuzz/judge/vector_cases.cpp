@@ -13,7 +13,7 @@
 #include "io/number_text.h"
 #include "io/rational_text.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 namespace {
 
@@ -266,4 +266,4 @@ Vectors read_vectors(const std::string& folder) {
   return vectors;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

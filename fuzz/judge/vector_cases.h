@@ -11,12 +11,13 @@
 #include <vector>
 
 #include "flowcert/point_set.h"
+#include "fuzz/judge/layer.h"
 #include "io/claims/orbit_claim.h"
 #include "io/claims/pair_claim.h"
 #include "io/json_fields.h"
 #include "oracle/stationary_points.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 enum class CaseResult { kDetermined, kAcceptable, kInvalid };
 
@@ -77,4 +78,4 @@ struct Vectors {
 
 [[nodiscard]] Vectors read_vectors(const std::string& folder);
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

@@ -3,7 +3,7 @@
 
 #include "fuzz/judge/oracle_truth.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 namespace {
 
@@ -42,4 +42,4 @@ class VectorTruth final : public Truth {
 
 std::unique_ptr<Truth> vector_truth(const VectorCase& one) { return std::make_unique<VectorTruth>(one); }
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

@@ -10,9 +10,9 @@
 #include "flowcert/check.h"
 #include "fuzz/judge/vector_cases.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 // The case, which must not be an invalid one, must outlive it.
 [[nodiscard]] std::unique_ptr<Truth> vector_truth(const VectorCase& one);
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

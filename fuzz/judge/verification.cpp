@@ -14,7 +14,7 @@
 #include "io/number_text.h"
 #include "io/output_file.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 namespace {
 
@@ -185,4 +185,4 @@ std::vector<std::pair<std::size_t, std::size_t>> Verification::unanswered_ranges
   return ranges;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

@@ -18,7 +18,7 @@
 #include "fuzz/inputs/case_stream.h"
 #include "fuzz/judge/answer_reader.h"
 
-namespace flowcert {
+namespace flowcert::judge {
 
 // In the order in which reports list them.
 enum class Outcome : std::uint8_t {
@@ -111,4 +111,4 @@ class Verification {
   std::size_t too_large_ = 0;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::judge

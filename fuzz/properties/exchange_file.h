@@ -19,8 +19,8 @@ inline std::string exchange_file(const std::vector<Point>& rows) {
   UnstableManifolds u2(delaunay, stationary);
   StableManifolds s2(delaunay, stationary);
   std::ostringstream out;
-  write_manifolds(out, points, stationary, {.u2 = &u2, .polylines = true, .s2 = &s2, .skeletons = true},
-                  coordinates_sha256(rows));
+  io::write_manifolds(out, points, stationary, {.u2 = &u2, .polylines = true, .s2 = &s2, .skeletons = true},
+                      coordinates_sha256(rows));
   return out.str();
 }
 

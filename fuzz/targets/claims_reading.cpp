@@ -8,6 +8,8 @@
 #include "io/line_reader.h"
 
 namespace flowcert::fuzz {
+
+using namespace io;
 namespace {
 
 // Names of rows are below the most rows that there can be.

@@ -8,6 +8,8 @@
 #include "io/gzip_stream.h"
 
 namespace flowcert::fuzz {
+
+using namespace io;
 namespace {
 
 std::string gzipped(std::string text) {

@@ -8,7 +8,7 @@
 
 #include "certify/finding_words.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 namespace {
 
@@ -147,4 +147,4 @@ void Boundaries::conclude() {
   questions_.clear();
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

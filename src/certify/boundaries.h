@@ -13,7 +13,7 @@
 
 #include "certify/check_run.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 // Whether a tie leaves the boundary of a stationary point open (FC-CHAIN-02).
 [[nodiscard]] bool has_tie(Truth& truth, std::size_t record);
@@ -45,4 +45,4 @@ class Boundaries {
   std::vector<std::vector<std::uint32_t>> basis_;  // by highest record; empty where there is none
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

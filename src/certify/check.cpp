@@ -7,8 +7,11 @@
 
 #include "certify/check_run.h"
 #include "certify/finding_words.h"
+#include "certify/layer.h"
 
 namespace flowcert {
+
+using namespace certify;
 
 namespace {
 
@@ -110,6 +113,62 @@ CheckReport check(const PointSet& points, const Claim& claim, Truth& truth, cons
 CheckReport check(const PointSet& points, const Claim& claim, const CheckOptions& options) {
   const std::unique_ptr<Truth> truth = fast_truth(points);
   return check(points, claim, *truth, options);
+}
+
+const char* verdict_text(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kConforms:
+      return "conforms";
+    case Verdict::kConformsWhereDetermined:
+      return "conforms where determined";
+    case Verdict::kFails:
+      break;
+  }
+  return "fails";
+}
+
+const char* reason_text(FindingReason reason) {
+  switch (reason) {
+    case FindingReason::kMalformed:
+      return "malformed";
+    case FindingReason::kNotCospherical:
+      return "not-cospherical";
+    case FindingReason::kBallNotEmpty:
+      return "ball-not-empty";
+    case FindingReason::kContactIncomplete:
+      return "contact-incomplete";
+    case FindingReason::kOutsideHull:
+      return "outside-hull";
+    case FindingReason::kCollisionAsCritical:
+      return "collision-as-critical";
+    case FindingReason::kWrongIndex:
+      return "wrong-index";
+    case FindingReason::kWrongPosition:
+      return "wrong-position";
+    case FindingReason::kRounding:
+      return "rounding";
+    case FindingReason::kMissing:
+      return "missing";
+    case FindingReason::kMissedByCluster:
+      return "missed-by-cluster";
+    case FindingReason::kClaimedTwice:
+      return "claimed-twice";
+    case FindingReason::kAmbiguous:
+      return "ambiguous";
+    case FindingReason::kWrongCounts:
+      return "wrong-counts";
+    case FindingReason::kWrongIncidence:
+      return "wrong-incidence";
+    case FindingReason::kWrongPolyline:
+      return "wrong-polyline";
+    case FindingReason::kWrongSurface:
+      return "wrong-surface";
+    case FindingReason::kSpanningPart:
+      return "spanning-part";
+    case FindingReason::kSymbolicPerturbation:
+      break;
+  }
+  return "symbolic-perturbation";
 }
 
 }  // namespace flowcert

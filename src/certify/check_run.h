@@ -12,7 +12,7 @@
 #include "certify/value_match.h"
 #include "flowcert/check.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 // How well a claimed contact set names the stationary point that it has the centre of.
 enum class Fit {
@@ -88,4 +88,4 @@ bool check_incidences(CheckRun& run);
 bool check_polylines(CheckRun& run);
 bool check_surfaces(CheckRun& run);
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

@@ -9,7 +9,7 @@
 #include "geometry/predicates.h"
 #include "geometry/rational_point.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 namespace {
 
@@ -104,4 +104,4 @@ NearestSamples nearest_samples(const PointSet& points, const RationalPoint& x) {
   return nearest;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

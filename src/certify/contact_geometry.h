@@ -6,9 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "certify/layer.h"
 #include "flowcert/stationary_points.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 [[nodiscard]] const Point& sample(const PointSet& points, PointId name);
 
@@ -32,4 +33,4 @@ struct NearestSamples {
 };
 [[nodiscard]] NearestSamples nearest_samples(const PointSet& points, const RationalPoint& x);
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace flowcert {
+namespace flowcert::certify {
 
 ContactIndex::ContactIndex(const PointSet& points, const Truth& truth)
     : points_(points), truth_(truth), first_(points.size() + 1, 0) {
@@ -44,4 +44,4 @@ std::vector<std::size_t> ContactIndex::larger(std::span<const PointId> names) co
   return result;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

@@ -10,9 +10,10 @@
 #include <span>
 #include <vector>
 
+#include "certify/layer.h"
 #include "flowcert/check.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 class ContactIndex {
  public:
@@ -38,4 +39,4 @@ class ContactIndex {
   std::vector<std::uint32_t> records_;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

@@ -1,12 +1,15 @@
 // The truth by the fast implementation (flowcert/check.h).
 #include <optional>
 
+#include "certify/layer.h"
 #include "flowcert/check.h"
 #include "flowcert/stable_manifolds.h"
 #include "flowcert/unstable_manifolds.h"
 #include "morse/record_finder.h"
 
 namespace flowcert {
+
+using namespace certify;
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include "certify/value_match.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 namespace {
 
@@ -21,62 +21,6 @@ std::string double_text(double value) {
 }
 
 }  // namespace
-
-const char* verdict_text(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kConforms:
-      return "conforms";
-    case Verdict::kConformsWhereDetermined:
-      return "conforms where determined";
-    case Verdict::kFails:
-      break;
-  }
-  return "fails";
-}
-
-const char* reason_text(FindingReason reason) {
-  switch (reason) {
-    case FindingReason::kMalformed:
-      return "malformed";
-    case FindingReason::kNotCospherical:
-      return "not-cospherical";
-    case FindingReason::kBallNotEmpty:
-      return "ball-not-empty";
-    case FindingReason::kContactIncomplete:
-      return "contact-incomplete";
-    case FindingReason::kOutsideHull:
-      return "outside-hull";
-    case FindingReason::kCollisionAsCritical:
-      return "collision-as-critical";
-    case FindingReason::kWrongIndex:
-      return "wrong-index";
-    case FindingReason::kWrongPosition:
-      return "wrong-position";
-    case FindingReason::kRounding:
-      return "rounding";
-    case FindingReason::kMissing:
-      return "missing";
-    case FindingReason::kMissedByCluster:
-      return "missed-by-cluster";
-    case FindingReason::kClaimedTwice:
-      return "claimed-twice";
-    case FindingReason::kAmbiguous:
-      return "ambiguous";
-    case FindingReason::kWrongCounts:
-      return "wrong-counts";
-    case FindingReason::kWrongIncidence:
-      return "wrong-incidence";
-    case FindingReason::kWrongPolyline:
-      return "wrong-polyline";
-    case FindingReason::kWrongSurface:
-      return "wrong-surface";
-    case FindingReason::kSpanningPart:
-      return "spanning-part";
-    case FindingReason::kSymbolicPerturbation:
-      break;
-  }
-  return "symbolic-perturbation";
-}
 
 std::string names_text(std::span<const PointId> names) {
   std::string text;
@@ -127,4 +71,4 @@ const Finding& telling_finding(const std::vector<Finding>& findings) {
   return of_a_point == findings.end() ? findings.front() : *of_a_point;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "certify/layer.h"
 #include "flowcert/check.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 // "3 17 20"; long ones are cut short.
 [[nodiscard]] std::string names_text(std::span<const PointId> names);
@@ -25,4 +26,4 @@ namespace flowcert {
 // whole, a count, mostly follows from that. The findings are not empty, and sorted as in a report.
 [[nodiscard]] const Finding& telling_finding(const std::vector<Finding>& findings);
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

@@ -6,7 +6,7 @@
 #include "certify/check_run.h"
 #include "certify/finding_words.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 namespace {
 
@@ -166,4 +166,4 @@ void check_form(CheckRun& run) {
   }
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

@@ -12,7 +12,7 @@
 #include "certify/contact_geometry.h"
 #include "certify/finding_words.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 namespace {
 
@@ -326,4 +326,4 @@ bool check_incidences(CheckRun& run) {
   return judged;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace flowcert {
+namespace flowcert::certify {
 
 namespace {
 
@@ -124,4 +124,4 @@ std::optional<PathDifference> path_difference(const OrbitPath& claimed, const Or
   return difference;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

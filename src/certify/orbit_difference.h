@@ -4,9 +4,10 @@
 #include <optional>
 #include <string>
 
+#include "certify/layer.h"
 #include "io/claims/orbit_claim.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 // The first place where a claimed orbit differs.
 struct PathDifference {
@@ -19,4 +20,4 @@ struct PathDifference {
 // may go on from there, or come to it in another way: that is a permitted difference.
 [[nodiscard]] std::optional<PathDifference> path_difference(const OrbitPath& claimed, const OrbitPath& truth);
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

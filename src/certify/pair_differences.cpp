@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace flowcert {
+namespace flowcert::certify {
 
 namespace {
 
@@ -72,4 +72,4 @@ std::vector<PairDifference> pair_differences(const PairList& claimed, const std:
   return differences_of(only_a, only_b, claimed.is_rounded);
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

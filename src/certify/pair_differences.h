@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "certify/layer.h"
 #include "io/claims/pair_claim.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 // A pair that only one of them has, or one that each of them has in place of the other's.
 struct PairDifference {
@@ -21,4 +22,4 @@ struct PairDifference {
 [[nodiscard]] std::vector<PairDifference> pair_differences(const PairList& claimed,
                                                            const std::vector<ListedPair>& truth);
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

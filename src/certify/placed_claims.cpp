@@ -8,7 +8,7 @@
 #include "certify/contact_geometry.h"
 #include "certify/finding_words.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 namespace {
 
@@ -217,4 +217,4 @@ void check_euler_sum(CheckRun& run) {
                                  "it is " + std::to_string(truth)});
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

@@ -12,7 +12,7 @@
 #include "certify/position_grid.h"
 #include "geometry/rational_point.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 namespace {
 
@@ -147,4 +147,4 @@ void place_points(CheckRun& run) {
   if (by_position) by_position->place();
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

@@ -5,7 +5,7 @@
 #include "certify/check_run.h"
 #include "certify/finding_words.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 namespace {
 
@@ -117,4 +117,4 @@ bool check_polylines(CheckRun& run) {
   return judged;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

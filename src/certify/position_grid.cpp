@@ -7,7 +7,7 @@
 
 #include "certify/value_match.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 namespace {
 
@@ -83,4 +83,4 @@ std::vector<std::size_t> PositionGrid::near(const ClaimedPosition& position) con
   return found;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

@@ -10,9 +10,10 @@
 #include <unordered_map>
 #include <vector>
 
+#include "certify/layer.h"
 #include "flowcert/check.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 class PositionGrid {
  public:
@@ -41,4 +42,4 @@ class PositionGrid {
   std::unordered_map<Cell, std::vector<std::size_t>, Hash> cells_;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

@@ -9,7 +9,7 @@
 #include "geometry/enclosing_ball.h"
 #include "geometry/rational_point.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 namespace {
 
@@ -80,7 +80,7 @@ bool is_exactly_right(const ClaimedPoint& point, const ExactSphere& sphere) {
          (point.squared_distance->is_exact && point.squared_distance->value == sphere.squared_radius);
 }
 
-bool is_exact(const ClaimedPoint& point) {
+bool is_exact_throughout(const ClaimedPoint& point) {
   return (!point.center || is_exact(*point.center)) && (!point.distance || point.distance->is_exact) &&
          (!point.squared_distance || point.squared_distance->is_exact);
 }
@@ -136,7 +136,7 @@ void check_stray_claim(CheckRun& run, std::size_t k) {
 void check_values(CheckRun& run, std::size_t k) {
   const ClaimedPoint& point = run.claim.points[k];
   if (!point.center && !point.distance && !point.squared_distance) return;
-  run.report.is_exact = run.report.is_exact && is_exact(point);
+  run.report.is_exact = run.report.is_exact && is_exact_throughout(point);
   const std::vector<WrongValue> wrong = wrong_values(run, point, run.placed[k].place->record);
   // Of an ambiguous claim, what is right of one of those that it may mean is not wrong.
   const bool is_right_elsewhere =
@@ -152,4 +152,4 @@ void check_values(CheckRun& run, std::size_t k) {
   }
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

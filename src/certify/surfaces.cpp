@@ -15,7 +15,7 @@
 #include "certify/finding_words.h"
 #include "geometry/rational_point.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 namespace {
 
@@ -345,4 +345,4 @@ bool check_surfaces(CheckRun& run) {
   return judged;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

@@ -7,7 +7,7 @@
 
 #include "certify/contact_geometry.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 namespace {
 
@@ -59,7 +59,7 @@ Rational ValueScale::squared_allowance() const {
   return exact_tolerance * exact_tolerance * squared_length;
 }
 
-double ValueScale::rounding_length() const { return flowcert::rounding_length(sphere_); }
+double ValueScale::rounding_length() const { return certify::rounding_length(sphere_); }
 
 bool is_exact(const ClaimedPosition& claimed) {
   return claimed[0].is_exact && claimed[1].is_exact && claimed[2].is_exact;
@@ -102,4 +102,4 @@ ValueMatch match_squared_distance(const ClaimedNumber& claimed, const Rational& 
   return wrong(is_rounding(square, squared_radius, scale.rounding_length()));
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

@@ -4,10 +4,11 @@
 
 #include <utility>
 
+#include "certify/layer.h"
 #include "flowcert/claim.h"
 #include "flowcert/stationary_points.h"
 
-namespace flowcert {
+namespace flowcert::certify {
 
 enum class ValueMatch {
   kEqual,     // exact, and equal
@@ -50,4 +51,4 @@ inline constexpr double kRoundingPart = 0x1p-44;
 // As in ValueScale.
 [[nodiscard]] double rounding_length(const ExactSphere& sphere);
 
-}  // namespace flowcert
+}  // namespace flowcert::certify

@@ -12,7 +12,7 @@
 #include "flowcert/claim.h"
 #include "io/output_file.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 namespace {
 
@@ -92,4 +92,4 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
   command->callback([options, oracle, &status] { status = check_claim(*options, oracle); });
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

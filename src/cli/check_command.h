@@ -9,7 +9,7 @@
 #include "cli/command.h"
 #include "flowcert/check.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 // An implementation that shares nothing with this one, for `--oracle`.
 struct OtherTruth {
@@ -20,4 +20,4 @@ struct OtherTruth {
 
 void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle);
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

@@ -9,7 +9,7 @@
 #include "cli/table.h"
 #include "cli/xml_text.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 namespace {
 
@@ -169,4 +169,4 @@ void write_check_junit(std::ostream& out, const CheckedFiles& files, const Check
   out << "  </testsuite>\n</testsuites>\n";
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

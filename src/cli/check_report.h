@@ -10,7 +10,7 @@
 #include "flowcert/check.h"
 #include "io/json_fields.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 struct CheckedFiles {
   std::string points;
@@ -30,4 +30,4 @@ void print_check_text(const CheckedFiles& files, const CheckReport& report, std:
 void print_check_json(const CheckedFiles& files, const CheckReport& report, const std::string& input_sha256);
 void write_check_junit(std::ostream& out, const CheckedFiles& files, const CheckReport& report);
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

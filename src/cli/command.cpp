@@ -8,7 +8,7 @@
 
 #include "flowcert/reproducibility.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 namespace {
 
@@ -48,4 +48,4 @@ Input read_input(const std::string& path) {
   return input;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

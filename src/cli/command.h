@@ -4,13 +4,14 @@
 
 #include <string>
 
+#include "cli/layer.h"
 #include "flowcert/read_points.h"
 
 namespace CLI {
 class App;
 }  // namespace CLI
 
-namespace flowcert {
+namespace flowcert::cli {
 
 inline constexpr int kRight = 0;
 inline constexpr int kNegativeVerdict = 1;
@@ -39,4 +40,4 @@ struct Input {
 // "34,835"
 [[nodiscard]] std::string with_commas(unsigned long long value);
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

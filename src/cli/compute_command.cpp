@@ -16,7 +16,7 @@
 #include "io/output_file.h"
 #include "io/write_manifolds.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 namespace {
 
@@ -142,4 +142,4 @@ void add_compute_command(CLI::App& app, int& status) {
   });
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

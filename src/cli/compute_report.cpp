@@ -7,7 +7,7 @@
 #include "cli/s2_report.h"
 #include "cli/table.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 namespace {
 
@@ -118,4 +118,4 @@ void print_compute_summary(const Input& input, const Measured& measured, const U
   fmt::print("{}\n", summary.dump());
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

@@ -6,7 +6,7 @@
 #include "cli/compute_run.h"
 #include "cli/u2_report.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 // name: of the input, as a person calls it.
 void print_compute_table(const std::string& name, const Input& input, const Measured& measured,
@@ -14,4 +14,4 @@ void print_compute_table(const std::string& name, const Input& input, const Meas
 
 void print_compute_summary(const Input& input, const Measured& measured, const U2Choice& choice);
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

@@ -10,7 +10,7 @@
 
 #include "cli/progress_line.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 namespace {
 
@@ -87,4 +87,4 @@ Measured measure(const PointSet& points, unsigned runs, const WantedManifolds& w
   return result;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

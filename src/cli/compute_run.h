@@ -4,10 +4,11 @@
 #include <memory>
 #include <optional>
 
+#include "cli/layer.h"
 #include "flowcert/stable_manifolds.h"
 #include "flowcert/unstable_manifolds.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 // The order of the members is that of their making: each refers to those before it.
 struct ComputeRun {
@@ -49,4 +50,4 @@ struct Measured {
 // all see the same machine.
 [[nodiscard]] Measured measure(const PointSet& points, unsigned runs, const WantedManifolds& wanted);
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

@@ -11,7 +11,7 @@
 #include "io/json_fields.h"
 #include "io/rational_text.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 namespace {
 
@@ -119,4 +119,4 @@ void add_explain_command(CLI::App& app, int& status) {
   command->callback([options, &status] { status = explain(*options); });
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

@@ -14,7 +14,7 @@
 #include "io/vtk_exports.h"
 #include "io/write_surface.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 namespace {
 
@@ -90,4 +90,4 @@ void write_export_files(const std::string& directory, const std::string& input_n
              [&](std::ostream& out) { write_ply(out, exports.mesh, comment); });
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

@@ -8,7 +8,7 @@
 #include "cli/command.h"
 #include "cli/compute_run.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 // Throws OutputError where there is something that is not a directory, before anything is computed.
 void check_export_directory(const std::string& directory);
@@ -17,4 +17,4 @@ void check_export_directory(const std::string& directory);
 void write_export_files(const std::string& directory, const std::string& input_name, const Input& input,
                         ComputeRun& run);
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

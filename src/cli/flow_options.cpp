@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace flowcert {
+namespace flowcert::cli {
 
 FlowOptions FlowChoice::options() const {
   return {.kernel = kernel == "exact" ? ConstructionKernel::kExact : ConstructionKernel::kLazy,
@@ -26,4 +26,4 @@ std::array<CLI::Option*, 2> add_flow_options(CLI::App& command, FlowChoice& choi
   return {kernel, search};
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "cli/layer.h"
 #include "flowcert/orbit.h"
 
 namespace CLI {
@@ -11,7 +12,7 @@ class App;
 class Option;
 }  // namespace CLI
 
-namespace flowcert {
+namespace flowcert::cli {
 
 struct FlowChoice {
   std::string kernel = "lazy";    // or "exact"
@@ -23,4 +24,4 @@ struct FlowChoice {
 // The two options are returned so that they can be made to need others.
 std::array<CLI::Option*, 2> add_flow_options(CLI::App& command, FlowChoice& choice);
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

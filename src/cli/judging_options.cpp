@@ -7,7 +7,7 @@
 
 #include "io/number_text.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 namespace {
 
@@ -34,4 +34,4 @@ void add_judging_options(CLI::App& command, CheckOptions& options) {
       ->capture_default_str();
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

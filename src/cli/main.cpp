@@ -10,6 +10,7 @@
 #include <new>
 
 #include "cli/command.h"
+#include "cli/layer.h"
 #include "flowcert/reproducibility.h"
 #include "fuzz/commands/commands.h"
 #include "io/output_file.h"
@@ -17,6 +18,8 @@
 namespace {
 
 using namespace flowcert;
+using namespace flowcert::cli;
+using namespace flowcert::commands;
 
 std::string version_text() {
   const Reproducibility made_by = reproducibility();

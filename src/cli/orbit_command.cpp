@@ -14,7 +14,7 @@
 #include "io/orbit_fields.h"
 #include "io/rational_text.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 namespace {
 
@@ -135,4 +135,4 @@ void add_orbit_command(CLI::App& app, int& status) {
   });
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

@@ -13,7 +13,7 @@
 #include "io/output_file.h"
 #include "io/write_persistence.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 namespace {
 
@@ -191,4 +191,4 @@ void add_persistence_command(CLI::App& app, int& status) {
   });
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

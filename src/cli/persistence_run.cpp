@@ -5,7 +5,7 @@
 
 #include "cli/with_progress.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 namespace {
 
@@ -50,4 +50,4 @@ PersistenceRun::PersistenceRun(const PointSet& points, std::uint64_t seed)
       persistence(timed("persistence", seconds.pairs,
                         [&](const auto&) { return Persistence(points, stationary, complex); })) {}
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

@@ -3,9 +3,10 @@
 
 #include <cstdint>
 
+#include "cli/layer.h"
 #include "flowcert/persistence.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 struct PersistenceSeconds {
   double delaunay = 0;
@@ -31,4 +32,4 @@ struct PersistenceRun {
   Persistence persistence;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

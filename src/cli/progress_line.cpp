@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace flowcert {
+namespace flowcert::cli {
 
 namespace {
 
@@ -38,4 +38,4 @@ void ProgressLine::operator()(std::size_t done, std::size_t total) {
   std::fflush(stderr);
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

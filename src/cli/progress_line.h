@@ -9,7 +9,9 @@
 #include <cstddef>
 #include <string>
 
-namespace flowcert {
+#include "cli/layer.h"
+
+namespace flowcert::cli {
 
 class ProgressLine {
  public:
@@ -30,4 +32,4 @@ class ProgressLine {
   bool is_drawn_ = false;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

@@ -7,7 +7,7 @@
 #include "cli/command.h"
 #include "cli/statistics_tables.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 void print_s2_rows(const StationaryPoints& stationary, const StableManifolds& s2) {
   const StableStatistics& statistics = s2.statistics();
@@ -52,4 +52,4 @@ Json s2_field(const U2Choice& choice, const StationaryPoints& stationary, const 
   return object;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

@@ -5,7 +5,7 @@
 #include "cli/u2_report.h"
 #include "flowcert/stable_manifolds.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 void print_s2_rows(const StationaryPoints& stationary, const StableManifolds& s2);
 
@@ -15,4 +15,4 @@ void print_s2_statistics(const StableStatistics& statistics);
 [[nodiscard]] Json s2_field(const U2Choice& choice, const StationaryPoints& stationary,
                             const StableManifolds& s2);
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

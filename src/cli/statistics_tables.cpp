@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace flowcert {
+namespace flowcert::cli {
 
 Json distribution_field(const Distribution& distribution) {
   Json field;
@@ -47,4 +47,4 @@ void print_primitives(const KernelTally& tally) {
   table.print();
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

@@ -7,7 +7,7 @@
 #include "flowcert/flow_statistics.h"
 #include "io/json_fields.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 // count, mean, max, stddev, mode, median, histogram (spec/formats.md, section 3).
 [[nodiscard]] Json distribution_field(const Distribution& distribution);
@@ -20,4 +20,4 @@ void add_distribution(Table& table, const char* name, const Distribution& distri
 // The paper's Table 4.
 void print_primitives(const KernelTally& tally);
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

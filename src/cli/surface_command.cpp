@@ -15,7 +15,7 @@
 #include "io/output_file.h"
 #include "io/write_surface.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 namespace {
 
@@ -122,4 +122,4 @@ void add_surface_command(CLI::App& app, int& status) {
   });
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

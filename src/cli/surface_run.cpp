@@ -3,7 +3,7 @@
 
 #include "cli/with_progress.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 SurfaceRun::SurfaceRun(const PointSet& points_)
     : points(points_),
@@ -36,4 +36,4 @@ Rational SurfaceRun::squared_value(std::size_t number) const {
   return exact_sphere(points, stationary.contact(stable.record(number))).squared_radius;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

@@ -4,9 +4,10 @@
 
 #include <vector>
 
+#include "cli/layer.h"
 #include "flowcert/persistence.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 // The order of the members is that of their making: each refers to those before it.
 struct SurfaceRun {
@@ -26,4 +27,4 @@ struct SurfaceRun {
   StableManifolds stable;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

@@ -8,7 +8,7 @@
 #include "io/claims/claim_numbers.h"
 #include "io/number_text.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::vector<std::size_t> SurfaceSelection::sets(const SurfaceRun& run) const {
   return chosen;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

@@ -11,7 +11,7 @@
 #include "cli/surface_run.h"
 #include "io/line_reader.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 class SurfaceSelection {
  public:
@@ -30,4 +30,4 @@ class SurfaceSelection {
   std::optional<std::size_t> largest_gaps_;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

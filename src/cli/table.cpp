@@ -7,7 +7,7 @@
 
 #include "cli/command.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 void print_row(const std::string& name, const std::string& value, const std::string& remark) {
   fmt::print("{:<34}{:>14}{}{}\n", name, value, remark.empty() ? "" : "   ", remark);
@@ -48,4 +48,4 @@ std::string seconds_text(double seconds) {
   return seconds < 1 ? fmt::format("{:.1f} ms", 1e3 * seconds) : fmt::format("{:.2f} s", seconds);
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

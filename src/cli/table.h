@@ -6,7 +6,9 @@
 #include <string_view>
 #include <vector>
 
-namespace flowcert {
+#include "cli/layer.h"
+
+namespace flowcert::cli {
 
 // "critical points of index 1      97,790   saddles on Gabriel edges"
 void print_row(const std::string& name, const std::string& value, const std::string& remark = "");
@@ -38,4 +40,4 @@ class Table {
 // "69.7 ms", "1.23 s"
 [[nodiscard]] std::string seconds_text(double seconds);
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

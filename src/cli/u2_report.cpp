@@ -12,7 +12,7 @@
 #include "cli/statistics_tables.h"
 #include "flowcert/orbit.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 namespace {
 
@@ -155,4 +155,4 @@ Json u2_field(const U2Choice& choice, const FlowStatistics& statistics) {
   return object;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

@@ -6,7 +6,7 @@
 #include "flowcert/flow_statistics.h"
 #include "io/json_fields.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 struct U2Choice {
   FlowChoice flow;
@@ -22,4 +22,4 @@ void print_u2_statistics(const FlowStatistics& statistics);
 
 [[nodiscard]] Json u2_field(const U2Choice& choice, const FlowStatistics& statistics);
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

@@ -5,7 +5,7 @@
 
 #include "cli/progress_line.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 // What `make` makes, given something to tell its progress to.
 template <typename Make>
@@ -14,4 +14,4 @@ auto with_progress(const char* what, const Make& make) {
   return make(std::ref(progress));
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

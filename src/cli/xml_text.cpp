@@ -1,7 +1,7 @@
 // See xml_text.h.
 #include "cli/xml_text.h"
 
-namespace flowcert {
+namespace flowcert::cli {
 
 std::string xml_text(const std::string& text) {
   std::string escaped;
@@ -27,4 +27,4 @@ std::string xml_text(const std::string& text) {
   return escaped;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

@@ -3,9 +3,11 @@
 
 #include <string>
 
-namespace flowcert {
+#include "cli/layer.h"
+
+namespace flowcert::cli {
 
 // Text of an XML 1.0 document, also within double quotes: whatever it holds, the document stays one.
 [[nodiscard]] std::string xml_text(const std::string& text);
 
-}  // namespace flowcert
+}  // namespace flowcert::cli

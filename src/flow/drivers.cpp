@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace flowcert {
+namespace flowcert::flow {
 
 namespace {
 
@@ -114,4 +114,4 @@ VertexFlow vertex_flow(const VoronoiFaces& faces, CellIndex cluster) {
   return flow;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::flow

@@ -8,10 +8,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "flow/layer.h"
 #include "flowcert/stationary_index.h"
 #include "voronoi/voronoi_faces.h"
 
-namespace flowcert {
+namespace flowcert::flow {
 
 // The point that drives: the centre of the smallest sphere through one, two or three samples.
 struct Driver {
@@ -57,4 +58,4 @@ struct VertexSources {
 // dimension 3. In proportion to the number of facets of the cluster, which is 4 for most.
 [[nodiscard]] VertexFlow vertex_flow(const VoronoiFaces& faces, CellIndex cluster);
 
-}  // namespace flowcert
+}  // namespace flowcert::flow

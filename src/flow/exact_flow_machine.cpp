@@ -2,7 +2,7 @@
 #include "flow/flow_operator.h"
 #include "geometry/exact_kernel.h"
 
-namespace flowcert {
+namespace flowcert::flow {
 
 std::unique_ptr<FlowMachine> make_exact_flow_machine(VoronoiFaces& faces, FacetSearch search) {
   return std::make_unique<FlowOperator<ExactKernel>>(faces, search);
@@ -13,4 +13,4 @@ std::unique_ptr<FlowMachine> make_flow_machine(VoronoiFaces& faces, FlowOptions 
                                                      : make_exact_flow_machine(faces, options.search);
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::flow

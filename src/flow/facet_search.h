@@ -8,11 +8,12 @@
 
 #include <cstddef>
 
+#include "flow/layer.h"
 #include "flowcert/orbit.h"
 #include "geometry/flow_predicates.h"
 #include "voronoi/voronoi_faces.h"
 
-namespace flowcert {
+namespace flowcert::flow {
 
 // Kernel: see flow_predicates.h. Centers: makes the constructed point of a cluster, centers(cluster).
 template <class Kernel, class Centers>
@@ -149,4 +150,4 @@ class RingQuery {
   std::size_t n_;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::flow

@@ -15,7 +15,7 @@
 #include "flowcert/orbit.h"
 #include "voronoi/voronoi_faces.h"
 
-namespace flowcert {
+namespace flowcert::flow {
 
 // A point that the machine keeps, or a Voronoi vertex, which is its own name.
 using PointNumber = std::uint32_t;
@@ -84,4 +84,4 @@ class FlowMachine {
 [[nodiscard]] std::unique_ptr<FlowMachine> make_lazy_flow_machine(VoronoiFaces& faces, FacetSearch search);
 [[nodiscard]] std::unique_ptr<FlowMachine> make_exact_flow_machine(VoronoiFaces& faces, FacetSearch search);
 
-}  // namespace flowcert
+}  // namespace flowcert::flow

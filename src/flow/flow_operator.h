@@ -16,7 +16,7 @@
 #include "flow/obtuse_chain.h"
 #include "geometry/rational_point.h"
 
-namespace flowcert {
+namespace flowcert::flow {
 
 template <class Kernel>
 class FlowOperator final : public FlowMachine {
@@ -296,4 +296,4 @@ class FlowOperator final : public FlowMachine {
   FilterTally angle_tally_;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::flow

@@ -3,7 +3,11 @@
 
 #include <cmath>
 
+#include "flow/layer.h"
+
 namespace flowcert {
+
+using namespace flow;
 
 std::size_t Distribution::count() const {
   std::size_t count = 0;

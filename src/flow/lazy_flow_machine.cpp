@@ -2,10 +2,10 @@
 #include "flow/flow_operator.h"
 #include "geometry/lazy_kernel.h"
 
-namespace flowcert {
+namespace flowcert::flow {
 
 std::unique_ptr<FlowMachine> make_lazy_flow_machine(VoronoiFaces& faces, FacetSearch search) {
   return std::make_unique<FlowOperator<LazyKernel>>(faces, search);
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::flow

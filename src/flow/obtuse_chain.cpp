@@ -5,7 +5,7 @@
 
 #include "geometry/predicates.h"
 
-namespace flowcert {
+namespace flowcert::flow {
 
 namespace {
 
@@ -45,4 +45,4 @@ ObtuseChain obtuse_chain(const VoronoiFaces& faces, FacetName facet, const Facet
   return chain;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::flow

@@ -10,10 +10,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "flow/layer.h"
 #include "flowcert/filter_tally.h"
 #include "voronoi/voronoi_faces.h"
 
-namespace flowcert {
+namespace flowcert::flow {
 
 struct ObtuseChain {
   std::uint32_t first = 0, count = 0;  // of the ring's pieces
@@ -25,4 +26,4 @@ struct ObtuseChain {
 [[nodiscard]] ObtuseChain obtuse_chain(const VoronoiFaces& faces, FacetName facet, const FacetRing& ring,
                                        FilterTally& tally);
 
-}  // namespace flowcert
+}  // namespace flowcert::flow

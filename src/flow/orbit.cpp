@@ -3,9 +3,17 @@
 
 #include <utility>
 
+#include "flow/layer.h"
 #include "flow/segment_record.h"
 
 namespace flowcert {
+
+using namespace flow;
+
+std::string type_text(const std::array<char, 3>& type) {
+  std::string text{type[0], '-', type[1], '-'};
+  return type[2] == 0 ? text + "inf" : text + type[2];
+}
 
 struct Flow::Machine {
   Machine(const Delaunay& delaunay, FlowOptions options)

@@ -6,7 +6,7 @@
 
 #include "flowcert/exact_sphere.h"
 
-namespace flowcert {
+namespace flowcert::flow {
 
 char letter(Place::Kind kind) {
   switch (kind) {
@@ -22,11 +22,6 @@ char letter(Place::Kind kind) {
       break;
   }
   return 0;
-}
-
-std::string type_text(const std::array<char, 3>& type) {
-  std::string text{type[0], '-', type[1], '-'};
-  return type[2] == 0 ? text + "inf" : text + type[2];
 }
 
 std::vector<PointId> SegmentRecorder::contact(const Place& place) const {
@@ -61,4 +56,4 @@ StationaryLimit SegmentRecorder::limit(const Position& at, StationaryIndex index
   return {machine_.exact(at), index, contact(at.place)};
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::flow

@@ -6,7 +6,7 @@
 #include "flow/flow_machine.h"
 #include "flowcert/orbit.h"
 
-namespace flowcert {
+namespace flowcert::flow {
 
 // What turns the machine's own numbers into names and coordinates. All three must outlive it.
 class SegmentRecorder {
@@ -34,4 +34,4 @@ class SegmentRecorder {
   return {letter(start.kind), letter(step.crossed.kind), letter(step.end.place.kind)};
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::flow

@@ -12,7 +12,7 @@
 #include "flowcert/point_set.h"
 #include "geometry/vector3.h"
 
-namespace flowcert {
+namespace flowcert::geometry {
 
 class CommonDenominator {
  public:
@@ -52,4 +52,4 @@ class CommonDenominator {
   mpz_class denominator_ = 1;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::geometry

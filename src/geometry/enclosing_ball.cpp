@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace flowcert {
+namespace flowcert::geometry {
 
 namespace {
 
@@ -27,4 +27,4 @@ RationalPoint enclosing_ball_center(std::span<const Point> points) {
   return {to_rational(center.x()), to_rational(center.y()), to_rational(center.z())};
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::geometry

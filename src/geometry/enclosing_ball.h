@@ -10,8 +10,8 @@
 #include "flowcert/point_set.h"
 #include "flowcert/rational.h"
 
-namespace flowcert {
+namespace flowcert::geometry {
 
 [[nodiscard]] RationalPoint enclosing_ball_center(std::span<const Point> points);
 
-}  // namespace flowcert
+}  // namespace flowcert::geometry

@@ -11,7 +11,7 @@
 #include "flowcert/rational.h"
 #include "geometry/flow_predicates.h"
 
-namespace flowcert {
+namespace flowcert::geometry {
 
 class ExactKernel {
  public:
@@ -22,16 +22,16 @@ class ExactKernel {
   [[nodiscard]] static Point point(const RationalPoint& x) { return {x[0], x[1], x[2]}; }
   [[nodiscard]] Point circumcenter(const std::array<const flowcert::Point*, 4>& p) {
     ++tally_[FlowPrimitive::kCircumcenter].calls;
-    return flowcert::circumcenter(kIn(*p[0]), kIn(*p[1]), kIn(*p[2]), kIn(*p[3]));
+    return geometry::circumcenter(kIn(*p[0]), kIn(*p[1]), kIn(*p[2]), kIn(*p[3]));
   }
   [[nodiscard]] Point circumcenter(const std::array<const flowcert::Point*, 3>& p) {
     ++tally_[FlowPrimitive::kCircumcenter].calls;
-    return flowcert::circumcenter(kIn(*p[0]), kIn(*p[1]), kIn(*p[2]));
+    return geometry::circumcenter(kIn(*p[0]), kIn(*p[1]), kIn(*p[2]));
   }
   [[nodiscard]] Point crossing(const Point& x, const flowcert::Point& p0, const flowcert::Point& p1,
                                const flowcert::Point& q) {
     ++tally_[FlowPrimitive::kCrossing].calls;
-    return flowcert::crossing(x, kIn(p0), kIn(p1), kIn(q));
+    return geometry::crossing(x, kIn(p0), kIn(p1), kIn(q));
   }
 
   [[nodiscard]] static RationalPoint exact(const Point& x) { return {x.x, x.y, x.z}; }
@@ -62,4 +62,4 @@ class ExactKernel {
   KernelTally& tally_;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::geometry

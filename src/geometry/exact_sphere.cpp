@@ -14,6 +14,8 @@
 
 namespace flowcert {
 
+using namespace geometry;
+
 namespace {
 
 using Vector = Vector3<BigInteger>;

@@ -14,7 +14,7 @@
 #include "geometry/sign.h"
 #include "geometry/vector3.h"
 
-namespace flowcert {
+namespace flowcert::geometry {
 
 // 2 (x - m)
 template <class Number>
@@ -149,4 +149,4 @@ template <class Number>
   return p0 + factor * sphere.numerator;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::geometry

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace flowcert {
+namespace flowcert::geometry {
 
 namespace {
 
@@ -74,4 +74,4 @@ template Vector3<BigInteger> IntegerGrid::vector_between(const Point&, const Poi
 template Vector3<NarrowInteger> IntegerGrid::vector_between(const Point&, const Point&) const;
 template Vector3<WideInteger> IntegerGrid::vector_between(const Point&, const Point&) const;
 
-}  // namespace flowcert
+}  // namespace flowcert::geometry

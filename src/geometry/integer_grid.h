@@ -15,7 +15,7 @@
 #include "flowcert/point_set.h"
 #include "geometry/vector3.h"
 
-namespace flowcert {
+namespace flowcert::geometry {
 
 namespace mp = boost::multiprecision;
 
@@ -57,4 +57,4 @@ class IntegerGrid {
   int top_exponent_;  // all coordinates are below 2^top_exponent_ in absolute value
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::geometry

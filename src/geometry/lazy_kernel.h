@@ -19,7 +19,7 @@
 #include "geometry/common_denominator.h"
 #include "geometry/flow_predicates.h"
 
-namespace flowcert {
+namespace flowcert::geometry {
 
 class LazyKernel {
   using Cgal = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -150,7 +150,7 @@ class LazyKernel {
 
     Intervals::Point_3 operator()(const Intervals::Point_3& x) const {
       const InIntervals in;
-      const Vector3<Interval> end = flowcert::crossing(in(x), in(p0), in(p1), in(q));
+      const Vector3<Interval> end = geometry::crossing(in(x), in(p0), in(p1), in(q));
       return {end.x, end.y, end.z};
     }
   };
@@ -208,4 +208,4 @@ class LazyKernel {
   KernelTally& tally_;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::geometry

@@ -9,6 +9,8 @@
 
 namespace flowcert {
 
+using namespace geometry;
+
 namespace {
 
 std::tuple<double, double, double> key(const Point& p) { return {p.x, p.y, p.z}; }

@@ -9,7 +9,7 @@
 #include "geometry/integer_grid.h"
 #include "geometry/vector3.h"
 
-namespace flowcert {
+namespace flowcert::geometry {
 
 namespace {
 
@@ -166,4 +166,4 @@ template Sign exact_sign(const OutsideSphere&, FilterTally&);
 template Sign exact_sign(const Orientation&, FilterTally&);
 template Sign exact_sign(const OutsideCircle&, FilterTally&);
 
-}  // namespace flowcert
+}  // namespace flowcert::geometry

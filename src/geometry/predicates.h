@@ -20,7 +20,7 @@
 #include "flowcert/point_set.h"
 #include "geometry/sign.h"
 
-namespace flowcert {
+namespace flowcert::geometry {
 
 // Degree 6 in lengths of this range stays within the normal doubles, 2^-53 times it too; and what underflow
 // can take away (less than 2^-1074 times a few lengths) is far below one u of any bound.
@@ -78,4 +78,4 @@ template <class Query>
 template <class Query>
 [[nodiscard]] Sign unfiltered_sign(const Query& query);
 
-}  // namespace flowcert
+}  // namespace flowcert::geometry

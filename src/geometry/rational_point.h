@@ -7,7 +7,7 @@
 #include "flowcert/point_set.h"
 #include "flowcert/rational.h"
 
-namespace flowcert {
+namespace flowcert::geometry {
 
 [[nodiscard]] inline RationalPoint exact_position(const Point& p) {
   return {Rational(p.x), Rational(p.y), Rational(p.z)};
@@ -21,4 +21,4 @@ namespace flowcert {
   return squared_distance(x, exact_position(p));
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::geometry

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace flowcert {
+namespace flowcert::geometry {
 
 enum class Sign : std::int8_t { kNegative = -1, kZero = 0, kPositive = 1 };
 
@@ -25,4 +25,4 @@ template <class Number>
   return std::nullopt;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::geometry

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace flowcert {
+namespace flowcert::geometry {
 
 namespace {
 
@@ -158,4 +158,4 @@ bool on_sphere(const TetrahedronPoints& points, const CellSphere& sphere, const 
   return unfiltered_sign(OutsideSphere{*points[0], *points[1], *points[2], *points[3], q}) == Sign::kZero;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::geometry

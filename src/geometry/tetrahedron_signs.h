@@ -12,7 +12,7 @@
 #include "geometry/predicates.h"
 #include "geometry/vector3.h"
 
-namespace flowcert {
+namespace flowcert::geometry {
 
 // Facet i of a cell is the one opposite its vertex i; (i, j) with i != j is the angle of facet i at the
 // cell's vertex j, and bit 4 i + j of a mask. A facet's mask is thus four neighbouring bits.
@@ -56,4 +56,4 @@ using TetrahedronPoints = std::array<const Point*, 4>;
 [[nodiscard]] bool on_sphere(const TetrahedronPoints& points, const CellSphere& sphere, const Point& q,
                              FilterTally& tally);
 
-}  // namespace flowcert
+}  // namespace flowcert::geometry

@@ -6,7 +6,7 @@
 
 #include "flowcert/point_set.h"
 
-namespace flowcert {
+namespace flowcert::geometry {
 
 template <class Number>
 struct Vector3 {
@@ -78,4 +78,4 @@ template <class Number>
   return sphere;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::geometry

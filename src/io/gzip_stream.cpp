@@ -11,7 +11,7 @@
 
 #include "io/line_reader.h"
 
-namespace flowcert {
+namespace flowcert::io {
 namespace {
 
 // Added to zlib's window size: only streams with a gzip header are taken.
@@ -71,4 +71,4 @@ std::string gunzip(std::string_view bytes, std::string_view file) {
   return output;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

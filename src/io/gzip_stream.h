@@ -8,7 +8,9 @@
 #include <string>
 #include <string_view>
 
-namespace flowcert {
+#include "io/layer.h"
+
+namespace flowcert::io {
 
 // Whether the first two bytes are those of a gzip stream.
 [[nodiscard]] bool is_gzip(std::string_view bytes);
@@ -16,4 +18,4 @@ namespace flowcert {
 // The concatenated contents of the streams (RFC 1952: a file may hold several) in `bytes`.
 [[nodiscard]] std::string gunzip(std::string_view bytes, std::string_view file);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -10,7 +10,7 @@
 
 #include "io/line_reader.h"
 
-namespace flowcert {
+namespace flowcert::io {
 namespace {
 
 // An open file, closed however the function that holds it is left. Standard input stays open.
@@ -50,4 +50,4 @@ std::string read_bytes(const std::string& path) {
   }
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -3,7 +3,7 @@
 
 #include "flowcert/reproducibility.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 Json header_fields(const char* format, int format_version, const std::string& input_sha256) {
   const Reproducibility made_by = reproducibility();
@@ -46,4 +46,4 @@ Json double_field(const Rational& value) {
   return nearest ? Json(*nearest) : Json(nullptr);
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -6,8 +6,9 @@
 #include "flowcert/point_set.h"
 #include "flowcert/rational.h"
 #include "flowcert/stationary_points.h"
+#include "io/layer.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 // Keys stay in the order in which the formats list them.
 using Json = nlohmann::ordered_json;
@@ -25,4 +26,4 @@ void add_counts(Json& object, const PointSet& points, const StationaryPoints& st
 // null where the nearest double would overflow.
 [[nodiscard]] Json double_field(const Rational& value);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

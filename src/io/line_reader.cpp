@@ -6,7 +6,7 @@
 
 #include "io/number_text.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 void reject_file(std::string_view file, const std::string& reason) {
   throw InvalidInput(std::string(file) + ": " + reason);
@@ -88,4 +88,4 @@ Point first_three(Fields& fields, const LinePlace& place) {
   return {.x = numbers[0], .y = numbers[1], .z = numbers[2]};
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

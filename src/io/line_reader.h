@@ -10,8 +10,9 @@
 #include <string_view>
 
 #include "flowcert/point_set.h"
+#include "io/layer.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 // Throws InvalidInput "FILE: reason".
 [[noreturn]] void reject_file(std::string_view file, const std::string& reason);
@@ -78,4 +79,4 @@ class Fields {
 
 [[nodiscard]] inline bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

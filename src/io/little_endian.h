@@ -9,7 +9,9 @@
 #include <string>
 #include <type_traits>
 
-namespace flowcert {
+#include "io/layer.h"
+
+namespace flowcert::io {
 
 template <std::unsigned_integral Bits>
 void append_little_endian(std::string& bytes, Bits bits) {
@@ -23,4 +25,4 @@ void append_little_endian(std::string& bytes, Number value) {
   append_little_endian(bytes, static_cast<std::make_unsigned_t<Number>>(value));
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

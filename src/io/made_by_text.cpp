@@ -5,7 +5,7 @@
 
 #include "flowcert/reproducibility.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 std::string made_by_text(const char* format, int format_version, const std::string& input_sha256) {
   const Reproducibility made_by = reproducibility();
@@ -14,4 +14,4 @@ std::string made_by_text(const char* format, int format_version, const std::stri
                      made_by.compiler, made_by.cgal, input_sha256);
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <system_error>
 
-namespace flowcert {
+namespace flowcert::io {
 namespace {
 
 constexpr const char* kNotANumber = "not a number";
@@ -181,4 +181,4 @@ std::string in_quotes(std::string_view text) {
   return result + "'";
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -9,7 +9,9 @@
 #include <string>
 #include <string_view>
 
-namespace flowcert {
+#include "io/layer.h"
+
+namespace flowcert::io {
 
 struct NumberText {
   double value = 0;
@@ -23,4 +25,4 @@ struct NumberText {
 // `text` for a message: in single quotes, on one line and not long, whatever it holds.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -1,7 +1,7 @@
 // See orbit_fields.h.
 #include "io/orbit_fields.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 Json segment_field(const FlowSegment& segment) {
   Json field;
@@ -34,4 +34,4 @@ Json limit_field(const PointSet& points, const std::optional<StationaryLimit>& l
   return field;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

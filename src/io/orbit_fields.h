@@ -6,7 +6,7 @@
 #include "flowcert/orbit.h"
 #include "io/json_fields.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 // type, driver, end.
 [[nodiscard]] Json segment_field(const FlowSegment& segment);
@@ -17,4 +17,4 @@ namespace flowcert {
 // kind, index, position, contact, squared_distance of where an orbit ends; none: infinity.
 [[nodiscard]] Json limit_field(const PointSet& points, const std::optional<StationaryLimit>& limit);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace flowcert {
+namespace flowcert::io {
 
 namespace {
 
@@ -127,4 +127,4 @@ void OutputFile::fail(const std::string& what) const {
   throw OutputError(path_ + ": cannot be written: " + what);
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

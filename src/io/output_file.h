@@ -10,7 +10,9 @@
 #include <stdexcept>
 #include <string>
 
-namespace flowcert {
+#include "io/layer.h"
+
+namespace flowcert::io {
 
 // One line that names the file and why it cannot be written.
 class OutputError : public std::runtime_error {
@@ -37,4 +39,4 @@ class OutputFile {
   std::ofstream stream_;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::io

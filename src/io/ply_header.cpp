@@ -10,7 +10,7 @@
 
 #include "io/number_text.h"
 
-namespace flowcert {
+namespace flowcert::io {
 namespace {
 
 constexpr auto kTypeNames =
@@ -193,4 +193,4 @@ PlyHeader read_ply_header(LineReader& lines) {
   return header;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

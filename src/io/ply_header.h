@@ -13,7 +13,7 @@
 
 #include "io/line_reader.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 enum class PlyEncoding { kAscii, kLittleEndian, kBigEndian };
 
@@ -51,4 +51,4 @@ struct PlyHeader {
 // Leaves `lines` at the first byte after the header.
 [[nodiscard]] PlyHeader read_ply_header(LineReader& lines);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -7,8 +7,9 @@
 #include <string_view>
 
 #include "flowcert/read_points.h"
+#include "io/layer.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 [[nodiscard]] PointFile read_xyz(std::string_view text, std::string_view file);
 [[nodiscard]] PointFile read_off(std::string_view text, std::string_view file);
@@ -20,4 +21,4 @@ namespace flowcert {
 // Whether `word` can begin a line of an OBJ file.
 [[nodiscard]] bool is_obj_keyword(std::string_view word);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -10,7 +10,7 @@
 #include "flowcert/point_set.h"
 #include "io/number_text.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 namespace {
 
@@ -72,4 +72,4 @@ RationalPoint parse_rational_point(std::string_view text) {
   return {parse_rational(parts[0]), parse_rational(parts[1]), parse_rational(parts[2])};
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -5,8 +5,9 @@
 #include <string_view>
 
 #include "flowcert/rational.h"
+#include "io/layer.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 // Throws InvalidInput, one line, for what is no number.
 [[nodiscard]] Rational parse_rational(std::string_view text);
@@ -18,4 +19,4 @@ namespace flowcert {
 // Three numbers that parse_rational takes, separated by commas or blanks.
 [[nodiscard]] RationalPoint parse_rational_point(std::string_view text);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

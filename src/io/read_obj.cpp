@@ -8,7 +8,7 @@
 #include "io/line_reader.h"
 #include "io/point_formats.h"
 
-namespace flowcert {
+namespace flowcert::io {
 namespace {
 
 // Of all the lines that an OBJ file can have.
@@ -37,4 +37,4 @@ bool is_obj_keyword(std::string_view word) {
   return std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

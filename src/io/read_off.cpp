@@ -14,7 +14,7 @@
 #include "io/number_text.h"
 #include "io/point_formats.h"
 
-namespace flowcert {
+namespace flowcert::io {
 namespace {
 
 struct OffCounts {
@@ -86,4 +86,4 @@ bool is_off_keyword(std::string_view word) {
   return word == "OFF" || word == "COFF" || word == "NOFF" || word == "CNOFF";
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -16,7 +16,7 @@
 #include "io/ply_header.h"
 #include "io/point_formats.h"
 
-namespace flowcert {
+namespace flowcert::io {
 namespace {
 
 [[noreturn]] void reject_missing_rows(const PlyElement& element, std::uint64_t found, std::string_view file) {
@@ -211,4 +211,4 @@ PointFile read_ply(std::string_view bytes, std::string_view file) {
   return points;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

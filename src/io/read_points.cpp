@@ -6,10 +6,13 @@
 
 #include "io/gzip_stream.h"
 #include "io/input_bytes.h"
+#include "io/layer.h"
 #include "io/line_reader.h"
 #include "io/point_formats.h"
 
 namespace flowcert {
+
+using namespace io;
 namespace {
 
 enum class Format { kXyz, kOff, kPly, kObj };

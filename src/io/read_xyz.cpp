@@ -7,7 +7,7 @@
 #include "io/line_reader.h"
 #include "io/point_formats.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 PointFile read_xyz(std::string_view text, std::string_view file) {
   PointFile points;
@@ -20,4 +20,4 @@ PointFile read_xyz(std::string_view text, std::string_view file) {
   return points;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -11,7 +11,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include "io/layer.h"
+
 namespace flowcert {
+
+using namespace io;
 
 Reproducibility reproducibility() {
 #ifdef __clang__

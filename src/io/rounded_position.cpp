@@ -1,7 +1,7 @@
 // See rounded_position.h.
 #include "io/rounded_position.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 BeyondDoubles::BeyondDoubles()
     : InvalidInput(
@@ -18,4 +18,4 @@ Point rounded(const RationalPoint& position) {
   return {rounded(position[0]), rounded(position[1]), rounded(position[2])};
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

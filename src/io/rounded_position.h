@@ -3,8 +3,9 @@
 
 #include "flowcert/point_set.h"
 #include "flowcert/rational.h"
+#include "io/layer.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 class BeyondDoubles : public InvalidInput {
  public:
@@ -15,4 +16,4 @@ class BeyondDoubles : public InvalidInput {
 [[nodiscard]] double rounded(const Rational& value);
 [[nodiscard]] Point rounded(const RationalPoint& position);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -1,7 +1,7 @@
 // See skeleton_fields.h.
 #include "io/skeleton_fields.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 namespace {
 
@@ -55,4 +55,4 @@ Json skeleton_field(const StableSet& set) {
   return field;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -1,7 +1,7 @@
 // See stationary_records.h.
 #include "io/stationary_records.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 namespace {
 
@@ -40,4 +40,4 @@ void write_stationary_records(std::ostream& out, const PointSet& points, const S
   if (progress) progress(stationary.size(), stationary.size());
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -8,7 +8,7 @@
 
 #include "io/json_fields.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 // Told the place of a record in the list.
 using FurtherKeys = std::function<void(std::size_t i, Json& record)>;
@@ -19,4 +19,4 @@ void write_stationary_records(std::ostream& out, const PointSet& points, const S
                               const std::string& input_sha256, const FurtherKeys& add_further_keys,
                               const std::function<void(std::size_t done, std::size_t total)>& progress);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -10,7 +10,7 @@
 #include "geometry/rational_point.h"
 #include "io/rounded_position.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 namespace {
 
@@ -91,4 +91,4 @@ SurfaceMesh surface_mesh(const PointSet& points, StableManifolds& s2, std::span<
   return builder.take();
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

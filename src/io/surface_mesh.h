@@ -14,8 +14,9 @@
 #include <vector>
 
 #include "flowcert/stable_manifolds.h"
+#include "io/layer.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 struct SurfaceMesh {
   std::vector<Point> vertices;
@@ -31,4 +32,4 @@ struct SurfaceMesh {
                                        std::span<const std::size_t> sets,
                                        const std::function<void(std::size_t, std::size_t)>& progress = {});
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -7,7 +7,7 @@
 #include "geometry/rational_point.h"
 #include "io/rounded_position.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 namespace {
 
@@ -209,4 +209,4 @@ PolyData VtkExports::stable_surfaces(const StableManifolds& s2, const SurfaceMes
   return data;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

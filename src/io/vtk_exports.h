@@ -11,7 +11,7 @@
 #include "io/surface_mesh.h"
 #include "io/vtp_writer.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 using ExportProgress = std::function<void(std::size_t done, std::size_t total)>;
 
@@ -33,4 +33,4 @@ class VtkExports {
   std::vector<Rational> squared_values_;  // by record
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::io

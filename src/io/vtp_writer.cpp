@@ -6,7 +6,7 @@
 
 #include "io/little_endian.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 namespace {
 
@@ -90,4 +90,4 @@ void write_vtp(std::ostream& out, const PolyData& data, const std::string& comme
   document.text("</VTKFile>");
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

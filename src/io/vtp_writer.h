@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "flowcert/point_set.h"
+#include "io/layer.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 // A number a point or a cell.
 struct VtpArray {
@@ -35,4 +36,4 @@ struct PolyData {
 // comment: of one line, without "--".
 void write_vtp(std::ostream& out, const PolyData& data, const std::string& comment);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

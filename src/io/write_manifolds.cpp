@@ -6,7 +6,7 @@
 #include "io/skeleton_fields.h"
 #include "io/stationary_records.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 namespace {
 
@@ -79,4 +79,4 @@ void write_manifolds(std::ostream& out, const PointSet& points, const Stationary
   write_stationary_records(out, points, stationary, input_sha256, std::ref(add_further_keys), progress);
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -9,8 +9,9 @@
 
 #include "flowcert/stable_manifolds.h"
 #include "flowcert/unstable_manifolds.h"
+#include "io/layer.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 // None is written where there is none.
 struct ManifoldsToWrite {
@@ -25,4 +26,4 @@ void write_manifolds(std::ostream& out, const PointSet& points, const Stationary
                      const ManifoldsToWrite& manifolds, const std::string& input_sha256,
                      const std::function<void(std::size_t done, std::size_t total)>& progress = {});
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -8,7 +8,7 @@
 
 #include "flowcert/reproducibility.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 namespace {
 
@@ -97,4 +97,4 @@ Json pairs_field(const PersistenceDiagram& diagram, const StationaryPoints& stat
   return pairs;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

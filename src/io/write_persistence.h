@@ -10,7 +10,7 @@
 #include "flowcert/persistence.h"
 #include "io/json_fields.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 // What is written of persistence.
 class PersistenceDiagram {
@@ -45,4 +45,4 @@ class PersistenceDiagram {
 // An array of all pairs, exact.
 [[nodiscard]] Json pairs_field(const PersistenceDiagram& diagram, const StationaryPoints& stationary);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

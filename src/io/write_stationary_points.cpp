@@ -1,9 +1,12 @@
 // See flowcert/write_stationary_points.h.
 #include "flowcert/write_stationary_points.h"
 
+#include "io/layer.h"
 #include "io/stationary_records.h"
 
 namespace flowcert {
+
+using namespace io;
 
 void write_stationary_points(std::ostream& out, const PointSet& points, const StationaryPoints& stationary,
                              const std::string& input_sha256,

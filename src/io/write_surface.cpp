@@ -6,7 +6,7 @@
 
 #include "io/little_endian.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 void write_ply(std::ostream& out, const SurfaceMesh& mesh, const std::string& comment) {
   out << fmt::format(
@@ -31,4 +31,4 @@ void write_off(std::ostream& out, const SurfaceMesh& mesh, const std::string& co
   for (const auto& [a, b, c] : mesh.triangles) out << fmt::format("3 {} {} {}\n", a, b, c);
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -8,10 +8,10 @@
 
 #include "io/surface_mesh.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 // comment: one line.
 void write_ply(std::ostream& out, const SurfaceMesh& mesh, const std::string& comment);
 void write_off(std::ostream& out, const SurfaceMesh& mesh, const std::string& comment);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

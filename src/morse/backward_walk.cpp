@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-namespace flowcert {
+namespace flowcert::morse {
 
 FrontNumber BackwardWalk::add(const Front& front) {
   fronts_.push_back(front);
@@ -68,4 +68,4 @@ BackwardWalk::Back BackwardWalk::step(FrontNumber front, FacetName facet) {
   return {std::nullopt, step.is_midpoint, add(back)};
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::morse

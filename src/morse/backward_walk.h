@@ -13,7 +13,7 @@
 #include "flow/flow_machine.h"
 #include "morse/gabriel_edges.h"
 
-namespace flowcert {
+namespace flowcert::morse {
 
 using FrontNumber = std::uint32_t;
 
@@ -68,4 +68,4 @@ class BackwardWalk {
   std::vector<FrontNumber> pending_;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::morse

@@ -5,8 +5,11 @@
 #include <map>
 
 #include "flowcert/stable_manifolds.h"
+#include "morse/layer.h"
 
 namespace flowcert {
+
+using namespace morse;
 
 namespace {
 

@@ -8,7 +8,7 @@
 
 #include "flow/drivers.h"
 
-namespace flowcert {
+namespace flowcert::morse {
 
 namespace {
 
@@ -140,4 +140,4 @@ void add_mod_2(std::vector<std::uint32_t>& chain, std::vector<std::uint32_t>& su
   }
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::morse

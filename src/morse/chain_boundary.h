@@ -11,7 +11,7 @@
 #include "morse/backward_walk.h"
 #include "morse/tie_breaking.h"
 
-namespace flowcert {
+namespace flowcert::morse {
 
 // Records of index 1, some of them several times. root: the centre of the polygon with these samples.
 [[nodiscard]] std::vector<std::uint32_t> tie_broken_boundary(const VoronoiFaces& faces, BackwardWalk& walk,
@@ -22,4 +22,4 @@ namespace flowcert {
 // Appends what is there an odd number of times, ascending. Sorts `chain`.
 void add_mod_2(std::vector<std::uint32_t>& chain, std::vector<std::uint32_t>& sum);
 
-}  // namespace flowcert
+}  // namespace flowcert::morse

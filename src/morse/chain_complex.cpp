@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "morse/layer.h"
 #include "morse/record_finder.h"
 #include "morse/tie_breaking.h"
 
 namespace flowcert {
+
+using namespace morse;
 
 namespace {
 

@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <map>
 
+#include "morse/layer.h"
+
 namespace flowcert {
+
+using namespace morse;
 
 std::vector<std::vector<std::size_t>> connecting_orbits(const StableSet& set,
                                                         const RationalPoint& stationary) {

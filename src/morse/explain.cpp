@@ -5,8 +5,11 @@
 
 #include "geometry/enclosing_ball.h"
 #include "geometry/rational_point.h"
+#include "morse/layer.h"
 
 namespace flowcert {
+
+using namespace morse;
 
 namespace {
 

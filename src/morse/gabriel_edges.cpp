@@ -6,7 +6,7 @@
 
 #include "morse/record_finder.h"
 
-namespace flowcert {
+namespace flowcert::morse {
 
 GabrielEdges::GabrielEdges(const PointSet& points, const StationaryPoints& stationary,
                            std::span<const VertexIndex> vertex_of)
@@ -28,4 +28,4 @@ GabrielEdges::GabrielEdges(const PointSet& points, const StationaryPoints& stati
   }
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::morse

@@ -10,9 +10,10 @@
 #include <vector>
 
 #include "flowcert/stationary_points.h"
+#include "morse/layer.h"
 #include "voronoi/voronoi_faces.h"
 
-namespace flowcert {
+namespace flowcert::morse {
 
 class GabrielEdges {
  public:
@@ -37,4 +38,4 @@ class GabrielEdges {
   std::vector<Edge> edges_;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::morse

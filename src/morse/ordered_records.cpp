@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-namespace flowcert {
+namespace flowcert::morse {
 
 // Room for what scans have: about 3 saddles of index 1 and 2 of index 2 a point.
 OrderedRecords::OrderedRecords(std::span<const std::uint32_t> positions) : positions_(positions) {
@@ -68,4 +68,4 @@ StationaryPoints OrderedRecords::list(const PointSet& points) const {
   return list;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::morse

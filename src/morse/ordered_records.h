@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "flowcert/stationary_points.h"
+#include "morse/layer.h"
 #include "voronoi/compact_delaunay.h"
 
-namespace flowcert {
+namespace flowcert::morse {
 
 class OrderedRecords {
  public:
@@ -44,4 +45,4 @@ class OrderedRecords {
   std::vector<std::vector<std::uint32_t>> large_;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::morse

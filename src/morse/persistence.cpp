@@ -6,9 +6,12 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "morse/layer.h"
 #include "morse/record_finder.h"
 
 namespace flowcert {
+
+using namespace morse;
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace flowcert {
+namespace flowcert::morse {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::optional<std::size_t> RecordFinder::find(StationaryIndex index, std::span<c
   return found;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::morse

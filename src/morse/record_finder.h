@@ -9,8 +9,9 @@
 #include <utility>
 
 #include "flowcert/stationary_points.h"
+#include "morse/layer.h"
 
-namespace flowcert {
+namespace flowcert::morse {
 
 class RecordFinder {
  public:
@@ -27,4 +28,4 @@ class RecordFinder {
   const StationaryPoints& list_;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::morse

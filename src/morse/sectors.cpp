@@ -7,7 +7,7 @@
 #include "flow/obtuse_chain.h"
 #include "geometry/vector3.h"
 
-namespace flowcert {
+namespace flowcert::morse {
 
 namespace {
 
@@ -94,4 +94,4 @@ SectorParts sector_of(VoronoiFaces& faces, FlowMachine& machine, FacetName facet
   return parts;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::morse

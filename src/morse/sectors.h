@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "flow/flow_machine.h"
+#include "morse/layer.h"
 
-namespace flowcert {
+namespace flowcert::morse {
 
 // An open arc of a Voronoi edge.
 struct Arc {
@@ -29,4 +30,4 @@ struct SectorParts {
 [[nodiscard]] SectorParts sector_of(VoronoiFaces& faces, FlowMachine& machine, FacetName facet,
                                     const Arc& arc);
 
-}  // namespace flowcert
+}  // namespace flowcert::morse

@@ -10,10 +10,13 @@
 #include "flow/segment_record.h"
 #include "morse/backward_walk.h"
 #include "morse/chain_boundary.h"
+#include "morse/layer.h"
 #include "morse/record_finder.h"
 #include "morse/sectors.h"
 
 namespace flowcert {
+
+using namespace morse;
 
 namespace {
 

@@ -6,11 +6,14 @@
 
 #include <algorithm>
 
+#include "morse/layer.h"
 #include "morse/ordered_records.h"
 #include "voronoi/planar_complex.h"
 #include "voronoi/voronoi_complex.h"
 
 namespace flowcert {
+
+using namespace morse;
 
 namespace {
 

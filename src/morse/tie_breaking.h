@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace flowcert {
+#include "morse/layer.h"
+
+namespace flowcert::morse {
 
 class TieBreaking {
  public:
@@ -28,4 +30,4 @@ class TieBreaking {
   bool is_random_;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::morse

@@ -12,9 +12,12 @@
 #include <vector>
 
 #include "flow/segment_record.h"
+#include "morse/layer.h"
 #include "morse/record_finder.h"
 
 namespace flowcert {
+
+using namespace morse;
 
 namespace {
 

@@ -13,8 +13,9 @@
 
 #include "flowcert/delaunay.h"
 #include "flowcert/point_set.h"
+#include "voronoi/layer.h"
 
-namespace flowcert {
+namespace flowcert::voronoi {
 
 using VertexIndex = std::uint32_t;
 using CellIndex = std::uint32_t;
@@ -70,4 +71,4 @@ struct CompactDelaunay {
 // O(cells), one copy.
 [[nodiscard]] CompactDelaunay compact_copy(const Delaunay& delaunay);
 
-}  // namespace flowcert
+}  // namespace flowcert::voronoi

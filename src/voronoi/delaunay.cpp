@@ -14,8 +14,11 @@
 #include <vector>
 
 #include "voronoi/compact_delaunay.h"
+#include "voronoi/layer.h"
 
 namespace flowcert {
+
+using namespace voronoi;
 
 namespace {
 
@@ -123,7 +126,7 @@ CellIndex number_cells(const Cgal& cgal, int corners, std::size_t vertex_count) 
 
 }  // namespace
 
-CompactDelaunay compact_copy(const Delaunay& delaunay) {
+CompactDelaunay voronoi::compact_copy(const Delaunay& delaunay) {
   const Cgal& cgal = delaunay.triangulation().cgal;
   CompactDelaunay copy;
   copy.dimension = cgal.dimension();

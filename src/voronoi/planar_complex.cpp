@@ -5,7 +5,7 @@
 
 #include "geometry/predicates.h"
 
-namespace flowcert {
+namespace flowcert::voronoi {
 
 PlanarComplex::PlanarComplex(CompactDelaunay delaunay, FilterTally& tally) : delaunay_(std::move(delaunay)) {
   const CellIndex count = delaunay_.finite_count;
@@ -49,4 +49,4 @@ bool PlanarComplex::is_diagonal(FacetRef edge) const {
   return delaunay_.is_finite(other) && polygon_of_[other] == polygon_of_[edge.cell];
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::voronoi

@@ -12,7 +12,7 @@
 #include "geometry/sign.h"
 #include "voronoi/compact_delaunay.h"
 
-namespace flowcert {
+namespace flowcert::voronoi {
 
 class PlanarComplex {
  public:
@@ -36,4 +36,4 @@ class PlanarComplex {
   std::vector<std::vector<CellIndex>> polygons_;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::voronoi

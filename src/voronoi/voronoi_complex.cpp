@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace flowcert {
+namespace flowcert::voronoi {
 
 namespace {
 
@@ -269,4 +269,4 @@ std::vector<PolygonSide> sides_of(const VoronoiComplex& complex, std::span<const
   return sides;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::voronoi

@@ -15,7 +15,7 @@
 #include "geometry/tetrahedron_signs.h"
 #include "voronoi/compact_delaunay.h"
 
-namespace flowcert {
+namespace flowcert::voronoi {
 
 class VoronoiComplex {
  public:
@@ -94,4 +94,4 @@ struct PolygonSide {
 [[nodiscard]] std::vector<PolygonSide> sides_of(const VoronoiComplex& complex,
                                                 std::span<const FacetRef> polygon);
 
-}  // namespace flowcert
+}  // namespace flowcert::voronoi

@@ -7,7 +7,7 @@
 
 #include "geometry/rational_point.h"
 
-namespace flowcert {
+namespace flowcert::voronoi {
 
 namespace {
 
@@ -382,4 +382,4 @@ std::vector<VertexIndex> VoronoiFaces::contact(const Place& place) const {
   return contact;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::voronoi

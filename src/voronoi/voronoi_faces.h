@@ -21,7 +21,7 @@
 #include "voronoi/planar_complex.h"
 #include "voronoi/voronoi_complex.h"
 
-namespace flowcert {
+namespace flowcert::voronoi {
 
 // A Voronoi edge: always the same one of the Delaunay facets that make up its polygon. In a coplanar input,
 // "facet 3" of one of the polygon's triangles.
@@ -167,4 +167,4 @@ class VoronoiFaces {
   std::vector<std::uint32_t> order_;  // a large ring's places by polygon, then its places by cluster
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::voronoi

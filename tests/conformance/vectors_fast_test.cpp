@@ -21,6 +21,8 @@
 #include "tests/conformance/vector_files.h"
 
 namespace flowcert::conformance {
+
+using namespace io;
 namespace {
 
 PointSet fast_points(const Json& one) { return PointSet(read_points_from(xyz_text(one), "case.xyz").rows); }

@@ -26,6 +26,8 @@
 #include "tests/true_claims.h"
 
 namespace flowcert::property {
+
+using namespace certify;
 namespace {
 
 constexpr int kInputsPerFamily = 60;

@@ -22,6 +22,8 @@
 #include "tests/unit/portable_random.h"
 
 namespace flowcert {
+
+using namespace geometry;
 namespace {
 
 using flowcert_tests::draw_tuple;

@@ -14,6 +14,9 @@
 #include "tests/cites.h"
 
 namespace flowcert {
+
+using namespace flow;
+using namespace morse;
 namespace {
 
 std::vector<Point> rows_of(const fuzz::Input& input) {

@@ -20,6 +20,8 @@
 #include "tests/cites.h"
 
 namespace flowcert {
+
+using namespace io;
 namespace {
 
 // Without expression templates, which clang's analyzer takes for dangling references.

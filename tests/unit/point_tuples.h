@@ -128,7 +128,8 @@ std::array<flowcert::Point, N> draw_tuple(TupleKind kind, PortableRandom& random
     case TupleKind::kWidest:
     case TupleKind::kNarrow: {
       // (2^53 - k) 2^(bits - 53) is the largest there is below 2^bits; the 1 fixes the grid.
-      const int bits = kind == TupleKind::kWidest ? flowcert::kWideBits : flowcert::kNarrowBits;
+      const int bits =
+          kind == TupleKind::kWidest ? flowcert::geometry::kWideBits : flowcert::geometry::kNarrowBits;
       const int top = bits - 53 + random.between(0, 1);
       for (flowcert::Point& p : points) {
         for (std::size_t k = 0; k < 3; ++k) {

@@ -24,10 +24,16 @@
 #include "tests/unit/portable_random.h"
 #include "tests/unit/rational_geometry.h"
 
-namespace flowcert {
+namespace flowcert::geometry {
 
 // Found by GoogleTest, for its messages.
 static void PrintTo(Sign sign, std::ostream* out) { *out << static_cast<int>(sign); }
+
+}  // namespace flowcert::geometry
+
+namespace flowcert {
+
+using namespace geometry;
 
 namespace {
 

@@ -20,6 +20,8 @@
 #include "tests/unit/portable_random.h"
 
 namespace flowcert {
+
+using namespace io;
 namespace {
 
 using flowcert_tests::PortableRandom;

@@ -17,6 +17,8 @@
 
 namespace flowcert {
 
+using namespace voronoi;
+
 using EdgeKey = std::pair<VertexIndex, VertexIndex>;
 inline EdgeKey key_of(VertexIndex u, VertexIndex v) { return {std::min(u, v), std::max(u, v)}; }
 

@@ -19,10 +19,16 @@
 #include "tests/unit/point_tuples.h"
 #include "tests/unit/portable_random.h"
 
-namespace flowcert {
+namespace flowcert::geometry {
 
 // Found by GoogleTest, for its messages.
 static void PrintTo(Sign sign, std::ostream* out) { *out << static_cast<int>(sign); }
+
+}  // namespace flowcert::geometry
+
+namespace flowcert {
+
+using namespace geometry;
 
 namespace {
 

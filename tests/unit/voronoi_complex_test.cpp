@@ -21,6 +21,8 @@
 #include "voronoi/planar_complex.h"
 
 namespace flowcert {
+
+using namespace voronoi;
 namespace {
 
 using flowcert_tests::circle_center;

@@ -14,6 +14,8 @@
 #include "tests/unit/rational_geometry.h"
 
 namespace flowcert {
+
+using namespace voronoi;
 namespace {
 
 using flowcert_tests::determinant;

@@ -16,7 +16,7 @@
 #include "fuzz/campaign/worker_processes.h"
 #include "fuzz/judge/conformance_words.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 namespace {
 
@@ -158,4 +158,4 @@ std::vector<std::string> BatchProcess::lines(int milliseconds) {
   return lines;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

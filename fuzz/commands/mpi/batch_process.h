@@ -16,7 +16,7 @@
 #include "fuzz/campaign/line_pipe.h"
 #include "fuzz/commands/fuzz_options.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 class BatchProcess {
  public:
@@ -38,4 +38,4 @@ class BatchProcess {
   bool has_ended_ = false;
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

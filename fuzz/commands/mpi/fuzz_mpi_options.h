@@ -5,7 +5,7 @@
 
 #include "fuzz/commands/fuzz_options.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 struct FuzzMpiOptions : FuzzOptions {
   // Each rank says every second that it is there, whatever it is working on.
@@ -14,4 +14,4 @@ struct FuzzMpiOptions : FuzzOptions {
   [[nodiscard]] double heartbeat_seconds() const { return std::min(1.0, silence_seconds / 5); }
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

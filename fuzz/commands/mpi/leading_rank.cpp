@@ -10,7 +10,7 @@
 #include "fuzz/campaign/message.h"
 #include "fuzz/judge/interruption.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 namespace {
 
@@ -196,4 +196,4 @@ LedCampaign lead(fuzz::Campaign& campaign, RankLines& lines, const FuzzMpiOption
   return Lead(campaign, lines, options, progress).run();
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

@@ -13,7 +13,7 @@
 #include "fuzz/commands/mpi/fuzz_mpi_options.h"
 #include "fuzz/commands/mpi/rank_lines.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 struct LedCampaign {
   // That were not heard of: they may be dead, and MPI would wait for them.
@@ -25,4 +25,4 @@ struct LedCampaign {
 [[nodiscard]] LedCampaign lead(fuzz::Campaign& campaign, RankLines& lines, const FuzzMpiOptions& options,
                                FuzzProgress& progress);
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

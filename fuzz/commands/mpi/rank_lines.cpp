@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-namespace flowcert {
+namespace flowcert::commands {
 
 namespace {
 
@@ -80,4 +80,4 @@ bool RankLines::have_said(const std::string& word, int ranks, double seconds, co
   return true;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

@@ -14,7 +14,9 @@
 #include <string>
 #include <vector>
 
-namespace flowcert {
+#include "fuzz/commands/layer.h"
+
+namespace flowcert::commands {
 
 class RankLines {
  public:
@@ -52,4 +54,4 @@ class RankLines {
   std::vector<std::string> received_;  // by rank: the pieces of a line so far
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

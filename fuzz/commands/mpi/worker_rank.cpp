@@ -9,7 +9,7 @@
 #include "cli/command.h"
 #include "fuzz/judge/interruption.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 namespace {
 
@@ -88,4 +88,4 @@ void work_for_rank_0(RankLines& lines, BatchProcess& process, const FuzzMpiOptio
   WorkerRank(lines, process, options).run();
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

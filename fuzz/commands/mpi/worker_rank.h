@@ -12,8 +12,8 @@
 #include "fuzz/commands/mpi/fuzz_mpi_options.h"
 #include "fuzz/commands/mpi/rank_lines.h"
 
-namespace flowcert {
+namespace flowcert::commands {
 
 void work_for_rank_0(RankLines& lines, BatchProcess& process, const FuzzMpiOptions& options);
 
-}  // namespace flowcert
+}  // namespace flowcert::commands

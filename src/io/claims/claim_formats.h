@@ -7,8 +7,9 @@
 #include <string_view>
 
 #include "flowcert/claim.h"
+#include "io/layer.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 struct ClaimFormat {
   // Becomes Claim::format.
@@ -25,4 +26,4 @@ extern const ClaimFormat kVtpClaims;
 extern const ClaimFormat kGiesenKuehneClaims;
 extern const ClaimFormat kCsvClaims;
 
-}  // namespace flowcert
+}  // namespace flowcert::io

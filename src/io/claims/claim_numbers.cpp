@@ -10,7 +10,7 @@
 #include "io/number_text.h"
 #include "io/rational_text.h"
 
-namespace flowcert {
+namespace flowcert::io {
 namespace {
 
 using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
@@ -144,4 +144,4 @@ std::size_t claimed_count(std::string_view text, const LinePlace& place) {
   return count;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -11,7 +11,7 @@
 #include "flowcert/claim.h"
 #include "io/line_reader.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 // What an integer without a denominator is: "5" among rationals is exact, and among decimals it may be a
 // rounded 5.0000001.
@@ -34,4 +34,4 @@ enum class PlainInteger { kExact, kDecimal };
 // Digits alone.
 [[nodiscard]] std::size_t claimed_count(std::string_view text, const LinePlace& place);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

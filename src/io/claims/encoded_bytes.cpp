@@ -11,7 +11,7 @@
 
 #include "io/number_text.h"
 
-namespace flowcert {
+namespace flowcert::io {
 namespace {
 
 constexpr int kPadding = 64;
@@ -93,4 +93,4 @@ void append_inflated(std::string_view bytes, std::uint64_t size, std::string& ou
     place.reject("a compressed block is damaged");
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

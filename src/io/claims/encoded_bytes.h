@@ -10,7 +10,7 @@
 
 #include "io/line_reader.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 class EncodedBytes {
  public:
@@ -38,4 +38,4 @@ class EncodedBytes {
 // Appends what a zlib stream, all of `bytes`, holds: `size` bytes, no more and no fewer.
 void append_inflated(std::string_view bytes, std::uint64_t size, std::string& output, const LinePlace& place);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

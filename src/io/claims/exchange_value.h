@@ -14,7 +14,7 @@
 #include "io/claims/json_tree.h"
 #include "io/number_text.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 class ExchangeValue {
  public:
@@ -107,4 +107,4 @@ inline std::vector<PointId> ids_of(const ExchangeValue& value) {
   return list_of(value, [](const ExchangeValue& id) { return claimed_id(id.number_text(), id.place()); });
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -8,7 +8,7 @@
 
 #include "io/number_text.h"
 
-namespace flowcert {
+namespace flowcert::io {
 namespace {
 
 // A record of ours has at most: object, u2, polyline, segment, position.
@@ -94,4 +94,4 @@ JsonTree parse_json(std::string_view text, const LinePlace& place) {
   return builder.take();
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

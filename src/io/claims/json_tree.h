@@ -11,7 +11,7 @@
 
 #include "io/line_reader.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 enum class JsonKind { kNull, kBoolean, kNumber, kString, kArray, kObject };
 
@@ -27,4 +27,4 @@ struct JsonTree {
 
 [[nodiscard]] JsonTree parse_json(std::string_view text, const LinePlace& place);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

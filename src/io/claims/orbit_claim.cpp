@@ -8,7 +8,7 @@
 #include "io/claims/required_field.h"
 #include "io/rational_text.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 namespace {
 
@@ -77,4 +77,4 @@ OrbitPath orbit_path_of(const Json& object) {
   return path;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

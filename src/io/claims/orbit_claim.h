@@ -12,7 +12,7 @@
 #include "flowcert/rational.h"
 #include "io/json_fields.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 struct PathSegment {
   std::string type;
@@ -40,4 +40,4 @@ struct OrbitPath {
 // From an object with `segments` and `limit`.
 [[nodiscard]] OrbitPath orbit_path_of(const Json& object);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -12,7 +12,7 @@
 #include "io/number_text.h"
 #include "io/rational_text.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 namespace {
 
@@ -126,4 +126,4 @@ PairList claimed_pairs_of(const std::string& bytes, const std::string& name) {
   }
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

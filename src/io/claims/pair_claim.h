@@ -12,7 +12,7 @@
 #include "flowcert/rational.h"
 #include "io/json_fields.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 // Classes of components, tunnels and voids.
 inline constexpr int kPairDimensions = 3;
@@ -37,4 +37,4 @@ struct PairList {
 // What a program has written; name: of the file, for messages.
 [[nodiscard]] PairList claimed_pairs_of(const std::string& bytes, const std::string& name);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

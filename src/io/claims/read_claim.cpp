@@ -6,9 +6,12 @@
 #include "io/claims/claim_formats.h"
 #include "io/gzip_stream.h"
 #include "io/input_bytes.h"
+#include "io/layer.h"
 #include "io/line_reader.h"
 
 namespace flowcert {
+
+using namespace io;
 namespace {
 
 // In the order in which they are tried. The last takes what none before it does.

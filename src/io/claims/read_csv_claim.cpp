@@ -12,7 +12,7 @@
 #include "io/claims/claim_numbers.h"
 #include "io/number_text.h"
 
-namespace flowcert {
+namespace flowcert::io {
 namespace {
 
 void expect_columns(std::string_view line, const LinePlace& place) {
@@ -89,4 +89,4 @@ Claim read_csv(std::string_view text, std::string_view file) {
 
 const ClaimFormat kCsvClaims = {.name = "csv", .recognises = recognises_csv, .read = read_csv};
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -10,7 +10,7 @@
 #include "io/claims/exchange_value.h"
 #include "io/claims/stable_claim_fields.h"
 
-namespace flowcert {
+namespace flowcert::io {
 namespace {
 
 constexpr std::string_view kFormatName = "flowcert-stationary-points";
@@ -179,4 +179,4 @@ Claim read_exchange(std::string_view text, std::string_view file) {
 const ClaimFormat kExchangeClaims = {
     .name = "exchange", .recognises = recognises_exchange, .read = read_exchange};
 
-}  // namespace flowcert
+}  // namespace flowcert::io

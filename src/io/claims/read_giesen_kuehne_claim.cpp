@@ -12,7 +12,7 @@
 #include "io/claims/claim_numbers.h"
 #include "io/number_text.h"
 
-namespace flowcert {
+namespace flowcert::io {
 namespace {
 
 constexpr std::string_view kInfinity = "inf";
@@ -110,4 +110,4 @@ Claim read_giesen_kuehne(std::string_view text, std::string_view file) {
 const ClaimFormat kGiesenKuehneClaims = {
     .name = "giesen-kuehne", .recognises = recognises_giesen_kuehne, .read = read_giesen_kuehne};
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -9,7 +9,7 @@
 #include "io/claims/claim_formats.h"
 #include "io/claims/vtp_values.h"
 
-namespace flowcert {
+namespace flowcert::io {
 namespace {
 
 constexpr const char* kTypeArray = "CriticalType";
@@ -55,4 +55,4 @@ Claim read_vtp(std::string_view bytes, std::string_view file) {
 
 const ClaimFormat kVtpClaims = {.name = "vtp", .recognises = recognises_vtp, .read = read_vtp};
 
-}  // namespace flowcert
+}  // namespace flowcert::io

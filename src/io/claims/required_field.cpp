@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace flowcert {
+namespace flowcert::io {
 
 const Json& required_field(const Json& object, const char* key) {
   if (!object.is_object()) throw InvalidInput(fmt::format("no object that could have '{}'", key));
@@ -11,4 +11,4 @@ const Json& required_field(const Json& object, const char* key) {
   return *value;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

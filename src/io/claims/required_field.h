@@ -3,9 +3,9 @@
 
 #include "io/json_fields.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 // Throws InvalidInput "no key 'end'".
 [[nodiscard]] const Json& required_field(const Json& object, const char* key);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace flowcert {
+namespace flowcert::io {
 
 namespace {
 
@@ -86,4 +86,4 @@ ClaimedSurface surface_of(const ExchangeValue& value) {
   return surface;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -4,11 +4,11 @@
 #include "flowcert/claim.h"
 #include "io/claims/exchange_value.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 // Throws InvalidInput, with the place, for what is not as the format says.
 [[nodiscard]] ClaimedStable stable_of(const ExchangeValue& value);
 [[nodiscard]] ClaimedSkeleton skeleton_of(const ExchangeValue& value);
 [[nodiscard]] ClaimedSurface surface_of(const ExchangeValue& value);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -11,7 +11,7 @@
 #include "io/claims/claim_numbers.h"
 #include "io/number_text.h"
 
-namespace flowcert {
+namespace flowcert::io {
 namespace {
 
 // PolyData nests seven deep at most, with the information keys of an array.
@@ -216,4 +216,4 @@ VtpDocument parse_vtp(std::string_view bytes, std::string_view file, const std::
   return VtpParser(bytes, file, data_name).parse();
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

@@ -15,7 +15,7 @@
 
 #include "io/line_reader.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 enum class VtpPlacement { kAscii, kInlineBase64, kAppended };
 
@@ -49,4 +49,4 @@ struct VtpDocument {
 [[nodiscard]] VtpDocument parse_vtp(std::string_view bytes, std::string_view file,
                                     const std::string& data_name);
 
-}  // namespace flowcert
+}  // namespace flowcert::io

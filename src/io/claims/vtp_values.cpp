@@ -14,7 +14,7 @@
 #include "io/claims/encoded_bytes.h"
 #include "io/number_text.h"
 
-namespace flowcert {
+namespace flowcert::io {
 namespace {
 
 constexpr std::array<std::pair<const char*, std::size_t>, 10> kTypes = {{{"Int8", 1},
@@ -159,4 +159,4 @@ ClaimedNumber VtpValues::operator[](std::size_t k) const {
   return real(load<double>(bytes, big_endian_));
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::io

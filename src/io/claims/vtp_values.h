@@ -13,7 +13,7 @@
 #include "flowcert/claim.h"
 #include "io/claims/vtp_document.h"
 
-namespace flowcert {
+namespace flowcert::io {
 
 enum class VtpType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kInt64, kUint64, kFloat32, kFloat64 };
 
@@ -46,4 +46,4 @@ class VtpDecoder {
   std::size_t appended_left_;  // how much of the appended data is not yet decoded
 };
 
-}  // namespace flowcert
+}  // namespace flowcert::io
