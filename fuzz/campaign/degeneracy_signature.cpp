@@ -8,11 +8,11 @@
 #include <set>
 #include <span>
 
-#include "flowcert/delaunay.h"
 #include "flowcert/point_set.h"
 #include "flowcert/stable_manifolds.h"
 #include "flowcert/stationary_points.h"
 #include "flowcert/unstable_manifolds.h"
+#include "flowcert/voronoi_diagram.h"
 #include "fuzz/properties/input_points.h"
 #include "voronoi/voronoi_faces.h"
 
@@ -147,12 +147,11 @@ Extent planar_extent(const VoronoiFaces& faces) {
   return extent;
 }
 
-Extent extent_of(const Delaunay& delaunay, const StationaryPoints& stationary) {
+Extent extent_of(const VoronoiDiagram& diagram, const StationaryPoints& stationary) {
   Extent extent;
-  if (delaunay.dimension() >= 2) {
-    FilterTally unused;
-    const VoronoiFaces faces(delaunay, unused);
-    extent = delaunay.dimension() == 3 ? spatial_extent(faces) : planar_extent(faces);
+  if (diagram.dimension() >= 2) {
+    const VoronoiFaces faces(diagram);
+    extent = diagram.dimension() == 3 ? spatial_extent(faces) : planar_extent(faces);
   }
   for (std::size_t i = 0; i < stationary.size(); ++i) {
     extent.cluster = std::max(extent.cluster, stationary.contact(i).size());
@@ -202,15 +201,15 @@ const std::vector<SignatureComponent>& signature_components() {
 
 DegeneracySignature signature_of(const Input& input) {
   const PointSet points = property::point_set_of(input);
-  const Delaunay delaunay(points);
   FilterTally tally;
-  const StationaryPoints stationary = stationary_points(delaunay, &tally);
-  const UnstableManifolds unstable(delaunay, stationary);
-  const StableManifolds stable(delaunay, stationary);
-  const Extent extent = extent_of(delaunay, stationary);
+  const VoronoiDiagram diagram(Delaunay(points), &tally);
+  const StationaryPoints stationary = stationary_points(diagram);
+  const UnstableManifolds unstable(diagram, stationary);
+  const StableManifolds stable(diagram, stationary);
+  const Extent extent = extent_of(diagram, stationary);
 
   DegeneracySignature signature;
-  signature[SignaturePart::kDimension] = static_cast<std::uint8_t>(delaunay.dimension() + 1);
+  signature[SignaturePart::kDimension] = static_cast<std::uint8_t>(diagram.dimension() + 1);
   signature[SignaturePart::kDuplicates] = some(points.merged_duplicates());
   signature[SignaturePart::kCluster] = bucket(extent.cluster, {5, 6, 7, 9});
   signature[SignaturePart::kPolygon] = bucket(extent.polygon, {4, 5, 7});

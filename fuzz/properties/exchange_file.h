@@ -14,10 +14,10 @@ namespace flowcert::property {
 
 inline std::string exchange_file(const std::vector<Point>& rows) {
   const PointSet points(rows);
-  const Delaunay delaunay(points);
-  const StationaryPoints stationary = stationary_points(delaunay);
-  UnstableManifolds u2(delaunay, stationary);
-  StableManifolds s2(delaunay, stationary);
+  const VoronoiDiagram diagram{Delaunay(points)};
+  const StationaryPoints stationary = stationary_points(diagram);
+  UnstableManifolds u2(diagram, stationary);
+  StableManifolds s2(diagram, stationary);
   std::ostringstream out;
   io::write_manifolds(out, points, stationary, {.u2 = &u2, .polylines = true, .s2 = &s2, .skeletons = true},
                       coordinates_sha256(rows));

@@ -9,10 +9,10 @@
 namespace flowcert::property {
 
 FastPersistence fast_persistence(const PointSet& points, std::uint64_t seed) {
-  const Delaunay delaunay(points);
-  const StationaryPoints stationary = stationary_points(delaunay);
-  UnstableManifolds unstable(delaunay, stationary);
-  const StableManifolds stable(delaunay, stationary, {.flow = {}, .seed = seed});
+  const VoronoiDiagram diagram{Delaunay(points)};
+  const StationaryPoints stationary = stationary_points(diagram);
+  UnstableManifolds unstable(diagram, stationary);
+  const StableManifolds stable(diagram, stationary, {.flow = {}, .seed = seed});
   const ChainComplex complex(points, stationary, unstable, stable, seed);
   const Persistence persistence(points, stationary, complex);
   FastPersistence answer{{}, complex.broken_ties() > 0 || stable.statistics().broken_ties > 0};

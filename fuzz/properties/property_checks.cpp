@@ -109,8 +109,8 @@ std::string name_of_orbit(const StationaryPoints& stationary, std::size_t record
 // Fast orbits of U2 computed one way, against those computed another way.
 std::optional<Disagreement> difference_of_unstable(const Subject& subject, const StationaryPoints& stationary,
                                                    const UnstableOptions& options, const char* name) {
-  UnstableManifolds usual(subject.delaunay, stationary);
-  UnstableManifolds other(subject.delaunay, stationary, options);
+  UnstableManifolds usual(subject.diagram, stationary);
+  UnstableManifolds other(subject.diagram, stationary, options);
   for (std::size_t i = 0; i < usual.size(); ++i) {
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
       const std::string what = name_of_orbit(stationary, usual.saddle(i), side);
@@ -172,13 +172,13 @@ std::optional<Disagreement> wrong_boundary(const StationaryPoints& stationary,
 
 std::optional<Disagreement> difference_of_flows(const Subject& subject, const Trial& trial) {
   const RationalPoint start = start_of(trial);
-  Flow usual(subject.delaunay);
+  Flow usual(subject.diagram);
   const OrbitRecord orbit = record_of(usual.orbit(start));
   for (const auto& [name, options] :
        {std::pair{"lazy, linear", FlowOptions{ConstructionKernel::kLazy, FacetSearch::kLinear}},
         std::pair{"exact, binary", FlowOptions{ConstructionKernel::kExact, FacetSearch::kBinary}},
         std::pair{"exact, linear", kExactLinear}}) {
-    Flow other(subject.delaunay, options);
+    Flow other(subject.diagram, options);
     if (auto found = difference_of_orbits("the orbit", {"lazy, binary", orbit},
                                           {name, record_of(other.orbit(start))})) {
       return found;
@@ -188,8 +188,8 @@ std::optional<Disagreement> difference_of_flows(const Subject& subject, const Tr
 }
 
 std::optional<Disagreement> difference_of_stable(const Subject& subject, const StationaryPoints& stationary) {
-  StableManifolds lazy(subject.delaunay, stationary);
-  StableManifolds exact(subject.delaunay, stationary, {.flow = kExactLinear, .seed = 0});
+  StableManifolds lazy(subject.diagram, stationary);
+  StableManifolds exact(subject.diagram, stationary, {.flow = kExactLinear, .seed = 0});
   for (std::size_t i = 0; i < lazy.size(); ++i) {
     const std::string what = "the stable set of " + text_of(ids(stationary.contact(lazy.record(i))));
     if (auto found = difference_of_pieces(what, pieces_of(lazy.set(i)), "lazy, binary",
@@ -221,15 +221,15 @@ std::optional<Disagreement> check_orbit(const Trial& trial) {
   const Subject subject(trial.input);
   if (subject.points.empty()) return std::nullopt;
   const RationalPoint start = start_of(trial);
-  Flow flow(subject.delaunay);
+  Flow flow(subject.diagram);
   return difference_of_orbits("the orbit", {kFast, record_of(flow.orbit(start))},
                               {kOracle, record_of(subject.set, start, oracle::orbit(subject.set, start))});
 }
 
 std::optional<Disagreement> check_unstable_manifolds(const Trial& trial) {
   const Subject subject(trial.input);
-  const StationaryPoints stationary = stationary_points(subject.delaunay);
-  UnstableManifolds manifolds(subject.delaunay, stationary);
+  const StationaryPoints stationary = stationary_points(subject.diagram);
+  UnstableManifolds manifolds(subject.diagram, stationary);
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
     const oracle::StationaryPoint saddle = oracle_point(subject.points, stationary, manifolds.saddle(i));
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
@@ -254,8 +254,8 @@ std::optional<Disagreement> check_unstable_manifolds(const Trial& trial) {
 
 std::optional<Disagreement> check_stable_sets(const Trial& trial) {
   const Subject subject(trial.input);
-  const StationaryPoints stationary = stationary_points(subject.delaunay);
-  StableManifolds manifolds(subject.delaunay, stationary);
+  const StationaryPoints stationary = stationary_points(subject.diagram);
+  StableManifolds manifolds(subject.diagram, stationary);
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
     const auto z = oracle_point(subject.points, stationary, manifolds.record(i));
     const oracle::StableSet truth = oracle::stable_set(subject.set, z);
@@ -286,7 +286,7 @@ std::optional<Disagreement> check_orbit_kernels(const Trial& trial) {
 
 std::optional<Disagreement> check_unstable_kernels(const Trial& trial) {
   const Subject subject(trial.input);
-  const StationaryPoints stationary = stationary_points(subject.delaunay);
+  const StationaryPoints stationary = stationary_points(subject.diagram);
   if (auto found = difference_of_unstable(subject, stationary, {.flow = {}, .share = false}, "alone")) {
     return found;
   }
@@ -296,7 +296,7 @@ std::optional<Disagreement> check_unstable_kernels(const Trial& trial) {
 
 std::optional<Disagreement> check_stable_kernels(const Trial& trial) {
   const Subject subject(trial.input);
-  return difference_of_stable(subject, stationary_points(subject.delaunay));
+  return difference_of_stable(subject, stationary_points(subject.diagram));
 }
 
 }  // namespace flowcert::property

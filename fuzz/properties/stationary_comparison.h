@@ -14,10 +14,10 @@
 #include <tuple>
 #include <vector>
 
-#include "flowcert/delaunay.h"
 #include "flowcert/point_set.h"
 #include "flowcert/rational.h"
 #include "flowcert/stationary_points.h"
+#include "flowcert/voronoi_diagram.h"
 #include "fuzz/inputs/input.h"
 #include "fuzz/properties/input_points.h"
 #include "oracle/stationary_points.h"
@@ -55,8 +55,8 @@ struct StationaryAnswer {
 
 inline StationaryAnswer fast_answer(const fuzz::Input& input) {
   const PointSet points = point_set_of(input);
-  const Delaunay delaunay(points);
-  const StationaryPoints all = stationary_points(delaunay);
+  const VoronoiDiagram diagram{Delaunay(points)};
+  const StationaryPoints all = stationary_points(diagram);
   StationaryAnswer answer{points.row_count(), points.merged_duplicates(), {}, all.critical_counts(), {}};
   const RegularCounts& regular = all.regular_counts();
   answer.regular = {regular.kind12, regular.kind23, regular.kind13};

@@ -3,8 +3,8 @@
 // Guarantees: none beyond those of its parts.
 #pragma once
 
-#include "flowcert/delaunay.h"
 #include "flowcert/point_set.h"
+#include "flowcert/voronoi_diagram.h"
 #include "fuzz/inputs/input.h"
 #include "fuzz/properties/stationary_comparison.h"
 #include "oracle/stationary_points.h"
@@ -13,13 +13,13 @@ namespace flowcert::property {
 
 struct Subject {
   explicit Subject(const fuzz::Input& rows)
-      : input(rows), points(point_set_of(rows)), delaunay(points), set(rows.rows) {}
+      : input(rows), points(point_set_of(rows)), diagram(Delaunay(points)), set(rows.rows) {}
   Subject(const Subject&) = delete;
   Subject& operator=(const Subject&) = delete;
 
   const fuzz::Input& input;
   PointSet points;
-  Delaunay delaunay;
+  VoronoiDiagram diagram;
   oracle::PointSet set;
 };
 

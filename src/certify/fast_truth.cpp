@@ -16,7 +16,10 @@ namespace {
 class FastTruth final : public Truth {
  public:
   explicit FastTruth(const PointSet& points)
-      : points_(points), delaunay_(points), stationary_(stationary_points(delaunay_)), finder_(stationary_) {}
+      : points_(points),
+        diagram_(Delaunay(points)),
+        stationary_(stationary_points(diagram_)),
+        finder_(stationary_) {}
 
   [[nodiscard]] std::size_t size() const override { return stationary_.size(); }
   [[nodiscard]] StationaryIndex index(std::size_t i) const override { return stationary_.index(i); }
@@ -58,16 +61,16 @@ class FastTruth final : public Truth {
     return i < last ? i - first : last - first + i - finder_.range({3, 3}).second;
   }
   std::size_t unstable(std::size_t i) {
-    if (!u2_) u2_.emplace(delaunay_, stationary_);
+    if (!u2_) u2_.emplace(diagram_, stationary_);
     return ordinal(i);
   }
   StableManifolds& stable() {
-    if (!s2_) s2_.emplace(delaunay_, stationary_);
+    if (!s2_) s2_.emplace(diagram_, stationary_);
     return *s2_;
   }
 
   const PointSet& points_;
-  Delaunay delaunay_;
+  VoronoiDiagram diagram_;
   StationaryPoints stationary_;
   RecordFinder finder_;
   std::optional<UnstableManifolds> u2_;

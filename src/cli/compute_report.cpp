@@ -101,7 +101,7 @@ void print_compute_summary(const Input& input, const Measured& measured, const U
   const ComputeRun& run = *measured.last;
   Json summary = header_fields("flowcert-summary", 1, input.sha256);
   add_counts(summary, input.points, run.stationary);
-  summary["dimension"] = run.delaunay.dimension();
+  summary["dimension"] = run.diagram.dimension();
   summary["euler"] = run.stationary.euler_sum();
   summary["runs"] = measured.runs;
   summary["seconds"] = seconds_field(measured);

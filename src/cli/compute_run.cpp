@@ -39,24 +39,25 @@ std::unique_ptr<ComputeRun> run_once(const PointSet& points, const WantedManifol
                                      unsigned runs, Times& times) {
   std::optional<ProgressLine> progress(std::in_place, of_run("Delaunay triangulation", run, runs));
   const Clock::time_point start = Clock::now();
-  auto result = std::make_unique<ComputeRun>(points, std::ref(*progress));
+  std::optional<Delaunay> delaunay(std::in_place, points, std::ref(*progress));
   const Clock::time_point triangulated = Clock::now();
-  result->stationary = stationary_points(result->delaunay, &result->tally);
+  auto result = std::make_unique<ComputeRun>(*delaunay);
   const Clock::time_point listed = Clock::now();
   times.delaunay.push_back(seconds_between(start, triangulated));
   times.critical.push_back(seconds_between(triangulated, listed));
+  delaunay.reset();  // the diagram has all that is needed of it
   progress.reset();
   if (wanted.s2) {
     progress.emplace(of_run("stable manifolds", run, runs));
     const Clock::time_point flowing = Clock::now();
-    result->s2.emplace(result->delaunay, result->stationary, *wanted.s2, std::ref(*progress));
+    result->s2.emplace(result->diagram, result->stationary, *wanted.s2, std::ref(*progress));
     times.s2.push_back(seconds_between(flowing, Clock::now()));
     progress.reset();
   }
   if (wanted.u2) {
     progress.emplace(of_run("unstable manifolds", run, runs));
     const Clock::time_point flowing = Clock::now();
-    result->u2.emplace(result->delaunay, result->stationary, *wanted.u2, std::ref(*progress));
+    result->u2.emplace(result->diagram, result->stationary, *wanted.u2, std::ref(*progress));
     times.u2.push_back(seconds_between(flowing, Clock::now()));
   }
   return result;

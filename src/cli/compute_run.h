@@ -12,11 +12,12 @@ namespace flowcert::cli {
 
 // The order of the members is that of their making: each refers to those before it.
 struct ComputeRun {
-  ComputeRun(const PointSet& points, const Delaunay::Progress& progress) : delaunay(points, progress) {}
+  explicit ComputeRun(const Delaunay& delaunay)
+      : diagram(delaunay, &tally), stationary(stationary_points(diagram)) {}
 
-  Delaunay delaunay;
-  StationaryPoints stationary;
   FilterTally tally;
+  VoronoiDiagram diagram;
+  StationaryPoints stationary;
   std::optional<UnstableManifolds> u2;  // where wanted
   std::optional<StableManifolds> s2;    // likewise
 };

@@ -105,8 +105,8 @@ void print_orbit(const OrbitOptions& options) {
   if (input.points.empty()) {
     throw InvalidInput(fmt::format("{}: there are no points", display_name(options.input)));
   }
-  const Delaunay delaunay = triangulation(input.points);
-  Flow flow(delaunay, options.flow.options());
+  const VoronoiDiagram diagram(triangulation(input.points));
+  Flow flow(diagram, options.flow.options());
   const Orbit orbit = flow.orbit(start);
   if (options.json) {
     print_json(orbit, input);

@@ -31,19 +31,24 @@ auto timed(const char* what, double& seconds, const Make& make) {
   return with_progress(what, make);
 }
 
+VoronoiDiagram diagram_of(const PointSet& points, PersistenceSeconds& seconds) {
+  const Delaunay delaunay = timed("Delaunay triangulation", seconds.delaunay,
+                                  [&](const auto& progress) { return Delaunay(points, progress); });
+  return timed("critical points", seconds.critical, [&](const auto&) { return VoronoiDiagram(delaunay); });
+}
+
 }  // namespace
 
 PersistenceRun::PersistenceRun(const PointSet& points, std::uint64_t seed)
-    : delaunay(timed("Delaunay triangulation", seconds.delaunay,
-                     [&](const auto& progress) { return Delaunay(points, progress); })),
+    : diagram(diagram_of(points, seconds)),
       stationary(timed("critical points", seconds.critical,
-                       [&](const auto&) { return stationary_points(delaunay); })),
+                       [&](const auto&) { return stationary_points(diagram); })),
       unstable(
           timed("unstable manifolds", seconds.u2,
-                [&](const auto& progress) { return UnstableManifolds(delaunay, stationary, {}, progress); })),
+                [&](const auto& progress) { return UnstableManifolds(diagram, stationary, {}, progress); })),
       stable(timed("stable manifolds", seconds.s2,
                    [&](const auto& progress) {
-                     return StableManifolds(delaunay, stationary, {.flow = {}, .seed = seed}, progress);
+                     return StableManifolds(diagram, stationary, {.flow = {}, .seed = seed}, progress);
                    })),
       complex(timed("chain complex", seconds.pairs,
                     [&](const auto&) { return ChainComplex(points, stationary, unstable, stable, seed); })),

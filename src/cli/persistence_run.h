@@ -24,7 +24,7 @@ struct PersistenceRun {
   PersistenceRun(const PointSet& points, std::uint64_t seed);
 
   PersistenceSeconds seconds;
-  Delaunay delaunay;
+  VoronoiDiagram diagram;
   StationaryPoints stationary;
   UnstableManifolds unstable;
   StableManifolds stable;

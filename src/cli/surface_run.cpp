@@ -7,18 +7,18 @@ namespace flowcert::cli {
 
 SurfaceRun::SurfaceRun(const PointSet& points_)
     : points(points_),
-      delaunay(with_progress("Delaunay triangulation",
-                             [&](const auto& progress) { return Delaunay(points, progress); })),
-      stationary(stationary_points(delaunay)),
+      diagram(with_progress("Delaunay triangulation",
+                            [&](const auto& progress) { return Delaunay(points, progress); })),
+      stationary(stationary_points(diagram)),
       stable(with_progress("stable manifolds", [&](const auto& progress) {
-        return StableManifolds(delaunay, stationary, {}, progress);
+        return StableManifolds(diagram, stationary, {}, progress);
       })) {}
 
 std::vector<Rational> SurfaceRun::gaps() const {
   std::vector<Rational> gaps(size());
   if (gaps.empty()) return gaps;
   UnstableManifolds unstable = with_progress("unstable manifolds", [&](const auto& progress) {
-    return UnstableManifolds(delaunay, stationary, {}, progress);
+    return UnstableManifolds(diagram, stationary, {}, progress);
   });
   const ChainComplex complex(points, stationary, unstable, stable);
   const Persistence persistence(points, stationary, complex);

@@ -22,7 +22,7 @@ struct SurfaceRun {
   [[nodiscard]] std::size_t size() const { return stationary.critical_counts()[2]; }
 
   const PointSet& points;
-  Delaunay delaunay;
+  VoronoiDiagram diagram;
   StationaryPoints stationary;
   StableManifolds stable;
 };

@@ -16,9 +16,9 @@ std::string type_text(const std::array<char, 3>& type) {
 }
 
 struct Flow::Machine {
-  Machine(const Delaunay& delaunay, FlowOptions options)
-      : points(delaunay.points()),
-        faces(delaunay, tally),
+  Machine(const VoronoiDiagram& diagram, FlowOptions options)
+      : points(diagram.points()),
+        faces(diagram),
         machine(make_flow_machine(faces, options)),
         recorder(points, faces, *machine) {}
 
@@ -30,14 +30,13 @@ struct Flow::Machine {
   }
 
   const PointSet& points;
-  FilterTally tally;
   VoronoiFaces faces;
   std::unique_ptr<FlowMachine> machine;
   SegmentRecorder recorder;
 };
 
-Flow::Flow(const Delaunay& delaunay, FlowOptions options)
-    : machine_(std::make_unique<Machine>(delaunay, options)) {}
+Flow::Flow(const VoronoiDiagram& diagram, FlowOptions options)
+    : machine_(std::make_unique<Machine>(diagram, options)) {}
 Flow::~Flow() = default;
 Flow::Flow(Flow&&) noexcept = default;
 Flow& Flow::operator=(Flow&&) noexcept = default;

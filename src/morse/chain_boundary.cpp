@@ -12,8 +12,6 @@ namespace flowcert::morse {
 
 namespace {
 
-FacetName facet_name(VertexIndex v, VertexIndex w) { return {std::min(v, w), std::max(v, w)}; }
-
 // Edges of a Voronoi vertex' polytope that lead from v0 to v1, all of them not obtuse and none of them
 // through the Voronoi vertex: the fewest there are, or any that the ties choose.
 std::vector<PolytopeEdge> path_between(const VoronoiFaces& faces, CellIndex cluster, FacetName ends,

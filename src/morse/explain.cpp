@@ -35,8 +35,8 @@ std::vector<Point> coordinates(const PointSet& points, std::span<const PointId> 
 // whatever the size of the input.
 void decide_hull(const PointSet& points, const RationalPoint& x, Explanation& answer) {
   const PointSet contact_only(coordinates(points, answer.contact));
-  const Delaunay delaunay(contact_only);
-  const StationaryPoints candidates = stationary_points(delaunay);
+  const VoronoiDiagram diagram{Delaunay(contact_only)};
+  const StationaryPoints candidates = stationary_points(diagram);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (candidates.contact(i).size() != answer.contact.size()) continue;
     if (exact_sphere(contact_only, candidates.contact(i)).center != x) continue;

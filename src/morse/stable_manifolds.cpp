@@ -22,15 +22,13 @@ namespace {
 
 constexpr std::size_t kProgressStep = 1024;
 
-FacetName facet_name(VertexIndex v, VertexIndex w) { return {std::min(v, w), std::max(v, w)}; }
-
 }  // namespace
 
 struct StableManifolds::Machine {
-  Machine(const Delaunay& delaunay, const StationaryPoints& list, StableOptions options)
-      : points(delaunay.points()),
+  Machine(const VoronoiDiagram& diagram, const StationaryPoints& list, StableOptions options)
+      : points(diagram.points()),
         stationary(list),
-        faces(delaunay, tally),
+        faces(diagram),
         machine(make_flow_machine(faces, options.flow)),
         recorder(points, faces, *machine),
         vertex_of(vertices_by_position(faces.delaunay())),
@@ -50,7 +48,6 @@ struct StableManifolds::Machine {
 
   const PointSet& points;
   const StationaryPoints& stationary;
-  FilterTally tally;
   VoronoiFaces faces;
   std::unique_ptr<FlowMachine> machine;
   SegmentRecorder recorder;
@@ -304,9 +301,9 @@ StableSet StableManifolds::Machine::geometry(std::size_t record) {
   return geometry;
 }
 
-StableManifolds::StableManifolds(const Delaunay& delaunay, const StationaryPoints& stationary,
+StableManifolds::StableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
                                  StableOptions options, const Progress& progress)
-    : machine_(std::make_unique<Machine>(delaunay, stationary, options)) {
+    : machine_(std::make_unique<Machine>(diagram, stationary, options)) {
   machine_->compute(progress);
 }
 StableManifolds::~StableManifolds() = default;

@@ -8,8 +8,7 @@
 
 #include "morse/layer.h"
 #include "morse/ordered_records.h"
-#include "voronoi/planar_complex.h"
-#include "voronoi/voronoi_complex.h"
+#include "voronoi/diagram.h"
 
 namespace flowcert {
 
@@ -229,8 +228,7 @@ void add_clusters(const VoronoiComplex& complex, OrderedRecords& records) {
   }
 }
 
-void add_spatial(CompactDelaunay delaunay, OrderedRecords& records, FilterTally& tally) {
-  const VoronoiComplex complex(std::move(delaunay), tally);
+void add_spatial(const VoronoiComplex& complex, OrderedRecords& records) {
   GabrielEdges(complex, records).find();
   add_whole_facets(complex, records);
   add_large_polygons(complex, records);
@@ -240,8 +238,7 @@ void add_spatial(CompactDelaunay delaunay, OrderedRecords& records, FilterTally&
 
 // Coplanar input: an edge is Gabriel iff the one or two angles that see it are acute; a polygon's centre is
 // never beyond an end.
-void add_planar(CompactDelaunay triangles, OrderedRecords& records, FilterTally& tally) {
-  const PlanarComplex complex(std::move(triangles), tally);
+void add_planar(const PlanarComplex& complex, OrderedRecords& records) {
   const CompactDelaunay& delaunay = complex.delaunay();
   for (CellIndex cell = 0; cell < delaunay.finite_count; ++cell) {
     for (std::uint32_t i = 0; i < 3; ++i) {
@@ -305,26 +302,17 @@ void StationaryPoints::append(StationaryIndex index, std::span<const PointId> co
   }
 }
 
-StationaryPoints stationary_points(const Delaunay& delaunay, FilterTally* tally) {
-  FilterTally unused;
-  FilterTally& counts = tally != nullptr ? *tally : unused;
-  CompactDelaunay copy = compact_copy(delaunay);
-  const std::vector<std::uint32_t> positions = std::move(copy.positions);
-  OrderedRecords records(positions);
-  switch (copy.dimension) {
-    case 3:
-      add_spatial(std::move(copy), records, counts);
-      break;
-    case 2:
-      add_planar(std::move(copy), records, counts);
-      break;
-    case 1:
-      add_collinear(copy, records);
-      break;
-    default:
-      break;
+StationaryPoints stationary_points(const VoronoiDiagram& diagram) {
+  const Diagram& faces = diagram.faces();
+  OrderedRecords records(faces.delaunay().positions);
+  if (faces.spatial() != nullptr) {
+    add_spatial(*faces.spatial(), records);
+  } else if (faces.planar() != nullptr) {
+    add_planar(*faces.planar(), records);
+  } else if (faces.dimension() == 1) {
+    add_collinear(faces.delaunay(), records);
   }
-  return records.list(delaunay.points());
+  return records.list(diagram.points());
 }
 
 }  // namespace flowcert

@@ -39,12 +39,12 @@ struct Stretch {
 }  // namespace
 
 struct UnstableManifolds::Machine {
-  Machine(const Delaunay& delaunay, const StationaryPoints& list, UnstableOptions how)
-      : points(delaunay.points()),
+  Machine(const VoronoiDiagram& diagram, const StationaryPoints& list, UnstableOptions how)
+      : points(diagram.points()),
         stationary(list),
         finder(list),
         options(how),
-        faces(delaunay, tally),
+        faces(diagram),
         machine(make_flow_machine(faces, how.flow)),
         recorder(points, faces, *machine) {}
 
@@ -64,7 +64,6 @@ struct UnstableManifolds::Machine {
   const StationaryPoints& stationary;
   RecordFinder finder;
   UnstableOptions options;
-  FilterTally tally;
   VoronoiFaces faces;
   std::unique_ptr<FlowMachine> machine;
   SegmentRecorder recorder;
@@ -263,9 +262,9 @@ Orbit UnstableManifolds::Machine::orbit(std::size_t i, std::size_t side) {
   return orbit;
 }
 
-UnstableManifolds::UnstableManifolds(const Delaunay& delaunay, const StationaryPoints& stationary,
+UnstableManifolds::UnstableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
                                      UnstableOptions options, const Progress& progress)
-    : machine_(std::make_unique<Machine>(delaunay, stationary, options)) {
+    : machine_(std::make_unique<Machine>(diagram, stationary, options)) {
   machine_->compute(progress);
 }
 UnstableManifolds::~UnstableManifolds() = default;

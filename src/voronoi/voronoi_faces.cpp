@@ -15,9 +15,6 @@ namespace {
 constexpr std::uint32_t kSmallRing = 16;
 constexpr PolygonRef kNoPolygon{kNoCell, 0};
 
-// The vertices of facet i of a positively oriented cell, counterclockwise seen from outside.
-constexpr unsigned kOutward[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-
 unsigned place_in(const std::array<VertexIndex, 4>& vertices, VertexIndex v) {
   return unsigned{vertices[1] == v} + 2 * unsigned{vertices[2] == v} + 3 * unsigned{vertices[3] == v};
 }
@@ -26,103 +23,20 @@ bool contains(const std::array<VertexIndex, 4>& vertices, VertexIndex v) {
   return std::find(vertices.begin(), vertices.end(), v) != vertices.end();
 }
 
-FacetName facet_name(VertexIndex v, VertexIndex w) { return {std::min(v, w), std::max(v, w)}; }
-
 bool before(PolygonRef a, PolygonRef b) { return std::tie(a.cell, a.index) < std::tie(b.cell, b.index); }
 
-std::variant<CompactDelaunay, PlanarComplex, VoronoiComplex> make_complex(const Delaunay& delaunay,
-                                                                          FilterTally& tally) {
-  CompactDelaunay copy = compact_copy(delaunay);
-  if (copy.dimension == 3) return VoronoiComplex(std::move(copy), tally);
-  if (copy.dimension == 2) return PlanarComplex(std::move(copy), tally);
-  return copy;
-}
-
 }  // namespace
-
-VoronoiFaces::VoronoiFaces(const Delaunay& delaunay, FilterTally& tally)
-    : dimension_(delaunay.dimension()), complex_(make_complex(delaunay, tally)) {}
-
-const CompactDelaunay& VoronoiFaces::delaunay() const {
-  if (spatial() != nullptr) return spatial()->delaunay();
-  return planar() != nullptr ? planar()->delaunay() : std::get<CompactDelaunay>(complex_);
-}
-
-std::vector<CellIndex> VoronoiFaces::cells_of(CellIndex cluster) const {
-  if (complex().is_alone(cluster)) return {cluster};
-  const auto cells = complex().large_cluster_of(cluster);
-  return {cells.begin(), cells.end()};
-}
-
-// The facets of a polygon of several; empty for one.
-std::span<const FacetRef> VoronoiFaces::large_polygon(PolygonRef polygon) const {
-  if (complex().role(polygon) != VoronoiComplex::FacetRole::kPiece) return {};
-  return complex().large_polygon(complex().large_polygon_of(polygon));
-}
-
-PolygonRef VoronoiFaces::polygon(FacetRef facet) const {
-  if (const PlanarComplex* plane = planar()) {
-    return {plane->polygons()[plane->polygon_of(facet.cell)].front(), 3};
-  }
-  if (!delaunay().is_finite(facet.cell)) facet = delaunay().mirror(facet);
-  if (const auto pieces = large_polygon(facet); !pieces.empty()) return pieces.front();
-  const FacetRef mirror = complex().mirror(facet);
-  return mirror.cell < facet.cell ? mirror : facet;  // infinite cells come last
-}
-
-std::vector<PolygonSide> VoronoiFaces::sides(PolygonRef polygon) const {
-  if (const PlanarComplex* plane = planar()) {
-    std::vector<PolygonSide> sides;
-    for (const CellIndex cell : plane->polygons()[plane->polygon_of(polygon.cell)]) {
-      const auto& v = delaunay().vertices(cell);
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        if (plane->is_diagonal({cell, i})) continue;
-        const FacetName side = facet_name(v[(i + 1) % 3], v[(i + 2) % 3]);
-        sides.push_back({side.v0, side.v1, plane->angle(cell, i)});
-      }
-    }
-    return sides;
-  }
-  const auto pieces = large_polygon(polygon);
-  return sides_of(complex(), pieces.empty() ? std::span<const FacetRef>(&polygon, 1) : pieces);
-}
-
-PolygonDriver VoronoiFaces::driver(PolygonRef polygon) const {
-  // Most are one acute facet, which its signs tell.
-  if (spatial() != nullptr && complex().role(polygon) == VoronoiComplex::FacetRole::kWhole &&
-      complex().signs(polygon.cell).is_acute(polygon.index)) {
-    return {Sign::kPositive, {}};
-  }
-  PolygonDriver driver{Sign::kPositive, {}};
-  for (const PolygonSide& side : sides(polygon)) {
-    driver.shape = std::min(driver.shape, side.angle);
-    if (side.angle == Sign::kNegative) driver.side = {side.v0, side.v1};
-  }
-  return driver;
-}
-
-std::array<VertexIndex, 3> VoronoiFaces::corners(PolygonRef polygon) const {
-  const auto& v = delaunay().vertices(polygon.cell);
-  const auto& order = kOutward[polygon.index];
-  return {v[order[0]], v[order[1]], v[order[2]]};
-}
-
-CellIndex VoronoiFaces::end(PolygonRef polygon, std::size_t side) const {
-  if (planar() != nullptr) return kNoCell;
-  const CellIndex cell = side == 0 ? polygon.cell : delaunay().neighbors(polygon.cell)[polygon.index];
-  return delaunay().is_finite(cell) ? complex().cluster(cell) : kNoCell;
-}
 
 // ---- Facets.
 
 FacetRing VoronoiFaces::ring(FacetName facet, CellIndex hint) {
-  if (dimension_ < 2) return {0, {}, {}};
+  if (dimension() < 2) return {0, {}, {}};
   const std::uint64_t key = (std::uint64_t{facet.v0} << 32) | facet.v1;
   const auto [entry, is_new] = ring_of_.try_emplace(key, static_cast<std::uint32_t>(rings_.size()));
   if (is_new) {
     rings_.push_back({static_cast<std::uint32_t>(elements_.size()), 0});
     const CellIndex cell = cell_with(facet, hint);
-    spatial() != nullptr ? add_spatial_ring(facet, cell) : add_planar_ring(facet, cell);
+    diagram_.spatial() != nullptr ? add_spatial_ring(facet, cell) : add_planar_ring(facet, cell);
     rings_.back().count = static_cast<std::uint32_t>(elements_.size()) - rings_.back().first;
     if (rings_.back().count > kSmallRing) sort_large_ring(rings_.back());
   }
@@ -253,16 +167,11 @@ std::size_t VoronoiFaces::element_of(const FacetRing& ring, CellIndex cluster) c
 template <class IsWanted>
 std::span<const CellIndex> VoronoiFaces::star_until(VertexIndex p, const IsWanted& is_wanted) {
   const CompactDelaunay& cells = delaunay();
-  const auto corners = static_cast<unsigned>(dimension_) + 1;
-  if (incident_cell_.empty()) {
-    incident_cell_.assign(cells.points.size(), kNoCell);
-    for (CellIndex cell = 0; cell < cells.finite_count; ++cell) {
-      for (unsigned i = 0; i < corners; ++i) incident_cell_[cells.vertices(cell)[i]] = cell;
-    }
-    seen_in_star_.assign(cells.cells.size(), 0);
-  }
+  const auto corners = static_cast<unsigned>(dimension()) + 1;
+  const std::span<const CellIndex> incident_cells = diagram_.incident_cells();
+  if (seen_in_star_.empty()) seen_in_star_.assign(cells.cells.size(), 0);
   ++star_number_;
-  star_.assign(1, incident_cell_[p]);
+  star_.assign(1, incident_cells[p]);
   seen_in_star_[star_.front()] = star_number_;
   for (std::size_t k = 0; k < star_.size(); ++k) {
     const CellIndex cell = star_[k];
@@ -293,7 +202,7 @@ CellIndex VoronoiFaces::cell_with(FacetName facet, CellIndex hint) {
 
 std::vector<VertexIndex> VoronoiFaces::neighbors(VertexIndex p) {
   std::vector<VertexIndex> found;
-  if (dimension_ < 1) return found;
+  if (dimension() < 1) return found;
   for (const CellIndex cell : star(p)) {
     for (const VertexIndex v : delaunay().vertices(cell)) {
       if (v != p && v != kInfiniteVertex) found.push_back(v);
@@ -310,7 +219,7 @@ Place VoronoiFaces::place_of(VertexIndex p, std::span<const VertexIndex> others)
   const auto is_contact = [&](VertexIndex v) {
     return v == p || std::find(others.begin(), others.end(), v) != others.end();
   };
-  const auto corners = static_cast<unsigned>(dimension_) + 1;
+  const auto corners = static_cast<unsigned>(dimension()) + 1;
   Place edge;
   for (const CellIndex cell : star(p)) {
     if (!delaunay().is_finite(cell)) continue;
@@ -325,7 +234,7 @@ Place VoronoiFaces::place_of(VertexIndex p, std::span<const VertexIndex> others)
     }
     if (count == 4) return Place::at_vertex(complex().cluster(cell));
     if (count == 3 && edge.kind == Place::Kind::kInfinity) {
-      edge = Place::on_edge(polygon({cell, dimension_ == 2 ? 3 : missing}));
+      edge = Place::on_edge(polygon({cell, dimension() == 2 ? 3 : missing}));
     }
   }
   return edge;
@@ -351,35 +260,6 @@ Place VoronoiFaces::locate(const RationalPoint& x) {
     if (squared_distance(x, point(v)) == least) others.push_back(v);
   }
   return place_of(nearest, others);
-}
-
-std::vector<VertexIndex> VoronoiFaces::contact(const Place& place) const {
-  std::vector<VertexIndex> contact;
-  switch (place.kind) {
-    case Place::Kind::kVertex:
-      for (const CellIndex cell : cells_of(place.vertex)) {
-        const auto& v = delaunay().vertices(cell);
-        contact.insert(contact.end(), v.begin(), v.end());
-      }
-      break;
-    case Place::Kind::kEdge:
-      for (const PolygonSide& side : sides(place.edge)) {
-        contact.push_back(side.v0);
-        contact.push_back(side.v1);
-      }
-      break;
-    case Place::Kind::kFacet:
-      contact = {place.facet.v0, place.facet.v1};
-      break;
-    case Place::Kind::kCell:
-      contact = {place.sample};
-      break;
-    case Place::Kind::kInfinity:
-      break;
-  }
-  std::sort(contact.begin(), contact.end());
-  contact.erase(std::unique(contact.begin(), contact.end()), contact.end());
-  return contact;
 }
 
 }  // namespace flowcert::voronoi

@@ -226,9 +226,9 @@ int run(const std::string& input, std::size_t count, std::uint64_t seed) {
   const Clock clock;
   const std::vector<flowcert::Point> rows = flowcert::read_points(input).rows;
   const flowcert::PointSet points(rows);
-  const flowcert::Delaunay delaunay(points);
-  const flowcert::StationaryPoints stationary = flowcert::stationary_points(delaunay);
-  flowcert::UnstableManifolds manifolds(delaunay, stationary);
+  const flowcert::VoronoiDiagram diagram{flowcert::Delaunay(points)};
+  const flowcert::StationaryPoints stationary = flowcert::stationary_points(diagram);
+  flowcert::UnstableManifolds manifolds(diagram, stationary);
   if (manifolds.size() == 0) {
     throw std::runtime_error(input + ": there is no critical point of index 2");
   }

@@ -29,13 +29,15 @@ struct Flow {
       : points(all),
         delaunay(points),
         start(Clock::now()),
-        stationary(stationary_points(delaunay)),
-        unstable(delaunay, stationary),
+        diagram(delaunay),
+        stationary(stationary_points(diagram)),
+        unstable(diagram, stationary),
         seconds(since(start)) {}
 
   const PointSet& points;
   Delaunay delaunay;
   Clock::time_point start;
+  VoronoiDiagram diagram;
   StationaryPoints stationary;
   UnstableManifolds unstable;
   double seconds;
@@ -44,7 +46,7 @@ struct Flow {
 struct Own {
   Own(Flow& flow, std::uint64_t seed) {
     const Clock::time_point start = Clock::now();
-    const StableManifolds stable(flow.delaunay, flow.stationary, {.flow = {}, .seed = seed});
+    const StableManifolds stable(flow.diagram, flow.stationary, {.flow = {}, .seed = seed});
     const ChainComplex complex(flow.points, flow.stationary, flow.unstable, stable, seed);
     const Persistence persistence(flow.points, flow.stationary, complex);
     seconds = flow.seconds + since(start);

@@ -58,7 +58,7 @@ Mean measure(FlowMachine& machine, const std::vector<Position>& starts, std::vec
 // A facet of one input, with the two machines that search it.
 struct Subject {
   explicit Subject(const fuzz::Input& input)
-      : points(rows_of(input)), delaunay(points), faces(delaunay, tally) {
+      : points(rows_of(input)), diagram(Delaunay(points)), faces(diagram) {
     VertexIndex v[2] = {0, 0};
     for (VertexIndex k = 0; k < faces.delaunay().positions.size(); ++k) {
       if (faces.delaunay().positions[k] < 2) v[faces.delaunay().positions[k]] = k;
@@ -81,8 +81,7 @@ struct Subject {
   }
 
   PointSet points;
-  Delaunay delaunay;
-  FilterTally tally;
+  VoronoiDiagram diagram;
   VoronoiFaces faces;
   FacetName name;
   FacetRing ring;

@@ -89,8 +89,8 @@ void add_right_triangle(std::vector<std::string>& lines, const Case& one, std::s
 }
 
 std::vector<std::string> lines_of(const std::string& form, const Case& one) {
-  const Delaunay delaunay(one.points);
-  const StationaryPoints found = stationary_points(delaunay);
+  const VoronoiDiagram diagram{Delaunay(one.points)};
+  const StationaryPoints found = stationary_points(diagram);
   std::vector<std::string> lines;
   if (form == "exchange") {
     std::stringstream text;

@@ -194,8 +194,8 @@ RecordText record_text(const std::vector<std::string>& center, int face_dimensio
 
 Answer fast_answer(const std::string& xyz) {
   const PointSet points(xyz.empty() ? std::vector<Point>{} : read_points_from(xyz, "example.xyz").rows);
-  const Delaunay delaunay(points);
-  const StationaryPoints stationary = stationary_points(delaunay);
+  const VoronoiDiagram diagram{Delaunay(points)};
+  const StationaryPoints stationary = stationary_points(diagram);
   Answer answer;
   answer.points = points.row_count();
   answer.merged_duplicates = points.merged_duplicates();

@@ -41,11 +41,11 @@ Json fast_records(const PointSet& points, const StationaryPoints& stationary) {
   return records;
 }
 
-void add_fast_limits(const Delaunay& delaunay, const StationaryPoints& stationary, ConstructionKernel kernel,
-                     Json& records) {
+void add_fast_limits(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
+                     ConstructionKernel kernel, Json& records) {
   UnstableOptions options;
   options.flow.kernel = kernel;
-  const UnstableManifolds manifolds(delaunay, stationary, options);
+  const UnstableManifolds manifolds(diagram, stationary, options);
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
     Json limits = Json::array();
     for (const std::size_t side : {0U, 1U}) {
@@ -104,9 +104,9 @@ bool any_has_regular_back(const Json& skeleton) {
 }
 
 // The fast implementation has no walk of its own, and a boundary even where there is a tie.
-void add_fast_stable_sets(const Delaunay& delaunay, const StationaryPoints& stationary,
+void add_fast_stable_sets(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
                           ConstructionKernel kernel, const Json& expected, Json& records) {
-  StableManifolds manifolds(delaunay, stationary, {.flow = {kernel, FacetSearch::kBinary}, .seed = 0});
+  StableManifolds manifolds(diagram, stationary, {.flow = {kernel, FacetSearch::kBinary}, .seed = 0});
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
     Json& record = records[manifolds.record(i)];
     const Json& wanted = expected[manifolds.record(i)]["stable"];
@@ -123,12 +123,12 @@ void add_fast_stable_sets(const Delaunay& delaunay, const StationaryPoints& stat
   }
 }
 
-Json fast_persistence(const PointSet& points, const Delaunay& delaunay, const StationaryPoints& stationary,
-                      ConstructionKernel kernel) {
+Json fast_persistence(const PointSet& points, const VoronoiDiagram& diagram,
+                      const StationaryPoints& stationary, ConstructionKernel kernel) {
   UnstableOptions options;
   options.flow.kernel = kernel;
-  UnstableManifolds unstable(delaunay, stationary, options);
-  const StableManifolds stable(delaunay, stationary, {.flow = {kernel, FacetSearch::kBinary}, .seed = 0});
+  UnstableManifolds unstable(diagram, stationary, options);
+  const StableManifolds stable(diagram, stationary, {.flow = {kernel, FacetSearch::kBinary}, .seed = 0});
   const ChainComplex complex(points, stationary, unstable, stable, 0);
   const Persistence persistence(points, stationary, complex);
   Json pairs = Json::array();
@@ -154,22 +154,22 @@ Json in_order(const Json& pairs) {
 
 Json fast_answer(const Json& one, ConstructionKernel kernel) {
   const PointSet points = fast_points(one);
-  const Delaunay delaunay(points);
-  const StationaryPoints stationary = stationary_points(delaunay);
+  const VoronoiDiagram diagram{Delaunay(points)};
+  const StationaryPoints stationary = stationary_points(diagram);
   Json answer;
   add_counts(answer, points, stationary);
   answer.erase("points");
   answer["stationary"] = fast_records(points, stationary);
   const Json& expected = one["expected"]["stationary"];
-  if (any_has(expected, "limits")) add_fast_limits(delaunay, stationary, kernel, answer["stationary"]);
+  if (any_has(expected, "limits")) add_fast_limits(diagram, stationary, kernel, answer["stationary"]);
   if (any_has(expected, "stable")) {
-    add_fast_stable_sets(delaunay, stationary, kernel, expected, answer["stationary"]);
+    add_fast_stable_sets(diagram, stationary, kernel, expected, answer["stationary"]);
   }
   if (has(one, "persistence")) {
-    answer["persistence"] = in_order(fast_persistence(points, delaunay, stationary, kernel));
+    answer["persistence"] = in_order(fast_persistence(points, diagram, stationary, kernel));
   }
   if (!has(one, "orbits")) return answer;
-  Flow flow(delaunay, {kernel, FacetSearch::kBinary});
+  Flow flow(diagram, {kernel, FacetSearch::kBinary});
   answer["orbits"] = Json::array();
   for (const Json& path : one["expected"]["orbits"]) {
     answer["orbits"].push_back(fast_orbit(points, flow, path["start"]));

@@ -42,6 +42,7 @@ LIKELY = {
     "src/geometry/": ["flow_machine_test", "vectors_fast_test", "explain_test", "orbit_agreement_test", "orbit_cascades_test"],
     "src/voronoi/voronoi_complex": ["voronoi_complex_test"],
     "src/voronoi/voronoi_faces": ["voronoi_faces_test"],
+    "src/voronoi/diagram": ["voronoi_faces_test"],
     "src/flow/flow_statistics": ["flow_machine_test"],
     "src/flow/": ["vectors_fast_test", "orbit_agreement_test", "unstable_agreement_test"],
     "src/morse/stationary_points": ["vectors_fast_test", "metamorphic_test", "stationary_agreement_test"],
@@ -122,13 +123,19 @@ class Copy:
         self.run_tool(["cmake", "--preset", "release"])
 
     def quick_tests(self):
-        """The tests that carry ctest's label `quick`, by name without folder, with their command lines."""
-        listing = self.run_tool(["ctest", "--test-dir", "build", "-L", "^quick$", "--show-only=json-v1"])
-        tests = {entry["name"].rpartition("/")[2]: entry["command"] for entry in json.loads(listing)["tests"]}
+        """Builds the tests that carry ctest's label `quick`: by name without folder, their command lines.
+
+        ctest knows the command line of a program only once it is built. The tests of FOLDER/ are FOLDER_tests."""
+        self.compile(*{entry["name"].partition("/")[0] + "_tests" for entry in self.listed_tests()})
+        tests = {entry["name"].rpartition("/")[2]: entry["command"] for entry in self.listed_tests()}
         unknown = ({name for names in LIKELY.values() for name in names} | set().union(*BLIND.values())) - tests.keys()
         if unknown:
             give_up(f"no quick test, but named here: {', '.join(sorted(unknown))}")
         return tests
+
+    def listed_tests(self):
+        listing = self.run_tool(["ctest", "--test-dir", "build", "-L", "^quick$", "--show-only=json-v1"])
+        return json.loads(listing)["tests"]
 
     def compile(self, *targets):
         self.run_tool(["cmake", "--build", "build", "--parallel", str(self.jobs), "--target", *targets])
@@ -235,7 +242,6 @@ def run_all(entries, results, copies):
         try:
             copy.configure()
             tests = copy.quick_tests()
-            copy.compile(*{program_of(command) for command in tests.values()})
         except BuildFailure as failure:
             give_up(f"without a fault:\n{failure}")
     print("processor time without a fault")

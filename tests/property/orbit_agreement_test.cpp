@@ -89,9 +89,9 @@ void print_row(const std::string& name, const Seen& seen) {
 // The flows of one input: each remembers facets from one start to the next.
 class Flows {
  public:
-  explicit Flows(const Delaunay& delaunay) {
+  explicit Flows(const VoronoiDiagram& diagram) {
     for (const Variant& variant : kVariants) {
-      flows_.emplace_back(delaunay, variant.options);
+      flows_.emplace_back(diagram, variant.options);
     }
   }
   Flow& operator[](std::size_t variant) { return flows_[variant]; }
@@ -151,7 +151,7 @@ bool agrees_on(const fuzz::Family& family, const rc::detail::TestParams& paramet
     const fuzz::Input input = *generator;
     const auto choices = *start_choices(kStartsPerInput).as("starts");
     const Subject subject(input);
-    Flows flows(subject.delaunay);
+    Flows flows(subject.diagram);
     if (subject.points.empty()) {
       RC_ASSERT_THROWS_AS((void)flows[0].orbit({}), InvalidInput);
       RC_ASSERT_THROWS_AS((void)flows[0].step({}), InvalidInput);

@@ -32,7 +32,7 @@ std::size_t facets_crossed(const OrbitRecord& orbit) {
 std::size_t expect_orbits_agree(const Subject& subject, const std::vector<RationalPoint>& starts) {
   std::size_t longest = 0;
   std::vector<Flow> flows;
-  for (const FlowOptions& way : kAllWays) flows.emplace_back(subject.delaunay, way);
+  for (const FlowOptions& way : kAllWays) flows.emplace_back(subject.diagram, way);
   for (const RationalPoint& x : starts) {
     const OrbitRecord expected = record_of(subject.set, x, oracle::orbit(subject.set, x));
     longest = std::max(longest, facets_crossed(expected));
@@ -45,8 +45,8 @@ std::size_t expect_orbits_agree(const Subject& subject, const std::vector<Ration
 
 // Of every `step`-th saddle, both orbits.
 std::size_t expect_manifolds_agree(const Subject& subject, std::size_t step) {
-  const StationaryPoints stationary = stationary_points(subject.delaunay);
-  UnstableManifolds manifolds(subject.delaunay, stationary);
+  const StationaryPoints stationary = stationary_points(subject.diagram);
+  UnstableManifolds manifolds(subject.diagram, stationary);
   std::size_t longest = 0;
   for (std::size_t i = 0; i < manifolds.size(); i += step) {
     const auto contact = stationary.contact(manifolds.saddle(i));

@@ -58,7 +58,7 @@ bool keeps_laws(const fuzz::Family& family, const rc::detail::TestParams& parame
     if (subject.points.empty()) {
       return;
     }
-    Flow flow(subject.delaunay);
+    Flow flow(subject.diagram);
     for (const StartChoice& choice : choices) {
       const RationalPoint start = start_of(subject.set, choice);
       const OrbitRecord orbit = record_of(flow.orbit(start));
@@ -124,7 +124,7 @@ void require_equivariant(const Orbits& original, const fuzz::Input& transformed,
     std::sort(contact.begin(), contact.end());
   };
   const Subject subject(transformed);
-  Flow flow(subject.delaunay);
+  Flow flow(subject.diagram);
   for (OrbitRecord expected : original.orbits) {
     expected.start = move(expected.start);
     for (SegmentRecord& segment : expected.segments) {
@@ -164,7 +164,7 @@ class OrbitEquivariance : public ::testing::Test {
                             if (subject.points.empty()) {
                               return;
                             }
-                            Flow flow(subject.delaunay);
+                            Flow flow(subject.diagram);
                             for (const StartChoice& choice : choices) {
                               original.orbits.push_back(record_of(flow.orbit(start_of(subject.set, choice))));
                             }

@@ -40,10 +40,10 @@ using Chain = std::vector<std::uint32_t>;  // records, ascending
 struct Subject {
   explicit Subject(const PointSet& all, std::uint64_t seed = 0)
       : points(all),
-        delaunay(points),
-        stationary(stationary_points(delaunay)),
-        unstable(delaunay, stationary),
-        stable(delaunay, stationary, {.flow = {}, .seed = seed}),
+        diagram(Delaunay(points)),
+        stationary(stationary_points(diagram)),
+        unstable(diagram, stationary),
+        stable(diagram, stationary, {.flow = {}, .seed = seed}),
         complex(points, stationary, unstable, stable, seed),
         persistence(points, stationary, complex) {}
   Subject(const Subject&) = delete;
@@ -63,7 +63,7 @@ struct Subject {
   }
 
   const PointSet& points;
-  Delaunay delaunay;
+  VoronoiDiagram diagram;
   StationaryPoints stationary;
   UnstableManifolds unstable;
   StableManifolds stable;

@@ -68,9 +68,9 @@ void require_right_summary(const Subject& subject, const StationaryPoints& stati
 }
 
 void require_right_sets(const Subject& subject, Totals& totals) {
-  const StationaryPoints stationary = stationary_points(subject.delaunay);
-  StableManifolds lazy(subject.delaunay, stationary);
-  StableManifolds exact(subject.delaunay, stationary, {{ConstructionKernel::kExact, FacetSearch::kLinear}});
+  const StationaryPoints stationary = stationary_points(subject.diagram);
+  StableManifolds lazy(subject.diagram, stationary);
+  StableManifolds exact(subject.diagram, stationary, {{ConstructionKernel::kExact, FacetSearch::kLinear}});
   RC_ASSERT(lazy.size() == exact.size());
   const std::size_t step = 1 + lazy.size() / kSetsByOracle;
   for (std::size_t i = 0; i < lazy.size(); i += step) {

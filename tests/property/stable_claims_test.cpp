@@ -35,9 +35,9 @@ constexpr std::size_t kMostByOracle = 120;  // stationary points of an input
 
 struct Subject : ClaimSubject {
   explicit Subject(const fuzz::Input& rows)
-      : ClaimSubject(rows), delaunay(points), stationary(stationary_points(delaunay)) {}
+      : ClaimSubject(rows), diagram(Delaunay(points)), stationary(stationary_points(diagram)) {}
 
-  Delaunay delaunay;
+  VoronoiDiagram diagram;
   StationaryPoints stationary;
 };
 
@@ -76,7 +76,7 @@ Claim claim_in_decimals(Claim claim) {
 
 // Ties broken at random. How many boundaries came out otherwise is counted.
 Claim with_other_ties(const Subject& subject, Claim claim, std::size_t& differing) {
-  const StableManifolds other(subject.delaunay, subject.stationary, {.flow = {}, .seed = 1 + below(1000000)});
+  const StableManifolds other(subject.diagram, subject.stationary, {.flow = {}, .seed = 1 + below(1000000)});
   for (std::size_t k = 0; k < other.size(); ++k) {
     ClaimedPoint& point = claim.points[other.record(k)];
     if (point.hull_dimension) continue;

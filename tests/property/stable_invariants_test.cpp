@@ -55,8 +55,8 @@ struct FastSet {
 struct FastSets {
   FastSets(const Subject& of, ConstructionKernel kernel)
       : subject(of),
-        stationary(stationary_points(subject.delaunay)),
-        manifolds(subject.delaunay, stationary, {.flow = {.kernel = kernel}}) {
+        stationary(stationary_points(subject.diagram)),
+        manifolds(subject.diagram, stationary, {.flow = {.kernel = kernel}}) {
     for (std::size_t i = 0; i < manifolds.size(); ++i) {
       const StationaryPoint z = oracle_point(subject.points, stationary, manifolds.record(i));
       const StableSet set = manifolds.set(i);

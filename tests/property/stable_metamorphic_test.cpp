@@ -63,10 +63,10 @@ bool has_tie(const StableManifolds& manifolds, std::size_t i, const StableSet& s
 
 StableAnswer answer_of(const fuzz::Input& input) {
   const PointSet points = point_set_of(input);
-  const Delaunay delaunay(points);
-  const StationaryPoints stationary = stationary_points(delaunay);
-  StableManifolds stable(delaunay, stationary);
-  UnstableManifolds unstable(delaunay, stationary);
+  const VoronoiDiagram diagram{Delaunay(points)};
+  const StationaryPoints stationary = stationary_points(diagram);
+  StableManifolds stable(diagram, stationary);
+  UnstableManifolds unstable(diagram, stationary);
   const ChainComplex complex(points, stationary, unstable, stable);
   StableAnswer answer{{}, exact_pairs(Persistence(points, stationary, complex))};
   for (std::size_t i = 0; i < stable.size(); ++i) {

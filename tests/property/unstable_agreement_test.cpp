@@ -45,7 +45,7 @@ struct Answer {
 };
 
 Answer answer_of(const Subject& subject, const StationaryPoints& stationary, const UnstableOptions& options) {
-  UnstableManifolds manifolds(subject.delaunay, stationary, options);
+  UnstableManifolds manifolds(subject.diagram, stationary, options);
   Answer answer;
   answer.statistics = manifolds.statistics();
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
@@ -282,7 +282,7 @@ void print_row(const std::string& name, const Seen& seen) {
 
 // Shared, alone, and with the slow kernel and search; then all orbits of the first against the oracle.
 FlowStatistics compared_statistics(const Subject& subject) {
-  const StationaryPoints stationary = stationary_points(subject.delaunay);
+  const StationaryPoints stationary = stationary_points(subject.diagram);
   const Answer shared = answer_of(subject, stationary, {kLazyBinary, true});
   const Answer alone = answer_of(subject, stationary, {kLazyBinary, false});
   require_none(subject.input, shared.saddles == saddles_of(stationary) ? "" : "not the list's saddles", "");
@@ -360,9 +360,9 @@ TEST(UnstableAgreement, AskingForOrbitsLeavesTheStatistics) {
   CITES("FC-FLOW-08");
   const fuzz::Input input{{{1, 0, 2}, {2, 1, 0}, {0, 3, 1}, {3, 3, 3}, {1, 1, 1}, {0, 0, 0}}};
   const Subject subject(input);
-  const StationaryPoints stationary = stationary_points(subject.delaunay);
+  const StationaryPoints stationary = stationary_points(subject.diagram);
   for (const bool share : {true, false}) {
-    UnstableManifolds manifolds(subject.delaunay, stationary, {kLazyBinary, share});
+    UnstableManifolds manifolds(subject.diagram, stationary, {kLazyBinary, share});
     const FlowStatistics before = manifolds.statistics();
     EXPECT_GT(before.n_u2.max(), 1U);
     for (std::size_t i = 0; i < manifolds.size(); ++i) {
@@ -382,8 +382,8 @@ TEST(UnstableAgreement, NothingToComputeForFewPoints) {
       input.rows.push_back({static_cast<double>(k), 0, 0});
     }
     const Subject subject(input);
-    const StationaryPoints stationary = stationary_points(subject.delaunay);
-    const UnstableManifolds manifolds(subject.delaunay, stationary);
+    const StationaryPoints stationary = stationary_points(subject.diagram);
+    const UnstableManifolds manifolds(subject.diagram, stationary);
     EXPECT_EQ(manifolds.size(), 0U);
     EXPECT_TRUE(counts_of(manifolds.statistics()) == Counts{});
   }

@@ -47,10 +47,10 @@ void expect_boundaries(const StationaryPoints& stationary, const UnstableManifol
 
 void expect_boundaries_of(const std::vector<Point>& rows, std::uint64_t seed, Seen& seen) {
   const PointSet points(rows);
-  const Delaunay delaunay(points);
-  const StationaryPoints stationary = stationary_points(delaunay);
-  UnstableManifolds unstable(delaunay, stationary);
-  const StableManifolds stable(delaunay, stationary);
+  const VoronoiDiagram diagram{Delaunay(points)};
+  const StationaryPoints stationary = stationary_points(diagram);
+  UnstableManifolds unstable(diagram, stationary);
+  const StableManifolds stable(diagram, stationary);
   expect_boundaries(stationary, unstable, ChainComplex(points, stationary, unstable, stable, seed), seen);
 }
 

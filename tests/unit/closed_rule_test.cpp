@@ -14,8 +14,11 @@
 #include "fuzz/inputs/families.h"
 #include "tests/cites.h"
 #include "tests/unit/read_out_complex.h"
+#include "voronoi/diagram.h"
 
 namespace flowcert {
+
+using namespace voronoi;
 namespace {
 
 using Counts = std::array<long long, 3>;  // of index 1, 2, 3
@@ -80,10 +83,10 @@ void check_closed_rule(const std::vector<Point>& rows, int dimension, KindsSeen&
   const PointSet points(rows);
   const Delaunay delaunay(points);
   if (delaunay.dimension() != dimension) return;
-  const StationaryPoints strict = stationary_points(delaunay);
-  FilterTally tally;
-  const Counts closed = dimension == 3 ? closed_counts(VoronoiComplex(compact_copy(delaunay), tally))
-                                       : closed_counts(PlanarComplex(compact_copy(delaunay), tally));
+  const VoronoiDiagram diagram(delaunay);
+  const StationaryPoints strict = stationary_points(diagram);
+  const Counts closed =
+      dimension == 3 ? closed_counts(diagram.faces().complex()) : closed_counts(*diagram.faces().planar());
   const auto& counts = strict.critical_counts();
   const RegularCounts regular = strict.regular_counts();
   const std::array<std::size_t, 3> by_kind = {regular.kind12, regular.kind23, regular.kind13};

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "flowcert/delaunay.h"
 #include "flowcert/point_set.h"
 #include "flowcert/stable_manifolds.h"
 #include "flowcert/stationary_points.h"
+#include "flowcert/voronoi_diagram.h"
 #include "fuzz/inputs/configurations.h"
 #include "fuzz/inputs/large_configurations.h"
 #include "fuzz/inputs/stable_configurations.h"
@@ -193,9 +193,9 @@ TEST(Signature, SaysOfStableManifoldsWhatTheirStatisticsSay) {
       std::vector<Point> rows;
       for (const auto& [x, y, z] : input.rows) rows.push_back({x, y, z});
       const PointSet points(rows);
-      const Delaunay delaunay(points);
-      const StationaryPoints stationary = stationary_points(delaunay);
-      const StableManifolds stable(delaunay, stationary);
+      const VoronoiDiagram diagram{Delaunay(points)};
+      const StationaryPoints stationary = stationary_points(diagram);
+      const StableManifolds stable(diagram, stationary);
       const StableStatistics& statistics = stable.statistics();
       EXPECT_EQ(value_of(SignaturePart::kStableVertex, input), yes_or_no(statistics.with_vertex)) << input;
       EXPECT_EQ(value_of(SignaturePart::kStableInterval, input), yes_or_no(statistics.with_interval))

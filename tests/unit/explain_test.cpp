@@ -314,8 +314,8 @@ struct Seen {
 
 void check_input(const PointSet& points, PortableRandom& random, Seen& seen) {
   if (points.empty()) return;
-  const Delaunay delaunay(points);
-  const StationaryPoints list = stationary_points(delaunay);
+  const VoronoiDiagram diagram{Delaunay(points)};
+  const StationaryPoints list = stationary_points(diagram);
   std::map<Ids, StationaryIndex> listed;
   std::set<RationalPoint> centers;
   for (std::size_t i = 0; i < list.size(); ++i) {

@@ -39,8 +39,8 @@ TEST(LazyKernel, IntervalsDecideWhereNothingIsDegenerate) {
   CITES("FC-NUM-01");
   const PointSet points(
       std::vector<Point>{{0, 0, 0}, {7, 1, 2}, {3, 9, 1}, {2, 3, 8}, {11, 12, 5}, {-4, 6, 7}});
-  const Delaunay delaunay(points);
-  Flow flow(delaunay);
+  const VoronoiDiagram diagram{Delaunay(points)};
+  Flow flow(diagram);
   for (int k = 0; k < 20; ++k) {
     (void)flow.orbit({Rational(3 * k + 1) / 7, Rational(5 * k - 30) / 11, Rational(40 - 2 * k) / 13});
   }
@@ -62,9 +62,8 @@ FacetName facet_of_rows_0_and_1(const VoronoiFaces& faces) {
 TEST(LazyKernel, ExactNumbersDecideAtAVoronoiVertex) {
   CITES("FC-NUM-01", "FC-FLOW-02");
   const PointSet points = decagon();
-  const Delaunay delaunay(points);
-  FilterTally unused;
-  VoronoiFaces faces(delaunay, unused);
+  const VoronoiDiagram diagram{Delaunay(points)};
+  VoronoiFaces faces(diagram);
   const auto machine = make_flow_machine(faces, {});
   const FacetName name = facet_of_rows_0_and_1(faces);
   const FacetRing ring = faces.ring(name);
@@ -89,9 +88,8 @@ TEST(LazyKernel, ExactNumbersDecideAtAVoronoiVertex) {
 TEST(LazyKernel, NearTiesAreTheExactKernels) {
   CITES("FC-NUM-01", "FC-FLOW-02");
   const PointSet points = decagon();
-  const Delaunay delaunay(points);
-  FilterTally unused;
-  VoronoiFaces faces(delaunay, unused);
+  const VoronoiDiagram diagram{Delaunay(points)};
+  VoronoiFaces faces(diagram);
   const auto lazy = make_flow_machine(faces, {ConstructionKernel::kLazy, FacetSearch::kBinary});
   const auto exact = make_flow_machine(faces, {ConstructionKernel::kExact, FacetSearch::kBinary});
   const FacetName name = facet_of_rows_0_and_1(faces);
@@ -121,9 +119,9 @@ TEST(LazyKernel, NearTiesAreTheExactKernels) {
 TEST(LazyKernel, LongChainsAreCut) {
   CITES("FC-FLOW-05");
   const PointSet points(rows_of(fuzz::long_cascade(1200, 1)));
-  const Delaunay delaunay(points);
-  const StationaryPoints stationary = stationary_points(delaunay);
-  const UnstableManifolds manifolds(delaunay, stationary);
+  const VoronoiDiagram diagram{Delaunay(points)};
+  const StationaryPoints stationary = stationary_points(diagram);
+  const UnstableManifolds manifolds(diagram, stationary);
   EXPECT_GT(manifolds.statistics().n_wcc.max(), 1000u);
   EXPECT_EQ(manifolds.statistics().depth, 1000u);
 }
@@ -131,9 +129,9 @@ TEST(LazyKernel, LongChainsAreCut) {
 TEST(ExactKernel, CountsNoFailure) {
   CITES("FC-NUM-01");
   const PointSet points = decagon();
-  const Delaunay delaunay(points);
-  const StationaryPoints stationary = stationary_points(delaunay);
-  const UnstableManifolds manifolds(delaunay, stationary,
+  const VoronoiDiagram diagram{Delaunay(points)};
+  const StationaryPoints stationary = stationary_points(diagram);
+  const UnstableManifolds manifolds(diagram, stationary,
                                     {{ConstructionKernel::kExact, FacetSearch::kBinary}, true});
   EXPECT_EQ(failures(manifolds.statistics().tally), 0u);
   EXPECT_EQ(manifolds.statistics().depth, 0u);
@@ -168,8 +166,8 @@ TEST(RecordFinder, FindsEachRecordAndNoOther) {
   CITES("FC-OUT-02");
   const PointSet points(rows_of(
       {{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}, {0, 0, 2}, {2, 0, 2}, {0, 2, 2}, {2, 2, 2}, {5, 1, 1}}}));
-  const Delaunay delaunay(points);
-  const StationaryPoints list = stationary_points(delaunay);
+  const VoronoiDiagram diagram{Delaunay(points)};
+  const StationaryPoints list = stationary_points(diagram);
   const RecordFinder finder(list);
   for (std::size_t record = 0; record < list.size(); ++record) {
     EXPECT_EQ(finder.find(list.index(record), list.contact(record)), record);

@@ -128,9 +128,9 @@ TEST(PointSetTest, TheEmptySetHasAnAnswer) {
     EXPECT_EQ(set.row_count(), 0u);
     EXPECT_EQ(set.merged_duplicates(), 0u);
     EXPECT_TRUE(set.repeated_classes().empty());
-    const Delaunay delaunay(set);
-    EXPECT_EQ(delaunay.dimension(), -1);
-    const StationaryPoints none = stationary_points(delaunay);
+    const VoronoiDiagram diagram{Delaunay(set)};
+    EXPECT_EQ(diagram.dimension(), -1);
+    const StationaryPoints none = stationary_points(diagram);
     EXPECT_EQ(none.size(), 0u);
     EXPECT_EQ(none.euler_sum(), 0);
   }

@@ -39,9 +39,9 @@ TEST(ReadExchange, EverythingThatComputeWrites) {
   CITES("FC-OUT-01", "FC-NUM-02", "FC-IN-03", "FC-FLOW-07");
   const std::vector<Point> rows = rows_of_many_kinds();
   const PointSet points(rows);
-  const Delaunay delaunay(points);
-  const StationaryPoints stationary = stationary_points(delaunay);
-  UnstableManifolds u2(delaunay, stationary);
+  const VoronoiDiagram diagram{Delaunay(points)};
+  const StationaryPoints stationary = stationary_points(diagram);
+  UnstableManifolds u2(diagram, stationary);
   const Claim claim = claim_of(property::exchange_file(rows));
   EXPECT_EQ(claim.format, "exchange");
   EXPECT_EQ(claim.point_count, rows.size());

@@ -137,9 +137,9 @@ TEST(StableStatistics, AreTheSumsOverTheSets) {
         rows.push_back({row[0], row[1], row[2]});
       }
       const PointSet points(rows);
-      const Delaunay delaunay(points);
-      const StationaryPoints stationary = stationary_points(delaunay);
-      StableManifolds stable(delaunay, stationary);
+      const VoronoiDiagram diagram{Delaunay(points)};
+      const StationaryPoints stationary = stationary_points(diagram);
+      StableManifolds stable(diagram, stationary);
       const Counts expected = count_sets(points, stable, stationary);
       const StableStatistics& told = stable.statistics();
       EXPECT_EQ(told.n_s2.count(), expected.orbits.count());

@@ -31,9 +31,9 @@ PointSet point_set(const fuzz::Input& input) {
   return PointSet(rows);
 }
 
-struct Diagram {
-  explicit Diagram(const fuzz::Input& input)
-      : points(point_set(input)), delaunay(points), faces(delaunay, tally) {}
+struct Subject {
+  explicit Subject(const fuzz::Input& input)
+      : points(point_set(input)), diagram(Delaunay(points)), faces(diagram) {}
 
   [[nodiscard]] RationalPoint at(VertexIndex v) const { return exactly(faces.point(v)); }
   [[nodiscard]] RationalPoint center(CellIndex cluster) const {
@@ -56,20 +56,19 @@ struct Diagram {
   }
 
   PointSet points;
-  Delaunay delaunay;
-  FilterTally tally;
+  VoronoiDiagram diagram;
   VoronoiFaces faces;
 };
 
 // The direction in which the boundary runs along a piece: the edge turned by a quarter from its outward
 // normal.
-RationalPoint along(const Diagram& diagram, FacetName name, VertexIndex apex) {
+RationalPoint along(const Subject& diagram, FacetName name, VertexIndex apex) {
   const RationalPoint e = minus(diagram.at(name.v1), diagram.at(name.v0));
   const RationalPoint g = minus(diagram.at(apex), diagram.at(name.v0));
   return {e[1] * g[2] - e[2] * g[1], e[2] * g[0] - e[0] * g[2], e[0] * g[1] - e[1] * g[0]};
 }
 
-void expect_piece_is_an_edge(const Diagram& diagram, const FacetRing& ring, FacetName name, std::size_t k) {
+void expect_piece_is_an_edge(const Subject& diagram, const FacetRing& ring, FacetName name, std::size_t k) {
   const std::size_t n = ring.pieces.size();
   const RingPiece& piece = ring.pieces[k];
   const RingElement &from = ring.elements[k], &to = ring.elements[(k + 1) % n];
@@ -97,7 +96,7 @@ void expect_piece_is_an_edge(const Diagram& diagram, const FacetRing& ring, Face
   }
 }
 
-void expect_convex(const Diagram& diagram, const FacetRing& ring, FacetName name) {
+void expect_convex(const Subject& diagram, const FacetRing& ring, FacetName name) {
   const RationalPoint e = minus(diagram.at(name.v1), diagram.at(name.v0));
   const std::size_t n = ring.pieces.size();
   for (std::size_t k = 0; k < n; ++k) {
@@ -107,7 +106,7 @@ void expect_convex(const Diagram& diagram, const FacetRing& ring, FacetName name
   }
 }
 
-void expect_lookups(const Diagram& diagram, const FacetRing& ring) {
+void expect_lookups(const Subject& diagram, const FacetRing& ring) {
   for (std::size_t k = 0; k < ring.pieces.size(); ++k) {
     if (ring.pieces[k].polygon.cell != kNoCell) {
       EXPECT_EQ(diagram.faces.piece_of(ring, ring.pieces[k].polygon), k);
@@ -125,7 +124,7 @@ TEST(VoronoiFaces, RingsAreConvexPolygonsWithoutDuplicates) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       const fuzz::Input input = fuzz::draw(family, seed, static_cast<int>(20 + 4 * seed));
       if (input.rows.empty()) continue;
-      Diagram diagram(input);
+      Subject diagram(input);
       if (diagram.faces.dimension() < 2) continue;
       for (const FacetName name : diagram.facets()) {
         const FacetRing ring = diagram.faces.ring(name);
@@ -156,7 +155,7 @@ TEST(VoronoiFaces, RingsAreConvexPolygonsWithoutDuplicates) {
 TEST(VoronoiFaces, LargeRingsAreSearchedNotScanned) {
   CITES("FC-VOR-03");
   for (const bool perturbed : {false, true}) {
-    Diagram diagram(fuzz::high_degree_facet(500, perturbed, 3));
+    Subject diagram(fuzz::high_degree_facet(500, perturbed, 3));
     std::size_t large = 0;
     for (const FacetName name : diagram.facets()) {
       const FacetRing ring = diagram.faces.ring(name);
@@ -171,10 +170,10 @@ TEST(VoronoiFaces, LargeRingsAreSearchedNotScanned) {
 
 TEST(VoronoiFaces, FewerDimensionsHaveNoRings) {
   CITES("FC-VOR-03");
-  Diagram line({{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}});
+  Subject line({{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}});
   EXPECT_TRUE(line.faces.ring({0, 1}).elements.empty());
   EXPECT_EQ(line.faces.locate({Rational(1) / 2, Rational(1) / 2, Rational(1) / 2}).kind, Place::Kind::kFacet);
-  Diagram point({{{5, 6, 7}}});
+  Subject point({{{5, 6, 7}}});
   EXPECT_EQ(point.faces.locate({0, 0, 0}).kind, Place::Kind::kCell);
 }
 

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "flowcert/delaunay.h"
 #include "flowcert/flow_statistics.h"
 #include "flowcert/rational.h"
 #include "flowcert/stationary_index.h"
+#include "flowcert/voronoi_diagram.h"
 
 namespace flowcert {
 
@@ -70,9 +70,9 @@ struct Orbit {
 // Not to be used from two threads at once: it remembers the Voronoi facets that it has crossed.
 class Flow {
  public:
-  // The triangulation must outlive the flow. O(cells); its facets are put together when first met.
-  explicit Flow(const Delaunay& delaunay, FlowOptions options = {});
-  explicit Flow(Delaunay&&, FlowOptions = {}) = delete;
+  // The diagram must outlive the flow. O(1); its facets are put together when first met.
+  explicit Flow(const VoronoiDiagram& diagram, FlowOptions options = {});
+  explicit Flow(VoronoiDiagram&&, FlowOptions = {}) = delete;
   ~Flow();
   Flow(Flow&&) noexcept;
   Flow& operator=(Flow&&) noexcept;

@@ -80,10 +80,10 @@ class StableManifolds {
   // Told now and then how many stationary points are done; may throw to stop.
   using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
-  // stationary: that of the same triangulation. Both must outlive this. Time in proportion to the segments of
+  // stationary: that of the same diagram. Both must outlive this. Time in proportion to the segments of
   // all skeletons.
-  StableManifolds(const Delaunay& delaunay, const StationaryPoints& stationary, StableOptions options = {},
-                  const Progress& progress = {});
+  StableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
+                  StableOptions options = {}, const Progress& progress = {});
   ~StableManifolds();
   StableManifolds(StableManifolds&&) noexcept;
   StableManifolds& operator=(StableManifolds&&) noexcept;

@@ -11,11 +11,10 @@
 #include <span>
 #include <vector>
 
-#include "flowcert/delaunay.h"
 #include "flowcert/exact_sphere.h"
-#include "flowcert/filter_tally.h"
 #include "flowcert/point_set.h"
 #include "flowcert/stationary_index.h"
+#include "flowcert/voronoi_diagram.h"
 
 namespace flowcert {
 
@@ -56,8 +55,7 @@ class StationaryPoints {
   RegularCounts regular_;
 };
 
-// Linear after the triangulation, but for sorting what is cospherical. The tally, if given, is added to. Not
-// to be called for one triangulation from two threads at once: it numbers the triangulation's cells.
-[[nodiscard]] StationaryPoints stationary_points(const Delaunay& delaunay, FilterTally* tally = nullptr);
+// O(cells), and sorting what is cospherical.
+[[nodiscard]] StationaryPoints stationary_points(const VoronoiDiagram& diagram);
 
 }  // namespace flowcert

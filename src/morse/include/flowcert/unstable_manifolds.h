@@ -28,9 +28,9 @@ class UnstableManifolds {
   // Told now and then how many index-2 points are done; may throw to stop.
   using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
-  // stationary: that of the same triangulation. Both must outlive this. Time in proportion to the segments
+  // stationary: that of the same diagram. Both must outlive this. Time in proportion to the segments
   // of all orbits, with sharing to those of the visited Voronoi vertices.
-  UnstableManifolds(const Delaunay& delaunay, const StationaryPoints& stationary,
+  UnstableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
                     UnstableOptions options = {}, const Progress& progress = {});
   ~UnstableManifolds();
   UnstableManifolds(UnstableManifolds&&) noexcept;

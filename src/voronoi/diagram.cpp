@@ -1,0 +1,155 @@
+// The faces are read off the merged complexes. A Voronoi edge is named by one of its Delaunay facets.
+#include "voronoi/diagram.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace flowcert::voronoi {
+
+namespace {
+
+std::variant<CompactDelaunay, PlanarComplex, VoronoiComplex> make_complex(const Delaunay& delaunay,
+                                                                          FilterTally& tally) {
+  CompactDelaunay copy = compact_copy(delaunay);
+  if (copy.dimension == 3) return VoronoiComplex(std::move(copy), tally);
+  if (copy.dimension == 2) return PlanarComplex(std::move(copy), tally);
+  return copy;
+}
+
+}  // namespace
+
+Diagram::Diagram(const Delaunay& delaunay, FilterTally& tally)
+    : complex_(make_complex(delaunay, tally)),
+      spatial_(std::get_if<VoronoiComplex>(&complex_)),
+      planar_(std::get_if<PlanarComplex>(&complex_)),
+      delaunay_(spatial_ != nullptr  ? &spatial_->delaunay()
+                : planar_ != nullptr ? &planar_->delaunay()
+                                     : &std::get<CompactDelaunay>(complex_)) {}
+
+std::span<const CellIndex> Diagram::incident_cells() const {
+  std::call_once(incident_once_, [this] {
+    const auto corners = static_cast<unsigned>(dimension()) + 1;
+    incident_cells_.assign(delaunay_->points.size(), kNoCell);
+    for (CellIndex cell = 0; cell < delaunay_->finite_count; ++cell) {
+      for (unsigned i = 0; i < corners; ++i) incident_cells_[delaunay_->vertices(cell)[i]] = cell;
+    }
+  });
+  return incident_cells_;
+}
+
+std::vector<CellIndex> Diagram::cells_of(CellIndex cluster) const {
+  if (spatial_->is_alone(cluster)) return {cluster};
+  const auto cells = spatial_->large_cluster_of(cluster);
+  return {cells.begin(), cells.end()};
+}
+
+// The facets of a polygon of several; empty for one.
+std::span<const FacetRef> Diagram::large_polygon(PolygonRef polygon) const {
+  if (spatial_->role(polygon) != VoronoiComplex::FacetRole::kPiece) return {};
+  return spatial_->large_polygon(spatial_->large_polygon_of(polygon));
+}
+
+PolygonRef Diagram::polygon(FacetRef facet) const {
+  if (const PlanarComplex* plane = planar_) {
+    return {plane->polygons()[plane->polygon_of(facet.cell)].front(), 3};
+  }
+  if (!delaunay_->is_finite(facet.cell)) facet = delaunay_->mirror(facet);
+  if (const auto pieces = large_polygon(facet); !pieces.empty()) return pieces.front();
+  const FacetRef mirror = spatial_->mirror(facet);
+  return mirror.cell < facet.cell ? mirror : facet;  // infinite cells come last
+}
+
+std::vector<PolygonSide> Diagram::sides(PolygonRef polygon) const {
+  if (const PlanarComplex* plane = planar_) {
+    std::vector<PolygonSide> sides;
+    for (const CellIndex cell : plane->polygons()[plane->polygon_of(polygon.cell)]) {
+      const auto& v = delaunay_->vertices(cell);
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        if (plane->is_diagonal({cell, i})) continue;
+        const FacetName side = facet_name(v[(i + 1) % 3], v[(i + 2) % 3]);
+        sides.push_back({side.v0, side.v1, plane->angle(cell, i)});
+      }
+    }
+    return sides;
+  }
+  const auto pieces = large_polygon(polygon);
+  return sides_of(*spatial_, pieces.empty() ? std::span<const FacetRef>(&polygon, 1) : pieces);
+}
+
+PolygonDriver Diagram::driver(PolygonRef polygon) const {
+  // Most are one acute facet, which its signs tell.
+  if (spatial_ != nullptr && spatial_->role(polygon) == VoronoiComplex::FacetRole::kWhole &&
+      spatial_->signs(polygon.cell).is_acute(polygon.index)) {
+    return {Sign::kPositive, {}};
+  }
+  PolygonDriver driver{Sign::kPositive, {}};
+  for (const PolygonSide& side : sides(polygon)) {
+    driver.shape = std::min(driver.shape, side.angle);
+    if (side.angle == Sign::kNegative) driver.side = {side.v0, side.v1};
+  }
+  return driver;
+}
+
+std::array<VertexIndex, 3> Diagram::corners(PolygonRef polygon) const {
+  const auto& v = delaunay_->vertices(polygon.cell);
+  const auto& order = kOutward[polygon.index];
+  return {v[order[0]], v[order[1]], v[order[2]]};
+}
+
+CellIndex Diagram::end(PolygonRef polygon, std::size_t side) const {
+  if (planar_ != nullptr) return kNoCell;
+  const CellIndex cell = side == 0 ? polygon.cell : delaunay_->neighbors(polygon.cell)[polygon.index];
+  return delaunay_->is_finite(cell) ? spatial_->cluster(cell) : kNoCell;
+}
+
+std::vector<VertexIndex> Diagram::contact(const Place& place) const {
+  std::vector<VertexIndex> contact;
+  switch (place.kind) {
+    case Place::Kind::kVertex:
+      for (const CellIndex cell : cells_of(place.vertex)) {
+        const auto& v = delaunay_->vertices(cell);
+        contact.insert(contact.end(), v.begin(), v.end());
+      }
+      break;
+    case Place::Kind::kEdge:
+      for (const PolygonSide& side : sides(place.edge)) {
+        contact.push_back(side.v0);
+        contact.push_back(side.v1);
+      }
+      break;
+    case Place::Kind::kFacet:
+      contact = {place.facet.v0, place.facet.v1};
+      break;
+    case Place::Kind::kCell:
+      contact = {place.sample};
+      break;
+    case Place::Kind::kInfinity:
+      break;
+  }
+  std::sort(contact.begin(), contact.end());
+  contact.erase(std::unique(contact.begin(), contact.end()), contact.end());
+  return contact;
+}
+
+}  // namespace flowcert::voronoi
+
+namespace flowcert {
+
+namespace {
+
+std::unique_ptr<const voronoi::Diagram> made_of(const Delaunay& delaunay, FilterTally* tally) {
+  FilterTally unused;
+  return std::make_unique<const voronoi::Diagram>(delaunay, tally != nullptr ? *tally : unused);
+}
+
+}  // namespace
+
+VoronoiDiagram::VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally)
+    : points_(&delaunay.points()), faces_(made_of(delaunay, tally)) {}
+VoronoiDiagram::~VoronoiDiagram() = default;
+VoronoiDiagram::VoronoiDiagram(VoronoiDiagram&&) noexcept = default;
+VoronoiDiagram& VoronoiDiagram::operator=(VoronoiDiagram&&) noexcept = default;
+
+int VoronoiDiagram::dimension() const { return faces_->dimension(); }
+
+}  // namespace flowcert

@@ -1,0 +1,124 @@
+// The faces of the merged Voronoi diagram and how they meet: Voronoi vertices and edges with their ends, and
+// their contact sets. One interface for inputs of every dimension: in a coplanar input Voronoi edges are
+// whole lines and facets slabs, in a collinear one facets are planes.
+//
+// Guarantees: exact; the faces are those of spec clauses FC-VOR-01 to 04. Constant once it is made: threads
+// share it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <mutex>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "flowcert/voronoi_diagram.h"
+#include "voronoi/planar_complex.h"
+#include "voronoi/voronoi_complex.h"
+
+namespace flowcert::voronoi {
+
+// A Voronoi edge: always the same one of the Delaunay facets that make up its polygon. In a coplanar input,
+// "facet 3" of one of the polygon's triangles.
+using PolygonRef = FacetRef;
+
+// A Voronoi facet: the ends of its Delaunay edge.
+struct FacetName {
+  VertexIndex v0, v1;  // v0 < v1
+
+  friend bool operator==(const FacetName&, const FacetName&) = default;
+};
+
+// A Voronoi face, as wide as what it is the face of.
+struct Place {
+  enum class Kind : std::uint8_t { kInfinity, kVertex, kEdge, kFacet, kCell };
+  Kind kind = Kind::kInfinity;
+  CellIndex vertex = kNoCell;            // kVertex: the cluster
+  PolygonRef edge{kNoCell, 0};           // kEdge
+  FacetName facet{0, 0};                 // kFacet
+  VertexIndex sample = kInfiniteVertex;  // kCell
+
+  [[nodiscard]] static Place at_vertex(CellIndex cluster) {
+    Place place;
+    place.kind = Kind::kVertex, place.vertex = cluster;
+    return place;
+  }
+  [[nodiscard]] static Place on_edge(PolygonRef polygon) {
+    Place place;
+    place.kind = Kind::kEdge, place.edge = polygon;
+    return place;
+  }
+  [[nodiscard]] static Place on_facet(FacetName facet) {
+    Place place;
+    place.kind = Kind::kFacet, place.facet = facet;
+    return place;
+  }
+  [[nodiscard]] static Place in_cell(VertexIndex sample) {
+    Place place;
+    place.kind = Kind::kCell, place.sample = sample;
+    return place;
+  }
+  friend bool operator==(const Place&, const Place&) = default;
+};
+
+// A polygon's driver: its centre where the polygon contains it, otherwise the middle of its obtuse side
+// (spec section 6).
+struct PolygonDriver {
+  Sign shape;  // the least angle: negative iff the centre lies outside, zero iff it is the middle of a side
+  FacetName side;  // where negative
+};
+
+class Diagram {
+ public:
+  // O(cells).
+  Diagram(const Delaunay& delaunay, FilterTally& tally);
+  Diagram(const Diagram&) = delete;
+  Diagram& operator=(const Diagram&) = delete;
+
+  [[nodiscard]] int dimension() const { return delaunay_->dimension; }
+  [[nodiscard]] const CompactDelaunay& delaunay() const { return *delaunay_; }
+  [[nodiscard]] const Point& point(VertexIndex vertex) const { return delaunay_->points[vertex]; }
+
+  // Where the points span R^3, and where they span a plane; null otherwise.
+  [[nodiscard]] const VoronoiComplex* spatial() const { return spatial_; }
+  [[nodiscard]] const PlanarComplex* planar() const { return planar_; }
+
+  // Voronoi vertices; none but in dimension 3.
+  [[nodiscard]] const VoronoiComplex& complex() const { return *spatial_; }
+  [[nodiscard]] std::vector<CellIndex> cells_of(CellIndex cluster) const;
+
+  // Voronoi edges.
+  [[nodiscard]] PolygonRef polygon(FacetRef facet) const;
+  [[nodiscard]] PolygonDriver driver(PolygonRef polygon) const;
+  // Three of the polygon's points; (b-a) x (c-a) points to end 1.
+  [[nodiscard]] std::array<VertexIndex, 3> corners(PolygonRef polygon) const;
+  // The Voronoi vertex at end 0 or 1; kNoCell at infinity.
+  [[nodiscard]] CellIndex end(PolygonRef polygon, std::size_t side) const;
+  [[nodiscard]] std::vector<PolygonSide> sides(PolygonRef polygon) const;
+
+  // All of a face's contact set, by ascending VertexIndex.
+  [[nodiscard]] std::vector<VertexIndex> contact(const Place& place) const;
+  // By VertexIndex: a finite cell that has it. O(cells) the first time.
+  [[nodiscard]] std::span<const CellIndex> incident_cells() const;
+
+ private:
+  [[nodiscard]] std::span<const FacetRef> large_polygon(PolygonRef polygon) const;
+
+  // Collinear inputs and smaller ones need no more than the triangulation.
+  std::variant<CompactDelaunay, PlanarComplex, VoronoiComplex> complex_;
+  const VoronoiComplex* spatial_;
+  const PlanarComplex* planar_;
+  const CompactDelaunay* delaunay_;
+  mutable std::once_flag incident_once_;
+  mutable std::vector<CellIndex> incident_cells_;
+};
+
+// The vertices of facet i of a positively oriented cell, counterclockwise seen from outside.
+inline constexpr unsigned kOutward[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
+[[nodiscard]] inline FacetName facet_name(VertexIndex v, VertexIndex w) {
+  return v < w ? FacetName{v, w} : FacetName{w, v};
+}
+
+}  // namespace flowcert::voronoi
