@@ -1,4 +1,5 @@
-// What a stationary point is: the index of a critical one, the kind of a regular one. Source: spec clause FC-CRIT-03.
+// What a stationary point is: the index of a critical one, the kind of a regular one. Source: spec clause
+// FC-CRIT-03.
 #pragma once
 
 #include <compare>

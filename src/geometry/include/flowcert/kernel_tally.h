@@ -1,5 +1,5 @@
-// How often each sign and each construction of the flow was asked for, and how often intervals did not decide it (paper,
-// Table 4).
+// How often each sign and each construction of the flow was asked for, and how often intervals did not decide
+// it (paper, Table 4).
 #pragma once
 
 #include <array>
