@@ -9,8 +9,6 @@
 
 namespace flowcert {
 
-using namespace geometry;
-
 namespace {
 
 std::tuple<double, double, double> key(const Point& p) { return {p.x, p.y, p.z}; }

@@ -6,8 +6,6 @@
 
 namespace flowcert {
 
-using namespace geometry;
-
 namespace {
 
 using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
