@@ -1,12 +1,10 @@
-// See tetrahedron_signs.h.
+// The bounds of the filter, in the notation of predicates.h: a, b, c are seen from vertex 0, and L = max(|a|,|b|,|c|).
 //
-// The bounds, in the notation of predicates.h, a, b, c from vertex 0, L = max(|a|,|b|,|c|):
-//   an angle is a sum of at most four dot products (5.1 u L^2 each) and three additions (9 u L^2): below 32 u
-//   L^2; s of a facet at vertex 0, <a x b, numerator>: 13.8 + 5.7 + 3 = 22.5 u |a||b| T: below 32 u |a||b| T;
-//   s of the facet opposite vertex 0 is 2 det^2 minus the other three (barycentric coordinates of the centre,
-//   times 2 det^2, sum to that). With Q = |a||b|+|b||c|+|c||a| and (|a||b||c|)^2 <= T Q / 9: (22.5 + 3 +
-//   (41.2
-//   + 6) / 9) u T Q: below 64 u T Q.
+// An angle is a sum of at most four dot products (5.1 u L^2 each) and three additions (9 u L^2): below 32 u L^2.
+// The s of a facet at vertex 0 is <a x b, numerator>: 13.8 + 5.7 + 3 = 22.5 u |a||b| T, below 32 u |a||b| T.
+// The s of the facet opposite vertex 0 is 2 det^2 minus the other three, because the barycentric coordinates of the
+// centre, times 2 det^2, sum to that. With Q = |a||b|+|b||c|+|c||a| and (|a||b||c|)^2 <= T Q / 9 its error is
+// (22.5 + 3 + (41.2 + 6) / 9) u T Q: below 64 u T Q.
 #include "geometry/tetrahedron_signs.h"
 
 #include <algorithm>
