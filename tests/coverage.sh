@@ -20,13 +20,14 @@ lcov=(lcov --quiet --rc lcov_branch_coverage=0)
 "${lcov[@]}" --zerocounters --directory "$build"
 FLOWCERT_PROPERTY_SCALE=${FLOWCERT_PROPERTY_SCALE:-0.1} ctest --preset coverage --parallel "$(nproc)"
 "${lcov[@]}" --capture --directory "$build" --output-file "$build/all.info"
-"${lcov[@]}" --extract "$build/all.info" "$PWD/src/*" "$PWD/oracle/*" "$PWD/fuzz/judge/*" "$PWD/fuzz/commands/*" --output-file "$build/coverage.info"
+"${lcov[@]}" --extract "$build/all.info" "$PWD/src/*" "$PWD/oracle/*" "$PWD/fuzz/judge/*" "$PWD/fuzz/commands/*" \
+  --output-file "$build/coverage.info"
 genhtml --quiet --output-directory "$build/report" "$build/coverage.info"
 # lcov counts the edges of exceptions as branches: of those that the code has itself, gcovr knows.
 gcovr --root . --filter src/ --filter oracle/ --filter fuzz/judge/ --filter fuzz/commands/ \
   --exclude-throw-branches --branches \
   --json-summary-pretty --json-summary "$build/branches.json" --txt "$build/branches.txt" "$build"
-say "line coverage of src/, oracle/, fuzz/judge/ and fuzz/commands/ ($build/report/index.html; branches: $build/branches.txt)"
+say "line coverage of src/, oracle/, fuzz/judge/, fuzz/commands/ ($build/report/index.html; branches: $build/branches.txt)"
 lcov --list "$build/coverage.info"
 status=0
 lines=$(lcov --summary "$build/coverage.info" 2>&1 | sed -n 's/.*lines[.]*: \([0-9.]*\)%.*/\1/p')

@@ -22,6 +22,12 @@ std::string double_text(double value) {
 
 }  // namespace
 
+std::string shortened(std::string text, std::size_t longest) {
+  if (text.size() <= longest) return text;
+  text.resize(longest);
+  return text + "...";
+}
+
 std::string names_text(std::span<const PointId> names) {
   std::string text;
   for (std::size_t k = 0; k < names.size() && k < kNamesShown; ++k) {

@@ -17,6 +17,8 @@ namespace flowcert::certify {
 // "critical point of index 2, contact set 0 1 2 3"
 [[nodiscard]] std::string stationary_text(const Truth& truth, std::size_t record);
 [[nodiscard]] std::string index_text(StationaryIndex index);
+// As much of a text as a message shows: the first `longest` characters, and "..." where there are more.
+[[nodiscard]] std::string shortened(std::string text, std::size_t longest);
 // Exact where that is short, otherwise rounded and marked with ~.
 [[nodiscard]] std::string number_text(const Rational& value);
 [[nodiscard]] std::string position_text(const RationalPoint& x);

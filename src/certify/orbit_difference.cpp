@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "certify/finding_words.h"
+
 namespace flowcert::certify {
 
 namespace {
@@ -17,13 +19,7 @@ constexpr std::size_t kLongest = 40;
 
 // ---- In words
 
-std::string shortened(std::string text) {
-  if (text.size() <= kLongest) return text;
-  text.resize(kLongest);
-  return text + "...";
-}
-
-std::string number_words(const Rational& value) { return shortened(to_text(value)); }
+std::string number_words(const Rational& value) { return shortened(to_text(value), kLongest); }
 
 std::string position_words(const std::optional<RationalPoint>& position) {
   if (!position) return "infinity";
@@ -36,13 +32,13 @@ std::string contact_words(const Contact& contact) {
 }
 
 std::string index_words(const Json& index) {
-  return shortened(index.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return shortened(index.dump(-1, ' ', false, Json::error_handler_t::replace), kLongest);
 }
 
 std::string limit_words(const std::optional<PathLimit>& limit) {
   if (!limit) return "infinity";
-  return fmt::format("{} point of index {} at {}", shortened(limit->kind), index_words(limit->index),
-                     position_words(limit->position));
+  return fmt::format("{} point of index {} at {}", shortened(limit->kind, kLongest),
+                     index_words(limit->index), position_words(limit->position));
 }
 
 PathDifference wrong(std::size_t k, const std::string& claimed, const std::string& truth) {
@@ -60,7 +56,7 @@ std::optional<PathDifference> segment_difference(std::size_t k, const PathSegmen
                                                  const PathSegment& truth, bool is_arrival_free) {
   const std::size_t letters = is_arrival_free ? std::string_view("E-F-").size() : std::string::npos;
   if (claimed.type.substr(0, letters) != truth.type.substr(0, letters)) {
-    return wrong(k, "type " + shortened(claimed.type), truth.type);
+    return wrong(k, "type " + shortened(claimed.type, kLongest), truth.type);
   }
   if (claimed.driver != truth.driver) {
     return wrong(k, "driver " + position_words(claimed.driver), position_words(truth.driver));

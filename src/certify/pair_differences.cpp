@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
+
+#include "certify/finding_words.h"
 
 namespace flowcert::certify {
 
@@ -33,9 +36,7 @@ std::vector<ListedPair> in_order(std::vector<ListedPair> pairs, bool is_rounded)
 std::string number_words(const Rational& value, bool is_rounded) {
   std::string text =
       is_rounded && nearest_double(value) ? fmt::format("{}", *nearest_double(value)) : to_text(value);
-  if (text.size() <= kLongestPairNumber) return text;
-  text.resize(kLongestPairNumber);
-  return text + "...";
+  return shortened(std::move(text), kLongestPairNumber);
 }
 
 // What only one side has, by dimension: the first with the first, and so on.

@@ -44,7 +44,7 @@ class VoronoiFaces {
   // The diagram must outlive it. O(1).
   explicit VoronoiFaces(const VoronoiDiagram& diagram) : diagram_(diagram.faces()) {}
 
-  // Of the diagram.
+  // The diagram answers these, and keeps nothing of a worker.
   [[nodiscard]] int dimension() const { return diagram_.dimension(); }
   [[nodiscard]] const CompactDelaunay& delaunay() const { return diagram_.delaunay(); }
   [[nodiscard]] const Point& point(VertexIndex vertex) const { return diagram_.point(vertex); }

@@ -6,30 +6,23 @@
 #include <algorithm>
 
 #include "io/claims/required_field.h"
-#include "io/rational_text.h"
 
 namespace flowcert::io {
 
 namespace {
-
-const Json::string_t& text_of(const Json& value, const char* what) {
-  if (!value.is_string()) throw InvalidInput(fmt::format("'{}' is no string", what));
-  return value.get_ref<const Json::string_t&>();
-}
 
 RationalPoint position_of(const Json& value, const char* what) {
   if (!value.is_array() || value.size() != 3) {
     throw InvalidInput(fmt::format("'{}' is no array of three rationals", what));
   }
   RationalPoint position;
-  for (std::size_t k = 0; k < 3; ++k) position.at(k) = exact_rational(text_of(value[k], what));
+  for (std::size_t k = 0; k < 3; ++k) position.at(k) = required_rational(value[k], what);
   return position;
 }
 
 std::vector<PointId> ids_of(const Json& value, const char* what) {
   std::vector<PointId> ids;
-  if (!value.is_array()) throw InvalidInput(fmt::format("'{}' is no array", what));
-  for (const Json& id : value) {
+  for (const Json& id : required_array(value, what)) {
     if (!id.is_number_unsigned() || id.get<std::uint64_t>() >= (std::uint64_t{1} << 31)) {
       throw InvalidInput(fmt::format("'{}' has something that is no id", what));
     }
@@ -47,7 +40,7 @@ std::optional<std::vector<PointId>> contact_of(const Json& segment, const char* 
 
 PathSegment segment_of(const Json& object) {
   PathSegment segment;
-  segment.type = text_of(required_field(object, "type"), "type");
+  segment.type = required_string(required_field(object, "type"), "type");
   segment.driver = position_of(required_field(object, "driver"), "driver");
   const Json& end = required_field(object, "end");
   if (!end.is_null()) segment.end = position_of(end, "end");
@@ -58,21 +51,20 @@ PathSegment segment_of(const Json& object) {
 }
 
 std::optional<PathLimit> limit_of(const Json& object) {
-  const std::string kind = text_of(required_field(object, "kind"), "kind");
+  const std::string kind = required_string(required_field(object, "kind"), "kind");
   if (kind == "infinity") return std::nullopt;
   return PathLimit{kind, required_field(object, "index"),
                    position_of(required_field(object, "position"), "position"),
                    ids_of(required_field(object, "contact"), "contact"),
-                   exact_rational(text_of(required_field(object, "squared_distance"), "squared_distance"))};
+                   required_rational(required_field(object, "squared_distance"), "squared_distance")};
 }
 
 }  // namespace
 
 OrbitPath orbit_path_of(const Json& object) {
   OrbitPath path;
-  const Json& segments = required_field(object, "segments");
-  if (!segments.is_array()) throw InvalidInput("'segments' is no array");
-  for (const Json& segment : segments) path.segments.push_back(segment_of(segment));
+  for (const Json& segment : required_array(required_field(object, "segments"), "segments"))
+    path.segments.push_back(segment_of(segment));
   path.limit = limit_of(required_field(object, "limit"));
   return path;
 }

@@ -10,18 +10,12 @@
 
 #include "io/claims/required_field.h"
 #include "io/number_text.h"
-#include "io/rational_text.h"
 
 namespace flowcert::io {
 
 namespace {
 
 // ---- JSON
-
-const Json& array_of(const Json& value, const char* what) {
-  if (!value.is_array()) throw InvalidInput(fmt::format("'{}' is no array", what));
-  return value;
-}
 
 int dimension_of(const Json& pair) {
   const Json& value = required_field(pair, "dimension");
@@ -31,18 +25,13 @@ int dimension_of(const Json& pair) {
   return value.get<int>();
 }
 
-Rational rational_of(const Json& value, const char* what) {
-  if (!value.is_string()) throw InvalidInput(fmt::format("'{}' is no string", what));
-  return exact_rational(value.get_ref<const Json::string_t&>());
-}
-
 PairList pairs_of_json(const std::string& bytes) {
   const Json object = Json::parse(bytes);
   PairList list;
   const auto value = [](const Json& point) {
-    return rational_of(required_field(point, "squared_distance"), "squared_distance");
+    return required_rational(required_field(point, "squared_distance"), "squared_distance");
   };
-  for (const Json& pair : array_of(required_field(object, "pairs"), "pairs")) {
+  for (const Json& pair : required_array(required_field(object, "pairs"), "pairs")) {
     list.pairs.push_back({dimension_of(pair), value(required_field(pair, "birth")), std::nullopt});
     const Json& death = required_field(pair, "death");
     if (!death.is_null()) list.pairs.back().death = value(death);
@@ -102,11 +91,11 @@ bool is_before(const ListedPair& a, const ListedPair& b) {
 
 std::vector<ListedPair> expected_pairs_of(const Json& array) {
   std::vector<ListedPair> pairs;
-  for (const Json& value : array_of(array, "persistence")) {
+  for (const Json& value : required_array(array, "persistence")) {
     pairs.push_back(
-        {dimension_of(value), rational_of(required_field(value, "birth"), "birth"), std::nullopt});
+        {dimension_of(value), required_rational(required_field(value, "birth"), "birth"), std::nullopt});
     const Json& death = required_field(value, "death");
-    if (!death.is_null()) pairs.back().death = rational_of(death, "death");
+    if (!death.is_null()) pairs.back().death = required_rational(death, "death");
     const bool is_positive = !pairs.back().death || pairs.back().birth < *pairs.back().death;
     if (!is_positive) throw InvalidInput("a persistence pair of no length");
   }

@@ -28,7 +28,7 @@ class VoronoiDiagram {
   VoronoiDiagram& operator=(VoronoiDiagram&&) noexcept;
 
   [[nodiscard]] const PointSet& points() const { return *points_; }
-  // Of the affine hull of the points: 0 to 3, -1 for no point.
+  // The dimension of the affine hull of the points: 0 to 3, -1 for no point.
   [[nodiscard]] int dimension() const;
 
   // What lies behind the wall; defined in src/voronoi/.
