@@ -1,9 +1,11 @@
-// How the header's promises are kept: Gram systems, solved by elimination in integers.
+// How the header's promises are kept: by dual bases.
 //
-// For a simplex p0 ... pk with edges e_i = p_i - p0, the point p0 + sum of l_i e_i has the inner products <.,
-// e_j> that a right hand side prescribes iff G l = rhs, G the matrix of the <e_i, e_j>. The circumcentre and
-// the barycentric coordinates of a point are two right hand sides of it. Points are multiplied by a common
-// denominator first, so that a fraction is reduced only where it is a result.
+// Let e_1 ... e_k be the edges p_i - p_0 of a simplex p_0 ... p_k. Its dual basis are the vectors f_1 ... f_k of
+// the edges' span with <e_i, f_j> = 1 for i = j and 0 otherwise. It gives both that is asked for:
+//   - the vector of the span with inner products b_i with the e_i is the sum of the b_i f_i. For the centre z,
+//     |z - p_0| = |z - p_i| says <z - p_0, e_i> = |e_i|^2 / 2;
+//   - where x = p_0 + sum of l_i e_i, l_i = <x - p_0, f_i>. For another x, these are the coordinates of its
+//     orthogonal projection to the affine hull.
 #include "oracle/exact_geometry.h"
 
 #include <algorithm>
@@ -12,123 +14,56 @@ namespace oracle {
 
 namespace {
 
-using IntegerPoint = std::array<Integer, 3>;
-using IntegerRow = std::vector<Integer>;
-
-Integer dot(const IntegerPoint& a, const IntegerPoint& b) {
-  Integer sum = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) sum += a[axis] * b[axis];
-  return sum;
+std::vector<Point> edges_of(const std::vector<Point>& simplex) {
+  std::vector<Point> edges;
+  for (std::size_t i = 1; i < simplex.size(); ++i) edges.push_back(minus(simplex[i], simplex[0]));
+  return edges;
 }
 
-IntegerPoint minus(IntegerPoint a, const IntegerPoint& b) {
-  for (std::size_t axis = 0; axis < 3; ++axis) a[axis] -= b[axis];
-  return a;
-}
-
-// The least common multiple of `scale` and the denominators of x.
-Integer common_denominator(Integer scale, const Point& x) {
-  for (const Rational& coordinate : x) scale = lcm(scale, Integer(denominator(coordinate)));
-  return scale;
-}
-
-// `scale` is a multiple of the denominators of x.
-IntegerPoint times(const Integer& scale, const Point& x) {
-  IntegerPoint product;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    product[axis] = scale / denominator(x[axis]);
-    product[axis] *= numerator(x[axis]);
+// Nothing iff the edges are linearly dependent. Up to a factor the vectors are cross products: f_i is
+// perpendicular to the other edges, and to the normal of a single plane. The factor is the same for all, as
+// the determinant stays the same when its rows are turned: <a, b x c> = <b, c x a> = <c, a x b>.
+std::optional<std::vector<Point>> dual_basis(const std::vector<Point>& edges) {
+  if (edges.empty()) return edges;
+  std::vector<Point> dual;
+  if (edges.size() == 1) dual = edges;
+  if (edges.size() == 2) {
+    const Point normal = cross(edges[0], edges[1]);
+    dual = {cross(edges[1], normal), cross(normal, edges[0])};
   }
-  return product;
+  if (edges.size() == 3) {
+    dual = {cross(edges[1], edges[2]), cross(edges[2], edges[0]), cross(edges[0], edges[1])};
+  }
+  if (dual.empty()) return std::nullopt;  // four vectors
+  const Rational factor = dot(edges[0], dual[0]);
+  if (factor == 0) return std::nullopt;
+  for (Point& vector : dual) {
+    for (Rational& coordinate : vector) coordinate /= factor;
+  }
+  return dual;
 }
 
-// A simplex times a common denominator.
-struct IntegerSimplex {
-  explicit IntegerSimplex(const std::vector<Point>& simplex, const Integer& at_least = 1) : scale(at_least) {
-    for (const Point& point : simplex) scale = common_denominator(scale, point);
-    origin = times(scale, simplex[0]);
-    for (std::size_t i = 1; i < simplex.size(); ++i) edges.push_back(minus(times(scale, simplex[i]), origin));
-  }
-  Integer scale;
-  IntegerPoint origin;
-  std::vector<IntegerPoint> edges;
-};
+bool independent(const std::vector<Point>& points) { return dual_basis(edges_of(points)).has_value(); }
 
-// The l_i of <sum of l_i e_i, e_j> = rhs_j for all j, times `denominator`, which is not 0.
-struct Coefficients {
-  IntegerRow numerators;
-  Integer denominator = 1;
-};
-
-// Nothing iff the edges are linearly dependent. No pivot has to be looked for: the leading minors of a Gram
-// matrix are positive as long as the edges are independent, and the first pivot that is zero shows an edge
-// that depends on those before it. The elimination is Bareiss's: after each step all entries are minors, and
-// the division by the pivot before leaves no rest; in the end the matrix is its determinant times the
-// identity.
-std::optional<Coefficients> solve_gram(const std::vector<IntegerPoint>& edges, const IntegerRow& rhs) {
-  const std::size_t size = edges.size();
-  std::vector<IntegerRow> matrix(size);
-  for (std::size_t j = 0; j < size; ++j) {
-    for (const IntegerPoint& edge : edges) matrix[j].push_back(dot(edges[j], edge));
-    matrix[j].push_back(rhs[j]);
+// Of p_0 + way, where way is in the span of the edges.
+std::vector<Rational> weights_of(const Point& way, const std::vector<Point>& dual) {
+  std::vector<Rational> weights = {1};
+  for (const Point& vector : dual) {
+    weights.push_back(dot(way, vector));
+    weights[0] -= weights.back();
   }
-  Coefficients result;
-  for (std::size_t step = 0; step < size; ++step) {
-    const Integer pivot = matrix[step][step];
-    if (pivot == 0) return std::nullopt;
-    for (std::size_t row = 0; row < size; ++row) {
-      if (row == step) continue;
-      const Integer factor = matrix[row][step];
-      for (std::size_t k = 0; k <= size; ++k) {
-        Integer& entry = matrix[row][k];
-        entry *= pivot;
-        entry -= factor * matrix[step][k];
-        entry /= result.denominator;
-      }
-    }
-    result.denominator = pivot;
-  }
-  for (const IntegerRow& row : matrix) result.numerators.push_back(row[size]);
-  return result;
+  return weights;
 }
 
-// |z - p0| = |z - p_j| says 2 <z - p0, e_j> = <e_j, e_j>. The denominator is positive, as Gram determinants
-// are.
-std::optional<Coefficients> circumcentre_coefficients(const IntegerSimplex& simplex) {
-  IntegerRow rhs;
-  for (const IntegerPoint& edge : simplex.edges) rhs.push_back(dot(edge, edge));
-  auto coefficients = solve_gram(simplex.edges, rhs);
-  if (coefficients) coefficients->denominator *= 2;
-  return coefficients;
-}
-
-// 1 - sum of l_i, times the denominator.
-Integer first_weight(const Coefficients& l) {
-  Integer first = l.denominator;
-  for (const Integer& numerator : l.numerators) first -= numerator;
-  return first;
-}
-
-// The point p0 + sum of l_i e_i, and its barycentric coordinates (1 - sum of l_i, l_1, ..., l_k).
-Circumcentre combine(const IntegerSimplex& simplex, const Coefficients& l) {
-  Circumcentre result;
-  result.weights.emplace_back(first_weight(l), l.denominator);
-  for (const Integer& numerator : l.numerators) result.weights.emplace_back(numerator, l.denominator);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    Integer sum = l.denominator * simplex.origin[axis];
-    for (std::size_t i = 0; i < simplex.edges.size(); ++i) sum += l.numerators[i] * simplex.edges[i][axis];
-    result.center[axis] = Rational(sum, l.denominator * simplex.scale);
-  }
-  return result;
+bool all_positive(const std::vector<Rational>& weights) {
+  return std::all_of(weights.begin(), weights.end(), [](const Rational& weight) { return weight > 0; });
 }
 
 }  // namespace
 
 Point exact(const std::array<double, 3>& row) {
   // GMP's conversion from a double is exact, for subnormals too.
-  Point x;
-  for (std::size_t axis = 0; axis < 3; ++axis) x[axis] = Rational(row[axis]);
-  return x;
+  return {Rational(row[0]), Rational(row[1]), Rational(row[2])};
 }
 
 Point minus(Point a, const Point& b) {
@@ -139,19 +74,11 @@ Point minus(Point a, const Point& b) {
 Rational dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Point cross(const Point& a, const Point& b) {
-  Point product;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
-    product[axis] = a[next] * b[last];
-    product[axis] -= a[last] * b[next];
-  }
-  return product;
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 Point moved(const Point& x, const Rational& time, const Point& direction) {
-  Point end = x;
-  for (std::size_t axis = 0; axis < 3; ++axis) end[axis] += time * direction[axis];
-  return end;
+  return {x[0] + time * direction[0], x[1] + time * direction[1], x[2] + time * direction[2]};
 }
 
 Rational squared_distance(const Point& a, const Point& b) {
@@ -159,44 +86,35 @@ Rational squared_distance(const Point& a, const Point& b) {
   return dot(difference, difference);
 }
 
-std::optional<Circumcentre> circumcentre(const std::vector<Point>& points) {
-  if (points.empty() || points.size() > 4) return std::nullopt;
-  const IntegerSimplex simplex(points);
-  const auto coefficients = circumcentre_coefficients(simplex);
-  if (!coefficients) return std::nullopt;
-  return combine(simplex, *coefficients);
+std::optional<Circumcentre> circumcentre(const std::vector<Point>& simplex) {
+  const std::vector<Point> edges = edges_of(simplex);
+  const auto dual = dual_basis(edges);
+  if (simplex.empty() || !dual) return std::nullopt;
+  Point way;  // z - p_0
+  for (std::size_t i = 0; i < edges.size(); ++i) way = moved(way, dot(edges[i], edges[i]) / 2, (*dual)[i]);
+  return Circumcentre{moved(simplex[0], 1, way), weights_of(way, *dual)};
 }
 
-std::optional<Point> inner_circumcentre(const std::vector<Point>& points) {
-  if (points.empty() || points.size() > 4) return std::nullopt;
-  const IntegerSimplex simplex(points);
-  const auto coefficients = circumcentre_coefficients(simplex);
-  if (!coefficients || first_weight(*coefficients) <= 0) return std::nullopt;
-  for (const Integer& weight : coefficients->numerators) {
-    if (weight <= 0) return std::nullopt;
-  }
-  return combine(simplex, *coefficients).center;
+std::optional<Point> inner_circumcentre(const std::vector<Point>& simplex) {
+  const auto sphere = circumcentre(simplex);
+  return sphere && all_positive(sphere->weights) ? std::optional(sphere->center) : std::nullopt;
 }
 
-std::optional<std::vector<Rational>> barycentric(const std::vector<Point>& points, const Point& x) {
-  if (points.empty() || points.size() > 4) return std::nullopt;
-  const IntegerSimplex simplex(points, common_denominator(1, x));
-  const IntegerPoint way = minus(times(simplex.scale, x), simplex.origin);
-  IntegerRow rhs;
-  for (const IntegerPoint& edge : simplex.edges) rhs.push_back(dot(way, edge));
-  const auto coefficients = solve_gram(simplex.edges, rhs);
-  if (!coefficients) return std::nullopt;
-  // What was found is the orthogonal projection of x to the affine hull: x itself iff x lies there.
-  const Circumcentre projection = combine(simplex, *coefficients);
-  if (projection.center != x) return std::nullopt;
-  return projection.weights;
+std::optional<std::vector<Rational>> barycentric(const std::vector<Point>& simplex, const Point& x) {
+  const std::vector<Point> edges = edges_of(simplex);
+  const auto dual = dual_basis(edges);
+  if (simplex.empty() || !dual) return std::nullopt;
+  const std::vector<Rational> weights = weights_of(minus(x, simplex[0]), *dual);
+  Point projection = simplex[0];
+  for (std::size_t i = 0; i < edges.size(); ++i) projection = moved(projection, weights[i + 1], edges[i]);
+  return projection == x ? std::optional(weights) : std::nullopt;
 }
 
 std::vector<Point> spanning_subset(const std::vector<Point>& points) {
   std::vector<Point> chosen;
   for (const Point& point : points) {
     chosen.push_back(point);
-    if (!circumcentre(chosen)) chosen.pop_back();
+    if (!independent(chosen)) chosen.pop_back();
   }
   return chosen;
 }
@@ -216,15 +134,12 @@ int affine_dimension(const std::vector<Point>& points) {
 // So the carriers together span aff F, and there is none iff x is outside. Four points suffice in R^3.
 std::optional<int> face_dimension(const std::vector<Point>& points, const Point& x) {
   const std::size_t hull_size = spanning_subset(points).size();
-  std::vector<Point>
-      span;  // an affinely independent subset of the carriers so far, with the same affine hull
+  std::vector<Point> span;  // affinely independent, with the affine hull of the carriers so far
   for_each_subset(points.size(), hull_size, [&](const std::vector<std::size_t>& subset) {
     if (span.size() == hull_size) return;  // F is the whole hull already
     const std::vector<Point> simplex = select(points, subset);
     const auto weights = barycentric(simplex, x);
-    if (!weights || !std::all_of(weights->begin(), weights->end(), [](const Rational& w) { return w > 0; })) {
-      return;
-    }
+    if (!weights || !all_positive(*weights)) return;
     span.insert(span.end(), simplex.begin(), simplex.end());
     span = spanning_subset(span);
   });

@@ -1,9 +1,9 @@
 // Exact geometry of a handful of points in R^3: circumcentres, affine hulls, faces of convex hulls.
 //
 // Everything here is computed in rational numbers, so every answer is the true one; nothing is filtered,
-// rounded or compared up to a tolerance. All of it rests on one operation, the solution of a Gram system of
-// at most three equations (solve_gram in the .cpp file). Points come in any dimension of their affine hull, 0
-// to 3, and no position is excluded.
+// rounded or compared up to a tolerance. All of it rests on one operation, the dual basis of at most three
+// edges (dual_basis in the .cpp file). Points come in any dimension of their affine hull, 0 to 3, and no
+// position is excluded.
 #pragma once
 
 #include <array>
@@ -29,7 +29,8 @@ Point moved(const Point& x, const Rational& time, const Point& direction);  // x
 Rational squared_distance(const Point& a, const Point& b);
 
 // The point of the affine hull of `simplex` at equal distance from all its points, with its barycentric
-// coordinates there. Nothing iff the points are affinely dependent (five points and more always are).
+// coordinates there. Nothing iff the points are affinely dependent (five points and more always are), or
+// there is none.
 struct Circumcentre {
   Point center;
   std::vector<Rational> weights;
@@ -40,8 +41,8 @@ std::optional<Circumcentre> circumcentre(const std::vector<Point>& simplex);
 // simplex.
 std::optional<Point> inner_circumcentre(const std::vector<Point>& simplex);
 
-// The barycentric coordinates of x. Nothing iff the points are affinely dependent or x is not in their affine
-// hull.
+// The barycentric coordinates of x. Nothing iff the points are affinely dependent, or there is none, or x is
+// not in their affine hull.
 std::optional<std::vector<Rational>> barycentric(const std::vector<Point>& simplex, const Point& x);
 
 // An affinely independent subset with the same affine hull: each point that the ones before it do not span.

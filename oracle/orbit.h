@@ -30,12 +30,8 @@ struct Orbit {
   std::optional<StationaryPoint> limit;
 };
 
-// The point of conv C(x) nearest to x (FC-DIST-02), where `contact` is C(x).
-Point driver(const std::vector<Point>& contact, const Point& x);
-
 // The places of C(x + t * direction) for all small t > 0, where `contact` are those of C(x) (FC-FLOW-01).
-std::vector<std::size_t> crossed_places(const PointSet& set, const std::vector<std::size_t>& contact,
-                                        const Point& direction);
+Places crossed_places(const PointSet& set, const Places& contact, const Point& direction);
 
 // Nothing iff x is stationary. The point set must not be empty.
 std::optional<FlowSegment> flow_segment(const PointSet& set, const Point& x);

@@ -1,4 +1,4 @@
-// How the header's promises are kept.
+// Simplices are sorted by their balls, a face before what it is a face of; columns are reduced from left to right.
 #include "oracle/persistence.h"
 
 #include <algorithm>
@@ -9,8 +9,6 @@
 namespace oracle {
 
 namespace {
-
-using Places = std::vector<std::size_t>;
 
 struct Ball {
   Point center;
@@ -28,23 +26,23 @@ std::vector<Places> facets_of(const Places& simplex) {
 
 // The smallest enclosing ball of each set of at most four samples. If that of a facet contains the point that
 // the facet lacks, it is that of the whole. If none does, no point can be spared: they are affinely
-// independent, and all on the ball's sphere, with the centre in their hull.
-std::map<Places, Ball> enclosing_balls(const std::vector<Point>& points) {
+// independent, and all on the ball's sphere, with the centre in the interior of their simplex.
+std::map<Places, Ball> enclosing_balls(const PointSet& set) {
   std::map<Places, Ball> balls;
   const auto ball_of = [&](const Places& simplex) -> Ball {
     for (const Places& facet : facets_of(simplex)) {
       const Ball& ball = balls.at(facet);
       const bool encloses = std::all_of(simplex.begin(), simplex.end(), [&](std::size_t place) {
-        return squared_distance(ball.center, points[place]) <= ball.squared_radius;
+        return squared_distance(ball.center, set.points[place]) <= ball.squared_radius;
       });
       if (encloses) return ball;
     }
-    const auto sphere = circumcentre(select(points, simplex));
-    if (!sphere) throw std::logic_error("dependent points that are all needed to hold a ball");
-    return {sphere->center, squared_distance(sphere->center, points[simplex[0]])};
+    const auto center = set.inner_circumcentre(simplex);
+    if (!center) throw std::logic_error("points that hold a ball without its centre between them");
+    return {*center, squared_distance(*center, set.points[simplex[0]])};
   };
   for (std::size_t size = 1; size <= 4; ++size) {  // facets first
-    for_each_subset(points.size(), size, [&](const Places& simplex) {
+    for_each_subset(set.points.size(), size, [&](const Places& simplex) {
       if (simplex.size() == size) balls.emplace(simplex, ball_of(simplex));
     });
   }
@@ -63,9 +61,9 @@ struct Cell {
   }
 };
 
-std::vector<Cell> filtration(const std::vector<Point>& points) {
+std::vector<Cell> filtration(const PointSet& set) {
   std::vector<Cell> cells;
-  for (const auto& [simplex, ball] : enclosing_balls(points)) cells.push_back({ball.squared_radius, simplex});
+  for (const auto& [simplex, ball] : enclosing_balls(set)) cells.push_back({ball.squared_radius, simplex});
   std::sort(cells.begin(), cells.end());
   return cells;
 }
@@ -120,7 +118,7 @@ bool operator<(const PersistencePair& a, const PersistencePair& b) {
 }
 
 std::vector<PersistencePair> persistence_pairs(const PointSet& set) {
-  const std::vector<Cell> cells = filtration(set.points);
+  const std::vector<Cell> cells = filtration(set);
   const Reduced matrix = reduced(boundary_matrix(cells));
   std::vector<PersistencePair> pairs;
   for (const std::size_t birth : matrix.births) {

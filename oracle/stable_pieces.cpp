@@ -1,4 +1,4 @@
-// How the header's promises are kept.
+// A point is in the stable set iff it is in a cone over a piece; what makes that right stands above each function.
 #include "oracle/stable_pieces.h"
 
 #include <algorithm>

@@ -17,14 +17,14 @@ namespace {
 
 // A face K of conv C(y), by its places, with its centre c.
 struct Lead {
-  std::vector<std::size_t> face;
+  Places face;
   Point centre;
 };
 
 // K, where K leads to y (FC-STAB-03) and its first points are these two, or three; `contact` is C(y). In a
 // plane with these three the others lie on their circle, as all of C(y) lies on a sphere.
-std::optional<Lead> lead_from(const PointSet& set, const Point& y, const std::vector<std::size_t>& contact,
-                              const std::vector<std::size_t>& first_points) {
+std::optional<Lead> lead_from(const PointSet& set, const Point& y, const Places& contact,
+                              const Places& first_points) {
   const Point centre = circumcentre(select(set.points, first_points))->center;
   if (centre == y) return std::nullopt;
   const Lead lead{crossed_places(set, contact, minus(centre, y)), centre};
@@ -36,8 +36,8 @@ std::optional<Lead> lead_from(const PointSet& set, const Point& y, const std::ve
 // All that leads to y. No three points of a sphere lie on a line, so all pairs and triples have a centre.
 std::vector<Lead> leads_to(const PointSet& set, const Point& y) {
   std::vector<Lead> leads;
-  const std::vector<std::size_t> contact = nearest_places(set, y);
-  for_each_subset(contact.size(), 3, [&](const std::vector<std::size_t>& subset) {
+  const Places contact = set.nearest_places(y);
+  for_each_subset(contact.size(), 3, [&](const Places& subset) {
     if (subset.size() < 2) return;
     if (const auto lead = lead_from(set, y, contact, select(contact, subset))) leads.push_back(*lead);
   });
@@ -50,18 +50,11 @@ std::array<std::size_t, 2> samples_of(const PointSet& set, const Lead& lead) {
   return {set.names[lead.face[0]], set.names[lead.face[1]]};
 }
 
-// The way from y to the centre c, as far as its points, the ends aside, have the contact set K. At
-// y + t (c - y) a point q is farther than p, of K, by |y - q|^2 - |y - p|^2 - 2 t <c - y, q - p>, squared.
+// The way from y to the centre c, as far as its points, the ends aside, have the contact set K.
 Point way_back(const PointSet& set, const Point& y, const Lead& lead) {
   const Point way = minus(lead.centre, y);
-  const Point& p = set.points[lead.face.front()];
-  Rational time = 1;
-  for (const Point& q : set.points) {
-    const Rational approach = 2 * dot(way, minus(q, p));
-    if (approach <= 0) continue;
-    time = std::min(time, Rational((squared_distance(y, q) - squared_distance(y, p)) / approach));
-  }
-  return moved(y, time, way);
+  const auto meeting = set.first_meeting(lead.face.front(), y, way);
+  return meeting && *meeting < 1 ? moved(y, *meeting, way) : lead.centre;
 }
 
 bool collinear(const Point& a, const Point& b, const Point& c) {
@@ -117,7 +110,7 @@ class Search {
 
  private:
   int dimension_at(const Point& x) const {
-    return affine_dimension(select(set_.points, nearest_places(set_, x)));
+    return affine_dimension(select(set_.points, set_.nearest_places(x)));
   }
 
   // FC-STAB-04
@@ -126,13 +119,8 @@ class Search {
     const int dimension = dimension_at(back);
     BackKind kind = dimension == 2 ? BackKind::kEdge : BackKind::kVertex;
     if (back == lead.centre) kind = dimension == 1 ? BackKind::kCritical : BackKind::kRegular;
-    BackwardSegment& segment = found_.segments.emplace_back();
-    segment.samples = samples_of(set_, lead);
-    segment.front = y;
-    segment.back = back;
-    segment.front_contact = contact_set(set_, y);
-    segment.back_contact = contact_set(set_, back);
-    segment.back_kind = kind;
+    found_.segments.push_back(
+        {samples_of(set_, lead), y, back, contact_set(set_, y), contact_set(set_, back), kind});
     if (back != lead.centre) add_point(back);
   }
 

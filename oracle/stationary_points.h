@@ -12,41 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "oracle/exact_geometry.h"
+#include "oracle/point_set.h"
 
 namespace oracle {
-
-// The merged point set P (FC-IN-03). Throws std::invalid_argument for a coordinate that is not finite
-// (FC-IN-01).
-struct PointSet {
-  explicit PointSet(const std::vector<std::array<double, 3>>& rows);
-
-  std::size_t merged_duplicates = 0;
-  std::vector<Point> points;       // distinct, by first appearance in the input
-  std::vector<std::size_t> names;  // their class names, so ascending
-
-  // The points in integers, for fast scans: x, y, z times `scale`, and the sum of their squares.
-  Integer scale = 1;
-  std::vector<std::array<Integer, 4>> lifted;
-};
-
-// Where in the set's points the named classes are.
-std::vector<std::size_t> places_of(const PointSet& set, const std::vector<std::size_t>& names);
-
-// A linear form in the four numbers of a lifted point, and its value there.
-using Form = std::array<Integer, 4>;
-Integer value(const Form& form, const std::array<Integer, 4>& lifted);
-
-// The form that is scale^2 D (|p - x|^2 - |x|^2) at the point p, where D, its last coefficient, is the common
-// denominator of x: the smaller it is, the nearer is p.
-Form distance_form(const PointSet& set, const Point& x);
-
-// Where in `points` the points nearest to x are, ascending: the contact set C(x) of FC-DIST-01. Empty only
-// for no points.
-std::vector<std::size_t> nearest_places(const PointSet& set, const Point& x);
-
-// The same by class names.
-std::vector<std::size_t> contact_set(const PointSet& set, const Point& x);
 
 // Critical iff face_dimension == hull_dimension, which then is its index (FC-CRIT-02); else regular
 // stationary, and (face_dimension, hull_dimension) is its kind (FC-CRIT-03).
@@ -57,6 +25,7 @@ struct StationaryPoint {
   int face_dimension = 0;
   int hull_dimension = 0;
 
+  bool is_critical() const { return face_dimension == hull_dimension; }
   friend bool operator==(const StationaryPoint&, const StationaryPoint&) = default;
 };
 
@@ -70,7 +39,11 @@ struct Answer {
   std::array<std::size_t, 3> regular_counts() const;  // of kinds 1-2, 2-3, 1-3
 };
 
+Answer stationary_points(const PointSet& set);
 Answer stationary_points(const std::vector<std::array<double, 3>>& rows);
+
+// The stationary point x, where `contact` is C(x).
+StationaryPoint stationary_point(const PointSet& set, const Point& x, const Places& contact);
 
 // What is wrong with a claim: the clause that it violates, and what is claimed and what is true.
 struct Finding {

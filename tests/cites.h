@@ -1,4 +1,4 @@
-// CITES("FC-CRIT-02", ...): the clauses of spec/flow_complex.md that a test really checks.
+// CITES("FC-CRIT-02", ...): the clauses of the spec that a test really checks.
 //
 // It is the first statement of each TEST body. The ids end up in GoogleTest's XML output (property "clauses",
 // joined by blanks), and as text in the source, where the conformance test that compares spec and tests finds

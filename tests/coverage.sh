@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# ./dev coverage: runs all tests of an instrumented build, and prints how much of src/, oracle/ and what judges they reach.
+# ./dev coverage: runs all tests of an instrumented build, and prints how much of src/, oracle/ and what judges they
+# reach.
 #
 # usage: coverage.sh BUILD_DIR      (relative to the top folder)
 #

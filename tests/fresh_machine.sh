@@ -3,14 +3,14 @@
 #
 # usage: fresh_machine.sh [--new] [--ccache DIR] [--keep] [--then COMMAND]…
 #
-# Makes a bare root with mmdebstrap (minbase, git, ca-certificates), clones HEAD into it, and runs there, word for word,
-# the commands of README.md's first block; then it installs the library and builds the README's example with it, and
-# runs each COMMAND of --then. The last lines are the time of each step. Root and packages are kept in a cache folder;
-# --new makes the root anew.
+# Makes a bare root with mmdebstrap (minbase, git, ca-certificates), clones HEAD into it, and runs there, word for
+# word, the commands of README.md's first block; then it installs the library and builds the README's example with
+# it, and runs each COMMAND of --then. The last lines are the time of each step. Root and packages are kept in a
+# cache folder; --new makes the root anew.
 #
 # Guarantees: everything is mounted in a mount namespace of its own, so no removal ever sees the machine's own files.
-# Nothing that was installed by hand on this machine is there. Exit status: 0; 1 where a step fails; 3 where no root can
-# be made here, which one line on standard error explains.
+# Nothing that was installed by hand on this machine is there. Exit status: 0; 1 where a step fails; 3 where no root
+# can be made here, which one line on standard error explains.
 set -euo pipefail
 repository=$(realpath "$(dirname "$0")/..")
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/flowcert-fresh

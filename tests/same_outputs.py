@@ -5,8 +5,9 @@ usage: same_outputs.py OLDER NEWER [--generated N] [--jobs N] [SCAN ...]
 
 Runs compute with its options, persistence, orbit, surface and --export on generated inputs and on scans, and compares
 exit status, standard output, standard error and every file that is written. Guarantees: all bytes are compared but the
-header (what made it), times, ratios to times, memory, and tallies of filters. Exit status: 0 where all is the same; 1
-where something is not, and then the commands are printed; 2 where the programs cannot be compared.
+header (what made it), times, ratios to times, memory, and tallies of filters and of exact numbers. Exit status: 0
+where all is the same; 1 where something is not, and then the commands are printed; 2 where the programs cannot be
+compared.
 """
 import argparse
 import concurrent.futures
@@ -31,9 +32,12 @@ TIMES = (
 )
 TALLIES = (
     rb'"filters":\{(?:"[a-z_]+":\{[^}]*\},?)*\}',
-    rb'"predicates":\{(?:"[a-z_]+":\{[^}]*\},?)*\}',
+    rb'"(?:predicates|primitives)":\{(?:"[a-z_]+":\{[^}]*\},?)*\}',
     rb"(?m)^filter failures, [^\n]*$",
     rb"(?m)^filter failures of [^\n]*\n(?:  [^\n]*\n)*",
+    # Of points whose coordinates a filter left to exact numbers: which points these are is the filter's affair.
+    rb'"exact_bytes":\{[^}]*\}',
+    rb"(?m)^bytes of exact coordinates [^\n]*\n(?:  [^\n]*\n)*",
 )
 MADE = [re.compile(pattern) for pattern in HEADER]
 VARYING = [re.compile(pattern) for pattern in (*TIMES, *TALLIES)]

@@ -1,16 +1,17 @@
-// See batch.h.
 #include "fuzz/campaign/batch.h"
 
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
 #include <utility>
 
 #include "fuzz/campaign/mutation.h"
 #include "fuzz/campaign/shrinking.h"
-#include "fuzz/campaign/trial_mix.h"
-#include "fuzz/inputs/mixed.h"
+#include "fuzz/inputs/input.h"
 
 namespace flowcert::fuzz {
+
 namespace {
 
 using nlohmann::json;
@@ -118,8 +119,8 @@ class Batch {
     };
     const std::optional<Disagreement> found = judge(drawn.trial);
     if (!found) return;
-    Finding finding{plan_.seed,    number,      drawn.family, drawn.trial.input.rows.size(),
-                    property.name, drawn.trial, *found};
+    Counterexample finding{plan_.seed,    number,      drawn.family, drawn.trial.input.rows.size(),
+                           property.name, drawn.trial, *found};
     std::set<std::size_t>& failing = result_.tally.failures[kind_of(finding)];
     failing.insert(number);
     if (failing.size() > 1 && !plan_.shrinks_all) return;
@@ -245,6 +246,52 @@ std::vector<Property> own_properties(const CampaignPlan& plan) {
     named.back().one_in = 1;
   }
   return named;
+}
+
+// ---- Messages ----
+// What Campaign::absorb reads has one of the keys "finding", "discovery" and "batch".
+using nlohmann::json;
+
+// Messages of exceptions may be anything but UTF-8.
+std::string message_of(const Counterexample& finding) {
+  return json{{"finding", json_of(finding)}}.dump(-1, ' ', true, json::error_handler_t::replace);
+}
+
+std::string message_of(const Discovery& discovery) { return json{{"discovery", json_of(discovery)}}.dump(); }
+
+std::string message_of(std::size_t batch, const BatchResult& result) {
+  return json{{"batch", batch}, {"complete", result.is_complete}, {"tally", json_of(result.tally)}}.dump();
+}
+
+std::string failure_message(const std::string& why) {
+  return json{{"failure", why}}.dump(-1, ' ', true, json::error_handler_t::replace);
+}
+std::optional<std::string> failure_in(const std::string& message) {
+  if (!message.starts_with(R"({"failure":)")) return std::nullopt;
+  return json::parse(message).at("failure").get<std::string>();
+}
+
+// Keys are written in alphabetical order.
+bool ends_batch(const std::string& message) { return message.starts_with(R"({"batch":)"); }
+bool ends_whole_batch(const std::string& message) {
+  return ends_batch(message) && message.find(R"("complete":true)") != std::string::npos;
+}
+
+std::string to_text(const BatchOrder& order) {
+  std::string text = std::to_string(order.batch) + ' ' + std::to_string(order.cases) + ' ' +
+                     (order.only ? std::to_string(*order.only) : "all");
+  for (const std::size_t number : order.left_out) text += ' ' + std::to_string(number);
+  return text;
+}
+
+BatchOrder order_of(const std::string& text) {
+  std::istringstream words(text);
+  BatchOrder order;
+  std::string only;
+  if (!(words >> order.batch >> order.cases >> only)) throw std::invalid_argument("no order for a batch");
+  if (only != "all") order.only = std::stoull(only);
+  for (std::size_t number = 0; words >> number;) order.left_out.insert(number);
+  return order;
 }
 
 }  // namespace flowcert::fuzz

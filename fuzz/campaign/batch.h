@@ -2,7 +2,7 @@
 // them.
 //
 // Guarantees: cases, findings and signatures are a function of plan, number of cases and batch, and of the
-// cases that are left out; only times are not. A case is fresh (trial_mix.h), or a mutant (mutation.h) of an
+// cases that are left out; only times are not. A case is fresh (campaign_plan.h), or a mutant (mutation.h) of an
 // input that showed a new signature earlier in the batch, or that the plan's corpus has. A disagreement is
 // told of as it is, and then shrunk, when the batch meets its kind for the first time, or always if the plan
 // wants it; the others of its kind are listed by the numbers of their cases, which a batch of one case makes
@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "fuzz/campaign/campaign_plan.h"
+#include "fuzz/campaign/counterexample.h"
 #include "fuzz/campaign/degeneracy_signature.h"
-#include "fuzz/campaign/finding.h"
 
 namespace flowcert::fuzz {
 
@@ -66,7 +66,7 @@ class BatchObserver {
   virtual void tries(std::size_t number, const std::string& source, const std::string& property,
                      const property::Trial& trial) = 0;
   virtual void has_done(std::size_t number, const std::string& source) = 0;
-  virtual void found(const Finding& finding) = 0;
+  virtual void found(const Counterexample& finding) = 0;
   virtual void discovered(const Discovery& discovery) = 0;
   [[nodiscard]] virtual bool is_stopped() = 0;
 };
@@ -91,5 +91,43 @@ struct BatchResult {
 // The properties that a plan of no other implementation's means: those that it names, each on all cases, or
 // all of them, each on its share.
 [[nodiscard]] std::vector<property::Property> own_properties(const CampaignPlan& plan);
+
+// Where batches come from, and where what came of them goes: a campaign, or a line to one on another machine.
+//
+// Guarantees: whoever works on batches needs nothing else of their campaign.
+class BatchSource {
+ public:
+  virtual ~BatchSource() = default;
+
+  [[nodiscard]] virtual const CampaignPlan& plan() const = 0;
+  // Nothing: there is no more to do.
+  [[nodiscard]] virtual std::optional<BatchOrder> next_batch() = 0;
+  // A batch that was not done, to be handed out again.
+  virtual void give_back(std::size_t batch) = 0;
+  // A case that ended its process and has not been made small, each once; nothing: there is no other.
+  [[nodiscard]] virtual std::optional<Counterexample> next_crash() { return std::nullopt; }
+  // One line from whoever does a batch (Messages, below).
+  virtual void absorb(const std::string& message) = 0;
+};
+
+// ---- Messages ----
+// What whoever does batches tells the campaign, and is told: lines of text, through a pipe or between ranks.
+//
+// Guarantees: a line each, without line breaks inside; what is read is equal to what was written.
+[[nodiscard]] std::string message_of(const Counterexample& finding);
+[[nodiscard]] std::string message_of(const Discovery& discovery);
+[[nodiscard]] std::string message_of(std::size_t batch, const BatchResult& result);
+
+// Instead of one: the batch cannot be done on this machine, and why.
+[[nodiscard]] std::string failure_message(const std::string& why);
+[[nodiscard]] std::optional<std::string> failure_in(const std::string& message);
+
+// Whether it is the last one of a batch, and then whether all of the batch was done.
+[[nodiscard]] bool ends_batch(const std::string& message);
+[[nodiscard]] bool ends_whole_batch(const std::string& message);
+
+[[nodiscard]] std::string to_text(const BatchOrder& order);
+// Throws std::invalid_argument.
+[[nodiscard]] BatchOrder order_of(const std::string& text);
 
 }  // namespace flowcert::fuzz

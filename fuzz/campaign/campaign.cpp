@@ -1,4 +1,3 @@
-// See campaign.h.
 #include "fuzz/campaign/campaign.h"
 
 #include <fcntl.h>
@@ -12,12 +11,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <stdexcept>
-#include <utility>
-#include <vector>
 
 #include "flowcert/reproducibility.h"
-#include "fuzz/campaign/message.h"
 
 namespace flowcert::fuzz {
 
@@ -36,7 +31,7 @@ constexpr const char* kFindingsFolder = "findings";
 
 // A failing case is reported as it was, and then once more, small. What it was when someone asked for it
 // again is the latest.
-bool replaces(const Finding& one, const Finding& known) {
+bool replaces(const Counterexample& one, const Counterexample& known) {
   return one.is_asked || (one.is_small && !known.is_small);
 }
 
@@ -228,7 +223,7 @@ BatchOrder Campaign::order_of(std::size_t batch) const {
   return order;
 }
 
-std::optional<Finding> Campaign::next_crash() {
+std::optional<Counterexample> Campaign::next_crash() {
   for (const auto& [key, finding] : findings_) {
     if (ends_process(finding) && !finding.is_small && crashes_handed_out_.insert(key).second) return finding;
   }
@@ -237,7 +232,7 @@ std::optional<Finding> Campaign::next_crash() {
 
 void Campaign::absorb(const std::string& message) {
   const json object = json::parse(message);
-  if (object.contains("finding")) return absorb(finding_of(object.at("finding")));
+  if (object.contains("finding")) return absorb(counterexample_of(object.at("finding")));
   if (object.contains("discovery")) return absorb(discovery_of(object.at("discovery")));
   const auto batch = object.at("batch").get<std::size_t>();
   Tally tally = tally_of(object.at("tally"));
@@ -267,7 +262,7 @@ void Campaign::absorb_batch(std::size_t batch, Tally tally) {
   for (const auto& [number, each] : done_) sum_.add(each);
 }
 
-void Campaign::absorb(const Finding& finding) {
+void Campaign::absorb(const Counterexample& finding) {
   const std::pair key(finding.number, kind_of(finding));
   if (ends_process(finding) && !finding.is_asked) left_out_.insert(finding.number);
   const auto known = findings_.find(key);
@@ -281,21 +276,21 @@ void Campaign::absorb(const Finding& finding) {
 
 bool Campaign::keeps_lines() const { return files_ && !is_loading_; }
 
-fs::path Campaign::path_of(const Finding& finding) const {
+fs::path Campaign::path_of(const Counterexample& finding) const {
   return findings_folder_ / (name_of(finding) + ".xyz");
 }
 
-void Campaign::write_point_file(const Finding& finding) const {
+void Campaign::write_point_file(const Counterexample& finding) const {
   make_folder(findings_folder_);
   write_file(path_of(finding), file_text(finding));
 }
 
-void Campaign::write_asked(const Finding& finding) {
+void Campaign::write_asked(const Counterexample& finding) {
   asked_[kind_of(finding)].insert(finding.number);
   write_point_file(finding);
 }
 
-void Campaign::offer_point_file(const Finding& finding) {
+void Campaign::offer_point_file(const Counterexample& finding) {
   std::set<std::size_t>& least = least_[kind_of(finding)];
   std::set<std::size_t>& asked = asked_[kind_of(finding)];
   if (finding.is_asked) asked.insert(finding.number);
@@ -304,7 +299,7 @@ void Campaign::offer_point_file(const Finding& finding) {
     const std::size_t last = *least.rbegin();
     least.erase(last);
     if (last != finding.number && !asked.contains(last)) {
-      Finding other = finding;
+      Counterexample other = finding;
       other.number = last;
       fs::remove(path_of(other));
     }
@@ -335,12 +330,47 @@ std::optional<std::size_t> Campaign::expected_cases() const {
   return cases_of_shard(plan_, *total_cases_);
 }
 
-fs::path Campaign::file_of(const Finding& finding) const {
+fs::path Campaign::file_of(const Counterexample& finding) const {
   const auto is_in = [&](const auto& numbers) {
     const auto of_kind = numbers.find(kind_of(finding));
     return of_kind != numbers.end() && of_kind->second.contains(finding.number);
   };
   return is_in(least_) || is_in(asked_) ? path_of(finding) : fs::path();
+}
+
+// ---- One case ----
+
+OneCase::OneCase(Campaign& campaign, std::size_t number) : campaign_(campaign), number_(number) {
+  const Shard& shard = plan().shard;
+  const std::size_t total = campaign.total_cases().value_or(kMostCasesOfCampaign);
+  if (number >= total || number / plan().batch_cases % shard.count != shard.index) {
+    throw std::invalid_argument("the campaign has no case " + std::to_string(number));
+  }
+}
+
+std::optional<BatchOrder> OneCase::next_batch() {
+  if (is_done_ || is_handed_out_) return std::nullopt;
+  is_handed_out_ = true;
+  BatchOrder order = campaign_.order_of(number_ / plan().batch_cases);
+  order.only = number_;
+  return order;
+}
+
+void OneCase::absorb(const std::string& message) {
+  const auto object = nlohmann::json::parse(message);
+  if (object.contains("finding")) return absorb(counterexample_of(object.at("finding")));
+  if (object.contains("batch")) is_done_ = is_done_ || tally_of(object.at("tally")).cases > 0;
+}
+
+void OneCase::absorb(Counterexample finding) {
+  if (finding.number != number_) return campaign_.absorb(finding);  // ended a process before it was its turn
+  finding.is_asked = true;
+  const std::string kind = kind_of(finding);
+  findings_.insert_or_assign(kind, finding);
+  is_done_ = is_done_ || ends_process(finding);
+  if (!campaign_.is_done(number_ / plan().batch_cases)) return campaign_.write_asked(finding);
+  // Something small gives way to nothing but something small.
+  if (finding.is_small || !campaign_.findings().contains({number_, kind})) campaign_.absorb(finding);
 }
 
 }  // namespace flowcert::fuzz

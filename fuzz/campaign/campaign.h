@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-#include "fuzz/campaign/batch_source.h"
+#include "fuzz/campaign/batch.h"
 
 namespace flowcert::fuzz {
 
@@ -65,17 +65,17 @@ class Campaign : public BatchSource {
   // The next batch that is not done and not handed out; nothing: no such batch is left.
   [[nodiscard]] std::optional<BatchOrder> next_batch() override;
   [[nodiscard]] BatchOrder order_of(std::size_t batch) const;
-  [[nodiscard]] std::optional<Finding> next_crash() override;
+  [[nodiscard]] std::optional<Counterexample> next_crash() override;
   // To be handed out again.
   void give_back(std::size_t batch) override { handed_out_.erase(batch); }
   // Whether all that was handed out has come back.
   [[nodiscard]] bool is_settled() const { return handed_out_.empty(); }
 
-  // One line from whoever does a batch (message.h). Throws UnusableFolder if the folder cannot be written.
+  // One line from whoever does a batch (batch.h). Throws UnusableFolder if the folder cannot be written.
   void absorb(const std::string& message) override;
-  void absorb(const Finding& finding);
+  void absorb(const Counterexample& finding);
   // Writes its point file, and nothing else: the campaign does not have it.
-  void write_asked(const Finding& finding);
+  void write_asked(const Counterexample& finding);
   // All of another part of the same campaign. Throws std::invalid_argument for a part of another one.
   void absorb(const Campaign& part);
 
@@ -87,13 +87,13 @@ class Campaign : public BatchSource {
   [[nodiscard]] std::optional<std::size_t> expected_cases() const;
   [[nodiscard]] const std::map<DegeneracySignature, Discovered>& signatures() const { return signatures_; }
   // By number, then "PROPERTY KIND".
-  [[nodiscard]] const std::map<std::pair<std::size_t, std::string>, Finding>& findings() const {
+  [[nodiscard]] const std::map<std::pair<std::size_t, std::string>, Counterexample>& findings() const {
     return findings_;
   }
   // The programs that have worked on it: more than one may have drawn other cases.
   [[nodiscard]] const std::set<std::string>& made_by() const { return made_by_; }
   // Empty if it was not written.
-  [[nodiscard]] std::filesystem::path file_of(const Finding& finding) const;
+  [[nodiscard]] std::filesystem::path file_of(const Counterexample& finding) const;
 
  private:
   struct Files;
@@ -106,10 +106,10 @@ class Campaign : public BatchSource {
   void write_plan();
   // Whether what is absorbed is written to files, and not read from them.
   [[nodiscard]] bool keeps_lines() const;
-  [[nodiscard]] std::filesystem::path path_of(const Finding& finding) const;
-  void write_point_file(const Finding& finding) const;
+  [[nodiscard]] std::filesystem::path path_of(const Counterexample& finding) const;
+  void write_point_file(const Counterexample& finding) const;
   // If it is one of the least, or asked for.
-  void offer_point_file(const Finding& finding);
+  void offer_point_file(const Counterexample& finding);
 
   CampaignPlan plan_;
   std::optional<std::size_t> total_cases_;
@@ -121,13 +121,46 @@ class Campaign : public BatchSource {
   std::size_t first_open_ = 0;
   std::set<std::size_t> handed_out_;
   std::map<DegeneracySignature, Discovered> signatures_;
-  std::map<std::pair<std::size_t, std::string>, Finding> findings_;
+  std::map<std::pair<std::size_t, std::string>, Counterexample> findings_;
   // Numbers of cases by "PROPERTY KIND": those that have files for being the least, or for being asked for.
   std::map<std::string, std::set<std::size_t>> least_, asked_;
   std::set<std::pair<std::size_t, std::string>> crashes_handed_out_;
   std::set<std::size_t> left_out_;  // cases that ended a process in their batch
   std::set<std::string> made_by_;
   bool is_loading_ = false;
+};
+
+// ---- One case ----
+// One case of a campaign, once more or for the first time, and nothing else.
+//
+// Guarantees: the case is what it is in the campaign, as far as the cases are known that ended a process in
+// its batch before it: the batch's later cases do not know of those. What is found has a point file with
+// those of the campaign. The campaign has it as well if the batch is done, instead of what it had of the case
+// before; otherwise the batch will find it by itself.
+class OneCase : public BatchSource {
+ public:
+  // Throws std::invalid_argument, one line, if the campaign has no such case.
+  OneCase(Campaign& campaign, std::size_t number);
+
+  [[nodiscard]] const CampaignPlan& plan() const override { return campaign_.plan(); }
+  [[nodiscard]] std::optional<BatchOrder> next_batch() override;
+  void give_back(std::size_t) override { is_handed_out_ = false; }
+  void absorb(const std::string& message) override;
+
+  [[nodiscard]] std::size_t number() const { return number_; }
+  // False if it was stopped, or its process was killed.
+  [[nodiscard]] bool is_done() const { return is_done_; }
+  // By "PROPERTY KIND".
+  [[nodiscard]] const std::map<std::string, Counterexample>& findings() const { return findings_; }
+
+ private:
+  void absorb(Counterexample finding);
+
+  Campaign& campaign_;
+  std::size_t number_;
+  bool is_handed_out_ = false;
+  bool is_done_ = false;
+  std::map<std::string, Counterexample> findings_;
 };
 
 }  // namespace flowcert::fuzz

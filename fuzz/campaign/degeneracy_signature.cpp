@@ -1,5 +1,4 @@
-// See degeneracy_signature.h. The faces of the Voronoi diagram are made once more for the clusters, polygons
-// and chains, which no public interface tells; on a few points that is microseconds.
+// Clusters, polygons and chains, which no public interface tells, are asked of the diagram itself.
 #include "fuzz/campaign/degeneracy_signature.h"
 
 #include <algorithm>
@@ -8,13 +7,8 @@
 #include <set>
 #include <span>
 
-#include "flowcert/point_set.h"
-#include "flowcert/stable_manifolds.h"
-#include "flowcert/stationary_points.h"
-#include "flowcert/unstable_manifolds.h"
-#include "flowcert/voronoi_diagram.h"
-#include "fuzz/properties/input_points.h"
-#include "voronoi/voronoi_faces.h"
+#include "fuzz/properties/subject.h"
+#include "voronoi/diagram.h"
 
 namespace flowcert::fuzz {
 
@@ -114,7 +108,7 @@ class Chains {
   std::vector<std::size_t> edges_;
 };
 
-Extent spatial_extent(const VoronoiFaces& faces) {
+Extent spatial_extent(const Diagram& faces) {
   const VoronoiComplex& complex = faces.complex();
   Extent extent{4, 3, 0};
   for (std::size_t k = 0; k < complex.large_cluster_count(); ++k) {
@@ -137,7 +131,7 @@ Extent spatial_extent(const VoronoiFaces& faces) {
 }
 
 // A polygon is the contact set of its centre; its Voronoi edge is a line, a chain alone.
-Extent planar_extent(const VoronoiFaces& faces) {
+Extent planar_extent(const Diagram& faces) {
   Extent extent;
   for (CellIndex cell = 0; cell < faces.delaunay().finite_count; ++cell) {
     const PolygonRef polygon = faces.polygon({cell, 0});
@@ -150,7 +144,7 @@ Extent planar_extent(const VoronoiFaces& faces) {
 Extent extent_of(const VoronoiDiagram& diagram, const StationaryPoints& stationary) {
   Extent extent;
   if (diagram.dimension() >= 2) {
-    const VoronoiFaces faces(diagram);
+    const Diagram& faces = diagram.faces();
     extent = diagram.dimension() == 3 ? spatial_extent(faces) : planar_extent(faces);
   }
   for (std::size_t i = 0; i < stationary.size(); ++i) {
@@ -200,17 +194,16 @@ const std::vector<SignatureComponent>& signature_components() {
 }
 
 DegeneracySignature signature_of(const Input& input) {
-  const PointSet points = property::point_set_of(input);
-  FilterTally tally;
-  const VoronoiDiagram diagram(Delaunay(points), &tally);
-  const StationaryPoints stationary = stationary_points(diagram);
-  const UnstableManifolds unstable(diagram, stationary);
-  const StableManifolds stable(diagram, stationary);
+  const FlowComplex& complex = property::subject_of(input).complex;
+  const VoronoiDiagram& diagram = complex.diagram();
+  const StationaryPoints& stationary = complex.stationary();
+  const UnstableManifolds& unstable = complex.unstable();
+  const StableManifolds& stable = complex.stable();
   const Extent extent = extent_of(diagram, stationary);
 
   DegeneracySignature signature;
   signature[SignaturePart::kDimension] = static_cast<std::uint8_t>(diagram.dimension() + 1);
-  signature[SignaturePart::kDuplicates] = some(points.merged_duplicates());
+  signature[SignaturePart::kDuplicates] = some(complex.points().merged_duplicates());
   signature[SignaturePart::kCluster] = bucket(extent.cluster, {5, 6, 7, 9});
   signature[SignaturePart::kPolygon] = bucket(extent.polygon, {4, 5, 7});
   signature[SignaturePart::kKind12] = few(stationary.regular_counts().kind12);
@@ -219,7 +212,7 @@ DegeneracySignature signature_of(const Input& input) {
   signature[SignaturePart::kChain] = bucket(extent.chain, {1, 2, 3});
   add_unstable(unstable.statistics(), signature);
   add_stable(stable.statistics(), signature);
-  signature[SignaturePart::kExact] = failures_of(tally.counts);
+  signature[SignaturePart::kExact] = failures_of(complex.filter_tally().counts);
   signature[SignaturePart::kExactFlow] = static_cast<std::uint8_t>(
       failures_of(unstable.statistics().tally.counts) | failures_of(stable.statistics().tally.counts));
   return signature;

@@ -1,5 +1,5 @@
-// See mutation.h. Points are placed in rationals. A sphere has rational points everywhere: the image of one
-// of its points in a plane through its centre, with an integer normal, is another one.
+// Points are placed in rationals. A sphere has rational points everywhere: the image of one of its points in
+// a plane through its centre, with an integer normal, is another one.
 #include "fuzz/campaign/mutation.h"
 
 #include <algorithm>
@@ -11,7 +11,6 @@
 
 #include "flowcert/rational.h"
 #include "fuzz/inputs/integer_points.h"
-#include "fuzz/inputs/nudge.h"
 #include "fuzz/inputs/transformations.h"
 
 namespace flowcert::fuzz {

@@ -1,11 +1,10 @@
-// See shrinking.h. Our own, and not RapidCheck's: its trees of smaller values come with a generator, and a
-// mutant, or an input from a file, has none.
+// Our own, and not RapidCheck's: its trees of smaller values come with a generator, and a mutant, or an input
+// from a file, has none.
 #include "fuzz/campaign/shrinking.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>

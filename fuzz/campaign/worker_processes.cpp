@@ -1,30 +1,167 @@
-// See worker_processes.h. Each worker reads orders from a pipe and writes messages to another one.
+// Each worker reads orders from a pipe and writes messages to another one. The trial that it is at is in memory
+// that it shares with its parent: what is left to know of it if it ends there.
 #include "fuzz/campaign/worker_processes.h"
 
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
+#include "fuzz/campaign/campaign_plan.h"
 #include "fuzz/campaign/child_process.h"
-#include "fuzz/campaign/line_pipe.h"
-#include "fuzz/campaign/message.h"
-#include "fuzz/campaign/shared_trial.h"
+#include "fuzz/campaign/counterexample.h"
 #include "fuzz/campaign/shrinking.h"
+#include "fuzz/properties/property.h"
 
 namespace flowcert::fuzz {
+
+// ---- The trial that a worker is at ----
+// Whatever the process dies of, the trial noted last can be read by the parent, whole.
+
+struct NotedTrial {
+  std::size_t number = 0;
+  std::string property;
+  std::string source;
+  property::Trial trial;
+};
+
+class SharedTrial {
+ public:
+  SharedTrial();
+  ~SharedTrial();
+  SharedTrial(const SharedTrial&) = delete;
+  SharedTrial& operator=(const SharedTrial&) = delete;
+
+  // By the worker.
+  void note(std::size_t number, const std::string& source, const std::string& property,
+            const property::Trial& trial);
+  void count_case();
+  void forget();  // nothing is being tried
+  void start_batch();
+  [[nodiscard]] bool is_told_to_stop() const;
+
+  // By the parent.
+  [[nodiscard]] bool is_trying() const;
+  [[nodiscard]] NotedTrial noted() const;
+  // Changes with every trial.
+  [[nodiscard]] std::uint64_t trials() const;
+  // Cases done in the batch under way.
+  [[nodiscard]] std::size_t cases() const;
+  void tell_to_stop();
+
+ private:
+  struct Memory;
+  Memory* memory_;
+};
+
+// Two places take turns: a trial is written to the one that is not the latest.
+namespace {
+
+constexpr std::size_t kMostNumbers = 64;
+constexpr std::size_t kMostText = std::size_t{1} << 20;
+
+struct Place {
+  std::uint64_t number = 0;
+  std::array<char, 64> source{}, property{};
+  std::size_t rows = 0;
+  std::array<Row, kMostRowsOfTrial> row{};
+  bool has_choice = false;
+  property::StartKind kind{};
+  std::size_t numbers = 0;
+  std::array<std::uint32_t, kMostNumbers> numbers_of_choice{};
+  std::array<char, kMostText> start{};
+};
+
+template <std::size_t N>
+void copy_text(const std::string& text, std::array<char, N>& to) {
+  const std::size_t size = std::min(text.size(), N - 1);
+  std::copy_n(text.begin(), size, to.begin());
+  to[size] = '\0';
+}
+
+}  // namespace
+
+struct SharedTrial::Memory {
+  std::array<Place, 2> places;
+  std::atomic<std::uint64_t> trials{0};  // the latest one is in places[trials % 2]
+  std::atomic<bool> is_trying{false};
+  std::atomic<std::uint64_t> cases{0};
+  std::atomic<bool> stop{false};
+};
+
+SharedTrial::SharedTrial() {
+  void* memory = ::mmap(nullptr, sizeof(Memory), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "mmap");
+  memory_ = new (memory) Memory;
+}
+
+SharedTrial::~SharedTrial() { ::munmap(memory_, sizeof(Memory)); }
+
+void SharedTrial::note(std::size_t number, const std::string& source, const std::string& property,
+                       const property::Trial& trial) {
+  const std::uint64_t next = memory_->trials + 1;
+  Place& place = memory_->places.at(next % 2);
+  place.number = number;
+  copy_text(source, place.source);
+  copy_text(property, place.property);
+  place.rows = std::min(trial.input.rows.size(), place.row.size());
+  std::copy_n(trial.input.rows.begin(), place.rows, place.row.begin());
+  if (const auto* choice = std::get_if<property::StartChoice>(&trial.start)) {
+    place.has_choice = true;
+    place.kind = choice->kind;
+    place.numbers = std::min(choice->numbers.size(), kMostNumbers);
+    std::copy_n(choice->numbers.begin(), place.numbers, place.numbers_of_choice.begin());
+  } else {
+    place.has_choice = false;
+    copy_text(to_text(std::get<oracle::Point>(trial.start)), place.start);
+  }
+  memory_->trials = next;
+  memory_->is_trying = true;
+}
+
+void SharedTrial::count_case() { ++memory_->cases; }
+void SharedTrial::forget() { memory_->is_trying = false; }
+void SharedTrial::start_batch() { memory_->cases = 0; }
+bool SharedTrial::is_told_to_stop() const { return memory_->stop; }
+bool SharedTrial::is_trying() const { return memory_->is_trying; }
+std::uint64_t SharedTrial::trials() const { return memory_->trials; }
+std::size_t SharedTrial::cases() const { return memory_->cases; }
+void SharedTrial::tell_to_stop() { memory_->stop = true; }
+
+NotedTrial SharedTrial::noted() const {
+  const Place& place = memory_->places.at(memory_->trials % 2);
+  NotedTrial noted{place.number, place.property.data(), place.source.data(), {}};
+  noted.trial.input.rows.assign(place.row.begin(),
+                                place.row.begin() + static_cast<std::ptrdiff_t>(place.rows));
+  if (place.has_choice) {
+    const auto* first = place.numbers_of_choice.begin();
+    noted.trial.start = property::StartChoice{place.kind, {first, first + place.numbers}};
+  } else {
+    noted.trial.start = point_of(place.start.data());
+  }
+  return noted;
+}
+
+// ---- Ends of processes ----
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -98,7 +235,7 @@ class PipeObserver : public BatchObserver {
     shared_.forget();
     shared_.count_case();
   }
-  void found(const Finding& finding) override { tell(message_of(finding)); }
+  void found(const Counterexample& finding) override { tell(message_of(finding)); }
   void discovered(const Discovery& discovery) override { tell(message_of(discovery)); }
   [[nodiscard]] bool is_stopped() override { return shared_.is_told_to_stop(); }
 
@@ -124,20 +261,21 @@ void run_property(const std::vector<Property>& properties, const std::string& na
 }
 
 // A case that hangs stays as it is.
-Finding crash_finding(const CampaignPlan& plan, const Crash& crash) {
-  Finding finding{plan.seed,         crash.at.number, crash.at.source,   crash.at.trial.input.rows.size(),
-                  crash.at.property, crash.at.trial,  crash.disagreement};
+Counterexample crash_finding(const CampaignPlan& plan, const Crash& crash) {
+  Counterexample finding{
+      plan.seed,         crash.at.number, crash.at.source,   crash.at.trial.input.rows.size(),
+      crash.at.property, crash.at.trial,  crash.disagreement};
   finding.is_small = crash.disagreement.kind != "crash";
   return finding;
 }
 
-Crash crash_in(const Finding& finding) {
+Crash crash_in(const Counterexample& finding) {
   return {{finding.number, finding.property, finding.source, finding.trial}, finding.disagreement};
 }
 
 void report_shrunk(const CampaignPlan& plan, const std::vector<Property>& properties, const Crash& crash,
                    PipeObserver& observer) {
-  Finding finding = crash_finding(plan, crash);
+  Counterexample finding = crash_finding(plan, crash);
   if (finding.is_small) return;
   const auto attempt = [&](const Trial& trial) { run_property(properties, crash.at.property, trial); };
   const Judge judge = [&](const Trial& trial) -> std::optional<Disagreement> {

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/campaign/batch_source.h"
+#include "fuzz/campaign/batch.h"
 
 namespace flowcert::fuzz {
 

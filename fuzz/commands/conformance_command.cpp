@@ -11,15 +11,14 @@
 #include <optional>
 #include <string_view>
 
-#include "cli/judging_options.h"
-#include "cli/progress_line.h"
+#include "cli/check_report.h"
+#include "cli/progress.h"
 #include "cli/table.h"
 #include "fuzz/commands/commands.h"
 #include "fuzz/commands/conformance_report.h"
-#include "fuzz/commands/option_checks.h"
+#include "fuzz/commands/fuzz_options.h"
 #include "fuzz/judge/command_run.h"
-#include "fuzz/judge/command_template.h"
-#include "fuzz/judge/interruption.h"
+#include "fuzz/judge/limited_program.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
 
@@ -172,15 +171,18 @@ int conformance(ConformanceCommandOptions& options) {
 
 // Validators return what is wrong.
 std::string has_in_and_start(const std::string& command) {
-  return has_place(command, "{start}") ? has_in(command) : "there is no {start} in the command";
+  return has_place(command, "{start}") ? complaint_about_missing_in(command)
+                                       : "there is no {start} in the command";
 }
-std::string is_file_name(const std::string& name) {
+std::string complaint_about_file_name(const std::string& name) {
   constexpr std::string_view kTaken[] = {"",           ".",      "..",     "points.xyz",
                                          "points.off", "stdout", "stderr", "case.json"};
   const bool is_free = name.find('/') == std::string::npos && std::ranges::count(kTaken, name) == 0;
   return is_free ? "" : in_quotes(name) + " is no file name that is free";
 }
-std::string is_time(const std::string& word) { return fault_of_seconds(word, kLongestSeconds, "a day"); }
+std::string complaint_about_time(const std::string& word) {
+  return complaint_about_seconds(word, kLongestSeconds, "a day");
+}
 
 void add_choice_options(CLI::App& command, ConformanceCommandOptions& options) {
   command.add_option("--vectors", options.folder,
@@ -200,7 +202,7 @@ void add_command_options(CLI::App& command, ConformanceCommandOptions& options) 
       .add_option("--against", run.command,
                   "The command: {in} stands for a file of points, {out} for the file to write the claim to; "
                   "without {out}, standard output is the claim")
-      ->check(has_in);
+      ->check(complaint_about_missing_in);
   command
       .add_option("--orbits-against", run.orbit_command,
                   "A command for orbits: {start} stands for where to start, X,Y,Z; its answer is JSON as of "
@@ -210,19 +212,19 @@ void add_command_options(CLI::App& command, ConformanceCommandOptions& options) 
       .add_option(
           "--persistence-against", run.persistence_command,
           "A command for persistence pairs; its answer is JSON as of persistence --json, or a .pers file")
-      ->check(has_in);
+      ->check(complaint_about_missing_in);
   command.add_option("--in-format", options.in_format, "Format of the points: xyz or off")
       ->check(CLI::IsMember({"xyz", "off"}))
       ->capture_default_str();
   command.add_flag("--hex", run.points.hexadecimal,
                    "Points as hexadecimal floats, not as the shortest decimals that read back to them");
   command.add_option("--out-name", run.out_name, "Name of the file {out}")
-      ->check(is_file_name)
+      ->check(complaint_about_file_name)
       ->capture_default_str();
   command
       .add_option("--time-limit", run.limits.seconds,
                   "Seconds after which a run is killed, with all it started")
-      ->check(is_time)
+      ->check(complaint_about_time)
       ->capture_default_str();
   command
       .add_option("--memory-limit", options.memory_mebibytes,

@@ -1,4 +1,3 @@
-// See conformance_report.h.
 #include "fuzz/commands/conformance_report.h"
 
 #include <fmt/format.h>
@@ -10,7 +9,6 @@
 #include "cli/check_report.h"
 #include "cli/command.h"
 #include "cli/table.h"
-#include "cli/xml_text.h"
 #include "fuzz/judge/conformance_words.h"
 
 namespace flowcert::commands {
@@ -338,8 +336,7 @@ void print_conformance_text(const ConformanceReport& report, std::size_t most) {
 
 void print_conformance_json(const ConformanceReport& report) {
   const ConformanceOptions& options = report.options;
-  Json json = header_fields("flowcert-conformance", 1, "");
-  json.erase("input_sha256");
+  Json json = header_fields("flowcert-conformance", 1);
   json["command"] = options.command;
   json["orbit_command"] = options.orbit_command.empty() ? Json(nullptr) : Json(options.orbit_command);
   json["persistence_command"] =

@@ -1,5 +1,5 @@
 // The three ways in which `flowcert conformance` reports: tables for people, one JSON object, and a JUnit
-// file for CI systems (spec/formats.md, "Report of a conformance run").
+// file for CI systems (spec/formats/conformance.md).
 #pragma once
 
 #include <cstddef>

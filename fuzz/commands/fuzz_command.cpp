@@ -8,11 +8,10 @@
 
 #include "fuzz/campaign/worker_processes.h"
 #include "fuzz/commands/commands.h"
-#include "fuzz/commands/finding_file.h"
 #include "fuzz/commands/fuzz_options.h"
 #include "fuzz/commands/fuzz_progress.h"
 #include "fuzz/commands/fuzz_report.h"
-#include "fuzz/judge/interruption.h"
+#include "fuzz/judge/limited_program.h"
 
 namespace flowcert::commands {
 
@@ -60,7 +59,7 @@ int run_campaign(const FuzzOptions& options) {
 // ---- Again
 
 // All properties where the file names none.
-bool is_right_on(const fuzz::Finding& finding, const std::vector<property::Property>& properties,
+bool is_right_on(const fuzz::Counterexample& finding, const std::vector<property::Property>& properties,
                  bool is_for_peer, const std::string& path) {
   bool is_right = true;
   for (const property::Property& property : properties) {
@@ -85,7 +84,7 @@ int replay(const FuzzCommandOptions& options) {
   const auto properties = properties_of(plan);
   int status = kRight;
   for (const std::string& path : options.replay) {
-    const fuzz::Finding finding = read_finding(path);
+    const fuzz::Counterexample finding = read_counterexample(path);
     const bool is_chosen = !plan.against.empty() || !plan.properties.empty();
     if (!is_right_on(finding, properties, is_chosen, path)) status = kNegativeVerdict;
   }

@@ -1,4 +1,4 @@
-// See fuzz_options.h.
+// Options are read by CLI11; what they mean together is checked here.
 #include "fuzz/commands/fuzz_options.h"
 
 #include <fmt/format.h>
@@ -6,20 +6,56 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <fstream>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 #include "cli/table.h"
 #include "flowcert/point_set.h"
-#include "fuzz/commands/finding_file.h"
-#include "fuzz/commands/option_checks.h"
-#include "fuzz/inputs/stable_families.h"
+#include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/judge/command_run.h"
-#include "fuzz/judge/interruption.h"
+#include "fuzz/judge/limited_program.h"
 #include "fuzz/judge/peer_property.h"
 #include "io/number_text.h"
 
 namespace flowcert::commands {
+
+// ---- Files of counterexamples ----
+
+fuzz::Counterexample read_counterexample(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::error_code ignored;
+  if (!file || !std::filesystem::is_regular_file(path, ignored)) {
+    throw InvalidInput(path.string() + ": cannot be read");
+  }
+  std::ostringstream content;
+  content << file.rdbuf();
+  try {
+    return fuzz::counterexample_of(content.str());
+  } catch (const std::invalid_argument& error) {
+    throw InvalidInput(path.string() + ":" + error.what());
+  }
+}
+
+// ---- Checks of values ----
+
+std::string complaint_about_missing_in(const std::string& command) {
+  return has_place(command, "{in}") ? "" : "there is no {in} in the command";
+}
+
+std::string complaint_about_seed(const std::string& word) {
+  std::uint64_t seed = 0;
+  const auto result = std::from_chars(word.data(), word.data() + word.size(), seed);
+  const bool is_one = result.ec == std::errc() && result.ptr == word.data() + word.size();
+  return is_one ? "" : in_quotes(word) + " is no number from 0 to 18446744073709551615";
+}
+
+std::string complaint_about_seconds(const std::string& word, double most, const std::string& span) {
+  const NumberText number = parse_number(word);
+  const bool is_right = number.fault == nullptr && 0 < number.value && number.value <= most;
+  return is_right ? "" : fmt::format("{} is no number of seconds, of at most {}", in_quotes(word), span);
+}
 
 namespace {
 
@@ -45,7 +81,7 @@ std::optional<std::pair<std::size_t, std::size_t>> two_numbers(const std::string
 }
 
 // Validators return what is wrong.
-std::string is_families(const std::string& list) {
+std::string complaint_about_families(const std::string& list) {
   if (list == "list") return "";
   try {
     return fuzz::families_of(list).empty() ? "no family is named" : "";
@@ -53,25 +89,27 @@ std::string is_families(const std::string& list) {
     return std::string(error.what()) + "; --families list prints them";
   }
 }
-std::string is_row_range(const std::string& text) {
+std::string complaint_about_row_range(const std::string& text) {
   const auto range = two_numbers(text, '-');
   const bool is_one = range && range->first <= range->second && range->second <= fuzz::kMostRowsOfTrial;
   return is_one ? ""
                 : fmt::format("{} is no range like 4-8, of 0 to {}", in_quotes(text), fuzz::kMostRowsOfTrial);
 }
-std::string is_shard(const std::string& text) {
+std::string complaint_about_shard(const std::string& text) {
   const auto shard = two_numbers(text, '/');
   const bool is_one =
       shard && 1 <= shard->first && shard->first <= shard->second && shard->second <= kMostShards;
   return is_one ? "" : in_quotes(text) + " is no part i/n, i from 1 to n";
 }
-std::string is_property(const std::string& name) {
+std::string complaint_about_property(const std::string& name) {
   if (property::property_named(name) != nullptr) return "";
   std::string names;
   for (const auto& one : property::properties()) names += (names.empty() ? "" : ", ") + one.name;
   return fmt::format("no property is called {}; there are: {}", in_quotes(name), names);
 }
-std::string is_time(const std::string& word) { return fault_of_seconds(word, kLongestSeconds, "a year"); }
+std::string complaint_about_time(const std::string& word) {
+  return complaint_about_seconds(word, kLongestSeconds, "a year");
+}
 
 // ---- Corpus
 
@@ -85,7 +123,7 @@ std::vector<fuzz::Input> corpus_of(const std::string& folder) {
   if (failure) throw InvalidInput(folder + ": " + failure.message());
   std::vector<fuzz::Input> corpus;
   for (const fs::path& path : paths) {
-    fuzz::Input input = read_finding(path).trial.input;
+    fuzz::Input input = read_counterexample(path).trial.input;
     const std::size_t rows = input.rows.size();
     if (0 < rows && rows <= fuzz::kMostRowsOfTrial) corpus.push_back(std::move(input));
     if (corpus.size() == kMostOfCorpus) break;
@@ -135,9 +173,9 @@ void add_case_options(CLI::App& command, FuzzOptions& options) {
   command
       .add_option("--families", options.families,
                   "Draw from these, NAME or NAME:WEIGHT, with commas between; 'list' prints them")
-      ->check(is_families);
+      ->check(complaint_about_families);
   command.add_option("--points", options.points, "So many points, LEAST-MOST; mostly 4 to 8 of up to 12")
-      ->check(is_row_range);
+      ->check(complaint_about_row_range);
   command
       .add_option("--search", options.searched_percent,
                   "Percentage of the cases that are mutants of inputs which showed something new")
@@ -148,7 +186,7 @@ void add_case_options(CLI::App& command, FuzzOptions& options) {
                   "Also begin with the point files of this folder, NAME.xyz, as inputs to mutate")
       ->type_name("DIR");
   command.add_option("--seed", options.seed, "Another seed, other cases")
-      ->check(is_seed)
+      ->check(complaint_about_seed)
       ->capture_default_str();
 }
 
@@ -157,18 +195,18 @@ void add_property_options(CLI::App& command, FuzzOptions& options) {
       command
           .add_option("--property", options.properties,
                       "Hold every case to this; may be given again. Without it: to all, each on its share")
-          ->check(is_property)
+          ->check(complaint_about_property)
           ->allow_extra_args(false);
   command
       .add_option("--against", options.against,
                   "Another implementation's command instead: {in} stands for a file of points, {out} for the "
                   "file to write its claim to; without {out}, standard output is the claim")
-      ->check(has_in)
+      ->check(complaint_about_missing_in)
       ->excludes(property);
   command
       .add_option("--time-limit", options.time_limit,
                   "Seconds after which its run is killed; without this 10")
-      ->check(is_time);
+      ->check(complaint_about_time);
   command
       .add_option("--memory-limit", options.memory_limit,
                   "MiB of address space that it may have, 0: no limit; without this 4096")
@@ -178,11 +216,11 @@ void add_property_options(CLI::App& command, FuzzOptions& options) {
 void add_run_options(CLI::App& command, FuzzOptions& options) {
   command.add_option("--count", options.count, "So many cases in all")
       ->check(CLI::Range(std::size_t{1}, fuzz::kMostCasesOfCampaign));
-  command.add_option("--time", options.seconds, "Stop after so many seconds")->check(is_time);
+  command.add_option("--time", options.seconds, "Stop after so many seconds")->check(complaint_about_time);
   command
       .add_option("--shard", options.shard,
                   "Only this part of the campaign, i/n: all n parts together are the campaign")
-      ->check(is_shard);
+      ->check(complaint_about_shard);
   auto* out = command.add_option(
       "--out", options.out,
       "Keep the campaign in this new folder: findings, signatures, and what to go on with");
@@ -197,7 +235,7 @@ void add_run_options(CLI::App& command, FuzzOptions& options) {
                    "Make every failing case small; without it, the first of its kind in each batch");
   resume->excludes("--shrink-all");
   command.add_option("--hang", options.hang_seconds, "Seconds after which a property is taken to hang")
-      ->check(is_time)
+      ->check(complaint_about_time)
       ->capture_default_str();
   command.add_flag("--json", options.json, "Print one JSON object");
 }

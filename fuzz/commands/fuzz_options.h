@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/campaign/counterexample.h"
 #include "fuzz/commands/layer.h"
 
 namespace CLI {
@@ -48,7 +49,7 @@ void add_fuzz_options(CLI::App& command, FuzzOptions& options);
 // Throws InvalidInput, also for a command that cannot be started, or fuzz::UnusableFolder.
 [[nodiscard]] fuzz::Campaign campaign_of(const FuzzOptions& options);
 
-// Those of the plan.
+// The properties of the plan.
 [[nodiscard]] std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan);
 // Runs the plan's command once, if it has one, and throws InvalidInput if it cannot be started.
 void require_startable(const fuzz::CampaignPlan& plan);
@@ -56,5 +57,20 @@ void require_startable(const fuzz::CampaignPlan& plan);
 [[nodiscard]] double hang_seconds(const fuzz::CampaignPlan& plan, const FuzzOptions& options);
 
 void print_families();
+
+// The file of a counterexample, or any other XYZ file, as a case to be tried. Throws InvalidInput, "FILE:LINE: reason"
+// or "FILE: reason".
+[[nodiscard]] fuzz::Counterexample read_counterexample(const std::filesystem::path& path);
+
+// ---- Values of options ----
+// CLI11's own checks do not know these. Each returns what is wrong, in words; empty if nothing is.
+
+// A place {in} is in the command.
+[[nodiscard]] std::string complaint_about_missing_in(const std::string& command);
+// All of the numbers that a seed can be, which CLI11 takes for the largest one where they are too large.
+[[nodiscard]] std::string complaint_about_seed(const std::string& word);
+// A positive number of seconds, at most so many, which are `span` ("a day"). CLI11's range takes nan for one.
+[[nodiscard]] std::string complaint_about_seconds(const std::string& word, double most,
+                                                  const std::string& span);
 
 }  // namespace flowcert::commands

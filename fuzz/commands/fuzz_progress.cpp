@@ -1,4 +1,3 @@
-// See fuzz_progress.h.
 #include "fuzz/commands/fuzz_progress.h"
 
 #include <fmt/format.h>

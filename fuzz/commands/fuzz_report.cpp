@@ -1,4 +1,3 @@
-// See fuzz_report.h.
 #include "fuzz/commands/fuzz_report.h"
 
 #include <fmt/format.h>
@@ -13,7 +12,7 @@
 
 #include "cli/command.h"
 #include "cli/table.h"
-#include "fuzz/judge/command_template.h"
+#include "fuzz/judge/command_run.h"
 #include "fuzz/judge/conformance_words.h"
 
 namespace flowcert::commands {
@@ -109,7 +108,7 @@ void print_reached(const fuzz::Campaign& campaign) {
   print_part("Degeneracy reached, by component of the signature, in cases:", rows, "ll");
 }
 
-void print_finding(const fuzz::Campaign& campaign, const fuzz::Finding& finding) {
+void print_finding(const fuzz::Campaign& campaign, const fuzz::Counterexample& finding) {
   const std::string file = campaign.file_of(finding).string();
   fmt::print("  case {}, {} of {} points ({}, before {}): {}\n", finding.number, finding.disagreement.kind,
              finding.trial.input.rows.size(), finding.source, finding.rows_before,
@@ -164,7 +163,7 @@ void print_fuzz_text(const FuzzRun& run) {
   if (run.is_interrupted) fmt::print("\nStopped by a signal.\n");
 }
 
-ordered_json finding_json(const fuzz::Campaign& campaign, const fuzz::Finding& finding) {
+ordered_json finding_json(const fuzz::Campaign& campaign, const fuzz::Counterexample& finding) {
   return {{"case", finding.number},
           {"source", finding.source},
           {"property", finding.property},

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/campaign/one_case.h"
 #include "fuzz/commands/layer.h"
 
 namespace flowcert::commands {

@@ -1,5 +1,5 @@
-// `flowcert generate`: cases for any program to answer, on standard output (spec/formats.md, "Cases and
-// answers"). The counterpart of `flowcert verify`.
+// `flowcert generate`: cases for any program to answer, on standard output (spec/formats/cases.md).
+// The counterpart of `flowcert verify`.
 //
 // Guarantees: each case is flushed before the next is made, so that it can be answered at once. A reader that
 // goes away ends it silently, as any filter.
@@ -16,7 +16,7 @@
 #include <system_error>
 
 #include "fuzz/commands/commands.h"
-#include "fuzz/commands/option_checks.h"
+#include "fuzz/commands/fuzz_options.h"
 #include "fuzz/inputs/case_stream.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
@@ -68,8 +68,8 @@ std::string introduction(const fuzz::CaseRun& run, const std::string& id) {
       "point's id is its place, from 0.\n"
       "# Answer each case to flowcert verify, in any order. A critical point is a line "
       "index,x,y,z,squared_distance,ids of all nearest points;\n"
-      "# what you do not have stays empty (other formats: spec/formats.md). For two points (0,0,0) and "
-      "(2,0,0):\n"
+      "# what you do not have stays empty (other formats: spec/formats/claims.md). For two points (0,0,0) "
+      "and (2,0,0):\n"
       "#   answer {}\n"
       "#   0,0,0,0,0,0\n"
       "#   0,2,0,0,0,1\n"
@@ -93,7 +93,7 @@ void generate(const GenerateOptions& options) {
 }
 
 // Returns what is wrong.
-std::string is_family(const std::string& name) {
+std::string complaint_about_family(const std::string& name) {
   try {
     (void)fuzz::chosen_families({name});
     return "";
@@ -114,14 +114,14 @@ void add_generate_command(CLI::App& app, int& status) {
       ->check(CLI::Range(1, fuzz::kCaseLevels))
       ->capture_default_str();
   command->add_option("--seed", options->seed, "Another seed, other cases")
-      ->check(is_seed)
+      ->check(complaint_about_seed)
       ->capture_default_str();
   command->add_option("--cases", options->cases, "So many cases, instead of those of the level")
       ->check(CLI::Range(std::size_t{1}, fuzz::kMostCases));
   command
       ->add_option("--family", options->families,
                    "Cases of this family of degeneracy; may be given again. All of them, without this")
-      ->check(is_family)
+      ->check(complaint_about_family)
       ->allow_extra_args(false)
       ->type_name("NAME");
   command->add_option("--only", options->only, "This case of the run alone, by its number, from 0")

@@ -1,19 +1,269 @@
 // `flowcert verify`: whether a program's answers to the cases of `flowcert generate` are right. Exit status 0
-// if all are, 1 if any is not or is missing.
+// if all are, 1 if any is not or is missing. It reports in three ways: tables for people, one JSON object, and a JUnit
+// file for CI systems (spec/formats/cases.md).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstddef>
+#include <iosfwd>
 #include <iostream>
 #include <memory>
+#include <numeric>
+#include <ostream>
 
-#include "cli/judging_options.h"
-#include "cli/progress_line.h"
+#include "cli/check_report.h"
+#include "cli/command.h"
+#include "cli/progress.h"
+#include "cli/table.h"
 #include "fuzz/commands/commands.h"
-#include "fuzz/commands/verify_report.h"
+#include "fuzz/commands/layer.h"
 #include "fuzz/judge/oracle_truth.h"
+#include "fuzz/judge/verification.h"
 #include "io/output_file.h"
 
 namespace flowcert::commands {
+
+// ---- Reports ----
+
+// The command that prints a case of the run again; of the whole run without a number.
+[[nodiscard]] std::string generate_command(const fuzz::CaseRun& run, std::optional<std::size_t> number);
+
+// most: failing cases shown of those that were kept.
+void print_verify_text(const Verification& verification, std::size_t most);
+void print_verify_json(const Verification& verification);
+void write_verify_junit(std::ostream& out, const Verification& verification);
+
+namespace {
+
+// So much of one case is shown to people.
+constexpr std::size_t kMostFindingsShown = 3;
+constexpr std::size_t kMostRangesShown = 20;
+// What findings call the text of an answer; its lines count from 1.
+constexpr char kAnswer[] = "answer";
+
+constexpr std::array kColumns = {Outcome::kConforms, Outcome::kConformsWhereDetermined,
+                                 Outcome::kFails,    Outcome::kUnreadable,
+                                 Outcome::kRefused,  Outcome::kUnanswered};
+static_assert(kColumns.size() == kOutcomes);
+
+std::size_t count_of(const OutcomeCounts& counts, Outcome outcome) {
+  return counts.at(static_cast<std::size_t>(outcome));
+}
+
+std::size_t total_of(const OutcomeCounts& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+std::size_t right_of(const OutcomeCounts& counts) {
+  return count_of(counts, Outcome::kConforms) + count_of(counts, Outcome::kConformsWhereDetermined);
+}
+
+void add_row(Table& table, const std::string& name, const OutcomeCounts& counts) {
+  table.row(name).cell(total_of(counts));
+  for (const Outcome outcome : kColumns) table.cell(count_of(counts, outcome));
+}
+
+void print_family_table(const Verification& verification) {
+  Table table("lrrrrrrr", {"family", "cases", "conforms", "where determined", "fails", "unreadable",
+                           "refused", "unanswered"});
+  for (const auto& [name, counts] : verification.counts_by_family()) add_row(table, name, counts);
+  add_row(table, "all", verification.counts());
+  table.print();
+}
+
+// "fails on level 3", "unreadable: answer:1: not an index", "refused: out of memory"
+std::string verdict_of(const FailedCase& failed) {
+  std::string text = outcome_text(failed.outcome);
+  if (!failed.findings.empty()) text += fmt::format(" on level {}", failed.findings.front().level);
+  if (!failed.reason.empty()) text += ": " + failed.reason;
+  return text;
+}
+
+std::vector<std::string> lines_of(const FailedCase& failed, std::size_t most) {
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < std::min(most, failed.findings.size()); ++k) {
+    lines.push_back(finding_line(kAnswer, failed.findings[k]));
+  }
+  if (failed.wrong > lines.size()) lines.push_back(fmt::format("({} more)", failed.wrong - lines.size()));
+  return lines;
+}
+
+void print_failure(const Verification& verification, std::size_t number, const FailedCase& failed) {
+  fmt::print("\ncase {} ({}) {}\n", failed.id, fuzz::family_of_case(verification.run(), number).name,
+             verdict_of(failed));
+  for (const std::string& line : lines_of(failed, kMostFindingsShown)) fmt::print("  {}\n", line);
+  fmt::print("  its points: {}\n", generate_command(verification.run(), number));
+  if (verification.options().folder.empty() || failed.outcome == Outcome::kRefused) return;
+  const std::string path = verification.kept_path(number);
+  fmt::print("  its answer: flowcert check {}.xyz {}.claim\n", path, path);
+}
+
+void print_failures(const Verification& verification, std::size_t most) {
+  std::size_t shown = 0;
+  for (const auto& [number, failed] : verification.failures()) {
+    if (shown == most) break;
+    ++shown;
+    print_failure(verification, number, failed);
+  }
+  const OutcomeCounts counts = verification.counts();
+  const std::size_t all = total_of(counts) - right_of(counts) - count_of(counts, Outcome::kUnanswered);
+  if (all > shown) {
+    fmt::print("\n({} of {} failing cases are shown; --most N shows N)\n", with_commas(shown),
+               with_commas(all));
+  }
+}
+
+void print_unanswered(const Verification& verification) {
+  const auto ranges = verification.unanswered_ranges();
+  if (ranges.empty()) return;
+  std::string list;
+  for (std::size_t k = 0; k < std::min(ranges.size(), kMostRangesShown); ++k) {
+    const auto& [first, last] = ranges[k];
+    list += k == 0 ? "" : ", ";
+    list += first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
+  }
+  if (ranges.size() > kMostRangesShown) list += ", ...";
+  fmt::print("\nunanswered cases: {}\n", list);
+}
+
+const char* truth_text(const Verification& verification) {
+  return verification.options().by_oracle ? "oracle" : "fast implementation";
+}
+
+void print_verdict(const Verification& verification) {
+  const OutcomeCounts counts = verification.counts();
+  fmt::print("\n{}: {} of {} cases are right", verdict_text(verification.verdict()),
+             with_commas(right_of(counts)), with_commas(verification.expected()));
+  if (verification.approximate() > 0) {
+    fmt::print("; {} approximate, tolerance {} of the radius", with_commas(verification.approximate()),
+               verification.options().check.tolerance);
+  }
+  if (verification.partly_judged() > 0) {
+    fmt::print("; {} claim more than is judged", with_commas(verification.partly_judged()));
+  }
+  fmt::print("; truth by the {}", truth_text(verification));
+  if (verification.too_large() > 0) {
+    fmt::print(", of {} large ones by the fast implementation", with_commas(verification.too_large()));
+  }
+  fmt::print("\n");
+}
+
+// ---- JSON ----
+
+Json counts_field(const OutcomeCounts& counts) {
+  Json field;
+  field["cases"] = total_of(counts);
+  for (const Outcome outcome : kColumns) {
+    std::string key = outcome_text(outcome);
+    std::replace(key.begin(), key.end(), ' ', '_');
+    field[key] = count_of(counts, outcome);
+  }
+  return field;
+}
+
+Json families_field(const Verification& verification) {
+  Json families = Json::array();
+  for (const auto& [name, counts] : verification.counts_by_family()) {
+    Json family;
+    family["family"] = name;
+    family.update(counts_field(counts));
+    families.push_back(std::move(family));
+  }
+  return families;
+}
+
+Json failure_field(const Verification& verification, std::size_t number, const FailedCase& failed) {
+  Json findings = Json::array();
+  for (const Finding& finding : failed.findings) findings.push_back(finding_field(finding));
+  Json field;
+  field["id"] = failed.id;
+  field["number"] = number;
+  field["family"] = fuzz::family_of_case(verification.run(), number).name;
+  field["verdict"] = outcome_text(failed.outcome);
+  field["reason"] = failed.reason.empty() ? Json(nullptr) : Json(failed.reason);
+  field["wrong"] = failed.wrong;
+  field["findings"] = std::move(findings);
+  field["points"] = generate_command(verification.run(), number);
+  return field;
+}
+
+// ---- JUnit ----
+
+void write_family(std::ostream& out, const Verification& verification, const std::string& name,
+                  const OutcomeCounts& counts) {
+  out << fmt::format("    <testcase classname=\"flowcert.verify\" name=\"{}\"", xml_text(name));
+  const std::size_t wrong = total_of(counts) - right_of(counts);
+  if (wrong == 0) {
+    out << "/>\n";
+    return;
+  }
+  out << fmt::format(">\n      <failure message=\"{} of {} cases are wrong\">", wrong, total_of(counts));
+  for (const auto& [number, failed] : verification.failures()) {
+    if (fuzz::family_of_case(verification.run(), number).name != name) continue;
+    out << xml_text(fmt::format("case {} {}", failed.id, verdict_of(failed))) << '\n';
+    for (const std::string& line : lines_of(failed, kMostFindingsShown))
+      out << "  " << xml_text(line) << '\n';
+  }
+  if (const std::size_t count = count_of(counts, Outcome::kUnanswered); count > 0) {
+    out << fmt::format("{} unanswered\n", count);
+  }
+  out << "</failure>\n    </testcase>\n";
+}
+
+}  // namespace
+
+std::string generate_command(const fuzz::CaseRun& run, std::optional<std::size_t> number) {
+  std::string command = fmt::format("flowcert generate --level {} --seed {}", run.level, run.seed);
+  if (run.cases != fuzz::usual_cases(run.level)) command += fmt::format(" --cases {}", run.cases);
+  if (!run.chosen.empty()) {
+    for (const std::string& name : fuzz::family_names(run)) command += " --family " + name;
+  }
+  if (number) command += fmt::format(" --only {}", *number);
+  return command;
+}
+
+void print_verify_text(const Verification& verification, std::size_t most) {
+  print_family_table(verification);
+  print_failures(verification, most);
+  print_unanswered(verification);
+  print_verdict(verification);
+}
+
+void print_verify_json(const Verification& verification) {
+  Json json = header_fields("flowcert-verify", 1);
+  json["verdict"] = verdict_text(verification.verdict());
+  json["tolerance"] = verification.options().check.tolerance;
+  json["highest_level"] = verification.options().check.highest_level;
+  json["truth"] = truth_text(verification);
+  json["run"] = generate_command(verification.run(), verification.options().only);
+  json.update(counts_field(verification.counts()));
+  json["approximate"] = verification.approximate();
+  json["partly_judged"] = verification.partly_judged();
+  json["too_large_for_oracle"] = verification.too_large();
+  json["families"] = families_field(verification);
+  Json& failures = json["failures"] = Json::array();
+  for (const auto& [number, failed] : verification.failures()) {
+    failures.push_back(failure_field(verification, number, failed));
+  }
+  json["unanswered_numbers"] = verification.unanswered_ranges();
+  fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+void write_verify_junit(std::ostream& out, const Verification& verification) {
+  const auto families = verification.counts_by_family();
+  const auto failures = std::count_if(families.begin(), families.end(), [](const auto& family) {
+    return right_of(family.second) < total_of(family.second);
+  });
+  const std::string run = generate_command(verification.run(), verification.options().only);
+  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
+      << fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\">\n",
+                     xml_text("flowcert verify of " + run), families.size(), failures);
+  for (const auto& [name, counts] : families) write_family(out, verification, name, counts);
+  out << "  </testsuite>\n</testsuites>\n";
+}
+
+// ---- The command ----
 
 namespace {
 

@@ -8,8 +8,6 @@
 #include <array>
 #include <cmath>
 
-#include "fuzz/inputs/nudge.h"
-
 namespace flowcert::fuzz {
 namespace {
 

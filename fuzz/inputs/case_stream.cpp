@@ -1,4 +1,4 @@
-// See case_stream.h. Seeds are mixed, so that neighbouring cases of neighbouring runs have nothing in common.
+// Seeds are mixed, so that neighbouring cases of neighbouring runs have nothing in common.
 #include "fuzz/inputs/case_stream.h"
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "fuzz/inputs/input.h"
 #include "fuzz/inputs/large_configurations.h"
-#include "fuzz/inputs/mixed.h"
 
 namespace flowcert::fuzz {
 namespace {

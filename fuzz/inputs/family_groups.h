@@ -1,6 +1,4 @@
-// The groups that the table of families is put together from, one source file each.
-//
-// Guarantees: none beyond families.h; only families.cpp and the sources of the groups include this.
+// Groups of families that measured_families.cpp defines and families.cpp puts into its table.
 #pragma once
 
 #include <vector>
@@ -9,12 +7,7 @@
 
 namespace flowcert::fuzz {
 
-std::vector<Family> lattice_families();
-std::vector<Family> spherical_families();
-std::vector<Family> flat_families();
-std::vector<Family> right_angle_families();
 std::vector<Family> scan_families();
-std::vector<Family> orbit_families();
 std::vector<Family> rounding_families();
 std::vector<Family> magnitude_families();
 

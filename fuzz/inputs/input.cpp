@@ -1,14 +1,15 @@
 // Exact printing of an input: std::to_chars without a precision is the shortest text that reads back the
 // same, and does not depend on the locale.
-//
-// Guarantees: see input.h.
 #include "fuzz/inputs/input.h"
 
 #include <charconv>
+#include <cmath>
+#include <limits>
 #include <ostream>
 #include <string_view>
 
 namespace flowcert::fuzz {
+
 namespace {
 
 void print(std::ostream& out, double value) {
@@ -29,6 +30,14 @@ std::ostream& operator<<(std::ostream& out, const Input& input) {
     out << '\n';
   }
   return out;
+}
+
+double nudged(double value, int steps) {
+  if (steps == 0) {
+    return value;
+  }
+  const double infinity = std::numeric_limits<double>::infinity();
+  return std::nextafter(value, steps > 0 ? infinity : -infinity);
 }
 
 }  // namespace flowcert::fuzz

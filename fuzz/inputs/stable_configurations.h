@@ -1,11 +1,14 @@
-// Exactly degenerate configurations of integer points whose stable sets have parts that those of the other
-// configurations hardly ever have: branches of S2 that end at Voronoi vertices, and sectors cut off by what
-// stands around them.
+// Exactly degenerate configurations of integer points whose stable sets have parts that the stable sets of other
+// configurations hardly ever have: branches of S2 that end at Voronoi vertices, and sectors cut off by what stands
+// around them; and the families that draw them.
 //
 // Guarantees: as configurations.h: what is said here holds exactly, and survives `placed`. Up to 12 points,
 // |coordinate| <= 40; points may repeat.
 #pragma once
 
+#include <vector>
+
+#include "fuzz/inputs/families.h"
 #include "fuzz/inputs/integer_points.h"
 
 namespace flowcert::fuzz {
@@ -26,5 +29,14 @@ rc::Gen<IntegerPoints> aimed_at_a_star();
 // point, so that intervals lead to it; the others just outside of it, where they cut the facets into which
 // sectors reach.
 rc::Gen<IntegerPoints> crowded_points();
+
+// ---- Families ----
+// An input of most other families has no stable set with the parts that these nearly always have. The guarantees are
+// those of families.h. They are a list of their own, not members of families(): the numbered cases of
+// case_stream.h take turns over that list, and an id names its input for good.
+const std::vector<Family>& stable_families();
+
+// families(), and then these.
+std::vector<Family> families_and_stable_ones();
 
 }  // namespace flowcert::fuzz

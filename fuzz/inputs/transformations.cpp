@@ -11,8 +11,6 @@
 #include <ostream>
 #include <utility>
 
-#include "fuzz/inputs/integer_points.h"
-
 namespace flowcert::fuzz {
 namespace {
 

@@ -1,18 +1,121 @@
-// See command_run.h.
+// A command is one line of the shell, with its places filled in.
 #include "fuzz/judge/command_run.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
 #include <fstream>
+#include <system_error>
 
 #include "flowcert/point_set.h"
-#include "fuzz/judge/bounded_file.h"
-#include "fuzz/judge/command_template.h"
 #include "fuzz/judge/conformance_words.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
 
 namespace flowcert::judge {
+
+// ---- The command ----
+
+// Words without a meaning for the shell stay as they are, so that a user's own quotes around a place, "{in}",
+// do no harm.
+std::string shell_word(const std::string& text) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string word = "'";
+  for (const char c : text) {
+    if (c == '\'') {
+      word += "'\\''";
+    } else {
+      word += c;
+    }
+  }
+  return word + "'";
+}
+
+bool has_place(std::string_view command, std::string_view place) {
+  return command.find(place) != std::string_view::npos;
+}
+
+std::string filled_in(std::string_view command,
+                      const std::vector<std::pair<std::string, std::string>>& values) {
+  std::string text;
+  while (!command.empty()) {
+    const auto value = std::ranges::find_if(
+        values, [&](const auto& candidate) { return command.starts_with(candidate.first); });
+    if (value != values.end()) {
+      text += shell_word(value->second);
+      command.remove_prefix(value->first.size());
+    } else {
+      text += command.front();
+      command.remove_prefix(1);
+    }
+  }
+  return text;
+}
+
+// ---- What it leaves ----
+// Reads a file that some other program left, of which nothing can be assumed.
+//
+// Guarantees: never waits (for the other end of a pipe), and never takes more memory than it was told.
+// Throws InvalidInput, "NAME: reason", for what is missing, no regular file, or longer than `most` bytes.
+[[nodiscard]] std::string read_bounded(const std::string& path, std::size_t most, const std::string& name);
+
+namespace {
+
+[[noreturn]] void reject(const std::string& name, const std::string& reason) {
+  throw InvalidInput(fmt::format("{}: {}", name, reason));
+}
+
+// O_NONBLOCK: a named pipe opens at once, and is then seen to be one.
+class OpenFile {
+ public:
+  OpenFile(const std::string& path, const std::string& name)
+      : number_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {
+    if (number_ < 0) reject(name, errno == ENOENT ? "there is no such file" : std::strerror(errno));
+  }
+  ~OpenFile() { ::close(number_); }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  [[nodiscard]] int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+}  // namespace
+
+std::string read_bounded(const std::string& path, std::size_t most, const std::string& name) {
+  const OpenFile file(path, name);
+  struct stat status {};
+  if (::fstat(file.number(), &status) != 0) reject(name, std::strerror(errno));
+  if (!S_ISREG(status.st_mode)) reject(name, "not a regular file");
+  // One byte more than there may be, for files that grow, or do not tell their size.
+  std::string bytes;
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size > most) reject(name, fmt::format("{} bytes; more than {} are not read", size, most));
+  while (bytes.size() <= most) {
+    constexpr std::size_t kBlock = std::size_t{1} << 16;
+    const std::size_t before = bytes.size();
+    bytes.resize(before + kBlock);
+    const ssize_t count = ::read(file.number(), bytes.data() + before, kBlock);
+    bytes.resize(before + static_cast<std::size_t>(count > 0 ? count : 0));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) reject(name, std::strerror(errno));
+    if (count == 0) return bytes;
+  }
+  reject(name, fmt::format("more than {} bytes are not read", most));
+}
+
+// ---- A run ----
 
 namespace {
 
@@ -91,6 +194,37 @@ void write_text_file(const fs::path& path, const std::string& text) {
   file << text;
   file.close();
   if (!file) throw OutputError(path.string() + ": cannot be written");
+}
+
+// ---- Its folder ----
+
+ScratchFolder::ScratchFolder() {
+  std::string name = (fs::absolute(fs::temp_directory_path()) / "flowcert-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) {
+    throw fs::filesystem_error("no temporary directory", name,
+                               std::error_code(errno, std::generic_category()));
+  }
+  path_ = name;
+}
+
+ScratchFolder::ScratchFolder(const fs::path& path) : path_(path) { fs::create_directory(path_); }
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code failure;
+  fs::remove_all(path_, failure);
+  if (!failure) return;
+  // A folder that its program has closed to everyone, us included.
+  std::error_code ignored;
+  const auto skip = fs::directory_options::skip_permission_denied;
+  fs::permissions(path_, fs::perms::owner_all, ignored);
+  for (fs::recursive_directory_iterator entry(path_, skip, ignored), end; !ignored && entry != end;
+       entry.increment(ignored)) {
+    std::error_code unchanged;
+    if (entry->is_directory(unchanged) && !entry->is_symlink(unchanged)) {
+      fs::permissions(entry->path(), fs::perms::owner_all, unchanged);
+    }
+  }
+  fs::remove_all(path_, ignored);
 }
 
 }  // namespace flowcert::judge

@@ -1,19 +1,36 @@
-// One run of a user's command on a point file, and what it leaves: its answer, what it said, how it ended.
-//
-// Guarantees: those of limited_program.h. The run has a folder, with a subfolder that it runs in, so that
-// nothing of ours is in its way but the points. Nothing is assumed of what it leaves.
+// A user's command: its places to be filled in, as {in} and {out}, one run of it on a point file, and what that
+// leaves.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "fuzz/judge/layer.h"
 #include "fuzz/judge/limited_program.h"
 
 namespace flowcert::judge {
 
+// ---- The command ----
+
+[[nodiscard]] bool has_place(std::string_view command, std::string_view place);
+
+// As one word of the shell, whatever it holds.
+[[nodiscard]] std::string shell_word(const std::string& text);
+
+// Each place of the first with the second as one word of the shell, whatever it holds. What is filled in is
+// not looked at again.
+[[nodiscard]] std::string filled_in(std::string_view command,
+                                    const std::vector<std::pair<std::string, std::string>>& values);
+
+// ---- A run ----
+// One run of a user's command on a point file, and what it leaves: its answer, what it said, how it ended.
+//
+// Guarantees: those of limited_program.h. The run has a folder, with a subfolder that it runs in, so that
+// nothing of ours is in its way but the points. Nothing is assumed of what it leaves.
 struct CommandOrder {
   std::string command;  // with {in}; the answer is the file {out}, or standard output
   std::string points_name;
@@ -51,5 +68,23 @@ struct CommandRun {
 
 // Throws OutputError.
 void write_text_file(const std::filesystem::path& path, const std::string& text);
+
+// ---- Its folder ----
+// A directory for temporary files that goes away with the object, and with all that is in it.
+class ScratchFolder {
+ public:
+  // In the directory for temporary files (TMPDIR, or /tmp). Throws std::filesystem::filesystem_error.
+  ScratchFolder();
+  // In another one, under this name, which must be new.
+  explicit ScratchFolder(const std::filesystem::path& path);
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
 
 }  // namespace flowcert::judge

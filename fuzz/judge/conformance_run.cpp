@@ -1,18 +1,251 @@
-// See conformance_run.h.
+// Conformance vectors, in parallel. A case takes one run of the command, one of the orbit command for each start,
+// and one of the persistence command.
 #include "fuzz/judge/conformance_run.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
+#include <filesystem>
+#include <fstream>
 #include <mutex>
+#include <new>
 #include <thread>
 
-#include "fuzz/judge/case_run.h"
-#include "fuzz/judge/interruption.h"
-#include "fuzz/judge/scratch_folder.h"
+#include "certify/finding_words.h"
+#include "flowcert/claim.h"
+#include "fuzz/judge/command_run.h"
+#include "fuzz/judge/conformance_words.h"
+#include "fuzz/judge/oracle_truth.h"
+#include "io/number_text.h"
+#include "io/output_file.h"
 
 namespace flowcert::judge {
+
+// ---- A case ----
+
+// In a new folder in `scratch`, gone afterwards. If is_cancelled, what is returned means nothing.
+[[nodiscard]] CaseOutcome run_case(const VectorCase& one, const ConformanceOptions& options,
+                                   const std::filesystem::path& scratch,
+                                   const std::function<bool()>& is_cancelled);
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kOrbitName[] = "orbit.json";
+constexpr char kPersistenceName[] = "persistence";
+
+// In place of what an earlier run may have left.
+void copy_if_regular(const fs::path& from, const fs::path& to) {
+  fs::remove(to);
+  std::error_code ignored;
+  if (fs::is_regular_file(from, ignored)) fs::copy_file(from, to);
+}
+
+using Run = CommandRun;
+
+class CaseRun {
+ public:
+  CaseRun(const VectorCase& one, const ConformanceOptions& options, const fs::path& folder,
+          const std::function<bool()>& is_cancelled)
+      : case_(one), options_(options), folder_(folder), is_cancelled_(is_cancelled) {
+    result_.of = &one;
+  }
+
+  CaseOutcome result() {
+    const auto points = point_file_text(case_, options_.points);
+    if (!points) {
+      result_.message = "is about the text of an XYZ file";
+    } else if (case_.refused_start && options_.orbit_command.empty()) {
+      result_.message = "has a start, and there is no --orbits-against";
+    } else {
+      points_ = *points;
+      answer_case();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void answer_case() {
+    if (case_.refused_start) return expect_refusal(run_orbit(*case_.refused_start));
+    if (case_.is_invalid()) return expect_refusal(run_claim());
+    result_.outcome = RunOutcome::kConforms;
+    judge_claim(run_claim());
+    judge_orbits();
+    if (case_.persistence && !options_.persistence_command.empty()) judge_persistence(run_persistence());
+  }
+
+  void judge_orbits() {
+    if (options_.orbit_command.empty()) return;
+    for (const CaseOrbit& orbit : case_.orbits) {
+      const Run run = run_orbit(orbit.start);
+      if (!ends_well(run) || !judge_orbit(run, orbit)) return;
+    }
+  }
+
+  // ---- Running
+
+  Run run_claim() { return run(options_.command, options_.out_name, {}); }
+  Run run_orbit(const std::string& start) {
+    return run(options_.orbit_command, kOrbitName, {{"{start}", start}});
+  }
+  Run run_persistence() { return run(options_.persistence_command, kPersistenceName, {}); }
+
+  Run run(const std::string& command, const std::string& out_name,
+          const std::vector<std::pair<std::string, std::string>>& values) {
+    Run run = run_command({command, point_file_name(options_.points), points_, out_name, values},
+                          folder_ / fmt::format("{}", ++runs_), options_.limits, is_cancelled_);
+    result_.seconds += run.end.seconds;
+    return run;
+  }
+
+  // ---- How a run ends
+
+  // The first negative outcome decides the case, and its run is kept.
+  void fail(const Run& run, RunOutcome outcome, const std::string& message) {
+    if (is_negative(result_.outcome)) return;
+    result_.outcome = outcome;
+    result_.message = message;
+    if (!options_.keep.empty()) keep(run);
+  }
+
+  void keep(const Run& run) const {
+    const fs::path folder = fs::path(options_.keep) / case_.id;
+    fs::create_directories(folder);
+    write_text_file(folder / point_file_name(options_.points), points_);
+    write_text_file(folder / "case.json", case_.json + "\n");
+    copy_if_regular(run.out(), folder / "stdout");
+    copy_if_regular(run.err(), folder / "stderr");
+    if (run.answer != run.out()) copy_if_regular(run.answer, folder / run.answer_name);
+  }
+
+  // Says no for what is neither a yes nor a no of the program.
+  bool comes_to_an_end(const Run& run) {
+    const ProgramEnd& end = run.end;
+    if (end.ending == ProgramEnding::kTimedOut) {
+      fail(run, RunOutcome::kTimedOut, fmt::format("not done after {} s", options_.limits.seconds));
+    } else if (end.ending == ProgramEnding::kSignalled) {
+      fail(run, RunOutcome::kCrashed, signal_text(end.number));
+    } else if (was_not_started(end)) {
+      fail(run, RunOutcome::kCrashed, "not started: " + status_text(run));
+    } else {
+      return end.ending == ProgramEnding::kExited;
+    }
+    return false;
+  }
+
+  bool ends_well(const Run& run) {
+    if (!comes_to_an_end(run)) return false;
+    if (run.end.number != 0) fail(run, RunOutcome::kRefused, status_text(run));
+    return run.end.number == 0;
+  }
+
+  void expect_refusal(const Run& run) {
+    if (!comes_to_an_end(run)) return;
+    if (run.end.number == 0) return fail(run, RunOutcome::kAccepted, "exit status 0");
+    result_.outcome = RunOutcome::kProperlyRefused;
+    result_.message = status_text(run);
+  }
+
+  // ---- What it answers
+
+  // Calls read(bytes); false if it cannot be read.
+  template <typename Read>
+  bool read_answer(const Run& run, const Read& read) {
+    try {
+      read(answer_bytes(run));
+      return true;
+    } catch (const InvalidInput& error) {
+      fail(run, RunOutcome::kUnreadable, one_line(error.what()));
+    } catch (const Json::exception& error) {
+      fail(run, RunOutcome::kUnreadable, one_line(fmt::format("{}: {}", run.answer_name, error.what())));
+    } catch (const std::bad_alloc&) {
+      fail(run, RunOutcome::kUnreadable, run.answer_name + ": too large to be read");
+    }
+    return false;
+  }
+
+  void judge_claim(const Run& run) {
+    if (!ends_well(run)) return;
+    const PointSet points(case_.rows);
+    Claim claim;
+    const bool is_read = read_answer(run, [&](const std::string& bytes) {
+      claim = read_claim_from(bytes, run.answer_name);
+      require_rows(claim, points, run.answer_name);
+    });
+    if (!is_read) return;
+    take(run, check(points, claim, *vector_truth(case_), options_.check));
+  }
+
+  void take(const Run& run, CheckReport report) {
+    for (std::size_t k = 0; k < kLevels; ++k) result_.judged.at(k) = report.conforms.at(k).has_value();
+    auto& findings = report.findings;
+    std::ranges::stable_sort(findings, {}, &Finding::is_variation);  // what is wrong comes first
+    if (report.verdict == Verdict::kConformsWhereDetermined) {
+      result_.outcome = RunOutcome::kConformsWhereDetermined;
+      result_.message = finding_words(findings.front());
+    } else if (report.verdict == Verdict::kFails) {
+      result_.level = findings.front().level;
+      fail(run, RunOutcome::kFails, finding_words(telling_finding(findings)));
+    }
+    const std::size_t kept = std::min(findings.size(), kMostFindings);
+    result_.findings_left_out = findings.size() - kept;
+    result_.findings.assign(findings.begin(), findings.begin() + static_cast<std::ptrdiff_t>(kept));
+  }
+
+  bool judge_orbit(const Run& run, const CaseOrbit& orbit) {
+    OrbitPath claimed;
+    const bool is_read = read_answer(
+        run, [&](const std::string& bytes) { claimed = claimed_orbit_of(bytes, run.answer_name); });
+    if (!is_read) return false;
+    ++result_.orbits_judged;
+    const auto difference = path_difference(claimed, orbit.path);
+    if (!difference) return true;
+    result_.orbit_findings.push_back({orbit.start, *difference});
+    const std::string words = orbit_finding_words(result_.orbit_findings.back());
+    if (!difference->is_permitted) {
+      fail(run, RunOutcome::kFails, words);
+    } else if (result_.outcome == RunOutcome::kConforms) {
+      result_.outcome = RunOutcome::kConformsWhereDetermined;
+      result_.message = words;
+    }
+    return true;
+  }
+
+  void judge_persistence(const Run& run) {
+    if (!ends_well(run)) return;
+    PairList claimed;
+    const bool is_read = read_answer(
+        run, [&](const std::string& bytes) { claimed = claimed_pairs_of(bytes, run.answer_name); });
+    if (!is_read) return;
+    result_.is_persistence_judged = true;
+    auto differences = pair_differences(claimed, *case_.persistence);
+    if (differences.empty()) return;
+    fail(run, RunOutcome::kFails, persistence_finding_words(differences.front()));
+    if (differences.size() > kMostFindings) differences.resize(kMostFindings);
+    result_.persistence_findings = std::move(differences);
+  }
+
+  const VectorCase& case_;
+  const ConformanceOptions& options_;
+  const fs::path& folder_;
+  const std::function<bool()>& is_cancelled_;
+  std::string points_;
+  std::size_t runs_ = 0;
+  CaseOutcome result_;
+};
+
+}  // namespace
+
+CaseOutcome run_case(const VectorCase& one, const ConformanceOptions& options, const fs::path& scratch,
+                     const std::function<bool()>& is_cancelled) {
+  const ScratchFolder folder(scratch / one.id);
+  return CaseRun(one, options, folder.path(), is_cancelled).result();
+}
+
+// ---- All cases ----
 
 namespace {
 

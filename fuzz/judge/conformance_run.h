@@ -1,7 +1,7 @@
 // A user's command, run on conformance vectors, and what came of each.
 //
 // Guarantees: every case has an outcome, whatever the command does (limited_program.h): its answer is a claim
-// that is judged like any other, by the vector's stored answers (vector_truth.h). Nothing is left behind but
+// that is judged like any other, by the vector's stored answers (oracle_truth.h). Nothing is left behind but
 // what --keep asks for.
 #pragma once
 
@@ -12,10 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "certify/orbit_difference.h"
-#include "certify/pair_differences.h"
 #include "flowcert/check.h"
-#include "fuzz/judge/case_points.h"
+#include "flowcert/orbit_difference.h"
+#include "flowcert/pair_differences.h"
 #include "fuzz/judge/limited_program.h"
 #include "fuzz/judge/vector_cases.h"
 
@@ -63,7 +62,7 @@ inline constexpr std::size_t kMostFindings = 100;
 
 struct ConformanceOptions {
   std::string command;              // with {in}; the answer is the file {out}, or standard output
-  std::string orbit_command;        // likewise, with {start}; may be empty
+  std::string orbit_command;        // a command with {start}; may be empty
   std::string persistence_command;  // may be empty
   std::string out_name = "claim";
   PointFileStyle points;

@@ -1,4 +1,3 @@
-// See conformance_words.h.
 #include "fuzz/judge/conformance_words.h"
 
 #include <fmt/format.h>

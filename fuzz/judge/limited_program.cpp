@@ -1,5 +1,4 @@
-// See limited_program.h. Between fork and exec nothing is called but what POSIX allows there: other threads
-// may hold any lock.
+// Between fork and exec nothing is called but what POSIX allows there: other threads may hold any lock.
 #include "fuzz/judge/limited_program.h"
 
 #include <fcntl.h>
@@ -11,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -195,5 +195,38 @@ std::string signal_text(int number) {
   const char* name = ::sigabbrev_np(number);
   return name == nullptr ? "signal " + std::to_string(number) : std::string("SIG") + name;
 }
+
+// ---- Signals ----
+
+namespace {
+
+constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
+
+// Read by all threads, written by a signal handler.
+std::atomic<int> noted{0};
+static_assert(std::atomic<int>::is_always_lock_free);
+
+void note(int number) {
+  int none = 0;
+  noted.compare_exchange_strong(none, number);
+}
+
+void replace_handlers(void (*from)(int), void (*to)(int)) {
+  for (const int number : kSignals) {
+    struct sigaction current {};
+    if (::sigaction(number, nullptr, &current) == 0 && current.sa_handler == from) ::signal(number, to);
+  }
+}
+
+}  // namespace
+
+Interruption::Interruption() {
+  noted = 0;
+  replace_handlers(SIG_DFL, note);
+}
+
+Interruption::~Interruption() { replace_handlers(note, SIG_DFL); }
+
+int Interruption::signal() { return noted; }
 
 }  // namespace flowcert::judge

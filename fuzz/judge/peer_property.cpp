@@ -1,4 +1,3 @@
-// See peer_property.h.
 #include "fuzz/judge/peer_property.h"
 
 #include <fmt/format.h>
@@ -12,10 +11,8 @@
 
 #include "certify/finding_words.h"
 #include "flowcert/claim.h"
-#include "flowcert/reproducibility.h"
 #include "fuzz/judge/command_run.h"
 #include "fuzz/judge/conformance_words.h"
-#include "fuzz/judge/scratch_folder.h"
 #include "fuzz/properties/input_points.h"
 #include "io/output_file.h"
 
@@ -103,9 +100,7 @@ class Peer {
     const PointSet points(rows);
     const Claim claim = read_claim_from(bytes, name);
     require_rows(claim, points, name);
-    CheckOptions options = options_.check;
-    options.input_sha256 = coordinates_sha256(rows);
-    return wrong_claim(check(points, claim, options), bytes);
+    return wrong_claim(check(points, claim, options_.check), bytes);
   }
 
   PeerOptions options_;

@@ -1,9 +1,10 @@
-// See vector_cases.h.
+// Files are read with nlohmann's JSON; whatever a case refers to has to be there.
 #include "fuzz/judge/vector_cases.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -11,7 +12,6 @@
 
 #include "io/input_bytes.h"
 #include "io/number_text.h"
-#include "io/rational_text.h"
 
 namespace flowcert::judge {
 
@@ -29,7 +29,7 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-// ---- What is right
+// ---- What is right ----
 
 Point point_of(const std::vector<std::string>& words) {
   require(words.size() == 3, "a point without three coordinates");
@@ -123,6 +123,23 @@ std::string start_of(const std::vector<std::string>& words) {
   return start;
 }
 
+std::vector<ListedPair> pairs_of(const Json& array) {
+  std::vector<ListedPair> pairs;
+  for (const Json& value : required_array(array, "persistence")) {
+    const Json& dimension = required_field(value, "dimension");
+    require(dimension.is_number_unsigned() && dimension.get<std::uint64_t>() < kPairDimensions,
+            "'dimension' is not 0, 1 or 2");
+    pairs.push_back(
+        {dimension.get<int>(), required_rational(required_field(value, "birth"), "birth"), std::nullopt});
+    const Json& death = required_field(value, "death");
+    if (!death.is_null()) pairs.back().death = required_rational(death, "death");
+    require(!pairs.back().death || pairs.back().birth < *pairs.back().death,
+            "a persistence pair of no length");
+  }
+  require(std::ranges::is_sorted(pairs, is_before), "persistence pairs that are not in order");
+  return pairs;
+}
+
 void add_expected(const Json& expected, VectorCase& one) {
   const std::size_t rows = one.rows.size();
   RecordOf record_of;
@@ -145,14 +162,15 @@ void add_expected(const Json& expected, VectorCase& one) {
     one.stable.push_back(stable == value.end() ? std::nullopt
                                                : std::optional(stable_of(*stable, record_of, one)));
   }
-  if (expected.contains("persistence")) one.persistence = expected_pairs_of(expected.at("persistence"));
+  if (expected.contains("persistence")) one.persistence = pairs_of(expected.at("persistence"));
   if (!expected.contains("orbits")) return;
   for (const Json& value : expected.at("orbits")) {
-    one.orbits.push_back({start_of(value.at("start").get<std::vector<std::string>>()), orbit_path_of(value)});
+    one.orbits.push_back({start_of(value.at("start").get<std::vector<std::string>>()),
+                          claimed_orbit_of(value.dump(), "an orbit")});
   }
 }
 
-// ---- Cases and files
+// ---- Cases and files ----
 
 CaseResult result_of(const std::string& word) {
   if (word == "determined") return CaseResult::kDetermined;
@@ -264,6 +282,48 @@ Vectors read_vectors(const std::string& folder) {
   for (const std::string& path : paths) add_group(path, vectors);
   require_consistent(folder, vectors);
   return vectors;
+}
+
+// ---- Point files ----
+
+namespace {
+
+std::string decimal_text(double value) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  return {digits.data(), end};
+}
+
+// The vectors have hexadecimal floats. A program that reads none must not refuse an invalid case for that.
+std::string word_text(const std::string& word, bool hexadecimal) {
+  const bool is_hexadecimal = word.find("0x") != std::string::npos;
+  if (hexadecimal || !is_hexadecimal) return word;
+  const NumberText number = parse_number(word);
+  return number.fault == nullptr ? decimal_text(number.value) : word;
+}
+
+}  // namespace
+
+std::optional<std::string> point_file_text(const VectorCase& one, const PointFileStyle& style) {
+  const bool is_xyz = style.format == PointFileFormat::kXyz;
+  if (one.text) return is_xyz ? one.text : std::nullopt;
+  std::string text = is_xyz ? "" : fmt::format("OFF\n{} 0 0\n", one.words.size());
+  // An XYZ file of no byte is an error (FC-IN-05).
+  if (is_xyz && one.words.empty()) text = "# no points\n";
+  for (const auto& row : one.words) {
+    const char* separator = "";
+    for (const std::string& word : row) {
+      text += separator;
+      text += word_text(word, style.hexadecimal);
+      separator = " ";
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string point_file_name(const PointFileStyle& style) {
+  return style.format == PointFileFormat::kXyz ? "points.xyz" : "points.off";
 }
 
 }  // namespace flowcert::judge

@@ -1,4 +1,4 @@
-// The conformance vectors as they are stored (spec/formats.md, "Conformance vectors").
+// The conformance vectors as they are stored (spec/formats/vectors.md), and their points as point files.
 //
 // Guarantees: a file that is not as the format says, so that it could not be used, throws InvalidInput "FILE:
 // case: reason"; nothing is believed that would make a later step fail. What is right is what the file says,
@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "flowcert/orbit_claim.h"
+#include "flowcert/pair_claim.h"
 #include "flowcert/point_set.h"
 #include "fuzz/judge/layer.h"
-#include "io/claims/orbit_claim.h"
-#include "io/claims/pair_claim.h"
 #include "io/json_fields.h"
 #include "oracle/stationary_points.h"
 
@@ -56,7 +56,7 @@ struct VectorCase {
   std::vector<Point> rows;
   oracle::Answer answer;
   std::vector<std::optional<CaseLimits>> limits;  // by stationary point, where the file has them
-  std::vector<std::optional<CaseStable>> stable;  // likewise
+  std::vector<std::optional<CaseStable>> stable;  // by record
   std::vector<CaseOrbit> orbits;
   std::optional<std::vector<ListedPair>> persistence;
 
@@ -77,5 +77,24 @@ struct Vectors {
 };
 
 [[nodiscard]] Vectors read_vectors(const std::string& folder);
+
+// ---- Point files ----
+// The points of a conformance vector as a point file (spec/formats/points.md).
+//
+// Guarantees: a reader that rounds to nearest gets exactly the doubles of the vector: decimals are the
+// shortest that read back to them. What an invalid case has in place of a number is written as it is, and is
+// all that is wrong with the file.
+enum class PointFileFormat { kXyz, kOff };
+
+struct PointFileStyle {
+  PointFileFormat format = PointFileFormat::kXyz;
+  bool hexadecimal = false;  // hexadecimal floats instead of decimals
+};
+
+// Nothing for a case that is about the text of an XYZ file, in another format.
+[[nodiscard]] std::optional<std::string> point_file_text(const VectorCase& one, const PointFileStyle& style);
+
+// "points.xyz"
+[[nodiscard]] std::string point_file_name(const PointFileStyle& style);
 
 }  // namespace flowcert::judge

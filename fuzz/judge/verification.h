@@ -1,4 +1,5 @@
-// What becomes of the cases of a run (fuzz/case_stream.h) when a program's answers are judged.
+// What becomes of the cases of a run (fuzz/inputs/case_stream.h) when a program's answers are judged; and how the
+// answers are read, one by one from a stream (spec/formats/cases.md).
 //
 // Guarantees: every case of the run has one outcome in the end, the unanswered ones too. Answers are judged
 // one at a time and forgotten; what is kept is a byte a case, and of so many failing cases as asked for, the
@@ -8,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,9 +18,42 @@
 
 #include "flowcert/check.h"
 #include "fuzz/inputs/case_stream.h"
-#include "fuzz/judge/answer_reader.h"
+#include "fuzz/judge/layer.h"
+#include "io/line_reader.h"
 
 namespace flowcert::judge {
+
+// ---- Answers ----
+// Memory is bounded by the largest answer. What an answer says is not looked at, only where it begins and ends; a
+// stream in which that is not clear throws InvalidInput, "standard input:LINE: reason".
+
+struct Answer {
+  LinePlace place;  // of its first line
+  std::string id;
+  bool is_refusal = false;
+  // A claim, line by line as it came; of a refusal, the reason, which may be empty.
+  std::string text;
+};
+
+class AnswerReader {
+ public:
+  explicit AnswerReader(std::istream& in) : in_(in) {}
+
+  // The next answer; false at the end of the stream.
+  bool next(Answer& answer);
+
+ private:
+  bool next_line();
+  void read_head(Answer& answer) const;
+  void read_claim_lines(Answer& answer);
+  [[nodiscard]] LinePlace place() const;
+
+  std::istream& in_;
+  std::string line_;  // the last one read, without its LF; a CR is a blank to all who look at it
+  std::size_t number_ = 0;
+};
+
+// ---- Outcomes ----
 
 // In the order in which reports list them.
 enum class Outcome : std::uint8_t {
@@ -60,7 +95,7 @@ class Verification {
   explicit Verification(VerificationOptions options) : options_(std::move(options)) {}
 
   // Judges an answer. Throws InvalidInput, with the answer's place, for the id of no case, of a case of
-  // another run than that of the first answer, or of one that has been answered; OutputError for a folder
+  // another run than the run of the first answer, or of one that has been answered; OutputError for a folder
   // that cannot be written.
   void take(const Answer& answer);
 

@@ -3,24 +3,19 @@
 // Guarantees: to the byte.
 #pragma once
 
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "flowcert/reproducibility.h"
-#include "io/write_manifolds.h"
+#include "flowcert/write_stationary_points.h"
 
 namespace flowcert::property {
 
 inline std::string exchange_file(const std::vector<Point>& rows) {
-  const PointSet points(rows);
-  const VoronoiDiagram diagram{Delaunay(points)};
-  const StationaryPoints stationary = stationary_points(diagram);
-  UnstableManifolds u2(diagram, stationary);
-  StableManifolds s2(diagram, stationary);
+  const FlowComplex complex{std::span(rows)};
   std::ostringstream out;
-  io::write_manifolds(out, points, stationary, {.u2 = &u2, .polylines = true, .s2 = &s2, .skeletons = true},
-                      coordinates_sha256(rows));
+  write_stationary_points(out, complex, {.u2 = true, .polylines = true, .s2 = true, .skeletons = true});
   return out.str();
 }
 

@@ -252,9 +252,9 @@ Point vertex_start(const PointSet& set, Numbers& numbers) {
   for (int attempt = 0; attempt < kAttempts && set.points.size() >= 4; ++attempt) {
     const auto corners = some_points(set, numbers, 4);
     const auto sphere = oracle::circumcentre(corners);
-    if (sphere && oracle::squared_distance(sphere->center, corners[0]) ==
-                      oracle::squared_distance(sphere->center,
-                                               set.points[oracle::nearest_places(set, sphere->center)[0]])) {
+    if (sphere &&
+        oracle::squared_distance(sphere->center, corners[0]) ==
+            oracle::squared_distance(sphere->center, set.points[set.nearest_places(sphere->center)[0]])) {
       return sphere->center;
     }
   }
@@ -294,7 +294,7 @@ Point segment_start(const PointSet& set, Numbers& numbers) {
 // place where that way comes in.
 Point aimed_start(const PointSet& set, Numbers& numbers) {
   const Point y = vertex_start(set, numbers);
-  const auto contact = oracle::select(set.points, oracle::nearest_places(set, y));
+  const auto contact = oracle::select(set.points, set.nearest_places(y));
   const Point& p = contact[numbers.below(contact.size())];
   const Point& q = contact[numbers.below(contact.size())];
   const Point back = oracle::minus(middle(p, q), y);
@@ -368,7 +368,7 @@ int percentage(std::size_t part, std::size_t whole) {
 }  // namespace
 
 void StartCensus::add(const PointSet& set, StartKind kind, const Point& start) {
-  const auto contact = oracle::select(set.points, oracle::nearest_places(set, start));
+  const auto contact = oracle::select(set.points, set.nearest_places(start));
   ++seen_[static_cast<std::size_t>(kind)][static_cast<std::size_t>(oracle::affine_dimension(contact))];
 }
 

@@ -6,13 +6,13 @@
 #include <system_error>
 
 #include "fuzz/properties/property_checks.h"
-#include "oracle/orbit.h"
+#include "oracle/fast/point_set.h"
 
 namespace flowcert::property {
 
 oracle::Point start_of(const Trial& trial) {
   if (const auto* point = std::get_if<oracle::Point>(&trial.start)) return *point;
-  return start_of(oracle::PointSet(trial.input.rows), std::get<StartChoice>(trial.start));
+  return start_of(oracle::fast::PointSet(trial.input.rows), std::get<StartChoice>(trial.start));
 }
 
 const std::vector<Property>& properties() {

@@ -5,11 +5,10 @@
 #include <array>
 #include <utility>
 
+#include "flowcert/flow_complex.h"
 #include "flowcert/orbit.h"
 #include "flowcert/stable_manifolds.h"
 #include "flowcert/unstable_manifolds.h"
-#include "fuzz/properties/fast_persistence.h"
-#include "fuzz/properties/oracle_point.h"
 #include "fuzz/properties/orbit_comparison.h"
 #include "fuzz/properties/stable_pieces.h"
 #include "fuzz/properties/stationary_comparison.h"
@@ -18,6 +17,7 @@
 #include "oracle/stable_set.h"
 
 namespace flowcert::property {
+
 namespace {
 
 constexpr FlowOptions kExactLinear = {ConstructionKernel::kExact, FacetSearch::kLinear};
@@ -109,8 +109,8 @@ std::string name_of_orbit(const StationaryPoints& stationary, std::size_t record
 // Fast orbits of U2 computed one way, against those computed another way.
 std::optional<Disagreement> difference_of_unstable(const Subject& subject, const StationaryPoints& stationary,
                                                    const UnstableOptions& options, const char* name) {
-  UnstableManifolds usual(subject.diagram, stationary);
-  UnstableManifolds other(subject.diagram, stationary, options);
+  const UnstableManifolds& usual = subject.complex.unstable();
+  UnstableManifolds other(subject.complex.diagram(), stationary, options);
   for (std::size_t i = 0; i < usual.size(); ++i) {
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
       const std::string what = name_of_orbit(stationary, usual.saddle(i), side);
@@ -172,13 +172,13 @@ std::optional<Disagreement> wrong_boundary(const StationaryPoints& stationary,
 
 std::optional<Disagreement> difference_of_flows(const Subject& subject, const Trial& trial) {
   const RationalPoint start = start_of(trial);
-  Flow usual(subject.diagram);
+  Flow usual(subject.complex.diagram());
   const OrbitRecord orbit = record_of(usual.orbit(start));
   for (const auto& [name, options] :
        {std::pair{"lazy, linear", FlowOptions{ConstructionKernel::kLazy, FacetSearch::kLinear}},
         std::pair{"exact, binary", FlowOptions{ConstructionKernel::kExact, FacetSearch::kBinary}},
         std::pair{"exact, linear", kExactLinear}}) {
-    Flow other(subject.diagram, options);
+    Flow other(subject.complex.diagram(), options);
     if (auto found = difference_of_orbits("the orbit", {"lazy, binary", orbit},
                                           {name, record_of(other.orbit(start))})) {
       return found;
@@ -188,8 +188,8 @@ std::optional<Disagreement> difference_of_flows(const Subject& subject, const Tr
 }
 
 std::optional<Disagreement> difference_of_stable(const Subject& subject, const StationaryPoints& stationary) {
-  StableManifolds lazy(subject.diagram, stationary);
-  StableManifolds exact(subject.diagram, stationary, {.flow = kExactLinear, .seed = 0});
+  const StableManifolds& lazy = subject.complex.stable();
+  StableManifolds exact(subject.complex.diagram(), stationary, {.flow = kExactLinear, .seed = 0});
   for (std::size_t i = 0; i < lazy.size(); ++i) {
     const std::string what = "the stable set of " + text_of(ids(stationary.contact(lazy.record(i))));
     if (auto found = difference_of_pieces(what, pieces_of(lazy.set(i)), "lazy, binary",
@@ -205,9 +205,12 @@ std::optional<Disagreement> difference_of_stable(const Subject& subject, const S
 
 }  // namespace
 
+// ---- The checks ----
+
 std::optional<Disagreement> check_critical_points(const Trial& trial) {
-  const StationaryAnswer fast = fast_answer(trial.input);
-  const StationaryAnswer oracle = oracle_answer(trial.input);
+  const Subject& subject = subject_of(trial.input);
+  const StationaryAnswer fast = fast_answer(subject.complex);
+  const StationaryAnswer oracle = oracle_answer(subject.set);
   const std::string found = difference(fast, oracle);
   if (!found.empty()) {
     const auto [kind, clause] = difference_kind(fast, oracle);
@@ -218,20 +221,21 @@ std::optional<Disagreement> check_critical_points(const Trial& trial) {
 }
 
 std::optional<Disagreement> check_orbit(const Trial& trial) {
-  const Subject subject(trial.input);
-  if (subject.points.empty()) return std::nullopt;
+  const Subject& subject = subject_of(trial.input);
+  if (subject.complex.points().empty()) return std::nullopt;
   const RationalPoint start = start_of(trial);
-  Flow flow(subject.diagram);
+  Flow flow(subject.complex.diagram());
   return difference_of_orbits("the orbit", {kFast, record_of(flow.orbit(start))},
                               {kOracle, record_of(subject.set, start, oracle::orbit(subject.set, start))});
 }
 
 std::optional<Disagreement> check_unstable_manifolds(const Trial& trial) {
-  const Subject subject(trial.input);
-  const StationaryPoints stationary = stationary_points(subject.diagram);
-  UnstableManifolds manifolds(subject.diagram, stationary);
+  const Subject& subject = subject_of(trial.input);
+  const StationaryPoints& stationary = subject.complex.stationary();
+  const UnstableManifolds& manifolds = subject.complex.unstable();
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
-    const oracle::StationaryPoint saddle = oracle_point(subject.points, stationary, manifolds.saddle(i));
+    const oracle::StationaryPoint saddle =
+        oracle_point(subject.complex.points(), stationary, manifolds.saddle(i));
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
       const OrbitRecord truth = record_of(
           subject.set, saddle.center, oracle::unstable_orbit(subject.set, saddle, static_cast<int>(side)));
@@ -253,11 +257,11 @@ std::optional<Disagreement> check_unstable_manifolds(const Trial& trial) {
 }
 
 std::optional<Disagreement> check_stable_sets(const Trial& trial) {
-  const Subject subject(trial.input);
-  const StationaryPoints stationary = stationary_points(subject.diagram);
-  StableManifolds manifolds(subject.diagram, stationary);
+  const Subject& subject = subject_of(trial.input);
+  const StationaryPoints& stationary = subject.complex.stationary();
+  const StableManifolds& manifolds = subject.complex.stable();
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
-    const auto z = oracle_point(subject.points, stationary, manifolds.record(i));
+    const auto z = oracle_point(subject.complex.points(), stationary, manifolds.record(i));
     const oracle::StableSet truth = oracle::stable_set(subject.set, z);
     const Pieces pieces = pieces_of(subject.set, truth);
     const std::string what = "the stable set of " + text_of(z.contact);
@@ -271,8 +275,8 @@ std::optional<Disagreement> check_stable_sets(const Trial& trial) {
 }
 
 std::optional<Disagreement> check_persistence(const Trial& trial) {
-  const Subject subject(trial.input);
-  const auto fast = fast_persistence(subject.points).pairs;
+  const Subject& subject = subject_of(trial.input);
+  const auto fast = fast_persistence(subject.complex).pairs;
   const auto truth = oracle::persistence_pairs(subject.set);
   if (fast == truth) return std::nullopt;
   return Disagreement{"pairs", "FC-PERS-05",  "other persistence pairs", kFast, to_text(fast),
@@ -280,13 +284,13 @@ std::optional<Disagreement> check_persistence(const Trial& trial) {
 }
 
 std::optional<Disagreement> check_orbit_kernels(const Trial& trial) {
-  const Subject subject(trial.input);
-  return subject.points.empty() ? std::nullopt : difference_of_flows(subject, trial);
+  const Subject& subject = subject_of(trial.input);
+  return subject.complex.points().empty() ? std::nullopt : difference_of_flows(subject, trial);
 }
 
 std::optional<Disagreement> check_unstable_kernels(const Trial& trial) {
-  const Subject subject(trial.input);
-  const StationaryPoints stationary = stationary_points(subject.diagram);
+  const Subject& subject = subject_of(trial.input);
+  const StationaryPoints& stationary = subject.complex.stationary();
   if (auto found = difference_of_unstable(subject, stationary, {.flow = {}, .share = false}, "alone")) {
     return found;
   }
@@ -295,8 +299,31 @@ std::optional<Disagreement> check_unstable_kernels(const Trial& trial) {
 }
 
 std::optional<Disagreement> check_stable_kernels(const Trial& trial) {
-  const Subject subject(trial.input);
-  return difference_of_stable(subject, stationary_points(subject.diagram));
+  const Subject& subject = subject_of(trial.input);
+  return difference_of_stable(subject, subject.complex.stationary());
+}
+
+// ---- Persistence ----
+
+FastPersistence fast_persistence(const FlowComplex& complex) {
+  const Persistence& persistence = complex.persistence();
+  FastPersistence answer{{},
+                         complex.chains().broken_ties() > 0 || complex.stable().statistics().broken_ties > 0};
+  for (const PersistencePair& pair : persistence.pairs()) {
+    answer.pairs.push_back({pair.dimension, persistence.squared_value(pair.birth), std::nullopt});
+    if (pair.death) answer.pairs.back().death = persistence.squared_value(*pair.death);
+  }
+  std::sort(answer.pairs.begin(), answer.pairs.end());
+  return answer;
+}
+
+std::string to_text(const std::vector<oracle::PersistencePair>& pairs) {
+  std::string text;
+  for (const oracle::PersistencePair& pair : pairs) {
+    text += std::to_string(pair.dimension) + ' ' + pair.birth.str() + ' ' +
+            (pair.death ? pair.death->str() : "inf") + '\n';
+  }
+  return text;
 }
 
 }  // namespace flowcert::property

@@ -4,8 +4,12 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "flowcert/flow_complex.h"
 #include "fuzz/properties/property.h"
+#include "oracle/persistence.h"
 
 namespace flowcert::property {
 
@@ -17,5 +21,17 @@ namespace flowcert::property {
 [[nodiscard]] std::optional<Disagreement> check_orbit_kernels(const Trial& trial);
 [[nodiscard]] std::optional<Disagreement> check_unstable_kernels(const Trial& trial);
 [[nodiscard]] std::optional<Disagreement> check_stable_kernels(const Trial& trial);
+
+// Persistence pairs by the fast implementation, in the oracle's structure.
+//
+// Guarantees: exact, in the order of the oracle's.
+struct FastPersistence {
+  std::vector<oracle::PersistencePair> pairs;
+  bool has_ties = false;  // that were broken on the way
+};
+[[nodiscard]] FastPersistence fast_persistence(const FlowComplex& complex);
+
+// A line for each: dimension, birth, death or "inf".
+[[nodiscard]] std::string to_text(const std::vector<oracle::PersistencePair>& pairs);
 
 }  // namespace flowcert::property

@@ -14,12 +14,10 @@
 #include <tuple>
 #include <vector>
 
-#include "flowcert/point_set.h"
-#include "flowcert/rational.h"
-#include "flowcert/stationary_points.h"
-#include "flowcert/voronoi_diagram.h"
+#include "flowcert/flow_complex.h"
 #include "fuzz/inputs/input.h"
 #include "fuzz/properties/input_points.h"
+#include "oracle/fast/point_set.h"
 #include "oracle/stationary_points.h"
 
 namespace flowcert::property {
@@ -53,16 +51,15 @@ struct StationaryAnswer {
   }
 };
 
-inline StationaryAnswer fast_answer(const fuzz::Input& input) {
-  const PointSet points = point_set_of(input);
-  const VoronoiDiagram diagram{Delaunay(points)};
-  const StationaryPoints all = stationary_points(diagram);
+inline StationaryAnswer fast_answer(const FlowComplex& complex) {
+  const PointSet& points = complex.points();
+  const StationaryPoints& all = complex.stationary();
   StationaryAnswer answer{points.row_count(), points.merged_duplicates(), {}, all.critical_counts(), {}};
   const RegularCounts& regular = all.regular_counts();
   answer.regular = {regular.kind12, regular.kind23, regular.kind13};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto contact = all.contact(i);
-    const ExactSphere sphere = exact_sphere(points, contact);
+    const ExactSphere sphere = complex.sphere(i);
     answer.records.push_back({all.index(i).face_dimension, all.index(i).hull_dimension,
                               std::vector<std::size_t>(contact.begin(), contact.end()), sphere.center,
                               sphere.squared_radius});
@@ -70,13 +67,21 @@ inline StationaryAnswer fast_answer(const fuzz::Input& input) {
   return answer;
 }
 
-inline StationaryAnswer oracle_answer(const fuzz::Input& input) {
-  const oracle::Answer all = oracle::stationary_points(input.rows);
+inline StationaryAnswer fast_answer(const fuzz::Input& input) {
+  return fast_answer(FlowComplex(point_set_of(input)));
+}
+
+inline StationaryAnswer oracle_answer(const oracle::PointSet& set) {
+  const oracle::Answer all = oracle::stationary_points(set);
   StationaryAnswer answer{all.points, all.merged_duplicates, {}, all.critical_counts(), all.regular_counts()};
   for (const oracle::StationaryPoint& x : all.stationary) {
     answer.records.push_back({x.face_dimension, x.hull_dimension, x.contact, x.center, x.squared_distance});
   }
   return answer;
+}
+
+inline StationaryAnswer oracle_answer(const fuzz::Input& input) {
+  return oracle_answer(oracle::fast::PointSet(input.rows));
 }
 
 inline std::string to_text(const Record& record) {

@@ -11,7 +11,7 @@
 #include "flowcert/read_points.h"
 #include "fuzz/inputs/byte_input.h"
 #include "fuzz/inputs/families.h"
-#include "fuzz/inputs/stable_families.h"
+#include "fuzz/inputs/stable_configurations.h"
 
 namespace flowcert::fuzz {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "flowcert/read_points.h"
 #include "fuzz/targets/reading.h"
-#include "oracle/read_points.h"
+#include "oracle/program/read_points.h"
 
 namespace flowcert::fuzz {
 namespace {

@@ -1,4 +1,3 @@
-// See property_complaint.h.
 #include "fuzz/targets/property_complaint.h"
 
 #include <sstream>

@@ -5,7 +5,7 @@
 
 #include "fuzz/targets/reading.h"
 #include "fuzz/targets/target.h"
-#include "io/gzip_stream.h"
+#include "io/input_bytes.h"
 
 namespace flowcert::fuzz {
 

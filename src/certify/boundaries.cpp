@@ -1,4 +1,3 @@
-// See boundaries.h.
 #include "certify/boundaries.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// See flowcert/check.h. The order of the levels, and the verdict.
+// The order of the levels, and the verdict.
 #include "flowcert/check.h"
 
 #include <algorithm>

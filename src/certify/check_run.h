@@ -3,16 +3,48 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "certify/contact_index.h"
-#include "certify/value_match.h"
+#include "certify/claimed_geometry.h"
+#include "certify/layer.h"
 #include "flowcert/check.h"
 
 namespace flowcert::certify {
+
+// ---- Contact sets ----
+// Finds stationary points by samples of their contact sets, exactly. A question takes time in proportion to the
+// stationary points of one sample, the one with the fewest.
+
+class ContactIndex {
+ public:
+  // Both must outlive this. O(all contact sets).
+  ContactIndex(const PointSet& points, const Truth& truth);
+
+  // names: ascending, not empty.
+  [[nodiscard]] std::optional<std::size_t> find(std::span<const PointId> names) const;
+  // Those whose contact set has all of these and more.
+  [[nodiscard]] std::vector<std::size_t> larger(std::span<const PointId> names) const;
+  // All stationary points of a sample, in the order of the list.
+  [[nodiscard]] std::span<const std::uint32_t> of(PointId name) const {
+    const std::size_t at = points_.ordinal_of_row(name);
+    return std::span(records_).subspan(first_[at], first_[at + 1] - first_[at]);
+  }
+
+ private:
+  [[nodiscard]] std::span<const std::uint32_t> fewest(std::span<const PointId> names) const;
+
+  const PointSet& points_;
+  const Truth& truth_;
+  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> records_;
+};
+
+// ---- The run ----
 
 // How well a claimed contact set names the stationary point that it has the centre of.
 enum class Fit {
@@ -56,7 +88,7 @@ struct CheckRun {
   // About a claimed point.
   void find(int level, FindingReason reason, const std::string& clause, std::size_t claimed_point,
             const std::string& truth_text);
-  // Likewise, permitted.
+  // The same, for what is permitted.
   void vary(int level, FindingReason reason, const std::string& clause, std::size_t claimed_point,
             const std::string& truth_text);
   // Says so once.

@@ -1,11 +1,11 @@
-// See finding_words.h.
 #include "certify/finding_words.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 
-#include "certify/value_match.h"
+#include "certify/claimed_geometry.h"
+#include "geometry/contract.h"
 
 namespace flowcert::certify {
 
@@ -71,6 +71,7 @@ std::string position_text(const RationalPoint& x) {
 std::string position_text(const ClaimedPosition& x) { return position_text(values_of(x)); }
 
 const Finding& telling_finding(const std::vector<Finding>& findings) {
+  FLOWCERT_REQUIRES(!findings.empty());
   const auto of_a_point = std::ranges::find_if(findings, [&](const Finding& finding) {
     return finding.level == findings.front().level && !finding.contact.empty();
   });

@@ -5,6 +5,7 @@
 
 #include "certify/check_run.h"
 #include "certify/finding_words.h"
+#include "flowcert/reproducibility.h"
 
 namespace flowcert::certify {
 
@@ -38,10 +39,10 @@ void check_input_of_claim(CheckRun& run) {
                std::to_string(points.repeated_classes().size()) + " classes of more than one row");
   }
   const auto& digest = run.claim.input_sha256;
-  if (digest && run.options.input_sha256 && *digest != *run.options.input_sha256) {
+  if (digest && *digest != coordinates_sha256(run.points)) {
     find_whole(run, FindingReason::kMalformed, kClaimClause,
                "a claim about the input with SHA-256 " + *digest,
-               "the input's is " + *run.options.input_sha256);
+               "the input's is " + coordinates_sha256(run.points));
   }
 }
 
@@ -144,7 +145,7 @@ std::string fault_of(const PointSet& points, const ClaimedPoint& point) {
 std::vector<PointId> class_names(const PointSet& points, const std::vector<PointId>& rows) {
   std::vector<PointId> names;
   names.reserve(rows.size());
-  for (const PointId row : rows) names.push_back(points.name(points.position_of_row(row)));
+  for (const PointId row : rows) names.push_back(points.name(points.ordinal_of_row(row)));
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;

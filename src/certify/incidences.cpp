@@ -9,7 +9,7 @@
 
 #include "certify/boundaries.h"
 #include "certify/check_run.h"
-#include "certify/contact_geometry.h"
+#include "certify/claimed_geometry.h"
 #include "certify/finding_words.h"
 
 namespace flowcert::certify {

@@ -1,5 +1,5 @@
 // Compares segment by segment, and tells the first difference in words.
-#include "certify/orbit_difference.h"
+#include "flowcert/orbit_difference.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,9 @@
 
 #include "certify/finding_words.h"
 
-namespace flowcert::certify {
+namespace flowcert {
+
+using namespace certify;
 
 namespace {
 
@@ -31,14 +33,10 @@ std::string contact_words(const Contact& contact) {
   return contact ? fmt::format("contact set {}", fmt::join(*contact, " ")) : "no contact set";
 }
 
-std::string index_words(const Json& index) {
-  return shortened(index.dump(-1, ' ', false, Json::error_handler_t::replace), kLongest);
-}
-
 std::string limit_words(const std::optional<PathLimit>& limit) {
   if (!limit) return "infinity";
   return fmt::format("{} point of index {} at {}", shortened(limit->kind, kLongest),
-                     index_words(limit->index), position_words(limit->position));
+                     shortened(limit->index, kLongest), position_words(limit->position));
 }
 
 PathDifference wrong(std::size_t k, const std::string& claimed, const std::string& truth) {
@@ -120,4 +118,4 @@ std::optional<PathDifference> path_difference(const OrbitPath& claimed, const Or
   return difference;
 }
 
-}  // namespace flowcert::certify
+}  // namespace flowcert

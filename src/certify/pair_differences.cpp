@@ -1,5 +1,5 @@
 // Compares sorted lists, and puts what only one of them has beside what only the other has.
-#include "certify/pair_differences.h"
+#include "flowcert/pair_differences.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,9 @@
 
 #include "certify/finding_words.h"
 
-namespace flowcert::certify {
+namespace flowcert {
+
+using namespace certify;
 
 namespace {
 
@@ -73,4 +75,4 @@ std::vector<PairDifference> pair_differences(const PairList& claimed, const std:
   return differences_of(only_a, only_b, claimed.is_rounded);
 }
 
-}  // namespace flowcert::certify
+}  // namespace flowcert

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "certify/check_run.h"
-#include "certify/contact_geometry.h"
+#include "certify/claimed_geometry.h"
 #include "certify/finding_words.h"
 
 namespace flowcert::certify {

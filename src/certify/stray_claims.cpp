@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "certify/check_run.h"
-#include "certify/contact_geometry.h"
+#include "certify/claimed_geometry.h"
 #include "certify/finding_words.h"
 #include "geometry/enclosing_ball.h"
 #include "geometry/rational_point.h"

@@ -5,13 +5,12 @@
 // beyond a regular stationary point.
 #include <algorithm>
 #include <array>
-#include <map>
 #include <span>
 #include <string>
 
 #include "certify/boundaries.h"
 #include "certify/check_run.h"
-#include "certify/contact_geometry.h"
+#include "certify/claimed_geometry.h"
 #include "certify/finding_words.h"
 #include "geometry/rational_point.h"
 
@@ -120,7 +119,7 @@ class Surfaces {
 
   void check_walk(std::size_t k, const std::vector<PointId>& rows, std::size_t record, const StableSet& set) {
     std::vector<PointId> walk;
-    for (const PointId row : rows) walk.push_back(run_.points.name(run_.points.position_of_row(row)));
+    for (const PointId row : rows) walk.push_back(run_.points.name(run_.points.ordinal_of_row(row)));
     const auto truth = boundary_walk(set, run_.index(record), run_.truth.contact(record));
     if (truth && are_same_walks(walk, *truth)) return;
     if (!run_.index(record).is_critical()) {
@@ -253,7 +252,7 @@ class Surfaces {
           "sector", never);
   }
 
-  // Squared, of a triangle from that of its corners, perhaps a sample, that has the others nearest.
+  // The squared distance of a triangle's corner, perhaps a sample, that has the other corners nearest.
   static Rational least_reach(const Triangle<ClaimedPosition>& corners) {
     Triangle<Rational> sides;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -5,10 +5,8 @@
 
 #include <CLI/CLI.hpp>
 #include <limits>
-#include <memory>
 
 #include "cli/check_report.h"
-#include "cli/judging_options.h"
 #include "flowcert/claim.h"
 #include "io/output_file.h"
 
@@ -44,7 +42,6 @@ int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
   files.claim_format = claim.format;
   files.tolerance = options.check.tolerance;
   files.highest_level = options.check.highest_level;
-  options.check.input_sha256 = input.sha256;
   const CheckReport report = report_of(options, oracle, input, claim);
   if (!options.junit.empty()) {
     OutputFile file(options.junit);
@@ -52,7 +49,7 @@ int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
     file.commit();
   }
   if (options.json) {
-    print_check_json(files, report, input.sha256);
+    print_check_json(files, report, input.points);
   } else {
     print_check_text(files, report, options.most);
   }

@@ -1,13 +1,14 @@
-// See check_report.h.
+// Findings are listed level by level; the first of a level tells most.
 #include "cli/check_report.h"
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <array>
 #include <ostream>
 
 #include "cli/table.h"
-#include "cli/xml_text.h"
+#include "io/number_text.h"
 
 namespace flowcert::cli {
 
@@ -138,8 +139,8 @@ void print_check_text(const CheckedFiles& files, const CheckReport& report, std:
   fmt::print("; truth by the {})\n", truth_text(files));
 }
 
-void print_check_json(const CheckedFiles& files, const CheckReport& report, const std::string& input_sha256) {
-  Json json = header_fields("flowcert-check", 1, input_sha256);
+void print_check_json(const CheckedFiles& files, const CheckReport& report, const PointSet& points) {
+  Json json = header_fields("flowcert-check", 1, points);
   json["verdict"] = verdict_text(report.verdict);
   json["grade"] = grade_text(report);
   json["tolerance"] = files.tolerance;
@@ -167,6 +168,59 @@ void write_check_junit(std::ostream& out, const CheckedFiles& files, const Check
                      failures, skipped);
   for (std::size_t k = 0; k < kLevels; ++k) write_level(out, files, report, k, counts.at(k));
   out << "  </testsuite>\n</testsuites>\n";
+}
+
+// ---- Text in XML ----
+
+std::string xml_text(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        // Control characters do not exist there; nor do bytes that are no UTF-8, which file names may have.
+        escaped += (static_cast<unsigned char>(c) < 0x20 && c != '\n') || (c & 0x80) != 0 ? '?' : c;
+    }
+  }
+  return escaped;
+}
+
+// ---- Options ----
+
+namespace {
+
+// With a larger one there is hardly a claim that is not ambiguous.
+constexpr double kLargestTolerance = 1e-3;
+
+// CLI11's own range takes nan for a number in it. Returns what is wrong.
+std::string complaint_about_tolerance(const std::string& word) {
+  const NumberText number = parse_number(word);
+  const bool is_small = number.fault == nullptr && 0 <= number.value && number.value <= kLargestTolerance;
+  return is_small ? "" : fmt::format("{} is no number from 0 to {}", in_quotes(word), kLargestTolerance);
+}
+
+}  // namespace
+
+void add_judging_options(CLI::App& command, CheckOptions& options) {
+  command
+      .add_option("--tolerance", options.tolerance,
+                  "Positions and radii claimed in decimals match within this part of the radius")
+      ->check(complaint_about_tolerance)
+      ->capture_default_str();
+  command.add_option("--levels", options.highest_level, "Check levels 1 to this one")
+      ->check(CLI::Range(1, kLevels))
+      ->capture_default_str();
 }
 
 }  // namespace flowcert::cli

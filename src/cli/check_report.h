@@ -1,5 +1,5 @@
 // The three ways in which `flowcert check` reports: lines for people, one JSON object, and a JUnit file for
-// CI systems (spec/formats.md, "Report of a check").
+// CI systems (spec/formats/check.md).
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,13 @@
 #include <string>
 
 #include "cli/command.h"
+#include "cli/layer.h"
 #include "flowcert/check.h"
 #include "io/json_fields.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace flowcert::cli {
 
@@ -27,7 +32,13 @@ struct CheckedFiles {
 
 // most: findings shown of each level; the others are counted.
 void print_check_text(const CheckedFiles& files, const CheckReport& report, std::size_t most);
-void print_check_json(const CheckedFiles& files, const CheckReport& report, const std::string& input_sha256);
+void print_check_json(const CheckedFiles& files, const CheckReport& report, const PointSet& points);
 void write_check_junit(std::ostream& out, const CheckedFiles& files, const CheckReport& report);
+
+// Text of an XML 1.0 document, also within double quotes: whatever it holds, the document stays one.
+[[nodiscard]] std::string xml_text(const std::string& text);
+
+// The options --tolerance and --levels, which all commands that judge claims share.
+void add_judging_options(CLI::App& command, CheckOptions& options);
 
 }  // namespace flowcert::cli

@@ -1,12 +1,10 @@
-// See command.h.
 #include "cli/command.h"
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <locale>
-
-#include "flowcert/reproducibility.h"
 
 namespace flowcert::cli {
 
@@ -31,7 +29,6 @@ Input read_input(const std::string& path) {
   Input input;
   input.file = read_points(path);
   input.points = PointSet(input.file.rows);
-  input.sha256 = coordinates_sha256(input.file.rows);
   if (input.file.single_precision) {
     fmt::print(stderr, "note: {}: the coordinates are single precision, and are taken exactly as such\n",
                display_name(path));
@@ -46,6 +43,27 @@ Input read_input(const std::string& path) {
                merged == 1 ? "" : "s");
   }
   return input;
+}
+
+FlowOptions FlowChoice::options() const {
+  return {.kernel = kernel == "exact" ? ConstructionKernel::kExact : ConstructionKernel::kLazy,
+          .search = search == "linear" ? FacetSearch::kLinear : FacetSearch::kBinary};
+}
+
+std::array<CLI::Option*, 2> add_flow_options(CLI::App& command, FlowChoice& choice) {
+  CLI::Option* kernel =
+      command
+          .add_option("--kernel", choice.kernel,
+                      "How points on orbits are represented: lazy (CGAL's Epeck) or exact (rationals, slow)")
+          ->check(CLI::IsMember({"lazy", "exact"}))
+          ->capture_default_str();
+  CLI::Option* search =
+      command
+          .add_option("--search", choice.search,
+                      "How the edge at which an orbit leaves a Voronoi facet is found: binary or linear")
+          ->check(CLI::IsMember({"binary", "linear"}))
+          ->capture_default_str();
+  return {kernel, search};
 }
 
 }  // namespace flowcert::cli

@@ -2,13 +2,16 @@
 // unusable input or usage. The subcommands that draw inputs and judge programs are in fuzz/commands/.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "cli/layer.h"
+#include "flowcert/orbit.h"
 #include "flowcert/read_points.h"
 
 namespace CLI {
 class App;
+class Option;
 }  // namespace CLI
 
 namespace flowcert::cli {
@@ -30,9 +33,18 @@ void add_surface_command(CLI::App& app, int& status);
 struct Input {
   PointFile file;
   PointSet points;
-  std::string sha256;
 };
 [[nodiscard]] Input read_input(const std::string& path);
+
+// The options --kernel and --search, which say how orbits are computed, not what they are.
+struct FlowChoice {
+  std::string kernel = "lazy";    // or "exact"
+  std::string search = "binary";  // or "linear"
+
+  [[nodiscard]] FlowOptions options() const;
+};
+// The two options are returned so that they can be made to need others.
+std::array<CLI::Option*, 2> add_flow_options(CLI::App& command, FlowChoice& choice);
 
 // "-" as a person would call it.
 [[nodiscard]] std::string display_name(const std::string& path);

@@ -1,24 +1,102 @@
 // `flowcert compute`: all stationary points of an input and, if wanted, the manifolds U2 and S2, as a table
-// for people, one JSON object for programs (spec/formats.md, section 3), and a file of exact records
-// (section 2), or of files for viewers ("Exports").
+// for people, one JSON object for programs (spec/formats/summary.md), and a file of exact records
+// (stationary_points.md), or of files for viewers (exports.md).
+//
+// Guarantees: no file for viewers is begun before all are computed; each appears whole or not at all.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
+#include <system_error>
 #include <vector>
 
 #include "cli/command.h"
 #include "cli/compute_report.h"
 #include "cli/compute_run.h"
-#include "cli/export_files.h"
-#include "cli/progress_line.h"
+#include "cli/layer.h"
+#include "cli/progress.h"
+#include "flowcert/flow_complex.h"
+#include "flowcert/reproducibility.h"
+#include "flowcert/vtk_exports.h"
 #include "flowcert/write_stationary_points.h"
 #include "io/output_file.h"
-#include "io/write_manifolds.h"
 
 namespace flowcert::cli {
 
+// ---- --export DIR: the files that viewers open ----
+
 namespace {
+
+namespace fs = std::filesystem;
+
+struct Exports {
+  PolyData critical_points, unstable_lines, stable_surfaces;
+  SurfaceMesh mesh;
+};
+
+Exports exports_of(const FlowComplex& complex) {
+  Exports exports;
+  ProgressLine points_progress("exporting critical points");
+  const VtkExports data_sets(complex, std::ref(points_progress));
+  exports.critical_points = data_sets.critical_points();
+  ProgressLine surfaces_progress("exporting stable manifolds");
+  const std::vector<std::size_t> all = SurfaceSelection({}).sets(complex);
+  exports.mesh = surface_mesh(complex, all, std::ref(surfaces_progress));
+  exports.stable_surfaces = data_sets.stable_surfaces(exports.mesh);
+  ProgressLine lines_progress("exporting unstable manifolds");
+  exports.unstable_lines = data_sets.unstable_lines(std::ref(lines_progress));
+  return exports;
+}
+
+template <typename Write>
+void write_file(const fs::path& path, const Write& write) {
+  OutputFile file(path.string());
+  write(file.stream());
+  file.commit();
+}
+
+void make_directory(const std::string& directory) {
+  std::error_code error;
+  fs::create_directories(directory, error);
+  if (error) throw OutputError(fmt::format("{}: cannot be made: {}", directory, error.message()));
+}
+
+// Throws OutputError where there is something that is not a directory, before anything is computed.
+void check_export_directory(const std::string& directory) {
+  std::error_code ignored;
+  if (fs::exists(directory, ignored) && !fs::is_directory(directory, ignored)) {
+    throw OutputError(directory + ": cannot be written: Not a directory");
+  }
+}
+
+// Makes the directory where there is none. input_name: for messages.
+void write_export_files(const std::string& directory, const std::string& input_name,
+                        const FlowComplex& complex) {
+  Exports exports;
+  try {
+    exports = exports_of(complex);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format("{}: {}", input_name, error.what()));
+  }
+  make_directory(directory);
+  const fs::path folder(directory);
+  const std::string comment = made_by_text("flowcert-export", 1, complex.points());
+  const std::pair<const char*, const PolyData*> data_sets[] = {
+      {"critical_points.vtp", &exports.critical_points},
+      {"unstable_lines.vtp", &exports.unstable_lines},
+      {"stable_surfaces.vtp", &exports.stable_surfaces}};
+  for (const auto& [name, data] : data_sets) {
+    write_file(folder / name, [&comment, poly = data](std::ostream& out) { write_vtp(out, *poly, comment); });
+  }
+  write_file(folder / "stable_surfaces.ply",
+             [&](std::ostream& out) { write_ply(out, exports.mesh, comment); });
+}
+
+// ---- The command ----
 
 struct ComputeOptions {
   std::string input;
@@ -39,27 +117,23 @@ bool wants(const ComputeOptions& options, const char* manifold) {
 
 WantedManifolds wanted_manifolds(const ComputeOptions& options) {
   WantedManifolds wanted;
-  const FlowOptions flow = options.u2.flow.options();
-  if (wants(options, "u2")) wanted.u2 = UnstableOptions{.flow = flow, .share = !options.u2.alone};
-  if (wants(options, "s2")) wanted.s2 = StableOptions{.flow = flow};
+  wanted.u2 = wants(options, "u2");
+  wanted.s2 = wants(options, "s2");
+  wanted.options = {.flow = options.u2.flow.options(), .share = !options.u2.alone};
   if (options.polylines && !wanted.u2) throw InvalidInput("--polylines: needs --manifolds u2");
   if (options.u2.alone && !wanted.u2) throw InvalidInput("--alone: needs --manifolds u2");
   if (options.skeletons && !wanted.s2) throw InvalidInput("--skeletons: needs --manifolds s2");
   return wanted;
 }
 
-void write_records(const ComputeOptions& options, const Input& input, ComputeRun& run) {
+void write_records(const ComputeOptions& options, const Measured& measured) {
   OutputFile file(options.output);
   ProgressLine progress("writing exact records");
-  if (run.u2 || run.s2) {
-    const ManifoldsToWrite manifolds = {.u2 = run.u2 ? &*run.u2 : nullptr,
-                                        .polylines = options.polylines,
-                                        .s2 = run.s2 ? &*run.s2 : nullptr,
-                                        .skeletons = options.skeletons};
-    write_manifolds(file.stream(), input.points, run.stationary, manifolds, input.sha256, std::ref(progress));
-  } else {
-    write_stationary_points(file.stream(), input.points, run.stationary, input.sha256, std::ref(progress));
-  }
+  const RecordsToWrite wanted = {.u2 = measured.has.u2,
+                                 .polylines = options.polylines,
+                                 .s2 = measured.has.s2,
+                                 .skeletons = options.skeletons};
+  write_stationary_points(file.stream(), *measured.last, wanted, std::ref(progress));
   file.commit();
 }
 
@@ -68,9 +142,9 @@ void compute(const ComputeOptions& options) {
   if (!options.export_directory.empty()) check_export_directory(options.export_directory);
   const Input input = read_input(options.input);
   const Measured measured = measure(input.points, options.runs, wanted);
-  if (!options.output.empty()) write_records(options, input, *measured.last);
+  if (!options.output.empty()) write_records(options, measured);
   if (!options.export_directory.empty()) {
-    write_export_files(options.export_directory, display_name(options.input), input, *measured.last);
+    write_export_files(options.export_directory, display_name(options.input), *measured.last);
   }
   if (options.json) {
     print_compute_summary(input, measured, options.u2);

@@ -1,13 +1,252 @@
-// See compute_report.h.
+// Everything that `flowcert compute` says, from single distributions to the whole table.
 #include "cli/compute_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/resource.h>
 
-#include "cli/s2_report.h"
-#include "cli/table.h"
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <string_view>
+
+#include "flowcert/orbit.h"
 
 namespace flowcert::cli {
+
+// ---- Distributions and filter failures ----
+
+Json distribution_field(const Distribution& distribution) {
+  Json field;
+  field["count"] = distribution.count();
+  field["mean"] = distribution.mean();
+  field["max"] = distribution.max();
+  field["stddev"] = distribution.standard_deviation();
+  field["mode"] = distribution.mode();
+  field["median"] = distribution.median();
+  Json& histogram = field["histogram"] = Json::array();
+  for (const auto& [value, times] : distribution.times()) histogram.push_back(std::array{value, times});
+  return field;
+}
+
+Json primitives_field(const KernelTally& tally) {
+  Json primitives = Json::object();
+  for (std::size_t k = 0; k < kFlowPrimitiveCount; ++k) {
+    Json& field = primitives[kFlowPrimitiveNames[k]];
+    field["calls"] = tally.counts[k].calls;
+    field["failures"] = tally.counts[k].failures;
+  }
+  return primitives;
+}
+
+Table distribution_table() {
+  return Table("lrrrrrr", {"", "count", "mean", "max", "stddev", "mode", "median"});
+}
+
+void add_distribution(Table& table, const char* name, const Distribution& distribution) {
+  table.row(name).cell(distribution.count()).cell(fmt::format("{:.2f}", distribution.mean()));
+  table.cell(distribution.max()).cell(fmt::format("{:.2f}", distribution.standard_deviation()));
+  table.cell(distribution.mode()).cell(fmt::format("{:g}", distribution.median()));
+}
+
+void print_primitives(const KernelTally& tally) {
+  fmt::print("\nfilter failures of predicates and constructions (paper, Table 4)\n");
+  Table table("lrr", {"", "failures", "calls"});
+  for (std::size_t k = 0; k < kFlowPrimitiveCount; ++k) {
+    table.row(kFlowPrimitiveNames[k]).cell(tally.counts[k].failures).cell(tally.counts[k].calls);
+  }
+  table.print();
+}
+
+// ---- U2 ----
+
+namespace {
+
+using SegmentType = std::array<char, 3>;
+using TypeCount = std::pair<SegmentType, std::size_t>;
+
+// The types of segments that unstable manifolds are made of; the paper's Table 1 marks them [x].
+constexpr std::array<SegmentType, 11> kTypes = {{{'V', 'V', 'V'},
+                                                 {'V', 'E', 'V'},
+                                                 {'V', 'E', 0},
+                                                 {'V', 'F', 'V'},
+                                                 {'V', 'F', 'E'},
+                                                 {'V', 'F', 0},
+                                                 {'E', 'E', 'V'},
+                                                 {'E', 'E', 0},
+                                                 {'E', 'F', 'V'},
+                                                 {'E', 'F', 'E'},
+                                                 {'E', 'F', 0}}};
+constexpr std::string_view kFaces = "VEFC";
+
+// Zeros too; behind them whatever else came.
+std::vector<TypeCount> full_census(const FlowStatistics& statistics) {
+  std::vector<TypeCount> census;
+  for (const SegmentType& type : kTypes) {
+    const auto found = statistics.census.find(type);
+    census.emplace_back(type, found == statistics.census.end() ? 0 : found->second);
+  }
+  for (const auto& [type, count] : statistics.census) {
+    if (std::find(kTypes.begin(), kTypes.end(), type) == kTypes.end()) census.emplace_back(type, count);
+  }
+  return census;
+}
+
+// How many numbers have at least 2^k bytes, and fewer than twice that; by 2^k, the empty ranges in between
+// too.
+std::vector<std::pair<std::size_t, std::size_t>> byte_histogram(const Distribution& bytes) {
+  std::map<std::size_t, std::size_t> ranges;
+  for (const auto& [value, times] : bytes.times()) ranges[std::bit_floor(value)] += times;
+  std::vector<std::pair<std::size_t, std::size_t>> histogram;
+  for (const auto& [from, count] : ranges) {
+    while (!histogram.empty() && histogram.back().first > 0 && histogram.back().first * 2 < from) {
+      histogram.emplace_back(histogram.back().first * 2, 0);
+    }
+    histogram.emplace_back(from, count);
+  }
+  return histogram;
+}
+
+void add_statistics(Json& object, const FlowStatistics& statistics) {
+  object["n_u2"] = distribution_field(statistics.n_u2);
+  object["n_wcc"] = distribution_field(statistics.n_wcc);
+  Json& census = object["census"] = Json::object();
+  for (const auto& [type, count] : full_census(statistics)) census[type_text(type)] = count;
+  object["primitives"] = primitives_field(statistics.tally);
+  const Distribution& bytes = statistics.exact_bytes;
+  Json& sizes = object["exact_bytes"];
+  sizes["count"] = bytes.count();
+  sizes["mean"] = bytes.mean();
+  sizes["max"] = bytes.max();
+  Json& histogram = sizes["histogram"] = Json::array();
+  for (const auto& [from, count] : byte_histogram(bytes)) histogram.push_back(std::array{from, count});
+  object["depth"] = statistics.depth;
+}
+
+void print_lengths(const FlowStatistics& statistics) {
+  fmt::print("\nlengths in flow segments (paper, Table 3)\n");
+  Table table = distribution_table();
+  add_distribution(table, "n_U2, orbits", statistics.n_u2);
+  add_distribution(table, "n_WCC, cascades", statistics.n_wcc);
+  table.print();
+}
+
+// A line for each type that starts in this face, under the face that it crosses; two cells a type.
+void add_census_lines(Table& table, const std::vector<TypeCount>& census, char start) {
+  std::array<std::vector<TypeCount>, kFaces.size()> by_crossed;
+  for (const TypeCount& entry : census) {
+    if (entry.first[0] == start) by_crossed[kFaces.find(entry.first[1])].push_back(entry);
+  }
+  std::size_t height = 0;
+  for (const auto& entries : by_crossed) height = std::max(height, entries.size());
+  for (std::size_t k = 0; k < height; ++k) {
+    table.row(k == 0 ? std::string(1, start) : "");
+    for (const auto& entries : by_crossed) {
+      if (k < entries.size()) {
+        table.cell(type_text(entries[k].first)).cell(entries[k].second);
+      } else {
+        table.cell("").cell("");
+      }
+    }
+  }
+}
+
+void print_census(const FlowStatistics& statistics) {
+  fmt::print("\nflow segments by the Voronoi faces where they start, cross, end (paper, Table 1)\n");
+  const std::vector<TypeCount> census = full_census(statistics);
+  Table table("llrlrlrlr", {"start", "cross V", "", "cross E", "", "cross F"});
+  for (const char start : kFaces) add_census_lines(table, census, start);
+  table.print();
+}
+
+void print_exact_numbers(const FlowStatistics& statistics) {
+  const Distribution& bytes = statistics.exact_bytes;
+  fmt::print("\nbytes of exact coordinates (paper, Figure 12): mean {:.1f}, at most {}\n", bytes.mean(),
+             with_commas(bytes.max()));
+  Table table("rr", {"from", "numbers"});
+  for (const auto& [from, count] : byte_histogram(bytes)) table.row(with_commas(from)).cell(count);
+  table.print();
+}
+
+}  // namespace
+
+void print_u2_rows(const FlowStatistics& statistics) {
+  print_row("orbits", with_commas(statistics.n_u2.count()), "two from each critical point of index 2");
+  print_row("orbits to critical points", with_commas(statistics.to_critical));
+  print_row("orbits to regular points", with_commas(statistics.to_regular),
+            "where critical points of two indices collide");
+  print_row("orbits to infinity", with_commas(statistics.to_infinity));
+  print_row("flow segments computed", with_commas(statistics.segments_computed));
+}
+
+void print_u2_statistics(const FlowStatistics& statistics) {
+  print_lengths(statistics);
+  print_census(statistics);
+  print_primitives(statistics.tally);
+  print_exact_numbers(statistics);
+  fmt::print("\ndeepest construction (paper, Table 5): {}\n", with_commas(statistics.depth));
+}
+
+Json u2_field(const U2Choice& choice, const FlowStatistics& statistics) {
+  Json object;
+  object["kernel"] = choice.flow.kernel;
+  object["search"] = choice.flow.search;
+  object["sharing"] = !choice.alone;
+  object["orbits"] = statistics.n_u2.count();
+  object["to_critical"] = statistics.to_critical;
+  object["to_regular"] = statistics.to_regular;
+  object["to_infinity"] = statistics.to_infinity;
+  object["segments_computed"] = statistics.segments_computed;
+  if (choice.with_statistics) add_statistics(object, statistics);
+  return object;
+}
+
+// ---- S2 ----
+
+void print_s2_rows(const StationaryPoints& stationary, const StableManifolds& s2) {
+  const StableStatistics& statistics = s2.statistics();
+  print_row("triangles of S2", with_commas(statistics.triangle_count), "where it is a surface");
+  if (statistics.largest) {
+    print_row(
+        "triangles of the largest S2", with_commas(statistics.triangles.max()),
+        fmt::format("of contact set {}", fmt::join(stationary.contact(s2.record(*statistics.largest)), " ")));
+  }
+  print_row("S2 through Voronoi vertices", with_commas(statistics.with_vertex));
+  print_row("S2 with parts of dimension 3", with_commas(statistics.with_interval));
+  print_row("branches to regular points", with_commas(statistics.ends_at_regular),
+            "where critical points of two indices collide");
+}
+
+void print_s2_statistics(const StableStatistics& statistics) {
+  fmt::print("\nlengths in flow segments (paper, Table 3), and sizes\n");
+  Table table = distribution_table();
+  add_distribution(table, "n_S2, down to index 1", statistics.n_s2);
+  add_distribution(table, "triangles of an S2", statistics.triangles);
+  table.print();
+  print_primitives(statistics.tally);
+}
+
+Json s2_field(const U2Choice& choice, const StationaryPoints& stationary, const StableManifolds& s2) {
+  const StableStatistics& statistics = s2.statistics();
+  Json object;
+  object["kernel"] = choice.flow.kernel;
+  object["search"] = choice.flow.search;
+  object["sets"] = s2.size();
+  object["triangles"] = statistics.triangle_count;
+  object["largest_triangles"] = statistics.triangles.max();
+  Json& largest = object["largest_contact"] = nullptr;
+  if (statistics.largest) largest = stationary.contact(s2.record(*statistics.largest));
+  object["through_vertex"] = statistics.with_vertex;
+  object["with_interval"] = statistics.with_interval;
+  object["to_regular"] = statistics.ends_at_regular;
+  if (!choice.with_statistics) return object;
+  object["n_s2"] = distribution_field(statistics.n_s2);
+  object["triangles_of_set"] = distribution_field(statistics.triangles);
+  object["primitives"] = primitives_field(statistics.tally);
+  return object;
+}
+
+// ---- The whole ----
 
 namespace {
 
@@ -46,11 +285,11 @@ void print_times(const Measured& measured) {
             measured.runs == 1 ? "" : fmt::format("median of {} runs", measured.runs));
   print_row("critical points", seconds_text(measured.critical_seconds),
             multiple_text(measured, &DelaunayRatios::critical));
-  if (measured.last->u2) {
+  if (measured.has.u2) {
     print_row("unstable manifolds U2", seconds_text(measured.u2_seconds),
               multiple_text(measured, &DelaunayRatios::u2));
   }
-  if (measured.last->s2) {
+  if (measured.has.s2) {
     print_row("stable manifolds S2", seconds_text(measured.s2_seconds),
               multiple_text(measured, &DelaunayRatios::s2));
   }
@@ -60,8 +299,8 @@ Json seconds_field(const Measured& measured) {
   Json seconds;
   seconds["delaunay"] = measured.delaunay_seconds;
   seconds["critical"] = measured.critical_seconds;
-  if (measured.last->u2) seconds["u2"] = measured.u2_seconds;
-  if (measured.last->s2) seconds["s2"] = measured.s2_seconds;
+  if (measured.has.u2) seconds["u2"] = measured.u2_seconds;
+  if (measured.has.s2) seconds["s2"] = measured.s2_seconds;
   return seconds;
 }
 
@@ -71,8 +310,8 @@ Json ratios_field(const Measured& measured) {
   };
   Json ratios;
   ratios["critical"] = ratio(&DelaunayRatios::critical);
-  if (measured.last->u2) ratios["u2"] = ratio(&DelaunayRatios::u2);
-  if (measured.last->s2) ratios["s2"] = ratio(&DelaunayRatios::s2);
+  if (measured.has.u2) ratios["u2"] = ratio(&DelaunayRatios::u2);
+  if (measured.has.s2) ratios["s2"] = ratio(&DelaunayRatios::s2);
   ratios["all"] = ratio(&DelaunayRatios::all);
   return ratios;
 }
@@ -81,39 +320,39 @@ Json ratios_field(const Measured& measured) {
 
 void print_compute_table(const std::string& name, const Input& input, const Measured& measured,
                          const U2Choice& choice) {
-  const ComputeRun& run = *measured.last;
+  const FlowComplex& complex = *measured.last;
   fmt::print("{} ({})\n", name, input.file.format);
-  print_counts(input.points, run.stationary);
-  if (run.u2) print_u2_rows(run.u2->statistics());
-  if (run.s2) print_s2_rows(run.stationary, *run.s2);
+  print_counts(input.points, complex.stationary());
+  if (measured.has.u2) print_u2_rows(complex.unstable().statistics());
+  if (measured.has.s2) print_s2_rows(complex.stationary(), complex.stable());
   print_times(measured);
   for (std::size_t k = 0; k < kPredicateCount; ++k) {
-    const FilterCount& count = run.tally.counts[k];
+    const FilterCount& count = complex.filter_tally().counts[k];
     print_row(fmt::format("filter failures, {}", kPredicateNames[k]), with_commas(count.failures),
               fmt::format("of {} calls", with_commas(count.calls)));
   }
   print_row("peak memory", fmt::format("{:.1f} MiB", static_cast<double>(peak_memory()) / (1024 * 1024)));
-  if (run.u2 && choice.with_statistics) print_u2_statistics(run.u2->statistics());
-  if (run.s2 && choice.with_statistics) print_s2_statistics(run.s2->statistics());
+  if (measured.has.u2 && choice.with_statistics) print_u2_statistics(complex.unstable().statistics());
+  if (measured.has.s2 && choice.with_statistics) print_s2_statistics(complex.stable().statistics());
 }
 
 void print_compute_summary(const Input& input, const Measured& measured, const U2Choice& choice) {
-  const ComputeRun& run = *measured.last;
-  Json summary = header_fields("flowcert-summary", 1, input.sha256);
-  add_counts(summary, input.points, run.stationary);
-  summary["dimension"] = run.diagram.dimension();
-  summary["euler"] = run.stationary.euler_sum();
+  const FlowComplex& complex = *measured.last;
+  Json summary = header_fields("flowcert-summary", 1, input.points);
+  add_counts(summary, input.points, complex.stationary());
+  summary["dimension"] = complex.diagram().dimension();
+  summary["euler"] = complex.stationary().euler_sum();
   summary["runs"] = measured.runs;
   summary["seconds"] = seconds_field(measured);
   summary["ratio_to_delaunay"] = ratios_field(measured);
   Json& filters = summary["filters"] = Json::object();
   for (std::size_t k = 0; k < kPredicateCount; ++k) {
     Json& field = filters[kPredicateNames[k]];
-    field["calls"] = run.tally.counts[k].calls;
-    field["failures"] = run.tally.counts[k].failures;
+    field["calls"] = complex.filter_tally().counts[k].calls;
+    field["failures"] = complex.filter_tally().counts[k].failures;
   }
-  if (run.u2) summary["u2"] = u2_field(choice, run.u2->statistics());
-  if (run.s2) summary["s2"] = s2_field(choice, run.stationary, *run.s2);
+  if (measured.has.u2) summary["u2"] = u2_field(choice, complex.unstable().statistics());
+  if (measured.has.s2) summary["s2"] = s2_field(choice, complex.stationary(), complex.stable());
   summary["peak_memory_bytes"] = peak_memory();
   fmt::print("{}\n", summary.dump());
 }

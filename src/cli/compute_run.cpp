@@ -1,14 +1,13 @@
-// See compute_run.h.
+// The parts of a run are made in turn; what is told of several runs are medians.
 #include "cli/compute_run.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
-#include <functional>
 #include <vector>
 
-#include "cli/progress_line.h"
+#include "cli/progress.h"
 
 namespace flowcert::cli {
 
@@ -31,36 +30,20 @@ struct Times {
   std::vector<double> delaunay, critical, u2, s2, all;
 };
 
-std::string of_run(const std::string& what, unsigned run, unsigned runs) {
-  return runs == 1 ? what : fmt::format("{}, run {} of {}", what, run + 1, runs);
-}
-
-std::unique_ptr<ComputeRun> run_once(const PointSet& points, const WantedManifolds& wanted, unsigned run,
-                                     unsigned runs, Times& times) {
-  std::optional<ProgressLine> progress(std::in_place, of_run("Delaunay triangulation", run, runs));
-  const Clock::time_point start = Clock::now();
-  std::optional<Delaunay> delaunay(std::in_place, points, std::ref(*progress));
-  const Clock::time_point triangulated = Clock::now();
-  auto result = std::make_unique<ComputeRun>(*delaunay);
-  const Clock::time_point listed = Clock::now();
-  times.delaunay.push_back(seconds_between(start, triangulated));
-  times.critical.push_back(seconds_between(triangulated, listed));
-  delaunay.reset();  // the diagram has all that is needed of it
-  progress.reset();
-  if (wanted.s2) {
-    progress.emplace(of_run("stable manifolds", run, runs));
-    const Clock::time_point flowing = Clock::now();
-    result->s2.emplace(result->diagram, result->stationary, *wanted.s2, std::ref(*progress));
-    times.s2.push_back(seconds_between(flowing, Clock::now()));
-    progress.reset();
-  }
-  if (wanted.u2) {
-    progress.emplace(of_run("unstable manifolds", run, runs));
-    const Clock::time_point flowing = Clock::now();
-    result->u2.emplace(result->diagram, result->stationary, *wanted.u2, std::ref(*progress));
-    times.u2.push_back(seconds_between(flowing, Clock::now()));
-  }
-  return result;
+FlowComplex run_once(const PointSet& points, const WantedManifolds& wanted, unsigned run, unsigned runs,
+                     Times& times) {
+  FlowComplex complex(points, wanted.options,
+                      part_progress(runs == 1 ? "" : fmt::format(", run {} of {}", run + 1, runs)));
+  const auto seconds_to_make = [&](FlowComplexPart part) {
+    const Clock::time_point start = Clock::now();
+    complex.make(part);
+    return seconds_between(start, Clock::now());
+  };
+  times.delaunay.push_back(seconds_to_make(FlowComplexPart::kTriangulation));
+  times.critical.push_back(seconds_to_make(FlowComplexPart::kStationary));
+  if (wanted.s2) times.s2.push_back(seconds_to_make(FlowComplexPart::kStable));
+  if (wanted.u2) times.u2.push_back(seconds_to_make(FlowComplexPart::kUnstable));
+  return complex;
 }
 
 }  // namespace
@@ -70,10 +53,11 @@ Measured measure(const PointSet& points, unsigned runs, const WantedManifolds& w
   Times times;
   for (unsigned run = 0; run < runs; ++run) {
     result.last.reset();
-    result.last = run_once(points, wanted, run, runs, times);
+    result.last.emplace(run_once(points, wanted, run, runs, times));
     times.all.push_back(times.critical.back() + (wanted.u2 ? times.u2.back() : 0) +
                         (wanted.s2 ? times.s2.back() : 0));
   }
+  result.has = wanted;
   result.runs = runs;
   result.delaunay_seconds = median(times.delaunay);
   result.critical_seconds = median(times.critical);

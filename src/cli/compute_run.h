@@ -1,34 +1,20 @@
 // What `flowcert compute` computes, with its times.
 #pragma once
 
-#include <memory>
 #include <optional>
 
 #include "cli/layer.h"
-#include "flowcert/stable_manifolds.h"
-#include "flowcert/unstable_manifolds.h"
+#include "flowcert/flow_complex.h"
 
 namespace flowcert::cli {
 
-// The order of the members is that of their making: each refers to those before it.
-struct ComputeRun {
-  explicit ComputeRun(const Delaunay& delaunay)
-      : diagram(delaunay, &tally), stationary(stationary_points(diagram)) {}
-
-  FilterTally tally;
-  VoronoiDiagram diagram;
-  StationaryPoints stationary;
-  std::optional<UnstableManifolds> u2;  // where wanted
-  std::optional<StableManifolds> s2;    // likewise
-};
-
-// Nothing where a manifold is not wanted.
 struct WantedManifolds {
-  std::optional<UnstableOptions> u2;
-  std::optional<StableOptions> s2;
+  bool u2 = false;
+  bool s2 = false;
+  FlowComplexOptions options;
 };
 
-// Of a time to that of the triangulation.
+// Each is a time divided by the time of the triangulation.
 struct DelaunayRatios {
   double critical = 0;
   double u2 = 0;
@@ -37,7 +23,8 @@ struct DelaunayRatios {
 };
 
 struct Measured {
-  std::unique_ptr<ComputeRun> last;
+  std::optional<FlowComplex> last;
+  WantedManifolds has;
   unsigned runs = 0;
   double delaunay_seconds = 0;  // medians
   double critical_seconds = 0;

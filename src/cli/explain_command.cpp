@@ -9,7 +9,7 @@
 #include "cli/command.h"
 #include "flowcert/explain.h"
 #include "io/json_fields.h"
-#include "io/rational_text.h"
+#include "io/number_text.h"
 
 namespace flowcert::cli {
 
@@ -78,7 +78,7 @@ void print_json(const Explanation& explanation) {
 }
 
 // CLI11's validators return what is wrong. By itself it takes nothing for 0, and 010 for an octal 8.
-std::string is_plain_id(const std::string& word) {
+std::string complaint_about_id(const std::string& word) {
   const bool is_digits = !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
   if (is_digits && (word == "0" || word[0] != '0')) return "";
   return fmt::format("'{}' is no id", word);
@@ -109,7 +109,7 @@ void add_explain_command(CLI::App& app, int& status) {
   what->add_option("--ids", options->ids, "The points, by 0-based row: 3,17,20")
       ->delimiter(',')
       ->allow_extra_args(false)  // else `--ids 3,17 INPUT` takes INPUT for a further id
-      ->check(is_plain_id);
+      ->check(complaint_about_id);
   what->add_option("--at", options->position,
                    "The position X,Y,Z: decimals (the nearest doubles), hex floats or fractions p/q (exact)");
   what->require_option(1);

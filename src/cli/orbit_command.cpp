@@ -1,5 +1,5 @@
 // `flowcert orbit`: where the flow takes a position, segment by segment, as a table for people or as one JSON
-// object with everything exact (spec/formats.md, section 4).
+// object with everything exact (spec/formats/orbit.md).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,12 +7,10 @@
 #include <memory>
 
 #include "cli/command.h"
-#include "cli/flow_options.h"
-#include "cli/progress_line.h"
+#include "cli/progress.h"
 #include "cli/table.h"
-#include "flowcert/orbit.h"
-#include "io/orbit_fields.h"
-#include "io/rational_text.h"
+#include "io/json_fields.h"
+#include "io/number_text.h"
 
 namespace flowcert::cli {
 
@@ -65,18 +63,20 @@ void print_segments(const Orbit& orbit) {
 }
 
 // The type of the step from a stationary start, "V-V-V", is asked of the flow.
-void print_text(const Orbit& orbit, Flow& flow, const PointSet& points) {
+void print_text(const Orbit& orbit, const FlowComplex& complex) {
   fmt::print("orbit from {}\n", point_text(orbit.start));
   if (orbit.segments.empty()) {
-    fmt::print("stays: {}, {}\n", type_text(flow.step(orbit.start).type), limit_text(points, *orbit.limit));
+    fmt::print("stays: {}, {}\n", type_text(complex.step(orbit.start).type),
+               limit_text(complex.points(), *orbit.limit));
     return;
   }
   print_segments(orbit);
-  fmt::print("{}\n", orbit.limit ? "ends at " + limit_text(points, *orbit.limit) : "goes to infinity");
+  fmt::print("{}\n",
+             orbit.limit ? "ends at " + limit_text(complex.points(), *orbit.limit) : "goes to infinity");
 }
 
 void print_json(const Orbit& orbit, const Input& input) {
-  Json json = header_fields("flowcert-orbit", 1, input.sha256);
+  Json json = header_fields("flowcert-orbit", 1, input.points);
   json["start"] = center_field(orbit.start);
   Json& segments = json["segments"] = Json::array();
   for (const FlowSegment& segment : orbit.segments) {
@@ -94,24 +94,18 @@ RationalPoint parse_start(const std::string& text) {
   }
 }
 
-Delaunay triangulation(const PointSet& points) {
-  ProgressLine progress("Delaunay triangulation");
-  return Delaunay(points, std::ref(progress));
-}
-
 void print_orbit(const OrbitOptions& options) {
   const RationalPoint start = parse_start(options.start);
   const Input input = read_input(options.input);
   if (input.points.empty()) {
     throw InvalidInput(fmt::format("{}: there are no points", display_name(options.input)));
   }
-  const VoronoiDiagram diagram(triangulation(input.points));
-  Flow flow(diagram, options.flow.options());
-  const Orbit orbit = flow.orbit(start);
+  const FlowComplex complex(input.points, {.flow = options.flow.options()}, part_progress());
+  const Orbit orbit = complex.orbit(start);
   if (options.json) {
     print_json(orbit, input);
   } else {
-    print_text(orbit, flow, input.points);
+    print_text(orbit, complex);
   }
 }
 

@@ -1,21 +1,62 @@
 // `flowcert persistence`: the persistence pairs of the squared distance function, as a file that GUDHI reads,
-// a table for people, or one JSON object with everything exact (spec/formats.md, "Persistence").
+// a table for people, or one JSON object with everything exact (spec/formats/persistence.md).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <array>
 #include <charconv>
+#include <chrono>
+#include <cstdint>
 #include <memory>
 
 #include "cli/command.h"
-#include "cli/persistence_run.h"
+#include "cli/layer.h"
+#include "cli/progress.h"
 #include "cli/table.h"
+#include "flowcert/flow_complex.h"
+#include "io/json_fields.h"
 #include "io/output_file.h"
-#include "io/write_persistence.h"
 
 namespace flowcert::cli {
 
 namespace {
+
+// ---- What is computed, with its times ----
+
+struct PersistenceSeconds {
+  double delaunay = 0;
+  double critical = 0;
+  double u2 = 0;
+  double s2 = 0;
+  double pairs = 0;  // the chain complex, exact values and the pairs
+
+  [[nodiscard]] double after_delaunay() const { return critical + u2 + s2 + pairs; }
+};
+
+struct PersistenceRun {
+  // Makes one part of the complex after the other, and takes the time of each. seed: of all choices where ties are
+  // broken.
+  PersistenceRun(const PointSet& points, std::uint64_t seed)
+      : complex(points, {.flow = {}, .share = true, .seed = seed}, part_progress()) {
+    using Clock = std::chrono::steady_clock;
+    const auto make = [this](FlowComplexPart part, double& sum) {
+      const Clock::time_point start = Clock::now();
+      complex.make(part);
+      sum += std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    make(FlowComplexPart::kTriangulation, seconds.delaunay);
+    make(FlowComplexPart::kStationary, seconds.critical);
+    make(FlowComplexPart::kUnstable, seconds.u2);
+    make(FlowComplexPart::kStable, seconds.s2);
+    make(FlowComplexPart::kChains, seconds.pairs);
+    make(FlowComplexPart::kPersistence, seconds.pairs);
+  }
+
+  FlowComplex complex;
+  PersistenceSeconds seconds;
+};
+
+// ---- The command ----
 
 struct PersistenceOptions {
   std::string input;
@@ -34,11 +75,11 @@ struct PairCounts {
 
 std::array<PairCounts, 3> counts_of(const PersistenceRun& run) {
   std::array<PairCounts, 3> counts;
-  for (const PersistencePair& pair : run.persistence.pairs()) {
+  for (const PersistencePair& pair : run.complex.persistence().pairs()) {
     PairCounts& count = counts.at(static_cast<std::size_t>(pair.dimension));
     ++(pair.death ? count.positive : count.lasting);
   }
-  const RegularCounts& regular = run.stationary.regular_counts();
+  const RegularCounts& regular = run.complex.stationary().regular_counts();
   counts[1].zero = regular.kind12 + regular.kind13;
   counts[2].zero = regular.kind23 + regular.kind13;
   return counts;
@@ -77,8 +118,9 @@ void print_table(const std::string& name, const Input& input, const PersistenceR
   }
   print_row("pairs of length zero", with_commas(zero),
             with_zero ? "regular stationary points" : "regular stationary points; --zero writes them");
-  print_row("ties broken, U2", with_commas(run.complex.broken_ties()), "orbits that had to be let go on");
-  print_row("ties broken, S2", with_commas(run.stable.statistics().broken_ties),
+  print_row("ties broken, U2", with_commas(run.complex.chains().broken_ties()),
+            "orbits that had to be let go on");
+  print_row("ties broken, S2", with_commas(run.complex.stable().statistics().broken_ties),
             "boundaries that a tie leaves open");
   print_times(input.points, run.seconds);
 }
@@ -108,8 +150,8 @@ Json ratios_field(const PointSet& points, const PersistenceSeconds& seconds) {
 
 void print_json(const Input& input, const PersistenceRun& run, const PersistenceDiagram& diagram,
                 std::uint64_t seed) {
-  Json json = header_fields("flowcert-persistence", 1, input.sha256);
-  add_counts(json, input.points, run.stationary);
+  Json json = header_fields("flowcert-persistence", 1, input.points);
+  add_counts(json, input.points, run.complex.stationary());
   Json& counts = json["counts"] = Json::array();
   for (const PairCounts& count : counts_of(run)) {
     Json field;
@@ -119,20 +161,19 @@ void print_json(const Input& input, const PersistenceRun& run, const Persistence
     counts.push_back(std::move(field));
   }
   Json& broken = json["ties_broken"];
-  broken["u2"] = run.complex.broken_ties();
-  broken["s2"] = run.stable.statistics().broken_ties;
+  broken["u2"] = run.complex.chains().broken_ties();
+  broken["s2"] = run.complex.stable().statistics().broken_ties;
   json["seed"] = seed;
   json["seconds"] = seconds_field(run.seconds);
   json["ratio_to_delaunay"] = ratios_field(input.points, run.seconds);
   json["has_zero"] = diagram.has_zero();
-  json["pairs"] = pairs_field(diagram, run.stationary);
+  json["pairs"] = pairs_field(diagram);
   fmt::print("{}\n", json.dump());
 }
 
-std::string text_of(const PersistenceOptions& options, const Input& input,
-                    const PersistenceDiagram& diagram) {
+std::string text_of(const PersistenceOptions& options, const PersistenceDiagram& diagram) {
   try {
-    return pers_text(diagram, input.sha256);
+    return pers_text(diagram);
   } catch (const InvalidInput& error) {
     throw InvalidInput(fmt::format("{}: {}", display_name(options.input), error.what()));
   }
@@ -147,24 +188,24 @@ void write_file(const PersistenceOptions& options, const std::string& text) {
 void print_persistence(const PersistenceOptions& options) {
   const Input input = read_input(options.input);
   const PersistenceRun run(input.points, options.seed);
-  const PersistenceDiagram diagram(input.points, run.stationary, run.persistence, options.with_zero);
+  const PersistenceDiagram diagram(run.complex, options.with_zero);
   const bool has_file = !options.output.empty();
-  if (has_file) write_file(options, text_of(options, input, diagram));
+  if (has_file) write_file(options, text_of(options, diagram));
   if (options.json) {
     print_json(input, run, diagram, options.seed);
   } else if (has_file) {
     print_table(display_name(options.input), input, run, options.with_zero);
   } else {
-    fmt::print("{}", text_of(options, input, diagram));
+    fmt::print("{}", text_of(options, diagram));
   }
 }
 
 // CLI11 itself takes -1, and what is too large, for the largest number.
-std::string seed_complaint(const std::string& text) {
+std::string complaint_about_seed(const std::string& text) {
   std::uint64_t seed = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-  const bool is_seed = error == std::errc() && end == text.data() + text.size();
-  return is_seed ? "" : "not a number from 0 to 2^64 - 1: " + text;
+  const bool complaint_about_seed = error == std::errc() && end == text.data() + text.size();
+  return complaint_about_seed ? "" : "not a number from 0 to 2^64 - 1: " + text;
 }
 
 }  // namespace
@@ -183,7 +224,7 @@ void add_persistence_command(CLI::App& app, int& status) {
   command
       ->add_option("--seed-ties", options->seed,
                    "Break ties at random, reproducibly; births and deaths stay the same")
-      ->check(seed_complaint);
+      ->check(complaint_about_seed);
   command->footer("Example:\n  flowcert persistence bunny.obj -o bunny.pers");
   command->callback([options, &status] {
     print_persistence(*options);

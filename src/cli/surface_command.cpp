@@ -1,5 +1,5 @@
 // `flowcert surface`: a subset of the stable manifolds S2, chosen by persistence or radius, as a surface in a
-// PLY or OFF file (spec/formats.md, "Surfaces"); what the paper uses to reconstruct a shape from its samples.
+// PLY or OFF file (spec/formats/surfaces.md); what the paper uses to reconstruct a shape from its samples.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -7,13 +7,12 @@
 #include <memory>
 
 #include "cli/command.h"
-#include "cli/progress_line.h"
-#include "cli/surface_selection.h"
+#include "cli/progress.h"
 #include "cli/table.h"
+#include "flowcert/reproducibility.h"
+#include "flowcert/surface.h"
 #include "io/json_fields.h"
-#include "io/made_by_text.h"
 #include "io/output_file.h"
-#include "io/write_surface.h"
 
 namespace flowcert::cli {
 
@@ -38,19 +37,20 @@ struct Counts {
   std::size_t sets = 0, selected = 0, triangles = 0, vertices = 0, with_interval = 0;
 };
 
-Counts counts_of(const SurfaceRun& run, const std::vector<std::size_t>& sets, const SurfaceMesh& mesh) {
-  Counts counts = {.sets = run.size(),
+Counts counts_of(const FlowComplex& complex, const std::vector<std::size_t>& sets, const SurfaceMesh& mesh) {
+  Counts counts = {.sets = complex.stationary().critical_counts()[2],
                    .selected = sets.size(),
                    .triangles = mesh.triangles.size(),
                    .vertices = mesh.vertices.size()};
-  for (const std::size_t set : sets) counts.with_interval += run.stable.has_interval(set) ? 1 : 0;
+  for (const std::size_t set : sets) counts.with_interval += complex.stable().has_interval(set) ? 1 : 0;
   return counts;
 }
 
-SurfaceMesh mesh_of(const SurfaceOptions& options, SurfaceRun& run, const std::vector<std::size_t>& sets) {
+SurfaceMesh mesh_of(const SurfaceOptions& options, const FlowComplex& complex,
+                    const std::vector<std::size_t>& sets) {
   ProgressLine progress("surface");
   try {
-    return surface_mesh(run.points, run.stable, sets, std::ref(progress));
+    return surface_mesh(complex, sets, std::ref(progress));
   } catch (const InvalidInput& error) {
     throw InvalidInput(fmt::format("{}: {}", display_name(options.input), error.what()));
   }
@@ -67,10 +67,10 @@ void print_table(const SurfaceOptions& options, const Input& input, const Counts
   print_row("vertices", with_commas(counts.vertices));
 }
 
-void print_json(const SurfaceOptions& options, const Input& input, const SurfaceRun& run,
+void print_json(const SurfaceOptions& options, const Input& input, const FlowComplex& complex,
                 const Counts& counts) {
-  Json json = header_fields("flowcert-surface", 1, input.sha256);
-  add_counts(json, input.points, run.stationary);
+  Json json = header_fields("flowcert-surface", 1, input.points);
+  add_counts(json, input.points, complex.stationary());
   json["select"] = options.selections;
   json["sets"] = counts.sets;
   json["selected"] = counts.selected;
@@ -84,15 +84,15 @@ void write_surface(const SurfaceOptions& options) {
   const SurfaceSelection selection(options.selections);
   const Write write = writer_for(options.output);
   const Input input = read_input(options.input);
-  SurfaceRun run(input.points);
-  const std::vector<std::size_t> sets = selection.sets(run);
-  const SurfaceMesh mesh = mesh_of(options, run, sets);
+  const FlowComplex complex(input.points, {}, part_progress());
+  const std::vector<std::size_t> sets = selection.sets(complex);
+  const SurfaceMesh mesh = mesh_of(options, complex, sets);
   OutputFile file(options.output);
-  write(file.stream(), mesh, made_by_text("flowcert-surface", 1, input.sha256));
+  write(file.stream(), mesh, made_by_text("flowcert-surface", 1, input.points));
   file.commit();
-  const Counts counts = counts_of(run, sets, mesh);
+  const Counts counts = counts_of(complex, sets, mesh);
   if (options.json) {
-    print_json(options, input, run, counts);
+    print_json(options, input, complex, counts);
   } else {
     print_table(options, input, counts);
   }

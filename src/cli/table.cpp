@@ -1,4 +1,3 @@
-// See table.h.
 #include "cli/table.h"
 
 #include <fmt/format.h>

@@ -1,21 +1,20 @@
-// See drivers.h.
+// Voronoi vertices are left through the polygons that have them on their other side, facets are entered through obtuse
+// ones.
 #include "flow/drivers.h"
 
 #include <algorithm>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
-#include <vector>
+
+#include "geometry/contract.h"
+#include "geometry/predicates.h"
 
 namespace flowcert::flow {
 
-namespace {
+// ---- From a Voronoi vertex ----
 
-void keep_unique(std::vector<PolygonRef>& polygons) {
-  const auto key = [](PolygonRef p) { return std::pair(p.cell, p.index); };
-  std::sort(polygons.begin(), polygons.end(), [key](PolygonRef a, PolygonRef b) { return key(a) < key(b); });
-  polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
-}
+namespace {
 
 // The polygons that bound the cluster's polytope, by the sign of their side.
 struct Boundary {
@@ -24,7 +23,7 @@ struct Boundary {
   std::vector<PolygonRef> zero;
 };
 
-Boundary boundary_of(const VoronoiFaces& faces, CellIndex cluster) {
+Boundary boundary_of(const Diagram& faces, CellIndex cluster) {
   const VoronoiComplex& complex = faces.complex();
   Boundary boundary;
   for (const CellIndex cell : faces.cells_of(cluster)) {
@@ -45,7 +44,7 @@ Boundary boundary_of(const VoronoiFaces& faces, CellIndex cluster) {
 }
 
 // The polytope's edge that is obtuse in both its polygons.
-FacetName doubly_obtuse_edge(const VoronoiFaces& faces, const Boundary& boundary) {
+FacetName doubly_obtuse_edge(const Diagram& faces, const Boundary& boundary) {
   std::vector<std::pair<VertexIndex, VertexIndex>> obtuse;
   for (const PolygonRef polygon : boundary.polygons) {
     for (const PolygonSide& side : faces.sides(polygon)) {
@@ -60,7 +59,8 @@ FacetName doubly_obtuse_edge(const VoronoiFaces& faces, const Boundary& boundary
 
 }  // namespace
 
-VertexSources vertex_sources(const VoronoiFaces& faces, CellIndex cluster) {
+VertexSources vertex_sources(const Diagram& faces, CellIndex cluster) {
+  FLOWCERT_REQUIRES(faces.dimension() == 3);
   struct Side {
     FacetName facet;
     Sign angle;
@@ -85,16 +85,19 @@ VertexSources vertex_sources(const VoronoiFaces& faces, CellIndex cluster) {
   return sources;
 }
 
-Sign side_at(const VoronoiFaces& faces, PolygonRef polygon, std::size_t end) {
+Sign side_at(const Diagram& faces, PolygonRef polygon, std::size_t end) {
+  FLOWCERT_REQUIRES(faces.dimension() == 3 && faces.end(polygon, end) != kNoCell);
   const VoronoiComplex& complex = faces.complex();
   return complex.side(end == 0 ? polygon : complex.mirror(polygon));
 }
 
-std::vector<PolygonRef> polygons_through(const VoronoiFaces& faces, CellIndex cluster) {
+std::vector<PolygonRef> polygons_through(const Diagram& faces, CellIndex cluster) {
+  FLOWCERT_REQUIRES(faces.dimension() == 3);
   return boundary_of(faces, cluster).zero;
 }
 
-VertexFlow vertex_flow(const VoronoiFaces& faces, CellIndex cluster) {
+VertexFlow vertex_flow(const Diagram& faces, CellIndex cluster) {
+  FLOWCERT_REQUIRES(faces.dimension() == 3);
   const Boundary boundary = boundary_of(faces, cluster);
   VertexFlow flow;
   if (boundary.negative.empty()) {
@@ -112,6 +115,45 @@ VertexFlow vertex_flow(const VoronoiFaces& faces, CellIndex cluster) {
   flow.way = VertexFlow::Way::kAcrossFacet;
   flow.facet = doubly_obtuse_edge(faces, boundary);
   return flow;
+}
+
+// ---- Into a facet ----
+
+namespace {
+
+// Of each piece; positive where it lies at infinity.
+std::vector<Sign> angles_of(const Diagram& faces, FacetName facet, const FacetRing& ring,
+                            FilterTally& tally) {
+  const Point &p0 = faces.point(facet.v0), &p1 = faces.point(facet.v1);
+  std::vector<Sign> angles;
+  angles.reserve(ring.pieces.size());
+  for (const RingPiece& piece : ring.pieces) {
+    const bool is_finite = piece.polygon.cell != kNoCell;
+    angles.push_back(is_finite ? exact_sign(Angle{p0, faces.point(piece.apex), p1}, tally) : Sign::kPositive);
+  }
+  return angles;
+}
+
+}  // namespace
+
+ObtuseChain obtuse_chain(const Diagram& faces, FacetName facet, const FacetRing& ring, FilterTally& tally) {
+  const std::vector<Sign> angles = angles_of(faces, facet, ring, tally);
+  const std::size_t n = angles.size();
+  ObtuseChain chain;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Sign before = angles[k == 0 ? n - 1 : k - 1];
+    if (angles[k] == Sign::kNegative) {
+      ++chain.count;
+      if (before != Sign::kNegative) chain.first = static_cast<std::uint32_t>(k);
+    }
+    if (angles[k] == Sign::kZero) {
+      ++chain.right_count;
+      // Of the last and the first one of the ring, the first one is the later.
+      const bool wraps = k + 1 == n && angles[0] == Sign::kZero && n > 2;
+      if (!wraps) chain.right = static_cast<std::uint32_t>(k);
+    }
+  }
+  return chain;
 }
 
 }  // namespace flowcert::flow

@@ -8,21 +8,17 @@
 
 #include <cstddef>
 
-#include "flow/layer.h"
+#include "flow/kernels/kernel.h"
 #include "flowcert/orbit.h"
-#include "geometry/flow_predicates.h"
 #include "voronoi/voronoi_faces.h"
 
 namespace flowcert::flow {
 
-// Kernel: see flow_predicates.h. Centers: makes the constructed point of a cluster, centers(cluster).
-template <class Kernel, class Centers>
+// Centers: keeps the constructed point of a cluster, centers(cluster), and knows the samples, centers.point(v).
+template <ConstructsPoints Kernel, class Centers>
 class RingQuery {
  public:
-  using KernelPoint = typename Kernel::Point;
-
-  RingQuery(Kernel& kernel, Centers& centers, FacetRing ring, const Point& p0, const Point& p1,
-            const KernelPoint& x)
+  RingQuery(Kernel& kernel, Centers& centers, FacetRing ring, const Point& p0, const Point& p1, PointNumber x)
       : kernel_(kernel), centers_(centers), ring_(ring), p0_(p0), p1_(p1), x_(x), n_(ring.elements.size()) {}
 
   // What the ray reaches: an element, the piece before an element, or, where neither is a finite face,
@@ -80,24 +76,30 @@ class RingQuery {
   // Of the ray: positive for an element counterclockwise of it.
   [[nodiscard]] Sign side(std::size_t k) {
     const RingElement& e = element(k);
-    if (e.vertex != kNoCell) return side_of_ray(kernel_, x_, p0_, p1_, centers_(e.vertex));
-    return times(e.factor, ray_at_infinity(kernel_, x_, p0_, p1_, centers_.point(e.apex)));
+    if (e.vertex != kNoCell) return kernel_.sign(SideOfRay{x_, p0_, p1_, centers_(e.vertex)});
+    return times(e.factor, kernel_.sign(RayAtInfinity{x_, p0_, p1_, centers_.point(e.apex)}));
   }
 
-  // Of the line from x to the vertex `reference`, likewise.
-  [[nodiscard]] Sign side_of_reference(const KernelPoint& reference, std::size_t k) {
+  // Of the line from x to the vertex `reference`: positive for an element counterclockwise of it.
+  [[nodiscard]] Sign side_of_reference(PointNumber reference, std::size_t k) {
     const RingElement& e = element(k);
-    if (e.vertex != kNoCell) return around_start(kernel_, x_, p0_, p1_, reference, centers_(e.vertex));
-    return times(e.factor, ray_around_start(kernel_, x_, p0_, p1_, reference, centers_.point(e.apex)));
+    if (e.vertex != kNoCell) return kernel_.sign(AroundStart{x_, p0_, p1_, reference, centers_(e.vertex)});
+    return times(e.factor, kernel_.sign(RayAroundStart{x_, p0_, p1_, reference, centers_.point(e.apex)}));
+  }
+
+  // Whether c, on the line of the ray, lies on the ray and beyond x.
+  [[nodiscard]] bool is_beyond(PointNumber c) {
+    return kernel_.sign(AlongRay{x_, p0_, p1_, c}) == Sign::kPositive &&
+           kernel_.sign(BeforePoint{x_, p0_, p1_, c}) == Sign::kPositive;
   }
 
   // Goes around x from a reference vertex. Angles are counterclockwise from it; the ray's is known to lie in
   // (0, pi), (pi, 2 pi), or to be 0 or pi, by one sign; then two signs tell whether an element comes before
   // the ray.
   [[nodiscard]] Exit by_angle(std::size_t reference) {
-    const KernelPoint start = centers_(element(reference).vertex);
+    const PointNumber start = centers_(element(reference).vertex);
     const Sign first = side(reference);
-    if (first == Sign::kZero && beyond_start(kernel_, x_, p0_, p1_, start) == Sign::kPositive) {
+    if (first == Sign::kZero && is_beyond(start)) {
       return at_element(reference);
     }
     std::size_t low = 1, high = n_;  // counted from the reference
@@ -146,7 +148,7 @@ class RingQuery {
   FacetRing ring_;
   const Point& p0_;
   const Point& p1_;
-  const KernelPoint& x_;
+  PointNumber x_;
   std::size_t n_;
 };
 

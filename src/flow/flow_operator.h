@@ -1,299 +1,84 @@
-// The flow operator over a construction kernel (paper, Table 1 and section 4): which face the flow crosses
-// from here, what drives it, and where it arrives.
+// The flow operator behind one interface, whatever its construction kernel: from a point in a known Voronoi
+// face, the next flow segment.
 //
-// Guarantees: exact, for every start and every entry of Table 1; the choice of kernel and of the search
-// changes no answer. The only decisions are signs of the merged Voronoi complex and of flow_predicates.h.
+// Guarantees: exact, the same faces and points from every kernel (spec clauses FC-FLOW-01 to 04). Constructed
+// points stay with the operator, which hands out numbers for them. Not for two threads at once.
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <deque>
+#include <cstdint>
+#include <memory>
 #include <optional>
-#include <utility>
-#include <vector>
 
-#include "flow/facet_search.h"
-#include "flow/flow_machine.h"
-#include "flow/obtuse_chain.h"
-#include "geometry/rational_point.h"
+#include "flow/drivers.h"
+#include "flow/kernels/steering.h"
+#include "flowcert/orbit.h"
+#include "voronoi/voronoi_faces.h"
 
 namespace flowcert::flow {
 
-template <class Kernel>
-class FlowOperator final : public FlowMachine {
- public:
-  using KernelPoint = typename Kernel::Point;
-
-  FlowOperator(VoronoiFaces& faces, FacetSearch search)
-      : faces_(faces), kernel_(tally_), centers_{*this}, search_(search) {}
-
-  PointNumber add(const RationalPoint& x) override { return keep(Kernel::point(x)); }
-
-  FlowStep step(const Position& from) override {
-    switch (from.place.kind) {
-      case Place::Kind::kVertex:
-        return step_from_vertex(from);
-      case Place::Kind::kEdge:
-        return step_from_edge(from);
-      case Place::Kind::kFacet:
-        return step_from_facet(from);
-      case Place::Kind::kCell:
-        return step_from_cell(from);
-      case Place::Kind::kInfinity:
-        break;
-    }
-    return {};
-  }
-
-  Position end_of_edge(PolygonRef polygon, std::size_t side) override {
-    const CellIndex cluster = faces_.end(polygon, side);
-    return cluster == kNoCell ? Position{} : Position{Place::at_vertex(cluster), kNoPoint};
-  }
-
-  bool has_one_back(FacetName facet, CellIndex hint) override {
-    return chain_of(facet, faces_.ring(facet, hint)).count <= 1;
-  }
-
-  // The inner vertices of the near side are first counterclockwise of the ray from the midpoint to the front,
-  // then clockwise.
-  BackwardStep step_back(const Position& front, FacetName facet, CellIndex hint) override {
-    const FacetRing ring = faces_.ring(facet, hint);
-    const ObtuseChain chain = chain_of(facet, ring);
-    const std::size_t n = ring.pieces.size();
-    if (chain.count == 0) return midpoint_step(facet, ring, chain);
-    std::size_t low = 0, high = chain.count - 1;
-    while (low < high) {
-      const std::size_t probe = search_ == FacetSearch::kBinary ? (low + high) / 2 : low;
-      const CellIndex cluster = ring.elements[(chain.first + 1 + probe) % n].vertex;
-      const Sign sign = side_of_ray(kernel_, point_of(front), faces_.point(facet.v0), faces_.point(facet.v1),
-                                    center(cluster));
-      if (sign == Sign::kZero) return {Place::at_vertex(cluster), false, kInfiniteVertex};
-      (sign == Sign::kPositive ? low : high) = sign == Sign::kPositive ? probe + 1 : probe;
-    }
-    const RingPiece& piece = ring.pieces[(chain.first + low) % n];
-    return {Place::on_edge(piece.polygon), false, piece.apex};
-  }
-
-  PointNumber cross_back(const Position& front, FacetName facet, VertexIndex apex) override {
-    return keep(kernel_.crossing(point_of(front), faces_.point(facet.v0), faces_.point(facet.v1),
-                                 faces_.point(apex)));
-  }
-
-  PointNumber add_center(const std::array<VertexIndex, 3>& samples) override {
-    return keep(kernel_.circumcenter(
-        std::array{&faces_.point(samples[0]), &faces_.point(samples[1]), &faces_.point(samples[2])}));
-  }
-
-  RationalPoint exact(const Position& position) override { return Kernel::exact(point_of(position)); }
-  std::optional<std::array<std::size_t, 3>> exact_bytes(PointNumber point) const override {
-    return Kernel::exact_bytes(points_[point]);
-  }
-  std::size_t depth(PointNumber point) const override { return Kernel::depth(points_[point]); }
-
-  PointNumber kept() const override { return static_cast<PointNumber>(points_.size()); }
-  void drop_from(PointNumber point) override { points_.erase(points_.begin() + point, points_.end()); }
-
-  void drop_all() override {
-    points_.clear();
-    for (const CellIndex cluster : constructed_) center_of_[cluster] = kNoPoint;
-    constructed_.clear();
-    cluster_centers_.clear();
-  }
-
-  const KernelTally& tally() const override { return tally_; }
-
- private:
-  // What a query of a ring needs of the operator.
-  struct Centers {
-    FlowOperator& flow;
-    const KernelPoint& operator()(CellIndex cluster) const { return flow.center(cluster); }
-    const Point& point(VertexIndex v) const { return flow.faces_.point(v); }
-  };
-  using Query = RingQuery<Kernel, const Centers>;
-
-  PointNumber keep(KernelPoint point) {
-    points_.push_back(std::move(point));
-    return static_cast<PointNumber>(points_.size() - 1);
-  }
-
-  // The Voronoi vertex, constructed when first needed. The reference holds until drop_all().
-  const KernelPoint& center(CellIndex cluster) {
-    if (center_of_.empty()) center_of_.assign(faces_.delaunay().finite_count, kNoPoint);
-    PointNumber& number = center_of_[cluster];
-    if (number == kNoPoint) {
-      number = static_cast<PointNumber>(cluster_centers_.size());
-      constructed_.push_back(cluster);
-      const auto& v = faces_.delaunay().vertices(cluster);
-      cluster_centers_.push_back(kernel_.circumcenter(
-          std::array{&faces_.point(v[0]), &faces_.point(v[1]), &faces_.point(v[2]), &faces_.point(v[3])}));
-    }
-    return cluster_centers_[number];
-  }
-
-  const KernelPoint& point_of(const Position& position) {
-    return position.place.kind == Place::Kind::kVertex ? center(position.place.vertex)
-                                                       : points_[position.point];
-  }
-
-  ObtuseChain chain_of(FacetName facet, const FacetRing& ring) {
-    if (chains_.size() <= ring.id) chains_.resize(ring.id + 1);
-    if (!chains_[ring.id]) chains_[ring.id] = obtuse_chain(faces_, facet, ring, angle_tally_);
-    return *chains_[ring.id];
-  }
-
-  static BackwardStep midpoint_step(FacetName facet, const FacetRing& ring, const ObtuseChain& chain) {
-    Place back = Place::on_facet(facet);
-    if (chain.right_count == 1) back = Place::on_edge(ring.pieces[chain.right].polygon);
-    if (chain.right_count == 2) back = Place::at_vertex(ring.elements[chain.right].vertex);
-    return {back, true, kInfiniteVertex};
-  }
-
-  static Driver midpoint_of(FacetName facet) { return {{facet.v0, facet.v1, kInfiniteVertex}, 2}; }
-  Driver center_of(PolygonRef polygon) const { return {faces_.corners(polygon), 3}; }
-
-  // V-V-V, V-E-{V, infinity}, V-F-{V, E, infinity}.
-  FlowStep step_from_vertex(const Position& from) {
-    const CellIndex cluster = from.place.vertex;
-    const VertexFlow flow = vertex_flow(faces_, cluster);
-    FlowStep step;
-    switch (flow.way) {
-      case VertexFlow::Way::kStays:
-        step.crossed = from.place;
-        step.end = from;
-        step.stationary = flow.index;
-        break;
-      case VertexFlow::Way::kAlongEdge:
-        step.crossed = Place::on_edge(flow.edge);
-        step.driver = center_of(flow.edge);
-        step.end = end_of_edge(flow.edge, faces_.end(flow.edge, 0) == cluster ? 1 : 0);
-        break;
-      case VertexFlow::Way::kAcrossFacet: {
-        const FacetRing ring = faces_.ring(flow.facet, cluster);
-        const std::size_t start = faces_.element_of(ring, cluster);
-        const KernelPoint& x = center(cluster);
-        Query query = query_of(flow.facet, ring, x);
-        const auto exit = query.from_boundary(search_, start + 1, ring.elements.size() - 2);
-        step = across(flow.facet, ring, exit, x);
-        break;
-      }
-    }
-    return step;
-  }
-
-  // E-E-{V, infinity}, E-F-{V, E, infinity}.
-  FlowStep step_from_edge(const Position& from) {
-    const PolygonRef polygon = from.place.edge;
-    const KernelPoint& x = points_[from.point];
-    const PolygonDriver driver = faces_.driver(polygon);
-    if (driver.shape == Sign::kNegative) {
-      const FacetRing ring = faces_.ring(driver.side, polygon.cell);
-      const std::size_t start = faces_.piece_of(ring, polygon);
-      Query query = query_of(driver.side, ring, x);
-      const auto exit = query.from_boundary(search_, start + 1, ring.elements.size() - 1);
-      return across(driver.side, ring, exit, x);
-    }
-    const auto [a, b, c] = faces_.corners(polygon);
-    const Sign side = along_edge(kernel_, x, faces_.point(a), faces_.point(b), faces_.point(c));
-    FlowStep step;
-    step.crossed = from.place;
-    step.driver = center_of(polygon);
-    if (side == Sign::kZero) {
-      step.end = from;
-      step.stationary = StationaryIndex{static_cast<std::uint8_t>(driver.shape == Sign::kZero ? 1 : 2), 2};
-    } else {
-      step.end = end_of_edge(polygon, side == Sign::kPositive ? 1 : 0);
-    }
-    return step;
-  }
-
-  // F-F-{V, E, infinity}.
-  FlowStep step_from_facet(const Position& from) {
-    const FacetName facet = from.place.facet;
-    const RationalPoint x = exact(from);
-    const Point &p0 = faces_.point(facet.v0), &p1 = faces_.point(facet.v1);
-    if (2 * x[0] == Rational(p0.x) + Rational(p1.x) && 2 * x[1] == Rational(p0.y) + Rational(p1.y) &&
-        2 * x[2] == Rational(p0.z) + Rational(p1.z)) {
-      return stays(from, {1, 1}, midpoint_of(facet));
-    }
-    const FacetRing ring = faces_.ring(facet);
-    Query query = query_of(facet, ring, points_[from.point]);
-    const auto exit = query.from_inside(search_);
-    return across(facet, ring, exit, points_[from.point]);
-  }
-
-  // C-C-{V, E, F, infinity}: the nearest of the bisectors with the Delaunay neighbours, which bound the cell.
-  FlowStep step_from_cell(const Position& from) {
-    const VertexIndex sample = from.place.sample;
-    const Point& p = faces_.point(sample);
-    const Driver driver{{sample, kInfiniteVertex, kInfiniteVertex}, 1};
-    if (exact(from) == exact_position(p)) {
-      return stays(from, {0, 0}, driver);
-    }
-    const KernelPoint& x = points_[from.point];
-    std::vector<VertexIndex> first;
-    for (const VertexIndex q : faces_.neighbors(sample)) {
-      if (ray_at_infinity(kernel_, x, p, p, faces_.point(q)) != Sign::kPositive) continue;
-      const Sign order = first.empty()
-                             ? Sign::kNegative
-                             : compare_exits(kernel_, x, p, faces_.point(q), faces_.point(first.front()));
-      if (order == Sign::kNegative) first.clear();
-      if (order != Sign::kPositive) first.push_back(q);
-    }
-    FlowStep step;
-    step.crossed = from.place;
-    step.driver = driver;
-    if (first.empty()) return step;
-    step.end.place = faces_.place_of(sample, first);
-    if (step.end.place.kind != Place::Kind::kVertex) {
-      step.end.point = keep(kernel_.crossing(x, p, p, faces_.point(first.front())));
-    }
-    return step;
-  }
-
-  static FlowStep stays(const Position& at, StationaryIndex index, Driver driver) {
-    FlowStep step;
-    step.crossed = at.place;
-    step.driver = driver;
-    step.end = at;
-    step.stationary = index;
-    return step;
-  }
-
-  Query query_of(FacetName facet, const FacetRing& ring, const KernelPoint& x) {
-    return Query(kernel_, centers_, ring, faces_.point(facet.v0), faces_.point(facet.v1), x);
-  }
-
-  FlowStep across(FacetName facet, const FacetRing& ring, typename Query::Exit exit, const KernelPoint& x) {
-    FlowStep step;
-    step.crossed = Place::on_facet(facet);
-    step.driver = midpoint_of(facet);
-    switch (exit.kind) {
-      case Query::Exit::Kind::kInfinity:
-        break;
-      case Query::Exit::Kind::kElement:
-        step.end.place = Place::at_vertex(ring.elements[exit.at].vertex);
-        break;
-      case Query::Exit::Kind::kPiece: {
-        const RingPiece& piece = ring.pieces[exit.at];
-        step.end.place = Place::on_edge(piece.polygon);
-        step.end.point = keep(
-            kernel_.crossing(x, faces_.point(facet.v0), faces_.point(facet.v1), faces_.point(piece.apex)));
-        break;
-      }
-    }
-    return step;
-  }
-
-  VoronoiFaces& faces_;
-  KernelTally tally_;
-  Kernel kernel_;
-  const Centers centers_;
-  FacetSearch search_;
-  std::deque<KernelPoint> points_;                  // references to its points must survive keep()
-  std::deque<KernelPoint> cluster_centers_;         // likewise
-  std::vector<CellIndex> constructed_;              // whose centers they are
-  std::vector<PointNumber> center_of_;              // by CellIndex
-  std::vector<std::optional<ObtuseChain>> chains_;  // by ring
-  FilterTally angle_tally_;
+// Where a moving point is: the face, and the point in it (kNoPoint at a Voronoi vertex and at infinity).
+struct Location {
+  Place place;
+  PointNumber point = kNoPoint;
 };
+
+struct FlowStep {
+  Place crossed;
+  Driver driver;
+  // The start itself iff that is stationary; then `stationary` is what it is.
+  Location end;
+  std::optional<StationaryIndex> stationary;
+};
+
+// A backward segment of spec clause FC-STAB-04: from a front that a facet leads to, against the flow.
+struct BackwardStep {
+  // Where the facet ends on the way to its midpoint; the facet itself where the midpoint lies inside.
+  Place back;
+  // The back is the midpoint, which is stationary.
+  bool is_midpoint = false;
+  // Of a back inside a Voronoi edge that is not the midpoint: a sample of its polygon that is not the
+  // facet's.
+  VertexIndex apex = kInfiniteVertex;
+};
+
+class FlowOperator {
+ public:
+  virtual ~FlowOperator() = default;
+
+  [[nodiscard]] virtual PointNumber add(const RationalPoint& x) = 0;
+  [[nodiscard]] virtual FlowStep step(const Location& from) = 0;
+  // Where the Voronoi edge of a polygon ends, on side 0 or 1.
+  [[nodiscard]] virtual Location end_of_edge(PolygonRef polygon, std::size_t side) = 0;
+
+  // Against the flow. Where a facet has one back for all fronts, the front's point is not needed (kNoPoint):
+  // so is one that has its midpoint inside, and most others.
+  [[nodiscard]] virtual bool has_one_back(FacetName facet, CellIndex hint) = 0;
+  [[nodiscard]] virtual BackwardStep step_back(const Location& front, FacetName facet, CellIndex hint) = 0;
+  // Constructs the back inside a Voronoi edge.
+  [[nodiscard]] virtual PointNumber cross_back(const Location& front, FacetName facet, VertexIndex apex) = 0;
+  // Constructs the centre of the circle through three samples.
+  [[nodiscard]] virtual PointNumber add_center(const std::array<VertexIndex, 3>& samples) = 0;
+
+  [[nodiscard]] virtual RationalPoint exact(const Location& at) = 0;
+  // How many bytes the coordinates of a kept point take, where they have been computed exactly.
+  [[nodiscard]] virtual std::optional<std::array<std::size_t, 3>> exact_bytes(PointNumber point) const = 0;
+  [[nodiscard]] virtual std::size_t depth(PointNumber point) const = 0;
+
+  // Kept points are numbered in order; the latest can be dropped.
+  [[nodiscard]] virtual PointNumber kept() const = 0;
+  virtual void drop_from(PointNumber point) = 0;
+  // Drops all that was constructed: the kept points, and the Voronoi vertices, which are otherwise
+  // constructed once and serve every orbit.
+  virtual void drop_all() = 0;
+
+  [[nodiscard]] virtual const KernelTally& tally() const = 0;
+};
+
+// The faces must outlive the operator.
+[[nodiscard]] std::unique_ptr<FlowOperator> make_flow_operator(VoronoiFaces& faces, FlowOptions options);
+[[nodiscard]] std::unique_ptr<FlowOperator> make_lazy_flow_operator(VoronoiFaces& faces, FacetSearch search);
+[[nodiscard]] std::unique_ptr<FlowOperator> make_exact_flow_operator(VoronoiFaces& faces, FacetSearch search);
 
 }  // namespace flowcert::flow

@@ -1,4 +1,3 @@
-// See flowcert/flow_statistics.h.
 #include "flowcert/flow_statistics.h"
 
 #include <cmath>

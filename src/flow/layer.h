@@ -1,9 +1,4 @@
-// The namespace of this layer, the flow operator, sees those of the layers below. Public types are in
-// flowcert.
+// The namespace of this layer, the flow operator, sees those of the layers below. Public types are in flowcert.
 #pragma once
 
-#include "voronoi/layer.h"
-
-namespace flowcert::flow {
-using namespace voronoi;
-}  // namespace flowcert::flow
+#include "flow/kernels/layer.h"

@@ -1,7 +1,4 @@
-// See flowcert/orbit.h.
 #include "flowcert/orbit.h"
-
-#include <utility>
 
 #include "flow/layer.h"
 #include "flow/segment_record.h"
@@ -15,55 +12,55 @@ std::string type_text(const std::array<char, 3>& type) {
   return type[2] == 0 ? text + "inf" : text + type[2];
 }
 
-struct Flow::Machine {
-  Machine(const VoronoiDiagram& diagram, FlowOptions options)
+struct Flow::Parts {
+  Parts(const VoronoiDiagram& diagram, FlowOptions options)
       : points(diagram.points()),
         faces(diagram),
-        machine(make_flow_machine(faces, options)),
-        recorder(points, faces, *machine) {}
+        flow(make_flow_operator(faces, options)),
+        recorder(points, faces.diagram(), *flow) {}
 
-  Position locate(const RationalPoint& x) {
+  Location locate(const RationalPoint& x) {
     if (points.empty()) throw InvalidInput("there are no points");
-    Position position{faces.locate(x), kNoPoint};
-    if (position.place.kind != Place::Kind::kVertex) position.point = machine->add(x);
-    return position;
+    Location at{faces.locate(x), kNoPoint};
+    if (at.place.kind != Place::Kind::kVertex) at.point = flow->add(x);
+    return at;
   }
 
   const PointSet& points;
   VoronoiFaces faces;
-  std::unique_ptr<FlowMachine> machine;
+  std::unique_ptr<FlowOperator> flow;
   SegmentRecorder recorder;
 };
 
 Flow::Flow(const VoronoiDiagram& diagram, FlowOptions options)
-    : machine_(std::make_unique<Machine>(diagram, options)) {}
+    : parts_(std::make_unique<Parts>(diagram, options)) {}
 Flow::~Flow() = default;
 Flow::Flow(Flow&&) noexcept = default;
 Flow& Flow::operator=(Flow&&) noexcept = default;
 
 FlowSegment Flow::step(const RationalPoint& x) {
-  const Position start = machine_->locate(x);
-  FlowSegment segment = machine_->recorder.segment(start, machine_->machine->step(start));
-  machine_->machine->drop_from(0);
+  const Location start = parts_->locate(x);
+  FlowSegment segment = parts_->recorder.segment(start, parts_->flow->step(start));
+  parts_->flow->drop_from(0);
   return segment;
 }
 
 Orbit Flow::orbit(const RationalPoint& start) {
   Orbit orbit{start, {}, std::nullopt};
-  Position at = machine_->locate(start);
+  Location at = parts_->locate(start);
   while (at.place.kind != Place::Kind::kInfinity) {
-    const FlowStep step = machine_->machine->step(at);
+    const FlowStep step = parts_->flow->step(at);
     if (step.stationary) {
-      orbit.limit = machine_->recorder.limit(at, *step.stationary);
+      orbit.limit = parts_->recorder.limit(at, *step.stationary);
       break;
     }
-    orbit.segments.push_back(machine_->recorder.segment(at, step));
+    orbit.segments.push_back(parts_->recorder.segment(at, step));
     at = step.end;
   }
-  machine_->machine->drop_from(0);
+  parts_->flow->drop_from(0);
   return orbit;
 }
 
-const KernelTally& Flow::tally() const { return machine_->machine->tally(); }
+const KernelTally& Flow::tally() const { return parts_->flow->tally(); }
 
 }  // namespace flowcert

@@ -1,8 +1,6 @@
-// See segment_record.h.
 #include "flow/segment_record.h"
 
 #include <algorithm>
-#include <span>
 
 #include "flowcert/exact_sphere.h"
 
@@ -38,22 +36,22 @@ RationalPoint SegmentRecorder::position(const Driver& driver) const {
   return exact_sphere(points_, names).center;
 }
 
-FlowSegment SegmentRecorder::segment(const Position& start, const FlowStep& step) const {
+FlowSegment SegmentRecorder::segment(const Location& start, const FlowStep& step) const {
   FlowSegment segment;
   segment.type = segment_type(start.place, step);
-  segment.start = machine_.exact(start);
+  segment.start = flow_.exact(start);
   segment.driver = step.stationary ? segment.start : position(step.driver);
   segment.start_contact = contact(start.place);
   segment.crossed_contact = contact(step.crossed);
   if (step.end.place.kind != Place::Kind::kInfinity) {
-    segment.end = machine_.exact(step.end);
+    segment.end = flow_.exact(step.end);
     segment.end_contact = contact(step.end.place);
   }
   return segment;
 }
 
-StationaryLimit SegmentRecorder::limit(const Position& at, StationaryIndex index) const {
-  return {machine_.exact(at), index, contact(at.place)};
+StationaryLimit SegmentRecorder::limit(const Location& at, StationaryIndex index) const {
+  return {flow_.exact(at), index, contact(at.place)};
 }
 
 }  // namespace flowcert::flow

@@ -3,29 +3,29 @@
 
 #include <vector>
 
-#include "flow/flow_machine.h"
+#include "flow/flow_operator.h"
 #include "flowcert/orbit.h"
 
 namespace flowcert::flow {
 
-// What turns the machine's own numbers into names and coordinates. All three must outlive it.
+// What turns the operator's own numbers into names and coordinates. All three must outlive it.
 class SegmentRecorder {
  public:
-  SegmentRecorder(const PointSet& points, const VoronoiFaces& faces, FlowMachine& machine)
-      : points_(points), faces_(faces), machine_(machine) {}
+  SegmentRecorder(const PointSet& points, const Diagram& faces, FlowOperator& flow)
+      : points_(points), faces_(faces), flow_(flow) {}
 
-  [[nodiscard]] FlowSegment segment(const Position& start, const FlowStep& step) const;
-  [[nodiscard]] StationaryLimit limit(const Position& at, StationaryIndex index) const;
+  [[nodiscard]] FlowSegment segment(const Location& start, const FlowStep& step) const;
+  [[nodiscard]] StationaryLimit limit(const Location& at, StationaryIndex index) const;
   // Names, ascending.
   [[nodiscard]] std::vector<PointId> contact(const Place& place) const;
 
  private:
   [[nodiscard]] RationalPoint position(const Driver& driver) const;
-  [[nodiscard]] PointId name(VertexIndex v) const { return points_.name(faces_.delaunay().positions[v]); }
+  [[nodiscard]] PointId name(VertexIndex v) const { return points_.name(faces_.delaunay().ordinals[v]); }
 
   const PointSet& points_;
-  const VoronoiFaces& faces_;
-  FlowMachine& machine_;
+  const Diagram& faces_;
+  FlowOperator& flow_;
 };
 
 // The letters of Table 1.

@@ -1,4 +1,3 @@
-// See enclosing_ball.h.
 #include "geometry/enclosing_ball.h"
 
 #include <CGAL/Cartesian.h>

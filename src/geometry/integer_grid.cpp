@@ -1,11 +1,13 @@
-// See integer_grid.h. Doubles are taken apart by their bits: frexp on every coordinate was most of the time
-// of an exact predicate.
+// Doubles are taken apart by their bits: frexp on every coordinate was most of the time of an exact
+// predicate.
 #include "geometry/integer_grid.h"
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
+
+#include "geometry/contract.h"
 
 namespace flowcert::geometry {
 
@@ -66,6 +68,8 @@ WideInteger IntegerGrid::difference(double from, double to) const {
 
 template <class Integer>
 Vector3<Integer> IntegerGrid::vector_between(const Point& from, const Point& to) const {
+  FLOWCERT_REQUIRES(!std::is_same_v<Integer, WideInteger> || fits_wide());
+  FLOWCERT_REQUIRES(!std::is_same_v<Integer, NarrowInteger> || fits_narrow());
   return {difference<Integer>(from.x, to.x), difference<Integer>(from.y, to.y),
           difference<Integer>(from.z, to.z)};
 }

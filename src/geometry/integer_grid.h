@@ -45,7 +45,7 @@ class IntegerGrid {
 
   [[nodiscard]] int exponent() const { return exponent_; }
 
-  // to - from, in units of the grid. For NarrowInteger and WideInteger only where fits_wide().
+  // to - from, in units of the grid. For WideInteger only where fits_wide(), for NarrowInteger where fits_narrow().
   template <class Integer>
   [[nodiscard]] Vector3<Integer> vector_between(const Point& from, const Point& to) const;
 

@@ -1,4 +1,3 @@
-// See flowcert/point_set.h.
 #include "flowcert/point_set.h"
 
 #include <algorithm>

@@ -1,13 +1,12 @@
-// See predicates.h. Each predicate is one polynomial, a template over the number type; the rungs differ in
-// that type alone, and in the error bound that double needs.
+// Each predicate is one polynomial, a template over the number type; the rungs differ in that type alone, and in the
+// error bound that double needs.
 #include "geometry/predicates.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "geometry/contract.h"
 #include "geometry/integer_grid.h"
-#include "geometry/vector3.h"
 
 namespace flowcert::geometry {
 
@@ -82,22 +81,22 @@ auto vectors_of(const OutsideCircle& k, const Between& between) {
   return std::array{between(k.q, k.p0), between(k.q, k.p1), between(k.r, k.p0), between(k.r, k.p1)};
 }
 
-// The bounds of predicates.h, with n the norms of the vectors, rounded up to constants that also cover the
-// rounding of the norms.
-double error_bound(const Angle&, const std::array<double, 2>& n) { return 6 * kUnitRoundoff * n[0] * n[1]; }
+// n: the norms of the vectors.
+double error_bound(const Angle&, const std::array<double, 2>& n) {
+  return kAngleBound * kUnitRoundoff * n[0] * n[1];
+}
 double error_bound(const SideOfPlane&, const std::array<double, 3>& n) {
   const double ab = n[0] * n[1];
-  return 24 * kUnitRoundoff * ab * (ab * n[2]) * (n[0] + n[1] + n[2]);
+  return kSideOfPlaneBound * kUnitRoundoff * ab * (ab * n[2]) * (n[0] + n[1] + n[2]);
 }
 double error_bound(const OutsideSphere&, const std::array<double, 4>& n) {
-  return 20 * kUnitRoundoff * (n[0] * n[1] * n[2] * n[3]) * (n[0] + n[1] + n[2] + n[3]);
+  return kOutsideSphereBound * kUnitRoundoff * (n[0] * n[1] * n[2] * n[3]) * (n[0] + n[1] + n[2] + n[3]);
 }
 double error_bound(const Orientation&, const std::array<double, 3>& n) {
-  return 10 * kUnitRoundoff * n[0] * n[1] * n[2];
+  return kOrientationBound * kUnitRoundoff * n[0] * n[1] * n[2];
 }
-// Two products of a dot product (5.1 u) and one coordinate of a cross product (5.7 u), and their sum.
 double error_bound(const OutsideCircle&, const std::array<double, 4>& n) {
-  return 27 * kUnitRoundoff * (n[0] * n[1]) * (n[2] * n[3]);
+  return kOutsideCircleBound * kUnitRoundoff * (n[0] * n[1]) * (n[2] * n[3]);
 }
 
 template <class Query>
@@ -141,8 +140,25 @@ Sign unfiltered_sign(const Query& query) {
   return grid.fits_wide() ? integer_sign<WideInteger>(query, grid) : integer_sign<BigInteger>(query, grid);
 }
 
+namespace {
+
+// What the header requires of the points.
+template <class Query>
+bool is_allowed(const Query&) {
+  return true;
+}
+bool is_allowed(const SideOfPlane& k) {
+  return unfiltered_sign(Orientation{k.f0, k.f1, k.f2, k.apex}) != Sign::kZero;
+}
+bool is_allowed(const OutsideCircle& k) {
+  return unfiltered_sign(Orientation{k.p0, k.p1, k.q, k.r}) == Sign::kZero;
+}
+
+}  // namespace
+
 template <class Query>
 Sign exact_sign(const Query& query, FilterTally& tally) {
+  FLOWCERT_REQUIRES(is_allowed(query));
   FilterCount& count = tally[Query::kPredicate];
   ++count.calls;
   if (const MaybeSign sign = double_sign(query)) return *sign;

@@ -3,30 +3,15 @@
 //
 // Guarantees: exact for all finite doubles. A rung may leave the sign open; what it answers is what the next
 // one would (spec clause FC-NUM-01; tests/unit/predicates_test.cpp holds each rung against the next). No
-// division, no square root.
-//
-// The filters' bounds. u = 2^-53; a difference of coordinates, a product and a sum each add one relative
-// error of at most u. With a, b, … the computed vectors and |a| their norms, the bounds below follow by
-// adding these up (the terms of second order are covered by rounding the constants up):
-//   <a,b>                     5.1 u |a||b|
-//   a x b (norm)              5.7 u |a||b|       (sum of the absolute products is at most sqrt(2) |a||b|)
-//   <a, b x c>                9.8 u |a||b||c|
-//   numerator of the centre  13.8 u T,           T = |a||b||c| (|a|+|b|+|c|)
-// They hold while nothing overflows and underflow is negligible, which is checked once for each set of
-// vectors: all norms in [kSmallestNorm, kLargestNorm], otherwise the filter answers nothing.
+// division, no square root. The filters' bounds are in filter_bounds.h.
 #pragma once
 
 #include "flowcert/filter_tally.h"
 #include "flowcert/point_set.h"
-#include "geometry/sign.h"
+#include "geometry/filter_bounds.h"
+#include "geometry/vector3.h"
 
 namespace flowcert::geometry {
-
-// Degree 6 in lengths of this range stays within the normal doubles, 2^-53 times it too; and what underflow
-// can take away (less than 2^-1074 times a few lengths) is far below one u of any bound.
-inline constexpr double kSmallestNorm = 1e-42;
-inline constexpr double kLargestNorm = 1e42;
-inline constexpr double kUnitRoundoff = 0x1p-53;
 
 // Every predicate below has these rungs. kBig answers always, kNarrow (degree 2 in the machine's integers,
 // the rest wide) and kWide where the points fit them.

@@ -1,4 +1,4 @@
-// See flowcert/rational.h. GMP's own mpq_get_d truncates, hence the rounding here.
+// GMP's own mpq_get_d truncates, hence the rounding here.
 #include "flowcert/rational.h"
 
 #include <cmath>

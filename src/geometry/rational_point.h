@@ -1,6 +1,6 @@
 // Exact positions of samples, and exact distances between positions.
 //
-// Guarantees: nothing is rounded. For places where speed is no concern; predicates.h and flow_predicates.h
+// Guarantees: nothing is rounded. For places where speed is no concern; predicates.h and steering.h
 // have what the algorithms decide with.
 #pragma once
 

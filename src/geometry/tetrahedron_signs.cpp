@@ -1,14 +1,10 @@
-// The bounds of the filter, in the notation of predicates.h: a, b, c are seen from vertex 0, and L = max(|a|,|b|,|c|).
-//
-// An angle is a sum of at most four dot products (5.1 u L^2 each) and three additions (9 u L^2): below 32 u L^2.
-// The s of a facet at vertex 0 is <a x b, numerator>: 13.8 + 5.7 + 3 = 22.5 u |a||b| T, below 32 u |a||b| T.
-// The s of the facet opposite vertex 0 is 2 det^2 minus the other three, because the barycentric coordinates of the
-// centre, times 2 det^2, sum to that. With Q = |a||b|+|b||c|+|c||a| and (|a||b||c|)^2 <= T Q / 9 its error is
-// (22.5 + 3 + (41.2 + 6) / 9) u T Q: below 64 u T Q.
+// The three edge vectors are seen from vertex 0; the bounds are those of a whole cell in filter_bounds.h.
 #include "geometry/tetrahedron_signs.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "geometry/contract.h"
 
 namespace flowcert::geometry {
 
@@ -102,6 +98,8 @@ void set_sides(const TetrahedronPoints& points, const PerFacet& value, const Per
 }  // namespace
 
 TetrahedronSigns tetrahedron_signs(const TetrahedronPoints& points, CellSphere& sphere, FilterTally& tally) {
+  FLOWCERT_REQUIRES(unfiltered_sign(Orientation{*points[0], *points[1], *points[2], *points[3]}) ==
+                    Sign::kPositive);
   const Vector3<double> a = vector_between(*points[0], *points[1]);
   const Vector3<double> b = vector_between(*points[0], *points[2]);
   const Vector3<double> c = vector_between(*points[0], *points[3]);
@@ -115,8 +113,8 @@ TetrahedronSigns tetrahedron_signs(const TetrahedronPoints& points, CellSphere& 
   const double unit = sphere.in_range ? kUnitRoundoff : HUGE_VAL;
 
   TetrahedronSigns signs;
-  set_angles(points, angles_from(aa, bb, cc, dot(a, b), dot(b, c), dot(c, a)), 32 * unit * largest * largest,
-             signs, tally);
+  set_angles(points, angles_from(aa, bb, cc, dot(a, b), dot(b, c), dot(c, a)),
+             kCellAngleBound * unit * largest * largest, signs, tally);
 
   const Circumsphere<double> circum = circumsphere(a, b, c);
   sphere.numerator = circum.numerator;
@@ -129,8 +127,9 @@ TetrahedronSigns tetrahedron_signs(const TetrahedronPoints& points, CellSphere& 
   const double s2 = dot(circum.ca, circum.numerator);
   const double s0 = 2 * circum.determinant * circum.determinant - s1 - s2 - s3;
   const PerFacet value = {s0, s1, s2, s3};
-  const PerFacet error = {64 * unit * t * (na * nb + nb * nc + nc * na), 32 * unit * t * (nb * nc),
-                          32 * unit * t * (nc * na), 32 * unit * t * (na * nb)};
+  const PerFacet error = {kFarCellSideBound * unit * t * (na * nb + nb * nc + nc * na),
+                          kCellSideBound * unit * t * (nb * nc), kCellSideBound * unit * t * (nc * na),
+                          kCellSideBound * unit * t * (na * nb)};
   set_sides(points, value, error, signs, tally);
   return signs;
 }
@@ -149,7 +148,8 @@ bool on_sphere(const TetrahedronPoints& points, const CellSphere& sphere, const 
   const double norm = std::sqrt(vv);
   if (sphere.in_range && norm >= kSmallestNorm && norm <= kLargestNorm) {
     const double value = vv * sphere.determinant - dot(sphere.numerator, v);
-    const double error = 20 * kUnitRoundoff * sphere.norm_product * norm * (sphere.norm_sum + norm);
+    const double error =
+        kOutsideSphereBound * kUnitRoundoff * sphere.norm_product * norm * (sphere.norm_sum + norm);
     if (std::fabs(value) > error) return false;
   }
   ++count.failures;

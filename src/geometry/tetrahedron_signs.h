@@ -3,7 +3,7 @@
 //
 // This is where the time of the critical points goes, so the signs share their subexpressions (dot products,
 // cross products, the centre's numerator), which four sphere predicates would each make again. Guarantees:
-// exact. Sources: spec clauses FC-SIGN-01, FC-SIGN-03; bounds as in predicates.h.
+// exact. Sources: spec clauses FC-SIGN-01, FC-SIGN-03; bounds in filter_bounds.h.
 #pragma once
 
 #include <array>
@@ -52,7 +52,7 @@ using TetrahedronPoints = std::array<const Point*, 4>;
 // The side of one facet, by exact arithmetic: for one that is open.
 [[nodiscard]] Sign side_exactly(const TetrahedronPoints& points, unsigned facet);
 
-// Whether q, a point that is not inside the cell's sphere, lies on it.
+// Whether q lies on the cell's sphere.
 [[nodiscard]] bool on_sphere(const TetrahedronPoints& points, const CellSphere& sphere, const Point& q,
                              FilterTally& tally);
 

@@ -1,12 +1,35 @@
-// Vectors of R^3 over any number type, and the polynomials in them that all predicates are made of. Nothing
-// is rounded here beyond what the number type itself rounds; the error bounds for double are in predicates.h.
+// Signs of exact numbers, vectors of R^3 over any number type, and the polynomials in them that all predicates are
+// made of.
+//
+// Guarantees: nothing is rounded here beyond what the number type itself rounds; the error bounds for double are in
+// filter_bounds.h. A filter that cannot tell a sign answers std::nullopt, never a guess (spec clause FC-NUM-01).
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <optional>
 
 #include "flowcert/point_set.h"
 
 namespace flowcert::geometry {
+
+enum class Sign : std::int8_t { kNegative = -1, kZero = 0, kPositive = 1 };
+
+// What a filter rung answers: a sign that is certain, or nothing.
+using MaybeSign = std::optional<Sign>;
+
+template <class Number>
+[[nodiscard]] Sign sign_of(const Number& value) {
+  if (value > 0) return Sign::kPositive;
+  return value < 0 ? Sign::kNegative : Sign::kZero;
+}
+
+// The sign of a double known up to an absolute error. False for NaN on either side: then nothing is certain.
+[[nodiscard]] inline MaybeSign sign_beyond(double value, double error) {
+  if (value > error) return Sign::kPositive;
+  if (value < -error) return Sign::kNegative;
+  return std::nullopt;
+}
 
 template <class Number>
 struct Vector3 {

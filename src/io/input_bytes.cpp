@@ -1,16 +1,23 @@
-// See input_bytes.h.
+// Files are read by the C library, gzip streams by zlib's inflate over a buffer. Not gzread: it passes on the bytes
+// of a file without a gzip header unchanged, and treats garbage after a stream as its end, so it cannot tell a
+// damaged file from a whole one.
 #include "io/input_bytes.h"
 
 #include <fcntl.h>
 #include <unistd.h>
+#include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <limits>
+#include <new>
 
 #include "io/line_reader.h"
 
 namespace flowcert::io {
+
 namespace {
 
 // An open file, closed however the function that holds it is left. Standard input stays open.
@@ -48,6 +55,67 @@ std::string read_bytes(const std::string& path) {
       reject_file(path, action + std::string(std::strerror(errno)));
     }
   }
+}
+
+// ---- Gzip ----
+
+namespace {
+
+// Added to zlib's window size: only streams with a gzip header are taken.
+constexpr int kGzipOnly = 16;
+
+// zlib's state, freed however the function that holds it is left.
+class InflateState {
+ public:
+  InflateState() {
+    if (inflateInit2(&stream_, MAX_WBITS + kGzipOnly) != Z_OK) throw std::bad_alloc();
+  }
+  ~InflateState() { inflateEnd(&stream_); }
+  InflateState(const InflateState&) = delete;
+  InflateState& operator=(const InflateState&) = delete;
+
+  z_stream* operator->() { return &stream_; }
+  z_stream* get() { return &stream_; }
+
+ private:
+  z_stream stream_{};
+};
+
+// One stream from the front of `bytes`, appended to `output`. Returns how many bytes it took.
+std::size_t gunzip_one(std::string_view bytes, std::string_view file, std::string& output) {
+  InflateState state;
+  std::array<char, std::size_t{1} << 16> block{};
+  std::size_t taken = 0;
+  int status = Z_OK;
+  while (status != Z_STREAM_END) {
+    const std::size_t given = std::min<std::size_t>(bytes.size() - taken, std::numeric_limits<uInt>::max());
+    // zlib does not write through next_in; its type lacks the const for the sake of old compilers.
+    state->next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data() + taken));
+    state->avail_in = static_cast<uInt>(given);
+    state->next_out = reinterpret_cast<Bytef*>(block.data());
+    state->avail_out = static_cast<uInt>(block.size());
+    status = inflate(state.get(), Z_NO_FLUSH);
+    taken += given - state->avail_in;
+    // No progress although there was room for output: the input has run out.
+    if (status == Z_BUF_ERROR) reject_file(file, "gzip data cut short");
+    if (status == Z_MEM_ERROR) throw std::bad_alloc();
+    if (status != Z_OK && status != Z_STREAM_END) reject_file(file, "gzip data corrupted");
+    output.append(block.data(), block.size() - state->avail_out);
+  }
+  return taken;
+}
+
+}  // namespace
+
+bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
+
+std::string gunzip(std::string_view bytes, std::string_view file) {
+  std::string output;
+  while (is_gzip(bytes)) bytes.remove_prefix(gunzip_one(bytes, file, output));
+  // Tapes and block devices pad with zeros, and gzip itself accepts that.
+  if (bytes.find_first_not_of('\0') != std::string_view::npos)
+    reject_file(file, "garbage after the gzip data");
+  return output;
 }
 
 }  // namespace flowcert::io

@@ -1,7 +1,8 @@
-// A file in memory, whole.
+// Files as bytes in memory, and the contents of gzip streams.
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "io/layer.h"
 
@@ -10,5 +11,17 @@ namespace flowcert::io {
 // The bytes of the file at `path`; "-" is standard input. Throws InvalidInput "FILE: reason" when it cannot
 // be opened or read.
 [[nodiscard]] std::string read_bytes(const std::string& path);
+
+// Gzip, from memory to memory.
+//
+// Guarantees: all or nothing. A stream that is cut short, fails its checksum, or is followed by anything but
+// another stream or zero bytes (padding) throws InvalidInput "FILE: reason". Memory is bounded by twice the
+// decompressed size.
+
+// Whether the first two bytes are those of a gzip stream.
+[[nodiscard]] bool is_gzip(std::string_view bytes);
+
+// The concatenated contents of the streams (RFC 1952: a file may hold several) in `bytes`.
+[[nodiscard]] std::string gunzip(std::string_view bytes, std::string_view file);
 
 }  // namespace flowcert::io

@@ -1,11 +1,48 @@
-// See json_fields.h.
+// Every key of a JSON output is written here, or in the file that writes the output.
 #include "io/json_fields.h"
 
+#include <fmt/format.h>
+
 #include "flowcert/reproducibility.h"
+#include "io/number_text.h"
 
 namespace flowcert::io {
 
-Json header_fields(const char* format, int format_version, const std::string& input_sha256) {
+// ---- Written ----
+
+namespace {
+
+Json segment_field(const BackwardSegment& segment) {
+  Json field;
+  field["samples"] = segment.samples;
+  field["front"] = center_field(segment.front);
+  field["back"] = center_field(segment.back);
+  field["front_contact"] = segment.front_contact;
+  field["back_contact"] = segment.back_contact;
+  field["back_kind"] = back_kind_text(segment.back_kind);
+  return field;
+}
+
+Json interval_field(const BackwardInterval& interval) {
+  Json field;
+  field["polygon"] = interval.polygon;
+  field["front"] = center_field(interval.front);
+  field["back"] = center_field(interval.back);
+  field["back_is_stationary"] = interval.back_is_stationary;
+  return field;
+}
+
+Json sector_field(const BackwardSector& sector) {
+  Json field;
+  field["samples"] = sector.samples;
+  Json& corners = field["corners"] = Json::array();
+  for (const RationalPoint& corner : sector.corners) corners.push_back(center_field(corner));
+  return field;
+}
+
+}  // namespace
+
+Json header_fields(const char* format, int format_version) {
   const Reproducibility made_by = reproducibility();
   Json fields;
   fields["format"] = format;
@@ -15,7 +52,12 @@ Json header_fields(const char* format, int format_version, const std::string& in
   fields["kernel"] = made_by.kernel;
   fields["compiler"] = made_by.compiler;
   fields["cgal"] = made_by.cgal;
-  fields["input_sha256"] = input_sha256;
+  return fields;
+}
+
+Json header_fields(const char* format, int format_version, const PointSet& points) {
+  Json fields = header_fields(format, format_version);
+  fields["input_sha256"] = coordinates_sha256(points);
   return fields;
 }
 
@@ -44,6 +86,100 @@ Json center_field(const RationalPoint& point) {
 Json double_field(const Rational& value) {
   const std::optional<double> nearest = nearest_double(value);
   return nearest ? Json(*nearest) : Json(nullptr);
+}
+
+Json segment_field(const FlowSegment& segment) {
+  Json field;
+  field["type"] = type_text(segment.type);
+  field["driver"] = center_field(segment.driver);
+  field["end"] = segment.end ? center_field(*segment.end) : Json(nullptr);
+  return field;
+}
+
+Json segment_with_contacts_field(const FlowSegment& segment) {
+  Json field = segment_field(segment);
+  field["start_contact"] = segment.start_contact;
+  field["crossed_contact"] = segment.crossed_contact;
+  field["end_contact"] = segment.end ? Json(segment.end_contact) : Json(nullptr);
+  return field;
+}
+
+Json limit_field(const PointSet& points, const std::optional<StationaryLimit>& limit) {
+  Json field;
+  if (!limit) {
+    field["kind"] = "infinity";
+    for (const char* key : {"index", "position", "contact", "squared_distance"}) field[key] = nullptr;
+    return field;
+  }
+  field["kind"] = limit->index.is_critical() ? "critical" : "regular";
+  field["index"] = index_field(limit->index);
+  field["position"] = center_field(limit->position);
+  field["contact"] = limit->contact;
+  field["squared_distance"] = to_text(exact_sphere(points, limit->contact).squared_radius);
+  return field;
+}
+
+Json stable_field(const StationaryPoints& stationary, const StableManifolds& s2, std::size_t i) {
+  Json field;
+  field["segments"] = s2.segment_count(i);
+  field["has_vertex"] = s2.has_vertex(i);
+  field["has_interval"] = s2.has_interval(i);
+  if (!stationary.index(s2.record(i)).is_critical()) return field;
+  Json& boundary = field["boundary"] = Json::array();
+  for (const std::uint32_t record : s2.boundary(i)) boundary.push_back(stationary.contact(record));
+  return field;
+}
+
+Json skeleton_field(const StableSet& set) {
+  Json field;
+  for (const char* key : {"segments", "intervals", "sectors"}) field[key] = Json::array();
+  for (const BackwardSegment& segment : set.segments) field["segments"].push_back(segment_field(segment));
+  for (const BackwardInterval& one : set.intervals) field["intervals"].push_back(interval_field(one));
+  for (const BackwardSector& sector : set.sectors) field["sectors"].push_back(sector_field(sector));
+  return field;
+}
+
+Json pairs_field(const PersistenceDiagram& diagram) {
+  const auto point_field = [&](std::size_t record) {
+    const Rational& value = diagram.squared_value(record);
+    Json field;
+    field["contact"] = diagram.complex().stationary().contact(record);
+    field["squared_distance"] = to_text(value);
+    field["squared_distance_double"] = double_field(value);
+    return field;
+  };
+  Json pairs = Json::array();
+  for (const PersistencePair& pair : diagram.pairs()) {
+    Json field;
+    field["dimension"] = pair.dimension;
+    field["birth"] = point_field(pair.birth);
+    field["death"] = pair.death ? point_field(*pair.death) : Json(nullptr);
+    pairs.push_back(std::move(field));
+  }
+  return pairs;
+}
+
+// ---- Read ----
+
+const Json& required_field(const Json& object, const char* key) {
+  if (!object.is_object()) throw InvalidInput(fmt::format("no object that could have '{}'", key));
+  const auto value = object.find(key);
+  if (value == object.end()) throw InvalidInput(fmt::format("no key '{}'", key));
+  return *value;
+}
+
+const Json::string_t& required_string(const Json& value, const char* what) {
+  if (!value.is_string()) throw InvalidInput(fmt::format("'{}' is no string", what));
+  return value.get_ref<const Json::string_t&>();
+}
+
+const Json& required_array(const Json& value, const char* what) {
+  if (!value.is_array()) throw InvalidInput(fmt::format("'{}' is no array", what));
+  return value;
+}
+
+Rational required_rational(const Json& value, const char* what) {
+  return exact_rational(required_string(value, what));
 }
 
 }  // namespace flowcert::io

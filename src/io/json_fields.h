@@ -1,20 +1,26 @@
-// The parts that several of our JSON outputs share (spec/formats.md), so that they are spelled once.
+// The parts of JSON that several outputs and claims share (spec/formats/), so that they are spelled once.
+//
+// Guarantees: rationals are written and read exactly, as strings; keys stay in the order in which the formats list
+// them.
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
-#include "flowcert/point_set.h"
-#include "flowcert/rational.h"
-#include "flowcert/stationary_points.h"
+#include "flowcert/orbit.h"
+#include "flowcert/stable_manifolds.h"
+#include "flowcert/write_persistence.h"
 #include "io/layer.h"
 
 namespace flowcert::io {
 
-// Keys stay in the order in which the formats list them.
+// ---- Written ----
+
 using Json = nlohmann::ordered_json;
 
-// format, format_version, the reproducibility line and input_sha256.
-[[nodiscard]] Json header_fields(const char* format, int format_version, const std::string& input_sha256);
+// format, format_version and the reproducibility line; with points, input_sha256, too.
+[[nodiscard]] Json header_fields(const char* format, int format_version);
+[[nodiscard]] Json header_fields(const char* format, int format_version, const PointSet& points);
 
 // points, merged_duplicates, critical, regular_stationary, appended to an object.
 void add_counts(Json& object, const PointSet& points, const StationaryPoints& stationary);
@@ -25,5 +31,31 @@ void add_counts(Json& object, const PointSet& points, const StationaryPoints& st
 [[nodiscard]] Json center_field(const RationalPoint& point);
 // null where the nearest double would overflow.
 [[nodiscard]] Json double_field(const Rational& value);
+
+// type, driver, end.
+[[nodiscard]] Json segment_field(const FlowSegment& segment);
+// The same, with the three contact sets.
+[[nodiscard]] Json segment_with_contacts_field(const FlowSegment& segment);
+// kind, index, position, contact, squared_distance of where an orbit ends; none: infinity.
+[[nodiscard]] Json limit_field(const PointSet& points, const std::optional<StationaryLimit>& limit);
+
+// The object `stable`: what is known of the i-th set without its geometry.
+[[nodiscard]] Json stable_field(const StationaryPoints& stationary, const StableManifolds& s2, std::size_t i);
+// The object `skeleton`.
+[[nodiscard]] Json skeleton_field(const StableSet& set);
+
+// An array of all pairs, exact.
+[[nodiscard]] Json pairs_field(const PersistenceDiagram& diagram);
+
+// ---- Read ----
+// What a claim in JSON has to have, and of which type. Each function throws InvalidInput, "no key 'end'" or "'end'
+// is no string", where it is not so.
+[[nodiscard]] const Json& required_field(const Json& object, const char* key);
+
+// what: the key that the value belongs to, for messages.
+[[nodiscard]] const Json::string_t& required_string(const Json& value, const char* what);
+[[nodiscard]] const Json& required_array(const Json& value, const char* what);
+// A string that exact_rational() takes.
+[[nodiscard]] Rational required_rational(const Json& value, const char* what);
 
 }  // namespace flowcert::io

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "flowcert/point_set.h"
+#include "flowcert/read_points.h"
 #include "io/layer.h"
 
 namespace flowcert::io {
@@ -78,5 +79,20 @@ class Fields {
 [[nodiscard]] Point first_three(Fields& fields, const LinePlace& place);
 
 [[nodiscard]] inline bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+// ---- Formats ----
+// The readers of the formats; read_points.cpp chooses between them.
+//
+// Each takes the whole file, decompressed, without a byte order mark, holding more than white space. Each
+// guarantees what flowcert/read_points.h promises, and leaves PointFile::format to the caller.
+[[nodiscard]] PointFile read_xyz(std::string_view text, std::string_view file);
+[[nodiscard]] PointFile read_off(std::string_view text, std::string_view file);
+[[nodiscard]] PointFile read_ply(std::string_view bytes, std::string_view file);
+[[nodiscard]] PointFile read_obj(std::string_view text, std::string_view file);
+
+// Whether `word` is one of the keywords that an OFF file can begin with.
+[[nodiscard]] bool is_off_keyword(std::string_view word);
+// Whether `word` can begin a line of an OBJ file.
+[[nodiscard]] bool is_obj_keyword(std::string_view word);
 
 }  // namespace flowcert::io

@@ -1,5 +1,4 @@
-// See output_file.h. One file at a time is known to the signal handlers, which is all that a command writes
-// at once.
+// One file at a time is known to the signal handlers, which is all that a command writes at once.
 #include "io/output_file.h"
 
 #include <fcntl.h>

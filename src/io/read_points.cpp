@@ -4,11 +4,9 @@
 
 #include <algorithm>
 
-#include "io/gzip_stream.h"
 #include "io/input_bytes.h"
 #include "io/layer.h"
 #include "io/line_reader.h"
-#include "io/point_formats.h"
 
 namespace flowcert {
 

@@ -1,7 +1,8 @@
-// See flowcert/reproducibility.h. Version, commit and CGAL's version come from CMake; the digest is
+// Version, commit and CGAL's version come from CMake; the digest is
 // OpenSSL's.
 #include "flowcert/reproducibility.h"
 
+#include <fmt/format.h>
 #include <openssl/evp.h>
 
 #include <array>
@@ -9,7 +10,6 @@
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
-#include <vector>
 
 #include "io/layer.h"
 
@@ -27,14 +27,15 @@ Reproducibility reproducibility() {
           FLOWCERT_CGAL_VERSION};
 }
 
-std::string coordinates_sha256(std::span<const Point> rows) {
+std::string coordinates_sha256(const PointSet& points) {
   static_assert(std::endian::native == std::endian::little, "the digest is of little-endian doubles");
   const std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context(EVP_MD_CTX_new(), EVP_MD_CTX_free);
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int length = 0;
   bool ok = context != nullptr && EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
-  for (const Point& p : rows) {
-    const std::array<double, 3> coordinates = {p.x + 0.0, p.y + 0.0, p.z + 0.0};  // -0.0 becomes 0.0
+  for (std::size_t row = 0; row < points.row_count(); ++row) {
+    const Point& p = points[points.ordinal_of_row(static_cast<PointId>(row))];
+    const std::array<double, 3> coordinates = {p.x, p.y, p.z};
     ok = ok && EVP_DigestUpdate(context.get(), coordinates.data(), sizeof(coordinates)) == 1;
   }
   ok = ok && EVP_DigestFinal_ex(context.get(), digest.data(), &length) == 1;
@@ -46,6 +47,13 @@ std::string coordinates_sha256(std::span<const Point> rows) {
     text += kDigits[digest[i] & 15];
   }
   return text;
+}
+
+std::string made_by_text(const char* format, int format_version, const PointSet& points) {
+  const Reproducibility made_by = reproducibility();
+  return fmt::format("{} {}, by flowcert {} (commit {}; kernel: {}; compiler: {}; CGAL {}), input_sha256 {}",
+                     format, format_version, made_by.version, made_by.commit, made_by.kernel,
+                     made_by.compiler, made_by.cgal, coordinates_sha256(points));
 }
 
 }  // namespace flowcert

@@ -1,13 +1,19 @@
-// See vtk_exports.h.
-#include "io/vtk_exports.h"
+// Values that several cells share are rounded once, from the exact ones. Files have arrays as raw bytes after the XML,
+// each behind its length; the XML says where each begins. The writer is our own: VTK is a dependency of 190 MB for
+// what is a list of arrays, and tests read the files with VTK itself.
+#include "flowcert/vtk_exports.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 
 #include "geometry/rational_point.h"
-#include "io/rounded_position.h"
+#include "io/number_text.h"
 
-namespace flowcert::io {
+namespace flowcert {
+
+using namespace io;
 
 namespace {
 
@@ -78,7 +84,7 @@ class LineSet {
     lines_.push_back(line);
   }
 
-  // Those of one point first, as the format has vertices before lines.
+  // Lines of one point come first, as the format has vertices before lines.
   [[nodiscard]] std::vector<Line> take_lines() {
     std::stable_partition(lines_.begin(), lines_.end(), [](const Line& line) { return line.count == 1; });
     return std::move(lines_);
@@ -91,7 +97,7 @@ class LineSet {
 
   // nearest: a sample that is nearest to it.
   void append(const RationalPoint& position, PointId nearest) {
-    const RationalPoint sample = exact_position(points_[points_.position_of_row(nearest)]);
+    const RationalPoint sample = exact_position(points_[points_.ordinal_of_row(nearest)]);
     positions_.push_back(rounded(position));
     squared_distances_.push_back(rounded(squared_distance(position, sample)));
   }
@@ -102,18 +108,75 @@ class LineSet {
   Values squared_distances_;
 };
 
+// ---- Files ----
+
+const char* type_name(std::int8_t) { return "Int8"; }
+const char* type_name(std::int64_t) { return "Int64"; }
+const char* type_name(double) { return "Float64"; }
+
+class Document {
+ public:
+  explicit Document(std::ostream& out) : out_(out) {}
+
+  void text(const std::string& line) { out_ << line << '\n'; }
+
+  template <typename Number>
+  void array(const std::string& name, int components, const std::vector<Number>& values) {
+    text(fmt::format(
+        R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}"/>)",
+        type_name(Number{}), name, components, appended_.size()));
+    append_little_endian(appended_, std::uint64_t{values.size() * sizeof(Number)});
+    for (const Number value : values) append_little_endian(appended_, value);
+  }
+
+  void array(const VtpArray& array_of_any) {
+    std::visit([&](const auto& values) { array(array_of_any.name, 1, values); }, array_of_any.values);
+  }
+
+  void section(const char* name, const std::vector<VtpArray>& arrays) {
+    text(fmt::format("<{}>", name));
+    for (const VtpArray& each : arrays) array(each);
+    text(fmt::format("</{}>", name));
+  }
+
+  void cells(const char* name, const VtpCells& cells) {
+    text(fmt::format("<{}>", name));
+    array("connectivity", 1, cells.connectivity);
+    array("offsets", 1, cells.offsets);
+    text(fmt::format("</{}>", name));
+  }
+
+  void appended_data() {
+    out_ << R"(<AppendedData encoding="raw">)"
+         << "\n_" << appended_ << '\n';
+    text("</AppendedData>");
+  }
+
+ private:
+  std::ostream& out_;
+  std::string appended_;
+};
+
+std::vector<double> coordinates_of(const std::vector<Point>& points) {
+  std::vector<double> coordinates;
+  coordinates.reserve(3 * points.size());
+  for (const Point& point : points) coordinates.insert(coordinates.end(), {point.x, point.y, point.z});
+  return coordinates;
+}
+
 }  // namespace
 
-VtkExports::VtkExports(const PointSet& points, const StationaryPoints& stationary,
-                       const ExportProgress& progress)
-    : points_(points), stationary_(stationary) {
-  centers_.reserve(stationary.size());
-  squared_values_.reserve(stationary.size());
-  for (std::size_t record = 0; record < stationary.size(); ++record) {
-    ExactSphere sphere = exact_sphere(points, stationary.contact(record));
+// ---- Data sets ----
+
+VtkExports::VtkExports(const FlowComplex& complex, const ExportProgress& progress) : complex_(complex) {
+  const std::size_t size = complex.stationary().size();
+  centers_.reserve(size);
+  squared_values_.reserve(size);
+  for (std::size_t record = 0; record < size; ++record) {
+    ExactSphere sphere = complex.sphere(record);
     centers_.push_back(rounded(sphere.center));
     squared_values_.push_back(std::move(sphere.squared_radius));
-    if (progress) progress(record + 1, stationary.size());
+    if (progress) progress(record + 1, size);
   }
 }
 
@@ -123,8 +186,8 @@ PolyData VtkExports::critical_points() const {
   Flags dimensions, face_dimensions, are_regular, types;
   Ids ids;
   Values squared_distances;
-  for (std::size_t record = 0; record < stationary_.size(); ++record) {
-    const StationaryIndex index = stationary_.index(record);
+  for (std::size_t record = 0; record < complex_.stationary().size(); ++record) {
+    const StationaryIndex index = complex_.stationary().index(record);
     const auto id = static_cast<std::int64_t>(record);
     append_cell(data.vertices, id, 1);
     ids.push_back(id);
@@ -143,13 +206,15 @@ PolyData VtkExports::critical_points() const {
   return data;
 }
 
-PolyData VtkExports::unstable_lines(UnstableManifolds& u2, const ExportProgress& progress) const {
-  LineSet set(points_);
+PolyData VtkExports::unstable_lines(const ExportProgress& progress) const {
+  const UnstableManifolds& u2 = complex_.unstable();
+  LineSet set(complex_.points());
   for (std::size_t i = 0; i < u2.size(); ++i) {
     const std::size_t saddle = u2.saddle(i);
     for (const std::int8_t side : {std::int8_t{0}, std::int8_t{1}}) {
       const auto number = static_cast<std::size_t>(side);
-      set.append(saddle, stationary_.contact(saddle), side, u2.limit(i, number), u2.orbit(i, number));
+      set.append(saddle, complex_.stationary().contact(saddle), side, u2.limit(i, number),
+                 u2.orbit(i, number));
     }
     if (progress) progress(i + 1, u2.size());
   }
@@ -180,7 +245,8 @@ PolyData VtkExports::unstable_lines(UnstableManifolds& u2, const ExportProgress&
   return data;
 }
 
-PolyData VtkExports::stable_surfaces(const StableManifolds& s2, const SurfaceMesh& mesh) const {
+PolyData VtkExports::stable_surfaces(const SurfaceMesh& mesh) const {
+  const StableManifolds& s2 = complex_.stable();
   PolyData data;
   data.points = mesh.vertices;
   for (const auto& triangle : mesh.triangles) {
@@ -209,4 +275,30 @@ PolyData VtkExports::stable_surfaces(const StableManifolds& s2, const SurfaceMes
   return data;
 }
 
-}  // namespace flowcert::io
+// ---- Writing ----
+
+void write_vtp(std::ostream& out, const PolyData& data, const std::string& comment) {
+  Document document(out);
+  document.text(R"(<?xml version="1.0"?>)");
+  document.text(R"(<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">)");
+  document.text(fmt::format("<!-- {} -->", comment));
+  document.text("<PolyData>");
+  document.text(fmt::format(
+      R"(<Piece NumberOfPoints="{}" NumberOfVerts="{}" NumberOfLines="{}" NumberOfStrips="0" NumberOfPolys="{}">)",
+      data.points.size(), data.vertices.offsets.size(), data.lines.offsets.size(),
+      data.polygons.offsets.size()));
+  document.section("PointData", data.point_data);
+  document.section("CellData", data.cell_data);
+  document.text("<Points>");
+  document.array("Points", 3, coordinates_of(data.points));
+  document.text("</Points>");
+  document.cells("Verts", data.vertices);
+  document.cells("Lines", data.lines);
+  document.cells("Polys", data.polygons);
+  document.text("</Piece>");
+  document.text("</PolyData>");
+  document.appended_data();
+  document.text("</VTKFile>");
+}
+
+}  // namespace flowcert

@@ -1,5 +1,5 @@
-// See write_persistence.h.
-#include "io/write_persistence.h"
+// Pairs are ordered by exact values; records decide where the values are equal.
+#include "flowcert/write_persistence.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "flowcert/reproducibility.h"
 
-namespace flowcert::io {
+namespace flowcert {
 
 namespace {
 
@@ -27,31 +27,22 @@ std::string double_text(const Rational& value) {
   return fmt::format("{}", *nearest);
 }
 
-Json point_field(const PersistenceDiagram& diagram, const StationaryPoints& stationary, std::size_t record) {
-  const Rational& value = diagram.squared_value(record);
-  Json field;
-  field["contact"] = stationary.contact(record);
-  field["squared_distance"] = to_text(value);
-  field["squared_distance_double"] = double_field(value);
-  return field;
-}
-
 }  // namespace
 
-PersistenceDiagram::PersistenceDiagram(const PointSet& points, const StationaryPoints& stationary,
-                                       const Persistence& persistence, bool with_zero)
-    : persistence_(persistence),
+PersistenceDiagram::PersistenceDiagram(const FlowComplex& complex, bool with_zero)
+    : complex_(complex),
       has_zero_(with_zero),
-      first_regular_(critical_count(stationary)),
-      pairs_(persistence.pairs()) {
-  if (with_zero) add_regular(points, stationary);
+      first_regular_(critical_count(complex.stationary())),
+      pairs_(complex.persistence().pairs()) {
+  if (with_zero) add_regular();
   std::ranges::sort(pairs_,
                     [this](const PersistencePair& a, const PersistencePair& b) { return is_before(a, b); });
 }
 
-void PersistenceDiagram::add_regular(const PointSet& points, const StationaryPoints& stationary) {
+void PersistenceDiagram::add_regular() {
+  const StationaryPoints& stationary = complex_.stationary();
   for (std::size_t record = first_regular_; record < stationary.size(); ++record) {
-    regular_values_.push_back(exact_sphere(points, stationary.contact(record)).squared_radius);
+    regular_values_.push_back(complex_.sphere(record).squared_radius);
     const StationaryIndex index = stationary.index(record);
     for (int dimension = index.face_dimension; dimension < index.hull_dimension; ++dimension) {
       pairs_.push_back({dimension, record, record});
@@ -70,12 +61,13 @@ bool PersistenceDiagram::is_before(const PersistencePair& a, const PersistencePa
   return a.birth < b.birth;
 }
 
-std::string pers_text(const PersistenceDiagram& diagram, const std::string& input_sha256) {
+std::string pers_text(const PersistenceDiagram& diagram) {
   const Reproducibility made_by = reproducibility();
   std::string text = fmt::format(
       "# Persistence of the distance function: dimension, birth, death. The values are squared distances.\n"
       "# flowcert {} (commit {}; kernel: {}; compiler: {}; CGAL {}), input_sha256 {}\n",
-      made_by.version, made_by.commit, made_by.kernel, made_by.compiler, made_by.cgal, input_sha256);
+      made_by.version, made_by.commit, made_by.kernel, made_by.compiler, made_by.cgal,
+      coordinates_sha256(diagram.complex().points()));
   text += diagram.has_zero() ? "# With regular stationary points, as pairs of length zero.\n"
                              : "# Without pairs of length zero.\n";
   for (const PersistencePair& pair : diagram.pairs()) {
@@ -85,16 +77,4 @@ std::string pers_text(const PersistenceDiagram& diagram, const std::string& inpu
   return text;
 }
 
-Json pairs_field(const PersistenceDiagram& diagram, const StationaryPoints& stationary) {
-  Json pairs = Json::array();
-  for (const PersistencePair& pair : diagram.pairs()) {
-    Json field;
-    field["dimension"] = pair.dimension;
-    field["birth"] = point_field(diagram, stationary, pair.birth);
-    field["death"] = pair.death ? point_field(diagram, stationary, *pair.death) : Json(nullptr);
-    pairs.push_back(std::move(field));
-  }
-  return pairs;
-}
-
-}  // namespace flowcert::io
+}  // namespace flowcert

@@ -1,4 +1,3 @@
-// See backward_walk.h.
 #include "morse/backward_walk.h"
 
 #include <stdexcept>
@@ -25,11 +24,11 @@ FrontNumber BackwardWalk::at_center(const std::array<VertexIndex, 3>& samples, P
 
 void BackwardWalk::clear() {
   fronts_.clear();
-  machine_.drop_from(0);
+  flow_.drop_from(0);
 }
 
 // Constructs whatever the front's point depends on, the first one first.
-Position BackwardWalk::position(FrontNumber front) {
+Location BackwardWalk::location(FrontNumber front) {
   pending_.clear();
   for (FrontNumber at = front; at != kNone && !is_constructed(fronts_[at]); at = fronts_[at].before) {
     pending_.push_back(at);
@@ -38,10 +37,10 @@ Position BackwardWalk::position(FrontNumber front) {
     Front& next = fronts_[pending_.back()];
     pending_.pop_back();
     if (next.before == kNone) {
-      next.point = machine_.add_center(next.samples);
+      next.point = flow_.add_center(next.samples);
     } else {
       const Front& before = fronts_[next.before];
-      next.point = machine_.cross_back({before.place, before.point}, next.facet, next.apex);
+      next.point = flow_.cross_back({before.place, before.point}, next.facet, next.apex);
     }
   }
   return {fronts_[front].place, fronts_[front].point};
@@ -51,9 +50,9 @@ BackwardWalk::Back BackwardWalk::step(FrontNumber front, FacetName facet) {
   if (const auto record = gabriel_.find(facet)) return {record, false, 0};
   const Place& from = fronts_[front].place;
   const CellIndex hint = from.kind == Place::Kind::kVertex ? from.vertex : from.edge.cell;
-  const bool needs_point = !machine_.has_one_back(facet, hint);
-  const Position at = needs_point ? position(front) : Position{from, kNoPoint};
-  const BackwardStep step = machine_.step_back(at, facet, hint);
+  const bool needs_point = !flow_.has_one_back(facet, hint);
+  const Location at = needs_point ? location(front) : Location{from, kNoPoint};
+  const BackwardStep step = flow_.step_back(at, facet, hint);
   Front back;
   back.place = step.back;
   back.depth = fronts_[front].depth + 1;

@@ -1,8 +1,8 @@
 // Walks against the flow over Voronoi facets, from front to front: what both the skeleton of a stable set and
 // its boundary in the chain complex are made of.
 //
-// Guarantees: exact (FlowMachine). A front's point is constructed when the first facet asks where its ray
-// ends; most facets do not (FlowMachine::has_one_back).
+// Guarantees: exact (FlowOperator). A front's point is constructed when the first facet asks where its ray
+// ends; most facets do not (FlowOperator::has_one_back).
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
-#include "flow/flow_machine.h"
-#include "morse/gabriel_edges.h"
+#include "flow/flow_operator.h"
+#include "morse/record_finder.h"
 
 namespace flowcert::morse {
 
@@ -20,8 +20,8 @@ using FrontNumber = std::uint32_t;
 class BackwardWalk {
  public:
   // All three must outlive it.
-  BackwardWalk(VoronoiFaces& faces, FlowMachine& machine, const GabrielEdges& gabriel)
-      : faces_(faces), machine_(machine), gabriel_(gabriel) {}
+  BackwardWalk(VoronoiFaces& faces, FlowOperator& flow, const GabrielEdges& gabriel)
+      : faces_(faces), flow_(flow), gabriel_(gabriel) {}
 
   // Fronts, which stay until clear().
   [[nodiscard]] FrontNumber at_vertex(CellIndex cluster);
@@ -41,7 +41,7 @@ class BackwardWalk {
   [[nodiscard]] const Place& place(FrontNumber front) const { return fronts_[front].place; }
   // Segments between it and the front that the walk began with.
   [[nodiscard]] std::uint32_t depth(FrontNumber front) const { return fronts_[front].depth; }
-  [[nodiscard]] Position position(FrontNumber front);
+  [[nodiscard]] Location location(FrontNumber front);
 
  private:
   static constexpr FrontNumber kNone = 0xffffffffu;
@@ -62,7 +62,7 @@ class BackwardWalk {
   FrontNumber add(const Front& front);
 
   VoronoiFaces& faces_;
-  FlowMachine& machine_;
+  FlowOperator& flow_;
   const GabrielEdges& gabriel_;
   std::vector<Front> fronts_;
   std::vector<FrontNumber> pending_;

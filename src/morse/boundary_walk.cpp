@@ -1,5 +1,5 @@
-// The boundary of a stable set as a closed walk (FC-STAB-07; flowcert/stable_manifolds.h), from its segments
-// alone: those with one front have the sides of its polygon as samples, all of them at the stationary point,
+// The boundary of a stable set as a closed walk (FC-STAB-07), and its connecting orbits (FC-STAB-06), from its
+// segments alone: those with one front have the sides of its polygon as samples, all of them at the stationary point,
 // all but the one through which the branch comes at a crossing.
 #include <algorithm>
 #include <map>
@@ -10,6 +10,8 @@
 namespace flowcert {
 
 using namespace morse;
+
+// ---- The walk ----
 
 namespace {
 
@@ -124,6 +126,28 @@ std::optional<std::vector<PointId>> boundary_walk(const StableSet& set, Stationa
                                                   std::span<const PointId> contact) {
   if (index.hull_dimension != 2 || has_vertex(set)) return std::nullopt;
   return Walker(set, contact).walk();
+}
+
+// ---- Connecting orbits ----
+
+std::vector<std::vector<std::size_t>> connecting_orbits(const StableSet& set,
+                                                        const RationalPoint& stationary) {
+  std::map<RationalPoint, std::size_t> by_back;
+  for (std::size_t i = 0; i < set.segments.size(); ++i) by_back.emplace(set.segments[i].back, i);
+  std::vector<std::vector<std::size_t>> orbits;
+  for (std::size_t i = 0; i < set.segments.size(); ++i) {
+    if (set.segments[i].back_kind != BackKind::kCritical) continue;
+    std::vector<std::size_t> orbit = {i};
+    while (set.segments[orbit.back()].front != stationary) {
+      const auto next = by_back.find(set.segments[orbit.back()].front);
+      if (next == by_back.end()) break;
+      orbit.push_back(next->second);
+    }
+    if (set.segments[orbit.back()].front != stationary) continue;
+    std::ranges::reverse(orbit);
+    orbits.push_back(std::move(orbit));
+  }
+  return orbits;
 }
 
 }  // namespace flowcert

@@ -1,4 +1,3 @@
-// See chain_boundary.h.
 #include "morse/chain_boundary.h"
 
 #include <algorithm>
@@ -14,7 +13,7 @@ namespace {
 
 // Edges of a Voronoi vertex' polytope that lead from v0 to v1, all of them not obtuse and none of them
 // through the Voronoi vertex: the fewest there are, or any that the ties choose.
-std::vector<PolytopeEdge> path_between(const VoronoiFaces& faces, CellIndex cluster, FacetName ends,
+std::vector<PolytopeEdge> path_between(const Diagram& faces, CellIndex cluster, FacetName ends,
                                        TieBreaking& ties) {
   const VertexSources sources = vertex_sources(faces, cluster);
   std::map<VertexIndex, std::vector<const PolytopeEdge*>> at;
@@ -47,7 +46,7 @@ std::vector<PolytopeEdge> path_between(const VoronoiFaces& faces, CellIndex clus
 
 class TieBreaker {
  public:
-  TieBreaker(const VoronoiFaces& faces, BackwardWalk& walk, TieBreaking& ties)
+  TieBreaker(const Diagram& faces, BackwardWalk& walk, TieBreaking& ties)
       : faces_(faces), walk_(walk), ties_(ties) {}
 
   void add(FrontNumber front, FacetName facet) { tasks_.push_back({front, facet}); }
@@ -107,7 +106,7 @@ class TieBreaker {
     }
   }
 
-  const VoronoiFaces& faces_;
+  const Diagram& faces_;
   BackwardWalk& walk_;
   TieBreaking& ties_;
   std::vector<Task> tasks_;
@@ -116,9 +115,8 @@ class TieBreaker {
 
 }  // namespace
 
-std::vector<std::uint32_t> tie_broken_boundary(const VoronoiFaces& faces, BackwardWalk& walk,
-                                               FrontNumber root, std::span<const VertexIndex> samples,
-                                               TieBreaking& ties) {
+std::vector<std::uint32_t> tie_broken_boundary(const Diagram& faces, BackwardWalk& walk, FrontNumber root,
+                                               std::span<const VertexIndex> samples, TieBreaking& ties) {
   TieBreaker breaker(faces, walk, ties);
   const Place place = walk.place(root);
   if (place.edge.cell != kNoCell) {

@@ -1,20 +1,45 @@
-// The boundary of an index-2 cell in the chain complex, where ties have to be broken.
+// The boundary of an index-2 cell in the chain complex, where ties have to be broken; and the choices that a tie
+// leaves open.
 //
 // Guarantees: with every tie broken as spec clause FC-CHAIN-02 allows, the boundary is a chain of index-1
-// points, and persistence is that of the alpha complex, whatever the choice; the choice is reproducible.
+// points, and persistence is the alpha complex's, whatever the choice; the choice is reproducible.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "morse/backward_walk.h"
-#include "morse/tie_breaking.h"
+#include "morse/layer.h"
 
 namespace flowcert::morse {
 
+// Always the first, or reproducibly at random.
+class TieBreaking {
+ public:
+  enum class Of : std::uint8_t { kUnstable, kStable };
+
+  // seed 0: always the first. What is broken for U2 and for S2 with one seed is independent.
+  TieBreaking(std::uint64_t seed, Of which)
+      : state_(which == Of::kUnstable ? seed : seed ^ 0xd1342543de82ef95u), is_random_(seed != 0) {}
+
+  // One of 0 to count - 1. SplitMix64, so that the choices are the same with every standard library.
+  [[nodiscard]] std::size_t choose(std::size_t count) {
+    if (!is_random_ || count < 2) return 0;
+    std::uint64_t z = state_ += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return static_cast<std::size_t>((z ^ (z >> 31)) % count);
+  }
+
+ private:
+  std::uint64_t state_;
+  bool is_random_;
+};
+
 // Records of index 1, some of them several times. root: the centre of the polygon with these samples.
-[[nodiscard]] std::vector<std::uint32_t> tie_broken_boundary(const VoronoiFaces& faces, BackwardWalk& walk,
+[[nodiscard]] std::vector<std::uint32_t> tie_broken_boundary(const Diagram& faces, BackwardWalk& walk,
                                                              FrontNumber root,
                                                              std::span<const VertexIndex> samples,
                                                              TieBreaking& ties);

@@ -1,12 +1,8 @@
-// See flowcert/chain_complex.h.
 #include "flowcert/chain_complex.h"
 
-#include <algorithm>
-#include <utility>
-
+#include "morse/chain_boundary.h"
 #include "morse/layer.h"
 #include "morse/record_finder.h"
-#include "morse/tie_breaking.h"
 
 namespace flowcert {
 
@@ -15,7 +11,7 @@ using namespace morse;
 namespace {
 
 // The maximum that an orbit comes to, with every point of another kind on the way left by one of its ways.
-std::uint32_t resolved(const StationaryPoints& stationary, UnstableManifolds& unstable,
+std::uint32_t resolved(const StationaryPoints& stationary, const UnstableManifolds& unstable,
                        std::optional<std::size_t> limit, TieBreaking& ties, std::size_t& broken) {
   while (limit && stationary.index(*limit) != StationaryIndex{3, 3}) {
     ++broken;
@@ -27,7 +23,8 @@ std::uint32_t resolved(const StationaryPoints& stationary, UnstableManifolds& un
 }  // namespace
 
 ChainComplex::ChainComplex(const PointSet& points, const StationaryPoints& stationary,
-                           UnstableManifolds& unstable, const StableManifolds& stable, std::uint64_t seed) {
+                           const UnstableManifolds& unstable, const StableManifolds& stable,
+                           std::uint64_t seed) {
   TieBreaking ties(seed, TieBreaking::Of::kUnstable);
   const RecordFinder finder(stationary);
   std::vector<std::vector<std::uint32_t>> of_maximum(finder.range({3, 3}).second);
@@ -41,14 +38,14 @@ ChainComplex::ChainComplex(const PointSet& points, const StationaryPoints& stati
       if (limit != kInfinity) of_maximum[limit].push_back(static_cast<std::uint32_t>(unstable.saddle(i)));
     }
   }
-  // Critical points of index 0 are listed by name, as the positions of the point set are.
+  // Critical points of index 0 are listed by name, as the ordinals of the point set are.
   first_ = {0};
   std::size_t next_set = 0;
   for (std::size_t record = 0; record < stationary.size(); ++record) {
     const StationaryIndex index = stationary.index(record);
     if (index == StationaryIndex{1, 1}) {
       for (const PointId name : stationary.contact(record)) {
-        cells_.push_back(static_cast<std::uint32_t>(points.position_of_row(name)));
+        cells_.push_back(static_cast<std::uint32_t>(points.ordinal_of_row(name)));
       }
     } else if (index == StationaryIndex{2, 2}) {
       const auto boundary = stable.boundary(next_set++);

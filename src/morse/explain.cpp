@@ -1,4 +1,3 @@
-// See flowcert/explain.h.
 #include "flowcert/explain.h"
 
 #include <algorithm>
@@ -26,7 +25,7 @@ void scan_contact(const PointSet& points, const RationalPoint& x, Explanation& a
 
 std::vector<Point> coordinates(const PointSet& points, std::span<const PointId> names) {
   std::vector<Point> result;
-  for (const PointId name : names) result.push_back(points[points.position_of_row(name)]);
+  for (const PointId name : names) result.push_back(points[points.ordinal_of_row(name)]);
   return result;
 }
 
@@ -60,7 +59,7 @@ std::vector<PointId> distinct_names(const PointSet& points, std::span<const Poin
       throw InvalidInput("there is no point " + std::to_string(row) + "; the ids are 0 to " +
                          std::to_string(static_cast<long long>(points.row_count()) - 1));
     }
-    names.push_back(points.name(points.position_of_row(row)));
+    names.push_back(points.name(points.ordinal_of_row(row)));
   }
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
@@ -88,7 +87,7 @@ Explanation explain_points(const PointSet& points, std::span<const PointId> rows
   Explanation answer;
   const ExactSphere sphere = exact_sphere(points, names);
   for (const PointId name : names) {
-    if (squared_distance(sphere.center, points[points.position_of_row(name)]) != sphere.squared_radius) {
+    if (squared_distance(sphere.center, points[points.ordinal_of_row(name)]) != sphere.squared_radius) {
       answer.witnesses.push_back(name);
     }
   }

@@ -1,4 +1,5 @@
-// See ordered_records.h. Positions ascend with names (PointSet), so sorting by positions sorts by names.
+// Ordinals ascend with names (PointSet), so sorting by ordinals sorts by names. Apart from the search, which is
+// compiled better alone.
 #include "morse/ordered_records.h"
 
 #include <algorithm>
@@ -8,36 +9,36 @@
 namespace flowcert::morse {
 
 // Room for what scans have: about 3 saddles of index 1 and 2 of index 2 a point.
-OrderedRecords::OrderedRecords(std::span<const std::uint32_t> positions) : positions_(positions) {
-  records_[0].reserve(3 * positions.size());
-  records_[1].reserve(2 * positions.size());
+OrderedRecords::OrderedRecords(std::span<const std::uint32_t> ordinals) : ordinals_(ordinals) {
+  records_[0].reserve(3 * ordinals.size());
+  records_[1].reserve(2 * ordinals.size());
 }
 
 void OrderedRecords::add(StationaryIndex index, std::span<const VertexIndex> contact) {
   const auto slot = static_cast<std::size_t>(std::find(kOrder.begin(), kOrder.end(), index) - kOrder.begin());
   Record record{static_cast<std::uint32_t>(contact.size()), {}};
   if (contact.size() <= record.small.size()) {
-    for (std::size_t k = 0; k < contact.size(); ++k) record.small[k] = positions_[contact[k]];
+    for (std::size_t k = 0; k < contact.size(); ++k) record.small[k] = ordinals_[contact[k]];
     std::sort(record.small.begin(), record.small.begin() + static_cast<std::ptrdiff_t>(contact.size()));
   } else {
-    std::vector<std::uint32_t> positions;
-    for (const VertexIndex v : contact) positions.push_back(positions_[v]);
-    std::sort(positions.begin(), positions.end());
-    record.small = {positions.front(), static_cast<std::uint32_t>(large_.size()), 0, 0};
-    large_.push_back(std::move(positions));
+    std::vector<std::uint32_t> ordinals;
+    for (const VertexIndex v : contact) ordinals.push_back(ordinals_[v]);
+    std::sort(ordinals.begin(), ordinals.end());
+    record.small = {ordinals.front(), static_cast<std::uint32_t>(large_.size()), 0, 0};
+    large_.push_back(std::move(ordinals));
   }
   records_[slot].push_back(record);
 }
 
 // Spread over buckets by the first point, then each small bucket by the rest.
 std::vector<OrderedRecords::Record> OrderedRecords::sorted(const std::vector<Record>& records) const {
-  std::vector<std::uint32_t> start(positions_.size() + 1, 0);
+  std::vector<std::uint32_t> start(ordinals_.size() + 1, 0);
   for (const Record& record : records) ++start[record.small[0] + 1];
   std::partial_sum(start.begin(), start.end(), start.begin());
   std::vector<Record> result(records.size());
   std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
   for (const Record& record : records) result[next[record.small[0]]++] = record;
-  for (std::size_t k = 0; k < positions_.size(); ++k) {
+  for (std::size_t k = 0; k < ordinals_.size(); ++k) {
     if (start[k + 1] - start[k] < 2) continue;
     std::sort(result.begin() + start[k], result.begin() + start[k + 1],
               [this](const Record& a, const Record& b) {
@@ -61,7 +62,7 @@ StationaryPoints OrderedRecords::list(const PointSet& points) const {
     if (records_[slot].empty()) continue;
     for (const Record& record : sorted(records_[slot])) {
       names.clear();
-      for (const std::uint32_t position : contact(record)) names.push_back(points.name(position));
+      for (const std::uint32_t ordinal : contact(record)) names.push_back(points.name(ordinal));
       list.append(kOrder[slot], names);
     }
   }

@@ -15,8 +15,8 @@ namespace flowcert::morse {
 
 class OrderedRecords {
  public:
-  // positions: of the vertices, in the point set; must outlive this.
-  explicit OrderedRecords(std::span<const std::uint32_t> positions);
+  // ordinals: of the vertices, in the point set; must outlive this.
+  explicit OrderedRecords(std::span<const std::uint32_t> ordinals);
 
   // The contact set, in any order. Not for index 0, which the points themselves give.
   void add(StationaryIndex index, std::span<const VertexIndex> contact);
@@ -30,7 +30,7 @@ class OrderedRecords {
   struct Record {
     std::uint32_t size;
     std::array<std::uint32_t, 4>
-        small;  // positions, ascending; for more than four: the first one, and the place in large_
+        small;  // ordinals, ascending; for more than four: the first one, and the place in large_
   };
   static constexpr std::array<StationaryIndex, 6> kOrder = {{{1, 1}, {2, 2}, {3, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
@@ -41,7 +41,7 @@ class OrderedRecords {
   [[nodiscard]] std::vector<Record> sorted(const std::vector<Record>& records) const;
 
   std::array<std::vector<Record>, kOrder.size()> records_;
-  std::span<const std::uint32_t> positions_;
+  std::span<const std::uint32_t> ordinals_;
   std::vector<std::vector<std::uint32_t>> large_;
 };
 

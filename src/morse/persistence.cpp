@@ -1,4 +1,3 @@
-// See flowcert/persistence.h.
 #include "flowcert/persistence.h"
 
 #include <algorithm>

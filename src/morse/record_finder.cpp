@@ -1,8 +1,8 @@
-// See record_finder.h.
+// The list has critical points first, by index, then regular ones by kind, and each sort by its contact sets.
 #include "morse/record_finder.h"
 
 #include <algorithm>
-#include <utility>
+#include <array>
 
 namespace flowcert::morse {
 
@@ -48,6 +48,26 @@ std::optional<std::size_t> RecordFinder::find(StationaryIndex index, std::span<c
   });
   if (found == last || !std::ranges::equal(list_.contact(found), contact)) return std::nullopt;
   return found;
+}
+
+GabrielEdges::GabrielEdges(const PointSet& points, const StationaryPoints& stationary,
+                           std::span<const VertexIndex> vertex_of)
+    : first_(vertex_of.size() + 1, 0) {
+  const auto [first, last] = RecordFinder(stationary).range({1, 1});
+  const auto ends = [&](std::size_t record) {
+    const auto contact = stationary.contact(record);
+    const VertexIndex a = vertex_of[points.ordinal_of_row(contact[0])];
+    const VertexIndex b = vertex_of[points.ordinal_of_row(contact[1])];
+    return std::array{std::min(a, b), std::max(a, b)};
+  };
+  for (std::size_t record = first; record < last; ++record) ++first_[ends(record)[0] + 1];
+  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+  edges_.resize(last - first);
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  for (std::size_t record = first; record < last; ++record) {
+    const auto [v0, v1] = ends(record);
+    edges_[next[v0]++] = {v1, static_cast<std::uint32_t>(record)};
+  }
 }
 
 }  // namespace flowcert::morse

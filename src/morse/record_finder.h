@@ -1,18 +1,22 @@
-// Finds a stationary point in the list by what it is.
+// Finds stationary points in the list: by what they are, and critical points of index 1 by their two samples.
 //
-// Guarantees: relies on the order of the list (spec clause FC-OUT-02), and so takes a binary search.
+// Guarantees: relies on the order of the list (spec clause FC-OUT-02).
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "flowcert/stationary_points.h"
 #include "morse/layer.h"
+#include "voronoi/voronoi_faces.h"
 
 namespace flowcert::morse {
 
+// A binary search a question.
 class RecordFinder {
  public:
   // The list must outlive this.
@@ -26,6 +30,31 @@ class RecordFinder {
 
  private:
   const StationaryPoints& list_;
+};
+
+// The critical points of index 1. A question looks at the Gabriel edges of one sample, the one with the lower number;
+// they lie side by side in memory.
+class GabrielEdges {
+ public:
+  // vertex_of: of the ordinals in the point set. O(index-1 points + vertices).
+  GabrielEdges(const PointSet& points, const StationaryPoints& stationary,
+               std::span<const VertexIndex> vertex_of);
+
+  // Where the midpoint is in the list; nothing where it is not critical.
+  [[nodiscard]] std::optional<std::uint32_t> find(FacetName edge) const {
+    for (std::size_t k = first_[edge.v0]; k < first_[edge.v0 + 1]; ++k) {
+      if (edges_[k].other == edge.v1) return edges_[k].record;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Edge {
+    VertexIndex other;
+    std::uint32_t record;
+  };
+  std::vector<std::size_t> first_;
+  std::vector<Edge> edges_;
 };
 
 }  // namespace flowcert::morse

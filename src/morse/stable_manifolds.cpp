@@ -1,22 +1,134 @@
-// See flowcert/stable_manifolds.h.
+// Stable sets are walked against the flow, from front to front (BackwardWalk); their geometry is made once more when
+// it is asked for.
 #include "flowcert/stable_manifolds.h"
 
 #include <algorithm>
 #include <iterator>
+#include <mutex>
 #include <tuple>
 #include <unordered_set>
 #include <utility>
 
+#include "flow/drivers.h"
+#include "flow/flow_operator.h"
+#include "flow/kernels/steering.h"
 #include "flow/segment_record.h"
+#include "geometry/floating_point.h"
 #include "morse/backward_walk.h"
 #include "morse/chain_boundary.h"
 #include "morse/layer.h"
 #include "morse/record_finder.h"
-#include "morse/sectors.h"
+
+namespace flowcert::morse {
+
+// ---- Parts of dimension 3 ----
+// What flows into an arc of a Voronoi edge, facet by facet (spec clause FC-STAB-05), in rationals throughout: such
+// parts come from ties alone, and are few.
+
+// An open arc of a Voronoi edge.
+struct Arc {
+  PolygonRef polygon;
+  RationalPoint a, b;
+};
+
+struct SectorParts {
+  // Of the sector's closure, in cyclic order: the lexicographically least first, the lesser of its neighbours
+  // second.
+  std::vector<RationalPoint> corners;
+  // What the sector's rays come through, where they enter the facet.
+  std::vector<Arc> arcs;
+  std::vector<CellIndex> vertices;
+};
+
+// The sector in a facet that leads to the arc (h > 0 at the arc's polygon).
+[[nodiscard]] SectorParts sector_of(VoronoiFaces& faces, FlowOperator& flow, FacetName facet, const Arc& arc);
+
+namespace {
+
+using Vector = Vector3<Rational>;
+
+Vector vector(const Point& p) { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
+Vector vector(const RationalPoint& p) { return {p[0], p[1], p[2]}; }
+RationalPoint point(const Vector& v) { return {v.x, v.y, v.z}; }
+
+// The plane of a facet: its Delaunay edge p0p1 with the midpoint m.
+struct FacetPlane {
+  FacetPlane(const Point& p0_, const Point& p1_)
+      : p0(vector(p0_)), p1(vector(p1_)), m(Rational(1, 2) * (p0 + p1)) {}
+
+  // Positive where m and q are on one side of the bisector of p0 and q, and x on the other: 2 <x-m, q-m> -
+  // h(q), times -1 where q is obtuse.
+  [[nodiscard]] Rational beyond(const Vector& x, const Vector& q) const {
+    return Rational(2) * dot(x - m, q - m) - dot(q - p0, q - p1);
+  }
+  // Twice the area spanned with m, counterclockwise seen from p1, times |p0p1|.
+  [[nodiscard]] Rational turn(const Vector& a, const Vector& b) const {
+    return dot(cross(a - m, b - m), p1 - p0);
+  }
+
+  Vector p0, p1, m;
+};
+
+void make_canonical(std::vector<RationalPoint>& corners) {
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  if (corners.size() > 2 && corners.back() < corners[1]) std::reverse(corners.begin() + 1, corners.end());
+}
+
+}  // namespace
+
+SectorParts sector_of(VoronoiFaces& faces, FlowOperator& flow, FacetName facet, const Arc& arc) {
+  const FacetPlane plane(faces.point(facet.v0), faces.point(facet.v1));
+  const FacetRing ring = faces.ring(facet, arc.polygon.cell);
+  FilterTally tally;
+  const ObtuseChain chain = obtuse_chain(faces.diagram(), facet, ring, tally);
+  Vector a = vector(arc.a), b = vector(arc.b);
+  if (plane.turn(a, b) < 0) std::swap(a, b);
+  SectorParts parts;
+  parts.corners = {point(a), point(b)};
+  if (chain.count == 0) {
+    parts.corners.push_back(point(plane.m));
+    make_canonical(parts.corners);
+    return parts;
+  }
+  // From b back to a: the near side is met clockwise, in the ring's order.
+  const std::size_t n = ring.pieces.size();
+  const auto piece = [&](std::size_t k) -> const RingPiece& { return ring.pieces[(chain.first + k) % n]; };
+  const auto inner = [&](std::size_t k) { return ring.elements[(chain.first + k + 1) % n].vertex; };
+  std::size_t k = 0;
+  while (k + 1 < chain.count &&
+         plane.turn(b, vector(flow.exact({Place::at_vertex(inner(k)), kNoPoint}))) >= 0) {
+    ++k;
+  }
+  Vector from = crossing(b, plane.p0, plane.p1, vector(faces.point(piece(k).apex)));
+  parts.corners.push_back(point(from));
+  for (; k < chain.count; ++k) {
+    const bool is_last = k + 1 == chain.count;
+    const Vector next = is_last ? a : vector(flow.exact({Place::at_vertex(inner(k)), kNoPoint}));
+    if (!is_last && plane.turn(a, next) > 0) {
+      parts.arcs.push_back({piece(k).polygon, point(from), point(next)});
+      parts.vertices.push_back(inner(k));
+      parts.corners.push_back(point(next));
+      from = next;
+      continue;
+    }
+    const Vector end = crossing(a, plane.p0, plane.p1, vector(faces.point(piece(k).apex)));
+    parts.arcs.push_back({piece(k).polygon, point(from), point(end)});
+    parts.corners.push_back(point(end));
+    break;
+  }
+  make_canonical(parts.corners);
+  return parts;
+}
+
+}  // namespace flowcert::morse
 
 namespace flowcert {
 
 using namespace morse;
+
+// ---- All sets ----
 
 namespace {
 
@@ -24,16 +136,16 @@ constexpr std::size_t kProgressStep = 1024;
 
 }  // namespace
 
-struct StableManifolds::Machine {
-  Machine(const VoronoiDiagram& diagram, const StationaryPoints& list, StableOptions options)
+struct StableManifolds::Parts {
+  Parts(const VoronoiDiagram& diagram, const StationaryPoints& list, StableOptions options)
       : points(diagram.points()),
         stationary(list),
         faces(diagram),
-        machine(make_flow_machine(faces, options.flow)),
-        recorder(points, faces, *machine),
-        vertex_of(vertices_by_position(faces.delaunay())),
+        flow(make_flow_operator(faces, options.flow)),
+        recorder(points, faces.diagram(), *flow),
+        vertex_of(vertices_by_ordinal(faces.delaunay())),
         gabriel(points, list, vertex_of),
-        walk(faces, *machine, gabriel),
+        walk(faces, *flow, gabriel),
         ties(options.seed, TieBreaking::Of::kStable) {}
 
   void compute(const Progress& progress);
@@ -49,7 +161,7 @@ struct StableManifolds::Machine {
   const PointSet& points;
   const StationaryPoints& stationary;
   VoronoiFaces faces;
-  std::unique_ptr<FlowMachine> machine;
+  std::unique_ptr<FlowOperator> flow;
   SegmentRecorder recorder;
   std::vector<VertexIndex> vertex_of;
   GabrielEdges gabriel;
@@ -58,6 +170,7 @@ struct StableManifolds::Machine {
   std::vector<Set> sets;
   std::vector<std::uint32_t> boundaries;
   StableStatistics statistics;
+  std::mutex flowing;  // what is made once more changes what the walk and the operator keep
 
  private:
   struct Task {
@@ -79,7 +192,7 @@ struct StableManifolds::Machine {
   void record_segment(const Task& task, const BackwardWalk::Back& back, StableSet& geometry);
   void record_intervals(StableSet& geometry, Set& set);
   void record_sectors(const Arc& arc, StableSet& geometry, Set& set);
-  PointId name(VertexIndex v) const { return points.name(faces.delaunay().positions[v]); }
+  PointId name(VertexIndex v) const { return points.name(faces.delaunay().ordinals[v]); }
 
   std::vector<Task> tasks;
   std::vector<VertexIndex> contact;
@@ -95,10 +208,10 @@ struct StableManifolds::Machine {
 };
 
 // What leads to the point. Of a triangle without a Voronoi edge looked up, its sides, which are all acute.
-FrontNumber StableManifolds::Machine::start(std::size_t record) {
+FrontNumber StableManifolds::Parts::start(std::size_t record) {
   contact.clear();
   for (const PointId name : stationary.contact(record)) {
-    contact.push_back(vertex_of[points.position_of_row(name)]);
+    contact.push_back(vertex_of[points.ordinal_of_row(name)]);
   }
   const bool is_critical = stationary.index(record).is_critical();
   if (is_critical && contact.size() == 3) {
@@ -112,16 +225,16 @@ FrontNumber StableManifolds::Machine::start(std::size_t record) {
   return walk.at_center(faces.corners(place.edge), place.edge);
 }
 
-void StableManifolds::Machine::push_sides(FrontNumber front, PolygonRef polygon) {
+void StableManifolds::Parts::push_sides(FrontNumber front, PolygonRef polygon) {
   for (const PolygonSide& side : faces.sides(polygon)) {
     if (side.angle == Sign::kPositive) tasks.push_back({front, {side.v0, side.v1}});
   }
 }
 
-void StableManifolds::Machine::push_vertex(CellIndex cluster, FrontNumber front, Set& set) {
+void StableManifolds::Parts::push_vertex(CellIndex cluster, FrontNumber front, Set& set) {
   if (!visited.insert(cluster).second) return;
   set.has_vertex = true;
-  const VertexSources sources = vertex_sources(faces, cluster);
+  const VertexSources sources = vertex_sources(faces.diagram(), cluster);
   for (const PolytopeEdge& edge : sources.edges) {
     if (edge.leads()) tasks.push_back({front, edge.facet});
   }
@@ -129,13 +242,13 @@ void StableManifolds::Machine::push_vertex(CellIndex cluster, FrontNumber front,
   for (const PolygonRef polygon : sources.polygons) sources_of_intervals.push_back({cluster, polygon});
 }
 
-void StableManifolds::Machine::push_sources(FrontNumber front, Set& set) {
+void StableManifolds::Parts::push_sources(FrontNumber front, Set& set) {
   const Place place = walk.place(front);
   if (place.kind == Place::Kind::kVertex) return push_vertex(place.vertex, front, set);
   push_sides(front, place.edge);
 }
 
-void StableManifolds::Machine::follow(Set& set, StableSet* geometry) {
+void StableManifolds::Parts::follow(Set& set, StableSet* geometry) {
   while (!tasks.empty()) {
     const Task task = tasks.back();
     tasks.pop_back();
@@ -153,17 +266,17 @@ void StableManifolds::Machine::follow(Set& set, StableSet* geometry) {
   }
 }
 
-void StableManifolds::Machine::keep_boundary(Set& set, FrontNumber root) {
+void StableManifolds::Parts::keep_boundary(Set& set, FrontNumber root) {
   if (set.has_vertex || regular_backs > 0) {
     ++statistics.broken_ties;
-    ends = tie_broken_boundary(faces, walk, root, contact, ties);
+    ends = tie_broken_boundary(faces.diagram(), walk, root, contact, ties);
   }
   set.boundary_first = boundaries.size();
   add_mod_2(ends, boundaries);
   set.boundary_count = boundaries.size() - set.boundary_first;
 }
 
-void StableManifolds::Machine::count(const Set& set) {
+void StableManifolds::Parts::count(const Set& set) {
   for (const std::uint32_t length : lengths) statistics.n_s2.add(length);
   statistics.with_vertex += set.has_vertex ? 1 : 0;
   statistics.with_interval += set.has_interval ? 1 : 0;
@@ -175,7 +288,7 @@ void StableManifolds::Machine::count(const Set& set) {
   statistics.triangle_count += triangles;
 }
 
-void StableManifolds::Machine::clear() {
+void StableManifolds::Parts::clear() {
   visited.clear();
   ends.clear();
   lengths.clear();
@@ -184,7 +297,7 @@ void StableManifolds::Machine::clear() {
   walk.clear();
 }
 
-void StableManifolds::Machine::add_set(std::size_t record) {
+void StableManifolds::Parts::add_set(std::size_t record) {
   Set set;
   set.record = static_cast<std::uint32_t>(record);
   clear();
@@ -198,7 +311,7 @@ void StableManifolds::Machine::add_set(std::size_t record) {
   sets.push_back(set);
 }
 
-void StableManifolds::Machine::compute(const Progress& progress) {
+void StableManifolds::Parts::compute(const Progress& progress) {
   const RecordFinder finder(stationary);
   const auto [first, last] = finder.range({2, 2});
   const std::size_t first_regular = finder.range({3, 3}).second;
@@ -210,33 +323,33 @@ void StableManifolds::Machine::compute(const Progress& progress) {
   };
   for (std::size_t record = first; record < last; ++record) add(record);
   for (std::size_t record = first_regular; record < stationary.size(); ++record) add(record);
-  statistics.tally = machine->tally();
+  statistics.tally = flow->tally();
   if (progress) progress(total, total);
 }
 
-void StableManifolds::Machine::record_segment(const Task& task, const BackwardWalk::Back& back,
-                                              StableSet& geometry) {
+void StableManifolds::Parts::record_segment(const Task& task, const BackwardWalk::Back& back,
+                                            StableSet& geometry) {
   BackwardSegment segment;
   segment.samples = {name(task.facet.v0), name(task.facet.v1)};
   std::ranges::sort(segment.samples);
-  const Position front = walk.position(task.front);
-  segment.front = machine->exact(front);
+  const Location front = walk.location(task.front);
+  segment.front = flow->exact(front);
   segment.front_contact = front_contact(task.front);
   if (back.critical) {
     segment.back_contact = {segment.samples.begin(), segment.samples.end()};
     segment.back = exact_sphere(points, segment.samples).center;
   } else {
-    const Position position = walk.position(back.front);
-    const bool is_edge = position.place.kind == Place::Kind::kEdge;
+    const Location at = walk.location(back.front);
+    const bool is_edge = at.place.kind == Place::Kind::kEdge;
     segment.back_kind = back.is_regular ? BackKind::kRegular : is_edge ? BackKind::kEdge : BackKind::kVertex;
-    segment.back = machine->exact(position);
-    segment.back_contact = recorder.contact(position.place);
+    segment.back = flow->exact(at);
+    segment.back_contact = recorder.contact(at.place);
   }
   geometry.segments.push_back(std::move(segment));
 }
 
 // Of a front at a triangle's centre the Voronoi edge was not looked up.
-std::vector<PointId> StableManifolds::Machine::front_contact(FrontNumber front) const {
+std::vector<PointId> StableManifolds::Parts::front_contact(FrontNumber front) const {
   const Place& place = walk.place(front);
   if (place.kind == Place::Kind::kVertex || place.edge.cell != kNoCell) return recorder.contact(place);
   std::vector<PointId> names;
@@ -246,19 +359,19 @@ std::vector<PointId> StableManifolds::Machine::front_contact(FrontNumber front) 
 }
 
 // One interval may lead to a Voronoi vertex that adds segments and more intervals.
-void StableManifolds::Machine::record_intervals(StableSet& geometry, Set& set) {
+void StableManifolds::Parts::record_intervals(StableSet& geometry, Set& set) {
   while (!sources_of_intervals.empty()) {
     const auto [cluster, polygon] = sources_of_intervals.back();
     sources_of_intervals.pop_back();
     const std::size_t far = faces.end(polygon, 0) == cluster ? 1 : 0;
     const CellIndex other = faces.end(polygon, far);
-    const Sign beyond = other == kNoCell ? Sign::kPositive : side_at(faces, polygon, far);
+    const Sign beyond = other == kNoCell ? Sign::kPositive : side_at(faces.diagram(), polygon, far);
     BackwardInterval interval;
     interval.polygon = recorder.contact(Place::on_edge(polygon));
-    interval.front = machine->exact({Place::at_vertex(cluster), kNoPoint});
+    interval.front = flow->exact({Place::at_vertex(cluster), kNoPoint});
     interval.back_is_stationary = beyond != Sign::kNegative;
     interval.back = interval.back_is_stationary ? exact_sphere(points, interval.polygon).center
-                                                : machine->exact({Place::at_vertex(other), kNoPoint});
+                                                : flow->exact({Place::at_vertex(other), kNoPoint});
     if (!interval.back_is_stationary) push_vertex(other, walk.at_vertex(other), set);
     record_sectors({polygon, interval.front, interval.back}, geometry, set);
     geometry.intervals.push_back(std::move(interval));
@@ -266,14 +379,14 @@ void StableManifolds::Machine::record_intervals(StableSet& geometry, Set& set) {
   }
 }
 
-void StableManifolds::Machine::record_sectors(const Arc& arc, StableSet& geometry, Set& set) {
+void StableManifolds::Parts::record_sectors(const Arc& arc, StableSet& geometry, Set& set) {
   std::vector<Arc> arcs{arc};
   while (!arcs.empty()) {
     const Arc next = std::move(arcs.back());
     arcs.pop_back();
     for (const PolygonSide& side : faces.sides(next.polygon)) {
       if (side.angle != Sign::kPositive) continue;
-      SectorParts parts = sector_of(faces, *machine, {side.v0, side.v1}, next);
+      SectorParts parts = sector_of(faces, *flow, {side.v0, side.v1}, next);
       for (const CellIndex cluster : parts.vertices) push_vertex(cluster, walk.at_vertex(cluster), set);
       std::ranges::move(parts.arcs, std::back_inserter(arcs));
       BackwardSector sector{{name(side.v0), name(side.v1)}, std::move(parts.corners)};
@@ -283,7 +396,7 @@ void StableManifolds::Machine::record_sectors(const Arc& arc, StableSet& geometr
   }
 }
 
-StableSet StableManifolds::Machine::geometry(std::size_t record) {
+StableSet StableManifolds::Parts::geometry(std::size_t record) {
   clear();
   Set set;
   StableSet geometry;
@@ -303,8 +416,8 @@ StableSet StableManifolds::Machine::geometry(std::size_t record) {
 
 StableManifolds::StableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
                                  StableOptions options, const Progress& progress)
-    : machine_(std::make_unique<Machine>(diagram, stationary, options)) {
-  machine_->compute(progress);
+    : parts_(std::make_unique<Parts>(diagram, stationary, options)) {
+  parts_->compute(progress);
 }
 StableManifolds::~StableManifolds() = default;
 StableManifolds::StableManifolds(StableManifolds&&) noexcept = default;
@@ -315,16 +428,20 @@ const char* back_kind_text(BackKind kind) {
   return kTexts.at(static_cast<std::size_t>(kind));
 }
 
-StableSet StableManifolds::set(std::size_t i) { return machine_->geometry(machine_->sets[i].record); }
-std::size_t StableManifolds::size() const { return machine_->sets.size(); }
-std::size_t StableManifolds::record(std::size_t i) const { return machine_->sets[i].record; }
-std::size_t StableManifolds::segment_count(std::size_t i) const { return machine_->sets[i].segments; }
-bool StableManifolds::has_vertex(std::size_t i) const { return machine_->sets[i].has_vertex; }
-bool StableManifolds::has_interval(std::size_t i) const { return machine_->sets[i].has_interval; }
-std::span<const std::uint32_t> StableManifolds::boundary(std::size_t i) const {
-  const auto& set = machine_->sets[i];
-  return std::span(machine_->boundaries).subspan(set.boundary_first, set.boundary_count);
+StableSet StableManifolds::set(std::size_t i) const {
+  require_ieee_doubles();
+  const std::scoped_lock lock(parts_->flowing);
+  return parts_->geometry(parts_->sets[i].record);
 }
-const StableStatistics& StableManifolds::statistics() const { return machine_->statistics; }
+std::size_t StableManifolds::size() const { return parts_->sets.size(); }
+std::size_t StableManifolds::record(std::size_t i) const { return parts_->sets[i].record; }
+std::size_t StableManifolds::segment_count(std::size_t i) const { return parts_->sets[i].segments; }
+bool StableManifolds::has_vertex(std::size_t i) const { return parts_->sets[i].has_vertex; }
+bool StableManifolds::has_interval(std::size_t i) const { return parts_->sets[i].has_interval; }
+std::span<const std::uint32_t> StableManifolds::boundary(std::size_t i) const {
+  const auto& set = parts_->sets[i];
+  return std::span(parts_->boundaries).subspan(set.boundary_first, set.boundary_count);
+}
+const StableStatistics& StableManifolds::statistics() const { return parts_->statistics; }
 
 }  // namespace flowcert

@@ -22,9 +22,9 @@ constexpr StationaryIndex kKind12{1, 2}, kKind13{1, 3}, kKind23{2, 3};
 // Index 1 (FC-SIGN-02): walks around each edge whose angles in its first cell are acute, and gives up at the
 // first angle that is not, or at a cell that comes earlier: the edge is that one's. The walks of a block of
 // cells go in step, each one cell a round, so that they wait for memory together and not one after the other.
-class GabrielEdges {
+class GabrielSearch {
  public:
-  GabrielEdges(const VoronoiComplex& complex, OrderedRecords& records)
+  GabrielSearch(const VoronoiComplex& complex, OrderedRecords& records)
       : delaunay_(complex.delaunay()), records_(records), acute_(delaunay_.cells.size(), kAllEdges) {
     for (CellIndex cell = 0; cell < delaunay_.finite_count; ++cell) {
       acute_[cell] = acute_edges(complex.signs(cell));
@@ -141,11 +141,6 @@ void add_whole_facets(const VoronoiComplex& complex, OrderedRecords& records) {
   }
 }
 
-void keep_unique(std::vector<VertexIndex>& vertices) {
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-}
-
 // The polygon's shape as its sides tell it: negative if it does not contain its centre, zero if the centre is
 // the middle of a side.
 Sign least_angle(std::span<const PolygonSide> sides) {
@@ -229,7 +224,7 @@ void add_clusters(const VoronoiComplex& complex, OrderedRecords& records) {
 }
 
 void add_spatial(const VoronoiComplex& complex, OrderedRecords& records) {
-  GabrielEdges(complex, records).find();
+  GabrielSearch(complex, records).find();
   add_whole_facets(complex, records);
   add_large_polygons(complex, records);
   add_lone_vertices(complex, records);
@@ -304,7 +299,7 @@ void StationaryPoints::append(StationaryIndex index, std::span<const PointId> co
 
 StationaryPoints stationary_points(const VoronoiDiagram& diagram) {
   const Diagram& faces = diagram.faces();
-  OrderedRecords records(faces.delaunay().positions);
+  OrderedRecords records(faces.delaunay().ordinals);
   if (faces.spatial() != nullptr) {
     add_spatial(*faces.spatial(), records);
   } else if (faces.planar() != nullptr) {

@@ -7,12 +7,14 @@
 // misses before.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <vector>
 
-#include "flowcert/delaunay.h"
 #include "flowcert/point_set.h"
+#include "flowcert/voronoi_diagram.h"
 #include "voronoi/layer.h"
 
 namespace flowcert::voronoi {
@@ -28,7 +30,7 @@ struct FacetRef {
   CellIndex cell;
   std::uint32_t index;
 
-  friend bool operator==(const FacetRef&, const FacetRef&) = default;
+  friend auto operator<=>(const FacetRef&, const FacetRef&) = default;
 };
 
 struct DelaunayCell {
@@ -40,8 +42,8 @@ struct CompactDelaunay {
   int dimension = -1;
   CellIndex finite_count = 0;
   std::vector<DelaunayCell> cells;
-  std::vector<Point> points;             // by VertexIndex
-  std::vector<std::uint32_t> positions;  // of the vertices in the point set
+  std::vector<Point> points;            // by VertexIndex
+  std::vector<std::uint32_t> ordinals;  // of the vertices in the point set
 
   [[nodiscard]] bool is_finite(CellIndex cell) const { return cell < finite_count; }
   [[nodiscard]] const std::array<VertexIndex, 4>& vertices(CellIndex cell) const {
@@ -61,10 +63,17 @@ struct CompactDelaunay {
   }
 };
 
-// The inverse of `positions`.
-[[nodiscard]] inline std::vector<VertexIndex> vertices_by_position(const CompactDelaunay& delaunay) {
-  std::vector<VertexIndex> vertex_of(delaunay.positions.size());
-  for (VertexIndex v = 0; v < vertex_of.size(); ++v) vertex_of[delaunay.positions[v]] = v;
+// Sorts the items, and keeps each once.
+template <typename Item>
+void keep_unique(std::vector<Item>& items) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
+// The inverse of `ordinals`.
+[[nodiscard]] inline std::vector<VertexIndex> vertices_by_ordinal(const CompactDelaunay& delaunay) {
+  std::vector<VertexIndex> vertex_of(delaunay.ordinals.size());
+  for (VertexIndex v = 0; v < vertex_of.size(); ++v) vertex_of[delaunay.ordinals[v]] = v;
   return vertex_of;
 }
 

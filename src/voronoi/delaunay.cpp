@@ -1,6 +1,4 @@
 // The one file that knows CGAL's triangulation: builds it, and copies it out into plain arrays.
-#include "flowcert/delaunay.h"
-
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
@@ -13,6 +11,7 @@
 #include <numeric>
 #include <vector>
 
+#include "flowcert/voronoi_diagram.h"
 #include "voronoi/compact_delaunay.h"
 #include "voronoi/layer.h"
 
@@ -37,7 +36,7 @@ constexpr std::size_t kProgressStep = 4096;
 struct Delaunay::Triangulation {
   const PointSet* points;
   Cgal cgal;
-  std::vector<std::size_t> order;  // positions in order of insertion, which is a vertex' number
+  std::vector<std::size_t> order;  // ordinals in order of insertion, which is a vertex' number
 };
 
 Delaunay::Delaunay(const PointSet& points, const Progress& progress)
@@ -91,10 +90,6 @@ void for_each_cell(const Cgal& cgal, Visit visit) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 // Numbers the cells: finite ones by their last vertex (a counting sort), then the infinite ones. Returns the
 // number of finite cells.
 CellIndex number_cells(const Cgal& cgal, int corners, std::size_t vertex_count) {
@@ -130,9 +125,9 @@ CompactDelaunay voronoi::compact_copy(const Delaunay& delaunay) {
   const Cgal& cgal = delaunay.triangulation().cgal;
   CompactDelaunay copy;
   copy.dimension = cgal.dimension();
-  for (const std::size_t position : delaunay.triangulation().order) {
-    copy.points.push_back(delaunay.points()[position]);
-    copy.positions.push_back(static_cast<std::uint32_t>(position));
+  for (const std::size_t ordinal : delaunay.triangulation().order) {
+    copy.points.push_back(delaunay.points()[ordinal]);
+    copy.ordinals.push_back(static_cast<std::uint32_t>(ordinal));
   }
   const int corners = std::max(copy.dimension, 0) + 1;
   copy.finite_count = number_cells(cgal, corners, copy.points.size());

@@ -126,8 +126,7 @@ std::vector<VertexIndex> Diagram::contact(const Place& place) const {
     case Place::Kind::kInfinity:
       break;
   }
-  std::sort(contact.begin(), contact.end());
-  contact.erase(std::unique(contact.begin(), contact.end()), contact.end());
+  keep_unique(contact);
   return contact;
 }
 

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "flowcert/voronoi_diagram.h"
-#include "voronoi/planar_complex.h"
 #include "voronoi/voronoi_complex.h"
 
 namespace flowcert::voronoi {

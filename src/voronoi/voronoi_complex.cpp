@@ -1,4 +1,5 @@
-// See voronoi_complex.h.
+// In a plane, polygons are gathered by a walk over triangles; in space, clusters by union-find, and polygons by
+// sorting.
 #include "voronoi/voronoi_complex.h"
 
 #include <algorithm>
@@ -8,7 +9,56 @@
 #include <unordered_map>
 #include <utility>
 
+#include "geometry/contract.h"
+#include "geometry/predicates.h"
+
 namespace flowcert::voronoi {
+
+// ---- Coplanar points ----
+
+PlanarComplex::PlanarComplex(CompactDelaunay delaunay, FilterTally& tally) : delaunay_(std::move(delaunay)) {
+  const CellIndex count = delaunay_.finite_count;
+  const auto point = [this](CellIndex cell, std::uint32_t i) -> const Point& {
+    return delaunay_.points[delaunay_.vertices(cell)[i]];
+  };
+  angles_.resize(count);
+  for (CellIndex cell = 0; cell < count; ++cell) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      angles_[cell][i] =
+          exact_sign(Angle{point(cell, (i + 1) % 3), point(cell, i), point(cell, (i + 2) % 3)}, tally);
+    }
+  }
+
+  // Triangles joined across cocircular edges, gathered by walking from each triangle that has no polygon yet.
+  constexpr std::uint32_t kNone = 0xffffffffu;
+  polygon_of_.assign(count, kNone);
+  for (CellIndex first = 0; first < count; ++first) {
+    if (polygon_of_[first] != kNone) continue;
+    const auto id = static_cast<std::uint32_t>(polygons_.size());
+    polygon_of_[first] = id;
+    std::vector<CellIndex> members{first};
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      const CellIndex cell = members[k];
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const FacetRef across = delaunay_.mirror({cell, i});
+        if (!delaunay_.is_finite(across.cell) || polygon_of_[across.cell] != kNone) continue;
+        const OutsideCircle query{point(cell, (i + 1) % 3), point(cell, (i + 2) % 3), point(cell, i),
+                                  point(across.cell, across.index)};
+        if (exact_sign(query, tally) != Sign::kZero) continue;
+        polygon_of_[across.cell] = id;
+        members.push_back(across.cell);
+      }
+    }
+    polygons_.push_back(std::move(members));
+  }
+}
+
+bool PlanarComplex::is_diagonal(FacetRef edge) const {
+  const CellIndex other = delaunay_.neighbors(edge.cell)[edge.index];
+  return delaunay_.is_finite(other) && polygon_of_[other] == polygon_of_[edge.cell];
+}
+
+// ---- Points that span R^3 ----
 
 namespace {
 
@@ -33,6 +83,7 @@ constexpr CellIndex kPrefetchDistance = 8;
 
 VoronoiComplex::VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally)
     : delaunay_(std::move(delaunay)) {
+  FLOWCERT_REQUIRES(delaunay_.dimension == 3);
   compute_signs(tally);
 }
 
@@ -115,6 +166,7 @@ void VoronoiComplex::gather_clusters(std::span<const FacetRef> cospherical) {
 
 // They are kept in the order of their names.
 std::span<const CellIndex> VoronoiComplex::large_cluster_of(CellIndex cell) const {
+  FLOWCERT_REQUIRES(!is_alone(cell));
   std::size_t low = 0, high = large_cluster_count();
   while (high - low > 1) {
     const std::size_t middle = (low + high) / 2;
@@ -220,6 +272,7 @@ void VoronoiComplex::add_polygon(std::span<const FacetRef> facets) {
 }
 
 Sign VoronoiComplex::side(FacetRef facet) const {
+  FLOWCERT_REQUIRES(delaunay_.is_finite(facet.cell));
   const TetrahedronSigns& signs = signs_[facet.cell];
   const unsigned bit = 1u << facet.index;
   if ((signs.side_negative & bit) != 0) return Sign::kNegative;
@@ -229,6 +282,7 @@ Sign VoronoiComplex::side(FacetRef facet) const {
 }
 
 VoronoiComplex::FacetRole VoronoiComplex::role(FacetRef facet) const {
+  FLOWCERT_REQUIRES(delaunay_.is_finite(facet.cell));
   if (flags_.empty()) return FacetRole::kWhole;
   const unsigned flags = flags_[facet.cell] >> facet.index;
   if ((flags & 1u) != 0) return FacetRole::kInterior;

@@ -1,22 +1,52 @@
-// The merged Voronoi complex of a point set that spans R^3: Delaunay cells gathered into Voronoi vertices,
-// their facets into the polygons dual to Voronoi edges and rays, with the signs that decide what is critical.
+// The merged Voronoi complexes: of a point set that spans R^3, and of a coplanar one.
 //
-// Guarantees: exact; its faces are those of the Voronoi diagram, whatever way the triangulation cuts
-// cospherical sets (spec clauses FC-VOR-01 to 04). Where nothing is cospherical it adds a few bytes a cell to
-// the triangulation and no list at all: a cell alone in its cluster, a facet alone in its polygon, are named
-// by themselves.
+// Guarantees: exact; their faces are those of the Voronoi diagram, whatever way the triangulation cuts
+// cospherical sets (spec clauses FC-VOR-01 to 04).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "flowcert/filter_tally.h"
 #include "geometry/tetrahedron_signs.h"
+#include "geometry/vector3.h"
 #include "voronoi/compact_delaunay.h"
 
 namespace flowcert::voronoi {
 
+// ---- Coplanar points ----
+// Delaunay triangles gathered into cocircular polygons, each dual to a line of centres, and the signs of their angles;
+// in any plane of R^3, tilted ones too.
+
+class PlanarComplex {
+ public:
+  // dimension 2. O(triangles log triangles).
+  PlanarComplex(CompactDelaunay delaunay, FilterTally& tally);
+
+  [[nodiscard]] const CompactDelaunay& delaunay() const { return delaunay_; }
+  // The angle of a finite triangle at its vertex i, opposite its edge i (FC-SIGN-01).
+  [[nodiscard]] Sign angle(CellIndex triangle, std::uint32_t i) const { return angles_[triangle][i]; }
+  // Whether edge i of a finite triangle is a diagonal, with a triangle of the same polygon on its other side.
+  [[nodiscard]] bool is_diagonal(FacetRef edge) const;
+  // Which polygon a finite triangle belongs to.
+  [[nodiscard]] std::uint32_t polygon_of(CellIndex triangle) const { return polygon_of_[triangle]; }
+  // The triangles of each polygon.
+  [[nodiscard]] const std::vector<std::vector<CellIndex>>& polygons() const { return polygons_; }
+
+ private:
+  CompactDelaunay delaunay_;
+  std::vector<std::array<Sign, 3>> angles_;
+  std::vector<std::uint32_t> polygon_of_;
+  std::vector<std::vector<CellIndex>> polygons_;
+};
+
+// ---- Points that span R^3 ----
+// Delaunay cells gathered into Voronoi vertices, their facets into the polygons dual to Voronoi edges and rays,
+// with the signs that decide what is critical. Where nothing is cospherical it adds a few bytes a cell to
+// the triangulation and no list at all: a cell alone in its cluster, a facet alone in its polygon, are named
+// by themselves.
 class VoronoiComplex {
  public:
   // dimension 3. O(cells), plus sorting what is cospherical.
@@ -41,7 +71,7 @@ class VoronoiComplex {
   [[nodiscard]] std::span<const CellIndex> large_cluster(std::size_t k) const {
     return std::span(cluster_cells_).subspan(cluster_first_[k], cluster_first_[k + 1] - cluster_first_[k]);
   }
-  // That of a cell that is not alone. O(log of their number).
+  // The cluster of a cell that is not alone. O(log of the number of such clusters).
   [[nodiscard]] std::span<const CellIndex> large_cluster_of(CellIndex cell) const;
 
   // What a finite cell's facet is: inside a cluster, a polygon by itself, or one of several that make up a
@@ -77,7 +107,7 @@ class VoronoiComplex {
   std::vector<TetrahedronSigns> signs_;
   std::vector<std::uint8_t> mirror_;  // a finite cell's facets in its neighbours, two bits each
   std::vector<CellIndex> cluster_;    // empty: all cells are alone
-  std::vector<std::uint16_t> flags_;  // likewise
+  std::vector<std::uint16_t> flags_;  // empty: all cells are alone
   std::vector<std::size_t> cluster_first_{0};
   std::vector<CellIndex> cluster_cells_;
   std::vector<std::size_t> polygon_first_{0};

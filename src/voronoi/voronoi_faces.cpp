@@ -1,10 +1,10 @@
-// See voronoi_faces.h.
 #include "voronoi/voronoi_faces.h"
 
 #include <algorithm>
 #include <tuple>
 #include <utility>
 
+#include "geometry/contract.h"
 #include "geometry/rational_point.h"
 
 namespace flowcert::voronoi {
@@ -30,6 +30,7 @@ bool before(PolygonRef a, PolygonRef b) { return std::tie(a.cell, a.index) < std
 // ---- Facets.
 
 FacetRing VoronoiFaces::ring(FacetName facet, CellIndex hint) {
+  FLOWCERT_REQUIRES(facet.v0 < facet.v1);
   if (dimension() < 2) return {0, {}, {}};
   const std::uint64_t key = (std::uint64_t{facet.v0} << 32) | facet.v1;
   const auto [entry, is_new] = ring_of_.try_emplace(key, static_cast<std::uint32_t>(rings_.size()));
@@ -135,6 +136,7 @@ void VoronoiFaces::sort_large_ring(Ring& ring) {
 }
 
 std::size_t VoronoiFaces::piece_of(const FacetRing& ring, PolygonRef polygon) const {
+  FLOWCERT_REQUIRES(std::ranges::count(ring.pieces, polygon, &RingPiece::polygon) == 1);
   if (ring.pieces.size() <= kSmallRing) {
     std::size_t k = 0;
     while (ring.pieces[k].polygon != polygon) ++k;
@@ -147,6 +149,7 @@ std::size_t VoronoiFaces::piece_of(const FacetRing& ring, PolygonRef polygon) co
 }
 
 std::size_t VoronoiFaces::element_of(const FacetRing& ring, CellIndex cluster) const {
+  FLOWCERT_REQUIRES(std::ranges::count(ring.elements, cluster, &RingElement::vertex) == 1);
   const auto count = static_cast<std::ptrdiff_t>(ring.elements.size());
   if (ring.elements.size() <= kSmallRing) {
     std::size_t k = 0;
@@ -161,9 +164,8 @@ std::size_t VoronoiFaces::element_of(const FacetRing& ring, CellIndex cluster) c
 
 // ---- Finding faces.
 
-// All cells that have p, the infinite ones too.
-// Valid until the next star. The cells that were seen bear the number of their star: a set of them was most
-// of the time.
+// All cells that have p, the infinite ones too; valid until the next star. The cells that were seen bear the number of
+// their star, because a set of them took most of the time.
 template <class IsWanted>
 std::span<const CellIndex> VoronoiFaces::star_until(VertexIndex p, const IsWanted& is_wanted) {
   const CompactDelaunay& cells = delaunay();
@@ -208,8 +210,7 @@ std::vector<VertexIndex> VoronoiFaces::neighbors(VertexIndex p) {
       if (v != p && v != kInfiniteVertex) found.push_back(v);
     }
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  keep_unique(found);
   return found;
 }
 
@@ -243,7 +244,8 @@ Place VoronoiFaces::place_of(VertexIndex p, std::span<const VertexIndex> others)
 // A sample that is not the nearest has a Delaunay neighbour that is nearer. The samples at one distance, all
 // of them vertices of one Delaunay polytope, are connected by its edges.
 Place VoronoiFaces::locate(const RationalPoint& x) {
-  VertexIndex nearest = 0;
+  FLOWCERT_REQUIRES(!delaunay().points.empty());
+  VertexIndex& nearest = located_;
   Rational least = squared_distance(x, point(nearest));
   for (bool moved = true; moved;) {
     moved = false;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "flowcert/rational.h"
+#include "geometry/floating_point.h"
 #include "voronoi/diagram.h"
 
 namespace flowcert::voronoi {
@@ -41,9 +42,11 @@ struct FacetRing {
 
 class VoronoiFaces {
  public:
-  // The diagram must outlive it. O(1).
-  explicit VoronoiFaces(const VoronoiDiagram& diagram) : diagram_(diagram.faces()) {}
+  // The diagram must outlive it. Throws as require_ieee_doubles() in a thread where filters could be wrong. O(1).
+  explicit VoronoiFaces(const VoronoiDiagram& diagram) : diagram_(diagram.faces()) { require_ieee_doubles(); }
 
+  // What all workers share, for what needs no more.
+  [[nodiscard]] const Diagram& diagram() const { return diagram_; }
   // The diagram answers these, and keeps nothing of a worker.
   [[nodiscard]] int dimension() const { return diagram_.dimension(); }
   [[nodiscard]] const CompactDelaunay& delaunay() const { return diagram_.delaunay(); }
@@ -66,11 +69,12 @@ class VoronoiFaces {
   // Voronoi facets. The Delaunay edge must be one of a polygon's sides. The hint is a cell that may have it,
   // which spares a search.
   [[nodiscard]] FacetRing ring(FacetName facet, CellIndex hint = kNoCell);
-  // Where in its ring a Voronoi edge or vertex is: O(log n).
+  // Where in its ring a Voronoi edge or vertex is, which must bound the facet. O(log n).
   [[nodiscard]] std::size_t piece_of(const FacetRing& ring, PolygonRef polygon) const;
   [[nodiscard]] std::size_t element_of(const FacetRing& ring, CellIndex cluster) const;
 
-  // The face that x lies in. A walk from sample to nearer sample. There must be points.
+  // The face that x lies in. A walk from sample to nearer sample, from where the last point was located: points that
+  // are near to one another take few steps. There must be points.
   [[nodiscard]] Place locate(const RationalPoint& x);
   // The face whose points have this contact set, given the sample p and those of the others that are Delaunay
   // neighbours of p, at least.
@@ -95,6 +99,7 @@ class VoronoiFaces {
   void sort_large_ring(Ring& ring);
 
   const Diagram& diagram_;
+  VertexIndex located_ = 0;                  // where the latest walk ended
   std::vector<CellIndex> star_;              // the latest
   std::vector<std::uint32_t> seen_in_star_;  // by cell: the number of the latest star that it was seen in
   std::uint32_t star_number_ = 0;

@@ -27,8 +27,9 @@
 
 #include "flowcert/read_points.h"
 #include "flowcert/unstable_manifolds.h"
+#include "oracle/fast/point_set.h"
 #include "oracle/orbit.h"
-#include "oracle/read_points.h"
+#include "oracle/program/read_points.h"
 
 namespace {
 
@@ -232,7 +233,7 @@ int run(const std::string& input, std::size_t count, std::uint64_t seed) {
   if (manifolds.size() == 0) {
     throw std::runtime_error(input + ": there is no critical point of index 2");
   }
-  const oracle::PointSet set(oracle::read_point_file(input));
+  const oracle::fast::PointSet set(oracle::read_point_file(input));
   Certification certification(set, stationary, manifolds);
   const std::string found = certification.run(count, seed);
   if (!found.empty()) {

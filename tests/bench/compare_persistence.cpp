@@ -12,6 +12,7 @@
 #include <exception>
 #include <filesystem>
 
+#include "flowcert/flow_complex.h"
 #include "flowcert/read_points.h"
 #include "tests/property/alpha_persistence.h"
 
@@ -23,35 +24,14 @@ using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-// What does not depend on the breaking of ties.
-struct Flow {
-  explicit Flow(const PointSet& all)
-      : points(all),
-        delaunay(points),
-        start(Clock::now()),
-        diagram(delaunay),
-        stationary(stationary_points(diagram)),
-        unstable(diagram, stationary),
-        seconds(since(start)) {}
-
-  const PointSet& points;
-  Delaunay delaunay;
-  Clock::time_point start;
-  VoronoiDiagram diagram;
-  StationaryPoints stationary;
-  UnstableManifolds unstable;
-  double seconds;
-};
-
 struct Own {
-  Own(Flow& flow, std::uint64_t seed) {
+  Own(const PointSet& points, std::uint64_t seed) {
+    const FlowComplex complex(points, {.flow = {}, .share = true, .seed = seed});
+    complex.make(FlowComplexPart::kTriangulation);
     const Clock::time_point start = Clock::now();
-    const StableManifolds stable(flow.diagram, flow.stationary, {.flow = {}, .seed = seed});
-    const ChainComplex complex(flow.points, flow.stationary, flow.unstable, stable, seed);
-    const Persistence persistence(flow.points, flow.stationary, complex);
-    seconds = flow.seconds + since(start);
-    ties = complex.broken_ties() + stable.statistics().broken_ties;
-    pairs = property::exact_pairs(persistence);
+    pairs = property::exact_pairs(complex.persistence());
+    seconds = since(start);
+    ties = complex.chains().broken_ties() + complex.stable().statistics().broken_ties;
   }
 
   std::vector<property::ExactPair> pairs;
@@ -62,8 +42,7 @@ struct Own {
 // Whether the pairs are the same, with ties broken in two ways.
 bool compare(const std::string& path) {
   const PointSet points(read_points(path).rows);
-  Flow flow(points);
-  const Own own(flow, 0), at_random(flow, 1);
+  const Own own(points, 0), at_random(points, 1);
   property::AlphaTimes times;
   const std::vector<property::ExactPair> gudhi = property::alpha_persistence(points.points(), &times);
   std::array<std::size_t, 3> counts{};

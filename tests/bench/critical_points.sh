@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The time of the critical points against CGAL's Delaunay triangulation, medians of nine interleaved runs, one thread, for the Stanford
-# bunny of Debian's glmark2-data and for every .xyz file of a folder, if one is given.
+# The time of the critical points against CGAL's Delaunay triangulation, medians of nine interleaved runs, one
+# thread, for the Stanford bunny of Debian's glmark2-data and for every .xyz file of a folder, if one is given.
 # usage: critical_points.sh PROGRAM [FOLDER]
 set -euo pipefail
 program=$1

@@ -14,12 +14,13 @@
 #include <random>
 #include <vector>
 
-#include "flow/flow_machine.h"
+#include "flow/flow_operator.h"
 #include "fuzz/inputs/large_configurations.h"
 
 namespace {
 
 using namespace flowcert;
+using namespace flowcert::flow;
 
 constexpr std::size_t kQueries = 50;
 
@@ -29,25 +30,25 @@ struct Mean {
   std::size_t most = 0;
 };
 
-std::size_t signs_asked(const FlowMachine& machine) {
+std::size_t signs_asked(const FlowOperator& flow) {
   std::size_t asked = 0;
   for (const FlowPrimitive primitive :
        {FlowPrimitive::kSideOfRay, FlowPrimitive::kRayAtInfinity, FlowPrimitive::kAroundStart}) {
-    asked += machine.tally()[primitive].calls;
+    asked += flow.tally()[primitive].calls;
   }
   return asked;
 }
 
-Mean measure(FlowMachine& machine, const std::vector<Position>& starts, std::vector<Place>& reached) {
+Mean measure(FlowOperator& flow, const std::vector<Location>& starts, std::vector<Place>& reached) {
   Mean mean;
   // The first round constructs the facet's vertices.
-  for (const Position& start : starts) reached.push_back(machine.step(start).end.place);
-  for (const Position& start : starts) {
-    const std::size_t before = signs_asked(machine);
+  for (const Location& start : starts) reached.push_back(flow.step(start).end.place);
+  for (const Location& start : starts) {
+    const std::size_t before = signs_asked(flow);
     const auto then = std::chrono::steady_clock::now();
-    (void)machine.step(start);
+    (void)flow.step(start);
     const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - then;
-    const std::size_t signs = signs_asked(machine) - before;
+    const std::size_t signs = signs_asked(flow) - before;
     mean.signs += static_cast<double>(signs) / static_cast<double>(starts.size());
     mean.microseconds += time.count() / static_cast<double>(starts.size());
     mean.most = std::max(mean.most, signs);
@@ -60,13 +61,13 @@ struct Subject {
   explicit Subject(const fuzz::Input& input)
       : points(rows_of(input)), diagram(Delaunay(points)), faces(diagram) {
     VertexIndex v[2] = {0, 0};
-    for (VertexIndex k = 0; k < faces.delaunay().positions.size(); ++k) {
-      if (faces.delaunay().positions[k] < 2) v[faces.delaunay().positions[k]] = k;
+    for (VertexIndex k = 0; k < faces.delaunay().ordinals.size(); ++k) {
+      if (faces.delaunay().ordinals[k] < 2) v[faces.delaunay().ordinals[k]] = k;
     }
     name = {std::min(v[0], v[1]), std::max(v[0], v[1])};
     ring = faces.ring(name);
     for (const FacetSearch search : {FacetSearch::kBinary, FacetSearch::kLinear}) {
-      machines.push_back(make_flow_machine(faces, {ConstructionKernel::kLazy, search}));
+      machines.push_back(make_flow_operator(faces, {ConstructionKernel::kLazy, search}));
     }
   }
 
@@ -85,7 +86,7 @@ struct Subject {
   VoronoiFaces faces;
   FacetName name;
   FacetRing ring;
-  std::vector<std::unique_ptr<FlowMachine>> machines;
+  std::vector<std::unique_ptr<FlowOperator>> machines;
 };
 
 RationalPoint between(const RationalPoint& a, const RationalPoint& b, int part, int whole) {
@@ -99,7 +100,7 @@ bool enters_here(Subject& subject, std::size_t piece) {
   return driver.shape == Sign::kNegative && driver.side == subject.name;
 }
 
-// Starts of one kind, each as a point, to be added to either machine.
+// Starts of one kind, each as a point, to be added to either flow.
 struct Start {
   Place place;
   RationalPoint x;
@@ -117,7 +118,7 @@ std::vector<Start> draw(Subject& subject, char kind, std::mt19937& random) {
     const auto part = static_cast<int>(random() % 99) + 1;
     const RationalPoint a = subject.vertex(k);
     if (kind == 'V') {
-      const VertexFlow flow = vertex_flow(subject.faces, subject.ring.elements[k].vertex);
+      const VertexFlow flow = vertex_flow(subject.diagram.faces(), subject.ring.elements[k].vertex);
       if (flow.way == VertexFlow::Way::kAcrossFacet && flow.facet == subject.name) {
         starts.push_back({Place::at_vertex(subject.ring.elements[k].vertex), a});
       }
@@ -163,7 +164,7 @@ bool run(std::size_t degree, bool perturbed, char kind, Subject& subject, Series
   std::vector<Mean> means;
   std::vector<std::vector<Place>> reached(2);
   for (std::size_t m = 0; m < 2; ++m) {
-    std::vector<Position> positions;
+    std::vector<Location> positions;
     for (const Start& start : starts) {
       positions.push_back({start.place, kind == 'V' ? kNoPoint : subject.machines[m]->add(start.x)});
     }

@@ -19,8 +19,6 @@
 
 #include "flowcert/rational.h"
 #include "flowcert/read_points.h"
-#include "flowcert/reproducibility.h"
-#include "flowcert/stationary_points.h"
 #include "flowcert/write_stationary_points.h"
 
 namespace {
@@ -30,7 +28,6 @@ using namespace flowcert;
 struct Case {
   std::string id;
   PointSet points;
-  std::string sha256;
 };
 
 // The shortest that reads back to the nearest double, or of 8 digits; nothing where that overflows.
@@ -89,12 +86,12 @@ void add_right_triangle(std::vector<std::string>& lines, const Case& one, std::s
 }
 
 std::vector<std::string> lines_of(const std::string& form, const Case& one) {
-  const VoronoiDiagram diagram{Delaunay(one.points)};
-  const StationaryPoints found = stationary_points(diagram);
+  const FlowComplex complex(one.points);
+  const StationaryPoints& found = complex.stationary();
   std::vector<std::string> lines;
   if (form == "exchange") {
     std::stringstream text;
-    write_stationary_points(text, one.points, found, one.sha256);
+    write_stationary_points(text, complex);
     for (std::string line; std::getline(text, line);) lines.push_back(line);
     return lines;
   }
@@ -104,7 +101,7 @@ std::vector<std::string> lines_of(const std::string& form, const Case& one) {
       add_right_triangle(lines, one, found.contact(i));
     }
     if (!found.index(i).is_critical()) continue;
-    const ExactSphere sphere = exact_sphere(one.points, found.contact(i));
+    const ExactSphere sphere = complex.sphere(i);
     lines.push_back(form == "giesen-kuehne"
                         ? giesen_kuehne_line(sphere, found.contact(i))
                         : csv_line(form, found.index(i).face_dimension, sphere, found.contact(i)));
@@ -149,9 +146,7 @@ Case read_case(const std::string& head) {
   words >> word >> one.id >> count;
   std::string text = "# points\n";
   for (std::string row; count > 0 && std::getline(std::cin, row); --count) text += row + '\n';
-  const PointFile file = read_points_from(text, "case.xyz");
-  one.points = PointSet(file.rows);
-  one.sha256 = coordinates_sha256(file.rows);
+  one.points = PointSet(read_points_from(text, "case.xyz").rows);
   return one;
 }
 

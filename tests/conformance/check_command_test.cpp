@@ -1,5 +1,5 @@
 // `flowcert check` as a user calls it: verdicts and exit status, the report in words, in JSON and for CI
-// systems (spec/formats.md, "Report of a check"), and what it refuses.
+// systems (spec/formats/check.md), and what it refuses.
 //
 // Guarantees: claims that `compute -o` makes conform exactly, whatever it was told to write, by the fast
 // implementation and by the oracle; so the two agree. One of the claims is a real output of another

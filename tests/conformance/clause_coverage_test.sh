@@ -1,17 +1,20 @@
 #!/usr/bin/env bash
-# Spec and tests name each other: every clause of spec/flow_complex.md is cited by a test that ctest runs, and every
-# clause id in the code is one of the spec's.
+# Spec and tests name each other: every clause of the spec is cited by a test that ctest runs, and every clause id
+# in the code is one of the spec's.
 #
 # usage: clause_coverage_test.sh [ROOT]        prints clause, level, number of citing tests
 #        clause_coverage_test.sh --self-test   damages a small tree in every way that must fail, and sees it fail
 #
 # A C++ test cites by CITES("ID", ...), the first statement of its body; a shell test by a line `# CITES: ID ID`. Only
-# files that a CMakeLists.txt of tests/ registers (flowcert_test_program, flowcert_script_test, add_test with --file) count, and no DISABLED_ test.
+# files that a CMakeLists.txt of tests/ registers (flowcert_test_program, flowcert_script_test, add_test with --file)
+# count, and no DISABLED_ test.
 set -euo pipefail
 
+# The files of clauses.
+spec_files=(spec/flow_complex.md spec/claims.md)
 id='FC-[A-Z]+-[0-9]+'
 
-# Lines "ID<tab>level" of the spec's clauses; a clause with another level, or none, gets the level "?".
+# Lines "ID<tab>level" of the clauses in a file; a clause with another level, or none, gets the level "?".
 clauses() {
   awk '/^\*\*FC-/ {
     match($0, /FC-[A-Z]+-[0-9]+/)
@@ -22,7 +25,7 @@ clauses() {
       level = substr(level, 1, index(level, ")") - 1)
     }
     print name "\t" level
-  }' "$1/spec/flow_complex.md"
+  }' "$1"
 }
 
 # The test files that ctest runs, as they are registered in the CMakeLists.txt files.
@@ -40,8 +43,8 @@ registered_files() {
   done < <(find "$1/tests" -name CMakeLists.txt | sort) | sort -u
 }
 
-# Of C++ files: a line "cites<tab>ID" for each id that a test cites, "misplaced<tab>FILE:LINE" for each CITES that is not
-# the first statement of a test. The head of a test may take two lines.
+# Of C++ files: a line "cites<tab>ID" for each id that a test cites, "misplaced<tab>FILE:LINE" for each CITES that
+# is not the first statement of a test. The head of a test may take two lines.
 citations_in_cpp() {
   awk '
     FNR == 1 { head = 0; collecting = 0 }
@@ -71,14 +74,18 @@ citations_in_sh() { grep -hE '^# CITES: ' "$@" | grep -oE "$id" | sed 's/^/cites
 
 # All that is wrong with the tree, one line each, after the table; fails if anything is.
 check() {
-  local root=$1 failures=0 known registered cited
+  local root=$1 failures=0 known found registered cited
   fail() {
     echo "FAIL: $*"
     failures=$((failures + 1))
   }
 
-  known=$(clauses "$root")
-  [ -n "$known" ] || fail "no clause found in spec/flow_complex.md"
+  known=
+  for file in "${spec_files[@]}"; do
+    found=$(clauses "$root/$file" || true)
+    [ -n "$found" ] || fail "no clause found in $file"
+    known+=${known:+$'\n'}$found
+  done
   while IFS=$'\t' read -r clause level; do
     [ "$level" != '?' ] || fail "$clause has no level: determined, permitted variation or must reject"
   done <<<"$known"
@@ -119,15 +126,16 @@ check() {
 # Where clause ids are looked for.
 trees() { for tree in spec tests oracle src fuzz; do [ ! -d "$1/$tree" ] || echo "$tree"; done; }
 
-# A tree of two clauses and two tests, with everything right.
+# A tree of three clauses and two tests, with everything right.
 make_small_tree() {
   mkdir -p "$1"/{spec,tests/unit,src}
   printf '%s\n' '**FC-IN-01** (must reject). One.' '' '**FC-IN-02** (determined). Two.' >"$1/spec/flow_complex.md"
+  printf '%s\n' '**FC-CLAIM-01** (must reject). Three.' >"$1/spec/claims.md"
   printf '%s\n' '// FC-IN-01' >"$1/src/a.cpp"
   printf '%s\n' 'flowcert_test_program(unit_tests' '  TESTS' '    a_test' '  LINKS d_test)' 'flowcert_script_test(b bash' \
     '  ${scripts}/b_test.sh)' >"$1/tests/unit/CMakeLists.txt"
   printf '%s\n' 'TEST(A,' '     B) {' '  CITES("FC-IN-01");' '}' >"$1/tests/unit/a_test.cpp"
-  printf '%s\n' '# CITES: FC-IN-02' >"$1/tests/unit/b_test.sh"
+  printf '%s\n' '# CITES: FC-IN-02 FC-CLAIM-01' >"$1/tests/unit/b_test.sh"
 }
 
 # must_fail WHAT FILE SED-SCRIPT MESSAGE: after that edit of the small tree, the check fails, and says so.
@@ -153,14 +161,18 @@ self_test() {
   check "$scratch/right" || { echo "SELF-TEST: the small tree is right"; self_failures=1; }
 
   # Put together, so that the check of the real tree does not find them.
-  local none="FC-NONE"-01 third="FC-IN"-03 spec=spec/flow_complex.md cpp=tests/unit/a_test.cpp cmake=tests/unit/CMakeLists.txt
+  local none="FC-NONE"-01 third="FC-IN"-03
+  local spec=spec/flow_complex.md claims=spec/claims.md cpp=tests/unit/a_test.cpp cmake=tests/unit/CMakeLists.txt
   must_fail "an id that is no clause" src/a.cpp "s/FC-IN-01/$none/" "$none is no clause"
   must_fail "a citation of no clause" $cpp "s/FC-IN-01/FC-IN-01\", \"$none/" "$none is no clause"
   must_fail "a clause that nothing cites" $spec "\$a **$third** (determined). Three." "$third is cited by no test"
+  must_fail "a clause on claims that nothing cites" $claims "\$a **$third** (determined). Four." "$third is cited by no"
+  must_fail "an id in both files" $claims '$a **FC-IN-02** (determined). Two.' 'FC-IN-02 is the id of two clauses'
   must_fail "an id twice" $spec '$a **FC-IN-02** (determined). Two.' 'FC-IN-02 is the id of two clauses'
   must_fail "an unknown level" $spec 's/(determined)/(mostly)/' 'FC-IN-02 has no level'
   must_fail "no level" $spec 's/ (determined)//' 'FC-IN-02 has no level'
-  must_fail "no clauses" $spec 's/\*\*//g' 'no clause found'
+  must_fail "no clauses" $spec 's/\*\*//g' "no clause found in $spec"
+  must_fail "no clauses on claims" $claims 's/\*\*//g' "no clause found in $claims"
   must_fail "a test file that is not registered" $cmake 's/a_test/c_test/' 'FC-IN-01 is cited by no test'
   must_fail "a library for a test" $cmake 's/LINKS d_test/LINKS a_test/; s/^    a_test//' 'FC-IN-01 is cited by no test'
   must_fail "a registration in a comment" $cmake 's/^    a_test/# a_test/' 'FC-IN-01 is cited by no test'

@@ -1,4 +1,4 @@
-// What `flowcert compute` prints and writes, against spec/formats.md, sections 2 and 3.
+// What `flowcert compute` prints and writes, against spec/formats/summary.md and stationary_points.md.
 //
 // Guarantees: the table, the summary and the file of records are read by a JSON parser and checked key by
 // key; digests are sha256sum's, and whether a double is the nearest one is decided by the oracle's
@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "oracle/read_records.h"
+#include "oracle/program/read_records.h"
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
 
@@ -60,7 +60,7 @@ std::string sha256sum(const std::string& path) {
   return RunningProgram({"/usr/bin/sha256sum", path}).finish().out.substr(0, 64);
 }
 
-// The bytes that section 2 of the formats hashes, hashed by another program.
+// The bytes that the formats (spec/formats/README.md) hash, hashed by another program.
 std::string digest_of(const Scratch& scratch, const std::vector<double>& coordinates) {
   std::string bytes;
   for (const double value : coordinates) {

@@ -1,5 +1,5 @@
 // `flowcert conformance` as a user calls it: the verdict on our own program, the choice of cases, reports,
-// and what is kept (spec/formats.md, "Report of a conformance run").
+// and what is kept (spec/formats/conformance.md).
 //
 // Guarantees: our own program is right on every case. Vectors that cannot be used are refused.
 #include <expat.h>
@@ -378,7 +378,8 @@ TEST_F(ConformanceCommand, DoesWhatTheReadmeSays) {
   const auto lines = lines_of(content_of(FLOWCERT_FUZZ_README));
   auto line = std::ranges::find(lines, "<!-- example: conformance -->");
   ASSERT_LT(line, lines.end() - 3);
-  const std::string typed = *(line += 2);
+  std::string typed = *(line += 2);
+  while (typed.ends_with('\\') && ++line != lines.end()) typed += '\n' + *line;
   ASSERT_TRUE(typed.starts_with("$ ")) << typed;
   fs::create_directory(scratch_.path("build"));
   fs::create_symlink(FLOWCERT_PROGRAM, scratch_.path("build/flowcert"));

@@ -1,5 +1,5 @@
 // `flowcert conformance` on programs that answer the conformance vectors wrongly, or not at all
-// (spec/formats.md, "Report of a conformance run").
+// (spec/formats/conformance.md).
 //
 // Guarantees: whatever a program does, crash, hang, fork, or fill the disk, the run comes to its end and says
 // so, leaves nothing behind and no process running.

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "oracle/read_records.h"
+#include "oracle/program/read_records.h"
 #include "oracle/stationary_points.h"
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"

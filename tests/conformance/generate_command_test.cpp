@@ -1,5 +1,5 @@
-// `flowcert generate` as a user calls it (spec/formats.md, "Cases and answers"): what it prints, that it is
-// the same every time, and how it ends. What becomes of the cases is in pipe_command_test.cpp.
+// `flowcert generate` as a user calls it (spec/formats/cases.md): what it prints, that it is the
+// same every time, and how it ends. What becomes of the cases is in pipe_command_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>

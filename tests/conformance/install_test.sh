@@ -23,7 +23,7 @@ block() {
     inside && /^```/ { exit }
     inside { print }
     marked && /^```/ { inside = 1; marked = 0 }
-    $0 == mark { marked = 1 }' "$root/README.md"
+    $0 == mark { marked = 1 }' "$root/${2:-README.md}"
 }
 
 # A variable of the build's cache.
@@ -63,4 +63,21 @@ case "$found" in "$scratch"/*) ;; *) fail "another flowcert was found: $found" ;
 quietly cmake --build "$scratch/example/build"
 "$scratch/example/build/example" >"$scratch/printed" || fail "the example does not run"
 diff -u "$scratch/expected" "$scratch/printed" || fail "the example prints something else"
+# The generators, a component of their own.
+mkdir "$scratch/generators"
+block generators fuzz/README.md >"$scratch/generators/generators.cpp"
+[ -s "$scratch/generators/generators.cpp" ] || fail "fuzz/README.md has no example of generators"
+cat >"$scratch/generators/CMakeLists.txt" <<'TEXT'
+cmake_minimum_required(VERSION 3.25)
+project(generators CXX)
+set(CMAKE_CXX_STANDARD 20)
+find_package(flowcert REQUIRED COMPONENTS generators)
+add_executable(generators generators.cpp)
+target_link_libraries(generators flowcert::generators)
+TEXT
+quietly cmake -S "$scratch/generators" -B "$scratch/generators/build" -G Ninja -DCMAKE_PREFIX_PATH="$scratch/prefix" \
+  -DCMAKE_CXX_COMPILER="$(cached CMAKE_CXX_COMPILER)" -DCMAKE_CXX_FLAGS="$flags -Wall -Wextra"
+quietly cmake --build "$scratch/generators/build"
+"$scratch/generators/build/generators" >"$scratch/printed_by_generators" || fail "the generators' example does not run"
+grep -q '^general-position: [0-9]* points$' "$scratch/printed_by_generators" || fail "the generators draw something else"
 echo "the README's example builds against the installed library and prints its $(wc -l <"$scratch/expected") lines"

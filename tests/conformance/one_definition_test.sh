@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# No type, and no inline function, is defined twice: all objects of a build at -O0 agree on the size of each weak symbol
-# of ours.
+# No type, and no inline function, is defined twice: all objects of a build at -O0 agree on the size of each weak
+# symbol of ours.
 #
 # usage: one_definition_test.sh BUILD_DIR      (a build with -O0: inlining hides what differs)
 #        one_definition_test.sh --self-test    (two types of one name are found; needs a compiler)

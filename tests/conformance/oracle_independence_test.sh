@@ -14,7 +14,8 @@ fail() {
   failures=$((failures + 1))
 }
 
-# The oracle's objects, and the precompiled headers that they are compiled with: the compiler lists what it read there apart.
+# The oracle's objects, and the precompiled headers that they are compiled with: the compiler lists what it read
+# there apart.
 objects='^[^ ]*flowcert_oracle(_tool)?[.]dir/'
 precompiled=$(ninja -t commands flowcert-oracle | grep -E -- ' -o [^ ]*flowcert_oracle(_tool)?\.dir/' | grep -oP -- ' -include \K\S+' | sort -u)
 for header in $precompiled; do objects+="|^$(realpath --relative-to=. "$header")[.]gch:"; done
@@ -23,7 +24,7 @@ for header in $precompiled; do objects+="|^$(realpath --relative-to=. "$header")
 read_files=$(ninja -t deps | awk -v objects="$objects" '/^[^ ]/ { wanted = $0 ~ objects && !/STALE/ } /^ / && wanted { print $1 }' |
   sort -u | xargs -r realpath | sort -u)
 
-for source in "$root"/oracle/*.cpp; do
+for source in "$root"/oracle/{,fast/,program/}*.cpp; do
   grep -qxF "$source" <<<"$read_files" || fail "no dependencies of $source are known; is the oracle built?"
 done
 grep -q '/gmp\.h$' <<<"$read_files" || fail "gmp.h is not among the dependencies; the list cannot be right"

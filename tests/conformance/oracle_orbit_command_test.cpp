@@ -9,8 +9,8 @@
 #include <regex>
 
 #include "oracle/orbit.h"
-#include "oracle/read_points.h"
-#include "oracle/read_records.h"
+#include "oracle/program/read_points.h"
+#include "oracle/program/read_records.h"
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
 

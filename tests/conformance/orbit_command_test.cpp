@@ -1,4 +1,4 @@
-// `flowcert orbit` as a user calls it: the table, the JSON object of spec/formats.md, section 4, and every
+// `flowcert orbit` as a user calls it: the table, the JSON object of spec/formats/orbit.md, and every
 // kind of input that it refuses.
 //
 // Guarantees: start, segments and limit are those that the oracle's program prints for the same input, for

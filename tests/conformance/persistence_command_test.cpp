@@ -1,5 +1,5 @@
-// `flowcert persistence` as a user calls it: the .pers text, the table, the JSON object of spec/formats.md,
-// and every kind of input that it refuses.
+// `flowcert persistence` as a user calls it: the .pers text, the table, the JSON object of
+// spec/formats/persistence.md, and every kind of input that it refuses.
 //
 // Guarantees: known diagrams, on inputs of every dimension; the text is read back by GUDHI's own reader, to
 // the bit.

@@ -1,4 +1,4 @@
-// `flowcert generate | PROGRAM | flowcert verify` as a user calls it (spec/formats.md, "Cases and answers"),
+// `flowcert generate | PROGRAM | flowcert verify` as a user calls it (spec/formats/cases.md),
 // with a program in the middle that can be wrong (answering_program.cpp).
 //
 // Guarantees: right answers of every family conform in every format, by the fast implementation and by the

@@ -1,4 +1,4 @@
-// The examples of spec/flow_complex.md, run against both implementations.
+// The examples of spec/flow_complex.md and spec/claims.md, run against both implementations.
 //
 // Guarantees: every fenced block that begins with `example` is parsed by the grammar of the spec's section 9
 // and checked against the fast implementation and the oracle, each of which reads the points with its own
@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
+#include "flowcert/flow_complex.h"
 #include "flowcert/read_points.h"
-#include "flowcert/stationary_points.h"
-#include "oracle/read_points.h"
-#include "oracle/read_records.h"
+#include "oracle/program/read_points.h"
+#include "oracle/program/read_records.h"
 #include "oracle/stationary_points.h"
 #include "tests/cites.h"
 
@@ -194,8 +194,8 @@ RecordText record_text(const std::vector<std::string>& center, int face_dimensio
 
 Answer fast_answer(const std::string& xyz) {
   const PointSet points(xyz.empty() ? std::vector<Point>{} : read_points_from(xyz, "example.xyz").rows);
-  const VoronoiDiagram diagram{Delaunay(points)};
-  const StationaryPoints stationary = stationary_points(diagram);
+  const FlowComplex complex(points);
+  const StationaryPoints& stationary = complex.stationary();
   Answer answer;
   answer.points = points.row_count();
   answer.merged_duplicates = points.merged_duplicates();
@@ -259,9 +259,10 @@ std::string contradiction(const Answer& expected, const Answer& answer) {
 }
 
 std::string spec_text() {
-  std::ifstream file(FLOWCERT_SPEC);
   std::ostringstream text;
-  text << file.rdbuf();
+  for (const char* file : {FLOWCERT_SPEC_FOLDER "/flow_complex.md", FLOWCERT_SPEC_FOLDER "/claims.md"}) {
+    text << std::ifstream(file).rdbuf();
+  }
   return text.str();
 }
 

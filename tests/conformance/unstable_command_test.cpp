@@ -1,5 +1,5 @@
-// `flowcert compute --manifolds u2`: its rows, its keys of the summary and of the records (spec/formats.md,
-// sections 2 and 3), and what it refuses.
+// `flowcert compute --manifolds u2`: its rows, its keys of the summary and of the records
+// (spec/formats/summary.md, stationary_points.md), and what it refuses.
 //
 // Guarantees: every U2 is compared, segment by segment, with the orbit that the oracle's program prints from
 // a point of its first segment; every statistic of lengths and types is counted again from the polylines.
@@ -12,7 +12,7 @@
 #include <numeric>
 #include <regex>
 
-#include "oracle/read_records.h"
+#include "oracle/program/read_records.h"
 #include "tests/cites.h"
 #include "tests/conformance/lattice_points.h"
 #include "tests/conformance/program_run.h"

@@ -8,15 +8,11 @@
 #include <map>
 #include <set>
 
-#include "flowcert/orbit.h"
-#include "flowcert/persistence.h"
+#include "flowcert/flow_complex.h"
 #include "flowcert/read_points.h"
-#include "flowcert/stable_manifolds.h"
-#include "flowcert/unstable_manifolds.h"
-#include "io/orbit_fields.h"
-#include "io/rational_text.h"
-#include "io/skeleton_fields.h"
-#include "oracle/read_records.h"
+#include "io/json_fields.h"
+#include "io/number_text.h"
+#include "oracle/program/read_records.h"
 #include "tests/cites.h"
 #include "tests/conformance/vector_files.h"
 
@@ -27,11 +23,12 @@ namespace {
 
 PointSet fast_points(const Json& one) { return PointSet(read_points_from(xyz_text(one), "case.xyz").rows); }
 
-Json fast_records(const PointSet& points, const StationaryPoints& stationary) {
+Json fast_records(const FlowComplex& complex) {
+  const StationaryPoints& stationary = complex.stationary();
   Json records = Json::array();
   for (std::size_t i = 0; i < stationary.size(); ++i) {
     const StationaryIndex index = stationary.index(i);
-    const ExactSphere sphere = exact_sphere(points, stationary.contact(i));
+    const ExactSphere sphere = complex.sphere(i);
     records.push_back({{"index", index_field(index)},
                        {"kind", index.is_critical() ? "critical" : "regular"},
                        {"contact", stationary.contact(i)},
@@ -41,28 +38,25 @@ Json fast_records(const PointSet& points, const StationaryPoints& stationary) {
   return records;
 }
 
-void add_fast_limits(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
-                     ConstructionKernel kernel, Json& records) {
-  UnstableOptions options;
-  options.flow.kernel = kernel;
-  const UnstableManifolds manifolds(diagram, stationary, options);
+void add_fast_limits(const FlowComplex& complex, Json& records) {
+  const UnstableManifolds& manifolds = complex.unstable();
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
     Json limits = Json::array();
     for (const std::size_t side : {0U, 1U}) {
       const auto limit = manifolds.limit(i, side);
-      limits.push_back(limit ? Json(stationary.contact(*limit)) : Json());
+      limits.push_back(limit ? Json(complex.stationary().contact(*limit)) : Json());
     }
     records[manifolds.saddle(i)]["limits"] = limits;
   }
 }
 
-Json fast_orbit(const PointSet& points, Flow& flow, const Json& start) {
-  const Orbit path = flow.orbit(parse_rational_point(words_in_a_row(start)));
+Json fast_orbit(const FlowComplex& complex, const Json& start) {
+  const Orbit path = complex.orbit(parse_rational_point(words_in_a_row(start)));
   Json segments = Json::array();
   for (const FlowSegment& segment : path.segments) segments.push_back(segment_with_contacts_field(segment));
   return {{"start", center_field(path.start)},
           {"segments", segments},
-          {"limit", limit_field(points, path.limit)}};
+          {"limit", limit_field(complex.points(), path.limit)}};
 }
 
 bool any_has(const Json& stationary, const char* key) {
@@ -104,13 +98,12 @@ bool any_has_regular_back(const Json& skeleton) {
 }
 
 // The fast implementation has no walk of its own, and a boundary even where there is a tie.
-void add_fast_stable_sets(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
-                          ConstructionKernel kernel, const Json& expected, Json& records) {
-  StableManifolds manifolds(diagram, stationary, {.flow = {kernel, FacetSearch::kBinary}, .seed = 0});
+void add_fast_stable_sets(const FlowComplex& complex, const Json& expected, Json& records) {
+  const StableManifolds& manifolds = complex.stable();
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
     Json& record = records[manifolds.record(i)];
     const Json& wanted = expected[manifolds.record(i)]["stable"];
-    Json stable = stable_field(stationary, manifolds, i);
+    Json stable = stable_field(complex.stationary(), manifolds, i);
     const Json skeleton = skeleton_field(manifolds.set(i));
     const bool has_tie = manifolds.has_vertex(i) || any_has_regular_back(skeleton);
     if (stable.contains("boundary") && has_tie) stable["boundary"] = Json();
@@ -123,14 +116,7 @@ void add_fast_stable_sets(const VoronoiDiagram& diagram, const StationaryPoints&
   }
 }
 
-Json fast_persistence(const PointSet& points, const VoronoiDiagram& diagram,
-                      const StationaryPoints& stationary, ConstructionKernel kernel) {
-  UnstableOptions options;
-  options.flow.kernel = kernel;
-  UnstableManifolds unstable(diagram, stationary, options);
-  const StableManifolds stable(diagram, stationary, {.flow = {kernel, FacetSearch::kBinary}, .seed = 0});
-  const ChainComplex complex(points, stationary, unstable, stable, 0);
-  const Persistence persistence(points, stationary, complex);
+Json fast_persistence(const Persistence& persistence) {
   Json pairs = Json::array();
   for (const PersistencePair& pair : persistence.pairs()) {
     pairs.push_back({{"dimension", pair.dimension},
@@ -153,26 +139,19 @@ Json in_order(const Json& pairs) {
 }
 
 Json fast_answer(const Json& one, ConstructionKernel kernel) {
-  const PointSet points = fast_points(one);
-  const VoronoiDiagram diagram{Delaunay(points)};
-  const StationaryPoints stationary = stationary_points(diagram);
+  const FlowComplex complex(fast_points(one), {.flow = {kernel, FacetSearch::kBinary}});
   Json answer;
-  add_counts(answer, points, stationary);
+  add_counts(answer, complex.points(), complex.stationary());
   answer.erase("points");
-  answer["stationary"] = fast_records(points, stationary);
+  answer["stationary"] = fast_records(complex);
   const Json& expected = one["expected"]["stationary"];
-  if (any_has(expected, "limits")) add_fast_limits(diagram, stationary, kernel, answer["stationary"]);
-  if (any_has(expected, "stable")) {
-    add_fast_stable_sets(diagram, stationary, kernel, expected, answer["stationary"]);
-  }
-  if (has(one, "persistence")) {
-    answer["persistence"] = in_order(fast_persistence(points, diagram, stationary, kernel));
-  }
+  if (any_has(expected, "limits")) add_fast_limits(complex, answer["stationary"]);
+  if (any_has(expected, "stable")) add_fast_stable_sets(complex, expected, answer["stationary"]);
+  if (has(one, "persistence")) answer["persistence"] = in_order(fast_persistence(complex.persistence()));
   if (!has(one, "orbits")) return answer;
-  Flow flow(diagram, {kernel, FacetSearch::kBinary});
   answer["orbits"] = Json::array();
   for (const Json& path : one["expected"]["orbits"]) {
-    answer["orbits"].push_back(fast_orbit(points, flow, path["start"]));
+    answer["orbits"].push_back(fast_orbit(complex, path["start"]));
   }
   return answer;
 }

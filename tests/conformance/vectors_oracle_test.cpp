@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "oracle/orbit.h"
-#include "oracle/read_points.h"
-#include "oracle/read_records.h"
+#include "oracle/program/read_points.h"
+#include "oracle/program/read_records.h"
 #include "tests/cites.h"
 #include "tests/conformance/vector_files.h"
 #include "tests/vectors/vectors.h"

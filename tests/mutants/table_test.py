@@ -84,7 +84,7 @@ class Order(unittest.TestCase):
     def test_every_test_is_run_once_and_the_likely_ones_first(self):
         named = {name for names in [*run.LIKELY.values(), *run.BLIND.values()] for name in names}
         limits = {name: 5 for name in named} | {"slow_test": 9, "fast_test": 1}
-        for name in ("src/geometry/predicates.cpp", "src/morse/sectors.cpp", "src/cli/main.cpp"):
+        for name in ("src/geometry/predicates.cpp", "src/morse/stable_manifolds.cpp", "src/cli/main.cpp"):
             order = run.order_for({"file": name}, limits)
             blind = run.BLIND.get(name.split("/")[1], set())
             self.assertEqual(sorted(order), sorted(limits.keys() - blind))

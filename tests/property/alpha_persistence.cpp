@@ -1,4 +1,3 @@
-// See alpha_persistence.h.
 #include "tests/property/alpha_persistence.h"
 
 #include <algorithm>

@@ -11,8 +11,9 @@
 #include <sstream>
 
 #include "fuzz/inputs/families.h"
-#include "fuzz/properties/fast_persistence.h"
 #include "fuzz/properties/input_points.h"
+#include "fuzz/properties/property_checks.h"
+#include "oracle/fast/point_set.h"
 #include "oracle/persistence.h"
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
@@ -38,9 +39,10 @@ struct Totals {
 
 void require_same_pairs(const fuzz::Input& input, Totals& totals) {
   const PointSet points = point_set_of(input);
-  const auto expected = oracle::persistence_pairs(oracle::PointSet(input.rows));
+  const auto expected = oracle::persistence_pairs(oracle::fast::PointSet(input.rows));
   for (const std::uint64_t seed : kSeeds) {
-    const FastPersistence fast = fast_persistence(points, seed);
+    const FastPersistence fast =
+        fast_persistence(FlowComplex(points, {.flow = {}, .share = true, .seed = seed}));
     if (fast.pairs != expected) {
       std::ostringstream text;
       text << "ties broken with seed " << seed << "; the fast implementation has\n"

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/inputs/nudge.h"
+#include "fuzz/inputs/input.h"
 #include "oracle/exact_geometry.h"
 #include "tests/cites.h"
 #include "tests/property/claim_properties.h"
@@ -37,7 +37,7 @@ struct Subject : ClaimSubject {
   [[nodiscard]] std::vector<oracle::Point> coordinates(const std::vector<PointId>& names) const {
     std::vector<oracle::Point> result;
     for (const PointId name : names) {
-      const Point& p = points[points.position_of_row(name)];
+      const Point& p = points[points.ordinal_of_row(name)];
       result.push_back(oracle::exact({p.x, p.y, p.z}));
     }
     return result;

@@ -1,5 +1,4 @@
-// See gudhi_alpha.h. Doubles as filtration values serve for ranks, too; GUDHI's faster options have floats,
-// which do not.
+// Doubles as filtration values serve for ranks, too; GUDHI's faster options have floats, which do not.
 #include "tests/property/gudhi_alpha.h"
 
 #include <CGAL/Epeck_d.h>

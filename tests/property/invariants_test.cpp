@@ -15,6 +15,7 @@
 #include "fuzz/inputs/input.h"
 #include "fuzz/inputs/integer_points.h"
 #include "fuzz/properties/stationary_comparison.h"
+#include "oracle/fast/point_set.h"
 #include "oracle/stationary_points.h"
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
@@ -109,7 +110,7 @@ oracle::StationaryPoint claim_of(const Record& record) {
 void expect_sound(const std::string& name, const fuzz::Input& input) {
   const StationaryAnswer answer = fast_answer(input);
   EXPECT_EQ(broken_clause(answer), "") << name;
-  const oracle::PointSet points(input.rows);
+  const oracle::fast::PointSet points(input.rows);
   const std::size_t stride = answer.records.size() / kCertifiedRecords + 1;
   for (std::size_t i = 0; i < answer.records.size(); i += stride) {
     const auto finding = oracle::certify(points, claim_of(answer.records[i]));

@@ -151,8 +151,8 @@ bool agrees_on(const fuzz::Family& family, const rc::detail::TestParams& paramet
     const fuzz::Input input = *generator;
     const auto choices = *start_choices(kStartsPerInput).as("starts");
     const Subject subject(input);
-    Flows flows(subject.diagram);
-    if (subject.points.empty()) {
+    Flows flows(subject.complex.diagram());
+    if (subject.complex.points().empty()) {
       RC_ASSERT_THROWS_AS((void)flows[0].orbit({}), InvalidInput);
       RC_ASSERT_THROWS_AS((void)flows[0].step({}), InvalidInput);
       return;

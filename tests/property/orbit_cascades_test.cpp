@@ -32,7 +32,7 @@ std::size_t facets_crossed(const OrbitRecord& orbit) {
 std::size_t expect_orbits_agree(const Subject& subject, const std::vector<RationalPoint>& starts) {
   std::size_t longest = 0;
   std::vector<Flow> flows;
-  for (const FlowOptions& way : kAllWays) flows.emplace_back(subject.diagram, way);
+  for (const FlowOptions& way : kAllWays) flows.emplace_back(subject.complex.diagram(), way);
   for (const RationalPoint& x : starts) {
     const OrbitRecord expected = record_of(subject.set, x, oracle::orbit(subject.set, x));
     longest = std::max(longest, facets_crossed(expected));
@@ -45,12 +45,12 @@ std::size_t expect_orbits_agree(const Subject& subject, const std::vector<Ration
 
 // Of every `step`-th saddle, both orbits.
 std::size_t expect_manifolds_agree(const Subject& subject, std::size_t step) {
-  const StationaryPoints stationary = stationary_points(subject.diagram);
-  UnstableManifolds manifolds(subject.diagram, stationary);
+  const StationaryPoints& stationary = subject.complex.stationary();
+  const UnstableManifolds& manifolds = subject.complex.unstable();
   std::size_t longest = 0;
   for (std::size_t i = 0; i < manifolds.size(); i += step) {
     const auto contact = stationary.contact(manifolds.saddle(i));
-    const ExactSphere sphere = exact_sphere(subject.points, contact);
+    const ExactSphere sphere = exact_sphere(subject.complex.points(), contact);
     const oracle::StationaryPoint saddle{
         sphere.center, sphere.squared_radius, {contact.begin(), contact.end()}, 2, 2};
     for (int side = 0; side < 2; ++side) {
@@ -69,7 +69,7 @@ TEST(OrbitCascades, AlongACascadeBuiltForIt) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     const fuzz::Input input = fuzz::long_cascade(80, seed);
     const Subject subject(input);
-    const RationalPoint m = exact_sphere(subject.points, std::vector<PointId>{0, 1}).center;
+    const RationalPoint m = exact_sphere(subject.complex.points(), std::vector<PointId>{0, 1}).center;
     EXPECT_GE(expect_orbits_agree(subject, {{m[0] + 1, m[1], m[2]}, {m[0] + Rational(1) / 7, m[1], m[2]}}),
               50u);
     EXPECT_GE(expect_manifolds_agree(subject, 1), 50u);

@@ -1,4 +1,4 @@
-// Inputs for orbits that are larger than those of the families of fuzz/families.h, and too large for the
+// Inputs for orbits that are larger than those of the families of fuzz/inputs/families.h, and too large for the
 // oracle's search for stationary points: its orbits cost one scan a segment, so they are fine.
 //
 // Guarantees: as families.h, but for the number of points, which does not depend on the size.

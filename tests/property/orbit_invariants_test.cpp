@@ -55,10 +55,10 @@ bool keeps_laws(const fuzz::Family& family, const rc::detail::TestParams& parame
     const fuzz::Input input = *generator;
     const auto choices = *start_choices(kStartsPerInput).as("starts");
     const Subject subject(input);
-    if (subject.points.empty()) {
+    if (subject.complex.points().empty()) {
       return;
     }
-    Flow flow(subject.diagram);
+    Flow flow(subject.complex.diagram());
     for (const StartChoice& choice : choices) {
       const RationalPoint start = start_of(subject.set, choice);
       const OrbitRecord orbit = record_of(flow.orbit(start));
@@ -124,7 +124,7 @@ void require_equivariant(const Orbits& original, const fuzz::Input& transformed,
     std::sort(contact.begin(), contact.end());
   };
   const Subject subject(transformed);
-  Flow flow(subject.diagram);
+  Flow flow(subject.complex.diagram());
   for (OrbitRecord expected : original.orbits) {
     expected.start = move(expected.start);
     for (SegmentRecord& segment : expected.segments) {
@@ -161,10 +161,10 @@ class OrbitEquivariance : public ::testing::Test {
                             Orbits original{*generator, {}};
                             const auto choices = *start_choices(kStarts).as("starts");
                             const Subject subject(original.input);
-                            if (subject.points.empty()) {
+                            if (subject.complex.points().empty()) {
                               return;
                             }
-                            Flow flow(subject.diagram);
+                            Flow flow(subject.complex.diagram());
                             for (const StartChoice& choice : choices) {
                               original.orbits.push_back(record_of(flow.orbit(start_of(subject.set, choice))));
                             }

@@ -59,7 +59,7 @@ std::string broken_driver(const PointSet& set, const SegmentRecord& segment) {
   const auto crossed = points_of(set, segment.crossed_contact);
   const Point u = oracle::minus(segment.start, segment.driver);
   const auto height = [&](const Point& p) { return oracle::dot(u, oracle::minus(p, segment.driver)); };
-  if (oracle::driver(contact, segment.start) != segment.driver) {
+  if (oracle::driver(set, oracle::places_of(set, segment.start_contact), segment.start) != segment.driver) {
     return "FC-DIST-02: the driver is not the nearest point of the hull";
   }
   if (!oracle::face_dimension(crossed, segment.driver) ||
@@ -67,7 +67,8 @@ std::string broken_driver(const PointSet& set, const SegmentRecord& segment) {
       std::any_of(crossed.begin(), crossed.end(), [&](const Point& p) { return height(p) != 0; })) {
     return "FC-DIST-02: the driver's plane does not separate";
   }
-  return oracle::driver(crossed, middle_of(segment)) == segment.driver
+  const auto places = oracle::places_of(set, segment.crossed_contact);
+  return oracle::driver(set, places, middle_of(segment)) == segment.driver
              ? ""
              : "FC-FLOW-04: the driver changes on the way";
 }
@@ -93,7 +94,7 @@ std::string broken_way(const PointSet& set, const SegmentRecord& segment) {
 }
 
 Rational squared_distance_to(const PointSet& set, const Point& x) {
-  return oracle::squared_distance(x, set.points[oracle::nearest_places(set, x).front()]);
+  return oracle::squared_distance(x, set.points[set.nearest_places(x).front()]);
 }
 
 // Of the smallest ball that encloses C(x), by Pythagoras: all of C(x) is equally far from x.

@@ -4,8 +4,6 @@
 //
 // Guarantees: everything is compared exactly. A family in which no input is free of ties, or a run in which
 // none has any, does not pass for a test of either.
-#include "flowcert/persistence.h"
-
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -16,9 +14,10 @@
 #include <numeric>
 #include <set>
 
+#include "flowcert/flow_complex.h"
 #include "fuzz/inputs/families.h"
 #include "fuzz/inputs/integer_points.h"
-#include "fuzz/inputs/stable_families.h"
+#include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/properties/stationary_comparison.h"
 #include "tests/cites.h"
 #include "tests/property/alpha_persistence.h"
@@ -37,38 +36,22 @@ constexpr std::uint64_t kSeeds[] = {1, 2, 3};
 using Chain = std::vector<std::uint32_t>;  // records, ascending
 
 // Everything of one input, with one way of breaking ties.
-struct Subject {
-  explicit Subject(const PointSet& all, std::uint64_t seed = 0)
-      : points(all),
-        diagram(Delaunay(points)),
-        stationary(stationary_points(diagram)),
-        unstable(diagram, stationary),
-        stable(diagram, stationary, {.flow = {}, .seed = seed}),
-        complex(points, stationary, unstable, stable, seed),
-        persistence(points, stationary, complex) {}
-  Subject(const Subject&) = delete;
-  Subject& operator=(const Subject&) = delete;
+struct Subject : FlowComplex {
+  explicit Subject(const PointSet& points, std::uint64_t seed = 0)
+      : FlowComplex(points, {.flow = {}, .share = true, .seed = seed}) {}
 
-  [[nodiscard]] int index(std::size_t record) const { return stationary.index(record).face_dimension; }
+  [[nodiscard]] int index(std::size_t record) const { return stationary().index(record).face_dimension; }
   [[nodiscard]] std::size_t critical_count() const {
-    const auto& counts = stationary.critical_counts();
+    const auto& counts = stationary().critical_counts();
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
   }
   [[nodiscard]] bool has_ties() const {
-    return complex.broken_ties() > 0 || stable.statistics().broken_ties > 0;
+    return chains().broken_ties() > 0 || stable().statistics().broken_ties > 0;
   }
   [[nodiscard]] Chain boundary(std::size_t record) const {
-    const auto boundary = complex.boundary(record);
+    const auto boundary = chains().boundary(record);
     return {boundary.begin(), boundary.end()};
   }
-
-  const PointSet& points;
-  VoronoiDiagram diagram;
-  StationaryPoints stationary;
-  UnstableManifolds unstable;
-  StableManifolds stable;
-  ChainComplex complex;
-  Persistence persistence;
 };
 
 Chain sum_mod_2(const Chain& a, const Chain& b) {
@@ -86,11 +69,11 @@ Chain boundary_of_boundary(const Subject& subject, std::size_t record) {
 // Of a maximum, without ties: the index-2 points of which exactly one orbit of U2 ends there.
 Chain boundary_by_orbits(const Subject& subject, std::size_t maximum) {
   Chain boundary;
-  for (std::size_t i = 0; i < subject.unstable.size(); ++i) {
-    const bool both = subject.unstable.limit(i, 0) == subject.unstable.limit(i, 1);
+  for (std::size_t i = 0; i < subject.unstable().size(); ++i) {
+    const bool both = subject.unstable().limit(i, 0) == subject.unstable().limit(i, 1);
     const bool ends_there =
-        subject.unstable.limit(i, 0) == maximum || subject.unstable.limit(i, 1) == maximum;
-    if (ends_there && !both) boundary.push_back(static_cast<std::uint32_t>(subject.unstable.saddle(i)));
+        subject.unstable().limit(i, 0) == maximum || subject.unstable().limit(i, 1) == maximum;
+    if (ends_there && !both) boundary.push_back(static_cast<std::uint32_t>(subject.unstable().saddle(i)));
   }
   return boundary;
 }
@@ -98,8 +81,8 @@ Chain boundary_by_orbits(const Subject& subject, std::size_t maximum) {
 // Of an index-1 point, its samples.
 Chain samples_of(const Subject& subject, std::size_t record) {
   Chain samples;
-  for (const PointId name : subject.stationary.contact(record)) {
-    samples.push_back(static_cast<std::uint32_t>(subject.points.position_of_row(name)));
+  for (const PointId name : subject.stationary().contact(record)) {
+    samples.push_back(static_cast<std::uint32_t>(subject.points().ordinal_of_row(name)));
   }
   return samples;
 }
@@ -114,7 +97,7 @@ std::string broken_complex(const Subject& subject) {
     }
     for (const std::uint32_t cell : boundary) {
       if (subject.index(cell) != subject.index(record) - 1) return where + "a boundary of another dimension";
-      if (subject.persistence.squared_value(cell) >= subject.persistence.squared_value(record)) {
+      if (subject.persistence().squared_value(cell) >= subject.persistence().squared_value(record)) {
         return where + "its boundary is not below it";
       }
     }
@@ -142,7 +125,7 @@ class Reduction {
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::erase_if(order, [&](std::size_t record) { return subject.index(record) > highest_index; });
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-      const Rational &x = subject.persistence.squared_value(a), &y = subject.persistence.squared_value(b);
+      const Rational &x = subject.persistence().squared_value(a), &y = subject.persistence().squared_value(b);
       return x != y ? x < y : subject.index(a) < subject.index(b);
     });
     std::map<std::size_t, std::uint32_t> place;
@@ -165,7 +148,7 @@ class Reduction {
 
   [[nodiscard]] bool is_zero(std::size_t record) const { return zero_.contains(record); }
   [[nodiscard]] std::vector<ExactPair> pairs() const {
-    const auto value = [&](std::size_t record) { return subject_.persistence.squared_value(record); };
+    const auto value = [&](std::size_t record) { return subject_.persistence().squared_value(record); };
     std::vector<ExactPair> pairs;
     for (const std::size_t birth : zero_) {
       const auto death = partner_.find(birth);
@@ -186,7 +169,7 @@ class Reduction {
 // An index-2 point's boundary reduces to zero iff the union-find of maxima has paired it with one.
 std::string broken_invariant(const Subject& subject) {
   std::set<std::size_t> opens_void;
-  for (const PersistencePair& pair : subject.persistence.pairs()) {
+  for (const PersistencePair& pair : subject.persistence().pairs()) {
     if (pair.dimension == 2) opens_void.insert(pair.birth);
   }
   const Reduction reduction(subject, 2);
@@ -204,7 +187,7 @@ std::string broken_invariant(const Subject& subject) {
 std::string broken_pairing(const Subject& subject) {
   std::vector<int> times(subject.critical_count(), 0);
   std::array<std::size_t, 4> lasting{};
-  for (const PersistencePair& pair : subject.persistence.pairs()) {
+  for (const PersistencePair& pair : subject.persistence().pairs()) {
     if (subject.index(pair.birth) != pair.dimension) return "a birth of another dimension";
     ++times[pair.birth];
     if (!pair.death) {
@@ -213,13 +196,13 @@ std::string broken_pairing(const Subject& subject) {
     }
     ++times[*pair.death];
     if (subject.index(*pair.death) != pair.dimension + 1) return "a death of another dimension";
-    if (subject.persistence.squared_value(*pair.death) <= subject.persistence.squared_value(pair.birth)) {
+    if (subject.persistence().squared_value(*pair.death) <= subject.persistence().squared_value(pair.birth)) {
       return "a pair of length zero, or less";
     }
   }
   if (std::ranges::any_of(times, [](int count) { return count != 1; }))
     return "a point in no pair, or in two";
-  const std::array<std::size_t, 4> of_a_point = {subject.points.empty() ? 0U : 1U, 0, 0, 0};
+  const std::array<std::size_t, 4> of_a_point = {subject.points().empty() ? 0U : 1U, 0, 0, 0};
   return lasting == of_a_point ? "" : "not the homology of a point";
 }
 
@@ -250,12 +233,12 @@ void Seen::add(const Seen& other) {
 
 void count(const Subject& subject, const std::vector<ExactPair>& pairs, Seen& seen) {
   ++seen.inputs;
-  if (subject.stationary.critical_counts()[3] > 0) {
+  if (subject.stationary().critical_counts()[3] > 0) {
     ++seen.with_maxima;
     seen.free_of_ties += subject.has_ties() ? 0 : 1;
   }
-  seen.u2_ties += subject.complex.broken_ties();
-  seen.s2_ties += subject.stable.statistics().broken_ties;
+  seen.u2_ties += subject.chains().broken_ties();
+  seen.s2_ties += subject.stable().statistics().broken_ties;
   for (const ExactPair& pair : pairs) ++seen.pairs.at(static_cast<std::size_t>(pair.dimension));
   for (std::size_t record = 0; record < subject.critical_count(); ++record) {
     if (!boundary_of_boundary(subject, record).empty()) {
@@ -297,14 +280,14 @@ std::string broken_laws(const Subject& subject, const std::vector<ExactPair>& pa
 std::string complaint_about(const fuzz::Input& input, Seen& seen) {
   const PointSet points = point_set_of(input);
   const Subject first(points);
-  const std::vector<ExactPair> pairs = exact_pairs(first.persistence);
+  const std::vector<ExactPair> pairs = exact_pairs(first.persistence());
   count(first, pairs, seen);
   if (const std::string broken = broken_laws(first, pairs); !broken.empty()) return broken;
   bool is_other = false;
   for (const std::uint64_t seed : kSeeds) {
     const Subject other(points, seed);
     const std::string which = ", ties broken with seed " + std::to_string(seed);
-    const std::vector<ExactPair> others = exact_pairs(other.persistence);
+    const std::vector<ExactPair> others = exact_pairs(other.persistence());
     if (const std::string broken = broken_laws(other, others); !broken.empty()) return broken + which;
     if (others != pairs) return "other pairs" + which;
     if (!have_same_boundaries(first, other)) is_other = true;
@@ -416,7 +399,7 @@ TEST(PersistenceTest, ABoundaryOfABoundaryNeedNotBeZeroWhereThereIsATie) {
     const std::size_t maximum = subject.critical_count() - 1;
     ASSERT_EQ(subject.index(maximum), 3);
     is_zero.insert(boundary_of_boundary(subject, maximum).empty());
-    EXPECT_EQ(difference(exact_pairs(subject.persistence), expected), "") << seed;
+    EXPECT_EQ(difference(exact_pairs(subject.persistence()), expected), "") << seed;
     std::vector<Chain> boundaries;
     for (std::size_t k = 0; k <= maximum; ++k) boundaries.push_back(subject.boundary(k));
     complexes.insert(boundaries);
@@ -442,7 +425,7 @@ TEST(PersistenceTest, TheComplexOfTheCube) {
     // Of a face, the faces that it contains.
     for (const std::uint32_t cell : subject.boundary(record)) {
       EXPECT_TRUE(
-          std::ranges::includes(subject.stationary.contact(record), subject.stationary.contact(cell)));
+          std::ranges::includes(subject.stationary().contact(record), subject.stationary().contact(cell)));
     }
   }
 }

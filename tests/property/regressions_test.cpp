@@ -10,8 +10,8 @@
 #include <sstream>
 #include <string>
 
-#include "fuzz/campaign/finding.h"
-#include "fuzz/campaign/trial_mix.h"
+#include "fuzz/campaign/campaign_plan.h"
+#include "fuzz/campaign/counterexample.h"
 #include "fuzz/properties/property.h"
 #include "tests/cites.h"
 
@@ -30,11 +30,11 @@ std::set<std::filesystem::path> regression_files() {
   return files;
 }
 
-fuzz::Finding read_finding(const std::filesystem::path& path) {
+fuzz::Counterexample read_counterexample(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
-  return fuzz::finding_of(text.str());
+  return fuzz::counterexample_of(text.str());
 }
 
 void expect_holds(const Property& property, const Trial& trial, const std::filesystem::path& path) {
@@ -54,7 +54,7 @@ TEST(Regressions, EveryPropertyHolds) {
   const auto files = regression_files();
   EXPECT_GE(files.size(), 3U);
   for (const std::filesystem::path& path : files) {
-    const fuzz::Finding finding = read_finding(path);
+    const fuzz::Counterexample finding = read_counterexample(path);
     EXPECT_FALSE(finding.trial.input.rows.empty()) << path;
     for (const Property& property : properties()) {
       expect_holds(property, finding.trial, path);

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "flowcert/stable_manifolds.h"
-#include "fuzz/inputs/stable_families.h"
-#include "fuzz/properties/oracle_point.h"
+#include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/properties/stable_pieces.h"
+#include "fuzz/properties/subject.h"
 #include "oracle/stable_set.h"
 #include "tests/cites.h"
 #include "tests/property/orbit_subject.h"
@@ -68,14 +68,15 @@ void require_right_summary(const Subject& subject, const StationaryPoints& stati
 }
 
 void require_right_sets(const Subject& subject, Totals& totals) {
-  const StationaryPoints stationary = stationary_points(subject.diagram);
-  StableManifolds lazy(subject.diagram, stationary);
-  StableManifolds exact(subject.diagram, stationary, {{ConstructionKernel::kExact, FacetSearch::kLinear}});
+  const StationaryPoints& stationary = subject.complex.stationary();
+  const StableManifolds& lazy = subject.complex.stable();
+  StableManifolds exact(subject.complex.diagram(), stationary,
+                        {{ConstructionKernel::kExact, FacetSearch::kLinear}});
   RC_ASSERT(lazy.size() == exact.size());
   const std::size_t step = 1 + lazy.size() / kSetsByOracle;
   for (std::size_t i = 0; i < lazy.size(); i += step) {
     const Pieces fast = pieces_of(lazy.set(i));
-    const auto z = oracle_point(subject.points, stationary, lazy.record(i));
+    const auto z = oracle_point(subject.complex.points(), stationary, lazy.record(i));
     const oracle::StableSet by_oracle = oracle::stable_set(subject.set, z);
     const std::string name = "the stable set of " + text_of(z.contact);
     require_same_pieces(subject, name, fast, pieces_of(subject.set, by_oracle));

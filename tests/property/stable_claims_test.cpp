@@ -16,9 +16,10 @@
 #include <vector>
 
 #include "certify/boundaries.h"
-#include "fuzz/inputs/nudge.h"
-#include "fuzz/inputs/stable_families.h"
-#include "fuzz/properties/oracle_point.h"
+#include "fuzz/inputs/input.h"
+#include "fuzz/inputs/stable_configurations.h"
+#include "fuzz/properties/subject.h"
+#include "oracle/fast/point_set.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
 #include "tests/property/claim_properties.h"
@@ -375,7 +376,7 @@ TEST(StableClaims, WalksAreTheOracles) {
   CITES("FC-STAB-07");
   std::size_t walks = 0, replaced = 0, regular = 0, none = 0;
   on_all_families<Subject>(fuzz::families_and_stable_ones(), kInputsPerFamily, [&](const Subject& subject) {
-    const oracle::PointSet set(subject.input.rows);
+    const oracle::fast::PointSet set(subject.input.rows);
     const std::size_t step = 1 + subject.truth->size() / kMostByOracle;
     for (std::size_t i = below(step); i < subject.truth->size(); i += step) {
       const StationaryIndex index = subject.truth->index(i);

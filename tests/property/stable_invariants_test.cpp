@@ -18,10 +18,10 @@
 
 #include "flowcert/stable_manifolds.h"
 #include "fuzz/inputs/integer_points.h"
-#include "fuzz/inputs/stable_families.h"
-#include "fuzz/properties/oracle_point.h"
+#include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/properties/orbit_starts.h"
 #include "fuzz/properties/stable_pieces.h"
+#include "fuzz/properties/subject.h"
 #include "oracle/orbit.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
@@ -55,10 +55,10 @@ struct FastSet {
 struct FastSets {
   FastSets(const Subject& of, ConstructionKernel kernel)
       : subject(of),
-        stationary(stationary_points(subject.diagram)),
-        manifolds(subject.diagram, stationary, {.flow = {.kernel = kernel}}) {
+        stationary(subject.complex.stationary()),
+        manifolds(subject.complex.diagram(), stationary, {.flow = {.kernel = kernel}}) {
     for (std::size_t i = 0; i < manifolds.size(); ++i) {
-      const StationaryPoint z = oracle_point(subject.points, stationary, manifolds.record(i));
+      const StationaryPoint z = oracle_point(subject.complex.points(), stationary, manifolds.record(i));
       const StableSet set = manifolds.set(i);
       sets.push_back({i, z, set, skeleton_of(subject.set, z, set)});
     }
@@ -119,7 +119,7 @@ bool holds_for_inputs(int inputs, const Law& law) {
       const fuzz::Input input = *generator;
       rc::Random random(static_cast<std::uint64_t>(*fuzz::whole(0, 1'000'000).as("dice")));
       const Subject subject(input);
-      if (subject.points.empty()) return;
+      if (subject.complex.points().empty()) return;
       const auto kernel = below(random, 2) == 0 ? ConstructionKernel::kLazy : ConstructionKernel::kExact;
       law(FastSets(subject, kernel), random);
     };

@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-#include "flowcert/persistence.h"
-#include "fuzz/inputs/stable_families.h"
+#include "flowcert/flow_complex.h"
+#include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/inputs/transformations.h"
 #include "fuzz/properties/stable_pieces.h"
 #include "tests/cites.h"
@@ -62,13 +62,10 @@ bool has_tie(const StableManifolds& manifolds, std::size_t i, const StableSet& s
 }
 
 StableAnswer answer_of(const fuzz::Input& input) {
-  const PointSet points = point_set_of(input);
-  const VoronoiDiagram diagram{Delaunay(points)};
-  const StationaryPoints stationary = stationary_points(diagram);
-  StableManifolds stable(diagram, stationary);
-  UnstableManifolds unstable(diagram, stationary);
-  const ChainComplex complex(points, stationary, unstable, stable);
-  StableAnswer answer{{}, exact_pairs(Persistence(points, stationary, complex))};
+  const FlowComplex complex(point_set_of(input));
+  const StationaryPoints& stationary = complex.stationary();
+  const StableManifolds& stable = complex.stable();
+  StableAnswer answer{{}, exact_pairs(complex.persistence())};
   for (std::size_t i = 0; i < stable.size(); ++i) {
     const std::size_t record = stable.record(i);
     const StableSet set = stable.set(i);

@@ -12,7 +12,7 @@
 #include <iostream>
 #include <string>
 
-#include "fuzz/inputs/stable_families.h"
+#include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/properties/stationary_comparison.h"
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"

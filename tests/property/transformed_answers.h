@@ -1,4 +1,4 @@
-// What the transformations of fuzz/transformations.h do to an answer: to its points and to its names.
+// What the transformations of fuzz/inputs/transformations.h do to an answer: to its points and to its names.
 //
 // Guarantees: exact.
 #pragma once

@@ -45,7 +45,7 @@ struct Answer {
 };
 
 Answer answer_of(const Subject& subject, const StationaryPoints& stationary, const UnstableOptions& options) {
-  UnstableManifolds manifolds(subject.diagram, stationary, options);
+  UnstableManifolds manifolds(subject.complex.diagram(), stationary, options);
   Answer answer;
   answer.statistics = manifolds.statistics();
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
@@ -146,7 +146,7 @@ std::vector<std::size_t> saddles_of(const StationaryPoints& stationary) {
 oracle::StationaryPoint stationary_point(const Subject& subject, const StationaryPoints& stationary,
                                          std::size_t k) {
   const auto contact = stationary.contact(k);
-  const ExactSphere sphere = exact_sphere(subject.points, contact);
+  const ExactSphere sphere = exact_sphere(subject.complex.points(), contact);
   return {sphere.center,
           sphere.squared_radius,
           {contact.begin(), contact.end()},
@@ -282,7 +282,7 @@ void print_row(const std::string& name, const Seen& seen) {
 
 // Shared, alone, and with the slow kernel and search; then all orbits of the first against the oracle.
 FlowStatistics compared_statistics(const Subject& subject) {
-  const StationaryPoints stationary = stationary_points(subject.diagram);
+  const StationaryPoints& stationary = subject.complex.stationary();
   const Answer shared = answer_of(subject, stationary, {kLazyBinary, true});
   const Answer alone = answer_of(subject, stationary, {kLazyBinary, false});
   require_none(subject.input, shared.saddles == saddles_of(stationary) ? "" : "not the list's saddles", "");
@@ -360,9 +360,9 @@ TEST(UnstableAgreement, AskingForOrbitsLeavesTheStatistics) {
   CITES("FC-FLOW-08");
   const fuzz::Input input{{{1, 0, 2}, {2, 1, 0}, {0, 3, 1}, {3, 3, 3}, {1, 1, 1}, {0, 0, 0}}};
   const Subject subject(input);
-  const StationaryPoints stationary = stationary_points(subject.diagram);
+  const StationaryPoints& stationary = subject.complex.stationary();
   for (const bool share : {true, false}) {
-    UnstableManifolds manifolds(subject.diagram, stationary, {kLazyBinary, share});
+    UnstableManifolds manifolds(subject.complex.diagram(), stationary, {kLazyBinary, share});
     const FlowStatistics before = manifolds.statistics();
     EXPECT_GT(before.n_u2.max(), 1U);
     for (std::size_t i = 0; i < manifolds.size(); ++i) {
@@ -382,8 +382,7 @@ TEST(UnstableAgreement, NothingToComputeForFewPoints) {
       input.rows.push_back({static_cast<double>(k), 0, 0});
     }
     const Subject subject(input);
-    const StationaryPoints stationary = stationary_points(subject.diagram);
-    const UnstableManifolds manifolds(subject.diagram, stationary);
+    const UnstableManifolds& manifolds = subject.complex.unstable();
     EXPECT_EQ(manifolds.size(), 0U);
     EXPECT_TRUE(counts_of(manifolds.statistics()) == Counts{});
   }

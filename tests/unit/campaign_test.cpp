@@ -12,8 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "fuzz/campaign/message.h"
-#include "fuzz/campaign/one_case.h"
+#include "fuzz/campaign/batch.h"
 #include "tests/unit/campaign_fixture.h"
 
 namespace flowcert::fuzz {
@@ -311,32 +310,32 @@ TEST(CampaignPlan, CountsTheCasesOfAShard) {
   EXPECT_EQ(cases_of_shard(plan, 700'000'000'000), 100'000'000'000U);
 }
 
-Finding some_finding() {
-  Finding finding{12,
-                  345,
-                  "shell",
-                  9,
-                  "orbit",
-                  {},
-                  {"segment-type", "FC-FLOW-02", "two\nlines", "fast", "a\nb", "oracle", "c"}};
+Counterexample some_finding() {
+  Counterexample finding{12,
+                         345,
+                         "shell",
+                         9,
+                         "orbit",
+                         {},
+                         {"segment-type", "FC-FLOW-02", "two\nlines", "fast", "a\nb", "oracle", "c"}};
   finding.trial.input.rows = {{0.1, -2, 1e-300}, {3, 4, 5}};
   finding.trial.start = oracle::Point{oracle::Rational(1, 3), oracle::Rational(-2), oracle::Rational(0)};
   return finding;
 }
 
-TEST(Finding, SurvivesItsFile) {
-  const Finding finding = some_finding();
+TEST(Counterexample, SurvivesItsFile) {
+  const Counterexample finding = some_finding();
   const std::string text = file_text(finding);
-  const Finding read = finding_of(text);
+  const Counterexample read = counterexample_of(text);
   EXPECT_EQ(read.trial.input, finding.trial.input);
   EXPECT_EQ(std::get<oracle::Point>(read.trial.start), std::get<oracle::Point>(finding.trial.start));
   EXPECT_EQ(read.property, "orbit");
   EXPECT_EQ(read.disagreement.kind, "segment-type");
   EXPECT_EQ(read.disagreement.clause, "FC-FLOW-02");
   EXPECT_EQ(name_of(finding), "orbit-segment-type-345");
-  Finding chosen = finding;
+  Counterexample chosen = finding;
   chosen.trial.start = property::StartChoice{property::StartKind::kEdge, {3, 0, 4294967295}};
-  const auto choice = std::get<property::StartChoice>(finding_of(file_text(chosen)).trial.start);
+  const auto choice = std::get<property::StartChoice>(counterexample_of(file_text(chosen)).trial.start);
   EXPECT_EQ(choice.kind, property::StartKind::kEdge);
   EXPECT_EQ(choice.numbers, (std::vector<std::uint32_t>{3, 0, 4294967295}));
   // A reader of point files sees rows alone: every other line is a comment.
@@ -346,13 +345,14 @@ TEST(Finding, SurvivesItsFile) {
   EXPECT_EQ(rows, 2U);
 }
 
-TEST(Finding, RefusesRowsThatAreNone) {
+TEST(Counterexample, RefusesRowsThatAreNone) {
   for (const char* text : {"1 2\n", "1 2 x\n", "1 2 inf\n", "# start: 1/0 2 3\n1 2 3\n", "# start: 1 2\n",
                            "# choice of start: no-such 1\n", "# choice of start: edge 1 x\n"}) {
-    EXPECT_THROW((void)finding_of(std::string(text)), std::invalid_argument) << text;
+    EXPECT_THROW((void)counterexample_of(std::string(text)), std::invalid_argument) << text;
   }
-  EXPECT_EQ(
-      finding_of(std::string("# any comment\n1 2 3 # and more\n\n0x1p-3 0 0\n")).trial.input.rows.size(), 2U);
+  EXPECT_EQ(counterexample_of(std::string("# any comment\n1 2 3 # and more\n\n0x1p-3 0 0\n"))
+                .trial.input.rows.size(),
+            2U);
 }
 
 TEST(BatchOrder, SurvivesItsText) {

@@ -9,7 +9,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "fuzz/inputs/stable_families.h"
+#include "flowcert/flow_complex.h"
+#include "fuzz/inputs/stable_configurations.h"
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
 
@@ -46,12 +47,8 @@ void expect_boundaries(const StationaryPoints& stationary, const UnstableManifol
 }
 
 void expect_boundaries_of(const std::vector<Point>& rows, std::uint64_t seed, Seen& seen) {
-  const PointSet points(rows);
-  const VoronoiDiagram diagram{Delaunay(points)};
-  const StationaryPoints stationary = stationary_points(diagram);
-  UnstableManifolds unstable(diagram, stationary);
-  const StableManifolds stable(diagram, stationary);
-  expect_boundaries(stationary, unstable, ChainComplex(points, stationary, unstable, stable, seed), seen);
+  const FlowComplex complex(PointSet(rows), {.flow = {}, .share = true, .seed = seed});
+  expect_boundaries(complex.stationary(), complex.unstable(), complex.chains(), seen);
 }
 
 TEST(ChainComplex, BoundariesOfDegenerateInputsAreModuloTwo) {

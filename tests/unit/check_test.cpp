@@ -46,7 +46,7 @@ TEST(CheckTest, RefusesWhatIsMalformed) {
   header.claim.point_count = 4;
   header.claim.critical_counts = {{3, 2, 1, 0}};
   header.claim.input_sha256 = "other";
-  const CheckReport wrong_header = triangle.check(header, {.input_sha256 = "this"});
+  const CheckReport wrong_header = triangle.check(header);
   EXPECT_EQ(wrong_header.findings.size(), 3U) << text(wrong_header);
   expect_finding(wrong_header, 1, FindingReason::kWrongCounts, "FC-IN-03", std::nullopt);
   expect_finding(wrong_header, 1, FindingReason::kWrongCounts, "FC-CLAIM-01", std::nullopt);

@@ -11,14 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "flowcert/flow_complex.h"
 #include "flowcert/point_set.h"
-#include "flowcert/stable_manifolds.h"
-#include "flowcert/stationary_points.h"
-#include "flowcert/voronoi_diagram.h"
 #include "fuzz/inputs/configurations.h"
 #include "fuzz/inputs/large_configurations.h"
 #include "fuzz/inputs/stable_configurations.h"
-#include "fuzz/inputs/stable_families.h"
 #include "fuzz/inputs/transformations.h"
 
 namespace flowcert::fuzz {
@@ -193,9 +190,8 @@ TEST(Signature, SaysOfStableManifoldsWhatTheirStatisticsSay) {
       std::vector<Point> rows;
       for (const auto& [x, y, z] : input.rows) rows.push_back({x, y, z});
       const PointSet points(rows);
-      const VoronoiDiagram diagram{Delaunay(points)};
-      const StationaryPoints stationary = stationary_points(diagram);
-      const StableManifolds stable(diagram, stationary);
+      const FlowComplex complex(points);
+      const StableManifolds& stable = complex.stable();
       const StableStatistics& statistics = stable.statistics();
       EXPECT_EQ(value_of(SignaturePart::kStableVertex, input), yes_or_no(statistics.with_vertex)) << input;
       EXPECT_EQ(value_of(SignaturePart::kStableInterval, input), yes_or_no(statistics.with_interval))

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "flowcert/flow_complex.h"
 #include "fuzz/inputs/families.h"
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
@@ -237,7 +238,7 @@ TEST(ExplainPositionTest, OthersHaveADriver) {
 // ---- Against the list ----
 
 Rational squared_distance_to(const PointSet& points, PointId id, const RationalPoint& x) {
-  return flowcert_tests::squared_distance(exactly(points[points.position_of_row(id)]), x);
+  return flowcert_tests::squared_distance(exactly(points[points.ordinal_of_row(id)]), x);
 }
 
 // The driver is the point of a convex hull nearest to the centre iff it lies in the hull and no point of the
@@ -251,7 +252,7 @@ void check_driver(const PointSet& points, const Explanation& answer, const Ratio
   std::vector<Point> farthest;
   Rational radius = -1;
   for (const PointId id : answer.contact) {
-    const Point& p = points[points.position_of_row(id)];
+    const Point& p = points[points.ordinal_of_row(id)];
     ASSERT_LE(inner(minus(exactly(p), *answer.driver), way), 0);
     const Rational distance = squared_distance_to(points, id, *answer.driver);
     if (distance > radius) farthest.clear();
@@ -314,8 +315,8 @@ struct Seen {
 
 void check_input(const PointSet& points, PortableRandom& random, Seen& seen) {
   if (points.empty()) return;
-  const VoronoiDiagram diagram{Delaunay(points)};
-  const StationaryPoints list = stationary_points(diagram);
+  const FlowComplex complex(points);
+  const StationaryPoints& list = complex.stationary();
   std::map<Ids, StationaryIndex> listed;
   std::set<RationalPoint> centers;
   for (std::size_t i = 0; i < list.size(); ++i) {

@@ -23,9 +23,8 @@
 #include <utility>
 #include <vector>
 
+#include "fuzz/inputs/input.h"
 #include "fuzz/inputs/integer_points.h"
-#include "fuzz/inputs/nudge.h"
-#include "fuzz/inputs/sphere_points.h"
 #include "fuzz/inputs/transformations.h"
 
 namespace flowcert::fuzz {

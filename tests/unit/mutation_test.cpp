@@ -19,9 +19,9 @@
 #include <utility>
 #include <vector>
 
+#include "fuzz/inputs/input.h"
 #include "fuzz/inputs/large_configurations.h"
-#include "fuzz/inputs/nudge.h"
-#include "fuzz/inputs/stable_families.h"
+#include "fuzz/inputs/stable_configurations.h"
 #include "tests/unit/rational_geometry.h"
 
 namespace flowcert::fuzz {

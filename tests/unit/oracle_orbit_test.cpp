@@ -10,8 +10,8 @@
 
 #include "fuzz/inputs/families.h"
 #include "oracle/orbit.h"
-#include "oracle/read_points.h"
-#include "oracle/read_records.h"
+#include "oracle/program/read_points.h"
+#include "oracle/program/read_records.h"
 #include "tests/cites.h"
 
 namespace oracle {
@@ -151,10 +151,10 @@ void expect_segment_keeps_its_promises(const PointSet& set, const FlowSegment& s
   for (std::size_t axis = 0; axis < 3; ++axis)
     middle[axis] = (segment.start[axis] + (*segment.end)[axis]) / 2;
   EXPECT_EQ(contact_set(set, middle), segment.crossed_contact);
-  EXPECT_EQ(driver(select(set.points, nearest_places(set, middle)), middle), segment.driver);
+  EXPECT_EQ(driver(set, set.nearest_places(middle), middle), segment.driver);
   EXPECT_NE(segment.end_contact, segment.crossed_contact);
   const auto distance = [&set](const Point& x) {
-    return squared_distance(x, set.points[nearest_places(set, x)[0]]);
+    return squared_distance(x, set.points[set.nearest_places(x)[0]]);
   };
   EXPECT_LT(distance(segment.start), distance(middle));
   EXPECT_LT(distance(middle), distance(*segment.end));
@@ -162,8 +162,7 @@ void expect_segment_keeps_its_promises(const PointSet& set, const FlowSegment& s
 
 // The squared radius of the ball that encloses C(x): Pythagoras, x being equally far from the points of C(x).
 Rational squared_ball_radius(const PointSet& set, const FlowSegment& segment) {
-  const Rational distance =
-      squared_distance(segment.start, set.points[nearest_places(set, segment.start)[0]]);
+  const Rational distance = squared_distance(segment.start, set.points[set.nearest_places(segment.start)[0]]);
   return distance - squared_distance(segment.start, segment.driver);
 }
 
@@ -333,7 +332,7 @@ void expect_an_orbit_of_its_points(const PointSet& set, const StationaryPoint& s
   }
   if (!first.end) {
     std::vector<Point> p;
-    for (const std::size_t place : nearest_places(set, saddle.center)) p.push_back(set.points[place]);
+    for (const std::size_t place : set.nearest_places(saddle.center)) p.push_back(set.points[place]);
     const Point u = minus(p[1], p[0]), v = minus(p[2], p[0]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t y = (axis + 1) % 3, z = (axis + 2) % 3;

@@ -5,8 +5,8 @@
 #include <limits>
 #include <sstream>
 
-#include "oracle/read_points.h"
-#include "oracle/read_records.h"
+#include "oracle/program/read_points.h"
+#include "oracle/program/read_records.h"
 #include "tests/cites.h"
 
 namespace {

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "fuzz/inputs/families.h"
-#include "fuzz/inputs/stable_families.h"
+#include "fuzz/inputs/stable_configurations.h"
 #include "oracle/orbit.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"

@@ -67,7 +67,7 @@ TEST(PointSetTest, MergesEqualRowsUnderTheSmallestId) {
     EXPECT_EQ(set[k], rows[names[k]]);
   }
   const std::vector<std::size_t> positions = {0, 1, 2, 1, 0, 3, 1};
-  for (PointId row = 0; row < rows.size(); ++row) EXPECT_EQ(set.position_of_row(row), positions[row]);
+  for (PointId row = 0; row < rows.size(); ++row) EXPECT_EQ(set.ordinal_of_row(row), positions[row]);
   EXPECT_EQ(set.repeated_classes(), (std::vector<std::vector<PointId>>{{0, 4}, {1, 3, 6}}));
 }
 
@@ -107,8 +107,8 @@ TEST(PointSetTest, RandomRowsWithManyRepetitions) {
     std::map<PointId, std::vector<PointId>> repeated;
     for (const auto& [key, members] : classes) {
       for (const PointId row : members) {
-        ASSERT_EQ(set.name(set.position_of_row(row)), members.front());
-        ASSERT_EQ(set[set.position_of_row(row)], rows[row]);
+        ASSERT_EQ(set.name(set.ordinal_of_row(row)), members.front());
+        ASSERT_EQ(set[set.ordinal_of_row(row)], rows[row]);
       }
       if (members.size() > 1) repeated[members.front()] = members;
     }

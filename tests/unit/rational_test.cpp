@@ -15,7 +15,7 @@
 #include <string>
 
 #include "flowcert/point_set.h"
-#include "io/rational_text.h"
+#include "io/number_text.h"
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
 

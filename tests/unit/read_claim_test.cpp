@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "flowcert/flow_complex.h"
+#include "flowcert/reproducibility.h"
 #include "tests/cites.h"
 #include "tests/unit/claim_file_samples.h"
 
@@ -39,15 +41,15 @@ TEST(ReadExchange, EverythingThatComputeWrites) {
   CITES("FC-OUT-01", "FC-NUM-02", "FC-IN-03", "FC-FLOW-07");
   const std::vector<Point> rows = rows_of_many_kinds();
   const PointSet points(rows);
-  const VoronoiDiagram diagram{Delaunay(points)};
-  const StationaryPoints stationary = stationary_points(diagram);
-  UnstableManifolds u2(diagram, stationary);
+  const FlowComplex complex(points);
+  const StationaryPoints& stationary = complex.stationary();
+  const UnstableManifolds& u2 = complex.unstable();
   const Claim claim = claim_of(property::exchange_file(rows));
   EXPECT_EQ(claim.format, "exchange");
   EXPECT_EQ(claim.point_count, rows.size());
   EXPECT_EQ(claim.merged_duplicates, 1U);
   EXPECT_EQ(claim.classes, (std::vector<Ids>{{0, 5}}));
-  EXPECT_EQ(claim.input_sha256, coordinates_sha256(rows));
+  EXPECT_EQ(claim.input_sha256, coordinates_sha256(points));
   EXPECT_EQ(claim.critical_counts, stationary.critical_counts());
   const RegularCounts& regular = stationary.regular_counts();
   EXPECT_EQ(claim.regular_counts,

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "voronoi/planar_complex.h"
 #include "voronoi/voronoi_complex.h"
 
 namespace flowcert {

@@ -3,8 +3,6 @@
 //
 // Guarantees: exact integer checks; which stable sets the inputs have is checked by the property tests, which
 // ask for so many of each kind.
-#include "fuzz/inputs/stable_families.h"
-
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 

@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "flowcert/connecting_orbits.h"
+#include "flowcert/flow_complex.h"
 #include "flowcert/stable_manifolds.h"
-#include "fuzz/inputs/stable_families.h"
+#include "fuzz/inputs/stable_configurations.h"
 #include "tests/cites.h"
 
 namespace flowcert {
@@ -111,7 +111,7 @@ struct Counts {
   std::optional<std::size_t> largest;
 };
 
-Counts count_sets(const PointSet& points, StableManifolds& stable, const StationaryPoints& stationary) {
+Counts count_sets(const PointSet& points, const StableManifolds& stable, const StationaryPoints& stationary) {
   Counts counts;
   for (std::size_t i = 0; i < stable.size() && stationary.index(stable.record(i)).is_critical(); ++i) {
     const RationalPoint center = exact_sphere(points, stationary.contact(stable.record(i))).center;
@@ -137,9 +137,9 @@ TEST(StableStatistics, AreTheSumsOverTheSets) {
         rows.push_back({row[0], row[1], row[2]});
       }
       const PointSet points(rows);
-      const VoronoiDiagram diagram{Delaunay(points)};
-      const StationaryPoints stationary = stationary_points(diagram);
-      StableManifolds stable(diagram, stationary);
+      const FlowComplex complex(points);
+      const StationaryPoints& stationary = complex.stationary();
+      const StableManifolds& stable = complex.stable();
       const Counts expected = count_sets(points, stable, stationary);
       const StableStatistics& told = stable.statistics();
       EXPECT_EQ(told.n_s2.count(), expected.orbits.count());

@@ -18,7 +18,6 @@
 #include "tests/unit/portable_random.h"
 #include "tests/unit/rational_geometry.h"
 #include "tests/unit/read_out_complex.h"
-#include "voronoi/planar_complex.h"
 
 namespace flowcert {
 

@@ -98,8 +98,8 @@ TEST_F(WorkerProcessesTest, OutlivesTheKillingOfItsProcesses) {
   Campaign campaign(small_plan(), 410, folder_ / "findings");
   work(campaign, {property}, 1);
   EXPECT_GT(fs::file_size(marks), 580U);
-  // By chance a case may have been under way twice when its process was killed, and is blamed for it. What it had found
-  // by then stays, and is not made small: no process tries that case again.
+  // By chance a case may have been under way twice when its process was killed, and is blamed for it. What it had
+  // found by then stays, and is not made small: no process tries that case again.
   std::set<std::size_t> blamed;
   for (const auto& [key, finding] : campaign.findings()) {
     if (ends_process(finding)) blamed.insert(finding.number);
@@ -234,7 +234,7 @@ TEST_F(WorkerProcessesTest, ExceptionsAreFindings) {
   Campaign campaign(small_plan(), 40, folder_ / "findings");
   work(campaign, {property}, 1);
   ASSERT_EQ(campaign.findings().size(), 1U);
-  const Finding& finding = campaign.findings().begin()->second;
+  const Counterexample& finding = campaign.findings().begin()->second;
   EXPECT_EQ(finding.disagreement.kind, "throws");
   EXPECT_EQ(finding.trial.input.rows.size(), 5U);
 }

@@ -1,4 +1,3 @@
-// See flags.h.
 #include "tests/vectors/flags.h"
 
 #include <algorithm>
@@ -7,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "oracle/read_points.h"
+#include "oracle/program/read_points.h"
 
 namespace oracle::vectors {
 

@@ -1,12 +1,12 @@
-// See shapes.h. Random numbers are the raw output of std::mt19937_64, which the standard fixes.
+// Random numbers are the raw output of std::mt19937_64, which the standard fixes.
 #include "tests/vectors/shapes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "fuzz/inputs/nudge.h"
-#include "fuzz/inputs/sphere_points.h"
+#include "fuzz/inputs/input.h"
+#include "fuzz/inputs/integer_points.h"
 
 namespace oracle::vectors {
 

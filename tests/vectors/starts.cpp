@@ -1,5 +1,5 @@
-// See starts.h. Candidates come from the orbits of a few starts around the points: their ends are Voronoi
-// vertices and points of Voronoi edges and facets, and their segments cross the others.
+// Candidates come from the orbits of a few starts around the points: their ends are Voronoi vertices and
+// points of Voronoi edges and facets, and their segments cross the others.
 #include "tests/vectors/starts.h"
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
-#include "oracle/answer_fields.h"
 #include "oracle/orbit.h"
+#include "oracle/program/answer_fields.h"
 
 namespace oracle::vectors {
 
@@ -102,7 +102,7 @@ class Candidates {
   // middle of the two points, a place inside.
   void add_aimed_at(const Point& vertex) {
     constexpr std::size_t kContacts = 4;
-    const std::vector<std::size_t> contact = nearest_places(set_, vertex);
+    const std::vector<std::size_t> contact = set_.nearest_places(vertex);
     for (std::size_t j = 1; j < std::min(contact.size(), kContacts); ++j) {
       for (std::size_t i = 0; i < j; ++i) {
         const Point& p = set_.points[contact[i]];

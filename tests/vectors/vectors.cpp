@@ -1,10 +1,10 @@
-// See vectors.h.
 #include "tests/vectors/vectors.h"
 
 #include <cstdio>
 #include <stdexcept>
 
-#include "oracle/read_points.h"
+#include "oracle/fast/point_set.h"
+#include "oracle/program/read_points.h"
 #include "tests/vectors/flags.h"
 #include "tests/vectors/starts.h"
 
@@ -155,10 +155,10 @@ void write(const Json& value, const std::string& indent, std::string& text) {
 }  // namespace
 
 Json case_of(const Group& group, const Recipe& recipe) {
-  const Answer answer = stationary_points(recipe.points);
+  const Answer answer = stationary_points(fast::PointSet(recipe.points));
   std::vector<Point> starts = recipe.starts;
   if (recipe.own_starts > 0) {
-    starts = chosen_starts(PointSet(recipe.points), answer, recipe.own_starts, seed_of(recipe.id));
+    starts = chosen_starts(fast::PointSet(recipe.points), answer, recipe.own_starts, seed_of(recipe.id));
   }
   return case_of(group, recipe, answer, starts);
 }

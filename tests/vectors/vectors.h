@@ -1,4 +1,4 @@
-// Conformance vectors as JSON: spec/formats.md, "Conformance vectors".
+// Conformance vectors as JSON: spec/formats/vectors.md.
 //
 // Guarantees: what is expected comes from the oracle alone: stationary points by search over all subsets,
 // orbits by linear scans, stable sets by following the flow backwards, persistence pairs by the Čech
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/answer_fields.h"
+#include "oracle/program/answer_fields.h"
 #include "tests/vectors/recipes.h"
 
 namespace oracle::vectors {

@@ -1,4 +1,3 @@
-// See batch_process.h.
 #include "fuzz/commands/mpi/batch_process.h"
 
 #include <fmt/format.h>
@@ -11,8 +10,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "fuzz/campaign/child_process.h"
-#include "fuzz/campaign/message.h"
+#include "fuzz/campaign/batch.h"
 #include "fuzz/campaign/worker_processes.h"
 #include "fuzz/judge/conformance_words.h"
 
@@ -67,7 +65,7 @@ class DistantCampaign : public fuzz::BatchSource {
   void absorb(const std::string& message) override {
     const auto object = nlohmann::json::parse(message);
     if (object.contains("finding")) {
-      const fuzz::Finding finding = fuzz::finding_of(object.at("finding"));
+      const fuzz::Counterexample finding = fuzz::counterexample_of(object.at("finding"));
       if (fuzz::ends_process(finding)) order_.left_out.insert(finding.number);
     }
     tell(message);

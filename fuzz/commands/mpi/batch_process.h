@@ -1,23 +1,33 @@
+// The process of a rank that does its batches, and the options of `flowcert-fuzz-mpi`.
+#pragma once
+
+#include <sys/types.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "fuzz/campaign/child_process.h"
+#include "fuzz/commands/fuzz_options.h"
+
+namespace flowcert::commands {
+
+// The options of `flowcert fuzz`, and how long a rank may be silent.
+struct FuzzMpiOptions : FuzzOptions {
+  // Each rank says every second that it is there, whatever it is working on.
+  double silence_seconds = 30;
+
+  [[nodiscard]] double heartbeat_seconds() const { return std::min(1.0, silence_seconds / 5); }
+};
+
 // The process of a rank that does its batches.
 //
 // Guarantees: it knows nothing of MPI, since it is there before MPI is, so it may fork as it likes: a case
 // that ends a process ends one of its children, and never a rank. It ends with its rank.
 //
-// Lines to it: "plan PLAN" first, then "order ORDER" (message.h), one at a time, and "stop", which ends it
+// Lines to it: "plan PLAN" first, then "order ORDER" (batch.h), one at a time, and "stop", which ends it
 // after the case under way, as does the end of its lines. Lines from it: "ready VERSION", "cases N" of the
-// batch under way, "gone WHY" if it cannot go on, and the messages of message.h.
-#pragma once
-
-#include <sys/types.h>
-
-#include <string>
-#include <vector>
-
-#include "fuzz/campaign/line_pipe.h"
-#include "fuzz/commands/fuzz_options.h"
-
-namespace flowcert::commands {
-
+// batch under way, "gone WHY" if it cannot go on, and the messages of batch.h.
 class BatchProcess {
  public:
   // Throws std::system_error.

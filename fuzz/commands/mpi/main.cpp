@@ -16,10 +16,9 @@
 
 #include "cli/command.h"
 #include "fuzz/commands/fuzz_report.h"
-#include "fuzz/commands/mpi/leading_rank.h"
-#include "fuzz/commands/mpi/worker_rank.h"
+#include "fuzz/commands/mpi/ranks.h"
 #include "fuzz/judge/conformance_words.h"
-#include "fuzz/judge/interruption.h"
+#include "fuzz/judge/limited_program.h"
 
 namespace {
 

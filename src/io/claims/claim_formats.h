@@ -1,4 +1,4 @@
-// The formats of claims, one file each (spec/formats.md, "Claims, read"); read_claim.cpp tries them in order.
+// The formats of claims, one file each (spec/formats/claims.md); read_claim.cpp tries them in order.
 //
 // To add one: a file that defines a ClaimFormat, its declaration below, and its place in the list of
 // read_claim.cpp. src/io/README.md has an example.

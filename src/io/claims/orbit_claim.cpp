@@ -1,13 +1,16 @@
-// Reads orbits of JSON objects. Whoever calls it says where the object stands.
-#include "io/claims/orbit_claim.h"
+// Reads orbits of JSON objects.
+#include "flowcert/orbit_claim.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "io/claims/required_field.h"
+#include "io/json_fields.h"
 
-namespace flowcert::io {
+namespace flowcert {
+
+using namespace io;
 
 namespace {
 
@@ -50,10 +53,18 @@ PathSegment segment_of(const Json& object) {
   return segment;
 }
 
+// 2.0 is the number 2.
+std::string index_of(const Json& value) {
+  const bool is_whole = value.is_number_float() && value.get<double>() == std::floor(value.get<double>()) &&
+                        std::abs(value.get<double>()) < 1e15;
+  if (is_whole) return std::to_string(value.get<std::int64_t>());
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::optional<PathLimit> limit_of(const Json& object) {
   const std::string kind = required_string(required_field(object, "kind"), "kind");
   if (kind == "infinity") return std::nullopt;
-  return PathLimit{kind, required_field(object, "index"),
+  return PathLimit{kind, index_of(required_field(object, "index")),
                    position_of(required_field(object, "position"), "position"),
                    ids_of(required_field(object, "contact"), "contact"),
                    required_rational(required_field(object, "squared_distance"), "squared_distance")};
@@ -61,12 +72,17 @@ std::optional<PathLimit> limit_of(const Json& object) {
 
 }  // namespace
 
-OrbitPath orbit_path_of(const Json& object) {
-  OrbitPath path;
-  for (const Json& segment : required_array(required_field(object, "segments"), "segments"))
-    path.segments.push_back(segment_of(segment));
-  path.limit = limit_of(required_field(object, "limit"));
-  return path;
+OrbitPath claimed_orbit_of(const std::string& bytes, const std::string& name) {
+  try {
+    const Json object = Json::parse(bytes);
+    OrbitPath path;
+    for (const Json& segment : required_array(required_field(object, "segments"), "segments"))
+      path.segments.push_back(segment_of(segment));
+    path.limit = limit_of(required_field(object, "limit"));
+    return path;
+  } catch (const Json::exception& error) {
+    throw InvalidInput(fmt::format("{}: {}", name, error.what()));
+  }
 }
 
-}  // namespace flowcert::io
+}  // namespace flowcert

@@ -1,5 +1,5 @@
 // Reads persistence pairs of JSON and of text.
-#include "io/claims/pair_claim.h"
+#include "flowcert/pair_claim.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,12 @@
 #include <iterator>
 #include <sstream>
 
-#include "io/claims/required_field.h"
+#include "io/json_fields.h"
 #include "io/number_text.h"
 
-namespace flowcert::io {
+namespace flowcert {
+
+using namespace io;
 
 namespace {
 
@@ -89,21 +91,6 @@ bool is_before(const ListedPair& a, const ListedPair& b) {
   return a.death && (!b.death || *a.death < *b.death);
 }
 
-std::vector<ListedPair> expected_pairs_of(const Json& array) {
-  std::vector<ListedPair> pairs;
-  for (const Json& value : required_array(array, "persistence")) {
-    pairs.push_back(
-        {dimension_of(value), required_rational(required_field(value, "birth"), "birth"), std::nullopt});
-    const Json& death = required_field(value, "death");
-    if (!death.is_null()) pairs.back().death = required_rational(death, "death");
-    const bool is_positive = !pairs.back().death || pairs.back().birth < *pairs.back().death;
-    if (!is_positive) throw InvalidInput("a persistence pair of no length");
-  }
-  if (!std::ranges::is_sorted(pairs, is_before))
-    throw InvalidInput("persistence pairs that are not in order");
-  return pairs;
-}
-
 PairList claimed_pairs_of(const std::string& bytes, const std::string& name) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) throw InvalidInput(name + ": empty");
@@ -115,4 +102,4 @@ PairList claimed_pairs_of(const std::string& bytes, const std::string& name) {
   }
 }
 
-}  // namespace flowcert::io
+}  // namespace flowcert

@@ -4,7 +4,6 @@
 
 #include "flowcert/claim.h"
 #include "io/claims/claim_formats.h"
-#include "io/gzip_stream.h"
 #include "io/input_bytes.h"
 #include "io/layer.h"
 #include "io/line_reader.h"

@@ -1,23 +1,323 @@
 // The exchange format: the JSON Lines that `flowcert compute -o` writes, a header and one record a point
-// (spec/formats.md, section 2; spec/schemas/exchange.schema.json).
+// (spec/formats/stationary_points.md; spec/schemas/exchange.schema.json).
 //
-// Rationals in strings are exact; numbers of JSON are decimals. Unknown keys are ignored. A key that is known
-// and is not what it should be is an error, and so is one that does not belong to a point of its index.
+// Guarantees: a key that is known is as it should be, or refused. What is not JSON (RFC 8259), nests deeper than a
+// claim can, names a key of an object twice, or has a number out of a double's range throws InvalidInput with the
+// place. Memory is bounded by a multiple of the text, recursion by the depth.
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "flowcert/claim.h"
 #include "io/claims/claim_formats.h"
-#include "io/claims/exchange_value.h"
-#include "io/claims/stable_claim_fields.h"
+#include "io/line_reader.h"
+#include "io/number_text.h"
 
 namespace flowcert::io {
+
+// ---- JSON ----
+// One value in memory, with numbers as they are written: a claim's decimals must not become doubles.
+
+enum class JsonKind { kNull, kBoolean, kNumber, kString, kArray, kObject };
+
+struct JsonTree {
+  JsonKind kind = JsonKind::kNull;
+  std::string text;             // of a number, as written; of a string, its value
+  std::vector<JsonTree> items;  // of an array; of an object its keys and values in turn
+
+  [[nodiscard]] bool is(JsonKind other) const { return kind == other; }
+  // The value of a key of an object; null where it has none.
+  [[nodiscard]] const JsonTree* find(std::string_view key) const;
+};
+
+[[nodiscard]] JsonTree parse_json(std::string_view text, const LinePlace& place);
+
+// nlohmann's parser, told event by event, because its own trees keep a number as a double, take the last of
+// two equal keys and any depth.
+namespace {
+
+// A record of ours has at most: object, u2, polyline, segment, position.
+constexpr std::size_t kDeepest = 16;
+
+class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  explicit TreeBuilder(const LinePlace& place) : place_(place) {}
+
+  [[nodiscard]] JsonTree take() { return std::move(root_); }
+
+  bool null() override { return add(JsonKind::kNull, {}); }
+  bool boolean(bool value) override { return add(JsonKind::kBoolean, value ? "true" : "false"); }
+  bool number_integer(std::int64_t value) override { return add(JsonKind::kNumber, std::to_string(value)); }
+  bool number_unsigned(std::uint64_t value) override { return add(JsonKind::kNumber, std::to_string(value)); }
+  bool number_float(double /*value*/, const std::string& text) override {
+    return add(JsonKind::kNumber, text);
+  }
+  bool string(std::string& value) override { return add(JsonKind::kString, std::move(value)); }
+  bool binary(nlohmann::json::binary_t& /*value*/) override { return false; }  // not in JSON text
+  bool start_array(std::size_t /*size*/) override { return open(JsonKind::kArray); }
+  bool start_object(std::size_t /*size*/) override { return open(JsonKind::kObject); }
+  bool key(std::string& key) override { return add(JsonKind::kString, std::move(key)); }
+  bool end_array() override { return close(); }
+  bool end_object() override {
+    reject_repeated_keys();
+    return close();
+  }
+  bool parse_error(std::size_t position, const std::string& last_token,
+                   const nlohmann::json::exception& error) override {
+    constexpr int kNumberOverflow = 406;
+    if (error.id == kNumberOverflow) place_.reject("out of range of a double: " + in_quotes(last_token));
+    place_.reject("not JSON, in column " + std::to_string(position));
+  }
+
+ private:
+  // The pointers stay good: an open container's items grow only while none of them is open.
+  bool add(JsonKind kind, std::string text) {
+    JsonTree value{.kind = kind, .text = std::move(text), .items = {}};
+    if (open_.empty()) {
+      root_ = std::move(value);
+    } else {
+      open_.back()->items.push_back(std::move(value));
+    }
+    return true;
+  }
+  bool open(JsonKind kind) {
+    if (open_.size() == kDeepest) place_.reject("nested deeper than " + std::to_string(kDeepest) + " levels");
+    add(kind, {});
+    open_.push_back(open_.empty() ? &root_ : &open_.back()->items.back());
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+  void reject_repeated_keys() const {
+    std::vector<std::string_view> keys;
+    const std::vector<JsonTree>& items = open_.back()->items;
+    for (std::size_t k = 0; k < items.size(); k += 2) keys.emplace_back(items[k].text);
+    std::sort(keys.begin(), keys.end());
+    const auto repeated = std::adjacent_find(keys.begin(), keys.end());
+    if (repeated != keys.end()) place_.reject("a key twice: " + in_quotes(*repeated));
+  }
+
+  LinePlace place_;
+  JsonTree root_;
+  std::vector<JsonTree*> open_;
+};
+
+}  // namespace
+
+const JsonTree* JsonTree::find(std::string_view key) const {
+  for (std::size_t k = 0; k + 1 < items.size(); k += 2) {
+    if (items[k].text == key) return &items[k + 1];
+  }
+  return nullptr;
+}
+
+JsonTree parse_json(std::string_view text, const LinePlace& place) {
+  TreeBuilder builder(place);
+  nlohmann::json::sax_parse(text, &builder);
+  return builder.take();
+}
+
+// ---- A value ----
+// A value of a line of the exchange format, and what messages call it.
+//
+// Guarantees: whatever is not as asked for is refused by name, with its place. Rationals in strings are
+// exact; numbers of JSON are decimals.
+class ExchangeValue {
+ public:
+  ExchangeValue(const JsonTree& tree, std::string_view name, const LinePlace& place)
+      : tree_(&tree), name_(name), place_(place) {}
+
+  [[noreturn]] void reject(const std::string& what) const {
+    place_.reject("the value of " + in_quotes(name_) + " is not " + what);
+  }
+  [[nodiscard]] bool is(JsonKind kind) const { return tree_->is(kind); }
+  [[nodiscard]] bool is_null() const { return is(JsonKind::kNull); }
+  [[nodiscard]] const LinePlace& place() const { return place_; }
+
+  [[nodiscard]] const std::string& text() const {
+    if (!is(JsonKind::kString)) reject("a string");
+    return tree_->text;
+  }
+  [[nodiscard]] bool is_true() const { return tree_->text == "true"; }
+  // As it is written.
+  [[nodiscard]] const std::string& number_text() const {
+    if (!is(JsonKind::kNumber)) reject("a number");
+    return tree_->text;
+  }
+
+  // An array: how long, and its parts, under the same name.
+  [[nodiscard]] std::size_t size() const {
+    if (!is(JsonKind::kArray)) reject("an array");
+    return tree_->items.size();
+  }
+  void expect_size(std::size_t size) const {
+    if (this->size() != size) reject("an array of " + std::to_string(size));
+  }
+  [[nodiscard]] ExchangeValue operator[](std::size_t k) const { return {tree_->items[k], name_, place_}; }
+
+  // The value of an object's key, if it has one.
+  [[nodiscard]] std::optional<ExchangeValue> find(std::string_view key) const {
+    if (!is(JsonKind::kObject)) reject("an object");
+    const JsonTree* const found = tree_->find(key);
+    return found == nullptr ? std::nullopt : std::optional<ExchangeValue>(ExchangeValue(*found, key, place_));
+  }
+  [[nodiscard]] ExchangeValue get(std::string_view key) const {
+    const std::optional<ExchangeValue> found = find(key);
+    if (!found) place_.reject("no key " + in_quotes(key));
+    return *found;
+  }
+
+ private:
+  const JsonTree* tree_;
+  std::string_view name_;
+  LinePlace place_;
+};
+
+// An array of what `each` makes of its parts.
+template <class Each>
+auto list_of(const ExchangeValue& value, Each each) {
+  std::vector<decltype(each(value))> list;
+  const std::size_t size = value.size();
+  list.reserve(size);
+  for (std::size_t k = 0; k < size; ++k) list.push_back(each(value[k]));
+  return list;
+}
+
+inline bool bool_of(const ExchangeValue& value) {
+  if (!value.is(JsonKind::kBoolean)) value.reject("true or false");
+  return value.is_true();
+}
+
+inline ClaimedNumber number_of(const ExchangeValue& value) {
+  if (value.is(JsonKind::kString)) return claimed_number(value.text(), PlainInteger::kExact, value.place());
+  if (!value.is(JsonKind::kNumber)) value.reject("a rational in a string, or a number");
+  return claimed_number(value.number_text(), PlainInteger::kDecimal, value.place());
+}
+
+inline ClaimedNumber distance_of(const ExchangeValue& value) {
+  ClaimedNumber number = number_of(value);
+  if (number.value < 0) value.reject("0 or more");
+  return number;
+}
+
+inline ClaimedPosition position_of(const ExchangeValue& value) {
+  value.expect_size(3);
+  return {number_of(value[0]), number_of(value[1]), number_of(value[2])};
+}
+
+inline std::size_t count_of(const ExchangeValue& value) {
+  return claimed_count(value.number_text(), value.place());
+}
+
+inline std::vector<PointId> ids_of(const ExchangeValue& value) {
+  return list_of(value, [](const ExchangeValue& id) { return claimed_id(id.number_text(), id.place()); });
+}
+
+// ---- Stable sets ----
+// The keys of a record of the exchange format that tell its stable set (spec/formats/stationary_points.md).
+// Throws InvalidInput, with the place, for what is not as the format says.
+[[nodiscard]] ClaimedStable stable_of(const ExchangeValue& value);
+[[nodiscard]] ClaimedSkeleton skeleton_of(const ExchangeValue& value);
+[[nodiscard]] ClaimedSurface surface_of(const ExchangeValue& value);
+
+namespace {
+
+std::vector<PointId> pair_of_ids(const ExchangeValue& value) {
+  value.expect_size(2);
+  return ids_of(value);
+}
+
+std::vector<ClaimedPosition> corners_of(const ExchangeValue& value) {
+  auto corners = list_of(value, position_of);
+  if (corners.size() < 3) value.reject("three or more corners");
+  return corners;
+}
+
+ClaimedBackwardSegment segment_of(const ExchangeValue& value) {
+  ClaimedBackwardSegment segment;
+  segment.samples = pair_of_ids(value.get("samples"));
+  segment.front = position_of(value.get("front"));
+  segment.back = position_of(value.get("back"));
+  if (const auto contact = value.find("front_contact")) segment.front_contact = ids_of(*contact);
+  if (const auto contact = value.find("back_contact")) segment.back_contact = ids_of(*contact);
+  if (const auto kind = value.find("back_kind")) {
+    constexpr std::array kKinds = {"critical", "regular", "edge", "vertex"};
+    segment.back_kind = kind->text();
+    if (std::ranges::find(kKinds, segment.back_kind) == kKinds.end()) kind->reject("a kind of back");
+  }
+  return segment;
+}
+
+ClaimedInterval interval_of(const ExchangeValue& value) {
+  ClaimedInterval interval{ids_of(value.get("polygon")), position_of(value.get("front")),
+                           position_of(value.get("back")), std::nullopt};
+  if (const auto stationary = value.find("back_is_stationary")) {
+    interval.back_is_stationary = bool_of(*stationary);
+  }
+  return interval;
+}
+
+ClaimedSector sector_of(const ExchangeValue& value) {
+  return {pair_of_ids(value.get("samples")), corners_of(value.get("corners"))};
+}
+
+std::array<std::size_t, 3> triangle_of(const ExchangeValue& value) {
+  value.expect_size(3);
+  return {count_of(value[0]), count_of(value[1]), count_of(value[2])};
+}
+
+}  // namespace
+
+ClaimedStable stable_of(const ExchangeValue& value) {
+  ClaimedStable stable;
+  if (const auto count = value.find("segments")) stable.segments = count_of(*count);
+  if (const auto flag = value.find("has_vertex")) stable.has_vertex = bool_of(*flag);
+  if (const auto flag = value.find("has_interval")) stable.has_interval = bool_of(*flag);
+  if (const auto boundary = value.find("boundary")) stable.boundary = list_of(*boundary, ids_of);
+  if (const auto walk = value.find("walk"); walk && !walk->is_null()) stable.walk = ids_of(*walk);
+  return stable;
+}
+
+ClaimedSkeleton skeleton_of(const ExchangeValue& value) {
+  ClaimedSkeleton skeleton;
+  skeleton.segments = list_of(value.get("segments"), segment_of);
+  if (const auto intervals = value.find("intervals")) skeleton.intervals = list_of(*intervals, interval_of);
+  if (const auto sectors = value.find("sectors")) skeleton.sectors = list_of(*sectors, sector_of);
+  return skeleton;
+}
+
+ClaimedSurface surface_of(const ExchangeValue& value) {
+  ClaimedSurface surface;
+  surface.vertices = list_of(value.get("vertices"), position_of);
+  const ExchangeValue triangles = value.get("triangles");
+  surface.triangles = list_of(triangles, triangle_of);
+  for (const auto& triangle : surface.triangles) {
+    for (const std::size_t vertex : triangle) {
+      if (vertex >= surface.vertices.size())
+        triangles.reject("triangles of the vertices: there are not so many");
+    }
+  }
+  return surface;
+}
+
+// ---- A file ----
+// Rationals in strings are exact; numbers of JSON are decimals. Unknown keys are ignored. A key that is known
+// and is not what it should be is an error, and so is one that does not belong to a point of its index.
 namespace {
 
 constexpr std::string_view kFormatName = "flowcert-stationary-points";
 
 int index_of(const ExchangeValue& value) { return claimed_index(value.number_text(), value.place()); }
 
-// ---- The header ----
+// The header.
 
 std::array<std::size_t, 3> regular_counts_of(const ExchangeValue& value) {
   return {count_of(value.get("1-2")), count_of(value.get("2-3")), count_of(value.get("1-3"))};
@@ -50,7 +350,7 @@ Claim claim_of_header(const ExchangeValue& header) {
   return claim;
 }
 
-// ---- Records ----
+// Records.
 
 void read_index(const ExchangeValue& record, ClaimedPoint& point) {
   const ExchangeValue index = record.get("index");
@@ -67,7 +367,7 @@ void read_index(const ExchangeValue& record, ClaimedPoint& point) {
   if (kind && kind->text() != expected) kind->reject(in_quotes(expected) + ", which the index says");
 }
 
-// center, or else center_double; likewise squared_distance. A double is null where none is near.
+// center, or else center_double; the same holds for squared_distance. A double is null where none is near.
 void read_sphere(const ExchangeValue& record, ClaimedPoint& point) {
   if (const auto center = record.find("center")) {
     point.center = position_of(*center);

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "io/claims/claim_formats.h"
-#include "io/claims/claim_numbers.h"
 #include "io/number_text.h"
 
 namespace flowcert::io {

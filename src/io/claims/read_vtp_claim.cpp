@@ -7,7 +7,7 @@
 #include <string>
 
 #include "io/claims/claim_formats.h"
-#include "io/claims/vtp_values.h"
+#include "io/claims/vtp_file.h"
 
 namespace flowcert::io {
 namespace {

@@ -74,8 +74,6 @@ struct CheckOptions {
   double tolerance = kDefaultTolerance;
   // Levels beyond this one are not checked.
   int highest_level = kLevels;
-  // Of the points, to compare with the claim's, if it has one.
-  std::optional<std::string> input_sha256 = std::nullopt;
 };
 
 struct CheckReport {

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <map>
 
-#include "flowcert/kernel_tally.h"
+#include "flowcert/filter_tally.h"
 
 namespace flowcert {
 

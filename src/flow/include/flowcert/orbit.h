@@ -88,8 +88,8 @@ class Flow {
   [[nodiscard]] const KernelTally& tally() const;
 
  private:
-  struct Machine;
-  std::unique_ptr<Machine> machine_;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace flowcert

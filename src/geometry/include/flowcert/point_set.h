@@ -43,16 +43,16 @@ class PointSet {
   // Rows that merging removed.
   [[nodiscard]] std::size_t merged_duplicates() const { return row_count() - size(); }
 
-  // Distinct points. Position k in points() is called the point's *position*; positions ascend with names.
+  // Distinct points. Place k in points() is called the point's *ordinal*; ordinals ascend with names.
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   [[nodiscard]] bool empty() const { return points_.empty(); }
   [[nodiscard]] std::span<const Point> points() const { return points_; }
-  [[nodiscard]] const Point& operator[](std::size_t position) const { return points_[position]; }
+  [[nodiscard]] const Point& operator[](std::size_t ordinal) const { return points_[ordinal]; }
 
-  // The name of the class at a position: its smallest row.
-  [[nodiscard]] PointId name(std::size_t position) const { return names_[position]; }
-  // The position of the class that a row belongs to.
-  [[nodiscard]] std::size_t position_of_row(PointId row) const { return class_of_row_[row]; }
+  // The name of the class at an ordinal: its smallest row.
+  [[nodiscard]] PointId name(std::size_t ordinal) const { return names_[ordinal]; }
+  // The ordinal of the class that a row belongs to.
+  [[nodiscard]] std::size_t ordinal_of_row(PointId row) const { return class_of_row_[row]; }
 
   // The classes of more than one row, each ascending, ordered by name. O(row_count()).
   [[nodiscard]] std::vector<std::vector<PointId>> repeated_classes() const;

@@ -3,7 +3,7 @@
 // Guarantees: a claim is kept as it was made, right or wrong: nothing is completed, sorted or rounded. What a
 // format does not say is empty. Readers refuse what is malformed, whole; whether ids are rows of the input is
 // not theirs to know (require_rows). No number in a file can make them allocate more than a multiple of its
-// (decompressed) size. Formats: spec/formats.md, "Claims, read".
+// (decompressed) size. Formats: spec/formats/claims.md.
 #pragma once
 
 #include <array>
@@ -81,7 +81,7 @@ struct ClaimedPoint {
   std::vector<PointId> contact;       // rows of the input, as claimed; empty where not claimed
   std::optional<ClaimedPosition> center;
   std::optional<ClaimedNumber> squared_distance;  // not negative
-  std::optional<ClaimedNumber> distance;          // likewise; for formats that give the radius itself
+  std::optional<ClaimedNumber> distance;          // the radius itself, for formats that give it
   // Claimed incidences with critical points of one index more; none where nothing is claimed of them.
   std::optional<std::vector<ClaimedTarget>> successors;
   // They are two, in order: the limits of side 0 and side 1 (FC-FLOW-07), possibly equal. Otherwise they are

@@ -4,7 +4,7 @@
 // exactly the double that the file means (nearest to a decimal, ties to even; hexadecimal floats and binary
 // floats exact), or InvalidInput is thrown and names file and line. Nothing is merged or skipped, and no
 // number in a header can make it allocate more than a small multiple of the file's (decompressed) size.
-// Independent of the locale. Source: spec clauses FC-IN-01, FC-IN-02, FC-IN-05; formats, section 1.
+// Independent of the locale. Source: spec clauses FC-IN-01, FC-IN-02, FC-IN-05; spec/formats/points.md.
 #pragma once
 
 #include <string>

@@ -3,7 +3,7 @@
 //
 // Guarantees: where no tie has to be broken the boundary operators are determined, and boundary of boundary
 // is zero. Otherwise ties are broken as clause FC-CHAIN-02 allows; whatever the choice, boundaries of index-2
-// points are cycles, and persistence is that of the alpha complex. Source: spec section 12 (clauses
+// points are cycles, and persistence is the alpha complex's. Source: spec section 11 (clauses
 // FC-CHAIN).
 #pragma once
 
@@ -20,8 +20,8 @@ namespace flowcert {
 class ChainComplex {
  public:
   // All of one triangulation and one list. O(cells), with the orbits that ties make flow on. seed: of the
-  // choices of tie_breaking in the limits of U2; 0 takes the first way always.
-  ChainComplex(const PointSet& points, const StationaryPoints& stationary, UnstableManifolds& unstable,
+  // choices where the limits of U2 have ties; 0 takes the first way always.
+  ChainComplex(const PointSet& points, const StationaryPoints& stationary, const UnstableManifolds& unstable,
                const StableManifolds& stable, std::uint64_t seed = 0);
 
   // Of a critical point, by its place in the list: the records of its boundary, ascending. Empty for index 0.

@@ -2,7 +2,7 @@
 // points: everything that the flow carries there.
 //
 // Guarantees: exact, on every input. Sizes, boundaries and statistics are computed at once; the geometry of
-// a set is made when asked for. Source: spec section 11 (clauses FC-STAB); paper, section 2.3.
+// a set is made when asked for. Source: spec section 10 (clauses FC-STAB); paper, section 2.3.
 #pragma once
 
 #include <array>
@@ -75,12 +75,14 @@ struct StableStatistics {
   KernelTally tally;
 };
 
+// Const access is safe from several threads; of those that ask for sets, one at a time makes its own and the
+// others wait.
 class StableManifolds {
  public:
   // Told now and then how many stationary points are done; may throw to stop.
   using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
-  // stationary: that of the same diagram. Both must outlive this. Time in proportion to the segments of
+  // stationary: the list of the same diagram. Both must outlive this. Time in proportion to the segments of
   // all skeletons.
   StableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
                   StableOptions options = {}, const Progress& progress = {});
@@ -102,13 +104,22 @@ class StableManifolds {
   [[nodiscard]] std::span<const std::uint32_t> boundary(std::size_t i) const;
 
   // The skeleton, with exact coordinates. Flows once more.
-  [[nodiscard]] StableSet set(std::size_t i);
+  [[nodiscard]] StableSet set(std::size_t i) const;
 
   [[nodiscard]] const StableStatistics& statistics() const;
 
  private:
-  struct Machine;
-  std::unique_ptr<Machine> machine_;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
+
+// The connecting orbits of a stable set: how its stationary point and the critical points of index 1 are
+// joined (FC-STAB-06; paper, section 6: their lengths are n_S2).
+// Exact, as the set is. There is one for each back that is critical, because every point flows one way only.
+// Each is given by the places of its segments in set.segments, against the flow: from the stationary point down to the
+// critical point of index 1. They come in the order of their last segments. Of a set with intervals, through which
+// orbits come as well, those that come through segments alone. O(n log n) for n segments, with the lengths.
+[[nodiscard]] std::vector<std::vector<std::size_t>> connecting_orbits(const StableSet& set,
+                                                                      const RationalPoint& stationary);
 
 }  // namespace flowcert

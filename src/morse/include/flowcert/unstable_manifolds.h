@@ -23,12 +23,14 @@ struct UnstableOptions {
   bool share = true;
 };
 
+// Const access is safe from several threads; of those that make it flow, one at a time does and the others
+// wait.
 class UnstableManifolds {
  public:
   // Told now and then how many index-2 points are done; may throw to stop.
   using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
-  // stationary: that of the same diagram. Both must outlive this. Time in proportion to the segments
+  // stationary: the list of the same diagram. Both must outlive this. Time in proportion to the segments
   // of all orbits, with sharing to those of the visited Voronoi vertices.
   UnstableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
                     UnstableOptions options = {}, const Progress& progress = {});
@@ -46,16 +48,16 @@ class UnstableManifolds {
   [[nodiscard]] std::optional<std::size_t> limit(std::size_t i, std::size_t side) const;
   // Where the flow goes on that leaves a stationary point of index 2, or a regular one, along a Voronoi edge
   // (FC-CHAIN-02): a choice of one or two ways, counted modulo their number. In the list; none: infinity.
-  [[nodiscard]] std::optional<std::size_t> limit_beyond(std::size_t record, std::size_t choice);
+  [[nodiscard]] std::optional<std::size_t> limit_beyond(std::size_t record, std::size_t choice) const;
   // That orbit, flowed once more. Its start is the saddle; its first segment runs along the Voronoi edge
   // (E-E-V or E-E-inf). Exact coordinates of long orbits take time.
-  [[nodiscard]] Orbit orbit(std::size_t i, std::size_t side);
+  [[nodiscard]] Orbit orbit(std::size_t i, std::size_t side) const;
 
   [[nodiscard]] const FlowStatistics& statistics() const;
 
  private:
-  struct Machine;
-  std::unique_ptr<Machine> machine_;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace flowcert

@@ -1,22 +1,52 @@
-// The Voronoi diagram of a point set, in which what is cospherical is one Voronoi vertex: everything that is
-// computed after the triangulation is computed from it.
+// The Delaunay triangulation of a point set, and its Voronoi diagram.
 //
-// Guarantees: exact; its faces are those of spec clauses FC-VOR-01 to 04, whatever way the triangulation cuts
-// cospherical sets. It does not change once it is made, so threads may share it. It does not refer to the
-// triangulation.
+// Guarantees: exact, for every finite set of doubles.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 
-#include "flowcert/delaunay.h"
 #include "flowcert/filter_tally.h"
+#include "flowcert/point_set.h"
 
 namespace flowcert {
+
+// CGAL's Delaunay_triangulation_3 with exact predicates, spatially sorted, behind a wall because CGAL's headers are
+// slow to compile. Where points are cospherical the triangulation is one of several; no result of this library
+// depends on which (spec clause FC-VOR-04).
+class Delaunay {
+ public:
+  // Told now and then how much of the work is done; may throw to stop it.
+  using Progress = std::function<void(std::size_t done, std::size_t total)>;
+
+  // Expected O(n log n) for surface samples, O(n^2) at worst. The point set must outlive the triangulation.
+  explicit Delaunay(const PointSet& points, const Progress& progress = {});
+  explicit Delaunay(PointSet&&, const Progress& = {}) = delete;
+  ~Delaunay();
+  Delaunay(Delaunay&&) noexcept;
+  Delaunay& operator=(Delaunay&&) noexcept;
+
+  [[nodiscard]] const PointSet& points() const;
+  // Of the affine hull of the points: 0 to 3, -1 for no point.
+  [[nodiscard]] int dimension() const;
+
+  // What lies behind the wall; defined in src/voronoi/.
+  struct Triangulation;
+  [[nodiscard]] const Triangulation& triangulation() const { return *triangulation_; }
+
+ private:
+  std::unique_ptr<Triangulation> triangulation_;
+};
 
 namespace voronoi {
 class Diagram;
 }  // namespace voronoi
 
+// The Voronoi diagram of a point set, in which what is cospherical is one Voronoi vertex: everything that is
+// computed after the triangulation is computed from it. Its faces are those of spec clauses FC-VOR-01 to 04, whatever
+// way the triangulation cuts cospherical sets. It does not change once it is made, so threads may share it. It does
+// not refer to the triangulation.
 class VoronoiDiagram {
  public:
   // O(cells), and sorting what is cospherical. The point set must outlive the diagram; the triangulation need

@@ -1,0 +1,62 @@
+// A case on which a property does not hold, and its file; inputs and starts of orbits as JSON.
+//
+// Guarantees: the file is a point file in XYZ format that every reader of such files takes; what else there
+// is to know stands in its comments: where the case came from, which property it breaks, how, and both
+// answers. What counterexample_of reads from a file is enough to try the case again: property, kind, start and
+// points are as they were written; points exactly.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "fuzz/inputs/input.h"
+#include "fuzz/properties/property.h"
+#include "oracle/exact_geometry.h"
+
+namespace flowcert::fuzz {
+
+// ---- JSON ----
+// Rows of hexadecimal floats, rationals p/q: exact, both ways. What cannot be read throws nlohmann::json::exception or
+// std::invalid_argument.
+[[nodiscard]] nlohmann::json json_of(const Input& input);
+[[nodiscard]] Input input_of(const nlohmann::json& rows);
+
+// "1/2 0 -3", and back. Throws std::invalid_argument for what is not three rationals.
+[[nodiscard]] std::string to_text(const oracle::Point& point);
+[[nodiscard]] oracle::Point point_of(const std::string& text);
+
+// ---- The case ----
+
+struct Counterexample {
+  std::uint64_t seed = 0;
+  std::size_t number = 0;       // of the case in its campaign
+  std::string source;           // a family's name, or "mutant"
+  std::size_t rows_before = 0;  // of the case before it was shrunk
+  std::string property;
+  property::Trial trial;  // with its start as coordinates, if it has points
+  property::Disagreement disagreement;
+  bool is_small = false;  // made so, as far as it goes
+  bool is_asked = false;  // for by its number (OneCase)
+};
+
+// One word, for the name of a file: "orbit-segment-type-1234".
+[[nodiscard]] std::string name_of(const Counterexample& finding);
+
+// "PROPERTY KIND".
+[[nodiscard]] std::string kind_of(const Counterexample& finding);
+
+// Whether the case ended its process, by a crash or by hanging: so it cannot be part of its batch.
+[[nodiscard]] bool ends_process(const Counterexample& finding);
+
+[[nodiscard]] std::string file_text(const Counterexample& finding);
+// The property's name is empty where the file says nothing of it, and the start a choice. Throws
+// std::invalid_argument, one line "LINE: reason", for rows and comments that cannot be read.
+[[nodiscard]] Counterexample counterexample_of(const std::string& file_text);
+
+[[nodiscard]] nlohmann::json json_of(const Counterexample& finding);
+// Throws nlohmann::json::exception or std::invalid_argument.
+[[nodiscard]] Counterexample counterexample_of(const nlohmann::json& object);
+
+}  // namespace flowcert::fuzz

@@ -1,0 +1,187 @@
+// What is not there is null.
+#include "oracle/program/answer_fields.h"
+
+#include <set>
+
+#include "oracle/stable_pieces.h"
+
+namespace oracle {
+
+namespace {
+
+Json index_field(const StationaryPoint& x) {
+  if (x.is_critical()) return x.hull_dimension;
+  Json pair;
+  pair.push_back(x.face_dimension);
+  pair.push_back(x.hull_dimension);
+  return pair;
+}
+
+const char* kind_text(const StationaryPoint& x) { return x.is_critical() ? "critical" : "regular"; }
+
+Json segment_field(const PointSet& set, const FlowSegment& segment) {
+  Json field;
+  field["type"] = segment_type(set, segment);
+  field["driver"] = position_field(segment.driver);
+  field["end"] = nullptr;
+  field["start_contact"] = segment.start_contact;
+  field["crossed_contact"] = segment.crossed_contact;
+  field["end_contact"] = nullptr;
+  if (segment.end) {
+    field["end"] = position_field(*segment.end);
+    field["end_contact"] = segment.end_contact;
+  }
+  return field;
+}
+
+Json limit_field(const std::optional<StationaryPoint>& limit) {
+  Json field;
+  field["kind"] = "infinity";
+  field["index"] = nullptr;
+  field["position"] = nullptr;
+  field["contact"] = nullptr;
+  field["squared_distance"] = nullptr;
+  if (limit) {
+    field["kind"] = kind_text(*limit);
+    field["index"] = index_field(*limit);
+    field["position"] = position_field(limit->center);
+    field["contact"] = limit->contact;
+    field["squared_distance"] = limit->squared_distance.str();
+  }
+  return field;
+}
+
+const char* back_kind_text(BackKind kind) {
+  switch (kind) {
+    case BackKind::kCritical:
+      return "critical";
+    case BackKind::kRegular:
+      return "regular";
+    case BackKind::kEdge:
+      return "edge";
+    case BackKind::kVertex:
+      break;
+  }
+  return "vertex";
+}
+
+// The samples of the index-1 points in which an odd number of connecting orbits end.
+Json boundary_field(const StableSet& stable) {
+  std::set<std::array<std::size_t, 2>> odd;
+  for (const BackwardSegment& segment : stable.segments) {
+    if (segment.back_kind != BackKind::kCritical) continue;
+    if (!odd.insert(segment.samples).second) odd.erase(segment.samples);
+  }
+  return odd;
+}
+
+Json backward_segment_field(const BackwardSegment& segment) {
+  Json field;
+  field["samples"] = segment.samples;
+  field["front"] = position_field(segment.front);
+  field["back"] = position_field(segment.back);
+  field["front_contact"] = segment.front_contact;
+  field["back_contact"] = segment.back_contact;
+  field["back_kind"] = back_kind_text(segment.back_kind);
+  return field;
+}
+
+Json interval_field(const PointSet& set, const BackwardInterval& interval) {
+  Json field;
+  field["polygon"] = interval.polygon;
+  field["front"] = position_field(interval.front);
+  field["back"] = position_field(interval.back);
+  field["back_is_stationary"] = !flow_segment(set, interval.back);
+  return field;
+}
+
+Json sector_field(const Sector& sector) {
+  Json field;
+  field["samples"] = sector.samples;
+  for (const Point& corner : sector.polygon) field["corners"].push_back(position_field(corner));
+  return field;
+}
+
+}  // namespace
+
+Json position_field(const Point& x) {
+  Json field;
+  for (const Rational& coordinate : x) field.push_back(coordinate.str());
+  return field;
+}
+
+Json record_field(const StationaryPoint& x) {
+  Json field;
+  field["index"] = index_field(x);
+  field["kind"] = kind_text(x);
+  field["contact"] = x.contact;
+  field["center"] = position_field(x.center);
+  field["squared_distance"] = x.squared_distance.str();
+  return field;
+}
+
+Json orbit_field(const PointSet& set, const Point& start, const Orbit& path) {
+  Json field;
+  field["start"] = position_field(start);
+  field["segments"] = Json::array();
+  for (const FlowSegment& segment : path.segments) field["segments"].push_back(segment_field(set, segment));
+  field["limit"] = limit_field(path.limit);
+  return field;
+}
+
+Json stable_field(const PointSet& set, const StationaryPoint& z, const StableSet& stable) {
+  Json field;
+  field["segments"] = segments_without_intervals(z, stable);
+  field["has_vertex"] = stable.has_vertex;
+  field["has_interval"] = !stable.intervals.empty();
+  if (z.is_critical()) {
+    field["boundary"] = nullptr;
+    if (!has_tie(stable)) field["boundary"] = boundary_field(stable);
+  }
+  field["walk"] = nullptr;
+  if (!stable.has_vertex) field["walk"] = boundary_walk(set, z, stable);
+  return field;
+}
+
+// The intervals that sectors come through are not listed: the sectors' corners tell them.
+Json skeleton_field(const PointSet& set, const StableSet& stable) {
+  Json field;
+  field["segments"] = Json::array();
+  field["intervals"] = Json::array();
+  field["sectors"] = Json::array();
+  for (const BackwardSegment& segment : stable.segments) {
+    field["segments"].push_back(backward_segment_field(segment));
+  }
+  for (const BackwardInterval& interval : stable.intervals) {
+    if (interval.kind == IntervalKind::kCrossed) continue;
+    field["intervals"].push_back(interval_field(set, interval));
+  }
+  for (const Sector& sector : stable.sectors) field["sectors"].push_back(sector_field(sector));
+  return field;
+}
+
+Json persistence_field(const std::vector<PersistencePair>& pairs) {
+  Json field = Json::array();
+  for (const PersistencePair& pair : pairs) {
+    Json one;
+    one["dimension"] = pair.dimension;
+    one["birth"] = pair.birth.str();
+    one["death"] = nullptr;
+    if (pair.death) one["death"] = pair.death->str();
+    field.push_back(one);
+  }
+  return field;
+}
+
+Json counts_field(const Answer& answer) {
+  const auto regular = answer.regular_counts();
+  Json field;
+  field["merged_duplicates"] = answer.merged_duplicates;
+  field["critical"] = answer.critical_counts();
+  field["regular_stationary"]["1-2"] = regular[0];
+  field["regular_stationary"]["2-3"] = regular[1];
+  field["regular_stationary"]["1-3"] = regular[2];
+  return field;
+}
+
+}  // namespace oracle

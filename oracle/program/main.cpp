@@ -1,0 +1,237 @@
+// flowcert-oracle: the reference on the command line.
+//
+//   stationary INPUT        lists all stationary points of a small input, by search over all subsets
+//   certify INPUT RECORDS   judges claimed stationary points, drawn at random, by linear scans
+//   orbit INPUT --from X    the flow from one position, by linear scans over all points
+//
+// Exit status: 0 all right; 1 a claim is wrong; 2 unusable input or usage, with one line on standard error.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <numeric>
+#include <random>
+#include <string_view>
+
+#include "oracle/fast/point_set.h"
+#include "oracle/orbit.h"
+#include "oracle/program/answer_fields.h"
+#include "oracle/program/read_points.h"
+#include "oracle/program/read_records.h"
+#include "oracle/stationary_points.h"
+
+namespace {
+
+constexpr int kWrong = 1;
+constexpr int kUnusable = 2;
+
+void print_json(const oracle::Answer& answer) {
+  oracle::Json header;
+  header["format"] = "oracle-stationary-points";
+  header["format_version"] = 1;
+  header["points"] = answer.points;
+  header.update(oracle::counts_field(answer));
+  std::cout << header.dump() << '\n';
+  for (const auto& s : answer.stationary) std::cout << oracle::record_field(s).dump() << '\n';
+}
+
+std::string exact_text(const oracle::Rational& x) { return x.str(); }
+
+// Numbers that are long are rounded for people, and marked.
+std::string short_text(const oracle::Rational& x) {
+  const std::string exact = x.str();
+  if (exact.size() <= 10) return exact;
+  return "~" + boost::multiprecision::mpf_float_50(x).str(6);
+}
+
+using NumberText = std::string (*)(const oracle::Rational&);
+
+std::string text(const oracle::Point& x, NumberText number) {
+  return number(x[0]) + " " + number(x[1]) + " " + number(x[2]);
+}
+
+void print_text(const oracle::StationaryPoint& s, NumberText number) {
+  std::cout << "index " << s.face_dimension;
+  if (s.face_dimension != s.hull_dimension) std::cout << '-' << s.hull_dimension;
+  std::cout << " at " << text(s.center, number) << " contact";
+  for (const std::size_t name : s.contact) std::cout << ' ' << name;
+  std::cout << " squared_distance " << number(s.squared_distance) << '\n';
+}
+
+void print_text(const oracle::Answer& answer) {
+  const auto critical = answer.critical_counts();
+  const auto regular = answer.regular_counts();
+  std::cout << "points " << answer.points << ", merged duplicates " << answer.merged_duplicates
+            << "\ncritical " << critical[0] << ' ' << critical[1] << ' ' << critical[2] << ' ' << critical[3]
+            << "\nregular stationary 1-2: " << regular[0] << ", 2-3: " << regular[1]
+            << ", 1-3: " << regular[2] << '\n';
+  for (const auto& s : answer.stationary) print_text(s, exact_text);
+}
+
+void print_json(const oracle::PointSet& set, const oracle::Point& start, const oracle::Orbit& path) {
+  oracle::Json object;
+  object["format"] = "oracle-orbit";
+  object["format_version"] = 1;
+  object.update(oracle::orbit_field(set, start, path));
+  std::cout << object.dump() << '\n';
+}
+
+void print_text(const oracle::PointSet& set, const oracle::Point& start, const oracle::Orbit& path) {
+  std::cout << "orbit from " << text(start, short_text) << '\n' << std::left;
+  const auto row = [](std::string_view number, std::string_view type, std::string_view driver,
+                      std::string_view end) {
+    std::cout << std::setw(4) << number << std::setw(8) << type << ' ' << std::setw(36) << driver << ' '
+              << std::setw(36) << end;
+  };
+  if (!path.segments.empty()) {
+    row("", "type", "driver", "end");
+    std::cout << " contact set of the end\n";
+  }
+  for (std::size_t k = 0; k < path.segments.size(); ++k) {
+    const oracle::FlowSegment& segment = path.segments[k];
+    row(std::to_string(k + 1), segment_type(set, segment), text(segment.driver, short_text),
+        segment.end ? text(*segment.end, short_text) : "infinity");
+    for (const std::size_t name : segment.end_contact) std::cout << ' ' << name;
+    std::cout << '\n';
+  }
+  std::cout << (path.segments.empty() ? "stays: " : "ends: ");
+  if (!path.limit) std::cout << "infinity\n";
+  if (path.limit) print_text(*path.limit, short_text);
+}
+
+std::string with_commas(std::size_t number) {
+  std::string digits = std::to_string(number);
+  for (std::size_t place = digits.size(); place > 3; place -= 3) digits.insert(place - 3, 1, ',');
+  return digits;
+}
+
+// Plain for small inputs. On others a search would take up to twenty times as long, a scan up to forty times.
+std::unique_ptr<oracle::PointSet> point_set(const std::vector<std::array<double, 3>>& rows) {
+  constexpr std::size_t kMostPlainPoints = 24;
+  if (rows.size() <= kMostPlainPoints) return std::make_unique<oracle::PointSet>(rows);
+  return std::make_unique<oracle::fast::PointSet>(rows);
+}
+
+int run_stationary(const std::string& input, bool json, std::size_t limit) {
+  const auto rows = oracle::read_point_file(input);
+  if (rows.size() > limit) {
+    throw oracle::UnusableInput(input + ": " + with_commas(rows.size()) +
+                                " points; the search over all subsets of four takes time n^5 (see --limit)");
+  }
+  const oracle::Answer answer = oracle::stationary_points(*point_set(rows));
+  json ? print_json(answer) : print_text(answer);
+  return 0;
+}
+
+// Ascending places of `count` records out of `size`, or of all of them.
+std::vector<std::size_t> draw(std::size_t size, std::size_t count, std::uint64_t seed) {
+  std::vector<std::size_t> all(size);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::vector<std::size_t> drawn;
+  std::mt19937_64 random(seed);
+  std::sample(all.begin(), all.end(), std::back_inserter(drawn), count, random);
+  return drawn;
+}
+
+int run_certify(const std::string& input, const std::string& records, std::size_t sample,
+                std::uint64_t seed) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto rows = oracle::read_point_file(input);
+  const auto points = point_set(rows);
+  const oracle::PointSet& set = *points;
+  std::ifstream in(records);
+  if (!in) throw oracle::UnusableInput(records + ": cannot be opened");
+  const oracle::RecordFile file = oracle::read_record_file(in, records);
+  if (file.points != rows.size() || file.merged_duplicates != set.merged_duplicates) {
+    std::cout << records << ":1: FC-IN-03: the header claims " << file.points << " points and "
+              << file.merged_duplicates << " merged, the input has " << rows.size() << " and "
+              << set.merged_duplicates << '\n';
+    return kWrong;
+  }
+  const auto drawn = draw(file.records.size(), sample, seed);
+  std::size_t right = 0;
+  for (const std::size_t place : drawn) {
+    const std::string where = records + ":" + std::to_string(place + 2) + ": ";
+    const oracle::Record claimed = oracle::parse_record(file.records[place], where);
+    const auto finding = claimed.finding ? claimed.finding : oracle::certify(set, claimed.claim);
+    if (!finding) ++right;
+    if (finding) std::cout << where << finding->clause << ": " << finding->explanation << '\n';
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  std::cout << "oracle: " << with_commas(right) << " of " << with_commas(drawn.size())
+            << " sampled stationary points certified by linear scan over " << with_commas(set.points.size())
+            << " points, exactly (" << std::lround(seconds.count()) << " s)\n";
+  return right == drawn.size() ? 0 : kWrong;
+}
+
+int run_orbit(const std::string& input, const std::string& from, bool json) {
+  const oracle::Point start = oracle::parse_position(from, "--from: ");
+  const auto points = point_set(oracle::read_point_file(input));
+  const oracle::PointSet& set = *points;
+  if (set.points.empty()) throw oracle::UnusableInput(input + ": there are no points");
+  const oracle::Orbit path = oracle::orbit(set, start);
+  json ? print_json(set, start, path) : print_text(set, start, path);
+  return 0;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Exact reference for the flow of a point set's distance function and its stationary points"};
+  app.require_subcommand(1);
+  app.footer(
+      "Examples: flowcert-oracle stationary --json cube.xyz\n"
+      "          flowcert-oracle certify bunny.xyz bunny.jsonl --sample 200 --seed 1\n"
+      "          flowcert-oracle orbit bunny.xyz --from -1/2,0.25,0x1p-3");
+  std::string input, records, from;
+  bool json = false;
+  std::size_t limit = 100, sample = 200;
+  std::uint64_t seed = 1;
+
+  CLI::App& list = *app.add_subcommand("stationary", "List all stationary points of a small input");
+  list.add_option("INPUT", input, "XYZ file, or OBJ (.obj)")->required();
+  list.add_flag("--json", json, "JSON Lines instead of text");
+  list.add_option("--limit", limit, "Refuse inputs of more points")->capture_default_str();
+  list.footer("Example: flowcert-oracle stationary --json cube.xyz");
+
+  CLI::App& judge = *app.add_subcommand("certify", "Judge claimed stationary points of an input of any size");
+  judge.add_option("INPUT", input, "XYZ file, or OBJ (.obj)")->required();
+  judge.add_option("RECORDS", records, "What 'flowcert compute -o' wrote for it")->required();
+  judge.add_option("--sample", sample, "How many records to draw; all if there are fewer")
+      ->capture_default_str();
+  judge.add_option("--seed", seed, "Seed of the draw")->capture_default_str();
+  judge.footer("Example: flowcert-oracle certify bunny.xyz bunny.jsonl --sample 200 --seed 1");
+
+  CLI::App& flow = *app.add_subcommand("orbit", "Follow the flow from a position, segment by segment");
+  flow.add_option("INPUT", input, "XYZ file, or OBJ (.obj)")->required();
+  flow.add_option("--from", from,
+                  "The position X,Y,Z: decimals (the nearest doubles), hex floats or fractions p/q (exact)")
+      ->required();
+  flow.add_flag("--json", json, "One JSON object, all exact, instead of a table");
+  flow.footer("Example: flowcert-oracle orbit bunny.xyz --from -1/2,0.25,0x1p-3");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {  // --help
+    return app.exit(request);
+  } catch (const CLI::ParseError& error) {
+    throw oracle::UnusableInput(std::string(error.what()) + " (see --help)");
+  }
+  if (flow.parsed()) return run_orbit(input, from, json);
+  return list.parsed() ? run_stationary(input, json, limit) : run_certify(input, records, sample, seed);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const int status = run(argc, argv);
+    std::cout.flush();
+    if (std::cout) return status;
+    std::cerr << "flowcert-oracle: standard output cannot be written\n";
+  } catch (const std::exception& error) {
+    std::cerr << "flowcert-oracle: " << error.what() << '\n';
+  }
+  return kUnusable;
+}

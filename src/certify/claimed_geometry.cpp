@@ -1,0 +1,202 @@
+#include "certify/claimed_geometry.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "geometry/predicates.h"
+#include "geometry/rational_point.h"
+
+namespace flowcert::certify {
+
+// ---- Contact sets ----
+
+namespace {
+
+Sign orientation(const PointSet& points, std::span<const PointId> plane, PointId q) {
+  FilterTally unused;
+  return exact_sign(Orientation{sample(points, plane[0]), sample(points, plane[1]), sample(points, plane[2]),
+                                sample(points, q)},
+                    unused);
+}
+
+// The places of all points that may be nearest to x; `from` is x, rounded. filter_bounds.h says how far a computed
+// distance is from the true one.
+std::vector<std::size_t> candidates(const PointSet& points, const Point& from) {
+  std::vector<double> squared(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double dx = points[k].x - from.x, dy = points[k].y - from.y, dz = points[k].z - from.z;
+    squared[k] = dx * dx + dy * dy + dz * dz;
+  }
+  const double least = std::sqrt(*std::min_element(squared.begin(), squared.end()));
+  const double largest = std::max({std::abs(from.x), std::abs(from.y), std::abs(from.z)});
+  const double bound = least * (1 + kDistanceBound * kUnitRoundoff) +
+                       kPositionBound * kUnitRoundoff * largest + kDistanceUnderflow;
+  const double squared_bound = bound * bound * (1 + kSquareBound * kUnitRoundoff);
+  std::vector<std::size_t> result;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    // Beyond 1e150 squares may overflow.
+    if (squared[k] <= squared_bound || bound > 1e150) result.push_back(k);
+  }
+  return result;
+}
+
+std::vector<std::size_t> candidates(const PointSet& points, const RationalPoint& x) {
+  std::array<double, 3> rounded{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::optional<double> nearest = nearest_double(x[axis]);
+    if (!nearest) {
+      std::vector<std::size_t> all(points.size());
+      for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
+      return all;
+    }
+    rounded[axis] = *nearest;
+  }
+  return candidates(points, Point{rounded[0], rounded[1], rounded[2]});
+}
+
+}  // namespace
+
+const Point& sample(const PointSet& points, PointId name) { return points[points.ordinal_of_row(name)]; }
+
+bool all_on_sphere(const PointSet& points, std::span<const PointId> names, const ExactSphere& sphere) {
+  return std::all_of(names.begin(), names.end(), [&](PointId name) {
+    return squared_distance(sphere.center, sample(points, name)) == sphere.squared_radius;
+  });
+}
+
+int affine_dimension(const PointSet& points, std::span<const PointId> names) {
+  if (names.size() < 4) return static_cast<int>(names.size()) - 1;
+  const bool is_flat = std::all_of(names.begin() + 3, names.end(), [&](PointId name) {
+    return orientation(points, names, name) == Sign::kZero;
+  });
+  return is_flat ? 2 : 3;
+}
+
+std::vector<PointId> supported_face(const PointSet& points, std::span<const PointId> plane,
+                                    std::span<const PointId> of) {
+  std::vector<PointId> face;
+  Sign side = Sign::kZero;
+  for (const PointId name : of) {
+    const Sign sign = orientation(points, plane, name);
+    if (sign == Sign::kZero) {
+      face.push_back(name);
+    } else if (side == Sign::kZero) {
+      side = sign;
+    } else if (sign != side) {
+      return {};
+    }
+  }
+  return face;
+}
+
+NearestSamples nearest_samples(const PointSet& points, const RationalPoint& x) {
+  NearestSamples nearest;
+  for (const std::size_t k : candidates(points, x)) {
+    const Rational distance = squared_distance(x, points[k]);
+    if (!nearest.names.empty() && distance > nearest.squared_distance) continue;
+    if (nearest.names.empty() || distance < nearest.squared_distance) nearest.names.clear();
+    nearest.squared_distance = distance;
+    nearest.names.push_back(points.name(k));
+  }
+  return nearest;
+}
+
+// ---- Values ----
+
+namespace {
+
+double as_double(const Rational& value) {
+  const std::optional<double> nearest = nearest_double(value);
+  if (nearest) return *nearest;
+  return std::numeric_limits<double>::max() * (value > 0 ? 1 : -1);
+}
+
+// A decimal that rounds to the same double as the truth is as right as a double can be.
+bool rounds_alike(const Rational& a, const Rational& b) {
+  const std::optional<double> x = nearest_double(a), y = nearest_double(b);
+  return x && y && *x == *y;
+}
+
+// Without a difference of rationals, which costs most: what is claimed exactly is equal, decimals round
+// alike.
+bool matches_at_once(const ClaimedPosition& claimed, const RationalPoint& truth) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Rational& value = claimed[axis].value;
+    if (claimed[axis].is_exact ? value != truth[axis] : !rounds_alike(value, truth[axis])) return false;
+  }
+  return true;
+}
+
+ValueMatch wrong(bool by_rounding) { return by_rounding ? ValueMatch::kRounding : ValueMatch::kOff; }
+
+}  // namespace
+
+double rounding_length(const ExactSphere& sphere) {
+  double length = std::sqrt(as_double(sphere.squared_radius));
+  for (const Rational& coordinate : sphere.center) length = std::max(length, std::abs(as_double(coordinate)));
+  return length;
+}
+
+bool is_rounding(const Rational& squared_a, const Rational& squared_b, double rounding_length) {
+  const double a = std::sqrt(as_double(squared_a)), b = std::sqrt(as_double(squared_b));
+  if (a + b == 0) return true;
+  // Not a - b, in which a difference below the last bit of either would be lost.
+  return std::abs(as_double(squared_a - squared_b)) / (a + b) <= kRoundingPart * rounding_length;
+}
+
+Rational ValueScale::squared_allowance() const {
+  Rational squared_length = sphere_.squared_radius;
+  if (squared_length == 0) {
+    for (const Rational& x : sphere_.center) squared_length = std::max(squared_length, Rational(x * x));
+  }
+  const Rational exact_tolerance(tolerance_);
+  return exact_tolerance * exact_tolerance * squared_length;
+}
+
+double ValueScale::rounding_length() const { return certify::rounding_length(sphere_); }
+
+bool is_exact(const ClaimedPosition& claimed) {
+  return claimed[0].is_exact && claimed[1].is_exact && claimed[2].is_exact;
+}
+
+RationalPoint values_of(const ClaimedPosition& claimed) {
+  return {claimed[0].value, claimed[1].value, claimed[2].value};
+}
+
+ValueMatch match_position(const ClaimedPosition& claimed, const RationalPoint& truth,
+                          const ValueScale& scale) {
+  if (matches_at_once(claimed, truth)) return is_exact(claimed) ? ValueMatch::kEqual : ValueMatch::kWithin;
+  Rational off_exactly = 0, off_by_decimals = 0;  // squared
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Rational difference = claimed[axis].value - truth[axis];
+    if (difference == 0) continue;
+    (claimed[axis].is_exact ? off_exactly : off_by_decimals) += difference * difference;
+  }
+  if (off_exactly == 0 && off_by_decimals <= scale.squared_allowance()) return ValueMatch::kWithin;
+  return wrong(is_rounding(off_exactly + off_by_decimals, 0, scale.rounding_length()));
+}
+
+ValueMatch match_distance(const ClaimedNumber& claimed, const Rational& squared_radius,
+                          const ValueScale& scale) {
+  if (claimed.value < 0) return ValueMatch::kOff;
+  return match_squared_distance({claimed.value * claimed.value, claimed.is_exact}, squared_radius, scale);
+}
+
+ValueMatch match_squared_distance(const ClaimedNumber& claimed, const Rational& squared_radius,
+                                  const ValueScale& scale) {
+  const Rational& square = claimed.value;
+  if (square < 0) return ValueMatch::kOff;
+  if (square == squared_radius) return claimed.is_exact ? ValueMatch::kEqual : ValueMatch::kWithin;
+  if (!claimed.is_exact) {
+    // |d - r| <= t for the roots d and r iff d^2 + r^2 - t^2 <= 2 d r.
+    if (rounds_alike(square, squared_radius)) return ValueMatch::kWithin;
+    const Rational left = square + squared_radius - scale.squared_allowance();
+    if (left <= 0 || left * left <= 4 * square * squared_radius) return ValueMatch::kWithin;
+  }
+  return wrong(is_rounding(square, squared_radius, scale.rounding_length()));
+}
+
+}  // namespace flowcert::certify

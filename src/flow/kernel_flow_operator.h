@@ -1,0 +1,285 @@
+// The flow operator over a construction kernel (paper, Table 1 and section 4): which face the flow crosses
+// from here, what drives it, and where it arrives.
+//
+// Guarantees: exact, for every start and every entry of Table 1; the choice of kernel and of the search
+// changes no answer. The only decisions are signs of the merged Voronoi complex and of steering.h.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "flow/drivers.h"
+#include "flow/facet_search.h"
+#include "flow/flow_operator.h"
+#include "geometry/rational_point.h"
+
+namespace flowcert::flow {
+
+template <ConstructsPoints Kernel>
+class KernelFlowOperator final : public FlowOperator {
+ public:
+  KernelFlowOperator(VoronoiFaces& faces, FacetSearch search)
+      : faces_(faces), kernel_(tally_), centers_{*this}, search_(search) {}
+
+  PointNumber add(const RationalPoint& x) override { return kernel_.add(x); }
+
+  FlowStep step(const Location& from) override {
+    switch (from.place.kind) {
+      case Place::Kind::kVertex:
+        return step_from_vertex(from);
+      case Place::Kind::kEdge:
+        return step_from_edge(from);
+      case Place::Kind::kFacet:
+        return step_from_facet(from);
+      case Place::Kind::kCell:
+        return step_from_cell(from);
+      case Place::Kind::kInfinity:
+        break;
+    }
+    return {};
+  }
+
+  Location end_of_edge(PolygonRef polygon, std::size_t side) override {
+    const CellIndex cluster = faces_.end(polygon, side);
+    return cluster == kNoCell ? Location{} : Location{Place::at_vertex(cluster), kNoPoint};
+  }
+
+  bool has_one_back(FacetName facet, CellIndex hint) override {
+    return chain_of(facet, faces_.ring(facet, hint)).count <= 1;
+  }
+
+  // The inner vertices of the near side are first counterclockwise of the ray from the midpoint to the front,
+  // then clockwise.
+  BackwardStep step_back(const Location& front, FacetName facet, CellIndex hint) override {
+    const FacetRing ring = faces_.ring(facet, hint);
+    const ObtuseChain chain = chain_of(facet, ring);
+    const std::size_t n = ring.pieces.size();
+    if (chain.count == 0) return midpoint_step(facet, ring, chain);
+    std::size_t low = 0, high = chain.count - 1;
+    while (low < high) {
+      const std::size_t probe = search_ == FacetSearch::kBinary ? (low + high) / 2 : low;
+      const CellIndex cluster = ring.elements[(chain.first + 1 + probe) % n].vertex;
+      const Sign sign = kernel_.sign(
+          SideOfRay{number_of(front), faces_.point(facet.v0), faces_.point(facet.v1), center(cluster)});
+      if (sign == Sign::kZero) return {Place::at_vertex(cluster), false, kInfiniteVertex};
+      (sign == Sign::kPositive ? low : high) = sign == Sign::kPositive ? probe + 1 : probe;
+    }
+    const RingPiece& piece = ring.pieces[(chain.first + low) % n];
+    return {Place::on_edge(piece.polygon), false, piece.apex};
+  }
+
+  PointNumber cross_back(const Location& front, FacetName facet, VertexIndex apex) override {
+    return kernel_.add_crossing(number_of(front), faces_.point(facet.v0), faces_.point(facet.v1),
+                                faces_.point(apex));
+  }
+
+  PointNumber add_center(const std::array<VertexIndex, 3>& samples) override {
+    return kernel_.add_circumcenter(
+        std::array{&faces_.point(samples[0]), &faces_.point(samples[1]), &faces_.point(samples[2])});
+  }
+
+  RationalPoint exact(const Location& at) override { return kernel_.exact(number_of(at)); }
+  std::optional<std::array<std::size_t, 3>> exact_bytes(PointNumber point) const override {
+    return kernel_.exact_bytes(point);
+  }
+  std::size_t depth(PointNumber point) const override { return kernel_.depth(point); }
+
+  PointNumber kept() const override { return kernel_.kept(); }
+  void drop_from(PointNumber point) override { kernel_.drop_from(point); }
+
+  void drop_all() override {
+    kernel_.drop_all();
+    for (const CellIndex cluster : constructed_) center_of_[cluster] = kNoPoint;
+    constructed_.clear();
+  }
+
+  const KernelTally& tally() const override { return tally_; }
+
+ private:
+  // What a query of a ring needs of the operator.
+  struct Centers {
+    KernelFlowOperator& flow;
+    PointNumber operator()(CellIndex cluster) const { return flow.center(cluster); }
+    const Point& point(VertexIndex v) const { return flow.faces_.point(v); }
+  };
+  using Query = RingQuery<Kernel, const Centers>;
+
+  // The Voronoi vertex, constructed when first needed. It is kept until drop_all().
+  PointNumber center(CellIndex cluster) {
+    if (center_of_.empty()) center_of_.assign(faces_.delaunay().finite_count, kNoPoint);
+    PointNumber& number = center_of_[cluster];
+    if (number == kNoPoint) {
+      constructed_.push_back(cluster);
+      const auto& v = faces_.delaunay().vertices(cluster);
+      number = kernel_.add_lasting_circumcenter(
+          std::array{&faces_.point(v[0]), &faces_.point(v[1]), &faces_.point(v[2]), &faces_.point(v[3])});
+    }
+    return number;
+  }
+
+  PointNumber number_of(const Location& at) {
+    return at.place.kind == Place::Kind::kVertex ? center(at.place.vertex) : at.point;
+  }
+
+  ObtuseChain chain_of(FacetName facet, const FacetRing& ring) {
+    if (chains_.size() <= ring.id) chains_.resize(ring.id + 1);
+    if (!chains_[ring.id]) chains_[ring.id] = obtuse_chain(faces_.diagram(), facet, ring, angle_tally_);
+    return *chains_[ring.id];
+  }
+
+  static BackwardStep midpoint_step(FacetName facet, const FacetRing& ring, const ObtuseChain& chain) {
+    Place back = Place::on_facet(facet);
+    if (chain.right_count == 1) back = Place::on_edge(ring.pieces[chain.right].polygon);
+    if (chain.right_count == 2) back = Place::at_vertex(ring.elements[chain.right].vertex);
+    return {back, true, kInfiniteVertex};
+  }
+
+  static Driver midpoint_of(FacetName facet) { return {{facet.v0, facet.v1, kInfiniteVertex}, 2}; }
+  Driver center_of(PolygonRef polygon) const { return {faces_.corners(polygon), 3}; }
+
+  // V-V-V, V-E-{V, infinity}, V-F-{V, E, infinity}.
+  FlowStep step_from_vertex(const Location& from) {
+    const CellIndex cluster = from.place.vertex;
+    const VertexFlow flow = vertex_flow(faces_.diagram(), cluster);
+    FlowStep step;
+    switch (flow.way) {
+      case VertexFlow::Way::kStays:
+        step.crossed = from.place;
+        step.end = from;
+        step.stationary = flow.index;
+        break;
+      case VertexFlow::Way::kAlongEdge:
+        step.crossed = Place::on_edge(flow.edge);
+        step.driver = center_of(flow.edge);
+        step.end = end_of_edge(flow.edge, faces_.end(flow.edge, 0) == cluster ? 1 : 0);
+        break;
+      case VertexFlow::Way::kAcrossFacet: {
+        const FacetRing ring = faces_.ring(flow.facet, cluster);
+        const std::size_t start = faces_.element_of(ring, cluster);
+        const PointNumber x = center(cluster);
+        Query query = query_of(flow.facet, ring, x);
+        const auto exit = query.from_boundary(search_, start + 1, ring.elements.size() - 2);
+        step = across(flow.facet, ring, exit, x);
+        break;
+      }
+    }
+    return step;
+  }
+
+  // E-E-{V, infinity}, E-F-{V, E, infinity}.
+  FlowStep step_from_edge(const Location& from) {
+    const PolygonRef polygon = from.place.edge;
+    const PointNumber x = from.point;
+    const PolygonDriver driver = faces_.driver(polygon);
+    if (driver.shape == Sign::kNegative) {
+      const FacetRing ring = faces_.ring(driver.side, polygon.cell);
+      const std::size_t start = faces_.piece_of(ring, polygon);
+      Query query = query_of(driver.side, ring, x);
+      const auto exit = query.from_boundary(search_, start + 1, ring.elements.size() - 1);
+      return across(driver.side, ring, exit, x);
+    }
+    const auto [a, b, c] = faces_.corners(polygon);
+    const Sign side = kernel_.sign(AlongEdge{x, faces_.point(a), faces_.point(b), faces_.point(c)});
+    FlowStep step;
+    step.crossed = from.place;
+    step.driver = center_of(polygon);
+    if (side == Sign::kZero) {
+      step.end = from;
+      step.stationary = StationaryIndex{static_cast<std::uint8_t>(driver.shape == Sign::kZero ? 1 : 2), 2};
+    } else {
+      step.end = end_of_edge(polygon, side == Sign::kPositive ? 1 : 0);
+    }
+    return step;
+  }
+
+  // F-F-{V, E, infinity}.
+  FlowStep step_from_facet(const Location& from) {
+    const FacetName facet = from.place.facet;
+    const RationalPoint x = exact(from);
+    const Point &p0 = faces_.point(facet.v0), &p1 = faces_.point(facet.v1);
+    if (2 * x[0] == Rational(p0.x) + Rational(p1.x) && 2 * x[1] == Rational(p0.y) + Rational(p1.y) &&
+        2 * x[2] == Rational(p0.z) + Rational(p1.z)) {
+      return stays(from, {1, 1}, midpoint_of(facet));
+    }
+    const FacetRing ring = faces_.ring(facet);
+    Query query = query_of(facet, ring, from.point);
+    const auto exit = query.from_inside(search_);
+    return across(facet, ring, exit, from.point);
+  }
+
+  // C-C-{V, E, F, infinity}: the nearest of the bisectors with the Delaunay neighbours, which bound the cell.
+  FlowStep step_from_cell(const Location& from) {
+    const VertexIndex sample = from.place.sample;
+    const Point& p = faces_.point(sample);
+    const Driver driver{{sample, kInfiniteVertex, kInfiniteVertex}, 1};
+    if (exact(from) == exact_position(p)) {
+      return stays(from, {0, 0}, driver);
+    }
+    const PointNumber x = from.point;
+    std::vector<VertexIndex> first;
+    for (const VertexIndex q : faces_.neighbors(sample)) {
+      if (kernel_.sign(RayAtInfinity{x, p, p, faces_.point(q)}) != Sign::kPositive) continue;
+      const Sign order = first.empty()
+                             ? Sign::kNegative
+                             : kernel_.sign(NearerExit{x, p, faces_.point(q), faces_.point(first.front())});
+      if (order == Sign::kNegative) first.clear();
+      if (order != Sign::kPositive) first.push_back(q);
+    }
+    FlowStep step;
+    step.crossed = from.place;
+    step.driver = driver;
+    if (first.empty()) return step;
+    step.end.place = faces_.place_of(sample, first);
+    if (step.end.place.kind != Place::Kind::kVertex) {
+      step.end.point = kernel_.add_crossing(x, p, p, faces_.point(first.front()));
+    }
+    return step;
+  }
+
+  static FlowStep stays(const Location& at, StationaryIndex index, Driver driver) {
+    FlowStep step;
+    step.crossed = at.place;
+    step.driver = driver;
+    step.end = at;
+    step.stationary = index;
+    return step;
+  }
+
+  Query query_of(FacetName facet, const FacetRing& ring, PointNumber x) {
+    return Query(kernel_, centers_, ring, faces_.point(facet.v0), faces_.point(facet.v1), x);
+  }
+
+  FlowStep across(FacetName facet, const FacetRing& ring, typename Query::Exit exit, PointNumber x) {
+    FlowStep step;
+    step.crossed = Place::on_facet(facet);
+    step.driver = midpoint_of(facet);
+    switch (exit.kind) {
+      case Query::Exit::Kind::kInfinity:
+        break;
+      case Query::Exit::Kind::kElement:
+        step.end.place = Place::at_vertex(ring.elements[exit.at].vertex);
+        break;
+      case Query::Exit::Kind::kPiece: {
+        const RingPiece& piece = ring.pieces[exit.at];
+        step.end.place = Place::on_edge(piece.polygon);
+        step.end.point =
+            kernel_.add_crossing(x, faces_.point(facet.v0), faces_.point(facet.v1), faces_.point(piece.apex));
+        break;
+      }
+    }
+    return step;
+  }
+
+  VoronoiFaces& faces_;
+  KernelTally tally_;
+  Kernel kernel_;
+  const Centers centers_;
+  FacetSearch search_;
+  std::vector<CellIndex> constructed_;              // clusters whose centers the kernel keeps
+  std::vector<PointNumber> center_of_;              // by CellIndex
+  std::vector<std::optional<ObtuseChain>> chains_;  // by ring
+  FilterTally angle_tally_;
+};
+
+}  // namespace flowcert::flow

@@ -1,0 +1,79 @@
+// The construction kernel of plain rationals: every constructed point is computed at once, every sign from
+// its value. Slow on long orbits; it tests the others.
+//
+// Guarantees: exact; no filter, so its tally counts calls and no failures.
+#pragma once
+
+#include "flow/kernels/kernel.h"
+
+namespace flowcert::flow {
+
+class ExactKernel {
+ public:
+  explicit ExactKernel(KernelTally& tally) : tally_(tally) {}
+
+  [[nodiscard]] PointNumber add(const RationalPoint& x) { return points_.keep({x[0], x[1], x[2]}); }
+  [[nodiscard]] PointNumber add_crossing(PointNumber x, const Point& p0, const Point& p1, const Point& q) {
+    ++tally_[FlowPrimitive::kCrossing].calls;
+    return points_.keep(crossing(points_[x], in(p0), in(p1), in(q)));
+  }
+  [[nodiscard]] PointNumber add_circumcenter(std::span<const Point* const> simplex) {
+    return points_.keep(center(simplex));
+  }
+  [[nodiscard]] PointNumber add_lasting_circumcenter(std::span<const Point* const> simplex) {
+    return points_.keep_lasting(center(simplex));
+  }
+
+  template <class Query>
+  [[nodiscard]] Sign sign(const Query& query) {
+    ++tally_[Query::kPrimitive].calls;
+    return *sign_on_rung(query, KernelRung::kExact);
+  }
+  template <class Query>
+  [[nodiscard]] MaybeSign sign_on_rung(const Query& query, KernelRung rung) {
+    if (rung == KernelRung::kFilter) return std::nullopt;
+    return sign_of(query.form(In{points_})(points_[query.x]));
+  }
+
+  [[nodiscard]] RationalPoint exact(PointNumber x) const {
+    const Vector3<Rational>& p = points_[x];
+    return {p.x, p.y, p.z};
+  }
+  // What a coordinate's numerator and denominator take.
+  [[nodiscard]] std::optional<std::array<std::size_t, 3>> exact_bytes(PointNumber x) const {
+    const auto bytes = [](mpz_srcptr integer) { return (mpz_sizeinbase(integer, 2) + 7) / 8; };
+    const auto both = [&](const Rational& value) {
+      return bytes(mpq_numref(value.backend().data())) + bytes(mpq_denref(value.backend().data()));
+    };
+    const Vector3<Rational>& p = points_[x];
+    return std::array{both(p.x), both(p.y), both(p.z)};
+  }
+  // There is no history.
+  [[nodiscard]] std::size_t depth(PointNumber) const { return 0; }
+
+  [[nodiscard]] PointNumber kept() const { return points_.kept(); }
+  void drop_from(PointNumber x) { points_.drop_from(x); }
+  void drop_all() { points_.drop_all(); }
+
+ private:
+  struct In {
+    const PointStorage<Vector3<Rational>>& points;
+
+    const Vector3<Rational>& operator()(PointNumber x) const { return points[x]; }
+    Vector3<Rational> operator()(const Point& p) const { return in(p); }
+  };
+  static Vector3<Rational> in(const Point& p) { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
+
+  Vector3<Rational> center(std::span<const Point* const> p) {
+    ++tally_[FlowPrimitive::kCircumcenter].calls;
+    return p.size() == 3 ? circumcenter(in(*p[0]), in(*p[1]), in(*p[2]))
+                         : circumcenter(in(*p[0]), in(*p[1]), in(*p[2]), in(*p[3]));
+  }
+
+  KernelTally& tally_;
+  PointStorage<Vector3<Rational>> points_;
+};
+
+static_assert(ConstructsPoints<ExactKernel>);
+
+}  // namespace flowcert::flow

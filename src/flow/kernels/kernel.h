@@ -1,0 +1,87 @@
+// What a construction kernel is: it keeps the points that the flow constructs, and decides signs about them.
+//
+// Guarantees of every kernel: signs and coordinates are exact. A point is a number that the kernel gives out; its
+// storage, and the history that it may keep of a point, are its own. Requirements are written here once, as a
+// concept; LazyKernel and ExactKernel are its models. Not for two threads at once. Source: paper, sections 5.2, 6.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "flow/kernels/steering.h"
+#include "flowcert/filter_tally.h"
+#include "flowcert/rational.h"
+#include "geometry/contract.h"
+
+namespace flowcert::flow {
+
+// Signs of queries, from a kernel's filter, which may leave them open, and from its exact numbers.
+enum class KernelRung { kFilter, kExact };
+
+template <class K>
+concept ConstructsPoints = std::constructible_from<K, KernelTally&> &&
+    requires(K& kernel, const K& constant, PointNumber x, const RationalPoint& position, const Point& p,
+             std::span<const Point* const> simplex, const SideOfRay& query, KernelRung rung) {
+  // Keeps a point, by its coordinates, or as the point where the ray from the midpoint of p0 and p1 through x
+  // crosses the bisector of q (`crossing` in steering.h).
+  { kernel.add(position) } -> std::same_as<PointNumber>;
+  { kernel.add_crossing(x, p, p, p) } -> std::same_as<PointNumber>;
+  // Keeps the centre of the circle or sphere through 3 or 4 points, which are affinely independent. A lasting
+  // point stays until drop_all(), and its number has kLasting.
+  { kernel.add_circumcenter(simplex) } -> std::same_as<PointNumber>;
+  { kernel.add_lasting_circumcenter(simplex) } -> std::same_as<PointNumber>;
+
+  // The sign of a steering query; and what one rung alone says of it.
+  { kernel.sign(query) } -> std::same_as<Sign>;
+  { kernel.sign_on_rung(query, rung) } -> std::same_as<MaybeSign>;
+
+  { kernel.exact(x) } -> std::same_as<RationalPoint>;
+  // How many bytes the coordinates take, where they have been computed exactly.
+  { constant.exact_bytes(x) } -> std::same_as<std::optional<std::array<std::size_t, 3>>>;
+  // The longest chain of constructions behind x that the kernel remembers.
+  { constant.depth(x) } -> std::same_as<std::size_t>;
+
+  // Points that do not last are numbered in order; the latest can be dropped.
+  { constant.kept() } -> std::same_as<PointNumber>;
+  {kernel.drop_from(x)};
+  {kernel.drop_all()};
+};
+
+// The storage of a kernel's points.
+template <class Value>
+class PointStorage {
+ public:
+  PointNumber keep(Value value) {
+    passing_.push_back(std::move(value));
+    return static_cast<PointNumber>(passing_.size() - 1);
+  }
+  PointNumber keep_lasting(Value value) {
+    lasting_.push_back(std::move(value));
+    return static_cast<PointNumber>(lasting_.size() - 1) | kLasting;
+  }
+  const Value& operator[](PointNumber number) const {
+    FLOWCERT_REQUIRES((number & kLasting) != 0 ? (number ^ kLasting) < lasting_.size()
+                                               : number < passing_.size());
+    return (number & kLasting) != 0 ? lasting_[number ^ kLasting] : passing_[number];
+  }
+  [[nodiscard]] PointNumber kept() const { return static_cast<PointNumber>(passing_.size()); }
+  void drop_from(PointNumber number) {
+    FLOWCERT_REQUIRES(number <= kept());
+    passing_.erase(passing_.begin() + static_cast<std::ptrdiff_t>(number), passing_.end());
+  }
+  void drop_all() {
+    passing_.clear();
+    lasting_.clear();
+  }
+
+ private:
+  std::vector<Value> passing_, lasting_;
+};
+
+}  // namespace flowcert::flow

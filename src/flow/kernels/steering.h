@@ -1,0 +1,228 @@
+// What steers the flow: the signs that a moving point x is asked for (paper, section 4.2), and the points that are
+// constructed from it, as polynomials over any number type.
+//
+// Each query is a struct that exposes its polynomial as a linear form in x, <gradient, scale x - base>. A kernel
+// evaluates it as it likes, in intervals, in integers, or pulled back through the maps that made x. Guarantees: all
+// forms are homogeneous in the coordinates of all points, so that a common factor does not change a sign: a kernel
+// may clear denominators. Midpoints m of p0 and p1 appear doubled. With p0 = p1 = p the facet is a cell, and m is p.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+
+#include "flow/kernels/layer.h"
+#include "flowcert/filter_tally.h"
+#include "flowcert/point_set.h"
+#include "geometry/vector3.h"
+
+namespace flowcert::flow {
+
+// A point that a kernel keeps.
+using PointNumber = std::uint32_t;
+inline constexpr PointNumber kNoPoint = 0xffffffffu;
+inline constexpr PointNumber kLasting = 0x80000000u;
+
+template <class Number>
+struct LinearForm {
+  Vector3<Number> gradient;
+  int scale;
+  Vector3<Number> base;
+
+  [[nodiscard]] Number operator()(const Vector3<Number>& x) const {
+    return scale == 1 ? Number(dot(gradient, x - base)) : Number(dot(gradient, Number(scale) * x - base));
+  }
+};
+template <class Number>
+[[nodiscard]] LinearForm<Number> linear_form(Vector3<Number> gradient, int scale, Vector3<Number> base) {
+  return {std::move(gradient), scale, std::move(base)};
+}
+
+// 2 (x - m)
+template <class Number>
+[[nodiscard]] Vector3<Number> from_midpoint(const Vector3<Number>& x, const Vector3<Number>& p0,
+                                            const Vector3<Number>& p1) {
+  return Number(2) * x - (p0 + p1);
+}
+
+// In each query, `at` gives the vector of an input point or of a kept one, in numbers of the kernel's choice.
+
+// <x-m, q-m>, for an input point or a kept one q.
+template <class At, class Target>
+[[nodiscard]] auto form_towards(const At& at, const Point& p0, const Point& p1, const Target& q) {
+  const auto v0 = at(p0), v1 = at(p1);
+  return linear_form(from_midpoint(at(q), v0, v1), 2, v0 + v1);
+}
+
+// <x-b, m-q>, for an input point or a kept one q.
+template <class At, class Target>
+[[nodiscard]] auto form_away(const At& at, const Point& p0, const Point& p1, PointNumber b, const Target& q) {
+  const auto v0 = at(p0), v1 = at(p1), w = at(q);
+  return linear_form((v0 + v1) - (w + w), 1, at(b));
+}
+
+// <(x-m) ^ (c-m), p0p1>: positive where c lies counterclockwise of the ray from m through x, seen from p1
+// (Eq. 2, 3).
+struct SideOfRay {
+  static constexpr FlowPrimitive kPrimitive = FlowPrimitive::kSideOfRay;
+  PointNumber x;
+  const Point &p0, &p1;
+  PointNumber c;
+
+  template <class At>
+  [[nodiscard]] auto form(const At& at) const {
+    const auto v0 = at(p0), v1 = at(p1), sum = v0 + v1;
+    return linear_form(cross(from_midpoint(at(c), v0, v1), v1 - v0), 2, sum);
+  }
+};
+
+// <x-m, q-m>: whether the ray from m through x approaches the bisector of q. That is the sign of Eq. 5, for
+// the Voronoi ray of p0 p1 q: its direction is +-(p1-p0) x (q-p0), and <d x (e x g), e> = <d,g> <e,e> for d
+// orthogonal to e.
+struct RayAtInfinity {
+  static constexpr FlowPrimitive kPrimitive = FlowPrimitive::kRayAtInfinity;
+  PointNumber x;
+  const Point &p0, &p1, &q;
+
+  template <class At>
+  [[nodiscard]] auto form(const At& at) const {
+    return form_towards(at, p0, p1, q);
+  }
+};
+
+// <(b-x) ^ (c-x), p0p1>: positive where c lies less than half a turn counterclockwise of b, seen from x. It is
+// <p0p1 ^ (c-b), x-b>.
+struct AroundStart {
+  static constexpr FlowPrimitive kPrimitive = FlowPrimitive::kAroundStart;
+  PointNumber x;
+  const Point &p0, &p1;
+  PointNumber b, c;
+
+  template <class At>
+  [[nodiscard]] auto form(const At& at) const {
+    const auto from = at(b);
+    return linear_form(cross(at(p1) - at(p0), at(c) - from), 1, from);
+  }
+};
+
+// <x-b, m-q>: the same for the direction of the Voronoi ray of p0 p1 q in place of c (see RayAtInfinity).
+struct RayAroundStart {
+  static constexpr FlowPrimitive kPrimitive = FlowPrimitive::kAroundStart;
+  PointNumber x;
+  const Point &p0, &p1;
+  PointNumber b;
+  const Point& q;
+
+  template <class At>
+  [[nodiscard]] auto form(const At& at) const {
+    return form_away(at, p0, p1, b, q);
+  }
+};
+
+// <x-m, c-m>: on which side of m, on the line from m through x, c lies: positive where c and x lie on one side.
+struct AlongRay {
+  static constexpr FlowPrimitive kPrimitive = FlowPrimitive::kAroundStart;
+  PointNumber x;
+  const Point &p0, &p1;
+  PointNumber c;
+
+  template <class At>
+  [[nodiscard]] auto form(const At& at) const {
+    return form_towards(at, p0, p1, c);
+  }
+};
+
+// <x-c, m-c>: positive where x lies before c, seen from m, for c on the line from m through x.
+struct BeforePoint {
+  static constexpr FlowPrimitive kPrimitive = FlowPrimitive::kAroundStart;
+  PointNumber x;
+  const Point &p0, &p1;
+  PointNumber c;
+
+  template <class At>
+  [[nodiscard]] auto form(const At& at) const {
+    return form_away(at, p0, p1, c, c);
+  }
+};
+
+// <x-a, (b-a) x (c-a)>: for x on the Voronoi edge of a polygon with corners a, b, c, the side of the
+// polygon's plane, and so of its centre, on which x lies.
+struct AlongEdge {
+  static constexpr FlowPrimitive kPrimitive = FlowPrimitive::kAlongEdge;
+  PointNumber x;
+  const Point &a, &b, &c;
+
+  template <class At>
+  [[nodiscard]] auto form(const At& at) const {
+    const auto origin = at(a);
+    return linear_form(cross(at(b) - origin, at(c) - origin), 1, origin);
+  }
+};
+
+// The ray from p through x meets the bisector of q at p + s (x-p), s = |q-p|^2 / (2 <x-p, q-p>). The sign of
+// s(q) - s(r), for q and r that it approaches: <x-p, |q-p|^2 (r-p) - |r-p|^2 (q-p)>.
+struct NearerExit {
+  static constexpr FlowPrimitive kPrimitive = FlowPrimitive::kNearerExit;
+  PointNumber x;
+  const Point &p, &q, &r;
+
+  template <class At>
+  [[nodiscard]] auto form(const At& at) const {
+    const auto origin = at(p), to_q = at(q) - origin, to_r = at(r) - origin;
+    using Number = std::remove_cvref_t<decltype(origin.x)>;
+    return linear_form(Number(dot(to_q, to_q)) * to_r - Number(dot(to_r, to_r)) * to_q, 1, origin);
+  }
+};
+
+// ---- Constructions ----
+
+// Where the ray from m through x meets the bisector of p0 (or p1) and q, which it approaches: m + s (x-m), s
+// = <q-p0, q-p1> / (2 <x-m, q-m>).
+template <class Number>
+[[nodiscard]] Vector3<Number> crossing(const Vector3<Number>& x, const Vector3<Number>& p0,
+                                       const Vector3<Number>& p1, const Vector3<Number>& q) {
+  const Vector3<Number> way = from_midpoint(x, p0, p1);
+  const Number height = dot(q - p0, q - p1);
+  const Number approach = dot(way, from_midpoint(q, p0, p1));
+  const Number stretch = Number(2) * height / approach;
+  const Number half = Number(1) / Number(2);
+  return half * (p0 + p1 + stretch * way);
+}
+
+// The same in integers: x is given times `weight`, and the point returned as numerator / denominator. What x
+// is divided by cancels, so that the numbers grow by those of the samples alone.
+template <class Integer>
+struct WeightedPoint {
+  Vector3<Integer> numerator;
+  Integer denominator;
+};
+template <class Integer>
+[[nodiscard]] WeightedPoint<Integer> weighted_crossing(const Vector3<Integer>& x, const Integer& weight,
+                                                       const Vector3<Integer>& p0, const Vector3<Integer>& p1,
+                                                       const Vector3<Integer>& q) {
+  const Vector3<Integer> way = Integer(2) * x - weight * (p0 + p1);
+  const Integer height = Integer(2) * dot(q - p0, q - p1);
+  const Integer approach = dot(way, from_midpoint(q, p0, p1));
+  return {approach * (p0 + p1) + height * way, Integer(2) * approach};
+}
+
+// The centre of the circle through three points.
+template <class Number>
+[[nodiscard]] Vector3<Number> circumcenter(const Vector3<Number>& p0, const Vector3<Number>& p1,
+                                           const Vector3<Number>& p2) {
+  const Vector3<Number> a = p1 - p0, b = p2 - p0;
+  const Vector3<Number> n = cross(a, b);
+  const Number factor = Number(1) / (Number(2) * dot(n, n));
+  return p0 + factor * cross(dot(a, a) * b - dot(b, b) * a, n);
+}
+
+// The centre of the circumsphere of a tetrahedron.
+template <class Number>
+[[nodiscard]] Vector3<Number> circumcenter(const Vector3<Number>& p0, const Vector3<Number>& p1,
+                                           const Vector3<Number>& p2, const Vector3<Number>& p3) {
+  const Circumsphere<Number> sphere = circumsphere(p1 - p0, p2 - p0, p3 - p0);
+  const Number factor = Number(1) / (Number(2) * sphere.determinant);
+  return p0 + factor * sphere.numerator;
+}
+
+}  // namespace flowcert::flow

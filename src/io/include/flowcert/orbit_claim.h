@@ -1,0 +1,42 @@
+// An orbit as JSON says it (spec/formats/orbit.md).
+//
+// Guarantees: all numbers are exact. What is no orbit throws InvalidInput; further keys are ignored, and the
+// contact sets of segments may be left out.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flowcert/point_set.h"
+#include "flowcert/rational.h"
+
+namespace flowcert {
+
+struct PathSegment {
+  std::string type;
+  RationalPoint driver;
+  std::optional<RationalPoint> end;  // none: infinity
+  // Ascending; of the start, on the way, of the end. None where not claimed, or at infinity.
+  std::optional<std::vector<PointId>> start_contact;
+  std::optional<std::vector<PointId>> crossed_contact;
+  std::optional<std::vector<PointId>> end_contact;
+};
+
+struct PathLimit {
+  std::string kind;   // "critical", "regular"
+  std::string index;  // as JSON writes it: "2", "[1,2]"
+  RationalPoint position;
+  std::vector<PointId> contact;
+  Rational squared_distance;
+};
+
+struct OrbitPath {
+  std::vector<PathSegment> segments;
+  std::optional<PathLimit> limit;  // none: infinity
+};
+
+// From the text of an object with `segments` and `limit`. name: of the file, for messages.
+[[nodiscard]] OrbitPath claimed_orbit_of(const std::string& bytes, const std::string& name);
+
+}  // namespace flowcert

@@ -1,0 +1,60 @@
+// The flow complex as data sets for viewers: stationary points, the orbits of U2, and the surfaces S2, with
+// arrays named as in TTK's Morse-Smale complex where they mean the same (spec/formats/exports.md); and VTK's XML
+// PolyData, as ParaView and VTK open it.
+//
+// Guarantees: coordinates and values are the doubles nearest to the exact ones; a value beyond the doubles
+// throws InvalidInput, but for the infinite ones of orbits that go to infinity. Files hold them to the bit.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "flowcert/surface.h"
+
+namespace flowcert {
+
+// A number a point or a cell.
+struct VtpArray {
+  std::string name;
+  std::variant<std::vector<std::int8_t>, std::vector<std::int64_t>, std::vector<double>> values;
+};
+
+struct VtpCells {
+  std::vector<std::int64_t> connectivity;  // points of all cells, one cell after the other
+  std::vector<std::int64_t> offsets;       // where each cell ends in it
+};
+
+struct PolyData {
+  std::vector<Point> points;
+  VtpCells vertices, lines, polygons;
+  std::vector<VtpArray> point_data;
+  std::vector<VtpArray> cell_data;  // vertices first, then lines, then polygons
+};
+
+// comment: of one line, without "--".
+void write_vtp(std::ostream& out, const PolyData& data, const std::string& comment);
+
+using ExportProgress = std::function<void(std::size_t done, std::size_t total)>;
+
+class VtkExports {
+ public:
+  // The complex must outlive it. O(stationary points).
+  VtkExports(const FlowComplex& complex, const ExportProgress& progress);
+
+  [[nodiscard]] PolyData critical_points() const;
+  // Exact coordinates of long orbits take time.
+  [[nodiscard]] PolyData unstable_lines(const ExportProgress& progress) const;
+  // mesh: of all critical points of index 2.
+  [[nodiscard]] PolyData stable_surfaces(const SurfaceMesh& mesh) const;
+
+ private:
+  const FlowComplex& complex_;
+  std::vector<Point> centers_;
+  std::vector<Rational> squared_values_;  // by record
+};
+
+}  // namespace flowcert

@@ -1,0 +1,44 @@
+// Persistence diagrams as GUDHI's text format .pers has it (spec/formats/persistence.md).
+//
+// Guarantees: pairs are ordered by dimension, then exact birth, then exact death, what lasts last; so the
+// text does not depend on how ties were broken.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "flowcert/flow_complex.h"
+
+namespace flowcert {
+
+// What is written of persistence.
+class PersistenceDiagram {
+ public:
+  // with_zero: the regular stationary points as well, as pairs of length zero: birth and death are the same
+  // record (FC-PERS-03). The complex must outlive this. O(n log n) comparisons of rationals.
+  PersistenceDiagram(const FlowComplex& complex, bool with_zero);
+
+  [[nodiscard]] const FlowComplex& complex() const { return complex_; }
+  [[nodiscard]] const std::vector<PersistencePair>& pairs() const { return pairs_; }
+  [[nodiscard]] bool has_zero() const { return has_zero_; }
+  [[nodiscard]] const Rational& squared_value(std::size_t record) const {
+    return record < first_regular_ ? complex_.persistence().squared_value(record)
+                                   : regular_values_[record - first_regular_];
+  }
+
+ private:
+  void add_regular();
+  [[nodiscard]] bool is_before(const PersistencePair& a, const PersistencePair& b) const;
+
+  const FlowComplex& complex_;
+  bool has_zero_;
+  std::size_t first_regular_;
+  std::vector<Rational> regular_values_;
+  std::vector<PersistencePair> pairs_;
+};
+
+// A comment, then lines "dimension birth death", the values rounded to the nearest doubles, `inf` for what
+// lasts. Throws InvalidInput where a value is beyond the doubles.
+[[nodiscard]] std::string pers_text(const PersistenceDiagram& diagram);
+
+}  // namespace flowcert

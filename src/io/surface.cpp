@@ -1,0 +1,215 @@
+// How surfaces are chosen, built and written.
+//
+// Fronts belong to one stable set alone (FC-STAB-01), so that their exact positions, which can be long, are kept no
+// longer than their set; samples and the midpoints where sets end are kept. The writers are our own: CGAL's are
+// templates over its own meshes, which this layer does not have.
+#include "flowcert/surface.h"
+
+#include <fmt/format.h>
+#include <gmp.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <string_view>
+#include <unordered_map>
+
+#include "geometry/rational_point.h"
+#include "io/number_text.h"
+
+namespace flowcert {
+
+using namespace io;
+
+namespace {
+
+// ---- Selection ----
+
+constexpr std::string_view kPersistence = "persistence>";
+constexpr std::string_view kRadius = "index2-radius<";
+constexpr std::string_view kLargestGaps = "largest-gaps=";
+
+std::string without_blanks(std::string text) {
+  std::erase(text, ' ');
+  return text;
+}
+
+// Whether each is among the n largest; of equal ones the first in the list are.
+std::vector<bool> among_largest(const std::vector<Rational>& gaps, std::size_t n) {
+  std::vector<std::size_t> order(gaps.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return gaps[a] > gaps[b]; });
+  std::vector<bool> chosen(gaps.size(), false);
+  for (std::size_t k = 0; k < std::min(n, order.size()); ++k) chosen[order[k]] = true;
+  return chosen;
+}
+
+// By number in StableManifolds, of the critical points of index 2: death minus birth of the pair that it is in, as
+// the death of a tunnel or the birth of a void.
+std::vector<Rational> gaps_of(const FlowComplex& complex) {
+  std::vector<Rational> gaps(complex.stationary().critical_counts()[2]);
+  if (gaps.empty()) return gaps;
+  const Persistence& persistence = complex.persistence();
+  const std::size_t first = complex.stable().record(0);
+  // Every critical point of index 2 is in a pair that does not last (FC-PERS-02).
+  for (const PersistencePair& pair : persistence.pairs()) {
+    if (pair.dimension == 0 || !pair.death) continue;
+    const std::size_t record = pair.dimension == 1 ? *pair.death : pair.birth;
+    gaps[record - first] = persistence.squared_value(*pair.death) - persistence.squared_value(pair.birth);
+  }
+  return gaps;
+}
+
+// ---- Mesh ----
+
+// Rationals are canonical: equal ones have equal words.
+struct PositionHash {
+  std::size_t operator()(const RationalPoint& position) const {
+    std::size_t hash = 0;
+    for (const Rational& coordinate : position) {
+      const auto& words = coordinate.backend().data();
+      for (const std::size_t word : {mpz_get_ui(mpq_numref(words)), mpz_get_ui(mpq_denref(words))}) {
+        hash = (hash ^ word) * 0x9e3779b97f4a7c15U;
+        hash ^= hash >> 32;
+      }
+    }
+    return hash;
+  }
+};
+
+using VertexAt = std::unordered_map<RationalPoint, std::uint32_t, PositionHash>;
+
+class MeshBuilder {
+ public:
+  explicit MeshBuilder(const PointSet& points) : points_(points) {}
+
+  void add(std::size_t number, const StableSet& set) {
+    fronts_.clear();
+    for (const BackwardSegment& segment : set.segments) {
+      const bool ends = segment.back_kind == BackKind::kCritical || segment.back_kind == BackKind::kRegular;
+      const RationalPoint apex = sample_position(segment.samples[0]);
+      const std::uint32_t front = vertex(fronts_, segment.front, apex);
+      const std::uint32_t back = vertex(ends ? ends_ : fronts_, segment.back, apex);
+      mesh_.triangles.push_back({sample(segment.samples[0]), front, back});
+      mesh_.triangles.push_back({sample(segment.samples[1]), back, front});
+      mesh_.set_of_triangle.insert(mesh_.set_of_triangle.end(), 2, number);
+    }
+  }
+
+  [[nodiscard]] SurfaceMesh take() { return std::move(mesh_); }
+
+ private:
+  [[nodiscard]] RationalPoint sample_position(PointId id) const {
+    return exact_position(points_[points_.ordinal_of_row(id)]);
+  }
+
+  std::uint32_t sample(PointId id) {
+    const RationalPoint position = sample_position(id);
+    return vertex(ends_, position, position);
+  }
+
+  // apex: a sample nearest to it.
+  std::uint32_t vertex(VertexAt& known, const RationalPoint& position, const RationalPoint& apex) {
+    const auto next = static_cast<std::uint32_t>(mesh_.vertices.size());
+    const auto [place, is_new] = known.try_emplace(position, next);
+    if (!is_new) return place->second;
+    // The file formats' indices have a sign.
+    if (next >= static_cast<std::uint32_t>(std::numeric_limits<std::int32_t>::max())) {
+      throw InvalidInput("a surface of more than 2^31 - 1 vertices cannot be written");
+    }
+    mesh_.vertices.push_back(rounded(position));
+    mesh_.squared_distances.push_back(nearest_double(squared_distance(position, apex)));
+    return next;
+  }
+
+  const PointSet& points_;
+  VertexAt fronts_, ends_;
+  SurfaceMesh mesh_;
+};
+
+}  // namespace
+
+// ---- Selecting, building, writing ----
+
+SurfaceSelection::SurfaceSelection(const std::vector<std::string>& expressions) {
+  for (std::size_t k = 0; k < expressions.size(); ++k) add(expressions[k], k + 1);
+}
+
+void SurfaceSelection::add(const std::string& expression, std::size_t option) {
+  const LinePlace place = {"--select", option};
+  const std::string text = without_blanks(expression);
+  const std::string_view rest(text);
+  const auto number_behind = [&](std::string_view name) {
+    return claimed_number(rest.substr(name.size()), PlainInteger::kExact, place).value;
+  };
+  if (rest.starts_with(kPersistence)) {
+    const Rational bound = number_behind(kPersistence);
+    persistence_above_ = persistence_above_ ? std::max(*persistence_above_, bound) : bound;
+  } else if (rest.starts_with(kRadius)) {
+    const Rational bound = number_behind(kRadius);
+    radius_below_ = radius_below_ ? std::min(*radius_below_, bound) : bound;
+  } else if (rest.starts_with(kLargestGaps)) {
+    const std::size_t count = claimed_count(rest.substr(kLargestGaps.size()), place);
+    largest_gaps_ = largest_gaps_ ? std::min(*largest_gaps_, count) : count;
+  } else {
+    place.reject("none of persistence>X, index2-radius<R and largest-gaps=N: " + in_quotes(expression));
+  }
+}
+
+std::vector<std::size_t> SurfaceSelection::sets(const FlowComplex& complex) const {
+  std::vector<bool> is_chosen(complex.stationary().critical_counts()[2], true);
+  if (radius_below_) {
+    const Rational& bound = *radius_below_;
+    for (std::size_t i = 0; i < is_chosen.size(); ++i) {
+      is_chosen[i] = bound > 0 && complex.sphere(complex.stable().record(i)).squared_radius < bound * bound;
+    }
+  }
+  if (persistence_above_ || largest_gaps_) {
+    const std::vector<Rational> gaps = gaps_of(complex);
+    const std::vector<bool> is_large = among_largest(gaps, largest_gaps_.value_or(gaps.size()));
+    for (std::size_t i = 0; i < is_chosen.size(); ++i) {
+      const bool is_long = !persistence_above_ || gaps[i] > *persistence_above_;
+      is_chosen[i] = is_chosen[i] && is_large[i] && is_long;
+    }
+  }
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < is_chosen.size(); ++i) {
+    if (is_chosen[i]) chosen.push_back(i);
+  }
+  return chosen;
+}
+
+SurfaceMesh surface_mesh(const FlowComplex& complex, std::span<const std::size_t> sets,
+                         const std::function<void(std::size_t, std::size_t)>& progress) {
+  MeshBuilder builder(complex.points());
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    builder.add(sets[k], complex.stable().set(sets[k]));
+    if (progress) progress(k + 1, sets.size());
+  }
+  return builder.take();
+}
+
+void write_ply(std::ostream& out, const SurfaceMesh& mesh, const std::string& comment) {
+  out << fmt::format(
+      "ply\nformat binary_little_endian 1.0\ncomment {}\nelement vertex {}\nproperty double x\n"
+      "property double y\nproperty double z\nelement face {}\nproperty list uchar int vertex_indices\n"
+      "end_header\n",
+      comment, mesh.vertices.size(), mesh.triangles.size());
+  std::string bytes;
+  for (const Point& point : mesh.vertices) {
+    for (const double coordinate : {point.x, point.y, point.z}) append_little_endian(bytes, coordinate);
+  }
+  for (const auto& triangle : mesh.triangles) {
+    append_little_endian(bytes, std::uint8_t{3});
+    for (const std::uint32_t vertex : triangle) append_little_endian(bytes, vertex);
+  }
+  out << bytes;
+}
+
+void write_off(std::ostream& out, const SurfaceMesh& mesh, const std::string& comment) {
+  out << fmt::format("OFF\n# {}\n{} {} 0\n", comment, mesh.vertices.size(), mesh.triangles.size());
+  for (const Point& point : mesh.vertices) out << fmt::format("{} {} {}\n", point.x, point.y, point.z);
+  for (const auto& [a, b, c] : mesh.triangles) out << fmt::format("3 {} {} {}\n", a, b, c);
+}
+
+}  // namespace flowcert

@@ -1,0 +1,175 @@
+// Each part has a lock of its own, so that threads that ask for one at the same time wait for one another. A part
+// locks only the parts below it, so that no two threads wait for each other. Not std::call_once: with some C
+// libraries it hangs after an exception.
+#include "flowcert/flow_complex.h"
+
+#include <atomic>
+#include <limits>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "geometry/floating_point.h"
+#include "morse/layer.h"
+
+namespace flowcert {
+
+using namespace morse;
+
+struct FlowComplex::Parts {
+  Parts(PointSet all, FlowComplexOptions how, Progress told)
+      : points(std::move(all)), options(how), progress(std::move(told)) {}
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+
+  // For the constructor of a part.
+  [[nodiscard]] std::function<void(std::size_t, std::size_t)> progress_of(FlowComplexPart part) const {
+    if (!progress) return {};
+    return [this, part](std::size_t done, std::size_t total) { progress(part, done, total); };
+  }
+
+  // One thread at a time flows.
+  template <typename Use>
+  auto with_flow(const VoronoiDiagram& faces, const Use& use) {
+    require_ieee_doubles();
+    const std::scoped_lock lock(flowing);
+    if (!flow) flow.emplace(faces, options.flow);
+    return use(*flow);
+  }
+
+  PointSet points;
+  FlowComplexOptions options;
+  Progress progress;
+
+  std::array<std::mutex, kFlowComplexParts> making;
+  std::array<std::atomic<bool>, kFlowComplexParts> is_made{};
+  std::optional<Delaunay> triangulation;  // kept: giving it back would take a part of the time of the diagram
+  FilterTally tally;
+  std::optional<VoronoiDiagram> diagram;
+  std::optional<StationaryPoints> stationary;
+  std::optional<UnstableManifolds> unstable;
+  std::optional<StableManifolds> stable;
+  std::optional<ChainComplex> chains;
+  std::optional<Persistence> persistence;
+
+  std::mutex flowing;
+  std::optional<Flow> flow;
+};
+
+FlowComplex::FlowComplex(PointSet points, FlowComplexOptions options, Progress progress)
+    : parts_(std::make_unique<Parts>(std::move(points), options, std::move(progress))) {
+  require_ieee_doubles();
+}
+FlowComplex::FlowComplex(std::span<const Point> rows, FlowComplexOptions options, Progress progress)
+    : FlowComplex(PointSet(rows), options, std::move(progress)) {}
+FlowComplex::~FlowComplex() = default;
+FlowComplex::FlowComplex(FlowComplex&&) noexcept = default;
+FlowComplex& FlowComplex::operator=(FlowComplex&&) noexcept = default;
+
+void FlowComplex::make(FlowComplexPart part) const {
+  Parts& all = *parts_;
+  const auto number = static_cast<std::size_t>(part);
+  if (all.is_made[number].load(std::memory_order_acquire)) return;
+  require_ieee_doubles();
+  const std::scoped_lock lock(all.making[number]);
+  if (all.is_made[number].load(std::memory_order_relaxed)) return;
+  switch (part) {
+    case FlowComplexPart::kTriangulation:
+      all.triangulation.emplace(all.points, all.progress_of(part));
+      break;
+    case FlowComplexPart::kDiagram:
+      make(FlowComplexPart::kTriangulation);
+      all.tally = {};
+      all.diagram.emplace(*all.triangulation, &all.tally);
+      break;
+    case FlowComplexPart::kStationary:
+      make(FlowComplexPart::kDiagram);
+      all.stationary = stationary_points(*all.diagram);
+      break;
+    case FlowComplexPart::kUnstable:
+      make(FlowComplexPart::kStationary);
+      all.unstable.emplace(*all.diagram, *all.stationary,
+                           UnstableOptions{all.options.flow, all.options.share}, all.progress_of(part));
+      break;
+    case FlowComplexPart::kStable:
+      make(FlowComplexPart::kStationary);
+      all.stable.emplace(*all.diagram, *all.stationary, StableOptions{all.options.flow, all.options.seed},
+                         all.progress_of(part));
+      break;
+    case FlowComplexPart::kChains:
+      make(FlowComplexPart::kUnstable);
+      make(FlowComplexPart::kStable);
+      all.chains.emplace(all.points, *all.stationary, *all.unstable, *all.stable, all.options.seed);
+      break;
+    case FlowComplexPart::kPersistence:
+      make(FlowComplexPart::kChains);
+      all.persistence.emplace(all.points, *all.stationary, *all.chains);
+      break;
+  }
+  all.is_made[number].store(true, std::memory_order_release);
+}
+
+const PointSet& FlowComplex::points() const { return parts_->points; }
+
+const VoronoiDiagram& FlowComplex::diagram() const {
+  make(FlowComplexPart::kDiagram);
+  return *parts_->diagram;
+}
+
+const FilterTally& FlowComplex::filter_tally() const {
+  make(FlowComplexPart::kDiagram);
+  return parts_->tally;
+}
+
+const StationaryPoints& FlowComplex::stationary() const {
+  make(FlowComplexPart::kStationary);
+  return *parts_->stationary;
+}
+
+const UnstableManifolds& FlowComplex::unstable() const {
+  make(FlowComplexPart::kUnstable);
+  return *parts_->unstable;
+}
+
+const StableManifolds& FlowComplex::stable() const {
+  make(FlowComplexPart::kStable);
+  return *parts_->stable;
+}
+
+const ChainComplex& FlowComplex::chains() const {
+  make(FlowComplexPart::kChains);
+  return *parts_->chains;
+}
+
+const Persistence& FlowComplex::persistence() const {
+  make(FlowComplexPart::kPersistence);
+  return *parts_->persistence;
+}
+
+ExactSphere FlowComplex::sphere(std::size_t record) const {
+  return exact_sphere(points(), stationary().contact(record));
+}
+
+std::vector<std::array<double, 3>> FlowComplex::centers() const {
+  const auto rounded = [](const Rational& x) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return nearest_double(x).value_or(x < 0 ? -kInfinity : kInfinity);
+  };
+  std::vector<std::array<double, 3>> centers;
+  centers.reserve(stationary().size());
+  for (std::size_t record = 0; record < stationary().size(); ++record) {
+    const RationalPoint center = sphere(record).center;
+    centers.push_back({rounded(center[0]), rounded(center[1]), rounded(center[2])});
+  }
+  return centers;
+}
+
+Orbit FlowComplex::orbit(const RationalPoint& start) const {
+  return parts_->with_flow(diagram(), [&](Flow& flow) { return flow.orbit(start); });
+}
+
+FlowSegment FlowComplex::step(const RationalPoint& start) const {
+  return parts_->with_flow(diagram(), [&](Flow& flow) { return flow.step(start); });
+}
+
+}  // namespace flowcert
