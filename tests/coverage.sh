@@ -32,7 +32,7 @@ say "line coverage of src/, oracle/, fuzz/judge/, fuzz/commands/ ($build/report/
 lcov --list "$build/coverage.info"
 status=0
 lines=$(lcov --summary "$build/coverage.info" 2>&1 | sed -n 's/.*lines[.]*: \([0-9.]*\)%.*/\1/p')
-branches=$(sed -n 's/.*"branch_percent": \([0-9.]*\).*/\1/p' "$build/branches.json" | head -1)  # the files follow
+branches=$(sed -n '/"branch_percent"/ { s/.*: \([0-9.]*\).*/\1/p; q }' "$build/branches.json")  # the files follow
 at_least lines "$lines" 97 || status=1
 at_least branches "$branches" 85 || status=1
 exit "$status"

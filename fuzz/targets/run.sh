@@ -82,7 +82,7 @@ fuzz_by_afl() {
 [ $# -gt 0 ] || { say "targets: ./dev fuzz TARGET [--time SECONDS] [--jobs N] [--afl]"; list_fuzz_targets; exit; }
 target=$1 seconds=0 workers=1 by_afl=0
 shift
-fuzz_targets | grep -qxF -- "$target" || { echo "no target '$target'; there are:" >&2; list_fuzz_targets >&2; exit 2; }
+grep -qxF -- "$target" <<<"$(fuzz_targets)" || { echo "no target '$target'; there are:" >&2; list_fuzz_targets >&2; exit 2; }
 while [ $# -gt 0 ]; do
   case "$1:${2:-}" in
     --afl:*) by_afl=1; shift; continue ;;

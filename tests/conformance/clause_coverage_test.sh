@@ -116,8 +116,9 @@ check() {
     [ "$count" -gt 0 ] || fail "$clause is cited by no test"
   done <<<"$known"
 
+  ids=$(cut -f1 <<<"$known")
   while read -r clause; do
-    [ -z "$clause" ] || cut -f1 <<<"$known" | grep -qxF "$clause" ||
+    [ -z "$clause" ] || grep -qxF "$clause" <<<"$ids" ||
       fail "$clause is no clause of the spec, but named in: $(cd "$root" && grep -rlwF "$clause" $(trees .) | tr '\n' ' ')"
   done < <(cd "$root" && grep -rhoE "\b$id\b" $(trees .) | sort -u)
   [ "$failures" -eq 0 ]
