@@ -119,12 +119,12 @@ class Batch {
     };
     const std::optional<Disagreement> found = judge(drawn.trial);
     if (!found) return;
-    Counterexample finding{plan_.seed,    number,      drawn.family, drawn.trial.input.rows.size(),
-                           property.name, drawn.trial, *found};
-    std::set<std::size_t>& failing = result_.tally.failures[kind_of(finding)];
+    Counterexample counterexample{plan_.seed,    number,      drawn.family, drawn.trial.input.rows.size(),
+                                  property.name, drawn.trial, *found};
+    std::set<std::size_t>& failing = result_.tally.failures[kind_of(counterexample)];
     failing.insert(number);
     if (failing.size() > 1 && !plan_.shrinks_all) return;
-    observer_.found(finding);
+    observer_.found(counterexample);
     const auto judge_unless_stopped = [&](const property::Trial& trial) {
       return observer_.is_stopped() ? std::nullopt : judge(trial);
     };
@@ -134,10 +134,10 @@ class Batch {
     // What is half small depends on when it was stopped: the batch is done again.
     is_cut_off_ = observer_.is_stopped();
     if (is_cut_off_) return;
-    finding.trial = std::move(small.trial);
-    finding.disagreement = std::move(small.disagreement);
-    finding.is_small = true;
-    observer_.found(finding);
+    counterexample.trial = std::move(small.trial);
+    counterexample.disagreement = std::move(small.disagreement);
+    counterexample.is_small = true;
+    observer_.found(counterexample);
   }
 
   const CampaignPlan& plan_;
@@ -253,8 +253,8 @@ std::vector<Property> own_properties(const CampaignPlan& plan) {
 using nlohmann::json;
 
 // Messages of exceptions may be anything but UTF-8.
-std::string message_of(const Counterexample& finding) {
-  return json{{"finding", json_of(finding)}}.dump(-1, ' ', true, json::error_handler_t::replace);
+std::string message_of(const Counterexample& counterexample) {
+  return json{{"finding", json_of(counterexample)}}.dump(-1, ' ', true, json::error_handler_t::replace);
 }
 
 std::string message_of(const Discovery& discovery) { return json{{"discovery", json_of(discovery)}}.dump(); }

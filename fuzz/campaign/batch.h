@@ -1,7 +1,7 @@
 // One batch of a campaign: its cases, one after the other, each held to the properties, and what came of
 // them.
 //
-// Guarantees: cases, findings and signatures are a function of plan, number of cases and batch, and of the
+// Guarantees: cases, counterexamples and signatures are a function of plan, number of cases and batch, and of the
 // cases that are left out; only times are not. A case is fresh (campaign_plan.h), or a mutant (mutation.h) of an
 // input that showed a new signature earlier in the batch, or that the plan's corpus has. A disagreement is
 // told of as it is, and then shrunk, when the batch meets its kind for the first time, or always if the plan
@@ -66,7 +66,7 @@ class BatchObserver {
   virtual void tries(std::size_t number, const std::string& source, const std::string& property,
                      const property::Trial& trial) = 0;
   virtual void has_done(std::size_t number, const std::string& source) = 0;
-  virtual void found(const Counterexample& finding) = 0;
+  virtual void found(const Counterexample& counterexample) = 0;
   virtual void discovered(const Discovery& discovery) = 0;
   [[nodiscard]] virtual bool is_stopped() = 0;
 };
@@ -114,7 +114,7 @@ class BatchSource {
 // What whoever does batches tells the campaign, and is told: lines of text, through a pipe or between ranks.
 //
 // Guarantees: a line each, without line breaks inside; what is read is equal to what was written.
-[[nodiscard]] std::string message_of(const Counterexample& finding);
+[[nodiscard]] std::string message_of(const Counterexample& counterexample);
 [[nodiscard]] std::string message_of(const Discovery& discovery);
 [[nodiscard]] std::string message_of(std::size_t batch, const BatchResult& result);
 

@@ -25,7 +25,7 @@ constexpr const char* kPlanName = "plan.json";
 constexpr const char* kBatchesName = "batches.jsonl";
 constexpr const char* kFindingsName = "findings.jsonl";
 constexpr const char* kSignaturesName = "signatures.jsonl";
-// In the order in which they can be absorbed: a batch is done when its findings are known.
+// In the order in which they can be absorbed: a batch is done when its counterexamples are known.
 constexpr const char* kLineFiles[] = {kFindingsName, kSignaturesName, kBatchesName};
 constexpr const char* kFindingsFolder = "findings";
 
@@ -111,7 +111,7 @@ struct Campaign::Files {
       : folder(path),
         lock(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)),
         batches(path / kBatchesName),
-        findings(path / kFindingsName),
+        counterexamples(path / kFindingsName),
         signatures(path / kSignaturesName) {
     if (lock < 0 || ::flock(lock, LOCK_EX | LOCK_NB) != 0) refuse(path, "another campaign is using it");
   }
@@ -121,7 +121,7 @@ struct Campaign::Files {
 
   fs::path folder;
   int lock;
-  LineFile batches, findings, signatures;
+  LineFile batches, counterexamples, signatures;
 };
 
 std::string program_version() {
@@ -129,8 +129,8 @@ std::string program_version() {
   return fmt::format("{} ({}; {}; CGAL {})", made_by.version, made_by.commit, made_by.compiler, made_by.cgal);
 }
 
-Campaign::Campaign(CampaignPlan plan, std::optional<std::size_t> total_cases, fs::path findings)
-    : plan_(std::move(plan)), total_cases_(total_cases), findings_folder_(std::move(findings)) {}
+Campaign::Campaign(CampaignPlan plan, std::optional<std::size_t> total_cases, fs::path findings_folder)
+    : plan_(std::move(plan)), total_cases_(total_cases), findings_folder_(std::move(findings_folder)) {}
 Campaign::~Campaign() = default;
 Campaign::Campaign(Campaign&&) noexcept = default;
 
@@ -189,7 +189,7 @@ Campaign Campaign::read(const fs::path& folder) {
 
 void Campaign::load(const fs::path& folder) {
   is_loading_ = true;
-  // Read the other way round: whoever may be writing writes a batch after its findings.
+  // Read the other way round: whoever may be writing writes a batch after its counterexamples.
   std::vector<std::string> texts;
   for (auto name = std::rbegin(kLineFiles); name != std::rend(kLineFiles); ++name) {
     texts.insert(texts.begin(), whole_lines(folder / *name));
@@ -224,8 +224,9 @@ BatchOrder Campaign::order_of(std::size_t batch) const {
 }
 
 std::optional<Counterexample> Campaign::next_crash() {
-  for (const auto& [key, finding] : findings_) {
-    if (ends_process(finding) && !finding.is_small && crashes_handed_out_.insert(key).second) return finding;
+  for (const auto& [key, counterexample] : counterexamples_) {
+    if (ends_process(counterexample) && !counterexample.is_small && crashes_handed_out_.insert(key).second)
+      return counterexample;
   }
   return std::nullopt;
 }
@@ -262,49 +263,50 @@ void Campaign::absorb_batch(std::size_t batch, Tally tally) {
   for (const auto& [number, each] : done_) sum_.add(each);
 }
 
-void Campaign::absorb(const Counterexample& finding) {
-  const std::pair key(finding.number, kind_of(finding));
-  if (ends_process(finding) && !finding.is_asked) left_out_.insert(finding.number);
-  const auto known = findings_.find(key);
-  if (known != findings_.end() && !replaces(finding, known->second)) return;
+void Campaign::absorb(const Counterexample& counterexample) {
+  const std::pair key(counterexample.number, kind_of(counterexample));
+  if (ends_process(counterexample) && !counterexample.is_asked) left_out_.insert(counterexample.number);
+  const auto known = counterexamples_.find(key);
+  if (known != counterexamples_.end() && !replaces(counterexample, known->second)) return;
   // Whoever works on the campaign makes it small already.
   if (!is_loading_) crashes_handed_out_.insert(key);
-  findings_.insert_or_assign(key, finding);
-  if (keeps_lines()) files_->findings.add(message_of(finding));
-  if (!findings_folder_.empty()) offer_point_file(finding);
+  counterexamples_.insert_or_assign(key, counterexample);
+  if (keeps_lines()) files_->counterexamples.add(message_of(counterexample));
+  if (!findings_folder_.empty()) offer_point_file(counterexample);
 }
 
 bool Campaign::keeps_lines() const { return files_ && !is_loading_; }
 
-fs::path Campaign::path_of(const Counterexample& finding) const {
-  return findings_folder_ / (name_of(finding) + ".xyz");
+fs::path Campaign::path_of(const Counterexample& counterexample) const {
+  return findings_folder_ / (name_of(counterexample) + ".xyz");
 }
 
-void Campaign::write_point_file(const Counterexample& finding) const {
+void Campaign::write_point_file(const Counterexample& counterexample) const {
   make_folder(findings_folder_);
-  write_file(path_of(finding), file_text(finding));
+  write_file(path_of(counterexample), file_text(counterexample));
 }
 
-void Campaign::write_asked(const Counterexample& finding) {
-  asked_[kind_of(finding)].insert(finding.number);
-  write_point_file(finding);
+void Campaign::write_asked(const Counterexample& counterexample) {
+  asked_[kind_of(counterexample)].insert(counterexample.number);
+  write_point_file(counterexample);
 }
 
-void Campaign::offer_point_file(const Counterexample& finding) {
-  std::set<std::size_t>& least = least_[kind_of(finding)];
-  std::set<std::size_t>& asked = asked_[kind_of(finding)];
-  if (finding.is_asked) asked.insert(finding.number);
-  least.insert(finding.number);
-  if (least.size() > kMostFindingsOfKind) {
+void Campaign::offer_point_file(const Counterexample& counterexample) {
+  std::set<std::size_t>& least = least_[kind_of(counterexample)];
+  std::set<std::size_t>& asked = asked_[kind_of(counterexample)];
+  if (counterexample.is_asked) asked.insert(counterexample.number);
+  least.insert(counterexample.number);
+  if (least.size() > kMostCounterexamplesOfKind) {
     const std::size_t last = *least.rbegin();
     least.erase(last);
-    if (last != finding.number && !asked.contains(last)) {
-      Counterexample other = finding;
+    if (last != counterexample.number && !asked.contains(last)) {
+      Counterexample other = counterexample;
       other.number = last;
       fs::remove(path_of(other));
     }
   }
-  if (least.contains(finding.number) || asked.contains(finding.number)) write_point_file(finding);
+  if (least.contains(counterexample.number) || asked.contains(counterexample.number))
+    write_point_file(counterexample);
 }
 
 void Campaign::absorb(const Discovery& discovery) {
@@ -318,7 +320,7 @@ void Campaign::absorb(const Campaign& part) {
   CampaignPlan plan = part.plan_;
   plan.shard = plan_.shard;
   if (plan != plan_) throw std::invalid_argument("a part of another campaign");
-  for (const auto& [key, finding] : part.findings_) absorb(finding);
+  for (const auto& [key, counterexample] : part.counterexamples_) absorb(counterexample);
   for (const auto& [signature, where] : part.signatures_) absorb({signature, where.number, where.input});
   for (const auto& [batch, tally] : part.done_) absorb_batch(batch, tally);
   made_by_.insert(part.made_by_.begin(), part.made_by_.end());
@@ -330,12 +332,12 @@ std::optional<std::size_t> Campaign::expected_cases() const {
   return cases_of_shard(plan_, *total_cases_);
 }
 
-fs::path Campaign::file_of(const Counterexample& finding) const {
+fs::path Campaign::file_of(const Counterexample& counterexample) const {
   const auto is_in = [&](const auto& numbers) {
-    const auto of_kind = numbers.find(kind_of(finding));
-    return of_kind != numbers.end() && of_kind->second.contains(finding.number);
+    const auto of_kind = numbers.find(kind_of(counterexample));
+    return of_kind != numbers.end() && of_kind->second.contains(counterexample.number);
   };
-  return is_in(least_) || is_in(asked_) ? path_of(finding) : fs::path();
+  return is_in(least_) || is_in(asked_) ? path_of(counterexample) : fs::path();
 }
 
 // ---- One case ----
@@ -362,15 +364,17 @@ void OneCase::absorb(const std::string& message) {
   if (object.contains("batch")) is_done_ = is_done_ || tally_of(object.at("tally")).cases > 0;
 }
 
-void OneCase::absorb(Counterexample finding) {
-  if (finding.number != number_) return campaign_.absorb(finding);  // ended a process before it was its turn
-  finding.is_asked = true;
-  const std::string kind = kind_of(finding);
-  findings_.insert_or_assign(kind, finding);
-  is_done_ = is_done_ || ends_process(finding);
-  if (!campaign_.is_done(number_ / plan().batch_cases)) return campaign_.write_asked(finding);
+void OneCase::absorb(Counterexample counterexample) {
+  if (counterexample.number != number_)
+    return campaign_.absorb(counterexample);  // ended a process before it was its turn
+  counterexample.is_asked = true;
+  const std::string kind = kind_of(counterexample);
+  counterexamples_.insert_or_assign(kind, counterexample);
+  is_done_ = is_done_ || ends_process(counterexample);
+  if (!campaign_.is_done(number_ / plan().batch_cases)) return campaign_.write_asked(counterexample);
   // Something small gives way to nothing but something small.
-  if (finding.is_small || !campaign_.findings().contains({number_, kind})) campaign_.absorb(finding);
+  if (counterexample.is_small || !campaign_.counterexamples().contains({number_, kind}))
+    campaign_.absorb(counterexample);
 }
 
 }  // namespace flowcert::fuzz

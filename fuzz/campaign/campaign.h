@@ -2,12 +2,13 @@
 // on after any interruption.
 //
 // Guarantees: whatever has been absorbed is in the folder before `absorb` returns: a kill -9 loses the
-// batches under way at most, which are done again, and no finding. Absorbing the same again changes nothing.
+// batches under way at most, which are done again, and no counterexample. Absorbing the same again changes nothing.
 // Who does the batches, in what order and how many at a time, makes no difference to what is there in the
 // end.
 //
 // The folder: plan.json, the plan and the number of cases; batches.jsonl, a line for each finished batch;
-// findings.jsonl and signatures.jsonl, a line for each; findings/ with a point file for each finding.
+// findings.jsonl and signatures.jsonl, a line for each counterexample and each signature; findings/, with point files
+// of counterexamples.
 #pragma once
 
 #include <cstddef>
@@ -25,9 +26,9 @@
 
 namespace flowcert::fuzz {
 
-// Of each property and kind so many findings have a point file, those of the least numbers; findings.jsonl
-// has all.
-inline constexpr std::size_t kMostFindingsOfKind = 10;
+// Of each property and kind, so many counterexamples have a point file: those of the least numbers. findings.jsonl has
+// all.
+inline constexpr std::size_t kMostCounterexamplesOfKind = 10;
 
 // A campaign's folder that cannot be used. what() is one line.
 class UnusableFolder : public std::runtime_error {
@@ -45,9 +46,9 @@ struct Discovered {
 
 class Campaign : public BatchSource {
  public:
-  // In memory alone, but for findings, which go to `findings` as point files, if that is not empty; made when
-  // there is one.
-  Campaign(CampaignPlan plan, std::optional<std::size_t> total_cases, std::filesystem::path findings);
+  // In memory alone. Where `findings_folder` is not empty, counterexamples go there as point files.
+  // The folder is made when there is one.
+  Campaign(CampaignPlan plan, std::optional<std::size_t> total_cases, std::filesystem::path findings_folder);
   // In a new folder.
   static Campaign begun(CampaignPlan plan, std::optional<std::size_t> total_cases,
                         const std::filesystem::path& folder);
@@ -73,9 +74,9 @@ class Campaign : public BatchSource {
 
   // One line from whoever does a batch (batch.h). Throws UnusableFolder if the folder cannot be written.
   void absorb(const std::string& message) override;
-  void absorb(const Counterexample& finding);
+  void absorb(const Counterexample& counterexample);
   // Writes its point file, and nothing else: the campaign does not have it.
-  void write_asked(const Counterexample& finding);
+  void write_asked(const Counterexample& counterexample);
   // All of another part of the same campaign. Throws std::invalid_argument for a part of another one.
   void absorb(const Campaign& part);
 
@@ -87,13 +88,13 @@ class Campaign : public BatchSource {
   [[nodiscard]] std::optional<std::size_t> expected_cases() const;
   [[nodiscard]] const std::map<DegeneracySignature, Discovered>& signatures() const { return signatures_; }
   // By number, then "PROPERTY KIND".
-  [[nodiscard]] const std::map<std::pair<std::size_t, std::string>, Counterexample>& findings() const {
-    return findings_;
+  [[nodiscard]] const std::map<std::pair<std::size_t, std::string>, Counterexample>& counterexamples() const {
+    return counterexamples_;
   }
   // The programs that have worked on it: more than one may have drawn other cases.
   [[nodiscard]] const std::set<std::string>& made_by() const { return made_by_; }
   // Empty if it was not written.
-  [[nodiscard]] std::filesystem::path file_of(const Counterexample& finding) const;
+  [[nodiscard]] std::filesystem::path file_of(const Counterexample& counterexample) const;
 
  private:
   struct Files;
@@ -106,10 +107,10 @@ class Campaign : public BatchSource {
   void write_plan();
   // Whether what is absorbed is written to files, and not read from them.
   [[nodiscard]] bool keeps_lines() const;
-  [[nodiscard]] std::filesystem::path path_of(const Counterexample& finding) const;
-  void write_point_file(const Counterexample& finding) const;
+  [[nodiscard]] std::filesystem::path path_of(const Counterexample& counterexample) const;
+  void write_point_file(const Counterexample& counterexample) const;
   // If it is one of the least, or asked for.
-  void offer_point_file(const Counterexample& finding);
+  void offer_point_file(const Counterexample& counterexample);
 
   CampaignPlan plan_;
   std::optional<std::size_t> total_cases_;
@@ -121,7 +122,7 @@ class Campaign : public BatchSource {
   std::size_t first_open_ = 0;
   std::set<std::size_t> handed_out_;
   std::map<DegeneracySignature, Discovered> signatures_;
-  std::map<std::pair<std::size_t, std::string>, Counterexample> findings_;
+  std::map<std::pair<std::size_t, std::string>, Counterexample> counterexamples_;
   // Numbers of cases by "PROPERTY KIND": those that have files for being the least, or for being asked for.
   std::map<std::string, std::set<std::size_t>> least_, asked_;
   std::set<std::pair<std::size_t, std::string>> crashes_handed_out_;
@@ -151,16 +152,18 @@ class OneCase : public BatchSource {
   // False if it was stopped, or its process was killed.
   [[nodiscard]] bool is_done() const { return is_done_; }
   // By "PROPERTY KIND".
-  [[nodiscard]] const std::map<std::string, Counterexample>& findings() const { return findings_; }
+  [[nodiscard]] const std::map<std::string, Counterexample>& counterexamples() const {
+    return counterexamples_;
+  }
 
  private:
-  void absorb(Counterexample finding);
+  void absorb(Counterexample counterexample);
 
   Campaign& campaign_;
   std::size_t number_;
   bool is_handed_out_ = false;
   bool is_done_ = false;
-  std::map<std::string, Counterexample> findings_;
+  std::map<std::string, Counterexample> counterexamples_;
 };
 
 }  // namespace flowcert::fuzz

@@ -1,6 +1,6 @@
 // What a fuzzing campaign is: everything that its cases, and what they are held to, depend on.
 //
-// Guarantees: two campaigns of the same plan have the same cases and the same findings, on any machine, with
+// Guarantees: two campaigns of the same plan have the same cases and the same counterexamples, on any machine, with
 // any number of jobs, shards and interruptions. A plan survives its text: what plan_of reads is equal to what
 // was written.
 //

@@ -66,7 +66,7 @@ oracle::Point point_of(const std::string& text) {
 }
 
 // ---- The file ----
-// The points are read here, not by the library's reader: a finding may be about that one too.
+// The points are read here, not by the library's reader: a counterexample may be about that one too.
 namespace {
 
 using nlohmann::json;
@@ -124,13 +124,13 @@ property::StartChoice choice_of(const std::string& text) {
   return choice;
 }
 
-void read_comment(const std::string& line, Counterexample& finding) {
-  if (const auto property = comment(line, "property")) finding.property = *property;
-  if (const auto kind = comment(line, "kind")) finding.disagreement.kind = *kind;
-  if (const auto clause = comment(line, "clause")) finding.disagreement.clause = *clause;
-  if (const auto complaint = comment(line, "complaint")) finding.disagreement.complaint = *complaint;
-  if (const auto start = comment(line, "start")) finding.trial.start = point_of(*start);
-  if (const auto choice = comment(line, "choice of start")) finding.trial.start = choice_of(*choice);
+void read_comment(const std::string& line, Counterexample& counterexample) {
+  if (const auto property = comment(line, "property")) counterexample.property = *property;
+  if (const auto kind = comment(line, "kind")) counterexample.disagreement.kind = *kind;
+  if (const auto clause = comment(line, "clause")) counterexample.disagreement.clause = *clause;
+  if (const auto complaint = comment(line, "complaint")) counterexample.disagreement.complaint = *complaint;
+  if (const auto start = comment(line, "start")) counterexample.trial.start = point_of(*start);
+  if (const auto choice = comment(line, "choice of start")) counterexample.trial.start = choice_of(*choice);
 }
 
 std::string in_one_line(std::string text) {
@@ -146,16 +146,17 @@ json start_json(const property::Trial& trial) {
 
 }  // namespace
 
-bool ends_process(const Counterexample& finding) {
-  return finding.disagreement.kind == "crash" || finding.disagreement.kind == "hang";
+bool ends_process(const Counterexample& counterexample) {
+  return counterexample.disagreement.kind == "crash" || counterexample.disagreement.kind == "hang";
 }
 
-std::string kind_of(const Counterexample& finding) {
-  return finding.property + ' ' + finding.disagreement.kind;
+std::string kind_of(const Counterexample& counterexample) {
+  return counterexample.property + ' ' + counterexample.disagreement.kind;
 }
 
-std::string name_of(const Counterexample& finding) {
-  std::string name = fmt::format("{}-{}-{}", finding.property, finding.disagreement.kind, finding.number);
+std::string name_of(const Counterexample& counterexample) {
+  std::string name = fmt::format("{}-{}-{}", counterexample.property, counterexample.disagreement.kind,
+                                 counterexample.number);
   for (char& c : name) {
     const bool is_plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
     if (!is_plain) c = '-';
@@ -163,94 +164,95 @@ std::string name_of(const Counterexample& finding) {
   return name;
 }
 
-std::string file_text(const Counterexample& finding) {
-  const property::Disagreement& found = finding.disagreement;
+std::string file_text(const Counterexample& counterexample) {
+  const property::Disagreement& found = counterexample.disagreement;
   std::string text = fmt::format("{}\n", kHead);
-  add_comment(text, "property", finding.property);
+  add_comment(text, "property", counterexample.property);
   add_comment(text, "kind", found.kind);
   add_comment(text, "clause", found.clause);
   add_comment(text, "complaint", in_one_line(found.complaint));
   add_comment(text, "case",
-              fmt::format("{} of seed {} ({}, {} points)", finding.number, finding.seed, finding.source,
-                          finding.rows_before));
-  if (const auto* start = std::get_if<oracle::Point>(&finding.trial.start)) {
+              fmt::format("{} of seed {} ({}, {} points)", counterexample.number, counterexample.seed,
+                          counterexample.source, counterexample.rows_before));
+  if (const auto* start = std::get_if<oracle::Point>(&counterexample.trial.start)) {
     add_comment(text, "start", to_text(*start));
   } else {
-    add_comment(text, "choice of start", choice_text(std::get<property::StartChoice>(finding.trial.start)));
+    add_comment(text, "choice of start",
+                choice_text(std::get<property::StartChoice>(counterexample.trial.start)));
   }
   add_answer(text, found.first_name, found.first);
   add_answer(text, found.second_name, found.second);
   std::ostringstream rows;
-  rows << finding.trial.input;
+  rows << counterexample.trial.input;
   return text + rows.str();
 }
 
 Counterexample counterexample_of(const std::string& file_text) {
-  Counterexample finding;
+  Counterexample counterexample;
   std::istringstream lines(file_text);
   std::string line;
   for (std::size_t number = 1; std::getline(lines, line); ++number) {
     try {
       const std::string row = line.substr(0, line.find('#'));
       if (line.starts_with('#')) {
-        read_comment(line, finding);
+        read_comment(line, counterexample);
       } else if (row.find_first_not_of(" \t\r") != std::string::npos) {
-        finding.trial.input.rows.push_back(row_of(row));
+        counterexample.trial.input.rows.push_back(row_of(row));
       }
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(fmt::format("{}: {}", number, error.what()));
     }
   }
-  finding.rows_before = finding.trial.input.rows.size();
-  return finding;
+  counterexample.rows_before = counterexample.trial.input.rows.size();
+  return counterexample;
 }
 
-json json_of(const Counterexample& finding) {
-  const property::Disagreement& found = finding.disagreement;
-  return {{"seed", finding.seed},
-          {"number", finding.number},
-          {"source", finding.source},
-          {"rows_before", finding.rows_before},
-          {"property", finding.property},
-          {"rows", json_of(finding.trial.input)},
-          {"start", start_json(finding.trial)},
+json json_of(const Counterexample& counterexample) {
+  const property::Disagreement& found = counterexample.disagreement;
+  return {{"seed", counterexample.seed},
+          {"number", counterexample.number},
+          {"source", counterexample.source},
+          {"rows_before", counterexample.rows_before},
+          {"property", counterexample.property},
+          {"rows", json_of(counterexample.trial.input)},
+          {"start", start_json(counterexample.trial)},
           {"kind", found.kind},
           {"clause", found.clause},
           {"complaint", found.complaint},
           {"answers", {found.first_name, found.first, found.second_name, found.second}},
-          {"small", finding.is_small},
-          {"asked", finding.is_asked}};
+          {"small", counterexample.is_small},
+          {"asked", counterexample.is_asked}};
 }
 
 Counterexample counterexample_of(const json& object) {
-  Counterexample finding;
-  object.at("seed").get_to(finding.seed);
-  object.at("number").get_to(finding.number);
-  object.at("source").get_to(finding.source);
-  object.at("rows_before").get_to(finding.rows_before);
-  object.at("property").get_to(finding.property);
-  finding.trial.input = input_of(object.at("rows"));
+  Counterexample counterexample;
+  object.at("seed").get_to(counterexample.seed);
+  object.at("number").get_to(counterexample.number);
+  object.at("source").get_to(counterexample.source);
+  object.at("rows_before").get_to(counterexample.rows_before);
+  object.at("property").get_to(counterexample.property);
+  counterexample.trial.input = input_of(object.at("rows"));
   const json& start = object.at("start");
   if (start.is_string()) {
-    finding.trial.start = point_of(start.get<std::string>());
+    counterexample.trial.start = point_of(start.get<std::string>());
   } else {
     property::StartChoice choice;
     choice.kind = static_cast<property::StartKind>(start.at(0).get<int>());
     choice.numbers = start.at(1).get<std::vector<std::uint32_t>>();
-    finding.trial.start = choice;
+    counterexample.trial.start = choice;
   }
-  property::Disagreement& found = finding.disagreement;
+  property::Disagreement& found = counterexample.disagreement;
   object.at("kind").get_to(found.kind);
   object.at("clause").get_to(found.clause);
   object.at("complaint").get_to(found.complaint);
   const json& answers = object.at("answers");
-  object.at("small").get_to(finding.is_small);
-  object.at("asked").get_to(finding.is_asked);
+  object.at("small").get_to(counterexample.is_small);
+  object.at("asked").get_to(counterexample.is_asked);
   found.first_name = answers.at(0).get<std::string>();
   found.first = answers.at(1).get<std::string>();
   found.second_name = answers.at(2).get<std::string>();
   found.second = answers.at(3).get<std::string>();
-  return finding;
+  return counterexample;
 }
 
 }  // namespace flowcert::fuzz

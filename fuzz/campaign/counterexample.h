@@ -42,20 +42,20 @@ struct Counterexample {
 };
 
 // One word, for the name of a file: "orbit-segment-type-1234".
-[[nodiscard]] std::string name_of(const Counterexample& finding);
+[[nodiscard]] std::string name_of(const Counterexample& counterexample);
 
 // "PROPERTY KIND".
-[[nodiscard]] std::string kind_of(const Counterexample& finding);
+[[nodiscard]] std::string kind_of(const Counterexample& counterexample);
 
 // Whether the case ended its process, by a crash or by hanging: so it cannot be part of its batch.
-[[nodiscard]] bool ends_process(const Counterexample& finding);
+[[nodiscard]] bool ends_process(const Counterexample& counterexample);
 
-[[nodiscard]] std::string file_text(const Counterexample& finding);
+[[nodiscard]] std::string file_text(const Counterexample& counterexample);
 // The property's name is empty where the file says nothing of it, and the start a choice. Throws
 // std::invalid_argument, one line "LINE: reason", for rows and comments that cannot be read.
 [[nodiscard]] Counterexample counterexample_of(const std::string& file_text);
 
-[[nodiscard]] nlohmann::json json_of(const Counterexample& finding);
+[[nodiscard]] nlohmann::json json_of(const Counterexample& counterexample);
 // Throws nlohmann::json::exception or std::invalid_argument.
 [[nodiscard]] Counterexample counterexample_of(const nlohmann::json& object);
 

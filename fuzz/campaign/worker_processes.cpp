@@ -36,6 +36,8 @@ namespace flowcert::fuzz {
 // ---- The trial that a worker is at ----
 // Whatever the process dies of, the trial noted last can be read by the parent, whole.
 
+namespace {
+
 struct NotedTrial {
   std::size_t number = 0;
   std::string property;
@@ -72,12 +74,10 @@ class SharedTrial {
   Memory* memory_;
 };
 
-// Two places take turns: a trial is written to the one that is not the latest.
-namespace {
-
 constexpr std::size_t kMostNumbers = 64;
 constexpr std::size_t kMostText = std::size_t{1} << 20;
 
+// Two places take turns: a trial is written to the one that is not the latest.
 struct Place {
   std::uint64_t number = 0;
   std::array<char, 64> source{}, property{};
@@ -96,8 +96,6 @@ void copy_text(const std::string& text, std::array<char, N>& to) {
   std::copy_n(text.begin(), size, to.begin());
   to[size] = '\0';
 }
-
-}  // namespace
 
 struct SharedTrial::Memory {
   std::array<Place, 2> places;
@@ -161,8 +159,6 @@ NotedTrial SharedTrial::noted() const {
 }
 
 // ---- Ends of processes ----
-
-namespace {
 
 using Clock = std::chrono::steady_clock;
 using property::Disagreement;
@@ -235,7 +231,7 @@ class PipeObserver : public BatchObserver {
     shared_.forget();
     shared_.count_case();
   }
-  void found(const Counterexample& finding) override { tell(message_of(finding)); }
+  void found(const Counterexample& counterexample) override { tell(message_of(counterexample)); }
   void discovered(const Discovery& discovery) override { tell(message_of(discovery)); }
   [[nodiscard]] bool is_stopped() override { return shared_.is_told_to_stop(); }
 
@@ -261,31 +257,32 @@ void run_property(const std::vector<Property>& properties, const std::string& na
 }
 
 // A case that hangs stays as it is.
-Counterexample crash_finding(const CampaignPlan& plan, const Crash& crash) {
-  Counterexample finding{
+Counterexample crash_counterexample(const CampaignPlan& plan, const Crash& crash) {
+  Counterexample counterexample{
       plan.seed,         crash.at.number, crash.at.source,   crash.at.trial.input.rows.size(),
       crash.at.property, crash.at.trial,  crash.disagreement};
-  finding.is_small = crash.disagreement.kind != "crash";
-  return finding;
+  counterexample.is_small = crash.disagreement.kind != "crash";
+  return counterexample;
 }
 
-Crash crash_in(const Counterexample& finding) {
-  return {{finding.number, finding.property, finding.source, finding.trial}, finding.disagreement};
+Crash crash_in(const Counterexample& counterexample) {
+  return {{counterexample.number, counterexample.property, counterexample.source, counterexample.trial},
+          counterexample.disagreement};
 }
 
 void report_shrunk(const CampaignPlan& plan, const std::vector<Property>& properties, const Crash& crash,
                    PipeObserver& observer) {
-  Counterexample finding = crash_finding(plan, crash);
-  if (finding.is_small) return;
+  Counterexample counterexample = crash_counterexample(plan, crash);
+  if (counterexample.is_small) return;
   const auto attempt = [&](const Trial& trial) { run_property(properties, crash.at.property, trial); };
   const Judge judge = [&](const Trial& trial) -> std::optional<Disagreement> {
     if (observer.is_stopped()) return std::nullopt;
     return same_crash(crash.disagreement, attempt, trial);
   };
-  finding.trial = shrunk(crash.at.trial, crash.disagreement, judge, kCrashShrinkingBudget).trial;
+  counterexample.trial = shrunk(crash.at.trial, crash.disagreement, judge, kCrashShrinkingBudget).trial;
   if (observer.is_stopped()) return;
-  finding.is_small = true;
-  observer.tell(message_of(finding));
+  counterexample.is_small = true;
+  observer.tell(message_of(counterexample));
 }
 
 void do_batches(const CampaignPlan& plan, const std::vector<Property>& properties, int orders,
@@ -408,8 +405,8 @@ class Work {
 
  private:
   std::optional<Crash> next_crash() {
-    const auto finding = source_.next_crash();
-    return finding ? std::optional(crash_in(*finding)) : std::nullopt;
+    const auto counterexample = source_.next_crash();
+    return counterexample ? std::optional(crash_in(*counterexample)) : std::nullopt;
   }
   void add_worker(const std::optional<Crash>& crash) {
     workers_.push_back(std::make_unique<Worker>(source_.plan(), properties_, crash));
@@ -464,7 +461,7 @@ class Work {
     if (worker->makes_crash_small()) return add_worker(after_making_small(*worker, status));
     const std::optional<Crash> crash = crash_of_end(*worker, status);
     // Reported at once, as it is: so the batch is done without it. The small one follows.
-    if (crash) source_.absorb(message_of(crash_finding(source_.plan(), *crash)));
+    if (crash) source_.absorb(message_of(crash_counterexample(source_.plan(), *crash)));
     add_worker(crash);
   }
 

@@ -1,6 +1,6 @@
 // Batches of a campaign by several processes on this machine.
 //
-// Guarantees: a process that a case ends, by a signal or by taking too long, is a finding, which names the
+// Guarantees: a process that a case ends, by a signal or by taking too long, is a counterexample, which names the
 // case; the campaign goes on without it. What such a case has come down to is found by trying each smaller
 // one in a process of its own. SIGKILL is no case's doing the first time: the batch is done again. No process
 // is left when the call comes back, or when this process is killed.

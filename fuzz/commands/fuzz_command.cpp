@@ -59,13 +59,15 @@ int run_campaign(const FuzzOptions& options) {
 // ---- Again
 
 // All properties where the file names none.
-bool is_right_on(const fuzz::Counterexample& finding, const std::vector<property::Property>& properties,
-                 bool is_for_peer, const std::string& path) {
+bool is_right_on(const fuzz::Counterexample& counterexample,
+                 const std::vector<property::Property>& properties, bool is_for_peer,
+                 const std::string& path) {
   bool is_right = true;
   for (const property::Property& property : properties) {
-    const bool is_asked = is_for_peer || finding.property.empty() || finding.property == property.name;
+    const bool is_asked =
+        is_for_peer || counterexample.property.empty() || counterexample.property == property.name;
     if (!is_asked) continue;
-    const auto found = property::disagreement(property, finding.trial);
+    const auto found = property::disagreement(property, counterexample.trial);
     is_right = is_right && !found;
     fmt::print("{}: {}: {}\n", path, property.name,
                found ? fmt::format("{} [{}]: {}", found->kind, found->clause, found->complaint) : "holds");
@@ -84,9 +86,9 @@ int replay(const FuzzCommandOptions& options) {
   const auto properties = properties_of(plan);
   int status = kRight;
   for (const std::string& path : options.replay) {
-    const fuzz::Counterexample finding = read_counterexample(path);
+    const fuzz::Counterexample counterexample = read_counterexample(path);
     const bool is_chosen = !plan.against.empty() || !plan.properties.empty();
-    if (!is_right_on(finding, properties, is_chosen, path)) status = kNegativeVerdict;
+    if (!is_right_on(counterexample, properties, is_chosen, path)) status = kNegativeVerdict;
   }
   return status;
 }

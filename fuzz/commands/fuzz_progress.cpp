@@ -76,7 +76,7 @@ std::string FuzzProgress::first_line(std::size_t cases) const {
   }
   return fmt::format("{}{} cases, {:.0f}/s | {} signatures | {} failing cases, {} findings | {} left",
                      with_commas(cases), total, rate, with_commas(campaign_.signatures().size()),
-                     with_commas(campaign_.tally().failing_cases()), campaign_.findings().size(),
+                     with_commas(campaign_.tally().failing_cases()), campaign_.counterexamples().size(),
                      time_text(left));
 }
 

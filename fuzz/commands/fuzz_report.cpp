@@ -108,24 +108,24 @@ void print_reached(const fuzz::Campaign& campaign) {
   print_part("Degeneracy reached, by component of the signature, in cases:", rows, "ll");
 }
 
-void print_finding(const fuzz::Campaign& campaign, const fuzz::Counterexample& finding) {
-  const std::string file = campaign.file_of(finding).string();
-  fmt::print("  case {}, {} of {} points ({}, before {}): {}\n", finding.number, finding.disagreement.kind,
-             finding.trial.input.rows.size(), finding.source, finding.rows_before,
-             one_line(finding.disagreement.complaint));
+void print_counterexample(const fuzz::Campaign& campaign, const fuzz::Counterexample& counterexample) {
+  const std::string file = campaign.file_of(counterexample).string();
+  fmt::print("  case {}, {} of {} points ({}, before {}): {}\n", counterexample.number,
+             counterexample.disagreement.kind, counterexample.trial.input.rows.size(), counterexample.source,
+             counterexample.rows_before, one_line(counterexample.disagreement.complaint));
   if (!file.empty()) fmt::print("    {}\n", file);
 }
 
-void print_findings(const fuzz::Campaign& campaign) {
-  if (campaign.findings().empty()) return;
+void print_counterexamples(const fuzz::Campaign& campaign) {
+  if (campaign.counterexamples().empty()) return;
   fmt::print("\nFindings:\n");
   std::size_t printed = 0;
-  for (const auto& [key, finding] : campaign.findings()) {
+  for (const auto& [key, counterexample] : campaign.counterexamples()) {
     if (printed++ == kMostFindingsPrinted) {
-      fmt::print("  ... and {} more\n", campaign.findings().size() - kMostFindingsPrinted);
+      fmt::print("  ... and {} more\n", campaign.counterexamples().size() - kMostFindingsPrinted);
       break;
     }
-    print_finding(campaign, finding);
+    print_counterexample(campaign, counterexample);
   }
   const std::string& against = campaign.plan().against;
   fmt::print("Again: flowcert fuzz --replay FILE{}\n",
@@ -150,29 +150,29 @@ void print_fuzz_text(const FuzzRun& run) {
                           run.jobs, run.jobs == 1 ? "" : "s"));
   }
   print_row("signatures", with_commas(campaign.signatures().size()), "distinct degeneracies of inputs");
-  print_row(
-      "failing cases", with_commas(tally.failing_cases()),
-      fmt::format("{} finding{}", campaign.findings().size(), campaign.findings().size() == 1 ? "" : "s"));
+  print_row("failing cases", with_commas(tally.failing_cases()),
+            fmt::format("{} finding{}", campaign.counterexamples().size(),
+                        campaign.counterexamples().size() == 1 ? "" : "s"));
   print_properties(campaign);
   print_failures(tally);
   print_sizes(tally);
   print_part("By family:", rows_of(tally.by_source), "lr");
   print_part("Mutants by their moves:", rows_of(tally.by_mutation), "lr");
   print_reached(campaign);
-  print_findings(campaign);
+  print_counterexamples(campaign);
   if (run.is_interrupted) fmt::print("\nStopped by a signal.\n");
 }
 
-ordered_json finding_json(const fuzz::Campaign& campaign, const fuzz::Counterexample& finding) {
-  return {{"case", finding.number},
-          {"source", finding.source},
-          {"property", finding.property},
-          {"kind", finding.disagreement.kind},
-          {"clause", finding.disagreement.clause},
-          {"complaint", finding.disagreement.complaint},
-          {"points", finding.trial.input.rows.size()},
-          {"points_before", finding.rows_before},
-          {"file", campaign.file_of(finding).string()}};
+ordered_json counterexample_json(const fuzz::Campaign& campaign, const fuzz::Counterexample& counterexample) {
+  return {{"case", counterexample.number},
+          {"source", counterexample.source},
+          {"property", counterexample.property},
+          {"kind", counterexample.disagreement.kind},
+          {"clause", counterexample.disagreement.clause},
+          {"complaint", counterexample.disagreement.complaint},
+          {"points", counterexample.trial.input.rows.size()},
+          {"points_before", counterexample.rows_before},
+          {"file", campaign.file_of(counterexample).string()}};
 }
 
 ordered_json reached_json(const fuzz::Tally& tally) {
@@ -194,8 +194,9 @@ void print_fuzz_json(const FuzzRun& run) {
   }
   ordered_json failures = ordered_json::object();
   for (const auto& [kind, numbers] : tally.failures) failures[kind] = numbers.size();
-  ordered_json findings = ordered_json::array();
-  for (const auto& [key, finding] : campaign.findings()) findings.push_back(finding_json(campaign, finding));
+  ordered_json counterexamples = ordered_json::array();
+  for (const auto& [key, counterexample] : campaign.counterexamples())
+    counterexamples.push_back(counterexample_json(campaign, counterexample));
   ordered_json report = {{"cases", tally.cases},
                          {"seed", campaign.plan().seed},
                          {"shard", {campaign.plan().shard.index + 1, campaign.plan().shard.count}},
@@ -209,7 +210,7 @@ void print_fuzz_json(const FuzzRun& run) {
                          {"by_mutation", tally.by_mutation},
                          {"by_points", rows},
                          {"reached", reached_json(tally)},
-                         {"findings", findings}};
+                         {"findings", counterexamples}};
   if (run.seconds) {
     report["seconds"] = *run.seconds;
     report["cases_per_second"] = static_cast<double>(run.cases) / *run.seconds;
@@ -229,14 +230,14 @@ void print_fuzz(const FuzzRun& run, bool json) {
 }
 
 int print_case(const fuzz::Campaign& campaign, const fuzz::OneCase& one, bool json) {
-  const bool holds = one.findings().empty();
+  const bool holds = one.counterexamples().empty();
   ordered_json report = ordered_json::array();
   if (!json) fmt::print("case {} of seed {}{}\n", one.number(), campaign.plan().seed, holds ? ": holds" : "");
-  for (const auto& [kind, finding] : one.findings()) {
+  for (const auto& [kind, counterexample] : one.counterexamples()) {
     if (json) {
-      report.push_back(finding_json(campaign, finding));
+      report.push_back(counterexample_json(campaign, counterexample));
     } else {
-      print_finding(campaign, finding);
+      print_counterexample(campaign, counterexample);
     }
   }
   if (json) fmt::print("{}\n", report.dump(2, ' ', false, ordered_json::error_handler_t::replace));
@@ -244,7 +245,7 @@ int print_case(const fuzz::Campaign& campaign, const fuzz::OneCase& one, bool js
 }
 
 int verdict_of(const fuzz::Campaign& campaign) {
-  return campaign.findings().empty() ? kRight : kNegativeVerdict;
+  return campaign.counterexamples().empty() ? kRight : kNegativeVerdict;
 }
 
 }  // namespace flowcert::commands

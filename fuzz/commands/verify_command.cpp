@@ -26,15 +26,18 @@ namespace flowcert::commands {
 
 // ---- Reports ----
 
-// The command that prints a case of the run again; of the whole run without a number.
-[[nodiscard]] std::string generate_command(const fuzz::CaseRun& run, std::optional<std::size_t> number);
-
-// most: failing cases shown of those that were kept.
-void print_verify_text(const Verification& verification, std::size_t most);
-void print_verify_json(const Verification& verification);
-void write_verify_junit(std::ostream& out, const Verification& verification);
-
 namespace {
+
+// The command that prints a case of the run again; of the whole run without a number.
+std::string generate_command(const fuzz::CaseRun& run, std::optional<std::size_t> number) {
+  std::string command = fmt::format("flowcert generate --level {} --seed {}", run.level, run.seed);
+  if (run.cases != fuzz::usual_cases(run.level)) command += fmt::format(" --cases {}", run.cases);
+  if (!run.chosen.empty()) {
+    for (const std::string& name : fuzz::family_names(run)) command += " --family " + name;
+  }
+  if (number) command += fmt::format(" --only {}", *number);
+  return command;
+}
 
 // So much of one case is shown to people.
 constexpr std::size_t kMostFindingsShown = 3;
@@ -211,18 +214,7 @@ void write_family(std::ostream& out, const Verification& verification, const std
   out << "</failure>\n    </testcase>\n";
 }
 
-}  // namespace
-
-std::string generate_command(const fuzz::CaseRun& run, std::optional<std::size_t> number) {
-  std::string command = fmt::format("flowcert generate --level {} --seed {}", run.level, run.seed);
-  if (run.cases != fuzz::usual_cases(run.level)) command += fmt::format(" --cases {}", run.cases);
-  if (!run.chosen.empty()) {
-    for (const std::string& name : fuzz::family_names(run)) command += " --family " + name;
-  }
-  if (number) command += fmt::format(" --only {}", *number);
-  return command;
-}
-
+// most: failing cases shown of those that were kept.
 void print_verify_text(const Verification& verification, std::size_t most) {
   print_family_table(verification);
   print_failures(verification, most);
@@ -264,8 +256,6 @@ void write_verify_junit(std::ostream& out, const Verification& verification) {
 }
 
 // ---- The command ----
-
-namespace {
 
 // Of failing cases, to people and to programs.
 constexpr std::size_t kUsuallyShown = 10;

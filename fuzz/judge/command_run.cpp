@@ -62,11 +62,6 @@ std::string filled_in(std::string_view command,
 }
 
 // ---- What it leaves ----
-// Reads a file that some other program left, of which nothing can be assumed.
-//
-// Guarantees: never waits (for the other end of a pipe), and never takes more memory than it was told.
-// Throws InvalidInput, "NAME: reason", for what is missing, no regular file, or longer than `most` bytes.
-[[nodiscard]] std::string read_bounded(const std::string& path, std::size_t most, const std::string& name);
 
 namespace {
 
@@ -91,8 +86,9 @@ class OpenFile {
   int number_;
 };
 
-}  // namespace
-
+// Reads a file that some other program left, of which nothing can be assumed. It never waits for the other end of a
+// pipe, and never takes more memory than it was told.
+// What is missing, no regular file, or longer than `most` bytes throws InvalidInput, "NAME: reason".
 std::string read_bounded(const std::string& path, std::size_t most, const std::string& name) {
   const OpenFile file(path, name);
   struct stat status {};
@@ -116,8 +112,6 @@ std::string read_bounded(const std::string& path, std::size_t most, const std::s
 }
 
 // ---- A run ----
-
-namespace {
 
 namespace fs = std::filesystem;
 

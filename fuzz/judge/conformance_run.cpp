@@ -25,11 +25,6 @@ namespace flowcert::judge {
 
 // ---- A case ----
 
-// In a new folder in `scratch`, gone afterwards. If is_cancelled, what is returned means nothing.
-[[nodiscard]] CaseOutcome run_case(const VectorCase& one, const ConformanceOptions& options,
-                                   const std::filesystem::path& scratch,
-                                   const std::function<bool()>& is_cancelled);
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -237,8 +232,7 @@ class CaseRun {
   CaseOutcome result_;
 };
 
-}  // namespace
-
+// In a new folder in `scratch`, gone afterwards. If is_cancelled, what is returned means nothing.
 CaseOutcome run_case(const VectorCase& one, const ConformanceOptions& options, const fs::path& scratch,
                      const std::function<bool()>& is_cancelled) {
   const ScratchFolder folder(scratch / one.id);
@@ -246,8 +240,6 @@ CaseOutcome run_case(const VectorCase& one, const ConformanceOptions& options, c
 }
 
 // ---- All cases ----
-
-namespace {
 
 using Progress = std::function<void(std::size_t done, std::size_t total)>;
 

@@ -1,5 +1,4 @@
-// Reads a file of claimed stationary points: JSON Lines as in
-// spec/formats/stationary_points.md. And rationals.
+// Reads rationals, and a file of claimed stationary points: JSON Lines as in spec/formats/stationary_points.md.
 //
 // The reader distinguishes what cannot be understood (UnusableInput: no JSON, a key that is missing, 1/0 for
 // a number) from what is understood and wrong. The latter are findings for the caller to report: a rational

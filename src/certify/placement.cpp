@@ -27,6 +27,8 @@ namespace flowcert::certify {
 // ---- Positions on a grid ----
 // For claims that name no contact set. Expected constant time a question where positions are spread evenly.
 
+namespace {
+
 class PositionGrid {
  public:
   // O(truth.size()) exact centres.
@@ -54,8 +56,6 @@ class PositionGrid {
   std::unordered_map<Cell, std::vector<std::size_t>, Hash> cells_;
 };
 
-namespace {
-
 constexpr double kLargest = std::numeric_limits<double>::max();
 
 double clamped_double(const Rational& value) {
@@ -66,8 +66,6 @@ double clamped_double(const Rational& value) {
 std::array<double, 3> rounded(const RationalPoint& x) {
   return {clamped_double(x[0]), clamped_double(x[1]), clamped_double(x[2])};
 }
-
-}  // namespace
 
 std::size_t PositionGrid::Hash::operator()(const Cell& cell) const {
   std::uint64_t hash = 0;
@@ -129,8 +127,6 @@ std::vector<std::size_t> PositionGrid::near(const ClaimedPosition& position) con
 }
 
 // ---- Placing ----
-
-namespace {
 
 Fit fit_of_part(const CheckRun& run, const std::vector<PointId>& names, std::size_t record) {
   const int dimension = run.index(record).hull_dimension;

@@ -28,12 +28,30 @@ namespace flowcert::io {
 
 // ---- The header ----
 
+namespace {
+
 enum class PlyEncoding { kAscii, kLittleEndian, kBigEndian };
 
 enum class PlyType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat, kDouble };
 
 // In bytes.
-[[nodiscard]] std::size_t size_of(PlyType type);
+std::size_t size_of(PlyType type) {
+  switch (type) {
+    case PlyType::kInt8:
+    case PlyType::kUint8:
+      return 1;
+    case PlyType::kInt16:
+    case PlyType::kUint16:
+      return 2;
+    case PlyType::kInt32:
+    case PlyType::kUint32:
+    case PlyType::kFloat:
+      return 4;
+    case PlyType::kDouble:
+      return 8;
+  }
+  return 0;
+}
 
 struct PlyProperty {
   std::string name;
@@ -49,8 +67,14 @@ struct PlyElement {
   std::vector<PlyProperty> properties;
 
   // The bytes of a binary row; of one with lists, those of a row whose lists are all empty.
-  [[nodiscard]] std::size_t smallest_row() const;
-  [[nodiscard]] bool has_lists() const;
+  [[nodiscard]] std::size_t smallest_row() const {
+    std::size_t size = 0;
+    for (const PlyProperty& property : properties) {
+      size += size_of(property.is_list ? property.count_type : property.type);
+    }
+    return size;
+  }
+  [[nodiscard]] bool has_lists() const { return std::ranges::any_of(properties, &PlyProperty::is_list); }
 };
 
 struct PlyHeader {
@@ -61,13 +85,7 @@ struct PlyHeader {
   std::array<std::size_t, 3> coordinates{};
 };
 
-// Leaves `lines` at the first byte after the header.
-[[nodiscard]] PlyHeader read_ply_header(LineReader& lines);
-
-// Line by line, by the first word of each. Both sets of type names are in use: the original one (char, …,
-// double) and the one with sizes (int8, …, float64).
-namespace {
-
+// Both sets of type names are in use: the original one (char, …, double) and the one with sizes (int8, …, float64).
 constexpr auto kTypeNames =
     std::to_array<std::pair<std::string_view, PlyType>>({{"char", PlyType::kInt8},
                                                          {"int8", PlyType::kInt8},
@@ -203,36 +221,7 @@ bool read_header_line(std::string_view text, LinePlace place, PlyHeader& header,
   return true;
 }
 
-}  // namespace
-
-std::size_t size_of(PlyType type) {
-  switch (type) {
-    case PlyType::kInt8:
-    case PlyType::kUint8:
-      return 1;
-    case PlyType::kInt16:
-    case PlyType::kUint16:
-      return 2;
-    case PlyType::kInt32:
-    case PlyType::kUint32:
-    case PlyType::kFloat:
-      return 4;
-    case PlyType::kDouble:
-      return 8;
-  }
-  return 0;
-}
-
-std::size_t PlyElement::smallest_row() const {
-  std::size_t size = 0;
-  for (const PlyProperty& property : properties) {
-    size += size_of(property.is_list ? property.count_type : property.type);
-  }
-  return size;
-}
-
-bool PlyElement::has_lists() const { return std::ranges::any_of(properties, &PlyProperty::is_list); }
-
+// Leaves `lines` at the first byte after the header.
 PlyHeader read_ply_header(LineReader& lines) {
   std::string_view line;
   if (!lines.next(line) || line.substr(0, line.find_last_not_of(" \t") + 1) != "ply") {
@@ -249,8 +238,6 @@ PlyHeader read_ply_header(LineReader& lines) {
 }
 
 // ---- Rows ----
-
-namespace {
 
 [[noreturn]] void reject_missing_rows(const PlyElement& element, std::uint64_t found, std::string_view file) {
   const std::string what = element.name == "vertex" ? "vertices" : "rows of " + in_quotes(element.name);

@@ -25,6 +25,8 @@ namespace flowcert::morse {
 // What flows into an arc of a Voronoi edge, facet by facet (spec clause FC-STAB-05), in rationals throughout: such
 // parts come from ties alone, and are few.
 
+namespace {
+
 // An open arc of a Voronoi edge.
 struct Arc {
   PolygonRef polygon;
@@ -39,11 +41,6 @@ struct SectorParts {
   std::vector<Arc> arcs;
   std::vector<CellIndex> vertices;
 };
-
-// The sector in a facet that leads to the arc (h > 0 at the arc's polygon).
-[[nodiscard]] SectorParts sector_of(VoronoiFaces& faces, FlowOperator& flow, FacetName facet, const Arc& arc);
-
-namespace {
 
 using Vector = Vector3<Rational>;
 
@@ -76,8 +73,7 @@ void make_canonical(std::vector<RationalPoint>& corners) {
   if (corners.size() > 2 && corners.back() < corners[1]) std::reverse(corners.begin() + 1, corners.end());
 }
 
-}  // namespace
-
+// The sector in a facet that leads to the arc (h > 0 at the arc's polygon).
 SectorParts sector_of(VoronoiFaces& faces, FlowOperator& flow, FacetName facet, const Arc& arc) {
   const FacetPlane plane(faces.point(facet.v0), faces.point(facet.v1));
   const FacetRing ring = faces.ring(facet, arc.polygon.cell);
@@ -122,6 +118,7 @@ SectorParts sector_of(VoronoiFaces& faces, FlowOperator& flow, FacetName facet, 
   return parts;
 }
 
+}  // namespace
 }  // namespace flowcert::morse
 
 namespace flowcert {
@@ -289,6 +286,7 @@ void StableManifolds::Parts::count(const Set& set) {
 }
 
 void StableManifolds::Parts::clear() {
+  tasks.clear();
   visited.clear();
   ends.clear();
   lengths.clear();

@@ -54,13 +54,13 @@ TEST(Regressions, EveryPropertyHolds) {
   const auto files = regression_files();
   EXPECT_GE(files.size(), 3U);
   for (const std::filesystem::path& path : files) {
-    const fuzz::Counterexample finding = read_counterexample(path);
-    EXPECT_FALSE(finding.trial.input.rows.empty()) << path;
+    const fuzz::Counterexample counterexample = read_counterexample(path);
+    EXPECT_FALSE(counterexample.trial.input.rows.empty()) << path;
     for (const Property& property : properties()) {
-      expect_holds(property, finding.trial, path);
+      expect_holds(property, counterexample.trial, path);
       const bool has_start = property.name == "orbit" || property.name == "orbit-kernels";
       for (std::uint64_t seed = 0; has_start && seed < kStarts; ++seed) {
-        expect_holds(property, {finding.trial.input, fuzz::TrialMix::draw_start(seed)}, path);
+        expect_holds(property, {counterexample.trial.input, fuzz::TrialMix::draw_start(seed)}, path);
       }
     }
   }

@@ -84,8 +84,8 @@ inline std::string account_of(const Campaign& campaign) {
   for (const auto& [signature, where] : campaign.signatures()) {
     text += to_text(signature) + ' ' + std::to_string(where.number) + '\n';
   }
-  for (const auto& [key, finding] : campaign.findings()) {
-    text += campaign.file_of(finding).filename().string() + '\n' + file_text(finding);
+  for (const auto& [key, counterexample] : campaign.counterexamples()) {
+    text += campaign.file_of(counterexample).filename().string() + '\n' + file_text(counterexample);
   }
   return text;
 }

@@ -23,7 +23,7 @@ TEST_F(CampaignTest, IsTheSameWithAnyNumberOfJobs) {
   EXPECT_EQ(account_of_run(small_plan(), 410, 3, folder_ / "three"), one);
   // Those of the least numbers, whichever came first.
   EXPECT_EQ(names_in(folder_ / "three"), names_in(folder_ / "one"));
-  EXPECT_EQ(names_in(folder_ / "one").size(), kMostFindingsOfKind);
+  EXPECT_EQ(names_in(folder_ / "one").size(), kMostCounterexamplesOfKind);
   EXPECT_NE(one.find("rows too-many"), std::string::npos);
   EXPECT_NE(one.find("mutant"), std::string::npos);
   CampaignPlan other = small_plan();
@@ -58,23 +58,23 @@ TEST_F(CampaignTest, AFailingCaseCanBeDoneAgainByItsNumber) {
   Campaign all(plan, 120, folder_ / "all");
   work(all, {rows_property(8)}, 2);
   const std::set<std::size_t>& failing = all.tally().failures.at("rows too-many");
-  EXPECT_EQ(all.findings().size(), failing.size());
+  EXPECT_EQ(all.counterexamples().size(), failing.size());
   EXPECT_EQ(all.tally().failing_cases(), failing.size());
   ASSERT_GT(failing.size(), 20U);
   plan.shrinks_all = false;
   Campaign some(plan, 120, folder_ / "some");
   work(some, {rows_property(8)}, 2);
   EXPECT_EQ(some.tally().failures, all.tally().failures);
-  EXPECT_EQ(some.findings().size(), 3U);
+  EXPECT_EQ(some.counterexamples().size(), 3U);
   for (const std::size_t number : failing) {
     OneCase one(some, number);
     work(one, {rows_property(8)}, 1);
     EXPECT_TRUE(one.is_done());
-    const std::string expected = file_text(all.findings().at({number, "rows too-many"}));
-    ASSERT_EQ(one.findings().size(), 1U) << number;
-    EXPECT_EQ(file_text(one.findings().at("rows too-many")), expected);
-    EXPECT_EQ(file_text(some.findings().at({number, "rows too-many"})), expected);
-    EXPECT_TRUE(fs::exists(some.file_of(one.findings().at("rows too-many"))));
+    const std::string expected = file_text(all.counterexamples().at({number, "rows too-many"}));
+    ASSERT_EQ(one.counterexamples().size(), 1U) << number;
+    EXPECT_EQ(file_text(one.counterexamples().at("rows too-many")), expected);
+    EXPECT_EQ(file_text(some.counterexamples().at({number, "rows too-many"})), expected);
+    EXPECT_TRUE(fs::exists(some.file_of(one.counterexamples().at("rows too-many"))));
   }
   EXPECT_EQ(some.tally().cases, 120U);
   for (const std::size_t number : {std::size_t{120}, ~std::size_t{0}}) {
@@ -94,19 +94,19 @@ TEST_F(CampaignTest, ACaseThatIsDoneAgainIsJudgedAnew) {
     OneCase mended(campaign, number);
     work(mended, {rows_property(100)}, 1);
     EXPECT_TRUE(mended.is_done());
-    EXPECT_TRUE(mended.findings().empty());
+    EXPECT_TRUE(mended.counterexamples().empty());
     OneCase worse(campaign, number);
     work(worse, {rows_property(3)}, 1);
-    ASSERT_EQ(worse.findings().size(), 1U);
-    EXPECT_EQ(worse.findings().begin()->second.trial.input.rows.size(), 3U);
+    ASSERT_EQ(worse.counterexamples().size(), 1U);
+    EXPECT_EQ(worse.counterexamples().begin()->second.trial.input.rows.size(), 3U);
     files = names_in(folder / "findings");
-    EXPECT_EQ(files.size(), kMostFindingsOfKind + 1);
+    EXPECT_EQ(files.size(), kMostCounterexamplesOfKind + 1);
   }
   // Nor does its file go when the campaign goes on.
   Campaign campaign = Campaign::resumed(folder, 800);
   work(campaign, {rows_property(8)}, 1);
   EXPECT_EQ(names_in(folder / "findings"), files);
-  EXPECT_EQ(campaign.findings().at({number, "rows too-many"}).trial.input.rows.size(), 3U);
+  EXPECT_EQ(campaign.counterexamples().at({number, "rows too-many"}).trial.input.rows.size(), 3U);
 }
 
 // Its batch will find it by itself, and leaves out only what ended a process there.
@@ -121,9 +121,9 @@ TEST_F(CampaignTest, AnOpenBatchIsNotToldOfACaseThatWasAskedFor) {
   for (const std::size_t number : {std::size_t{3}, std::size_t{18}}) {
     OneCase one(campaign, number);
     work(one, {number == 3 ? crashing : rows_property(8)}, 1);
-    ASSERT_EQ(one.findings().size(), 1U);
-    EXPECT_TRUE(fs::exists(campaign.file_of(one.findings().begin()->second)));
-    EXPECT_TRUE(campaign.findings().empty());
+    ASSERT_EQ(one.counterexamples().size(), 1U);
+    EXPECT_TRUE(fs::exists(campaign.file_of(one.counterexamples().begin()->second)));
+    EXPECT_TRUE(campaign.counterexamples().empty());
   }
   work(campaign, {rows_property(8)}, 1);
   EXPECT_EQ(account_of(campaign), whole);
@@ -149,8 +149,8 @@ TEST_F(CampaignTest, ACaseThatIsKilledOrStoppedIsNotDone) {
   OneCase twice(campaign, 3);
   work(twice, {killed}, 1);
   EXPECT_TRUE(twice.is_done());
-  ASSERT_EQ(twice.findings().size(), 1U);
-  EXPECT_EQ(twice.findings().begin()->second.disagreement.kind, "crash");
+  ASSERT_EQ(twice.counterexamples().size(), 1U);
+  EXPECT_EQ(twice.counterexamples().begin()->second.disagreement.kind, "crash");
 }
 
 TEST_F(CampaignTest, ReadingLeavesAFolderAsItIs) {
@@ -160,7 +160,7 @@ TEST_F(CampaignTest, ReadingLeavesAFolderAsItIs) {
   std::ofstream(folder / "batches.jsonl", std::ios::app) << R"({"batch":3,"comp)";
   const auto size = fs::file_size(folder / "batches.jsonl");
   EXPECT_EQ(account_of(Campaign::read(folder)).find("130\n"), 0U);
-  EXPECT_EQ(Campaign::read(folder).findings().size(), campaign.findings().size());
+  EXPECT_EQ(Campaign::read(folder).counterexamples().size(), campaign.counterexamples().size());
   EXPECT_EQ(fs::file_size(folder / "batches.jsonl"), size);
   EXPECT_THROW(Campaign::read(folder_ / "none"), UnusableFolder);
 }
@@ -182,8 +182,8 @@ TEST_F(CampaignTest, GoesOnWhereItWasStopped) {
   EXPECT_LT(campaign.done_batches(), 11U);
   work(campaign, {rows_property(8)}, 2);
   EXPECT_EQ(account_of(campaign), whole);
-  for (const auto& [key, finding] : campaign.findings()) {
-    const fs::path file = campaign.file_of(finding);
+  for (const auto& [key, counterexample] : campaign.counterexamples()) {
+    const fs::path file = campaign.file_of(counterexample);
     EXPECT_TRUE(file.empty() || fs::exists(file)) << file;
   }
 }
@@ -233,7 +233,7 @@ TEST_F(CampaignTest, KilledOutrightLosesNoFinding) {
         }
       }
     }();
-    findings_before = campaign.findings().size();
+    findings_before = campaign.counterexamples().size();
     EXPECT_GT(findings_before, 0U);
     work(campaign, {rows_property(8)}, 2);
     EXPECT_EQ(account_of(campaign), whole);
@@ -310,30 +310,31 @@ TEST(CampaignPlan, CountsTheCasesOfAShard) {
   EXPECT_EQ(cases_of_shard(plan, 700'000'000'000), 100'000'000'000U);
 }
 
-Counterexample some_finding() {
-  Counterexample finding{12,
-                         345,
-                         "shell",
-                         9,
-                         "orbit",
-                         {},
-                         {"segment-type", "FC-FLOW-02", "two\nlines", "fast", "a\nb", "oracle", "c"}};
-  finding.trial.input.rows = {{0.1, -2, 1e-300}, {3, 4, 5}};
-  finding.trial.start = oracle::Point{oracle::Rational(1, 3), oracle::Rational(-2), oracle::Rational(0)};
-  return finding;
+Counterexample some_counterexample() {
+  Counterexample counterexample{12,
+                                345,
+                                "shell",
+                                9,
+                                "orbit",
+                                {},
+                                {"segment-type", "FC-FLOW-02", "two\nlines", "fast", "a\nb", "oracle", "c"}};
+  counterexample.trial.input.rows = {{0.1, -2, 1e-300}, {3, 4, 5}};
+  counterexample.trial.start =
+      oracle::Point{oracle::Rational(1, 3), oracle::Rational(-2), oracle::Rational(0)};
+  return counterexample;
 }
 
 TEST(Counterexample, SurvivesItsFile) {
-  const Counterexample finding = some_finding();
-  const std::string text = file_text(finding);
+  const Counterexample counterexample = some_counterexample();
+  const std::string text = file_text(counterexample);
   const Counterexample read = counterexample_of(text);
-  EXPECT_EQ(read.trial.input, finding.trial.input);
-  EXPECT_EQ(std::get<oracle::Point>(read.trial.start), std::get<oracle::Point>(finding.trial.start));
+  EXPECT_EQ(read.trial.input, counterexample.trial.input);
+  EXPECT_EQ(std::get<oracle::Point>(read.trial.start), std::get<oracle::Point>(counterexample.trial.start));
   EXPECT_EQ(read.property, "orbit");
   EXPECT_EQ(read.disagreement.kind, "segment-type");
   EXPECT_EQ(read.disagreement.clause, "FC-FLOW-02");
-  EXPECT_EQ(name_of(finding), "orbit-segment-type-345");
-  Counterexample chosen = finding;
+  EXPECT_EQ(name_of(counterexample), "orbit-segment-type-345");
+  Counterexample chosen = counterexample;
   chosen.trial.start = property::StartChoice{property::StartKind::kEdge, {3, 0, 4294967295}};
   const auto choice = std::get<property::StartChoice>(counterexample_of(file_text(chosen)).trial.start);
   EXPECT_EQ(choice.kind, property::StartKind::kEdge);

@@ -1,5 +1,5 @@
 // The processes that work on campaigns: that whatever ends one of them, a case, a stop, somebody else, or
-// what the machine lacks, is told apart, and costs no case and no finding.
+// what the machine lacks, is told apart, and costs no case and no counterexample.
 #include "fuzz/campaign/worker_processes.h"
 
 #include <unistd.h>
@@ -28,13 +28,13 @@ TEST_F(WorkerProcessesTest, ACaseThatEndsItsProcessIsAFinding) {
   plan.searched_percent = 0;
   Campaign campaign(plan, 80, folder_ / "findings");
   work(campaign, {property}, 2);
-  ASSERT_FALSE(campaign.findings().empty());
-  for (const auto& [key, finding] : campaign.findings()) {
-    EXPECT_EQ(finding.disagreement.kind, "crash");
-    EXPECT_EQ(finding.property, "rows");
-    EXPECT_EQ(finding.trial.input.rows.size(), 9U);
+  ASSERT_FALSE(campaign.counterexamples().empty());
+  for (const auto& [key, counterexample] : campaign.counterexamples()) {
+    EXPECT_EQ(counterexample.disagreement.kind, "crash");
+    EXPECT_EQ(counterexample.property, "rows");
+    EXPECT_EQ(counterexample.trial.input.rows.size(), 9U);
   }
-  EXPECT_EQ(campaign.tally().cases + campaign.findings().size(), 80U);
+  EXPECT_EQ(campaign.tally().cases + campaign.counterexamples().size(), 80U);
   EXPECT_TRUE(campaign.is_settled());
 }
 
@@ -49,8 +49,9 @@ TEST_F(WorkerProcessesTest, ACaseThatHangsIsAFinding) {
   Campaign campaign(plan, 80, folder_ / "findings");
   work(
       campaign, {property}, 1, [] { return false; }, 2);
-  ASSERT_FALSE(campaign.findings().empty());
-  for (const auto& [key, finding] : campaign.findings()) EXPECT_EQ(finding.disagreement.kind, "hang");
+  ASSERT_FALSE(campaign.counterexamples().empty());
+  for (const auto& [key, counterexample] : campaign.counterexamples())
+    EXPECT_EQ(counterexample.disagreement.kind, "hang");
 }
 
 // Which is how whoever runs it, or a system without memory, ends a process.
@@ -70,13 +71,13 @@ TEST_F(WorkerProcessesTest, ACaseIsNotBlamedForTheFirstSigkill) {
   Campaign campaign(plan, 200, folder_ / "findings");
   work(campaign, {property}, 1);
   EXPECT_TRUE(fs::exists(marks / "of-11"));
-  ASSERT_FALSE(campaign.findings().empty());
-  for (const auto& [key, finding] : campaign.findings()) {
-    EXPECT_EQ(finding.disagreement.kind, "crash");
-    EXPECT_EQ(finding.rows_before, 12U);
-    EXPECT_NE(finding.source, "");
+  ASSERT_FALSE(campaign.counterexamples().empty());
+  for (const auto& [key, counterexample] : campaign.counterexamples()) {
+    EXPECT_EQ(counterexample.disagreement.kind, "crash");
+    EXPECT_EQ(counterexample.rows_before, 12U);
+    EXPECT_NE(counterexample.source, "");
   }
-  EXPECT_EQ(campaign.tally().cases + campaign.findings().size(), 200U);
+  EXPECT_EQ(campaign.tally().cases + campaign.counterexamples().size(), 200U);
 }
 
 // Whatever they are at, trying a case or between two.
@@ -101,11 +102,11 @@ TEST_F(WorkerProcessesTest, OutlivesTheKillingOfItsProcesses) {
   // By chance a case may have been under way twice when its process was killed, and is blamed for it. What it had
   // found by then stays, and is not made small: no process tries that case again.
   std::set<std::size_t> blamed;
-  for (const auto& [key, finding] : campaign.findings()) {
-    if (ends_process(finding)) blamed.insert(finding.number);
+  for (const auto& [key, counterexample] : campaign.counterexamples()) {
+    if (ends_process(counterexample)) blamed.insert(counterexample.number);
   }
-  for (const auto& [key, finding] : campaign.findings()) {
-    EXPECT_TRUE(finding.is_small || blamed.contains(finding.number));
+  for (const auto& [key, counterexample] : campaign.counterexamples()) {
+    EXPECT_TRUE(counterexample.is_small || blamed.contains(counterexample.number));
   }
   EXPECT_LT(blamed.size(), 3U);
   EXPECT_EQ(campaign.tally().cases + blamed.size(), 410U);
@@ -133,12 +134,12 @@ TEST_F(WorkerProcessesTest, ACrashIsMadeSmallThoughItsProcessIsKilled) {
   Campaign campaign(plan, 80, folder_ / "findings");
   work(campaign, {property}, 1);
   EXPECT_TRUE(fs::exists(marks));
-  ASSERT_FALSE(campaign.findings().empty());
-  for (const auto& [key, finding] : campaign.findings()) {
-    EXPECT_TRUE(finding.is_small);
-    EXPECT_EQ(finding.trial.input.rows.size(), 9U);
+  ASSERT_FALSE(campaign.counterexamples().empty());
+  for (const auto& [key, counterexample] : campaign.counterexamples()) {
+    EXPECT_TRUE(counterexample.is_small);
+    EXPECT_EQ(counterexample.trial.input.rows.size(), 9U);
   }
-  EXPECT_EQ(campaign.tally().left_out, campaign.findings().size());
+  EXPECT_EQ(campaign.tally().left_out, campaign.counterexamples().size());
 }
 
 // A stop, whenever it comes, leaves nothing half small.
@@ -164,7 +165,8 @@ TEST_F(WorkerProcessesTest, StoppedWhileMakingSmallItEndsTheSame) {
       }
       Campaign campaign = Campaign::resumed(folder, std::nullopt);
       work(campaign, {property}, 1);
-      for (const auto& [key, finding] : campaign.findings()) EXPECT_TRUE(finding.is_small);
+      for (const auto& [key, counterexample] : campaign.counterexamples())
+        EXPECT_TRUE(counterexample.is_small);
       return account_of(campaign);
     };
     const std::string name = crashes ? "crashing" : "failing";
@@ -188,8 +190,8 @@ TEST_F(WorkerProcessesTest, ACrashForWantOfAMachineIsNotMadeSmall) {
   plan.searched_percent = 0;
   Campaign campaign(plan, 80, folder_ / "findings");
   EXPECT_THROW(work(campaign, {property}, 1), property::MachineFailure);
-  ASSERT_EQ(campaign.findings().size(), 1U);
-  EXPECT_GE(campaign.findings().begin()->second.trial.input.rows.size(), 9U);
+  ASSERT_EQ(campaign.counterexamples().size(), 1U);
+  EXPECT_GE(campaign.counterexamples().begin()->second.trial.input.rows.size(), 9U);
 }
 
 TEST_F(WorkerProcessesTest, WhatTheMachineLacksIsNoFinding) {
@@ -200,7 +202,7 @@ TEST_F(WorkerProcessesTest, WhatTheMachineLacksIsNoFinding) {
   };
   Campaign campaign(small_plan(), 40, folder_ / "findings");
   EXPECT_THROW(work(campaign, {property}, 2), property::MachineFailure);
-  EXPECT_TRUE(campaign.findings().empty());
+  EXPECT_TRUE(campaign.counterexamples().empty());
 }
 
 TEST_F(WorkerProcessesTest, StopsInTheMiddleOfALongCase) {
@@ -217,7 +219,7 @@ TEST_F(WorkerProcessesTest, StopsInTheMiddleOfALongCase) {
     work(campaign, {slow}, 2,
          [&] { return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(300); });
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
-    EXPECT_TRUE(campaign.findings().empty());
+    EXPECT_TRUE(campaign.counterexamples().empty());
     EXPECT_TRUE(campaign.is_settled());
   }
   Campaign campaign = Campaign::resumed(folder, std::nullopt);
@@ -233,10 +235,10 @@ TEST_F(WorkerProcessesTest, ExceptionsAreFindings) {
   };
   Campaign campaign(small_plan(), 40, folder_ / "findings");
   work(campaign, {property}, 1);
-  ASSERT_EQ(campaign.findings().size(), 1U);
-  const Counterexample& finding = campaign.findings().begin()->second;
-  EXPECT_EQ(finding.disagreement.kind, "throws");
-  EXPECT_EQ(finding.trial.input.rows.size(), 5U);
+  ASSERT_EQ(campaign.counterexamples().size(), 1U);
+  const Counterexample& counterexample = campaign.counterexamples().begin()->second;
+  EXPECT_EQ(counterexample.disagreement.kind, "throws");
+  EXPECT_EQ(counterexample.trial.input.rows.size(), 5U);
 }
 
 }  // namespace

@@ -65,8 +65,8 @@ class DistantCampaign : public fuzz::BatchSource {
   void absorb(const std::string& message) override {
     const auto object = nlohmann::json::parse(message);
     if (object.contains("finding")) {
-      const fuzz::Counterexample finding = fuzz::counterexample_of(object.at("finding"));
-      if (fuzz::ends_process(finding)) order_.left_out.insert(finding.number);
+      const fuzz::Counterexample counterexample = fuzz::counterexample_of(object.at("finding"));
+      if (fuzz::ends_process(counterexample)) order_.left_out.insert(counterexample.number);
     }
     tell(message);
   }

@@ -24,6 +24,8 @@ namespace flowcert::io {
 // ---- JSON ----
 // One value in memory, with numbers as they are written: a claim's decimals must not become doubles.
 
+namespace {
+
 enum class JsonKind { kNull, kBoolean, kNumber, kString, kArray, kObject };
 
 struct JsonTree {
@@ -33,18 +35,19 @@ struct JsonTree {
 
   [[nodiscard]] bool is(JsonKind other) const { return kind == other; }
   // The value of a key of an object; null where it has none.
-  [[nodiscard]] const JsonTree* find(std::string_view key) const;
+  [[nodiscard]] const JsonTree* find(std::string_view key) const {
+    for (std::size_t k = 0; k + 1 < items.size(); k += 2) {
+      if (items[k].text == key) return &items[k + 1];
+    }
+    return nullptr;
+  }
 };
-
-[[nodiscard]] JsonTree parse_json(std::string_view text, const LinePlace& place);
-
-// nlohmann's parser, told event by event, because its own trees keep a number as a double, take the last of
-// two equal keys and any depth.
-namespace {
 
 // A record of ours has at most: object, u2, polyline, segment, position.
 constexpr std::size_t kDeepest = 16;
 
+// nlohmann's parser tells it each event. Its own trees keep a number as a double, take the last of two equal keys, and
+// any depth.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
   explicit TreeBuilder(const LinePlace& place) : place_(place) {}
@@ -109,15 +112,6 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   JsonTree root_;
   std::vector<JsonTree*> open_;
 };
-
-}  // namespace
-
-const JsonTree* JsonTree::find(std::string_view key) const {
-  for (std::size_t k = 0; k + 1 < items.size(); k += 2) {
-    if (items[k].text == key) return &items[k + 1];
-  }
-  return nullptr;
-}
 
 JsonTree parse_json(std::string_view text, const LinePlace& place) {
   TreeBuilder builder(place);
@@ -223,12 +217,7 @@ inline std::vector<PointId> ids_of(const ExchangeValue& value) {
 
 // ---- Stable sets ----
 // The keys of a record of the exchange format that tell its stable set (spec/formats/stationary_points.md).
-// Throws InvalidInput, with the place, for what is not as the format says.
-[[nodiscard]] ClaimedStable stable_of(const ExchangeValue& value);
-[[nodiscard]] ClaimedSkeleton skeleton_of(const ExchangeValue& value);
-[[nodiscard]] ClaimedSurface surface_of(const ExchangeValue& value);
-
-namespace {
+// What is not as the format says throws InvalidInput with the place.
 
 std::vector<PointId> pair_of_ids(const ExchangeValue& value) {
   value.expect_size(2);
@@ -274,8 +263,6 @@ std::array<std::size_t, 3> triangle_of(const ExchangeValue& value) {
   return {count_of(value[0]), count_of(value[1]), count_of(value[2])};
 }
 
-}  // namespace
-
 ClaimedStable stable_of(const ExchangeValue& value) {
   ClaimedStable stable;
   if (const auto count = value.find("segments")) stable.segments = count_of(*count);
@@ -311,7 +298,6 @@ ClaimedSurface surface_of(const ExchangeValue& value) {
 // ---- A file ----
 // Rationals in strings are exact; numbers of JSON are decimals. Unknown keys are ignored. A key that is known
 // and is not what it should be is an error, and so is one that does not belong to a point of its index.
-namespace {
 
 constexpr std::string_view kFormatName = "flowcert-stationary-points";
 
