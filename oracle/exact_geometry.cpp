@@ -1,7 +1,7 @@
 // How the header's promises are kept: by dual bases.
 //
 // Let e_1 ... e_k be the edges p_i - p_0 of a simplex p_0 ... p_k. Its dual basis are the vectors f_1 ... f_k of
-// the edges' span with <e_i, f_j> = 1 for i = j and 0 otherwise. It gives both that is asked for:
+// the edges' span with <e_i, f_j> = 1 for i = j and 0 otherwise. It gives circumcentres and barycentric coordinates:
 //   - the vector of the span with inner products b_i with the e_i is the sum of the b_i f_i. For the centre z,
 //     |z - p_0| = |z - p_i| says <z - p_0, e_i> = |e_i|^2 / 2;
 //   - where x = p_0 + sum of l_i e_i, l_i = <x - p_0, f_i>. For another x, these are the coordinates of its
@@ -45,7 +45,7 @@ std::optional<std::vector<Point>> dual_basis(const std::vector<Point>& edges) {
 
 bool independent(const std::vector<Point>& points) { return dual_basis(edges_of(points)).has_value(); }
 
-// Of p_0 + way, where way is in the span of the edges.
+// The barycentric coordinates of p_0 + way. The way must be in the span of the edges.
 std::vector<Rational> weights_of(const Point& way, const std::vector<Point>& dual) {
   std::vector<Rational> weights = {1};
   for (const Point& vector : dual) {
@@ -123,9 +123,8 @@ int affine_dimension(const std::vector<Point>& points) {
   return static_cast<int>(spanning_subset(points).size()) - 1;
 }
 
-// Let F be the smallest face of conv(points) that contains x, that is, the one with x in its relative
-// interior. Call an affinely independent subset T of the points a carrier if x has positive barycentric
-// coordinates in T.
+// Let F be the face of conv(points) that has x in its relative interior. It is the smallest face that contains x.
+// Call an affinely independent subset T of the points a carrier if x has positive barycentric coordinates in T.
 //   - A carrier lies in F: a face that contains a point in the relative interior of conv T contains T.
 //   - Each vertex v of F is in a carrier: the segment from v to x goes on inside F beyond x, so x is a convex
 //     combination of points in F with a positive weight at v. The convex combinations that give x form a

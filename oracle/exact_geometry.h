@@ -1,9 +1,8 @@
 // Exact geometry of a handful of points in R^3: circumcentres, affine hulls, faces of convex hulls.
 //
-// Everything here is computed in rational numbers, so every answer is the true one; nothing is filtered,
-// rounded or compared up to a tolerance. All of it rests on one operation, the dual basis of at most three
-// edges (dual_basis in the .cpp file). Points come in any dimension of their affine hull, 0 to 3, and no
-// position is excluded.
+// Everything here is computed in rational numbers, so every answer is the true one. Nothing is filtered, rounded or
+// compared up to a tolerance. All of it rests on one operation, the dual basis of at most three edges (dual_basis in
+// the .cpp file). The affine hull of the points may have any dimension, 0 to 3, and no position is excluded.
 #pragma once
 
 #include <array>
@@ -19,7 +18,7 @@ using Rational =
     boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 using Point = std::array<Rational, 3>;
 
-// The same point in rationals (FC-IN-02). Every finite double is a rational; the doubles have to be finite.
+// The same point in rationals (FC-IN-02). Every finite double is a rational. The doubles have to be finite.
 Point exact(const std::array<double, 3>& row);
 
 Point minus(Point a, const Point& b);
@@ -28,24 +27,22 @@ Point cross(const Point& a, const Point& b);
 Point moved(const Point& x, const Rational& time, const Point& direction);  // x + time * direction
 Rational squared_distance(const Point& a, const Point& b);
 
-// The point of the affine hull of `simplex` at equal distance from all its points, with its barycentric
-// coordinates there. Nothing iff the points are affinely dependent (five points and more always are), or
-// there is none.
+// The point of the affine hull of `simplex` at equal distance from all its points, and its barycentric coordinates.
+// Nothing iff the points are affinely dependent (five points and more always are), or `simplex` is empty.
 struct Circumcentre {
   Point center;
   std::vector<Rational> weights;
 };
 std::optional<Circumcentre> circumcentre(const std::vector<Point>& simplex);
 
-// That point, if all these coordinates are positive: the circumcentre in the relative interior of the
-// simplex.
+// The circumcentre if all its barycentric coordinates are positive, so that it is in the simplex's relative interior.
 std::optional<Point> inner_circumcentre(const std::vector<Point>& simplex);
 
-// The barycentric coordinates of x. Nothing iff the points are affinely dependent, or there is none, or x is
-// not in their affine hull.
+// The barycentric coordinates of x. Nothing iff the points are affinely dependent, or `simplex` is empty, or x is not
+// in their affine hull.
 std::optional<std::vector<Rational>> barycentric(const std::vector<Point>& simplex, const Point& x);
 
-// An affinely independent subset with the same affine hull: each point that the ones before it do not span.
+// An affinely independent subset with the same affine hull. It has each point that the points before do not span.
 std::vector<Point> spanning_subset(const std::vector<Point>& points);
 
 // Dimension of the affine hull: 0 to 3, and -1 for no point.

@@ -1,4 +1,4 @@
-// Each segment is a driver, the points that stay nearest on the way from it, and the first meeting.
+// A segment is found from its driver, the points that stay nearest on the way from it, and the first meeting.
 #include "oracle/orbit.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace oracle {
 
 namespace {
 
-// The segment from x in a direction in which, of the points of C(x), the crossed ones stay nearest.
+// The segment from x in the given direction. Among the points of C(x), the crossed ones stay nearest on the way.
 FlowSegment segment_along(const PointSet& set, const Point& x, const Point& driver, const Places& contact,
                           const Places& crossed, const Point& direction) {
   FlowSegment segment{x, driver, select(set.names, contact), select(set.names, crossed), std::nullopt, {}};
@@ -41,8 +41,8 @@ void follow(const PointSet& set, Point x, Orbit& path) {
 
 }  // namespace
 
-// |x + t u - p|^2 = |x - p|^2 + 2 t <u, x - p> + t^2 |u|^2, so among the
-// points of C(x), equally far from x, those stay nearest for which <u, p> is largest.
+// |x + t u - p|^2 = |x - p|^2 + 2 t <u, x - p> + t^2 |u|^2, and the points of C(x) are equally far from x. So the
+// points p with the largest <u, p> stay nearest.
 Places crossed_places(const PointSet& set, const Places& contact, const Point& direction) {
   const auto height = [&](std::size_t place) { return dot(direction, set.points[place]); };
   Rational largest = height(contact.front());
@@ -63,7 +63,7 @@ Orbit orbit(const PointSet& set, const Point& start) {
   return path;
 }
 
-// The points of C(x) lie on a circle, so no three of them on a line. All of them stay nearest along the axis.
+// The points of C(x) lie on a circle, so no three are on a line. All of them stay nearest along the circle's axis.
 FlowSegment unstable_segment(const PointSet& set, const StationaryPoint& saddle, int side) {
   if (saddle.face_dimension != 2 || saddle.hull_dimension != 2 || side < 0 || side > 1) {
     throw std::invalid_argument("U2 has two sides, and belongs to a critical point of index 2");

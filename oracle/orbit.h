@@ -1,8 +1,8 @@
 // The orbit of a point under the flow of the distance function, from the definitions alone (FC-FLOW-01 to
 // 07).
 //
-// Each segment of an orbit costs two scans over all points: for the first point that the way meets, and for
-// the contact set there. Exact, for any start, any finite point set and any dimension of it.
+// Each segment of an orbit costs two scans over all points. One finds the first point that the way meets, the other
+// the contact set there. Exact, for any start and any finite point set of any dimension.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,7 @@ struct Orbit {
   std::optional<StationaryPoint> limit;
 };
 
-// The places of C(x + t * direction) for all small t > 0, where `contact` are those of C(x) (FC-FLOW-01).
+// The places of C(x + t * direction) for all small t > 0. `contact` has the places of C(x) (FC-FLOW-01).
 Places crossed_places(const PointSet& set, const Places& contact, const Point& direction);
 
 // Nothing iff x is stationary. The point set must not be empty.
@@ -38,17 +38,17 @@ std::optional<FlowSegment> flow_segment(const PointSet& set, const Point& x);
 
 Orbit orbit(const PointSet& set, const Point& start);
 
-// One of the two orbits of U2 of a critical point x of index 2 (FC-FLOW-07). x does not move by itself; the
-// orbit leaves it along the line of all points equally far from C(x), for all small t > 0 with contact set
-// C(x). Its first segment starts in x, and x is its driver. With the contact points a < b < c < ... by name,
-// side 1 is the one that (b - a) x (c - a) points to, side 0 the other. Throws std::invalid_argument for
-// another kind of stationary point or another side.
+// One of the two orbits of U2 of a critical point x of index 2 (FC-FLOW-07). x itself does not move. The orbit leaves
+// it along the line of all points equally far from C(x), and has contact set C(x) for all small t > 0. Its first
+// segment starts in x, and x is its driver. With the contact points a < b < c < ... by name, (b - a) x (c - a) points
+// to side 1, and side 0 is the other. Throws std::invalid_argument for another kind of stationary point or another
+// side.
 Orbit unstable_orbit(const PointSet& set, const StationaryPoint& saddle, int side);
 
-// The first of its segments alone.
+// Only the first segment of that orbit.
 FlowSegment unstable_segment(const PointSet& set, const StationaryPoint& saddle, int side);
 
-// Both of them, side 0 first.
+// Both orbits, side 0 first.
 std::array<Orbit, 2> unstable_orbits(const PointSet& set, const StationaryPoint& saddle);
 
 // 'V', 'E', 'F' or 'C': the Voronoi face whose points have this contact set, given by class names.

@@ -1,4 +1,5 @@
-// Simplices are sorted by their balls, a face before what it is a face of; columns are reduced from left to right.
+// Simplices are sorted by their balls. A face comes before each simplex that contains it. Columns are reduced from
+// left to right.
 #include "oracle/persistence.h"
 
 #include <algorithm>
@@ -24,9 +25,9 @@ std::vector<Places> facets_of(const Places& simplex) {
   return facets;
 }
 
-// The smallest enclosing ball of each set of at most four samples. If that of a facet contains the point that
-// the facet lacks, it is that of the whole. If none does, no point can be spared: they are affinely
-// independent, and all on the ball's sphere, with the centre in the interior of their simplex.
+// The smallest enclosing ball of each set of at most four samples. If the ball of a facet contains the point that the
+// facet lacks, it is also the ball of the whole set. If no facet's ball does, every point is needed. Then the points
+// are affinely independent and on the ball's sphere, and the centre is in the interior of their simplex.
 std::map<Places, Ball> enclosing_balls(const PointSet& set) {
   std::map<Places, Ball> balls;
   const auto ball_of = [&](const Places& simplex) -> Ball {
@@ -49,7 +50,7 @@ std::map<Places, Ball> enclosing_balls(const PointSet& set) {
   return balls;
 }
 
-// A simplex, and when it enters the filtration: after its facets.
+// A simplex, and the value at which it enters the filtration. It comes after its facets.
 struct Cell {
   Rational value;
   Places simplex;
@@ -90,8 +91,8 @@ std::vector<Column> boundary_matrix(const std::vector<Cell>& cells) {
   return columns;
 }
 
-// From left to right: a column takes those before it that have the same last place, until there is none.
-// What is left of the others is kept by its last place; that cell is born there, and dies of the column's.
+// Columns are reduced from left to right. As long as an earlier column has the same last place, it is added. A column
+// that is not zero in the end is kept by its last place. The cell there is a birth, and the column's cell its death.
 struct Reduced {
   std::vector<std::size_t> births;              // the cells whose column has become zero
   std::map<std::size_t, std::size_t> death_of;  // of a birth, if it dies

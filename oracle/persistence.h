@@ -1,9 +1,9 @@
-// Persistent homology of the sublevel sets of d^2, over Z/2, by the Čech filtration (FC-PERS-05): no flow, no
-// critical point, no triangulation, and so nothing that a degenerate position could disturb.
+// Persistent homology of the sublevel sets of d^2, over Z/2, by the Čech filtration (FC-PERS-05). It uses no flow, no
+// critical point and no triangulation, so a degenerate position can disturb nothing.
 //
-// All sets of at most four samples are listed, each with the squared radius of its smallest enclosing ball,
-// and the boundary matrix is reduced column by column. Exact. Takes time n^4 for the list, and in the worst
-// case the cube of that for the reduction: meant for 20 points at most.
+// All sets of at most four samples are listed, each with the squared radius of its smallest enclosing ball. The
+// boundary matrix is then reduced column by column. Exact. The list takes time n^4, and the reduction in the worst
+// case the cube of that. So this is meant for 20 points at most.
 #pragma once
 
 #include <optional>
@@ -21,10 +21,10 @@ struct PersistencePair {
   friend bool operator==(const PersistencePair&, const PersistencePair&) = default;
 };
 
-// By dimension, birth, death; what lasts comes last.
+// The order by dimension, birth and death. A class that lasts comes last.
 bool operator<(const PersistencePair& a, const PersistencePair& b);
 
-// Those of positive length, ascending; each as often as it occurs.
+// The pairs of positive length, ascending, each as often as it occurs.
 std::vector<PersistencePair> persistence_pairs(const PointSet& set);
 
 }  // namespace oracle

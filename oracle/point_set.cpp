@@ -1,4 +1,4 @@
-// Every question is a scan; what makes each one right stands above its function.
+// Every question is a scan. A comment above each function says why it is right.
 #include "oracle/point_set.h"
 
 #include <algorithm>
@@ -38,8 +38,8 @@ Places PointSet::nearest_places(const Point& x) const {
   return nearest;
 }
 
-// |x + t u - q|^2 - |x + t u - p|^2 = |x - q|^2 - |x - p|^2 - 2 t <u, q - p>. At t = 0 this is not negative, as p
-// is in C(x); so q meets p iff <u, q - p> > 0, and then q is not in C(x).
+// |x + t u - q|^2 - |x + t u - p|^2 = |x - q|^2 - |x - p|^2 - 2 t <u, q - p>. At t = 0 this is not negative, because
+// p is in C(x). So q meets p iff <u, q - p> > 0, and then q is not in C(x).
 std::optional<Rational> PointSet::first_meeting(std::size_t p, const Point& x, const Point& direction) const {
   std::optional<Rational> first;
   for (const Point& q : points) {
@@ -69,8 +69,8 @@ std::vector<std::size_t> contact_set(const PointSet& set, const Point& x) {
 }
 
 // The nearest point lies in the relative interior of the simplex of some affinely independent points of C(x)
-// (Caratheodory), and is the projection of x to the affine hull of that simplex: its circumcentre, as x is
-// equally far from its points.
+// (Caratheodory). It is the projection of x to the affine hull of that simplex. This is the simplex's circumcentre,
+// because x is equally far from its points.
 Point driver(const PointSet& set, const Places& contact, const Point& x) {
   std::optional<Point> nearest;
   for_each_subset(contact.size(), 4, [&](const Places& subset) {

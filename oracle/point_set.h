@@ -1,8 +1,8 @@
-// The merged point set P, and what is nearest in it: sections 1 and 2 of the spec, and the first meeting of 8.
+// The merged point set P, and what is nearest in it: sections 1 and 2 of the spec, and section 8's first meeting.
 //
-// Each question is answered by its definition: a linear scan over all points, or over all subsets of a contact
-// set. Exact. The three virtual functions take most of the time of a large set or of many small ones;
-// fast::PointSet (oracle/fast/) has the same answers sooner, and nothing here depends on it.
+// Each question is answered by its definition, with a linear scan over all points or over all subsets of a contact
+// set. Exact. The three virtual functions take most of the time for a large set or for many small ones.
+// fast::PointSet (oracle/fast/) gives the same answers faster, and nothing here depends on it.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace oracle {
 
-// Of points of a PointSet: where they are in `points`, ascending unless said otherwise.
+// Where points of a PointSet are in its `points`, ascending unless said otherwise.
 using Places = std::vector<std::size_t>;
 
 struct PointSet {
@@ -27,9 +27,9 @@ struct PointSet {
   // The contact set C(x) of FC-DIST-01. Empty only for no points.
   virtual Places nearest_places(const Point& x) const;
 
-  // The first t > 0 at which a point of P comes as near to x + t * direction as p is, which was farther for
-  // smaller t > 0 (FC-FLOW-01). Nothing iff there is none. Of the points of C(x), p must have the largest
-  // inner product with the direction.
+  // The first t > 0 at which some point of P is as near to x + t * direction as p is, but was farther for smaller
+  // t > 0 (FC-FLOW-01). Nothing iff there is no such t. p must have the largest inner product with the direction
+  // among the points of C(x).
   virtual std::optional<Rational> first_meeting(std::size_t p, const Point& x, const Point& direction) const;
 
   // oracle::inner_circumcentre() of these points.
@@ -40,13 +40,13 @@ struct PointSet {
   std::vector<std::size_t> names;  // their class names, so ascending
 };
 
-// Where the named classes are.
+// The places of the named classes.
 Places places_of(const PointSet& set, const std::vector<std::size_t>& names);
 
 // The contact set of x, by class names.
 std::vector<std::size_t> contact_set(const PointSet& set, const Point& x);
 
-// The point of conv C(x) nearest to x (FC-DIST-02), where `contact` is C(x).
+// The point of conv C(x) nearest to x (FC-DIST-02). `contact` is C(x).
 Point driver(const PointSet& set, const Places& contact, const Point& x);
 
 }  // namespace oracle

@@ -1,4 +1,4 @@
-// A point is in the stable set iff it is in a cone over a piece; what makes that right stands above each function.
+// A point is in the stable set iff it is in a cone over a piece. A comment above each function says why it is right.
 #include "oracle/stable_pieces.h"
 
 #include <algorithm>
@@ -15,8 +15,8 @@ const Point& point_of(const PointSet& set, std::size_t name) {
   return set.points[places_of(set, {name}).front()];
 }
 
-// x is on a half-open segment from the apex, which does not belong to it, to a point in the relative interior
-// of the simplex of `base`. The apex is outside of the affine hull of the base.
+// Whether x is on a segment from the apex to a point in the relative interior of the simplex of `base`. The segment
+// does not contain the apex. The apex is outside of the affine hull of the base.
 bool in_cone(const Point& apex, std::vector<Point> base, const Point& x) {
   base.push_back(apex);
   const auto weights = barycentric(base, x);
@@ -27,8 +27,8 @@ bool in_cone(const Point& apex, std::vector<Point> base, const Point& x) {
   return true;
 }
 
-// x is in such a cone with one of the apexes. A cone with apex p lies in the Voronoi cell of p, so only those
-// with their apexes in C(x), here by name, can contain x.
+// Whether x is in such a cone with one of the apexes. A cone with apex p lies in the Voronoi cell of p. So only cones
+// with apexes in C(x) can contain x. `nearest` is C(x), by names.
 bool in_some_cone(const PointSet& set, const std::vector<std::size_t>& nearest,
                   std::span<const std::size_t> apexes, const std::vector<Point>& base, const Point& x) {
   for (const std::size_t p : apexes) {
@@ -38,9 +38,9 @@ bool in_some_cone(const PointSet& set, const std::vector<std::size_t>& nearest,
   return false;
 }
 
-// As in_cone(), with the interior of a sector as base, and `other` the mirror image of the apex. Inside of
-// the cone, x is strictly on one side of the planes through the apex and each side of the polygon; so it is
-// in the opposite cone, which is no nearer to `other` than the apex is.
+// Like in_cone(), but the base is the interior of a sector, and `other` is the mirror image of the apex. Take the
+// planes through the apex and the polygon's sides. Inside the cone, x is strictly on one side of all of them. The
+// same holds in the opposite cone, which the height excludes.
 bool in_sector_cone(const Point& apex, const Point& other, const std::vector<Point>& polygon,
                     const Point& x) {
   const Point axis = minus(other, apex);
@@ -57,8 +57,8 @@ bool in_sector_cone(const Point& apex, const Point& other, const std::vector<Poi
   return left == polygon.size() || right == polygon.size();
 }
 
-// The corners of a convex polygon in cyclic order, from the first on towards the lesser of its neighbours.
-// From a corner a, the next is the one that has all others on its left.
+// The corners of a convex polygon in cyclic order, from the first towards the lesser of its neighbours. b comes next
+// after a if all other corners are on the left of the line from a to b.
 std::vector<std::size_t> in_cyclic_order(const PointSet& set, const std::vector<std::size_t>& names) {
   const std::vector<Point> corners = select(set.points, places_of(set, names));
   const Point normal = cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]));
@@ -79,7 +79,8 @@ std::vector<std::size_t> in_cyclic_order(const PointSet& set, const std::vector<
   return select(names, ring);
 }
 
-// What is left, in the end, of the side from a to b of a polygon with its segment's front there; without b.
+// Appends what replaces the side from a to b of a polygon in the final walk, without b. `front` is the front of the
+// backward segment of a and b, if there is one.
 void append_walk(const PointSet& set, const StableSet& stable, const Point& front, std::size_t a,
                  std::size_t b, std::vector<std::size_t>& walk) {
   const std::array<std::size_t, 2> samples = {std::min(a, b), std::max(a, b)};
@@ -126,7 +127,7 @@ std::vector<std::size_t> boundary_walk(const PointSet& set, const StationaryPoin
 
 std::vector<std::array<std::size_t, 2>> boundary_edges(const StableSet& stable) {
   if (stable.has_vertex) throw std::invalid_argument("not a disc without Voronoi vertices");
-  std::map<Point, std::set<std::size_t>> odd;  // w -> the p for which p w is a side of an odd number
+  std::map<Point, std::set<std::size_t>> odd;  // w -> all p with side p w in an odd number of them
   for (const BackwardSegment& segment : stable.segments) {
     for (const std::size_t p : segment.samples) {
       for (const Point* w : {&segment.front, &segment.back}) {

@@ -1,6 +1,6 @@
 // What the skeleton of a stable set stands for (FC-STAB-02): cones over its pieces, with samples as apexes.
 //
-// Whether a point is in the stable set is decided from these cones alone; nothing flows. Exact.
+// These cones alone decide whether a point is in the stable set. No flow is computed. Exact.
 #pragma once
 
 #include <array>
@@ -11,30 +11,29 @@
 
 namespace oracle {
 
-// {p, front, back} of a backward segment, p one of its two samples (FC-STAB-04).
+// {p, front, back} of a backward segment, where p is one of its two samples (FC-STAB-04).
 using Triangle = std::array<Point, 3>;
 
-// The triangles whose union, up to their boundaries, is a stable set of dimension 2, in the order of its
-// segments, for each first that of the lesser sample. Throws std::invalid_argument for a set with an
-// interval, which has dimension 3 (FC-STAB-06).
+// The triangles whose union, up to their boundaries, is a stable set of dimension 2. They are in the order of its
+// segments, and the lesser sample's triangle comes first. Throws std::invalid_argument for a set with an interval,
+// because that has dimension 3 (FC-STAB-06).
 std::vector<Triangle> triangles(const PointSet& set, const StableSet& stable);
 
-// FC-STAB-07, by class names, the first not repeated at the end: from the least sample of C(z) on, towards
-// the lesser of its neighbours in the polygon. For z critical of index 2 or regular stationary of kind (1,2);
-// of the latter, the side whose midpoint z is stays as it is. Throws std::invalid_argument for another z, and
-// for a set with a Voronoi vertex.
+// The boundary walk of FC-STAB-07, by class names. It begins at the least sample of C(z), towards the lesser of its
+// neighbours in the polygon. The first name is not repeated at the end. z must be critical of index 2 or regular
+// stationary of kind (1,2). In the second case, the side with midpoint z stays as it is. Throws std::invalid_argument
+// for another z, and for a set with a Voronoi vertex.
 std::vector<std::size_t> boundary_walk(const PointSet& set, const StationaryPoint& z,
                                        const StableSet& stable);
 
-// The sides of those triangles that lie on an odd number of them, p0 m and m p1 taken together as p0 p1:
-// pairs of class names, each ascending, in ascending order. Throws std::invalid_argument for a set with a
-// Voronoi vertex.
+// The sides that an odd number of the triangles have, where p0 m and m p1 together count as p0 p1. A side is a pair
+// of class names, ascending, and the list is ascending. Throws std::invalid_argument for a set with a Voronoi vertex.
 std::vector<std::array<std::size_t, 2>> boundary_edges(const StableSet& stable);
 
-// Those that no interval adds: reached from z along segments alone.
+// The number of segments that are reached from z along segments alone. No interval adds these.
 std::size_t segments_without_intervals(const StationaryPoint& z, const StableSet& stable);
 
-// Whether there is a Voronoi vertex or a regular back: then FC-STAB-07 leaves the boundary open.
+// Whether there is a Voronoi vertex or a regular back. If so, FC-STAB-07 leaves the boundary open.
 bool has_tie(const StableSet& stable);
 
 // Whether x is in the stable set.

@@ -1,7 +1,7 @@
-// How the header's promises are kept: a search against the flow, each place asked what flows into it.
+// How the header's promises are kept: a search against the flow finds what flows into each place.
 //
-// Why it ends, and meets nothing twice: d decreases along each way back, and there are finitely many faces;
-// a point has one orbit, so it is found once, where that orbit goes on.
+// The search ends, because d decreases along each way back and there are finitely many faces. It finds no point
+// twice, because a point has only one orbit, and is found only from the place where that orbit goes on.
 #include "oracle/stable_set.h"
 
 #include <algorithm>
@@ -21,8 +21,8 @@ struct Lead {
   Point centre;
 };
 
-// K, where K leads to y (FC-STAB-03) and its first points are these two, or three; `contact` is C(y). In a
-// plane with these three the others lie on their circle, as all of C(y) lies on a sphere.
+// The face K whose first points are these two or three, if it leads to y (FC-STAB-03). `contact` is C(y). All of C(y)
+// lies on a sphere, so the other points of K, in the plane of the first three, lie on their circle.
 std::optional<Lead> lead_from(const PointSet& set, const Point& y, const Places& contact,
                               const Places& first_points) {
   const Point centre = circumcentre(select(set.points, first_points))->center;
@@ -33,7 +33,7 @@ std::optional<Lead> lead_from(const PointSet& set, const Point& y, const Places&
   return begins_so && face_dimension(face, centre) ? std::optional(lead) : std::nullopt;
 }
 
-// All that leads to y. No three points of a sphere lie on a line, so all pairs and triples have a centre.
+// All faces that lead to y. No three points of a sphere lie on a line, so all pairs and triples have a centre.
 std::vector<Lead> leads_to(const PointSet& set, const Point& y) {
   std::vector<Lead> leads;
   const Places contact = set.nearest_places(y);
@@ -50,7 +50,7 @@ std::array<std::size_t, 2> samples_of(const PointSet& set, const Lead& lead) {
   return {set.names[lead.face[0]], set.names[lead.face[1]]};
 }
 
-// The way from y to the centre c, as far as its points, the ends aside, have the contact set K.
+// The end of the way back from y. The way goes to the centre c, or to where its points no longer have contact set K.
 Point way_back(const PointSet& set, const Point& y, const Lead& lead) {
   const Point way = minus(lead.centre, y);
   const auto meeting = set.first_meeting(lead.face.front(), y, way);
@@ -80,14 +80,14 @@ std::vector<Point> clipped(const std::vector<Point>& polygon, const Point& p, co
   return result;
 }
 
-// From the least corner on, towards the lesser of its neighbours.
+// The same polygon, from the least corner towards the lesser of its neighbours.
 std::vector<Point> canonical(std::vector<Point> polygon) {
   std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
   if (polygon.back() < polygon[1]) std::reverse(polygon.begin() + 1, polygon.end());
   return polygon;
 }
 
-// The search. Each function adds what it is named after, with all that flows into that.
+// The search. Each function adds what its name says, and all that flows into it.
 class Search {
  public:
   explicit Search(const PointSet& set) : set_(set) {}
@@ -133,7 +133,8 @@ class Search {
     if (!whole) add_point(back);
   }
 
-  // What leads to one point of the interval leads to all. The polygon itself may, along the interval.
+  // A face that leads to one point of the interval leads to all. The search may also find the polygon itself,
+  // which leads along the interval.
   void add_interval(const BackwardInterval& interval) {
     found_.intervals.push_back(interval);
     for (const Lead& lead : leads_to(set_, middle(interval.front, interval.back))) {
@@ -141,9 +142,9 @@ class Search {
     }
   }
 
-  // The triangle of the interval and the midpoint m, as far as it is in the facet. Its rays leave the facet
-  // through the sides that lie on none of them and the corners between two such. The first and the last ray
-  // are no part of the sector: what of them flows to z is a segment, or an interval, of its own.
+  // The sector is the part of the triangle of the interval and the midpoint m that is in the facet. Its rays leave
+  // the facet through sides that lie on no ray, and through corners between two such sides. The first and the last
+  // ray are not in the sector. Any part of them that flows to z is a segment or an interval of its own.
   void add_sector(const BackwardInterval& interval, const Lead& lead) {
     const auto& [polygon, front, back, kind] = interval;
     const Point& m = lead.centre;

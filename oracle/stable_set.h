@@ -1,9 +1,9 @@
 // The stable set of a stationary point z: all that flows to z, from the definitions alone (FC-STAB-01 to 05).
 //
-// What is built is the skeleton, the part of it on Voronoi vertices, edges and facets, followed backwards
-// from z: each point is asked what leads to it (FC-STAB-03), by trying all pairs and triples of its contact
-// set, and each way back is cut off by one scan over all points. stable_pieces.h says what the skeleton
-// stands for. Exact, for any finite point set and any dimension of it.
+// This builds the skeleton, which is the part of the set on Voronoi vertices, edges and facets. It is followed
+// backwards from z. All pairs and triples of a point's contact set are tried to find what leads to it (FC-STAB-03).
+// One scan over all points finds the end of each way back. stable_pieces.h says what the skeleton stands for. Exact,
+// for any finite point set of any dimension.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 
 namespace oracle {
 
-// A point of the skeleton that is z, or a Voronoi vertex, or one at which a backward segment meets a Voronoi
-// edge. Contact sets are class names, ascending, here and below.
+// A point of the skeleton: z, or a Voronoi vertex, or a point at which a backward segment meets a Voronoi edge.
+// Contact sets are class names, ascending, here and below.
 struct SkeletonPoint {
   Point position;
   std::vector<std::size_t> contact;
@@ -25,11 +25,11 @@ struct SkeletonPoint {
   friend bool operator<(const SkeletonPoint& a, const SkeletonPoint& b) { return a.position < b.position; }
 };
 
-// What a backward segment ends at: the midpoint of its samples, critical of index 1 or regular stationary, or
-// a point of the skeleton on a Voronoi edge or at a Voronoi vertex.
+// What a backward segment ends at. It may be the midpoint of its samples, which is critical of index 1 or regular
+// stationary. Or it is a point of the skeleton on a Voronoi edge or at a Voronoi vertex.
 enum class BackKind { kCritical, kRegular, kEdge, kVertex };
 
-// FC-STAB-04: the open segment from `front`, to which it flows, to `back`.
+// FC-STAB-04: the open segment between `front` and `back`. It flows to `front`.
 struct BackwardSegment {
   std::array<std::size_t, 2> samples;  // of the Voronoi facet that it crosses, ascending
   Point front;
@@ -44,10 +44,10 @@ struct BackwardSegment {
   }
 };
 
-// How an open interval of a Voronoi edge flows to z: along the edge, from z(f) or from the edge's other
-// Voronoi vertex at `back` to the Voronoi vertex at `front` (FC-STAB-05); or away from the edge, through the
-// facet of the side at which its polygon is obtuse. Then it is one of those through which the rays of a
-// sector leave, and `front` is the end with the lesser coordinates.
+// How an open interval of a Voronoi edge flows to z (FC-STAB-05). In the first two cases it flows along the edge to
+// the Voronoi vertex at `front`. It comes from `back`, which is z(f) or the edge's other Voronoi vertex. In the third
+// case it flows away from the edge, through the Voronoi facet of the side at which its polygon is obtuse. Rays of a
+// sector cross it. Then `front` is the end with the lesser coordinates.
 enum class IntervalKind { kFromCentre, kFromVertex, kCrossed };
 
 struct BackwardInterval {
@@ -62,8 +62,8 @@ struct BackwardInterval {
   }
 };
 
-// FC-STAB-05: the interior of `polygon`, which lies in the Voronoi facet of `samples`. The corners are those
-// of the closure, in cyclic order, from the least one on towards the lesser of its neighbours.
+// FC-STAB-05: the interior of `polygon`, which lies in the Voronoi facet of `samples`. The corners of the closure are
+// in cyclic order, from the least corner towards the lesser of its neighbours.
 struct Sector {
   std::array<std::size_t, 2> samples;
   std::vector<Point> polygon;
@@ -74,20 +74,20 @@ struct Sector {
   }
 };
 
-// Each list ascending: by position, by samples and front, by polygon and ends, by samples and corners. No two
-// of a list are alike in these.
+// Each list is ascending: by position, by samples and front, by polygon and ends, by samples and corners. No two
+// members of a list are equal in these values.
 struct StableSet {
   std::vector<SkeletonPoint> points;
   std::vector<BackwardSegment> segments;
   std::vector<BackwardInterval> intervals;
   std::vector<Sector> sectors;
-  bool has_vertex = false;  // among the points is a Voronoi vertex
+  bool has_vertex = false;  // one of the points is a Voronoi vertex
 
   friend bool operator==(const StableSet&, const StableSet&) = default;
 };
 
-// For z of index 0 to 2, and regular stationary z of every kind. Those of index 0 and 1 have but one point in
-// `points`, z. Throws std::invalid_argument for index 3: that set is open, and fills space with the others.
+// For z of index 0 to 2, and regular stationary z of every kind. If the index is 0 or 1, `points` has only z. Throws
+// std::invalid_argument for index 3, whose stable sets are open and fill space together with the others.
 StableSet stable_set(const PointSet& set, const StationaryPoint& z);
 
 }  // namespace oracle

@@ -1,9 +1,8 @@
 // The search over all subsets, the linear scan, and the judgement of a claim against FC-CRIT-05.
 //
-// Why the search finds every stationary point: x is stationary iff x is in conv C(x) (FC-CRIT-01). Then, by
-// Caratheodory's theorem, x has positive barycentric coordinates in an affinely independent T, a subset of
-// C(x) of at most four points. As x is in aff T and at the same distance from all points of T, it is the
-// circumcentre of T.
+// The search finds every stationary point. x is stationary iff x is in conv C(x) (FC-CRIT-01). By Caratheodory's
+// theorem, x then has positive barycentric coordinates in an affinely independent subset T of C(x) of at most four
+// points. x is in aff T and equally far from all points of T, so it is the circumcentre of T.
 #include "oracle/stationary_points.h"
 
 #include <algorithm>
@@ -25,7 +24,7 @@ std::string index_text(const StationaryPoint& x) {
                          : "regular stationary of kind (" + face + "," + hull + ")";
 }
 
-// FC-OUT-02: critical points by index, then regular stationary ones by kind; each by contact.
+// FC-OUT-02: critical points by index, then regular stationary points by kind. Equal ones are ordered by contact.
 bool output_order(const StationaryPoint& a, const StationaryPoint& b) {
   const auto key = [](const StationaryPoint& s) {
     return std::make_tuple(!s.is_critical(), s.face_dimension, s.hull_dimension);
@@ -59,8 +58,7 @@ Answer stationary_points(const PointSet& set) {
   for_each_subset(set.points.size(), 4, [&](const Places& subset) {
     const auto center = set.inner_circumcentre(subset);
     if (!center) return;
-    // The subset is at one distance from the centre: if one of it is nearest, all are, and no point is
-    // nearer.
+    // The subset's points are equally far from the centre. So if one is nearest, all are, and no point is nearer.
     const Places nearest = set.nearest_places(*center);
     if (std::binary_search(nearest.begin(), nearest.end(), subset[0])) found.emplace(nearest, *center);
   });
@@ -89,7 +87,7 @@ std::optional<Finding> check_names(const PointSet& set, const std::vector<std::s
   return Finding{"FC-OUT-01", "the claimed contact set is not strictly ascending"};
 }
 
-// FC-CRIT-05 (a) to (d) for the set of the points at `places`, whose circumcentre is z if it has one.
+// Checks FC-CRIT-05 (a) to (d) for the points at `places`. Their circumcentre is z, if they have one.
 std::optional<Finding> check_contact(const PointSet& set, const Places& places, const Point& z) {
   const Rational radius = squared_distance(z, set.points[places[0]]);
   const auto describe = [&](std::size_t place) {

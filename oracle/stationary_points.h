@@ -1,9 +1,9 @@
 // All stationary points of the distance function of a finite point set, from the definitions alone.
 //
-// stationary_points() tries every subset of at most four points and scans all points for each: no
-// triangulation, no Voronoi diagram, nothing that could be got wrong in a degenerate case. It takes time n^5
-// and is meant for small sets. certify() judges one claimed stationary point of a set of any size, by one
-// scan over all points. Both are exact. Clauses (FC-...) are those of spec/flow_complex.md.
+// stationary_points() tries every subset of at most four points and scans all points for each. It needs no
+// triangulation and no Voronoi diagram, so nothing can go wrong in a degenerate case. It takes time n^5 and is meant
+// for small sets. certify() judges one claimed stationary point of a set of any size, by one scan over all points.
+// Both are exact. spec/flow_complex.md has the clauses (FC-...).
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@
 
 namespace oracle {
 
-// Critical iff face_dimension == hull_dimension, which then is its index (FC-CRIT-02); else regular
-// stationary, and (face_dimension, hull_dimension) is its kind (FC-CRIT-03).
+// The point is critical iff face_dimension == hull_dimension, and that is its index (FC-CRIT-02). Otherwise it is
+// regular stationary, and (face_dimension, hull_dimension) is its kind (FC-CRIT-03).
 struct StationaryPoint {
   Point center;
   Rational squared_distance;
@@ -42,10 +42,10 @@ struct Answer {
 Answer stationary_points(const PointSet& set);
 Answer stationary_points(const std::vector<std::array<double, 3>>& rows);
 
-// The stationary point x, where `contact` is C(x).
+// The stationary point x. `contact` is C(x).
 StationaryPoint stationary_point(const PointSet& set, const Point& x, const Places& contact);
 
-// What is wrong with a claim: the clause that it violates, and what is claimed and what is true.
+// What is wrong with a claim: the violated clause, and what is claimed and true instead.
 struct Finding {
   std::string clause;
   std::string explanation;

@@ -20,7 +20,7 @@ using property::Property;
 
 constexpr std::uint64_t kMostMoves = 3;
 constexpr const char* kMutant = "mutant";
-// Of a case: its numbers for this and that.
+// A case mixes its seed with each of these, to get its numbers for different purposes.
 enum Salt : std::uint64_t { kSourceSalt = 1, kParentSalt, kMovesSalt, kStartSalt, kShareSalt = 100 };
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -48,7 +48,7 @@ class Batch {
       }
       if (order_.only && number > *order_.only) break;
       if (order_.only && number < *order_.only) {
-        (void)drawn_case(number);  // for what it does for those after it
+        (void)drawn_case(number);  // it may add a parent for the mutants after it
         result_.tally = {};
       } else {
         run_case(number);
@@ -131,7 +131,7 @@ class Batch {
     const bool is_slow = found->kind == property.slow_kind;
     const std::size_t budget = is_slow ? property.slow_shrinking_budget : property.shrinking_budget;
     Shrunk small = shrunk(drawn.trial, *found, judge_unless_stopped, budget);
-    // What is half small depends on when it was stopped: the batch is done again.
+    // A half-shrunk case would depend on the time of the stop, so it is not reported. The batch is done again.
     is_cut_off_ = observer_.is_stopped();
     if (is_cut_off_) return;
     counterexample.trial = std::move(small.trial);
@@ -252,7 +252,7 @@ std::vector<Property> own_properties(const CampaignPlan& plan) {
 // What Campaign::absorb reads has one of the keys "finding", "discovery" and "batch".
 using nlohmann::json;
 
-// Messages of exceptions may be anything but UTF-8.
+// The message of an exception need not be UTF-8.
 std::string message_of(const Counterexample& counterexample) {
   return json{{"finding", json_of(counterexample)}}.dump(-1, ' ', true, json::error_handler_t::replace);
 }
@@ -271,7 +271,7 @@ std::optional<std::string> failure_in(const std::string& message) {
   return json::parse(message).at("failure").get<std::string>();
 }
 
-// Keys are written in alphabetical order.
+// Keys are written in alphabetical order, so "batch" comes first.
 bool ends_batch(const std::string& message) { return message.starts_with(R"({"batch":)"); }
 bool ends_whole_batch(const std::string& message) {
   return ends_batch(message) && message.find(R"("complete":true)") != std::string::npos;

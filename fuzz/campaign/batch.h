@@ -1,12 +1,10 @@
-// One batch of a campaign: its cases, one after the other, each held to the properties, and what came of
-// them.
+// One batch of a campaign. Its cases are tried one after the other, and each is held to the properties.
 //
-// Guarantees: cases, counterexamples and signatures are a function of plan, number of cases and batch, and of the
-// cases that are left out; only times are not. A case is fresh (campaign_plan.h), or a mutant (mutation.h) of an
-// input that showed a new signature earlier in the batch, or that the plan's corpus has. A disagreement is
-// told of as it is, and then shrunk, when the batch meets its kind for the first time, or always if the plan
-// wants it; the others of its kind are listed by the numbers of their cases, which a batch of one case makes
-// again.
+// Guarantees: cases, counterexamples and signatures are a function of the plan, the number of cases, the batch and
+// the cases that are left out; only times are not. A case is fresh (campaign_plan.h) or a mutant (mutation.h). The
+// parent of a mutant is an input that showed a new signature earlier in the batch, or an input of the plan's corpus.
+// The first disagreement of a kind in the batch is reported as it is, and then shrunk; so are all others if the plan
+// wants it. Otherwise the others are listed by their case numbers only, and BatchOrder::only makes such a case again.
 #pragma once
 
 #include <cstddef>
@@ -41,7 +39,7 @@ struct Tally {
       std::vector<std::map<std::uint8_t, std::size_t>>(kSignatureSize);
 
   void add(const Tally& other);
-  // Of all kinds together: a case may fail in several.
+  // The number of cases that fail. A case counts once, even if it fails in several kinds.
   [[nodiscard]] std::size_t failing_cases() const;
 };
 [[nodiscard]] nlohmann::json json_of(const Tally& tally);
@@ -57,12 +55,12 @@ struct Discovery {
 [[nodiscard]] nlohmann::json json_of(const Discovery& discovery);
 [[nodiscard]] Discovery discovery_of(const nlohmann::json& object);
 
-// Who is told, as it happens, and may stop the batch.
+// An observer is told what happens in a batch, as it happens. It may stop the batch.
 class BatchObserver {
  public:
   virtual ~BatchObserver() = default;
 
-  // Before a property is tried: if the process ends here, this is why.
+  // Called before a property is tried. If the process ends then, this trial is the reason.
   virtual void tries(std::size_t number, const std::string& source, const std::string& property,
                      const property::Trial& trial) = 0;
   virtual void has_done(std::size_t number, const std::string& source) = 0;
@@ -75,7 +73,7 @@ struct BatchOrder {
   std::size_t batch = 0;
   std::size_t cases = 0;
   std::set<std::size_t> left_out;        // numbers of cases that ended a process before
-  std::optional<std::size_t> only = {};  // hold no other case to anything; the batch is not complete then
+  std::optional<std::size_t> only = {};  // hold this case alone to properties; then the batch is not complete
 };
 
 struct BatchResult {
@@ -83,46 +81,46 @@ struct BatchResult {
   bool is_complete = false;
 };
 
-// Properties: those of the plan, or what stands for them.
+// `properties` are those of the plan, or stand for them.
 [[nodiscard]] BatchResult run_batch(const CampaignPlan& plan,
                                     const std::vector<property::Property>& properties,
                                     const BatchOrder& order, BatchObserver& observer);
 
-// The properties that a plan of no other implementation's means: those that it names, each on all cases, or
-// all of them, each on its share.
+// The properties of a plan that has no foreign command. Properties that the plan names are checked on all cases. If
+// it names none, all properties are checked, each on its share of the cases.
 [[nodiscard]] std::vector<property::Property> own_properties(const CampaignPlan& plan);
 
-// Where batches come from, and where what came of them goes: a campaign, or a line to one on another machine.
+// A source hands out batches and takes their results. It is a campaign, or a line to one on another machine.
 //
-// Guarantees: whoever works on batches needs nothing else of their campaign.
+// Guarantees: whoever works on batches needs nothing else of the campaign.
 class BatchSource {
  public:
   virtual ~BatchSource() = default;
 
   [[nodiscard]] virtual const CampaignPlan& plan() const = 0;
-  // Nothing: there is no more to do.
+  // Returns nothing if there is no more to do.
   [[nodiscard]] virtual std::optional<BatchOrder> next_batch() = 0;
-  // A batch that was not done, to be handed out again.
+  // The batch was not done and will be handed out again.
   virtual void give_back(std::size_t batch) = 0;
-  // A case that ended its process and has not been made small, each once; nothing: there is no other.
+  // Returns each case that ended its process and is not yet small, once. Returns nothing if there is no other.
   [[nodiscard]] virtual std::optional<Counterexample> next_crash() { return std::nullopt; }
   // One line from whoever does a batch (Messages, below).
   virtual void absorb(const std::string& message) = 0;
 };
 
 // ---- Messages ----
-// What whoever does batches tells the campaign, and is told: lines of text, through a pipe or between ranks.
+// Whoever does batches and the campaign send each other lines of text, through a pipe or between ranks.
 //
-// Guarantees: a line each, without line breaks inside; what is read is equal to what was written.
+// Guarantees: a message is one line, without line breaks inside. What is read is equal to what was written.
 [[nodiscard]] std::string message_of(const Counterexample& counterexample);
 [[nodiscard]] std::string message_of(const Discovery& discovery);
 [[nodiscard]] std::string message_of(std::size_t batch, const BatchResult& result);
 
-// Instead of one: the batch cannot be done on this machine, and why.
+// This message comes instead of a result. It says why the batch cannot be done on this machine.
 [[nodiscard]] std::string failure_message(const std::string& why);
 [[nodiscard]] std::optional<std::string> failure_in(const std::string& message);
 
-// Whether it is the last one of a batch, and then whether all of the batch was done.
+// Whether a message is the last one of a batch, and whether all of the batch was done then.
 [[nodiscard]] bool ends_batch(const std::string& message);
 [[nodiscard]] bool ends_whole_batch(const std::string& message);
 

@@ -25,12 +25,12 @@ constexpr const char* kPlanName = "plan.json";
 constexpr const char* kBatchesName = "batches.jsonl";
 constexpr const char* kFindingsName = "findings.jsonl";
 constexpr const char* kSignaturesName = "signatures.jsonl";
-// In the order in which they can be absorbed: a batch is done when its counterexamples are known.
+// This is the order of absorbing, since a batch is done only when its counterexamples are known.
 constexpr const char* kLineFiles[] = {kFindingsName, kSignaturesName, kBatchesName};
 constexpr const char* kFindingsFolder = "findings";
 
-// A failing case is reported as it was, and then once more, small. What it was when someone asked for it
-// again is the latest.
+// A failing case is reported as it was, and then once more, small. If someone asked for it again, that result is the
+// latest one.
 bool replaces(const Counterexample& one, const Counterexample& known) {
   return one.is_asked || (one.is_small && !known.is_small);
 }
@@ -90,7 +90,7 @@ std::string whole_lines(const fs::path& path) {
   return text;
 }
 
-// Files that are there, but are none of a campaign's.
+// Reports files that exist but are not those of a campaign.
 template <typename Open>
 auto unless_unreadable(const fs::path& folder, const Open& open) {
   try {
@@ -168,7 +168,7 @@ Campaign Campaign::with_plan_in(const fs::path& folder, std::optional<std::size_
 Campaign Campaign::resumed(const fs::path& folder, std::optional<std::size_t> total_cases) {
   return unless_unreadable(folder, [&] {
     Campaign campaign = with_plan_in(folder, total_cases);
-    campaign.files_ = std::make_unique<Files>(folder);  // nobody else's from here on
+    campaign.files_ = std::make_unique<Files>(folder);  // from here on nobody else can use it
     campaign.load(folder);
     const auto expected = campaign.expected_cases();
     if (expected && campaign.tally().cases > *expected) refuse(folder, "more cases than that are done");
@@ -189,7 +189,7 @@ Campaign Campaign::read(const fs::path& folder) {
 
 void Campaign::load(const fs::path& folder) {
   is_loading_ = true;
-  // Read the other way round: whoever may be writing writes a batch after its counterexamples.
+  // Batches are read first, because whoever may be writing writes a batch after its counterexamples.
   std::vector<std::string> texts;
   for (auto name = std::rbegin(kLineFiles); name != std::rend(kLineFiles); ++name) {
     texts.insert(texts.begin(), whole_lines(folder / *name));
@@ -247,7 +247,7 @@ void Campaign::absorb(const std::string& message) {
 
 void Campaign::absorb_batch(std::size_t batch, Tally tally) {
   handed_out_.erase(batch);
-  // The last batch of a campaign that was to be shorter is done again.
+  // If a campaign has become longer, its last batch is done again with more cases.
   const auto known = done_.find(batch);
   const std::size_t cases = tally.cases + tally.left_out;
   if (known != done_.end() && known->second.cases + known->second.left_out >= cases) return;
@@ -268,7 +268,7 @@ void Campaign::absorb(const Counterexample& counterexample) {
   if (ends_process(counterexample) && !counterexample.is_asked) left_out_.insert(counterexample.number);
   const auto known = counterexamples_.find(key);
   if (known != counterexamples_.end() && !replaces(counterexample, known->second)) return;
-  // Whoever works on the campaign makes it small already.
+  // Whoever works on the campaign already makes this crash small.
   if (!is_loading_) crashes_handed_out_.insert(key);
   counterexamples_.insert_or_assign(key, counterexample);
   if (keeps_lines()) files_->counterexamples.add(message_of(counterexample));
@@ -366,13 +366,13 @@ void OneCase::absorb(const std::string& message) {
 
 void OneCase::absorb(Counterexample counterexample) {
   if (counterexample.number != number_)
-    return campaign_.absorb(counterexample);  // ended a process before it was its turn
+    return campaign_.absorb(counterexample);  // this earlier case ended its process
   counterexample.is_asked = true;
   const std::string kind = kind_of(counterexample);
   counterexamples_.insert_or_assign(kind, counterexample);
   is_done_ = is_done_ || ends_process(counterexample);
   if (!campaign_.is_done(number_ / plan().batch_cases)) return campaign_.write_asked(counterexample);
-  // Something small gives way to nothing but something small.
+  // A small counterexample is replaced by another small one only.
   if (counterexample.is_small || !campaign_.counterexamples().contains({number_, kind}))
     campaign_.absorb(counterexample);
 }

@@ -1,4 +1,4 @@
-// Doubles are written as hexadecimal floats, in strings: JSON has no exact ones.
+// Doubles are written as strings of hexadecimal floats, since JSON has no exact ones.
 #include "fuzz/campaign/campaign_plan.h"
 
 #include <algorithm>
@@ -153,8 +153,8 @@ std::optional<std::size_t> batch_from(const CampaignPlan& plan, std::optional<st
 
 namespace {
 
-// How many of a hundred cases have so many rows: most of them 4 to 8, where a case is small enough to be
-// understood and the oracle is fast.
+// How many of a hundred cases have so many rows. Most have 4 to 8: such a case can be understood, and the oracle is
+// fast.
 constexpr std::array<std::uint64_t, kMostRowsOfTrial + 1> kShareOfRows = {1,  1,  1, 3, 16, 19, 19,
                                                                           16, 12, 5, 3, 2,  2};
 constexpr int kLargestSize = 100;
@@ -194,7 +194,7 @@ FreshTrial TrialMix::draw(std::uint64_t seed) const {
   const std::size_t target = row_target(random.next());
   Input input;
   for (int attempt = 0; attempt < kAttempts && (attempt == 0 || input.rows.size() < target); ++attempt) {
-    // Large enough for the target, mostly: a family's rows grow with the size, the more slowly the more.
+    // This size is mostly large enough for the target. A family has more rows at a larger size, but ever fewer more.
     const int size = std::min<int>(kLargestSize, static_cast<int>(random.next() % 40 + 8 * target));
     Input drawn = from.generator(rc::Random(random.next()), size).value();
     if (drawn.rows.size() > input.rows.size()) input = std::move(drawn);

@@ -1,8 +1,7 @@
-// What a fuzzing campaign is: everything that its cases, and what they are held to, depend on.
+// The plan of a fuzzing campaign. Its cases, and what they are held to, depend on nothing else.
 //
 // Guarantees: two campaigns of the same plan have the same cases and the same counterexamples, on any machine, with
-// any number of jobs, shards and interruptions. A plan survives its text: what plan_of reads is equal to what
-// was written.
+// any number of jobs, shards and interruptions. A plan that was written and read again is equal to what it was.
 //
 // A campaign is cut into batches. A batch is a function of the plan and its number: it has a corpus of its
 // own, which begins with the plan's and grows with the batch's own cases.
@@ -30,7 +29,7 @@ struct WeightedFamily {
   friend bool operator==(const WeightedFamily&, const WeightedFamily&) = default;
 };
 
-// Of the campaign's batches the part that this run does: those with number % count == index.
+// The part of the campaign's batches that this run does: those with number % count == index.
 struct Shard {
   std::size_t index = 0;
   std::size_t count = 1;
@@ -43,7 +42,7 @@ struct CampaignPlan {
   std::vector<WeightedFamily> families;  // empty: all of them alike
   std::size_t fewest_rows = 0;
   std::size_t most_rows = kMostRowsOfTrial;
-  std::size_t searched_percent = 30;    // of the cases are mutants of inputs that showed something new
+  std::size_t searched_percent = 30;    // so many cases of 100 are mutants
   std::vector<std::string> properties;  // empty: all of them, each on its share of the cases
   // Another implementation's command, and the limits under which it runs; empty: ours alone.
   std::string against;
@@ -60,29 +59,29 @@ struct CampaignPlan {
 
 // One line of JSON.
 [[nodiscard]] std::string to_text(const CampaignPlan& plan);
-// Throws std::invalid_argument, one line, for what is no plan, or names a family or a property that does not
+// Throws std::invalid_argument, one line, if the text is no plan, or names a family or a property that does not
 // exist.
 [[nodiscard]] CampaignPlan plan_of(const std::string& text);
 
 // "box:3,shell" as weighted families. Throws std::invalid_argument, one line.
 [[nodiscard]] std::vector<WeightedFamily> families_of(const std::string& list);
 
-// Of a campaign of so many cases in all: the batches of the plan's shard, and the cases of each.
+// The number of cases of a batch, in a campaign of `total` cases or of any number.
 [[nodiscard]] std::size_t cases_of_batch(const CampaignPlan& plan, std::optional<std::size_t> total,
                                          std::size_t batch);
 // All cases of the plan's shard.
 [[nodiscard]] std::size_t cases_of_shard(const CampaignPlan& plan, std::size_t total);
-// The first batch of the shard that is not before this one; nothing beyond the campaign's end.
+// The first batch of the shard that is not before `batch`. Returns nothing beyond the campaign's end.
 [[nodiscard]] std::optional<std::size_t> batch_from(const CampaignPlan& plan,
                                                     std::optional<std::size_t> total, std::size_t batch);
 
 // ---- Trial mix ----
-// Cases drawn fresh: an input of one of the plan's families, of a size from the plan's mix, and where an
-// orbit starts in it.
+// Draws fresh cases. Each is an input of one of the plan's families, of a size from the plan's mix, with the start of
+// an orbit in it.
 //
-// Guarantees: a function of plan and seed. Rows lie between the plan's bounds wherever a family can be made
-// to: an input that came out larger loses rows, one that came out smaller is drawn again, some times, and
-// then taken as it is.
+// Guarantees: a case is a function of plan and seed. The number of rows lies between the plan's bounds if the family
+// allows it. An input that is too large loses rows. An input that is too small is drawn again a few times, and then
+// the largest one is taken.
 struct FreshTrial {
   property::Trial trial;
   std::string family;

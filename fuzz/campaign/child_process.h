@@ -51,13 +51,12 @@ class LineReader {
 };
 
 // ---- Processes ----
-// Guarantees: such a process ends when its parent does, however that comes about, and leaves Ctrl-C, SIGTERM
-// and SIGHUP to it. An exception in its work ends it as a crash does: nothing of its parent's is undone in
-// it.
+// Guarantees: a child ends when its parent does, for whatever reason, and leaves Ctrl-C, SIGTERM and SIGHUP to the
+// parent. An exception in its work ends it as a crash does, so no destructor undoes there what the parent has done.
 // Does the work in a new process, which then ends with 0. Throws std::system_error.
 [[nodiscard]] pid_t start_child(const std::function<void()>& work);
 
-// Waits; its status as of waitpid.
+// Waits for the end of the child, and returns its status as waitpid gives it.
 int wait_for_end(pid_t child);
 
 }  // namespace flowcert::fuzz

@@ -66,7 +66,7 @@ oracle::Point point_of(const std::string& text) {
 }
 
 // ---- The file ----
-// The points are read here, not by the library's reader: a counterexample may be about that one too.
+// The points are read here, and not by the library's reader, because a counterexample may be about that reader.
 namespace {
 
 using nlohmann::json;
@@ -84,7 +84,7 @@ void add_answer(std::string& text, const std::string& name, const std::string& a
   for (std::string line; std::getline(lines, line);) text += fmt::format("#   {}\n", line);
 }
 
-// What follows "# KEY: ", if the line is that comment.
+// The text after "# KEY: ", if the line is that comment.
 std::optional<std::string> comment(const std::string& line, std::string_view key) {
   const std::string opening = fmt::format("# {}: ", key);
   if (!line.starts_with(opening)) return std::nullopt;

@@ -1,9 +1,8 @@
 // A case on which a property does not hold, and its file; inputs and starts of orbits as JSON.
 //
-// Guarantees: the file is a point file in XYZ format that every reader of such files takes; what else there
-// is to know stands in its comments: where the case came from, which property it breaks, how, and both
-// answers. What counterexample_of reads from a file is enough to try the case again: property, kind, start and
-// points are as they were written; points exactly.
+// Guarantees: the file is a point file in XYZ format that every reader of such files takes. Its comments say where
+// the case came from, which property it breaks and how, and both answers. What counterexample_of reads from a file is
+// enough to try the case again: the property, the kind, the start, and exactly the points that were written.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +17,8 @@
 namespace flowcert::fuzz {
 
 // ---- JSON ----
-// Rows of hexadecimal floats, rationals p/q: exact, both ways. What cannot be read throws nlohmann::json::exception or
-// std::invalid_argument.
+// Coordinates are written as hexadecimal floats and rationals as p/q, so both are exact. Text that cannot be read
+// throws nlohmann::json::exception or std::invalid_argument.
 [[nodiscard]] nlohmann::json json_of(const Input& input);
 [[nodiscard]] Input input_of(const nlohmann::json& rows);
 
@@ -37,8 +36,8 @@ struct Counterexample {
   std::string property;
   property::Trial trial;  // with its start as coordinates, if it has points
   property::Disagreement disagreement;
-  bool is_small = false;  // made so, as far as it goes
-  bool is_asked = false;  // for by its number (OneCase)
+  bool is_small = false;  // nothing is left to be done to make it small
+  bool is_asked = false;  // somebody asked for it by its number (OneCase)
 };
 
 // One word, for the name of a file: "orbit-segment-type-1234".
@@ -47,12 +46,12 @@ struct Counterexample {
 // "PROPERTY KIND".
 [[nodiscard]] std::string kind_of(const Counterexample& counterexample);
 
-// Whether the case ended its process, by a crash or by hanging: so it cannot be part of its batch.
+// Whether the case ended its process, by a crash or by hanging. Then it cannot be part of its batch.
 [[nodiscard]] bool ends_process(const Counterexample& counterexample);
 
 [[nodiscard]] std::string file_text(const Counterexample& counterexample);
-// The property's name is empty where the file says nothing of it, and the start a choice. Throws
-// std::invalid_argument, one line "LINE: reason", for rows and comments that cannot be read.
+// If the file does not name them, the property is empty and the start is a choice. Throws std::invalid_argument, one
+// line "LINE: reason", for rows and comments that cannot be read.
 [[nodiscard]] Counterexample counterexample_of(const std::string& file_text);
 
 [[nodiscard]] nlohmann::json json_of(const Counterexample& counterexample);

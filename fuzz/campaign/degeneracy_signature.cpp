@@ -1,4 +1,4 @@
-// Clusters, polygons and chains, which no public interface tells, are asked of the diagram itself.
+// Clusters, polygons and chains are taken from the diagram itself, because no public interface shows them.
 #include "fuzz/campaign/degeneracy_signature.h"
 
 #include <algorithm>
@@ -81,15 +81,15 @@ std::size_t points_of_cluster(const VoronoiComplex& complex, std::span<const Cel
   return points.size();
 }
 
-// Voronoi vertices by what they are connected to, each set with its number of edges.
+// Sets of connected Voronoi vertices, each with its number of edges.
 class Chains {
  public:
   explicit Chains(std::size_t vertices) : parent_(vertices), edges_(vertices) {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
 
-  // The number of edges that the new one hangs together with, itself included. An end may be at infinity, not
-  // both: dimension 3 has no Voronoi edge that is a line.
+  // Adds an edge, and returns the number of edges in its set. One end may be at infinity, but not both: in dimension
+  // 3 no Voronoi edge is a line.
   std::size_t add(CellIndex from, CellIndex to) {
     const std::size_t a = root(from == kNoCell ? to : from);
     const std::size_t b = root(to == kNoCell ? from : to);
@@ -130,7 +130,7 @@ Extent spatial_extent(const Diagram& faces) {
   return extent;
 }
 
-// A polygon is the contact set of its centre; its Voronoi edge is a line, a chain alone.
+// For coplanar points a polygon is the contact set of its centre. Its Voronoi edge is a line, and a chain by itself.
 Extent planar_extent(const Diagram& faces) {
   Extent extent;
   for (CellIndex cell = 0; cell < faces.delaunay().finite_count; ++cell) {

@@ -1,10 +1,10 @@
-// What is degenerate about an input, in a few small numbers: what a campaign tells inputs apart by, to keep
-// those that show something new.
+// A signature says in a few small numbers what is degenerate about an input. A campaign keeps inputs with new
+// signatures.
 //
-// Guarantees: a function of the input alone, computed by the fast implementation. Every component but the two
-// about arithmetic belongs to the point set, whatever the order of its rows; what exact arithmetic had to
-// decide depends on the triangulation, and so on the order as well. Numbers come in buckets, so that there
-// are some thousands of signatures and not millions.
+// Guarantees: a signature is a function of the input alone, computed by the fast implementation. All components but
+// the two about arithmetic are the same for any order of the rows. What exact arithmetic had to decide depends on the
+// triangulation, and so on that order as well. Numbers come in buckets, so that there are thousands of signatures and
+// not millions.
 #pragma once
 
 #include <array>
@@ -27,9 +27,9 @@ enum class SignaturePart : std::uint8_t {
   kKind12,
   kKind23,
   kKind13,
-  // A Voronoi edge is right-angled iff its polygon has a diameter of its circle as a side: then the driver of
-  // the edge lies on it, the middle of that side. A chain: right-angled Voronoi edges that hang together at
-  // Voronoi vertices. Its length: how many they are.
+  // A Voronoi edge is right-angled iff a side of its polygon is a diameter of the polygon's circle. The midpoint of
+  // that side drives the edge, and lies on its line. A chain is a set of right-angled Voronoi edges that are
+  // connected by Voronoi vertices. Its length is the number of its edges.
   kChain,
   kVertexStarts,
   kVertexHits,
@@ -48,10 +48,10 @@ inline constexpr std::size_t kSignatureSize = 19;
 struct SignatureComponent {
   std::string name;
   std::string description;  // a sentence
-  // What the values 0, 1, ... mean; of a set: what the bits of the value mean.
+  // What the values 0, 1, ... mean. For a set: what the bits of the value mean.
   std::vector<std::string> texts;
   bool is_set = false;
-  // Whether it belongs to the point set, in any order of the rows.
+  // Whether the component is the same for any order of the rows.
   bool is_combinatorial = true;
 };
 const std::vector<SignatureComponent>& signature_components();
@@ -68,12 +68,12 @@ struct DegeneracySignature {
 
 // Throws InvalidInput for a coordinate that is NaN or infinite.
 [[nodiscard]] DegeneracySignature signature_of(const Input& input);
-// Zero where a component is not combinatorial.
+// Sets all components to zero that are not combinatorial.
 [[nodiscard]] DegeneracySignature combinatorial_part(DegeneracySignature signature);
 
 // How many values a component can have.
 [[nodiscard]] std::size_t value_count(std::size_t component);
-// "3-4"; of a set "angle,cospherical", or "none".
+// "3-4"; for a set "angle,cospherical", or "none".
 [[nodiscard]] std::string value_text(std::size_t component, std::uint8_t value);
 // One line: "dimension=3 duplicates=0 cluster=6 polygon=4 12=1 ... exact=angle,cospherical exact-flow=none".
 [[nodiscard]] std::string to_text(const DegeneracySignature& signature);

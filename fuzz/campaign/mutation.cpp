@@ -1,5 +1,5 @@
-// Points are placed in rationals. A sphere has rational points everywhere: the image of one of its points in
-// a plane through its centre, with an integer normal, is another one.
+// Points are placed in rational coordinates. A sphere has rational points everywhere: reflect one of its points in a
+// plane through its centre that has an integer normal.
 #include "fuzz/campaign/mutation.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ Integer between(rc::Random& random, Integer low, Integer high) {
   return low + static_cast<Integer>(below(random, static_cast<std::size_t>(high - low + 1)));
 }
 
-// So many different ones of 0 to size - 1, in any order.
+// So many different numbers of 0 to size - 1, in any order.
 std::vector<std::size_t> choice(rc::Random& random, std::size_t size, std::size_t count) {
   std::vector<std::size_t> chosen(size);
   std::iota(chosen.begin(), chosen.end(), std::size_t{0});
@@ -65,7 +65,7 @@ const Rational& one_half() {
   return half;
 }
 
-// Entries of -3 to 3, half of the time of -1 to 1; not zero.
+// A nonzero vector with entries of -3 to 3, and half of the time of -1 to 1.
 RationalPoint small_vector(rc::Random& random) {
   const Integer reach = below(random, 2) == 0 ? 1 : 3;
   while (true) {
@@ -75,7 +75,7 @@ RationalPoint small_vector(rc::Random& random) {
   }
 }
 
-// x + t v, where it is nearest to the plane through `at` with normal v (t = 1), or its image in it (t = 2).
+// x moved along v into the plane through `at` with normal v (t = 1), or to its mirror image in that plane (t = 2).
 RationalPoint moved_along(const RationalPoint& x, const RationalPoint& v, const RationalPoint& at, int t) {
   return x - (t * inner(x - at, v) / inner(v, v)) * v;
 }
@@ -83,8 +83,8 @@ RationalPoint image(const RationalPoint& x, const RationalPoint& at, const Ratio
   return moved_along(x, normal, at, 2);
 }
 
-// The point at one distance from p and all p + edges, by Cramer's rule: 2 <z - p, edge> = <edge, edge>. The
-// last "edge" may be a normal, on which z - p has no part.
+// The point at equal distances from p and all p + edges, by Cramer's rule: 2 <z - p, edge> = <edge, edge>. The last
+// "edge" may be a normal; then z - p is orthogonal to it.
 MaybePoint center(const RationalPoint& p, const std::array<RationalPoint, 3>& edges, bool last_is_normal) {
   const RationalPoint normal = outer(edges[0], edges[1]);
   const Rational volume = inner(normal, edges[2]);
@@ -102,7 +102,7 @@ MaybePoint circle_center(const RationalPoint& p, const RationalPoint& q, const R
 
 using Points = std::vector<RationalPoint>;
 
-// Of any one of the points. No expression here draws twice: compilers differ in which operand comes first.
+// The image of any one of the points. No expression here draws twice, since compilers order operands differently.
 RationalPoint image_through(const RationalPoint& at, const Points& points, const RationalPoint& normal,
                             rc::Random& random) {
   return image(points[below(random, points.size())], at, normal);
@@ -137,14 +137,14 @@ MaybePoint on_diameter_sphere(const Points& others, const RationalPoint&, rc::Ra
   return image(others[0], one_half() * (others[0] + others[1]), small_vector(random));
 }
 
-// The foot of q on a line through p, the one to x among others.
+// The foot of q on a line through p, which half of the time is the line from p to x.
 MaybePoint at_foot(const Points& others, const RationalPoint& x, rc::Random& random) {
   RationalPoint line = below(random, 2) == 0 ? x - others[0] : small_vector(random);
   if (is_zero(line)) return std::nullopt;
   return others[0] + (inner(others[1] - others[0], line) / inner(line, line)) * line;
 }
 
-// In the plane through a point with a normal: the nearest to x, or an integer step from that point.
+// A point in the plane through `at` with this normal: the one nearest to x, or a step from `at` along the plane.
 MaybePoint in_plane(const RationalPoint& at, const RationalPoint& normal, const RationalPoint& x,
                     rc::Random& random) {
   if (is_zero(normal)) return std::nullopt;
@@ -188,7 +188,7 @@ std::optional<Row> exact_row(const RationalPoint& point) {
   return row;
 }
 
-// The factor that makes of all coordinates the smallest integers that they can be.
+// The factor that turns all coordinates into integers, the smallest possible ones.
 Rational integer_factor(const Points& points) {
   using Whole = boost::multiprecision::mpz_int;
   Whole multiple = 1;
@@ -202,7 +202,7 @@ Rational integer_factor(const Points& points) {
   return divisor == 0 ? Rational(1) : Rational(multiple) / Rational(divisor);
 }
 
-// An input, and what all of it has been multiplied by.
+// An input, and the factor by which all of it has been multiplied.
 struct Placed {
   Input input;
   Rational factor;
@@ -237,14 +237,14 @@ std::optional<Placed> with_point(const Input& input, std::size_t row, const Rati
 using Place = MaybePoint (*)(const Points& others, const RationalPoint& x, rc::Random& random);
 
 constexpr int kTries = 8;
-constexpr int kEnough = 3;  // places to choose from: the one that takes the least factor
+constexpr int kEnough = 3;  // the place with the least factor is chosen of these
 
 struct Candidate {
   Change change;
   Rational factor;
 };
 
-// A point is moved, or comes, by `count` others; nothing where it was there or falls on one of them.
+// Moves or adds a point, placed by `count` others. Returns nothing if it does not move or falls on one of them.
 std::optional<Candidate> candidate(const Input& parent, std::size_t count, Place place, rc::Random& random) {
   const std::size_t size = parent.rows.size();
   const bool is_new = size < kMostMutantRows && (size == count || below(random, 4) == 0);
@@ -281,7 +281,7 @@ MaybeChange move_to(const Input& parent, std::size_t count, Place place, rc::Ran
 
 // ---- Other changes ----
 
-// Of the largest coordinate: all are below 2 to this power. Nothing where all are zero.
+// All coordinates are below 2 to this power. Returns nothing if all are zero.
 std::optional<int> top_exponent(const Input& input) {
   double largest = 0;
   for (const Row& row : input.rows) {
@@ -293,8 +293,8 @@ std::optional<int> top_exponent(const Input& input) {
   return exponent;
 }
 
-// One row, or all of them; the lattice has 1 to 32 steps of a power of two up to the largest coordinate. A
-// quotient that is rounded here lies below the smallest normal number, and goes to zero.
+// Snaps one row, or all of them, to a lattice. Its step is a power of two, and 1 to 32 steps reach the largest
+// coordinate. A quotient that is rounded here lies below the smallest normal number, and becomes zero.
 MaybeChange snap(const Input& parent, rc::Random& random) {
   const auto top = top_exponent(parent);
   if (!top) return std::nullopt;
@@ -305,14 +305,14 @@ MaybeChange snap(const Input& parent, rc::Random& random) {
   Change change{parent, rows};
   for (const std::size_t row : rows) {
     for (double& x : change.input.rows[row]) {
-      // Plus zero: no row gets a negative one.
+      // Adding zero turns a negative zero into a positive one.
       x = std::ldexp(std::round(std::ldexp(x, -exponent)), exponent) + 0.0;
     }
   }
   return change;
 }
 
-// A copy of another row, at the end or in place of a row.
+// Puts a copy of a row at the end, or in place of another row.
 MaybeChange duplicate(const Input& parent, rc::Random& random) {
   const std::size_t size = parent.rows.size();
   if (size == 0) return std::nullopt;
@@ -336,7 +336,7 @@ MaybeChange nudge_one(const Input& parent, rc::Random& random) {
   return change;
 }
 
-// Mostly of the same axis.
+// Copies a coordinate to another row, mostly of the same axis.
 MaybeChange copy_coordinate(const Input& parent, rc::Random& random) {
   if (parent.rows.size() < 2) return std::nullopt;
   const std::vector<std::size_t> rows = choice(random, parent.rows.size(), 2);
@@ -355,7 +355,7 @@ MaybeChange remove_one(const Input& parent, rc::Random& random) {
   return change;
 }
 
-// A small integer vector from a point, or from the origin where there is none.
+// Adds a point at a small integer vector from another point, or from the origin if there is no point.
 MaybeChange add_one(const Input& parent, rc::Random& random) {
   const std::size_t size = parent.rows.size();
   if (size >= kMostMutantRows) return std::nullopt;
@@ -370,7 +370,7 @@ MaybeChange add_one(const Input& parent, rc::Random& random) {
   return Change{std::move(placed->input), std::move(rows)};
 }
 
-// By a little, mostly; else as far down or up as it goes, or anywhere between.
+// Scales by a little, mostly. Otherwise it scales as far down or up as is exact, or anywhere between.
 MaybeChange scale(const Input& parent, rc::Random& random) {
   const bool is_far = below(random, 4) == 0;
   const int exponent = is_far ? exact_scalings(parent)(rc::Random(random.next()), 100).value()
@@ -454,7 +454,7 @@ const std::vector<Mutation>& mutations() {
 
 Mutant mutated(const Input& parent, std::uint64_t seed) {
   rc::Random random(seed);
-  // Where a removal does not apply there is one row at most, and adding does, or copying.
+  // A mutation always applies: if there is at most one row, none can be removed, but one can be added or copied.
   for (const std::size_t k : choice(random, mutations().size(), mutations().size())) {
     if (auto mutant = mutations()[k].apply(parent, random)) return *std::move(mutant);
   }

@@ -1,5 +1,5 @@
-// Our own, and not RapidCheck's: its trees of smaller values come with a generator, and a mutant, or an input
-// from a file, has none.
+// This is our own, because RapidCheck's trees of smaller values come with a generator. A mutant has no generator, nor
+// has an input from a file.
 #include "fuzz/campaign/shrinking.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using property::Disagreement;
 using property::StartChoice;
 using property::Trial;
 
-// What coordinates cost: integers less than fractions, small ones less than large ones.
+// What a coordinate costs: an integer costs less than a fraction, and a small number less than a large one.
 double cost_of(double value) {
   const double size = std::fabs(value);
   if (size == 0) return 0;
@@ -59,7 +59,7 @@ class Shrinking {
     return true;
   }
 
-  // Blocks of rows, large ones first, each as often as it can be left out.
+  // Leaves out blocks of rows, large ones first, as often as the case still fails.
   bool fewer_rows() {
     const std::size_t before = best_.trial.input.rows.size();
     for (std::size_t block = before / 2; block >= 1; block /= 2) {
@@ -103,7 +103,7 @@ class Shrinking {
     return accept_if_cheaper(std::move(input));
   }
 
-  // A plane for an axis, a row for the origin, other units, and the nearest integers.
+  // Tries to flatten an axis, to move a row to the origin, to use other units, and to round to integers.
   bool smaller_as_a_whole() {
     for (std::size_t flat = 0; flat < 3; ++flat) {
       if (accept_mapped([&](std::size_t axis, double value) { return axis == flat ? 0.0 : value; }))
@@ -141,7 +141,7 @@ class Shrinking {
     return was_smaller;
   }
 
-  // Numbers of a choice are indices and offsets, simplest at 0.
+  // The numbers of a choice are indices and offsets. 0 is the simplest one.
   bool simpler_choice() {
     if (!std::holds_alternative<StartChoice>(best_.trial.start)) return false;
     bool was_simpler = false;
@@ -155,7 +155,7 @@ class Shrinking {
     return was_simpler;
   }
 
-  // To coordinates, and those to integers where that fails still.
+  // Turns the start into coordinates, and these into integers if the case still fails.
   void fix_start() {
     if (best_.trial.input.rows.empty()) return;
     best_.trial.start = property::start_of(best_.trial);

@@ -1,8 +1,8 @@
 // Makes a failing case small: fewer points, then smaller integers, and a simpler start.
 //
-// Guarantees: what is returned fails with the same kind of disagreement, and is the same for the same
-// arguments. It is no larger in rows than what was given; unless the budget ran out, no single row can be
-// left out of it. The start of an orbit comes out as coordinates.
+// Guarantees: what is returned fails with the same kind of disagreement, and is the same for the same arguments. It
+// has no more rows than `failing`. Unless the budget ran out, no single row could be left out, before the start of
+// the orbit was turned into coordinates at the end.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ using Judge = std::function<std::optional<property::Disagreement>(const property
 struct Shrunk {
   property::Trial trial;
   property::Disagreement disagreement;
-  std::size_t judged = 0;  // how many trials were
+  std::size_t judged = 0;  // the number of trials that were judged
 };
 
 // `failing` must fail, with the disagreement given. Judges at most `budget` trials.

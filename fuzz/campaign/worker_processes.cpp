@@ -1,5 +1,5 @@
-// Each worker reads orders from a pipe and writes messages to another one. The trial that it is at is in memory
-// that it shares with its parent: what is left to know of it if it ends there.
+// Each worker reads orders from a pipe and writes messages to another one. The trial that it is at is in memory that
+// it shares with its parent. The parent can still read it there when the worker has ended.
 #include "fuzz/campaign/worker_processes.h"
 
 #include <fmt/format.h>
@@ -34,7 +34,7 @@
 namespace flowcert::fuzz {
 
 // ---- The trial that a worker is at ----
-// Whatever the process dies of, the trial noted last can be read by the parent, whole.
+// The parent can read the whole trial that was noted last, whatever the process dies of.
 
 namespace {
 
@@ -52,7 +52,7 @@ class SharedTrial {
   SharedTrial(const SharedTrial&) = delete;
   SharedTrial& operator=(const SharedTrial&) = delete;
 
-  // By the worker.
+  // Called by the worker.
   void note(std::size_t number, const std::string& source, const std::string& property,
             const property::Trial& trial);
   void count_case();
@@ -60,7 +60,7 @@ class SharedTrial {
   void start_batch();
   [[nodiscard]] bool is_told_to_stop() const;
 
-  // By the parent.
+  // Called by the parent.
   [[nodiscard]] bool is_trying() const;
   [[nodiscard]] NotedTrial noted() const;
   // Changes with every trial.
@@ -77,7 +77,7 @@ class SharedTrial {
 constexpr std::size_t kMostNumbers = 64;
 constexpr std::size_t kMostText = std::size_t{1} << 20;
 
-// Two places take turns: a trial is written to the one that is not the latest.
+// There are two places. A trial is written to the one that does not hold the latest trial.
 struct Place {
   std::uint64_t number = 0;
   std::array<char, 64> source{}, property{};
@@ -166,14 +166,14 @@ using property::Property;
 using property::Trial;
 
 constexpr int kPollMilliseconds = 100;
-constexpr double kLongestLook = 0.2;  // seconds between two looks at a worker, at most, unless suspended
+constexpr double kLongestLook = 0.2;  // the most seconds between two looks, unless suspended
 // Each smaller input costs a process.
 constexpr std::size_t kCrashShrinkingBudget = 300;
 constexpr unsigned kCrashSeconds = 10;
 constexpr int kMachineFailed = 99;  // exit status
-// Of processes that others kill while they try nothing, in a row: more, and the campaign is over.
+// The campaign is over if more processes in a row are killed by others while they try nothing.
 constexpr std::size_t kMostKills = 20;
-// What cases under way have when everything is to stop.
+// Cases under way have so long when everything is to stop.
 constexpr double kSecondsToStop = 2;
 
 double seconds_since(Clock::time_point start) {
@@ -182,8 +182,8 @@ double seconds_since(Clock::time_point start) {
 
 // ---- A process of its own for one trial ----
 
-// All but the standard ones and these two: the others are ends of other workers' pipes, which would never
-// close, and the lock of the campaign's folder.
+// Closes all but the standard descriptors and these two. The others are the lock of the campaign's folder and ends of
+// other workers' pipes, which would never close otherwise.
 void close_descriptors_but(int one, int other) {
   const auto lesser = static_cast<unsigned>(std::min(one, other));
   const auto greater = static_cast<unsigned>(std::max(one, other));
@@ -256,7 +256,7 @@ void run_property(const std::vector<Property>& properties, const std::string& na
   }
 }
 
-// A case that hangs stays as it is.
+// A case that hangs is not shrunk.
 Counterexample crash_counterexample(const CampaignPlan& plan, const Crash& crash) {
   Counterexample counterexample{
       plan.seed,         crash.at.number, crash.at.source,   crash.at.trial.input.rows.size(),
@@ -346,12 +346,12 @@ class Worker {
     is_killed_ = true;
     ::kill(process_, SIGKILL);
   }
-  // By this process.
+  // Whether this process has killed it.
   [[nodiscard]] bool is_killed() const { return is_killed_; }
   int wait_for_end() { return fuzz::wait_for_end(std::exchange(process_, -1)); }
 
-  // Whether it has been at one trial for too long. Time in which nobody looked does not count: then this
-  // process was suspended as well.
+  // Whether it has been at one trial for too long. If nobody looked for a while, that time does not count, because
+  // this process was then suspended as well.
   bool hangs(double seconds) {
     const double since = seconds_since(last_look_);
     last_look_ = Clock::now();
@@ -367,7 +367,7 @@ class Worker {
   [[nodiscard]] SharedTrial& shared() { return shared_; }
   [[nodiscard]] const SharedTrial& shared() const { return shared_; }
 
-  // It tries nothing of its own yet.
+  // Whether it still makes a crash small, and has tried nothing itself yet.
   [[nodiscard]] bool makes_crash_small() const { return crash_ && shared_.trials() == 0; }
   [[nodiscard]] const std::optional<Crash>& crash() const { return crash_; }
 
@@ -375,7 +375,7 @@ class Worker {
   std::optional<NotedTrial> hanging_at;
 
  private:
-  std::optional<Crash> crash_;  // that it makes small first
+  std::optional<Crash> crash_;  // it makes this one small first
   SharedTrial shared_;
   Pipe orders_, messages_;
   pid_t process_ = -1;
@@ -460,12 +460,12 @@ class Work {
     }
     if (worker->makes_crash_small()) return add_worker(after_making_small(*worker, status));
     const std::optional<Crash> crash = crash_of_end(*worker, status);
-    // Reported at once, as it is: so the batch is done without it. The small one follows.
+    // The crash is reported at once, as it is, so that the batch is done without it. The small one follows.
     if (crash) source_.absorb(message_of(crash_counterexample(source_.plan(), *crash)));
     add_worker(crash);
   }
 
-  // Nothing: it was not the case's doing, as far as can be told.
+  // Returns nothing if, as far as can be told, the case was not the reason.
   std::optional<Crash> crash_of_end(const Worker& worker, int status) {
     const std::string how = WIFSIGNALED(status) ? text_of_signal(status) : "the process ended by itself";
     if (worker.hanging_at) {
@@ -480,11 +480,11 @@ class Work {
     if (is_by_others(status) && killed_at_.insert(crash.at.number).second) return std::nullopt;
     return crash;
   }
-  // Once more, unless it was its own doing: then the crash stays as it is.
+  // Tries once more if others killed the process. Otherwise the crash stays as it is.
   std::optional<Crash> after_making_small(const Worker& worker, int status) {
     return is_by_others(status) && ++kills_ <= kMostKills ? worker.crash() : std::nullopt;
   }
-  // By whoever runs this, or the system, for want of memory: of which the second time is the case's.
+  // A user may have killed it, or the system for want of memory. The second time, the case is taken as the reason.
   static bool is_by_others(int status) { return WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL; }
 
   void look_after(Worker& worker) {
@@ -511,7 +511,7 @@ class Work {
   const WorkOptions& options_;
   std::vector<std::unique_ptr<Worker>> workers_;
   std::set<std::size_t> killed_at_;  // cases during which a process was killed by others
-  std::size_t kills_ = 0;            // while nothing was tried, since a batch was done
+  std::size_t kills_ = 0;            // kills while nothing was tried, since the last batch was done
   bool is_stopping_ = false;
   Clock::time_point stopped_;
 };
@@ -519,7 +519,7 @@ class Work {
 }  // namespace
 
 void work_on(BatchSource& source, const std::vector<Property>& properties, const WorkOptions& options) {
-  // A worker that is gone is told by its messages' end.
+  // The end of its messages shows that a worker is gone, so no signal is needed.
   const auto before = ::signal(SIGPIPE, SIG_IGN);
   Work(source, properties, options).run();
   ::signal(SIGPIPE, before);

@@ -1,5 +1,5 @@
-// The commands that draw inputs and judge claims and programs, in a program that was built without them. Each
-// is there by name, and says what builds it; its exit status says "unusable input".
+// The commands that draw inputs and judge claims and programs, in a program that was built without them. Each has
+// only its name, says what builds it, and has the exit status of unusable input.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

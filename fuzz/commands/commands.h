@@ -1,5 +1,5 @@
-// The subcommands of `flowcert` that draw inputs, and judge claims and programs. A program that was built
-// without FLOWCERT_JUDGE has them by name alone, and they say what builds them.
+// The subcommands of `flowcert` that draw inputs, or judge claims and programs. In a program that was built without
+// FLOWCERT_JUDGE they are names only, and say what builds them.
 #pragma once
 
 #include "cli/command.h"

@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostMebibytes = std::size_t{1} << 24;
 constexpr double kLongestSeconds = 86400;
-// What a shell says of a program that a signal has ended.
+// A shell exits with this plus n if signal n has ended its program.
 constexpr int kShellSignal = 128;
 
 using Names = std::vector<std::string>;
@@ -49,7 +49,7 @@ struct ConformanceCommandOptions {
 
 // ---- Which vectors
 
-// Beside an installed program, else in the tree that it was built from.
+// The folder beside an installed program, or else in the tree that the program was built from.
 std::string usual_folder() {
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
@@ -68,7 +68,7 @@ void require_known(const char* what, const Names& asked, const Names& known) {
   }
 }
 
-// No name asked for: all.
+// If no name is asked for, all cases are chosen.
 bool is_chosen(const VectorCase& one, const ConformanceCommandOptions& options) {
   const auto has_asked_flag = [&](const std::string& flag) { return has(options.flags, flag); };
   return (options.groups.empty() || has(options.groups, one.group)) &&
@@ -122,7 +122,7 @@ int run_cases(const ConformanceCommandOptions& options, const Vectors& vectors,
   require_full_path("--against", options.run.command);
   require_full_path("--orbits-against", options.run.orbit_command);
   require_full_path("--persistence-against", options.run.persistence_command);
-  // What cannot be written is better known before.
+  // A file that cannot be written is better reported before the run.
   std::optional<OutputFile> junit;
   if (!options.junit.empty()) junit.emplace(options.junit);
   if (!options.run.keep.empty()) fs::create_directories(options.run.keep);

@@ -17,9 +17,9 @@ namespace {
 
 // ---- Counting
 
-// The columns of the tables; what an invalid case comes to is counted with what it is as good as.
+// The columns of the tables. An invalid case that is refused counts as conforming, one that is accepted as failing.
 struct Tally {
-  std::size_t cases = 0;  // without those skipped
+  std::size_t cases = 0;  // without skipped ones
   std::size_t conforms = 0;
   std::size_t where_determined = 0;
   std::size_t fails = 0;
@@ -56,7 +56,7 @@ std::size_t& column_of(Tally& tally, RunOutcome outcome) {
   return tally.unreadable;
 }
 
-// Of the cases for which includes(case).
+// The tally of the cases for which includes(case).
 template <typename Includes>
 Tally tally_of(const ConformanceReport& report, const Includes& includes) {
   Tally tally;
@@ -77,7 +77,7 @@ struct NamedTally {
   Tally tally;
 };
 
-// Those that have a case that was run.
+// The flags that have a case that was run.
 std::vector<NamedTally> tallies_by_flag(const ConformanceReport& report) {
   std::vector<NamedTally> tallies;
   for (const VectorFlag& flag : report.vectors.flags) {
@@ -90,7 +90,7 @@ std::vector<NamedTally> tallies_by_flag(const ConformanceReport& report) {
   return tallies;
 }
 
-// Also those whose cases were all skipped.
+// All groups that have a case, even if all their cases were skipped.
 std::vector<NamedTally> tallies_by_group(const ConformanceReport& report) {
   std::vector<NamedTally> tallies;
   for (const std::string& group : report.vectors.groups) {
@@ -159,7 +159,7 @@ void print_negative_cases(const ConformanceReport& report, std::size_t most) {
   if (shown + left_out > 0) fmt::print("\n");
 }
 
-// Where not simply everything is negative.
+// Prints the flags whose cases are all negative, unless all cases are.
 void print_telling_flags(const ConformanceReport& report) {
   const Tally all = tally_of_all(report);
   if (all.negative() == all.cases) return;
@@ -169,7 +169,7 @@ void print_telling_flags(const ConformanceReport& report) {
   }
 }
 
-// How many cases have something that no command was asked for.
+// Prints how many cases have something that was not judged, because no command was given for it.
 template <typename Has>
 void print_unasked(const ConformanceReport& report, const char* what, const char* option, const Has& has) {
   const auto count = static_cast<std::size_t>(std::ranges::count_if(report.outcomes, has));

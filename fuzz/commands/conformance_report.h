@@ -17,11 +17,11 @@ struct ConformanceReport {
   const std::vector<CaseOutcome>& outcomes;
   double seconds = 0;  // of the whole run
 
-  // Of the cases that were not skipped.
+  // The verdict on the cases that were not skipped.
   [[nodiscard]] Verdict verdict() const;
 };
 
-// most: negative cases shown; the others are counted.
+// At most `most` negative cases are shown; the others are counted.
 void print_conformance_text(const ConformanceReport& report, std::size_t most);
 void print_conformance_json(const ConformanceReport& report);
 void write_conformance_junit(std::ostream& out, const ConformanceReport& report);

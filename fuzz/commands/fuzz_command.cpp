@@ -1,5 +1,5 @@
-// `flowcert fuzz`: campaigns of degenerate inputs, ours against ours or anyone's against ours. Exit status 0
-// if no case failed, 1 if one did.
+// `flowcert fuzz`: campaigns of degenerate inputs. Our two implementations are compared, or another one with ours.
+// Exit status 0 if no case failed, 1 if one did.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -22,7 +22,7 @@ struct FuzzCommandOptions : FuzzOptions {
   std::vector<std::string> merged;
 };
 
-// The seconds that it takes. source: the campaign, or a part of it.
+// Returns the seconds that it takes. `source` is the campaign, or a part of it.
 double work_on(fuzz::BatchSource& source, const fuzz::Campaign& campaign, const FuzzOptions& options) {
   const auto properties = properties_of(campaign.plan());
   FuzzProgress progress(campaign, options.seconds);
@@ -58,7 +58,7 @@ int run_campaign(const FuzzOptions& options) {
 
 // ---- Again
 
-// All properties where the file names none.
+// If the file names no property, all are tried.
 bool is_right_on(const fuzz::Counterexample& counterexample,
                  const std::vector<property::Property>& properties, bool is_for_peer,
                  const std::string& path) {
@@ -130,7 +130,7 @@ int fuzz_or_list(const FuzzCommandOptions& options) {
   return options.replay.empty() ? run_campaign(options) : replay(options);
 }
 
-// CLI11 would take a word for a subcommand's only there.
+// It has --out and --json of its own, because CLI11 looks for the options of a subcommand only there.
 void add_merge_command(CLI::App& command, std::shared_ptr<FuzzCommandOptions> options, int& status) {
   CLI::App* merge_command = command.add_subcommand("merge", "Put the parts of a campaign together");
   merge_command->add_option("DIR", options->merged, "Folders of campaigns that differ in --shard alone")

@@ -1,4 +1,4 @@
-// Options are read by CLI11; what they mean together is checked here.
+// CLI11 reads the options. This file checks what they mean together.
 #include "fuzz/commands/fuzz_options.h"
 
 #include <fmt/format.h>
@@ -64,9 +64,9 @@ namespace fs = std::filesystem;
 constexpr double kLongestSeconds = 366.0 * 86400;
 constexpr std::size_t kMostMebibytes = std::size_t{1} << 24;
 constexpr std::size_t kMostShards = 1'000'000;
-// A command takes a process for each case: a batch of a thousand would be long.
+// Each case of a command takes a process, so a batch of a thousand cases would take long.
 constexpr std::size_t kCasesOfPeerBatch = 100;
-// So many inputs of a corpus folder are used, the first by name.
+// At most so many inputs of a corpus folder are used, the first ones by name.
 constexpr std::size_t kMostOfCorpus = 2000;
 
 // "4-8", "2/5": two numbers.
@@ -226,7 +226,7 @@ void add_run_options(CLI::App& command, FuzzOptions& options) {
       "Keep the campaign in this new folder: findings, signatures, and what to go on with");
   auto* resume =
       command.add_option("--resume", options.resume, "Go on with the campaign in this folder")->excludes(out);
-  // What a campaign is, its folder says.
+  // The campaign's folder says all of this.
   for (const char* name : {"--families", "--points", "--search", "--corpus", "--seed", "--property",
                            "--against", "--shard", "--time-limit", "--memory-limit"}) {
     resume->excludes(command.get_option(name));

@@ -1,5 +1,5 @@
-// The options of a fuzzing campaign, and what they mean: a campaign to go on with, and the properties that it
-// holds its cases to.
+// The options of a fuzzing campaign. They give a campaign to begin or to go on with, and the properties that its
+// cases are held to.
 //
 // Guarantees: what cannot be used is refused before anything is run or written.
 #pragma once
@@ -41,12 +41,12 @@ struct FuzzOptions {
   bool json = false;
 };
 
-// All but jobs, which are how one of the programs does it.
+// Adds all options but --jobs, which only one of the programs has.
 void add_fuzz_options(CLI::App& command, FuzzOptions& options);
 
-// What the options say of a new campaign. Throws InvalidInput for a corpus that cannot be read.
+// The plan of a new campaign. Throws InvalidInput for a corpus that cannot be read.
 [[nodiscard]] fuzz::CampaignPlan plan_of(const FuzzOptions& options);
-// Throws InvalidInput, also for a command that cannot be started, or fuzz::UnusableFolder.
+// A new or a resumed campaign. Throws InvalidInput, also if the command cannot be started, or fuzz::UnusableFolder.
 [[nodiscard]] fuzz::Campaign campaign_of(const FuzzOptions& options);
 
 // The properties of the plan.
@@ -65,11 +65,11 @@ void print_families();
 // ---- Values of options ----
 // CLI11's own checks do not know these. Each returns what is wrong, in words; empty if nothing is.
 
-// A place {in} is in the command.
+// The command must have the place {in}.
 [[nodiscard]] std::string complaint_about_missing_in(const std::string& command);
-// All of the numbers that a seed can be, which CLI11 takes for the largest one where they are too large.
+// A seed must be a number of 64 bits. CLI11 would turn a larger one into the largest one.
 [[nodiscard]] std::string complaint_about_seed(const std::string& word);
-// A positive number of seconds, at most so many, which are `span` ("a day"). CLI11's range takes nan for one.
+// The seconds must be positive and at most `most`, which is `span` ("a day") in words. CLI11's range would take nan.
 [[nodiscard]] std::string complaint_about_seconds(const std::string& word, double most,
                                                   const std::string& span);
 

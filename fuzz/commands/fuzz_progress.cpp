@@ -31,7 +31,7 @@ std::string time_text(double seconds) {
   return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
-// In columns, as many as the terminal has room for.
+// The lines have as many columns as the terminal has room for.
 std::vector<std::string> family_lines(const fuzz::Tally& tally, std::size_t width) {
   const std::size_t cells = std::max<std::size_t>(1, width / kCellWidth);
   std::vector<std::string> lines;

@@ -1,7 +1,7 @@
-// How a campaign is getting on, on standard error: only on a terminal, only for what takes longer than two
-// seconds, gone when it is done. The first line is about the whole, those below about families.
+// Shows the progress of a campaign on standard error. It is shown only on a terminal, after two seconds, and is
+// erased at the end. The first line is about the whole campaign, the lines below are about families.
 //
-// ProgressLine knows a single number; this has a dozen lines.
+// ProgressLine shows a single number only; this has a dozen lines.
 #pragma once
 
 #include <chrono>
@@ -15,13 +15,13 @@ namespace flowcert::commands {
 
 class FuzzProgress {
  public:
-  // seconds: that it may take, if it is told.
+  // `seconds` is the time that the run may take, if it has a limit.
   FuzzProgress(const fuzz::Campaign& campaign, std::optional<double> seconds);
   ~FuzzProgress();
   FuzzProgress(const FuzzProgress&) = delete;
   FuzzProgress& operator=(const FuzzProgress&) = delete;
 
-  // Cases of batches that are under way, besides those of the campaign.
+  // `under_way` counts cases of batches under way. The campaign does not count these yet.
   void operator()(std::size_t under_way);
 
   [[nodiscard]] double seconds_so_far() const;

@@ -22,7 +22,7 @@ namespace {
 using nlohmann::ordered_json;
 using Rows = std::vector<std::vector<std::string>>;
 
-// In the text; the JSON has all.
+// The text prints at most so many; the JSON has all.
 constexpr std::size_t kMostFindingsPrinted = 20;
 constexpr std::size_t kMostNumbersPrinted = 8;
 

@@ -1,4 +1,4 @@
-// What came of a campaign, for people and for programs, on standard output.
+// Reports what a campaign has found, for people and for programs, on standard output.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace flowcert::commands {
 
 struct FuzzRun {
   const fuzz::Campaign& campaign;
-  // Of this run: none where nothing was run, as of merged parts.
+  // The seconds of this run. None if nothing was run, as when parts are merged.
   std::optional<double> seconds;
   std::size_t cases = 0;
   unsigned jobs = 1;
@@ -19,10 +19,10 @@ struct FuzzRun {
 
 void print_fuzz(const FuzzRun& run, bool json);
 
-// Of one case alone, which is done; the exit status.
+// Reports one case, which is done, and returns the exit status.
 [[nodiscard]] int print_case(const fuzz::Campaign& campaign, const fuzz::OneCase& one, bool json);
 
-// The exit status: whether a case failed.
+// The exit status, which says whether a case failed.
 [[nodiscard]] int verdict_of(const fuzz::Campaign& campaign);
 
 }  // namespace flowcert::commands

@@ -1,8 +1,8 @@
 // `flowcert generate`: cases for any program to answer, on standard output (spec/formats/cases.md).
 // The counterpart of `flowcert verify`.
 //
-// Guarantees: each case is flushed before the next is made, so that it can be answered at once. A reader that
-// goes away ends it silently, as any filter.
+// Guarantees: each case is flushed before the next is made, so that it can be answered at once. If its reader goes
+// away, it ends silently, as any filter does.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <signal.h>
@@ -47,7 +47,7 @@ fuzz::CaseRun run_of(const GenerateOptions& options) {
   return run;
 }
 
-// Also where SIGPIPE is ignored.
+// Ends the program by SIGPIPE, even if that signal is ignored.
 [[noreturn]] void end_of_the_pipe() {
   ::signal(SIGPIPE, SIG_DFL);
   ::raise(SIGPIPE);

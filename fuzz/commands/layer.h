@@ -1,4 +1,4 @@
-// The namespace of the commands that draw inputs and judge sees those of the other commands and of judging.
+// The commands that draw inputs and judge see the names of the other commands and of judging.
 #pragma once
 
 #include "cli/layer.h"

@@ -1,6 +1,6 @@
-// `flowcert verify`: whether a program's answers to the cases of `flowcert generate` are right. Exit status 0
-// if all are, 1 if any is not or is missing. It reports in three ways: tables for people, one JSON object, and a JUnit
-// file for CI systems (spec/formats/cases.md).
+// `flowcert verify` says whether a program's answers to the cases of `flowcert generate` are right. Exit status 0 if
+// all are right, 1 if any is wrong or missing. It reports in three ways: tables for people, one JSON object, and a
+// JUnit file for CI systems (spec/formats/cases.md).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -28,7 +28,7 @@ namespace flowcert::commands {
 
 namespace {
 
-// The command that prints a case of the run again; of the whole run without a number.
+// The command that prints a case of the run again, or the whole run if there is no number.
 std::string generate_command(const fuzz::CaseRun& run, std::optional<std::size_t> number) {
   std::string command = fmt::format("flowcert generate --level {} --seed {}", run.level, run.seed);
   if (run.cases != fuzz::usual_cases(run.level)) command += fmt::format(" --cases {}", run.cases);
@@ -39,7 +39,7 @@ std::string generate_command(const fuzz::CaseRun& run, std::optional<std::size_t
   return command;
 }
 
-// So much of one case is shown to people.
+// Reports for people show at most so many.
 constexpr std::size_t kMostFindingsShown = 3;
 constexpr std::size_t kMostRangesShown = 20;
 // What findings call the text of an answer; its lines count from 1.
@@ -214,7 +214,7 @@ void write_family(std::ostream& out, const Verification& verification, const std
   out << "</failure>\n    </testcase>\n";
 }
 
-// most: failing cases shown of those that were kept.
+// At most `most` of the failing cases that were kept are shown.
 void print_verify_text(const Verification& verification, std::size_t most) {
   print_family_table(verification);
   print_failures(verification, most);
@@ -257,7 +257,7 @@ void write_verify_junit(std::ostream& out, const Verification& verification) {
 
 // ---- The command ----
 
-// Of failing cases, to people and to programs.
+// How many failing cases are usually shown to people and reported to programs.
 constexpr std::size_t kUsuallyShown = 10;
 constexpr std::size_t kUsuallyReported = 1000;
 

@@ -1,7 +1,7 @@
 // The lattices, and both directions; see byte_input.h for the layout.
 //
-// Guarantees: every lattice point is a double, without rounding: 42 bits in a unit whose largest multiple is
-// finite and whose smallest is a subnormal. Encoding tries all lattices and decodes to what was encoded.
+// Guarantees: every lattice point is a double, without rounding. It has 42 bits at most, in a unit whose largest
+// multiple is finite and whose smallest is a subnormal. Encoding tries all lattices, and decodes to what was encoded.
 #include "fuzz/inputs/byte_input.h"
 
 #include <algorithm>
@@ -12,9 +12,9 @@ namespace flowcert::fuzz {
 namespace {
 
 constexpr std::array kHalfWidths = {1, 2, 3, 4, 6, 10, 30, 127};
-// Exponents of the units: what is usual, far apart enough for filters to give up, and the ends of the range.
+// Exponents of the units: usual ones, ones far enough apart for filters to give up, and the ends of the range.
 constexpr std::array kUnits = {0, -2, -30, 30, 250, -250, 980, -1074};
-// Where a lattice far from the origin has its middle. An ulp there is visible among few rows.
+// The middle of a lattice that is far from the origin. There a few rows are enough to see an ulp.
 constexpr std::array kFar = {0x1p40, -0x1p41, 0x1p39};
 constexpr std::array kSteps = {0, 1, -1, 0};
 constexpr std::size_t kRowBytes = 4;
@@ -34,7 +34,7 @@ struct Lattice {
   [[nodiscard]] double coordinate(std::size_t axis, int k) const {
     return std::ldexp((is_far ? kFar.at(axis) : 0) + k, unit);
   }
-  // The nearest in the lattice; nothing if it ends before.
+  // The nearest coordinate in the lattice; nothing if x is beyond its end.
   [[nodiscard]] std::optional<int> nearest(std::size_t axis, double x) const {
     const double k = std::nearbyint(std::ldexp(x, -unit) - (is_far ? kFar.at(axis) : 0));
     return std::abs(k) <= half_width ? std::optional<int>(static_cast<int>(k)) : std::nullopt;
@@ -46,7 +46,7 @@ constexpr unsigned kSpecial = 0xc0;
 constexpr unsigned kHasUlps = 0xc0;
 constexpr unsigned kIsImage = 0x80;
 
-// One of the 48 symmetries of the cube, by number; a few more numbers are the identity.
+// One of the 48 symmetries of the cube, by number. The numbers 48 to 63 are the identity.
 LatticePoint image(const LatticePoint& point, unsigned number) {
   constexpr unsigned kSymmetries = 48;
   if (number % 64 >= kSymmetries) return point;
@@ -86,7 +86,7 @@ std::optional<std::array<std::uint8_t, kRowBytes>> row_in(const Lattice& lattice
   return bytes;
 }
 
-// With ulps where some row needs them.
+// The header says that ulps count if some row needs them.
 std::optional<std::vector<std::uint8_t>> bytes_in(unsigned header, const Input& input) {
   const Lattice lattice(header);
   std::vector<std::uint8_t> bytes = {static_cast<std::uint8_t>(header)};

@@ -17,12 +17,12 @@ namespace flowcert::fuzz {
 namespace {
 
 constexpr std::array<std::size_t, kCaseLevels> kUsualCases{500, 5'000, 20'000};
-// Of what families draw from: at 50 most of them have up to 8 points, at 75 up to 10, at 100 up to 12.
+// RapidCheck's sizes. At 50 most families have up to 8 points, at 75 up to 10, at 100 up to 12.
 constexpr std::array<int, kCaseLevels> kLargestSize{50, 75, 100};
 
 // ---- Large inputs ----
 
-// One in so many of a family's cases on level 3, for the families that can be made larger.
+// On level 3 one in so many cases is large, for families that can be made larger.
 constexpr std::uint64_t kOneInSoMany = 4;
 constexpr std::size_t kFewestOfLarge = 101;
 constexpr std::size_t kMostOfLarge = 400;
@@ -66,7 +66,7 @@ std::string four_hexadecimal_digits(std::uint64_t value) {
   return text;
 }
 
-// What is up to a separator, taken off the front with it; all of the text where there is none.
+// Takes the text before a separator, and the separator, off the front. Takes all if there is no separator.
 std::string_view next_part(std::string_view& text, char separator) {
   const std::string_view part = text.substr(0, text.find(separator));
   text.remove_prefix(std::min(part.size() + 1, text.size()));
@@ -166,7 +166,7 @@ std::optional<NamedCase> case_named(std::string_view id) {
     std::optional<NamedCase> named = parsed(id);
     if (!named) return std::nullopt;
     named->input = input_of_case(named->run, named->number);
-    // So each case has one spelling, and the digest has been compared.
+    // This compares the digest, and makes sure that each case has only one spelling.
     if (case_id(named->run, named->number, named->input) != id) return std::nullopt;
     return named;
   } catch (const std::invalid_argument&) {

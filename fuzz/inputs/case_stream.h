@@ -1,10 +1,9 @@
-// Runs of numbered cases over the families: what a program outside is asked, one input after the other, and
-// how each is named so that whoever judges the answer can make the input again.
+// A run is a list of numbered cases over the families. A program outside is asked one input after the other. Whoever
+// judges the answer can make the input again from the case's id.
 //
-// Guarantees: a case is a function of level, seed, number and chosen families alone; how many cases the run
-// has does not matter. Its id is one word of printable ASCII that says all of that, and has a digest of the
-// input: an id that another version of the generators made, or that was damaged, is refused rather than taken
-// for another input.
+// Guarantees: a case is a function of level, seed, number and chosen families alone; how many cases the run has does
+// not matter. Its id is one word of printable ASCII that says all of that, and has a digest of the input. So an id
+// that is damaged, or that another version of the generators made, is refused.
 #pragma once
 
 #include <cstddef>
@@ -18,10 +17,10 @@
 
 namespace flowcert::fuzz {
 
-// 1: up to 8 points in most cases; 2: up to 10; 3: all that a family may have, and in some cases of three
-// families hundreds.
+// Level 1 has up to 8 points in most cases, level 2 up to 10. Level 3 has all that a family may have, and in some
+// cases of three families hundreds.
 inline constexpr int kCaseLevels = 3;
-// What keeps an account of every case of a run in a byte each stays small.
+// With so many cases, an account of a byte for each case stays small.
 inline constexpr std::size_t kMostCases = 10'000'000;
 
 [[nodiscard]] std::size_t usual_cases(int level);
@@ -55,7 +54,7 @@ struct NamedCase {
   std::size_t number = 0;
   Input input;
 };
-// Nothing for what is not, to the letter, the id of a case.
+// Returns nothing if the text is not, to the letter, the id of a case.
 [[nodiscard]] std::optional<NamedCase> case_named(std::string_view id);
 
 // A line "case ID ROWS", and the rows: the shortest decimals that read back to the same doubles, or

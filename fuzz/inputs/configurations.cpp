@@ -112,19 +112,18 @@ rc::Gen<IntegerPoints> any_configuration() {
 }
 
 // ---- For orbits ----
-// Configurations whose orbits are long, or run into what orbits rarely meet: Voronoi vertices, and Voronoi
-// edges of right triangles.
+// Configurations whose orbits are long, or run into what orbits rarely meet: Voronoi vertices, and Voronoi edges of
+// right triangles.
 //
-// Rings: seen from the axis point of height z, ring k is at the squared
-// distance z² - 2 z z_k + (r_k² + z_k²), and r_k² + k² is strictly convex in k: so of any choice of rings
-// each is nearest somewhere, in turn. Two of them are equally far at a height above both iff r_j² - r_i² >
-// (j-i)², which holds for all i < j.
+// Rings: the point of height z on the axis has squared distance z² - 2 z z_k + (r_k² + z_k²) to ring k, and
+// r_k² + k² is strictly convex in k. So each ring of any choice is nearest somewhere, in turn. Two rings are equally
+// far at a height above both iff r_j² - r_i² > (j-i)², which holds for all i < j.
 namespace {
 
 // Squared radii of the rings at heights 0, 1, ...
 constexpr std::array<Integer, 7> kRings{1, 5, 10, 25, 50, 85, 130};
 
-// So many heights of rings as there are raw indices, ascending.
+// As many heights of rings as there are raw indices, ascending.
 std::vector<Integer> heights_at(const RawIndices& raw) {
   IntegerPoints all;
   for (std::size_t k = 0; k < kRings.size(); ++k) {
@@ -151,7 +150,7 @@ IntegerPoints opposite_points(Integer norm, std::size_t raw) {
   return {a, times(-1, a)};
 }
 
-// What a ring is made of: which height, which first point, which other one.
+// What a ring is made of: raw indices of its height, its first point and its other one.
 using Ring = std::array<std::size_t, 3>;
 
 rc::Gen<std::vector<Ring>> rings(std::size_t least, std::size_t most) {
@@ -171,8 +170,8 @@ std::vector<Integer> heights_of(const std::vector<Ring>& rings) {
   return heights_at(raw);
 }
 
-// A circle about (x, y, 0) around the origin, and half the length of an edge whose ends see all of it, and
-// see a point of it at an obtuse angle.
+// A circle around the origin with centre (x, y, 0), and half the length h of an edge whose midpoint is the origin.
+// All points of the circle give sides of the edge's Voronoi facet, and one of them is obtuse.
 struct OffCentre {
   Integer norm;
   Integer x;
@@ -193,8 +192,8 @@ IntegerPoints shifted_circle(Integer norm, Integer x, Integer y) {
   return points;
 }
 
-// A line that a circle's point q is good for touches an ellipse, so it is no other's, if h² + |c|² < R²: see
-// large_configurations.cpp.
+// If h² + |c|² < R², the line of each point of the circle touches an ellipse, and no other point has the same
+// line: see large_configurations.cpp.
 std::vector<OffCentre> all_off_centre() {
   std::vector<OffCentre> all;
   for (const Integer norm : {25, 50, 65, 85, 130}) {
@@ -216,7 +215,7 @@ rc::Gen<OffCentre> off_centre() {
   return rc::gen::map(raw_index(), [](std::size_t raw) { return all[raw % all.size()]; });
 }
 
-// The circle's point next to the origin is always in.
+// The circle's point nearest to the origin is always in.
 IntegerPoints neighbours(const OffCentre& circle, const RawIndices& raw) {
   IntegerPoints points{{0, 0, -circle.h}, {0, 0, circle.h}};
   IntegerPoints all = shifted_circle(circle.norm, circle.x, circle.y);
@@ -230,7 +229,7 @@ IntegerPoints neighbours(const OffCentre& circle, const RawIndices& raw) {
 
 rc::Gen<RawIndices> further_neighbours() { return list_of(3, 9, raw_index()); }
 
-constexpr Integer kSteps = 8;  // a parameter 1 of a circle, a quarter of it, is so many steps
+constexpr Integer kSteps = 8;  // the parameter 1 of a circle, a quarter, is so many steps
 
 // Half of a sphere is i² + j² <= kSteps².
 IntegerPoint half_sphere(Integer radius, Integer i, Integer j) {
@@ -317,7 +316,7 @@ rc::Gen<IntegerPoints> neighbours_on_a_circle() {
   return rc::gen::apply(neighbours, off_centre(), further_neighbours());
 }
 
-// Eight times as large, and all but the first three points off by one or not.
+// The configuration is eight times as large, and all but the first three points may be off by one.
 rc::Gen<IntegerPoints> neighbours_near_a_circle() {
   constexpr std::size_t kMost = 9;
   return rc::gen::apply(
@@ -358,8 +357,8 @@ rc::Gen<IntegerPoints> open_shell() {
 }
 
 // ---- With right angles ----
-// Configurations with a regular stationary point at the origin, built rather than searched for: among random
-// integer points the kinds (2,3) and (1,3) are rare.
+// Configurations with a regular stationary point at the origin. They are built and not searched for, because the
+// kinds (2,3) and (1,3) are rare among random integer points.
 //
 // All boundary points have norm N and all others a norm above N, so the
 // open ball is empty and the contact set of the origin is the boundary points.
@@ -367,7 +366,7 @@ namespace {
 
 bool strictly_outside(const IntegerPoint& point, Integer norm) { return dot(point, point) > norm; }
 
-// The boundary, and the others, pushed out of the ball where they are in it.
+// The boundary points, and the others, which are pushed out of the ball if they are in it.
 IntegerPoints with_far_points(IntegerPoints boundary, const IntegerPoints& others, Integer norm) {
   for (IntegerPoint point : others) {
     while (!strictly_outside(point, norm)) {
@@ -386,7 +385,7 @@ void append(IntegerPoints& points, const IntegerPoints& list, const RawIndices& 
   }
 }
 
-// A vector at a right angle to this one, which is not zero.
+// A vector that is orthogonal to this one, and not zero.
 IntegerPoint any_normal(const IntegerPoint& point) {
   const IntegerPoint normal = cross(point, {0, 0, 1});
   return normal == IntegerPoint{0, 0, 0} ? IntegerPoint{1, 0, 0} : normal;

@@ -18,7 +18,7 @@ namespace flowcert::fuzz {
 
 namespace {
 
-// All of a double's 53 bits, in [-1, 1].
+// Coordinates with all of a double's 53 bits, in [-1, 1].
 rc::Gen<Input> points_in_general_position() {
   constexpr Integer kReach = Integer{1} << 53;
   return rc::gen::map(list_of(4, 12, integer_point(-kReach, kReach)), [](const IntegerPoints& points) {
@@ -32,7 +32,7 @@ rc::Gen<Input> points_in_general_position() {
   });
 }
 
-// Lattice points again and again, with zeros of either sign.
+// Lattice points that are repeated, with zeros of either sign.
 rc::Gen<Input> repeated_rows() {
   using Repeat = std::pair<Integer, Integer>;
   return rc::gen::apply(
@@ -52,7 +52,7 @@ rc::Gen<Input> repeated_rows() {
       list_of(4, 8, integer_point(-1, 2)), list_of(1, 4, rc::gen::pair(whole(0, 99), whole(0, 1))));
 }
 
-// All numbers alike, whatever the size.
+// All numbers of points are equally likely, at any size.
 rc::Gen<IntegerPoints> few_points() {
   return rc::gen::mapcat(rc::gen::noShrink(whole(0, 4)), [](Integer count) {
     const auto number = static_cast<std::size_t>(count);
@@ -241,11 +241,10 @@ static std::vector<Family> right_angle_families() {
 }
 
 // ---- Orbit families ----
-// Families made for the flow: orbits that cross facet after facet, facets of many sides, and orbits that run
-// exactly along Voronoi edges or into Voronoi vertices.
+// Families made for the flow: orbits that cross many facets one after the other, facets of many sides, and orbits
+// that run exactly along Voronoi edges or into Voronoi vertices.
 //
-// Guarantees: what the configurations guarantee is said in configurations.h. Larger ones of
-// some are in large_configurations.h.
+// Guarantees: those of configurations.h. Some families have larger members in large_configurations.h.
 static std::vector<Family> orbit_families() {
   return {
       {"long-cascade",

@@ -20,7 +20,7 @@
 
 namespace flowcert::fuzz {
 
-// The least shares of inputs, in percent, over sizes 0 to 100 alike.
+// The least shares of inputs with a feature, in percent, over sizes 0 to 100 alike.
 struct Promise {
   int four_points = 0;  // at least four distinct points
   int cluster = 0;      // a stationary point with more contacts than a simplex of its dimension has
@@ -39,12 +39,12 @@ struct Family {
   std::function<rc::Gen<Input>()> generate;
   Promise promise;
 };
-// Its name: how a test that has a family as its parameter shows up in reports.
+// Prints the family's name, by which reports call a test that has a family as its parameter.
 std::ostream& operator<<(std::ostream& out, const Family& family);
 
 const std::vector<Family>& families();
 
-// Size is RapidCheck's: 0 to 100, the larger the more points.
+// `size` is RapidCheck's, from 0 to 100. A larger size gives more points.
 Input draw(const Family& family, std::uint64_t seed, int size);
 
 }  // namespace flowcert::fuzz

@@ -1,7 +1,7 @@
-// What the generators make and a fuzzer eats: the rows of a point file, in order, repeated rows and all.
+// The rows of a point file in order, with repeated rows. Generators make them, and fuzzers take them.
 //
-// Guarantees: printing is exact. Each row is printed with the shortest decimals that read back to the same
-// doubles, so a counterexample on the screen can be pasted into an XYZ file.
+// Guarantees: printing is exact. Each row is printed with the shortest decimals that read back to the same doubles,
+// so a counterexample on the screen can be pasted into an XYZ file.
 #pragma once
 
 #include <array>
@@ -21,11 +21,11 @@ struct Input {
 
 std::ostream& operator<<(std::ostream& out, const Input& input);
 
-// The neighbouring double upwards (steps = 1) or downwards (-1), which is the smallest change that a coordinate can
-// have; the same one for 0. Finite for every value below the largest double in magnitude.
+// The neighbouring double upwards (steps = 1) or downwards (-1), or the same one (0). No smaller change of a
+// coordinate is possible. The result is finite for every value below the largest double in magnitude.
 double nudged(double value, int steps);
 
-// splitmix64's finalizer: turns numbers that count into seeds that have nothing in common.
+// splitmix64's finalizer. It turns consecutive numbers into seeds that have nothing in common.
 //
 // Guarantees: a bijection, the same everywhere.
 constexpr std::uint64_t mixed(std::uint64_t value) {

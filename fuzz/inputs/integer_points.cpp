@@ -1,6 +1,5 @@
-// Shrinking by removal is done once for all families here: a Shrinkable of the whole input is kept beside the
-// list of rows that are still in, so that rows can go first and what generated the others can shrink
-// afterwards.
+// Shrinking by removal is done once for all families here. A Shrinkable of the whole input is kept beside the list of
+// rows that are still in. So rows can go first, and the generator's own shrinking comes afterwards.
 #include "fuzz/inputs/integer_points.h"
 
 #include <algorithm>
@@ -28,7 +27,7 @@ std::vector<Row> rows_at(const Input& input, const std::vector<std::size_t>& kep
 rc::Shrinkable<Input> removable(const rc::Shrinkable<Input>& whole, const std::vector<std::size_t>& kept) {
   const auto fewer = [whole](const std::vector<std::size_t>& rows) { return removable(whole, rows); };
   const auto smaller = [kept](const rc::Shrinkable<Input>& inner) { return removable(inner, kept); };
-  // What only changes rows that are gone would be accepted by every property, and lead nowhere.
+  // Every property would accept a change of rows that are gone, and it would lead nowhere.
   const auto differs = [whole, kept](const rc::Shrinkable<Input>& inner) {
     return rows_at(inner.value(), kept) != rows_at(whole.value(), kept);
   };
@@ -83,7 +82,7 @@ rc::Gen<std::size_t> row_count(std::size_t least, std::size_t most) {
   return [least, most](const rc::Random& random, int size) {
     rc::Random dice(random);
     const auto share = static_cast<std::size_t>(std::clamp(size, 0, kFullSize));
-    // Rounded up, so that all but the smallest sizes have a choice.
+    // This is rounded up, so that all but the smallest sizes have a choice.
     const std::size_t width = ((most - least) * share + kFullSize - 1) / kFullSize + 1;
     const std::size_t first = dice.next() % width;
     const std::size_t second = dice.next() % width;
@@ -159,7 +158,7 @@ rc::Gen<Input> input_of(const rc::Gen<IntegerPoints>& points) {
 }
 
 // ---- Points of spheres ----
-// Tables, made once, by looking at every point of a cube.
+// The tables are made once, by looking at every point of a cube.
 namespace {
 
 using Table = std::array<IntegerPoints, static_cast<std::size_t>(kLargestTabulatedNorm) + 1>;

@@ -34,7 +34,7 @@ Integer nearest_integer(Integer numerator, Integer denominator);
 rc::Gen<Integer> whole(Integer low, Integer high);
 rc::Gen<IntegerPoint> integer_point(Integer low, Integer high);
 
-// Between least and most, few more often than many, most only near size 100. Does not shrink.
+// A number from least to most. Small ones come more often, and `most` only near size 100. It does not shrink.
 rc::Gen<std::size_t> row_count(std::size_t least, std::size_t most);
 
 // A list of row_count(least, most) elements; shrinks its elements, not its length.
@@ -65,9 +65,9 @@ IntegerPoints distinct(const IntegerPoints& points);
 // Exact: all coordinates here are far below 2^53.
 Input to_input(const IntegerPoints& points);
 
-// The same inputs, which now shrink by losing rows, before anything else.
+// The same inputs, but they shrink by losing rows before anything else.
 rc::Gen<Input> shrink_by_removing(const rc::Gen<Input>& inputs);
-// Both of the above.
+// The points as inputs that shrink by losing rows.
 rc::Gen<Input> input_of(const rc::Gen<IntegerPoints>& points);
 
 // ---- Points of spheres ----
@@ -84,13 +84,13 @@ const IntegerPoints& circle_points(Integer norm);
 
 // A squared radius at which the circle z = 0 has at least 4 points: 1, 2, 5, ... 130.
 rc::Gen<Integer> circle_norm();
-// One at which the sphere has at least 24 points.
+// A squared radius at which the sphere has at least 24 points.
 rc::Gen<Integer> sphere_norm();
 
 // An index into a list whose length is not known yet: to be taken modulo the length.
 rc::Gen<std::size_t> raw_index();
 const IntegerPoint& at_raw_index(const IntegerPoints& list, std::size_t raw);
-// One a raw index, none of them twice; fewer where the list has fewer.
+// One point for each raw index, and no point twice. There are fewer if the list has fewer.
 IntegerPoints at_raw_indices(IntegerPoints list, const std::vector<std::size_t>& raw);
 
 // The points of the list that lie on the positive side of a plane through the origin.

@@ -1,4 +1,4 @@
-// How the facets, shells and cascades of large_configurations.h are made; all of it in integers but for one
+// How the facets, shells and cascades of large_configurations.h are made. All is done in integers, except for one
 // correctly rounded division.
 //
 // Facets: v in the plane z = 0 belongs to the facet of p0p1 iff 2<v,q> <= |q|² - h² for all neighbours q. For
@@ -20,7 +20,7 @@
 namespace flowcert::fuzz {
 namespace {
 
-// The raw output of std::mt19937_64, which the standard fixes, and none of its distributions.
+// It uses the raw output of std::mt19937_64, which the standard fixes, and none of its distributions.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : engine_(seed) {}
@@ -55,12 +55,12 @@ Gaussian power(const Gaussian& base, int exponent) {
 
 // The Gaussian primes over 5, 13, 17, 29, 37, 41, 53 and 61.
 constexpr std::array<Gaussian, 8> kPrimes{{{2, 1}, {3, 2}, {4, 1}, {5, 2}, {6, 1}, {5, 4}, {7, 2}, {6, 5}}};
-// In this order they are multiplied to a norm N: x² + y² = N has four times as many solutions as N has
+// The primes are multiplied in this order to a norm N. x² + y² = N has four times as many solutions as N has
 // divisors, 120,960 in the end, with coordinates below 2^48.
 constexpr std::array<std::size_t, 23> kOrder{0, 1, 2, 3, 0, 4, 5, 1, 6, 0, 2, 7,
                                              3, 0, 4, 1, 5, 0, 6, 2, 3, 1, 0};
 
-// A norm whose circle has at least so many points, as exponents of the primes.
+// A norm whose circle has at least so many points. It is given by the exponents of the primes.
 std::array<int, kPrimes.size()> norm_with_points(std::size_t least) {
   std::array<int, kPrimes.size()> exponents{};
   std::size_t points = 4;
@@ -76,7 +76,7 @@ std::array<int, kPrimes.size()> norm_with_points(std::size_t least) {
 
 bool is_upper(const Gaussian& z) { return z[1] > 0 || (z[1] == 0 && z[0] > 0); }
 
-// Of points of one circle about the origin: by angle.
+// Orders points of one circle about the origin by angle.
 bool comes_before(const Gaussian& a, const Gaussian& b) {
   if (is_upper(a) != is_upper(b)) {
     return is_upper(a);
@@ -84,7 +84,7 @@ bool comes_before(const Gaussian& a, const Gaussian& b) {
   return is_upper(a) ? a[0] > b[0] : a[0] < b[0];
 }
 
-// All integer points of a circle that has so many, or as many as there are in the tables; by angle.
+// All integer points of a circle with at least so many, or with as many as the tables give, by angle.
 std::vector<Gaussian> circle_with_points(std::size_t least) {
   const auto exponents = norm_with_points(least);
   std::vector<Gaussian> circle{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
@@ -104,7 +104,7 @@ std::vector<Gaussian> circle_with_points(std::size_t least) {
   return circle;
 }
 
-// So many of a list, one of each of so many equal parts of it.
+// Cuts a list into so many equal parts, and chooses one of each.
 std::vector<Gaussian> spread_choice(const std::vector<Gaussian>& list, std::size_t count, Dice& dice) {
   std::vector<Gaussian> chosen;
   for (std::size_t k = 0; k < count; ++k) {
@@ -115,15 +115,15 @@ std::vector<Gaussian> spread_choice(const std::vector<Gaussian>& list, std::size
   return chosen;
 }
 
-// So that the radius is large enough for a choice of centres.
+// With so many points the radius is large enough for a choice of centres.
 constexpr std::size_t kLeastCircle = 1000;
 
 constexpr Integer kRadius = Integer{1} << 47;
 
 Integer rounded(double value) { return static_cast<Integer>(std::floor(value + 0.5)); }
 
-// Of the circle of kRadius, rounded, by angle: in each quarter the parameters k / n of the rational
-// parametrisation, so that angles between neighbours are from 1/n to 2/n.
+// Rounded points of the circle of kRadius, by angle. Each quarter has the parameters k / n of the rational
+// parametrisation, so neighbours are at angles from 1/n to 2/n.
 std::vector<Gaussian> rounded_circle(std::size_t count) {
   std::vector<Gaussian> circle;
   for (std::size_t quarter = 0; quarter < 4; ++quarter) {
@@ -138,7 +138,7 @@ std::vector<Gaussian> rounded_circle(std::size_t count) {
   return circle;
 }
 
-// 0.45 to 0.55 radii from the origin: far enough for obtuse neighbours, near enough for them to surround it.
+// 0.45 to 0.55 radii from the origin, so that there are obtuse neighbours, and the circle surrounds the origin.
 Gaussian off_centre(Integer radius, Dice& dice) {
   const Integer unit = radius / 100;
   const auto is_in_ring = [](const Gaussian& c) {
@@ -149,7 +149,7 @@ Gaussian off_centre(Integer radius, Dice& dice) {
   while (!is_in_ring(centre)) {
     centre = {dice.between(-55, 55), dice.between(-55, 55)};
   }
-  // Not a multiple of the unit: nothing is to be symmetric.
+  // The centre is not a multiple of the unit, so that nothing is symmetric.
   return {centre[0] * unit + dice.between(0, unit / 100), centre[1] * unit + dice.between(0, unit / 100)};
 }
 
@@ -205,7 +205,7 @@ Input long_cascade(std::size_t points, std::uint64_t seed) {
   require(points >= 8 && points <= 100'000, "long_cascade: at least 8, at most 100,000 points");
   Dice dice(seed);
   const auto teeth = static_cast<Integer>(points - 2);
-  // The combs are the lines (t, 2t, 0) and (t, -2t, 0), with t from `start` to twice that, in turn.
+  // The teeth lie near the lines (t, 2t, 0) and (t, -2t, 0) in turn, with t from `start` to twice that.
   const Integer start = teeth * kStep;
   const Integer reach = kStep / (32 * teeth);
   const auto tooth = [&](Integer k) {

@@ -1,5 +1,5 @@
-// Point sets of any size, made for long orbits and for Voronoi facets of high degree: what benchmarks run on,
-// and tests that need more points than a family may have.
+// Point sets of any size, made for long orbits and for Voronoi facets of high degree. Benchmarks run on them, and so
+// do tests that need more points than a family may have.
 //
 // Guarantees: a function of the arguments alone, the same on every machine; no RapidCheck. All coordinates
 // are integers below 2^51 in magnitude, all rows are distinct. What is said of facets and cascades holds
@@ -14,13 +14,13 @@
 
 namespace flowcert::fuzz {
 
-// Rows 0 and 1 are p0 = (0,0,-h) and p1 = (0,0,h), the other rows their neighbours, `degree` of them, 10 to
-// 100,000. The Voronoi facet of p0p1 is a bounded polygon with `degree` sides, one for each neighbour. The
-// midpoint of p0p1, the origin, lies outside of it, so its rays enter it through the sides of obtuse
-// neighbours and leave it through those of acute ones.
+// Rows 0 and 1 are p0 = (0,0,-h) and p1 = (0,0,h). The other rows are their neighbours, `degree` of them, 10 to
+// 100,000. The Voronoi facet of p0p1 is a bounded polygon with `degree` sides, one for each neighbour. The midpoint
+// of p0p1, the origin, lies outside of the facet. So rays from there enter the facet through sides of obtuse
+// neighbours, and leave it through sides of acute ones.
 //
-// Unperturbed, the neighbours lie on one circle of the plane z = 0, in cyclic order, and the facet's sides
-// touch an ellipse. Perturbed, they lie close to such a circle, at random as far off it and its plane as the
+// Unperturbed, the neighbours lie on one circle of the plane z = 0, in cyclic order, and the facet's sides touch an
+// ellipse. Perturbed, they lie near such a circle; their random distances from it and its plane are as large as the
 // degree allows.
 Input high_degree_facet(std::size_t degree, bool perturbed, std::uint64_t seed);
 
@@ -28,15 +28,15 @@ Input high_degree_facet(std::size_t degree, bool perturbed, std::uint64_t seed);
 // rounded to integers: few maxima, and orbits that run along the sheet inside of it.
 Input half_shell(std::size_t points, std::uint64_t seed);
 
-// Two combs, points close to two lines that lean away from each other along the x axis, and at either end a
-// point that closes the strip between them; 8 to 100,000 points. Rows 0 and 1 are the foremost teeth, 2 and 3
-// close the narrow end and the wide end, and the teeth that follow stand further and further along the x
-// axis, on either line in turn.
+// Two combs are points close to two lines that lean away from each other along the x axis. At either end a point
+// closes the strip between them. There are 8 to 100,000 points. Rows 0 and 1 are the foremost teeth, rows 2 and 3
+// close the narrow end and the wide end. Each later tooth stands further along the x axis than the one before, on
+// either line in turn.
 //
-// Rows 0 and 1 make a critical point of index 1. The flow from there along the x axis crosses their facet,
-// and one for each tooth that follows: points - 3 facets in all. Rows 0, 1, 2 make a critical point of index
-// 2 from which the flow enters the strip, and the last two rows with row 3 make another, from which the way
-// back leads through all of it.
+// Rows 0 and 1 make a critical point of index 1. The flow from there along the x axis crosses their facet, and one
+// for each tooth that follows: points - 3 facets in all. Rows 0, 1, 2 make a critical point of index 2 from which the
+// flow enters the strip. The last two rows and row 3 make another, from which the way back leads through the whole
+// strip.
 Input long_cascade(std::size_t points, std::uint64_t seed);
 
 }  // namespace flowcert::fuzz

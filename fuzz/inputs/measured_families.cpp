@@ -1,4 +1,4 @@
-// Families of what is measured and rounded: scans, roundings, and the ends of the range of doubles.
+// Families of measured and rounded inputs: scans, roundings, and the ends of the range of doubles.
 //
 // Guarantees: those of families.h. What a group guarantees beyond that stands at its head.
 #include <array>
@@ -14,8 +14,8 @@
 namespace flowcert::fuzz {
 
 // ---- Scan families ----
-// Families that look like scans: points of a sphere, a torus or a sheet, rounded to a grid, as a depth sensor
-// or a file with few digits rounds them.
+// Families that look like scans: points of a sphere, a torus or a sheet are rounded to a grid, as by a depth sensor
+// or a file with few digits.
 //
 // The curves are parametrised rationally (stereographic projection) and rounded in integer arithmetic: sines and
 // cosines would differ between C libraries.
@@ -117,7 +117,7 @@ std::vector<Family> scan_families() {
 // everywhere.
 namespace {
 
-// Rotated by a rational rotation: not representable, unless the quaternion's norm is a power of two.
+// A rational rotation of points. It is not representable, unless the quaternion's norm is a power of two.
 rc::Gen<Input> rounded_rotation() {
   return rc::gen::apply(
       [](const IntegerPoints& points, const IntegerPoint& imaginary) {
@@ -136,7 +136,7 @@ rc::Gen<Input> rounded_rotation() {
 
 double rounded_to_float(double value) { return static_cast<float>(value); }
 
-// Not a loop that converts coordinates in place: g++ 12.2 with -O3 leaves two thirds of them as they are.
+// It does not convert coordinates in place: g++ 12.2 with -O3 leaves two thirds of them as they are then.
 Input rounded_to_floats(const Input& input) {
   Input rounded;
   for (const auto& [x, y, z] : input.rows) {
@@ -161,11 +161,11 @@ rc::Gen<Input> rounded_sphere() {
   });
 }
 
-// A row and a coordinate, both to be taken modulo their number, and 0, 1 or -1 steps.
+// A row and a coordinate, each to be taken modulo their number, and 0, 1 or -1 steps.
 using Nudge = std::tuple<Integer, Integer, int>;
 
 rc::Gen<Nudge> nudge() {
-  // One outcome of five is no step; the others are all up or down, and shrink to none.
+  // One outcome of five is no step. The others are one step up or down, and shrink to no step.
   const auto steps =
       rc::gen::map(whole(0, 4), [](Integer dice) { return dice == 0 ? 0 : (dice % 2 == 1 ? 1 : -1); });
   return rc::gen::tuple(whole(0, 99), whole(0, 2), steps);
@@ -179,7 +179,7 @@ rc::Gen<Input> one_ulp_off() {
         for (const auto& [row, axis, steps] : nudges) {
           const auto r = static_cast<std::size_t>(row) % exact.rows.size();
           const auto a = static_cast<std::size_t>(axis);
-          // From the exact coordinate: two nudges that meet do not add up.
+          // It starts from the exact coordinate, so two nudges of the same one do not add up.
           input.rows[r][a] = nudged(exact.rows[r][a], steps);
         }
         return input;
@@ -211,13 +211,13 @@ std::vector<Family> rounding_families() {
 }
 
 // ---- Magnitude families ----
-// Families at the ends of the range of doubles: far from the origin, next to overflow, subnormal, and all of
-// it in one input.
+// Families at the ends of the range of doubles: far from the origin, next to overflow, subnormal, and all of these in
+// one input.
 //
 // Guarantees: all coordinates are finite, and configurations that are called exact stay so.
 namespace {
 
-// Powers of two, up to 2^45: with a configuration's coordinates, far below 2^53.
+// Powers of two up to 2^45, so that sums with a configuration's coordinates are far below 2^53.
 rc::Gen<IntegerPoint> far_offset() {
   const auto power = rc::gen::map(whole(0, 45), [](Integer exponent) { return Integer{1} << exponent; });
   return rc::gen::apply(
@@ -238,7 +238,7 @@ rc::Gen<Input> exact_far_away() {
       any_configuration(), far_offset());
 }
 
-// Thirds of a configuration, far away: the sum is rounded to what is left of 53 bits.
+// Thirds of a configuration, far away. The sum is rounded to what is left of the 53 bits.
 rc::Gen<Input> rounded_far_away() {
   return rc::gen::apply(
       [](const IntegerPoints& points, const IntegerPoint& offset) {
@@ -269,7 +269,7 @@ rc::Gen<Input> scaled_to_an_end() {
       any_configuration(), whole(0, static_cast<Integer>(kExponents.size()) - 1));
 }
 
-// 2^-997 is about 1e-300, 2^996 about 1e300; (2^53 - 1) 2^971 is the largest double, 2^-1074 the smallest.
+// 2^-997 is about 1e-300, (2^53 - 1) 2^971 is the largest double, and 2^-1074 is the smallest.
 rc::Gen<double> any_magnitude() {
   constexpr std::array<int, 9> kExponents{0, -60, 60, -500, 500, -997, 971, -1074, 900};
   const auto small = whole(-3, 3);
@@ -280,7 +280,7 @@ rc::Gen<double> any_magnitude() {
         return std::ldexp(static_cast<double>(mantissa), kExponents[static_cast<std::size_t>(which)]);
       },
       rc::gen::weightedOneOf<Integer>({{8, small}, {3, full}, {1, largest}}),
-      // Exponent 0 at every other draw, so that the different magnitudes meet in a coordinate or two.
+      // About half of the exponents are 0, so that the different magnitudes meet in a coordinate or two.
       rc::gen::map(whole(0, 17), [](Integer dice) { return dice >= 9 ? 0 : dice; }));
 }
 
@@ -293,7 +293,7 @@ rc::Gen<Input> mixed_magnitudes() {
   return rc::gen::map(list_of(4, 9, row), [](const std::vector<Row>& rows) { return Input{rows}; });
 }
 
-// Ties at one magnitude among points of another.
+// Ties at one magnitude, among points of another magnitude.
 rc::Gen<Input> two_scales() {
   constexpr std::array<int, 8> kExponents{-3, 20, -60, 60, -600, 600, -1074, 1000};
   return rc::gen::apply(

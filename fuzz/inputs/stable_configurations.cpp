@@ -1,4 +1,4 @@
-// Configurations are built around the point where their stable sets are cut off.
+// Each configuration is built around the point where its stable set is cut off.
 #include "fuzz/inputs/stable_configurations.h"
 
 namespace flowcert::fuzz {
@@ -7,7 +7,7 @@ namespace {
 
 constexpr Integer kReach = 12;
 
-// Of the sphere about (0,t,0) through (-a,0,0), those below y = 0.
+// The integer points below y = 0 of the sphere about (0,t,0) through (-a,0,0).
 IntegerPoints lower_sphere_points(Integer a, Integer t) {
   IntegerPoints sphere;
   for (Integer x = -kReach; x <= kReach; ++x) {
@@ -62,7 +62,7 @@ const std::vector<Star>& stars() {
   return all;
 }
 
-// Three of them, or none where there are none.
+// Three of the points, which may repeat. None if the list is empty.
 rc::Gen<IntegerPoints> three_of(const IntegerPoints& points) {
   if (points.empty()) return rc::gen::just(IntegerPoints{});
   const auto one = rc::gen::map(whole(0, static_cast<Integer>(points.size()) - 1),
@@ -97,7 +97,7 @@ const std::vector<IntegerPoints>& cores() {
   return all;
 }
 
-// All with 20^2 < |p|^2 <= 25^2.
+// All integer points with 20^2 < |p|^2 <= 25^2.
 const IntegerPoints& shell() {
   static const IntegerPoints all = [] {
     IntegerPoints points;

@@ -1,7 +1,7 @@
 // Exact transformations; see transformations.h for what they guarantee.
 //
-// Source: a sum of doubles is exact iff the error term of Knuth's TwoSum is zero (nothing here is near
-// overflow in the error term: a sum that overflows is refused first).
+// Source: a sum of doubles is exact iff the error term of Knuth's TwoSum is zero. The error term does not overflow
+// here, because a sum that overflows is refused first.
 #include "fuzz/inputs/transformations.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ bool is_exact_sum(double a, double b) {
   return error == 0;
 }
 
-// The exponents by which a number can be multiplied exactly; everything for 0.
+// The range of exponents by which a number can be scaled exactly; everything for 0.
 std::pair<int, int> exact_exponents(double value) {
   constexpr int kReach = 2200;
   if (value == 0) {
@@ -41,7 +41,7 @@ std::pair<int, int> exact_exponents(double value) {
   return {kSmallest - lowest_bit, std::numeric_limits<double>::max_exponent - exponent};
 }
 
-// A candidate offset: an integer one in two of three, else minus a row.
+// A candidate for an offset: an integer one for the choices 0 and 1, otherwise minus a row.
 Row offset_of_choice(const Input& input, Integer choice, const IntegerPoint& integers, int exponent) {
   if (choice < 2 || input.rows.empty()) {
     return {std::ldexp(static_cast<double>(integers[0]), exponent),
@@ -63,7 +63,7 @@ Input permuted(const Input& input, const std::vector<std::size_t>& order) {
 }
 
 rc::Gen<std::vector<std::size_t>> row_orders(std::size_t rows) {
-  // Fisher and Yates, from one raw integer a row; all zero is the identity.
+  // This is Fisher and Yates' shuffle with one raw integer a row. All zeros give the identity.
   return rc::gen::map(rc::gen::container<std::vector<Integer>>(rows, whole(0, 1'000'000)),
                       [](const std::vector<Integer>& raw) {
                         std::vector<std::size_t> order(raw.size());
@@ -130,7 +130,7 @@ rc::Gen<int> exact_scalings(const Input& input) {
       common = {std::max(common.first, least), std::min(common.second, most)};
     }
   }
-  // Either end of the range is as likely as all between.
+  // The two ends of the range together come as often as all values between.
   return rc::gen::map(rc::gen::pair(whole(0, 3), whole(common.first, common.second)),
                       [common](const std::pair<Integer, Integer>& choice) {
                         switch (choice.first) {
@@ -172,7 +172,7 @@ rc::Gen<Row> exact_translations(const Input& input) {
 }
 
 std::optional<Input> turned(const Input& input, const IntegerRotation& rotation) {
-  // Three products with the matrix's entries, each of which is at most the norm.
+  // A coordinate is a sum of three products with the matrix's entries, each of which is at most the norm.
   constexpr Integer kLargest = Integer{1} << 50;
   const double reach = static_cast<double>(kLargest / (3 * rotation.norm));
   IntegerPoints points;

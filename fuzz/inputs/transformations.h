@@ -42,7 +42,7 @@ std::optional<Input> translated(const Input& input, const Row& offset);
 // is exact.
 rc::Gen<Row> exact_translations(const Input& input);
 
-// Turned, and larger by the rotation's norm. Only for integer coordinates, well below 2^53.
+// Turned, and enlarged by the rotation's norm. Only for integer coordinates, well below 2^53.
 std::optional<Input> turned(const Input& input, const IntegerRotation& rotation);
 
 }  // namespace flowcert::fuzz

@@ -23,8 +23,8 @@ namespace flowcert::judge {
 
 // ---- The command ----
 
-// Words without a meaning for the shell stay as they are, so that a user's own quotes around a place, "{in}",
-// do no harm.
+// Words that mean nothing special to the shell stay as they are. So a user's own quotes around a place, "{in}", do no
+// harm.
 std::string shell_word(const std::string& text) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
@@ -69,7 +69,7 @@ namespace {
   throw InvalidInput(fmt::format("{}: {}", name, reason));
 }
 
-// O_NONBLOCK: a named pipe opens at once, and is then seen to be one.
+// With O_NONBLOCK a named pipe opens at once, and is then recognised.
 class OpenFile {
  public:
   OpenFile(const std::string& path, const std::string& name)
@@ -87,14 +87,14 @@ class OpenFile {
 };
 
 // Reads a file that some other program left, of which nothing can be assumed. It never waits for the other end of a
-// pipe, and never takes more memory than it was told.
-// What is missing, no regular file, or longer than `most` bytes throws InvalidInput, "NAME: reason".
+// pipe, and takes bounded memory. Throws InvalidInput "NAME: reason" if the file is missing, is no regular file, or
+// is longer than `most` bytes.
 std::string read_bounded(const std::string& path, std::size_t most, const std::string& name) {
   const OpenFile file(path, name);
   struct stat status {};
   if (::fstat(file.number(), &status) != 0) reject(name, std::strerror(errno));
   if (!S_ISREG(status.st_mode)) reject(name, "not a regular file");
-  // One byte more than there may be, for files that grow, or do not tell their size.
+  // It may read more than `most` bytes, to notice files that grow or do not tell their size.
   std::string bytes;
   const auto size = static_cast<std::size_t>(status.st_size);
   if (size > most) reject(name, fmt::format("{} bytes; more than {} are not read", size, most));
@@ -115,15 +115,15 @@ std::string read_bounded(const std::string& path, std::size_t most, const std::s
 
 namespace fs = std::filesystem;
 
-// What a shell exits with that was not allowed to run the command, or did not find it.
+// A shell exits with these if it was not allowed to run the command, or did not find it.
 constexpr int kNotExecutable = 126;
 constexpr int kNotFound = 127;
 
-// Answers to the vectors are a hundredth of this, and a compressed one could become a thousand times larger.
+// Answers to the vectors are a hundredth of this size. A compressed one could become a thousand times larger.
 constexpr std::size_t kMostBytes = std::size_t{16} << 20;
 constexpr std::size_t kMostCompressedBytes = std::size_t{1} << 20;
 
-// Empty, too, where the program has put something else in its place, which opening could wait for.
+// Also empty if the program has put something else in the file's place, since opening that could wait.
 std::string first_line_of(const fs::path& path) {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return "";
@@ -207,7 +207,7 @@ ScratchFolder::~ScratchFolder() {
   std::error_code failure;
   fs::remove_all(path_, failure);
   if (!failure) return;
-  // A folder that its program has closed to everyone, us included.
+  // The program may have closed its folder to everyone, us included.
   std::error_code ignored;
   const auto skip = fs::directory_options::skip_permission_denied;
   fs::permissions(path_, fs::perms::owner_all, ignored);

@@ -1,4 +1,4 @@
-// A user's command: its places to be filled in, as {in} and {out}, one run of it on a point file, and what that
+// Fills in the places of a user's command, such as {in} and {out}, runs it once on a point file, and reads what that
 // leaves.
 #pragma once
 
@@ -18,19 +18,19 @@ namespace flowcert::judge {
 
 [[nodiscard]] bool has_place(std::string_view command, std::string_view place);
 
-// As one word of the shell, whatever it holds.
+// The text as one word of the shell, whatever it holds.
 [[nodiscard]] std::string shell_word(const std::string& text);
 
-// Each place of the first with the second as one word of the shell, whatever it holds. What is filled in is
-// not looked at again.
+// Replaces each place (first) by its value (second), as one word of the shell. What is filled in is not searched for
+// places.
 [[nodiscard]] std::string filled_in(std::string_view command,
                                     const std::vector<std::pair<std::string, std::string>>& values);
 
 // ---- A run ----
 // One run of a user's command on a point file, and what it leaves: its answer, what it said, how it ended.
 //
-// Guarantees: those of limited_program.h. The run has a folder, with a subfolder that it runs in, so that
-// nothing of ours is in its way but the points. Nothing is assumed of what it leaves.
+// Guarantees: those of limited_program.h. The run has a folder, and runs in a subfolder of it, so that it meets none
+// of our files but the points. Nothing is assumed of what it leaves.
 struct CommandOrder {
   std::string command;  // with {in}; the answer is the file {out}, or standard output
   std::string points_name;
@@ -39,7 +39,7 @@ struct CommandOrder {
   std::vector<std::pair<std::string, std::string>> values;  // for further places
 };
 
-// A run that has ended, and where it has left what.
+// A run that has ended, and where it has left its files.
 struct CommandRun {
   std::filesystem::path folder;
   std::string answer_name;
@@ -59,11 +59,11 @@ struct CommandRun {
 [[nodiscard]] bool was_not_started(const ProgramEnd& end);
 // "exit status 3: the first line that it said"
 [[nodiscard]] std::string status_text(const CommandRun& run);
-// Throws InvalidInput for what is missing, no regular file, or too long for an answer to a small input.
+// Throws InvalidInput if the answer is missing, is no regular file, or is too long for a small input.
 [[nodiscard]] std::string answer_bytes(const CommandRun& run);
 
-// A command that names its program by a relative path would not find it in the folder of a run: what to say
-// of it, empty if it does not.
+// If a command names its program by a relative path, it would not find it in the folder of a run. Returns what to say
+// then; empty if all is well.
 [[nodiscard]] std::string fault_of_relative_path(const std::string& command);
 
 // Throws OutputError.
@@ -75,7 +75,7 @@ class ScratchFolder {
  public:
   // In the directory for temporary files (TMPDIR, or /tmp). Throws std::filesystem::filesystem_error.
   ScratchFolder();
-  // In another one, under this name, which must be new.
+  // At this path, which must be new.
   explicit ScratchFolder(const std::filesystem::path& path);
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;

@@ -1,4 +1,4 @@
-// Conformance vectors, in parallel. A case takes one run of the command, one of the orbit command for each start,
+// Runs conformance vectors in parallel. A case takes one run of the command, one of the orbit command for each start,
 // and one of the persistence command.
 #include "fuzz/judge/conformance_run.h"
 
@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 constexpr char kOrbitName[] = "orbit.json";
 constexpr char kPersistenceName[] = "persistence";
 
-// In place of what an earlier run may have left.
+// The copy replaces what an earlier run may have left.
 void copy_if_regular(const fs::path& from, const fs::path& to) {
   fs::remove(to);
   std::error_code ignored;
@@ -116,7 +116,7 @@ class CaseRun {
     if (run.answer != run.out()) copy_if_regular(run.answer, folder / run.answer_name);
   }
 
-  // Says no for what is neither a yes nor a no of the program.
+  // Returns false if the program said neither yes nor no, because it crashed, was late or was cancelled.
   bool comes_to_an_end(const Run& run) {
     const ProgramEnd& end = run.end;
     if (end.ending == ProgramEnding::kTimedOut) {
@@ -146,7 +146,7 @@ class CaseRun {
 
   // ---- What it answers
 
-  // Calls read(bytes); false if it cannot be read.
+  // Calls read(bytes). Returns false if the answer cannot be read.
   template <typename Read>
   bool read_answer(const Run& run, const Read& read) {
     try {
@@ -232,7 +232,7 @@ class CaseRun {
   CaseOutcome result_;
 };
 
-// In a new folder in `scratch`, gone afterwards. If is_cancelled, what is returned means nothing.
+// Runs in a new folder in `scratch`, which is removed afterwards. If is_cancelled, the result means nothing.
 CaseOutcome run_case(const VectorCase& one, const ConformanceOptions& options, const fs::path& scratch,
                      const std::function<bool()>& is_cancelled) {
   const ScratchFolder folder(scratch / one.id);
@@ -243,7 +243,7 @@ CaseOutcome run_case(const VectorCase& one, const ConformanceOptions& options, c
 
 using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
-// Workers take the next case each, until there is none, or one of them cannot go on.
+// Each worker takes the next case, until there is none, or until one of them cannot go on.
 class ConformanceRun {
  public:
   ConformanceRun(const std::vector<const VectorCase*>& cases, const ConformanceOptions& options,
@@ -287,11 +287,11 @@ class ConformanceRun {
   const std::vector<const VectorCase*>& cases_;
   const ConformanceOptions& options_;
   const Progress& progress_;
-  std::vector<CaseOutcome> outcomes_;  // each written by one worker
+  std::vector<CaseOutcome> outcomes_;  // each is written by one worker
   ScratchFolder scratch_;
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> has_failed_{false};
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // for what follows
   std::size_t done_ = 0;
   std::exception_ptr failure_;
 };

@@ -1,8 +1,8 @@
-// A user's command, run on conformance vectors, and what came of each.
+// Runs a user's command on conformance vectors. Each case has an outcome.
 //
-// Guarantees: every case has an outcome, whatever the command does (limited_program.h): its answer is a claim
-// that is judged like any other, by the vector's stored answers (oracle_truth.h). Nothing is left behind but
-// what --keep asks for.
+// Guarantees: every case has an outcome, whatever the command does (limited_program.h). Its answer is a claim that is
+// judged like any other, by the vector's stored answers (oracle_truth.h). Nothing is left behind but what --keep asks
+// for.
 #pragma once
 
 #include <array>
@@ -48,12 +48,12 @@ struct CaseOutcome {
   const VectorCase* of = nullptr;
   RunOutcome outcome = RunOutcome::kSkipped;
   std::string message;       // one line; empty where there is nothing to say
-  std::optional<int> level;  // of a claim that fails: the first of its levels that does
+  std::optional<int> level;  // the first level that fails, if the claim fails
   double seconds = 0;        // of all runs of the case
   std::vector<Finding> findings;
   std::size_t findings_left_out = 0;  // beyond the first kMostFindings
   std::vector<OrbitFinding> orbit_findings;
-  std::array<bool, kLevels> judged{};  // which levels there was something to judge on
+  std::array<bool, kLevels> judged{};  // the levels on which something was judged
   std::size_t orbits_judged = 0;
   std::vector<PairDifference> persistence_findings;
   bool is_persistence_judged = false;
@@ -72,9 +72,9 @@ struct ConformanceOptions {
   std::string keep;  // a folder; may be empty
 };
 
-// In the order of the cases, which must outlive the outcomes. Throws Interrupted if a signal came (there has
-// to be an Interruption), and std::exception for what makes it impossible to go on: no disk, no process, a
-// vector that contradicts itself.
+// The outcomes have the order of the cases, which must outlive them. An Interruption has to exist; if a signal came,
+// Interrupted is thrown. Throws std::exception if it is impossible to go on: no disk, no process, a vector that
+// contradicts itself.
 [[nodiscard]] std::vector<CaseOutcome> run_conformance(
     const std::vector<const VectorCase*>& cases, const ConformanceOptions& options,
     const std::function<void(std::size_t done, std::size_t total)>& progress);

@@ -1,4 +1,4 @@
-// The namespace of what runs and judges programs sees those of the library, and what draws inputs.
+// The code that runs and judges programs sees the names of the library.
 #pragma once
 
 #include "certify/layer.h"

@@ -1,4 +1,4 @@
-// Between fork and exec nothing is called but what POSIX allows there: other threads may hold any lock.
+// Between fork and exec only what POSIX allows there is called, because other threads may hold any lock.
 #include "fuzz/judge/limited_program.h"
 
 #include <fcntl.h>
@@ -25,13 +25,13 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
-// What a shell adds to the signal that ended its program; what a program of ours exits with that was not
-// started at all, as a shell does.
+// A shell adds the first to the signal that ended its program. Like a shell, we exit with the second if the program
+// was not started at all.
 constexpr int kShellSignal = 128;
 constexpr int kNotStarted = 127;
 constexpr int kLastSignal = 31;
 
-// What the leader of a group is told by when this process has ended: a signal that programs do not use.
+// This signal, which programs do not use, tells the leader of a group that this process has ended.
 const int kParentEnded = SIGRTMIN + 7;
 
 // A killed process may take a moment to go, and is not waited for longer than this.
@@ -54,7 +54,7 @@ class Descriptor {
 
 using ResourceLimit = std::pair<int, rlimit>;
 
-// A limit that is lower already stays: only root may raise it.
+// A limit that is already lower stays, because only root may raise it.
 ResourceLimit limit_of(int resource, rlim_t most) {
   rlimit current{};
   ::getrlimit(static_cast<__rlimit_resource>(resource), &current);
@@ -73,7 +73,7 @@ struct Start {
 
 void end_own_group(int) { ::kill(0, SIGKILL); }
 
-// Of the group's leader, and so of the command.
+// Sets up the group's leader, and so the command.
 bool set_up(const Start& start) {
   ::setpgid(0, 0);
   for (int number = 1; number < NSIG; ++number) ::signal(number, SIG_DFL);
@@ -103,8 +103,8 @@ bool set_limits(const Start& start) {
   ::_exit(kNotStarted);
 }
 
-// Waits for the command, and ends its whole group when our parent has ended, killed outright included:
-// nobody else would stop it then.
+// Waits for the command. If our parent ends, even by being killed, this ends the whole group, since nobody else
+// would.
 [[noreturn]] void lead_group(const Start& start) {
   const pid_t command = set_up(start) ? ::_Fork() : -1;  // fork itself may take locks
   if (command < 0) ::_exit(kNotStarted);
@@ -120,19 +120,19 @@ pid_t start_process(const Start& start) {
   const pid_t process = ::fork();
   if (process < 0) throw std::system_error(errno, std::generic_category(), "no process can be started");
   if (process == 0) lead_group(start);
-  // Also here, so that the group exists when we first signal it.
+  // The parent does it too, so that the group exists when we first signal it.
   ::setpgid(process, process);
   return process;
 }
 
-// It stays a zombie, and its number its own, so that the group can still be signalled.
+// The process stays a zombie and keeps its number, so that the group can still be signalled.
 bool has_ended(pid_t process) {
   siginfo_t info{};
   return ::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
          info.si_pid == process;
 }
 
-// A tenth of what has passed: little for short runs, rarely for long ones.
+// Waits a tenth of the time that has passed: short runs are delayed little, and long ones are looked at rarely.
 void pause(Clock::time_point since) {
   using std::chrono::microseconds;
   const auto passed = std::chrono::duration_cast<microseconds>(Clock::now() - since);

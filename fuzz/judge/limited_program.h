@@ -1,13 +1,12 @@
 // A shell command under limits: of time, of memory, of the size of the files that it writes.
 //
-// Guarantees: whatever the command does, the call comes back: soon after the time limit, or after a
-// cancellation. The command is a process group of its own, and when the call comes back no process of that
-// group is left, the command's background children included. (A process that leaves the group, by setsid, is
-// not found again.) They end as well when this process is killed. The command reads nothing, and writes to
-// files, so that nobody blocks on a pipe; it gets no descriptors but these, and signals at their defaults. No
-// core is dumped.
+// Guarantees: whatever the command does, the call returns soon after the time limit or a cancellation. The command
+// has a process group of its own. When the call returns, or when this process is killed, no process of that group is
+// left, not even the command's background children. (A process that leaves the group, by setsid, is not found again.)
+// The command reads nothing, and writes to files, so that nobody blocks on a pipe. It gets no other descriptors, and
+// signals at their defaults. No core is dumped.
 //
-// Our own over POSIX: Boost.Process, which Debian has, knows neither resource limits nor whether a group has
+// This is our own code over POSIX, since Debian's Boost.Process knows neither resource limits nor whether a group has
 // come to its end. posix_spawn has no resource limits either.
 #pragma once
 
@@ -41,7 +40,7 @@ struct ProgramEnd {
   double seconds = 0;
 };
 
-// By /bin/sh -c. is_cancelled is asked every few milliseconds. Throws std::system_error if no process can be
+// Runs it by /bin/sh -c. is_cancelled is asked every few milliseconds. Throws std::system_error if no process can be
 // started. May be called from several threads at once.
 [[nodiscard]] ProgramEnd run_limited(const std::string& command, const ProgramPlaces& places,
                                      const ProgramLimits& limits, const std::function<bool()>& is_cancelled);
@@ -50,7 +49,7 @@ struct ProgramEnd {
 [[nodiscard]] std::string signal_text(int number);
 
 // ---- Signals ----
-// Ctrl-C, SIGTERM and SIGHUP as something to ask for, while there is something to put away first.
+// A note of Ctrl-C, SIGTERM or SIGHUP that the program can ask for, while it has files to put away first.
 //
 // Guarantees: as long as an object lives, these signals only leave a note; a signal that is ignored (nohup, a
 // shell's background job) stays so. One object at a time.
@@ -65,7 +64,7 @@ class Interruption {
   [[nodiscard]] static int signal();
 };
 
-// Thrown where the work has stopped because of it.
+// Thrown when the work has stopped because of a signal.
 struct Interrupted {
   int signal = 0;
 };

@@ -1,4 +1,4 @@
-// Both are computed by the oracle, but for what a vector says itself.
+// The oracle computes both, except for what a vector says itself.
 #include "fuzz/judge/oracle_truth.h"
 
 #include <fmt/format.h>
@@ -42,7 +42,7 @@ BackwardSegment segment_of(const oracle::BackwardSegment& segment) {
           kKinds.at(static_cast<std::size_t>(segment.back_kind))};
 }
 
-// The intervals that sectors come through are told by the sectors' corners.
+// Intervals that sectors come through are left out, because the sectors' corners tell them.
 StableSet stable_set_of(const oracle::PointSet& points, const oracle::StableSet& set) {
   StableSet result;
   for (const auto& segment : set.segments) result.segments.push_back(segment_of(segment));
@@ -125,9 +125,8 @@ class OracleTruth final : public Truth {
     std::optional<std::size_t> limit;  // none: infinity
   };
 
-  // What follows a position depends on it alone (FC-FLOW-08), and at a vertex of many cospherical samples
-  // finding it takes the oracle seconds: so each step is taken once, and none from where an orbit is known to
-  // end.
+  // What follows a position depends on it alone (FC-FLOW-08). At a vertex of many cospherical samples one step takes
+  // the oracle seconds. So each step is taken once, and an orbit is not followed beyond a stationary point.
   Path path(std::size_t i, std::size_t side) {
     Path path;
     path.segments.push_back(oracle::unstable_segment(set_, answer_.stationary[i], static_cast<int>(side)));

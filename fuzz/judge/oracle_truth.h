@@ -21,17 +21,17 @@ inline constexpr std::size_t kMostPointsForOracle = 100;
 // Throws InvalidInput for more than kMostPointsForOracle rows.
 [[nodiscard]] std::unique_ptr<Truth> oracle_truth(const std::vector<Point>& rows);
 
-// Where all stationary points of the rows are known, in the order of FC-OUT-02: only what flows from them is
-// left to do.
+// For rows whose stationary points are all known, in the order of FC-OUT-02. Only what flows from them has yet to be
+// computed.
 [[nodiscard]] std::unique_ptr<Truth> oracle_truth(const std::vector<Point>& rows, oracle::Answer answer);
 
 // ---- A vector's ----
 // What a conformance vector says is right, as the truth by which a claim is judged.
 //
-// Guarantees: stationary points, and limits where the vector has them, are the vector's; what it does not
-// have, limits and polylines of U2, the oracle computes from these stationary points. The fast implementation
-// has no say in it.
-// The case, which must not be an invalid one, must outlive it.
+// Guarantees: stationary points are the vector's; so are limits, and boundaries and summaries of stable sets, where
+// the vector has them. The oracle computes everything else from these stationary points. The fast implementation has
+// no part in it.
+// The case must not be an invalid one, and must outlive the truth.
 [[nodiscard]] std::unique_ptr<Truth> vector_truth(const VectorCase& one);
 
 }  // namespace flowcert::judge

@@ -23,9 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 using property::Disagreement;
 
-// Each run takes a process, so fewer are spent on a small failure than on our own.
+// Each run takes a process, so fewer runs are spent on shrinking than for our own properties.
 constexpr std::size_t kShrinkingBudget = 400;
-// A run that is late takes as long as it may.
+// A run that is late takes all of its time limit.
 constexpr char kLate[] = "time-limit";
 constexpr std::size_t kLateShrinkingBudget = 40;
 constexpr std::size_t kMostFindingsShown = 20;
@@ -65,7 +65,7 @@ class Peer {
  public:
   explicit Peer(const PeerOptions& options) : options_(options) {}
 
-  // No program has to take a file without points: none is asked about it.
+  // No program has to accept a file without points, so no program is asked about it.
   std::optional<Disagreement> judge(const fuzz::Input& input) {
     if (input.rows.empty()) return std::nullopt;
     std::ostringstream rows;

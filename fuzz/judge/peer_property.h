@@ -20,13 +20,13 @@ struct PeerOptions {
   std::string out_name = "claim";
   ProgramLimits limits;
   CheckOptions check;
-  std::function<bool()> is_cancelled = [] { return false; };  // a run: it throws property::MachineFailure
+  std::function<bool()> is_cancelled = [] { return false; };  // if true, a run throws MachineFailure
 };
 
 inline constexpr char kPeerProperty[] = "against";
 
-// Runs in folders of its own, below a temporary one that goes when the last copy of the property does. May be
-// used in several processes at once, forked ones that end without unwinding.
+// Each run has a folder of its own, below a temporary one that goes when the last copy of the property does. Several
+// processes may use it at once, even forked ones that end without unwinding.
 [[nodiscard]] property::Property peer_property(const PeerOptions& options);
 
 }  // namespace flowcert::judge

@@ -1,4 +1,4 @@
-// Files are read with nlohmann's JSON; whatever a case refers to has to be there.
+// Files are read with nlohmann's JSON. All that a case refers to must exist.
 #include "fuzz/judge/vector_cases.h"
 
 #include <fmt/format.h>
@@ -66,7 +66,7 @@ oracle::StationaryPoint stationary_point_of(const Json& value, std::size_t rows)
   return point;
 }
 
-// FC-OUT-02: the judgement searches the list.
+// The order of FC-OUT-02. The judgement searches the list by it.
 std::tuple<bool, int, int, const std::vector<std::size_t>&> order_key(const oracle::StationaryPoint& point) {
   return {point.face_dimension != point.hull_dimension, point.face_dimension, point.hull_dimension,
           point.contact};
@@ -112,7 +112,7 @@ CaseStable stable_of(const Json& value, const RecordOf& record_of, const VectorC
   return stable;
 }
 
-// As a command line takes it, which has to be what the vector means.
+// The start as a command line takes it. It must be read as what the vector means.
 std::string start_of(const std::vector<std::string>& words) {
   std::string start = joined(words);
   const RationalPoint taken = parse_rational_point(start);
@@ -179,7 +179,7 @@ CaseResult result_of(const std::string& word) {
   return CaseResult::kInvalid;
 }
 
-// Where the start has to be refused, the points are right.
+// If the start is what has to be refused, the points are valid.
 void add_input(const Json& value, VectorCase& one) {
   if (value.contains("text")) one.text = value.at("text").get<std::string>();
   if (!one.text) one.words = value.at("points").get<std::vector<std::vector<std::string>>>();
@@ -190,7 +190,7 @@ void add_input(const Json& value, VectorCase& one) {
   for (const auto& words : one.words) one.rows.push_back(point_of(words));
 }
 
-// It becomes the name of a folder.
+// The id becomes the name of a folder.
 bool is_name(const std::string& id) {
   return !id.empty() && id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
 }
@@ -209,7 +209,7 @@ VectorCase case_of(const Json& value, const std::string& group) {
   return one;
 }
 
-// What is wrong inside of `read` is said with its place.
+// Adds the place to what `read` throws.
 template <typename Read>
 auto at_place(const std::string& place, const Read& read) {
   try {

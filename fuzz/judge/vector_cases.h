@@ -1,8 +1,7 @@
 // The conformance vectors as they are stored (spec/formats/vectors.md), and their points as point files.
 //
-// Guarantees: a file that is not as the format says, so that it could not be used, throws InvalidInput "FILE:
-// case: reason"; nothing is believed that would make a later step fail. What is right is what the file says,
-// nothing is computed here.
+// Guarantees: a file that cannot be used, because it is not as the format says, throws InvalidInput "FILE: case:
+// reason". So no later step fails because of it. What the file says is taken as right; nothing is computed here.
 #pragma once
 
 #include <array>
@@ -46,13 +45,13 @@ struct VectorCase {
   std::vector<std::string> flags;
   CaseResult result = CaseResult::kDetermined;
 
-  // Of an invalid case: its rows, or all of its point file, and the start if it is that what has to be
+  // An invalid case has its rows, or all of its point file. It also has the start, if the start is what has to be
   // refused.
   std::vector<std::vector<std::string>> words;
   std::optional<std::string> text;
   std::optional<std::string> refused_start;
 
-  // Of the others: the points, and what is right.
+  // All other cases have the points, and what is right.
   std::vector<Point> rows;
   oracle::Answer answer;
   std::vector<std::optional<CaseLimits>> limits;  // by stationary point, where the file has them
@@ -81,9 +80,9 @@ struct Vectors {
 // ---- Point files ----
 // The points of a conformance vector as a point file (spec/formats/points.md).
 //
-// Guarantees: a reader that rounds to nearest gets exactly the doubles of the vector: decimals are the
-// shortest that read back to them. What an invalid case has in place of a number is written as it is, and is
-// all that is wrong with the file.
+// Guarantees: a reader that rounds to nearest gets exactly the doubles of the vector, since decimals are the shortest
+// that read back to them. If an invalid case has another word in place of a number, it is written as it is. Nothing
+// else is wrong with the file.
 enum class PointFileFormat { kXyz, kOff };
 
 struct PointFileStyle {
@@ -91,7 +90,7 @@ struct PointFileStyle {
   bool hexadecimal = false;  // hexadecimal floats instead of decimals
 };
 
-// Nothing for a case that is about the text of an XYZ file, in another format.
+// Returns nothing for a case that is about the text of an XYZ file, if another format is asked for.
 [[nodiscard]] std::optional<std::string> point_file_text(const VectorCase& one, const PointFileStyle& style);
 
 // "points.xyz"

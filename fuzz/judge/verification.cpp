@@ -1,4 +1,4 @@
-// No claim format has a line that begins with one of the three words.
+// A stream can be cut at three words, because no claim format has a line that begins with one of them.
 #include "fuzz/judge/verification.h"
 
 #include <fmt/format.h>
@@ -99,8 +99,8 @@ namespace {
 
 bool is_empty(const std::string& text) { return std::all_of(text.begin(), text.end(), is_blank); }
 
-// Nothing between 'answer' and 'end' claims that there is no critical point; to the readers of files it is an
-// empty file, which they refuse.
+// An answer without lines claims that there is no critical point. The readers of files would refuse it, as an empty
+// file.
 Claim claim_of(const std::string& text, const PointSet& points) {
   Claim claim;
   if (is_empty(text)) {
@@ -215,7 +215,7 @@ void Verification::keep(const fuzz::NamedCase& named, const Answer& answer) cons
   std::filesystem::create_directories(options_.folder, failure);
   if (failure) throw OutputError(options_.folder + ": cannot be written: " + failure.message());
   const std::string path = kept_path(named.number);
-  // Never an empty file, which no reader takes.
+  // The file is never empty, because no reader takes an empty file.
   write_file(path + ".xyz", "# " + fuzz::case_text(answer.id, named.input, fuzz::NumberForm::kDecimal));
   if (answer.is_refusal) return;
   write_file(path + ".claim", is_empty(answer.text) ? "# no critical points\n" : answer.text);

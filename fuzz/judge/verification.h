@@ -1,9 +1,9 @@
-// What becomes of the cases of a run (fuzz/inputs/case_stream.h) when a program's answers are judged; and how the
-// answers are read, one by one from a stream (spec/formats/cases.md).
+// Reads a program's answers to the cases of a run (fuzz/inputs/case_stream.h) one by one from a stream
+// (spec/formats/cases.md), and judges them.
 //
-// Guarantees: every case of the run has one outcome in the end, the unanswered ones too. Answers are judged
-// one at a time and forgotten; what is kept is a byte a case, and of so many failing cases as asked for, the
-// first by number, a few findings each.
+// Guarantees: every case of the run has one outcome in the end, the unanswered ones too. Answers are judged one at a
+// time and forgotten. What is kept is a byte for each case, and a few findings for each of the first failing cases by
+// number, as many as asked for.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@
 namespace flowcert::judge {
 
 // ---- Answers ----
-// Memory is bounded by the largest answer. What an answer says is not looked at, only where it begins and ends; a
-// stream in which that is not clear throws InvalidInput, "standard input:LINE: reason".
+// Memory is bounded by the largest answer. The reader only looks where an answer begins and ends. If that is not
+// clear, it throws InvalidInput, "standard input:LINE: reason".
 
 struct Answer {
   LinePlace place;  // of its first line
@@ -94,12 +94,11 @@ class Verification {
  public:
   explicit Verification(VerificationOptions options) : options_(std::move(options)) {}
 
-  // Judges an answer. Throws InvalidInput, with the answer's place, for the id of no case, of a case of
-  // another run than the run of the first answer, or of one that has been answered; OutputError for a folder
-  // that cannot be written.
+  // Judges an answer. Throws InvalidInput, with the answer's place, if the id is of no case, of a case of another run
+  // than the first answer's, or of a case that has been answered. Throws OutputError if the folder cannot be written.
   void take(const Answer& answer);
 
-  // Whether there was any answer. There is nothing else to ask before.
+  // Whether there was any answer. Before that, nothing else may be asked.
   [[nodiscard]] bool has_begun() const { return !outcomes_.empty(); }
 
   [[nodiscard]] const VerificationOptions& options() const { return options_; }
@@ -115,11 +114,11 @@ class Verification {
 
   // By number.
   [[nodiscard]] const std::map<std::size_t, FailedCase>& failures() const { return failures_; }
-  // First and last number of each, ascending.
+  // The first and the last number of each range, ascending.
   [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> unanswered_ranges() const;
 
-  // Cases with anything claimed in decimals; with something claimed that is not judged; and, though the
-  // oracle was asked for, too large for it.
+  // Numbers of cases: with anything claimed in decimals; with something claimed that is not judged; too large for the
+  // oracle, though it was asked for.
   [[nodiscard]] std::size_t approximate() const { return approximate_; }
   [[nodiscard]] std::size_t partly_judged() const { return partly_judged_; }
   [[nodiscard]] std::size_t too_large() const { return too_large_; }

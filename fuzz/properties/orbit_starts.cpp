@@ -21,8 +21,8 @@ using oracle::Rational;
 constexpr std::size_t kNumbers = 12;
 constexpr int kAttempts = 12;
 
-// The numbers of a choice, one after the other; when they run out, from the front again, changed. None count
-// as a single 0.
+// Gives the numbers of a choice, one after the other. After the last it begins again with the first, and changes
+// them. A choice without numbers is like a single 0.
 class Numbers {
  public:
   explicit Numbers(const StartChoice& choice) : numbers_(choice.numbers) {
@@ -56,7 +56,7 @@ Rational largest_coordinate(const Point& a) {
   return std::max({Rational(abs(a[0])), Rational(abs(a[1])), Rational(abs(a[2]))});
 }
 
-// Along `direction`, and of about the size of `other`; zero if either is.
+// A vector along `direction`, about as long as `other`; zero if either is zero.
 Point of_the_size_of(const Point& other, const Point& direction) {
   const Rational size = largest_coordinate(direction);
   return size == 0 ? direction : plus(Point{}, largest_coordinate(other) / size, direction);
@@ -64,7 +64,7 @@ Point of_the_size_of(const Point& other, const Point& direction) {
 
 Point middle(const Point& a, const Point& b) { return plus(a, Rational(1, 2), oracle::minus(b, a)); }
 
-// The places of the points nearest to one of them, that one first.
+// The places of the points that are nearest to this one, which comes first.
 std::vector<std::size_t> places_around(const PointSet& set, std::size_t place, std::size_t count) {
   std::vector<std::pair<Rational, std::size_t>> all;
   for (std::size_t other = 0; other < set.points.size(); ++other) {
@@ -78,7 +78,7 @@ std::vector<std::size_t> places_around(const PointSet& set, std::size_t place, s
   return places;
 }
 
-// Different ones, as many as there are; of many points, such that are near each other.
+// Different points, as many as there are. Of many points it takes such that are near each other.
 std::vector<Point> some_points(const PointSet& set, Numbers& numbers, std::size_t count) {
   constexpr std::size_t kFewPoints = 12;
   const std::size_t first = numbers.below(set.points.size());
@@ -113,8 +113,8 @@ Box bounding_box(const PointSet& set) {
   return box;
 }
 
-// The part of the line x + t u on which no point is nearer than p; all of it is equally far from the points
-// that p stands for.
+// The part of the line x + t u on which no point is nearer than p. The line is equally far from p and from all other
+// points that p stands for.
 struct Stretch {
   std::optional<Rational> from;
   std::optional<Rational> to;
@@ -193,8 +193,8 @@ std::array<Point, 2> across(const Point& edge, Numbers& numbers) {
   return {};
 }
 
-// The midpoint of two points, plus a rational combination of directions across: inside of their facet if one
-// of a few lines through the bisecting plane meets it.
+// The midpoint of two points, plus a rational combination of directions across. It is inside of their Voronoi facet
+// if one of a few lines in the bisecting plane meets that facet.
 Point facet_start(const PointSet& set, Numbers& numbers) {
   if (set.points.size() < 2) {
     return nearby_start(set, numbers);
@@ -247,7 +247,7 @@ Point edge_start(const PointSet& set, Numbers& numbers) {
               : facet_start(set, numbers);
 }
 
-// The centre of four points if no point is nearer, for one of a few fours; else the end of a Voronoi edge.
+// The centre of four points if no point is nearer, which is tried a few times. Else an end of a Voronoi edge.
 Point vertex_start(const PointSet& set, Numbers& numbers) {
   for (int attempt = 0; attempt < kAttempts && set.points.size() >= 4; ++attempt) {
     const auto corners = some_points(set, numbers, 4);
@@ -289,9 +289,9 @@ Point segment_start(const PointSet& set, Numbers& numbers) {
   return plus(points[0], Rational(numbers.between(1, 5), 6), oracle::minus(end, points[0]));
 }
 
-// On the way that ends in a Voronoi vertex y: from the midpoint of two points of its contact set through
-// their facet, or from one point of it through its cell. Where the midpoint is outside of the facet, at the
-// place where that way comes in.
+// A start on a way that ends in a Voronoi vertex y. The way leads from the midpoint of two points of y's contact set
+// through their facet, or from one of the points through its cell. If the midpoint is outside of the facet, the start
+// is where the way enters the facet.
 Point aimed_start(const PointSet& set, Numbers& numbers) {
   const Point y = vertex_start(set, numbers);
   const auto contact = oracle::select(set.points, set.nearest_places(y));

@@ -1,10 +1,10 @@
 // Starts of orbits for an input, most of them placed exactly where an orbit can go wrong: on Voronoi
 // vertices, edges and facets, on drivers and stationary points, in the plane of some of the points.
 //
-// Guarantees: a start is a function of the point set and a choice, and a choice is drawn without looking at
-// the input, so both shrink, alone or together: a choice towards small numbers of the first kind. That a
-// start is where its kind says is tried for, with the oracle's geometry alone, not promised (three points
-// need not have a Voronoi edge); StartCensus counts how often it is.
+// Guarantees: a start is a function of the point set and a choice. A choice is drawn without looking at the input, so
+// both shrink, alone or together; a choice shrinks towards small numbers and the first kind. A start is mostly where
+// its kind says, but this is not promised (three points need not have a Voronoi edge). StartCensus counts how often
+// it is. Only the oracle's geometry is used.
 #pragma once
 
 #include <rapidcheck.h>
@@ -42,7 +42,7 @@ struct StartChoice {
 std::ostream& operator<<(std::ostream& out, const StartChoice& choice);
 
 rc::Gen<StartChoice> start_choice();
-// So many; does not shrink their number.
+// So many choices; their number does not shrink.
 rc::Gen<std::vector<StartChoice>> start_choices(std::size_t count);
 
 // The point set must not be empty.
@@ -53,7 +53,7 @@ class StartCensus {
  public:
   void add(const oracle::PointSet& set, StartKind kind, const oracle::Point& start);
 
-  // Of all starts, or of those of a kind, the percentage whose face has this letter ('V', 'E', 'F', 'C').
+  // The percentage of all starts, or of the starts of a kind, whose face has this letter ('V', 'E', 'F', 'C').
   [[nodiscard]] int percent(char letter) const;
   [[nodiscard]] int percent(StartKind kind, char letter) const;
   // A row for each kind.

@@ -1,10 +1,8 @@
-// What a campaign holds every input to: the properties, by name, each with what it found where it does not
-// hold.
+// The properties that a campaign holds every input to. Each has a name, and says what it found if it does not hold.
 //
-// Guarantees: exact comparison, by the fast implementation and the oracle as they are; nothing is caught or
-// repaired but exceptions, which are disagreements of their own. A property is a function of the trial alone.
-// The kind of a disagreement says what is wrong without saying where, so that it can stay the same while the
-// input shrinks.
+// Guarantees: the fast implementation and the oracle are used as they are, and compared exactly. Nothing is caught or
+// repaired but exceptions, which are disagreements too. A property is a function of the trial alone. The kind of a
+// disagreement says what is wrong without saying where, so that it can stay the same while the input shrinks.
 #pragma once
 
 #include <cstddef>
@@ -41,13 +39,13 @@ struct Disagreement {
 struct Property {
   std::string name;  // kebab-case
   std::string description;
-  // Inputs of more rows take the oracle too long, and pass.
+  // An input of more rows takes the oracle too long, and passes.
   std::size_t most_rows = 12;
   // In a campaign that names no properties, one case in so many is held to it.
   std::size_t one_in = 1;
-  // Of inputs that are tried to make a failing one small.
+  // So many inputs are tried to make a failing one small.
   std::size_t shrinking_budget = 3000;
-  // A kind of disagreement that takes as long as may be to find again, and how many of it may be tried.
+  // A kind of disagreement that is slow to find again, and so many inputs are tried to make such a failing one small.
   std::string slow_kind = {};
   std::size_t slow_shrinking_budget = 0;
   std::function<std::optional<Disagreement>(const Trial&)> check = {};
@@ -65,8 +63,8 @@ class MachineFailure : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// What the property says of the trial; an exception is a disagreement of kind "throws", but MachineFailure,
-// which is thrown on, and std::system_error, which is thrown as one. Passes what has too many rows.
+// What the property says of the trial. An exception is a disagreement of kind "throws". But MachineFailure is thrown
+// on, and std::system_error is thrown as a MachineFailure. An input with too many rows passes.
 [[nodiscard]] std::optional<Disagreement> disagreement(const Property& property, const Trial& trial);
 
 }  // namespace flowcert::property

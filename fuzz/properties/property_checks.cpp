@@ -31,7 +31,7 @@ struct KindAndClause {
   std::string clause;
 };
 
-// Both have records, sorted by another key than the contact set, and no two alike.
+// Both lists are sorted, but not by contact set alone. No two records of a list have the same contact set.
 KindAndClause difference_kind(const StationaryAnswer& fast, const StationaryAnswer& oracle) {
   if (fast.points != oracle.points || fast.merged_duplicates != oracle.merged_duplicates) {
     return {"points", "FC-IN-03"};
@@ -54,7 +54,7 @@ KindAndClause difference_kind(const StationaryAnswer& fast, const StationaryAnsw
                                         : KindAndClause{"order", "FC-OUT-02"};
 }
 
-// "FC-INV-01: ..." is split.
+// Splits "FC-INV-01: ..." into the clause and the complaint.
 std::optional<Disagreement> broken_law(const StationaryAnswer& answer, const char* whose) {
   const std::string complaint = broken_clause(answer);
   if (complaint.empty()) return std::nullopt;
@@ -64,7 +64,7 @@ std::optional<Disagreement> broken_law(const StationaryAnswer& answer, const cha
 
 // ---- Orbits ----
 
-// Empty if the same.
+// Empty if both are the same.
 std::string difference_kind(const SegmentRecord& a, const SegmentRecord& b) {
   if (a.type != b.type) return "segment-type";
   if (a.start != b.start || a.start_contact != b.start_contact) return "start";
@@ -106,7 +106,7 @@ std::string name_of_orbit(const StationaryPoints& stationary, std::size_t record
   return "the orbit of " + text_of(ids(stationary.contact(record))) + " on side " + std::to_string(side);
 }
 
-// Fast orbits of U2 computed one way, against those computed another way.
+// Compares fast orbits of U2 that were computed in two ways.
 std::optional<Disagreement> difference_of_unstable(const Subject& subject, const StationaryPoints& stationary,
                                                    const UnstableOptions& options, const char* name) {
   const UnstableManifolds& usual = subject.complex.unstable();
@@ -138,7 +138,7 @@ std::optional<Disagreement> difference_of_pieces(const std::string& what, const 
       kind, kind == "segments" ? "FC-STAB-04" : "FC-STAB-05", what, a_name, text_of(a), b_name, text_of(b)};
 }
 
-// What the list of stable sets says of one without building it.
+// Checks what the list of stable sets says of a set without building it.
 std::optional<Disagreement> wrong_summary(const StableManifolds& manifolds, std::size_t i,
                                           const std::string& what, const Pieces& pieces, bool has_vertex) {
   const auto wrong = [&](const char* said) {

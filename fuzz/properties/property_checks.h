@@ -1,4 +1,4 @@
-// What the entries of the table of properties call: each compares two ways to one answer.
+// The checks that the table of properties calls. Each compares two ways to one answer.
 //
 // Guarantees: as property.h. The empty input passes those that need a start or a stationary point.
 #pragma once
@@ -27,7 +27,7 @@ namespace flowcert::property {
 // Guarantees: exact, in the order of the oracle's.
 struct FastPersistence {
   std::vector<oracle::PersistencePair> pairs;
-  bool has_ties = false;  // that were broken on the way
+  bool has_ties = false;  // whether ties were broken on the way
 };
 [[nodiscard]] FastPersistence fast_persistence(const FlowComplex& complex);
 

@@ -38,11 +38,11 @@ struct Pieces {
 Ids ids(const auto& names) { return Ids(names.begin(), names.end()); }
 
 Pieces pieces_of(const StableSet& set);
-// The oracle also lists the intervals that sectors come through, which the sectors' corners tell.
+// The oracle also lists intervals that sectors come through. They are left out, since the sectors' corners tell them.
 Pieces pieces_of(const oracle::PointSet& points, const oracle::StableSet& set);
 
-// Sample pairs that critical backs lie between, an odd number of times (FC-STAB-07); nothing where a tie
-// leaves the boundary open: a regular end, or a Voronoi vertex, which the pieces need not tell.
+// Sample pairs with an odd number of critical backs (FC-STAB-07). Returns nothing if a tie leaves the boundary open:
+// a regular back, or a Voronoi vertex, which the pieces need not show.
 std::optional<std::vector<Ids>> boundary_of(const Pieces& pieces, bool has_vertex);
 
 std::string text_of(const RationalPoint& x);

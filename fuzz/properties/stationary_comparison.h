@@ -1,5 +1,5 @@
-// The fast implementation and the oracle side by side: both answers in one form, what differs between two of
-// them, and what one of them breaks all by itself.
+// The fast implementation and the oracle side by side: both answers in one form, what differs between two of them,
+// and which clause an answer breaks by itself.
 //
 // Guarantees: exact comparison of everything that spec section 3 determines; no tolerance. The order of
 // records is part of the answer (FC-OUT-02) and compared as it is.
@@ -41,7 +41,7 @@ struct StationaryAnswer {
   std::size_t points = 0;
   std::size_t merged_duplicates = 0;
   std::vector<Record> records;
-  // As the implementation counts them; of kinds 1-2, 2-3, 1-3.
+  // Counts as the implementation gives them. The regular ones are of kinds 1-2, 2-3, 1-3.
   std::array<std::size_t, 4> critical{};
   std::array<std::size_t, 3> regular{};
 

@@ -14,8 +14,8 @@
 
 namespace flowcert::property {
 
-// A stationary point of the fast implementation's list as the oracle has them, so that the oracle can be asked
-// about it.
+// A stationary point of the fast implementation's list, in the oracle's form, so that the oracle can be asked about
+// it.
 inline oracle::StationaryPoint oracle_point(const PointSet& points, const StationaryPoints& stationary,
                                             std::size_t record) {
   const auto contact = stationary.contact(record);
@@ -35,8 +35,8 @@ struct Subject {
   oracle::fast::PointSet set;
 };
 
-// The thread keeps the input that it asked for last, so that a case, which several properties and its signature look
-// at, has its diagram and its manifolds made once. The reference holds until the thread asks for another input.
+// The thread keeps the input that it asked for last. So the diagram and manifolds of a case are made once, although
+// several properties and its signature look at them. The reference holds until the thread asks for another input.
 inline const Subject& subject_of(const fuzz::Input& input) {
   struct Kept {
     explicit Kept(const fuzz::Input& rows) : input(rows), subject(input) {}

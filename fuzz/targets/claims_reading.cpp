@@ -12,7 +12,7 @@ namespace flowcert::fuzz {
 using namespace io;
 namespace {
 
-// Names of rows are below the most rows that there can be.
+// The name of a row is less than the largest number of rows.
 constexpr PointId kLargestId = 2147483646;
 
 const ClaimFormat& format_named(std::string_view name) {
@@ -21,7 +21,7 @@ const ClaimFormat& format_named(std::string_view name) {
                         [&](const ClaimFormat* format) { return format->name == name; });
 }
 
-// With stationary points of nearly every kind, a repeated row, and orbits that end at infinity.
+// These points have stationary points of nearly every kind, a repeated row, and orbits that end at infinity.
 const PointSet& judged_points() {
   static const PointSet points(std::vector<Point>{
       {0, 0, 1}, {1, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}, {0, 0, 1}, {0.1, 5, 0.2}, {3, 4, -1}});

@@ -1,7 +1,7 @@
 // Writes the seeds of the targets that eat points, as files in a folder: `make_seeds TARGET FOLDER XYZ…`.
 //
-// Guarantees: the same files every time. The seeds are small inputs of the families, and the files that are
-// named, as far as bytes can say them (byte_input.h); for orbits, each with a start of another kind in front.
+// Guarantees: the same files every time. The seeds are small inputs of the families and the named files, if bytes can
+// say them (byte_input.h). For orbits, each begins with the bytes of a start, of one kind after the other.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -20,7 +20,7 @@ constexpr std::size_t kMostRows = 12;
 constexpr std::uint64_t kTries = 40;
 constexpr int kSize = 60;
 
-// Choices of orbit.cpp: a kind, and seven numbers.
+// A choice as orbit.cpp reads it: a kind, and seven numbers.
 std::string start_number(unsigned number) {
   std::string bytes = {static_cast<char>(number % 10)};
   for (unsigned k = 1; k < 8; ++k) bytes += static_cast<char>((number * 29 + k * 67) % 256);

@@ -20,7 +20,7 @@ Rows rows_of(const PointFile& file) {
   return rows;
 }
 
-// -0.0 is not 0.0 here.
+// Here -0.0 differs from 0.0.
 bool same_bits(const Rows& a, const Rows& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Row)) == 0);
 }
@@ -35,7 +35,7 @@ std::string text_of(const Rows& rows) {
   return text.str();
 }
 
-// Nothing: refused.
+// Returns nothing if the file is refused.
 std::optional<PointFile> file_read(std::string_view text, const std::string& name) {
   try {
     return read_points_from(text, name);

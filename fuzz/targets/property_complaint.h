@@ -8,8 +8,8 @@
 
 namespace flowcert::fuzz {
 
-// What the first of the named properties that does not hold has to say, with the input as rows of a point
-// file; empty if all hold. The names exist.
+// The complaint of the first of the named properties that does not hold, with the input as rows of a point file.
+// Empty if all hold. The names must exist.
 [[nodiscard]] std::string complaint_of(std::initializer_list<const char*> properties,
                                        const property::Trial& trial);
 

@@ -1,4 +1,4 @@
-// Gzip streams: refused in one line, or read; and whatever was compressed, in pieces too, comes back.
+// Gzip streams: refused in one line, or read. What was compressed comes back, even from two streams.
 #include <zlib.h>
 
 #include <stdexcept>
@@ -29,7 +29,7 @@ std::string gzipped(std::string text) {
   return output;
 }
 
-// The first byte says where the text is cut into two streams, and how many zeros are after them.
+// The first byte says where the text is cut into two streams, and how many zeros follow them.
 std::string complaint_about_pieces(std::string_view text) {
   const auto first = text.empty() ? 0U : static_cast<unsigned char>(text.front());
   const std::size_t cut = text.size() * (first % 16) / 16;

@@ -1,5 +1,5 @@
-// What the targets of readers have in common: bytes are a file, which is refused in one line or read, and
-// what was read makes sense.
+// Checks for the targets of readers. The bytes are a file. It must be refused in one line, or be read, and then what
+// was read must make sense.
 //
 // Guarantees: only the first reading of the bytes may throw InvalidInput, and only with one short line that
 // opens with the file's name. Any other exception passes through, and so is a finding.
@@ -17,7 +17,7 @@ namespace flowcert::fuzz {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// Of a file whose name is "a", or "a" with an ending.
+// The file's name must be "a", or "a" with an ending.
 [[nodiscard]] inline std::string complaint_about_refusal(const InvalidInput& error) {
   const std::string message = error.what();
   const bool is_one_line = message.find('\n') == std::string::npos;
@@ -27,16 +27,16 @@ namespace flowcert::fuzz {
              : "the message is not one short line about the file: " + message;
 }
 
-// A point file `name`: all rows are finite; written as XYZ, which is exact, and read again they are the same,
-// bit for bit; and reading the same bytes by content, where they are of the same format, gives the same.
+// All rows of a point file `name` must be finite, and be the same bit for bit when written as XYZ and read again.
+// Reading the bytes by content must give the same rows, if it finds the same format.
 [[nodiscard]] std::string complaint_about_points(Bytes bytes, const std::string& name);
 
-// The oracle's reader, which is another one, accepts the same files, with the same rows. For XYZ and OBJ, and
-// files that it means to read: not compressed, with LF or CR LF only, without a byte order mark.
+// The oracle's own reader must accept the same files, with the same rows. This is for XYZ and OBJ, and for files that
+// the oracle means to read: not compressed, with LF or CR LF only, without a byte order mark.
 [[nodiscard]] std::string complaint_against_oracle(Bytes bytes, const std::string& name);
 
-// A claim of a format, by the name of Claim::format: numbers are in their ranges, and if it names rows of a
-// fixed small input only, it can be judged.
+// The numbers of a claim of the format with this Claim::format must be in their ranges. If it names only rows of a
+// fixed small input, it must be possible to judge it.
 [[nodiscard]] std::string complaint_about_claim(Bytes bytes, std::string_view format);
 
 }  // namespace flowcert::fuzz

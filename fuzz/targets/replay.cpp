@@ -1,8 +1,7 @@
-// A target without a fuzzer: runs it on the files that are named, and on those in the folders that are.
+// A target without a fuzzer: it runs on the named files, and on the files of the named folders.
 //
-// Guarantees: exit status 0 iff there were files, all could be read, and the target let all of them pass; it
-// aborts at the first that does not, whose name is printed then. Files of a folder are taken in the order of
-// their names.
+// Guarantees: exit status 0 iff there were files, all could be read, and all of them passed. It prints the name of
+// each file, and aborts at the first that does not pass. The files of a folder are taken in the order of their names.
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>

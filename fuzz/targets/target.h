@@ -1,7 +1,7 @@
-// What a fuzz target is: one function from bytes to a complaint.
+// A fuzz target is one function from bytes to a complaint.
 //
-// Guarantees: none here. Each of the files that are named as their targets defines the function;
-// entry_point.cpp makes it what libFuzzer and AFL++ call, replay.cpp what runs it on files.
+// Guarantees: none here. Each target has a file of its name that defines the function. entry_point.cpp makes it what
+// libFuzzer and AFL++ call, and replay.cpp runs it on files.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace flowcert::fuzz {
 
-// Empty if all is well; otherwise everything that there is to say, input and answers. Whatever else happens,
-// an exception that leaves it too, is a finding.
+// Empty if all is well; otherwise everything that there is to say, input and answers. Anything else that happens,
+// such as an exception that leaves it, is a finding too.
 [[nodiscard]] std::string complaint_of(Bytes bytes);
 
 }  // namespace flowcert::fuzz

@@ -1,4 +1,4 @@
-// What compute writes of up to 8 points, manifolds and skeletons and all, is read again and judged right.
+// What compute writes for up to 8 points, with manifolds and skeletons, is read again and judged right.
 #include <sstream>
 
 #include "flowcert/check.h"

@@ -1,5 +1,4 @@
-// How the header's promises are kept: scans are evaluations of one linear form, simplices are solved without
-// a division.
+// How the header's promises are kept: scans evaluate one linear form, and simplices are solved without a division.
 //
 // Let P be a point p times scale_, lifted to (P, |P|^2). What a scan compares is linear in that:
 //   - with D the common denominator of x, D |P|^2 - 2 scale_ <D x, P> is D scale_^2 (|p - x|^2 - |x|^2);
@@ -31,7 +30,7 @@ Vector times(const Integer& scale, const Point& x) {
   return product;
 }
 
-// Of N numbers, without a temporary for each product.
+// The inner product of N numbers each, without a temporary for each product.
 template <std::size_t N>
 Integer dot(const std::array<Integer, N>& a, const std::array<Integer, N>& b) {
   Integer sum;
@@ -45,8 +44,8 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Those vectors f_i of the edges' span with <e_i, f_j> = 0 for i != j, and the same number for all i = j:
-// `factor`, 0 iff the edges are dependent.
+// The vectors f_i of the edges' span with <e_i, f_j> = 0 for i != j, and <e_i, f_i> = `factor` for all i. The factor
+// is 0 iff the edges are dependent.
 struct DualBasis {
   explicit DualBasis(const std::vector<Vector>& edges) {
     if (edges.size() == 1) vectors = edges;
@@ -93,9 +92,9 @@ Places PointSet::nearest_places(const Point& x) const {
   return nearest;
 }
 
-// q meets p at t = N / 2 A, where N = |x - q|^2 - |x - p|^2 >= 0 and A = <u, q - p> > 0, here times their
-// scales. The first so far is kept as (N, A), infinity as (1, 0). q comes before it iff N_q A < N A_q, that is,
-// iff the form A |x - .|^2 - N <u, .> is less at q than at p; where A_q <= 0, it is not.
+// q meets p at t = N / 2 A, where N = |x - q|^2 - |x - p|^2 >= 0 and A = <u, q - p> > 0, here times their scales. The
+// first meeting so far is kept as (N, A), infinity as (1, 0). q comes before it iff N_q A < N A_q. This holds iff the
+// form A |x - .|^2 - N <u, .> is less at q than at p. If A_q <= 0, it is not less.
 std::optional<Rational> PointSet::first_meeting(std::size_t p, const Point& x, const Point& direction) const {
   const Integer scale_of_x = common_denominator(x), scale_of_u = common_denominator(direction);
   const Vector scaled = times(-2 * scale_ * scale_of_x, x), u = times(scale_of_u, direction);
@@ -119,8 +118,8 @@ std::optional<Rational> PointSet::first_meeting(std::size_t p, const Point& x, c
   return Rational(lead * scale_of_u, 2 * approach * scale_ * scale_of_x);
 }
 
-// As oracle::circumcentre() does it, but z - p_0 = way / 2 factor, and its weights are the inner products of the
-// way with the dual basis, divided by 2 factor^2, which is positive.
+// Works like oracle::circumcentre(), but z - p_0 = way / 2 factor. The weights are the inner products of the way with
+// the dual basis, divided by 2 factor^2. That is positive, so it does not change their signs.
 std::optional<Point> PointSet::inner_circumcentre(const Places& simplex) const {
   if (simplex.empty()) return std::nullopt;
   if (simplex.size() == 1) return points[simplex[0]];

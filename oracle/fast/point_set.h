@@ -1,10 +1,9 @@
-// The same point set, with the same answers sooner: in integers, for campaigns and for large inputs.
+// The same point set with the same answers, but faster. It computes in integers, for campaigns and large inputs.
 //
-// A scan in rationals spends nearly all of its time on common factors. Here the points are multiplied by a
-// common denominator once, and a fraction is reduced only where it is a result: on doubles of 53 bits a scan
-// takes a fortieth of the time, the search for stationary points a twentieth; on small integers, a third to a
-// sixth. All of oracle/ takes this one for a PointSet; tests/unit/oracle_fast_test.cpp holds each function to
-// the plain one.
+// A scan in rationals spends nearly all of its time on common factors. Here the points are multiplied by a common
+// denominator once, and only results are reduced. On doubles of 53 bits, a scan takes a fortieth of the time, and the
+// search for stationary points a twentieth. On small integers, both take a third to a sixth. All of oracle/ accepts
+// this class as a PointSet. tests/unit/oracle_fast_test.cpp compares each function with the plain one.
 #pragma once
 
 #include "oracle/point_set.h"

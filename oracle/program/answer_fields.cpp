@@ -1,4 +1,4 @@
-// What is not there is null.
+// A value that does not exist is null.
 #include "oracle/program/answer_fields.h"
 
 #include <set>
@@ -143,7 +143,7 @@ Json stable_field(const PointSet& set, const StationaryPoint& z, const StableSet
   return field;
 }
 
-// The intervals that sectors come through are not listed: the sectors' corners tell them.
+// Intervals that the rays of sectors cross are not listed, because the sectors' corners give them.
 Json skeleton_field(const PointSet& set, const StableSet& stable) {
   Json field;
   field["segments"] = Json::array();

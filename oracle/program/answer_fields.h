@@ -20,7 +20,7 @@ Json position_field(const Point& x);
 Json record_field(const StationaryPoint& x);
 // start, segments, limit.
 Json orbit_field(const PointSet& set, const Point& start, const Orbit& path);
-// segments, has_vertex, has_interval, boundary, walk: of z critical of index 2 or regular stationary.
+// segments, has_vertex, has_interval, boundary, walk. z must be critical of index 2 or regular stationary.
 Json stable_field(const PointSet& set, const StationaryPoint& z, const StableSet& stable);
 // segments, intervals, sectors.
 Json skeleton_field(const PointSet& set, const StableSet& stable);

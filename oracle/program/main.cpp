@@ -40,7 +40,7 @@ void print_json(const oracle::Answer& answer) {
 
 std::string exact_text(const oracle::Rational& x) { return x.str(); }
 
-// Numbers that are long are rounded for people, and marked.
+// A long number is rounded for people, and marked with ~.
 std::string short_text(const oracle::Rational& x) {
   const std::string exact = x.str();
   if (exact.size() <= 10) return exact;
@@ -108,7 +108,7 @@ std::string with_commas(std::size_t number) {
   return digits;
 }
 
-// Plain for small inputs. On others a search would take up to twenty times as long, a scan up to forty times.
+// Small inputs get the plain class. On larger ones its search would take up to twenty times as long, its scan forty.
 std::unique_ptr<oracle::PointSet> point_set(const std::vector<std::array<double, 3>>& rows) {
   constexpr std::size_t kMostPlainPoints = 24;
   if (rows.size() <= kMostPlainPoints) return std::make_unique<oracle::PointSet>(rows);

@@ -1,9 +1,9 @@
-// One line at a time, one word at a time; a word is a number iff strtod consumes all of it.
+// Reads one line at a time, one word at a time. A word is a number iff strtod consumes all of it.
 //
-// strtod rather than std::from_chars: the latter reports 1e-400 and 1e400 alike as out of range, but the
-// first is 0 (FC-IN-02) and the second an error (FC-IN-01). It rounds to nearest, ties to even, reads
-// hexadecimal floats, and its decimal point is the C locale's, which this program never changes. It would
-// round a hexadecimal float as well, where FC-IN-02 asks for an error; that is checked here.
+// std::from_chars is not used, because it reports 1e-400 and 1e400 alike as out of range. The first is 0 (FC-IN-02)
+// and the second an error (FC-IN-01). strtod rounds to nearest, ties to even, and reads hexadecimal floats. Its
+// decimal point is the C locale's, which this program never changes. strtod would also round a hexadecimal float, but
+// FC-IN-02 asks for an error. This file checks that.
 #include "oracle/program/read_points.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ double rounded(const std::string& word, int mode) {
   return value;
 }
 
-// Of a word that strtod takes. A number is a double iff rounding it up and rounding it down give the same.
+// For a word that strtod accepts. A number is a double iff rounding it up and rounding it down give the same.
 bool is_inexact_hexadecimal(const std::string& word) {
   if (word.find_first_of("xX") == std::string::npos) return false;
   return rounded(word, FE_UPWARD) != rounded(word, FE_DOWNWARD);

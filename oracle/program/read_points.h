@@ -1,9 +1,8 @@
 // Reads point files for the oracle: plain XYZ, and the vertices of OBJ (names ending in .obj).
 //
-// This is a second parser, written from spec/formats/points.md alone, so that a mistake in the fast
-// program's readers cannot hide in both. It reads no other format and no compressed file. A file is taken
-// whole or not at all (FC-IN-05): each number becomes the nearest double (FC-IN-02), and whatever is not a
-// finite number is an error (FC-IN-01).
+// This is a second parser, written from spec/formats/points.md alone, so that a mistake in the fast program's readers
+// cannot hide in both. It reads no other format and no compressed file. A file is read whole or not at all
+// (FC-IN-05). Each number becomes the nearest double (FC-IN-02). Anything but a finite number is an error (FC-IN-01).
 #pragma once
 
 #include <array>
@@ -14,15 +13,15 @@
 
 namespace oracle {
 
-// Input that cannot be used. The message is one line, FILE:LINE: reason, or FILE: reason.
+// Input that cannot be used. The message is one line: "FILE:LINE: reason" or "FILE: reason".
 struct UnusableInput : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 enum class PointFormat { kXyz, kObj };
 
-// Of XYZ. Fields are separated by blanks, or by a comma with blanks around it; between two commas, and behind
-// a comma at the end, there is an empty field, which is no number.
+// The fields of a line of XYZ. Blanks separate them, or a comma with blanks around it. There is an empty field
+// between two commas, and after a comma at the end. An empty field is no number.
 std::vector<std::string> fields(const std::string& line);
 
 // The double that a field means. `where` opens the message of an UnusableInput.

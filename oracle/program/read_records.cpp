@@ -1,7 +1,7 @@
 // Each function reads one level of the file: a number, a record, the header with the list of lines.
 //
-// All rationals go through parse_rational: Boost's own constructor from text keeps "2/4" unreduced, which
-// then compares unequal to 1/2, and accepts "1/0".
+// All rationals go through parse_rational. Boost's own constructor from text accepts "1/0". It keeps "2/4" unreduced,
+// which then compares unequal to 1/2.
 #include "oracle/program/read_records.h"
 
 #include <bit>
@@ -39,7 +39,7 @@ std::size_t natural_number(const json& value) {
   return value.get<std::size_t>();
 }
 
-// Keeps the first thing that is wrong.
+// Keeps only the first finding.
 void note(Record& result, const std::string& clause, const std::string& explanation) {
   if (!result.finding) result.finding = Finding{clause, explanation};
 }
@@ -59,7 +59,7 @@ void read_index(const json& record, Record& result) {
   if (is_pair && face == hull) note(result, "FC-CRIT-03", "the kind names one dimension twice");
 }
 
-// A sign may stand in front of a fraction only.
+// A sign may stand only at the front of a fraction.
 Rational coordinate(const std::string& word, const std::string& where) {
   if (word.find('/') == std::string::npos) return Rational(number(word, where));
   const bool has_sign_inside = word.find_first_of("+-", 1) != std::string::npos;
@@ -76,8 +76,8 @@ Rational read_rational(const json& value, Record& result) {
   return written->value;
 }
 
-// The double beside a rational; null is right iff the nearest double would overflow. As the greatest double
-// is odd, the midpoint between it and 2^1024 does.
+// Checks the double beside a rational. null is right iff the nearest double would overflow. The midpoint between the
+// greatest double and 2^1024 overflows, because the greatest double is odd.
 void check_double(const json& value, const Rational& x, Record& result) {
   const bool overflow = 2 * abs(x) >= Rational(std::numeric_limits<double>::max()) + kOverflow;
   if (value.is_null() ? !overflow : !is_nearest_double(value.get<double>(), x)) {
@@ -98,7 +98,7 @@ RecordFile parse_header(const std::string& line, std::size_t& announced) {
   return {header.at("points").get<std::size_t>(), header.at("merged_duplicates").get<std::size_t>(), {}};
 }
 
-// Runs `parse` and puts `where` before the message of whatever it throws.
+// Runs `parse`, and puts `where` before the message of any exception.
 template <typename Parse>
 auto located(const std::string& where, const Parse& parse) {
   try {

@@ -30,7 +30,7 @@ std::string chain_text(const std::vector<std::vector<PointId>>& chain) {
   return chain.size() > kMost ? text + ", and more" : text;
 }
 
-// Edges of the input, by classes.
+// Whether the edges, pairs of class names, form a cycle mod 2.
 bool is_cycle(const std::vector<std::vector<PointId>>& edges) {
   std::map<PointId, std::size_t> degrees;
   for (const auto& edge : edges) {

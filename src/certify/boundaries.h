@@ -1,9 +1,9 @@
-// Whether chains of index-1 points are boundaries of index-2 points (FC-CLAIM-09).
+// Judges chains of index-1 points that are claimed as boundaries of index-2 points (FC-CLAIM-09).
 //
-// Guarantees: exact. Where no tie has to be broken, only the one boundary is right. Where ties leave it open,
-// a chain is permitted iff it is a cycle of what lies below the point that together with one right boundary
-// bounds below the point: then homology and persistence are the same. That is found by elimination over Z/2,
-// once for all chains that have to be judged so.
+// Guarantees: exact. Where no tie has to be broken, only the one true boundary is right. Where a tie leaves it open,
+// a chain is permitted iff it is a cycle below the index-2 point, and its sum with one right boundary is a boundary
+// of what lies below the point. Homology and persistence are then the same. One elimination over Z/2 tests the sums
+// of all chains together.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@ class Boundaries {
  public:
   explicit Boundaries(CheckRun& run) : run_(run) {}
 
-  // Of the index-2 critical point at which point k is. The chain: contact sets by rows, taken mod 2 where
-  // is_walk says so; otherwise none may be there twice. level: of the findings.
+  // Judges a chain claimed for the index-2 critical point at which claimed point k is. The chain is a list of contact
+  // sets, by rows. It is taken mod 2 if is_walk; otherwise none may occur twice. The findings get this level.
   void check(std::size_t k, const std::vector<std::vector<PointId>>& chain, int level, bool is_walk);
   // Judges what check() has put off.
   void conclude();

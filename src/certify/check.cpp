@@ -15,7 +15,7 @@ using namespace certify;
 
 namespace {
 
-// Claimed points by the stationary point that they are at, which are in order.
+// Pairs of a stationary point and a claimed point that is placed there, sorted by stationary point.
 std::vector<std::pair<std::size_t, std::size_t>> claims_by_record(const CheckRun& run) {
   std::vector<std::pair<std::size_t, std::size_t>> claims;
   for (std::size_t k = 0; k < run.placed.size(); ++k) {

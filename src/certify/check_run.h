@@ -18,7 +18,7 @@ namespace flowcert::certify {
 
 // ---- Contact sets ----
 // Finds stationary points by samples of their contact sets, exactly. A question takes time in proportion to the
-// stationary points of one sample, the one with the fewest.
+// number of stationary points of one sample. That is the sample with the fewest of them.
 
 class ContactIndex {
  public:
@@ -27,7 +27,7 @@ class ContactIndex {
 
   // names: ascending, not empty.
   [[nodiscard]] std::optional<std::size_t> find(std::span<const PointId> names) const;
-  // Those whose contact set has all of these and more.
+  // The stationary points whose contact set has all of these names and more.
   [[nodiscard]] std::vector<std::size_t> larger(std::span<const PointId> names) const;
   // All stationary points of a sample, in the order of the list.
   [[nodiscard]] std::span<const std::uint32_t> of(PointId name) const {
@@ -46,12 +46,12 @@ class ContactIndex {
 
 // ---- The run ----
 
-// How well a claimed contact set names the stationary point that it has the centre of.
+// How well a claimed contact set names the stationary point at its centre.
 enum class Fit {
-  kWhole,     // it is its contact set
-  kPart,      // an affinely independent part of it that spans the same affine hull (FC-CLAIM-02)
-  kOther,     // some other part with that centre
-  kPosition,  // none is claimed; by position
+  kWhole,     // it is the point's contact set
+  kPart,      // it is an affinely independent part of that set, with the same affine hull (FC-CLAIM-02)
+  kOther,     // it is another part of that set, with the same centre
+  kPosition,  // no contact set is claimed, only a position
 };
 
 struct Placement {
@@ -63,8 +63,8 @@ struct PlacedPoint {
   bool is_well_formed = false;
   std::vector<PointId> names;  // the claimed contact set, by classes, ascending
   std::optional<Placement> place;
-  std::vector<std::size_t> alternatives;  // all within the tolerance, where they are several
-  bool is_right = false;  // claims rightly what is there: its successors and polylines can be judged
+  std::vector<std::size_t> alternatives;  // all points within the tolerance if they are several
+  bool is_right = false;                  // the claim is right, so its successors and polylines can be judged
 };
 
 struct CheckRun {
@@ -85,34 +85,34 @@ struct CheckRun {
   CheckReport report;
 
   [[nodiscard]] StationaryIndex index(std::size_t record) const { return truth.index(record); }
-  // About a claimed point.
+  // Reports a finding about a claimed point.
   void find(int level, FindingReason reason, const std::string& clause, std::size_t claimed_point,
             const std::string& truth_text);
-  // The same, for what is permitted.
+  // Reports a permitted variation of a claimed point.
   void vary(int level, FindingReason reason, const std::string& clause, std::size_t claimed_point,
             const std::string& truth_text);
-  // Says so once.
+  // Reports once that this is not judged.
   void leave_unjudged(const std::string& what);
 };
 
 // Classes of the rows, ascending, each once.
 [[nodiscard]] std::vector<PointId> class_names(const PointSet& points, const std::vector<PointId>& rows);
 
-// The stationary point with the same centre as the smallest sphere through these samples, if it is one.
+// The stationary point at the centre of the smallest sphere through these samples, if there is one.
 [[nodiscard]] std::optional<Placement> placement_of(CheckRun& run, const std::vector<PointId>& names);
 
 // Level 1. Sets is_well_formed and names.
 void check_form(CheckRun& run);
 // Finds out where the well-formed points are. Reports what is ambiguous.
 void place_points(CheckRun& run);
-// Levels 2 and 3, of what is claimed: by stationary point, what is claimed there, and what is claimed
-// elsewhere.
+// Levels 2 and 3. The first two functions judge all claims at one stationary point. The third judges a claim that is
+// at none.
 void check_claims_at_critical(CheckRun& run, std::size_t record, const std::vector<std::size_t>& claimed);
 void check_claims_at_regular(CheckRun& run, std::size_t record, const std::vector<std::size_t>& claimed);
 void check_stray_claim(CheckRun& run, std::size_t claimed_point);
 // Centre and distance of a claimed point that has a place.
 void check_values(CheckRun& run, std::size_t claimed_point);
-// Level 3, of what is not claimed.
+// Level 3: a critical point that nobody claims, and the Euler sum.
 void check_missing(CheckRun& run, std::size_t record);
 void check_euler_sum(CheckRun& run);
 // Levels 4 and 5. True if there was something to judge.

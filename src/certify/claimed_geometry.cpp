@@ -120,8 +120,8 @@ bool rounds_alike(const Rational& a, const Rational& b) {
   return x && y && *x == *y;
 }
 
-// Without a difference of rationals, which costs most: what is claimed exactly is equal, decimals round
-// alike.
+// Avoids the difference of rationals, which costs most: exact values must be equal, and decimals must round to the
+// same double.
 bool matches_at_once(const ClaimedPosition& claimed, const RationalPoint& truth) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Rational& value = claimed[axis].value;
@@ -143,7 +143,7 @@ double rounding_length(const ExactSphere& sphere) {
 bool is_rounding(const Rational& squared_a, const Rational& squared_b, double rounding_length) {
   const double a = std::sqrt(as_double(squared_a)), b = std::sqrt(as_double(squared_b));
   if (a + b == 0) return true;
-  // Not a - b, in which a difference below the last bit of either would be lost.
+  // This is |a - b|. Computed as a - b, it would lose a difference below the last bit of either.
   return std::abs(as_double(squared_a - squared_b)) / (a + b) <= kRoundingPart * rounding_length;
 }
 

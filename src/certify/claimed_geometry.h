@@ -1,6 +1,6 @@
 // Questions about a few samples on one sphere, answered exactly.
 //
-// Guarantees: names are those of classes (PointSet::name), ascending.
+// Guarantees: all names are class names (PointSet::name), ascending.
 #pragma once
 
 #include <span>
@@ -20,17 +20,17 @@ namespace flowcert::certify {
 [[nodiscard]] bool all_on_sphere(const PointSet& points, std::span<const PointId> names,
                                  const ExactSphere& sphere);
 
-// Of the affine hull, 0 to 3, of at least one sample; all of them on a sphere, so that no three are on a
-// line.
+// The dimension of the samples' affine hull, 0 to 3. There must be at least one sample, and all must lie on one
+// sphere, so that no three are on a line.
 [[nodiscard]] int affine_dimension(const PointSet& points, std::span<const PointId> names);
 
-// All of `of` that is in the plane of `plane`, whose first three samples span it; nothing where `of` has
-// samples on both sides of it.
+// The samples of `of` in the plane that the first three samples of `plane` span. The result is empty if `of` has
+// samples on both sides of that plane.
 [[nodiscard]] std::vector<PointId> supported_face(const PointSet& points, std::span<const PointId> plane,
                                                   std::span<const PointId> of);
 
-// The samples nearest to x, and how far they are: C(x) and d(x)^2 (FC-DIST-01). A scan in double precision,
-// and exact arithmetic for those that it cannot tell apart.
+// The samples nearest to x, and how far they are: C(x) and d(x)^2 (FC-DIST-01). One scan in double precision comes
+// first. Exact arithmetic compares the samples that the scan cannot tell apart.
 struct NearestSamples {
   std::vector<PointId> names;
   Rational squared_distance;
@@ -38,8 +38,8 @@ struct NearestSamples {
 [[nodiscard]] NearestSamples nearest_samples(const PointSet& points, const RationalPoint& x);
 
 // ---- Values ----
-// Whether a claimed position or radius is the true one (FC-CLAIM-05): what is claimed exactly has to be
-// equal, what is claimed in decimals has to be near.
+// Whether a claimed position or radius is the true one (FC-CLAIM-05). An exact claim has to be equal. A claim in
+// decimals has to be near.
 enum class ValueMatch {
   kEqual,     // exact, and equal
   kWithin,    // in decimals, and near enough
@@ -47,16 +47,16 @@ enum class ValueMatch {
   kOff,
 };
 
-// What "near" refers to: the radius of the point in question; where that is 0, the largest of the sample's
-// coordinates.
+// The length that "near" refers to. It is the radius of the stationary point. If that is 0, the point is a sample,
+// and the length is the sample's largest coordinate.
 class ValueScale {
  public:
-  // Costs nothing: most values match without being compared by a tolerance.
+  // Computes nothing yet, because most values match without a tolerance.
   ValueScale(ExactSphere sphere, double tolerance) : sphere_(std::move(sphere)), tolerance_(tolerance) {}
 
-  // By which a position or distance in decimals may be off, squared.
+  // The square of the length by which a position or distance in decimals may be off.
   [[nodiscard]] Rational squared_allowance() const;
-  // As rounding does not care for the radius alone: radius and largest coordinate, roughly.
+  // About the larger of the radius and the largest coordinate, because rounding errors depend on both.
   [[nodiscard]] double rounding_length() const;
 
  private:
@@ -75,7 +75,7 @@ class ValueScale {
 [[nodiscard]] bool is_exact(const ClaimedPosition& claimed);
 [[nodiscard]] RationalPoint values_of(const ClaimedPosition& claimed);
 
-// Whether two lengths, given by squares, differ by no more than rounding explains, on that scale.
+// Whether two lengths, given by their squares, differ by no more than rounding explains at this rounding_length.
 inline constexpr double kRoundingPart = 0x1p-44;
 [[nodiscard]] bool is_rounding(const Rational& squared_a, const Rational& squared_b, double rounding_length);
 // As in ValueScale.

@@ -49,7 +49,7 @@ class FastTruth final : public Truth {
   [[nodiscard]] StableSet stable_set(std::size_t i) override { return complex_.stable().set(number_of(i)); }
 
  private:
-  // Among the index-2 critical points, or after them among the regular ones.
+  // The number in StableManifolds: index-2 critical points come first, then the regular stationary points.
   [[nodiscard]] std::size_t number_of(std::size_t i) const {
     const auto [first, last] = finder_.range({2, 2});
     return i < last ? i - first : last - first + i - finder_.range({3, 3}).second;

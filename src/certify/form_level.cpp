@@ -46,7 +46,7 @@ void check_input_of_claim(CheckRun& run) {
   }
 }
 
-// The counts of the header are those of the list, whether the list is right or wrong.
+// The header's counts must be those of the claim's own list, whether that list is right or wrong.
 void check_counts_of_claim(CheckRun& run) {
   std::array<std::size_t, 3> regular{};
   for (const ClaimedPoint& point : run.claim.points) {
@@ -107,7 +107,7 @@ std::string fault_of_successors(const PointSet& points, const ClaimedPoint& poin
   return "";
 }
 
-// Ids of a stable set; those of a walk may repeat.
+// What is wrong with the ids of a stable set. The ids of a walk may repeat.
 std::string fault_of_stable(const PointSet& points, const ClaimedPoint& point) {
   std::vector<std::vector<PointId>> lists;
   if (point.stable && point.stable->boundary) lists = *point.stable->boundary;

@@ -1,5 +1,5 @@
-// Level 4: incidences (FC-CLAIM-06), and what they may be where an orbit ends at a point that a perturbation
-// would let it leave (FC-CLAIM-07).
+// Level 4: incidences (FC-CLAIM-06). If a perturbation would let an orbit leave the point where it ends, they may
+// vary (FC-CLAIM-07).
 #include <algorithm>
 #include <array>
 #include <map>
@@ -21,11 +21,11 @@ using Limit = std::optional<std::size_t>;
 
 constexpr StationaryIndex kIndex2{2, 2};
 
-// What a perturbation can make of where an orbit ends.
+// Where a perturbation can make an orbit end.
 struct Continuations {
   std::set<Limit> limits;
-  // And, where orbits end at regular stationary points, whatever is farther from the samples than the nearest
-  // of these.
+  // A squared distance, if some of these orbits end at regular stationary points: the least of such a point. Then
+  // any stationary point that is farther from the samples is possible too.
   std::optional<Rational> beyond;
 };
 
@@ -39,14 +39,14 @@ class Incidences {
  public:
   explicit Incidences(CheckRun& run) : run_(run), boundaries_(run) {}
 
-  // Of an index-2 critical point: the index-1 points that bound its stable manifold.
+  // For an index-2 critical point: the index-1 points that bound its stable manifold.
   void check_boundary(std::size_t k) {
     boundaries_.check(k, *run_.claim.points[k].stable->boundary, 4, false);
   }
   void conclude_boundaries() { boundaries_.conclude(); }
 
-  // Of an index-1 critical point: the index-2 points from which a connecting orbit comes down to it. Where
-  // ties leave open where these end, they may be named or not.
+  // For an index-1 critical point: the index-2 points from which a connecting orbit comes down to it. If a tie leaves
+  // open where the connecting orbits of an index-2 point end, that point may be named or not.
   void check_saddles_above(std::size_t k) {
     const std::size_t record = run_.placed[k].place->record;
     std::set<std::size_t> missing = saddles_above(record), seen;
@@ -54,7 +54,7 @@ class Incidences {
     std::string wrong;
     bool varies = false;
     for (const ClaimedTarget& target : *run_.claim.points[k].successors) {
-      // Where there is no saddle, all that leaves the point goes on to infinity: that, too, is true.
+      // If there is no such saddle, all that leaves the point goes to infinity, so naming infinity is right too.
       if (target.is_infinity && is_without_saddle) continue;
       const NamedTarget there = named(target);
       if (there.limit && !seen.insert(*there.limit).second) continue;
@@ -76,7 +76,7 @@ class Incidences {
     }
   }
 
-  // Of an index-2 critical point.
+  // For an index-2 critical point: where its two orbits end.
   void check_limits(std::size_t k) {
     const ClaimedPoint& point = run_.claim.points[k];
     const std::array<Limit, 2> truth = run_.truth.limits(run_.placed[k].place->record);
@@ -94,7 +94,7 @@ class Incidences {
     }
   }
 
-  // Of a sample: the index-1 points that have it in their contact set.
+  // For a sample: the index-1 points that have it in their contact set.
   void check_edges(std::size_t k) {
     const PointId name = run_.placed[k].names.empty() ? run_.truth.contact(run_.placed[k].place->record)[0]
                                                       : run_.placed[k].names[0];
@@ -123,12 +123,12 @@ class Incidences {
     }
   }
 
-  // Of an index-1 point: S1.
+  // For an index-1 point: the ends of S1.
   void check_samples(std::size_t k) {
     const std::vector<PointId> names = class_names(run_.points, *run_.claim.points[k].samples);
     const PlacedPoint& placed = run_.placed[k];
     const auto contact = run_.truth.contact(placed.place->record);
-    // At a regular stationary point, the edge is what is claimed.
+    // At a regular stationary point, the edge must be the claimed contact set.
     const bool is_right = run_.index(placed.place->record).is_critical()
                               ? std::ranges::equal(names, contact)
                               : placed.names.empty() || names == placed.names;
@@ -138,7 +138,7 @@ class Incidences {
     run_.report.findings.back().claimed += ", samples " + names_text(names);
   }
 
-  // Of a maximum, from which nothing flows.
+  // For a maximum. Nothing flows from it.
   void check_nothing_above(std::size_t k) {
     for (const ClaimedTarget& target : *run_.claim.points[k].successors) {
       if (target.is_infinity) continue;
@@ -155,7 +155,7 @@ class Incidences {
     return {true, place->record, place->fit};
   }
 
-  // All at once, when first asked for: it is the saddles that tell.
+  // Found for all edges at the first call, because only the saddles' stable sets tell them.
   const std::set<std::size_t>& saddles_above(std::size_t edge) {
     if (saddles_above_.empty()) {
       for (std::size_t i = 0; i < run_.truth.size(); ++i) {
@@ -170,7 +170,7 @@ class Incidences {
     return saddles_above_[edge];
   }
 
-  // A saddle, or what a perturbation makes one, whose connecting orbits ties leave open.
+  // Whether the point is a saddle whose connecting orbits a tie leaves open, or a perturbation can make it one.
   bool may_come_down(std::size_t saddle, std::size_t edge) {
     const StationaryIndex index = run_.index(saddle);
     if (run_.truth.sphere(saddle).squared_radius <= run_.truth.sphere(edge).squared_radius) return false;
@@ -189,7 +189,7 @@ class Incidences {
     return text + (text.empty() ? "" : "; ") + "no orbit comes to it from " + wrong;
   }
 
-  // The claimed edge from this sample, through the middle of which a perturbation makes an index-1 point.
+  // Whether the target is an edge of this sample, and a perturbation makes an index-1 point in the edge's middle.
   bool is_perturbed_edge(const ClaimedTarget& target, std::size_t record, PointId name) const {
     const StationaryIndex index = run_.index(record);
     const std::vector<PointId> names = class_names(run_.points, target.contact);
@@ -293,7 +293,7 @@ class Incidences {
   std::map<std::size_t, std::set<std::size_t>> saddles_above_;
 };
 
-// False if there is nothing to judge. Only of points that are themselves claimed rightly.
+// False if there is nothing to judge. Only points that are claimed rightly are judged.
 bool check_point(CheckRun& run, Incidences& incidences, std::size_t k) {
   const ClaimedPoint& point = run.claim.points[k];
   if (!run.placed[k].is_right || point.hull_dimension) return false;

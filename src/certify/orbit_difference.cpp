@@ -16,7 +16,7 @@ namespace {
 
 using Contact = std::optional<std::vector<PointId>>;
 
-// As much of a number as a message shows.
+// A message shows at most this many characters of a number.
 constexpr std::size_t kLongest = 40;
 
 // ---- In words
@@ -49,7 +49,7 @@ bool are_same_where_claimed(const Contact& claimed, const Contact& truth) {
   return !claimed || claimed == truth;
 }
 
-// The parts of a segment that say how it arrives are left out if is_arrival_free.
+// If is_arrival_free, the last letter of the type and the contact set of the end are not compared.
 std::optional<PathDifference> segment_difference(std::size_t k, const PathSegment& claimed,
                                                  const PathSegment& truth, bool is_arrival_free) {
   const std::size_t letters = is_arrival_free ? std::string_view("E-F-").size() : std::string::npos;

@@ -1,4 +1,4 @@
-// Compares sorted lists, and puts what only one of them has beside what only the other has.
+// Compares sorted lists. Pairs that only one list has are put beside pairs that only the other has.
 #include "flowcert/pair_differences.h"
 
 #include <fmt/format.h>
@@ -15,10 +15,10 @@ using namespace certify;
 
 namespace {
 
-// As much of a number as a message shows.
+// A message shows at most this many characters of a number.
 constexpr std::size_t kLongestPairNumber = 60;
 
-// Beyond the doubles stays what it is, which no text can say.
+// A value beyond the doubles stays exact. No claim in text can have such a value.
 Rational rounded(const Rational& value) {
   const std::optional<double> nearest = nearest_double(value);
   return nearest ? Rational(*nearest) : value;
@@ -41,7 +41,7 @@ std::string number_words(const Rational& value, bool is_rounded) {
   return shortened(std::move(text), kLongestPairNumber);
 }
 
-// What only one side has, by dimension: the first with the first, and so on.
+// In each dimension, the first pair of one list goes with the first pair of the other, and so on.
 std::vector<PairDifference> differences_of(const std::vector<ListedPair>& claimed,
                                            const std::vector<ListedPair>& truth, bool is_rounded) {
   const auto words = [&](const std::vector<ListedPair>& pairs, std::size_t k) -> std::string {

@@ -1,5 +1,6 @@
-// Levels 2 and 3, of what is claimed at stationary points: exactly one claim at a critical point
-// (FC-CLAIM-03), and at a regular one nothing, itself, or what a perturbation makes of it (FC-CLAIM-04).
+// Levels 2 and 3 for claims at stationary points. A critical point needs exactly one claim (FC-CLAIM-03). At a
+// regular stationary point, three things are right: no claim, the point itself, or what a perturbation makes of it
+// (FC-CLAIM-04).
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -31,8 +32,7 @@ void vary_contact(CheckRun& run, std::size_t k, std::size_t record) {
            "the whole is a " + stationary_text(run.truth, record));
 }
 
-// Whether a claimed contact set is a face of the true one that has the centre, or a simplex that spans such a
-// face.
+// Whether a claimed contact set is a face of the true one with the centre in it, or a simplex that spans such a face.
 bool is_part_of_face(const CheckRun& run, std::size_t k, std::size_t record, int dimension) {
   const PlacedPoint& placed = run.placed[k];
   if (placed.place->fit == Fit::kPosition) return true;
@@ -40,21 +40,21 @@ bool is_part_of_face(const CheckRun& run, std::size_t k, std::size_t record, int
   if (affine_dimension(run.points, names) != dimension) return false;
   const bool is_simplex = static_cast<int>(names.size()) == dimension + 1;
   const auto contact = run.truth.contact(record);
-  // An edge through the centre is unique, and a face: the centre lies on the boundary of the hull.
+  // At most one edge goes through the centre, and it is a face, because the centre lies on the hull's boundary.
   if (dimension == 1) return is_simplex;
   if (dimension == run.index(record).hull_dimension) return is_simplex || names.size() == contact.size();
   const std::vector<PointId> face = supported_face(run.points, names, contact);
   return !face.empty() && (is_simplex || face == names);
 }
 
-// Two index-2 claims at a point of kind 1-3: there are two polygons.
+// Whether two index-2 claims at a point of kind 1-3 mean the same polygon. Such a point lies in two polygons.
 bool in_one_plane(const CheckRun& run, std::size_t a, std::size_t b) {
   std::vector<PointId> both;
   std::ranges::set_union(run.placed[a].names, run.placed[b].names, std::back_inserter(both));
   return affine_dimension(run.points, both) == 2;
 }
 
-// What is claimed as critical at one regular stationary point.
+// All claims of critical points at one regular stationary point.
 class PerturbedPoint {
  public:
   PerturbedPoint(CheckRun& run, std::size_t record) : run_(run), record_(record), kind_(run.index(record)) {}

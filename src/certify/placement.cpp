@@ -1,7 +1,7 @@
-// Where the points of a claim are among the true stationary points: by contact sets where they are claimed,
-// otherwise by position.
+// Finds the true stationary point that each claimed point means, by its contact set or, if none is claimed, by its
+// position.
 //
-// Guarantees: nothing within the tolerance is overlooked; whether it really is within is decided exactly.
+// Guarantees: no stationary point within the tolerance is overlooked. Whether one is within is decided exactly.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +25,7 @@
 namespace flowcert::certify {
 
 // ---- Positions on a grid ----
-// For claims that name no contact set. Expected constant time a question where positions are spread evenly.
+// For claims without contact sets. A question takes expected constant time if positions are spread evenly.
 
 namespace {
 
@@ -35,7 +35,7 @@ class PositionGrid {
   PositionGrid(Truth& truth, double tolerance);
 
   [[nodiscard]] const ExactSphere& sphere(std::size_t record) const { return spheres_[record]; }
-  // All that are within the tolerance, and few more; ascending.
+  // All stationary points within the tolerance, and a few more; ascending.
   [[nodiscard]] std::vector<std::size_t> near(const ClaimedPosition& position) const;
 
  private:
@@ -77,8 +77,8 @@ std::size_t PositionGrid::Hash::operator()(const Cell& cell) const {
 }
 
 PositionGrid::PositionGrid(Truth& truth, double tolerance) {
-  // The largest of radius and coordinates is at least what the tolerance refers to; the positions that are
-  // compared are rounded by less than 2^-51 of it, each.
+  // The tolerance refers to at most the largest of radius and coordinates. Each compared position is rounded by less
+  // than 2^-51 of that.
   const double part = 2 * std::max(tolerance, 2 * kRoundingPart);
   double low = kLargest, high = -kLargest, reach = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -97,7 +97,7 @@ PositionGrid::PositionGrid(Truth& truth, double tolerance) {
 }
 
 PositionGrid::Cell PositionGrid::cell_of(const std::array<double, 3>& position) const {
-  // Where that is far beyond, all is one cell.
+  // Positions too far away for a cell number share the outermost cells.
   constexpr double kFar = 0x1p60;
   Cell cell;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -134,8 +134,8 @@ Fit fit_of_part(const CheckRun& run, const std::vector<PointId>& names, std::siz
   return is_simplex && affine_dimension(run.points, names) == dimension ? Fit::kPart : Fit::kOther;
 }
 
-// Where a claim belongs best: at a point of its index or kind, where it is the only one (0); at a regular
-// stationary point, where a perturbation may make it with others (1); elsewhere (2).
+// How well a claim fits a stationary point. 0: the point has the claimed index or kind. 1: the point is regular, and
+// a perturbation may make the claimed critical point from it, with others. 2: otherwise.
 int rank_of(const CheckRun& run, const ClaimedPoint& point, std::size_t record) {
   const StationaryIndex index = run.index(record);
   const int hull_dimension = point.hull_dimension.value_or(point.index);
@@ -144,8 +144,8 @@ int rank_of(const CheckRun& run, const ClaimedPoint& point, std::size_t record) 
   return !index.is_critical() && !point.hull_dimension && is_between ? 1 : 2;
 }
 
-// Claims by position. What is within the tolerance of several claims and they of it are matched so that as
-// many as possible find a point of their own: then no right claim is taken for a second one of the same.
+// Places claims by position. A matching gives as many claims as possible a stationary point of their own within the
+// tolerance. So no right claim is taken for a second claim of the same point.
 class ByPosition {
  public:
   explicit ByPosition(CheckRun& run) : run_(run), grid_(run.truth, run.options.tolerance) {}
@@ -188,14 +188,14 @@ class ByPosition {
       const ValueMatch match = match_position(at, sphere.center, ValueScale(sphere, run_.options.tolerance));
       if (match == ValueMatch::kOff) continue;
       within.push_back({rank_of(run_, point, record), squared_distance(x, sphere.center), record});
-      // An exact position that is one of them names that one.
+      // A position that equals a centre exactly names that stationary point.
       if (match == ValueMatch::kEqual) return {within.back()};
     }
     std::sort(within.begin(), within.end());
     return within;
   }
 
-  // An augmenting path (Kuhn's algorithm), among the candidates of rank 0.
+  // Looks for an augmenting path (Kuhn's algorithm) among the candidates of rank 0.
   bool find_own(std::size_t k) {
     for (const Candidate& candidate : candidates_.at(k)) {
       if (candidate.rank > 0) break;
@@ -225,7 +225,7 @@ class ByPosition {
   CheckRun& run_;
   PositionGrid grid_;
   std::map<std::size_t, std::vector<Candidate>> candidates_;  // by claimed point
-  std::map<std::size_t, std::size_t> owner_;                  // of a stationary point, the claimed point
+  std::map<std::size_t, std::size_t> owner_;                  // the claimed point, by stationary point
   std::set<std::size_t> tried_;
 };
 

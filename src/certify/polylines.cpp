@@ -11,16 +11,16 @@ namespace {
 
 constexpr char kPolylineClause[] = "FC-CLAIM-08";
 
-// What is wrong with a polyline, and where.
+// What is wrong with a polyline, and in which segment.
 struct Difference {
   bool is_wrong = false;
   bool by_rounding = false;
-  bool goes_on = false;  // only beyond the end of the true orbit
+  bool goes_on = false;  // it only goes on beyond the end of the true orbit
   std::string claimed;
   std::string truth;
 };
 
-// Of a claimed position, or of a true one.
+// For claimed and for true positions.
 template <typename Position>
 std::string end_text(const std::optional<Position>& end) {
   return end ? position_text(*end) : "infinity";
@@ -30,7 +30,7 @@ class Polylines {
  public:
   explicit Polylines(CheckRun& run) : run_(run) {}
 
-  // Of an index-2 critical point.
+  // For an index-2 critical point.
   void check(std::size_t k) {
     const std::size_t record = run_.placed[k].place->record;
     const auto& claimed = *run_.claim.points[k].u2;
@@ -52,13 +52,13 @@ class Polylines {
     run_.report.findings.back().claimed += ", side " + std::to_string(side) + ", " + found.claimed;
   }
 
-  // At a stationary point that is no maximum.
+  // Whether the true orbit ends at a stationary point that is no maximum.
   bool ends_below(std::size_t record, std::size_t side) {
     const auto limit = run_.truth.limits(record).at(side);
     return limit && run_.index(*limit) != StationaryIndex{3, 3};
   }
 
-  // The true one has a segment at least: an index-2 critical point's orbits leave it.
+  // The true orbit has at least one segment, because it leaves its index-2 critical point.
   Difference difference(const ClaimedPolyline& claimed, const std::vector<TrueSegment>& truth,
                         const ValueScale& scale) {
     for (std::size_t i = 0; i < claimed.size() && i < truth.size(); ++i) {

@@ -1,5 +1,5 @@
-// Level 2: claimed points where nothing is stationary, and the first of the conditions of FC-CRIT-05 that
-// fails; and level 2's look at centres and distances of those that are somewhere.
+// Level 2. For a claim where nothing is stationary, finds the first condition of FC-CRIT-05 that fails. For a claim
+// at a stationary point, judges the claimed centre and distance.
 #include <algorithm>
 #include <iterator>
 
@@ -56,7 +56,7 @@ Fault outside_hull(const PointSet& points, const std::vector<PointId>& names, co
           "the centre " + position_text(sphere.center) + " lies outside the hull of the contact set"};
 }
 
-// A set that is not the contact set of a stationary point.
+// The fault of a set that is not the contact set of a stationary point.
 Fault fault_of(const PointSet& points, const std::vector<PointId>& names) {
   const ExactSphere sphere = exact_sphere(points, names);
   if (!all_on_sphere(points, names, sphere)) return not_cospherical(points, names, sphere);
@@ -70,7 +70,7 @@ Fault fault_of(const PointSet& points, const std::vector<PointId>& names) {
               " lies on the sphere too, and the centre outside the hull of all of them"};
 }
 
-// The usual case, without what only decimals need.
+// Decides the usual case quickly. Only decimals need more.
 bool is_exactly_right(const ClaimedPoint& point, const ExactSphere& sphere) {
   if (point.distance || (point.center && !is_exact(*point.center))) return false;
   for (std::size_t axis = 0; point.center && axis < 3; ++axis) {
@@ -91,7 +91,7 @@ struct WrongValue {
   std::string truth;
 };
 
-// Of a claimed point, if it means that stationary one.
+// The wrong values of a claimed point if it means this stationary point.
 std::vector<WrongValue> wrong_values(CheckRun& run, const ClaimedPoint& point, std::size_t record) {
   const ExactSphere sphere = run.truth.sphere(record);
   if (is_exactly_right(point, sphere)) return {};
@@ -138,7 +138,7 @@ void check_values(CheckRun& run, std::size_t k) {
   if (!point.center && !point.distance && !point.squared_distance) return;
   run.report.is_exact = run.report.is_exact && is_exact_throughout(point);
   const std::vector<WrongValue> wrong = wrong_values(run, point, run.placed[k].place->record);
-  // Of an ambiguous claim, what is right of one of those that it may mean is not wrong.
+  // An ambiguous claim is right if its values fit one of the points that it may mean.
   const bool is_right_elsewhere =
       !wrong.empty() && std::ranges::any_of(run.placed[k].alternatives, [&](std::size_t record) {
         return wrong_values(run, point, record).empty();

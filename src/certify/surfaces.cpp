@@ -1,8 +1,8 @@
-// Level 5, of stable sets: what they are made of, boundary walks, skeletons, surfaces (FC-CLAIM-10).
+// Level 5 for stable sets: their sizes, boundary walks, skeletons and surfaces (FC-CLAIM-10).
 //
-// Each claimed piece is one of the true ones, and each true one is claimed once. A claim may leave out what a
-// perturbation would not make, that is what lies beyond a Voronoi vertex, or else add what it might make
-// beyond a regular stationary point.
+// Each claimed piece must be a true one, and each true piece must be claimed once. There are two permitted
+// variations. A claim may leave out the pieces beyond a Voronoi vertex, which a perturbation would not make. Or it
+// may add pieces beyond a regular stationary point, which a perturbation might make.
 #include <algorithm>
 #include <array>
 #include <span>
@@ -20,11 +20,11 @@ namespace {
 
 constexpr char kSurfaceClause[] = "FC-CLAIM-10";
 
-// By corner, or by side.
+// Its values belong to corners or to sides.
 template <typename Each>
 using Triangle = std::array<Each, 3>;
 
-// By segment: whether it is reached from z without passing a Voronoi vertex.
+// For each segment: whether it is reached from z without passing a Voronoi vertex.
 std::vector<bool> determined_segments(const StableSet& set, const RationalPoint& z, StationaryIndex index) {
   std::vector<bool> determined(set.segments.size(), false);
   if (index.hull_dimension == 3) return determined;
@@ -43,15 +43,15 @@ std::vector<bool> determined_segments(const StableSet& set, const RationalPoint&
   return determined;
 }
 
-// Claimed pieces against true ones: which are which.
+// Which claimed pieces are true ones, and which true pieces are claimed.
 struct Comparison {
   std::vector<bool> is_claimed;      // by true piece
-  std::vector<std::string> strange;  // claimed, and not true
-  bool is_rounding = true;           // all that is strange is near a true piece
-  bool is_beyond = true;             // or nearer to its samples than a regular back
+  std::vector<std::string> strange;  // claimed pieces that are not true
+  bool is_rounding = true;           // each strange piece is near a true one
+  bool is_beyond = true;             // each strange piece may lie beyond a regular back
 };
 
-// Of the farthest regular back from its samples; none where no back is regular.
+// The largest squared distance of a regular back from its samples; none if no back is regular.
 std::optional<Rational> value_of_regular_backs(const PointSet& points, const StableSet& set) {
   std::optional<Rational> value;
   for (const BackwardSegment& segment : set.segments) {
@@ -91,7 +91,7 @@ class Surfaces {
     const StableSummary truth = run_.truth.stable_summary(record);
     const auto compare = [&](const auto& value, const auto& right, const std::string& what) {
       if (!value || *value == right) return;
-      // A perturbation leaves nothing of Voronoi vertices and intervals.
+      // A perturbation removes Voronoi vertices and intervals from the set.
       if (truth.has_vertex) {
         run_.vary(5, FindingReason::kSymbolicPerturbation, kSurfaceClause, k,
                   "a Voronoi vertex is in the skeleton");
@@ -104,7 +104,7 @@ class Surfaces {
     compare(claimed.has_interval, truth.has_interval, "has_interval");
   }
 
-  // As closed walks: from anywhere, either way around.
+  // Whether these are the same closed walk, which may begin anywhere and go either way around.
   static bool are_same_walks(std::vector<PointId> a, const std::vector<PointId>& b) {
     if (a.size() != b.size()) return false;
     for (int way = 0; way < 2; ++way) {
@@ -145,7 +145,7 @@ class Surfaces {
     return match_position(claimed, truth, scale);
   }
 
-  // matches(claimed, i): how well a claimed piece is true piece i.
+  // matches(claimed, i): how well a claimed piece matches true piece i.
   template <typename Claimed, typename Matches, typename Beyond, typename Text>
   static Comparison compare(const std::vector<Claimed>& claimed, std::size_t true_count,
                             const Matches& matches, const Beyond& is_beyond, const Text& text) {
@@ -171,7 +171,7 @@ class Surfaces {
     return result;
   }
 
-  // is_determined(i): of a true piece.
+  // is_determined(i): whether a claim must have true piece i.
   template <typename Determined>
   void judge(std::size_t k, const Comparison& found, const std::string& what,
              const Determined& is_determined) {
@@ -252,18 +252,18 @@ class Surfaces {
           "sector", never);
   }
 
-  // The squared distance of a triangle's corner, perhaps a sample, that has the other corners nearest.
+  // For each corner of the triangle take the larger squared distance to another corner. This is the least of them.
   static Rational least_reach(const Triangle<ClaimedPosition>& corners) {
     Triangle<Rational> sides;
     for (std::size_t i = 0; i < 3; ++i) {
       sides[i] = squared_distance(values_of(corners[i]), values_of(corners[(i + 1) % 3]));
     }
-    // From the corner opposite the longest side, the others are as far as the second longest.
+    // That corner is opposite the longest side, so the value is the second longest side.
     std::ranges::sort(sides);
     return sides[1];
   }
 
-  // From any corner, either way around.
+  // The claimed ring may begin at any corner and go either way around.
   ValueMatch match_ring(std::span<const ClaimedPosition> claimed, std::span<const RationalPoint> truth,
                         const ValueScale& scale) {
     const std::size_t n = truth.size();

@@ -1,4 +1,4 @@
-// `flowcert check`, told by its caller who else knows what is true: src/ knows no other implementation.
+// `flowcert check`. Its caller hands it the other implementation for --oracle, because src/ knows none.
 #pragma once
 
 #include <cstddef>

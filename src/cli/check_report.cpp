@@ -1,4 +1,4 @@
-// Findings are listed level by level; the first of a level tells most.
+// Findings are listed level by level. The first finding of a level tells most.
 #include "cli/check_report.h"
 
 #include <fmt/format.h>
@@ -189,7 +189,7 @@ std::string xml_text(const std::string& text) {
         escaped += "&quot;";
         break;
       default:
-        // Control characters do not exist there; nor do bytes that are no UTF-8, which file names may have.
+        // XML 1.0 has no control characters. File names may also hold bytes that are not UTF-8.
         escaped += (static_cast<unsigned char>(c) < 0x20 && c != '\n') || (c & 0x80) != 0 ? '?' : c;
     }
   }
@@ -200,10 +200,10 @@ std::string xml_text(const std::string& text) {
 
 namespace {
 
-// With a larger one there is hardly a claim that is not ambiguous.
+// With a larger tolerance, nearly every claim is ambiguous.
 constexpr double kLargestTolerance = 1e-3;
 
-// CLI11's own range takes nan for a number in it. Returns what is wrong.
+// Returns what is wrong, or nothing. CLI11's own range check accepts nan.
 std::string complaint_about_tolerance(const std::string& word) {
   const NumberText number = parse_number(word);
   const bool is_small = number.fault == nullptr && 0 <= number.value && number.value <= kLargestTolerance;

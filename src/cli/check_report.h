@@ -30,12 +30,12 @@ struct CheckedFiles {
 [[nodiscard]] std::string finding_line(const std::string& claim, const Finding& finding);
 [[nodiscard]] Json finding_field(const Finding& finding);
 
-// most: findings shown of each level; the others are counted.
+// Shows at most `most` findings of each level. The table of levels counts all of them.
 void print_check_text(const CheckedFiles& files, const CheckReport& report, std::size_t most);
 void print_check_json(const CheckedFiles& files, const CheckReport& report, const PointSet& points);
 void write_check_junit(std::ostream& out, const CheckedFiles& files, const CheckReport& report);
 
-// Text of an XML 1.0 document, also within double quotes: whatever it holds, the document stays one.
+// The text, escaped for an XML 1.0 document, also within double quotes. Whatever it holds, the document stays valid.
 [[nodiscard]] std::string xml_text(const std::string& text);
 
 // The options --tolerance and --levels, which all commands that judge claims share.

@@ -1,5 +1,5 @@
-// What every subcommand of `flowcert` is, and what they share. Exit status: 0 right, 1 a negative verdict, 2
-// unusable input or usage. The subcommands that draw inputs and judge programs are in fuzz/commands/.
+// The subcommands of `flowcert`, and what they share. Exit status: 0 right, 1 a negative verdict, 2 unusable input or
+// usage. The subcommands that draw inputs and judge programs are in fuzz/commands/.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ inline constexpr int kRight = 0;
 inline constexpr int kNegativeVerdict = 1;
 inline constexpr int kUnusable = 2;
 
-// Each adds its subcommand, options and callback; the callback sets the exit status and throws InvalidInput
+// Each function adds its subcommand, options and callback. The callback sets the exit status. It throws InvalidInput
 // or OutputError.
 void add_compute_command(CLI::App& app, int& status);
 void add_explain_command(CLI::App& app, int& status);
@@ -46,7 +46,7 @@ struct FlowChoice {
 // The two options are returned so that they can be made to need others.
 std::array<CLI::Option*, 2> add_flow_options(CLI::App& command, FlowChoice& choice);
 
-// "-" as a person would call it.
+// The name of the file for messages: "-" gets a readable name.
 [[nodiscard]] std::string display_name(const std::string& path);
 
 // "34,835"

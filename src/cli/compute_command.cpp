@@ -1,8 +1,8 @@
-// `flowcert compute`: all stationary points of an input and, if wanted, the manifolds U2 and S2, as a table
-// for people, one JSON object for programs (spec/formats/summary.md), and a file of exact records
-// (stationary_points.md), or of files for viewers (exports.md).
+// `flowcert compute`: all stationary points of an input and, if wanted, the manifolds U2 and S2. It writes a table
+// for people or one JSON object for programs (spec/formats/summary.md). It can also write a file of exact records
+// (stationary_points.md) and files for viewers (exports.md).
 //
-// Guarantees: no file for viewers is begun before all are computed; each appears whole or not at all.
+// Guarantees: all files for viewers are computed before the first is written. Each appears whole or not at all.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -65,7 +65,7 @@ void make_directory(const std::string& directory) {
   if (error) throw OutputError(fmt::format("{}: cannot be made: {}", directory, error.message()));
 }
 
-// Throws OutputError where there is something that is not a directory, before anything is computed.
+// Called before anything is computed. Throws OutputError if the path exists and is no directory.
 void check_export_directory(const std::string& directory) {
   std::error_code ignored;
   if (fs::exists(directory, ignored) && !fs::is_directory(directory, ignored)) {
@@ -73,7 +73,7 @@ void check_export_directory(const std::string& directory) {
   }
 }
 
-// Makes the directory where there is none. input_name: for messages.
+// Makes the directory if it does not exist. input_name is for messages.
 void write_export_files(const std::string& directory, const std::string& input_name,
                         const FlowComplex& complex) {
   Exports exports;
@@ -153,7 +153,7 @@ void compute(const ComputeOptions& options) {
   }
 }
 
-// They mean nothing without --manifolds.
+// These options mean nothing without --manifolds.
 void add_manifold_options(CLI::App& command, ComputeOptions& options, CLI::Option* output) {
   CLI::Option* manifolds =
       command

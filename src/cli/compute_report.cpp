@@ -79,7 +79,7 @@ constexpr std::array<SegmentType, 11> kTypes = {{{'V', 'V', 'V'},
                                                  {'E', 'F', 0}}};
 constexpr std::string_view kFaces = "VEFC";
 
-// Zeros too; behind them whatever else came.
+// The counts of all kTypes, zeros too, and then of any other types that occurred.
 std::vector<TypeCount> full_census(const FlowStatistics& statistics) {
   std::vector<TypeCount> census;
   for (const SegmentType& type : kTypes) {
@@ -92,8 +92,8 @@ std::vector<TypeCount> full_census(const FlowStatistics& statistics) {
   return census;
 }
 
-// How many numbers have at least 2^k bytes, and fewer than twice that; by 2^k, the empty ranges in between
-// too.
+// Pairs of 2^k and how many numbers have at least 2^k bytes but fewer than 2^(k+1). Empty ranges in between are
+// listed too.
 std::vector<std::pair<std::size_t, std::size_t>> byte_histogram(const Distribution& bytes) {
   std::map<std::size_t, std::size_t> ranges;
   for (const auto& [value, times] : bytes.times()) ranges[std::bit_floor(value)] += times;
@@ -131,7 +131,7 @@ void print_lengths(const FlowStatistics& statistics) {
   table.print();
 }
 
-// A line for each type that starts in this face, under the face that it crosses; two cells a type.
+// Adds the types that start in this face, each in the column of the face that it crosses. Each type fills two cells.
 void add_census_lines(Table& table, const std::vector<TypeCount>& census, char start) {
   std::array<std::vector<TypeCount>, kFaces.size()> by_crossed;
   for (const TypeCount& entry : census) {

@@ -1,5 +1,5 @@
-// What `flowcert compute` prints: a table, or the summary of spec/formats/summary.md, with the paper's tables of
-// statistics where they are asked for.
+// What `flowcert compute` prints: a table, or the summary of spec/formats/summary.md. The paper's tables of
+// statistics are added if they are asked for.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ struct U2Choice {
   bool with_statistics = false;
 };
 
-// Where the orbits end.
+// Prints where the orbits end.
 void print_u2_rows(const FlowStatistics& statistics);
 
 // The paper's Tables 1, 3, 4 and 5, and Figure 12.
@@ -41,21 +41,21 @@ void print_s2_statistics(const StableStatistics& statistics);
                             const StableManifolds& s2);
 
 // ---- What both share ----
-// Distributions and filter failures, in JSON and in tables: what the reports of U2 and S2 share.
+// The reports of U2 and S2 share distributions and filter failures, in JSON and in tables.
 
 // count, mean, max, stddev, mode, median, histogram (spec/formats/summary.md).
 [[nodiscard]] Json distribution_field(const Distribution& distribution);
-// By name: calls, failures.
+// Calls and failures of each primitive, by its name.
 [[nodiscard]] Json primitives_field(const KernelTally& tally);
 
-// A table of distributions, a row each: name, count, mean, max, stddev, mode, median.
+// A table with a row for each distribution: name, count, mean, max, stddev, mode, median.
 [[nodiscard]] Table distribution_table();
 void add_distribution(Table& table, const char* name, const Distribution& distribution);
 // The paper's Table 4.
 void print_primitives(const KernelTally& tally);
 
 // ---- The whole ----
-// name: of the input, as a person calls it.
+// name: the display_name() of the input.
 void print_compute_table(const std::string& name, const Input& input, const Measured& measured,
                          const U2Choice& choice);
 

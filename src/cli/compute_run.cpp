@@ -1,4 +1,4 @@
-// The parts of a run are made in turn; what is told of several runs are medians.
+// The parts of a run are made in turn. The reported times of several runs are medians.
 #include "cli/compute_run.h"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ double median(std::vector<double> values) {
   return (values[(n - 1) / 2] + values[n / 2]) / 2;
 }
 
-// In seconds, an entry a run.
+// In seconds, with an entry for each run.
 struct Times {
   std::vector<double> delaunay, critical, u2, s2, all;
 };

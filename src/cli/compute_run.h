@@ -34,8 +34,8 @@ struct Measured {
   std::optional<DelaunayRatios> ratios;
 };
 
-// As often as `runs` says: triangulation, critical points and what is wanted of manifolds in turn, so that
-// all see the same machine.
+// Computes everything `runs` times. Each run makes the triangulation, the critical points and the wanted manifolds in
+// turn, so that all parts see the same state of the machine.
 [[nodiscard]] Measured measure(const PointSet& points, unsigned runs, const WantedManifolds& wanted);
 
 }  // namespace flowcert::cli

@@ -1,5 +1,5 @@
-// `flowcert explain`: why a set of points, or a position, is or is not critical. Exit status 0 for
-// stationary, 1 for not.
+// `flowcert explain`: why a set of points, or a position, is or is not critical. Exit status: 0 if it is stationary,
+// 1 if it is not.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -25,7 +25,7 @@ struct ExplainOptions {
 std::string exact_and_double(const Rational& value) {
   const std::optional<double> nearest = nearest_double(value);
   std::string text = to_text(value);
-  // An integer says it all; a fraction is easier to place with its double.
+  // An integer is clear by itself. A fraction is easier to read with its double beside it.
   if (text.find('/') == std::string::npos || !nearest) return text;
   return fmt::format("{} ({})", text, *nearest);
 }
@@ -77,7 +77,7 @@ void print_json(const Explanation& explanation) {
   fmt::print("{}\n", json.dump());
 }
 
-// CLI11's validators return what is wrong. By itself it takes nothing for 0, and 010 for an octal 8.
+// Returns what is wrong, as CLI11's validators do. CLI11 itself reads empty text as 0, and 010 as octal 8.
 std::string complaint_about_id(const std::string& word) {
   const bool is_digits = !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
   if (is_digits && (word == "0" || word[0] != '0')) return "";

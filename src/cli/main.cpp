@@ -32,7 +32,7 @@ int complain(const std::string& what) {
   return kUnusable;
 }
 
-// A full disk shows only when what is buffered is written.
+// A full disk shows only when the buffer is written.
 int finish_output(int status) {
   errno = 0;
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;

@@ -1,5 +1,5 @@
-// `flowcert orbit`: where the flow takes a position, segment by segment, as a table for people or as one JSON
-// object with everything exact (spec/formats/orbit.md).
+// `flowcert orbit`: where the flow takes a position, segment by segment. The output is a table for people or one
+// exact JSON object (spec/formats/orbit.md).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -62,7 +62,7 @@ void print_segments(const Orbit& orbit) {
   table.print();
 }
 
-// The type of the step from a stationary start, "V-V-V", is asked of the flow.
+// An orbit from a stationary start has no segments, so the flow is asked for the step's type, for example "V-V-V".
 void print_text(const Orbit& orbit, const FlowComplex& complex) {
   fmt::print("orbit from {}\n", point_text(orbit.start));
   if (orbit.segments.empty()) {

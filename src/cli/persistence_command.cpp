@@ -1,5 +1,5 @@
-// `flowcert persistence`: the persistence pairs of the squared distance function, as a file that GUDHI reads,
-// a table for people, or one JSON object with everything exact (spec/formats/persistence.md).
+// `flowcert persistence`: the persistence pairs of the squared distance function. The output is a file that GUDHI
+// reads, a table for people, or one exact JSON object (spec/formats/persistence.md).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -34,8 +34,8 @@ struct PersistenceSeconds {
 };
 
 struct PersistenceRun {
-  // Makes one part of the complex after the other, and takes the time of each. seed: of all choices where ties are
-  // broken.
+  // Makes one part of the complex after the other, and takes the time of each. The seed decides all choices that
+  // break ties.
   PersistenceRun(const PointSet& points, std::uint64_t seed)
       : complex(points, {.flow = {}, .share = true, .seed = seed}, part_progress()) {
     using Clock = std::chrono::steady_clock;
@@ -68,8 +68,8 @@ struct PersistenceOptions {
 
 // Pairs of one dimension.
 struct PairCounts {
-  std::size_t positive = 0;  // of length
-  std::size_t zero = 0;      // regular stationary points
+  std::size_t positive = 0;  // of positive length
+  std::size_t zero = 0;      // of length zero: regular stationary points
   std::size_t lasting = 0;
 };
 
@@ -200,7 +200,7 @@ void print_persistence(const PersistenceOptions& options) {
   }
 }
 
-// CLI11 itself takes -1, and what is too large, for the largest number.
+// Returns what is wrong. CLI11 itself reads -1, and a number that is too large, as the largest number.
 std::string complaint_about_seed(const std::string& text) {
   std::uint64_t seed = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);

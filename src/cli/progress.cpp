@@ -1,4 +1,4 @@
-// A line is written over itself, and at most some times a second.
+// A line is written over itself, at most ten times a second.
 #include "cli/progress.h"
 
 #include <fmt/format.h>

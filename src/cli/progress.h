@@ -1,8 +1,8 @@
-// A progress bar on standard error: only on a terminal, only for what takes longer than two seconds, gone
-// when it is done.
+// A progress bar on standard error. It is shown only on a terminal, and only for work that takes longer than two
+// seconds. It is erased when the work is done.
 //
-// Our own, since Debian has no C++ library for it but Boost's progress_display, which cannot be taken back
-// from the screen and knows neither terminals nor delays.
+// The code is our own. Debian's only C++ library for this is Boost's progress_display. That cannot be erased from
+// the screen, and knows neither terminals nor delays.
 #pragma once
 
 #include <chrono>
@@ -36,10 +36,10 @@ class ProgressLine {
   bool is_drawn_ = false;
 };
 
-// The progress of a flow complex that is being made: a line for each of its parts, one after the other.
+// The progress of a flow complex while it is computed. Each of its parts has a line, one after the other.
 class PartProgress {
  public:
-  // what_of: after the part's name, as ", run 2 of 5".
+  // what_of follows the part's name, for example ", run 2 of 5".
   explicit PartProgress(std::string what_of = "") : what_of_(std::move(what_of)) {}
 
   void operator()(FlowComplexPart part, std::size_t done, std::size_t total) {
@@ -53,7 +53,7 @@ class PartProgress {
   }
 
  private:
-  // What is on the screen goes.
+  // Erases the line from the screen.
   void end() {
     line_.reset();
     part_.reset();
@@ -83,7 +83,7 @@ class PartProgress {
   std::optional<ProgressLine> line_;
 };
 
-// The complex keeps it: what is made later tells its progress, too.
+// The complex keeps this function. So parts that are computed later show their progress too.
 inline FlowComplex::Progress part_progress(std::string what_of = "") {
   return [told = std::make_shared<PartProgress>(std::move(what_of))](
              FlowComplexPart part, std::size_t done, std::size_t total) { (*told)(part, done, total); };

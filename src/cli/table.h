@@ -13,22 +13,22 @@ namespace flowcert::cli {
 // "critical points of index 1      97,790   saddles on Gabriel edges"
 void print_row(const std::string& name, const std::string& value, const std::string& remark = "");
 
-// Columns as wide as their widest cell, two blanks before each. alignment has a letter a column, 'l' or 'r';
-// rows may have fewer cells.
+// Each column is as wide as its widest cell, with two blanks before it. alignment has a letter for each column,
+// 'l' or 'r'. A row may have fewer cells.
 void print_columns(const std::vector<std::vector<std::string>>& rows, std::string_view alignment);
 
-// The same with a line of titles, and filled cell by cell.
+// A table as print_columns() prints it, filled cell by cell. It may have a line of titles.
 class Table {
  public:
   explicit Table(std::string_view alignment) : alignment_(alignment) {}
   Table(std::string_view alignment, std::initializer_list<const char*> titles);
 
-  // Begins a row; what follows fills it from the left.
+  // Begins a row. The cells added next fill it from the left.
   Table& row(std::string first);
   Table& cell(std::string text);
   Table& cell(std::size_t number);  // with commas
 
-  // The titles count.
+  // The number of rows, with the line of titles.
   [[nodiscard]] std::size_t height() const { return rows_.size(); }
   void print() const { print_columns(rows_, alignment_); }
 

@@ -1,5 +1,5 @@
-// Voronoi vertices are left through the polygons that have them on their other side, facets are entered through obtuse
-// ones.
+// The flow leaves a Voronoi vertex through a polygon that has the vertex on its other side. It enters a facet through
+// obtuse polygons.
 #include "flow/drivers.h"
 
 #include <algorithm>
@@ -121,7 +121,7 @@ VertexFlow vertex_flow(const Diagram& faces, CellIndex cluster) {
 
 namespace {
 
-// Of each piece; positive where it lies at infinity.
+// The angle of each piece; positive if the piece lies at infinity.
 std::vector<Sign> angles_of(const Diagram& faces, FacetName facet, const FacetRing& ring,
                             FilterTally& tally) {
   const Point &p0 = faces.point(facet.v0), &p1 = faces.point(facet.v1);
@@ -148,7 +148,7 @@ ObtuseChain obtuse_chain(const Diagram& faces, FacetName facet, const FacetRing&
     }
     if (angles[k] == Sign::kZero) {
       ++chain.right_count;
-      // Of the last and the first one of the ring, the first one is the later.
+      // If the ring's last piece and its first one are both right, the first one is the later.
       const bool wraps = k + 1 == n && angles[0] == Sign::kZero && n > 2;
       if (!wraps) chain.right = static_cast<std::uint32_t>(k);
     }

@@ -1,9 +1,9 @@
-// Where the ray from m through x, m the midpoint of a Delaunay edge and x a point of its Voronoi facet,
-// leaves the facet: by binary search over the facet's ring, or by a linear scan (paper, section 4).
+// Where a ray leaves a Voronoi facet. The ray goes from the midpoint m of the facet's Delaunay edge through a point x
+// of the facet. The search over the facet's ring is binary or linear (paper, section 4).
 //
-// Guarantees: exact; both find the same. From a start on the boundary, ceil(log2 n) signs for n elements of
-// the ring (Proposition 1; duplicate vertices were merged when the ring was made); from one inside at most
-// twice that and a few. A linear scan takes up to n.
+// Guarantees: exact; both searches find the same. For n elements of the ring, the binary one takes ceil(log2 n) signs
+// from a start on the boundary (Proposition 1; duplicate vertices were merged when the ring was made), and at most
+// twice that and a few from a start inside. The linear one takes up to n, and up to 2 n from a start inside.
 #pragma once
 
 #include <cstddef>
@@ -14,24 +14,23 @@
 
 namespace flowcert::flow {
 
-// Centers: keeps the constructed point of a cluster, centers(cluster), and knows the samples, centers.point(v).
+// centers(cluster) is the constructed point of a cluster, which Centers keeps; centers.point(v) is a sample.
 template <ConstructsPoints Kernel, class Centers>
 class RingQuery {
  public:
   RingQuery(Kernel& kernel, Centers& centers, FacetRing ring, const Point& p0, const Point& p1, PointNumber x)
       : kernel_(kernel), centers_(centers), ring_(ring), p0_(p0), p1_(p1), x_(x), n_(ring.elements.size()) {}
 
-  // What the ray reaches: an element, the piece before an element, or, where neither is a finite face,
-  // infinity.
+  // What the ray reaches: an element or a piece, with its place in the ring, or infinity.
   struct Exit {
     enum class Kind : std::uint8_t { kInfinity, kElement, kPiece } kind = Kind::kInfinity;
     std::size_t at = 0;
   };
 
-  // x lies on the boundary, and the ray enters the facet there. From x on, counterclockwise, the elements
-  // lie first clockwise of the ray and then counterclockwise of it; the first that does not lie clockwise
-  // tells the exit. `first` is the element that follows x, `count` how many there are up to x again, less
-  // the last one, which is known to lie counterclockwise.
+  // x lies on the boundary, and the ray enters the facet there. Counterclockwise from x on, the elements first lie
+  // clockwise of the ray, then counterclockwise of it. The first one that does not lie clockwise tells the exit.
+  // `first` is the element that follows x. `count` is the number of elements from there up to x again, without the
+  // last one, which is known to lie counterclockwise.
   [[nodiscard]] Exit from_boundary(FacetSearch search, std::size_t first, std::size_t count) {
     std::size_t low = 0, high = count;  // all before low are clockwise; high is not, or the end
     while (low < high) {
@@ -73,28 +72,28 @@ class RingQuery {
 
   static Sign times(int factor, Sign sign) { return static_cast<Sign>(factor * static_cast<int>(sign)); }
 
-  // Of the ray: positive for an element counterclockwise of it.
+  // The side of the ray: positive for an element counterclockwise of it.
   [[nodiscard]] Sign side(std::size_t k) {
     const RingElement& e = element(k);
     if (e.vertex != kNoCell) return kernel_.sign(SideOfRay{x_, p0_, p1_, centers_(e.vertex)});
     return times(e.factor, kernel_.sign(RayAtInfinity{x_, p0_, p1_, centers_.point(e.apex)}));
   }
 
-  // Of the line from x to the vertex `reference`: positive for an element counterclockwise of it.
+  // The side of the line from x to the vertex `reference`: positive for an element counterclockwise of it.
   [[nodiscard]] Sign side_of_reference(PointNumber reference, std::size_t k) {
     const RingElement& e = element(k);
     if (e.vertex != kNoCell) return kernel_.sign(AroundStart{x_, p0_, p1_, reference, centers_(e.vertex)});
     return times(e.factor, kernel_.sign(RayAroundStart{x_, p0_, p1_, reference, centers_.point(e.apex)}));
   }
 
-  // Whether c, on the line of the ray, lies on the ray and beyond x.
+  // Whether c lies on the ray and beyond x. It must lie on the line of the ray.
   [[nodiscard]] bool is_beyond(PointNumber c) {
     return kernel_.sign(AlongRay{x_, p0_, p1_, c}) == Sign::kPositive &&
            kernel_.sign(BeforePoint{x_, p0_, p1_, c}) == Sign::kPositive;
   }
 
-  // Goes around x from a reference vertex. Angles are counterclockwise from it; the ray's is known to lie in
-  // (0, pi), (pi, 2 pi), or to be 0 or pi, by one sign; then two signs tell whether an element comes before
+  // Goes around x from a reference vertex, and counts angles counterclockwise from it. One sign tells whether the
+  // ray's angle lies in (0, pi), in (pi, 2 pi), or is 0 or pi. Two signs then tell whether an element comes before
   // the ray.
   [[nodiscard]] Exit by_angle(std::size_t reference) {
     const PointNumber start = centers_(element(reference).vertex);
@@ -114,7 +113,7 @@ class RingQuery {
       } else {
         const Sign sign = side(k);
         const bool is_near = first == Sign::kNegative;  // the ray's angle is less than pi
-        // Those that decide are on the same half turn from the reference as the ray.
+        // The elements that decide lie on the same half turn from the reference as the ray.
         const Sign half = is_near ? Sign::kPositive : Sign::kNegative;
         if (sign == Sign::kZero) {
           if (side_of_reference(start, k) == half) return at_element(k);
@@ -130,8 +129,8 @@ class RingQuery {
     return before_element(reference + low);
   }
 
-  // Looks for the change from clockwise to counterclockwise; an element on the ray's line in between is where
-  // it leaves. None where the whole boundary is parallel to the ray.
+  // Looks for the change from clockwise to counterclockwise. If an element in between lies on the ray's line, the ray
+  // leaves there. There is no change where the whole boundary is parallel to the ray.
   [[nodiscard]] Exit by_all_signs() {
     std::size_t clockwise = n_;  // the last one seen
     for (std::size_t k = 0; k < 2 * n_; ++k) {

@@ -1,8 +1,8 @@
-// The flow operator behind one interface, whatever its construction kernel: from a point in a known Voronoi
-// face, the next flow segment.
+// The flow operator behind one interface for all construction kernels. From a point in a known Voronoi face it makes
+// the next flow segment.
 //
-// Guarantees: exact, the same faces and points from every kernel (spec clauses FC-FLOW-01 to 04). Constructed
-// points stay with the operator, which hands out numbers for them. Not for two threads at once.
+// Guarantees: exact; every kernel gives the same faces and points (spec clauses FC-FLOW-01 to 04). The operator keeps
+// the constructed points, and hands out numbers for them. It is not for two threads at once.
 #pragma once
 
 #include <array>
@@ -27,19 +27,19 @@ struct Location {
 struct FlowStep {
   Place crossed;
   Driver driver;
-  // The start itself iff that is stationary; then `stationary` is what it is.
+  // It is the start iff the start is stationary; then `stationary` says what the start is.
   Location end;
   std::optional<StationaryIndex> stationary;
 };
 
-// A backward segment of spec clause FC-STAB-04: from a front that a facet leads to, against the flow.
+// A backward segment of spec clause FC-STAB-04. It runs against the flow, from a front that the facet leads to.
 struct BackwardStep {
-  // Where the facet ends on the way to its midpoint; the facet itself where the midpoint lies inside.
+  // Where the facet ends on the way to its midpoint. It is the facet itself if the midpoint lies inside.
   Place back;
   // The back is the midpoint, which is stationary.
   bool is_midpoint = false;
-  // Of a back inside a Voronoi edge that is not the midpoint: a sample of its polygon that is not the
-  // facet's.
+  // If the back lies inside a Voronoi edge and is not the midpoint: a sample of that edge's polygon, other than the
+  // facet's two.
   VertexIndex apex = kInfiniteVertex;
 };
 
@@ -52,8 +52,8 @@ class FlowOperator {
   // Where the Voronoi edge of a polygon ends, on side 0 or 1.
   [[nodiscard]] virtual Location end_of_edge(PolygonRef polygon, std::size_t side) = 0;
 
-  // Against the flow. Where a facet has one back for all fronts, the front's point is not needed (kNoPoint):
-  // so is one that has its midpoint inside, and most others.
+  // Against the flow. If a facet has one back for all fronts, the front's point is not needed (kNoPoint). A facet
+  // with its midpoint inside has one back, and so have most others.
   [[nodiscard]] virtual bool has_one_back(FacetName facet, CellIndex hint) = 0;
   [[nodiscard]] virtual BackwardStep step_back(const Location& front, FacetName facet, CellIndex hint) = 0;
   // Constructs the back inside a Voronoi edge.

@@ -49,8 +49,8 @@ class KernelFlowOperator final : public FlowOperator {
     return chain_of(facet, faces_.ring(facet, hint)).count <= 1;
   }
 
-  // The inner vertices of the near side are first counterclockwise of the ray from the midpoint to the front,
-  // then clockwise.
+  // In the ring's order, the inner vertices of the near side lie first counterclockwise of the ray from the midpoint
+  // to the front, then clockwise of it.
   BackwardStep step_back(const Location& front, FacetName facet, CellIndex hint) override {
     const FacetRing ring = faces_.ring(facet, hint);
     const ObtuseChain chain = chain_of(facet, ring);
@@ -208,7 +208,7 @@ class KernelFlowOperator final : public FlowOperator {
     return across(facet, ring, exit, from.point);
   }
 
-  // C-C-{V, E, F, infinity}: the nearest of the bisectors with the Delaunay neighbours, which bound the cell.
+  // C-C-{V, E, F, infinity}. Bisectors with the Delaunay neighbours bound the cell; the ray ends at the nearest.
   FlowStep step_from_cell(const Location& from) {
     const VertexIndex sample = from.place.sample;
     const Point& p = faces_.point(sample);

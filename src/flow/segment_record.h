@@ -8,7 +8,7 @@
 
 namespace flowcert::flow {
 
-// What turns the operator's own numbers into names and coordinates. All three must outlive it.
+// Turns the operator's own numbers into names and coordinates. All three arguments must outlive it.
 class SegmentRecorder {
  public:
   SegmentRecorder(const PointSet& points, const Diagram& faces, FlowOperator& flow)

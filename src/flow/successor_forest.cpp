@@ -74,7 +74,7 @@ void SuccessorForest::count() const {
       statistics_.census[types_[k]] += stretch.visits;
       constructed += types_[k][2] == 'E' ? 1 : 0;
     }
-    // From its first constructed point on, a stretch makes nothing else until it ends.
+    // After its first constructed point, a stretch makes only constructed points until it ends. So they are one run.
     if (constructed > 0) statistics_.n_wcc.add(constructed, stretch.visits);
   }
 }

@@ -1,9 +1,9 @@
-// The forest of Voronoi vertices under the flow: from each one to the next that its orbit passes through, or to
-// where the orbit ends.
+// The forest of Voronoi vertices under the flow. It leads from each one to the next one that its orbit passes
+// through, or to where the orbit ends.
 //
 // Guarantees: exact (FlowOperator). With sharing, what follows a Voronoi vertex is flowed once, whoever asks. A
-// stretch keeps what it is made of and where it leads, not its points: they, with the history that the lazy
-// kernel keeps of each, would take 1 GiB for 35,000 samples. Not for two threads at once.
+// stretch keeps its segment types and where it leads, not its points. The points, with the history that the lazy
+// kernel keeps of each, would take 1 GiB for 35,000 samples. A forest is not for two threads at once.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ struct ForestEnd {
 struct Stretch {
   std::size_t first = 0, count = 0;  // of the segment types
   CellIndex next = kNoCell;          // the Voronoi vertex reached
-  std::optional<ForestEnd> end;      // where there is none: what it ends at; nothing for infinity
+  std::optional<ForestEnd> end;      // if there is none: the orbit's end, nothing for infinity
   std::size_t visits = 0;            // by orbits
 
   [[nodiscard]] bool is_last() const { return next == kNoCell; }
@@ -35,17 +35,17 @@ struct Stretch {
 
 class SuccessorForest {
  public:
-  // share: otherwise each question flows anew, as the paper did. The others must outlive it.
+  // Without `share` each question flows anew, as the paper did. The other arguments must outlive it.
   SuccessorForest(const Diagram& faces, FlowOperator& flow, bool share, FlowStatistics& statistics)
       : faces_(faces), flow_(flow), share_(share), statistics_(statistics) {}
 
-  // What follows a Voronoi vertex on an orbit, which is counted; flows if need be. The reference holds until the next
-  // question.
+  // What follows a Voronoi vertex on an orbit. It flows if need be, and counts the visit. The reference holds until
+  // the next question.
   [[nodiscard]] const Stretch& visit(CellIndex cluster);
   // Where the orbit from a Voronoi vertex or from infinity ends; nothing for infinity. It is not counted.
   [[nodiscard]] std::optional<ForestEnd> end_from(const Place& start);
 
-  // Adds the segments of all stretches to the statistics, as often as orbits visited them. Once.
+  // Adds the segments of all stretches to the statistics, as often as orbits visited them. It is called once.
   void count() const;
   // Forgets all stretches, and all points that were constructed.
   void drop();
@@ -62,7 +62,7 @@ class SuccessorForest {
   std::vector<SegmentType> types_;
   std::vector<Stretch> stretches_;
   std::vector<std::uint32_t> stretch_of_;  // by cluster
-  // What count() hands over; kept apart, because stretches are made after that, too.
+  // count() hands these over. They are kept apart, because stretches are made after that, too.
   Distribution exact_bytes_;
   std::size_t depth_ = 0;
 };

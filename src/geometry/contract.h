@@ -1,9 +1,9 @@
-// Preconditions: what a header says that its caller must see to.
+// A precondition is what a header asks of its caller.
 //
-// Guarantees: FLOWCERT_REQUIRES(condition) ends the program with one line that names the condition and its place,
-// where the condition does not hold, in builds with FLOWCERT_CONTRACTS (Debug and sanitizer builds, CMakeLists.txt).
-// In other builds it costs nothing, and the condition is compiled all the same. Not <cassert>: its switch, NDEBUG,
-// switches CGAL's own assertions, too, which take many times as long.
+// Guarantees: FLOWCERT_REQUIRES(condition) ends the program where the condition does not hold, with one line that
+// names the condition and its place. It does so in builds with FLOWCERT_CONTRACTS (Debug and sanitizer builds,
+// CMakeLists.txt). In other builds the condition is compiled but costs nothing. <cassert> does not serve: its switch,
+// NDEBUG, also switches CGAL's own assertions, which take many times as long.
 #pragma once
 
 #include <cstdio>

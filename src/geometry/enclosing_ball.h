@@ -1,8 +1,8 @@
-// The smallest ball that encloses a few points: its centre is the driver of any point that has them as
-// contact set (FC-DIST-02).
+// The smallest ball that encloses a few points. Its centre is the driver of every point that has them as contact set
+// (FC-DIST-02).
 //
-// Guarantees: exact (CGAL's Min_sphere_d over rationals); any finite, non-empty set, affinely dependent ones
-// too.
+// Guarantees: exact (CGAL's Min_sphere_d over rationals), for every finite, non-empty set, even an affinely dependent
+// one.
 #pragma once
 
 #include <span>

@@ -1,9 +1,9 @@
 // exact_sphere() of the public interface: the smallest sphere through a cospherical set, in rationals.
 //
-// Guarantees: exact. Any affinely independent points of the set that span its affine hull give the same
-// sphere, so the first such points in the given order are taken. All is computed in integers, on a grid that
-// carries the points: a sum or a product of rationals costs a greatest common divisor, and so only the four
-// numbers that come out are reduced.
+// Guarantees: exact. Any affinely independent points of the set that span its affine hull give the same sphere, so
+// the first such points in the given order are taken. All is computed in integers, on a grid that carries the points.
+// A sum or a product of rationals costs a greatest common divisor, so only the four numbers that come out are
+// reduced.
 #include "flowcert/exact_sphere.h"
 
 #include <stdexcept>
@@ -43,7 +43,7 @@ Center sphere_center(const Vector& a, const Vector& b, const Vector& c) {
   return {std::move(sphere.numerator), 2 * sphere.determinant};
 }
 
-// From the vectors of the other points to the first.
+// Takes the vectors from the first point to the others.
 Center center_of(const std::vector<Vector>& vectors) {
   const Vector* a = nullptr;
   const Vector* b = nullptr;

@@ -4,23 +4,23 @@
 // and fuses nothing (floating_point.h checks that). tests/unit/filter_bounds_test.cpp holds every bound against exact
 // errors.
 //
-// u = 2^-53; a difference of coordinates, a product and a sum each add one relative error of at most u. With a, b, …
-// the computed vectors and |a| their norms, the bounds below follow by adding these up (the terms of second order are
-// covered by rounding the constants up, and so is the rounding of the norms):
+// u = 2^-53. A difference of coordinates, a product and a sum each add one relative error of at most u. With a, b, …
+// the computed vectors and |a| their norms, these errors add up to the bounds below. The constants are rounded up,
+// which covers the terms of second order and the rounding of the norms:
 //   <a,b>                     5.1 u |a||b|
 //   a x b (norm)              5.7 u |a||b|       (sum of the absolute products is at most sqrt(2) |a||b|)
 //   <a, b x c>                9.8 u |a||b||c|
 //   numerator of the centre  13.8 u T,           T = |a||b||c| (|a|+|b|+|c|)
-// They hold while nothing overflows and underflow is negligible, which is checked once for each set of vectors: all
-// norms in [kSmallestNorm, kLargestNorm], otherwise the filter answers nothing.
+// They hold while nothing overflows and underflow is negligible. That is checked once for each set of vectors: if a
+// norm lies outside [kSmallestNorm, kLargestNorm], the filter answers nothing.
 #pragma once
 
 namespace flowcert::geometry {
 
 inline constexpr double kUnitRoundoff = 0x1p-53;
 
-// Degree 6 in lengths of this range stays within the normal doubles, 2^-53 times it too; and what underflow
-// can take away (less than 2^-1074 times a few lengths) is far below one u of any bound.
+// Terms of degree 6 in lengths of this range are normal doubles, also times 2^-53. What underflow can take away (less
+// than 2^-1074 times a few lengths) is far below one u of any bound.
 inline constexpr double kSmallestNorm = 1e-42;
 inline constexpr double kLargestNorm = 1e42;
 
@@ -30,8 +30,8 @@ inline constexpr double kAngleBound = 6;           // times |a||b|: a dot produc
 inline constexpr double kOrientationBound = 10;    // times |a||b||c|
 inline constexpr double kSideOfPlaneBound = 24;    // times |a||b| T: <a x b, numerator>, 13.8 + 5.7 + 3
 inline constexpr double kOutsideSphereBound = 20;  // times |a||b||c||d| (|a|+|b|+|c|+|d|)
-// Two products of a dot product (5.1) and one coordinate of a cross product (5.7), and their sum; times the product
-// of all four norms.
+// It covers two products of a dot product (5.1) and one coordinate of a cross product (5.7), and their sum. It is
+// times the product of all four norms.
 inline constexpr double kOutsideCircleBound = 27;
 
 // ---- All signs of a cell at once (tetrahedron_signs.h), in units of u ----
@@ -48,14 +48,14 @@ inline constexpr double kFarCellSideBound = 64;
 
 // ---- The samples nearest to a position, in units of u but for the third ----
 
-// A computed distance differs from the true one by no more than 8 u times itself: three differences, squares, sums, a
-// root. The least one is compared with four times that.
+// A computed distance (three differences, squares, sums, a root) has a relative error of at most 8 u. The filter adds
+// four times that to the least distance.
 inline constexpr double kDistanceBound = 32;
 // Rounding a position x moves a distance by less than 2 u max|x|.
 inline constexpr double kPositionBound = 8;
 // What underflow takes away from a distance is less than 1e-150.
 inline constexpr double kDistanceUnderflow = 1e-149;
-// Of the square of a bound.
+// Covers the rounding of the bound's square.
 inline constexpr double kSquareBound = 8;
 
 }  // namespace flowcert::geometry

@@ -11,7 +11,7 @@ void require_ieee_doubles() {
                              -one - half_unit == -1 && -one - beyond_half == -1 - 0x1p-52;
   if (!is_to_nearest) throw std::runtime_error("this thread does not round doubles to nearest");
   const volatile double smallest_normal = 0x1p-1022, half = 0.5, subnormal = 0x1p-1074, two = 2;
-  // The first one is lost where results are flushed to zero, the second one where operands are.
+  // The first product is zero where results are flushed to zero, the second one where operands are.
   if (smallest_normal * half == 0 || subnormal * two == 0) {
     throw std::runtime_error(
         "this thread flushes subnormal doubles to zero (another library may have asked it to)");

@@ -1,4 +1,4 @@
-// Doubles are taken apart by their bits: frexp on every coordinate was most of the time of an exact
+// Doubles are taken apart by their bits, because frexp on every coordinate took most of the time of an exact
 // predicate.
 #include "geometry/integer_grid.h"
 
@@ -59,8 +59,8 @@ Integer IntegerGrid::difference(double from, double to) const {
   return on_grid<Integer>(to, exponent_) - on_grid<Integer>(from, exponent_);
 }
 
-// The difference of what fits kWideBits fits the machine's integers: a shift and a subtraction there cost
-// less than in the wide type.
+// The difference of numbers that fit kWideBits fits the machine's integers. A shift and a subtraction there cost less
+// than in the wide type.
 template <>
 WideInteger IntegerGrid::difference(double from, double to) const {
   return WideInteger(difference<NarrowInteger>(from, to));

@@ -1,11 +1,10 @@
-// The exact rungs' numbers: coordinates as integers on the coarsest power-of-two grid that carries a few
-// given points.
+// The numbers of the exact rungs: coordinates as integers on the coarsest power-of-two grid that carries the given
+// points.
 //
-// Guarantees: exact for all finite doubles. All predicates are homogeneous in differences of points, so a
-// common power of two does not change their signs. Three integer types: NarrowInteger is the machine's, and
-// serves polynomials of degree 2 in points that span at most kNarrowBits bits on their grid; WideInteger has
-// a fixed size and never allocates, and serves up to degree 6 and kWideBits bits; GMP's integers serve
-// everything.
+// Guarantees: exact for all finite doubles. All predicates are homogeneous in differences of points, so a common
+// power of two does not change their signs. There are three integer types. NarrowInteger is the machine's; it serves
+// polynomials of degree 2 in points that span at most kNarrowBits bits on their grid. WideInteger has a fixed size
+// and never allocates; it serves up to degree 6 and kWideBits bits. GMP's integers serve everything.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -36,7 +35,7 @@ struct Promoted<NarrowInteger> {
 
 class IntegerGrid {
  public:
-  // The finest exponent that a coordinate of the points needs.
+  // Takes the finest exponent that a coordinate of the points needs.
   explicit IntegerGrid(std::span<const Point* const> points);
 
   // Whether every coordinate is below 2^kWideBits (2^kNarrowBits) in units of the grid.

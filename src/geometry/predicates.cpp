@@ -12,7 +12,7 @@ namespace flowcert::geometry {
 
 namespace {
 
-// The points a query is about, and the differences its polynomial is in.
+// The points that a query is about.
 std::array<const Point*, 3> points_of(const Angle& k) { return {&k.p, &k.q, &k.r}; }
 std::array<const Point*, 4> points_of(const SideOfPlane& k) { return {&k.f0, &k.f1, &k.f2, &k.apex}; }
 std::array<const Point*, 5> points_of(const OutsideSphere& k) { return {&k.p0, &k.p1, &k.p2, &k.p3, &k.q}; }
@@ -24,8 +24,8 @@ Number value_of(const Angle&, const std::array<Vector3<Number>, 2>& v) {
   return dot(v[0], v[1]);
 }
 
-// The circumcentre is numerator / (2 det), the apex lies at height det over ab, the centre at <ab, numerator>
-// / (2 det).
+// The circumcentre is numerator / (2 det). The apex lies at height det over ab, the centre at <ab, numerator> / (2
+// det).
 template <class Number>
 typename Promoted<Number>::Type value_of(const SideOfPlane&, const std::array<Vector3<Number>, 3>& v) {
   const auto sphere = circumsphere(v[0], v[1], v[2]);
@@ -44,8 +44,8 @@ typename Promoted<Number>::Type value_of(const Orientation&, const std::array<Ve
   return dot(promote(v[0]), promote(cross(v[1], v[2])));
 }
 
-// cot(q) + cot(r) > 0, over the common denominator. Both cross products are along the plane's normal, with
-// opposite signs, so one coordinate of each, the same, tells their lengths; v = p0-q, p1-q, p0-r, p1-r.
+// The sign is that of cot(q) + cot(r), over the common denominator. Both cross products are along the plane's normal,
+// with opposite signs, so the same coordinate of both tells their lengths. v = p0-q, p1-q, p0-r, p1-r.
 template <class Number>
 typename Promoted<Number>::Type value_of(const OutsideCircle&, const std::array<Vector3<Number>, 4>& v) {
   using std::abs;

@@ -1,9 +1,9 @@
-// The predicates that decide everything, each on several rungs: a double filter with a proven error bound,
-// integers of a fixed size, GMP's integers.
+// The predicates that decide everything. Each has several rungs: a double filter with a proven error bound, integers
+// of a fixed size, and GMP's integers.
 //
-// Guarantees: exact for all finite doubles. A rung may leave the sign open; what it answers is what the next
-// one would (spec clause FC-NUM-01; tests/unit/predicates_test.cpp holds each rung against the next). No
-// division, no square root. The filters' bounds are in filter_bounds.h.
+// Guarantees: exact for all finite doubles. A rung may leave the sign open, but if it answers, the next one would
+// answer the same (spec clause FC-NUM-01; tests/unit/predicates_test.cpp compares each rung with the next). There is
+// no division and no square root. The filters' bounds are in filter_bounds.h.
 #pragma once
 
 #include "flowcert/filter_tally.h"
@@ -13,8 +13,8 @@
 
 namespace flowcert::geometry {
 
-// Every predicate below has these rungs. kBig answers always, kNarrow (degree 2 in the machine's integers,
-// the rest wide) and kWide where the points fit them.
+// Every predicate below has these rungs. kBig always answers; kNarrow and kWide answer where the points fit them.
+// kNarrow computes degree 2 in the machine's integers, and the rest in wide ones.
 enum class Rung { kDouble, kNarrow, kWide, kBig };
 
 // The sign of <p - q, r - q>: positive where the angle at q is acute (FC-SIGN-01).
@@ -23,15 +23,15 @@ struct Angle {
   const Point &p, &q, &r;
 };
 
-// The side of the plane of f0 f1 f2 on which the circumcentre of f0 f1 f2 apex lies: positive for the apex's
+// The side of the plane of f0 f1 f2 on which the circumcentre of f0 f1 f2 apex lies; the apex's side is positive
 // (FC-SIGN-03). The tetrahedron must not be flat.
 struct SideOfPlane {
   static constexpr Predicate kPredicate = Predicate::kSideOfPlane;
   const Point &f0, &f1, &f2, &apex;
 };
 
-// Zero iff q lies on the circumsphere of p0 p1 p2 p3; positive outside of it where p0 p1 p2 p3 is positively
-// oriented.
+// Zero iff q lies on the circumsphere of p0 p1 p2 p3. If p0 p1 p2 p3 is positively oriented, the sign is positive
+// where q lies outside.
 struct OutsideSphere {
   static constexpr Predicate kPredicate = Predicate::kCospherical;
   const Point &p0, &p1, &p2, &p3, &q;
@@ -43,9 +43,9 @@ struct Orientation {
   const Point &p0, &p1, &p2, &p3;
 };
 
-// For four coplanar points, q and r strictly on different sides of p0p1: positive iff r lies outside the
-// circle through p0, p1 and q, zero iff on it. (The angles at q and r then sum to less than, or exactly, half
-// a turn.)
+// The four points are coplanar, and q and r lie strictly on different sides of p0p1. The sign is positive iff r lies
+// outside the circle through p0, p1 and q, and zero iff r lies on it. (The angles at q and r then sum to less than
+// half a turn, or to exactly that.)
 struct OutsideCircle {
   static constexpr Predicate kPredicate = Predicate::kCocircular;
   const Point &p0, &p1, &q, &r;

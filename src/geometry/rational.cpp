@@ -35,16 +35,15 @@ std::optional<double> nearest_double(const Rational& value) {
   const Integer top = abs(numerator(value));
   const Integer bottom = denominator(value);
 
-  // Two bits or more below the last one that a double of this size keeps, subnormals keep fewer: the quotient
-  // fits 64 bits and its last bit is sticky, so that rounding it to the kept bits is rounding the exact
-  // value.
+  // The quotient goes at least two bits below the last one that a double of this size keeps; subnormals keep fewer.
+  // It fits 64 bits and its last bit is sticky, so rounding it to the kept bits rounds the exact value.
   const int magnitude =
       bit_length(top) - bit_length(bottom);  // value is in (2^(magnitude-1), 2^(magnitude+1))
   const int last_kept = std::max(magnitude - 1 - 53, -1074);
   const int shift = 3 - last_kept;
   if (magnitude > 1025) return std::nullopt;
   const Integer quotient = scaled_quotient(top, bottom, shift);
-  // Kept exponent for the quotient's real length, now that it is known.
+  // The exponent of the last kept bit, now that the quotient's real length is known.
   const int kept = std::max(bit_length(quotient) - shift - 53, -1074);
   const unsigned cut = static_cast<unsigned>(kept + shift);
   Integer mantissa = quotient >> cut;

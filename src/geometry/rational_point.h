@@ -1,7 +1,7 @@
 // Exact positions of samples, and exact distances between positions.
 //
-// Guarantees: nothing is rounded. For places where speed is no concern; predicates.h and steering.h
-// have what the algorithms decide with.
+// Guarantees: nothing is rounded. It is for places where speed does not matter; the algorithms decide with
+// predicates.h and steering.h.
 #pragma once
 
 #include "flowcert/point_set.h"

@@ -12,7 +12,7 @@ namespace {
 
 constexpr unsigned kCorners[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
 
-// Not double[4]: g++ 12 miscompiles loops over references to those under UBSan.
+// This is not double[4], because g++ 12 miscompiles loops over references to such arrays under UBSan.
 using PerFacet = std::array<double, 4>;
 
 // The angles in the order of kAngleBits.

@@ -1,9 +1,10 @@
-// All signs of one Delaunay cell at once: its twelve angles and the sides of its four facets on which its
-// circumcentre lies, from three edge vectors, each behind a double filter, exact where that fails.
+// All signs of one Delaunay cell at once: its twelve angles, and the sides of its four facets on which its
+// circumcentre lies. Three edge vectors give them all. A double filter comes first, and exact arithmetic where that
+// fails.
 //
-// This is where the time of the critical points goes, so the signs share their subexpressions (dot products,
-// cross products, the centre's numerator), which four sphere predicates would each make again. Guarantees:
-// exact. Sources: spec clauses FC-SIGN-01, FC-SIGN-03; bounds in filter_bounds.h.
+// Most of the time of the critical points is spent here, so the signs share their subexpressions (dot products, cross
+// products, the centre's numerator). Four sphere predicates would compute these four times. Guarantees: exact.
+// Sources: spec clauses FC-SIGN-01, FC-SIGN-03; bounds in filter_bounds.h.
 #pragma once
 
 #include <array>
@@ -14,12 +15,12 @@
 
 namespace flowcert::geometry {
 
-// Facet i of a cell is the one opposite its vertex i; (i, j) with i != j is the angle of facet i at the
-// cell's vertex j, and bit 4 i + j of a mask. A facet's mask is thus four neighbouring bits.
+// Facet i of a cell is the one opposite its vertex i. Bit 4 i + j of a mask, with i != j, is the angle of facet i at
+// the cell's vertex j. A facet's mask is thus four neighbouring bits.
 struct TetrahedronSigns {
   std::uint16_t angle_negative = 0;
   std::uint16_t angle_zero = 0;
-  // Bit i: s of facet i. Open: the filter failed and nobody has needed the sign yet.
+  // Bit i is s of facet i. It is open where the filter failed and nobody has needed the sign yet.
   std::uint8_t side_negative = 0;
   std::uint8_t side_zero = 0;
   std::uint8_t side_open = 0;
@@ -44,12 +45,12 @@ struct CellSphere {
 
 using TetrahedronPoints = std::array<const Point*, 4>;
 
-// The points are positively oriented, not flat. Sides are resolved exactly where the facet contains its
-// centre (not obtuse), and may stay open elsewhere.
+// The points must be positively oriented and not coplanar. A side is resolved exactly where the facet contains its
+// centre (is not obtuse); elsewhere it may stay open.
 [[nodiscard]] TetrahedronSigns tetrahedron_signs(const TetrahedronPoints& points, CellSphere& sphere,
                                                  FilterTally& tally);
 
-// The side of one facet, by exact arithmetic: for one that is open.
+// The side of one facet, which may be open, by exact arithmetic.
 [[nodiscard]] Sign side_exactly(const TetrahedronPoints& points, unsigned facet);
 
 // Whether q lies on the cell's sphere.

@@ -24,7 +24,7 @@ template <class Number>
   return value < 0 ? Sign::kNegative : Sign::kZero;
 }
 
-// The sign of a double known up to an absolute error. False for NaN on either side: then nothing is certain.
+// The sign of a double known up to an absolute error; nothing where that leaves it open, or where either is NaN.
 [[nodiscard]] inline MaybeSign sign_beyond(double value, double error) {
   if (value > error) return Sign::kPositive;
   if (value < -error) return Sign::kNegative;
@@ -77,9 +77,9 @@ template <class Number>
   return {Wide(v.x), Wide(v.y), Wide(v.z)};
 }
 
-// The circumsphere of the tetrahedron 0, a, b, c, without a division: its centre is numerator / (2
-// determinant), and a point v lies outside, on or inside it as |v|^2 determinant - <numerator, v> has the
-// determinant's sign, is zero, or has the other.
+// The circumsphere of the tetrahedron 0, a, b, c, without a division. Its centre is numerator / (2 determinant). For
+// a point v, |v|^2 determinant - <numerator, v> has the determinant's sign outside, is zero on the sphere, and has
+// the other sign inside.
 template <class Number>
 struct Circumsphere {
   using Wide = typename Promoted<Number>::Type;

@@ -1,6 +1,6 @@
-// Files are read by the C library, gzip streams by zlib's inflate over a buffer. Not gzread: it passes on the bytes
-// of a file without a gzip header unchanged, and treats garbage after a stream as its end, so it cannot tell a
-// damaged file from a whole one.
+// The C library reads files, and zlib's inflate decompresses gzip streams from memory. gzread is not used, because it
+// cannot tell a damaged file from a whole one. It returns a file without a gzip header unchanged, and ends silently
+// at garbage after a stream.
 #include "io/input_bytes.h"
 
 #include <fcntl.h>
@@ -20,7 +20,7 @@ namespace flowcert::io {
 
 namespace {
 
-// An open file, closed however the function that holds it is left. Standard input stays open.
+// An open file. The destructor closes it, but standard input stays open.
 class InputFile {
  public:
   explicit InputFile(const std::string& path)
@@ -50,7 +50,7 @@ std::string read_bytes(const std::string& path) {
     if (count > 0) bytes.append(block.data(), static_cast<std::size_t>(count));
     if (count == 0) return bytes;
     if (count < 0 && errno != EINTR) {
-      // A directory opens, and only reading it fails.
+      // Opening a directory succeeds. Only reading it fails.
       const char* const action = errno == EISDIR ? "cannot open: " : "cannot read: ";
       reject_file(path, action + std::string(std::strerror(errno)));
     }
@@ -64,7 +64,7 @@ namespace {
 // Added to zlib's window size: only streams with a gzip header are taken.
 constexpr int kGzipOnly = 16;
 
-// zlib's state, freed however the function that holds it is left.
+// zlib's state. The destructor frees it.
 class InflateState {
  public:
   InflateState() {
@@ -81,7 +81,7 @@ class InflateState {
   z_stream stream_{};
 };
 
-// One stream from the front of `bytes`, appended to `output`. Returns how many bytes it took.
+// Decompresses one stream from the front of `bytes` and appends it to `output`. Returns how many bytes it took.
 std::size_t gunzip_one(std::string_view bytes, std::string_view file, std::string& output) {
   InflateState state;
   std::array<char, std::size_t{1} << 16> block{};
@@ -96,7 +96,7 @@ std::size_t gunzip_one(std::string_view bytes, std::string_view file, std::strin
     state->avail_out = static_cast<uInt>(block.size());
     status = inflate(state.get(), Z_NO_FLUSH);
     taken += given - state->avail_in;
-    // No progress although there was room for output: the input has run out.
+    // There was room for output but no progress, so the input has run out.
     if (status == Z_BUF_ERROR) reject_file(file, "gzip data cut short");
     if (status == Z_MEM_ERROR) throw std::bad_alloc();
     if (status != Z_OK && status != Z_STREAM_END) reject_file(file, "gzip data corrupted");

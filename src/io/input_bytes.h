@@ -8,8 +8,8 @@
 
 namespace flowcert::io {
 
-// The bytes of the file at `path`; "-" is standard input. Throws InvalidInput "FILE: reason" when it cannot
-// be opened or read.
+// The bytes of the file at `path`; "-" is standard input. Throws InvalidInput "FILE: reason" if the file cannot be
+// opened or read.
 [[nodiscard]] std::string read_bytes(const std::string& path);
 
 // Gzip, from memory to memory.

@@ -1,4 +1,4 @@
-// The parts of JSON that several outputs and claims share (spec/formats/), so that they are spelled once.
+// The parts of JSON that several outputs and claims share (spec/formats/). Each is spelled only here.
 //
 // Guarantees: rationals are written and read exactly, as strings; keys stay in the order in which the formats list
 // them.
@@ -18,7 +18,7 @@ namespace flowcert::io {
 
 using Json = nlohmann::ordered_json;
 
-// format, format_version and the reproducibility line; with points, input_sha256, too.
+// format, format_version and the reproducibility line. With points, also input_sha256.
 [[nodiscard]] Json header_fields(const char* format, int format_version);
 [[nodiscard]] Json header_fields(const char* format, int format_version, const PointSet& points);
 
@@ -36,7 +36,7 @@ void add_counts(Json& object, const PointSet& points, const StationaryPoints& st
 [[nodiscard]] Json segment_field(const FlowSegment& segment);
 // The same, with the three contact sets.
 [[nodiscard]] Json segment_with_contacts_field(const FlowSegment& segment);
-// kind, index, position, contact, squared_distance of where an orbit ends; none: infinity.
+// Where an orbit ends: kind, index, position, contact, squared_distance. Without a limit it ends at infinity.
 [[nodiscard]] Json limit_field(const PointSet& points, const std::optional<StationaryLimit>& limit);
 
 // The object `stable`: what is known of the i-th set without its geometry.
@@ -48,8 +48,8 @@ void add_counts(Json& object, const PointSet& points, const StationaryPoints& st
 [[nodiscard]] Json pairs_field(const PersistenceDiagram& diagram);
 
 // ---- Read ----
-// What a claim in JSON has to have, and of which type. Each function throws InvalidInput, "no key 'end'" or "'end'
-// is no string", where it is not so.
+// Each function checks that a claim in JSON has a key, or that a value has its type. Otherwise it throws
+// InvalidInput: "no key 'end'", "'end' is no string".
 [[nodiscard]] const Json& required_field(const Json& object, const char* key);
 
 // what: the key that the value belongs to, for messages.

@@ -1,4 +1,4 @@
-// Lines, fields and rows of three numbers; see the header for what is guaranteed.
+// Lines, fields and rows of three numbers. The header states the guarantees.
 #include "io/line_reader.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ bool LineReader::next(std::string_view& line) {
   const std::string_view up_to_line_feed = text_.substr(position_, line_feed_ - position_);
   line = up_to_line_feed.substr(0, up_to_line_feed.find('\r'));
   const std::size_t end = position_ + line.size();
-  // The end of the text, an LF, a CR LF or a lone CR.
+  // The line ends with the text, an LF, a CR LF or a lone CR.
   const bool carriage_return_and_line_feed = end + 1 == line_feed_ && line_feed_ < text_.size();
   position_ = std::min(carriage_return_and_line_feed ? end + 2 : end + 1, text_.size());
   ++number_;

@@ -1,8 +1,8 @@
-// Lines and fields of a text in memory, with line numbers for messages: what all the readers of text are made
-// of.
+// Lines and fields of a text in memory, with line numbers for messages. All readers of text use them.
 //
-// Guarantees: nothing is copied. A line ends with LF, CR LF or a lone CR (a file of CRs alone is not one long
-// line, of which only the first three numbers would be read); the last needs no end. Linear in the text.
+// Guarantees: nothing is copied. A line ends with LF, CR LF or a lone CR. Without the lone CR, a file of CRs would be
+// one long line, and only its first three numbers would be read. The last line needs no end. Takes time linear in the
+// text.
 #pragma once
 
 #include <cstddef>
@@ -35,10 +35,10 @@ class LineReader {
   bool next(std::string_view& line);
   // The next line with anything but blanks.
   bool next_filled(std::string_view& line);
-  // The next line with anything but blanks before a '#', up to there.
+  // The next line with anything but blanks before a '#'. Gives the part before the '#'.
   bool next_uncommented(std::string_view& line);
 
-  // Of the line given last.
+  // Where the line given last is.
   [[nodiscard]] LinePlace place() const { return {.file = file_, .line = number_}; }
   [[nodiscard]] std::string_view file() const { return file_; }
   // What follows the line given last.
@@ -49,13 +49,13 @@ class LineReader {
   std::string_view file_;
   std::size_t position_ = 0;
   std::size_t number_ = 0;
-  // The first LF at or after position_, or the text's size; kept so that lone CRs do not make it be sought
-  // again.
+  // The first LF at or after position_, or the text's size. It is kept, so that lone CRs do not lead to repeated
+  // searches.
   std::size_t line_feed_ = 0;
 };
 
-// What may stand between the fields of a line. A comma closes a field, so that two in a row have an empty one
-// between.
+// What may stand between the fields of a line. A comma closes a field, so there is an empty field between two commas
+// in a row.
 enum class Separators { kBlanks, kBlanksAndCommas };
 
 // The fields of a line, one by one.
@@ -75,7 +75,7 @@ class Fields {
 // The next field as a coordinate.
 [[nodiscard]] double coordinate(std::string_view field, const LinePlace& place);
 
-// The first three of the fields that are left as a point; any more are not looked at.
+// A point from the next three fields. Any further fields are not looked at.
 [[nodiscard]] Point first_three(Fields& fields, const LinePlace& place);
 
 [[nodiscard]] inline bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
@@ -83,7 +83,7 @@ class Fields {
 // ---- Formats ----
 // The readers of the formats; read_points.cpp chooses between them.
 //
-// Each takes the whole file, decompressed, without a byte order mark, holding more than white space. Each
+// Each takes the whole file, decompressed and without a byte order mark. The file is not blank. Each reader
 // guarantees what flowcert/read_points.h promises, and leaves PointFile::format to the caller.
 [[nodiscard]] PointFile read_xyz(std::string_view text, std::string_view file);
 [[nodiscard]] PointFile read_off(std::string_view text, std::string_view file);

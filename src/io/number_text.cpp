@@ -1,7 +1,6 @@
-// Decimals go to std::from_chars, which is correctly rounded; around it is what it leaves open: which side of
-// the range "out of range" is, and exponents of so many digits that it gives up counting them. Hexadecimal
-// floats are assembled here, because from_chars would round one that has more bits than a double, and the
-// spec takes them exactly.
+// std::from_chars reads decimals, correctly rounded. This file adds what it leaves open: whether "out of range" means
+// too large or too small, and exponents with so many digits that it stops counting. Hexadecimal floats are assembled
+// here. from_chars would round one with more bits than a double, but the spec takes them exactly.
 #include "io/number_text.h"
 
 #include <algorithm>
@@ -23,17 +22,17 @@ constexpr const char* kNotFinite = "not a finite number";
 constexpr const char* kOutOfRange = "out of range of a double";
 constexpr const char* kNotExact = "not exactly a double";
 
-// from_chars stops counting an exponent at 2^16; only a text longer than this could bring such a one back
-// into range.
+// from_chars stops counting an exponent at 2^16. Only a text longer than this can have a larger exponent and still be
+// in range.
 constexpr std::size_t kLong = 60000;
 
-// As much of a text as a message shows.
+// A message shows at most this much of a text.
 constexpr std::size_t kLongestQuote = 40;
 
-// Exponents are counted up to here: beyond what any number of digits that fits into memory could bring back.
+// Exponents are counted up to here. No text that fits into memory has enough digits to bring a larger one into range.
 constexpr std::int64_t kExponentLimit = std::int64_t{1} << 50;
 
-// The optional sign and digits of an exponent, all of `text`, saturated. False if that is not what it is.
+// Reads an exponent: an optional sign and digits, all of `text`. The value saturates. False if `text` is no exponent.
 bool parse_exponent(std::string_view text, std::int64_t& exponent) {
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
@@ -54,7 +53,7 @@ int hex_digit(char c) {
   return -1;
 }
 
-// mantissa * 2^exponent; with `more`, plus something positive below 2^exponent.
+// mantissa * 2^exponent. If `more`, the value is larger by something below 2^exponent.
 struct HexValue {
   std::uint64_t mantissa = 0;
   std::int64_t exponent = 0;
@@ -98,14 +97,13 @@ NumberText parse_hex(std::string_view text, bool negative) {
   value.exponent += trailing;
   const int bits = 64 - std::countl_zero(value.mantissa);
   if (bits + value.exponent > 1024) return {.value = 0, .fault = kOutOfRange};
-  // The lowest bit of a double is 2^-1074; above that, a double has 53 of them.
+  // A double has 53 bits, and no bit below 2^-1074.
   if (value.more || bits > 53 || value.exponent < -1074) return {.value = 0, .fault = kNotExact};
   const double magnitude = std::ldexp(static_cast<double>(value.mantissa), static_cast<int>(value.exponent));
   return {.value = negative ? -magnitude : magnitude, .fault = nullptr};
 }
 
-// For a decimal that is known to be well-formed: its value is d.ddd… times 10^power, with these significant
-// digits.
+// A well-formed decimal as d.ddd… times 10^power, with these significant digits.
 struct DecimalShape {
   std::string digits;
   std::int64_t power = 0;
@@ -130,8 +128,8 @@ DecimalShape shape_of(std::string_view text) {
   return shape;
 }
 
-// The rare decimals: from_chars said "out of range" without saying which end, or could have lost count of the
-// exponent.
+// Reads the rare decimals for which from_chars said "out of range" without saying which end, or may have lost count
+// of the exponent.
 NumberText parse_far_decimal(std::string_view text, bool negative) {
   const NumberText too_large = {.value = 0, .fault = kOutOfRange};
   const NumberText zero = {.value = negative ? -0.0 : 0.0, .fault = nullptr};
@@ -156,7 +154,7 @@ NumberText parse_far_decimal(std::string_view text, bool negative) {
 NumberText parse_number(std::string_view text) {
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
-  // from_chars takes a minus sign by itself, and this one would be the second.
+  // from_chars would take this minus sign, although it is the second sign.
   if (text.empty() || text[0] == '-') return {.value = 0, .fault = kNotANumber};
   if (text[0] == '0' && text.size() > 1 && (text[1] == 'x' || text[1] == 'X')) {
     return parse_hex(text.substr(2), negative);
@@ -191,7 +189,7 @@ namespace {
 
 using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
-// signs: those that it may begin with.
+// signs: the signs that the integer may begin with.
 Integer parse_integer(std::string_view text, std::string_view signs) {
   const bool has_sign = !text.empty() && signs.find(text.front()) != std::string_view::npos;
   const bool negative = has_sign && text.front() == '-';
@@ -258,8 +256,7 @@ constexpr PointId kLargestId = 2147483646;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// The digits, without leading zeros (none for zero), of which `decimals` are after the point, times
-// 10^exponent.
+// The digits times 10^exponent. They have no leading zeros, so zero has none; `decimals` of them are after the point.
 struct Decimal {
   bool is_negative = false;
   bool is_integer = true;  // neither a point nor an exponent
@@ -268,7 +265,7 @@ struct Decimal {
   int exponent = 0;
 };
 
-// The optional sign and digits of an exponent, all of `text`, saturated beyond the largest that is taken.
+// An exponent: an optional sign and digits, all of `text`. It saturates just above kLargestExponent.
 std::optional<int> exponent_of(std::string_view text) {
   const bool is_negative = text.starts_with('-');
   if (is_negative || text.starts_with('+')) text.remove_prefix(1);
@@ -278,7 +275,7 @@ std::optional<int> exponent_of(std::string_view text) {
   return is_negative ? -magnitude : magnitude;
 }
 
-// None where the text is no decimal.
+// None if the text is no decimal.
 std::optional<Decimal> split_decimal(std::string_view text) {
   Decimal decimal;
   decimal.is_negative = text.starts_with('-');
@@ -325,7 +322,7 @@ bool is_exact_form(std::string_view text) {
 }  // namespace
 
 ClaimedNumber claimed_number(std::string_view text, PlainInteger plain, const LinePlace& place) {
-  // An integer among rationals is a fraction whose denominator is left out.
+  // Among rationals, an integer is a fraction without its denominator.
   const std::size_t longest =
       is_exact_form(text) || plain == PlainInteger::kExact ? kLongestFraction : kLongestDecimal;
   if (text.size() > longest) place.reject("a number of too many digits: " + in_quotes(text));

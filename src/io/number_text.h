@@ -1,9 +1,8 @@
 // Numbers as text, exactly as the spec reads them, and as the doubles that files hold.
 //
-// Guarantees: a decimal becomes the nearest double, ties to even, however long it is; what is too small for
-// the smallest subnormal becomes zero. A hexadecimal float (0x…) is taken exactly or refused. NaN, infinities
-// and whatever would round to an infinity are refused. Does not look at the locale. Source: spec clauses
-// FC-IN-01 and FC-IN-02.
+// Guarantees: a decimal of any length becomes the nearest double, ties to even. A number too small for a subnormal
+// becomes zero. A hexadecimal float (0x…) is taken exactly or refused. NaN, infinities and whatever would round to an
+// infinity are refused. The locale has no influence. Source: spec clauses FC-IN-01 and FC-IN-02.
 #pragma once
 
 #include <bit>
@@ -33,17 +32,16 @@ struct NumberText {
 // All of `text` must be the number. A leading '+' is accepted.
 [[nodiscard]] NumberText parse_number(std::string_view text);
 
-// `text` for a message: in single quotes, on one line and not long, whatever it holds.
+// `text` for a message, in single quotes. Whatever it holds, the result is one short line.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 // ---- Rationals ----
-// Text to an exact coordinate, as commands take it: a decimal is the nearest double (so that a pasted row of
-// a file hits the sample), a hexadecimal float or a fraction p/q is taken exactly.
-// Throws InvalidInput, one line, for what is no number.
+// Reads a coordinate as commands take it. A decimal means the nearest double, so that a pasted row of a file gives
+// the sample. A hexadecimal float or a fraction p/q is taken exactly. Throws InvalidInput, one line, for anything
+// that is no number.
 [[nodiscard]] Rational parse_rational(std::string_view text);
 
-// "-3/4", "5": an integer is exact, however large it is. Decimals are refused, as all else, with
-// InvalidInput.
+// "-3/4", "5": an integer is exact, however large it is. Decimals and anything else throw InvalidInput.
 [[nodiscard]] Rational exact_rational(std::string_view text);
 
 // Three numbers that parse_rational takes, separated by commas or blanks.
@@ -52,22 +50,23 @@ struct NumberText {
 // ---- What a claim can hold ----
 // Numbers exact or decimal, ids, indices, counts.
 //
-// Guarantees: a number is the number that is written, not a double near it. What could grow beyond its text
-// (1e999999999) is refused. Throws InvalidInput with the place. Source: spec clauses FC-IN-01, FC-NUM-02,
+// Guarantees: a number is the number that is written, not a double near it. A number that could grow far beyond its
+// text (1e999999999) is refused. Throws InvalidInput with the place. Source: spec clauses FC-IN-01, FC-NUM-02,
 // FC-OUT-01.
-// What an integer without a denominator is: "5" among rationals is exact, and among decimals it may be a
+
+// Whether an integer without a denominator is exact. "5" is exact among rationals. Among decimals it may be a
 // rounded 5.0000001.
 enum class PlainInteger { kExact, kDecimal };
 
-// A fraction p/q or a hexadecimal float (both exact), or a decimal, of at most 2,000 characters and with an
-// exponent of at most 700 (the square of a double has 617). Fractions have at most a million characters.
+// A fraction p/q or a hexadecimal float (both exact), or a decimal. A fraction has at most a million characters. A
+// decimal has at most 2,000, and an exponent of at most 700 (the square of a double has 617).
 [[nodiscard]] ClaimedNumber claimed_number(std::string_view text, PlainInteger plain, const LinePlace& place);
 
 // The same for a distance or a squared distance, which cannot be negative.
 [[nodiscard]] ClaimedNumber claimed_distance(std::string_view text, PlainInteger plain,
                                              const LinePlace& place);
 
-// A row of some input: digits alone, at most 2^31 - 2.
+// The id of a row: digits alone, at most 2^31 - 2.
 [[nodiscard]] PointId claimed_id(std::string_view text, const LinePlace& place);
 
 // 0, 1, 2 or 3.

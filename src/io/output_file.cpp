@@ -1,4 +1,4 @@
-// One file at a time is known to the signal handlers, which is all that a command writes at once.
+// The signal handlers know one file at a time. A command never writes more than one at once.
 #include "io/output_file.h"
 
 #include <fcntl.h>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 
-// Read by a signal handler: a plain array, since nothing that allocates may be touched there. Empty: no file.
+// A signal handler reads this, and may touch nothing that allocates. So it is a plain array. Empty means no file.
 char temporary_in_progress[4096] = {};
 
 void remove_and_end(int signal_number) {
@@ -28,7 +28,7 @@ void remove_and_end(int signal_number) {
   ::raise(signal_number);
 }
 
-// Holds the signals back while a file exists that the handlers do not know of.
+// Holds the signals back while there is a file that the handlers do not know yet.
 class SignalsHeld {
  public:
   SignalsHeld() {
@@ -45,7 +45,7 @@ class SignalsHeld {
   sigset_t before_{};
 };
 
-// A signal that is ignored (nohup, a shell's background job) stays so.
+// A signal that is ignored (nohup, a shell's background job) stays ignored.
 void replace_handlers(void (*from)(int), void (*to)(int)) {
   for (const int signal_number : kEndingSignals) {
     struct sigaction current {};
@@ -62,7 +62,7 @@ void remember(const std::string& temporary) {
   replace_handlers(SIG_DFL, remove_and_end);
 }
 
-// Its descriptor, or -1 and errno. The X's at the end of the name are replaced.
+// Returns a descriptor, or -1 with errno. Replaces the X's at the end of the name.
 int make_temporary(std::vector<char>& name) {
   const SignalsHeld held;
   const int descriptor = ::mkstemp(name.data());
@@ -79,7 +79,7 @@ void forget() {
 
 OutputFile::OutputFile(const std::string& path) : path_(path) {
   if (std::filesystem::is_directory(path_)) fail("Is a directory");
-  // Not a regular file (/dev/stdout, a named pipe): nothing to rename over.
+  // /dev/stdout or a named pipe is no regular file, and cannot be replaced by renaming.
   if (std::filesystem::exists(path_) && !std::filesystem::is_regular_file(path_)) {
     stream_.open(path_, std::ios::binary);
     if (!stream_) fail(std::strerror(errno));
@@ -89,7 +89,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
   for (const char c : {'.', 'X', 'X', 'X', 'X', 'X', 'X', '\0'}) name.push_back(c);
   const int descriptor = make_temporary(name);
   if (descriptor < 0) fail(std::strerror(errno));
-  // mkstemp makes files that only their owner can read; an output is as readable as any new file.
+  // Only the owner can read a file that mkstemp makes. An output has to be as readable as any new file.
   const mode_t mask = ::umask(0);
   ::umask(mask);
   ::fchmod(descriptor, 0666 & ~mask);
@@ -98,7 +98,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
   stream_.open(temporary_, std::ios::binary);
   if (!stream_) {
     const int reason = errno;
-    // There will be no destructor.
+    // The destructor will not run after a throwing constructor.
     ::unlink(temporary_.c_str());
     forget();
     fail(std::strerror(reason));

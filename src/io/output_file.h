@@ -1,9 +1,8 @@
-// A file that appears whole or not at all: written under a temporary name in the same directory, renamed when
-// complete.
+// A file that appears whole or not at all. It is written under a temporary name in the same directory, and renamed
+// when it is complete.
 //
-// Guarantees: as long as commit() has not returned, the target is what it was; the temporary file goes away
-// with the object, also on Ctrl-C, SIGTERM and a closed pipe. Every failed write, a full disk too, is an
-// OutputError.
+// Guarantees: until commit() has returned, the target is what it was. The temporary file goes away with the object,
+// also on Ctrl-C, SIGTERM and a closed pipe. Every failed write throws OutputError, also on a full disk.
 #pragma once
 
 #include <fstream>

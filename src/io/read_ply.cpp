@@ -1,13 +1,12 @@
-// PLY: the element `vertex`, wherever it is among the elements; of it, the properties x, y, z, in any order.
+// PLY. Reads the properties x, y, z of the element `vertex`, in any order and wherever the element is.
 //
-// CGAL's reader is not used: it says nothing about a file that is cut short, takes binary NaN, and makes z
-// zero where there is none. (Debian has no rply.) Here all elements are walked through, the ignored ones too:
-// a file that ends before all that its header announces was cut short. In ascii a row is a line; values
-// beyond a row's are ignored.
+// CGAL's reader is not used: it does not report a file that is cut short, takes binary NaN, and sets a missing z to
+// zero. (Debian has no rply.) Here all elements are read, also the ignored ones, because a file that ends before all
+// that its header announces was cut short. In ascii a row is a line, and further values in the line are ignored.
 //
-// Guarantees: a header that is taken is one that the rest of the file can be read by: known types, counts that are
-// counts, one element `vertex` with exactly one scalar property for each of x, y, z. Anything else throws InvalidInput
-// with the line. Counts are as announced, and may be absurd.
+// Guarantees: an accepted header is enough to read the rest of the file. It has known types, valid counts, and one
+// element `vertex` with exactly one scalar property for each of x, y, z. Anything else throws InvalidInput with the
+// line. Counts are as announced, and may be absurd.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -56,7 +55,7 @@ std::size_t size_of(PlyType type) {
 struct PlyProperty {
   std::string name;
   PlyType type = PlyType::kInt8;
-  // A list is a number of type `count_type`, and as many values of type `type`.
+  // A list is a count of type `count_type`, then that many values of type `type`.
   bool is_list = false;
   PlyType count_type = PlyType::kUint8;
 };
@@ -66,7 +65,7 @@ struct PlyElement {
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
 
-  // The bytes of a binary row; of one with lists, those of a row whose lists are all empty.
+  // The size of a binary row in bytes. Lists count as empty.
   [[nodiscard]] std::size_t smallest_row() const {
     std::size_t size = 0;
     for (const PlyProperty& property : properties) {
@@ -195,7 +194,7 @@ void locate_coordinates(PlyHeader& header, std::string_view file) {
   }
 }
 
-// False at the header's end.
+// Returns false at the header's end.
 bool read_header_line(std::string_view text, LinePlace place, PlyHeader& header, bool& format_seen) {
   HeaderLine line(text, place);
   const std::string_view keyword = line.word("keyword");
@@ -245,7 +244,7 @@ PlyHeader read_ply_header(LineReader& lines) {
               std::to_string(element.count) + " " + what + " announced, " + std::to_string(found) + " found");
 }
 
-// A row's values are handed to a sink, with the ordinal of the property; lists are stepped over.
+// Receives a row's values with the ordinals of their properties. Lists are skipped.
 struct CoordinateSink {
   const std::array<std::size_t, 3>& ordinals;
   Point point;
@@ -260,7 +259,7 @@ struct CoordinateSink {
   }
 };
 
-// The values of one line of an ascii element. `sink` may be null.
+// Reads the values of one line of an ascii element. `sink` may be null.
 void read_ascii_row(const PlyElement& element, std::string_view line, const LinePlace& place,
                     CoordinateSink* sink) {
   Fields fields(line, Separators::kBlanks);
@@ -277,7 +276,7 @@ void read_ascii_row(const PlyElement& element, std::string_view line, const Line
       if (length.fault != nullptr || length.value < 0 || length.value != std::floor(length.value)) {
         place.reject("not the length of a list: " + in_quotes(field));
       }
-      // Ends with the line's fields at the latest, however long the list claims to be.
+      // The loop ends with the line's fields at the latest, however long the list claims to be.
       const auto items = static_cast<std::uint64_t>(std::min(length.value, 0x1p53));
       for (std::uint64_t item = 0; item < items; ++item) next_field(property);
     } else if (sink != nullptr && sink->wants(k)) {
@@ -289,7 +288,7 @@ void read_ascii_row(const PlyElement& element, std::string_view line, const Line
 void read_ascii(const PlyHeader& header, LineReader& lines, PointFile& points) {
   for (std::size_t e = 0; e < header.elements.size(); ++e) {
     const PlyElement& element = header.elements[e];
-    // Rows of nothing take no line.
+    // A row without properties takes no line.
     if (element.properties.empty()) continue;
     const bool is_vertex = e == header.vertex;
     if (is_vertex) points.rows.reserve(std::min<std::uint64_t>(element.count, lines.rest().size() / 6 + 1));
@@ -353,7 +352,7 @@ class BinaryRows {
     rest_.remove_prefix(size * element.count);
   }
 
-  // Row number `row` of the element. `sink` may be null.
+  // Reads row number `row` of the element. `sink` may be null.
   void read_row(const PlyElement& element, std::uint64_t row, CoordinateSink* sink) {
     for (std::size_t k = 0; k < element.properties.size(); ++k) {
       const PlyProperty& property = element.properties[k];
@@ -421,7 +420,7 @@ PointFile read_ply(std::string_view bytes, std::string_view file) {
   const bool has_float = std::any_of(header.coordinates.begin(), header.coordinates.end(),
                                      [&](std::size_t k) { return properties[k].type == PlyType::kFloat; });
   if (header.encoding == PlyEncoding::kAscii) {
-    // The type of an ascii property is only a hint: what counts is the text, read as the nearest double.
+    // The type of an ascii property is only a hint. The text counts, and is read as the nearest double.
     points.declares_single_precision = has_float;
     read_ascii(header, lines, points);
     return points;

@@ -1,5 +1,5 @@
-// From a name to its bytes, through gzip, to the reader of its format. CGAL::IO::read_points is not used:
-// what it does with damaged files, measured format by format, is told in the readers.
+// From a name to its bytes, through gzip, to the reader of its format. CGAL::IO::read_points is not used; the readers
+// say what it does with damaged files of each format.
 #include "flowcert/read_points.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The formats of text: XYZ, OBJ and OFF, a section each.
+// The text formats XYZ, OBJ and OFF, a section for each.
 //
 // CGAL's readers are not used; each section says why.
 #include <algorithm>
@@ -13,10 +13,11 @@
 namespace flowcert::io {
 
 // ---- XYZ ----
-// XYZ and other text: one point a line, its first three fields; blanks, tabs or commas between, '#' starts a comment.
+// XYZ and other text. A point is the first three fields of a line. Blanks, tabs or commas separate the fields. '#'
+// starts a comment.
 //
-// CGAL's reader takes no commas, no hexadecimal floats and no fourth column, and skips a leading count without a word.
-// Here a line that is not three numbers is an error, so a leading count and a table's headings are.
+// CGAL's reader takes no commas, no hexadecimal floats and no fourth column, and silently skips a leading count. Here
+// a line without three numbers is an error. So a leading count and a table's headings are errors.
 
 PointFile read_xyz(std::string_view text, std::string_view file) {
   PointFile points;
@@ -30,13 +31,13 @@ PointFile read_xyz(std::string_view text, std::string_view file) {
 }
 
 // ---- OBJ ----
-// OBJ: the lines `v x y z`, in order; further numbers of such a line (weight, colour) and all other lines are
-// ignored.
+// OBJ. The points are the lines `v x y z`, in order. Further numbers in such a line (weight, colour) and all other
+// lines are ignored.
 //
 // CGAL has no reader of points for OBJ, and its polygon-soup reader refuses files without faces.
 namespace {
 
-// Of all the lines that an OBJ file can have.
+// The keywords of all lines that an OBJ file can have.
 constexpr auto kKeywords = std::to_array<std::string_view>(
     {"v",        "vt",   "vn",     "vp",     "cstype",     "deg",       "bmat",  "step",  "p",
      "l",        "f",    "curv",   "curv2",  "surf",       "parm",      "trim",  "hole",  "scrv",
@@ -63,12 +64,12 @@ bool is_obj_keyword(std::string_view word) {
 }
 
 // ---- OFF ----
-// OFF: a keyword, the three counts on its line or the next, then a line for each vertex and each face; '#'
-// comments.
+// OFF: a keyword, the three counts on its line or the next, then a line for each vertex and each face. '#' starts a
+// comment.
 //
-// CGAL's reader is not used: of a file that is cut short, or has a short row or NaN, it drops rows and
-// reports success. Here the vertices announced must all be there. Faces are not read, but they are counted: a
-// file whose faces are missing was cut short, and then its last vertex cannot be trusted either.
+// CGAL's reader is not used. If a file is cut short, or has a short row or NaN, it drops rows and reports success.
+// Here all announced vertices must be there. Faces are not read, but they are counted. A file with too few faces was
+// cut short, and then its last vertex cannot be trusted either.
 namespace {
 
 struct OffCounts {

@@ -1,5 +1,4 @@
-// Version, commit and CGAL's version come from CMake; the digest is
-// OpenSSL's.
+// Version, commit and CGAL's version come from CMake. OpenSSL computes the digest.
 #include "flowcert/reproducibility.h"
 
 #include <fmt/format.h>

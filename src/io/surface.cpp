@@ -1,8 +1,8 @@
 // How surfaces are chosen, built and written.
 //
-// Fronts belong to one stable set alone (FC-STAB-01), so that their exact positions, which can be long, are kept no
-// longer than their set; samples and the midpoints where sets end are kept. The writers are our own: CGAL's are
-// templates over its own meshes, which this layer does not have.
+// A front belongs to only one stable set (FC-STAB-01). So its exact position, which can be long, is forgotten after
+// that set. Samples and the midpoints where sets end are kept. The writers are our own, because CGAL's are templates
+// over its own meshes, which this layer does not have.
 #include "flowcert/surface.h"
 
 #include <fmt/format.h>
@@ -34,7 +34,7 @@ std::string without_blanks(std::string text) {
   return text;
 }
 
-// Whether each is among the n largest; of equal ones the first in the list are.
+// For each gap: whether it is among the n largest. Among equal gaps, the first in the list come first.
 std::vector<bool> among_largest(const std::vector<Rational>& gaps, std::size_t n) {
   std::vector<std::size_t> order(gaps.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -44,8 +44,8 @@ std::vector<bool> among_largest(const std::vector<Rational>& gaps, std::size_t n
   return chosen;
 }
 
-// By number in StableManifolds, of the critical points of index 2: death minus birth of the pair that it is in, as
-// the death of a tunnel or the birth of a void.
+// For each critical point of index 2, by number in StableManifolds: death minus birth of its pair. The point is the
+// death of a tunnel or the birth of a void.
 std::vector<Rational> gaps_of(const FlowComplex& complex) {
   std::vector<Rational> gaps(complex.stationary().critical_counts()[2]);
   if (gaps.empty()) return gaps;
@@ -62,7 +62,7 @@ std::vector<Rational> gaps_of(const FlowComplex& complex) {
 
 // ---- Mesh ----
 
-// Rationals are canonical: equal ones have equal words.
+// Rationals are canonical, so equal ones have equal words.
 struct PositionHash {
   std::size_t operator()(const RationalPoint& position) const {
     std::size_t hash = 0;
@@ -108,12 +108,12 @@ class MeshBuilder {
     return vertex(ends_, position, position);
   }
 
-  // apex: a sample nearest to it.
+  // apex: a sample nearest to the position.
   std::uint32_t vertex(VertexAt& known, const RationalPoint& position, const RationalPoint& apex) {
     const auto next = static_cast<std::uint32_t>(mesh_.vertices.size());
     const auto [place, is_new] = known.try_emplace(position, next);
     if (!is_new) return place->second;
-    // The file formats' indices have a sign.
+    // The file formats have signed indices.
     if (next >= static_cast<std::uint32_t>(std::numeric_limits<std::int32_t>::max())) {
       throw InvalidInput("a surface of more than 2^31 - 1 vertices cannot be written");
     }

@@ -1,6 +1,6 @@
-// Values that several cells share are rounded once, from the exact ones. Files have arrays as raw bytes after the XML,
-// each behind its length; the XML says where each begins. The writer is our own: VTK is a dependency of 190 MB for
-// what is a list of arrays, and tests read the files with VTK itself.
+// Values that several cells share are rounded once, from exact values. In a file, the arrays are raw bytes after the
+// XML, each after its length. The XML says where each begins. The writer is our own, because VTK would be a
+// dependency of 190 MB for a list of arrays. Tests read the files with VTK itself.
 #include "flowcert/vtk_exports.h"
 
 #include <fmt/format.h>
@@ -21,11 +21,11 @@ using Flags = std::vector<std::int8_t>;
 using Ids = std::vector<std::int64_t>;
 using Values = std::vector<double>;
 
-// TTK's: descending 1-separatrices are 0, saddle connectors 1; those that ascend to a maximum, and descending
-// surfaces, are 2.
+// TTK's SeparatrixType: descending 1-separatrices are 0, saddle connectors are 1. Ascending 1-separatrices and
+// descending surfaces are 2.
 constexpr std::int8_t kSeparatrixType = 2;
 constexpr std::int64_t kInfinity = -1;
-// TTK's CriticalType of what is not critical.
+// TTK's CriticalType of points that are not critical.
 constexpr std::int8_t kRegularType = 5;
 
 void append_cell(VtpCells& cells, std::int64_t first, std::int64_t count) {
@@ -33,7 +33,7 @@ void append_cell(VtpCells& cells, std::int64_t first, std::int64_t count) {
   cells.offsets.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
 }
 
-// What lines and surfaces say of each of their cells.
+// The cell data that lines and surfaces share.
 struct SeparatrixData {
   Ids source_ids, separatrix_ids;
   Flags types;
@@ -61,7 +61,7 @@ struct SeparatrixData {
   }
 };
 
-// An orbit, as far as it goes in finite space: `count` points from `first` on.
+// The finite part of an orbit: `count` points from `first` on.
 struct Line {
   std::size_t saddle = 0;
   std::int8_t side = 0;
@@ -84,7 +84,7 @@ class LineSet {
     lines_.push_back(line);
   }
 
-  // Lines of one point come first, as the format has vertices before lines.
+  // Lines of one point come first, because the format has vertices before lines.
   [[nodiscard]] std::vector<Line> take_lines() {
     std::stable_partition(lines_.begin(), lines_.end(), [](const Line& line) { return line.count == 1; });
     return std::move(lines_);
@@ -95,7 +95,7 @@ class LineSet {
  private:
   [[nodiscard]] std::int64_t size() const { return static_cast<std::int64_t>(positions_.size()); }
 
-  // nearest: a sample that is nearest to it.
+  // nearest: a sample nearest to the position.
   void append(const RationalPoint& position, PointId nearest) {
     const RationalPoint sample = exact_position(points_[points_.ordinal_of_row(nearest)]);
     positions_.push_back(rounded(position));
@@ -227,7 +227,7 @@ PolyData VtkExports::unstable_lines(const ExportProgress& progress) const {
     append_cell(line.count == 1 ? data.vertices : data.lines, line.first, line.count);
     const Rational& minimum = squared_values_[line.saddle];
     constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-    // The critical points of index 2 follow one another in the list.
+    // The critical points of index 2 are consecutive records.
     separatrices.append(static_cast<std::int64_t>(line.saddle),
                         static_cast<std::int64_t>(2 * (line.saddle - first_saddle)) + line.side,
                         rounded(minimum), line.limit ? rounded(squared_values_[*line.limit]) : kUnbounded,
@@ -263,7 +263,7 @@ PolyData VtkExports::stable_surfaces(const SurfaceMesh& mesh) const {
   Flags have_interval;
   for (const std::size_t set : mesh.set_of_triangle) {
     const std::size_t record = s2.record(set);
-    // The function comes as near to 0 as one likes: every S2 reaches to its samples.
+    // The minimum is 0, because every S2 reaches to its samples.
     const double maximum = rounded(squared_values_[record]);
     separatrices.append(static_cast<std::int64_t>(record), static_cast<std::int64_t>(set), 0, maximum,
                         maximum);

@@ -1,4 +1,4 @@
-// Pairs are ordered by exact values; records decide where the values are equal.
+// Pairs are ordered by exact values. If the values are equal, the records decide.
 #include "flowcert/write_persistence.h"
 
 #include <fmt/format.h>
@@ -50,7 +50,7 @@ void PersistenceDiagram::add_regular() {
   }
 }
 
-// A strict order of the values, and of the records where values are equal.
+// A strict order by values, then by records.
 bool PersistenceDiagram::is_before(const PersistencePair& a, const PersistencePair& b) const {
   if (a.dimension != b.dimension) return a.dimension < b.dimension;
   const Rational &birth_a = squared_value(a.birth), &birth_b = squared_value(b.birth);

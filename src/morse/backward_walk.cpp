@@ -27,7 +27,7 @@ void BackwardWalk::clear() {
   flow_.drop_from(0);
 }
 
-// Constructs whatever the front's point depends on, the first one first.
+// Constructs all points that the front's point depends on, in the order of the walk, and then the point itself.
 Location BackwardWalk::location(FrontNumber front) {
   pending_.clear();
   for (FrontNumber at = front; at != kNone && !is_constructed(fronts_[at]); at = fronts_[at].before) {

@@ -1,8 +1,8 @@
-// Walks against the flow over Voronoi facets, from front to front: what both the skeleton of a stable set and
-// its boundary in the chain complex are made of.
+// Walks against the flow over Voronoi facets, from front to front. The skeleton of a stable set and its boundary in
+// the chain complex are both made of such walks.
 //
-// Guarantees: exact (FlowOperator). A front's point is constructed when the first facet asks where its ray
-// ends; most facets do not (FlowOperator::has_one_back).
+// Guarantees: exact (FlowOperator). A front's point is constructed when the first facet asks where its ray ends; most
+// facets do not ask (FlowOperator::has_one_back).
 #pragma once
 
 #include <array>
@@ -25,21 +25,21 @@ class BackwardWalk {
 
   // Fronts, which stay until clear().
   [[nodiscard]] FrontNumber at_vertex(CellIndex cluster);
-  // The centre of a circle through three samples, inside their Voronoi edge; the edge may be left open.
+  // The centre of the circle through three samples, which lies inside their Voronoi edge. The edge need not be given.
   [[nodiscard]] FrontNumber at_center(const std::array<VertexIndex, 3>& samples,
                                       PolygonRef edge = {kNoCell, 0});
   void clear();
 
-  // From a front that the facet leads to. A back that is no critical point becomes a front itself.
+  // Steps back from a front that the facet leads to. A back that is no critical point becomes a front itself.
   struct Back {
     std::optional<std::uint32_t> critical;  // a record
     bool is_regular = false;                // it is the facet's midpoint, on the facet's boundary
-    FrontNumber front = 0;                  // not critical
+    FrontNumber front = 0;                  // if it is not critical
   };
   [[nodiscard]] Back step(FrontNumber front, FacetName facet);
 
   [[nodiscard]] const Place& place(FrontNumber front) const { return fronts_[front].place; }
-  // Segments between it and the front that the walk began with.
+  // How many segments lie between it and the front that the walk began with.
   [[nodiscard]] std::uint32_t depth(FrontNumber front) const { return fronts_[front].depth; }
   [[nodiscard]] Location location(FrontNumber front);
 
@@ -49,7 +49,7 @@ class BackwardWalk {
     Place place;
     PointNumber point = kNoPoint;
     std::uint32_t depth = 0;
-    // What the point is constructed from: the centre of a circle, or the crossing behind another front.
+    // The point is constructed from these. It is the centre of a circle, or the crossing behind another front.
     std::array<VertexIndex, 3> samples{};
     FrontNumber before = kNone;
     FacetName facet{0, 0};

@@ -1,6 +1,6 @@
 // The boundary of a stable set as a closed walk (FC-STAB-07), and its connecting orbits (FC-STAB-06), from its
-// segments alone: those with one front have the sides of its polygon as samples, all of them at the stationary point,
-// all but the one through which the branch comes at a crossing.
+// segments alone. The segments with one front have sides of its polygon as samples: all sides at the stationary
+// point; at a crossing, all but the one through which the branch comes.
 #include <algorithm>
 #include <map>
 
@@ -34,7 +34,7 @@ class Walker {
     }
   }
 
-  // The sides of the polygon one after the other, each with the segment that its midpoint is not at.
+  // Goes around the polygon. A side whose segment ends at a Voronoi edge is replaced by the other sides there.
   std::vector<PointId> walk() {
     const PointId first = contact_.front();
     follow_chain(roots_, first, first_neighbour(first));
@@ -58,7 +58,7 @@ class Walker {
  private:
   struct Step {
     Side side;
-    const BackwardSegment* segment;  // none: of a regular point, the side of which it is the midpoint
+    const BackwardSegment* segment;  // none: the side whose midpoint is the regular point
   };
 
   static const BackwardSegment* next_on_chain(const Segments& segments, PointId at,
@@ -70,8 +70,8 @@ class Walker {
     return nullptr;
   }
 
-  // The lesser neighbour of the first sample: at a regular point one of them may be the other end of the side
-  // that no segment crosses.
+  // The lesser neighbour of the first sample. At a regular point one neighbour may be the other end of the side that
+  // no segment crosses.
   [[nodiscard]] const BackwardSegment* first_neighbour(PointId first) const {
     const BackwardSegment* const one = next_on_chain(roots_, first, nullptr);
     const BackwardSegment* const other = next_on_chain(roots_, first, one);
@@ -79,7 +79,7 @@ class Walker {
     return other_sample(*one, first) < other_sample(*other, first) ? one : other;
   }
 
-  // Where the chain of the roots ends that begins at this sample.
+  // The last sample of the chain of roots that begins at `at`.
   [[nodiscard]] PointId open_end(PointId at) const {
     const BackwardSegment* from = nullptr;
     while (const BackwardSegment* const next = next_on_chain(roots_, at, from)) {
@@ -89,13 +89,13 @@ class Walker {
     return at;
   }
 
-  // Pushes the sides from one sample on to another, or all around, beginning with the given one.
+  // Pushes the sides from one sample on to another, or all around. It begins with the given one.
   void follow_chain(const Segments& segments, PointId at, const BackwardSegment* next,
                     std::optional<PointId> end = std::nullopt) {
     const PointId first = at;
     const PointId last = end.value_or(first);
     do {
-      if (next == nullptr) {  // the side of a regular point's own
+      if (next == nullptr) {  // the side whose midpoint is the regular point
         const PointId far = open_end(at);
         stack_.push_back({{at, far}, nullptr});
         at = far;

@@ -11,8 +11,8 @@ namespace flowcert::morse {
 
 namespace {
 
-// Edges of a Voronoi vertex' polytope that lead from v0 to v1, all of them not obtuse and none of them
-// through the Voronoi vertex: the fewest there are, or any that the ties choose.
+// A path from v0 to v1 over edges of a Voronoi vertex' polytope. No edge of it is obtuse, and none passes through the
+// Voronoi vertex. It has the fewest edges that are possible, or is any path that the ties choose.
 std::vector<PolytopeEdge> path_between(const Diagram& faces, CellIndex cluster, FacetName ends,
                                        TieBreaking& ties) {
   const VertexSources sources = vertex_sources(faces, cluster);
@@ -30,7 +30,7 @@ std::vector<PolytopeEdge> path_between(const Diagram& faces, CellIndex cluster, 
     const PolytopeEdge* by;
   };
   std::map<VertexIndex, const PolytopeEdge*> came_by;
-  // The first of them always makes the search breadth first.
+  // If the first one is always chosen, the search is breadth first.
   for (std::deque<Step> open{{ends.v0, nullptr}}; !open.empty() && !came_by.contains(ends.v1);) {
     const auto next = open.begin() + static_cast<std::ptrdiff_t>(ties.choose(open.size()));
     const Step step = *next;
@@ -50,7 +50,7 @@ class TieBreaker {
       : faces_(faces), walk_(walk), ties_(ties) {}
 
   void add(FrontNumber front, FacetName facet) { tasks_.push_back({front, facet}); }
-  // All sides that lead to a front inside the polygon's Voronoi edge.
+  // Adds all sides that lead to a front inside the polygon's Voronoi edge.
   void add_sides(FrontNumber front, PolygonRef polygon) {
     for (const PolygonSide& side : faces_.sides(polygon)) {
       if (side.angle == Sign::kPositive) add(front, {side.v0, side.v1});
@@ -66,7 +66,7 @@ class TieBreaker {
         chain_.push_back(*back.critical);
         continue;
       }
-      // At a regular stationary point, too, the other sides of its polygon, or a path past it.
+      // A regular stationary point is no end here. The other sides of its polygon follow, or a path past it.
       const Place place = walk_.place(back.front);
       if (place.kind == Place::Kind::kVertex) {
         add_path(place.vertex, back.front, task.facet);
@@ -93,8 +93,8 @@ class TieBreaker {
     }
   }
 
-  // From a Voronoi vertex along the Voronoi edge of a right polygon, to the middle of its longest side, or to
-  // the other Voronoi vertex if that comes first.
+  // Goes from a Voronoi vertex along the Voronoi edge of a right polygon to the middle of its longest side, or to the
+  // other Voronoi vertex if that comes first.
   void add_along(CellIndex cluster, const PolytopeEdge& edge) {
     const PolygonRef polygon = edge.right_polygon;
     const std::size_t far = faces_.end(polygon, 0) == cluster ? 1 : 0;

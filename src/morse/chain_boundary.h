@@ -1,8 +1,8 @@
-// The boundary of an index-2 cell in the chain complex, where ties have to be broken; and the choices that a tie
+// The boundary of an index-2 cell in the chain complex, where ties have to be broken, and the choices that a tie
 // leaves open.
 //
-// Guarantees: with every tie broken as spec clause FC-CHAIN-02 allows, the boundary is a chain of index-1
-// points, and persistence is the alpha complex's, whatever the choice; the choice is reproducible.
+// Guarantees: every tie is broken as spec clause FC-CHAIN-02 allows. The boundary is then a chain of index-1 points,
+// and persistence is the alpha complex's, whatever the choices are. The choices are reproducible.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,12 @@
 
 namespace flowcert::morse {
 
-// Always the first, or reproducibly at random.
+// Chooses always the first way, or at random but reproducibly.
 class TieBreaking {
  public:
   enum class Of : std::uint8_t { kUnstable, kStable };
 
-  // seed 0: always the first. What is broken for U2 and for S2 with one seed is independent.
+  // With seed 0 it always chooses the first way. The choices for U2 and for S2 with one seed are independent.
   TieBreaking(std::uint64_t seed, Of which)
       : state_(which == Of::kUnstable ? seed : seed ^ 0xd1342543de82ef95u), is_random_(seed != 0) {}
 
@@ -38,13 +38,13 @@ class TieBreaking {
   bool is_random_;
 };
 
-// Records of index 1, some of them several times. root: the centre of the polygon with these samples.
+// Returns records of index 1, some of them several times. root is the centre of the polygon with these samples.
 [[nodiscard]] std::vector<std::uint32_t> tie_broken_boundary(const Diagram& faces, BackwardWalk& walk,
                                                              FrontNumber root,
                                                              std::span<const VertexIndex> samples,
                                                              TieBreaking& ties);
 
-// Appends what is there an odd number of times, ascending. Sorts `chain`.
+// Sorts `chain` and appends to `sum`, ascending, what is in `chain` an odd number of times.
 void add_mod_2(std::vector<std::uint32_t>& chain, std::vector<std::uint32_t>& sum);
 
 }  // namespace flowcert::morse

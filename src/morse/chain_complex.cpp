@@ -10,7 +10,7 @@ using namespace morse;
 
 namespace {
 
-// The maximum that an orbit comes to, with every point of another kind on the way left by one of its ways.
+// The maximum that an orbit comes to, or infinity. At any other stationary point it goes on, by one of the ways.
 std::uint32_t resolved(const StationaryPoints& stationary, const UnstableManifolds& unstable,
                        std::optional<std::size_t> limit, TieBreaking& ties, std::size_t& broken) {
   while (limit && stationary.index(*limit) != StationaryIndex{3, 3}) {

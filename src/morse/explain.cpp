@@ -29,9 +29,9 @@ std::vector<Point> coordinates(const PointSet& points, std::span<const PointId> 
   return result;
 }
 
-// Condition (d), and the index. C(x) lies on a sphere round x, so among its points alone x is what it is
-// among all: C(x) is the contact set of a stationary point of the one set iff of the other. Few points,
-// whatever the size of the input.
+// Decides condition (d), and the index. C(x) lies on a sphere around x that has no point inside. So x is stationary
+// for all points iff it is stationary for C(x) alone, with the same index. The points of C(x) are few, whatever the
+// size of the input.
 void decide_hull(const PointSet& points, const RationalPoint& x, Explanation& answer) {
   const PointSet contact_only(coordinates(points, answer.contact));
   const VoronoiDiagram diagram{Delaunay(contact_only)};

@@ -1,6 +1,6 @@
 // Each part has a lock of its own, so that threads that ask for one at the same time wait for one another. A part
-// locks only the parts below it, so that no two threads wait for each other. Not std::call_once: with some C
-// libraries it hangs after an exception.
+// locks only the parts below it, so that no two threads wait for each other. std::call_once does not serve, because
+// with some C libraries it hangs after an exception.
 #include "flowcert/flow_complex.h"
 
 #include <atomic>

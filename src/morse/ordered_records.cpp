@@ -1,5 +1,5 @@
-// Ordinals ascend with names (PointSet), so sorting by ordinals sorts by names. Apart from the search, which is
-// compiled better alone.
+// Ordinals ascend with names (PointSet), so sorting by ordinals sorts by names. The search for stationary points is
+// in another file, because it is compiled better alone.
 #include "morse/ordered_records.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace flowcert::morse {
 
-// Room for what scans have: about 3 saddles of index 1 and 2 of index 2 a point.
+// Makes room for what scans have: for each sample, about 3 critical points of index 1 and 2 of index 2.
 OrderedRecords::OrderedRecords(std::span<const std::uint32_t> ordinals) : ordinals_(ordinals) {
   records_[0].reserve(3 * ordinals.size());
   records_[1].reserve(2 * ordinals.size());
@@ -30,7 +30,7 @@ void OrderedRecords::add(StationaryIndex index, std::span<const VertexIndex> con
   records_[slot].push_back(record);
 }
 
-// Spread over buckets by the first point, then each small bucket by the rest.
+// Spreads the records over buckets by their first points, then sorts each small bucket.
 std::vector<OrderedRecords::Record> OrderedRecords::sorted(const std::vector<Record>& records) const {
   std::vector<std::uint32_t> start(ordinals_.size() + 1, 0);
   for (const Record& record : records) ++start[record.small[0] + 1];

@@ -15,18 +15,18 @@ namespace flowcert::morse {
 
 class OrderedRecords {
  public:
-  // ordinals: of the vertices, in the point set; must outlive this.
+  // ordinals has the ordinal of each vertex in the point set, and must outlive this.
   explicit OrderedRecords(std::span<const std::uint32_t> ordinals);
 
-  // The contact set, in any order. Not for index 0, which the points themselves give.
+  // The contact set may come in any order. Index 0 is not added, because the points themselves give it.
   void add(StationaryIndex index, std::span<const VertexIndex> contact);
 
   // O(records) expected: records are spread over buckets by their first point, and few share one.
   [[nodiscard]] StationaryPoints list(const PointSet& points) const;
 
  private:
-  // Few contact sets have more than four points; the others are kept where they are sorted, so that sorting
-  // does not have to look elsewhere.
+  // Few contact sets have more than four points. The smaller ones are kept in the record that is sorted, so that
+  // sorting does not have to look elsewhere.
   struct Record {
     std::uint32_t size;
     std::array<std::uint32_t, 4>

@@ -20,7 +20,7 @@ constexpr Record kNone = 0xffffffffu;
 // Components that know their eldest member.
 class Components {
  public:
-  // rank: of an element, the lower the older.
+  // The lower the rank of an element, the older it is.
   explicit Components(std::vector<std::size_t> rank)
       : rank_(std::move(rank)),
         depth_(rank_.size()),
@@ -33,7 +33,7 @@ class Components {
     }
   }
 
-  // The eldest of the younger of the two components, which then are one; nothing where they are already.
+  // Makes two components one. Returns the eldest of the younger one; nothing if they are one already.
   std::optional<std::size_t> merge(std::size_t a, std::size_t b) {
     a = sets_.find_set(a);
     b = sets_.find_set(b);
@@ -64,7 +64,7 @@ class Pairing {
   }
 
  private:
-  // Of one index, by value, then by place in the list.
+  // The critical points of one index, by value, then by place in the list.
   std::vector<Record> sorted(std::uint8_t index) const {
     const auto [first, last] = finder_.range({index, index});
     std::vector<Record> records(last - first);
@@ -95,8 +95,8 @@ class Pairing {
     }
   }
 
-  // Downwards, voids come together where an index-2 point separates them; the lower maximum is paired with
-  // it. Infinity is the eldest.
+  // Going down in value, two voids come together at the index-2 point that separates them. That point is
+  // paired with the lower maximum. Infinity is the eldest.
   void pair_voids() {
     const std::size_t first = finder_.range({3, 3}).first;
     const std::vector<Record> maxima = sorted(3);
@@ -116,7 +116,7 @@ class Pairing {
     }
   }
 
-  // Columns are sums of places among the index-1 points that close a tunnel, ascending.
+  // A column is a sum of index-1 points that close a tunnel. Each is given by its place among these; places ascend.
   void pair_tunnels() {
     std::vector<Record> edge_at;
     std::vector<Record> place_of(values_.size(), kNone);

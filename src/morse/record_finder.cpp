@@ -1,4 +1,4 @@
-// The list has critical points first, by index, then regular ones by kind, and each sort by its contact sets.
+// The list has critical points first, by index, then regular ones by kind. Each group is sorted by contact sets.
 #include "morse/record_finder.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ auto list_order(StationaryIndex index) {
   return std::pair(!index.is_critical(), std::pair(index.face_dimension, index.hull_dimension));
 }
 
-// The first place from `low` on at which a property holds that holds from some place on; `high` if nowhere.
+// The first place from `low` on at which the property holds, or `high`. From there on it must hold everywhere.
 template <class Property>
 std::size_t first_place(std::size_t low, std::size_t high, const Property& holds) {
   while (low < high) {
@@ -29,7 +29,7 @@ std::size_t first_place(std::size_t low, std::size_t high, const Property& holds
 
 }  // namespace
 
-// By binary search over the places themselves; libstdc++'s ranges of integers do not compile with clang 14.
+// The binary search runs over the places themselves: libstdc++'s ranges of integers do not compile with clang 14.
 std::pair<std::size_t, std::size_t> RecordFinder::range(StationaryIndex index) const {
   const auto wanted = list_order(index);
   const auto key = [this](std::size_t record) { return list_order(list_.index(record)); };

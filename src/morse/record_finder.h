@@ -1,6 +1,6 @@
-// Finds stationary points in the list: by what they are, and critical points of index 1 by their two samples.
+// Finds stationary points in the list: by index or kind and contact set, or, for index 1, by the two samples.
 //
-// Guarantees: relies on the order of the list (spec clause FC-OUT-02).
+// Guarantees: exact, for a list in the order of spec clause FC-OUT-02.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@
 
 namespace flowcert::morse {
 
-// A binary search a question.
+// Each question takes a binary search.
 class RecordFinder {
  public:
   // The list must outlive this.
@@ -36,7 +36,7 @@ class RecordFinder {
 // they lie side by side in memory.
 class GabrielEdges {
  public:
-  // vertex_of: of the ordinals in the point set. O(index-1 points + vertices).
+  // vertex_of has the vertex of each ordinal in the point set. O(index-1 points + vertices).
   GabrielEdges(const PointSet& points, const StationaryPoints& stationary,
                std::span<const VertexIndex> vertex_of);
 

@@ -22,8 +22,8 @@
 namespace flowcert::morse {
 
 // ---- Parts of dimension 3 ----
-// What flows into an arc of a Voronoi edge, facet by facet (spec clause FC-STAB-05), in rationals throughout: such
-// parts come from ties alone, and are few.
+// What flows into an arc of a Voronoi edge, facet by facet (spec clause FC-STAB-05). It is computed in rationals
+// throughout, because such parts come from ties alone and are few.
 
 namespace {
 
@@ -34,10 +34,10 @@ struct Arc {
 };
 
 struct SectorParts {
-  // Of the sector's closure, in cyclic order: the lexicographically least first, the lesser of its neighbours
-  // second.
+  // The corners of the sector's closure in cyclic order. The lexicographically least is first, the lesser of its
+  // neighbours second.
   std::vector<RationalPoint> corners;
-  // What the sector's rays come through, where they enter the facet.
+  // The sector's rays enter the facet through these.
   std::vector<Arc> arcs;
   std::vector<CellIndex> vertices;
 };
@@ -53,8 +53,7 @@ struct FacetPlane {
   FacetPlane(const Point& p0_, const Point& p1_)
       : p0(vector(p0_)), p1(vector(p1_)), m(Rational(1, 2) * (p0 + p1)) {}
 
-  // Positive where m and q are on one side of the bisector of p0 and q, and x on the other: 2 <x-m, q-m> -
-  // h(q), times -1 where q is obtuse.
+  // 2 <x-m, q-m> - h(q). It is positive where x is nearer to q than to p0, for x in this plane.
   [[nodiscard]] Rational beyond(const Vector& x, const Vector& q) const {
     return Rational(2) * dot(x - m, q - m) - dot(q - p0, q - p1);
   }
@@ -88,7 +87,7 @@ SectorParts sector_of(VoronoiFaces& faces, FlowOperator& flow, FacetName facet, 
     make_canonical(parts.corners);
     return parts;
   }
-  // From b back to a: the near side is met clockwise, in the ring's order.
+  // Goes from b back to a. Rays from m meet the near side clockwise, in the ring's order.
   const std::size_t n = ring.pieces.size();
   const auto piece = [&](std::size_t k) -> const RingPiece& { return ring.pieces[(chain.first + k) % n]; };
   const auto inner = [&](std::size_t k) { return ring.elements[(chain.first + k + 1) % n].vertex; };
@@ -167,7 +166,7 @@ struct StableManifolds::Parts {
   std::vector<Set> sets;
   std::vector<std::uint32_t> boundaries;
   StableStatistics statistics;
-  std::mutex flowing;  // what is made once more changes what the walk and the operator keep
+  std::mutex flowing;  // making a set changes what the walk and the operator keep
 
  private:
   struct Task {
@@ -204,7 +203,7 @@ struct StableManifolds::Parts {
   std::vector<Source> sources_of_intervals;  // of one skeleton
 };
 
-// What leads to the point. Of a triangle without a Voronoi edge looked up, its sides, which are all acute.
+// Begins at the point. A critical triangle's Voronoi edge is not looked up: all its sides are acute and lead there.
 FrontNumber StableManifolds::Parts::start(std::size_t record) {
   contact.clear();
   for (const PointId name : stationary.contact(record)) {
@@ -346,7 +345,7 @@ void StableManifolds::Parts::record_segment(const Task& task, const BackwardWalk
   geometry.segments.push_back(std::move(segment));
 }
 
-// Of a front at a triangle's centre the Voronoi edge was not looked up.
+// If a front is at the centre of a triangle, start() has not looked up its Voronoi edge.
 std::vector<PointId> StableManifolds::Parts::front_contact(FrontNumber front) const {
   const Place& place = walk.place(front);
   if (place.kind == Place::Kind::kVertex || place.edge.cell != kNoCell) return recorder.contact(place);

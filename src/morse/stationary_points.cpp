@@ -1,6 +1,6 @@
 // All stationary points, read off the signs of the merged Voronoi complex (spec section 6).
 //
-// Guarantees: exact; each stationary point once: index 1 from its Delaunay edge, index 2 and kind 1-2 from
+// Guarantees: exact. Each stationary point is found once: index 1 from its Delaunay edge, index 2 and kind 1-2 from
 // its polygon, index 3, 2-3 and 1-3 from its Voronoi vertex.
 #include "flowcert/stationary_points.h"
 
@@ -19,9 +19,10 @@ namespace {
 constexpr StationaryIndex kIndex1{1, 1}, kIndex2{2, 2}, kIndex3{3, 3};
 constexpr StationaryIndex kKind12{1, 2}, kKind13{1, 3}, kKind23{2, 3};
 
-// Index 1 (FC-SIGN-02): walks around each edge whose angles in its first cell are acute, and gives up at the
-// first angle that is not, or at a cell that comes earlier: the edge is that one's. The walks of a block of
-// cells go in step, each one cell a round, so that they wait for memory together and not one after the other.
+// Index 1 (FC-SIGN-02). A walk goes around each edge whose angles in its first cell are acute. It gives up at the
+// first angle that is not acute, or at an earlier cell, because that cell has the walk around the edge. The walks of
+// a block of cells go in step, each one cell a round, so that they wait for memory together and not one after the
+// other.
 class GabrielSearch {
  public:
   GabrielSearch(const VoronoiComplex& complex, OrderedRecords& records)
@@ -58,8 +59,8 @@ class GabrielSearch {
   // An infinite cell has no angle that could object.
   static constexpr std::uint8_t kAllEdges = 0x3f;
 
-  // The edges of a cell that both its angles see under less than a right angle. A byte a cell, so that the
-  // walks find most of what they ask in the cache.
+  // The edges of a cell whose two angles in the cell are both acute. They take a byte a cell, so that the walks find
+  // most of what they ask in the cache.
   static std::uint8_t acute_edges(const TetrahedronSigns& signs) {
     const unsigned acute = ~(unsigned{signs.angle_negative} | unsigned{signs.angle_zero});
     unsigned edges = 0;
@@ -73,7 +74,7 @@ class GabrielSearch {
     return static_cast<std::uint8_t>(edges);
   }
 
-  // One for each acute edge of the cell for which no neighbour says at once that it comes earlier. (Infinite
+  // Starts a walk for each acute edge of the cell, unless a neighbour that has the edge comes earlier. (Infinite
   // cells come last.)
   void start_walks(CellIndex cell, std::vector<Walk>& walks) const {
     if (acute_[cell] == 0) return;
@@ -90,7 +91,7 @@ class GabrielSearch {
     }
   }
 
-  // Takes one step; true when the walk has ended, one way or the other.
+  // Takes one step, and returns whether the walk has ended.
   bool is_over(Walk& walk) {
     if (walk.cell == walk.start) {
       records_.add(kIndex1, walk.edge);
@@ -98,7 +99,7 @@ class GabrielSearch {
     }
     if (walk.cell < walk.start) return true;
     const auto& vertices = delaunay_.vertices(walk.cell);
-    // Places without branches: the time would go into guessing them wrong.
+    // Places are found without branches: most of the time would go into guessing them wrong.
     const auto place = [&vertices](VertexIndex v) {
       return unsigned{vertices[1] == v} + 2 * unsigned{vertices[2] == v} + 3 * unsigned{vertices[3] == v};
     };
@@ -124,7 +125,7 @@ bool is_between_ends(const VoronoiComplex& complex, FacetRef facet) {
   return !complex.delaunay().is_finite(mirror.cell) || complex.side(mirror) == Sign::kPositive;
 }
 
-// Index 2 and kind 1-2, polygons of one facet.
+// Adds index 2 and kind 1-2 from polygons of one facet.
 void add_whole_facets(const VoronoiComplex& complex, OrderedRecords& records) {
   const CompactDelaunay& delaunay = complex.delaunay();
   for (CellIndex cell = 0; cell < delaunay.finite_count; ++cell) {
@@ -141,15 +142,15 @@ void add_whole_facets(const VoronoiComplex& complex, OrderedRecords& records) {
   }
 }
 
-// The polygon's shape as its sides tell it: negative if it does not contain its centre, zero if the centre is
-// the middle of a side.
+// The polygon's shape as its sides tell it. It is negative if the polygon does not contain its centre, zero if the
+// centre is the middle of a side.
 Sign least_angle(std::span<const PolygonSide> sides) {
   Sign least = Sign::kPositive;
   for (const PolygonSide& side : sides) least = std::min(least, side.angle);
   return least;
 }
 
-// The same, polygons of several facets.
+// Adds index 2 and kind 1-2 from polygons of several facets.
 void add_large_polygons(const VoronoiComplex& complex, OrderedRecords& records) {
   std::vector<VertexIndex> contact;
   for (std::size_t k = 0; k < complex.large_polygon_count(); ++k) {
@@ -168,7 +169,7 @@ void add_vertex(std::size_t zero_sides, std::span<const VertexIndex> contact, Or
   records.add(zero_sides == 0 ? kIndex3 : zero_sides == 1 ? kKind23 : kKind13, contact);
 }
 
-// Index 3, kinds 2-3 and 1-3, Voronoi vertices of one cell (FC-SIGN-03, 04).
+// Adds index 3 and kinds 2-3 and 1-3 from Voronoi vertices of one cell (FC-SIGN-03, 04).
 void add_lone_vertices(const VoronoiComplex& complex, OrderedRecords& records) {
   const CompactDelaunay& delaunay = complex.delaunay();
   for (CellIndex cell = 0; cell < delaunay.finite_count; ++cell) {
@@ -206,7 +207,7 @@ std::optional<std::size_t> zero_sides(const VoronoiComplex& complex, std::span<c
   return whole + static_cast<std::size_t>(std::unique(large.begin(), large.end()) - large.begin());
 }
 
-// The same, Voronoi vertices of several cells.
+// Adds index 3 and kinds 2-3 and 1-3 from Voronoi vertices of several cells.
 void add_clusters(const VoronoiComplex& complex, OrderedRecords& records) {
   std::vector<VertexIndex> contact;
   for (std::size_t k = 0; k < complex.large_cluster_count(); ++k) {
@@ -231,8 +232,8 @@ void add_spatial(const VoronoiComplex& complex, OrderedRecords& records) {
   add_clusters(complex, records);
 }
 
-// Coplanar input: an edge is Gabriel iff the one or two angles that see it are acute; a polygon's centre is
-// never beyond an end.
+// Coplanar input: an edge is Gabriel iff the one or two angles that see it are acute. A Voronoi edge has no end, so a
+// polygon's centre is never beyond one.
 void add_planar(const PlanarComplex& complex, OrderedRecords& records) {
   const CompactDelaunay& delaunay = complex.delaunay();
   for (CellIndex cell = 0; cell < delaunay.finite_count; ++cell) {
@@ -262,7 +263,7 @@ void add_planar(const PlanarComplex& complex, OrderedRecords& records) {
   }
 }
 
-// Collinear input: neighbours on the line.
+// Collinear input: the edges between neighbours on the line are Gabriel.
 void add_collinear(const CompactDelaunay& delaunay, OrderedRecords& records) {
   for (CellIndex cell = 0; cell < delaunay.finite_count; ++cell) {
     records.add(kIndex1, std::span(delaunay.vertices(cell)).first(2));

@@ -61,7 +61,7 @@ struct UnstableManifolds::Parts {
   std::vector<Saddle> saddles;
   FlowStatistics statistics;
   SuccessorForest forest;
-  std::mutex flowing;  // what flows once more changes the forest and what the operator keeps
+  std::mutex flowing;  // flowing once more changes the forest and the operator's points
 
  private:
   Place place_of(std::size_t record);
@@ -95,7 +95,7 @@ bool UnstableManifolds::Parts::is_reversed(const Place& place, std::span<const V
   return dot(normal(corners[0], corners[1], corners[2]), normal(contact[0], contact[1], contact[2])) < 0;
 }
 
-// Sets `contact` to the vertices of its contact set, in the order of their names.
+// Sets `contact` to the vertices of the record's contact set, in the order of their names.
 Place UnstableManifolds::Parts::place_of(std::size_t record) {
   contact.clear();
   for (const PointId name : stationary.contact(record)) {
@@ -117,7 +117,7 @@ std::optional<std::size_t> UnstableManifolds::Parts::record_of(const std::option
   return end ? finder.find(end->index, recorder.contact(end->place)) : std::nullopt;
 }
 
-// One orbit, from stretch to stretch; what it ends at.
+// Follows one orbit, from stretch to stretch, and returns what it ends at.
 std::optional<std::size_t> UnstableManifolds::Parts::follow(std::size_t i, std::size_t side) {
   const Location start = start_of(saddles[i], side);
   std::size_t length = 1;

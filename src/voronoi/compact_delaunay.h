@@ -1,10 +1,9 @@
 // The Delaunay triangulation as plain arrays: what everything after CGAL works on.
 //
-// Guarantees: finite cells come first; in dimension 3 the vertices of a finite cell are positively oriented
-// and not coplanar. In dimension 2 (1) cells are triangles (edges), and the last one (two) entries of their
-// arrays are kInfiniteVertex and kNoCell. Vertices are numbered along a space-filling curve and cells by
-// their last vertex, so that neighbours are near in memory: half the time of a walk around an edge was cache
-// misses before.
+// Guarantees: finite cells come first. In dimension 3 the vertices of a finite cell are positively oriented and not
+// coplanar. In dimension 2 (1) cells are triangles (edges), and the last one (two) entries of their arrays are
+// kInfiniteVertex and kNoCell. Vertices are numbered along a space-filling curve and cells by their last vertex, so
+// that neighbours are near in memory. Without that, half the time of a walk around an edge was cache misses.
 #pragma once
 
 #include <algorithm>
@@ -53,7 +52,7 @@ struct CompactDelaunay {
     return cells[cell].neighbors;
   }
 
-  // The same facet (edge, in dimension 2), seen from the other cell. Without branches: which of the four it
+  // The same facet (edge, in dimension 2), seen from the other cell. It has no branches, because which of the four it
   // is cannot be guessed.
   [[nodiscard]] FacetRef mirror(FacetRef facet) const {
     const CellIndex other = neighbors(facet.cell)[facet.index];

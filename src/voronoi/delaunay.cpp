@@ -51,7 +51,7 @@ Delaunay::Delaunay(const PointSet& points, const Progress& progress)
   CGAL::spatial_sort(order.begin(), order.end(),
                      CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(position_map)>(position_map));
 
-  // What CGAL's own range insertion does, with a pause to tell how far it is.
+  // This does what CGAL's own range insertion does, and tells now and then how far it is.
   Cgal& cgal = triangulation_->cgal;
   Cgal::Cell_handle hint;
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -72,7 +72,7 @@ int Delaunay::dimension() const { return triangulation_->cgal.dimension(); }
 
 namespace {
 
-// Every cell of the highest dimension, the infinite ones too; CGAL names its iterators by dimension.
+// Visits every cell of the highest dimension, the infinite ones too. CGAL names its iterators by dimension.
 template <class Visit>
 void for_each_cell(const Cgal& cgal, Visit visit) {
   switch (cgal.dimension()) {

@@ -43,7 +43,7 @@ std::vector<CellIndex> Diagram::cells_of(CellIndex cluster) const {
   return {cells.begin(), cells.end()};
 }
 
-// The facets of a polygon of several; empty for one.
+// The facets of a polygon that has several; nothing for a polygon of one facet.
 std::span<const FacetRef> Diagram::large_polygon(PolygonRef polygon) const {
   if (spatial_->role(polygon) != VoronoiComplex::FacetRole::kPiece) return {};
   return spatial_->large_polygon(spatial_->large_polygon_of(polygon));
@@ -77,7 +77,7 @@ std::vector<PolygonSide> Diagram::sides(PolygonRef polygon) const {
 }
 
 PolygonDriver Diagram::driver(PolygonRef polygon) const {
-  // Most are one acute facet, which its signs tell.
+  // Most polygons are one acute facet, which the cell's signs tell.
   if (spatial_ != nullptr && spatial_->role(polygon) == VoronoiComplex::FacetRole::kWhole &&
       spatial_->signs(polygon.cell).is_acute(polygon.index)) {
     return {Sign::kPositive, {}};

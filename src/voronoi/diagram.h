@@ -1,9 +1,9 @@
-// The faces of the merged Voronoi diagram and how they meet: Voronoi vertices and edges with their ends, and
-// their contact sets. One interface for inputs of every dimension: in a coplanar input Voronoi edges are
-// whole lines and facets slabs, in a collinear one facets are planes.
+// The faces of the merged Voronoi diagram and how they meet: Voronoi vertices and edges with their ends, and their
+// contact sets. One interface serves inputs of every dimension. In a coplanar input Voronoi edges are whole lines and
+// facets are slabs or half planes. In a collinear one facets are planes.
 //
-// Guarantees: exact; the faces are those of spec clauses FC-VOR-01 to 04. Constant once it is made: threads
-// share it.
+// Guarantees: exact; the faces are those of spec clauses FC-VOR-01 to 04. A diagram is constant once it is made, so
+// threads share it.
 #pragma once
 
 #include <array>
@@ -18,18 +18,18 @@
 
 namespace flowcert::voronoi {
 
-// A Voronoi edge: always the same one of the Delaunay facets that make up its polygon. In a coplanar input,
-// "facet 3" of one of the polygon's triangles.
+// Names a Voronoi edge by one of the Delaunay facets that make up its polygon, always the same one. In a coplanar
+// input it is "facet 3" of one of the polygon's triangles.
 using PolygonRef = FacetRef;
 
-// A Voronoi facet: the ends of its Delaunay edge.
+// Names a Voronoi facet by the ends of its Delaunay edge.
 struct FacetName {
   VertexIndex v0, v1;  // v0 < v1
 
   friend bool operator==(const FacetName&, const FacetName&) = default;
 };
 
-// A Voronoi face, as wide as what it is the face of.
+// A Voronoi face of any dimension, or infinity.
 struct Place {
   enum class Kind : std::uint8_t { kInfinity, kVertex, kEdge, kFacet, kCell };
   Kind kind = Kind::kInfinity;
@@ -61,8 +61,8 @@ struct Place {
   friend bool operator==(const Place&, const Place&) = default;
 };
 
-// A polygon's driver: its centre where the polygon contains it, otherwise the middle of its obtuse side
-// (spec section 6).
+// A polygon's driver is its centre if the polygon contains that, otherwise the middle of its obtuse side (spec
+// section 6).
 struct PolygonDriver {
   Sign shape;  // the least angle: negative iff the centre lies outside, zero iff it is the middle of a side
   FacetName side;  // where negative
@@ -79,11 +79,11 @@ class Diagram {
   [[nodiscard]] const CompactDelaunay& delaunay() const { return *delaunay_; }
   [[nodiscard]] const Point& point(VertexIndex vertex) const { return delaunay_->points[vertex]; }
 
-  // Where the points span R^3, and where they span a plane; null otherwise.
+  // The first is null unless the points span R^3, the second unless they span a plane.
   [[nodiscard]] const VoronoiComplex* spatial() const { return spatial_; }
   [[nodiscard]] const PlanarComplex* planar() const { return planar_; }
 
-  // Voronoi vertices; none but in dimension 3.
+  // Voronoi vertices, which exist in dimension 3 only.
   [[nodiscard]] const VoronoiComplex& complex() const { return *spatial_; }
   [[nodiscard]] std::vector<CellIndex> cells_of(CellIndex cluster) const;
 
@@ -98,7 +98,7 @@ class Diagram {
 
   // All of a face's contact set, by ascending VertexIndex.
   [[nodiscard]] std::vector<VertexIndex> contact(const Place& place) const;
-  // By VertexIndex: a finite cell that has it. O(cells) the first time.
+  // For each VertexIndex, a finite cell that has it. O(cells) the first time.
   [[nodiscard]] std::span<const CellIndex> incident_cells() const;
 
  private:

@@ -1,5 +1,5 @@
-// In a plane, polygons are gathered by a walk over triangles; in space, clusters by union-find, and polygons by
-// sorting.
+// In a plane, a walk over triangles gathers the polygons. In space, union-find gathers clusters and the polygons on
+// the hull, and sorting gathers the other polygons.
 #include "voronoi/voronoi_complex.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ PlanarComplex::PlanarComplex(CompactDelaunay delaunay, FilterTally& tally) : del
     }
   }
 
-  // Triangles joined across cocircular edges, gathered by walking from each triangle that has no polygon yet.
+  // Joins triangles across cocircular edges, by a walk from each triangle that has no polygon yet.
   constexpr std::uint32_t kNone = 0xffffffffu;
   polygon_of_.assign(count, kNone);
   for (CellIndex first = 0; first < count; ++first) {
@@ -93,7 +93,7 @@ TetrahedronPoints VoronoiComplex::points_of(CellIndex cell) const {
   return {p + v[0], p + v[1], p + v[2], p + v[3]};
 }
 
-// The neighbours' vertices are looked up a few cells later; they are what the pass below waits for.
+// The pass below looks up the neighbours' vertices a few cells later, and would otherwise wait for them.
 void VoronoiComplex::prefetch_neighbors(CellIndex cell) const {
   if (cell >= delaunay_.finite_count) return;
   for (const CellIndex neighbor : delaunay_.neighbors(cell)) __builtin_prefetch(&delaunay_.cells[neighbor]);
@@ -153,7 +153,7 @@ void VoronoiComplex::gather_clusters(std::span<const FacetRef> cospherical) {
   }
   cluster_first_.push_back(members.size());
 
-  // Not only the facets that were tested: two cells of one cluster may share a facet, and then it is inside.
+  // A facet between two cells of one cluster is interior. It is marked from both of its sides.
   for (const CellIndex cell : cluster_cells_) {
     for (std::uint32_t i = 0; i < 4; ++i) {
       const CellIndex neighbor = delaunay_.neighbors(cell)[i];
@@ -164,7 +164,7 @@ void VoronoiComplex::gather_clusters(std::span<const FacetRef> cospherical) {
   }
 }
 
-// They are kept in the order of their names.
+// Large clusters are kept in the order of their names.
 std::span<const CellIndex> VoronoiComplex::large_cluster_of(CellIndex cell) const {
   FLOWCERT_REQUIRES(!is_alone(cell));
   std::size_t low = 0, high = large_cluster_count();
@@ -175,8 +175,8 @@ std::span<const CellIndex> VoronoiComplex::large_cluster_of(CellIndex cell) cons
   return large_cluster(low);
 }
 
-// Two facets in one polygon lie in one plane, so their cells differ on both sides: only facets of large
-// clusters, between two of them or on the hull, can be pieces.
+// Two facets of one polygon lie in one plane, so their cells differ on both sides. So only facets of large clusters
+// can be pieces: facets between two of these, or on the hull.
 void VoronoiComplex::gather_polygons(FilterTally& tally) {
   gather_inner_polygons();
   gather_hull_polygons(tally);
@@ -211,8 +211,8 @@ void VoronoiComplex::gather_inner_polygons() {
   }
 }
 
-// The hull facets of one cluster in one plane are connected across the edges they share, so neighbours on the
-// hull suffice.
+// The hull facets of one cluster in one plane are connected across the edges they share, so it is enough to look at
+// neighbours on the hull.
 void VoronoiComplex::gather_hull_polygons(FilterTally& tally) {
   std::vector<FacetRef> hull;
   std::unordered_map<CellIndex, std::uint32_t> place;  // by the infinite cell on the other side

@@ -17,8 +17,8 @@
 namespace flowcert::voronoi {
 
 // ---- Coplanar points ----
-// Delaunay triangles gathered into cocircular polygons, each dual to a line of centres, and the signs of their angles;
-// in any plane of R^3, tilted ones too.
+// Delaunay triangles are gathered into cocircular polygons, each dual to a line of centres. The signs of the
+// triangles' angles are kept, too. The plane may be any plane of R^3.
 
 class PlanarComplex {
  public:
@@ -43,20 +43,20 @@ class PlanarComplex {
 };
 
 // ---- Points that span R^3 ----
-// Delaunay cells gathered into Voronoi vertices, their facets into the polygons dual to Voronoi edges and rays,
-// with the signs that decide what is critical. Where nothing is cospherical it adds a few bytes a cell to
-// the triangulation and no list at all: a cell alone in its cluster, a facet alone in its polygon, are named
-// by themselves.
+// Delaunay cells are gathered into Voronoi vertices, and their facets into the polygons dual to Voronoi edges and
+// rays, with the signs that decide what is critical. Where nothing is cospherical, this adds a few bytes a cell to
+// the triangulation and no list at all: a cell alone in its cluster, and a facet alone in its polygon, are named by
+// themselves.
 class VoronoiComplex {
  public:
   // dimension 3. O(cells), plus sorting what is cospherical.
   VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally);
 
   [[nodiscard]] const CompactDelaunay& delaunay() const { return delaunay_; }
-  // Of a finite cell.
+  // The signs of a finite cell.
   [[nodiscard]] const TetrahedronSigns& signs(CellIndex cell) const { return signs_[cell]; }
-  // The facet of a finite cell, seen from the other cell, if that is finite too; otherwise only the cell is
-  // right. Cheaper than CompactDelaunay::mirror(), which has to look at the other cell.
+  // The facet of a finite cell, seen from the other cell. If the other cell is infinite, only `cell` of the answer is
+  // right. It is cheaper than CompactDelaunay::mirror(), which has to look at the other cell.
   [[nodiscard]] FacetRef mirror(FacetRef facet) const {
     return {delaunay_.neighbors(facet.cell)[facet.index], (mirror_[facet.cell] >> (2 * facet.index)) & 3u};
   }
@@ -79,13 +79,12 @@ class VoronoiComplex {
   enum class FacetRole : std::uint8_t { kInterior, kWhole, kPiece };
   [[nodiscard]] FacetRole role(FacetRef facet) const;
 
-  // The polygons of two facets and more. Each facet is given from the side of the same one of the two
-  // clusters.
+  // The polygons of two facets and more. All facets of a polygon are given from the side of the same cluster.
   [[nodiscard]] std::size_t large_polygon_count() const { return polygon_first_.size() - 1; }
   [[nodiscard]] std::span<const FacetRef> large_polygon(std::size_t k) const {
     return std::span(polygon_facets_).subspan(polygon_first_[k], polygon_first_[k + 1] - polygon_first_[k]);
   }
-  // Of a facet that is a piece, from either side.
+  // The polygon that a piece belongs to; the piece may be given from either side.
   [[nodiscard]] std::size_t large_polygon_of(FacetRef facet) const {
     return polygon_of_[4 * std::size_t{facet.cell} + facet.index];
   }

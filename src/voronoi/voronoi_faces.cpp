@@ -46,7 +46,7 @@ FacetRing VoronoiFaces::ring(FacetName facet, CellIndex hint) {
           std::span(pieces_).subspan(ring.first, ring.count)};
 }
 
-// Where the boundary passes from one polygon to the next, through a Voronoi vertex or at infinity.
+// Adds the passage from one polygon to the next, through a Voronoi vertex or at infinity.
 void VoronoiFaces::add_junction(CellIndex cell, VertexIndex apex_before, VertexIndex apex_after) {
   if (cell != kNoCell) {
     elements_.push_back({cell, kInfiniteVertex, 0});
@@ -57,9 +57,8 @@ void VoronoiFaces::add_junction(CellIndex cell, VertexIndex apex_before, VertexI
   elements_.push_back({kNoCell, apex_after, -1});
 }
 
-// Goes around v0 v1, counterclockwise seen from v1: in a positively oriented cell v0 v1 k l, from the facet
-// that has k to the one that has l. Facets inside of a cluster, and those between two infinite cells, bound
-// nothing.
+// Goes around v0 v1, counterclockwise seen from v1. In a positively oriented cell v0 v1 k l it goes from the facet
+// that has k to the one that has l. A facet inside a cluster, or between two infinite cells, bounds nothing.
 void VoronoiFaces::add_spatial_ring(FacetName facet, CellIndex start) {
   struct Crossing {
     PolygonRef polygon;
@@ -102,7 +101,7 @@ void VoronoiFaces::add_spatial_ring(FacetName facet, CellIndex start) {
   }
 }
 
-// A slab between two lines, or a half plane beside one: each line comes from infinity and goes there.
+// The facet is a slab between two lines, or a half plane beside one. Each line comes from infinity and goes there.
 void VoronoiFaces::add_planar_ring(FacetName facet, CellIndex cell) {
   const auto& v = delaunay().vertices(cell);
   std::uint32_t i = 0;
@@ -164,8 +163,8 @@ std::size_t VoronoiFaces::element_of(const FacetRing& ring, CellIndex cluster) c
 
 // ---- Finding faces.
 
-// All cells that have p, the infinite ones too; valid until the next star. The cells that were seen bear the number of
-// their star, because a set of them took most of the time.
+// All cells that have p, the infinite ones too; valid until the next star. A cell that was seen bears the number of
+// its star, because looking cells up in a set took most of the time.
 template <class IsWanted>
 std::span<const CellIndex> VoronoiFaces::star_until(VertexIndex p, const IsWanted& is_wanted) {
   const CompactDelaunay& cells = delaunay();
@@ -192,7 +191,7 @@ std::span<const CellIndex> VoronoiFaces::star(VertexIndex p) {
   return star_until(p, [](CellIndex) { return false; });
 }
 
-// A finite one, given that there is one.
+// Finds a finite cell that has both ends of the edge; there must be one.
 CellIndex VoronoiFaces::cell_with(FacetName facet, CellIndex hint) {
   const auto has_both = [&](CellIndex cell) {
     const auto& v = delaunay().vertices(cell);
@@ -241,8 +240,8 @@ Place VoronoiFaces::place_of(VertexIndex p, std::span<const VertexIndex> others)
   return edge;
 }
 
-// A sample that is not the nearest has a Delaunay neighbour that is nearer. The samples at one distance, all
-// of them vertices of one Delaunay polytope, are connected by its edges.
+// A sample that is not the nearest has a Delaunay neighbour that is nearer. The samples at the least distance are all
+// vertices of one Delaunay polytope, whose edges connect them.
 Place VoronoiFaces::locate(const RationalPoint& x) {
   FLOWCERT_REQUIRES(!delaunay().points.empty());
   VertexIndex& nearest = located_;

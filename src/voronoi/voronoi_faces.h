@@ -1,10 +1,11 @@
-// What a worker keeps while it moves over a Voronoi diagram: the cyclic arrays of what bounds the facets that
-// it has met, and where a given point lies. The faces themselves are the diagram's, which all workers share.
+// What a worker keeps while it moves over a Voronoi diagram: a cyclic array for each facet that it has met, of what
+// bounds the facet. It also finds where a point lies. The faces themselves are the diagram's, which all workers
+// share.
 //
-// Guarantees: exact; the faces are those of spec clauses FC-VOR-01 to 04. A facet's array is made when the
-// facet is first asked for, and kept: O(k) for k Delaunay cells around its edge, the duplicate Voronoi
-// vertices among them merged there and then, so that no query meets them (paper, Proposition 1). Not for two
-// threads at once.
+// Guarantees: exact; the faces are those of spec clauses FC-VOR-01 to 04. A facet's array is made when the facet is
+// first asked for, and kept. That takes O(k) for k Delaunay cells around its edge. Duplicate Voronoi vertices among
+// them are merged there and then, so that no query meets them (paper, Proposition 1). A worker is not for two threads
+// at once.
 #pragma once
 
 #include <cstdint>
@@ -23,9 +24,9 @@ namespace flowcert::voronoi {
 // infinity; a piece is a Voronoi edge, or lies at infinity.
 struct RingElement {
   CellIndex vertex;  // the cluster; kNoCell for a direction
-  // Of a direction: a third point of the ray's polygon, and +1 for the far end of a ray that is followed
-  // outwards, -1 for one that comes from infinity. It lies counterclockwise of a vector d of the facet's
-  // plane iff factor * <d, apex - v0> > 0 (paper, Eq. 5: the ray is orthogonal to v0 v1 apex).
+  // For a direction: apex is a third point of the ray's polygon. factor is +1 for the far end of a ray that is
+  // followed outwards, -1 for a ray that comes from infinity. The direction lies counterclockwise of a vector d of
+  // the facet's plane iff factor * <d, apex - v0> > 0 (paper, Eq. 5: the ray is orthogonal to v0 v1 apex).
   VertexIndex apex;
   int factor;
 };
@@ -33,7 +34,7 @@ struct RingPiece {
   PolygonRef polygon;  // cell kNoCell: at infinity
   VertexIndex apex;    // a point of the polygon other than v0 and v1
 };
-// Valid until the next facet is asked for. Both empty: the facet is a whole plane.
+// A ring is valid until the next facet is asked for. If both spans are empty, the facet is a whole plane.
 struct FacetRing {
   std::uint32_t id;
   std::span<const RingElement> elements;
@@ -45,7 +46,7 @@ class VoronoiFaces {
   // The diagram must outlive it. Throws as require_ieee_doubles() in a thread where filters could be wrong. O(1).
   explicit VoronoiFaces(const VoronoiDiagram& diagram) : diagram_(diagram.faces()) { require_ieee_doubles(); }
 
-  // What all workers share, for what needs no more.
+  // The diagram, which all workers share.
   [[nodiscard]] const Diagram& diagram() const { return diagram_; }
   // The diagram answers these, and keeps nothing of a worker.
   [[nodiscard]] int dimension() const { return diagram_.dimension(); }
@@ -66,18 +67,18 @@ class VoronoiFaces {
   [[nodiscard]] std::vector<PolygonSide> sides(PolygonRef polygon) const { return diagram_.sides(polygon); }
   [[nodiscard]] std::vector<VertexIndex> contact(const Place& place) const { return diagram_.contact(place); }
 
-  // Voronoi facets. The Delaunay edge must be one of a polygon's sides. The hint is a cell that may have it,
-  // which spares a search.
+  // The bounds of a Voronoi facet, whose Delaunay edge must be one of a polygon's sides. The hint is a cell that may
+  // have that edge, which spares a search.
   [[nodiscard]] FacetRing ring(FacetName facet, CellIndex hint = kNoCell);
-  // Where in its ring a Voronoi edge or vertex is, which must bound the facet. O(log n).
+  // The place in the ring of a Voronoi edge or vertex, which must bound the facet. O(log n).
   [[nodiscard]] std::size_t piece_of(const FacetRing& ring, PolygonRef polygon) const;
   [[nodiscard]] std::size_t element_of(const FacetRing& ring, CellIndex cluster) const;
 
-  // The face that x lies in. A walk from sample to nearer sample, from where the last point was located: points that
-  // are near to one another take few steps. There must be points.
+  // The face that x lies in. It walks from sample to nearer sample, from where the last walk ended. Points that are
+  // near to one another take few steps. There must be points.
   [[nodiscard]] Place locate(const RationalPoint& x);
-  // The face whose points have this contact set, given the sample p and those of the others that are Delaunay
-  // neighbours of p, at least.
+  // The face whose contact set is the sample p and `others`. Only those of `others` that are Delaunay neighbours of p
+  // are needed.
   [[nodiscard]] Place place_of(VertexIndex p, std::span<const VertexIndex> others);
   // The Delaunay neighbours of a sample.
   [[nodiscard]] std::vector<VertexIndex> neighbors(VertexIndex p);
@@ -88,7 +89,7 @@ class VoronoiFaces {
     std::uint32_t order = 0;  // of a large ring: where its sorted places start in order_
   };
 
-  // All cells around a vertex, infinite ones too; or one that is wanted, if there is one.
+  // All cells around a vertex, infinite ones too. If one of them is wanted, it is that one alone.
   template <class IsWanted>
   [[nodiscard]] std::span<const CellIndex> star_until(VertexIndex p, const IsWanted& is_wanted);
   [[nodiscard]] std::span<const CellIndex> star(VertexIndex p);

@@ -21,7 +21,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kBetweenCounts{1};
-// What a process that was left may take to put its files away.
+// A process whose rank leaves it has so long to put its files away.
 constexpr std::chrono::seconds kGrace{1};
 constexpr const char* kPlanWord = "plan ";
 constexpr const char* kOrderWord = "order ";
@@ -29,12 +29,12 @@ constexpr const char* kStopWord = "stop";
 
 // ---- In the process
 
-// The campaign, at the other end of two pipes.
+// The campaign, which is at the other end of two pipes.
 class DistantCampaign : public fuzz::BatchSource {
  public:
   DistantCampaign(int orders, int messages) : orders_(orders), messages_(messages), reader_(orders) {}
 
-  // False: there is no more to do.
+  // Returns false if there is no more to do.
   bool wait_for_plan() {
     const auto text = next_after(kPlanWord);
     if (text) plan_ = fuzz::plan_of(*text);
@@ -44,7 +44,7 @@ class DistantCampaign : public fuzz::BatchSource {
     if (!fuzz::write_line(messages_, line)) throw std::runtime_error("the rank of this process is gone");
   }
   bool is_stopped() {
-    // It may have come together with the order.
+    // "stop" may have come together with the order.
     is_stopped_ = is_stopped_ || is_told_to_stop();
     pollfd waited{orders_, POLLIN, 0};
     if (!is_stopped_ && ::poll(&waited, 1, 0) > 0) is_stopped_ = !reader_.read_more() || is_told_to_stop();
@@ -74,7 +74,7 @@ class DistantCampaign : public fuzz::BatchSource {
  private:
   bool is_told_to_stop() { return reader_.next_line() == kStopWord; }
 
-  // Waits for a line. Nothing: it is another one, or there will be none.
+  // Waits for a line. Returns nothing if the line begins with another word, or if no line will come.
   std::optional<std::string> next_after(const std::string& word) {
     std::optional<std::string> line;
     while (!is_stopped_ && !(line = reader_.next_line())) is_stopped_ = !reader_.read_more();
@@ -121,7 +121,7 @@ void be_the_process(const FuzzOptions& options, int orders, int messages) {
 // ---- In the rank
 
 BatchProcess::BatchProcess(const FuzzOptions& options) {
-  // A process that is gone is told by the end of its lines.
+  // The end of its lines shows that a process is gone, so no signal is needed.
   ::signal(SIGPIPE, SIG_IGN);
   process_ = fuzz::start_child([&] {
     to_it_.close_writing();

@@ -22,12 +22,12 @@ struct FuzzMpiOptions : FuzzOptions {
 
 // The process of a rank that does its batches.
 //
-// Guarantees: it knows nothing of MPI, since it is there before MPI is, so it may fork as it likes: a case
-// that ends a process ends one of its children, and never a rank. It ends with its rank.
+// Guarantees: it is started before MPI is, and does not use MPI, so it may fork as it likes. A case that ends a
+// process ends a child of this one, and never a rank. It ends with its rank.
 //
-// Lines to it: "plan PLAN" first, then "order ORDER" (batch.h), one at a time, and "stop", which ends it
-// after the case under way, as does the end of its lines. Lines from it: "ready VERSION", "cases N" of the
-// batch under way, "gone WHY" if it cannot go on, and the messages of batch.h.
+// Lines to it: "plan PLAN" first, then "order ORDER" (batch.h), one at a time. "stop", or the end of its lines, ends
+// it after the case under way. Lines from it: "ready VERSION", "cases N" of the batch under way, "gone WHY" if it
+// cannot go on, and the messages of batch.h.
 class BatchProcess {
  public:
   // Throws std::system_error.
@@ -37,7 +37,7 @@ class BatchProcess {
   BatchProcess& operator=(const BatchProcess&) = delete;
 
   void give(const std::string& line);
-  // Those that are there, or come within so many milliseconds.
+  // The lines that are there, or come within so many milliseconds.
   [[nodiscard]] std::vector<std::string> lines(int milliseconds);
   [[nodiscard]] bool has_ended() const { return has_ended_; }
 

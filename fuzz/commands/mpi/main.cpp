@@ -24,7 +24,7 @@ namespace {
 
 using namespace flowcert;
 
-// A rank that is not through by then has been killed since it was last heard of.
+// A rank that has not ended by then has been killed since it was last heard of.
 constexpr double kSecondsToEnd = 5;
 constexpr std::chrono::milliseconds kBeforeLeaving{700};
 
@@ -38,7 +38,7 @@ constexpr const char* kFooter =
     "  mpirun --hostfile hosts --enable-recovery flowcert-fuzz-mpi --time 36000 --out campaign\n"
     "  mpirun -n 5 --oversubscribe flowcert-fuzz-mpi --resume campaign";
 
-// What is on the command line: options, or something to say and the status to say it with.
+// What the command line has: options, or something to say and the status to say it with.
 struct CommandLine {
   FuzzMpiOptions options;
   std::string text;
@@ -81,7 +81,7 @@ int report(const FuzzRun& run, const LedCampaign& led, bool json) {
   return verdict_of(run.campaign);
 }
 
-// The status. ranks: how many of the others can be expected to come to an end.
+// Returns the exit status. `ranks` counts the other ranks that can be expected to end.
 int lead_campaign(RankLines& lines, const FuzzMpiOptions& options, int& ranks) {
   if (options.families == "list") {
     print_families();
@@ -134,7 +134,7 @@ void be_another_rank(RankLines& lines, std::unique_ptr<BatchProcess> process, co
   process.reset();
   lines.send(0, "ended");
   if (lines.have_said("finalize", 1, 2 * kSecondsToEnd, "leave")) return;
-  // Rank 0 aborts, with its status, so that is to come first; with --enable-recovery it ends no other rank.
+  // Rank 0 aborts with its status, and must be first. With --enable-recovery its abort ends no other rank.
   std::this_thread::sleep_for(kBeforeLeaving);
   std::_Exit(kRight);
 }
@@ -146,7 +146,7 @@ int main(int argc, char** argv) {
   std::unique_ptr<BatchProcess> process;
   try {
     parse(argc, argv, line);
-    // Before MPI is there. Which rank this is is not known yet.
+    // The process must exist before MPI does. It is not known yet which rank this is.
     if (!line.status) process = std::make_unique<BatchProcess>(line.options);
   } catch (const std::exception& error) {
     line.text = error.what();

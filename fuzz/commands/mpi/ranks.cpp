@@ -97,7 +97,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kPause{5};
-// After a signal: mpirun passes one on and kills all ranks a second later.
+// mpirun passes a signal on, and kills all ranks a second later. So rank 0 waits only so long after a signal.
 constexpr double kSecondsAfterSignal = 0.5;
 
 double seconds_since(Clock::time_point start) {
@@ -109,7 +109,7 @@ struct Worker {
   bool is_ready = false;
   bool is_silent = false;
   bool is_gone = false;
-  bool is_busy = false;  // with an order, its own or one that was taken back
+  bool is_busy = false;  // it has an order, which may have been taken back
   std::optional<std::size_t> batch;
   std::size_t cases = 0;  // done of its batch
   Clock::time_point heard = Clock::now();
@@ -150,7 +150,7 @@ class Lead {
                worker.batch ? fmt::format("; batch {} is handed out again", *worker.batch) : "");
   }
 
-  // False if there was none.
+  // Returns false if there was no line.
   bool take_lines() {
     bool is_any = false;
     while (const auto line = lines_.receive()) {
@@ -179,8 +179,8 @@ class Lead {
   void take_message(Worker& worker, const std::string& message) {
     if (!fuzz::ends_batch(message)) return campaign_.absorb(message);
     worker.is_busy = false;
-    // A whole batch counts even if another rank has got it meanwhile. Half of one only when nobody will do
-    // it.
+    // A whole batch counts even if another rank has got it meanwhile. A part of a batch counts only if nobody will do
+    // the batch again.
     if (!fuzz::ends_whole_batch(message) && !(is_stopping_ && worker.batch)) return take_back(worker);
     campaign_.absorb(message);
     worker.batch.reset();
@@ -281,7 +281,7 @@ LedCampaign lead(fuzz::Campaign& campaign, RankLines& lines, const FuzzMpiOption
 namespace {
 
 constexpr int kPollMilliseconds = 5;
-// Rank 0 may be busy for a while: with its files, with many ranks.
+// Rank 0 may be busy for a while, with its files or with many ranks.
 constexpr double kPatience = 4;
 
 class WorkerRank {

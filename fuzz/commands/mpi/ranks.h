@@ -15,11 +15,11 @@
 namespace flowcert::commands {
 
 // ---- Lines ----
-// Nothing here waits for another rank, whatever has become of it. Lines of one rank arrive whole and in order. A
-// line to a rank that is gone is lost, and nobody is told: who is not heard of is gone.
+// Nothing here waits for another rank, even if that rank is dead. Lines of one rank arrive whole and in order. A line
+// to a rank that is gone is lost, and nobody is told. A rank counts as gone when it is not heard of.
 //
-// Lines are cut into pieces so small that every transport sends them at once, without asking the receiver
-// first: a receiver that has asked for the rest of a message would wait for a rank that is killed meanwhile.
+// Lines are cut into pieces so small that every transport sends them at once, without asking the receiver first.
+// Otherwise a receiver that asks for the rest of a message would wait for a rank that is killed meanwhile.
 
 class RankLines {
  public:
@@ -36,10 +36,10 @@ class RankLines {
     int from = 0;
     std::string text;
   };
-  // Nothing: none is there yet.
+  // Returns nothing if no line is there yet.
   [[nodiscard]] std::optional<Line> receive();
-  // Whether so many ranks say this word within so many seconds, and none before says the other one. Further
-  // lines are lost.
+  // Whether `ranks` ranks say `word` within `seconds`, and no rank says `other` before. All other lines that arrive
+  // meanwhile are lost.
   [[nodiscard]] bool have_said(const std::string& word, int ranks, double seconds,
                                const std::string& other = "");
 
@@ -58,16 +58,16 @@ class RankLines {
 };
 
 // ---- The leading rank ----
-// Rank 0: it has the campaign, hands its batches out to the other ranks, and gathers what comes of them.
+// Rank 0 has the campaign, hands its batches out to the other ranks, and gathers what comes of them.
 //
-// Guarantees: it never waits for a rank. The batch of a rank that is gone, or that is not heard of for too
-// long, is handed out again, so that the account is the same without it; one that is heard of again is
-// employed again. The campaign ends when all is done, when it is told to stop, or when no rank is left. A
-// crash that a rank was making small when it was lost stays as it is, until `flowcert fuzz --resume`.
+// Guarantees: it never waits for a rank. If a rank is gone, or silent for too long, its batch is handed out again, so
+// the results are the same. A rank that is heard of again is employed again. The campaign ends when all is done, when
+// it is told to stop, or when no rank is left. If a rank is lost while it makes a crash small, the crash stays as it
+// is until `flowcert fuzz --resume`.
 struct LedCampaign {
-  // That were not heard of: they may be dead, and MPI would wait for them.
+  // The ranks that were not heard of. They may be dead, and MPI would wait for them.
   int silent_ranks = 0;
-  // Whether none was left although there was more to do.
+  // Whether no rank was left although there was more to do.
   bool is_deserted = false;
 };
 
@@ -75,14 +75,14 @@ struct LedCampaign {
                                FuzzProgress& progress);
 
 // ---- A working rank ----
-// A rank that works: its process of batches, and the way of lines between it and rank 0.
+// A rank that works passes lines between rank 0 and its process of batches.
 //
-// Guarantees: it says that it is there as long as it is, however long a case takes. It comes back when rank 0
-// has ended the campaign, and ends by itself when rank 0 is not heard of any more. By a signal that asks it
-// to end it leaves the campaign, after the case under way, which goes on without it.
+// Guarantees: it says that it is there as long as it runs, however long a case takes. It returns when rank 0 has
+// ended the campaign, and aborts when rank 0 is not heard of any more. After a signal that asks it to end, it
+// finishes the case under way and leaves; the campaign goes on without it.
 //
-// Lines to rank 0: those of batch_process.h, and "alive", and "ended" when the process is gone.
-// From it: those of batch_process.h, "alive", "end", and then "finalize", or "leave" if a rank is missing.
+// It sends rank 0 the lines of batch_process.h, "alive", and "ended" when its process is gone. Rank 0 sends the lines
+// of batch_process.h, "alive", "end", and then "finalize", or "leave" if a rank is missing.
 void work_for_rank_0(RankLines& lines, BatchProcess& process, const FuzzMpiOptions& options);
 
 }  // namespace flowcert::commands

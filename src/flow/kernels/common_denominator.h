@@ -1,8 +1,8 @@
 // Rational and double coordinates as integers over one common denominator, for polynomials that are
 // homogeneous in them.
 //
-// Guarantees: exact. A sum or product of integers needs no greatest common divisor, one of rationals does,
-// and on the long numbers of a cascade that is nearly all of their cost.
+// Guarantees: exact. A sum or product of rationals needs a greatest common divisor; on the long numbers of a cascade
+// that is nearly all of their cost. Integers need none.
 #pragma once
 
 #include <gmpxx.h>
@@ -33,7 +33,7 @@ class CommonDenominator {
 
   [[nodiscard]] const mpz_class& value() const { return denominator_; }
 
-  // Of something included.
+  // The value times the denominator; it must have been included.
   [[nodiscard]] mpz_class scaled(const mpq_class& value) const {
     FLOWCERT_REQUIRES(mpz_divisible_p(denominator_.get_mpz_t(), value.get_den_mpz_t()) != 0);
     mpz_class factor;

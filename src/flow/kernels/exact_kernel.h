@@ -1,7 +1,7 @@
-// The construction kernel of plain rationals: every constructed point is computed at once, every sign from
-// its value. Slow on long orbits; it tests the others.
+// The construction kernel of plain rationals. It computes every constructed point at once, and every sign from the
+// points' values. It is slow on long orbits; it tests the others.
 //
-// Guarantees: exact; no filter, so its tally counts calls and no failures.
+// Guarantees: exact. It has no filter, so its tally counts calls and no failures.
 #pragma once
 
 #include "flow/kernels/kernel.h"
@@ -39,7 +39,7 @@ class ExactKernel {
     const Vector3<Rational>& p = points_[x];
     return {p.x, p.y, p.z};
   }
-  // What a coordinate's numerator and denominator take.
+  // How many bytes a coordinate's numerator and denominator take.
   [[nodiscard]] std::optional<std::array<std::size_t, 3>> exact_bytes(PointNumber x) const {
     const auto bytes = [](mpz_srcptr integer) { return (mpz_sizeinbase(integer, 2) + 7) / 8; };
     const auto both = [&](const Rational& value) {

@@ -21,7 +21,7 @@
 
 namespace flowcert::flow {
 
-// Signs of queries, from a kernel's filter, which may leave them open, and from its exact numbers.
+// A sign comes from a kernel's filter, which may leave it open, or from its exact numbers.
 enum class KernelRung { kFilter, kExact };
 
 template <class K>

@@ -1,10 +1,10 @@
-// The construction kernel of the paper (sections 5.2 and 6): CGAL's
-// Exact_predicates_exact_constructions_kernel. A constructed point is an interval, and remembers what it was
-// constructed from; where the intervals do not decide a sign, all of that is computed again in rationals.
+// The construction kernel of the paper (sections 5.2 and 6): CGAL's Exact_predicates_exact_constructions_kernel. A
+// constructed point is an interval, and remembers what it was constructed from. If the intervals do not decide a
+// sign, all of that is computed again in rationals.
 //
-// Guarantees: exact. Includes CGAL: for the files in flow/ alone that need it. One construction is one node
-// of CGAL's history, also the crossing of a facet, for which CGAL has none: Lazy_rep_n takes any functor that
-// computes in intervals and in rationals alike.
+// Guarantees: exact. It includes CGAL, so only the files in flow/ that need it include it. One construction is one
+// node of CGAL's history. CGAL has no node for the crossing of a facet, but Lazy_rep_n takes any functor that
+// computes both in intervals and in rationals.
 #pragma once
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -25,8 +25,8 @@ class LazyKernel {
   using Node = CGAL::Lazy_rep<Intervals::Point_3, Rationals::Point_3, Cgal::E2A>;
 
  public:
-  // The history of a longer chain is computed and dropped: CGAL walks it by recursion, and the stack ends
-  // somewhere beyond 20,000.
+  // A longer chain is computed exactly, and its history is dropped. CGAL walks a history by recursion, and the stack
+  // ends somewhere beyond 20,000.
   static constexpr std::size_t kLongestChain = 1000;
 
   explicit LazyKernel(KernelTally& tally) : tally_(tally) {}
@@ -79,7 +79,7 @@ class LazyKernel {
     };
     return {canonical(p.x()), canonical(p.y()), canonical(p.z())};
   }
-  // What a coordinate's numerator and denominator take, as they are held, where they have been computed.
+  // How many bytes a coordinate's numerator and denominator take, as they are held, if they have been computed.
   [[nodiscard]] std::optional<std::array<std::size_t, 3>> exact_bytes(PointNumber number) const {
     const Kept& x = points_[number];
     if (x.node == nullptr || x.node->is_lazy()) return std::nullopt;
@@ -90,7 +90,7 @@ class LazyKernel {
     const auto both = [&](const mpq_class& value) { return bytes(value.get_num()) + bytes(value.get_den()); };
     return std::array{both(p.x()), both(p.y()), both(p.z())};
   }
-  // The longest chain of constructions behind x.
+  // The longest chain of constructions in the history of x that is still kept.
   [[nodiscard]] std::size_t depth(PointNumber x) const { return points_[x].depth; }
 
   [[nodiscard]] PointNumber kept() const { return points_.kept(); }
@@ -105,8 +105,8 @@ class LazyKernel {
   };
   using Points = PointStorage<Kept>;
 
-  // What a form is asked in: intervals, then integers over a common denominator, which a first pass over the
-  // form gathers.
+  // A form is asked in intervals first, then in integers over a common denominator. A first pass over the form
+  // gathers that denominator.
   struct InIntervals {
     const Points* points = nullptr;
 
@@ -188,10 +188,9 @@ class LazyKernel {
     }
   };
 
-  // Reduced as a whole: one greatest common divisor of long numbers instead of three, and the three
-  // denominators stay equal, which spares the next polynomial their least common multiple. The single
-  // coordinates may not be canonical; here, nothing but CommonDenominator, CGAL's conversion to intervals
-  // and exact() reads them.
+  // The point is reduced as a whole, by the greatest common divisor of all four numbers. The three denominators stay
+  // equal, which spares the next polynomial their least common multiple. The single coordinates may not be canonical.
+  // Here only CommonDenominator, CGAL's conversion to intervals and exact() read them.
   static Rationals::Point_3 over_common_denominator(const Vector3<mpz_class>& numerator,
                                                     const mpz_class& denominator) {
     mpz_class divisor = gcd(denominator, numerator.x);
@@ -208,7 +207,7 @@ class LazyKernel {
     return {quotient(numerator.x), quotient(numerator.y), quotient(numerator.z)};
   }
 
-  // An interval without bounds decides nothing: the construction's way to fail. Its exact value mends that.
+  // An interval without bounds decides nothing, so it counts as a failure. Its exact value mends that.
   Kept counted(FlowPrimitive primitive, const Kept& point) {
     ++tally_[primitive].calls;
     const Intervals::Point_3& p = CGAL::approx(point.value);

@@ -2,9 +2,9 @@
 // constructed from it, as polynomials over any number type.
 //
 // Each query is a struct that exposes its polynomial as a linear form in x, <gradient, scale x - base>. A kernel
-// evaluates it as it likes, in intervals, in integers, or pulled back through the maps that made x. Guarantees: all
-// forms are homogeneous in the coordinates of all points, so that a common factor does not change a sign: a kernel
-// may clear denominators. Midpoints m of p0 and p1 appear doubled. With p0 = p1 = p the facet is a cell, and m is p.
+// evaluates it as it likes: in intervals, in integers, or pulled back through the maps that made x. Guarantees: all
+// forms are homogeneous in the coordinates of all points. A common factor does not change a sign, so a kernel may
+// clear denominators. Midpoints m of p0 and p1 appear doubled. With p0 = p1 = p the facet is a cell, and m is p.
 #pragma once
 
 #include <cstdint>
@@ -76,8 +76,8 @@ struct SideOfRay {
   }
 };
 
-// <x-m, q-m>: whether the ray from m through x approaches the bisector of q. That is the sign of Eq. 5, for
-// the Voronoi ray of p0 p1 q: its direction is +-(p1-p0) x (q-p0), and <d x (e x g), e> = <d,g> <e,e> for d
+// <x-m, q-m>: whether the ray from m through x approaches the bisector of q. This is the sign of Eq. 5 for the
+// Voronoi ray of p0 p1 q. The direction of that ray is +-(p1-p0) x (q-p0), and <d x (e x g), e> = <d,g> <e,e> for d
 // orthogonal to e.
 struct RayAtInfinity {
   static constexpr FlowPrimitive kPrimitive = FlowPrimitive::kRayAtInfinity;
@@ -119,7 +119,7 @@ struct RayAroundStart {
   }
 };
 
-// <x-m, c-m>: on which side of m, on the line from m through x, c lies: positive where c and x lie on one side.
+// <x-m, c-m>, for c on the line from m through x: positive where c and x lie on the same side of m.
 struct AlongRay {
   static constexpr FlowPrimitive kPrimitive = FlowPrimitive::kAroundStart;
   PointNumber x;
@@ -132,7 +132,7 @@ struct AlongRay {
   }
 };
 
-// <x-c, m-c>: positive where x lies before c, seen from m, for c on the line from m through x.
+// <x-c, m-c>, for c on the line from m through x: positive where x lies before c, seen from m.
 struct BeforePoint {
   static constexpr FlowPrimitive kPrimitive = FlowPrimitive::kAroundStart;
   PointNumber x;
@@ -145,8 +145,8 @@ struct BeforePoint {
   }
 };
 
-// <x-a, (b-a) x (c-a)>: for x on the Voronoi edge of a polygon with corners a, b, c, the side of the
-// polygon's plane, and so of its centre, on which x lies.
+// <x-a, (b-a) x (c-a)>, for x on the Voronoi edge of a polygon with corners a, b, c: the side of the polygon's plane
+// on which x lies. It is also the side of the polygon's centre.
 struct AlongEdge {
   static constexpr FlowPrimitive kPrimitive = FlowPrimitive::kAlongEdge;
   PointNumber x;
@@ -159,8 +159,8 @@ struct AlongEdge {
   }
 };
 
-// The ray from p through x meets the bisector of q at p + s (x-p), s = |q-p|^2 / (2 <x-p, q-p>). The sign of
-// s(q) - s(r), for q and r that it approaches: <x-p, |q-p|^2 (r-p) - |r-p|^2 (q-p)>.
+// The ray from p through x meets the bisector of q at p + s(q) (x-p), with s(q) = |q-p|^2 / (2 <x-p, q-p>). For q and
+// r that the ray approaches, s(q) - s(r) has the sign of <x-p, |q-p|^2 (r-p) - |r-p|^2 (q-p)>.
 struct NearerExit {
   static constexpr FlowPrimitive kPrimitive = FlowPrimitive::kNearerExit;
   PointNumber x;
@@ -176,7 +176,7 @@ struct NearerExit {
 
 // ---- Constructions ----
 
-// Where the ray from m through x meets the bisector of p0 (or p1) and q, which it approaches: m + s (x-m), s
+// The ray from m through x approaches the bisector of p0 (or p1) and q. It meets the bisector at m + s (x-m), with s
 // = <q-p0, q-p1> / (2 <x-m, q-m>).
 template <class Number>
 [[nodiscard]] Vector3<Number> crossing(const Vector3<Number>& x, const Vector3<Number>& p0,
@@ -189,8 +189,8 @@ template <class Number>
   return half * (p0 + p1 + stretch * way);
 }
 
-// The same in integers: x is given times `weight`, and the point returned as numerator / denominator. What x
-// is divided by cancels, so that the numbers grow by those of the samples alone.
+// The same in integers: x is given times `weight`, and the result is numerator / denominator. The denominator of x
+// cancels, so the numbers grow by those of the samples alone.
 template <class Integer>
 struct WeightedPoint {
   Vector3<Integer> numerator;

@@ -14,10 +14,10 @@ namespace flowcert::io {
 struct ClaimFormat {
   // Becomes Claim::format.
   const char* name;
-  // Whether a file looks like this format. May be wrong about files of formats further down the list only.
+  // Whether a file looks like this format. It may be wrong only about files of formats that come later in the list.
   bool (*recognises)(std::string_view bytes);
-  // Takes the whole file, decompressed, without a byte order mark, holding more than white space; `file` is
-  // its name for messages. Guarantees what flowcert/claim.h promises of readers.
+  // Takes the whole file, decompressed and without a byte order mark. The file is not blank. `file` is its name for
+  // messages. Guarantees what flowcert/claim.h promises of readers.
   Claim (*read)(std::string_view bytes, std::string_view file);
 };
 

@@ -1,4 +1,4 @@
-// Reads orbits of JSON objects.
+// Reads orbits from JSON objects.
 #include "flowcert/orbit_claim.h"
 
 #include <fmt/format.h>
@@ -53,7 +53,7 @@ PathSegment segment_of(const Json& object) {
   return segment;
 }
 
-// 2.0 is the number 2.
+// The text of an index. JSON's 2.0 is the number 2.
 std::string index_of(const Json& value) {
   const bool is_whole = value.is_number_float() && value.get<double>() == std::floor(value.get<double>()) &&
                         std::abs(value.get<double>()) < 1e15;

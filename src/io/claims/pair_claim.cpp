@@ -1,4 +1,4 @@
-// Reads persistence pairs of JSON and of text.
+// Reads persistence pairs from JSON and from text.
 #include "flowcert/pair_claim.h"
 
 #include <fmt/format.h>

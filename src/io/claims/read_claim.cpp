@@ -13,7 +13,7 @@ namespace flowcert {
 using namespace io;
 namespace {
 
-// In the order in which they are tried. The last takes what none before it does.
+// The order in which formats are tried. The last one takes every file that the others do not recognise.
 constexpr std::array kFormats = {&kExchangeClaims, &kVtpClaims, &kGiesenKuehneClaims, &kCsvClaims};
 
 void require_ids(const std::vector<PointId>& ids, const PointSet& points, const LinePlace& place) {

@@ -1,9 +1,9 @@
-// CSV: index,x,y,z[,squared_distance[,contact ids...]], one critical point a line, by commas or blanks; '#'
-// starts a comment, and a first line that begins with `index` names the columns.
+// CSV: index,x,y,z[,squared_distance[,contact ids...]], one critical point for each line, separated by commas or
+// blanks. '#' starts a comment. A first line that begins with `index` names the columns.
 //
-// Integers are decimals here (a program may print 5.0000001 so); 5/1 is exact. An empty squared_distance is
-// not claimed, nor is a position of three empty fields; empty fields at the end of a line are what
-// spreadsheets pad with.
+// An integer is a decimal here, because a program may print 5.0000001 as 5; but 5/1 is exact. An empty
+// squared_distance is not claimed, and neither is a position of three empty fields. Spreadsheets pad lines with empty
+// fields at the end.
 #include <array>
 #include <optional>
 #include <string>
@@ -63,7 +63,7 @@ ClaimedPoint point_of(std::string_view line, const LinePlace& place) {
   return point;
 }
 
-// It is tried last.
+// This format is tried last, so it takes every file.
 bool recognises_csv(std::string_view /*bytes*/) { return true; }
 
 Claim read_csv(std::string_view text, std::string_view file) {

@@ -1,9 +1,9 @@
-// The exchange format: the JSON Lines that `flowcert compute -o` writes, a header and one record a point
+// The exchange format: the JSON Lines that `flowcert compute -o` writes, a header and one record for each point
 // (spec/formats/stationary_points.md; spec/schemas/exchange.schema.json).
 //
-// Guarantees: a key that is known is as it should be, or refused. What is not JSON (RFC 8259), nests deeper than a
-// claim can, names a key of an object twice, or has a number out of a double's range throws InvalidInput with the
-// place. Memory is bounded by a multiple of the text, recursion by the depth.
+// Guarantees: a known key has a right value, or the file is refused. InvalidInput names the place of anything that is
+// not JSON (RFC 8259), nests deeper than a claim can, has a key twice in one object, or has a number out of a
+// double's range. Memory is bounded by a multiple of the text, recursion by the depth.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -22,7 +22,7 @@
 namespace flowcert::io {
 
 // ---- JSON ----
-// One value in memory, with numbers as they are written: a claim's decimals must not become doubles.
+// One value in memory. Numbers stay text, because a claim's decimals must not become doubles.
 
 namespace {
 
@@ -30,11 +30,11 @@ enum class JsonKind { kNull, kBoolean, kNumber, kString, kArray, kObject };
 
 struct JsonTree {
   JsonKind kind = JsonKind::kNull;
-  std::string text;             // of a number, as written; of a string, its value
-  std::vector<JsonTree> items;  // of an array; of an object its keys and values in turn
+  std::string text;             // a number as written, or the value of a string
+  std::vector<JsonTree> items;  // the items of an array, or the keys and values of an object in turn
 
   [[nodiscard]] bool is(JsonKind other) const { return kind == other; }
-  // The value of a key of an object; null where it has none.
+  // The value of an object's key; null if the object does not have the key.
   [[nodiscard]] const JsonTree* find(std::string_view key) const {
     for (std::size_t k = 0; k + 1 < items.size(); k += 2) {
       if (items[k].text == key) return &items[k + 1];
@@ -43,11 +43,11 @@ struct JsonTree {
   }
 };
 
-// A record of ours has at most: object, u2, polyline, segment, position.
+// Our own records nest at most six deep: object, skeleton, sectors, sector, corners, position.
 constexpr std::size_t kDeepest = 16;
 
-// nlohmann's parser tells it each event. Its own trees keep a number as a double, take the last of two equal keys, and
-// any depth.
+// nlohmann's parser calls this for each event. The parser's own trees are not used: they keep numbers as doubles,
+// take the last of two equal keys, and allow any depth.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
   explicit TreeBuilder(const LinePlace& place) : place_(place) {}
@@ -62,7 +62,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return add(JsonKind::kNumber, text);
   }
   bool string(std::string& value) override { return add(JsonKind::kString, std::move(value)); }
-  bool binary(nlohmann::json::binary_t& /*value*/) override { return false; }  // not in JSON text
+  bool binary(nlohmann::json::binary_t& /*value*/) override { return false; }  // never called for text
   bool start_array(std::size_t /*size*/) override { return open(JsonKind::kArray); }
   bool start_object(std::size_t /*size*/) override { return open(JsonKind::kObject); }
   bool key(std::string& key) override { return add(JsonKind::kString, std::move(key)); }
@@ -79,7 +79,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
 
  private:
-  // The pointers stay good: an open container's items grow only while none of them is open.
+  // The pointers in open_ stay valid, because the items of a container grow only while none of them is open.
   bool add(JsonKind kind, std::string text) {
     JsonTree value{.kind = kind, .text = std::move(text), .items = {}};
     if (open_.empty()) {
@@ -122,8 +122,8 @@ JsonTree parse_json(std::string_view text, const LinePlace& place) {
 // ---- A value ----
 // A value of a line of the exchange format, and what messages call it.
 //
-// Guarantees: whatever is not as asked for is refused by name, with its place. Rationals in strings are
-// exact; numbers of JSON are decimals.
+// Guarantees: a value that is not as asked for is refused, with its name and place. Rationals in strings are exact;
+// numbers of JSON are decimals.
 class ExchangeValue {
  public:
   ExchangeValue(const JsonTree& tree, std::string_view name, const LinePlace& place)
@@ -141,13 +141,13 @@ class ExchangeValue {
     return tree_->text;
   }
   [[nodiscard]] bool is_true() const { return tree_->text == "true"; }
-  // As it is written.
+  // The number as it is written.
   [[nodiscard]] const std::string& number_text() const {
     if (!is(JsonKind::kNumber)) reject("a number");
     return tree_->text;
   }
 
-  // An array: how long, and its parts, under the same name.
+  // The size of an array. Its parts have the array's name in messages.
   [[nodiscard]] std::size_t size() const {
     if (!is(JsonKind::kArray)) reject("an array");
     return tree_->items.size();
@@ -175,7 +175,7 @@ class ExchangeValue {
   LinePlace place_;
 };
 
-// An array of what `each` makes of its parts.
+// The list of the results of `each` for the parts of an array.
 template <class Each>
 auto list_of(const ExchangeValue& value, Each each) {
   std::vector<decltype(each(value))> list;
@@ -216,8 +216,8 @@ inline std::vector<PointId> ids_of(const ExchangeValue& value) {
 }
 
 // ---- Stable sets ----
-// The keys of a record of the exchange format that tell its stable set (spec/formats/stationary_points.md).
-// What is not as the format says throws InvalidInput with the place.
+// The keys of a record that describe its stable set (spec/formats/stationary_points.md). A value that is not as the
+// format says throws InvalidInput with the place.
 
 std::vector<PointId> pair_of_ids(const ExchangeValue& value) {
   value.expect_size(2);
@@ -296,8 +296,8 @@ ClaimedSurface surface_of(const ExchangeValue& value) {
 }
 
 // ---- A file ----
-// Rationals in strings are exact; numbers of JSON are decimals. Unknown keys are ignored. A key that is known
-// and is not what it should be is an error, and so is one that does not belong to a point of its index.
+// Rationals in strings are exact; numbers of JSON are decimals. Unknown keys are ignored. A known key with a wrong
+// value is an error. So is a known key that does not belong to points of this index.
 
 constexpr std::string_view kFormatName = "flowcert-stationary-points";
 
@@ -353,7 +353,7 @@ void read_index(const ExchangeValue& record, ClaimedPoint& point) {
   if (kind && kind->text() != expected) kind->reject(in_quotes(expected) + ", which the index says");
 }
 
-// center, or else center_double; the same holds for squared_distance. A double is null where none is near.
+// Takes center, or else center_double, and squared_distance in the same way. A double is null if none is near.
 void read_sphere(const ExchangeValue& record, ClaimedPoint& point) {
   if (const auto center = record.find("center")) {
     point.center = position_of(*center);
@@ -385,7 +385,7 @@ ClaimedSegment flow_segment_of(const ExchangeValue& value) {
 
 ClaimedPolyline polyline_of(const ExchangeValue& value) { return list_of(value, flow_segment_of); }
 
-// A key that only critical points of one index have.
+// Finds a key that only critical points of one index may have.
 std::optional<ExchangeValue> find_of_index(const ExchangeValue& record, const ClaimedPoint& point,
                                            const char* key, int index) {
   const auto value = record.find(key);
@@ -409,7 +409,7 @@ void read_flow(const ExchangeValue& record, ClaimedPoint& point) {
   }
 }
 
-// Of critical points of index 2 and of regular stationary points.
+// Reads keys that only critical points of index 2 and regular stationary points may have.
 void read_stable(const ExchangeValue& record, ClaimedPoint& point) {
   for (const char* key : {"stable", "skeleton", "surface"}) {
     const auto value = record.find(key);

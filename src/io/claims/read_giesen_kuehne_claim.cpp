@@ -1,10 +1,10 @@
-// The text format of the public implementation of Giesen and Kühne's algorithm: a line `inf 3` for the
-// maximum at infinity, with the dimension, and one critical point a line,
+// The text format of the public implementation of Giesen and Kühne's algorithm. A line `inf 3` stands for the maximum
+// at infinity and gives the dimension. Each other line has one critical point:
 //
 //   contact ids | distance | contact ids of a successor | ... |
 //
-// The index is the number of contact ids minus one: of a larger cospherical set the program lists a part that
-// spans it. A successor is a critical point above, or `inf`. Distances are not squared.
+// The index is the number of contact ids minus one, because the program lists only a spanning part of a larger
+// cospherical set. A successor is a critical point above, or `inf`. Distances are not squared.
 #include <algorithm>
 #include <string>
 
@@ -26,7 +26,7 @@ std::vector<PointId> ids_of(std::string_view text, const LinePlace& place) {
   return ids;
 }
 
-// What is up to the next bar, taken off the front of the line. False when nothing but blanks is left.
+// Takes the part before the next bar off the front of the line. False if only blanks are left.
 bool next_part(std::string_view& line, std::string_view& part) {
   if (std::all_of(line.begin(), line.end(), is_blank)) return false;
   part = line.substr(0, line.find('|'));

@@ -1,7 +1,7 @@
-// VTP (VTK's XML PolyData) as exported by TTK's ScalarFieldCriticalPoints: positions, and an array
-// CriticalType of the point data: 0 minimum, 1 and 2 saddles, 3 maximum.
+// VTP (VTK's XML PolyData) as TTK's ScalarFieldCriticalPoints exports it. It has positions, and CriticalType in the
+// point data: 0 minimum, 1 and 2 saddles, 3 maximum.
 //
-// Positions are taken exactly as they are stored, but stand for any number near them. TTK's other types (4
+// A position is kept exactly as it is stored, but it stands for any position near it. TTK's other types (4
 // degenerate, 5 regular) name no index, and are refused.
 #include <algorithm>
 #include <string>

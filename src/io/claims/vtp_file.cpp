@@ -1,5 +1,5 @@
-// Expat reads the document, zlib and OpenSSL's base64 what is in it. VTK itself would be 190 MB of packages for two
-// arrays.
+// Expat reads the document. Base64 is decoded here, and zlib decompresses. VTK itself would be 190 MB of packages for
+// two arrays.
 #include "io/claims/vtp_file.h"
 
 #include <expat.h>
@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kPadding = 64;
 
-// The six bits of a character of base64, kPadding, or -1.
+// The six bits of a base64 character. kPadding for '=', and -1 for any other character.
 int base64_digit(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
   if (c >= 'a' && c <= 'z') return c - 'a' + 26;
@@ -104,8 +104,8 @@ void append_inflated(std::string_view bytes, std::uint64_t size, std::string& ou
 }
 
 // ---- The document ----
-// Expat, told element by element: it reads in place, does not recurse, and can be stopped at the appended
-// data, which in its raw encoding is not XML.
+// Expat reports the document element by element. It reads in place, does not recurse, and can be stopped at the
+// appended data. Those are not XML if they are raw.
 namespace {
 
 // PolyData nests seven deep at most, with the information keys of an array.
@@ -148,7 +148,7 @@ class VtpParser {
   }
 
   VtpDocument parse() {
-    // In as few parts as expat's int allows: in one, it copies nothing.
+    // Expat copies nothing if it gets the document in one part. Its int allows only parts of this size.
     constexpr std::size_t kLargestPart = std::size_t{1} << 30;
     std::size_t given = 0;
     XML_Status status = XML_STATUS_OK;
@@ -168,7 +168,7 @@ class VtpParser {
   }
 
  private:
-  // Expat is C: an exception waits until it has returned.
+  // Expat is C code, so an exception is kept until it has returned.
   template <class Action>
   static void guarded(void* self, Action action) {
     auto* const parser = static_cast<VtpParser*>(self);
@@ -276,7 +276,7 @@ class VtpParser {
     stop();
   }
 
-  // From the underscore to the closing tags, which must be the end of the file.
+  // Takes the data from the underscore to the closing tags. Nothing may follow those.
   void take_appended() {
     const auto cut_short = [&] { reject_file(file_, "cut short in the appended data"); };
     std::string_view data = bytes_.substr(std::min(*appended_from_, bytes_.size()));
@@ -297,7 +297,7 @@ class VtpParser {
   VtpDocument document_;
   std::string path_;  // of the open elements
   std::size_t depth_ = 0;
-  EncodedVtpArray* array_ = nullptr;  // the open one, if it is wanted; the pieces do not grow meanwhile
+  EncodedVtpArray* array_ = nullptr;  // the open array if it is wanted; pieces do not grow meanwhile
   std::size_t array_depth_ = 0;
   std::optional<std::size_t> appended_from_;
   bool is_stopped_ = false;
@@ -311,9 +311,9 @@ VtpDocument parse_vtp(std::string_view bytes, std::string_view file, const std::
 }
 
 // ---- Values ----
-// Binary data is a header and the bytes: without compression the header is their number,
-// with it the number of blocks, the sizes of all blocks and of the last before compression (0: the same), and
-// the size of each after it. In base64, header and bytes may be padded together or each alone.
+// Binary data is a header and the bytes. Without compression, the header is the number of bytes. With compression,
+// the header has the number of blocks, their uncompressed size, the uncompressed size of the last one (0: the same),
+// and the compressed size of each. In base64, header and bytes may be padded together or each alone.
 namespace {
 
 constexpr std::array<std::pair<const char*, std::size_t>, 10> kTypes = {{{"Int8", 1},
@@ -361,7 +361,7 @@ std::string decompressed(EncodedBytes& encoded, const VtpDocument& document, std
   const std::uint64_t blocks = next_header_number(encoded, document);
   const std::uint64_t block_size = next_header_number(encoded, document);
   const std::uint64_t last_size = next_header_number(encoded, document);
-  std::vector<std::uint64_t> compressed_sizes;  // grows with what is there
+  std::vector<std::uint64_t> compressed_sizes;  // grows only as long as the file has numbers
   for (std::uint64_t k = 0; k < blocks; ++k)
     compressed_sizes.push_back(next_header_number(encoded, document));
   std::string bytes;
@@ -413,7 +413,7 @@ VtpValues VtpDecoder::decode(const EncodedVtpArray& array, std::uint64_t tuples)
   if (array.offset > document_.appended.size()) array.place.reject("an offset beyond the appended data");
   EncodedBytes encoded(document_.appended.substr(array.offset), !document_.appended_is_raw, array.place);
   values.bytes_ = binary_bytes(encoded, document_, needed, array.place);
-  // Many arrays at one offset would decode to more than the file.
+  // Otherwise many arrays at one offset could together decode to far more than the file holds.
   if (encoded.taken() > appended_left_) array.place.reject("arrays that share appended data");
   appended_left_ -= encoded.taken();
   return values;

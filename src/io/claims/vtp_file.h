@@ -1,7 +1,7 @@
 // A VTP file (VTK's XML PolyData) as far as a claim needs it: its encoded bytes, its document, the values of its
 // arrays.
 //
-// Guarantees: what is not there, or not well formed, throws InvalidInput. Memory is bounded by what is really there.
+// Guarantees: anything missing or malformed throws InvalidInput. Memory is bounded by what is really in the file.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@
 namespace flowcert::io {
 
 // ---- Encoded bytes ----
-// Binary data: raw or base64, taken from the front piece by piece, and zlib streams within.
+// Binary data is raw or base64, and may hold zlib streams. It is taken from the front, piece by piece.
 
 class EncodedBytes {
  public:
@@ -29,7 +29,7 @@ class EncodedBytes {
   [[nodiscard]] std::string take(std::uint64_t count);
   // Throws InvalidInput unless nothing but blanks is left of the text.
   void expect_end() const;
-  // How much of the text that took so far.
+  // How many characters of the text are taken so far.
   [[nodiscard]] std::size_t taken() const { return size_ - rest_.size(); }
 
  private:
@@ -39,18 +39,18 @@ class EncodedBytes {
   std::size_t size_;
   bool is_base64_;
   LinePlace place_;
-  std::string decoded_;  // and not yet taken: at most two bytes between calls
+  std::string decoded_;  // bytes that are not yet taken, at most two between calls
 };
 
-// Appends what a zlib stream, all of `bytes`, holds: `size` bytes, no more and no fewer.
+// Appends the contents of a zlib stream. The stream is all of `bytes`, and must hold exactly `size` bytes.
 void append_inflated(std::string_view bytes, std::uint64_t size, std::string& output, const LinePlace& place);
 
 // ---- The document ----
-// Where its points are and an array of its point data, still encoded.
+// Where the points and one array of point data are. Both are still encoded.
 //
-// Guarantees: what is no well-formed XML up to the appended data, no PolyData, nests absurdly or declares a
-// document type (and with it entities) throws InvalidInput. Counts and offsets are as announced, and may be
-// absurd.
+// Guarantees: the file must be PolyData, well-formed XML up to the appended data, not nested too deeply, and without
+// a document type (which could declare entities). Anything else throws InvalidInput. Counts and offsets are as
+// announced, and may be absurd.
 enum class VtpPlacement { kAscii, kInlineBase64, kAppended };
 
 // A DataArray element.
@@ -79,28 +79,29 @@ struct VtpDocument {
   std::string_view appended;  // after its underscore
 };
 
-// `data_name`: of the array of point data. The document refers to `bytes` and `file`.
+// `data_name` names the array of point data. The document refers to `bytes` and `file`.
 [[nodiscard]] VtpDocument parse_vtp(std::string_view bytes, std::string_view file,
                                     const std::string& data_name);
 
 // ---- Values ----
-// The values of a VTP file's arrays: decoded, decompressed, and exactly as many as announced.
+// The values of a VTP file's arrays, decoded and decompressed.
 //
-// Guarantees: anything else throws InvalidInput. Memory is bounded by what is really there, not by what is
-// announced; no part of the appended data is decoded twice.
+// Guarantees: an array has exactly as many values as announced, or InvalidInput is thrown. Memory is bounded by what
+// is really there, not by what is announced. All arrays together never decode more than the size of the appended
+// data.
 enum class VtpType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kInt64, kUint64, kFloat32, kFloat64 };
 
 class VtpValues {
  public:
-  // The k-th value; never graded exact, because it was rounded or will be taken for rounded. Throws
-  // InvalidInput for what is not a finite number.
+  // The k-th value. It is never graded exact, because it may have been rounded. Throws InvalidInput if it is not a
+  // finite number.
   [[nodiscard]] ClaimedNumber operator[](std::size_t k) const;
 
  private:
   friend class VtpDecoder;
   LinePlace place_;
   std::vector<std::string_view> fields_;  // of an ascii array
-  std::string bytes_;                     // of any other, in the order of the file
+  std::string bytes_;                     // of any other array, in the file's byte order
   VtpType type_ = VtpType::kInt8;
   bool big_endian_ = false;
 };
@@ -111,7 +112,7 @@ class VtpDecoder {
   explicit VtpDecoder(const VtpDocument& document)
       : document_(document), appended_left_(document.appended.size()) {}
 
-  // The values of an array of `tuples` times its components.
+  // The values of an array, `tuples` times its number of components.
   [[nodiscard]] VtpValues decode(const EncodedVtpArray& array, std::uint64_t tuples);
 
  private:

@@ -1,8 +1,8 @@
 // Whether a claimed flow complex is right, and exactly where it is wrong.
 //
-// Guarantees: what is judged exactly is judged by exact arithmetic (spec clauses FC-CRIT, FC-FLOW, and
-// FC-CLAIM for what may vary); what is claimed in decimals is matched within a stated tolerance and never
-// graded exact. No wrong claim conforms, no right claim fails, but for what the report lists as not judged.
+// Guarantees: judgements are made by exact arithmetic (spec clauses FC-CRIT and FC-FLOW; FC-CLAIM says what may
+// vary). Decimals in a claim are matched within a stated tolerance, and such a claim is never graded exact. No wrong
+// claim conforms and no right claim fails, except in what the report lists as not judged.
 #pragma once
 
 #include <array>
@@ -25,20 +25,20 @@ enum class Verdict { kConforms, kConformsWhereDetermined, kFails };
 // "conforms", "conforms where determined", "fails"
 [[nodiscard]] const char* verdict_text(Verdict verdict);
 
-// Why a claim is wrong (or varies where it may), as far as that can be told.
+// Why a claim is wrong, or how it varies where it may.
 enum class FindingReason {
   kMalformed,            // ids out of range, repeated ids, an index that does not exist, another input, ...
   kNotCospherical,       // the contact set lies on no common sphere centred in its affine hull
   kBallNotEmpty,         // a sample lies inside the claimed ball
   kContactIncomplete,    // further samples lie on the sphere
   kOutsideHull,          // the centre lies outside the hull of its contact set
-  kCollisionAsCritical,  // a regular stationary point claimed as critical, otherwise than a perturbation
-                         // would
+  kCollisionAsCritical,  // a regular stationary point is claimed as critical, in a way that no
+                         // perturbation explains
   kWrongIndex,
   kWrongPosition,    // centre or distance
   kRounding,         // wrong by no more than rounding explains (FC-CLAIM-05)
-  kMissing,          // a critical point that nobody claims,
-  kMissedByCluster,  // in a cospherical or cocircular set of samples
+  kMissing,          // a critical point that nobody claims
+  kMissedByCluster,  // the same, in a cospherical or cocircular set of samples
   kClaimedTwice,
   kAmbiguous,    // several stationary points within the tolerance of one claim
   kWrongCounts,  // header counts, Euler sum
@@ -59,7 +59,7 @@ struct Finding {
   bool is_variation = false;        // permitted
   std::string clause;               // "FC-CRIT-05 (b)"
   std::optional<std::size_t> line;  // of the claim; none for what is missing
-  std::vector<PointId> contact;     // the critical point in question, as claimed or, if missing, as it is
+  std::vector<PointId> contact;     // of the critical point: as claimed, or the true one if it is missing
   std::string claimed;              // in words
   std::string truth;
 };
@@ -69,8 +69,8 @@ inline constexpr int kLevels = 5;
 
 struct CheckOptions {
   // Positions and radii in decimals match within this part of the critical point's radius (FC-CLAIM-05).
-  // Meant to be small: where it is not, many stationary points are within it, and finding out which one is
-  // claimed takes long.
+  // It should be small. Many stationary points are within a large tolerance, and then it takes long to find out which
+  // of them is claimed.
   double tolerance = kDefaultTolerance;
   // Levels beyond this one are not checked.
   int highest_level = kLevels;
@@ -78,13 +78,13 @@ struct CheckOptions {
 
 struct CheckReport {
   Verdict verdict = Verdict::kConforms;
-  // Levels 1 to 5 in [0] to [4]: false iff a finding of that level is no variation; nothing where nothing is
-  // claimed, or the level is not checked.
+  // [0] to [4] are for levels 1 to 5. A value is false iff a finding of its level is no variation. There is no value
+  // if nothing is claimed at that level, or the level is not checked.
   std::array<std::optional<bool>, kLevels> conforms;
-  // Every position and radius that is claimed was claimed, and judged, exactly, and none was used to find out
-  // what is claimed. Otherwise the claim is graded approximate.
+  // All claimed positions and radii are exact and were judged exactly, and none was needed to find out which point is
+  // claimed. Otherwise the claim is graded approximate.
   bool is_exact = true;
-  // By level, then line (those without one last), then contact.
+  // Sorted by level, then line (findings without a line last), then contact.
   std::vector<Finding> findings;
   // What was claimed and is not judged, in words.
   std::vector<std::string> not_judged;
@@ -98,15 +98,15 @@ struct TrueSegment {
   std::optional<RationalPoint> end;  // none: infinity
 };
 
-// Of a stable set, as StableManifolds counts.
+// What StableManifolds counts of one stable set.
 struct StableSummary {
   std::size_t segments = 0;
   bool has_vertex = false;
   bool has_interval = false;
 };
 
-// What is true, as the fast implementation or the oracle finds it: all stationary points, in the order of
-// FC-OUT-02, and what flows from and to them. Nothing is asked for that no claim needs.
+// The true flow complex, as the fast implementation or the oracle finds it. It has all stationary points, in the
+// order of FC-OUT-02, and what flows from and to them. A check asks only for what a claim needs.
 class Truth {
  public:
   virtual ~Truth() = default;
@@ -116,28 +116,27 @@ class Truth {
   [[nodiscard]] virtual std::span<const PointId> contact(std::size_t i) const = 0;
   [[nodiscard]] virtual ExactSphere sphere(std::size_t i) = 0;
 
-  // Of an index-2 critical point: where its two orbits end (FC-FLOW-07), by side; none: infinity.
+  // For an index-2 critical point: where its two orbits end (FC-FLOW-07), by side; none: infinity.
   [[nodiscard]] virtual std::array<std::optional<std::size_t>, 2> limits(std::size_t i) = 0;
   [[nodiscard]] virtual std::vector<TrueSegment> polyline(std::size_t i, std::size_t side) = 0;
 
-  // Of an index-2 critical point: records of index 1, mod 2, ascending. Where a tie leaves that open, one
-  // choice that FC-CHAIN-02 allows, or none from a truth that breaks no ties.
+  // For an index-2 critical point: records of index 1, mod 2, ascending. If a tie leaves the boundary open, this is
+  // one choice that FC-CHAIN-02 allows. A truth that breaks no ties then gives none.
   [[nodiscard]] virtual std::optional<std::vector<std::uint32_t>> boundary(std::size_t i) = 0;
-  // Of an index-2 critical point or a regular stationary point.
+  // Both are for an index-2 critical point or a regular stationary point.
   [[nodiscard]] virtual StableSummary stable_summary(std::size_t i) = 0;
   [[nodiscard]] virtual StableSet stable_set(std::size_t i) = 0;
 };
 
-// The fast implementation's. The points must outlive it. Time in proportion to computing the critical points;
-// U2 is computed when it is first asked for.
+// The truth by the fast implementation. The points must outlive it. This takes as long as computing the critical
+// points. U2 is computed when it is first asked for.
 [[nodiscard]] std::unique_ptr<Truth> fast_truth(const PointSet& points);
 
-// Time in proportion to the size of the claim, with what the truth is asked for, and a scan of all points in
-// floating point for each claimed point that is wrong. Throws InvalidInput for a tolerance that is not
-// between 0 and 1.
+// Takes time in proportion to the size of the claim, plus the time for the truth's answers. Each wrong claimed point
+// costs a scan of all points in floating point. Throws InvalidInput for a tolerance that is not between 0 and 1.
 [[nodiscard]] CheckReport check(const PointSet& points, const Claim& claim, Truth& truth,
                                 const CheckOptions& options = {});
-// By the fast implementation.
+// The same, with fast_truth().
 [[nodiscard]] CheckReport check(const PointSet& points, const Claim& claim, const CheckOptions& options = {});
 
 }  // namespace flowcert

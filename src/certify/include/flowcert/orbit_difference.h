@@ -15,8 +15,8 @@ struct PathDifference {
   std::string truth;
 };
 
-// Nothing iff it is the right one. One that comes to the regular stationary point where the right one ends
-// may go on from there, or come to it in another way: that is a permitted difference.
+// Nothing iff the claimed orbit is the right one. If the right orbit ends at a regular stationary point, the claimed
+// one may arrive there in another way, or go on from there. That is a permitted difference.
 [[nodiscard]] std::optional<PathDifference> path_difference(const OrbitPath& claimed, const OrbitPath& truth);
 
 }  // namespace flowcert

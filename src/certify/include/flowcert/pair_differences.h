@@ -1,7 +1,7 @@
 // Where claimed persistence pairs are not the right ones (spec/formats/persistence.md).
 //
-// Guarantees: exact pairs are compared exactly, rounded ones by nearest doubles. Both are multisets, without
-// the pairs of length zero.
+// Guarantees: exact pairs are compared exactly, rounded pairs by nearest doubles. Both lists are multisets. Pairs of
+// length zero do not count.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@
 
 namespace flowcert {
 
-// A pair that only one of them has, or one that each of them has in place of the other's.
+// A pair that only one of the lists has, or two such pairs, one of each list.
 struct PairDifference {
   std::string claimed;  // in words
   std::string truth;
 };
 
-// None iff they are the same. If the claim is rounded, so is the truth before they are compared.
+// None iff the lists are the same. If the claim is rounded, the truth is rounded before the comparison.
 [[nodiscard]] std::vector<PairDifference> pair_differences(const PairList& claimed,
                                                            const std::vector<ListedPair>& truth);
 

@@ -13,7 +13,7 @@
 
 namespace flowcert {
 
-// Numbers that come often: how often each came.
+// Counts how often each number came.
 class Distribution {
  public:
   void add(std::size_t value, std::size_t times = 1) { times_[value] += times; }
@@ -33,7 +33,7 @@ class Distribution {
 };
 
 struct FlowStatistics {
-  // The orbits, counted one by one also where they share what follows: two for each index-2 point.
+  // Two orbits for each index-2 point. Each is counted by itself, even where orbits share what follows.
   Distribution n_u2;   // segments of an orbit, the first one included
   Distribution n_wcc;  // runs of consecutive segments that end at a constructed point
   std::map<std::array<char, 3>, std::size_t> census;  // segments by type

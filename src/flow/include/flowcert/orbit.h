@@ -1,8 +1,8 @@
 // The flow of the distance function: one segment from any point, and whole orbits.
 //
-// Guarantees: exact, on every input and for every start, whatever the dimension of the points and however
-// degenerate the flow; the same answer from both kernels and both ways to search a facet. Source: spec
-// section 8 (clauses FC-FLOW); paper, Definition 3, Table 1, section 4.
+// Guarantees: exact, on every input and for every start, whatever the dimension of the points and however degenerate
+// the flow. Both kernels and both ways to search a facet give the same answer. Source: spec section 8 (clauses
+// FC-FLOW); paper, Definition 3, Table 1, section 4.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ enum class ConstructionKernel : std::uint8_t {
   kExact,  // rationals throughout; slow on long orbits, for comparison
 };
 
-// How the Voronoi edge at which an orbit leaves a facet of n edges is found.
+// How to find the Voronoi edge at which an orbit leaves a facet of n edges.
 enum class FacetSearch : std::uint8_t {
   kBinary,  // O(log n) signs (paper, Proposition 1)
   kLinear,  // O(n) signs
@@ -47,7 +47,7 @@ struct FlowSegment {
   std::optional<RationalPoint> end;  // none: infinity
   std::vector<PointId> end_contact;  // empty at infinity
 
-  // A stationary point's only step: from x to x.
+  // The only step of a stationary point goes from x to x.
   [[nodiscard]] bool stays() const { return end && *end == start; }
 };
 
@@ -77,8 +77,8 @@ class Flow {
   Flow(Flow&&) noexcept;
   Flow& operator=(Flow&&) noexcept;
 
-  // The next segment from x; from a stationary point the one that stays there, all three of its faces the
-  // one that x lies in (V-V-V at a Voronoi vertex, FC-FLOW-03). Throws InvalidInput for an empty point set.
+  // The next segment from x. From a stationary point the segment stays there, and all three of its faces are the one
+  // that x lies in (V-V-V at a Voronoi vertex, FC-FLOW-03). Throws InvalidInput for an empty point set.
   [[nodiscard]] FlowSegment step(const RationalPoint& x);
 
   // Throws InvalidInput for an empty point set.

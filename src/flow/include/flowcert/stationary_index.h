@@ -7,9 +7,9 @@
 
 namespace flowcert {
 
-// The dimensions (0 to 3) of the face of conv C(x) that has x in its relative interior, and of conv C(x)
-// itself. Equal for a critical point, whose index they are; (1,2), (2,3) or (1,3) for a regular stationary
-// one.
+// The dimension of the face of conv C(x) that has x in its relative interior, and the dimension of conv C(x) itself
+// (0 to 3). They are equal for a critical point, and are its index. They are (1,2), (2,3) or (1,3) for a regular
+// stationary point.
 struct StationaryIndex {
   std::uint8_t face_dimension = 0;
   std::uint8_t hull_dimension = 0;

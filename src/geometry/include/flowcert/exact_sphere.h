@@ -10,8 +10,8 @@
 
 namespace flowcert {
 
-// The centre and squared radius of the smallest sphere through a cospherical set (one point and more, by name). For
-// any other set: of the sphere of its first affinely independent points, on which the caller finds others missing.
+// The centre and squared radius of the smallest sphere through a cospherical set (one point and more, by name). Any
+// other set gets the sphere of its first affinely independent points; the caller finds others that are not on it.
 struct ExactSphere {
   RationalPoint center;
   Rational squared_radius;

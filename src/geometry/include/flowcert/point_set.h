@@ -23,8 +23,7 @@ struct Point {
   friend bool operator==(const Point&, const Point&) = default;
 };
 
-// The input cannot be used. what() is one line that says why; where it came from a file, it names file and
-// line.
+// The input cannot be used. what() is one line that says why; for input from a file it names the file and the line.
 class InvalidInput : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

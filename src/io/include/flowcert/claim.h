@@ -1,8 +1,8 @@
-// A flow complex as some implementation claims it, in whatever format it came, and reading such claims.
+// A flow complex as some implementation claims it, whatever the format, and reading such claims.
 //
-// Guarantees: a claim is kept as it was made, right or wrong: nothing is completed, sorted or rounded. What a
-// format does not say is empty. Readers refuse what is malformed, whole; whether ids are rows of the input is
-// not theirs to know (require_rows). No number in a file can make them allocate more than a multiple of its
+// Guarantees: a claim is kept as it was made, right or wrong. Nothing is completed, sorted or rounded. What a format
+// does not say is empty. A malformed file is refused as a whole. Readers do not know whether ids are rows of the
+// input; require_rows() does. No number in a file can make a reader allocate more than a multiple of the file's
 // (decompressed) size. Formats: spec/formats/claims.md.
 #pragma once
 
@@ -18,8 +18,8 @@
 
 namespace flowcert {
 
-// A number as claimed. Exact: a rational or a hexadecimal float. Not exact: a decimal, which stands for any
-// real number near it; `value` is then the decimal itself, not a double.
+// A number as claimed. A rational or a hexadecimal float is exact. A decimal is not exact: it stands for any real
+// number near it. Its `value` is the decimal itself, not a double.
 struct ClaimedNumber {
   Rational value;
   bool is_exact = false;
@@ -29,7 +29,7 @@ using ClaimedPosition = std::array<ClaimedNumber, 3>;
 // Where an orbit is claimed to end, or what a critical point is claimed to be incident with.
 struct ClaimedTarget {
   bool is_infinity = false;
-  std::vector<PointId> contact;  // otherwise: of the stationary point, as claimed
+  std::vector<PointId> contact;  // of the stationary point, as claimed, if it is not infinity
 };
 
 struct ClaimedSegment {
@@ -39,8 +39,8 @@ struct ClaimedSegment {
 };
 using ClaimedPolyline = std::vector<ClaimedSegment>;
 
-// The stable manifold of an index-2 point, or the stable set of a regular one (FC-STAB), in so far as it is
-// claimed. Pieces are as in flowcert/stable_manifolds.h; which of their keys are there is up to the claim.
+// The claimed parts of the stable manifold of an index-2 point, or of the stable set of a regular one (FC-STAB).
+// Pieces are as in flowcert/stable_manifolds.h, but a claim may leave out some of their values.
 struct ClaimedBackwardSegment {
   std::vector<PointId> samples;
   ClaimedPosition front, back;
@@ -75,21 +75,21 @@ struct ClaimedStable {
 // One critical (or regular stationary) point of a claim.
 struct ClaimedPoint {
   std::size_t line = 0;  // of the file, 1-based; in a VTP file, the point's ordinal, 1-based
-  // Index, 0 to 3. For a regular stationary point as this project writes them, the two numbers of its kind.
+  // The index, 0 to 3. For a regular stationary point it is the first number of its kind.
   int index = 0;
   std::optional<int> hull_dimension;  // set: claimed to be regular, of kind (index, hull_dimension)
   std::vector<PointId> contact;       // rows of the input, as claimed; empty where not claimed
   std::optional<ClaimedPosition> center;
   std::optional<ClaimedNumber> squared_distance;  // not negative
   std::optional<ClaimedNumber> distance;          // the radius itself, for formats that give it
-  // Claimed incidences with critical points of one index more; none where nothing is claimed of them.
+  // The claimed incidences with critical points of one index more. Without a value, nothing is claimed about them.
   std::optional<std::vector<ClaimedTarget>> successors;
-  // They are two, in order: the limits of side 0 and side 1 (FC-FLOW-07), possibly equal. Otherwise they are
-  // a set.
+  // If true, the successors are two in order: the limits of side 0 and side 1 (FC-FLOW-07), possibly equal. Otherwise
+  // they are a set.
   bool successors_by_side = false;
   std::optional<std::vector<PointId>> samples;     // of an index-1 point: the ends of its stable manifold
   std::optional<std::vector<ClaimedPolyline>> u2;  // of an index-2 point: two, one a side
-  // Of an index-2 point or a regular one.
+  // For an index-2 point or a regular one.
   std::optional<ClaimedStable> stable;
   std::optional<ClaimedSkeleton> skeleton;
   std::optional<ClaimedSurface> surface;
@@ -98,7 +98,7 @@ struct ClaimedPoint {
 struct Claim {
   std::string format;  // "exchange", "csv", "giesen-kuehne", "vtp"
   std::vector<ClaimedPoint> points;
-  // What the format says of the whole, where it does.
+  // What the format says of the whole claim.
   std::optional<std::size_t> point_count;  // rows of the input
   std::optional<std::string> input_sha256;
   std::optional<std::size_t> merged_duplicates;
@@ -115,8 +115,8 @@ struct Claim {
 // The same from memory; `name` is used in messages.
 [[nodiscard]] Claim read_claim_from(std::string_view bytes, const std::string& name);
 
-// Throws InvalidInput, "FILE:LINE: reason", if the claim names a row that the input does not have, which no
-// reader can know. `name` is the file's. Linear in the claim.
+// Throws InvalidInput, "FILE:LINE: reason", if the claim names a row that the input does not have. `name` is the
+// file's. Linear in the claim.
 void require_rows(const Claim& claim, const PointSet& points, const std::string& name);
 
 }  // namespace flowcert

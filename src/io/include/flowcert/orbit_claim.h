@@ -1,7 +1,7 @@
-// An orbit as JSON says it (spec/formats/orbit.md).
+// An orbit read from JSON (spec/formats/orbit.md).
 //
-// Guarantees: all numbers are exact. What is no orbit throws InvalidInput; further keys are ignored, and the
-// contact sets of segments may be left out.
+// Guarantees: all numbers are exact. Anything but an orbit throws InvalidInput. Other keys are ignored. The contact
+// sets of segments may be left out.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct PathSegment {
   std::string type;
   RationalPoint driver;
   std::optional<RationalPoint> end;  // none: infinity
-  // Ascending; of the start, on the way, of the end. None where not claimed, or at infinity.
+  // Contact sets of the start, on the way, and of the end, ascending. None if it is not claimed, or at infinity.
   std::optional<std::vector<PointId>> start_contact;
   std::optional<std::vector<PointId>> crossed_contact;
   std::optional<std::vector<PointId>> end_contact;

@@ -1,8 +1,8 @@
-// Persistence pairs as a list: what a program claims in JSON or in the text format of GUDHI's tools
+// A list of persistence pairs that a program claims, in JSON or in the text format of GUDHI's tools
 // (spec/formats/persistence.md).
 //
-// Guarantees: numbers of JSON are exact, those of text are the nearest doubles. What is neither throws
-// InvalidInput, with a line where there is one.
+// Guarantees: numbers from JSON are exact, and numbers from text are the nearest doubles. A file in neither format
+// throws InvalidInput. For text, the message names the line.
 #pragma once
 
 #include <optional>
@@ -22,15 +22,15 @@ struct ListedPair {
   std::optional<Rational> death;  // none: the class lasts
 };
 
-// By dimension, birth and death, a class that lasts last.
+// The order by dimension, birth and death. A class that lasts comes last.
 [[nodiscard]] bool is_before(const ListedPair& a, const ListedPair& b);
 
 struct PairList {
   std::vector<ListedPair> pairs;
-  bool is_rounded = false;  // of text: each value is a double
+  bool is_rounded = false;  // from text: each value is a double
 };
 
-// What a program has written; name: of the file, for messages.
+// Reads what a program has written. name: of the file, for messages.
 [[nodiscard]] PairList claimed_pairs_of(const std::string& bytes, const std::string& name);
 
 }  // namespace flowcert

@@ -1,10 +1,10 @@
 // Reads point files: XYZ/text, OFF, PLY (ascii and both binaries), OBJ, each also gzip-compressed.
 //
-// Guarantees: all or nothing. Either every row of the file comes back, in the file's order, finite and
-// exactly the double that the file means (nearest to a decimal, ties to even; hexadecimal floats and binary
-// floats exact), or InvalidInput is thrown and names file and line. Nothing is merged or skipped, and no
-// number in a header can make it allocate more than a small multiple of the file's (decompressed) size.
-// Independent of the locale. Source: spec clauses FC-IN-01, FC-IN-02, FC-IN-05; spec/formats/points.md.
+// Guarantees: all or nothing. Either every row of the file comes back, in order, or InvalidInput names file and line.
+// Coordinates are finite, and are the doubles that the file means: nearest to a decimal (ties to even), exact for
+// hexadecimal and binary floats. Nothing is merged or skipped. No number in a header can make it allocate more than a
+// small multiple of the file's (decompressed) size. The locale has no influence. Source: spec clauses FC-IN-01,
+// FC-IN-02, FC-IN-05; spec/formats/points.md.
 #pragma once
 
 #include <string>
@@ -17,21 +17,21 @@ namespace flowcert {
 
 struct PointFile {
   std::vector<Point> rows;
-  // The coordinates were stored as 32-bit floats (binary PLY), and are the doubles of the same values.
+  // The file stores the coordinates as 32-bit floats (binary PLY). The rows are doubles of the same values.
   bool single_precision = false;
-  // The file declares 32-bit floats but holds decimals (ascii PLY): they are the nearest doubles all the
-  // same.
+  // The file declares 32-bit floats but holds decimals (ascii PLY). The rows are still the doubles nearest to the
+  // decimals.
   bool declares_single_precision = false;
-  // "xyz", "off", "ply" or "obj": what the file was read as.
+  // The format that the file was read as: "xyz", "off", "ply" or "obj".
   std::string format;
 };
 
-// Reads the file at `path`, by the format of its ending (before .gz; xyz for an unknown one). "-" is standard
-// input, whose format is recognised by content. Throws InvalidInput: one line, "FILE:LINE: reason" or "FILE:
-// reason".
+// Reads the file at `path`. The ending of its name (before .gz) says the format; an unknown ending means xyz. "-" is
+// standard input, whose format is recognised by content. Throws InvalidInput with one line, "FILE:LINE: reason" or
+// "FILE: reason".
 [[nodiscard]] PointFile read_points(const std::string& path);
 
-// The same from memory. `name` is used in messages and, by its ending, for the format; "-" is by content.
+// The same from memory. `name` is for messages, and its ending says the format. For "-", the content does.
 [[nodiscard]] PointFile read_points_from(std::string_view bytes, const std::string& name);
 
 }  // namespace flowcert

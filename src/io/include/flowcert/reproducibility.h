@@ -1,5 +1,5 @@
-// What made a result: enough for somebody else to make it again. Printed by `flowcert --version` and written
-// into the header of every output (spec/formats/README.md).
+// What made a result, in enough detail for somebody else to make it again. `flowcert --version` prints it, and every
+// output has it in the header (spec/formats/README.md).
 #pragma once
 
 #include <string>
@@ -18,11 +18,11 @@ struct Reproducibility {
 
 [[nodiscard]] Reproducibility reproducibility();
 
-// SHA-256, in hexadecimal, of x, y, z of each row as little-endian IEEE doubles, -0.0 as 0.0. O(rows).
+// SHA-256, in hexadecimal, of all rows: x, y, z as little-endian IEEE doubles, with -0.0 as 0.0. O(rows).
 [[nodiscard]] std::string coordinates_sha256(const PointSet& points);
 
-// One line, for formats that have room for a comment only: format and its version, the reproducibility line,
-// the hash of the input.
+// One line for formats that only have room for a comment. It has the format and its version, the reproducibility
+// line, and the hash of the input.
 [[nodiscard]] std::string made_by_text(const char* format, int format_version, const PointSet& points);
 
 }  // namespace flowcert

@@ -1,9 +1,9 @@
 // Stable manifolds S2 as one surface: which of them, their triangles with shared vertices, and the files.
 //
-// Guarantees: a selection is decided exactly. Vertices are one iff their exact positions are equal, whatever their
-// doubles; coordinates are the doubles nearest to the exact ones. Two triangles for each backward segment (spec
-// clause FC-STAB-04), none for parts of dimension 3. Triangles have no common orientation: surfaces of several S2
-// are no manifold in general.
+// Guarantees: a selection is decided exactly. Two triangles share a vertex iff the exact positions are equal,
+// whatever the doubles. Coordinates are the doubles nearest to the exact ones. Each backward segment gives two
+// triangles (spec clause FC-STAB-04); parts of dimension 3 give none. Triangles have no common orientation, because a
+// surface of several S2 is no manifold in general.
 #pragma once
 
 #include <array>
@@ -19,7 +19,8 @@
 
 namespace flowcert {
 
-// Which critical points of index 2 a surface is made of. All conditions have to hold; of several alike the sharpest.
+// Chooses the critical points of index 2 that make a surface. All conditions have to hold, so of several alike
+// the sharpest one decides.
 class SurfaceSelection {
  public:
   // Expressions: "persistence>X" (death minus birth of the pair that it is in, a difference of squared distances),
@@ -27,11 +28,11 @@ class SurfaceSelection {
   // first in the list). X and R are read exactly. Throws InvalidInput for anything else.
   explicit SurfaceSelection(const std::vector<std::string>& expressions);
 
-  // By their numbers in StableManifolds, ascending. Conditions on persistence need the whole complex.
+  // The chosen points, by number in StableManifolds, ascending. Conditions on persistence need the whole complex.
   [[nodiscard]] std::vector<std::size_t> sets(const FlowComplex& complex) const;
 
  private:
-  // option: the how manieth expression it is, for messages.
+  // option: the ordinal of the expression, from 1, for messages.
   void add(const std::string& expression, std::size_t option);
 
   std::optional<Rational> persistence_above_;
@@ -41,14 +42,14 @@ class SurfaceSelection {
 
 struct SurfaceMesh {
   std::vector<Point> vertices;
-  // Of each vertex, to the samples nearest to it; none beyond the doubles.
+  // From each vertex to its nearest samples. A value beyond the doubles is left out.
   std::vector<std::optional<double>> squared_distances;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::size_t> set_of_triangle;  // its number in StableManifolds
 };
 
-// sets: critical points of index 2, by their numbers in StableManifolds, each once. Throws InvalidInput for a
-// coordinate beyond the doubles. Flows once more.
+// sets: critical points of index 2, by their numbers in StableManifolds, each once. The stable sets are computed once
+// more. Throws InvalidInput for a coordinate beyond the doubles.
 [[nodiscard]] SurfaceMesh surface_mesh(const FlowComplex& complex, std::span<const std::size_t> sets,
                                        const std::function<void(std::size_t, std::size_t)>& progress = {});
 

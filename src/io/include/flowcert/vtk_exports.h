@@ -1,9 +1,9 @@
-// The flow complex as data sets for viewers: stationary points, the orbits of U2, and the surfaces S2, with
-// arrays named as in TTK's Morse-Smale complex where they mean the same (spec/formats/exports.md); and VTK's XML
-// PolyData, as ParaView and VTK open it.
+// The flow complex as data sets for viewers: stationary points, the orbits of U2, and the surfaces S2. An array has
+// its name in TTK's Morse-Smale complex if it means the same there (spec/formats/exports.md). Files are VTK's XML
+// PolyData, which ParaView and VTK open.
 //
-// Guarantees: coordinates and values are the doubles nearest to the exact ones; a value beyond the doubles
-// throws InvalidInput, but for the infinite ones of orbits that go to infinity. Files hold them to the bit.
+// Guarantees: coordinates and values are the doubles nearest to the exact ones, and files hold them to the bit.
+// Values of orbits that go to infinity may be infinite. Any other value beyond the doubles throws InvalidInput.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace flowcert {
 
-// A number a point or a cell.
+// One number for each point or cell.
 struct VtpArray {
   std::string name;
   std::variant<std::vector<std::int8_t>, std::vector<std::int64_t>, std::vector<double>> values;
@@ -25,7 +25,7 @@ struct VtpArray {
 
 struct VtpCells {
   std::vector<std::int64_t> connectivity;  // points of all cells, one cell after the other
-  std::vector<std::int64_t> offsets;       // where each cell ends in it
+  std::vector<std::int64_t> offsets;       // where each cell ends in connectivity
 };
 
 struct PolyData {

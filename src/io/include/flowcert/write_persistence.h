@@ -1,7 +1,7 @@
-// Persistence diagrams as GUDHI's text format .pers has it (spec/formats/persistence.md).
+// Persistence diagrams in GUDHI's text format .pers (spec/formats/persistence.md).
 //
-// Guarantees: pairs are ordered by dimension, then exact birth, then exact death, what lasts last; so the
-// text does not depend on how ties were broken.
+// Guarantees: pairs are ordered by dimension, then exact birth, then exact death. A class that lasts comes last. So
+// the text does not depend on how ties were broken.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@
 
 namespace flowcert {
 
-// What is written of persistence.
+// The persistence pairs to write, in order.
 class PersistenceDiagram {
  public:
-  // with_zero: the regular stationary points as well, as pairs of length zero: birth and death are the same
-  // record (FC-PERS-03). The complex must outlive this. O(n log n) comparisons of rationals.
+  // with_zero adds the regular stationary points as pairs of length zero, whose birth and death are the same record
+  // (FC-PERS-03). The complex must outlive this. O(n log n) comparisons of rationals.
   PersistenceDiagram(const FlowComplex& complex, bool with_zero);
 
   [[nodiscard]] const FlowComplex& complex() const { return complex_; }
@@ -37,8 +37,8 @@ class PersistenceDiagram {
   std::vector<PersistencePair> pairs_;
 };
 
-// A comment, then lines "dimension birth death", the values rounded to the nearest doubles, `inf` for what
-// lasts. Throws InvalidInput where a value is beyond the doubles.
+// A comment, then lines "dimension birth death". Values are rounded to the nearest doubles. The death of a class that
+// lasts is `inf`. Throws InvalidInput if a value is beyond the doubles.
 [[nodiscard]] std::string pers_text(const PersistenceDiagram& diagram);
 
 }  // namespace flowcert

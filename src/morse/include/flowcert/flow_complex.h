@@ -1,8 +1,8 @@
 // The flow complex of a point set: what a user of the library holds.
 //
-// Guarantees: exact, on every input. It owns the points and everything that is computed of them; each part is
-// made once, when it is first asked for, and a reference to it stays valid as long as the complex, moved or
-// not. Const access is safe from several threads. Source: spec/flow_complex.md.
+// Guarantees: exact, on every input. It owns the points and everything that is computed of them. Each part is made
+// once, when it is first asked for. A reference to a part stays valid as long as the complex exists, even if the
+// complex is moved. Const access is safe from several threads. Source: spec/flow_complex.md.
 #pragma once
 
 #include <array>
@@ -18,9 +18,9 @@ namespace flowcert {
 
 struct FlowComplexOptions {
   FlowOptions flow;
-  // Otherwise each orbit of U2 is computed alone, as the paper did (UnstableOptions).
+  // Without sharing each orbit of U2 is computed alone, as the paper did (UnstableOptions).
   bool share = true;
-  // Of all choices where ties are broken (FC-CHAIN-02); 0 takes the first way always.
+  // The seed of all choices where ties are broken (FC-CHAIN-02); 0 always takes the first way.
   std::uint64_t seed = 0;
 };
 
@@ -38,14 +38,14 @@ inline constexpr std::size_t kFlowComplexParts = 7;
 
 class FlowComplex {
  public:
-  // Told now and then how much of a part is done, by the thread that makes it: by two threads at once, if two make
-  // different parts. It may throw to stop, and then the part is made when it is asked for again. It must not ask
-  // the complex for anything.
+  // The thread that makes a part tells it now and then how much of the part is done. Two threads call it at once if
+  // they make different parts. It may throw to stop; the part is then made when it is asked for again. It must not
+  // ask the complex for anything.
   using Progress = std::function<void(FlowComplexPart part, std::size_t done, std::size_t total)>;
 
-  // Computes nothing yet. The second one throws InvalidInput as PointSet does. Here, wherever a part is made, and
-  // wherever something flows, std::runtime_error is thrown in a thread that does not compute with doubles as IEEE
-  // 754 says: another rounding mode, or subnormals flushed to zero.
+  // Computes nothing yet. The second one throws InvalidInput as PointSet does. A thread must compute with doubles as
+  // IEEE 754 says. If it has another rounding mode or flushes subnormals to zero, std::runtime_error is thrown here,
+  // wherever a part is made, and wherever something flows.
   explicit FlowComplex(PointSet points, FlowComplexOptions options = {}, Progress progress = {});
   explicit FlowComplex(std::span<const Point> rows, FlowComplexOptions options = {}, Progress progress = {});
   ~FlowComplex();
@@ -57,7 +57,7 @@ class FlowComplex {
 
   [[nodiscard]] const PointSet& points() const;
   [[nodiscard]] const VoronoiDiagram& diagram() const;
-  // The predicates that the diagram took.
+  // How often the diagram took each predicate.
   [[nodiscard]] const FilterTally& filter_tally() const;
   [[nodiscard]] const StationaryPoints& stationary() const;
   [[nodiscard]] const UnstableManifolds& unstable() const;
@@ -67,13 +67,13 @@ class FlowComplex {
 
   // Centre and squared radius of a stationary point, by its place in the list.
   [[nodiscard]] ExactSphere sphere(std::size_t record) const;
-  // The doubles nearest to the centres of all stationary points, in the order of the list; where that would
-  // overflow, an infinity.
+  // The doubles nearest to the centres of all stationary points, in the order of the list. A coordinate that would
+  // overflow is an infinity.
   [[nodiscard]] std::vector<std::array<double, 3>> centers() const;
 
-  // Where the flow takes any position (Flow::orbit). One thread at a time flows, the others wait.
+  // Where the flow takes any position (Flow::orbit). One thread at a time flows; the others wait.
   [[nodiscard]] Orbit orbit(const RationalPoint& start) const;
-  // The first segment of it (Flow::step).
+  // The first segment of that orbit (Flow::step).
   [[nodiscard]] FlowSegment step(const RationalPoint& start) const;
 
  private:

@@ -1,9 +1,9 @@
 // Persistent homology of the squared distance function, over Z/2, from the chain complex of the flow complex.
 //
-// Guarantees: pairs and values are exact; equal to the persistence of the alpha complex without its pairs of
-// length zero (spec clauses FC-PERS). Pairs (0,1) by union-find over the index-1 points, pairs (2,3) by the
-// dual union-find over the maxima and infinity, pairs (1,2) by reducing the boundaries of the index-2 points
-// that are left.
+// Guarantees: pairs and values are exact, and equal to the persistence of the alpha complex without its pairs of
+// length zero (spec clauses FC-PERS). Union-find over the index-1 points makes pairs (0,1). The dual union-find over
+// the maxima and infinity makes pairs (2,3). Reducing the boundaries of the index-2 points that are left makes pairs
+// (1,2).
 #pragma once
 
 #include <cstddef>
@@ -22,13 +22,13 @@ struct PersistencePair {
 
 class Persistence {
  public:
-  // Sorting all critical points by their exact values, and a reduction, in the worst case cubic in the number
-  // of index-2 points that no maximum is paired with.
+  // Sorts all critical points by their exact values, and makes a reduction. This is cubic at worst in the number of
+  // index-2 points that no maximum is paired with.
   Persistence(const PointSet& points, const StationaryPoints& stationary, const ChainComplex& complex);
 
-  // By dimension, then birth. None has length zero.
+  // Sorted by dimension, then birth. No pair has length zero.
   [[nodiscard]] const std::vector<PersistencePair>& pairs() const { return pairs_; }
-  // Exact, of a critical point.
+  // The exact value of a critical point.
   [[nodiscard]] const Rational& squared_value(std::size_t record) const { return values_[record]; }
 
  private:

@@ -21,7 +21,7 @@ namespace flowcert {
 
 struct StableOptions {
   FlowOptions flow;
-  // Of the choices where ties are broken (FC-CHAIN-02); 0 takes the first way always.
+  // The seed of the choices where ties are broken (FC-CHAIN-02); 0 always takes the first way.
   std::uint64_t seed = 0;
 };
 
@@ -30,35 +30,35 @@ enum class BackKind : std::uint8_t { kCritical, kRegular, kEdge, kVertex };
 // "critical", "regular", "edge", "vertex"
 [[nodiscard]] const char* back_kind_text(BackKind kind);
 
-// In the Voronoi facet of two samples; contact sets are ascending names.
+// It lies in the Voronoi facet of two samples. Contact sets are ascending names.
 struct BackwardSegment {
   std::array<PointId, 2> samples;  // ascending
   RationalPoint front, back;
   std::vector<PointId> front_contact, back_contact;
   BackKind back_kind = BackKind::kCritical;
 };
-// On the Voronoi edge of a polygon (FC-STAB-05).
+// It lies on the Voronoi edge of a polygon (FC-STAB-05).
 struct BackwardInterval {
   std::vector<PointId> polygon;
   RationalPoint front, back;
   bool back_is_stationary = false;
 };
-// In the Voronoi facet of two samples: the corners of its closure in cyclic order, the lexicographically
+// It lies in the Voronoi facet of two samples. The corners of its closure are in cyclic order, the lexicographically
 // least first and the lesser of its neighbours second.
 struct BackwardSector {
   std::array<PointId, 2> samples;
   std::vector<RationalPoint> corners;
 };
-// The skeleton of a stable set, and so all of it (FC-STAB-02). Sorted: by samples or polygon, then positions.
+// The skeleton of a stable set, which tells all of it (FC-STAB-02). Sorted by samples or polygon, then positions.
 struct StableSet {
   std::vector<BackwardSegment> segments;
   std::vector<BackwardInterval> intervals;
   std::vector<BackwardSector> sectors;
 };
 
-// FC-STAB-07, by names, the first not repeated at the end: from the least sample of the contact set on,
-// towards the lesser of its neighbours in the polygon. For a critical point of index 2 and a regular one of
-// kind 1-2; none for others, and where the skeleton has a Voronoi vertex. contact: of the stationary point,
+// The closed walk of FC-STAB-07, as names; the first one is not repeated at the end. It begins at the least sample of
+// the contact set and goes towards the lesser of its neighbours in the polygon. Critical points of index 2 and
+// regular ones of kind 1-2 have it, unless the skeleton has a Voronoi vertex. contact is the stationary point's,
 // ascending. O(n log n) for n segments.
 [[nodiscard]] std::optional<std::vector<PointId>> boundary_walk(const StableSet& set, StationaryIndex index,
                                                                 std::span<const PointId> contact);
@@ -67,7 +67,7 @@ struct StableStatistics {
   Distribution n_s2;  // flow segments from an index-2 point down to an index-1 point, a connecting orbit each
   Distribution triangles;              // of the S2's without interval
   std::size_t triangle_count = 0;      // of all of them
-  std::optional<std::size_t> largest;  // the first of those with the most, as StableManifolds counts
+  std::optional<std::size_t> largest;  // the number of the first S2 with the most triangles
   std::size_t with_vertex = 0;         // S2's whose skeleton has a Voronoi vertex
   std::size_t with_interval = 0;       // S2's that have parts of dimension 3
   std::size_t ends_at_regular = 0;     // branches of S2's that end at a regular stationary point
@@ -75,14 +75,14 @@ struct StableStatistics {
   KernelTally tally;
 };
 
-// Const access is safe from several threads; of those that ask for sets, one at a time makes its own and the
-// others wait.
+// Const access is safe from several threads. If several ask for sets, one at a time makes its set and the others
+// wait.
 class StableManifolds {
  public:
-  // Told now and then how many stationary points are done; may throw to stop.
+  // It is told now and then how many stationary points are done, and may throw to stop.
   using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
-  // stationary: the list of the same diagram. Both must outlive this. Time in proportion to the segments of
+  // stationary is the list of the same diagram. Both must outlive this. The time is in proportion to the segments of
   // all skeletons.
   StableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
                   StableOptions options = {}, const Progress& progress = {});
@@ -94,16 +94,16 @@ class StableManifolds {
   [[nodiscard]] std::size_t size() const;
   // Where the i-th of them is in the list.
   [[nodiscard]] std::size_t record(std::size_t i) const;
-  // Of its skeleton, intervals left out: backward segments. A surface has two triangles for each.
+  // Its skeleton's backward segments, without those behind intervals. A surface has two triangles for each.
   [[nodiscard]] std::size_t segment_count(std::size_t i) const;
   [[nodiscard]] bool has_vertex(std::size_t i) const;
   [[nodiscard]] bool has_interval(std::size_t i) const;
-  // Of a critical point of index 2, its boundary in the chain complex: records of index 1, mod 2, ascending.
-  // Where its skeleton has no Voronoi vertex and no regular back, FC-STAB-07 determines it; otherwise ties
-  // are broken (FC-CHAIN-02).
+  // The boundary, in the chain complex, of a critical point of index 2: records of index 1, mod 2, ascending. If its
+  // skeleton has no Voronoi vertex and no regular back, FC-STAB-07 determines it. Otherwise ties are broken
+  // (FC-CHAIN-02).
   [[nodiscard]] std::span<const std::uint32_t> boundary(std::size_t i) const;
 
-  // The skeleton, with exact coordinates. Flows once more.
+  // The skeleton, with exact coordinates. This flows once more.
   [[nodiscard]] StableSet set(std::size_t i) const;
 
   [[nodiscard]] const StableStatistics& statistics() const;
@@ -115,10 +115,10 @@ class StableManifolds {
 
 // The connecting orbits of a stable set: how its stationary point and the critical points of index 1 are
 // joined (FC-STAB-06; paper, section 6: their lengths are n_S2).
-// Exact, as the set is. There is one for each back that is critical, because every point flows one way only.
-// Each is given by the places of its segments in set.segments, against the flow: from the stationary point down to the
-// critical point of index 1. They come in the order of their last segments. Of a set with intervals, through which
-// orbits come as well, those that come through segments alone. O(n log n) for n segments, with the lengths.
+// Exact, as the set is. There is one orbit for each critical back, because every point flows one way only. Each orbit
+// is the places of its segments in set.segments, against the flow: from the stationary point down to the critical
+// point of index 1. The orbits come in the order of their last segments. If a set has intervals, orbits that come
+// through these are left out. O(n log n) for n segments, and the lengths of the orbits.
 [[nodiscard]] std::vector<std::vector<std::size_t>> connecting_orbits(const StableSet& set,
                                                                       const RationalPoint& stationary);
 

@@ -43,7 +43,7 @@ class StationaryPoints {
   // c_0 - c_1 + c_2 - c_3: 1, or 0 for the empty set.
   [[nodiscard]] long long euler_sum() const;
 
-  // For building a list: the caller keeps the order; contact is ascending.
+  // These build a list. The caller keeps the order; contact is ascending.
   void reserve(std::size_t records, std::size_t contacts);
   void append(StationaryIndex index, std::span<const PointId> contact);
 

@@ -12,12 +12,12 @@
 
 namespace flowcert {
 
-// CGAL's Delaunay_triangulation_3 with exact predicates, spatially sorted, behind a wall because CGAL's headers are
-// slow to compile. Where points are cospherical the triangulation is one of several; no result of this library
+// CGAL's Delaunay_triangulation_3 with exact predicates, spatially sorted. It is behind a wall because CGAL's headers
+// are slow to compile. Where points are cospherical, the triangulation is one of several; no result of this library
 // depends on which (spec clause FC-VOR-04).
 class Delaunay {
  public:
-  // Told now and then how much of the work is done; may throw to stop it.
+  // It is told now and then how much of the work is done, and may throw to stop it.
   using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
   // Expected O(n log n) for surface samples, O(n^2) at worst. The point set must outlive the triangulation.
@@ -28,7 +28,7 @@ class Delaunay {
   Delaunay& operator=(Delaunay&&) noexcept;
 
   [[nodiscard]] const PointSet& points() const;
-  // Of the affine hull of the points: 0 to 3, -1 for no point.
+  // The dimension of the affine hull of the points: 0 to 3, -1 for no point.
   [[nodiscard]] int dimension() const;
 
   // What lies behind the wall; defined in src/voronoi/.
@@ -43,15 +43,15 @@ namespace voronoi {
 class Diagram;
 }  // namespace voronoi
 
-// The Voronoi diagram of a point set, in which what is cospherical is one Voronoi vertex: everything that is
-// computed after the triangulation is computed from it. Its faces are those of spec clauses FC-VOR-01 to 04, whatever
-// way the triangulation cuts cospherical sets. It does not change once it is made, so threads may share it. It does
-// not refer to the triangulation.
+// The Voronoi diagram of a point set, in which cospherical cells are one Voronoi vertex. Everything after the
+// triangulation is computed from it. Its faces are those of spec clauses FC-VOR-01 to 04, whatever way the
+// triangulation cuts cospherical sets. It does not change once it is made, so threads may share it. It does not refer
+// to the triangulation.
 class VoronoiDiagram {
  public:
-  // O(cells), and sorting what is cospherical. The point set must outlive the diagram; the triangulation need
-  // not. The tally, if given, is added to. Not for one triangulation from two threads at once: it numbers the
-  // triangulation's cells.
+  // O(cells), and sorting what is cospherical. The point set must outlive the diagram; the triangulation need not.
+  // The counts are added to the tally, if one is given. Two threads must not use one triangulation here at once,
+  // because this numbers the triangulation's cells.
   explicit VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally = nullptr);
   ~VoronoiDiagram();
   VoronoiDiagram(VoronoiDiagram&&) noexcept;
