@@ -53,10 +53,6 @@ struct FacetPlane {
   FacetPlane(const Point& p0_, const Point& p1_)
       : p0(vector(p0_)), p1(vector(p1_)), m(Rational(1, 2) * (p0 + p1)) {}
 
-  // 2 <x-m, q-m> - h(q). It is positive where x is nearer to q than to p0, for x in this plane.
-  [[nodiscard]] Rational beyond(const Vector& x, const Vector& q) const {
-    return Rational(2) * dot(x - m, q - m) - dot(q - p0, q - p1);
-  }
   // Twice the area spanned with m, counterclockwise seen from p1, times |p0p1|.
   [[nodiscard]] Rational turn(const Vector& a, const Vector& b) const {
     return dot(cross(a - m, b - m), p1 - p0);
