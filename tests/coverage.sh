@@ -24,7 +24,7 @@ FLOWCERT_PROPERTY_SCALE=${FLOWCERT_PROPERTY_SCALE:-0.1} ctest --preset coverage 
 "${lcov[@]}" --extract "$build/all.info" "$PWD/src/*" "$PWD/oracle/*" "$PWD/fuzz/judge/*" "$PWD/fuzz/commands/*" \
   --output-file "$build/coverage.info"
 genhtml --quiet --output-directory "$build/report" "$build/coverage.info"
-# lcov counts the edges of exceptions as branches: of those that the code has itself, gcovr knows.
+# lcov counts the edges of exceptions as branches. gcovr knows the branches that the code has itself.
 gcovr --root . --filter src/ --filter oracle/ --filter fuzz/judge/ --filter fuzz/commands/ \
   --exclude-throw-branches --branches \
   --json-summary-pretty --json-summary "$build/branches.json" --txt "$build/branches.txt" "$build"

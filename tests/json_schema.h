@@ -1,4 +1,4 @@
-// JSON Schema (draft 7), as valijson validates it. In a file of its own because valijson takes long to
+// JSON Schema (draft 7), as valijson validates it. It has a file of its own because valijson takes long to
 // compile.
 #pragma once
 
@@ -17,7 +17,7 @@ class JsonSchema {
   JsonSchema(const JsonSchema&) = delete;
   JsonSchema& operator=(const JsonSchema&) = delete;
 
-  // What violates the schema, a line each, at most 2,000 characters; empty if nothing does.
+  // What violates the schema, one line for each violation, at most 2,000 characters. Empty if nothing does.
   [[nodiscard]] std::string violations(const nlohmann::json& document) const;
 
  private:

@@ -35,7 +35,7 @@ TALLIES = (
     rb'"(?:predicates|primitives)":\{(?:"[a-z_]+":\{[^}]*\},?)*\}',
     rb"(?m)^filter failures, [^\n]*$",
     rb"(?m)^filter failures of [^\n]*\n(?:  [^\n]*\n)*",
-    # Of points whose coordinates a filter left to exact numbers: which points these are is the filter's affair.
+    # Which points have coordinates that a filter left to exact numbers is the filter's own affair.
     rb'"exact_bytes":\{[^}]*\}',
     rb"(?m)^bytes of exact coordinates [^\n]*\n(?:  [^\n]*\n)*",
 )

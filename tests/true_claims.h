@@ -1,6 +1,6 @@
 // Claims made of the truth: all that can be claimed of stable sets, of polylines, of incidences.
 //
-// Guarantees: exact, and so right; point k is of record k, in the lines from a first one on.
+// Guarantees: exact, and so right. Point k is record k. The points' lines follow each other from a first one on.
 #pragma once
 
 #include <cstddef>
@@ -66,8 +66,8 @@ inline ClaimedSurface surface_of(const PointSet& points, const StableSet& set) {
   return surface;
 }
 
-// All stationary points by their contact sets, with all that can be claimed of stable sets; point k is of
-// record k.
+// A claim of all stationary points by their contact sets, with all that can be claimed of stable sets. Point
+// k is record k.
 inline Claim stable_claim(const PointSet& points, Truth& truth, std::size_t first_line) {
   Claim claim;
   claim.format = "exchange";
@@ -105,7 +105,7 @@ inline Claim stable_claim(const PointSet& points, Truth& truth, std::size_t firs
   return claim;
 }
 
-// That, and where the orbits of the index-2 points go and how; and the samples of the index-1 points.
+// stable_claim(), with the limits and polylines of the index-2 points and the samples of the index-1 points.
 inline Claim true_claim(const PointSet& points, Truth& truth) {
   Claim claim = stable_claim(points, truth, 1);
   for (std::size_t i = 0; i < truth.size(); ++i) {

@@ -109,7 +109,7 @@ OrbitText describe(const oracle::PointSet& set, const oracle::Orbit& orbit) {
   return result;
 }
 
-// The first difference, as the lines of both; empty for none.
+// The first difference, with the lines of both orbits. Empty if there is none.
 std::string difference(const OrbitText& fast, const OrbitText& reference) {
   const auto both = [](const std::string& where, const std::string& a, const std::string& b) {
     return where + "\n  fast:   " + a + "\n  oracle: " + b + "\n";
@@ -127,7 +127,7 @@ std::string difference(const OrbitText& fast, const OrbitText& reference) {
   return fast.limit == reference.limit ? "" : both("limit", fast.limit, reference.limit);
 }
 
-// Of the longest numerator or denominator of a coordinate.
+// The bits of the longest numerator or denominator of a coordinate.
 std::size_t bits(const oracle::Orbit& orbit) {
   std::size_t most = 0;
   for (const oracle::FlowSegment& segment : orbit.segments) {
@@ -164,7 +164,7 @@ struct Tally {
   std::size_t bits = 0;
 };
 
-// Draws the orbits and compares them. The first difference ends it; empty for none.
+// Draws the orbits and compares them, up to the first difference. run() returns that one, or nothing.
 class Certification {
  public:
   Certification(const oracle::PointSet& set, const flowcert::StationaryPoints& stationary,
@@ -176,7 +176,7 @@ class Certification {
     std::string found;
     for (std::size_t done = 0; done < count && found.empty(); ++done) {
       show_progress(done, count);
-      // One number for both, so that all orbits are as likely, but for less than 2^-40 of it.
+      // One number chooses point and side, so that all orbits are equally likely, but for less than 2^-40 of it.
       const std::size_t orbit = random() % (2 * manifolds_.size());
       found = compare(orbit / 2, orbit % 2);
     }
@@ -201,7 +201,7 @@ class Certification {
     if (!found.empty()) {
       return where + ", " + found;
     }
-    // The limit that is known without the orbit.
+    // limit() is known without the orbit.
     const std::optional<std::size_t> limit = manifolds_.limit(i, side);
     const bool same = limit.has_value() == reference.limit.has_value() &&
                       (!limit || std::ranges::equal(stationary_.contact(*limit), reference.limit->contact));

@@ -100,7 +100,7 @@ bool enters_here(Subject& subject, std::size_t piece) {
   return driver.shape == Sign::kNegative && driver.side == subject.name;
 }
 
-// Starts of one kind, each as a point, to be added to either flow.
+// A start of one kind, as a point that can be added to either flow.
 struct Start {
   Place place;
   RationalPoint x;
@@ -126,7 +126,7 @@ std::vector<Start> draw(Subject& subject, char kind, std::mt19937& random) {
       starts.push_back({Place::on_edge(subject.ring.pieces[k].polygon),
                         between(a, subject.vertex((k + 1) % n), part, 100)});
     } else {
-      // Between two vertices that are not neighbours.
+      // The start lies between two vertices that are not neighbours.
       const RationalPoint b = subject.vertex((k + 2 + random() % (n - 3)) % n);
       starts.push_back({Place::on_facet(subject.name), between(a, b, part, 100)});
     }

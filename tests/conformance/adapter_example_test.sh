@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The adapter of src/io/README.md, "Add your format", is one: copied out of it and put in as it says, it builds, reads
-# what the text says that the program prints, and refuses what is not so with file and line.
+# The adapter of src/io/README.md, "Add your format", works when it is copied and put in as the text says: it
+# builds, reads what the text says that the program prints, and refuses anything else with file and line.
 # CITES: FC-CLAIM-01
 #
 # usage: adapter_example_test.sh BUILD_DIR COMPILER LIBRARY      (a build of this tree; libflowcert.a)

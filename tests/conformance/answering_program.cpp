@@ -3,11 +3,11 @@
 //
 //   answering_program FORM [FAULT NUMBER]...
 //
-// FORM: exchange, csv (exact), decimals, rounded (decimals of 8 digits), contacts (csv without positions),
-// perturbed (csv, with an index-1 and an index-2 point for right triangles), giesen-kuehne (the contact sets
-// must be simplices; incidences are left out). FAULT, at the case of that
-// place in the stream: drop, index, unreadable, none (an answer without lines), refuse, skip, twice,
-// other-id, stray, cut (ends in the answer).
+// FORM is exchange, csv (exact), decimals, rounded (decimals of 8 digits), contacts (csv without positions),
+// perturbed (csv, with an index-1 and an index-2 point for right triangles) or giesen-kuehne (contact sets
+// must be simplices; incidences are left out). A FAULT is made at the case with that number in the stream:
+// drop, index, unreadable, none (an answer without lines), refuse, skip, twice, other-id, stray, cut (ends in
+// the answer).
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -30,7 +30,7 @@ struct Case {
   PointSet points;
 };
 
-// The shortest that reads back to the nearest double, or of 8 digits; nothing where that overflows.
+// The shortest decimal that reads back to the nearest double, or one of 8 digits. Empty where that overflows.
 std::string decimal(const Rational& value, bool is_rounded) {
   const std::optional<double> nearest = nearest_double(value);
   if (!nearest) return "";
@@ -40,7 +40,7 @@ std::string decimal(const Rational& value, bool is_rounded) {
                            : std::to_chars(text, end, *nearest).ptr};
 }
 
-// So that an integer is not taken for a decimal.
+// Every text has a slash, so that an integer is not taken for a decimal.
 std::string fraction(const Rational& value) {
   const std::string text = to_text(value);
   return text.find('/') == std::string::npos ? text + "/1" : text;
@@ -54,7 +54,7 @@ std::string csv_line(const std::string& form, int index, const ExactSphere& sphe
   };
   std::vector<std::string> position;
   for (const Rational& coordinate : sphere.center) position.push_back(number(coordinate));
-  // One that overflows leaves no position.
+  // A coordinate that overflows leaves no position.
   if (std::find(position.begin(), position.end(), "") != position.end()) position.assign(3, "");
   std::string line = std::to_string(index);
   for (const std::string& coordinate : position) line.append(",").append(coordinate);
@@ -72,8 +72,8 @@ std::string giesen_kuehne_line(const ExactSphere& sphere, std::span<const PointI
   return line + "| " + distance.str() + " |";
 }
 
-// What a symbolic perturbation makes of a regular stationary point with three contacts, the centre of a right
-// triangle: its hypotenuse and itself.
+// A symbolic perturbation turns a regular stationary point with three contacts, the centre of a right
+// triangle, into two critical points: those of the hypotenuse and of the triangle.
 void add_right_triangle(std::vector<std::string>& lines, const Case& one, std::span<const PointId> contact) {
   const ExactSphere sphere = exact_sphere(one.points, contact);
   for (std::size_t left_out = 0; left_out < contact.size(); ++left_out) {
@@ -109,7 +109,7 @@ std::vector<std::string> lines_of(const std::string& form, const Case& one) {
   return lines;
 }
 
-// Of csv lines.
+// Damages lines of csv.
 void damage(std::vector<std::string>& lines, const std::string& fault) {
   if (fault == "none") lines.clear();
   if (lines.empty()) return;
@@ -118,7 +118,7 @@ void damage(std::vector<std::string>& lines, const std::string& fault) {
   if (fault == "unreadable") lines.back().insert(0, "saddle,");
 }
 
-// False where the program ends here.
+// Returns false where the program ends here.
 bool answer(const std::string& form, const Case& one, const std::string& fault) {
   if (fault == "skip") return true;
   if (fault == "refuse") {
@@ -137,7 +137,7 @@ bool answer(const std::string& form, const Case& one, const std::string& fault) 
   return true;
 }
 
-// By the library's own reader of numbers: every digit counts.
+// The library's own reader reads the numbers: every digit counts.
 Case read_case(const std::string& head) {
   Case one;
   std::istringstream words(head);

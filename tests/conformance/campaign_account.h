@@ -1,4 +1,4 @@
-// What a campaign comes to, as `flowcert fuzz --json` says it, and when one is under way.
+// The result of a campaign, as `flowcert fuzz --json` reports it, and a wait until a campaign is under way.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 
 namespace flowcert::conformance {
 
-// Without what depends on the time, on where the files are, and on how the run was cut.
+// The report without what depends on the time, on where the files are, and on how the run was cut.
 inline nlohmann::json account_of(const Finished& finished) {
   nlohmann::json report = nlohmann::json::parse(finished.out);
   for (const char* key : {"seconds", "cases_per_second", "jobs", "by_points", "shard"}) report.erase(key);

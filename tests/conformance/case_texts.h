@@ -29,7 +29,7 @@ inline std::string generated(const Words& options = {}) {
   return finished.out;
 }
 
-// Each case, from its line on, without comments.
+// The cases of a stream, without comments. Each one begins with its line `case`.
 inline std::vector<std::string> cases_of(const std::string& stream) {
   std::vector<std::string> cases;
   for (const std::string& line : lines_of(stream)) {

@@ -76,15 +76,15 @@ TEST(CertifyCommand, AcceptsAllRecordsOfTheRegressions) {
   EXPECT_GE(files, 3U);
 }
 
-// The records of the right triangle, with one line replaced: the header is line 0, its record of index 2
-// collided with 1 is line 6 (five critical points before it).
+// The records of the right triangle, with one line replaced. The header is line 0. The regular record, of
+// kind 1-2, is line 6: five critical points come before it.
 class Tampered {
  public:
   Tampered() : input_(scratch_.file("triangle.xyz", kTriangle)) {
     flowcert({"compute", input_, "-o", scratch_.path("records.jsonl")});
     lines_ = lines_of(content_of(scratch_.path("records.jsonl")));
   }
-  // The judgment after `damage` of the JSON of that line.
+  // The judgment after `damage` has changed the JSON of that line.
   Finished judge(std::size_t line, const std::function<void(ordered_json&)>& damage) const {
     std::vector<std::string> lines = lines_;
     ordered_json object = ordered_json::parse(lines.at(line));
@@ -132,7 +132,7 @@ TEST(CertifyCommand, RejectsEveryTamperedField) {
     const Finished judged =
         tampered.judge(6, [&key = key, &value = value](ordered_json& record) { record[key] = value; });
     EXPECT_EQ(judged.status, 1) << key << " " << value << judged.out << judged.err;
-    // It names the line and a clause.
+    // The message names the line and a clause.
     EXPECT_TRUE(std::regex_search(judged.out, std::regex("jsonl:7: FC-[A-Z]+-[0-9]{2}"))) << judged.out;
   }
   EXPECT_EQ(tampered.judge(0, [](ordered_json& header) { header["points"] = 4; }).status, 1);

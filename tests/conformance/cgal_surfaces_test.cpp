@@ -61,7 +61,7 @@ std::string lattice() {
   return text;
 }
 
-// On a spiral around the unit sphere, rounded to decimals.
+// Points on a spiral around the unit sphere, rounded to decimals.
 std::string spiral() {
   std::string text;
   for (int k = 0; k < 150; ++k) {

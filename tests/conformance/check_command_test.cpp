@@ -85,7 +85,7 @@ class Checked {
     words.insert(words.end(), options.begin(), options.end());
     return flowcert(words);
   }
-  // With the exit status checked against the verdict, and the findings against the levels.
+  // The report. The exit status is checked against the verdict, and the findings against the levels.
   [[nodiscard]] json as_json(Words options = {}) const {
     options.emplace_back("--json");
     const Finished finished = run(options);
@@ -155,7 +155,7 @@ TEST(CheckCommand, OurOwnStableSetsConformExactly) {
   CITES("FC-CLAIM-06", "FC-CLAIM-09", "FC-CLAIM-10");
   const std::string arch = "0 5 0\n-3 0 -2\n3 0 -2\n0 0 12\n0 -5 0\n";
   const std::string right_angle = "2 0 1\n0 0 0\n2 2 0\n1 2 0\n";
-  // And whether a tie leaves a boundary open.
+  // Each input says whether a tie leaves a boundary open.
   const std::vector<std::pair<std::string, bool>> inputs = {{arch, true},
                                                             {right_angle, true},
                                                             {kCube, false},
@@ -174,7 +174,7 @@ TEST(CheckCommand, OurOwnStableSetsConformExactly) {
       EXPECT_EQ(report["not_judged"].size(), has_tie && !by.empty() ? 1U : 0U) << report;
     }
   }
-  // A boundary that is no cycle is wrong by either truth, as is one without a tie that is another.
+  // A boundary that is no cycle is wrong by either truth. So is another boundary where there is no tie.
   const Checked own(arch, Words{"--manifolds", "s2"});
   for (const auto& [right, wrong] :
        {std::pair{R"("boundary":[[0,1],[0,3],[1,4],[3,4]])", R"("boundary":[[0,1]])"},
@@ -247,7 +247,7 @@ TEST(CheckCommand, NamesWhatIsMissing) {
   EXPECT_NE(text.out.find("\nfails ("), std::string::npos) << text.out;
 }
 
-// A record of our own, with one thing wrong: the line is named.
+// One thing is wrong in a record of our own. The finding names the line.
 TEST(CheckCommand, SaysWhereAClaimIsWrong) {
   CITES("FC-CLAIM-05", "FC-OUT-01");
   const Checked own(kCube, Words{"--manifolds", "u2"});
@@ -265,7 +265,7 @@ TEST(CheckCommand, SaysWhereAClaimIsWrong) {
   EXPECT_EQ(report["findings"][0]["reason"], "wrong-position");
   EXPECT_EQ(report["findings"][0]["clause"], "FC-OUT-01");
   EXPECT_EQ(report["findings"][0]["contact"], json({0, 1, 2, 3, 4, 5, 6, 7}));
-  // The same claim, of other points.
+  // The same claim is made of other points.
   const Checked other(lattice_points(3, 8, 100), content_of(own.claim()));
   const json of_other = other.as_json();
   EXPECT_EQ(of_other["levels"]["1"]["conforms"], false);
@@ -288,7 +288,7 @@ TEST(CheckCommand, WritesAReportForCiSystems) {
   EXPECT_NE(report.find("missing [FC-CLAIM-03]"), std::string::npos);
   EXPECT_EQ(report.find("< "), std::string::npos);
 
-  // What is permitted is told, and is no failure.
+  // A permitted variation is told, and is no failure.
   const Checked varied(kCollisions, kCollisionsClaimed);
   EXPECT_EQ(varied.run({"--junit", path}).status, 0);
   const std::string permitted = content_of(path);

@@ -43,8 +43,8 @@ registered_files() {
   done < <(find "$1/tests" -name CMakeLists.txt | sort) | sort -u
 }
 
-# Of C++ files: a line "cites<tab>ID" for each id that a test cites, "misplaced<tab>FILE:LINE" for each CITES that
-# is not the first statement of a test. The head of a test may take two lines.
+# For C++ files: a line "cites<tab>ID" for each id that a test cites, and "misplaced<tab>FILE:LINE" for each
+# CITES that is not the first statement of a test. The head of a test may take two lines.
 citations_in_cpp() {
   awk '
     FNR == 1 { head = 0; collecting = 0 }
@@ -161,7 +161,7 @@ self_test() {
   make_small_tree "$scratch/right"
   check "$scratch/right" || { echo "SELF-TEST: the small tree is right"; self_failures=1; }
 
-  # Put together, so that the check of the real tree does not find them.
+  # The ids are put together here, so that the check of the real tree does not find them.
   local none="FC-NONE"-01 third="FC-IN"-03
   local spec=spec/flow_complex.md claims=spec/claims.md cpp=tests/unit/a_test.cpp cmake=tests/unit/CMakeLists.txt
   must_fail "an id that is no clause" src/a.cpp "s/FC-IN-01/$none/" "$none is no clause"

@@ -217,13 +217,13 @@ TEST(CommandLine, AnOutputFileReplacesTheOldOneAndNothingElse) {
   EXPECT_EQ(flowcert({"compute", input, "-o", output}).status, 0);
   EXPECT_TRUE(content_of(output).starts_with("{"));
   EXPECT_EQ(scratch.names(), (Names{"a.xyz", "out.jsonl"}));
-  // What cannot be computed leaves it alone.
+  // An input that cannot be computed leaves the file alone.
   const std::string complete = content_of(output);
   EXPECT_EQ(flowcert({"compute", scratch.path("none.xyz"), "-o", output}).status, 2);
   EXPECT_EQ(content_of(output), complete);
 }
 
-// Writing their records takes about 150 microseconds a point.
+// Random points. Writing their records takes about 150 microseconds a point.
 std::string many_points(int count) {
   std::mt19937_64 random(1);
   std::string text;
@@ -262,7 +262,7 @@ TEST(Signals, AnIgnoredOneStaysIgnored) {
   const Scratch scratch;
   const std::string input = scratch.file("many.xyz", many_points(4000));
   const std::string output = scratch.file("out.jsonl", "old\n");
-  // What nohup does.
+  // nohup does this.
   RunningProgram program(
       {"/bin/sh", "-c", R"(trap "" HUP; exec "$0" compute "$1" -o "$2")", FLOWCERT_PROGRAM, input, output});
   ASSERT_TRUE(wait_for_temporary(scratch, program)) << program.finish().err;
@@ -276,20 +276,20 @@ TEST(Signals, AReaderThatGoesAwayEndsTheProgram) {
   const Scratch scratch;
   const std::string input = scratch.file("many.xyz", many_points(4000));
   const std::string small = scratch.file("a.xyz", kTriangle);
-  // The status of a pipeline is that of its last command; the program's own goes to standard error.
+  // The status of a pipeline is that of its last command, so the program's own goes to standard error.
   const auto piped = [](const std::string& command, const std::string& file) {
     return RunningProgram({"/bin/sh", "-c", "(" + command + "; echo $? >&2) | true", FLOWCERT_PROGRAM, file})
         .finish();
   };
   EXPECT_EQ(piped(R"("$0" compute "$1" -o /dev/stdout)", input).err, "141\n");  // 128 + SIGPIPE
-  // So little that it may be written before the reader is gone.
+  // This output is so short that it may be written before the reader is gone.
   const Finished finished = piped(R"("$0" compute "$1" --json)", small);
   EXPECT_EQ(finished.status, 0);
   EXPECT_TRUE(finished.err == "0\n" || finished.err == "141\n") << finished.err;
   EXPECT_EQ(scratch.names(), (Names{"many.xyz", "a.xyz"}));
 }
 
-// The program of ./dev demo: what computes is there, and the rest says what builds it.
+// The program of ./dev demo has the commands that compute. For the others it says what builds them.
 TEST(CommandLine, TheFirstProgramNamesWhatItLacks) {
   const Scratch scratch;
   const std::string input = scratch.file("a.xyz", kTriangle);

@@ -24,7 +24,7 @@ using Names = std::set<std::string>;
 constexpr char kCube[] = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n";
 // Regular stationary points of kinds 1-2 and 1-3.
 constexpr char kFive[] = "0 0 1\n1 0 0\n0 0 0\n1 1 1\n1 0 1\n";
-// One of kind 2-3.
+// A regular stationary point of kind 2-3.
 constexpr char kKind23[] = "5 0 0\n-3 4 0\n-3 -4 0\n0 0 5\n";
 
 json summary_of(const Scratch& scratch, const std::string& points) {
@@ -180,7 +180,7 @@ TEST(ComputeSummary, RunsAreCounted) {
 TEST(ComputeSummary, TheDigestIsThatOfTheCoordinates) {
   CITES("FC-IN-02", "FC-IN-03");
   const Scratch scratch;
-  // Before merging, in the file's order; -0.0 as 0.0; what is too small is 0.
+  // The digest is of the rows before merging, in the file's order. -0.0 counts as 0.0, and what is too small as 0.
   const std::string digest = digest_of(scratch, {0.1, 0.0, 3.0, 0x1p-1074, 0.0, 0x1.8p3, 0.1, 0.0, 3.0});
   const json summary = summary_of(scratch, "0.1 -0.0 3\n0x1p-1074,1e-400,0x1.8p3\n0.1 0 3\n");
   EXPECT_EQ(summary["input_sha256"], digest);
@@ -342,7 +342,7 @@ TEST(ComputeRecords, ASecondRunWritesTheSameBytes) {
   EXPECT_EQ(content_of(first), content_of(second));
 }
 
-// All that a record says but its ids and its place, by its contact set with the ids mapped.
+// All that a record says but its ids and its place. The key is its contact set with the ids mapped.
 std::map<std::set<std::size_t>, json> by_contact(const Written& written, const std::vector<std::size_t>& id) {
   std::map<std::set<std::size_t>, json> result;
   for (json record : written.records) {

@@ -24,7 +24,7 @@ std::vector<json> vector_cases() {
   return cases;
 }
 
-// Of the right triangle: an edge and a facet at one place.
+// A claim for the right triangle that has an edge and a facet at one place.
 constexpr char kPerturbedTriangle[] =
     "printf '0,0,0,0\\n0,3,0,0\\n0,0,4,0\\n1,1.5,0,0\\n1,0,2,0\\n1,1.5,2,0,,1,2\\n2,1.5,2,0,,0,1,2\\n' > "
     "$2";
@@ -81,10 +81,10 @@ TEST_F(ConformanceCommand, GivesThePointsInOtherForms) {
   EXPECT_EQ(content_of(seen), "0 0 0\n1 1 0\n1 0 1\n0 1 1\n");
   EXPECT_EQ(run({"--against", look, "--case", kTetrahedron, "--in-format", "off", "--hex"}).status, 1);
   EXPECT_TRUE(content_of(seen).starts_with("OFF\n4 0 0\n0x0p+0 0x0p+0 0x0p+0\n0x1p+0 ")) << content_of(seen);
-  // What is wrong with an invalid case is all that is wrong with it.
+  // A file of an invalid case has the case's own fault and no other.
   EXPECT_EQ(run({"--against", look, "--case", "invalid-input-0007"}).status, 0);
   EXPECT_EQ(content_of(seen), "0 0 0\n1 1e309 0\n0 2 0\n");
-  // One that is about the text of an XYZ file.
+  // This case is about the text of an XYZ file.
   const Finished no_text = run({"--against", look, "--case", "invalid-input-0027", "--in-format", "off"});
   EXPECT_EQ(no_text.status, 2);
   EXPECT_NE(no_text.err.find("invalid-input-0027 is about the text of an XYZ file"), std::string::npos)
@@ -101,7 +101,7 @@ TEST_F(ConformanceCommand, TakesClaimsInAnyFormatFromWhereverTheyAre) {
                  "--out-name", "my claim's", "--case", kTetrahedron})
                 .status,
             0);
-  // A perturbation's.
+  // This claim is that of a perturbation.
   const json one = outcome_of(kPerturbedTriangle, "regular-stationary-points-0001");
   EXPECT_EQ(one["outcome"], "conforms where determined") << one;
   EXPECT_NE(one["message"].get<std::string>().find("symbolic-perturbation [FC-CLAIM-04]"), std::string::npos);
@@ -283,7 +283,7 @@ TEST_F(ConformanceCommand, PrintsWhatWasJudged) {
   EXPECT_NE(with.find(", 9 orbits\njudged: the persistence pairs of 1 case"), std::string::npos) << with;
 }
 
-// The name of each element, and whether the document is one.
+// The names of the elements. Fails if the document is not well-formed.
 std::vector<std::string> elements_of(const std::string& document) {
   std::vector<std::string> names;
   XML_Parser parser = XML_ParserCreate(nullptr);
@@ -315,7 +315,7 @@ TEST_F(ConformanceCommand, WritesAReportForCiSystems) {
       << content_of(path);
   EXPECT_NE(content_of(path).find("a &lt;b&gt; &amp; ? &quot;c&quot;"), std::string::npos)
       << content_of(path);
-  // What conforms where it is determined is no failure, and tells what varies.
+  // A claim that conforms where it is determined is no failure. The report tells what varies.
   const Words varied = {
       "--against", script(kPerturbedTriangle), "--case", "regular-stationary-points-0001", "--junit", path};
   EXPECT_EQ(run(varied).status, 0);
@@ -393,7 +393,7 @@ TEST_F(ConformanceCommand, DoesWhatTheReadmeSays) {
   }
 }
 
-// A path that means something only where the user is.
+// A relative path means something only where the user is.
 TEST_F(ConformanceCommand, AsksForFullPaths) {
   CITES("FC-IN-05");
   const std::string relative = fs::relative(FLOWCERT_PROGRAM, fs::current_path()).string();

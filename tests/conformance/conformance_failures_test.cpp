@@ -103,7 +103,7 @@ TEST_F(ConformanceCommand, EndsWhatHangsWithAllThatItStarted) {
   expect_outcome("sh -c '" + sleeper + " wait'; wait", "timed out", "not done after 1 s");
   EXPECT_FALSE(is_running(file)) << "a grandchild";
   expect_outcome("kill -STOP $$", "timed out", "not done after 1 s");
-  // With a child in the background that holds its output open, it is done all the same.
+  // A child in the background holds the program's output open. The case is done all the same.
   expect_outcome(sleeper + FLOWCERT_PROGRAM + " compute \"$1\" -o \"$2\"", "conforms", "");
   EXPECT_FALSE(is_running(file)) << "a child in the background";
 }
@@ -133,7 +133,7 @@ TEST_F(ConformanceCommand, AsksThatWhatIsInvalidBeRefused) {
   }
   EXPECT_GE(skipped, 2U) << "those with a start";
   EXPECT_EQ(refused["groups"][0]["cases"], refused["cases"].size() - skipped);
-  // Starts, which only the other command can refuse.
+  // Only the other command can refuse a start.
   const Words start = {"--against", "exit 9 # {in}", "--case", "invalid-input-0030"};
   EXPECT_EQ(run(start).status, 2);
   Words with_orbits = start;
@@ -168,7 +168,7 @@ TEST_F(ConformanceCommand, ComparesOrbits) {
   }
   EXPECT_EQ(outcome(kTetrahedronOrbits, "s/.*/no JSON/")["outcome"], "unreadable");
   EXPECT_EQ(outcome(kTetrahedronOrbits, "s/\"limit\"/\"l\"/")["outcome"], "unreadable");
-  // From a regular stationary point a perturbation lets an orbit go on; from nowhere else.
+  // A perturbation lets an orbit go on from a regular stationary point, and from nowhere else.
   const json varied =
       outcome(kTriangleOrbits, "s/\"limit\":{\"kind\":\"regular\".*/\"limit\":{\"kind\":\"infinity\"}}/");
   EXPECT_EQ(varied["outcome"], "conforms where determined") << varied;
@@ -179,8 +179,8 @@ TEST_F(ConformanceCommand, ComparesOrbits) {
             "fails");
 }
 
-// The first orbit of the tetrahedron is one segment, of type C-C-V, from the sample 0 to the maximum; of the
-// triangle, three to infinity.
+// The first orbit of the tetrahedron is one segment, of type C-C-V, from the sample 0 to the maximum. The
+// first orbit of the triangle has three segments and goes to infinity.
 TEST_F(ConformanceCommand, SaysWhereAnOrbitIsWrong) {
   CITES("FC-FLOW-02", "FC-FLOW-05", "FC-FLOW-07");
   const auto expect = [&](const std::string& id, const std::string& change, const std::string& claimed,
@@ -275,11 +275,11 @@ TEST_F(ConformanceCommand, ComparesPersistencePairs) {
     EXPECT_EQ(one["message"], "persistence: claimed " + claimed + "; truth: " + truth);
   };
   const std::string components = "0 0 inf\n0 0 2.5\n0 0 4\n", none = "no such pair";
-  // Right ones: in any order, with pairs of length zero, with decimals of the same nearest doubles.
+  // These pairs are right: in any order, with pairs of length zero, with decimals of the same nearest doubles.
   EXPECT_EQ(text("# of a triangle\n" + components + "1 4.5 5\n")["outcome"], "conforms");
   EXPECT_EQ(text("1 4.50000000000000000001 5e0 # late\n\n2 7 7\n" + components)["outcome"], "conforms");
   EXPECT_EQ(changed("")["outcome"], "conforms");
-  // Wrong ones, by name.
+  // These pairs are wrong, and each finding names a pair.
   expect_wrong(text(components + "1 4.5 5.000000000000001\n"),
                "dimension 1, birth 4.5, death 5.000000000000001", "dimension 1, birth 4.5, death 5");
   expect_wrong(text(components), none, "dimension 1, birth 4.5, death 5");

@@ -30,7 +30,7 @@ inline const std::string kCompute = std::string(FLOWCERT_PROGRAM) + " compute {i
 inline const std::string kPersistence = std::string(FLOWCERT_PROGRAM) + " persistence {in} -o {out}";
 inline const std::string kOrbit = std::string(FLOWCERT_PROGRAM) + " orbit {in} --from {start} --json > {out}";
 
-// Of a report. An object that has nothing of a case if there is not one.
+// The only case of a report. If there is not exactly one, this is an object with empty fields.
 inline json only_case_of(const json& report) {
   const json cases = report.value("cases", json::array());
   EXPECT_EQ(cases.size(), 1U) << report;
@@ -43,7 +43,7 @@ inline json only_case_of(const json& report) {
           {"persistence_findings", json::array()}};
 }
 
-// Of some groups the first cases, so that it does not take long to read them.
+// A folder with the first cases of some groups, because reading all cases takes long.
 class FewVectors {
  public:
   FewVectors() {
@@ -81,7 +81,7 @@ class ConformanceCommand : public testing::Test {
   static Words command(Words words, const std::string& vectors = few_vectors->folder()) {
     words.insert(words.begin(), {"conformance", "--vectors", vectors});
 #ifdef __SANITIZE_ADDRESS__
-    // Its shadow takes terabytes of addresses.
+    // The sanitizer's shadow memory takes terabytes of addresses.
     words.insert(words.end(), {"--memory-limit", "0"});
 #endif
     return words;
@@ -89,7 +89,7 @@ class ConformanceCommand : public testing::Test {
   static Finished run(const Words& words, const std::string& vectors = few_vectors->folder()) {
     return flowcert(command(words, vectors));
   }
-  // With the exit status checked against the verdict.
+  // The report. The exit status is checked against the verdict.
   static json as_json(Words words, const std::string& vectors = few_vectors->folder()) {
     words.emplace_back("--json");
     const Finished finished = run(words, vectors);
@@ -104,7 +104,7 @@ class ConformanceCommand : public testing::Test {
   [[nodiscard]] std::string script(const std::string& lines) const {
     return "sh " + scratch_.file("program.sh", lines + "\n") + " {in} {out}";
   }
-  // What becomes of the tetrahedron, or another case, at the hands of a script.
+  // What the report says of the tetrahedron, or of another case, when a script answers it.
   [[nodiscard]] json outcome_of(const std::string& lines, const std::string& id = kTetrahedron,
                                 const std::string& time_limit = "60") const {
     const json report = as_json({"--against", script(lines), "--case", id, "--time-limit", time_limit});

@@ -30,7 +30,7 @@ class Asked {
   [[nodiscard]] Finished text(const std::string& option, const std::string& value) const {
     return flowcert({"explain", path_, option, value});
   }
-  // With the exit status checked against the verdict.
+  // The answer. The exit status is checked against the verdict.
   [[nodiscard]] json as_json(const std::string& option, const std::string& value) const {
     const Finished finished = flowcert({"explain", path_, option, value, "--json"});
     EXPECT_EQ(lines_of(finished.out).size(), 1U) << finished.err;
@@ -191,7 +191,7 @@ TEST(ExplainCommand, PositionsAreDecimalsHexFloatsOrFractions) {
       {"1/2,2/4,0x1p-1", {"1/2", "1/2", "1/2"}},
       {" 5e-1 -0.0  +1 ", {"1/2", "0", "1"}},
       {"-1/3,010/4,-6/3", {"-1/3", "5/2", "-2"}},
-      // A decimal is the nearest double, a fraction is itself.
+      // A decimal means the nearest double. A fraction means itself.
       {"0.1,1/10,0", {"3602879701896397/36028797018963968", "1/10", "0"}},
       {"1e-400,0x1.8p1,7", {"0", "3", "7"}}};
   for (const auto& [text, center] : positions)

@@ -65,7 +65,7 @@ void expect_refused(const Words& words, const std::string& what) {
   EXPECT_NE(finished.err.find(what), std::string::npos) << finished.err;
 }
 
-// Without the comment, which names the format.
+// The lines without the comment that names the format.
 Words without_comment(const std::string& ply) {
   Words lines = lines_of(ply);
   std::erase_if(lines, [](const std::string& line) { return line.starts_with("comment "); });
@@ -134,7 +134,7 @@ TEST(ExportCommand, TheLargestGapsAreThoseAboveTheNext) {
   const json ten = surface(scratch, input, {"largest-gaps=10"});
   const std::string file = content_of(scratch.path("surface.ply"));
   EXPECT_EQ(ten["selected"], 10);
-  // The eleventh is not above itself.
+  // The eleventh gap is not above itself.
   ASSERT_GT(gaps[9].persistence, gaps[10].persistence);
   EXPECT_EQ(surface(scratch, input, {"persistence>" + to_text(gaps[10].persistence)})["selected"], 10);
   EXPECT_EQ(content_of(scratch.path("surface.ply")), file);
@@ -221,7 +221,7 @@ TEST(ExportCommand, WhatDoublesCannotSayLeavesNoFile) {
   const std::string input = scratch.file("points.xyz", kBeyondDoubles);
   expect_refused({"compute", input, "--export", scratch.path("files")}, "points.xyz: a coordinate");
   EXPECT_EQ(scratch.names(), std::set<std::string>{"points.xyz"});
-  // Its squared distances only are too large.
+  // A surface can be written: only the squared distances are too large.
   EXPECT_EQ(surface(scratch, input, {})["selected"], 1);
 }
 
@@ -231,7 +231,7 @@ TEST(ExportCommand, AFolderThatCannotBeWrittenIsRefused) {
   const std::string input = scratch.file("points.xyz", kCube);
   expect_refused({"compute", input, "--export", input}, "Not a directory");
   expect_refused({"compute", input, "--export", input + "/below"}, "cannot be made");
-  // A directory is where a file should be: the other files are whole, and nothing temporary is left.
+  // A directory is where a file should be. The other files are whole, and nothing temporary is left.
   const fs::path files = scratch.path("files");
   fs::create_directories(files / "unstable_lines.vtp");
   expect_refused({"compute", input, "--export", files.string()}, "unstable_lines.vtp: cannot be written");

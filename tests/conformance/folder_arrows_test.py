@@ -15,7 +15,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
-# FOLDER: those that it may include. What they include, it may read.
+# FOLDER: the folders that it may include. It may also read what those include.
 ARROWS = {
     "src/geometry": [],
     "src/voronoi": ["src/geometry"],
@@ -48,7 +48,7 @@ COMPOSITION = {"src/cli/main.cpp": ["fuzz/commands"]}
 
 
 def closure(arrows):
-    """FOLDER: itself and all that can be reached. Raises ValueError where a folder reaches itself."""
+    """FOLDER: itself and all folders that it reaches. Raises ValueError where a folder reaches itself."""
     reached = {}
 
     def visit(folder, path):
@@ -65,7 +65,7 @@ def closure(arrows):
 
 
 def folder_of(file):
-    """Of a file, relative to ROOT. Public headers belong to their layer."""
+    """The folder of a file, relative to ROOT. Public headers belong to their layer."""
     return str(pathlib.PurePosixPath(file).parent).split("/include")[0]
 
 

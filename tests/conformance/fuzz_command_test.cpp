@@ -89,7 +89,7 @@ TEST(FuzzCommand, IsTheSameWithAnyNumberOfJobsAndParts) {
       flowcert({"fuzz", "merge", first, second, "--json", "--out", scratch.path("whole")});
   EXPECT_EQ(merged.status, 0) << merged.err;
   EXPECT_EQ(account_of(merged), whole);
-  // What was put together is a campaign like any other, and complete.
+  // The merged campaign is a campaign like any other, and complete.
   EXPECT_EQ(account_of(flowcert({"fuzz", "--json", "--resume", scratch.path("whole")})), whole);
 }
 
@@ -135,7 +135,7 @@ TEST_P(FuzzCommandInterrupted, GoesOnToTheSameEnd) {
 
 INSTANTIATE_TEST_SUITE_P(Signals, FuzzCommandInterrupted, testing::Values(SIGINT, SIGTERM, SIGKILL));
 
-// As by Ctrl-Z, for longer than a property may take.
+// The program is suspended, as by Ctrl-Z, for longer than a property may take.
 TEST(FuzzCommand, IsNotMisledByBeingSuspended) {
   const Scratch scratch;
   auto start = fuzz({"--count", "8000", "--property", "critical-points", "--points", "3-5", "--jobs", "2",
@@ -174,7 +174,7 @@ TEST(FuzzCommand, FindsWhatIsWrongWithCosphericalPointsAndMakesItSmall) {
     is_cospherical = is_cospherical || finding.at("kind") == "missed-by-cluster";
   }
   EXPECT_TRUE(is_cospherical) << report.at("findings");
-  // Each file is wrong again, and only by the command.
+  // The case of each file is wrong again, and only with the command.
   for (const auto& entry : fs::directory_iterator(folder + "/findings")) {
     const std::string path = entry.path().string();
     const Finished again = flowcert({"fuzz", "--replay", path, "--against", peer("--strict")});
@@ -225,7 +225,7 @@ TEST(FuzzCommand, LeavesNoCommandWhenItIsKilled) {
   // The first run tells whether the command can be started.
   const std::string command = "echo {in} >> '" + scratch.path("runs") + "'; test $(wc -l < '" +
                               scratch.path("runs") + "') = 1 || { " + sleep + " & " + sleep + "; }";
-  // It leaves its temporary folder, here.
+  // The killed program leaves its temporary folder here.
   fs::create_directory(scratch.path("temporary"));
   RunningProgram program({"/usr/bin/env", "TMPDIR=" + scratch.path("temporary"), FLOWCERT_PROGRAM, "fuzz",
                           "--count", "10", "--time-limit", "600", "--against", command, "--out",
@@ -247,7 +247,7 @@ TEST(FuzzCommand, OurOwnClaimsAreRight) {
   EXPECT_EQ(report.at("by_property").at("against"), 200);
 }
 
-// Name and arguments of what the program does with six rows and more, and the kind of the finding.
+// The option that says what the program does with six rows and more, and the kind of the finding.
 class FuzzCommandEndings : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 
 TEST_P(FuzzCommandEndings, AreFindings) {

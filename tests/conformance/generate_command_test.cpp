@@ -51,7 +51,7 @@ TEST(Generate, IsAFunctionOfItsOptions) {
   const auto first = points_of({"--cases", "72"});
   EXPECT_NE(first, points_of({"--cases", "72", "--seed", "2"}));
   EXPECT_NE(first, points_of({"--cases", "72", "--level", "2"}));
-  // How many there are does not matter.
+  // The number of cases does not matter.
   const auto longer = points_of({"--cases", "100"});
   EXPECT_EQ(first, std::vector(longer.begin(), longer.begin() + 72));
 }

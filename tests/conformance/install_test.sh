@@ -52,7 +52,7 @@ done
 ! grep -rlF -e "$root" -e "$build" "$scratch/prefix/lib/"*/cmake "$scratch/prefix/lib/cmake" 2>/dev/null ||
   fail "the installed package refers to the tree that it was built in"
 
-# An instrumented library asks the same of what it is linked with.
+# What is linked with an instrumented library needs the same flags.
 flags=
 case "$(cached FLOWCERT_SANITIZE)" in ON) flags='-fsanitize=address,undefined' ;; esac
 case "$(cached FLOWCERT_COVERAGE)" in ON) flags='--coverage' ;; esac
@@ -63,7 +63,7 @@ case "$found" in "$scratch"/*) ;; *) fail "another flowcert was found: $found" ;
 quietly cmake --build "$scratch/example/build"
 "$scratch/example/build/example" >"$scratch/printed" || fail "the example does not run"
 diff -u "$scratch/expected" "$scratch/printed" || fail "the example prints something else"
-# The generators, a component of their own.
+# The generators are a component of their own.
 mkdir "$scratch/generators"
 block generators fuzz/README.md >"$scratch/generators/generators.cpp"
 [ -s "$scratch/generators/generators.cpp" ] || fail "fuzz/README.md has no example of generators"

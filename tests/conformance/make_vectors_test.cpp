@@ -108,7 +108,7 @@ TEST(MakeVectors, StartsAreChosenAroundPointsOnly) {
     return oracle::vectors::chosen_starts(oracle::PointSet(rows), oracle::stationary_points(rows), 1000, 1);
   };
   EXPECT_TRUE(starts_among({}).empty());
-  // All that can happen to one point's orbits: to stay there, and to go away from it.
+  // An orbit around one point can only stay there or go away from it.
   EXPECT_EQ(starts_among({{1, 2, 3}}).size(), 2U);
 }
 

@@ -20,7 +20,7 @@ Words joined(const std::vector<Words>& parts) {
   return all;
 }
 
-// As root, and with more ranks than cores, Open MPI runs only if it is told to.
+// Open MPI runs as root, and with more ranks than cores, only if it is told to.
 class MpiCampaign : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -53,7 +53,7 @@ class MpiCampaign : public testing::Test {
     static const json account = account_of(flowcert(joined({{"fuzz", "--json"}, kPlan})));
     return account;
   }
-  // Its ranks may need a moment to be gone.
+  // The ranks may need a moment to be gone.
   static Finished resumed(const std::string& folder) {
     Finished finished = flowcert({"fuzz", "--json", "--resume", folder});
     for (int k = 0; k < 50 && finished.status == 2; ++k) {
@@ -85,7 +85,7 @@ TEST_F(MpiCampaign, HasTheFindingsAndTheStatusOfTheCommand) {
   ASSERT_NE(finished.out, "");
   EXPECT_EQ(account_of(finished), account_of(alone));
   EXPECT_GE(account_of(finished).at("findings").size(), 1U);
-  // The same files, too.
+  // The files are the same, too.
   for (const auto& entry : fs::directory_iterator(scratch_.path("alone") + "/findings")) {
     const std::string name = entry.path().filename().string();
     EXPECT_EQ(content_of(scratch_.path("shared") + "/findings/" + name), content_of(entry.path().string()))
@@ -114,7 +114,7 @@ TEST_P(MpiCampaignLosesARank, AndGoesOnToTheSameEnd) {
   EXPECT_EQ(account_of(resumed(folder)), expected());
 }
 
-// Killed where mpirun goes on; stopped, as on a machine that no longer answers; asked to end.
+// Rank 2 is killed while mpirun goes on, or stopped like a machine that no longer answers, or asked to end.
 INSTANTIATE_TEST_SUITE_P(Signals, MpiCampaignLosesARank,
                          testing::Values(Loss{SIGKILL, {"--enable-recovery"}}, Loss{SIGSTOP, {}},
                                          Loss{SIGTERM, {}}));

@@ -14,8 +14,8 @@ fail() {
   failures=$((failures + 1))
 }
 
-# The oracle's objects, and the precompiled headers that they are compiled with: the compiler lists what it read
-# there apart.
+# The oracle's objects, and the precompiled headers that they are compiled with. The compiler lists separately
+# what it read for a precompiled header.
 objects='^[^ ]*flowcert_oracle(_tool)?[.]dir/'
 precompiled=$(ninja -t commands flowcert-oracle | grep -E -- ' -o [^ ]*flowcert_oracle(_tool)?\.dir/' | grep -oP -- ' -include \K\S+' | sort -u)
 for header in $precompiled; do objects+="|^$(realpath --relative-to=. "$header")[.]gch:"; done

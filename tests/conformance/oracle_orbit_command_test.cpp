@@ -42,7 +42,7 @@ std::string orbit_text(const std::string& points, const std::string& from) {
 
 TEST(OracleOrbitCommand, PrintsAnOrbitToInfinity) {
   CITES("FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-05", "FC-NUM-02");
-  // The cell of the origin, the facet x = 2, the line of centres over (2,2,0).
+  // The orbit runs through the cell of the origin, the facet x = 2, and the line of centres over (2,2,0).
   EXPECT_EQ(
       orbit_json(kTriangle, "1,1/2,1").dump(),
       R"({"format":"oracle-orbit","format_version":1,"start":["1","1/2","1"],"segments":[)"
@@ -94,7 +94,7 @@ TEST(OracleOrbitCommand, PositionsAreTakenExactly) {
   for (const char* from : {"-1/2,0.25,3", "-2/4 1/4 6/2", " -0x1p-1,\t+2/8 , 0x1.8p+1 ", "-.5,25e-2,3.0"}) {
     EXPECT_EQ(orbit_json(kTriangle, from)["start"], expected) << from;
   }
-  // The nearest double, so that a row of the file is a point of the file.
+  // A decimal means the nearest double, so that a row of the file is a point of the file.
   EXPECT_EQ(orbit_json("0.1 0.2 0.3\n5 5 5\n", "0.1,0.2,0.3")["limit"]["contact"], ordered_json{0});
   EXPECT_EQ(orbit_json("0.1 0.2 0.3\n5 5 5\n", "1/10,0.2,0.3")["limit"]["kind"], "infinity");
   EXPECT_EQ(orbit_json(kTriangle, "1/10,-0.0,1e-400")["start"], (ordered_json{"1/10", "0", "0"}));

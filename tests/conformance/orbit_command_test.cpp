@@ -140,7 +140,7 @@ struct Input {
   std::string points;
 };
 
-// Of every dimension, degenerate and not.
+// Inputs of every dimension, degenerate and not.
 std::vector<Input> inputs() {
   std::string grid;
   for (int k = 0; k < 18; ++k) {
@@ -164,7 +164,7 @@ std::vector<Input> inputs() {
           {"magnitudes", "1e300 0 0\n-1e300 3 0\n0 1e-300 0\n0 1 1\n3 0.1 1e150\n"}};
 }
 
-// In cells, and on facets, edges and vertices of the inputs' Voronoi diagrams.
+// The starts are in cells, and on facets, edges and vertices of the inputs' Voronoi diagrams.
 constexpr const char* kStarts[] = {"0,0,0",   "1/2,1/2,1/2", "1/2,1/2,0",    "-1,2,3",       "0.3,-0.2,0.1",
                                    "1/2,0,7", "2,2,-1/3",    "3/2,5/7,-2/9", "0x1p-3,1e3,0", "1,1,3/2"};
 

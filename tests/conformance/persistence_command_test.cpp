@@ -22,7 +22,7 @@ using Words = std::vector<std::string>;
 
 constexpr char kTetrahedron[] = "0 0 0\n1 1 0\n1 0 1\n0 1 1\n";
 constexpr char kCube[] = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n";
-// The origin is a regular stationary point of kind 1-3; with it there are kinds 1-2 in the second.
+// The origin is a regular stationary point of kind 1-3. The second input has points of kind 1-2 as well.
 constexpr char kKind13[] = "1 0 0\n-1 0 0\n0 1 0\n0 0 1\n";
 constexpr char kFive[] = "0 0 1\n1 0 0\n0 0 0\n1 1 1\n1 0 1\n";
 // The boundary of its maximum's boundary is not zero.
@@ -33,7 +33,7 @@ Finished persistence(const std::string& path, Words options = {}) {
   return flowcert(options);
 }
 
-// Without the comments in front.
+// The lines without the comments in front.
 Words pairs_of(const Finished& finished) {
   EXPECT_EQ(finished.status, 0) << finished.err;
   Words lines = lines_of(finished.out);
@@ -183,7 +183,7 @@ TEST(PersistenceFile, HasTheTextAndLeavesATable) {
   EXPECT_EQ(lines[5], "pairs of dimension 2                           1   voids; 0 last");
   EXPECT_TRUE(lines[6].ends_with("--zero writes them")) << lines[6];
   EXPECT_TRUE(lines[14].ends_with(" x the triangulation")) << lines[14];
-  // JSON instead of the table; the file is the same.
+  // JSON is printed instead of the table. The file is the same.
   const std::string again = scratch.path("again.pers");
   EXPECT_EQ(json_of(path, {"-o", again})["pairs"].size(), 14U);
   EXPECT_EQ(content_of(again), content_of(output));

@@ -35,7 +35,7 @@ class Pipe {
   [[nodiscard]] Finished verify_text(const std::string& answers, const Words& options = {}) const {
     return flowcert(joined({"verify"}, options), {scratch_.file("answers", answers), ""});
   }
-  // With the exit status checked against the verdict, and the counts against each other.
+  // The report. The exit status is checked against the verdict, and the counts against each other.
   [[nodiscard]] json as_json(const Words& options = {}) const {
     const Finished finished = verify(joined(options, {"--json"}));
     EXPECT_EQ(lines_of(finished.out).size(), 1U) << finished.err;
@@ -102,7 +102,7 @@ TEST(Verify, PermittedVariationsAreRight) {
   EXPECT_TRUE(contains(pipe.verify().out, "\nconforms where determined: 40 of 40 cases are right;"));
 }
 
-// Beside what is wrong they are not reported.
+// Permitted variations are not reported beside what is wrong.
 TEST(Verify, PermittedVariationsAreNoFailures) {
   CITES("FC-CLAIM-04", "FC-CLAIM-03");
   Words middle = {"perturbed"};
@@ -117,7 +117,7 @@ TEST(Verify, PermittedVariationsAreNoFailures) {
 
 TEST(Verify, TheOracleAgrees) {
   CITES("FC-CLAIM-03");
-  // Large cases too, of which the oracle is not asked.
+  // Some cases are large, and the oracle is not asked about them.
   const Pipe pipe({"--level", "3", "--cases", "40", "--family", "lattice-3", "--family", "half-shell"});
   const json report = pipe.as_json({"--oracle"});
   EXPECT_EQ(report["verdict"], "conforms");
@@ -141,7 +141,7 @@ TEST(Verify, TakesGiesenKuehneAndHexadecimalInput) {
 
 TEST(Verify, FindsEachWrongAnswer) {
   CITES("FC-CLAIM-01", "FC-CLAIM-03");
-  // In cases that have critical points.
+  // The faults are in cases that have critical points.
   const Words faults = {"drop", "3", "index", "41", "unreadable", "77", "refuse", "108", "none", "149"};
   for (const char* form : {"csv", "decimals", "contacts"}) {
     SCOPED_TRACE(form);
@@ -314,7 +314,7 @@ TEST(Verify, AnAnswerWithoutLinesClaimsNothing) {
   EXPECT_EQ(report["fails"], 30 - empty);
 }
 
-// Also a claim that `check` would refuse only because of the points.
+// `check` would refuse one of these claims only because of the points.
 TEST(Verify, AnUnreadableAnswerIsOneFailure) {
   CITES("FC-CLAIM-01");
   const Pipe pipe({"--cases", "20"}, {"csv", "skip", "5"});
@@ -358,7 +358,7 @@ TEST(Verify, RefusesWhatIsNoStreamOfAnswers) {
   refuses(right, first + "answer " + ids[1] + "\n1,2,3,4\n", "3: an answer without 'end': '" + ids[1] + "'");
   refuses(right, "answer " + ids[1] + "\n# end\n", "1: an answer without 'end': '" + ids[1] + "'");
   refuses(right, "answer " + ids[1] + "\n" + first, "2: 'answer' before the 'end' of the answer of line 1");
-  // Ids: damaged, of other runs, out of range, absurd.
+  // These ids are damaged, of other runs, out of range, or absurd.
   for (const std::string& id :
        {std::string("1"), std::string("::/:"), '0' + ids[0], ids[0] + '0', ids[0] + ":lattice-2",
         std::string("1:1:20/20:0000"), std::string("1:1:0/99999999999:0000"), std::string("4:1:0/20:0000"),
@@ -371,7 +371,7 @@ TEST(Verify, RefusesWhatIsNoStreamOfAnswers) {
   }
   const std::string other = ids_of(generated({"--cases", "20", "--seed", "2"}))[1];
   refuses(right, first + "answer " + other + "\nend\n", "3: a case of another run than those before: '");
-  // The same by a program.
+  // Here a program answers like that.
   refuses(Pipe(run, {"csv", "twice", "5"}), Pipe(run, {"csv", "twice", "5"}).answers(), "");
   for (const char* fault : {"other-id", "stray", "cut"}) {
     const Pipe pipe(run, {"csv", fault, "5"});

@@ -2,8 +2,7 @@
 // output, standard error, and what it left in its directory.
 //
 // Guarantees: output is taken from files, so a program can never block on a full pipe; signals are at their
-// defaults in the program, whatever the test runner ignores. A program that cannot be started is an
-// exception.
+// defaults in the program, whatever the test runner ignores. Throws if the program cannot be started.
 #pragma once
 
 #include <fcntl.h>
@@ -72,7 +71,7 @@ inline std::vector<std::string> lines_of(const std::string& text) {
 
 struct Streams {
   std::string standard_input = "/dev/null";
-  // Empty: captured.
+  // If this is empty, the output is captured.
   std::string standard_output;
 };
 
@@ -105,7 +104,7 @@ class RunningProgram {
   }
 
   void signal(int number) const { ::kill(process_, number); }
-  // To its children as well, those that it has now.
+  // Signals the program and the children that it has now.
   void signal_family(int number) const {
     const std::string process = std::to_string(process_);
     std::istringstream children(content_of("/proc/" + process + "/task/" + process + "/children"));
@@ -120,7 +119,7 @@ class RunningProgram {
   }
 
   struct Result {
-    int status = 0;  // of exit; the number of the signal that ended it, negative
+    int status = 0;  // the exit status, or minus the number of the signal that ended it
     std::string out;
     std::string err;
   };

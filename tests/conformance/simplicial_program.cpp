@@ -1,11 +1,11 @@
-// A program as many have been written, for tests of `flowcert fuzz --against`: critical points by trying all
+// A program of a common sort, for tests of `flowcert fuzz --against`. It finds critical points by trying all
 // simplices of up to four points, in floating point, with no thought for cospherical ones.
 //
 //   simplicial_program IN OUT [--strict | --crash ROWS | --hang ROWS | --refuse ROWS]
 //
-// Claims, as lines of CSV, each simplex whose circumcentre is inside of it with no other point in its open
-// ball: a square comes out as two diagonals. --strict: no other point on the sphere either, so that what is
-// cospherical goes missing. The others: what becomes of an input of at least so many rows.
+// It claims, as lines of CSV, each simplex whose circumcentre is inside of it and whose open ball has no
+// other point. So a square comes out as two diagonals. --strict: no other point is on the sphere either, and
+// what is cospherical goes missing. The others say what becomes of an input of at least so many rows.
 #include <unistd.h>
 
 #include <array>
@@ -27,10 +27,10 @@ double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] 
 struct Sphere {
   Vector center{};
   double squared_radius = 0;
-  bool is_inside = true;  // the centre, of the simplex
+  bool is_inside = true;  // whether the centre is inside of the simplex
 };
 
-// By Cramer's rule on the Gram matrix of up to three edges; nothing for a matrix that looks singular.
+// Solves with the Gram matrix of up to three edges. There is no sphere if the matrix looks singular.
 std::optional<Sphere> circumsphere(const std::vector<Vector>& simplex) {
   const std::size_t n = simplex.size() - 1;
   double gram[3][4] = {};

@@ -94,7 +94,7 @@ RecordText parse_at(const std::vector<std::string>& words) {
   return text;
 }
 
-// One statement after `expect`; `seen` are the keywords of those before it.
+// Parses one statement after `expect`. `seen` has the keywords of the statements before it.
 void parse_expectation(const std::vector<std::string>& words, std::set<std::string>& seen, Answer& expected) {
   const std::string& keyword = words[0];
   if (keyword == "at") {
@@ -115,7 +115,7 @@ void parse_expectation(const std::vector<std::string>& words, std::set<std::stri
   }
 }
 
-// `lines`: between the fences, the first being "example ID".
+// Parses the lines between the fences. The first one is "example ID".
 Example parse_example(const std::vector<std::string>& lines, const std::set<std::string>& clauses) {
   Example example;
   const std::vector<std::string> opening = words_of(lines.at(0));

@@ -18,9 +18,8 @@ using nlohmann::json;
 constexpr char kAcute[] = "0 0 0\n4 0 0\n1 3 0\n";
 // A right triangle: its circle is around the middle of the longest side, a regular stationary point.
 constexpr char kRight[] = "0 0 0\n3 0 0\n0 4 0\n";
-// Two triangles with the side from (0,0) to (8,0) in common, acute above and obtuse below: the branch through
-// that side goes on through the two other sides of the lower one.
-constexpr char kTwoTriangles[] = "0 0 0\n8 0 0\n4 7 0\n4 -2 0\n";
+// Two triangles with the side from (0,0) to (8,0) in common: acute above, and obtuse below.
+constexpr char kTwoTriangles[] = "0 0 0\n8 0 0\n4 7 0\n4 -3 0\n";
 
 std::vector<json> records_of(const std::string& points, const std::vector<std::string>& options) {
   const Scratch scratch;
@@ -61,11 +60,23 @@ TEST(StableCommand, TheSkeletonOfARegularStationaryPoint) {
   EXPECT_EQ(regular["skeleton"]["segments"][0]["back"], json::parse(R"(["3/2","0","0"])"));
 }
 
-// The upper circle is around (4, 33/14); the lower circumcentre (4, 3) is beyond it, so that the branch ends
-// in the upper facet's own Voronoi edge only if the lower one is met: at x = 4 from (4, 33/14) down to (4, 0)
-// it meets the Voronoi edge of the lower triangle, a line through (4, 3), at once.
+// The branch through the common side comes from the lower triangle's centre (4,7/6), which is above that side. The
+// branch goes on through the two other sides of the lower triangle.
 TEST(StableCommand, ABranchGoesOnThroughAnObtuseTriangle) {
   CITES("FC-STAB-04", "FC-STAB-06");
+  const json saddle = records_of(kTwoTriangles, {"--skeletons"}).at(8);
+  EXPECT_EQ(saddle["contact"], json::parse("[0,1,2]"));
+  EXPECT_EQ(saddle["stable"]["segments"], 5);
+  EXPECT_EQ(saddle["stable"]["boundary"], json::parse("[[0,2],[0,3],[1,2],[1,3]]"));
+  const json& segments = saddle["skeleton"]["segments"];
+  ASSERT_EQ(segments.size(), 5U);
+  EXPECT_EQ(segments[0], json::parse(R"({"samples":[0,1],"front":["4","33/14","0"],"back":["4","7/6","0"],
+                                         "front_contact":[0,1,2],"back_contact":[0,1,3],"back_kind":"edge"})"));
+  EXPECT_EQ(segments[2], json::parse(R"({"samples":[0,3],"front":["4","7/6","0"],"back":["2","-3/2","0"],
+                                         "front_contact":[0,1,3],"back_contact":[0,3],"back_kind":"critical"})"));
+}
+
+TEST(StableCommand, TheSummaryHasTheKeysOfS2AndNoneOfU2) {
   const Scratch scratch;
   const Finished finished = flowcert(
       {"compute", scratch.file("points.xyz", kTwoTriangles), "--manifolds", "s2", "--json", "--stats"});
@@ -86,8 +97,8 @@ TEST(StableCommand, ABranchGoesOnThroughAnObtuseTriangle) {
   EXPECT_TRUE(summary["ratio_to_delaunay"].contains("s2"));
 }
 
-// Rounded, so that there are ties and long orbits: each orbit is a chain of segments, one for each critical
-// back, and their lengths are n_S2.
+// The points are rounded, so that there are ties and long orbits. An orbit is a chain of segments. There is
+// one for each critical back, and the lengths are n_S2.
 TEST(StableCommand, ConnectingOrbitsAreChainsOfSegments) {
   CITES("FC-STAB-06");
   const Scratch scratch;

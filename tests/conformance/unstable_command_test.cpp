@@ -237,8 +237,8 @@ TEST(UnstableTable, HasARowForEveryCount) {
   EXPECT_EQ(plain.out.find("n_WCC"), std::string::npos) << plain.out;
 }
 
-// Integers near the origin, and decimals, whose doubles are long, far from it: the numbers are of few bytes
-// or of many, and the table has the sizes in between.
+// Four points are integers near the origin, and four are decimals far from it, whose doubles are long. So the
+// numbers have few bytes or many, and the table has the sizes in between.
 TEST(UnstableTable, HasTheSizesOfExactNumbers) {
   const Scratch scratch;
   const std::string input = scratch.file(
@@ -331,7 +331,7 @@ std::vector<RationalPoint> rows_of(const std::string& points) {
   return rows;
 }
 
-// (b-a) x (c-a) for the first three contact points, against it for side 0.
+// (b-a) x (c-a) for the first three contact points, or its opposite for side 0.
 RationalPoint side_direction(const ordered_json& record, const std::vector<RationalPoint>& rows,
                              std::size_t side) {
   const auto contact = record["contact"].get<std::vector<std::size_t>>();
@@ -347,7 +347,7 @@ std::string inside_first(const ordered_json& record, const ordered_json& first, 
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Rational x = first["end"].is_null() ? Rational(from[axis] + along[axis])
                                               : Rational((from[axis] + point_of(first["end"])[axis]) / 2);
-    // As a fraction: a decimal would be rounded.
+    // The text is a fraction, because a decimal would be rounded.
     text += x.str();
     if (denominator(x) == 1) text += "/1";
     if (axis < 2) text += ",";
@@ -355,7 +355,7 @@ std::string inside_first(const ordered_json& record, const ordered_json& first, 
   return text;
 }
 
-// The orbit that leaves a saddle on one side, against the oracle's orbit from a point of its first segment.
+// Compares an orbit that leaves a saddle with the oracle's orbit from a point of its first segment.
 void expect_oracles_orbit(const std::string& path, const ordered_json& record,
                           const std::vector<RationalPoint>& rows, std::size_t side) {
   SCOPED_TRACE(record["contact"].dump() + " side " + std::to_string(side));

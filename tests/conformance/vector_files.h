@@ -29,7 +29,7 @@ using Json = nlohmann::ordered_json;
 // "1,2,3" for ["1", "2", "3"].
 [[nodiscard]] std::string words_in_a_row(const Json& words);
 
-// A failure of the test where the two differ as text.
+// Fails the test where the two differ as text.
 void expect_same(const Json& one, const std::string& what, const Json& actual, const Json& expected);
 
 }  // namespace flowcert::conformance

@@ -1,8 +1,8 @@
 // The files of spec/vectors/: their form, what they leave out, and that nobody edited one by hand.
 //
-// Guarantees: the files are made once more and compared, but for two things that take minutes: for more than
-// 12 points the search for stationary points (vectors_oracle_test certifies those listed one by one), for
-// more than 8 the choice of starts.
+// Guarantees: the files are made once more and compared, except for two things that take minutes: the search
+// for stationary points of more than 12 points (vectors_oracle_test certifies those listed one by one), and
+// the choice of starts for more than 8.
 #include "tests/conformance/vector_files.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(VectorFiles, TheSchemaNoticesDamages) {
   }
 }
 
-// The first cases that have them.
+// The damages are in the first cases that have such sets and pairs.
 TEST(VectorFiles, TheSchemaNoticesDamagesOfStableSetsAndPairs) {
   CITES("FC-NUM-02", "FC-STAB-04", "FC-STAB-05", "FC-PERS-01");
   const auto damaged = [](const std::string& group, const std::string& id, const char* damage) {
@@ -143,7 +143,7 @@ TEST(VectorFiles, NameWhatThereIs) {
   for (const auto& [flag, cases] : flags) EXPECT_GT(cases, 0U) << flag << " is no case's flag";
 }
 
-// Numbers of points, kinds of stationary points, results, types of flow segments: all there.
+// All results, kinds of stationary points and types of flow segments occur, from no point to 60 points.
 TEST(VectorFiles, LeaveNothingOut) {
   CITES("FC-IN-04", "FC-CRIT-02", "FC-CRIT-03", "FC-FLOW-02", "FC-FLOW-07");
   std::set<std::string> results, kinds, types, limits;
@@ -213,7 +213,7 @@ TEST(VectorFiles, AreConsistent) {
   }
 }
 
-// Printed by the tool, from what the tool's table says. (What is expected of larger inputs: TheOraclePasses.)
+// The tool makes the files from its own table. (TheOraclePasses has what is expected of larger inputs.)
 TEST(VectorFiles, AreAsTheToolMakesThem) {
   CITES("FC-CRIT-05", "FC-FLOW-05");
   EXPECT_EQ(vectors_text("flags"), vectors::text_of(vectors::flag_file()));

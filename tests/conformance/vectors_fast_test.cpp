@@ -63,8 +63,8 @@ bool any_has(const Json& stationary, const char* key) {
   return std::any_of(stationary.begin(), stationary.end(), [&](const Json& x) { return x.contains(key); });
 }
 
-// The sides that a boundary walk goes along, as far as the skeleton knows: those whose segment ends at their
-// midpoint, and the side of which a regular stationary point is the midpoint itself.
+// The sides that a boundary walk goes along, as far as the skeleton knows: those at whose midpoint their
+// segment ends, and the side whose midpoint is the regular stationary point itself.
 std::multiset<Json> sides_by_skeleton(const Json& record) {
   std::multiset<Json> sides;
   std::map<Json, std::size_t> of_polygon;
@@ -126,7 +126,7 @@ Json fast_persistence(const Persistence& persistence) {
   return pairs;
 }
 
-// Its pairs come by dimension and birth; among equal births any order will do.
+// Pairs come by dimension and birth. Among equal births any order will do.
 Json in_order(const Json& pairs) {
   std::vector<Json> sorted = pairs;
   const auto number = [](const Json& text) { return oracle::parse_rational(text)->value; };
@@ -168,7 +168,7 @@ TEST(Vectors, TheFastImplementationPassesUnderTheLazyKernel) {
   }
 }
 
-// Also where the fast implementation has not the very same thing to compare with, as for the walk.
+// It also disagrees where it has not the very same thing to compare with, as for the walk.
 TEST(Vectors, TheFastImplementationDisagreesWithWhatIsWrong) {
   CITES("FC-STAB-04", "FC-STAB-07", "FC-PERS-01");
   const std::map<std::string, std::vector<const char*>> wrong = {

@@ -177,7 +177,7 @@ def check_lines(poly_data, records, summary, samples, faults):
 
 
 def exact_triangles(record, points):
-    """Of a skeleton: sets of three exact positions."""
+    """The triangles of a skeleton, as sets of three exact positions."""
     for segment in record["skeleton"]["segments"]:
         for sample in segment["samples"]:
             yield frozenset([tuple(map(Fraction, points[sample])), tuple(map(Fraction, segment["front"])),
@@ -223,7 +223,7 @@ def check_ply(poly_data, positions, cells, faults):
 
 
 def check_input(flowcert, folder, points, faults):
-    """Returns what the input had of what matters."""
+    """Returns, by name, which of the things that matter the input had."""
     source, target, output = (os.path.join(folder, name) for name in ("points.off", "files", "records.jsonl"))
     with open(source, "w", encoding="ascii") as file:
         file.writelines([f"OFF\n{len(points)} 0 0\n"] + ["%r %r %r\n" % point for point in points])

@@ -30,7 +30,7 @@ MEMORY_LIMIT_KIB = 3 << 20
 # A mutant in an endless loop is killed by processor time; one that sleeps, by the clock.
 CPU_FACTOR, CPU_LEAST, CLOCK_LIMIT = 4, 4, 900
 
-# What is likely to kill a mutant of a file or folder, ahead of the others.
+# The tests that are likely to kill a mutant of a file or folder run ahead of the others.
 LIKELY = {
     "src/geometry/predicates": ["filter_bounds_test", "predicates_test"],
     "src/geometry/integer_grid": ["predicates_test"],
@@ -53,7 +53,7 @@ LIKELY = {
     "src/morse/": ["vectors_fast_test", "stable_sets_test", "chain_complex_test", "stable_agreement_test"],
 }
 
-# Tests that do not reach a folder's code, and so cannot tell.
+# Tests that do not reach a folder's code cannot kill its mutants.
 OF_GEOMETRY = {"point_set_test", "rational_test", "filter_bounds_test", "predicates_test", "tetrahedron_signs_test"}
 BLIND = {
     "voronoi": OF_GEOMETRY,
@@ -102,7 +102,7 @@ class Copy:
         self.environment.setdefault("GTEST_BRIEF", "1")
 
     def refresh(self):
-        """Copies what differs, so that an earlier run's objects serve this one. New files too: a test just written."""
+        """Copies what differs, new files too, so that an earlier run's objects serve this one."""
         listing = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
         names = subprocess.run(listing, cwd=ROOT, check=True, capture_output=True, text=True).stdout
         for name in filter(None, names.split("\0")):
@@ -123,7 +123,7 @@ class Copy:
         self.run_tool(["cmake", "--preset", "release"])
 
     def quick_tests(self):
-        """Builds the tests that carry ctest's label `quick`: by name without folder, their command lines.
+        """Builds the tests with ctest's label `quick`. Returns their command lines, by name without folder.
 
         ctest knows the command line of a program only once it is built. The tests of FOLDER/ are FOLDER_tests."""
         self.compile(*{entry["name"].partition("/")[0] + "_tests" for entry in self.listed_tests()})
@@ -141,7 +141,7 @@ class Copy:
         self.run_tool(["cmake", "--build", "build", "--parallel", str(self.jobs), "--target", *targets])
 
     def run(self, command, cpu_limit):
-        """Nothing where the test passes, otherwise how it ended; and the processor time it took."""
+        """Returns how the test ended (None if it passes), and the processor time it took."""
         program = self.build / pathlib.Path(command[0]).relative_to(pathlib.Path(command[0]).parents[2])
         limited = f'ulimit -c 0; ulimit -v {MEMORY_LIMIT_KIB}; ulimit -t {cpu_limit}; exec "$0" "$@"'
         command = ["sh", "-c", limited, str(program), *command[1:]]
@@ -188,7 +188,7 @@ def try_mutant(copy, entry, tests, limits):
 
 
 def measure_limits(copy, tests, known):
-    """Runs every quick test without a fault, but those of which an interrupted run knows the time."""
+    """Runs every quick test without a fault, except those whose time an interrupted run has measured."""
     limits = {}
     for name, command in tests.items():
         if name in known:
@@ -235,7 +235,7 @@ def describe(entry, outcome):
 
 
 def run_all(entries, results, copies):
-    """Each entry on the next copy that is free. What did not compile is returned."""
+    """Tries each entry on the next copy that is free. Returns what did not compile."""
     for copy in copies:
         print(f"building the quick tests in {copy.folder.relative_to(ROOT)}/", flush=True)
         copy.refresh()
@@ -271,7 +271,7 @@ def run_all(entries, results, copies):
 
 
 def report(entries, results):
-    """The table by folder; whether all is well."""
+    """Prints the table by folder. Returns whether all is well."""
     rows, survivors = {}, []
     for entry in entries:
         row = rows.setdefault(table.folder_of(entry), [0, 0, 0, 0])
@@ -294,7 +294,7 @@ def report(entries, results):
 
 
 def spread(entries):
-    """Neighbours in the table far apart, so that an interrupted run has seen every folder."""
+    """Puts neighbours in the table far apart, so that an interrupted run has seen every folder."""
     step = 11
     return [entry for start in range(step) for entry in entries[start::step]]
 

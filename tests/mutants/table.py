@@ -11,7 +11,7 @@ import re
 TABLE = pathlib.Path(__file__).with_name("mutants.json")
 LEAST = 60
 FIELDS = {"id", "file", "old", "new", "wrong"}
-# Of a mutant that behaves as the original does for all inputs; of one that does not, and is left alive.
+# An equivalent mutant behaves as the original does for all inputs. An accepted one does not, and is left alive.
 REASONS = {"equivalent", "accepted"}
 
 

@@ -24,7 +24,7 @@ class AlphaValues {
     for (std::size_t k = 0; k < simplices.size(); ++k) {
       for (const std::size_t facet : simplices[k].facets) cofacets_[facet].push_back(k);
     }
-    // Faces are listed first.
+    // Faces are listed before what they are faces of, so cofaces get their values first.
     for (std::size_t k = simplices.size(); k-- > 0;) values_[k] = value(k);
   }
 

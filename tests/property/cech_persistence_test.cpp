@@ -1,5 +1,5 @@
-// The fast implementation's persistence pairs against the oracle's, which come from the Čech filtration: a
-// way that has neither flow nor triangulation in common with the fast one, or with the alpha complex.
+// The fast implementation's persistence pairs against the oracle's, which come from the Čech filtration. That
+// way has neither flow nor triangulation in common with the fast one, or with the alpha complex.
 //
 // Guarantees: compared exactly, as multisets, with ties broken in three ways. The test fails too when too few
 // inputs had ties, or classes of dimension 1 and 2.
@@ -58,7 +58,7 @@ void require_same_pairs(const fuzz::Input& input, Totals& totals) {
   for (const auto& pair : expected) ++totals.pairs.at(static_cast<std::size_t>(pair.dimension));
 }
 
-// Most inputs of the families have six rows or so.
+// Makes inputs larger: most inputs of the families have six rows or so.
 void add_rows(const fuzz::Input& more, fuzz::Input& input) {
   input.rows.insert(input.rows.end(), more.rows.begin(), more.rows.end());
 }

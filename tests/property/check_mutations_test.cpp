@@ -1,7 +1,7 @@
 // Right claims, and right claims with one thing made wrong, on every family of inputs.
 //
-// Guarantees: a claim made of the answer itself conforms exactly; made with what FC-CLAIM permits (parts of
-// contact sets, perturbed regular points, decimals, positions alone) it never fails. Each mutant fails, with
+// Guarantees: a claim made of the answer itself conforms exactly. A claim with what FC-CLAIM permits (parts
+// of contact sets, perturbed regular points, decimals, positions alone) never fails. Each mutant fails, with
 // a finding on the level and the line, or about the missing point, where it was made wrong. The test fails
 // too when some kind of mutant was hardly ever made.
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ namespace {
 
 constexpr int kInputsPerFamily = 12;
 
-// As a decimal with all digits of the nearest double.
+// The value as a decimal with all digits of the nearest double.
 ClaimedNumber in_decimals(const Rational& value) {
   const std::optional<double> nearest = nearest_double(value);
   return nearest ? ClaimedNumber{Rational(*nearest), false} : number(value);
@@ -49,7 +49,7 @@ ClaimedTarget target_of(const Subject& subject, const std::optional<std::size_t>
   return {false, subject.contact(*limit)};
 }
 
-// All that can be claimed, as `compute -o --manifolds u2 --polylines` does; point k is of record k.
+// All that can be claimed, as `compute -o --manifolds u2 --polylines` does. Point k is record k.
 Claim full_claim(const Subject& subject) {
   Claim claim;
   claim.format = "exchange";
@@ -80,7 +80,7 @@ Claim full_claim(const Subject& subject) {
 
 // ---- Claims that vary where they may.
 
-// An affinely independent part that spans the same affine hull; which one, by chance.
+// A random affinely independent part that spans the same affine hull.
 std::vector<PointId> spanning_part(const Subject& subject, std::vector<PointId> names) {
   std::rotate(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(below(names.size())), names.end());
   std::vector<PointId> part;
@@ -92,8 +92,8 @@ std::vector<PointId> spanning_part(const Subject& subject, std::vector<PointId> 
   return part;
 }
 
-// Critical points only, parts of contact sets, radii in decimals, incidences as sets: as Giesen and Kühne's
-// format has it.
+// A claim as Giesen and Kühne's format has it: critical points only, parts of contact sets, radii in
+// decimals, and incidences as sets.
 Claim claim_in_decimals(const Subject& subject) {
   Claim claim = full_claim(subject);
   std::erase_if(claim.points, [](const ClaimedPoint& point) { return point.hull_dimension.has_value(); });
@@ -134,8 +134,8 @@ ClaimedPoint critical(int index, const std::vector<PointId>& contact) {
   return point;
 }
 
-// All samples of the face of the contact set that has the centre in its relative interior: those of all
-// simplices that have it there.
+// All samples of the face of the contact set that has the centre in its relative interior. They are the
+// samples of all simplices that have it there.
 std::vector<PointId> smallest_face(const Subject& subject, std::size_t i) {
   const std::vector<PointId> names = subject.contact(i);
   const RationalPoint center = subject.truth->sphere(i).center;
@@ -150,7 +150,7 @@ std::vector<PointId> smallest_face(const Subject& subject, std::size_t i) {
   return {face.begin(), face.end()};
 }
 
-// The polygons of the contact set's hull that have the edge pq; two, for kind 1-3.
+// The polygons of the contact set's hull that have the edge pq. For kind 1-3 there are two.
 std::set<std::vector<PointId>> polygons_of(const Subject& subject, std::size_t i,
                                            const std::vector<PointId>& edge) {
   std::set<std::vector<PointId>> polygons;
@@ -198,7 +198,7 @@ std::vector<ClaimedPoint> perturbed(const Subject& subject, std::size_t i) {
 
 struct PerturbedClaim {
   Claim claim;
-  std::vector<std::size_t> lines;  // of what is perturbed
+  std::vector<std::size_t> lines;  // of the perturbed points
 };
 
 PerturbedClaim perturbed_claim(const Subject& subject) {
@@ -239,7 +239,7 @@ std::optional<Mutant> dropped(const Subject& subject, const Claim& claim) {
   return mutant;
 }
 
-// Whatever is added to all that is true is wrong.
+// All that is true is claimed already, so whatever is added is wrong.
 std::optional<Mutant> added(const Subject& subject, const Claim& claim) {
   if (subject.points.empty()) return std::nullopt;
   std::set<PointId> names;
@@ -283,7 +283,7 @@ std::optional<Mutant> of_other_index(const Subject&, const Claim& claim) {
   return mutant;
 }
 
-// A sample more, less or another; but not what FC-CLAIM-02 permits.
+// One sample more, less or another, but not in a way that FC-CLAIM-02 permits.
 std::optional<Mutant> of_other_contact(const Subject& subject, const Claim& claim) {
   const auto k = some_point(claim, is_any);
   if (!k) return std::nullopt;
@@ -305,7 +305,7 @@ std::optional<Mutant> of_other_contact(const Subject& subject, const Claim& clai
   return mutant;
 }
 
-// The nearest double, or the one beside it; equal to the exact value never.
+// The nearest double, or a double beside it where the nearest is the exact value itself.
 std::optional<Rational> rounded_off(const Rational& value) {
   const std::optional<double> nearest = nearest_double(value);
   if (!nearest) return std::nullopt;
@@ -335,7 +335,7 @@ std::optional<Mutant> with_other_distance(const Subject&, const Claim& claim) {
   return mutant;
 }
 
-// Both limits are such that no perturbation lets an orbit go on.
+// Whether both limits are such that no perturbation lets an orbit go on.
 bool has_final_limits(const Subject& subject, const ClaimedPoint& point) {
   if (!point.successors) return false;
   const auto limits = subject.truth->limits(point.line - kFirstLine);
@@ -501,14 +501,14 @@ TEST(CheckMutations, MutantsFailWhereTheyAreWrong) {
   for (const auto& [name, mutation] : mutations()) EXPECT_GT(made[name], 50U) << name;
 }
 
-// Of what a perturbation makes of a regular stationary point, no part is right without the others.
+// What a perturbation makes of a regular stationary point is right only as a whole.
 TEST(CheckMutations, HalfAPerturbationFails) {
   CITES("FC-CLAIM-04");
   std::size_t made = 0;
   on_all_families<Subject>(fuzz::families(), kInputsPerFamily, [&](const Subject& subject) {
     PerturbedClaim half = perturbed_claim(subject);
     if (half.lines.empty()) return;
-    // Of the four points of a kind 1-3, three are never right; neither is one of two.
+    // Three of the four points of a kind 1-3 are never right, nor is one of two.
     const std::size_t line = half.lines[below(half.lines.size())];
     const auto dropped_at = std::ranges::find(half.claim.points, line, &ClaimedPoint::line);
     const RationalPoint center = exact_sphere(subject.points, dropped_at->contact).center;

@@ -1,7 +1,7 @@
-// What the tests of claims share: an input and the truth about it, points of claims by chance, and reports
-// that failed in words.
+// What the tests of claims share: an input with the truth about it, random points of claims, and failed
+// reports in words.
 //
-// Guarantees: everything by chance is drawn with RapidCheck, within a property.
+// Guarantees: everything random is drawn with RapidCheck, within a property.
 #pragma once
 
 #include <rapidcheck.h>
@@ -56,7 +56,7 @@ inline void require(const ClaimSubject& subject, bool holds, const std::string& 
   RC_FAIL(text.str());
 }
 
-// One of the points that qualify, by chance.
+// A random one of the points that qualify.
 inline std::optional<std::size_t> some_point(const Claim& claim,
                                              const std::function<bool(const ClaimedPoint&)>& qualifies) {
   std::vector<std::size_t> places;
@@ -67,7 +67,7 @@ inline std::optional<std::size_t> some_point(const Claim& claim,
   return places[below(places.size())];
 }
 
-// The property takes a subject, made of an input of each of the families so many times.
+// Runs the property on subjects made of inputs of each family, so many of each.
 template <typename Subject, typename Property>
 void on_all_families(const std::vector<fuzz::Family>& families, int inputs_per_family, Property&& property) {
   bool agreed = true;

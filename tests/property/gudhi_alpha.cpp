@@ -1,4 +1,4 @@
-// Doubles as filtration values serve for ranks, too; GUDHI's faster options have floats, which do not.
+// Filtration values in doubles can hold ranks. GUDHI's faster options have floats, which cannot.
 #include "tests/property/gudhi_alpha.h"
 
 #include <CGAL/Epeck_d.h>
@@ -111,7 +111,7 @@ std::vector<GudhiPair> GudhiAlpha::persistence(const std::vector<std::size_t>& r
     place_of.emplace(&complex_->handles[k]->second, k);
   }
   tree.initialize_filtration();
-  Cohomology cohomology(tree, true);  // true: of the top dimension as well
+  Cohomology cohomology(tree, true);  // true: the top dimension as well
   cohomology.init_coefficients(2);
   cohomology.compute_persistent_cohomology(-1);
   for (const auto& [birth, death, field] : cohomology.get_persistent_pairs()) {

@@ -1,10 +1,10 @@
 // The alpha complex and its persistence as GUDHI computes them, behind an interface without GUDHI's headers:
 // one file pays for compiling them.
 //
-// Guarantees: the simplices are those of GUDHI's alpha complex (of its three-dimensional one, exact; of the
-// one for any dimension where the points are flat, which the former refuses). GUDHI keeps filtration values
-// in doubles, in which different values can be equal, and equal ones different; so the pairs are those of a
-// filtration that the caller gives as ranks.
+// Guarantees: the simplices are those of GUDHI's exact alpha complex in three dimensions. That complex
+// refuses flat points; they get GUDHI's complex for any dimension. GUDHI keeps filtration values in doubles,
+// where different values can become equal, and equal ones different. So the caller gives the filtration as
+// ranks.
 #pragma once
 
 #include <cstddef>
@@ -30,13 +30,13 @@ struct GudhiPair {
 
 class GudhiAlpha {
  public:
-  // Distinct points. Throws std::runtime_error if GUDHI makes no complex, or not of these points.
+  // The points are distinct. Throws std::runtime_error if GUDHI makes no complex, or one of other points.
   explicit GudhiAlpha(std::span<const Point> points);
   ~GudhiAlpha();
 
-  // Faces before what they are faces of.
+  // Each face comes before the simplices that it is a face of.
   [[nodiscard]] const std::vector<GudhiSimplex>& simplices() const;
-  // Of all dimensions, over Z/2. rank: of each simplex, not less than those of its faces; below 2^53.
+  // Pairs of all dimensions, over Z/2. Each simplex has a rank below 2^53, not less than its faces' ranks.
   [[nodiscard]] std::vector<GudhiPair> persistence(const std::vector<std::size_t>& rank);
 
  private:

@@ -1,8 +1,8 @@
 // Invariants on inputs that are too large for the oracle's own search: the Euler sum, and the counts of full
 // lattices; and the signatures of single tetrahedra.
 //
-// Guarantees: exact. On the large inputs, records spread over the whole list are certified one by one by the
-// oracle (each a scan over all points), so that a right Euler sum is not two wrongs.
+// Guarantees: exact. On the large inputs the oracle certifies records spread over the whole list, one by one
+// (each by a scan over all points), so that two errors do not pass for a right Euler sum.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -198,7 +198,7 @@ TEST(Invariants, SignaturesOfTetrahedra) {
     RC_ASSERT(signature[0] + signature[2] == 1 + signature[1] + signature[3]);
     signatures.insert(signature);
   });
-  // (4,3,0,0) to (4,6,4,1): a run that sees one or two of them has not drawn what it meant to.
+  // Signatures go from (4,3,0,0) to (4,6,4,1). A run that sees one or two has not drawn what it meant to.
   EXPECT_GE(signatures.size(), 5U);
 }
 

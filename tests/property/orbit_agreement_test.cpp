@@ -1,9 +1,9 @@
 // Orbits of the fast implementation against the oracle's, on every family of inputs and from starts of every
 // kind.
 //
-// Guarantees: equality of everything, segment by segment, with lazy constructions and binary search; with the
-// other three ways to compute them; and of single steps. The test fails too when the run has met fewer orbits
-// than it should, starts on too few Voronoi vertices, edges or facets, or not every type of Table 1. A
+// Guarantees: all is equal, segment by segment, for lazy constructions with binary search and for the other
+// three ways to compute orbits. Single steps are compared too. The test fails too when the run has met fewer
+// orbits than it should, starts on too few Voronoi vertices, edges or facets, or not every type of Table 1. A
 // failure is shrunk, input and start alike, and printed with both orbits.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -110,7 +110,7 @@ void require_steps(const Subject& subject, Flow& flow, const OrbitRecord& orbit)
   require_same(subject.input, "single steps against the orbit", steps, orbit);
 }
 
-// V-V-V at a Voronoi vertex, and so on; and an orbit without segments.
+// A step from a limit stays there, for example as V-V-V, and an orbit from a limit has no segments.
 void require_stays(const Subject& subject, Flow& flow, const LimitRecord& limit) {
   const FlowSegment step = flow.step(limit.position);
   const std::string letter(1, oracle::face_letter(subject.set, limit.contact));
@@ -166,8 +166,8 @@ bool agrees_on(const fuzz::Family& family, const rc::detail::TestParams& paramet
   });
 }
 
-// Far less than usual for the shares of all starts, less for those of a kind: neither another seed nor a new
-// family should fail.
+// The bounds are far below the usual shares of all starts, and below those of each kind, so that neither
+// another seed nor a new family fails.
 void expect_starts_everywhere(const StartCensus& starts) {
   EXPECT_GE(starts.percent('V'), 5);
   EXPECT_GE(starts.percent('E'), 5);
@@ -187,7 +187,7 @@ struct Outcome {
   bool complete = false;
 };
 
-// Only the first failure is shrunk, if any is to be.
+// Shrinks only the first failure, and that one only if `shrinks` is true.
 Outcome run_of(const std::vector<fuzz::Family>& families, int inputs, bool shrinks) {
   Outcome run;
   bool agreed = true;

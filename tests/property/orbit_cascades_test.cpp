@@ -1,4 +1,4 @@
-// Orbits that cross fifty facets and more, fast against oracle: what inputs of a dozen points cannot have.
+// Orbits that cross fifty facets and more, fast against oracle. Inputs of a dozen points have none.
 //
 // Guarantees: equality of all segments, as orbit_comparison.h says, for both kernels and both searches. The
 // test fails too when the inputs no longer make long orbits, or none that crosses a facet of high degree.
@@ -28,7 +28,7 @@ std::size_t facets_crossed(const OrbitRecord& orbit) {
                                                 [](const SegmentRecord& s) { return s.type[2] == 'F'; }));
 }
 
-// Facets crossed by the longest of the orbits.
+// Returns how many facets the longest of the orbits crosses.
 std::size_t expect_orbits_agree(const Subject& subject, const std::vector<RationalPoint>& starts) {
   std::size_t longest = 0;
   std::vector<Flow> flows;
@@ -43,7 +43,7 @@ std::size_t expect_orbits_agree(const Subject& subject, const std::vector<Ration
   return longest;
 }
 
-// Of every `step`-th saddle, both orbits.
+// Compares both orbits of every `step`-th saddle. Returns how many facets the longest one crosses.
 std::size_t expect_manifolds_agree(const Subject& subject, std::size_t step) {
   const StationaryPoints& stationary = subject.complex.stationary();
   const UnstableManifolds& manifolds = subject.complex.unstable();
@@ -83,14 +83,13 @@ TEST(OrbitCascades, InsideAHalfShell) {
   EXPECT_GE(expect_manifolds_agree(subject, 23), 20u);
 }
 
-// Starts on the way from one end of the edge's obtuse neighbours to the other, inside the facet and on its
-// boundary, by the points of the diagram that the oracle finds there.
+// The starts are on rays from the origin, which is the edge's midpoint, through every third neighbour. On
+// each ray one start is before the neighbour, and one is beyond it.
 TEST(OrbitCascades, AcrossAFacetOfHighDegree) {
   CITES("FC-FLOW-02");
   for (const bool perturbed : {false, true}) {
     const fuzz::Input input = fuzz::high_degree_facet(120, perturbed, 5);
     const Subject subject(input);
-    // The way out of the origin, the edge's midpoint, meets the facet somewhere: from each sample, outwards.
     std::vector<RationalPoint> starts;
     for (std::size_t k = 2; k < input.rows.size() && starts.size() < 40; k += 3) {
       const RationalPoint q{Rational(input.rows[k][0]), Rational(input.rows[k][1]),

@@ -13,7 +13,7 @@ using fuzz::Integer;
 using fuzz::IntegerPoint;
 using fuzz::IntegerPoints;
 
-// So many points made of random triples.
+// Inputs of so many points made of random triples.
 template <typename Make>
 rc::Gen<fuzz::Input> points_of(std::size_t count, Integer low, Integer high, Make make) {
   return fuzz::input_of(rc::gen::map(rc::gen::container<IntegerPoints>(count, fuzz::integer_point(low, high)),

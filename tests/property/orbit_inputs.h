@@ -1,7 +1,7 @@
-// Inputs for orbits that are larger than those of the families of fuzz/inputs/families.h, and too large for the
-// oracle's search for stationary points: its orbits cost one scan a segment, so they are fine.
+// Inputs for orbits, larger than those of the families of fuzz/inputs/families.h. They are too large for the
+// oracle's search for stationary points, but not for its orbits, which cost one scan a segment.
 //
-// Guarantees: as families.h, but for the number of points, which does not depend on the size.
+// Guarantees: those of families.h, except that the number of points does not depend on the size.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace flowcert::property {
 
-// Points of a lattice, of a dome (a grid-rounded half sphere over its rim: long cascades), of a lattice in a
-// tilted plane, and in general position; a few hundred each.
+// Inputs of a few hundred points each: of a lattice, of a dome (a grid-rounded half sphere over its rim, with
+// long cascades), of a lattice in a tilted plane, and in general position.
 std::vector<fuzz::Family> larger_families();
 
 }  // namespace flowcert::property

@@ -48,7 +48,7 @@ struct Seen {
   }
 };
 
-// True if all orbits keep the laws.
+// Returns whether all orbits keep the laws.
 bool keeps_laws(const fuzz::Family& family, const rc::detail::TestParams& parameters, Seen& seen) {
   const rc::Gen<fuzz::Input> generator = family.generate();
   return expect_holds(family.name, parameters, [&] {
@@ -114,7 +114,7 @@ struct Orbits {
 
 using Move = std::function<RationalPoint(const RationalPoint&)>;
 
-// The starts of `original`, moved, flow on the transformed input as their orbits, moved and renamed, do.
+// The moved starts of `original` have the moved and renamed orbits on the transformed input.
 void require_equivariant(const Orbits& original, const fuzz::Input& transformed, const Move& move,
                          const std::vector<std::size_t>& names = {}) {
   const auto rename = [&names](std::vector<std::size_t>& contact) {
@@ -148,7 +148,7 @@ void require_equivariant(const Orbits& original, const fuzz::Input& transformed,
 
 class OrbitEquivariance : public ::testing::Test {
  protected:
-  // relation(orbits) draws a transformation; true if it was other than the identity.
+  // relation(orbits) draws a transformation and returns whether it was other than the identity.
   static void expect_for_orbits(const std::function<bool(const Orbits&)>& relation) {
     constexpr int kInputs = 8;
     constexpr std::size_t kStarts = 2;

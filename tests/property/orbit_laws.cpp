@@ -12,7 +12,7 @@ namespace {
 using oracle::Point;
 using oracle::PointSet;
 
-// Strictly between start and end.
+// A point strictly between start and end.
 Point middle_of(const SegmentRecord& segment) {
   Point x = segment.start;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -22,7 +22,7 @@ Point middle_of(const SegmentRecord& segment) {
   return x;
 }
 
-// All between start and end have the crossed contact set if one does, and both ends' contact sets contain it.
+// All between start and end have the crossed contact set if one has it, and if both ends' sets contain it.
 std::string broken_contact(const PointSet& set, const SegmentRecord& segment) {
   const auto has_crossed = [&segment](const std::vector<std::size_t>& contact) {
     return std::includes(contact.begin(), contact.end(), segment.crossed_contact.begin(),
@@ -73,7 +73,7 @@ std::string broken_driver(const PointSet& set, const SegmentRecord& segment) {
              : "FC-FLOW-04: the driver changes on the way";
 }
 
-// The end is start + t (start - driver), t > 0. At infinity no point ever catches up with the crossed ones.
+// The end is start + t (start - driver), t > 0. On a way to infinity no point becomes nearer than the crossed ones.
 std::string broken_way(const PointSet& set, const SegmentRecord& segment) {
   const Point u = oracle::minus(segment.start, segment.driver);
   if (u == Point{}) {
@@ -97,12 +97,12 @@ Rational squared_distance_to(const PointSet& set, const Point& x) {
   return oracle::squared_distance(x, set.points[set.nearest_places(x).front()]);
 }
 
-// Of the smallest ball that encloses C(x), by Pythagoras: all of C(x) is equally far from x.
+// The squared radius of the smallest ball that encloses C(x), by Pythagoras: C(x) is equally far from x.
 Rational squared_ball_radius(const PointSet& set, const Point& x, const Point& driver) {
   return squared_distance_to(set, x) - oracle::squared_distance(x, driver);
 }
 
-// The places of an orbit at which segments start, with their drivers; the limit is its own.
+// The places of an orbit at which segments start, with their drivers, and the limit, which drives itself.
 std::vector<std::pair<Point, Point>> stations(const OrbitRecord& orbit) {
   std::vector<std::pair<Point, Point>> all;
   for (const SegmentRecord& segment : orbit.segments) {

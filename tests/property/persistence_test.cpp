@@ -2,8 +2,8 @@
 // textbook reduction of the whole boundary matrix, against themselves with ties broken otherwise, and against
 // GUDHI's persistence of the alpha complex.
 //
-// Guarantees: everything is compared exactly. A family in which no input is free of ties, or a run in which
-// none has any, does not pass for a test of either.
+// Guarantees: everything is compared exactly. The test fails too when a run has met too few inputs without
+// ties, or too few with ties.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -66,7 +66,7 @@ Chain boundary_of_boundary(const Subject& subject, std::size_t record) {
   return sum;
 }
 
-// Of a maximum, without ties: the index-2 points of which exactly one orbit of U2 ends there.
+// A maximum's boundary without ties: the index-2 points of which exactly one orbit of U2 ends there.
 Chain boundary_by_orbits(const Subject& subject, std::size_t maximum) {
   Chain boundary;
   for (std::size_t i = 0; i < subject.unstable().size(); ++i) {
@@ -78,7 +78,7 @@ Chain boundary_by_orbits(const Subject& subject, std::size_t maximum) {
   return boundary;
 }
 
-// Of an index-1 point, its samples.
+// The samples of an index-1 point.
 Chain samples_of(const Subject& subject, std::size_t record) {
   Chain samples;
   for (const PointId name : subject.stationary().contact(record)) {
@@ -115,11 +115,11 @@ std::string broken_complex(const Subject& subject) {
   return {};
 }
 
-// The whole boundary matrix, columns from left to right, each reduced by those before it: no clearing, no
-// union-find, no regard to dimension.
+// The reduction of the whole boundary matrix: columns from left to right, each reduced by those before it,
+// with no clearing, no union-find, and no regard to dimension.
 class Reduction {
  public:
-  // Cells of an index above this are left out.
+  // Leaves out the cells of an index above this.
   Reduction(const Subject& subject, int highest_index) : subject_(subject) {
     std::vector<std::size_t> order(subject.critical_count());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -166,7 +166,7 @@ class Reduction {
   std::set<std::size_t> zero_;
 };
 
-// An index-2 point's boundary reduces to zero iff the union-find of maxima has paired it with one.
+// An index-2 point's boundary reduces to zero iff the union-find has paired the point with a maximum.
 std::string broken_invariant(const Subject& subject) {
   std::set<std::size_t> opens_void;
   for (const PersistencePair& pair : subject.persistence().pairs()) {
@@ -183,7 +183,7 @@ std::string broken_invariant(const Subject& subject) {
   return {};
 }
 
-// Every critical point is in one pair, of which one is without end: a component.
+// Every critical point is in one pair. Just one pair is without end, that of a component.
 std::string broken_pairing(const Subject& subject) {
   std::vector<int> times(subject.critical_count(), 0);
   std::array<std::size_t, 4> lasting{};
@@ -267,7 +267,7 @@ bool have_same_boundaries(const Subject& a, const Subject& b) {
   return true;
 }
 
-// All that is wrong with one way of breaking ties.
+// The first law that one way of breaking ties breaks; empty if none.
 std::string broken_laws(const Subject& subject, const std::vector<ExactPair>& pairs) {
   for (const auto& law : {broken_complex, broken_pairing, broken_invariant}) {
     if (const std::string broken = law(subject); !broken.empty()) return broken;
@@ -276,7 +276,7 @@ std::string broken_laws(const Subject& subject, const std::vector<ExactPair>& pa
   return difference(pairs, Reduction(subject, 3).pairs()).empty() ? "" : "not what the textbook has";
 }
 
-// Empty if nothing is wrong.
+// What is wrong; empty if nothing is.
 std::string complaint_about(const fuzz::Input& input, Seen& seen) {
   const PointSet points = point_set_of(input);
   const Subject first(points);
@@ -297,7 +297,7 @@ std::string complaint_about(const fuzz::Input& input, Seen& seen) {
   return difference(pairs, alpha_persistence(points.points()));
 }
 
-// Only the first failure is shrunk, if any is to be.
+// Shrinks only the first failure, and that one only if `shrinks` is true.
 Seen run_of(const std::vector<fuzz::Family>& families, int count, bool shrinks) {
   Seen all;
   bool agreed = true;
@@ -351,9 +351,9 @@ TEST(PersistenceTest, IsThatOfTheAlphaComplexOfLargerInputs) {
   for (const std::size_t pairs : all.pairs) EXPECT_GE(pairs, 100U);
 }
 
-// Some path at a Voronoi vertex has a right-angled edge, whose branch goes on along a Voronoi edge and,
-// before it comes to that polygon's centre, to another Voronoi vertex. Among random points one in ten
-// thousand does.
+// Some path at a Voronoi vertex has a right-angled edge here. The edge's branch goes on along a Voronoi edge,
+// and comes to another Voronoi vertex before it comes to that polygon's centre. Among random points one set
+// in ten thousand does this.
 const std::vector<fuzz::IntegerPoints> kThroughTwoVertices = {
     {{-1, 2, 1}, {2, 2, -1}, {0, -1, 0}, {-1, 0, 1}, {2, 0, 0}, {-1, 0, 0}},
     {{-2, 2, 4}, {0, 2, 3}, {2, 2, 7}, {-1, 2, 3}, {-1, -2, 4}, {-2, -1, 4}},
@@ -362,7 +362,7 @@ const std::vector<fuzz::IntegerPoints> kThroughTwoVertices = {
     {{-1, 1, 1}, {0, -2, 0}, {-1, -1, 1}, {0, -1, -2}, {2, 1, -1}, {2, -1, 1}, {0, -1, 1}},
     {{2, 1, 3}, {3, 2, 0}, {0, 2, 0}, {2, 0, 2}, {2, 0, 1}, {0, 0, 1}, {1, 0, 0}, {3, 3, 2}}};
 
-// One of them, with up to four points more.
+// One of these sets, with up to four points more.
 fuzz::Family through_two_vertices() {
   const auto generate = [] {
     return fuzz::input_of(rc::gen::apply(
@@ -385,7 +385,7 @@ TEST(PersistenceTest, PathsGoOnFromOneVoronoiVertexToTheNext) {
   EXPECT_GE(all.other_choice, all.inputs / 10);
 }
 
-// fuzz/regressions/boundary-of-boundary.xyz: choices that suit each other, and others.
+// This is fuzz/regressions/boundary-of-boundary.xyz. Some choices at its ties suit each other, others do not.
 TEST(PersistenceTest, ABoundaryOfABoundaryNeedNotBeZeroWhereThereIsATie) {
   CITES("FC-CHAIN-02", "FC-CHAIN-03", "FC-PERS-01");
   const fuzz::Input input{{{0, 5, 0}, {-3, 0, -2}, {3, 0, -2}, {0, 0, 12}, {0, -5, 0}}};
@@ -405,7 +405,7 @@ TEST(PersistenceTest, ABoundaryOfABoundaryNeedNotBeZeroWhereThereIsATie) {
     complexes.insert(boundaries);
   }
   EXPECT_EQ(is_zero, (std::set<bool>{false, true}));
-  // Four paths between opposite corners of a tetrahedron, and two ways on for each of two orbits.
+  // There are four paths between opposite corners of a tetrahedron, and two ways on for each of two orbits.
   EXPECT_EQ(complexes.size(), 16U);
 }
 
@@ -422,7 +422,7 @@ TEST(PersistenceTest, TheComplexOfTheCube) {
   EXPECT_FALSE(subject.has_ties());
   for (std::size_t record = 0; record < 27; ++record) {
     EXPECT_EQ(subject.boundary(record).size(), 2U * static_cast<std::size_t>(subject.index(record)));
-    // Of a face, the faces that it contains.
+    // A face contains the faces in its boundary.
     for (const std::uint32_t cell : subject.boundary(record)) {
       EXPECT_TRUE(
           std::ranges::includes(subject.stationary().contact(record), subject.stationary().contact(cell)));

@@ -27,7 +27,7 @@ inline double scale_of_run() {
   return text == nullptr ? 1.0 : std::max(0.0, std::strtod(text, nullptr));
 }
 
-// Sizes 0 to 100, so often. Shrinking a large input takes longer than anybody waits.
+// Parameters for so many inputs of sizes 0 to 100. Shrinking a large input takes longer than anybody waits.
 inline rc::detail::TestParams parameters_of_run(int inputs, bool shrinks = true) {
   rc::detail::TestParams parameters;
   parameters.disableShrinking = !shrinks;
@@ -36,8 +36,8 @@ inline rc::detail::TestParams parameters_of_run(int inputs, bool shrinks = true)
   return parameters;
 }
 
-// Runs a property (a callable that draws with *gen and fails with RC_FAIL); a failure is shrunk before it is
-// reported. True if it held.
+// Runs a property, which is a callable that draws with *gen and fails with RC_FAIL. A failure is shrunk
+// before it is reported. Returns whether the property held.
 template <typename Property>
 bool expect_holds(const std::string& name, const rc::detail::TestParams& parameters, Property&& property) {
   // RapidCheck announces the seed of its own configuration, which would be a random one, on first use.

@@ -103,7 +103,7 @@ void print_row(const std::string& name, const Totals& totals) {
       totals.regular_ends);
 }
 
-// True if all agreed. Each family's totals are printed, and added.
+// Returns whether all agreed. Prints each family's totals, and adds them to `all`.
 bool sets_agree(const std::vector<fuzz::Family>& families, int inputs, Totals& all) {
   bool agreed = true;
   for (const fuzz::Family& family : families) {
@@ -136,8 +136,8 @@ TEST(StableAgreement, SetsAreTheOracles) {
   }
 }
 
-// Sectors whose two rays, each in one of the sets, end in a Voronoi vertex of the near side: it belongs to
-// neither side of the ray, and nothing beyond it to the sector. Few of what is drawn is like that.
+// In each input a sector's ray ends in a Voronoi vertex of the near side. That vertex belongs to neither side
+// of the ray, and nothing beyond it belongs to the sector. Random inputs seldom have such rays.
 TEST(StableAgreement, SectorsWhoseRaysMeetVoronoiVerticesAreTheOracles) {
   CITES("FC-STAB-05");
   const std::vector<fuzz::Input> inputs = {

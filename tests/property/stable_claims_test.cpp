@@ -1,8 +1,8 @@
 // Claims of stable sets, right ones and right ones with one thing made wrong, on every family of inputs,
 // those made for stable sets too; and boundary walks against the oracle's.
 //
-// Guarantees: a claim made of the answer itself conforms exactly; made with what FC-CLAIM-09 and 10 permit
-// (ties broken otherwise, what lies beyond Voronoi vertices left out, decimals) it never fails. Each mutant
+// Guarantees: a claim made of the answer itself conforms exactly. A claim with what FC-CLAIM-09 and 10 permit
+// (ties broken otherwise, what lies beyond Voronoi vertices left out, decimals) never fails. Each mutant
 // fails, on the level and the line where it was made wrong. The test fails too when some kind of mutant, or
 // of permitted variation, was hardly ever made.
 #include <gtest/gtest.h>
@@ -75,7 +75,7 @@ Claim claim_in_decimals(Claim claim) {
   return claim;
 }
 
-// Ties broken at random. How many boundaries came out otherwise is counted.
+// Breaks ties at random, and counts the boundaries that came out otherwise.
 Claim with_other_ties(const Subject& subject, Claim claim, std::size_t& differing) {
   const StableManifolds other(subject.diagram, subject.stationary, {.flow = {}, .seed = 1 + below(1000000)});
   for (std::size_t k = 0; k < other.size(); ++k) {
@@ -89,7 +89,7 @@ Claim with_other_ties(const Subject& subject, Claim claim, std::size_t& differin
   return claim;
 }
 
-// Of what is reached through Voronoi vertices some is left out.
+// Leaves out some of what is reached through Voronoi vertices.
 Claim without_what_is_beyond(const Subject& subject, Claim claim, std::size_t& left_out) {
   for (std::size_t i = 0; i < claim.points.size(); ++i) {
     ClaimedPoint& point = claim.points[i];
@@ -123,7 +123,7 @@ bool is_surface(const ClaimedPoint& point) { return point.surface && !point.surf
 bool is_saddle(const ClaimedPoint& point) { return point.stable && point.stable->boundary; }
 bool has_segments(const ClaimedPoint& point) { return point.skeleton && !point.skeleton->segments.empty(); }
 
-// Any edge more or less is no cycle.
+// A cycle with one edge more or less is no cycle.
 std::optional<Mutant> other_boundary(const Subject& subject, const Claim& claim) {
   const auto k = some_point(claim, is_saddle);
   const auto edge = some_point(claim, [](const ClaimedPoint& point) { return point.index == 1; });
@@ -135,7 +135,7 @@ std::optional<Mutant> other_boundary(const Subject& subject, const Claim& claim)
   return mutant;
 }
 
-// A cycle, but another one.
+// The claimed boundary is a cycle, but that of another point.
 std::optional<Mutant> boundary_of_another(const Subject& subject, const Claim& claim) {
   const auto k = some_point(claim, [&](const ClaimedPoint& point) {
     return is_saddle(point) && !has_tie(*subject.truth, point.line - kFirstLine);
@@ -163,7 +163,7 @@ std::optional<Mutant> other_incidence(const Subject& subject, const Claim& claim
   return mutant;
 }
 
-// The least of all ways to write a closed walk down.
+// The least of all ways to write down a closed walk.
 std::vector<PointId> least_walk(std::vector<PointId> walk) {
   std::vector<PointId> least = walk;
   for (std::size_t turn = 0; turn < 2 * walk.size(); ++turn) {
@@ -247,7 +247,7 @@ std::optional<Mutant> moved_triangle(const Subject&, const Claim& claim) {
   return mutant;
 }
 
-// Of the stationary point's own segments, none is beyond a Voronoi vertex.
+// Leaves out a segment of the stationary point's own. None of these is beyond a Voronoi vertex.
 std::optional<Mutant> segment_less(const Subject& subject, const Claim& claim) {
   const auto k =
       some_point(claim, [](const ClaimedPoint& point) { return point.index == 2 && is_saddle(point); });

@@ -37,7 +37,7 @@ using oracle::StationaryPoint;
 using oracle::Triangle;
 
 constexpr std::size_t kSetsOfAnInput = 16;    // at most so many are flowed to, chosen at random
-constexpr std::size_t kTrianglesOfASet = 6;   // likewise
+constexpr std::size_t kTrianglesOfASet = 6;   // at most so many, chosen at random
 constexpr std::size_t kPointsOfAnInput = 8;   // anywhere
 constexpr std::size_t kPiecesOfAnInput = 12;  // from which a point is taken
 constexpr int kHalvings = 60;
@@ -82,7 +82,7 @@ std::size_t below(rc::Random& random, std::size_t bound) {
   return static_cast<std::size_t>(random.next() % bound);
 }
 
-// At most so many of them, in their order.
+// At most so many of them, chosen at random, in their order.
 template <typename T>
 std::vector<T> some_of(const std::vector<T>& all, std::size_t most, rc::Random& random) {
   std::vector<T> chosen;
@@ -93,7 +93,7 @@ std::vector<T> some_of(const std::vector<T>& all, std::size_t most, rc::Random& 
   return chosen;
 }
 
-// In the relative interior of their convex hull.
+// A random point in the relative interior of the points' convex hull.
 Point mixture(const std::vector<Point>& points, rc::Random& random) {
   Rational sum = 0;
   Point mixed;
@@ -107,7 +107,7 @@ Point mixture(const std::vector<Point>& points, rc::Random& random) {
 
 using Law = std::function<void(const FastSets&, rc::Random&)>;
 
-// True if the law held for so many inputs of each family, and three times as many of those for stable sets.
+// Returns whether the law held for so many inputs of each family, three times as many of stable families.
 bool holds_for_inputs(int inputs, const Law& law) {
   bool held = true;
   const std::size_t common = fuzz::families().size();
@@ -142,8 +142,8 @@ Rational largest_coordinate(const Point& a) {
   return std::max({Rational(abs(a[0])), Rational(abs(a[1])), Rational(abs(a[2]))});
 }
 
-// Whether the segment from x, which is not on the closed triangle, to y might meet it; false if they are
-// strictly on one side of its plane, or the segment leaves the plane at x.
+// Whether the segment from x to y might meet the closed triangle, on which x is not. It does not if both ends
+// are strictly on one side of the triangle's plane, or if the segment leaves the plane at x.
 bool might_meet(const Triangle& triangle, const Point& x, const Point& y) {
   const Point normal = normal_of(triangle);
   const int at_x = oracle::dot(normal, oracle::minus(x, triangle[0])).sign();
@@ -151,8 +151,8 @@ bool might_meet(const Triangle& triangle, const Point& x, const Point& y) {
   return at_y == 0 || at_x * at_y < 0;
 }
 
-// Straight above or below a point inside the k-th triangle: as far off as the triangle is large, or half of
-// that, and so on, until nothing of the surface is met on the way there.
+// A point straight above or below x, which is inside the k-th triangle. It is as far off as the triangle is
+// large, or half of that, and so on, until the way there meets nothing else of the surface.
 std::optional<Point> beside(const std::vector<Triangle>& surface, std::size_t k, const Point& x, int side) {
   const Point normal = normal_of(surface[k]);
   Rational step =
@@ -239,7 +239,7 @@ struct BoundariesSeen {
   std::size_t surfaces = 0, with_vertex = 0, edges = 0, regular_edges = 0, inner_sides = 0, at_vertices = 0;
 };
 
-// The samples p, q of which m is the midpoint and which are nearest to it: m is critical of index 1, or
+// The samples p, q that are nearest to m and have m as their midpoint. Then m is critical of index 1, or
 // regular stationary, and pm and mq are S1 or would be. Nothing for another point.
 std::vector<std::size_t> diameter_at(const FastSets& all, const Point& m, const Point& p) {
   const Point opposite = oracle::moved(m, 1, oracle::minus(m, p));
@@ -251,7 +251,7 @@ std::vector<std::size_t> diameter_at(const FastSets& all, const Point& m, const 
 }
 
 // The edges, by samples, that the sides on an odd number of triangles make up. A side from a sample to a
-// Voronoi vertex may be among them too: where one edge only leads there that has this sample.
+// Voronoi vertex is among them too, if only one edge with this sample leads to the vertex.
 std::set<Ids> boundary_of(const FastSets& all, const FastSet& set, BoundariesSeen& seen) {
   const oracle::PointSet& points = all.subject.set;
   const std::vector<Triangle> surface = oracle::triangles(points, set.skeleton);
@@ -317,7 +317,7 @@ struct PlacesSeen {
   std::size_t points = 0, in_critical = 0, in_regular = 0, elsewhere = 0;
 };
 
-// The one set of index 2 or of a regular point that contains x is that of its limit.
+// x is in the set of its limit, if that has index 2 or is regular, and in no other such set.
 void require_right_set(const FastSets& all, const Point& x, PlacesSeen& seen) {
   const auto limit = oracle::orbit(all.subject.set, x).limit;
   bool is_in_one = false;
@@ -334,7 +334,7 @@ void require_right_set(const FastSets& all, const Point& x, PlacesSeen& seen) {
   seen.elsewhere += is_in_one ? 0 : 1;
 }
 
-// The hull of a piece of a skeleton, or of the cone over it to one of its samples.
+// The hulls of a skeleton's pieces, or of the cones over them to one of their samples.
 std::vector<std::vector<Point>> hulls_of(const FastSets& all, const FastSet& set, rc::Random& random) {
   std::vector<std::vector<Point>> hulls;
   const auto add = [&](std::vector<Point> base, const auto& apexes) {
@@ -381,8 +381,8 @@ TEST(StableInvariants, EveryPointIsInTheSetOfItsLimitAndInNoOther) {
   EXPECT_GE(on_skeletons.in_regular, 400U);
 }
 
-// Where the flow goes on from a point of the skeleton: the front of what has it as its back. Nothing in the
-// end, and where a sector is next.
+// Where the flow goes on from a point of the skeleton: the front of the piece that has the point as its back.
+// There is none in the end, nor where a sector is next.
 std::optional<Point> next_front(const FastSets& all, const FastSet& set, const Point& y) {
   std::vector<Point> fronts;
   for (const auto& s : set.pieces.segments) {

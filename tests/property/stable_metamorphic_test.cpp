@@ -45,7 +45,7 @@ struct StableAnswer {
   std::vector<ExactPair> pairs;
 };
 
-// Empty: leaves the names as they are.
+// Empty names leave all names as they are.
 using Names = std::vector<std::size_t>;
 
 struct Transformation {
@@ -84,7 +84,7 @@ Ids renamed(Ids contact, const Names& names) {
   return contact;
 }
 
-// From the least corner towards the lesser of its neighbours.
+// The moved corners, from the least one towards the lesser of its neighbours.
 std::vector<RationalPoint> moved_corners(std::vector<RationalPoint> corners, const Transformation& by) {
   for (RationalPoint& corner : corners) corner = by.move(corner);
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());

@@ -28,7 +28,7 @@ Point normal_of(const std::vector<Point>& corners) {
   return {};
 }
 
-// Whether the rays towards m leave the sector at the side from corner i to the next: m is beyond it.
+// Whether m is beyond the side from corner i to the next. Rays towards m leave the sector there.
 bool is_exit(const std::vector<Point>& corners, const Point& normal, const Point& m, std::size_t i) {
   const Point& a = corners[i % corners.size()];
   const Point side = oracle::minus(corners[(i + 1) % corners.size()], a);

@@ -1,9 +1,9 @@
 // The fast implementation's stable set as the oracle's structure, so that the oracle's functions can be asked
 // about it: triangles, and which points it contains.
 //
-// Guarantees: exact. Everything comes from the fast set's own pieces and from contact sets; what the fast set
-// does not list (points, and the intervals through which the rays of sectors leave) is told by its sectors'
-// corners, with FC-STAB-05. Nothing flows here.
+// Guarantees: exact. Everything comes from the fast set's own pieces and from contact sets. The fast set does
+// not list points, nor the intervals through which the rays of sectors leave. Its sectors' corners give both,
+// by FC-STAB-05. No orbit is computed here.
 #pragma once
 
 #include <cstddef>

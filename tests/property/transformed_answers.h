@@ -14,7 +14,7 @@
 
 namespace flowcert::property {
 
-// The name that the class of each row of `input` has after the rows were reordered: its smallest new place.
+// For each row of `input`, the name of its class after the rows were reordered: its smallest new place.
 inline std::vector<std::size_t> names_after(const fuzz::Input& input, const std::vector<std::size_t>& order) {
   std::map<fuzz::Row, std::size_t> smallest;  // -0.0 and 0.0 are one key
   for (std::size_t place = 0; place < order.size(); ++place) {

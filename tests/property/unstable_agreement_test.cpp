@@ -1,9 +1,9 @@
 // The unstable manifolds of all index-2 critical points, shared and alone, against the oracle's orbits.
 //
-// Guarantees: every orbit (of inputs with many saddles, those of some spread over the list) is compared with
-// the oracle's, exactly; its first segment is judged from the definitions too; limits are compared with the
-// list of stationary points. The statistics are counted again from all orbits. The test fails too when no
-// orbit has shared anything, or none has ended at infinity or at a regular stationary point.
+// Guarantees: orbits are compared with the oracle's, exactly: all of them, or, where there are many saddles, those of
+// some saddles spread over the list. An orbit's first segment is judged from the definitions too, and limits are
+// compared with the list of stationary points. The statistics are counted again from all orbits. The test fails too
+// when no orbit has shared anything, or none has ended at infinity or at a regular stationary point.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -158,9 +158,9 @@ oracle::Point cross(const oracle::Point& a, const oracle::Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Along the line of equal distance, to the side that (b-a) x (c-a) points to or to the other, as far as the
-// contact set is the saddle's: to where it is larger, or to infinity if no point is on that side of the
-// plane.
+// The first segment runs along the line of equal distance, to the side that (b-a) x (c-a) points to, or to
+// the other. It ends where the contact set is larger than the saddle's, or goes to infinity if no point is on
+// that side of the plane.
 std::string broken_first_segment(const oracle::PointSet& set, const oracle::StationaryPoint& saddle,
                                  std::size_t side, const SegmentRecord& segment) {
   const auto contact = points_of(set, saddle.contact);
@@ -248,7 +248,7 @@ std::size_t segments_of(const Counts& counts) {
 struct Seen {
   std::size_t saddles = 0;
   std::size_t segments = 0;
-  std::size_t computed = 0;  // of them, with sharing
+  std::size_t computed = 0;  // of the segments, with sharing
   std::size_t longest = 0;
   std::size_t longest_cascade = 0;
   std::size_t to_critical = 0;
@@ -280,7 +280,7 @@ void print_row(const std::string& name, const Seen& seen) {
               seen.to_infinity);
 }
 
-// Shared, alone, and with the slow kernel and search; then all orbits of the first against the oracle.
+// Compares the shared orbits with the oracle's, with those computed alone, and with the slow kernel's and search's.
 FlowStatistics compared_statistics(const Subject& subject) {
   const StationaryPoints& stationary = subject.complex.stationary();
   const Answer shared = answer_of(subject, stationary, {kLazyBinary, true});
@@ -310,7 +310,7 @@ struct Outcome {
   bool complete = false;
 };
 
-// Only the first failure is shrunk, if any is to be.
+// Shrinks only the first failure, and that one only if `shrinks` is true.
 Outcome run_of(const std::vector<fuzz::Family>& families, int inputs, bool shrinks) {
   Outcome run;
   bool agreed = true;

@@ -1,5 +1,5 @@
-// Bytes as inputs: every byte string is one, ties are common among random ones, and lattice inputs can be put
-// into bytes.
+// Bytes as inputs: every byte string is an input, random ones often have ties, and lattice inputs can be
+// written as bytes.
 #include "fuzz/inputs/byte_input.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ TEST(ByteInput, EveryByteStringIsAnInput) {
 }
 
 TEST(ByteInput, EveryHeaderHasItsOwnLattice) {
-  // Of rows at the corners of what a lattice can have.
+  // The rows are at the corners of what a lattice can have.
   const ByteString rows = {255, 0, 7, 0, 126, 254, 1, 0xc9, 3, 200, 90, 0xd2};
   std::set<std::vector<Row>> seen;
   for (unsigned header = 0; header < 256; ++header) {
@@ -52,10 +52,10 @@ TEST(ByteInput, EveryHeaderHasItsOwnLattice) {
 }
 
 TEST(ByteInput, LayoutIsAsDescribed) {
-  // Half width 1, unit 2^0, near, without ulps; the row's ulps do not count then.
+  // Half width 1, unit 2^0, near, without ulps. The bits for ulps in a row do not count then.
   EXPECT_EQ(input_of_bytes(ByteString{0x00, 0, 1, 2, 0xff, 3, 4, 5, 0}, 12),
             (Input{{{-1, 0, 1}, {-1, 0, 1}}}));
-  // With ulps, of rows that have bits 6 and 7.
+  // With ulps, which the rows with bits 6 and 7 have.
   const double up = std::nextafter(1.0, 2.0);
   const double down = std::nextafter(1.0, 0.0);
   EXPECT_EQ(input_of_bytes(ByteString{0x80, 2, 2, 2, 0xc9, 2, 2, 2, 0x49}, 12),
@@ -63,12 +63,12 @@ TEST(ByteInput, LayoutIsAsDescribed) {
   // Half width 2, unit 2^-2; far from the origin.
   EXPECT_EQ(input_of_bytes(ByteString{0x09, 0, 1, 4, 0}, 12), (Input{{{-0.5, -0.25, 0.5}}}));
   EXPECT_EQ(input_of_bytes(ByteString{0x41, 2, 3, 4, 0}, 12), (Input{{{0x1p40, -0x1p41 + 1, 0x1p39 + 2}}}));
-  // An image of the first row: x and y exchanged, x negative; the row itself; of no row, a row as usual.
+  // An image of the first row (x and y exchanged, x negative); the row itself. A first row is read as usual.
   EXPECT_EQ(input_of_bytes(ByteString{0x01, 4, 3, 2, 0, 0, 25, 9, 0x80}, 12),
             (Input{{{2, 1, 0}, {-1, 2, 0}}}));
   EXPECT_EQ(input_of_bytes(ByteString{0x01, 4, 3, 2, 0x80, 7, 63, 9, 0xbf}, 12),
             (Input{{{2, 1, 0}, {2, 1, 0}}}));
-  // Bytes that are left over; too many rows.
+  // Bytes that are left over do not count, nor do rows beyond the limit.
   EXPECT_EQ(input_of_bytes(ByteString{0x00, 1, 1, 1, 0, 0, 0}, 12), (Input{{{0, 0, 0}}}));
   EXPECT_EQ(input_of_bytes(ByteString{0x00, 1, 1, 1, 0, 0, 0, 0, 0}, 1), (Input{{{0, 0, 0}}}));
 }

@@ -1,5 +1,5 @@
-// What the tests of campaigns share: a folder, a small plan, a property that fails on many rows, and all that
-// has to be the same of two campaigns.
+// What the tests of campaigns share: a folder, a small plan, a property that fails on many rows, and an
+// account by which two campaigns are compared.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ inline void work(
   work_on(source, properties, options);
 }
 
-// All that has to be the same: times are left out.
+// All that has to be the same in two campaigns. Times are left out.
 inline std::string account_of(const Campaign& campaign) {
   std::string text = std::to_string(campaign.tally().cases) + '\n';
   for (const auto& [name, count] : campaign.tally().by_source)

@@ -1,6 +1,5 @@
-// Campaigns: that they are a function of their plan, however they are cut, interrupted and put together, and
-// that nothing that was reported is lost. The properties here are made for this: they fail on what they are
-// told to.
+// Campaigns are a function of their plan, however they are cut, interrupted and put together, and nothing
+// that was reported is lost. The properties here fail on what they are told to.
 #include "fuzz/campaign/campaign.h"
 
 #include <sys/wait.h>
@@ -21,7 +20,7 @@ namespace {
 TEST_F(CampaignTest, IsTheSameWithAnyNumberOfJobs) {
   const std::string one = account_of_run(small_plan(), 410, 1, folder_ / "one");
   EXPECT_EQ(account_of_run(small_plan(), 410, 3, folder_ / "three"), one);
-  // Those of the least numbers, whichever came first.
+  // The counterexamples kept are those with the least numbers, whichever came first.
   EXPECT_EQ(names_in(folder_ / "three"), names_in(folder_ / "one"));
   EXPECT_EQ(names_in(folder_ / "one").size(), kMostCounterexamplesOfKind);
   EXPECT_NE(one.find("rows too-many"), std::string::npos);
@@ -82,7 +81,7 @@ TEST_F(CampaignTest, AFailingCaseCanBeDoneAgainByItsNumber) {
   }
 }
 
-// What the case was before is not what it is now.
+// The new judgement of a case replaces the old one.
 TEST_F(CampaignTest, ACaseThatIsDoneAgainIsJudgedAnew) {
   const fs::path folder = folder_ / "campaign";
   std::size_t number = 0;
@@ -102,14 +101,14 @@ TEST_F(CampaignTest, ACaseThatIsDoneAgainIsJudgedAnew) {
     files = names_in(folder / "findings");
     EXPECT_EQ(files.size(), kMostCounterexamplesOfKind + 1);
   }
-  // Nor does its file go when the campaign goes on.
+  // The case's file stays when the campaign goes on.
   Campaign campaign = Campaign::resumed(folder, 800);
   work(campaign, {rows_property(8)}, 1);
   EXPECT_EQ(names_in(folder / "findings"), files);
   EXPECT_EQ(campaign.counterexamples().at({number, "rows too-many"}).trial.input.rows.size(), 3U);
 }
 
-// Its batch will find it by itself, and leaves out only what ended a process there.
+// An open batch finds the failure of such a case by itself. It leaves out only a case that ended a process in it.
 TEST_F(CampaignTest, AnOpenBatchIsNotToldOfACaseThatWasAskedFor) {
   const std::string whole = account_of_run(small_plan(), 40, 1, folder_ / "whole");
   Campaign campaign(small_plan(), 40, folder_ / "findings");
@@ -155,7 +154,7 @@ TEST_F(CampaignTest, ACaseThatIsKilledOrStoppedIsNotDone) {
 
 TEST_F(CampaignTest, ReadingLeavesAFolderAsItIs) {
   const fs::path folder = folder_ / "campaign";
-  Campaign campaign = Campaign::begun(small_plan(), 130, folder);  // and goes on using it
+  Campaign campaign = Campaign::begun(small_plan(), 130, folder);  // this object goes on using the folder
   work(campaign, {rows_property(8)}, 1);
   std::ofstream(folder / "batches.jsonl", std::ios::app) << R"({"batch":3,"comp)";
   const auto size = fs::file_size(folder / "batches.jsonl");
@@ -174,7 +173,7 @@ TEST_F(CampaignTest, GoesOnWhereItWasStopped) {
     EXPECT_GE(campaign.tally().cases, 120U);
     EXPECT_THROW(Campaign::resumed(folder, std::nullopt), UnusableFolder);  // in use
   }
-  // As a kill in the middle of a line would leave it.
+  // A kill in the middle of a line would leave the file like this.
   std::ofstream(folder / "batches.jsonl", std::ios::app) << R"({"batch":3,"comp)";
   std::ofstream(folder / "findings.jsonl", std::ios::app) << R"({"find)";
   Campaign campaign = Campaign::resumed(folder, std::nullopt);

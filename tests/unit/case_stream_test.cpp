@@ -1,4 +1,4 @@
-// Runs of cases: that they are what their numbers say, for good, and that ids name nothing else.
+// Runs of cases: a case is what its number says, for good, and an id names nothing else.
 #include "fuzz/inputs/case_stream.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST(CaseStream, IdsNameTheirCases) {
   }
 }
 
-// Pins the cases: a change of these lines means that answers which somebody has kept are refused.
+// Pins the cases: if these lines change, answers that somebody has kept are refused.
 TEST(CaseStream, IdsNameTheSameInputsForGood) {
   EXPECT_EQ(id_of(run_of(1, 7), 12), "1:7:12/500:a688");
   EXPECT_EQ(id_of(run_of(2, 1), 4999), "2:1:4999/5000:7cec");

@@ -1,7 +1,7 @@
-// The chain complex of the critical points, cell by cell: boundaries are modulo 2 and of the index below;
-// that of a maximum is made of the index-2 points with the maximum on one side alone.
+// The chain complex of the critical points, cell by cell. A boundary is modulo 2 and of the index below. The
+// boundary of a maximum is made of the index-2 points that have the maximum on exactly one side.
 //
-// (That its persistence is right is for tests/property/persistence_test.cpp.)
+// (tests/property/persistence_test.cpp tests that its persistence is right.)
 #include "flowcert/chain_complex.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST(ChainComplex, BoundariesOfDegenerateInputsAreModuloTwo) {
   EXPECT_GT(seen.maxima, 100u);
 }
 
-// In larger inputs there are voids that go around something and come back to one surface from both sides.
+// Larger inputs have voids that go around something and come back to one surface from both sides.
 TEST(ChainComplex, BoundariesOfLargerInputsAreModuloTwo) {
   CITES("FC-CHAIN-01");
   flowcert_tests::PortableRandom random(3);

@@ -77,7 +77,7 @@ TEST(CheckTest, NamesTheConditionThatFails) {
   Claimed diagonal = cube.claim();
   diagonal.add(1, {0, 3});
   expect_finding(cube.check(diagonal), 2, FindingReason::kContactIncomplete, "FC-CRIT-05 (c)", 28);
-  // By one part in 2^50, the third point is inside the ball of the first two.
+  // The third point is inside the ball of the first two, by one part in 2^50.
   const Truly nearly({{0, 0, 0}, {2, 0, 0}, {1, 1 - 0x1p-50, 0}});
   Claimed rounded = nearly.claim();
   rounded.add(1, {0, 1});
@@ -111,7 +111,7 @@ TEST(CheckTest, PermitsASpanningPart) {
   EXPECT_EQ(part.verdict, Verdict::kConformsWhereDetermined) << text(part);
   EXPECT_EQ(count(part, FindingReason::kSpanningPart), 2U);
   expect_finding(part, 2, FindingReason::kSpanningPart, "FC-CLAIM-02", 26);
-  // Neither a simplex that does not span, nor more than a simplex.
+  // A simplex that does not span will not do, nor will more than a simplex.
   for (const Ids& names : {Ids{0, 1, 4, 5}, Ids{0, 1, 2, 4, 7}, Ids{0, 7}}) {
     const CheckReport wrong = cube.check(cube.claim_without({{0, 1, 2, 3, 4, 5, 6, 7}}).add(3, names));
     EXPECT_EQ(wrong.verdict, Verdict::kFails) << text(wrong);
@@ -145,7 +145,7 @@ TEST(CheckTest, PermitsWhatAPerturbationGives) {
   expect_finding(alone, 2, FindingReason::kCollisionAsCritical, "FC-CRIT-03", 6);
 }
 
-// The points of a half sphere: half a great circle has the centre, but is no face.
+// The points of a half sphere. Half a great circle contains the centre, but is no face.
 TEST(CheckTest, OnlyFacesCollide) {
   CITES("FC-CLAIM-04");
   const Truly half({{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}, {-4, 0, 3}, {3, 0, 4}});
@@ -197,7 +197,7 @@ TEST(CheckTest, FindsOutWhatIsClaimedByPosition) {
   EXPECT_FALSE(right.is_exact);
   claimed.at(2, decimals({1, 1, 1}));
   expect_finding(triangle.check(claimed), 2, FindingReason::kWrongPosition, "FC-CRIT-01", 8);
-  // Nearly a right triangle: an index 1 and an index 2 at the same place, but for 2^-40.
+  // Nearly a right triangle: the index-1 and the index-2 point are at the same place, but for 2^-40.
   const Truly nearly({{0, 0, 0}, {2, 0, 0}, {1, 1 + 0x1p-40, 0}});
   Claimed both;
   for (std::size_t i = 0; i < nearly.truth->size(); ++i) {

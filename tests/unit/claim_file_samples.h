@@ -24,7 +24,7 @@ inline std::string claim_refusal(const std::string& bytes, const std::string& na
   }
 }
 
-// With every kind of stationary point but 2-3, a repeated row, and orbits that end at infinity.
+// Rows with every kind of stationary point except 2-3, a repeated row, and orbits that end at infinity.
 inline std::vector<Point> rows_of_many_kinds() {
   return {{0, 0, 1}, {1, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}, {0, 0, 1}, {0.1, 5, 0.2}, {3, 4, -1}};
 }
@@ -44,7 +44,7 @@ struct VtpChoices {
   bool compressed = false;
   bool big_endian = false;
   bool long_header = false;  // UInt64
-  bool doubles = true;       // positions; else floats
+  bool doubles = true;       // positions are doubles, else floats
   std::string types = "Int32";
 };
 
@@ -71,7 +71,7 @@ inline std::string deflated(const std::string& bytes) {
   return output;
 }
 
-// Header and data, as VTK writes them: compressed in blocks of 16 bytes here, the header padded alone.
+// Header and data, as VTK writes them. Compressed blocks have 16 bytes here, and base64 pads the header alone.
 inline std::string vtp_binary(const std::string& bytes, const VtpChoices& choices) {
   const auto number = [&](std::size_t value) {
     return choices.long_header ? bytes_of(std::uint64_t{value}, choices.big_endian)
@@ -155,7 +155,7 @@ inline std::string vtp_file(const VtpChoices& choices, const std::vector<VtpPoin
   return file.str();
 }
 
-// Every way to write one.
+// Every way to write a VTP file.
 inline std::vector<VtpChoices> all_vtp_choices() {
   std::vector<VtpChoices> all = {{.types = "Int8"}};
   for (const char* encoding : {"base64", "appended base64", "appended raw"}) {

@@ -1,5 +1,5 @@
-// The second invariant: counting every zero sign as positive on merged faces exceeds the strict counts by
-// what the regular stationary points of each kind account for, in space and in a plane.
+// The second invariant, in space and in a plane: if every zero sign on merged faces counts as positive, the
+// counts exceed the strict ones by what the regular stationary points of each kind account for.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -62,7 +62,7 @@ Counts closed_counts(const PlanarComplex& complex) {
     for (const CellIndex cell : polygon) {
       for (std::uint32_t i = 0; i < 3; ++i) {
         const CellIndex beyond = delaunay.neighbors(cell)[i];
-        // Not is_diagonal(), which the strict counts use.
+        // This does not ask is_diagonal(), because the strict counts use it.
         if (std::find(polygon.begin(), polygon.end(), beyond) != polygon.end()) continue;
         counts = counts && complex.angle(cell, i) != Sign::kNegative;
       }
@@ -78,7 +78,7 @@ struct KindsSeen {
   std::array<int, 3> inputs_with{};
 };
 
-// Nothing is checked, and nothing counted, where the points do not span the dimension.
+// Checks and counts nothing where the points do not span the dimension.
 void check_closed_rule(const std::vector<Point>& rows, int dimension, KindsSeen& seen) {
   const PointSet points(rows);
   const Delaunay delaunay(points);

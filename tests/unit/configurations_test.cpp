@@ -89,12 +89,12 @@ struct Facet {
 };
 
 // The facet { v : 2<v,q> <= |q|² - h² for all q } of the edge from (0,0,-h) to (0,0,h), the first two rows.
-// Each other row whose line is not redundant is good for a side.
+// Each further row gives the facet a side, unless its line is redundant.
 Facet facet_of(const std::vector<NumberPoint>& points) {
   const auto bound = [&](const NumberPoint& q) { return angle_sign(q, points[0], points[1]); };
   Facet facet;
   for (std::size_t i = 2; i < points.size(); ++i) {
-    // The points of i's line are v = (bound <q,q> + t (-q_y, q_x)) / 2 <q,q>.
+    // The points of row i's line are v = (bound <q,q> + t (-q_y, q_x)) / 2 <q,q>.
     const auto& [x, y, unused] = points[i];
     const Number norm = x * x + y * y;
     std::optional<Fraction> first;
@@ -173,10 +173,10 @@ bool are_cocircular(const std::vector<NumberPoint>& points) {
   return true;
 }
 
-// How many facets the flow from the midpoint of the first two rows crosses, started in a direction, up to
-// infinity or a side of a facet whose triangle is not obtuse. u is x - m, times something: across the side of
-// q, whose triangle is obtuse at k, into the facet of the other two, u becomes <u,2q-p0-p1> (q' - q) + 2 h(q)
-// u, where q' is the end of the old edge that is not in the new one.
+// How many facets the flow from the midpoint of the first two rows crosses in this direction, before it
+// reaches infinity or a side whose triangle is not obtuse. u is x - m, times something. At the side of q,
+// whose triangle is obtuse at q', an end of the edge, the flow enters the facet of q and the other end, and u
+// becomes <u,2q-p0-p1> (q' - q) + 2 h(q) u.
 std::size_t facets_crossed(const std::vector<NumberPoint>& points, const NumberPoint& direction) {
   NumberPoint p0 = points[0];
   NumberPoint p1 = points[1];
@@ -229,8 +229,8 @@ TEST(OrbitConfigurations, CombsAreCrossedToothByTooth) {
   }
 }
 
-// Between two rings that follow each other the axis has a point, above both, that is as near to all their
-// points, and nearer than to any other.
+// Between two consecutive rings the axis has a point, above both, that is equally near to all their points,
+// and nearer to them than to any other.
 TEST(OrbitConfigurations, RingsTakeTurnsAlongTheirAxis) {
   for (const auto& configuration : {rings_of_right_triangles(), rings_of_pairs()}) {
     for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {

@@ -15,7 +15,7 @@ namespace {
 struct Seed {
   const char* name;
   std::string bytes;
-  bool refused_when_cut;  // wherever it is cut but in white space at the end
+  bool refused_when_cut;  // at every cut, except in white space at the end
 };
 
 std::vector<Seed> seeds() {
@@ -39,7 +39,7 @@ struct Tally {
   std::chrono::steady_clock::duration slowest{};
 };
 
-// Either outcome is right; nothing else is.
+// A claim is right, and so is a refusal in one line. Nothing else is.
 void expect_claim_or_line(const std::string& bytes, Tally& tally) {
   const auto start = std::chrono::steady_clock::now();
   try {

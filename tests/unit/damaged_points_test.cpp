@@ -1,9 +1,8 @@
 // Damaged point files: every format cut at every byte, and 20,000 files with bytes changed, inserted and
 // deleted.
 //
-// What the tests stand on: a reader returns all rows or throws. Where a cut leaves a legal file (text whose
-// last number just got shorter) that cannot be known from the file, and the tests ask no more than that the
-// other rows are right.
+// A reader returns all rows or throws. A cut may leave a legal file: text whose last number just got shorter.
+// The file does not show that, so the tests then ask only that the other rows are right.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -135,7 +134,7 @@ TEST(DamagedPoints, DamagedFilesAreRefusedOrGiveFiniteRows) {
       ++refused;
     }
   }
-  // Both outcomes are frequent, so that the test is one of both.
+  // Both outcomes are frequent, so that the test covers both.
   EXPECT_GT(refused, kRounds / 10);
   EXPECT_LT(refused, kRounds * 9 / 10);
 }

@@ -1,5 +1,5 @@
-// Signatures of inputs: on inputs whose degeneracy is known each component says what it is named after, and
-// on all families signatures are many, but not too many.
+// Signatures of inputs: on inputs whose degeneracy is known each component says what it is named after. On
+// all families there are many signatures, but not too many.
 #include "fuzz/campaign/degeneracy_signature.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ namespace {
 
 std::string text_of(const Input& input) { return to_text(combinatorial_part(signature_of(input))); }
 
-// "1+" of "duplicates".
+// For example "1+" for "duplicates".
 std::string value_of(SignaturePart part, const Input& input) {
   return value_text(static_cast<std::size_t>(part), signature_of(input)[part]);
 }
@@ -42,7 +42,7 @@ const Input& cube() {
       {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}}};
   return rows;
 }
-// Spheres, circles, planes and right angles: none of them is met.
+// No sphere, circle, plane or right angle is met exactly.
 const Input& generic() {
   static const Input rows{{{0, 0, 0}, {10, 1, 2}, {3, 9, -1}, {2, 3, 11}, {7, -8, 5}}};
   return rows;
@@ -69,7 +69,7 @@ TEST(Signature, OfARightTriangle) {
             "ties=0 exact=none exact-flow=none");
 }
 
-// Arithmetic included: filters and intervals decide everything.
+// The arithmetic is generic too: filters and intervals decide everything.
 TEST(Signature, OfGenericPoints) {
   EXPECT_EQ(to_text(signature_of(generic())),
             "dimension=3 duplicates=0 cluster=0-4 polygon=0-3 12=0 23=0 13=0 chain=0 vertex-starts=0 "
@@ -115,7 +115,7 @@ TEST(Signature, SeesClustersAndPolygonsBySize) {
   EXPECT_EQ(value_of(SignaturePart::kCluster, cube()), "7-8");
 }
 
-// The last one has the kind (1,2) where all its points lie in one plane.
+// Where all points of right_angles_13() lie in one plane, the kind is (1,2).
 TEST(Signature, SeesRegularStationaryPointsByKind) {
   const auto reaches_none = [](SignaturePart part, const rc::Gen<IntegerPoints>& points) {
     return values_of(part, points).count("0") > 0;
@@ -136,12 +136,12 @@ TEST(Signature, CountsChainsOfRightAngledVoronoiEdges) {
   EXPECT_EQ(chain(one), "1");
   EXPECT_EQ(chain({{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 1, 4}}}), "2");
   EXPECT_EQ(chain({{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}}), "3+");
-  // Far apart they do not hang together.
+  // Right triangles that are far apart form no chain.
   Input apart = one;
   for (const auto& [x, y, z] : one.rows) apart.rows.push_back({x + 1000, y + 37, z + 11});
   EXPECT_EQ(value_of(SignaturePart::kKind12, apart), "2+");
   EXPECT_EQ(chain(apart), "1");
-  // In the cube right triangles are halves of squares, and those have their centres inside.
+  // The cube's right triangles are halves of squares, which have their centres inside.
   EXPECT_EQ(chain(cube()), "0");
   EXPECT_EQ(chain({{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}}), "1");
 }
@@ -156,7 +156,7 @@ TEST(Signature, SeesOrbitsThatMeetVoronoiVertices) {
 TEST(Signature, SeesWhereOrbitsEnd) {
   EXPECT_EQ(value_of(SignaturePart::kEndsAtInfinity, cube()), "1+");
   EXPECT_EQ(value_of(SignaturePart::kEndsAtRegular, cube()), "0");
-  // From the small square up to the centre of the sphere, which is that of the large one.
+  // An orbit goes from the small square up to the sphere's centre, which is the large square's centre as well.
   const Input frustum{
       {{5, 0, 0}, {0, 5, 0}, {-5, 0, 0}, {0, -5, 0}, {3, 0, -4}, {0, 3, -4}, {-3, 0, -4}, {0, -3, -4}}};
   EXPECT_EQ(value_of(SignaturePart::kKind23, frustum), "1");
@@ -181,7 +181,7 @@ TEST(Signature, SeesWhatStableManifoldsAreMadeOf) {
   EXPECT_EQ(value_of(SignaturePart::kTies, generic()), "0");
 }
 
-// Each from its own number, and not from another one that is often zero at the same time.
+// Each component comes from its own number, and not from another one that is often zero at the same time.
 TEST(Signature, SaysOfStableManifoldsWhatTheirStatisticsSay) {
   const auto yes_or_no = [](std::size_t count) { return std::string(count > 0 ? "1+" : "0"); };
   for (const Family& family : families_and_stable_ones()) {
@@ -206,7 +206,7 @@ TEST(Signature, SeesWhatExactArithmeticDecided) {
   EXPECT_EQ(asked(generic()), "none");
   EXPECT_EQ(asked({{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}}), "angle");
   EXPECT_NE(asked(cube()).find("cospherical"), std::string::npos);
-  // What is a little off is as hard for a filter.
+  // An angle that is nearly right is as hard for a filter.
   EXPECT_EQ(asked({{{0, 0, 0}, {3, 0, 0}, {0x1p-80, 4, 0}}}), "angle");
   // Orbits that meet Voronoi vertices run exactly on the sides of facets' rays.
   EXPECT_GT(values_of(SignaturePart::kExactFlow, rings_of_pairs()).count("side_of_ray"), 0U);

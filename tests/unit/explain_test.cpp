@@ -1,8 +1,8 @@
 // Explanations: why a set of points is, or is not, the contact set of a stationary point, and why a position
-// is, or is not, stationary. Each condition of the spec with its witnesses, on inputs made by hand.
+// is, or is not, stationary. Inputs made by hand meet each condition of the spec, with its witnesses.
 //
-// And against the list: what stationary_points() lists is explained as just that, and any other set of
-// points, or position, is not; whatever is said to fail does fail, by the definitions, in rationals.
+// Explanations are compared with the list too: just what stationary_points() lists is explained as
+// stationary. Whatever is said to fail does fail, by the definitions, in rationals.
 #include "flowcert/explain.h"
 
 #include <gtest/gtest.h>
@@ -114,12 +114,12 @@ TEST(ExplainPointsTest, NoSphereCentredInTheirHull) {
     EXPECT_FALSE(answer.index || answer.sphere || answer.driver);
     EXPECT_EQ(answer.clause, "FC-CRIT-05 (a)");
     EXPECT_TRUE(answer.contact.empty());
-    // Which ones is a permitted variation; but somebody has to be named, and be one of them.
+    // Any of these points may be the witnesses, but at least one has to be named.
     EXPECT_FALSE(answer.witnesses.empty());
     EXPECT_TRUE(std::includes(all.begin(), all.end(), answer.witnesses.begin(), answer.witnesses.end()));
   }
-  // Coplanar and on a common sphere, but not on one that is centred in their plane: there is no such set,
-  // since the circle's own centre is one. Three points that are not collinear always have a centre.
+  // Coplanar points on a common sphere never fail (a): they also lie on a sphere around their circle's
+  // centre. Three points that are not collinear always have a centre.
   EXPECT_NE(explained({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2}).clause, "FC-CRIT-05 (a)");
 }
 
@@ -241,10 +241,9 @@ Rational squared_distance_to(const PointSet& points, PointId id, const RationalP
   return flowcert_tests::squared_distance(exactly(points[points.ordinal_of_row(id)]), x);
 }
 
-// The driver is the point of a convex hull nearest to the centre iff it lies in the hull and no point of the
-// set lies beyond the plane through it, orthogonal to the way from it to the centre. In the hull: as the
-// centre of the smallest enclosing ball it is a stationary point of those points alone that are farthest from
-// it.
+// A point of the hull is the driver iff no point of the set lies beyond the plane through it, orthogonal to
+// the way from it to the centre. It lies in the hull: it is the centre of the smallest enclosing ball, and so
+// it is stationary for those points alone that are farthest from it.
 void check_driver(const PointSet& points, const Explanation& answer, const RationalPoint& center) {
   ASSERT_TRUE(answer.driver.has_value());
   const RationalPoint way = minus(center, *answer.driver);
@@ -262,12 +261,12 @@ void check_driver(const PointSet& points, const Explanation& answer, const Ratio
   ASSERT_TRUE(explain_position(PointSet(farthest), *answer.driver).index.has_value());
 }
 
-// What the answer says is so, by the definitions.
+// Checks by the definitions that the answer's reason holds.
 void check_reason(const PointSet& points, const Ids& names, const Explanation& answer) {
   const bool not_a = answer.sphere.has_value();
   ASSERT_EQ(not_a, answer.clause != "FC-CRIT-05 (a)");
   if (!not_a) {
-    // There is no such sphere: the centre would be that of any points that span their hull.
+    // There is no such sphere: its centre would be the centre of any of the points that span their hull.
     const ExactSphere sphere = exact_sphere(points, names);
     ASSERT_TRUE(std::any_of(names.begin(), names.end(), [&](PointId id) {
       return squared_distance_to(points, id, sphere.center) != sphere.squared_radius;
@@ -336,7 +335,7 @@ void check_input(const PointSet& points, PortableRandom& random, Seen& seen) {
     std::set<PointId> drawn;
     const std::size_t count = 1 + random.below(std::min<std::size_t>(points.size(), 5));
     for (std::size_t i = 0; i < count; ++i) drawn.insert(points.name(random.below(points.size())));
-    // A listed one, less a point or plus one, is nearly right.
+    // A listed contact set, less a point or plus one, is nearly right.
     if (random.coin()) {
       const auto contact = list.contact(random.below(list.size()));
       drawn = {contact.begin(), contact.end()};

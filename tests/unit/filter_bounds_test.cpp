@@ -1,9 +1,9 @@
-// The error bounds of the double filters, held against those that predicates.h and tetrahedron_signs.cpp
-// prove: what a double tells within the proven error of zero, a filter must leave open.
+// The error bounds of the double filters, compared with those that predicates.h and tetrahedron_signs.cpp
+// prove: a filter must leave a sign open where the double is within the proven error of zero.
 //
-// Random inputs seldom have rounding errors near the worst case, so that a bound ten times too small hardly
-// ever contradicts the next rung; here it is wrong on every near tie. Each test counts the values that fell
-// within the bound, and those beyond a tenth of it, which alone can tell.
+// Random inputs seldom have rounding errors near the worst case, so a bound ten times too small hardly ever
+// contradicts the next rung. Here it fails on every near tie. Each test counts the values within the
+// bound, and those of them beyond a fifth of it, which alone can tell.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ struct Value {
   double value = 0, error = 0;
 };
 
-// How many values lay within the proven error, and how many of them not within a tenth of it.
+// How many values lay within the proven error, and how many of them beyond a fifth of it.
 struct Seen {
   int within = 0, telling = 0;
 
@@ -56,8 +56,8 @@ std::array<Vector, N - 1> vectors_from_first(const std::array<Point, N>& t) {
   return vectors;
 }
 
-// The integer points of a wide grid, moved towards a tie by a Newton step on the last point's x: ties up to
-// rounding, of points that have all their bits. `f` must be smooth.
+// Generic points, moved towards a tie by Newton steps on the last point's x. They are ties up to rounding,
+// and use all their bits. `f` must be smooth.
 template <std::size_t N, class Function>
 std::array<Point, N> near_tie(PortableRandom& random, const Function& f) {
   for (;;) {
@@ -171,7 +171,7 @@ TEST(FilterBounds, OfTheCircle) {
       true);
 }
 
-// The filter of a whole cell does not tell what it left open, but counts it.
+// The filter of a whole cell does not tell which signs it left open, but counts them.
 struct CellValues {
   std::array<Value, 12> angles;
   std::array<Value, 4> sides;  // [i]: of the facet opposite vertex i
@@ -187,7 +187,7 @@ CellValues cell_values(const std::array<Point, 4>& t) {
     for (std::size_t k = 0; k < 4; ++k) {
       for (std::size_t l = k + 1; l < 4; ++l) {
         if (j == k || j == l) continue;
-        // At vertex 0 one dot product (5.1), elsewhere up to four of them, and three sums (9).
+        // An angle at vertex 0 is one dot product (5.1). Others have up to four of them, and three sums (9).
         values.angles[filled++] = {dot(vector_between(t[j], t[k]), vector_between(t[j], t[l])),
                                    (j == 0 ? 5.1 : 20.4) * u * largest * largest};
       }
@@ -212,7 +212,7 @@ TEST(FilterBounds, OfTheAnglesAndSidesOfACell) {
   std::array<Seen, 4> sides;
   for (int k = 0; k < 16 * 2000; ++k) {
     const auto which = static_cast<std::size_t>(k % 16);
-    // Any of the four is the one that is moved.
+    // Each of the four points may be the one that is moved.
     const auto turn = static_cast<std::ptrdiff_t>(random.below(4));
     const auto turned = [turn](std::array<Point, 4> tuple) {
       std::rotate(tuple.begin(), tuple.begin() + turn, tuple.end());

@@ -1,6 +1,6 @@
-// What decides the flow's signs: that intervals do where nothing is degenerate, that exact numbers are asked
-// where something is, that chains of constructions beyond the limit are cut, and the statistics' arithmetic.
-// (That the answers are right is for tests/property/orbit_agreement_test.cpp.)
+// What decides the flow's signs: intervals suffice where nothing is degenerate, exact numbers are asked where
+// something is, and chains of constructions beyond the limit are cut. The statistics' arithmetic is tested
+// too. (tests/property/orbit_agreement_test.cpp tests that the answers are right.)
 #include "flow/flow_operator.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ std::vector<Point> rows_of(const fuzz::Input& input) {
   return rows;
 }
 
-// An edge whose facet is an decagon, seen from an obtuse neighbour: rows 0 and 1 are its ends.
+// An edge whose facet is a decagon, seen from an obtuse neighbour. Rows 0 and 1 are its ends.
 PointSet decagon() { return PointSet(rows_of(fuzz::high_degree_facet(10, false, 1))); }
 
 // All failures of the kernel's intervals.
@@ -57,8 +57,8 @@ FacetName facet_of_rows_0_and_1(const VoronoiFaces& faces) {
   return {std::min(v[0], v[1]), std::max(v[0], v[1])};
 }
 
-// The orbit that the symmetry sends through a Voronoi vertex: a sign is zero, which no interval of a
-// constructed point can tell.
+// Symmetry sends the orbit through a Voronoi vertex. There a sign is zero, which no interval of a constructed
+// point can tell.
 TEST(LazyKernel, ExactNumbersDecideAtAVoronoiVertex) {
   CITES("FC-NUM-01", "FC-FLOW-02");
   const PointSet points = decagon();
@@ -69,7 +69,7 @@ TEST(LazyKernel, ExactNumbersDecideAtAVoronoiVertex) {
   const FacetRing ring = faces.ring(name);
   std::size_t hits = 0;
   for (std::size_t k = 0; k < ring.elements.size(); ++k) {
-    // On the way from m to a vertex, a little before it: inside the facet for those on the far side.
+    // x lies on the way from m to a vertex, a little before it. For vertices on the far side x is in the facet.
     const Location vertex{Place::at_vertex(ring.elements[k].vertex), kNoPoint};
     const RationalPoint o = flow->exact(vertex);
     const RationalPoint x{o[0] * 999 / 1000, o[1] * 999 / 1000, o[2] * 999 / 1000};
@@ -83,8 +83,8 @@ TEST(LazyKernel, ExactNumbersDecideAtAVoronoiVertex) {
   EXPECT_GT(hits, 0u);
 }
 
-// The same way, missing the Voronoi vertex by less and less: below the rounding of a double, intervals that
-// are not rounded outwards would tell a sign that is wrong.
+// The orbit misses the Voronoi vertex by less and less. Below the rounding of a double, intervals that are
+// not rounded outwards would tell a wrong sign.
 TEST(LazyKernel, NearTiesAreTheExactKernels) {
   CITES("FC-NUM-01", "FC-FLOW-02");
   const PointSet points = decagon();

@@ -1,5 +1,5 @@
-// Claims made by hand, for tests of what check() finds in them: by contact sets or positions, or all that is
-// true of some points, of which a test then changes one thing.
+// Claims made by hand, for tests of what check() finds in them. They name contact sets or positions, or they
+// are all that is true of some points, and a test changes one thing.
 //
 // Guarantees: the lines of a claim's points count from 1, in the order in which they were added; what
 // Truly::whole_claim() makes conforms exactly.
@@ -26,7 +26,7 @@ inline ClaimedPosition decimals(const RationalPoint& x) {
   return {decimal(x[0]), decimal(x[1]), decimal(x[2])};
 }
 
-// A claim by contact sets, one line each from line 1 on.
+// A claim, point by point, on lines from 1 on.
 struct Claimed {
   Claimed& add(int index, const Ids& contact) {
     ClaimedPoint point;
@@ -47,7 +47,7 @@ struct Claimed {
     return *this;
   }
   ClaimedPoint& last() { return claim.points.back(); }
-  // The one that is claimed with this contact set.
+  // The point that is claimed with this contact set.
   ClaimedPoint& of(const Ids& contact) {
     const auto found = std::ranges::find(claim.points, contact, &ClaimedPoint::contact);
     if (found == claim.points.end()) throw std::invalid_argument("there is no such point");
@@ -62,7 +62,7 @@ class Truly {
  public:
   explicit Truly(const std::vector<Point>& rows) : points(rows), truth(fast_truth(points)) {}
 
-  // Without those of the given contact sets.
+  // A claim of all critical points except those with the given contact sets.
   [[nodiscard]] Claimed claim_without(const std::vector<Ids>& contacts) const {
     Claimed claimed;
     for (std::size_t i = 0; i < truth->size(); ++i) {
@@ -73,7 +73,7 @@ class Truly {
     return claimed;
   }
   [[nodiscard]] Claimed claim() const { return claim_without({}); }
-  // Incidences, polylines and stable sets as well; point k is of record k.
+  // All that is true, with incidences, polylines and stable sets. Point k is record k.
   [[nodiscard]] Claimed whole_claim() const { return {.claim = true_claim(points, *truth)}; }
   [[nodiscard]] CheckReport check(const Claimed& claimed, const CheckOptions& options = {}) const {
     return flowcert::check(points, claimed.claim, *truth, options);
@@ -115,10 +115,10 @@ const std::vector<Point> kTetrahedron = {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1,
 const std::vector<Point> kRightTriangle = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
 const std::vector<Point> kKind23 = {{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}};
 const std::vector<Point> kKind13 = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-// From the saddles 0 1 2 and 1 2 4 an orbit ends at the saddle 0 3 4, which the Voronoi vertex of 0 1 2 4
-// lies beneath: which of the two ways around the vertex its boundary goes, a tie leaves open.
+// From the saddles 0 1 2 and 1 2 4 an orbit ends at the saddle 0 3 4. The Voronoi vertex of 0 1 2 4 lies beneath
+// that saddle, and a tie leaves open which of the two ways around the vertex the saddle's boundary goes.
 const std::vector<Point> kArch = {{0, 5, 0}, {-3, 0, -2}, {3, 0, -2}, {0, 0, 12}, {0, -5, 0}};
-// Likewise from 0 1 3 to 1 2 4, and from there to two regular stationary points of kind 1-3.
+// An orbit goes from 0 1 3 to 1 2 4, and from there orbits go to two regular stationary points of kind 1-3.
 const std::vector<Point> kArchToRegular = {{0, -2, -2}, {-3, 0, -1}, {0, 0, 8}, {0, 2, -2}, {3, 0, -1}};
 // A branch of the stable manifold of 0 1 3 ends at the regular stationary point 0 2 3, of kind 1-2.
 const std::vector<Point> kRegularBack = {{2, 0, 1}, {0, 0, 0}, {2, 2, 0}, {1, 2, 0}};

@@ -1,5 +1,5 @@
-// check() on incidences and boundaries (level 4): all that is true with one thing changed, and what is said
-// of it, word for word.
+// check() on incidences and boundaries (level 4): each claim is true but for one change, and the whole report
+// is compared, word for word.
 #include <gtest/gtest.h>
 
 #include "tests/cites.h"
@@ -10,7 +10,7 @@ namespace {
 
 using Targets = std::vector<ClaimedTarget>;
 
-// What is said of all that is true but for one change.
+// The report on a claim that is true but for one change.
 template <typename Change>
 std::string said(const Truly& truly, const Change& change) {
   Claimed claimed = truly.whole_claim();
@@ -56,7 +56,7 @@ TEST(IncidenceFindings, SamplesOfAnEdge) {
                  }),
             "fails\n4 wrong-incidence FC-FLOW-07: index 1, contact set 0 1, samples 0 2; "
             "the stable manifold is the segment between the two points of the contact set");
-  // Of the edge that a perturbation makes critical.
+  // These are samples of the edge that a perturbation makes critical.
   const auto perturbed = [&](const Ids& samples) {
     Claimed claimed = triangle.claim().add(2, {0, 1, 2}).add(1, {1, 2});
     claimed.last().samples = samples;
@@ -73,7 +73,7 @@ TEST(IncidenceFindings, SamplesOfAnEdge) {
       "fails" + permitted +
           "\n4 wrong-incidence FC-FLOW-07: index 1, contact set 1 2, samples 0 2; the stable manifold is "
           "the segment between the two points of the contact set");
-  // Which edge is meant by a position is not known.
+  // A position does not tell which edge is meant.
   Claimed by_position =
       triangle.claim().add(2, {0, 1, 2}).at(1, exactly(RationalPoint{Rational(3, 2), 2, 0}));
   by_position.last().samples = {{0, 2}};
@@ -110,7 +110,7 @@ TEST(IncidenceFindings, EdgesThatAPerturbationMakes) {
   EXPECT_EQ(said_of_targets(triangle, {1}, {to({0, 1}), to({1, 2})}),
             "conforms where determined\n4 symbolic-perturbation FC-CLAIM-04: index 0, contact set 1; "
             "some of the edges end in regular stationary points");
-  // Not one of its ends, more than an edge, a point that a perturbation makes no edge of, a critical point.
+  // Wrong in turn: an edge without this end, more than an edge, a regular point that gives no edge, a saddle.
   EXPECT_EQ(said_of_targets(triangle, {0}, {to({0, 1}), to({0, 2}), to({1, 2})}),
             "fails\n4 wrong-incidence FC-FLOW-07: index 0, contact set 0; it is no end of 1 2");
   EXPECT_EQ(said_of_targets(triangle, {1}, {to({0, 1}), to({0, 1, 2})}),
@@ -130,14 +130,14 @@ TEST(IncidenceFindings, SaddlesAboveAnEdge) {
   EXPECT_EQ(said_of_targets(cube, edge, {one, to({0, 1, 4})}),
             "conforms where determined\n4 symbolic-perturbation FC-CLAIM-09: index 1, contact set 0 1; "
             "there are ties in the stable manifolds above it, or parts of contact sets are named");
-  // A diagonal is no part that will do, and the triangle 1 2 4 nothing at all.
+  // A diagonal is no part of a face that will do, and the triangle 1 2 4 is no part of any face.
   EXPECT_EQ(said_of_targets(cube, edge, {to({0, 3}), to({1, 2, 4})}),
             "fails\n4 wrong-incidence FC-CHAIN-01: index 1, contact set 0 1; an orbit comes to it also from "
             "0 1 2 3, 0 1 4 5; no orbit comes to it from 0 3, 1 2 4");
   EXPECT_EQ(said_of_targets(triangle, {0, 1}, {to({0, 1, 2})}),
             "conforms where determined\n4 symbolic-perturbation FC-CLAIM-09: index 1, contact set 0 1; "
             "there are ties in the stable manifolds above it, or parts of contact sets are named");
-  // The saddle 0 3 4, whose boundary a tie leaves open, is above 0 1 or not, but never above what is higher.
+  // A tie leaves the boundary of the saddle 0 3 4 open. It may be above 0 1, but never above a higher point.
   EXPECT_EQ(said_of_targets(arch, {0, 1}, {to({0, 1, 2}), to({0, 1, 3})}),
             "conforms where determined\n4 symbolic-perturbation FC-CLAIM-09: index 1, contact set 0 1; "
             "there are ties in the stable manifolds above it, or parts of contact sets are named");
@@ -157,7 +157,7 @@ TEST(IncidenceFindings, LimitsByPartsOfContactSets) {
             "conforms where determined\n4 spanning-part FC-CLAIM-02: index 2, contact set 0 1 2 3, up to "
             "0 1 2 4, infinity; " +
                 ends);
-  // The centre is that of the diagonal 0 7 as well, but it spans nothing; 1 2 4 has another one.
+  // The diagonal 0 7 has the same centre, but does not span the set. The triangle 1 2 4 has another centre.
   for (const Ids& wrong : {Ids{0, 7}, Ids{1, 2, 4}}) {
     const std::string names = wrong.size() == 2 ? "0 7" : "1 2 4";
     EXPECT_EQ(said_of_targets(cube, face, {to(wrong), kInfinity}),
@@ -195,7 +195,7 @@ TEST(IncidenceFindings, OrbitsThatGoOnBeyondASaddle) {
   EXPECT_EQ(
       by_side(kInfinity, to({0, 1, 3})),
       "fails\n4 wrong-incidence FC-FLOW-07: index 2, contact set 0 1 2, up to infinity, 0 1 3; " + ends);
-  // Each side may end where it may, but there are two of them.
+  // Each of these limits is permitted, but there are only two sides.
   EXPECT_EQ(said_of_targets(arch, saddle, {kInfinity, to({0, 1, 3, 4}), to({0, 2, 3, 4})}),
             "fails\n4 wrong-incidence FC-FLOW-07: index 2, contact set 0 1 2, up to infinity, 0 1 3 4, "
             "0 2 3 4; " +
@@ -221,7 +221,7 @@ TEST(IncidenceFindings, OrbitsThatGoOnBeyondRegularPoints) {
       "conforms where determined\n4 symbolic-perturbation FC-CLAIM-07: index 2, contact set 0 1 3, up to "
       "0 1 2 4, infinity; " +
           ends + unjudged);
-  // Neither an edge, nor what is lower.
+  // Neither an edge can be the limit, nor a lower saddle.
   for (const Ids& wrong : {Ids{1, 2}, Ids{0, 3, 4}}) {
     const std::string names = wrong.size() == 2 ? "1 2" : "0 3 4";
     EXPECT_EQ(said_of_targets(arch, {0, 1, 3}, {to(wrong), kInfinity}),

@@ -1,5 +1,5 @@
-// Mutations of inputs: that the relation each is named after holds exactly, on many parents of every family,
-// that nothing else changes, and that each applies often enough to be of use.
+// Mutations of inputs: the relation that each is named after holds exactly, on many parents of every family.
+// Nothing else changes, and each applies often enough to be of use.
 //
 // Guarantees: relations are checked in rationals, from the definitions; seeds are fixed.
 #include "fuzz/campaign/mutation.h"
@@ -53,7 +53,7 @@ const Mutation& mutation_named(const std::string& name) {
   return *found;
 }
 
-// Parents from no point to twelve, of all families; check(parent, seed).
+// Calls check(parent, seed) for parents of all families, which have from no point to twelve.
 template <typename Check>
 void for_each_parent(const Check& check) {
   std::uint64_t parents = 0;
@@ -64,7 +64,7 @@ void for_each_parent(const Check& check) {
   }
 }
 
-// Applies one mutation to all parents, checks what it gives, and tells in how many percent it applied.
+// Applies one mutation to all parents and checks what it gives. Returns in how many percent it applied.
 template <typename Check>
 std::size_t percent_applied(const std::string& name, const Check& check) {
   std::size_t parents = 0;
@@ -81,7 +81,7 @@ std::size_t percent_applied(const std::string& name, const Check& check) {
   return 100 * applied / parents;
 }
 
-// The rows but the first that the mutation speaks of are the parent's, all times one positive number.
+// All rows but the one that was moved are the parent's, times one positive number.
 void expect_others_are_scaled(const Input& parent, const Mutant& mutant) {
   Rational factor = 0;
   for (std::size_t row = 0; row < parent.rows.size(); ++row) {
@@ -162,7 +162,7 @@ TEST(Mutations, PutPointsWhereTheySay) {
   }
 }
 
-// What a move could give without moving: nothing is asserted of its points if it never holds by itself.
+// A move's relation does not hold for arbitrary points, so the tests of moves do assert something.
 TEST(Mutations, RelationsOfMovesDoNotHoldByThemselves) {
   const std::vector<RationalPoint> points{exactly({7, 1, 3}), exactly({0, 0, 1}), exactly({5, -2, 0}),
                                           exactly({1, 4, 9}), exactly({-3, 2, 2})};
@@ -190,7 +190,7 @@ TEST(Mutations, SnapGoesToTheNearestLatticePoint) {
     std::frexp(largest_coordinate(parent), &top);
     ASSERT_EQ(mutant.input.rows.size(), parent.rows.size());
     EXPECT_TRUE(mutant.rows.size() == 1 || mutant.rows.size() == parent.rows.size());
-    // One of the six lattices it is, for all coordinates alike.
+    // One of the six lattices holds all coordinates.
     bool is_found = false;
     for (int exponent = top - 5; exponent <= top; ++exponent) {
       const Rational step = power_of_two(exponent);
@@ -292,7 +292,7 @@ TEST(Mutations, ScaleIsByAPowerOfTwo) {
   EXPECT_GE(percent_applied("scale", check), 70U);
 }
 
-// All distances grow by one factor, and so do volumes: it is no reflection.
+// All distances grow by one factor. So do volumes with their sign: a turn is no reflection.
 TEST(Mutations, TurnKeepsShapes) {
   const auto check = [](const Input& parent, const Mutant& mutant) {
     ASSERT_EQ(mutant.input.rows.size(), parent.rows.size());
@@ -340,7 +340,7 @@ TEST(Mutations, NamesAreUniqueAndAllOfThemComeUp) {
     ++all;
     expect_valid(mutant, parent);
   });
-  // Each one in so many as there are, if all applied always.
+  // Each one comes up at least a third as often as it would if all applied always.
   for (const std::string& name : names) EXPECT_GE(3 * names.size() * times[name], all) << name;
 }
 
@@ -384,7 +384,7 @@ TEST(Mutations, SameParentAndSeedSameMutant) {
   EXPECT_GE(seen.size(), 80U);
 }
 
-// Pins them: a change of these lines means that seeds in old reports name other mutants.
+// Pins the mutants: if these lines change, seeds in old reports name other mutants.
 TEST(Mutations, SeedsNameTheSameMutantsForGood) {
   const Input parent{{{0, 0, 0}, {4, 1, 0}, {1, 3, -2}, {0, 2, 5}, {-1, -1, 2}}};
   std::ostringstream text;
@@ -392,7 +392,7 @@ TEST(Mutations, SeedsNameTheSameMutantsForGood) {
   for (const Mutation& mutation : mutations()) {
     rc::Random random(7);
     const Mutant mutant = mutation.apply(parent, random).value();
-    // What has moved or come, or the last row, and what shows by how much all have been multiplied.
+    // The row that has moved or come, or the last row, and then row 1, which shows a common factor.
     const std::size_t row = mutant.rows.empty() ? mutant.input.rows.size() - 1 : mutant.rows[0];
     text << '\n' << mutation.name << ' ' << Input{{mutant.input.rows[row], mutant.input.rows[1]}};
   }

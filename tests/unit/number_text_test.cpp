@@ -24,7 +24,7 @@ namespace flowcert {
 using namespace io;
 namespace {
 
-// Without expression templates, which clang's analyzer takes for dangling references.
+// The numbers have no expression templates, which clang's analyzer takes for dangling references.
 namespace mp = boost::multiprecision;
 using Integer = mp::number<mp::cpp_int_backend<>, mp::et_off>;
 using Rational = mp::number<mp::rational_adaptor<mp::cpp_int_backend<>>, mp::et_off>;
@@ -140,8 +140,8 @@ TEST(NumberText, TheEdgesOfTheRange) {
   EXPECT_EQ(fault_of("1.7976931348623159e308"), "out of range of a double");
   EXPECT_EQ(fault_of("1e309"), "out of range of a double");
   EXPECT_EQ(fault_of("-1e999999999999999999999"), "out of range of a double");
-  // The midpoint of the largest double and 2^1024 is even on the far side; just below it is the largest
-  // double.
+  // The midpoint of the largest double and 2^1024 is rounded to 2^1024, which is even. A number just below it
+  // is rounded to the largest double.
   const Integer midpoint = (Integer(1) << 1024) - (Integer(1) << 970);
   EXPECT_EQ(fault_of(midpoint.str()), "out of range of a double");
   EXPECT_EQ(value_of(Integer(midpoint - 1).str()), kLargest);
@@ -215,7 +215,7 @@ struct DecimalComma : std::numpunct<char> {
   [[nodiscard]] char do_decimal_point() const override { return ','; }
 };
 
-// C++'s streams see the comma everywhere, C's functions where such a locale is installed.
+// C++'s streams always see the comma, C's functions only where such a locale is installed.
 TEST(NumberText, DoesNotLookAtTheLocale) {
   CITES("FC-IN-02");
   const std::locale before = std::locale::global(std::locale(std::locale::classic(), new DecimalComma));

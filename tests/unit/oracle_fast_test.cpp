@@ -81,7 +81,7 @@ struct Tally {
   std::size_t centres = 0, no_centre = 0, meetings = 0, infinity = 0, clusters = 0;
 };
 
-// Samples, midpoints, and centres of triples, where ties are; and positions of no account.
+// Samples, midpoints and centres of triples, where ties are, and two positions where none are.
 std::vector<Point> positions(const PointSet& set) {
   std::vector<Point> result = {exact({0.1, -3, 1e9}), {Rational(1) / 3, Rational(-2) / 7, 0}};
   for_each_subset(set.points.size(), 3, [&](const Places& subset) {
@@ -99,7 +99,7 @@ void expect_same_simplices(const PointSet& plain, const PointSet& fast, Tally& t
   });
 }
 
-// Towards each sample, away from it, and at right angles to two of them.
+// Directions towards each sample, away from it, and at right angles to two of them.
 std::vector<Point> directions(const PointSet& set, const Point& x) {
   std::vector<Point> result = {cross(minus(set.points.front(), x), minus(set.points.back(), x))};
   for (const Point& p : set.points) {

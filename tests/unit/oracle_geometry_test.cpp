@@ -129,7 +129,7 @@ TEST(OracleFaceDimension, OfASquare) {
   CITES("FC-CRIT-02", "FC-CRIT-03");
   EXPECT_EQ(oracle::face_dimension(kSquare, point(2, 2, 0)), 0);
   EXPECT_EQ(oracle::face_dimension(kSquare, point(1, 0, 0)), 1);
-  // The crossing of the diagonals: in the relative interior of two edges of no face, and of the square.
+  // The diagonals, which are no faces, cross in the relative interior of the square.
   EXPECT_EQ(oracle::face_dimension(kSquare, point(1, 1, 0)), 2);
   EXPECT_EQ(oracle::face_dimension(kSquare, {ratio(1, 3), ratio(1, 7), 0}), 2);
   EXPECT_EQ(oracle::face_dimension(kSquare, point(3, 1, 0)), std::nullopt);

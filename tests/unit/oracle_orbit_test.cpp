@@ -27,10 +27,9 @@ std::vector<std::string> types_of(const PointSet& set, const Orbit& path) {
 
 using Types = std::vector<std::string>;
 
-TEST(OracleOrbit, FromACellThroughAFacetIntoTheMaximum) {
+TEST(OracleOrbit, FromACellStraightIntoTheMaximum) {
   CITES("FC-FLOW-01", "FC-FLOW-02");
-  // A regular tetrahedron with its centre at (1/2,1/2,1/2). From near the point 0 towards the middle of the
-  // facet of 0 and 1.
+  // A regular tetrahedron with its centre at (1/2,1/2,1/2).
   const PointSet set(Rows{{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}});
   // The origin repels (t,t,t) along the diagonal, straight to the centre, where all four meet.
   const Orbit path = orbit(set, {Rational(1, 8), Rational(1, 8), Rational(1, 8)});
@@ -48,9 +47,9 @@ TEST(OracleOrbit, FromACellThroughAFacetAndAnEdge) {
   // The right triangle (0,0,0) (4,0,0) (0,4,0) is obtuse nowhere; its line of centres is (2,2,z), its
   // circumcentre the middle of the hypotenuse.
   const PointSet set(Rows{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}});
-  // From (1,1/2,1): the origin is nearest. The way (1,1/2,1)t meets the plane x = 2 at t = 2, in (2,1,2);
-  // from there on away from the middle (2,0,0) in the direction (0,1,2) to the line of centres in (2,2,4);
-  // there the driver is (2,2,0), and the way goes up the line for ever.
+  // The origin is nearest to (1,1/2,1). The way (1,1/2,1)t meets the plane x = 2 at t = 2, in (2,1,2). From
+  // there it leads away from the middle (2,0,0), in the direction (0,1,2), to the line of centres in (2,2,4).
+  // There the driver is (2,2,0), and the way goes up the line for ever.
   const Orbit path = orbit(set, {1, Rational(1, 2), 1});
   ASSERT_EQ(types_of(set, path), (Types{"C-C-F", "F-F-E", "E-E-inf"}));
   EXPECT_EQ(*path.segments[0].end, (Point{2, 1, 2}));
@@ -62,8 +61,8 @@ TEST(OracleOrbit, FromACellThroughAFacetAndAnEdge) {
 
 TEST(OracleOrbit, FromAnEdgeOfAnObtuseTriangleAcrossTheFacetOfItsLongSide) {
   CITES("FC-FLOW-01", "FC-FLOW-02");
-  // Obtuse at (0,1,0): the points of its line of centres, over (0,-3/2), are driven by the middle of the long
-  // side, the origin.
+  // The triangle is obtuse at (0,1,0). The middle of its long side, the origin, drives the points of its line
+  // of centres, which is over (0,-3/2).
   const PointSet set(Rows{{-2, 0, 0}, {2, 0, 0}, {0, 1, 0}});
   const FlowSegment segment = *flow_segment(set, {0, Rational(-3, 2), 1});
   EXPECT_EQ(segment_type(set, segment), "E-F-inf");
@@ -75,15 +74,14 @@ TEST(OracleOrbit, FromAnEdgeOfAnObtuseTriangleAcrossTheFacetOfItsLongSide) {
 TEST(OracleOrbit, FromAVertexOfARightAngleAlongItsEdge) {
   CITES("FC-FLOW-01", "FC-FLOW-02");
   // Figure 6: the base has a right angle, so its Voronoi edge goes straight up from the middle of the
-  // hypotenuse. The fourth point lies on that side's far end of the circumsphere of centre (0,0,1) and
-  // squared radius 2; below, the flow goes down the edge.
+  // hypotenuse. The fourth point ends that edge above. Below the base the flow goes down the edge.
   const PointSet set(Rows{{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 3}});
-  // From (0,0,-1) on the edge's lower part, which is a ray, down for ever; driver is the middle of the
-  // hypotenuse.
+  // The orbit from (0,0,-1) goes down the edge's lower part, which is a ray, for ever. Its driver is the
+  // middle of the hypotenuse.
   const Orbit down = orbit(set, {0, 0, -1});
   ASSERT_EQ(types_of(set, down), (Types{"E-E-inf"}));
   EXPECT_EQ(down.segments[0].driver, (Point{0, 0, 0}));
-  // From (0,0,1) up: to the Voronoi vertex, where (0,0,3) is as near: 1 + z^2 = (3-z)^2, z = 4/3.
+  // From (0,0,1) it goes up to the Voronoi vertex, where (0,0,3) is as near: 1 + z^2 = (3-z)^2, z = 4/3.
   const Orbit up = orbit(set, {0, 0, 1});
   ASSERT_FALSE(up.segments.empty());
   EXPECT_EQ(segment_type(set, up.segments[0]), "E-E-V");
@@ -122,8 +120,8 @@ const std::set<std::string> kTableOne = {"V-E-V",   "V-E-inf", "E-E-V", "E-E-inf
                                          "V-F-inf", "E-F-V",   "E-F-E", "E-F-inf", "F-F-V",  "F-F-E",
                                          "F-F-inf", "C-C-V",   "C-C-E", "C-C-F",   "C-C-inf"};
 
-// Centres of random small subsets hit Voronoi vertices, edges and facets; a mixture of two of them hits
-// hardly anything.
+// Centres of random small subsets hit Voronoi vertices, edges and facets. A mixture of two such centres
+// seldom hits any of them.
 Point random_start(const PointSet& set, rc::Random& random) {
   const auto next = [&random](std::size_t bound) { return static_cast<std::size_t>(random.next() % bound); };
   const auto centre = [&]() -> Point {
@@ -160,7 +158,7 @@ void expect_segment_keeps_its_promises(const PointSet& set, const FlowSegment& s
   EXPECT_LT(distance(middle), distance(*segment.end));
 }
 
-// The squared radius of the ball that encloses C(x): Pythagoras, x being equally far from the points of C(x).
+// The squared radius of the ball that encloses C(x), by Pythagoras: x is equally far from all of C(x).
 Rational squared_ball_radius(const PointSet& set, const FlowSegment& segment) {
   const Rational distance = squared_distance(segment.start, set.points[set.nearest_places(segment.start)[0]]);
   return distance - squared_distance(segment.start, segment.driver);
@@ -321,12 +319,12 @@ TEST(OracleUnstableOrbit, OnlyOfIndexTwoAndTwoSides) {
   EXPECT_THROW(unstable_orbit(set, saddle_of(rows, {1, 2, 3}), -1), std::invalid_argument);
 }
 
-// A point on the first segment is a start like any other, and is driven by the saddle: its orbit is the rest.
+// The saddle drives the points of the first segment. The orbit of such a point is the rest of the saddle's orbit.
 void expect_an_orbit_of_its_points(const PointSet& set, const StationaryPoint& saddle, int side) {
   const Orbit path = unstable_orbit(set, saddle, side);
   FlowSegment first = path.segments.front();
   expect_segment_keeps_its_promises(set, first);
-  Point start = saddle.center;  // and beyond, anywhere before the end
+  Point start = saddle.center;  // moved below to a point before the segment's end
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (first.end) start[axis] += ((*first.end)[axis] - start[axis]) / 3;
   }

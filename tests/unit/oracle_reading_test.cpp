@@ -46,7 +46,7 @@ TEST(OracleReadXyz, SeparatorsCommentsAndFurtherColumns) {
 
 TEST(OracleReadXyz, NumbersAreTheNearestDoubles) {
   CITES("FC-IN-02");
-  // 2^53 + 1 is a tie, which goes to the even 2^53; the digit at its end breaks the tie.
+  // 2^53 + 1 is a tie, which goes to the even 2^53. The last digit of the second number breaks the tie.
   EXPECT_EQ(points("9007199254740993 9007199254740993.0000000000000000001 0.1"),
             (Rows{{9007199254740992.0, 9007199254740994.0, 0.1}}));
   EXPECT_EQ(points("0x1.8p1 -0x.8p-1073 0x10"), (Rows{{3, -kSubnormal, 16}}));
@@ -96,7 +96,7 @@ TEST(OracleReadObj, VerticesOnly) {
   EXPECT_EQ(points(text, PointFormat::kObj), (Rows{{1, 2, 3}, {4, 5, 6}}));
   EXPECT_EQ(points_error("vn 1 2 3\nv 1 2\n", PointFormat::kObj), "f:2: three numbers expected, found 2");
   EXPECT_EQ(points_error("v 1 2 z\n", PointFormat::kObj), "f:1: 'z' is not a number");
-  // Commas are XYZ's.
+  // Only XYZ has commas.
   EXPECT_EQ(points_error("v 1,2,3\n", PointFormat::kObj), "f:1: three numbers expected, found 1");
   EXPECT_EQ(points("v,1,2,3\nv 4 5 6\n", PointFormat::kObj), (Rows{{4, 5, 6}}));
 }
@@ -217,7 +217,7 @@ TEST(OracleRecords, FindingsInTheWriting) {
   EXPECT_EQ(clause(record("critical", "regular")), "FC-CRIT-03");
   EXPECT_EQ(clause(record(R"("index":1)", R"("index":[1,2])")), "FC-CRIT-03");
   EXPECT_EQ(clause(record(R"(1,"kind":"critical")", R"([2,2],"kind":"regular")")), "FC-CRIT-03");
-  // Beyond the doubles: null, and nothing else.
+  // Null is right beyond the range of doubles, and nothing else is.
   const std::string huge = "1" + std::string(400, '0');
   const std::string line = record("1/4", huge);
   EXPECT_EQ(clause(line), "FC-NUM-02");

@@ -1,7 +1,7 @@
-// The oracle's stable sets against its flow, on small inputs of all families: all points that a skeleton
-// stands for flow to its stationary point, and points of all kinds of places, on skeletons, near them and
-// anywhere, are in exactly the set of the point that their orbit ends at. And the clauses that say the same
-// in other words: signs, trees, boundary walks.
+// The oracle's stable sets against its flow, on small inputs of all families. All points that a skeleton
+// stands for flow to its stationary point. Points on skeletons, near them and anywhere are in exactly the set
+// of the point at which their orbit ends. Clauses that say the same in other words are checked too: signs,
+// trees, boundary walks.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,11 +47,11 @@ struct Subject {
 
 constexpr std::size_t kMostRows = 12;
 
-// Fewer where the run is scaled down, as under the sanitizers: the oracle's time grows fast with the rows.
+// There are fewer rows where the run is scaled down, as for sanitizers: the oracle's time grows fast with them.
 std::size_t most_rows_of_run() { return flowcert::property::scale_of_run() < 1 ? 8 : kMostRows; }
 
 // Calls visit(subject, random) for inputs of at most so many rows: `seeds` of each family, and `made` of each
-// of those that are made for this.
+// family that is made for stable sets.
 template <typename Visit>
 void for_each_subject(std::uint64_t seeds, std::uint64_t made, const Visit& visit,
                       std::size_t most_rows = most_rows_of_run()) {
@@ -71,7 +71,7 @@ void for_each_subject(std::uint64_t seeds, std::uint64_t made, const Visit& visi
   }
 }
 
-// A random point in the relative interior of their convex hull.
+// A random point in the relative interior of the points' convex hull.
 Point mixture(const std::vector<Point>& points, rc::Random& random) {
   Rational sum = 0;
   Point mixed;
@@ -83,8 +83,8 @@ Point mixture(const std::vector<Point>& points, rc::Random& random) {
   return {mixed[0] / sum, mixed[1] / sum, mixed[2] / sum};
 }
 
-// Says where the orbit of x ends: exactly one stable set contains x, or none if that is a maximum or
-// infinity.
+// Returns where the orbit of x ends. That point's stable set contains x, and no other one does. No set
+// contains x if the orbit ends at a maximum or at infinity.
 std::optional<StationaryPoint> expect_sets_agree_with_flow(const Subject& subject, const Point& x) {
   auto limit = orbit(subject.set, x).limit;
   for (const auto& [z, stable] : subject.sets) {
@@ -94,7 +94,7 @@ std::optional<StationaryPoint> expect_sets_agree_with_flow(const Subject& subjec
   return limit;
 }
 
-// A piece of a skeleton, by points whose convex hull is its closure, and the samples of its cones.
+// A piece of a skeleton: points whose convex hull is its closure, and the samples of its cones.
 struct Piece {
   std::vector<Point> hull;
   Names apexes;
@@ -127,7 +127,7 @@ TEST(OracleStableFamilies, WhatASkeletonStandsForFlowsToItsPoint) {
   });
 }
 
-// The centre of some of the points, at most so many.
+// The centre of some of the points, of at most so many.
 Point random_centre(const std::vector<Point>& points, std::size_t most, rc::Random& random) {
   std::vector<Point> chosen;
   const std::size_t size = 1 + below(random, most);
@@ -137,8 +137,8 @@ Point random_centre(const std::vector<Point>& points, std::size_t most, rc::Rand
 
 TEST(OracleStableFamilies, NothingNearASkeletonIsMissing) {
   CITES("FC-STAB-02", "FC-STAB-03");
-  // A step from a point of the skeleton towards a centre of some of its contact points, or away from that:
-  // into one of the Voronoi faces around it, where the step is short enough.
+  // A step leads from a point of the skeleton towards a centre of some of its contact points, or away from
+  // it. A short step ends in one of the Voronoi faces around the point.
   for_each_subject(1, 6, [](const Subject& subject, rc::Random& random) {
     for (const auto& [z, stable] : subject.sets) {
       for (const Piece& piece : pieces_of(stable)) {
@@ -156,8 +156,8 @@ TEST(OracleStableFamilies, NothingNearASkeletonIsMissing) {
 
 TEST(OracleStableFamilies, PointsAnywhereAreInTheSetOfTheirLimit) {
   CITES("FC-STAB-01", "FC-STAB-02");
-  // Centres of random subsets, which are often on Voronoi vertices, edges and facets, and points in line with
-  // two of them.
+  // The points are centres of random subsets, often on Voronoi vertices, edges and facets, and points in line
+  // with two such centres.
   std::size_t points = 0, in_a_set = 0;
   for_each_subject(2, 20, [&](const Subject& subject, rc::Random& random) {
     for (int k = 0; k < 12; ++k) {
@@ -194,8 +194,8 @@ bool is_voronoi_vertex(const Subject& subject, const SkeletonPoint& y) {
   return affine_dimension(select(subject.set.points, places_of(subject.set, y.contact))) == 3;
 }
 
-// The polygons of conv C(y), for a Voronoi vertex y: its largest subsets that lie in a plane with the others
-// on one side.
+// The polygons of conv C(y), for a Voronoi vertex y: the largest subsets of C(y) that lie in a plane with all
+// other points on one side.
 std::set<Names> polygons_at(const Subject& subject, const Names& contact) {
   std::set<Names> polygons;
   for_each_subset(contact.size(), 3, [&](const std::vector<std::size_t>& chosen) {
@@ -222,9 +222,9 @@ bool is_acute(const Subject& subject, const Names& polygon, std::size_t p, std::
   });
 }
 
-// Whether p q leads to the point with these polygons: its side in all of them, two or the only one, and
-// acute. A chord of one polygon that is no side sees points on both sides of it; not all see it at acute
-// angles.
+// Whether p q leads to the point with these polygons. It must be a side of two of them, or of the only one,
+// and acute in each. A chord that is no side sees points of its polygon on both sides, and not all of them
+// see it at acute angles.
 bool leads_by_sign(const Subject& subject, const std::set<Names>& polygons, std::size_t p, std::size_t q) {
   std::size_t around = 0;
   for (const Names& polygon : polygons) {
@@ -236,7 +236,7 @@ bool leads_by_sign(const Subject& subject, const std::set<Names>& polygons, std:
   return around == (polygons.size() == 1 ? 1 : 2);
 }
 
-// s(o,f) > 0, and z(f) in f.
+// Whether the polygon leads to o: s(o,f) > 0, and f contains z(f).
 bool leads_by_sign(const Subject& subject, const SkeletonPoint& o, const Names& polygon) {
   const std::vector<Point> corners = select(subject.set.points, places_of(subject.set, polygon));
   const Point normal = cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]));
@@ -298,7 +298,7 @@ TEST(OracleStableFamilies, WithoutVerticesAndIntervalsTheSegmentsFormATree) {
 
 using Edge = std::array<std::size_t, 2>;
 
-// Puts it in, or takes it out: what is left was put in an odd number of times.
+// Puts the member in, or takes it out. What is left was put in an odd number of times.
 template <typename T>
 void toggle(std::set<T>& odd, const T& member) {
   if (!odd.insert(member).second) odd.erase(member);
@@ -333,8 +333,8 @@ TEST(OracleStableFamilies, TheBoundaryWalkIsTheBoundaryOfTheTriangles) {
   });
 }
 
-// A Voronoi vertex of the skeleton that is no back of a segment or interval, nor z, was found between two
-// sides through which a sector's rays leave.
+// Whether w is a Voronoi vertex of the skeleton that is no back of a segment or interval, nor z. Such a
+// vertex was found between two sides through which a sector's rays leave.
 bool is_within_a_sector(const Subject& subject, const StableSet& stable, const StationaryPoint& z,
                         const SkeletonPoint& w) {
   const auto is_back = [&](const auto& piece) { return piece.back == w.position; };

@@ -109,8 +109,8 @@ TEST(OracleStable, OfASquareUnderAPoint) {
 
 TEST(OracleStable, CrossesTheVoronoiEdgeOfAnObtuseNeighbour) {
   CITES("FC-STAB-03", "FC-STAB-04", "FC-STAB-06", "FC-STAB-07");
-  // The acute triangle again. (2,-3/2) is outside of its circle, and sees the side below at an obtuse angle:
-  // the circumcentre (2,y) of these three, 4 + y^2 = (y + 3/2)^2, is in the way to the middle of the side.
+  // The acute triangle again. (2,-3/2) is outside of its circle and sees its lower side at an obtuse angle.
+  // Their circumcentre (2,y), with 4 + y^2 = (y + 3/2)^2, is in the way to the middle of that side.
   const Example t({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, -1.5, 0}}, {0, 1, 2});
   const Point z = {2, ratio(5, 6), 0}, crossing = {2, ratio(7, 12), 0};
   EXPECT_EQ(branches(t.stable), (std::vector<Branch>{{{0, 1}, z, crossing, BackKind::kEdge},
@@ -130,7 +130,7 @@ TEST(OracleStable, CrossesTheVoronoiEdgeOfAnObtuseNeighbour) {
 
 TEST(OracleStable, EndsAtTheHypotenuseOfARightNeighbour) {
   CITES("FC-STAB-04", "FC-STAB-07");
-  // (2,-2) sees the side below at a right angle: its middle is regular stationary.
+  // (2,-2) sees the lower side at a right angle, so the side's middle is regular stationary.
   const Rows rows = {{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, -2, 0}};
   const Example t(rows, {0, 1, 2});
   const BackwardSegment& down = t.stable.segments[0];
@@ -140,7 +140,7 @@ TEST(OracleStable, EndsAtTheHypotenuseOfARightNeighbour) {
   EXPECT_EQ(down.back_kind, BackKind::kRegular);
   EXPECT_EQ(t.stable.segments.size(), 3U);
   EXPECT_EQ(boundary_walk(t.set, t.z, t.stable), (Names{0, 1, 2}));
-  // What flows to that middle is the right triangle and the hypotenuse itself.
+  // The right triangle and the hypotenuse itself flow to that middle.
   const Example right(rows, {0, 1, 3});
   EXPECT_TRUE(right.has({2, 0, 0}));
   EXPECT_TRUE(right.has({1, 0, 0}));
@@ -148,10 +148,10 @@ TEST(OracleStable, EndsAtTheHypotenuseOfARightNeighbour) {
   EXPECT_FALSE(right.has({2, ratio(1, 100), 0}));
 }
 
-// (0,7,0) and 0 and 1 make an acute triangle with its centre z = (0,20/7,0): 9 + y^2 = (7 - y)^2. Points 2
-// and 3 are on the sphere of centre (0,1,0) through 0 and 1, of squared radius 10, and below it: that centre
-// is a Voronoi vertex on the way from the middle of 0 and 1 to z. Of the tetrahedron, 0 3 and 1 2 are the
-// longest sides of obtuse triangles: <(-2,2,0),(1,0,-1)> < 0 at 2, <(3,2,1),(-1,0,1)> < 0 at 3.
+// (0,7,0), 0 and 1 make an acute triangle with its centre z = (0,20/7,0): 9 + y^2 = (7 - y)^2. Points 2 and 3
+// are below, on the sphere of centre (0,1,0) and squared radius 10 through 0 and 1. This centre is a Voronoi
+// vertex on the way from the middle of 0 and 1 to z. The tetrahedron's edges 0 3 and 1 2 are the longest
+// sides of obtuse triangles: <(-2,2,0),(1,0,-1)> < 0 at 2, <(3,2,1),(-1,0,1)> < 0 at 3.
 const Rows kThroughAVertex = {{-3, 0, 0}, {3, 0, 0}, {-1, -2, 0}, {0, -2, -1}, {0, 7, 0}};
 
 TEST(OracleStable, MeetsAVoronoiVertex) {
@@ -175,9 +175,9 @@ TEST(OracleStable, MeetsAVoronoiVertex) {
 
 TEST(OracleStable, AnIndexTwoPointOfDimensionThree) {
   CITES("FC-STAB-05", "FC-STAB-06");
-  // The same with two other points on the sphere, of squared radius 5: now the Voronoi edges of 0 2 3 and 1 2
-  // 3 lead from the centres of these triangles, (-+4/5,-3/5,0), to the vertex. The plane of the first is x +
-  // 2y = -2, and (0,1,0) - 4/5 (1,2,0) lies on it, 3/5 of the way from 0 to the middle of 2 and 3.
+  // Two other points are on the sphere here, whose squared radius is 5. The Voronoi edges of 0 2 3 and 1 2 3
+  // now lead from these triangles' centres, (-+4/5,-3/5,0), to the vertex. The first one's plane is
+  // x + 2y = -2, and (0,1,0) - 4/5 (1,2,0) lies on it, 3/5 of the way from 0 to the middle of 2 and 3.
   const Example t({{-2, 0, 0}, {2, 0, 0}, {0, -1, 1}, {0, -1, -1}, {0, 5, 0}}, {0, 1, 4});
   ASSERT_EQ(t.z.hull_dimension, 2);
   const Point vertex = {0, 1, 0}, left = {ratio(-4, 5), ratio(-3, 5), 0},
@@ -246,9 +246,9 @@ TEST(OracleStable, OfKindOneThree) {
                                        {{2, 3}, {z, m23, right}}}));
 }
 
-// Six times as large, with a fifth point that cuts into the facet of 0 and 2, which lies in x = y: it is
-// nearer than they where 4x - 6z > 5. That line crosses the ways from (3,3,0), the middle of 0 and 2, to z in
-// (5/4,5/4,0), and to (2,2,2), the other end of the interval, in (41/16,41/16,7/8).
+// The last example, six times as large, and a fifth point. The facet of 0 and 2 lies in x = y, and the fifth
+// point cuts into it: it is nearer where 4x - 6z > 5. That line crosses the way from (3,3,0), the middle of 0
+// and 2, to z in (5/4,5/4,0), and the way to (2,2,2), the interval's other end, in (41/16,41/16,7/8).
 TEST(OracleStable, ASectorThatLeavesThroughAVoronoiEdge) {
   CITES("FC-STAB-03", "FC-STAB-04", "FC-STAB-05");
   const Example t({{6, 0, 0}, {-6, 0, 0}, {0, 6, 0}, {0, 0, 6}, {4, 4, -3}}, {0, 1, 2, 3});
@@ -275,7 +275,7 @@ TEST(OracleStable, ASectorThatLeavesThroughAVoronoiEdge) {
                                        {{2, 3}, {left, z, m23}},
                                        {{2, 3}, {z, m23, right}},
                                        {{2, 4}, {near, m24, far}}}));
-  // Halfway between the middle of the crossed interval and that of 0 and 4; and halfway from there to 4.
+  // Halfway from the crossed interval's middle to that of 0 and 4, and then halfway from there to 4.
   EXPECT_TRUE(t.has({ratio(221, 64), ratio(125, 64), ratio(-17, 32)}));
   EXPECT_TRUE(t.has({ratio(477, 128), ratio(381, 128), ratio(-113, 64)}));
   EXPECT_FALSE(t.has(m04));

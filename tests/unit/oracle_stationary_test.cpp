@@ -70,8 +70,8 @@ TEST(OracleStationary, RegularTetrahedron) {
                 {0, 0, 0});
 }
 
-// The 12 edges have midpoints at squared distance 1/2 from their ends and 3/2 from all else; the 8 faces are
-// acute, and the plane of each has all other vertices on the centre's side; the three long diagonals meet in
+// The 12 edges have midpoints at squared distance 1/2 from their ends and 3/2 from all else. The 8 faces are
+// acute, and the plane of each has all other vertices on the centre's side. The three long diagonals meet in
 // the centre.
 TEST(OracleStationary, Octahedron) {
   CITES("FC-CRIT-02");
@@ -81,12 +81,11 @@ TEST(OracleStationary, Octahedron) {
   EXPECT_EQ(answer.stationary.back().contact.size(), 6U);
 }
 
-// (0, +-a, +-b) and its cyclic shifts, with b/a one of the rationals 13/8 and 144/89 next to the golden
-// ratio. All 12 lie on one sphere around 0, and the hull has the 20 faces of the icosahedron: 8 are
-// equilateral, of squared side a^2 + b^2 + (b-a)^2, the other 12 have two such sides and one of 4 a^2, which
-// is less than twice as much. All are acute, so all 20 faces and all 30 edges (whose diametral spheres have
-// the acute apexes of both faces outside, and with them, by convexity, all points of the common sphere) are
-// critical, and 0 is strictly inside.
+// The points are (0, +-a, +-b) and its cyclic shifts, and b/a is 13/8 or 144/89, next to the golden ratio.
+// All 12 lie on one sphere around 0, and the hull has the 20 faces of the icosahedron. 8 are equilateral, of
+// squared side a^2 + b^2 + (b-a)^2; the others have two such sides and one of 4 a^2, which is less than twice
+// as much. So all 20 faces are acute and critical. All 30 edges are critical: their diametral spheres have
+// the apexes of both faces outside, and by convexity all other points. 0 is strictly inside.
 TEST(OracleStationary, NearlyAnIcosahedron) {
   CITES("FC-CRIT-02", "FC-INV-01");
   for (const auto& [a, b] : {std::pair{8.0, 13.0}, std::pair{89.0, 144.0}}) {
@@ -268,7 +267,7 @@ TEST_F(OracleCertify, RejectsListsThatAreNoContactSets) {
 
 TEST_F(OracleCertify, RejectsByTheFirstConditionThatFails) {
   CITES("FC-CRIT-05");
-  // (a) three points of a line; two pairs of different length with one midpoint would need a rectangle.
+  // (a) Three points of a line; then the square's corners and a point that is not on their sphere.
   EXPECT_EQ(clause(PointSet({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}), {{1, 0, 0}, 1, {0, 1, 2}, 1, 1}),
             "FC-CRIT-05 (a)");
   EXPECT_EQ(on_square({{1, 1, 0}, 2, {0, 1, 2, 3, 5}, 2, 2}), "FC-CRIT-05 (a)");

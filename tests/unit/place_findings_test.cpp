@@ -1,5 +1,5 @@
-// check() on what a claim says of itself, and on which points it has where (levels 1 to 3): claims by hand,
-// and what is said of them, word for word.
+// check() on what a claim says of itself, and on which points it has where (levels 1 to 3). The claims are
+// made by hand, and the reports are compared word for word.
 #include <gtest/gtest.h>
 
 #include "tests/cites.h"
@@ -8,7 +8,7 @@
 namespace flowcert {
 namespace {
 
-// Of all that is true but for one change to the point of this contact set.
+// The report on a claim that is true but for one change to the point of this contact set.
 template <typename Change>
 std::string said(const Truly& truly, const Ids& contact, const Change& change) {
   Claimed claimed = truly.whole_claim();
@@ -178,8 +178,8 @@ TEST(PlaceFindings, OfWhatAPerturbationWouldNotMake) {
   }
 }
 
-// By position it is not known which of the two polygons of a kind 1-3 is meant; of three claims, two are the
-// same.
+// A position does not tell which of the two polygons of a kind 1-3 is meant. So a third claim repeats one of
+// them.
 TEST(PlaceFindings, OfPerturbedPointsByPosition) {
   CITES("FC-CLAIM-04", "FC-CLAIM-05");
   const Truly points(kKind13);
@@ -191,7 +191,7 @@ TEST(PlaceFindings, OfPerturbedPointsByPosition) {
   EXPECT_EQ(count(thrice, FindingReason::kClaimedTwice), 1U) << text(thrice);
   EXPECT_EQ(points.check(points.claim().at(1, center).at(2, center)).verdict,
             Verdict::kConformsWhereDetermined);
-  // One by position, the other by a contact set.
+  // One polygon is claimed by position, the other by a contact set.
   EXPECT_EQ(points.check(points.claim().add(1, {0, 1}).at(2, center).add(2, {0, 1, 2}).at(3, center)).verdict,
             Verdict::kConformsWhereDetermined);
   Claimed regular = points.claim().at(1, center);
@@ -263,12 +263,12 @@ TEST(PlaceFindings, OfDistances) {
   EXPECT_EQ(with([&](ClaimedPoint& point) { point.squared_distance = number(1 + tiny); }),
             rounding + "squared distance ~1.0000000000000002" + end);
   EXPECT_EQ(with([&](ClaimedPoint& point) { point.squared_distance = decimal(1 + tiny); }), "conforms");
-  // As far off as all of the radius.
+  // The claimed squared distance is off by all of the radius.
   Claimed nothing = points.claim();
   nothing.last().squared_distance = decimal(0);
   EXPECT_EQ(points.check(nothing, {.tolerance = 1}).verdict, Verdict::kConforms);
   EXPECT_EQ(points.check(nothing, {.tolerance = 0.5}).verdict, Verdict::kFails);
-  // Exact and in decimals at once: approximate.
+  // A position that is partly exact and partly in decimals is approximate.
   Claimed mixed = points.claim();
   mixed.last().center = {number(1), decimal(0), number(0)};
   EXPECT_FALSE(points.check(mixed).is_exact);
@@ -277,7 +277,7 @@ TEST(PlaceFindings, OfDistances) {
   EXPECT_EQ(points.check(mixed).verdict, Verdict::kFails) << "what is exact has no tolerance";
 }
 
-// Three claims for what two places have: each finds its own where that can be.
+// Two places look the same. Each claim finds a place of its own while there is one.
 TEST(PlaceFindings, OfAmbiguousPositions) {
   CITES("FC-CLAIM-05");
   const Truly nearly({{0, 0, 0}, {2, 0, 0}, {1, 1 + 0x1p-40, 0}});
@@ -293,13 +293,13 @@ TEST(PlaceFindings, OfAmbiguousPositions) {
   EXPECT_EQ(count(again, FindingReason::kClaimedTwice), 1U) << text(again);
   const CheckReport wrong = claim({1, 3});
   EXPECT_EQ(wrong.verdict, Verdict::kFails);
-  // Exactly at one of them, it is that one.
+  // A claim that is exactly at one of the places means that place.
   Claimed exact = nearly.claim_without({{0, 1}});
   exact.at(1, exactly(RationalPoint{1, 0, 0}));
   EXPECT_EQ(said(nearly, exact), "conforms");
 }
 
-// What is claimed wrongly, or a second time, is not followed any further.
+// Points that are claimed wrongly, or a second time, are not followed any further.
 TEST(PlaceFindings, OnlyRightPointsAreFollowed) {
   CITES("FC-CLAIM-06", "FC-CLAIM-08");
   const Truly points(kTetrahedron);

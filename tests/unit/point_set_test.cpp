@@ -1,8 +1,8 @@
 // The input as everything else sees it: what PointSet refuses, what it merges and how it names the classes;
 // and exact_sphere(), the smallest sphere through a few of its points.
 //
-// exact_sphere is held against its definition in rationals: all points at one distance from the centre, and
-// the centre in their affine hull.
+// exact_sphere is compared with its definition in rationals: all points are at one distance from the centre,
+// and the centre is in their affine hull.
 #include "flowcert/point_set.h"
 
 #include <gtest/gtest.h>
@@ -93,7 +93,7 @@ TEST(PointSetTest, NothingElseIsMerged) {
   EXPECT_EQ(set[4].y, -tiny);
 }
 
-// Against a map from coordinates to rows.
+// Compares with a map from coordinates to rows.
 TEST(PointSetTest, RandomRowsWithManyRepetitions) {
   CITES("FC-IN-03");
   PortableRandom random(21);
@@ -196,7 +196,7 @@ TEST(ExactSphereTest, MeetsItsDefinition) {
       const std::vector<Point> rows(tuple.begin(), tuple.begin() + static_cast<std::ptrdiff_t>(count));
       std::vector<RationalPoint> p;
       for (const Point& row : rows) p.push_back(exactly(row));
-      // Affinely independent ones only, which always have a sphere.
+      // Only affinely independent points, which always have a sphere.
       if (count == 2 && p[0] == p[1]) continue;
       if (count == 3 && inner(normal_of(p[0], p[1], p[2]), normal_of(p[0], p[1], p[2])) == 0) continue;
       if (count == 4 && determinant(minus(p[1], p[0]), minus(p[2], p[0]), minus(p[3], p[0])) == 0) continue;

@@ -1,8 +1,8 @@
-// Tuples of points to try predicates on, in the kinds that exact geometry fails on: generic ones, degenerate
-// ones, the latter up to rounding and plus one ulp, and all of that far from the origin, at the ends of the
-// range of doubles, and at the limit of the fixed-size integers.
+// Tuples of points to try predicates on, of the kinds on which inexact geometry fails: generic points,
+// degenerate ones, and degenerate ones up to rounding or one ulp. Other kinds are far from the origin, at the
+// ends of the range of doubles, or at the limit of the fixed-size integers.
 //
-// Guarantees: a function of the random numbers given; all coordinates finite. Points may coincide.
+// Guarantees: a function of the random numbers given; all coordinates are finite. Points may coincide.
 #pragma once
 
 #include <array>
@@ -21,14 +21,14 @@ enum class TupleKind {
   kGeneric,     // 53 random bits a coordinate
   kLattice,     // coordinates -2 to 2: flat, right-angled, cospherical
   kSpherical,   // signed permutations of one integer vector, moved: always cospherical, half cocircular
-  kRounded,     // such ones, scaled, turned and moved in doubles
+  kRounded,     // spherical ones, scaled, turned and moved in doubles
   kOneUlp,      // lattice and spherical ones, one coordinate of one point moved by one ulp
   kFarOff,      // a lattice around a point 10^15 away
   kMagnitudes,  // coordinates of exponents from -1000 to 1000
   kSubnormal,   // a lattice at the smallest subnormal, or across the border to the normal doubles
   kNearRight,   // a right angle up to rounding, of three generic points; the others generic too
   kWidest,      // coordinates that span kWideBits bits on their grid, or one more
-  kNarrow,      // the same of kNarrowBits
+  kNarrow,      // the same with kNarrowBits
 };
 inline constexpr std::array kTupleKinds = {
     TupleKind::kGeneric,   TupleKind::kLattice, TupleKind::kSpherical,  TupleKind::kRounded,
@@ -68,8 +68,8 @@ std::array<flowcert::Point, N> scaled_lattice_tuple(PortableRandom& random, int 
   return points;
 }
 
-// A turn, a shrinking and a move, rounded at each step: what was cospherical, or in a plane of constant z
-// cocircular, is so no more, by a few ulps.
+// Turns, shrinks and moves the point, rounded at each step. Points that were cospherical, or cocircular in a
+// plane of constant z, are so no more, by a few ulps.
 inline flowcert::Point rounded_image(const flowcert::Point& p, bool is_level, double offset) {
   const double x = 0.8 * p.x - 0.6 * p.y, y = 0.6 * p.x + 0.8 * p.y;
   const double u = is_level ? x : 0.28 * x - 0.96 * p.z, w = is_level ? p.z : 0.96 * x + 0.28 * p.z;
@@ -127,7 +127,7 @@ std::array<flowcert::Point, N> draw_tuple(TupleKind kind, PortableRandom& random
     }
     case TupleKind::kWidest:
     case TupleKind::kNarrow: {
-      // (2^53 - k) 2^(bits - 53) is the largest there is below 2^bits; the 1 fixes the grid.
+      // The numbers (2^53 - k) 2^(bits - 53) are the largest ones below 2^bits. One coordinate 1 fixes the grid.
       const int bits =
           kind == TupleKind::kWidest ? flowcert::geometry::kWideBits : flowcert::geometry::kNarrowBits;
       const int top = bits - 53 + random.between(0, 1);

@@ -23,7 +23,7 @@ class PortableRandom {
     return low + static_cast<int>(below(static_cast<std::size_t>(high - low) + 1));
   }
   bool coin() { return (engine_() & 1) != 0; }
-  // In (-1, 1), on the grid of 2^-53.
+  // A number in (-1, 1), on the grid of 2^-53.
   double coordinate() {
     const double value = static_cast<double>(engine_() >> 11) * 0x1p-53;
     return coin() ? -value : value;

@@ -1,6 +1,6 @@
-// The predicates, rung against rung: on every kind of input (tests/unit/point_tuples.h) a rung may leave a
-// sign open, but what it says is what the next one says, and the last one says what the definition says, in
-// rationals that the test writes down itself.
+// The predicates, rung against rung, on every kind of input (tests/unit/point_tuples.h). A rung may leave a
+// sign open, but what it says is what the next one says. The last one says what the definition says, which
+// the test writes down itself, in rationals.
 //
 // Also which rung decides: the double filter on practically every generic input, the fixed-size integers on
 // ties and near ties, GMP where the points span more than kWideBits bits, and that the tally counts just
@@ -26,7 +26,7 @@
 
 namespace flowcert::geometry {
 
-// Found by GoogleTest, for its messages.
+// GoogleTest finds this for its messages.
 static void PrintTo(Sign sign, std::ostream* out) { *out << static_cast<int>(sign); }
 
 }  // namespace flowcert::geometry
@@ -55,11 +55,11 @@ Sign sign_of_int(int sign) { return static_cast<Sign>(sign); }
 struct Decided {
   std::uint64_t by_double = 0, by_narrow = 0, by_wide = 0, by_big = 0, zeros = 0;
   [[nodiscard]] std::uint64_t total() const { return by_double + by_narrow + by_wide + by_big; }
-  // By integers of a fixed size.
+  // The number decided by integers of a fixed size.
   [[nodiscard]] std::uint64_t by_fixed() const { return by_narrow + by_wide; }
 };
 
-// The comparisons of a query: each rung against the last one, where it is not silent.
+// Compares each rung that is not silent with the last one.
 template <class Query>
 void compare_rungs(const Query& query, Decided& decided) {
   const MaybeSign by_double = sign_on_rung(query, Rung::kDouble);
@@ -155,8 +155,8 @@ bool are_opposite(const Point& p0, const Point& p1, const Point& q, const Point&
   return inner(normal_of(u, v, exactly(q)), normal_of(u, v, exactly(r))) < 0;
 }
 
-// An image of the points in one plane: exactly, whatever the coordinates are, and where they are small
-// integers in a plane that is tilted against all axes.
+// Moves the points into one plane, exactly. Small integers may come into a plane that is tilted against all
+// axes.
 void flatten(std::array<Point, 4>& t, PortableRandom& random) {
   const bool is_small = std::all_of(t.begin(), t.end(), [](const Point& p) {
     const auto small = [](double c) { return c == std::floor(c) && std::fabs(c) < 1e6; };
@@ -275,8 +275,8 @@ TYPED_TEST(PredicateTest, TheLastRungIsTheDefinition) {
   for (const Sign sign : {Sign::kNegative, Sign::kZero, Sign::kPositive}) EXPECT_GT(seen[sign], 50);
 }
 
-// Points that span exactly so many bits have their sign from this rung, and the one that GMP gives; with one
-// bit more it is silent.
+// The rung gives the sign that GMP gives if the points span exactly so many bits. With one bit more it is
+// silent.
 template <class Ask>
 void expect_end(TupleKind kind, Rung rung, int bits) {
   PortableRandom random(82);
@@ -313,7 +313,7 @@ TYPED_TEST(PredicateTest, TheFixedSizeIntegersEndWhereTheySay) {
 
 constexpr Point kOrigin{0, 0, 0};
 
-// Who decides what: one input for each, made by hand.
+// What three rungs say of a query made by hand.
 struct Answers {
   MaybeSign by_double, by_wide, by_big;
 };
@@ -330,7 +330,7 @@ TEST(RungsTest, ClearSignsAreTheFiltersOwn) {
   EXPECT_EQ(answers(Angle{x, Point{0.25, 0.25, 0}, y}).by_double, Sign::kNegative);
   EXPECT_EQ(answers(Orientation{kOrigin, x, y, z}).by_double, Sign::kPositive);
   EXPECT_EQ(answers(Orientation{kOrigin, y, x, z}).by_double, Sign::kNegative);
-  // The centre (1/2, 1/2, 1/2) lies on the origin's other side of the slanted facet, beside the others.
+  // Only the slanted facet has the centre (1/2, 1/2, 1/2) and its opposite vertex on different sides.
   EXPECT_EQ(answers(SideOfPlane{x, y, z, kOrigin}).by_double, Sign::kNegative);
   EXPECT_EQ(answers(SideOfPlane{kOrigin, x, y, z}).by_double, Sign::kPositive);
   EXPECT_EQ(answers(OutsideSphere{kOrigin, x, y, z, far}).by_double, Sign::kPositive);
@@ -340,7 +340,7 @@ TEST(RungsTest, ClearSignsAreTheFiltersOwn) {
   EXPECT_EQ(answers(OutsideCircle{x, y, kOrigin, Point{0.75, 0.75, 0}}).by_double, Sign::kNegative);
 }
 
-// Not far above the bound the filter still answers: an angle is open below about 2^-50.
+// The filter still answers not far above its bound: an angle is open only below about 2^-50.
 TEST(RungsTest, TheFilterIsSharp) {
   CITES("FC-NUM-01");
   const Point x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
@@ -366,7 +366,7 @@ TEST(RungsTest, TiesAreLeftToTheIntegers) {
   };
   expect_tie(Angle{x, kOrigin, y});
   expect_tie(Orientation{kOrigin, x, y, xy});
-  // A right-angled facet whose hypotenuse is a diameter of the sphere.
+  // The facet has a right angle, and its hypotenuse is a diameter of the sphere.
   expect_tie(SideOfPlane{x, Point{-1, 0, 0}, y, z});
   expect_tie(OutsideSphere{kOrigin, x, y, z, xyz});
   expect_tie(OutsideCircle{x, y, kOrigin, xy});
@@ -412,8 +412,8 @@ TEST(RungsTest, MixedMagnitudesAreLeftToGmp) {
   expect_big(OutsideCircle{x, y, kOrigin, Point{1e300, 1e-300, 0}}, Sign::kNegative);
 }
 
-// The filter's range, from both sides: one and the same right angle, opened a little, at lengths that the
-// filter takes and at lengths that it refuses; and nothing that overflows on the way is taken for a sign.
+// The filter's range, from both sides: one and the same angle, at lengths that the filter takes and at
+// lengths that it refuses. Nothing that overflows on the way is taken for a sign.
 TEST(RungsTest, TheFilterIsSilentOutsideOfItsRange) {
   CITES("FC-NUM-01");
   for (const double unit : {2 * kSmallestNorm, kLargestNorm / 2}) {
@@ -427,7 +427,7 @@ TEST(RungsTest, TheFilterIsSilentOutsideOfItsRange) {
     EXPECT_EQ(sign_on_rung(query, Rung::kDouble), std::nullopt) << unit;
     EXPECT_EQ(sign_on_rung(query, Rung::kWide), Sign::kPositive) << unit;
   }
-  // A difference that is itself beyond the largest double.
+  // One difference is itself beyond the largest double.
   const Point left{-largest, 0, 0}, right{largest, 0, 0};
   const Angle straight{left, Point{0, 1e308, 0}, right}, sharp{left, right, Point{0, 1e308, 0}};
   EXPECT_EQ(sign_on_rung(straight, Rung::kDouble), std::nullopt);

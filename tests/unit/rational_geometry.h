@@ -1,5 +1,5 @@
-// Geometry in rationals, written down from the definitions and with nothing of src/geometry: what the tests
-// hold the integer polynomials of the predicates against.
+// Geometry in rationals, written down from the definitions, with nothing of src/geometry. The tests compare
+// the integer polynomials of the predicates with it.
 //
 // Guarantees: exact. Slow, and meant to be read: a circumcentre is the solution of three linear equations by
 // Cramer's rule.
@@ -30,7 +30,7 @@ inline Rational squared_distance(const RationalPoint& u, const RationalPoint& v)
   return inner(minus(u, v), minus(u, v));
 }
 
-// Of the rows u, v, w: the rule of Sarrus.
+// The determinant of the rows u, v, w, by the rule of Sarrus.
 inline Rational determinant(const RationalPoint& u, const RationalPoint& v, const RationalPoint& w) {
   return u[0] * v[1] * w[2] + u[1] * v[2] * w[0] + u[2] * v[0] * w[1] - u[2] * v[1] * w[0] -
          u[0] * v[2] * w[1] - u[1] * v[0] * w[2];

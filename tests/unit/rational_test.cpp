@@ -1,8 +1,8 @@
 // Rationals as the public interface shows them: canonical text, the nearest double, and numbers in text.
 //
-// nearest_double is held against its definition, exactly: no other double is nearer, and of two that are
-// equally near it is the even one; at both ends of the range, and between powers of two where the neighbours
-// are not equally far.
+// nearest_double is compared with its definition, exactly: no other double is nearer, and of two that are
+// equally near it is the even one. Both ends of the range are tested too, and powers of two, where the
+// neighbours are not equally far.
 #include "flowcert/rational.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ Rational distance_of(const Rational& a, const Rational& b) {
 
 bool is_even(double value) { return (std::bit_cast<std::uint64_t>(value) & 1) == 0; }
 
-// The definition. What lies next beyond the largest double is 2^1024, as far as rounding goes.
+// Checks the definition. For rounding, the number next beyond the largest double is 2^1024.
 void expect_nearest(const Rational& value) {
   const std::optional<double> got = nearest_double(value);
   const Rational beyond = power_of_two(1024);

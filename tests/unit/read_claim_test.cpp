@@ -119,7 +119,7 @@ TEST(ReadExchange, WhatIsExactAndWhatIsNot) {
             "5 near, -1/10 near, 1/1" + std::string(400, '0') + " near");
   EXPECT_EQ(text_of(*record_of(R"({"index":2,"contact":[1],"squared_distance":"7/3"})").squared_distance),
             "7/3 exact");
-  // The decimal, not the double nearest to it.
+  // The value is the decimal, not the double nearest to it.
   EXPECT_EQ(
       text_of(
           *record_of(R"({"index":1,"contact":[1],"squared_distance":0.30000000000000004})").squared_distance),
@@ -366,7 +366,7 @@ TEST(ReadVtp, PiecesAndTypes) {
   ASSERT_EQ(twice.points.size(), 2 * kVtpPoints.size());
   EXPECT_EQ(twice.points.back().line, 2 * kVtpPoints.size());
   EXPECT_TRUE(claim_of("<VTKFile type='PolyData'><PolyData/></VTKFile>").points.empty());
-  // Positions of any type; 2^53 + 1 is no double.
+  // Positions may have any type. 2^53 + 1 is no double.
   const std::string integers = bytes_of(std::int64_t{9007199254740993}, false) +
                                bytes_of(std::int64_t{-1}, false) + bytes_of(std::int64_t{0}, false);
   const Claim exact = claim_of(

@@ -1,7 +1,7 @@
-// A merged Voronoi complex, read out for tests: what lies around each Delaunay edge, and which facets make up
-// each polygon; of the complex of a plane, the edges alone.
+// A merged Voronoi complex, read out for tests: what lies around each Delaunay edge, and which facets make up each
+// polygon. Of a planar complex only the edges are read out.
 //
-// Guarantees: made of what the complex says of single cells and facets, by no traversal of its own.
+// Guarantees: the result is made of what the complex says of single cells and facets, without a traversal.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@ struct AroundEdge {
   bool on_hull = false;
 };
 
-// The polygons of a complex under one numbering: large ones first, then whole facets, once from both sides.
+// Numbers the polygons of a complex: large ones first, then whole facets. A facet's two sides have one number.
 class Polygons {
  public:
   explicit Polygons(const VoronoiComplex& complex) : complex_(complex) {}
@@ -91,7 +91,7 @@ inline std::map<EdgeKey, AroundEdge> edges_of(const PlanarComplex& complex) {
   return edges;
 }
 
-// Facets of all polygons, seen from one side each.
+// The facets of each polygon, seen from one side.
 inline std::map<std::size_t, std::vector<FacetRef>> facets_by_polygon(const VoronoiComplex& complex) {
   std::map<std::size_t, std::vector<FacetRef>> facets;
   const CompactDelaunay& delaunay = complex.delaunay();

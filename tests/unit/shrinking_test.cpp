@@ -40,7 +40,7 @@ TEST(Shrinking, LeavesOutAllRowsThatAreNotNeeded) {
 }
 
 TEST(Shrinking, MakesCoordinatesSmallIntegers) {
-  // Any four points whose x differ: 0, 1, 2 and one more, which is -1 or 3.
+  // Any four points with different x fail. The smallest such x are 0, 1, 2 and one more, -1 or 3.
   const Judge judge = [](const Trial& trial) -> std::optional<Disagreement> {
     std::vector<double> x;
     for (const Row& row : trial.input.rows) x.push_back(row[0]);
@@ -58,7 +58,7 @@ TEST(Shrinking, MakesCoordinatesSmallIntegers) {
 }
 
 TEST(Shrinking, KeepsTheKind) {
-  // Fewer than three rows fail as well, but otherwise.
+  // Fewer than three rows fail as well, but with another kind.
   const Judge judge = [](const Trial& trial) -> std::optional<Disagreement> {
     return of_kind(trial.input.rows.size() >= 3 ? "many" : "few");
   };

@@ -1,5 +1,5 @@
-// The generators that are made for stable sets: that they give what they promise, and are kept apart from the
-// families that numbered cases take turns over.
+// The generators that are made for stable sets give what they promise. They are kept apart from the families
+// that numbered cases take turns over.
 //
 // Guarantees: exact integer checks; which stable sets the inputs have is checked by the property tests, which
 // ask for so many of each kind.

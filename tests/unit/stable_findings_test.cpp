@@ -1,5 +1,5 @@
-// check() on polylines, boundary walks, skeletons and surfaces (level 5): all that is true with one thing
-// changed, and what is said of it, word for word.
+// check() on polylines, boundary walks, skeletons and surfaces (level 5): each claim is true but for one
+// change, and the whole report is compared, word for word.
 #include <gtest/gtest.h>
 
 #include "tests/cites.h"
@@ -11,7 +11,7 @@ namespace {
 const Ids kTriangle = {0, 1, 2};
 const Ids kSaddleOfArch = {0, 3, 4};
 
-// What is said of all that is true but for one change to the point of this contact set.
+// The report on a claim that is true but for one change to the point of this contact set.
 template <typename Change>
 std::string said(const Truly& truly, const Ids& contact, const Change& change) {
   Claimed claimed = truly.whole_claim();
@@ -24,7 +24,7 @@ std::string said_of_skeleton(const Truly& truly, const Ids& contact, const Chang
   return said(truly, contact, [&](ClaimedPoint& point) { change(*point.skeleton); });
 }
 
-// Off by less than rounding may be.
+// Moves the position by less than rounding may.
 void nudge(ClaimedPosition& x) { x[0].value += Rational(1) / (Rational(1 << 30) * Rational(1 << 22)); }
 void shift(ClaimedPosition& x) { x[0].value += Rational(1, 8); }
 
@@ -140,7 +140,7 @@ TEST(WalkFindings, WhereThereIsATie) {
   EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 2, 4, 3}),
             "conforms where determined\n5 symbolic-perturbation FC-CLAIM-09: " + start +
                 "0 2, 2 4, 4 3, 3 0; another way to break ties");
-  // To a sample and back along the same edge.
+  // This walk goes to a sample and back along the same edge.
   EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 2, 0, 1, 4, 3}), "conforms");
   const std::string wrong = "fails\n5 wrong-surface FC-CHAIN-01: " + start;
   EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 1, 2}),
@@ -148,7 +148,7 @@ TEST(WalkFindings, WhereThereIsATie) {
   EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 1, 2, 3}),
             wrong + "0 1, 1 2, 2 3, 3 0; 2 3 does not lie below it");
   EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 0}), wrong + "0 0, 0 0; 0 0 is no critical point of index 1");
-  // Through the hypotenuse of the right angle 0 2 3, or along its sides.
+  // A walk may go through the hypotenuse of the right angle 0 2 3, or along its sides.
   EXPECT_EQ(walking(regular, {0, 1, 3}, {0, 2, 3, 1}), "conforms");
 }
 
@@ -241,7 +241,7 @@ TEST(SkeletonFindings, BeyondAVoronoiVertex) {
   EXPECT_EQ(
       said_of_skeleton(arch, kSaddleOfArch, [](ClaimedSkeleton& skeleton) { skeleton.sectors.resize(5); }),
       left_out("1 sector"));
-  // The own segments are not beyond it.
+  // The point's own segments are not beyond the vertex.
   EXPECT_EQ(said_of_skeleton(arch, kSaddleOfArch,
                              [](ClaimedSkeleton& skeleton) {
                                std::erase_if(skeleton.segments, [](const auto& segment) {
@@ -286,8 +286,8 @@ TEST(SkeletonFindings, OfIntervalsAndSectors) {
             start + "a sector of 1 3; no such sector is part of it (in all 1 such claims)");
 }
 
-// Pieces may be added only beyond a regular back, that is nearer to their samples, and only to all the
-// others.
+// Pieces may be added only beyond a regular back, nearer to their samples than it is, and only if no other
+// piece is left out.
 TEST(SkeletonFindings, BeyondARegularPoint) {
   CITES("FC-CLAIM-10");
   const Truly points(kRegularBack), none(kTetrahedron);

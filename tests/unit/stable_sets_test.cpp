@@ -1,7 +1,7 @@
-// What is told of stable sets beyond the sets themselves: connecting orbits, of sets made by hand, and the
-// statistics, against the same counts taken one set at a time.
+// What is told of stable sets beyond the sets themselves: the connecting orbits of sets made by hand, and the
+// statistics, which are compared with counts taken one set at a time.
 //
-// (That the sets are right is for tests/property/stable_agreement_test.cpp.)
+// (tests/property/stable_agreement_test.cpp tests that the sets are right.)
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ TEST(ConnectingOrbits, GoFromTheStationaryPointDown) {
   EXPECT_EQ(connecting_orbits(set, at(0)), (Orbits{{1, 2, 0}, {3}}));
 }
 
-// A front that no segment has as its back is reached through an interval.
+// A front at which no segment has its back is reached through an interval.
 TEST(ConnectingOrbits, ThoseThroughIntervalsAreLeftOut) {
   CITES("FC-STAB-06");
   StableSet set;
@@ -70,7 +70,7 @@ TEST(BoundaryWalk, StartsAtTheLeastSampleTowardsTheLesserNeighbour) {
   EXPECT_EQ(boundary_walk(square, {2, 2}, of_four), (Walk{0, 2, 1, 3}));
 }
 
-// A branch that crosses a Voronoi edge goes around the other sides of its polygon.
+// Where a branch crosses a Voronoi edge, the walk goes around the other sides of the edge's polygon.
 TEST(BoundaryWalk, GoesAroundWhatABranchCrosses) {
   CITES("FC-STAB-07");
   StableSet set;
@@ -81,7 +81,7 @@ TEST(BoundaryWalk, GoesAroundWhatABranchCrosses) {
   EXPECT_EQ(boundary_walk(set, {2, 2}, contact), (Walk{0, 1, 7, 5, 2}));
 }
 
-// The side of which the point is the midpoint has no segment; it may be the lesser way, or not.
+// The side whose midpoint is the stationary point has no segment. The walk may begin with that side, or not.
 TEST(BoundaryWalk, OfARegularPoint) {
   CITES("FC-STAB-07");
   const Walk contact{0, 1, 2};

@@ -1,5 +1,5 @@
-// The signs that steer the flow, on each rung of each kernel, against their definitions in rationals: as they are
-// written in the paper, not as linear forms.
+// The signs that steer the flow, on each rung of each kernel, against their definitions in rationals. The
+// definitions are as in the paper, not as linear forms.
 //
 // Guarantees: a filter may leave a sign open and never contradicts the exact rung; both are asked on inputs that are
 // degenerate, degenerate up to rounding, and one unit in the last place beside it.
@@ -32,7 +32,7 @@ struct Situation {
   RationalPoint x, b, c;
 };
 
-// What each query means.
+// The definition of each query.
 struct Meaning {
   Vector p, q, r, s, x, b, c;
   explicit Meaning(const Situation& all)
@@ -121,7 +121,7 @@ TEST(Steering, NoRungContradictsTheDefinition) {
   EXPECT_GT(lazy.open, 1000U);
 }
 
-// A point that was constructed, and its number among those that last.
+// A kernel keeps constructed points by number. Those that last are kept apart.
 template <class Kernel>
 void expect_storage() {
   KernelTally tally;

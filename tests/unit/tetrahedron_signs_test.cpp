@@ -21,7 +21,7 @@
 
 namespace flowcert::geometry {
 
-// Found by GoogleTest, for its messages.
+// GoogleTest finds this for its messages.
 static void PrintTo(Sign sign, std::ostream* out) { *out << static_cast<int>(sign); }
 
 }  // namespace flowcert::geometry
@@ -42,7 +42,7 @@ TetrahedronPoints first_four(const std::array<Point, N>& points) {
   return {&points[0], &points[1], &points[2], &points[3]};
 }
 
-// The first four positively oriented and not flat, as cells are.
+// The first four points are positively oriented and not flat, as in a cell.
 template <std::size_t N>
 std::array<Point, N> draw_cell(TupleKind kind, PortableRandom& random) {
   for (;;) {
@@ -68,7 +68,7 @@ Sign side_of(const TetrahedronPoints& points, const TetrahedronSigns& signs, uns
   return ((signs.side_zero >> facet) & 1u) != 0 ? Sign::kZero : Sign::kPositive;
 }
 
-// The definitions, from the single predicates' exact rungs.
+// The definitions, by the exact rungs of the single predicates.
 Sign exact_angle(const TetrahedronPoints& p, unsigned facet, unsigned vertex) {
   std::array<unsigned, 2> others{};
   std::size_t filled = 0;
@@ -181,8 +181,8 @@ TEST(TetrahedronSignsTest, TallyOfACubesCorner) {
   EXPECT_TRUE(sphere.in_range);
 }
 
-// Lengths that the filter does not take: all signs are still right, and all come from the exact rungs. The
-// signs are those of the same cell at length 1.
+// At lengths that the filter does not take all signs are still right, and all come from the exact rungs. They
+// are the signs of the same cell at length 1.
 TEST(TetrahedronSignsTest, CellsOutsideOfTheFiltersRange) {
   CITES("FC-SIGN-01", "FC-SIGN-03", "FC-NUM-01", "FC-IN-04");
   PortableRandom random(5);
@@ -246,7 +246,7 @@ TEST(OnSphereTest, IsTheInSpherePredicatesZero) {
   EXPECT_LT(failures[TupleKind::kGeneric] * 1000, outside[TupleKind::kGeneric]);
 }
 
-// The critical points of four points alone, from the signs of their one cell.
+// The critical points of four points alone follow from the signs of their one cell.
 TEST(TetrahedronSignsTest, SignaturesSumToOne) {
   CITES("FC-INV-03", "FC-SIGN-02", "FC-SIGN-03");
   PortableRandom random(8);
@@ -258,7 +258,7 @@ TEST(TetrahedronSignsTest, SignaturesSumToOne) {
       FilterTally tally;
       const TetrahedronSigns signs = tetrahedron_signs(first_four(cell), sphere, tally);
       std::array<int, 3> count{};
-      // The edge beside facets i and j is seen from vertex j in facet i, and the other way round.
+      // The common edge of facets i and j is seen from vertex j in facet i, and from vertex i in facet j.
       for (unsigned i = 0; i < 4; ++i) {
         for (unsigned j = i + 1; j < 4; ++j) {
           const bool acute =

@@ -1,6 +1,6 @@
-// The merged Voronoi complex, as contact sets: the same whatever order the points come in and however CGAL
-// cuts what is cospherical, and, on small inputs, the same as a search by definition over all subsets of the
-// points, in rationals, without any triangulation.
+// The merged Voronoi complex, as contact sets. It does not depend on the order of the points, nor on how CGAL
+// cuts what is cospherical. On small inputs it equals what a search by definition finds, over all subsets of
+// the points, in rationals, without any triangulation.
 #include "voronoi/voronoi_complex.h"
 
 #include <gtest/gtest.h>
@@ -97,7 +97,7 @@ Faces faces_of(const VoronoiComplex& complex) {
   return faces;
 }
 
-// The lines of centres are the edges of the diagram of a coplanar set; it has no vertices.
+// The edges of a coplanar set's diagram are the lines of centres. It has no vertices.
 Faces faces_of(const PlanarComplex& complex) {
   Faces faces;
   const CompactDelaunay& delaunay = complex.delaunay();
@@ -178,7 +178,7 @@ void add_sides(const std::vector<Point>& polygon, Faces& faces) {
   }
 }
 
-// The faces of a convex polytope, of points that are all its vertices, by its supporting planes.
+// Adds the faces of a convex polytope, by its supporting planes. The points are all its vertices.
 void add_polytope(const std::vector<Point>& polytope, Faces& faces) {
   const std::size_t n = polytope.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -201,8 +201,8 @@ void add_polytope(const std::vector<Point>& polytope, Faces& faces) {
   }
 }
 
-// Spheres through all four points that are not coplanar, kept where they are empty (FC-VOR-01), and the faces
-// of the polytopes in them.
+// The faces of the polytopes in the empty spheres (FC-VOR-01), among the spheres through all four points that
+// are not coplanar.
 Faces spatial_faces_by_definition(const std::vector<Point>& rows) {
   Faces faces;
   const std::size_t n = rows.size();
@@ -222,7 +222,7 @@ Faces spatial_faces_by_definition(const std::vector<Point>& rows) {
   return faces;
 }
 
-// The same in a plane: circles through three points that are not collinear.
+// The same in a plane, with the circles through three points that are not collinear.
 Faces planar_faces_by_definition(const std::vector<Point>& rows) {
   Faces faces;
   const std::size_t n = rows.size();
@@ -460,7 +460,7 @@ TEST(VoronoiComplexTest, FacesOfRandomInputsAreThoseOfTheDefinition) {
       const double u = random.between(0, width), v = random.between(0, width), w = random.between(0, width);
       p = flat ? tilted(u, v) : Point{u, v, w};
     }
-    // One ulp off what was degenerate.
+    // One ulp breaks what was degenerate.
     if (random.below(4) == 0) rows[0].x = std::nextafter(rows[0].x, 9.0);
     rows = distinct(std::move(rows));
     const int dimension = dimension_of(rows);

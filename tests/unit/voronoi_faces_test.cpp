@@ -72,7 +72,7 @@ void expect_piece_is_an_edge(const Subject& diagram, const FacetRing& ring, Face
   const std::size_t n = ring.pieces.size();
   const RingPiece& piece = ring.pieces[k];
   const RingElement &from = ring.elements[k], &to = ring.elements[(k + 1) % n];
-  // At infinity lie exactly the gaps: from a direction that leads away to one that comes back.
+  // The gaps are exactly the pieces at infinity, from a direction that leads away to one that comes back.
   const bool is_gap = from.vertex == kNoCell && to.vertex == kNoCell && from.factor == 1 && to.factor == -1;
   ASSERT_EQ(piece.polygon.cell == kNoCell, is_gap);
   if (is_gap) return;
@@ -80,7 +80,7 @@ void expect_piece_is_an_edge(const Subject& diagram, const FacetRing& ring, Face
   for (const VertexIndex v : {name.v0, name.v1, piece.apex}) {
     EXPECT_TRUE(std::find(contact.begin(), contact.end(), v) != contact.end());
   }
-  // Its two ends are the elements beside it, whichever way round.
+  // The edge's two ends are the elements beside the piece, in either order.
   std::multiset<CellIndex> ends, beside{from.vertex, to.vertex};
   for (const std::size_t side : {0, 1}) ends.insert(diagram.faces.end(piece.polygon, side));
   EXPECT_EQ(ends, beside);
@@ -161,7 +161,7 @@ TEST(VoronoiFaces, LargeRingsAreSearchedNotScanned) {
       const FacetRing ring = diagram.faces.ring(name);
       large += ring.elements.size() == 500 ? 1 : 0;
       expect_lookups(diagram, ring);
-      // Asked again, the same array.
+      // A second query gives the same array.
       EXPECT_EQ(diagram.faces.ring(name).elements.data(), diagram.faces.ring(name).elements.data());
     }
     EXPECT_EQ(large, 1u);

@@ -1,5 +1,5 @@
-// The processes that work on campaigns: that whatever ends one of them, a case, a stop, somebody else, or
-// what the machine lacks, is told apart, and costs no case and no counterexample.
+// The processes that work on campaigns. A case, a stop, somebody else, or what the machine lacks may end one.
+// These ends are told apart, and none of them costs a case or a counterexample.
 #include "fuzz/campaign/worker_processes.h"
 
 #include <unistd.h>
@@ -54,7 +54,7 @@ TEST_F(WorkerProcessesTest, ACaseThatHangsIsAFinding) {
     EXPECT_EQ(counterexample.disagreement.kind, "hang");
 }
 
-// Which is how whoever runs it, or a system without memory, ends a process.
+// Whoever runs a process may end it this way, and so does a system without memory.
 TEST_F(WorkerProcessesTest, ACaseIsNotBlamedForTheFirstSigkill) {
   const fs::path marks = folder_ / "marks";
   fs::create_directory(marks);
@@ -80,7 +80,7 @@ TEST_F(WorkerProcessesTest, ACaseIsNotBlamedForTheFirstSigkill) {
   EXPECT_EQ(campaign.tally().cases + campaign.counterexamples().size(), 200U);
 }
 
-// Whatever they are at, trying a case or between two.
+// They are killed while they try a case, or between two cases.
 TEST_F(WorkerProcessesTest, OutlivesTheKillingOfItsProcesses) {
   const std::string whole = account_of_run(small_plan(), 410, 1, folder_ / "whole");
   const fs::path marks = folder_ / "marks";
@@ -142,7 +142,7 @@ TEST_F(WorkerProcessesTest, ACrashIsMadeSmallThoughItsProcessIsKilled) {
   EXPECT_EQ(campaign.tally().left_out, campaign.counterexamples().size());
 }
 
-// A stop, whenever it comes, leaves nothing half small.
+// A stop leaves nothing half small, whenever it comes.
 TEST_F(WorkerProcessesTest, StoppedWhileMakingSmallItEndsTheSame) {
   CampaignPlan plan = small_plan();
   plan.batch_cases = 5;
@@ -155,7 +155,7 @@ TEST_F(WorkerProcessesTest, StoppedWhileMakingSmallItEndsTheSame) {
       if (found && crashes) crash();
       return found;
     };
-    // Stops after so many checks more each time, most of which are there to make something small.
+    // Each time the run stops after more checks, most of which are there to make something small.
     const auto account = [&](const fs::path& folder, std::size_t stops) {
       Campaign::begun(plan, 20, folder);
       for (std::size_t k = 0; k < stops; ++k) {

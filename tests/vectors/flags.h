@@ -24,8 +24,8 @@ struct Findings {
   Answer answer;
   std::vector<std::array<Orbit, 2>> unstable;  // of the index-2 points, in order; if asked for
   std::vector<Point> starts;
-  std::vector<Orbit> orbits;  // one a start
-  // Of each stationary point that is critical of index 2 or regular, by its place in the list; if asked for.
+  std::vector<Orbit> orbits;  // one for each start
+  // The stable sets of points that are critical of index 2 or regular, by place in the list, if asked for.
   std::map<std::size_t, StableSet> stable;
   std::vector<PersistencePair> persistence;  // ascending; if asked for
 };
@@ -37,13 +37,13 @@ struct Flag {
   bool (*holds)(const Findings&);  // null for an aim
 };
 
-// In the order in which cases list theirs.
+// All flags, in the order in which cases list them.
 std::span<const Flag> all_flags();
 
-// Aims and what follows from the findings. Throws std::logic_error for an aim that is no flag.
+// The aims, and what follows from the findings. Throws std::logic_error for an aim that is no flag.
 std::vector<std::string> flags_of(const Findings& findings, const std::vector<std::string>& aims);
 
-// Those of the flags and of the group, ascending, once each.
+// The clauses of the flags and of the group, ascending, once each.
 std::vector<std::string> clauses_of(const std::vector<std::string>& flags, std::vector<std::string> more);
 
 }  // namespace oracle::vectors

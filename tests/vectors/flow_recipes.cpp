@@ -1,5 +1,5 @@
-// The groups of recipes about the flow, stable manifolds, and persistence. Their inputs are small, at most 12
-// points where skeletons are told, which are long, or the Čech filtration is built, which has n^4 / 24 simplices.
+// The groups of recipes about the flow, stable manifolds, and persistence. Their inputs are small: at most 12 points
+// where skeletons are told, which are long, or where the Čech filtration is built, with n^4 / 24 simplices.
 #include "fuzz/inputs/large_configurations.h"
 #include "tests/vectors/recipes.h"
 
@@ -27,7 +27,7 @@ const Rows kThroughTwoVertices = {{-1, 2, 1}, {2, 2, -1}, {0, -1, 0}, {-1, 0, 1}
 const Rows kThroughTwoMore = {{-2, -2, 1}, {-3, 0, 1},  {-1, 2, 2}, {-2, -1, 2},
                               {1, 2, -1},  {-1, -2, 2}, {0, -3, 0}};
 
-// What both groups begin with.
+// The cases that both groups begin with.
 void add_by_hand(GroupWriter& cases) {
   cases.given(1, "no point", "", {});
   cases.given(2, "one point, twice", "", {{1, 2, 3}, {1, 2, 3}});
@@ -145,7 +145,7 @@ Group persistence() {
   cases.drawn(96, "rounded-sphere", 100, {1, 6});
   cases.drawn(98, "one-ulp-off", 100, {5, 9});
   cases.drawn(100, "far-away-rounded", 100, {5, 9});
-  // No squared distance is beyond the doubles: a .pers file could not say it.
+  // Here no squared distance is beyond the doubles, since a .pers file could not say it.
   cases.drawn(102, "extreme-scale", 100, {2, 3});
   cases.drawn(104, "two-scales", 100, {2, 5});
   cases.given(106, "a regular tetrahedron at 2^-200, another at 2^200", "extreme-scale",
@@ -211,7 +211,7 @@ Group unstable_manifolds() {
   return cases.group();
 }
 
-// The orbits that tests/unit works out by hand, and others of which a line says where they go.
+// Adds the orbits that tests/unit works out by hand, and others whose comment says where they go.
 void add_orbits_by_hand(GroupWriter& cases) {
   const Rows tetrahedron = {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}};
   cases.given(1, "one point: its orbits go to infinity, or stay", "", {{0, 0, 0}});

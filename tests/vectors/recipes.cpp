@@ -388,7 +388,7 @@ class InvalidWriter {
     InvalidRecipe& recipe = add(number, comment, aim);
     for (const char* row : rows) recipe.points.push_back(fields(row));
   }
-  // A word in place of a coordinate of the second of three points.
+  // Adds three points, with a word in place of a coordinate of the second one.
   void word(std::size_t number, const char* comment, const char* aim, const std::string& word) {
     points(number, comment, aim,
            {"0x0p+0 0x0p+0 0x0p+0", ("0x1p+0 " + word + " 0x0p+0").c_str(), "0x0p+0 0x1p+1 0x0p+0"});
@@ -396,7 +396,7 @@ class InvalidWriter {
   void text(std::size_t number, const char* comment, const char* aim, const char* text) {
     add(number, comment, aim).text = text;
   }
-  // Of an orbit around two points.
+  // Adds the start of an orbit around two points.
   void start(std::size_t number, const char* comment, const std::string& aim, const char* start) {
     points(number, comment, ("bad-start " + aim).c_str(), {"0x0p+0 0x0p+0 0x0p+0", "0x1p+0 0x0p+0 0x0p+0"});
     group_.invalid_recipes.back().start = fields(start);

@@ -16,16 +16,16 @@
 
 namespace oracle::vectors {
 
-// A case with an answer.
+// A case with an answer: the stationary points, and what the members below ask for.
 struct Recipe {
   std::string id;
   std::string comment;
   std::vector<std::string> aims;  // flags that do not follow from input and answer (flags.h)
   Rows points;
-  bool limits = false;         // also where the orbits of U2 end
-  bool stable = false;         // also the stable sets of index-2 and regular stationary points
-  bool persistence = false;    // also the persistence pairs
-  std::vector<Point> starts;   // also the orbits from here,
+  bool limits = false;         // asks for the limits of U2
+  bool stable = false;         // asks for the stable sets of index-2 and regular stationary points
+  bool persistence = false;    // asks for the persistence pairs
+  std::vector<Point> starts;   // asks for the orbits from here,
   std::size_t own_starts = 0;  // and from so many starts of starts.h
 };
 
@@ -47,24 +47,24 @@ struct Group {
   std::vector<InvalidRecipe> invalid_recipes;
 };
 
-// In the order of ids.
+// All groups, in the order of ids.
 const std::vector<Group>& groups();
 
 // Throws std::logic_error for an id that is given twice.
 void require_different_ids(const std::vector<Group>& table);
 
-// Their parts, a source file each.
+// The parts of the table. recipes.cpp and flow_recipes.cpp add them.
 void add_stationary_groups(std::vector<Group>& table);
 void add_orbit_groups(std::vector<Group>& table);
 void add_homology_groups(std::vector<Group>& table);
 void add_invalid_groups(std::vector<Group>& table);
 
-// "cospherical-clusters-0007".
+// For example "cospherical-clusters-0007".
 std::string case_id(const std::string& group, std::size_t number);
 
 // {1, ..., count}.
 std::vector<std::uint64_t> seeds(std::size_t count);
-// Of texts such as "1/2 0 -3".
+// Points from texts such as "1/2 0 -3".
 std::vector<Point> positions(std::initializer_list<const char*> texts);
 
 // Makes a group, case by case. Clauses and aims are lists of words, parted by blanks.
@@ -72,16 +72,16 @@ class GroupWriter {
  public:
   GroupWriter(const char* name, const char* title, const char* clauses);
 
-  // Cases first, first + 1, ...: the family's inputs of that size, one a seed.
+  // Adds cases first, first + 1, ...: the family's inputs of that size, one for each seed.
   void drawn(std::size_t first, const char* family, int size, const std::vector<std::uint64_t>& seeds);
   void given(std::size_t number, const std::string& comment, const char* aims, const Rows& points);
-  // The orbits of the case given last.
+  // Adds the orbits from these starts to the case given last.
   void start_from(const std::vector<Point>& starts);
-  // Cases first, first + 1, first + 2: exact, and with one coordinate one ulp up and one ulp down.
+  // Adds three cases: the points exactly, with one coordinate one ulp up, and with it one ulp down.
   void threefold(std::size_t first, const std::string& comment, const Rows& points, std::size_t row,
                  std::size_t axis);
 
-  // From now on.
+  // What all cases from now on ask for.
   void with_limits() { limits_ = true; }
   void with_stable_sets() { stable_ = true; }
   void with_persistence() { persistence_ = true; }

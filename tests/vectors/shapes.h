@@ -13,7 +13,7 @@ namespace oracle::vectors {
 using Row = std::array<double, 3>;
 using Rows = std::vector<Row>;
 
-// {0..a-1} x {0..b-1} x {0..c-1}, in lexicographic order.
+// The points {0..a-1} x {0..b-1} x {0..c-1}, in lexicographic order.
 Rows grid(int a, int b, int c);
 // The first so many integer points with x² + y² + z² = norm in lexicographic order; all of them if there are
 // not so many. Norm 1 is the octahedron, 2 the cuboctahedron, 3 the cube.
@@ -27,7 +27,7 @@ Rows general(std::size_t count, std::uint64_t seed);
 
 Rows joined(Rows some, const Rows& others);
 Rows shifted(Rows rows, const Row& offset);
-// Times 2^exponent.
+// The rows times 2^exponent.
 Rows scaled(Rows rows, int exponent);
 // One coordinate replaced by the neighbouring double, upwards (1) or downwards (-1).
 Rows nudged(Rows rows, std::size_t row, std::size_t axis, int steps);

@@ -16,7 +16,7 @@ namespace {
 
 Point between(const Point& a, const Point& b, const Rational& part) { return moved(a, part, minus(b, a)); }
 
-// The largest difference of two coordinates, or 1.
+// The largest difference of a coordinate from the first point's, or 1 if there is no difference.
 Rational extent(const PointSet& set) {
   Rational most = 0;
   for (const Point& p : set.points) {
@@ -59,7 +59,7 @@ class Candidates {
     return x;
   }
 
-  // The way goes on without end.
+  // A point on a way that goes on without end.
   static Point on_the_way(const FlowSegment& segment) {
     return between(segment.driver, segment.start,
                    segment.start == segment.driver ? Rational(1) : Rational(3));
@@ -98,8 +98,8 @@ class Candidates {
     }
   }
 
-  // On the way across a facet that ends in a Voronoi vertex: where that way comes in, or, if it begins at the
-  // middle of the two points, a place inside.
+  // Adds points on ways across facets to this Voronoi vertex: the place where such a way comes in, or a place
+  // inside if the way begins at the middle of the two points.
   void add_aimed_at(const Point& vertex) {
     constexpr std::size_t kContacts = 4;
     const std::vector<std::size_t> contact = set_.nearest_places(vertex);
@@ -114,7 +114,7 @@ class Candidates {
     }
   }
 
-  // The largest t up to 1 for which no point is nearer than p to x + s u for all s up to t.
+  // The largest t up to 1 such that, for all s up to t, no point is nearer to x + s u than p.
   [[nodiscard]] Rational way_out(const Point& p, const Point& x, const Point& u) const {
     Rational least = 1;
     for (const Point& q : set_.points) {
@@ -126,7 +126,7 @@ class Candidates {
     return least;
   }
 
-  // The first one of each kind.
+  // Adds the first stationary point of each kind.
   void add_stationary(const Answer& answer) {
     std::set<std::pair<int, int>> kinds;
     for (const StationaryPoint& x : answer.stationary) {
@@ -166,7 +166,7 @@ std::set<std::string> features_of(const PointSet& set, const Point& start, const
 struct Offer {
   Point start;
   std::set<std::string> features;
-  std::size_t length = 0;  // of the text: of equals, the shorter is taken
+  std::size_t length = 0;  // of the text; the shorter of two equal offers is taken
 };
 
 std::size_t novelty(const Offer& offer, const std::set<std::string>& seen) {

@@ -12,7 +12,7 @@
 
 namespace oracle::vectors {
 
-// None iff there are no points.
+// There are none iff there are no points.
 std::vector<Point> chosen_starts(const PointSet& set, const Answer& answer, std::size_t count,
                                  std::uint64_t seed);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kFormatVersion = 1;
 
-// As printf's %a: the shortest digits, one before the point.
+// The number as printf's %a writes it: the shortest digits, one before the point.
 std::string hexadecimal(double value) {
   char text[40];
   std::snprintf(text, sizeof text, "%a", value);
@@ -33,14 +33,14 @@ Json points_field(const Rows& rows) {
 
 bool is_saddle(const StationaryPoint& x) { return x.face_dimension == 2 && x.hull_dimension == 2; }
 
-// The same starts whenever the points are.
+// A case's starts stay the same while its points do.
 std::uint64_t seed_of(const std::string& id) {
   std::uint64_t seed = 14695981039346656037U;
   for (const char letter : id) seed = (seed ^ static_cast<unsigned char>(letter)) * 1099511628211U;
   return seed;
 }
 
-// It has a stable set whose skeleton is worth telling.
+// Whether the point has a stable set whose skeleton is worth telling.
 bool has_stable_field(const StationaryPoint& x) {
   return is_saddle(x) || x.face_dimension != x.hull_dimension;
 }
@@ -85,8 +85,8 @@ Json stationary_field(const Recipe& recipe, const Findings& found) {
   return records;
 }
 
-// What a symbolic perturbation may make of a regular stationary point: FC-INV-02 counts how many critical
-// points collide there, and whichever meet may annihilate each other or stay.
+// What a symbolic perturbation may make of a regular stationary point. FC-INV-02 counts how many critical
+// points collide there. Those that meet may annihilate each other or stay.
 Json alternatives_field(const Answer& answer) {
   using Claims = std::vector<std::vector<int>>;  // each the indices that are claimed there
   Json alternatives = Json::array();
@@ -123,7 +123,7 @@ Json head_of_file(const char* format) {
   return file;
 }
 
-// Whether a value takes one line of a file for people.
+// The width of a line of a file for people.
 constexpr std::size_t kLine = 140;
 
 bool is_flat(const Json& value) {

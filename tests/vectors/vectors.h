@@ -15,7 +15,7 @@ namespace oracle::vectors {
 
 // Takes time n^5.
 Json case_of(const Group& group, const Recipe& recipe);
-// The same where the stationary points and the starts of the orbits are known.
+// The same, for stationary points and starts that are known.
 Json case_of(const Group& group, const Recipe& recipe, const Answer& answer,
              const std::vector<Point>& starts);
 Json case_of(const Group& group, const InvalidRecipe& recipe);
@@ -23,7 +23,7 @@ Json case_of(const Group& group, const InvalidRecipe& recipe);
 Json group_file(const Group& group, const std::vector<Json>& cases);
 Json flag_file();
 
-// With line breaks where people want them: what fits on a line stays on one. Ends with a line break.
+// The file with line breaks where people want them: what fits on a line stays on one. Ends with a line break.
 std::string text_of(const Json& file);
 
 }  // namespace oracle::vectors
