@@ -121,11 +121,11 @@ std::optional<Finding> check_contact(const PointSet& set, const Places& places, 
 }  // namespace
 
 std::optional<Finding> certify(const PointSet& set, const StationaryPoint& claim) {
-  if (const auto finding = check_names(set, claim.contact)) return finding;
+  if (auto finding = check_names(set, claim.contact)) return finding;
   const Places places = places_of(set, claim.contact);
   const std::vector<Point> contact = select(set.points, places);
   const Point z = circumcentre(spanning_subset(contact))->center;  // independent points always have one
-  if (const auto finding = check_contact(set, places, z)) return finding;
+  if (auto finding = check_contact(set, places, z)) return finding;
 
   const StationaryPoint truth = stationary_point(set, z, places);
   if (claim.center != z) {

@@ -180,6 +180,7 @@ const TrialMix::Source& TrialMix::source(std::uint64_t dice) const {
 }
 
 std::size_t TrialMix::row_target(std::uint64_t dice) const {
+  if (fewest_rows_ >= most_rows_) return fewest_rows_;
   std::uint64_t sum = 0;
   for (std::size_t rows = fewest_rows_; rows <= most_rows_; ++rows) sum += kShareOfRows.at(rows);
   std::uint64_t place = dice % sum;

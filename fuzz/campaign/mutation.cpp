@@ -210,7 +210,7 @@ struct Placed {
 
 // The input with a point in that row, which may be one past the last.
 std::optional<Placed> with_point(const Input& input, std::size_t row, const RationalPoint& point) {
-  static const Rational kReach(Integer{1} << 40);
+  static const Rational reach(Integer{1} << 40);
   Placed result{input, 1};
   result.input.rows.resize(std::max(row + 1, input.rows.size()));
   if (const auto exact = exact_row(point)) {
@@ -224,7 +224,7 @@ std::optional<Placed> with_point(const Input& input, std::size_t row, const Rati
   for (std::size_t k = 0; k < points.size(); ++k) {
     const RationalPoint scaled = result.factor * points[k];
     const bool fits = std::all_of(scaled.begin(), scaled.end(),
-                                  [](const Rational& value) { return value < kReach && value > -kReach; });
+                                  [](const Rational& value) { return value < reach && value > -reach; });
     const auto exact = fits ? exact_row(scaled) : std::nullopt;
     if (!exact) return std::nullopt;
     result.input.rows[k] = *exact;
@@ -381,14 +381,14 @@ MaybeChange scale(const Input& parent, rc::Random& random) {
 }
 
 MaybeChange turn(const Input& parent, rc::Random& random) {
-  constexpr double kReach = 1024.0 * 1024 * 1024 * 1024;
+  constexpr double reach = 1024.0 * 1024 * 1024 * 1024;
   std::array<Integer, 4> quaternion{};
   for (Integer& entry : quaternion) entry = between(random, -2, 2);
   auto result = turned(parent, rotation_of_quaternion(quaternion));
   if (!result) return std::nullopt;
   for (Row& row : result->rows) {
     for (double& x : row) {
-      if (std::abs(x) >= kReach) return std::nullopt;
+      if (std::abs(x) >= reach) return std::nullopt;
     }
   }
   return Change{*std::move(result), {}};

@@ -19,6 +19,7 @@
 #include <cstring>
 #include <memory>
 #include <new>
+#include <ranges>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -433,7 +434,7 @@ class Work {
       if (!workers_[k]->reader().read_more()) ended.push_back(k);
       take_messages(*workers_[k]);
     }
-    for (auto k = ended.rbegin(); k != ended.rend(); ++k) take_end(*k);
+    for (const std::size_t k : ended | std::views::reverse) take_end(k);
   }
 
   void take_messages(Worker& worker) {

@@ -131,7 +131,7 @@ int fuzz_or_list(const FuzzCommandOptions& options) {
 }
 
 // It has --out and --json of its own, because CLI11 looks for the options of a subcommand only there.
-void add_merge_command(CLI::App& command, std::shared_ptr<FuzzCommandOptions> options, int& status) {
+void add_merge_command(CLI::App& command, const std::shared_ptr<FuzzCommandOptions>& options, int& status) {
   CLI::App* merge_command = command.add_subcommand("merge", "Put the parts of a campaign together");
   merge_command->add_option("DIR", options->merged, "Folders of campaigns that differ in --shard alone")
       ->required();

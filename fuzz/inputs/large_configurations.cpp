@@ -143,7 +143,7 @@ Gaussian off_centre(Integer radius, Dice& dice) {
   const Integer unit = radius / 100;
   const auto is_in_ring = [](const Gaussian& c) {
     const Integer norm = c[0] * c[0] + c[1] * c[1];
-    return norm >= 45 * 45 && norm <= 55 * 55;
+    return norm >= Integer{45} * 45 && norm <= Integer{55} * 55;
   };
   Gaussian centre{0, 0};
   while (!is_in_ring(centre)) {

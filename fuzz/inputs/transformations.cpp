@@ -174,7 +174,8 @@ rc::Gen<Row> exact_translations(const Input& input) {
 std::optional<Input> turned(const Input& input, const IntegerRotation& rotation) {
   // A coordinate is a sum of three products with the matrix's entries, each of which is at most the norm.
   constexpr Integer kLargest = Integer{1} << 50;
-  const double reach = static_cast<double>(kLargest / (3 * rotation.norm));
+  const Integer largest = kLargest / (3 * rotation.norm);
+  const auto reach = static_cast<double>(largest);
   IntegerPoints points;
   for (const Row& row : input.rows) {
     const bool fits = std::all_of(row.begin(), row.end(), [reach](double coordinate) {

@@ -26,8 +26,8 @@ std::vector<std::array<double, 3>> triples(const std::vector<Point>& rows) {
 }
 
 std::vector<PointId> names_of(const auto& names) {
-  std::vector<PointId> result;
-  for (const std::size_t name : names) result.push_back(static_cast<PointId>(name));
+  std::vector<PointId> result(std::size(names));
+  std::ranges::transform(names, result.begin(), [](std::size_t name) { return static_cast<PointId>(name); });
   return result;
 }
 

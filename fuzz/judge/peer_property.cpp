@@ -85,8 +85,8 @@ class Peer {
  private:
   [[nodiscard]] CommandRun run_in(const fs::path& folder, const std::string& rows) const {
     try {
-      const CommandRun run = run_command({options_.command, "points.xyz", rows, options_.out_name, {}},
-                                         folder, options_.limits, options_.is_cancelled);
+      CommandRun run = run_command({options_.command, "points.xyz", rows, options_.out_name, {}}, folder,
+                                   options_.limits, options_.is_cancelled);
       if (run.end.ending == ProgramEnding::kCancelled) throw property::MachineFailure("stopped by a signal");
       return run;
     } catch (const OutputError& error) {

@@ -75,7 +75,7 @@ std::string difference_kind(const SegmentRecord& a, const SegmentRecord& b) {
 
 std::string difference_kind(const OrbitRecord& a, const OrbitRecord& b) {
   for (std::size_t k = 0; k < std::min(a.segments.size(), b.segments.size()); ++k) {
-    const std::string kind = difference_kind(a.segments[k], b.segments[k]);
+    std::string kind = difference_kind(a.segments[k], b.segments[k]);
     if (!kind.empty()) return kind;
   }
   return a.segments.size() != b.segments.size() ? "length" : "limit";

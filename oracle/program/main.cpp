@@ -42,7 +42,7 @@ std::string exact_text(const oracle::Rational& x) { return x.str(); }
 
 // A long number is rounded for people, and marked with ~.
 std::string short_text(const oracle::Rational& x) {
-  const std::string exact = x.str();
+  std::string exact = x.str();
   if (exact.size() <= 10) return exact;
   return "~" + boost::multiprecision::mpf_float_50(x).str(6);
 }

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <ranges>
 
 #include "certify/finding_words.h"
 
@@ -124,8 +125,8 @@ void Boundaries::conclude() {
   for (std::size_t i = 0; i < run_.truth.size(); ++i) {
     if (run_.index(i) == StationaryIndex{2, 2}) values[i] = run_.truth.sphere(i).squared_radius;
   }
-  std::vector<std::size_t> columns;
-  for (const auto& [record, value] : values) columns.push_back(record);
+  std::vector<std::size_t> columns(values.size());
+  std::ranges::copy(values | std::views::keys, columns.begin());
   std::ranges::stable_sort(columns, {}, [&](std::size_t i) -> const Rational& { return values.at(i); });
   const auto value_of = [&](const Question& question) -> const Rational& {
     return values.at(run_.placed[question.k].place->record);

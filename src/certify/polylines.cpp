@@ -62,8 +62,7 @@ class Polylines {
   Difference difference(const ClaimedPolyline& claimed, const std::vector<TrueSegment>& truth,
                         const ValueScale& scale) {
     for (std::size_t i = 0; i < claimed.size() && i < truth.size(); ++i) {
-      const Difference found =
-          difference(claimed[i], truth[i], "segment " + std::to_string(i + 1) + ": ", scale);
+      Difference found = difference(claimed[i], truth[i], "segment " + std::to_string(i + 1) + ": ", scale);
       if (found.is_wrong) return found;
     }
     if (claimed.size() == truth.size()) return {};

@@ -164,7 +164,6 @@ struct StableManifolds::Parts {
   StableStatistics statistics;
   std::mutex flowing;  // making a set changes what the walk and the operator keep
 
- private:
   struct Task {
     FrontNumber front;
     FacetName facet;

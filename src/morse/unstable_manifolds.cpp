@@ -63,7 +63,6 @@ struct UnstableManifolds::Parts {
   SuccessorForest forest;
   std::mutex flowing;  // flowing once more changes the forest and the operator's points
 
- private:
   Place place_of(std::size_t record);
   [[nodiscard]] bool is_reversed(const Place& place, std::span<const VertexIndex> contact) const;
   [[nodiscard]] Location start_of(const Saddle& saddle, std::size_t side) {
@@ -72,8 +71,8 @@ struct UnstableManifolds::Parts {
 
   std::vector<VertexIndex> vertex_of;
   std::vector<VertexIndex> contact;
-  std::unordered_map<CellIndex, std::optional<std::size_t>>
-      limit_of;  // by the last Voronoi vertex of an orbit
+  // By the last Voronoi vertex of an orbit.
+  std::unordered_map<CellIndex, std::optional<std::size_t>> limit_of;
 };
 
 // Whether the contact points a, b, c, in the order of their names, turn the other way than the polygon's
