@@ -119,6 +119,7 @@ class Surfaces {
 
   void check_walk(std::size_t k, const std::vector<PointId>& rows, std::size_t record, const StableSet& set) {
     std::vector<PointId> walk;
+    walk.reserve(rows.size());
     for (const PointId row : rows) walk.push_back(run_.points.name(run_.points.ordinal_of_row(row)));
     const auto truth = boundary_walk(set, run_.index(record), run_.truth.contact(record));
     if (truth && are_same_walks(walk, *truth)) return;
