@@ -2,6 +2,8 @@
 
 #include "flow/layer.h"
 #include "flow/segment_record.h"
+#include "flow/successor_forest.h"
+#include "geometry/floating_point.h"
 
 namespace flowcert {
 
@@ -17,9 +19,11 @@ struct Flow::Parts {
       : points(diagram.points()),
         faces(diagram),
         flow(make_flow_operator(faces, options)),
-        recorder(points, faces.diagram(), *flow) {}
+        recorder(points, faces.diagram(), *flow),
+        forest(faces.diagram(), *flow, true) {}
 
   Location locate(const RationalPoint& x) {
+    require_ieee_doubles();
     if (points.empty()) throw InvalidInput("there are no points");
     Location at{faces.locate(x), kNoPoint};
     if (at.place.kind != Place::Kind::kVertex) at.point = flow->add(x);
@@ -30,6 +34,7 @@ struct Flow::Parts {
   VoronoiFaces faces;
   std::unique_ptr<FlowOperator> flow;
   SegmentRecorder recorder;
+  SuccessorForest forest;
 };
 
 Flow::Flow(const VoronoiDiagram& diagram, FlowOptions options)
@@ -47,18 +52,23 @@ FlowSegment Flow::step(const RationalPoint& x) {
 
 Orbit Flow::orbit(const RationalPoint& start) {
   Orbit orbit{start, {}, std::nullopt};
+  parts_->recorder.follow(parts_->locate(start), orbit);
+  return orbit;
+}
+
+std::optional<StationaryLimit> Flow::limit(const RationalPoint& start) {
   Location at = parts_->locate(start);
-  while (at.place.kind != Place::Kind::kInfinity) {
+  std::optional<StationaryIndex> index;
+  while (!index && at.place.kind != Place::Kind::kVertex && at.place.kind != Place::Kind::kInfinity) {
     const FlowStep step = parts_->flow->step(at);
-    if (step.stationary) {
-      orbit.limit = parts_->recorder.limit(at, *step.stationary);
-      break;
-    }
-    orbit.segments.push_back(parts_->recorder.segment(at, step));
+    index = step.stationary;
     at = step.end;
   }
   parts_->flow->drop_from(0);
-  return orbit;
+  if (index) return parts_->recorder.limit(at.place, *index);
+  const std::optional<ForestEnd> end = parts_->forest.end_from(at.place);
+  if (!end) return std::nullopt;
+  return parts_->recorder.limit(end->place, end->index);
 }
 
 const KernelTally& Flow::tally() const { return parts_->flow->tally(); }

@@ -24,7 +24,7 @@ char letter(Place::Kind kind) {
 
 std::vector<PointId> SegmentRecorder::contact(const Place& place) const {
   std::vector<PointId> names;
-  for (const VertexIndex v : faces_.contact(place)) names.push_back(name(v));
+  for (const VertexIndex v : diagram_.contact(place)) names.push_back(name(v));
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -50,8 +50,22 @@ FlowSegment SegmentRecorder::segment(const Location& start, const FlowStep& step
   return segment;
 }
 
-StationaryLimit SegmentRecorder::limit(const Location& at, StationaryIndex index) const {
-  return {flow_.exact(at), index, contact(at.place)};
+void SegmentRecorder::follow(Location at, Orbit& orbit) const {
+  while (at.place.kind != Place::Kind::kInfinity) {
+    const FlowStep step = flow_.step(at);
+    if (step.stationary) {
+      orbit.limit = limit(at.place, *step.stationary);
+      break;
+    }
+    orbit.segments.push_back(segment(at, step));
+    at = step.end;
+  }
+  flow_.drop_from(0);
+}
+
+StationaryLimit SegmentRecorder::limit(const Place& place, StationaryIndex index) const {
+  std::vector<PointId> names = contact(place);
+  return {exact_sphere(points_, names).center, index, std::move(names)};
 }
 
 }  // namespace flowcert::flow

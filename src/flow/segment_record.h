@@ -11,20 +11,23 @@ namespace flowcert::flow {
 // Turns the operator's own numbers into names and coordinates. All three arguments must outlive it.
 class SegmentRecorder {
  public:
-  SegmentRecorder(const PointSet& points, const Diagram& faces, FlowOperator& flow)
-      : points_(points), faces_(faces), flow_(flow) {}
+  SegmentRecorder(const PointSet& points, const Diagram& diagram, FlowOperator& flow)
+      : points_(points), diagram_(diagram), flow_(flow) {}
 
   [[nodiscard]] FlowSegment segment(const Location& start, const FlowStep& step) const;
-  [[nodiscard]] StationaryLimit limit(const Location& at, StationaryIndex index) const;
+  // Adds all that follows a point to its orbit. The operator forgets the points that it constructed for that.
+  void follow(Location at, Orbit& orbit) const;
+  // The stationary point in a face.
+  [[nodiscard]] StationaryLimit limit(const Place& place, StationaryIndex index) const;
   // Names, ascending.
   [[nodiscard]] std::vector<PointId> contact(const Place& place) const;
 
  private:
   [[nodiscard]] RationalPoint position(const Driver& driver) const;
-  [[nodiscard]] PointId name(VertexIndex v) const { return points_.name(faces_.delaunay().ordinals[v]); }
+  [[nodiscard]] PointId name(VertexIndex v) const { return points_.name(diagram_.delaunay().ordinals[v]); }
 
   const PointSet& points_;
-  const Diagram& faces_;
+  const Diagram& diagram_;
   FlowOperator& flow_;
 };
 

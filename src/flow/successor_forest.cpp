@@ -33,7 +33,7 @@ Stretch SuccessorForest::new_stretch(CellIndex cluster) {
 }
 
 Stretch& SuccessorForest::stretch_from(CellIndex cluster) {
-  if (stretch_of_.empty()) stretch_of_.assign(faces_.delaunay().finite_count, kNotVisited);
+  if (stretch_of_.empty()) stretch_of_.assign(diagram_.delaunay().finite_count, kNotVisited);
   if (!share_ || stretch_of_[cluster] == kNotVisited) {
     stretches_.push_back(new_stretch(cluster));
     stretch_of_[cluster] = static_cast<std::uint32_t>(stretches_.size() - 1);
@@ -64,18 +64,18 @@ void SuccessorForest::count_sizes() {
   }
 }
 
-void SuccessorForest::count() const {
-  statistics_.depth = std::max(statistics_.depth, depth_);
-  for (const auto& [size, times] : exact_bytes_.times()) statistics_.exact_bytes.add(size, times);
+void SuccessorForest::count(FlowStatistics& statistics) const {
+  statistics.depth = std::max(statistics.depth, depth_);
+  for (const auto& [size, times] : exact_bytes_.times()) statistics.exact_bytes.add(size, times);
   for (const Stretch& stretch : stretches_) {
-    statistics_.segments_computed += stretch.count;
+    statistics.segments_computed += stretch.count;
     std::size_t constructed = 0;
     for (std::size_t k = stretch.first; k < stretch.first + stretch.count; ++k) {
-      statistics_.census[types_[k]] += stretch.visits;
+      statistics.census[types_[k]] += stretch.visits;
       constructed += types_[k][2] == 'E' ? 1 : 0;
     }
     // After its first constructed point, a stretch makes only constructed points until it ends. So they are one run.
-    if (constructed > 0) statistics_.n_wcc.add(constructed, stretch.visits);
+    if (constructed > 0) statistics.n_wcc.add(constructed, stretch.visits);
   }
 }
 

@@ -35,9 +35,9 @@ struct Stretch {
 
 class SuccessorForest {
  public:
-  // Without `share` each question flows anew, as the paper did. The other arguments must outlive it.
-  SuccessorForest(const Diagram& faces, FlowOperator& flow, bool share, FlowStatistics& statistics)
-      : faces_(faces), flow_(flow), share_(share), statistics_(statistics) {}
+  // Without `share` each question flows anew, as the paper did. The diagram and the operator must outlive it.
+  SuccessorForest(const Diagram& diagram, FlowOperator& flow, bool share)
+      : diagram_(diagram), flow_(flow), share_(share) {}
 
   // What follows a Voronoi vertex on an orbit. It flows if need be, and counts the visit. The reference holds until
   // the next question.
@@ -45,8 +45,8 @@ class SuccessorForest {
   // Where the orbit from a Voronoi vertex or from infinity ends; nothing for infinity. It is not counted.
   [[nodiscard]] std::optional<ForestEnd> end_from(const Place& start);
 
-  // Adds the segments of all stretches to the statistics, as often as orbits visited them. It is called once.
-  void count() const;
+  // Adds the segments of all stretches to the statistics, as often as orbits visited them.
+  void count(FlowStatistics& statistics) const;
   // Forgets all stretches, and all points that were constructed.
   void drop();
 
@@ -55,14 +55,13 @@ class SuccessorForest {
   [[nodiscard]] Stretch& stretch_from(CellIndex cluster);
   void count_sizes();
 
-  const Diagram& faces_;
+  const Diagram& diagram_;
   FlowOperator& flow_;
   bool share_;
-  FlowStatistics& statistics_;
   std::vector<SegmentType> types_;
   std::vector<Stretch> stretches_;
   std::vector<std::uint32_t> stretch_of_;  // by cluster
-  // count() hands these over. They are kept apart, because stretches are made after that, too.
+  // What count() tells of all points that were constructed.
   Distribution exact_bytes_;
   std::size_t depth_ = 0;
 };

@@ -9,12 +9,24 @@
 #include <optional>
 #include <utility>
 
+#include "flow/worker_pool.h"
+#include "geometry/contract.h"
 #include "geometry/floating_point.h"
 #include "morse/layer.h"
 
 namespace flowcert {
 
 using namespace morse;
+
+namespace {
+
+// The others are not interrupted, and tell when they are made.
+bool tells_by_itself(FlowComplexPart part) {
+  return part == FlowComplexPart::kTriangulation || part == FlowComplexPart::kUnstable ||
+         part == FlowComplexPart::kStable;
+}
+
+}  // namespace
 
 struct FlowComplex::Parts {
   Parts(PointSet all, FlowComplexOptions how, Progress told)
@@ -28,13 +40,8 @@ struct FlowComplex::Parts {
     return [this, part](std::size_t done, std::size_t total) { progress(part, done, total); };
   }
 
-  // One thread at a time flows.
-  template <typename Use>
-  auto with_flow(const VoronoiDiagram& faces, const Use& use) {
-    require_ieee_doubles();
-    const std::scoped_lock lock(flowing);
-    if (!flow) flow.emplace(faces, options.flow);
-    return use(*flow);
+  auto with_flow(const VoronoiDiagram& faces, const auto& use) {
+    return flows.with([&] { return std::make_unique<Flow>(faces, options.flow); }, use);
   }
 
   PointSet points;
@@ -52,8 +59,7 @@ struct FlowComplex::Parts {
   std::optional<ChainComplex> chains;
   std::optional<Persistence> persistence;
 
-  std::mutex flowing;
-  std::optional<Flow> flow;
+  WorkerPool<Flow> flows;
 };
 
 FlowComplex::FlowComplex(PointSet points, FlowComplexOptions options, Progress progress)
@@ -67,15 +73,17 @@ FlowComplex::FlowComplex(FlowComplex&&) noexcept = default;
 FlowComplex& FlowComplex::operator=(FlowComplex&&) noexcept = default;
 
 void FlowComplex::make(FlowComplexPart part) const {
+  FLOWCERT_REQUIRES(parts_ != nullptr);
   Parts& all = *parts_;
   const auto number = static_cast<std::size_t>(part);
   if (all.is_made[number].load(std::memory_order_acquire)) return;
   require_ieee_doubles();
   const std::scoped_lock lock(all.making[number]);
   if (all.is_made[number].load(std::memory_order_relaxed)) return;
+  const auto progress = all.progress_of(part);
   switch (part) {
     case FlowComplexPart::kTriangulation:
-      all.triangulation.emplace(all.points, all.progress_of(part));
+      all.triangulation.emplace(all.points, progress);
       break;
     case FlowComplexPart::kDiagram:
       make(FlowComplexPart::kTriangulation);
@@ -89,12 +97,12 @@ void FlowComplex::make(FlowComplexPart part) const {
     case FlowComplexPart::kUnstable:
       make(FlowComplexPart::kStationary);
       all.unstable.emplace(*all.diagram, *all.stationary,
-                           UnstableOptions{all.options.flow, all.options.share}, all.progress_of(part));
+                           UnstableOptions{all.options.flow, all.options.share}, progress);
       break;
     case FlowComplexPart::kStable:
       make(FlowComplexPart::kStationary);
       all.stable.emplace(*all.diagram, *all.stationary, StableOptions{all.options.flow, all.options.seed},
-                         all.progress_of(part));
+                         progress);
       break;
     case FlowComplexPart::kChains:
       make(FlowComplexPart::kUnstable);
@@ -106,6 +114,7 @@ void FlowComplex::make(FlowComplexPart part) const {
       all.persistence.emplace(all.points, *all.stationary, *all.chains);
       break;
   }
+  if (progress && !tells_by_itself(part)) progress(1, 1);
   all.is_made[number].store(true, std::memory_order_release);
 }
 
@@ -162,6 +171,10 @@ std::vector<std::array<double, 3>> FlowComplex::centers() const {
     centers.push_back({rounded(center[0]), rounded(center[1]), rounded(center[2])});
   }
   return centers;
+}
+
+std::optional<StationaryLimit> FlowComplex::limit(const RationalPoint& start) const {
+  return parts_->with_flow(diagram(), [&](Flow& flow) { return flow.limit(start); });
 }
 
 Orbit FlowComplex::orbit(const RationalPoint& start) const {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
-#include <mutex>
+#include <memory>
 #include <tuple>
 #include <unordered_set>
 #include <utility>
@@ -13,7 +13,8 @@
 #include "flow/flow_operator.h"
 #include "flow/kernels/steering.h"
 #include "flow/segment_record.h"
-#include "geometry/floating_point.h"
+#include "flow/worker_pool.h"
+#include "geometry/contract.h"
 #include "morse/backward_walk.h"
 #include "morse/chain_boundary.h"
 #include "morse/layer.h"
@@ -129,257 +130,242 @@ constexpr std::size_t kProgressStep = 1024;
 }  // namespace
 
 struct StableManifolds::Parts {
-  Parts(const VoronoiDiagram& diagram, const StationaryPoints& list, StableOptions options)
-      : points(diagram.points()),
-        stationary(list),
-        faces(diagram),
-        flow(make_flow_operator(faces, options.flow)),
-        recorder(points, faces.diagram(), *flow),
-        vertex_of(vertices_by_ordinal(faces.delaunay())),
-        gabriel(points, list, vertex_of),
-        walk(faces, *flow, gabriel),
-        ties(options.seed, TieBreaking::Of::kStable) {}
-
-  void compute(const Progress& progress);
-  StableSet geometry(std::size_t record);
-
   struct Set {
     std::uint32_t record = 0;
     std::uint32_t segments = 0;
     bool has_vertex = false, has_interval = false;
     std::size_t boundary_first = 0, boundary_count = 0;
   };
+  class Worker;
 
+  Parts(const VoronoiDiagram& voronoi, const StationaryPoints& list, StableOptions how)
+      : diagram(voronoi),
+        points(voronoi.points()),
+        stationary(list),
+        options(how),
+        vertex_of(vertices_by_ordinal(voronoi.faces().delaunay())),
+        gabriel(points, list, vertex_of) {}
+
+  void compute(const Progress& progress);
+  void add_set(Worker& worker, std::size_t record, TieBreaking& ties);
+  void count(const Set& set, const Worker& worker);
+  [[nodiscard]] const Set& at(std::size_t i) const {
+    FLOWCERT_REQUIRES(i < sets.size());
+    return sets[i];
+  }
+
+  const VoronoiDiagram& diagram;
   const PointSet& points;
   const StationaryPoints& stationary;
-  VoronoiFaces faces;
-  std::unique_ptr<FlowOperator> flow;
-  SegmentRecorder recorder;
+  StableOptions options;
   std::vector<VertexIndex> vertex_of;
   GabrielEdges gabriel;
-  BackwardWalk walk;
-  TieBreaking ties;
   std::vector<Set> sets;
   std::vector<std::uint32_t> boundaries;
   StableStatistics statistics;
-  std::mutex flowing;  // making a set changes what the walk and the operator keep
+  WorkerPool<Worker> workers;
+};
 
+// What makes one skeleton at a time.
+class StableManifolds::Parts::Worker {
+ public:
+  explicit Worker(const Parts& all)
+      : all_(all),
+        faces_(all.diagram),
+        flow_(make_flow_operator(faces_, all.options.flow)),
+        recorder_(all.points, faces_.diagram(), *flow_),
+        walk_(faces_, *flow_, all.gabriel) {}
+
+  // Walks the segments of a record's skeleton that lie before its intervals, and adds them to `geometry` if given.
+  // Returns the front that it began with.
+  FrontNumber walk(std::size_t record, Set& set, StableSet* geometry = nullptr);
+  StableSet geometry(std::size_t record);
+
+  // Of the latest skeleton: its critical backs and the lengths of the orbits to them, and how many backs are regular.
+  [[nodiscard]] const std::vector<std::uint32_t>& ends() const { return ends_; }
+  [[nodiscard]] const std::vector<std::uint32_t>& lengths() const { return lengths_; }
+  [[nodiscard]] std::size_t regular_backs() const { return regular_backs_; }
+  [[nodiscard]] std::vector<std::uint32_t> tie_broken_ends(FrontNumber root, TieBreaking& ties) {
+    return tie_broken_boundary(faces_.diagram(), walk_, root, contact_, ties);
+  }
+  [[nodiscard]] const KernelTally& tally() const { return flow_->tally(); }
+
+ private:
   struct Task {
     FrontNumber front;
     FacetName facet;
   };
+  struct Source {
+    CellIndex cluster;
+    PolygonRef polygon;
+  };
 
   void clear();
-  void add_set(std::size_t record);
   FrontNumber start(std::size_t record);
   void push_sources(FrontNumber front, Set& set);
   void push_sides(FrontNumber front, PolygonRef polygon);
   void push_vertex(CellIndex cluster, FrontNumber front, Set& set);
-  void follow(Set& set, StableSet* geometry = nullptr);
-  void keep_boundary(Set& set, FrontNumber root);
-  void count(const Set& set);
+  void follow(Set& set, StableSet* geometry);
 
   std::vector<PointId> front_contact(FrontNumber front) const;
   void record_segment(const Task& task, const BackwardWalk::Back& back, StableSet& geometry);
   void record_intervals(StableSet& geometry, Set& set);
   void record_sectors(const Arc& arc, StableSet& geometry, Set& set);
-  PointId name(VertexIndex v) const { return points.name(faces.delaunay().ordinals[v]); }
+  PointId name(VertexIndex v) const { return all_.points.name(faces_.delaunay().ordinals[v]); }
 
-  std::vector<Task> tasks;
-  std::vector<VertexIndex> contact;
-  std::unordered_set<CellIndex> visited;  // Voronoi vertices of one skeleton
-  std::vector<std::uint32_t> ends;        // critical backs of one skeleton
-  std::vector<std::uint32_t> lengths;     // of the connecting orbits
-  std::size_t regular_backs = 0;
-  struct Source {
-    CellIndex cluster;
-    PolygonRef polygon;
-  };
-  std::vector<Source> sources_of_intervals;  // of one skeleton
+  const Parts& all_;
+  VoronoiFaces faces_;
+  std::unique_ptr<FlowOperator> flow_;
+  SegmentRecorder recorder_;
+  BackwardWalk walk_;
+  // Of one skeleton.
+  std::vector<Task> tasks_;
+  std::vector<VertexIndex> contact_;
+  std::unordered_set<CellIndex> visited_;  // Voronoi vertices
+  std::vector<std::uint32_t> ends_;
+  std::vector<std::uint32_t> lengths_;
+  std::size_t regular_backs_ = 0;
+  std::vector<Source> sources_of_intervals_;
 };
 
 // Begins at the point. A critical triangle's Voronoi edge is not looked up: all its sides are acute and lead there.
-FrontNumber StableManifolds::Parts::start(std::size_t record) {
-  contact.clear();
-  for (const PointId name : stationary.contact(record)) {
-    contact.push_back(vertex_of[points.ordinal_of_row(name)]);
+FrontNumber StableManifolds::Parts::Worker::start(std::size_t record) {
+  contact_.clear();
+  for (const PointId name : all_.stationary.contact(record)) {
+    contact_.push_back(all_.vertex_of[all_.points.ordinal_of_row(name)]);
   }
-  const bool is_critical = stationary.index(record).is_critical();
-  if (is_critical && contact.size() == 3) {
-    const FrontNumber front = walk.at_center({contact[0], contact[1], contact[2]});
+  const bool is_critical = all_.stationary.index(record).is_critical();
+  if (is_critical && contact_.size() == 3) {
+    const FrontNumber front = walk_.at_center({contact_[0], contact_[1], contact_[2]});
     for (std::size_t k = 0; k < 3; ++k)
-      tasks.push_back({front, facet_name(contact[k], contact[(k + 1) % 3])});
+      tasks_.push_back({front, facet_name(contact_[k], contact_[(k + 1) % 3])});
     return front;
   }
-  const Place place = faces.place_of(contact.front(), std::span(contact).subspan(1));
-  if (place.kind == Place::Kind::kVertex) return walk.at_vertex(place.vertex);
-  return walk.at_center(faces.corners(place.edge), place.edge);
+  const Place place = faces_.place_of(contact_.front(), std::span(contact_).subspan(1));
+  if (place.kind == Place::Kind::kVertex) return walk_.at_vertex(place.vertex);
+  return walk_.at_center(faces_.corners(place.edge), place.edge);
 }
 
-void StableManifolds::Parts::push_sides(FrontNumber front, PolygonRef polygon) {
-  for (const PolygonSide& side : faces.sides(polygon)) {
-    if (side.angle == Sign::kPositive) tasks.push_back({front, {side.v0, side.v1}});
+void StableManifolds::Parts::Worker::push_sides(FrontNumber front, PolygonRef polygon) {
+  for (const PolygonSide& side : faces_.sides(polygon)) {
+    if (side.angle == Sign::kPositive) tasks_.push_back({front, {side.v0, side.v1}});
   }
 }
 
-void StableManifolds::Parts::push_vertex(CellIndex cluster, FrontNumber front, Set& set) {
-  if (!visited.insert(cluster).second) return;
+void StableManifolds::Parts::Worker::push_vertex(CellIndex cluster, FrontNumber front, Set& set) {
+  if (!visited_.insert(cluster).second) return;
   set.has_vertex = true;
-  const VertexSources sources = vertex_sources(faces.diagram(), cluster);
+  const VertexSources sources = vertex_sources(faces_.diagram(), cluster);
   for (const PolytopeEdge& edge : sources.edges) {
-    if (edge.leads()) tasks.push_back({front, edge.facet});
+    if (edge.leads()) tasks_.push_back({front, edge.facet});
   }
   set.has_interval = set.has_interval || !sources.polygons.empty();
-  for (const PolygonRef polygon : sources.polygons) sources_of_intervals.push_back({cluster, polygon});
+  for (const PolygonRef polygon : sources.polygons) sources_of_intervals_.push_back({cluster, polygon});
 }
 
-void StableManifolds::Parts::push_sources(FrontNumber front, Set& set) {
-  const Place place = walk.place(front);
+void StableManifolds::Parts::Worker::push_sources(FrontNumber front, Set& set) {
+  const Place place = walk_.place(front);
   if (place.kind == Place::Kind::kVertex) return push_vertex(place.vertex, front, set);
   push_sides(front, place.edge);
 }
 
-void StableManifolds::Parts::follow(Set& set, StableSet* geometry) {
-  while (!tasks.empty()) {
-    const Task task = tasks.back();
-    tasks.pop_back();
+void StableManifolds::Parts::Worker::follow(Set& set, StableSet* geometry) {
+  while (!tasks_.empty()) {
+    const Task task = tasks_.back();
+    tasks_.pop_back();
     ++set.segments;
-    const BackwardWalk::Back back = walk.step(task.front, task.facet);
+    const BackwardWalk::Back back = walk_.step(task.front, task.facet);
     if (geometry != nullptr) record_segment(task, back, *geometry);
     if (back.critical) {
-      ends.push_back(*back.critical);
-      lengths.push_back(walk.depth(task.front) + 1);
+      ends_.push_back(*back.critical);
+      lengths_.push_back(walk_.depth(task.front) + 1);
     } else if (back.is_regular) {
-      ++regular_backs;
+      ++regular_backs_;
     } else {
       push_sources(back.front, set);
     }
   }
 }
 
-void StableManifolds::Parts::keep_boundary(Set& set, FrontNumber root) {
-  if (set.has_vertex || regular_backs > 0) {
-    ++statistics.broken_ties;
-    ends = tie_broken_boundary(faces.diagram(), walk, root, contact, ties);
-  }
-  set.boundary_first = boundaries.size();
-  add_mod_2(ends, boundaries);
-  set.boundary_count = boundaries.size() - set.boundary_first;
+void StableManifolds::Parts::Worker::clear() {
+  tasks_.clear();
+  visited_.clear();
+  ends_.clear();
+  lengths_.clear();
+  sources_of_intervals_.clear();
+  regular_backs_ = 0;
+  walk_.clear();
 }
 
-void StableManifolds::Parts::count(const Set& set) {
-  for (const std::uint32_t length : lengths) statistics.n_s2.add(length);
-  statistics.with_vertex += set.has_vertex ? 1 : 0;
-  statistics.with_interval += set.has_interval ? 1 : 0;
-  statistics.ends_at_regular += regular_backs;
-  if (set.has_interval) return;
-  const std::size_t triangles = 2 * std::size_t{set.segments};
-  if (triangles > statistics.triangles.max()) statistics.largest = sets.size();
-  statistics.triangles.add(triangles);
-  statistics.triangle_count += triangles;
-}
-
-void StableManifolds::Parts::clear() {
-  tasks.clear();
-  visited.clear();
-  ends.clear();
-  lengths.clear();
-  sources_of_intervals.clear();
-  regular_backs = 0;
-  walk.clear();
-}
-
-void StableManifolds::Parts::add_set(std::size_t record) {
-  Set set;
-  set.record = static_cast<std::uint32_t>(record);
+FrontNumber StableManifolds::Parts::Worker::walk(std::size_t record, Set& set, StableSet* geometry) {
   clear();
   const FrontNumber root = start(record);
-  if (tasks.empty()) push_sources(root, set);
-  follow(set);
-  if (stationary.index(record).is_critical()) {
-    keep_boundary(set, root);
-    count(set);
-  }
-  sets.push_back(set);
+  if (tasks_.empty()) push_sources(root, set);
+  follow(set, geometry);
+  return root;
 }
 
-void StableManifolds::Parts::compute(const Progress& progress) {
-  const RecordFinder finder(stationary);
-  const auto [first, last] = finder.range({2, 2});
-  const std::size_t first_regular = finder.range({3, 3}).second;
-  const std::size_t total = last - first + stationary.size() - first_regular;
-  sets.reserve(total);
-  const auto add = [&](std::size_t record) {
-    if (progress && sets.size() % kProgressStep == 0) progress(sets.size(), total);
-    add_set(record);
-  };
-  for (std::size_t record = first; record < last; ++record) add(record);
-  for (std::size_t record = first_regular; record < stationary.size(); ++record) add(record);
-  statistics.tally = flow->tally();
-  if (progress) progress(total, total);
-}
-
-void StableManifolds::Parts::record_segment(const Task& task, const BackwardWalk::Back& back,
-                                            StableSet& geometry) {
+void StableManifolds::Parts::Worker::record_segment(const Task& task, const BackwardWalk::Back& back,
+                                                    StableSet& geometry) {
   BackwardSegment segment;
   segment.samples = {name(task.facet.v0), name(task.facet.v1)};
   std::ranges::sort(segment.samples);
-  const Location front = walk.location(task.front);
-  segment.front = flow->exact(front);
+  const Location front = walk_.location(task.front);
+  segment.front = flow_->exact(front);
   segment.front_contact = front_contact(task.front);
   if (back.critical) {
     segment.back_contact = {segment.samples.begin(), segment.samples.end()};
-    segment.back = exact_sphere(points, segment.samples).center;
+    segment.back = exact_sphere(all_.points, segment.samples).center;
   } else {
-    const Location at = walk.location(back.front);
+    const Location at = walk_.location(back.front);
     const bool is_edge = at.place.kind == Place::Kind::kEdge;
     segment.back_kind = back.is_regular ? BackKind::kRegular : is_edge ? BackKind::kEdge : BackKind::kVertex;
-    segment.back = flow->exact(at);
-    segment.back_contact = recorder.contact(at.place);
+    segment.back = flow_->exact(at);
+    segment.back_contact = recorder_.contact(at.place);
   }
   geometry.segments.push_back(std::move(segment));
 }
 
 // If a front is at the centre of a triangle, start() has not looked up its Voronoi edge.
-std::vector<PointId> StableManifolds::Parts::front_contact(FrontNumber front) const {
-  const Place& place = walk.place(front);
-  if (place.kind == Place::Kind::kVertex || place.edge.cell != kNoCell) return recorder.contact(place);
+std::vector<PointId> StableManifolds::Parts::Worker::front_contact(FrontNumber front) const {
+  const Place& place = walk_.place(front);
+  if (place.kind == Place::Kind::kVertex || place.edge.cell != kNoCell) return recorder_.contact(place);
   std::vector<PointId> names;
-  for (const VertexIndex v : contact) names.push_back(name(v));
+  for (const VertexIndex v : contact_) names.push_back(name(v));
   std::ranges::sort(names);
   return names;
 }
 
 // One interval may lead to a Voronoi vertex that adds segments and more intervals.
-void StableManifolds::Parts::record_intervals(StableSet& geometry, Set& set) {
-  while (!sources_of_intervals.empty()) {
-    const auto [cluster, polygon] = sources_of_intervals.back();
-    sources_of_intervals.pop_back();
-    const std::size_t far = faces.end(polygon, 0) == cluster ? 1 : 0;
-    const CellIndex other = faces.end(polygon, far);
-    const Sign beyond = other == kNoCell ? Sign::kPositive : side_at(faces.diagram(), polygon, far);
+void StableManifolds::Parts::Worker::record_intervals(StableSet& geometry, Set& set) {
+  while (!sources_of_intervals_.empty()) {
+    const auto [cluster, polygon] = sources_of_intervals_.back();
+    sources_of_intervals_.pop_back();
+    const std::size_t far = faces_.end(polygon, 0) == cluster ? 1 : 0;
+    const CellIndex other = faces_.end(polygon, far);
+    const Sign beyond = other == kNoCell ? Sign::kPositive : side_at(faces_.diagram(), polygon, far);
     BackwardInterval interval;
-    interval.polygon = recorder.contact(Place::on_edge(polygon));
-    interval.front = flow->exact({Place::at_vertex(cluster), kNoPoint});
+    interval.polygon = recorder_.contact(Place::on_edge(polygon));
+    interval.front = flow_->exact({Place::at_vertex(cluster), kNoPoint});
     interval.back_is_stationary = beyond != Sign::kNegative;
-    interval.back = interval.back_is_stationary ? exact_sphere(points, interval.polygon).center
-                                                : flow->exact({Place::at_vertex(other), kNoPoint});
-    if (!interval.back_is_stationary) push_vertex(other, walk.at_vertex(other), set);
+    interval.back = interval.back_is_stationary ? exact_sphere(all_.points, interval.polygon).center
+                                                : flow_->exact({Place::at_vertex(other), kNoPoint});
+    if (!interval.back_is_stationary) push_vertex(other, walk_.at_vertex(other), set);
     record_sectors({polygon, interval.front, interval.back}, geometry, set);
     geometry.intervals.push_back(std::move(interval));
     follow(set, &geometry);
   }
 }
 
-void StableManifolds::Parts::record_sectors(const Arc& arc, StableSet& geometry, Set& set) {
+void StableManifolds::Parts::Worker::record_sectors(const Arc& arc, StableSet& geometry, Set& set) {
   std::vector<Arc> arcs{arc};
   while (!arcs.empty()) {
     const Arc next = std::move(arcs.back());
     arcs.pop_back();
-    for (const PolygonSide& side : faces.sides(next.polygon)) {
+    for (const PolygonSide& side : faces_.sides(next.polygon)) {
       if (side.angle != Sign::kPositive) continue;
-      SectorParts parts = sector_of(faces, *flow, {side.v0, side.v1}, next);
-      for (const CellIndex cluster : parts.vertices) push_vertex(cluster, walk.at_vertex(cluster), set);
+      SectorParts parts = sector_of(faces_, *flow_, {side.v0, side.v1}, next);
+      for (const CellIndex cluster : parts.vertices) push_vertex(cluster, walk_.at_vertex(cluster), set);
       std::ranges::move(parts.arcs, std::back_inserter(arcs));
       BackwardSector sector{{name(side.v0), name(side.v1)}, std::move(parts.corners)};
       std::ranges::sort(sector.samples);
@@ -388,13 +374,10 @@ void StableManifolds::Parts::record_sectors(const Arc& arc, StableSet& geometry,
   }
 }
 
-StableSet StableManifolds::Parts::geometry(std::size_t record) {
-  clear();
+StableSet StableManifolds::Parts::Worker::geometry(std::size_t record) {
   Set set;
   StableSet geometry;
-  const FrontNumber root = start(record);
-  if (tasks.empty()) push_sources(root, set);
-  follow(set, &geometry);
+  walk(record, set, &geometry);
   record_intervals(geometry, set);
   clear();
   std::ranges::sort(geometry.segments, {},
@@ -404,6 +387,53 @@ StableSet StableManifolds::Parts::geometry(std::size_t record) {
   std::ranges::sort(geometry.sectors, {},
                     [](const BackwardSector& x) { return std::tie(x.samples, x.corners); });
   return geometry;
+}
+
+void StableManifolds::Parts::count(const Set& set, const Worker& worker) {
+  for (const std::uint32_t length : worker.lengths()) statistics.n_s2.add(length);
+  statistics.with_vertex += set.has_vertex ? 1 : 0;
+  statistics.with_interval += set.has_interval ? 1 : 0;
+  statistics.ends_at_regular += worker.regular_backs();
+  if (set.has_interval) return;
+  const std::size_t triangles = 2 * std::size_t{set.segments};
+  if (triangles > statistics.triangles.max()) statistics.largest = sets.size();
+  statistics.triangles.add(triangles);
+  statistics.triangle_count += triangles;
+}
+
+void StableManifolds::Parts::add_set(Worker& worker, std::size_t record, TieBreaking& ties) {
+  Set set;
+  set.record = static_cast<std::uint32_t>(record);
+  const FrontNumber root = worker.walk(record, set);
+  if (stationary.index(record).is_critical()) {
+    const bool is_tied = set.has_vertex || worker.regular_backs() > 0;
+    std::vector<std::uint32_t> ends = is_tied ? worker.tie_broken_ends(root, ties) : worker.ends();
+    statistics.broken_ties += is_tied ? 1 : 0;
+    set.boundary_first = boundaries.size();
+    add_mod_2(ends, boundaries);
+    set.boundary_count = boundaries.size() - set.boundary_first;
+    count(set, worker);
+  }
+  sets.push_back(set);
+}
+
+void StableManifolds::Parts::compute(const Progress& progress) {
+  auto worker = std::make_unique<Worker>(*this);
+  TieBreaking ties(options.seed, TieBreaking::Of::kStable);
+  const RecordFinder finder(stationary);
+  const auto [first, last] = finder.range({2, 2});
+  const std::size_t first_regular = finder.range({3, 3}).second;
+  const std::size_t total = last - first + stationary.size() - first_regular;
+  sets.reserve(total);
+  const auto add = [&](std::size_t record) {
+    if (progress && sets.size() % kProgressStep == 0) progress(sets.size(), total);
+    add_set(*worker, record, ties);
+  };
+  for (std::size_t record = first; record < last; ++record) add(record);
+  for (std::size_t record = first_regular; record < stationary.size(); ++record) add(record);
+  statistics.tally = worker->tally();
+  workers.give(std::move(worker));
+  if (progress) progress(total, total);
 }
 
 StableManifolds::StableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
@@ -421,17 +451,16 @@ const char* back_kind_text(BackKind kind) {
 }
 
 StableSet StableManifolds::set(std::size_t i) const {
-  require_ieee_doubles();
-  const std::scoped_lock lock(parts_->flowing);
-  return parts_->geometry(parts_->sets[i].record);
+  const auto make = [this] { return std::make_unique<Parts::Worker>(*parts_); };
+  return parts_->workers.with(make, [&](Parts::Worker& worker) { return worker.geometry(record(i)); });
 }
 std::size_t StableManifolds::size() const { return parts_->sets.size(); }
-std::size_t StableManifolds::record(std::size_t i) const { return parts_->sets[i].record; }
-std::size_t StableManifolds::segment_count(std::size_t i) const { return parts_->sets[i].segments; }
-bool StableManifolds::has_vertex(std::size_t i) const { return parts_->sets[i].has_vertex; }
-bool StableManifolds::has_interval(std::size_t i) const { return parts_->sets[i].has_interval; }
+std::size_t StableManifolds::record(std::size_t i) const { return parts_->at(i).record; }
+std::size_t StableManifolds::segment_count(std::size_t i) const { return parts_->at(i).segments; }
+bool StableManifolds::has_vertex(std::size_t i) const { return parts_->at(i).has_vertex; }
+bool StableManifolds::has_interval(std::size_t i) const { return parts_->at(i).has_interval; }
 std::span<const std::uint32_t> StableManifolds::boundary(std::size_t i) const {
-  const auto& set = parts_->sets[i];
+  const auto& set = parts_->at(i);
   return std::span(parts_->boundaries).subspan(set.boundary_first, set.boundary_count);
 }
 const StableStatistics& StableManifolds::statistics() const { return parts_->statistics; }

@@ -26,17 +26,6 @@ Diagram::Diagram(const Delaunay& delaunay, FilterTally& tally)
                 : planar_ != nullptr ? &planar_->delaunay()
                                      : &std::get<CompactDelaunay>(complex_)) {}
 
-std::span<const CellIndex> Diagram::incident_cells() const {
-  std::call_once(incident_once_, [this] {
-    const auto corners = static_cast<unsigned>(dimension()) + 1;
-    incident_cells_.assign(delaunay_->points.size(), kNoCell);
-    for (CellIndex cell = 0; cell < delaunay_->finite_count; ++cell) {
-      for (unsigned i = 0; i < corners; ++i) incident_cells_[delaunay_->vertices(cell)[i]] = cell;
-    }
-  });
-  return incident_cells_;
-}
-
 std::vector<CellIndex> Diagram::cells_of(CellIndex cluster) const {
   if (spatial_->is_alone(cluster)) return {cluster};
   const auto cells = spatial_->large_cluster_of(cluster);

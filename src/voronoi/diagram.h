@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstdint>
-#include <mutex>
 #include <span>
 #include <variant>
 #include <vector>
@@ -98,8 +97,6 @@ class Diagram {
 
   // All of a face's contact set, by ascending VertexIndex.
   [[nodiscard]] std::vector<VertexIndex> contact(const Place& place) const;
-  // For each VertexIndex, a finite cell that has it. O(cells) the first time.
-  [[nodiscard]] std::span<const CellIndex> incident_cells() const;
 
  private:
   [[nodiscard]] std::span<const FacetRef> large_polygon(PolygonRef polygon) const;
@@ -109,8 +106,6 @@ class Diagram {
   const VoronoiComplex* spatial_;
   const PlanarComplex* planar_;
   const CompactDelaunay* delaunay_;
-  mutable std::once_flag incident_once_;
-  mutable std::vector<CellIndex> incident_cells_;
 };
 
 // The vertices of facet i of a positively oriented cell, counterclockwise seen from outside.

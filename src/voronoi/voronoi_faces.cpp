@@ -33,13 +33,15 @@ FacetRing VoronoiFaces::ring(FacetName facet, CellIndex hint) {
   FLOWCERT_REQUIRES(facet.v0 < facet.v1);
   if (dimension() < 2) return {0, {}, {}};
   const std::uint64_t key = (std::uint64_t{facet.v0} << 32) | facet.v1;
-  const auto [entry, is_new] = ring_of_.try_emplace(key, static_cast<std::uint32_t>(rings_.size()));
-  if (is_new) {
+  auto entry = ring_of_.find(key);
+  if (entry == ring_of_.end()) {
     rings_.push_back({static_cast<std::uint32_t>(elements_.size()), 0});
     const CellIndex cell = cell_with(facet, hint);
     diagram_.spatial() != nullptr ? add_spatial_ring(facet, cell) : add_planar_ring(facet, cell);
     rings_.back().count = static_cast<std::uint32_t>(elements_.size()) - rings_.back().first;
     if (rings_.back().count > kSmallRing) sort_large_ring(rings_.back());
+    entry = ring_of_.emplace(key, static_cast<std::uint32_t>(rings_.size() - 1))
+                .first;  // at last: the above may throw
   }
   const Ring& ring = rings_[entry->second];
   return {entry->second, std::span(elements_).subspan(ring.first, ring.count),
@@ -169,10 +171,15 @@ template <class IsWanted>
 std::span<const CellIndex> VoronoiFaces::star_until(VertexIndex p, const IsWanted& is_wanted) {
   const CompactDelaunay& cells = delaunay();
   const auto corners = static_cast<unsigned>(dimension()) + 1;
-  const std::span<const CellIndex> incident_cells = diagram_.incident_cells();
-  if (seen_in_star_.empty()) seen_in_star_.assign(cells.cells.size(), 0);
+  if (seen_in_star_.empty()) {
+    cell_of_.assign(cells.points.size(), kNoCell);
+    for (CellIndex cell = 0; cell < cells.finite_count; ++cell) {
+      for (unsigned i = 0; i < corners; ++i) cell_of_[cells.vertices(cell)[i]] = cell;
+    }
+    seen_in_star_.assign(cells.cells.size(), 0);
+  }
   ++star_number_;
-  star_.assign(1, incident_cells[p]);
+  star_.assign(1, cell_of_[p]);
   seen_in_star_[star_.front()] = star_number_;
   for (std::size_t k = 0; k < star_.size(); ++k) {
     const CellIndex cell = star_[k];
@@ -242,9 +249,10 @@ Place VoronoiFaces::place_of(VertexIndex p, std::span<const VertexIndex> others)
 
 // A sample that is not the nearest has a Delaunay neighbour that is nearer. The samples at the least distance are all
 // vertices of one Delaunay polytope, whose edges connect them.
-Place VoronoiFaces::locate(const RationalPoint& x) {
+Place VoronoiFaces::locate(const RationalPoint& x, std::optional<VertexIndex> hint) {
   FLOWCERT_REQUIRES(!delaunay().points.empty());
   VertexIndex& nearest = located_;
+  nearest = hint.value_or(nearest);
   Rational least = squared_distance(x, point(nearest));
   for (bool moved = true; moved;) {
     moved = false;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -74,9 +75,9 @@ class VoronoiFaces {
   [[nodiscard]] std::size_t piece_of(const FacetRing& ring, PolygonRef polygon) const;
   [[nodiscard]] std::size_t element_of(const FacetRing& ring, CellIndex cluster) const;
 
-  // The face that x lies in. It walks from sample to nearer sample, from where the last walk ended. Points that are
-  // near to one another take few steps. There must be points.
-  [[nodiscard]] Place locate(const RationalPoint& x);
+  // The face that x lies in. It walks from sample to nearer sample, from the hint or from where the last walk ended,
+  // so points that are near to one another take few steps. There must be points.
+  [[nodiscard]] Place locate(const RationalPoint& x, std::optional<VertexIndex> hint = std::nullopt);
   // The face whose contact set is the sample p and `others`. Only those of `others` that are Delaunay neighbours of p
   // are needed.
   [[nodiscard]] Place place_of(VertexIndex p, std::span<const VertexIndex> others);
@@ -101,6 +102,7 @@ class VoronoiFaces {
 
   const Diagram& diagram_;
   VertexIndex located_ = 0;                  // where the latest walk ended
+  std::vector<CellIndex> cell_of_;           // by vertex: a finite cell that has it
   std::vector<CellIndex> star_;              // the latest
   std::vector<std::uint32_t> seen_in_star_;  // by cell: the number of the latest star that it was seen in
   std::uint32_t star_number_ = 0;

@@ -4,7 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <latch>
 #include <map>
+#include <numeric>
+#include <optional>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -13,6 +20,7 @@
 
 #include "fuzz/inputs/case_stream.h"
 #include "fuzz/properties/input_points.h"
+#include "geometry/rational_point.h"
 #include "tests/cites.h"
 
 namespace flowcert {
@@ -21,18 +29,50 @@ namespace {
 // A square and a point above its centre.
 std::vector<Point> pyramid() { return {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 3}}; }
 
-// All that is asked of a complex here, as text.
+// Positions from which to flow: the means of a point with its neighbours in the list, and one far away.
+std::vector<RationalPoint> starts_for(const FlowComplex& complex) {
+  const PointSet& points = complex.points();
+  std::vector<RationalPoint> starts;
+  for (std::size_t k = 0; k + 1 < points.size() && k < 8; ++k) {
+    const RationalPoint p = geometry::exact_position(points[k]), q = geometry::exact_position(points[k + 1]);
+    starts.push_back({(2 * p[0] + q[0]) / 3, (2 * p[1] + q[1]) / 3, (2 * p[2] + q[2]) / 3});
+  }
+  if (!points.empty())
+    starts.push_back({Rational(points[0].x) + 1, Rational(points[0].y) - 9, Rational(1) / 3});
+  return starts;
+}
+
+std::string text_of(const RationalPoint& x) {
+  return '(' + to_text(x[0]) + ", " + to_text(x[1]) + ", " + to_text(x[2]) + ')';
+}
+
+std::string text_of(const Orbit& orbit) {
+  std::string text;
+  for (const FlowSegment& segment : orbit.segments) {
+    text += type_text(segment.type) + ' ' + text_of(segment.start) + '\n';
+  }
+  return text + (orbit.limit ? text_of(orbit.limit->position) : "infinity") + '\n';
+}
+
+// All that is asked of a complex here, as text, with exact coordinates.
 std::string account_of(const FlowComplex& complex) {
   std::string text = std::to_string(complex.stationary().euler_sum()) + '\n';
   for (std::size_t i = 0; i < complex.unstable().size(); ++i) {
     for (const std::size_t side : {0U, 1U}) {
       const auto limit = complex.unstable().limit(i, side);
       text += limit ? std::to_string(*limit) : "infinity";
-      text += ' ' + std::to_string(complex.unstable().orbit(i, side).segments.size()) + '\n';
+      text += ' ' + text_of(complex.unstable().orbit(i, side));
     }
   }
   for (std::size_t i = 0; i < complex.stable().size(); ++i) {
-    text += std::to_string(complex.stable().set(i).segments.size()) + '\n';
+    for (const BackwardSegment& segment : complex.stable().set(i).segments)
+      text += text_of(segment.back) + '\n';
+  }
+  for (const RationalPoint& start : starts_for(complex)) {
+    text += text_of(complex.orbit(start)) + type_text(complex.step(start).type) + '\n';
+  }
+  for (const auto& [x, y, z] : complex.centers()) {
+    text += std::to_string(x) + ' ' + std::to_string(y) + ' ' + std::to_string(z) + '\n';
   }
   for (const PersistencePair& pair : complex.persistence().pairs()) {
     text += std::to_string(pair.dimension) + ' ' + to_text(complex.persistence().squared_value(pair.birth)) +
@@ -83,6 +123,29 @@ TEST(FlowComplex, FlowsFromAnywhere) {
   EXPECT_EQ(orbit.limit->index, (StationaryIndex{3, 3}));
 }
 
+// The end of an orbit is found without its segments, by a flow that has found others before.
+TEST(FlowComplex, LimitsAreThoseOfOrbits) {
+  CITES("FC-FLOW-05");
+  fuzz::CaseRun run;
+  run.seed = 7;
+  std::size_t ends = 0, infinite = 0;
+  for (std::size_t number = 0; number < 60; ++number) {
+    const FlowComplex complex(property::point_set_of(fuzz::input_of_case(run, number)));
+    for (const RationalPoint& start : starts_for(complex)) {
+      const Orbit orbit = complex.orbit(start);
+      const std::optional<StationaryLimit> limit = complex.limit(start);
+      ASSERT_EQ(limit.has_value(), orbit.limit.has_value());
+      ++(limit ? ends : infinite);
+      if (!limit) continue;
+      EXPECT_EQ(limit->position, orbit.limit->position);
+      EXPECT_EQ(limit->index, orbit.limit->index);
+      EXPECT_EQ(limit->contact, orbit.limit->contact);
+    }
+  }
+  EXPECT_GT(ends, 100U);
+  EXPECT_GT(infinite, 10U);
+}
+
 // Each part is told to the same observer, once.
 TEST(FlowComplex, TellsItsProgressAndComputesEachPartOnce) {
   CITES("FC-INV-01");
@@ -93,9 +156,8 @@ TEST(FlowComplex, TellsItsProgressAndComputesEachPartOnce) {
   EXPECT_TRUE(ends.empty());
   (void)account_of(complex);
   (void)account_of(complex);
-  for (const FlowComplexPart part :
-       {FlowComplexPart::kTriangulation, FlowComplexPart::kUnstable, FlowComplexPart::kStable}) {
-    EXPECT_EQ(ends[part], 1U);
+  for (std::size_t part = 0; part < kFlowComplexParts; ++part) {
+    EXPECT_EQ(ends[static_cast<FlowComplexPart>(part)], 1U) << part;
   }
 }
 
@@ -110,6 +172,16 @@ TEST(FlowComplex, APartThatWasStoppedIsMadeWhenItIsAskedForAgain) {
   EXPECT_EQ(account_of(complex), account_of(FlowComplex(pyramid())));
 }
 
+// Makes the parts in an order of the thread's own, and then tells all that there is.
+std::string account_in_order(const FlowComplex& complex, std::size_t thread, std::latch& together) {
+  std::array<std::size_t, kFlowComplexParts> order{};
+  std::iota(order.begin(), order.end(), 0);
+  std::shuffle(order.begin(), order.end(), std::minstd_rand(static_cast<unsigned>(thread)));
+  together.arrive_and_wait();
+  for (const std::size_t part : order) complex.make(static_cast<FlowComplexPart>(part));
+  return account_of(complex);
+}
+
 // The sanitizers' build, and ThreadSanitizer's, look at the same threads.
 TEST(FlowComplex, ThreadsThatShareItGetTheSameAnswers) {
   CITES("FC-INV-01");
@@ -120,12 +192,40 @@ TEST(FlowComplex, ThreadsThatShareItGetTheSameAnswers) {
     const std::string alone = account_of(FlowComplex(points));
     const FlowComplex shared(points);
     std::vector<std::string> accounts(4);
+    std::latch together(4);
     {
       std::vector<std::jthread> threads;
-      for (std::string& account : accounts) threads.emplace_back([&] { account = account_of(shared); });
+      for (std::size_t k = 0; k < accounts.size(); ++k)
+        threads.emplace_back([&, k] { accounts[k] = account_in_order(shared, k, together); });
     }
     for (const std::string& account : accounts) EXPECT_EQ(account, alone);
   }
+}
+
+// One thread's part is stopped while others wait for it. One of them makes it then.
+TEST(FlowComplex, APartThatIsStoppedInOneThreadIsMadeInAnother) {
+  CITES("FC-INV-01");
+  std::atomic<int> begun{0};
+  const FlowComplex shared(pyramid(), {}, [&](FlowComplexPart part, std::size_t done, std::size_t) {
+    if (part == FlowComplexPart::kUnstable && done == 0 && begun++ == 0) throw std::runtime_error("stopped");
+  });
+  std::atomic<int> stopped{0}, made{0};
+  {
+    std::latch together(4);
+    std::vector<std::jthread> threads;
+    for (int k = 0; k < 4; ++k) {
+      threads.emplace_back([&] {
+        together.arrive_and_wait();
+        try {
+          made += shared.unstable().size() > 0 ? 1 : 0;
+        } catch (const std::runtime_error&) {
+          ++stopped;
+        }
+      });
+    }
+  }
+  EXPECT_EQ(stopped, 1);
+  EXPECT_EQ(made, 3);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "fuzz/inputs/case_stream.h"
 #include "fuzz/inputs/families.h"
 #include "fuzz/inputs/large_configurations.h"
 #include "tests/cites.h"
@@ -166,6 +167,27 @@ TEST(VoronoiFaces, LargeRingsAreSearchedNotScanned) {
     }
     EXPECT_EQ(large, 1u);
   }
+}
+
+// The walk may begin at any sample.
+TEST(VoronoiFaces, APositionIsFoundFromEveryHint) {
+  CITES("FC-VOR-01");
+  fuzz::CaseRun run;
+  run.seed = 11;
+  std::set<Place::Kind> kinds;
+  for (std::size_t number = 0; number < 40; ++number) {
+    Subject diagram(fuzz::input_of_case(run, number));
+    const auto samples = static_cast<VertexIndex>(diagram.faces.delaunay().points.size());
+    if (samples < 2) continue;
+    for (VertexIndex v = 1; v < samples && v < 12; ++v) {
+      const RationalPoint p = diagram.at(v - 1), q = diagram.at(v);
+      const RationalPoint x = {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2};
+      const Place place = diagram.faces.locate(x);
+      kinds.insert(place.kind);
+      for (VertexIndex hint = 0; hint < samples; ++hint) EXPECT_EQ(diagram.faces.locate(x, hint), place);
+    }
+  }
+  EXPECT_GE(kinds.size(), 3U);
 }
 
 TEST(VoronoiFaces, FewerDimensionsHaveNoRings) {

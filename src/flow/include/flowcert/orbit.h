@@ -84,6 +84,10 @@ class Flow {
   // Throws InvalidInput for an empty point set.
   [[nodiscard]] Orbit orbit(const RationalPoint& start);
 
+  // Where that orbit ends; nothing for infinity. What follows a Voronoi vertex is flowed once for all starts, and no
+  // exact coordinates are computed, so many starts take little more time than few. Throws as orbit().
+  [[nodiscard]] std::optional<StationaryLimit> limit(const RationalPoint& start);
+
   // What all steps so far have asked of the kernel.
   [[nodiscard]] const KernelTally& tally() const;
 

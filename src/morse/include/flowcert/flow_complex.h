@@ -2,7 +2,8 @@
 //
 // Guarantees: exact, on every input. It owns the points and everything that is computed of them. Each part is made
 // once, when it is first asked for. A reference to a part stays valid as long as the complex exists, even if the
-// complex is moved. Const access is safe from several threads. Source: spec/flow_complex.md.
+// complex is moved; only what refers to the complex itself must not outlive a move. A complex that was moved from can
+// be assigned to or destroyed. Const access is safe from several threads. Source: spec/flow_complex.md.
 #pragma once
 
 #include <array>
@@ -38,9 +39,9 @@ inline constexpr std::size_t kFlowComplexParts = 7;
 
 class FlowComplex {
  public:
-  // The thread that makes a part tells it now and then how much of the part is done. Two threads call it at once if
-  // they make different parts. It may throw to stop; the part is then made when it is asked for again. It must not
-  // ask the complex for anything.
+  // The thread that makes a part tells it now and then how much of the part is done, and at last that all is done.
+  // Triangulation and manifolds also tell before that. Two threads call it at once if they make different parts. It
+  // may throw to stop; the part is then made when it is asked for again. It must not ask the complex for anything.
   using Progress = std::function<void(FlowComplexPart part, std::size_t done, std::size_t total)>;
 
   // Computes nothing yet. The second one throws InvalidInput as PointSet does. A thread must compute with doubles as
@@ -71,8 +72,10 @@ class FlowComplex {
   // overflow is an infinity.
   [[nodiscard]] std::vector<std::array<double, 3>> centers() const;
 
-  // Where the flow takes any position (Flow::orbit). One thread at a time flows; the others wait.
+  // Where the flow takes any position (Flow::orbit). Each thread flows with arrays of its own.
   [[nodiscard]] Orbit orbit(const RationalPoint& start) const;
+  // The end of that orbit alone, which takes less time (Flow::limit).
+  [[nodiscard]] std::optional<StationaryLimit> limit(const RationalPoint& start) const;
   // The first segment of that orbit (Flow::step).
   [[nodiscard]] FlowSegment step(const RationalPoint& start) const;
 

@@ -75,8 +75,7 @@ struct StableStatistics {
   KernelTally tally;
 };
 
-// Const access is safe from several threads. If several ask for sets, one at a time makes its set and the others
-// wait.
+// Const access is safe from several threads. Each of them makes sets with arrays of its own.
 class StableManifolds {
  public:
   // It is told now and then how many stationary points are done, and may throw to stop.
@@ -86,6 +85,10 @@ class StableManifolds {
   // all skeletons.
   StableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
                   StableOptions options = {}, const Progress& progress = {});
+  StableManifolds(const VoronoiDiagram&, StationaryPoints&&, StableOptions = {},
+                  const Progress& = {}) = delete;
+  StableManifolds(VoronoiDiagram&&, const StationaryPoints&, StableOptions = {},
+                  const Progress& = {}) = delete;
   ~StableManifolds();
   StableManifolds(StableManifolds&&) noexcept;
   StableManifolds& operator=(StableManifolds&&) noexcept;

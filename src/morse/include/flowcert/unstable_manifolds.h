@@ -23,7 +23,7 @@ struct UnstableOptions {
   bool share = true;
 };
 
-// Const access is safe from several threads. If several make it flow, one does so at a time and the others wait.
+// Const access is safe from several threads. Each of them flows with arrays of its own.
 class UnstableManifolds {
  public:
   // It is told now and then how many index-2 points are done, and may throw to stop.
@@ -33,6 +33,10 @@ class UnstableManifolds {
   // all orbits; with sharing, only to those of the visited Voronoi vertices.
   UnstableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
                     UnstableOptions options = {}, const Progress& progress = {});
+  UnstableManifolds(const VoronoiDiagram&, StationaryPoints&&, UnstableOptions = {},
+                    const Progress& = {}) = delete;
+  UnstableManifolds(VoronoiDiagram&&, const StationaryPoints&, UnstableOptions = {},
+                    const Progress& = {}) = delete;
   ~UnstableManifolds();
   UnstableManifolds(UnstableManifolds&&) noexcept;
   UnstableManifolds& operator=(UnstableManifolds&&) noexcept;
