@@ -24,10 +24,21 @@ namespace flowcert::flow {
 // A sign comes from a kernel's filter, which may leave it open, or from its exact numbers.
 enum class KernelRung { kFilter, kExact };
 
+// K knows the sign of a query, and what one rung alone says of it.
+template <class K, class Query>
+concept Answers = requires(K& kernel, const Query& query, KernelRung rung) {
+  { kernel.sign(query) } -> std::same_as<Sign>;
+  { kernel.sign_on_rung(query, rung) } -> std::same_as<MaybeSign>;
+};
+template <class K, class... Query>
+constexpr bool answers_each(QueryList<Query...>) {
+  return (Answers<K, Query> && ...);
+}
+
 template <class K>
-concept ConstructsPoints = std::constructible_from<K, KernelTally&> &&
+concept ConstructsPoints = std::constructible_from<K, KernelTally&> && answers_each<K>(SteeringQueries{}) &&
     requires(K& kernel, const K& constant, PointNumber x, const RationalPoint& position, const Point& p,
-             std::span<const Point* const> simplex, const SideOfRay& query, KernelRung rung) {
+             std::span<const Point* const> simplex) {
   // Keeps a point, by its coordinates, or as the point where the ray from the midpoint of p0 and p1 through x
   // crosses the bisector of q (`crossing` in steering.h).
   { kernel.add(position) } -> std::same_as<PointNumber>;
@@ -36,10 +47,6 @@ concept ConstructsPoints = std::constructible_from<K, KernelTally&> &&
   // point stays until drop_all(), and its number has kLasting.
   { kernel.add_circumcenter(simplex) } -> std::same_as<PointNumber>;
   { kernel.add_lasting_circumcenter(simplex) } -> std::same_as<PointNumber>;
-
-  // The sign of a steering query; and what one rung alone says of it.
-  { kernel.sign(query) } -> std::same_as<Sign>;
-  { kernel.sign_on_rung(query, rung) } -> std::same_as<MaybeSign>;
 
   { kernel.exact(x) } -> std::same_as<RationalPoint>;
   // How many bytes the coordinates take, where they have been computed exactly.

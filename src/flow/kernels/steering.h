@@ -174,6 +174,12 @@ struct NearerExit {
   }
 };
 
+// A kernel answers each of these.
+template <class... Query>
+struct QueryList {};
+using SteeringQueries = QueryList<SideOfRay, RayAtInfinity, AroundStart, RayAroundStart, AlongRay,
+                                  BeforePoint, AlongEdge, NearerExit>;
+
 // ---- Constructions ----
 
 // The ray from m through x approaches the bisector of p0 (or p1) and q. It meets the bisector at m + s (x-m), with s
