@@ -10,6 +10,7 @@
 
 #include "flow/kernels/kernel.h"
 #include "flowcert/orbit.h"
+#include "geometry/contract.h"
 #include "voronoi/voronoi_faces.h"
 
 namespace flowcert::flow {
@@ -86,8 +87,12 @@ class RingQuery {
     return times(e.factor, kernel_.sign(RayAroundStart{x_, p0_, p1_, reference, centers_.point(e.apex)}));
   }
 
-  // Whether c lies on the ray and beyond x. It must lie on the line of the ray.
+  // Whether c lies on the ray and beyond x. It must lie on the line of the ray; only the filter checks that, so that
+  // no point becomes exact by it.
   [[nodiscard]] bool is_beyond(PointNumber c) {
+    FLOWCERT_REQUIRES(
+        kernel_.sign_on_rung(SideOfRay{x_, p0_, p1_, c}, KernelRung::kFilter).value_or(Sign::kZero) ==
+        Sign::kZero);
     return kernel_.sign(AlongRay{x_, p0_, p1_, c}) == Sign::kPositive &&
            kernel_.sign(BeforePoint{x_, p0_, p1_, c}) == Sign::kPositive;
   }

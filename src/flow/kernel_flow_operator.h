@@ -76,7 +76,8 @@ class KernelFlowOperator final : public FlowOperator {
 
   PointNumber add_center(const std::array<VertexIndex, 3>& samples) override {
     return kernel_.add_circumcenter(
-        std::array{&faces_.point(samples[0]), &faces_.point(samples[1]), &faces_.point(samples[2])});
+        std::array{&faces_.point(samples[0]), &faces_.point(samples[1]), &faces_.point(samples[2])},
+        Stay::kPassing);
   }
 
   RationalPoint exact(const Location& at) override { return kernel_.exact(number_of(at)); }
@@ -112,8 +113,9 @@ class KernelFlowOperator final : public FlowOperator {
     if (number == kNoPoint) {
       constructed_.push_back(cluster);
       const auto& v = faces_.delaunay().vertices(cluster);
-      number = kernel_.add_lasting_circumcenter(
-          std::array{&faces_.point(v[0]), &faces_.point(v[1]), &faces_.point(v[2]), &faces_.point(v[3])});
+      number = kernel_.add_circumcenter(
+          std::array{&faces_.point(v[0]), &faces_.point(v[1]), &faces_.point(v[2]), &faces_.point(v[3])},
+          Stay::kLasting);
     }
     return number;
   }

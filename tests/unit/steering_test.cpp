@@ -128,8 +128,8 @@ void expect_storage() {
   Kernel kernel(tally);
   const std::array<Point, 4> p = {Point{0, 0, 0}, Point{2, 0, 0}, Point{0, 2, 0}, Point{0, 0, 2}};
   const std::array<const Point*, 4> all = {&p[0], &p[1], &p[2], &p[3]};
-  const PointNumber center = kernel.add_lasting_circumcenter(all);
-  const PointNumber circle = kernel.add_circumcenter(std::span(all).first(3));
+  const PointNumber center = kernel.add_circumcenter(all, Stay::kLasting);
+  const PointNumber circle = kernel.add_circumcenter(std::span(all).first(3), Stay::kPassing);
   EXPECT_EQ(circle, 0U);
   EXPECT_NE(center & kLasting, 0U);
   EXPECT_EQ(kernel.exact(center), (RationalPoint{1, 1, 1}));

@@ -17,11 +17,10 @@ class ExactKernel {
     ++tally_[FlowPrimitive::kCrossing].calls;
     return points_.keep(crossing(points_[x], in(p0), in(p1), in(q)));
   }
-  [[nodiscard]] PointNumber add_circumcenter(std::span<const Point* const> simplex) {
-    return points_.keep(center(simplex));
-  }
-  [[nodiscard]] PointNumber add_lasting_circumcenter(std::span<const Point* const> simplex) {
-    return points_.keep_lasting(center(simplex));
+  [[nodiscard]] PointNumber add_circumcenter(std::span<const Point* const> simplex, Stay stay) {
+    ++tally_[FlowPrimitive::kCircumcenter].calls;
+    const auto construct = [](const auto&... v) { return circumcenter(v...); };
+    return points_.keep(center_of(simplex, in, construct), stay);
   }
 
   template <class Query>
@@ -63,12 +62,6 @@ class ExactKernel {
     Vector3<Rational> operator()(const Point& p) const { return in(p); }
   };
   static Vector3<Rational> in(const Point& p) { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
-
-  Vector3<Rational> center(std::span<const Point* const> p) {
-    ++tally_[FlowPrimitive::kCircumcenter].calls;
-    return p.size() == 3 ? circumcenter(in(*p[0]), in(*p[1]), in(*p[2]))
-                         : circumcenter(in(*p[0]), in(*p[1]), in(*p[2]), in(*p[3]));
-  }
 
   KernelTally& tally_;
   PointStorage<Vector3<Rational>> points_;

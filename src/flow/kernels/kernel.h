@@ -24,6 +24,9 @@ namespace flowcert::flow {
 // A sign comes from a kernel's filter, which may leave it open, or from its exact numbers.
 enum class KernelRung { kFilter, kExact };
 
+// A lasting point stays until drop_all(), and its number has kLasting.
+enum class Stay { kPassing, kLasting };
+
 // K knows the sign of a query, and what one rung alone says of it.
 template <class K, class Query>
 concept Answers = requires(K& kernel, const Query& query, KernelRung rung) {
@@ -38,15 +41,13 @@ constexpr bool answers_each(QueryList<Query...>) {
 template <class K>
 concept ConstructsPoints = std::constructible_from<K, KernelTally&> && answers_each<K>(SteeringQueries{}) &&
     requires(K& kernel, const K& constant, PointNumber x, const RationalPoint& position, const Point& p,
-             std::span<const Point* const> simplex) {
+             std::span<const Point* const> simplex, Stay stay) {
   // Keeps a point, by its coordinates, or as the point where the ray from the midpoint of p0 and p1 through x
   // crosses the bisector of q (`crossing` in steering.h).
   { kernel.add(position) } -> std::same_as<PointNumber>;
   { kernel.add_crossing(x, p, p, p) } -> std::same_as<PointNumber>;
-  // Keeps the centre of the circle or sphere through 3 or 4 points, which are affinely independent. A lasting
-  // point stays until drop_all(), and its number has kLasting.
-  { kernel.add_circumcenter(simplex) } -> std::same_as<PointNumber>;
-  { kernel.add_lasting_circumcenter(simplex) } -> std::same_as<PointNumber>;
+  // Keeps the centre of the circle or sphere through 3 or 4 points, which are affinely independent.
+  { kernel.add_circumcenter(simplex, stay) } -> std::same_as<PointNumber>;
 
   { kernel.exact(x) } -> std::same_as<RationalPoint>;
   // How many bytes the coordinates take, where they have been computed exactly.
@@ -60,17 +61,22 @@ concept ConstructsPoints = std::constructible_from<K, KernelTally&> && answers_e
   {kernel.drop_all()};
 };
 
+// The centre of 3 or 4 points, by what makes it from their vectors.
+template <class In, class Construct>
+[[nodiscard]] auto center_of(std::span<const Point* const> p, const In& in, const Construct& construct) {
+  FLOWCERT_REQUIRES(p.size() == 3 || p.size() == 4);
+  return p.size() == 3 ? construct(in(*p[0]), in(*p[1]), in(*p[2]))
+                       : construct(in(*p[0]), in(*p[1]), in(*p[2]), in(*p[3]));
+}
+
 // The storage of a kernel's points.
 template <class Value>
 class PointStorage {
  public:
-  PointNumber keep(Value value) {
-    passing_.push_back(std::move(value));
-    return static_cast<PointNumber>(passing_.size() - 1);
-  }
-  PointNumber keep_lasting(Value value) {
-    lasting_.push_back(std::move(value));
-    return static_cast<PointNumber>(lasting_.size() - 1) | kLasting;
+  PointNumber keep(Value value, Stay stay = Stay::kPassing) {
+    std::vector<Value>& values = stay == Stay::kLasting ? lasting_ : passing_;
+    values.push_back(std::move(value));
+    return static_cast<PointNumber>(values.size() - 1) | (stay == Stay::kLasting ? kLasting : 0);
   }
   const Value& operator[](PointNumber number) const {
     FLOWCERT_REQUIRES((number & kLasting) != 0 ? (number ^ kLasting) < lasting_.size()

@@ -51,11 +51,10 @@ class LazyKernel {
     return points_.keep(
         counted(FlowPrimitive::kCrossing, {Cgal::Point_3(node), (is_long ? 0 : x.depth) + 1, node}));
   }
-  [[nodiscard]] PointNumber add_circumcenter(std::span<const Point* const> simplex) {
-    return points_.keep(center(simplex));
-  }
-  [[nodiscard]] PointNumber add_lasting_circumcenter(std::span<const Point* const> simplex) {
-    return points_.keep_lasting(center(simplex));
+  [[nodiscard]] PointNumber add_circumcenter(std::span<const Point* const> simplex, Stay stay) {
+    const auto leaf = [](const Point& v) { return Cgal::Point_3(v.x, v.y, v.z); };
+    const Cgal::Point_3 center = center_of(simplex, leaf, Cgal().construct_circumcenter_3_object());
+    return points_.keep(counted(FlowPrimitive::kCircumcenter, {center, 1, nullptr}), stay);
   }
 
   template <class Query>
@@ -219,15 +218,6 @@ class LazyKernel {
       (void)CGAL::exact(point.value);
     }
     return point;
-  }
-
-  Kept center(std::span<const Point* const> p) {
-    const auto leaf = [](const Point* v) { return Cgal::Point_3(v->x, v->y, v->z); };
-    const auto construct = Cgal().construct_circumcenter_3_object();
-    return counted(FlowPrimitive::kCircumcenter,
-                   {p.size() == 3 ? construct(leaf(p[0]), leaf(p[1]), leaf(p[2]))
-                                  : construct(leaf(p[0]), leaf(p[1]), leaf(p[2]), leaf(p[3])),
-                    1, nullptr});
   }
 
   KernelTally& tally_;
