@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "flow/kernels/steering.h"
-#include "flowcert/filter_tally.h"
+#include "flowcert/kernel_tally.h"
 #include "flowcert/rational.h"
 #include "geometry/contract.h"
 

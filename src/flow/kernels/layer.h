@@ -1,4 +1,4 @@
-// The namespace of the layer that the kernels are a part of. They know nothing of the rest of it.
+// The namespace of the layer that the kernels are a part of. Of the rest of it they know the public tally alone.
 #pragma once
 
 #include "voronoi/layer.h"

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <map>
 
-#include "flowcert/filter_tally.h"
+#include "flowcert/kernel_tally.h"
 
 namespace flowcert {
 

@@ -1,5 +1,5 @@
-// How often each predicate, and each sign and construction of the flow, was asked for, and how often its filter
-// left it open so that exact arithmetic had to answer (paper, Table 4).
+// How often each predicate was asked for, and how often its filter left it open so that exact arithmetic had to
+// answer (paper, Table 4).
 #pragma once
 
 #include <array>
@@ -36,29 +36,6 @@ struct FilterTally {
 
   FilterCount& operator[](Predicate p) { return counts[static_cast<std::size_t>(p)]; }
   const FilterCount& operator[](Predicate p) const { return counts[static_cast<std::size_t>(p)]; }
-};
-
-// The signs and constructions that flowing takes. A predicate fails where the kernel's intervals did not decide and
-// exact numbers were asked. A construction fails where its interval is unbounded.
-enum class FlowPrimitive : std::uint8_t {
-  kSideOfRay,      // <(x-m) ^ (c-m), p0p1>: on which side of the ray a Voronoi vertex lies (paper, Eq. 2, 3)
-  kRayAtInfinity,  // the same for the direction of a Voronoi ray (Eq. 4, 5)
-  kAroundStart,    // order of Voronoi vertices around a start inside its facet
-  kAlongEdge,      // which way along a Voronoi edge
-  kNearerExit,     // which of two neighbours a start in a cell meets first
-  kCircumcenter,   // construction of a Voronoi vertex
-  kCrossing,       // construction of the point where the flow leaves a facet or cell
-};
-inline constexpr std::size_t kFlowPrimitiveCount = 7;
-inline constexpr std::array<const char*, kFlowPrimitiveCount> kFlowPrimitiveNames = {
-    "side_of_ray", "ray_at_infinity", "around_start", "along_edge",
-    "nearer_exit", "circumcenter",    "crossing"};
-
-struct KernelTally {
-  std::array<FilterCount, kFlowPrimitiveCount> counts{};
-
-  FilterCount& operator[](FlowPrimitive p) { return counts[static_cast<std::size_t>(p)]; }
-  const FilterCount& operator[](FlowPrimitive p) const { return counts[static_cast<std::size_t>(p)]; }
 };
 
 }  // namespace flowcert
