@@ -78,7 +78,5 @@ class FlowOperator {
 
 // The faces must outlive the operator.
 [[nodiscard]] std::unique_ptr<FlowOperator> make_flow_operator(VoronoiFaces& faces, FlowOptions options);
-[[nodiscard]] std::unique_ptr<FlowOperator> make_lazy_flow_operator(VoronoiFaces& faces, FacetSearch search);
-[[nodiscard]] std::unique_ptr<FlowOperator> make_exact_flow_operator(VoronoiFaces& faces, FacetSearch search);
 
 }  // namespace flowcert::flow
