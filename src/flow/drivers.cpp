@@ -23,14 +23,14 @@ struct Boundary {
   std::vector<PolygonRef> zero;
 };
 
-Boundary boundary_of(const Diagram& faces, CellIndex cluster) {
-  const VoronoiComplex& complex = faces.complex();
+Boundary boundary_of(const Diagram& diagram, CellIndex cluster) {
+  const VoronoiComplex& complex = diagram.complex();
   Boundary boundary;
-  for (const CellIndex cell : faces.cells_of(cluster)) {
+  for (const CellIndex cell : diagram.cells_of(cluster)) {
     for (std::uint32_t i = 0; i < 4; ++i) {
       const FacetRef facet{cell, i};
       if (complex.role(facet) == VoronoiComplex::FacetRole::kInterior) continue;
-      const PolygonRef polygon = faces.polygon(facet);
+      const PolygonRef polygon = diagram.polygon(facet);
       boundary.polygons.push_back(polygon);
       const Sign side = complex.side(facet);
       if (side == Sign::kNegative) boundary.negative.push_back(polygon);
@@ -44,10 +44,10 @@ Boundary boundary_of(const Diagram& faces, CellIndex cluster) {
 }
 
 // The polytope's edge that is obtuse in both its polygons.
-FacetName doubly_obtuse_edge(const Diagram& faces, const Boundary& boundary) {
+FacetName doubly_obtuse_edge(const Diagram& diagram, const Boundary& boundary) {
   std::vector<std::pair<VertexIndex, VertexIndex>> obtuse;
   for (const PolygonRef polygon : boundary.polygons) {
-    for (const PolygonSide& side : faces.sides(polygon)) {
+    for (const PolygonSide& side : diagram.sides(polygon)) {
       if (side.angle == Sign::kNegative) obtuse.emplace_back(side.v0, side.v1);
     }
   }
@@ -59,23 +59,23 @@ FacetName doubly_obtuse_edge(const Diagram& faces, const Boundary& boundary) {
 
 }  // namespace
 
-VertexSources vertex_sources(const Diagram& faces, CellIndex cluster) {
-  FLOWCERT_REQUIRES(faces.dimension() == 3);
+VertexSources vertex_sources(const Diagram& diagram, CellIndex cluster) {
+  FLOWCERT_REQUIRES(diagram.dimension() == 3);
   struct Side {
     FacetName facet;
     Sign angle;
     PolygonRef polygon;
   };
-  const Boundary boundary = boundary_of(faces, cluster);
+  const Boundary boundary = boundary_of(diagram, cluster);
   VertexSources sources;
   std::vector<Side> sides;
   for (const PolygonRef polygon : boundary.polygons) {
-    for (const PolygonSide& side : faces.sides(polygon)) {
+    for (const PolygonSide& side : diagram.sides(polygon)) {
       sides.push_back({{side.v0, side.v1}, side.angle, polygon});
     }
     const bool is_positive = std::ranges::find(boundary.negative, polygon) == boundary.negative.end() &&
                              std::ranges::find(boundary.zero, polygon) == boundary.zero.end();
-    if (is_positive && faces.driver(polygon).shape != Sign::kNegative) sources.polygons.push_back(polygon);
+    if (is_positive && diagram.driver(polygon).shape != Sign::kNegative) sources.polygons.push_back(polygon);
   }
   const auto key = [](const Side& side) { return std::tuple(side.facet.v0, side.facet.v1, side.angle); };
   std::sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) { return key(a) < key(b); });
@@ -85,20 +85,20 @@ VertexSources vertex_sources(const Diagram& faces, CellIndex cluster) {
   return sources;
 }
 
-Sign side_at(const Diagram& faces, PolygonRef polygon, std::size_t end) {
-  FLOWCERT_REQUIRES(faces.dimension() == 3 && faces.end(polygon, end) != kNoCell);
-  const VoronoiComplex& complex = faces.complex();
+Sign side_at(const Diagram& diagram, PolygonRef polygon, std::size_t end) {
+  FLOWCERT_REQUIRES(diagram.dimension() == 3 && diagram.end(polygon, end) != kNoCell);
+  const VoronoiComplex& complex = diagram.complex();
   return complex.side(end == 0 ? polygon : complex.mirror(polygon));
 }
 
-std::vector<PolygonRef> polygons_through(const Diagram& faces, CellIndex cluster) {
-  FLOWCERT_REQUIRES(faces.dimension() == 3);
-  return boundary_of(faces, cluster).zero;
+std::vector<PolygonRef> polygons_through(const Diagram& diagram, CellIndex cluster) {
+  FLOWCERT_REQUIRES(diagram.dimension() == 3);
+  return boundary_of(diagram, cluster).zero;
 }
 
-VertexFlow vertex_flow(const Diagram& faces, CellIndex cluster) {
-  FLOWCERT_REQUIRES(faces.dimension() == 3);
-  const Boundary boundary = boundary_of(faces, cluster);
+VertexFlow vertex_flow(const Diagram& diagram, CellIndex cluster) {
+  FLOWCERT_REQUIRES(diagram.dimension() == 3);
+  const Boundary boundary = boundary_of(diagram, cluster);
   VertexFlow flow;
   if (boundary.negative.empty()) {
     // It lies in its polytope: inside, or in one polygon, or in the edge that two share.
@@ -107,13 +107,13 @@ VertexFlow vertex_flow(const Diagram& faces, CellIndex cluster) {
     return flow;
   }
   for (const PolygonRef polygon : boundary.negative) {
-    if (faces.driver(polygon).shape == Sign::kNegative) continue;
+    if (diagram.driver(polygon).shape == Sign::kNegative) continue;
     flow.way = VertexFlow::Way::kAlongEdge;
     flow.edge = polygon;
     return flow;
   }
   flow.way = VertexFlow::Way::kAcrossFacet;
-  flow.facet = doubly_obtuse_edge(faces, boundary);
+  flow.facet = doubly_obtuse_edge(diagram, boundary);
   return flow;
 }
 
@@ -122,22 +122,23 @@ VertexFlow vertex_flow(const Diagram& faces, CellIndex cluster) {
 namespace {
 
 // The angle of each piece; positive if the piece lies at infinity.
-std::vector<Sign> angles_of(const Diagram& faces, FacetName facet, const FacetRing& ring,
+std::vector<Sign> angles_of(const Diagram& diagram, FacetName facet, const FacetRing& ring,
                             FilterTally& tally) {
-  const Point &p0 = faces.point(facet.v0), &p1 = faces.point(facet.v1);
+  const Point &p0 = diagram.point(facet.v0), &p1 = diagram.point(facet.v1);
   std::vector<Sign> angles;
   angles.reserve(ring.pieces.size());
   for (const RingPiece& piece : ring.pieces) {
     const bool is_finite = piece.polygon.cell != kNoCell;
-    angles.push_back(is_finite ? exact_sign(Angle{p0, faces.point(piece.apex), p1}, tally) : Sign::kPositive);
+    angles.push_back(is_finite ? exact_sign(Angle{p0, diagram.point(piece.apex), p1}, tally)
+                               : Sign::kPositive);
   }
   return angles;
 }
 
 }  // namespace
 
-ObtuseChain obtuse_chain(const Diagram& faces, FacetName facet, const FacetRing& ring, FilterTally& tally) {
-  const std::vector<Sign> angles = angles_of(faces, facet, ring, tally);
+ObtuseChain obtuse_chain(const Diagram& diagram, FacetName facet, const FacetRing& ring, FilterTally& tally) {
+  const std::vector<Sign> angles = angles_of(diagram, facet, ring, tally);
   const std::size_t n = angles.size();
   ObtuseChain chain;
   for (std::size_t k = 0; k < n; ++k) {

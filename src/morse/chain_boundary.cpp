@@ -13,9 +13,9 @@ namespace {
 
 // A path from v0 to v1 over edges of a Voronoi vertex' polytope. No edge of it is obtuse, and none passes through the
 // Voronoi vertex. It has the fewest edges that are possible, or is any path that the ties choose.
-std::vector<PolytopeEdge> path_between(const Diagram& faces, CellIndex cluster, FacetName ends,
+std::vector<PolytopeEdge> path_between(const Diagram& diagram, CellIndex cluster, FacetName ends,
                                        TieBreaking& ties) {
-  const VertexSources sources = vertex_sources(faces, cluster);
+  const VertexSources sources = vertex_sources(diagram, cluster);
   std::map<VertexIndex, std::vector<const PolytopeEdge*>> at;
   for (const PolytopeEdge& edge : sources.edges) {
     if (edge.angles[0] == Sign::kNegative || edge.angles[1] == Sign::kZero) continue;
@@ -46,13 +46,13 @@ std::vector<PolytopeEdge> path_between(const Diagram& faces, CellIndex cluster, 
 
 class TieBreaker {
  public:
-  TieBreaker(const Diagram& faces, BackwardWalk& walk, TieBreaking& ties)
-      : faces_(faces), walk_(walk), ties_(ties) {}
+  TieBreaker(const Diagram& diagram, BackwardWalk& walk, TieBreaking& ties)
+      : diagram_(diagram), walk_(walk), ties_(ties) {}
 
   void add(FrontNumber front, FacetName facet) { tasks_.push_back({front, facet}); }
   // Adds all sides that lead to a front inside the polygon's Voronoi edge.
   void add_sides(FrontNumber front, PolygonRef polygon) {
-    for (const PolygonSide& side : faces_.sides(polygon)) {
+    for (const PolygonSide& side : diagram_.sides(polygon)) {
       if (side.angle == Sign::kPositive) add(front, {side.v0, side.v1});
     }
   }
@@ -84,7 +84,7 @@ class TieBreaker {
   };
 
   void add_path(CellIndex cluster, FrontNumber front, FacetName ends) {
-    for (const PolytopeEdge& edge : path_between(faces_, cluster, ends, ties_)) {
+    for (const PolytopeEdge& edge : path_between(diagram_, cluster, ends, ties_)) {
       if (edge.leads()) {
         add(front, edge.facet);
       } else {
@@ -97,16 +97,16 @@ class TieBreaker {
   // other Voronoi vertex if that comes first.
   void add_along(CellIndex cluster, const PolytopeEdge& edge) {
     const PolygonRef polygon = edge.right_polygon;
-    const std::size_t far = faces_.end(polygon, 0) == cluster ? 1 : 0;
-    const CellIndex other = faces_.end(polygon, far);
-    if (other == kNoCell || side_at(faces_, polygon, far) == Sign::kPositive) {
-      add_sides(walk_.at_center(faces_.corners(polygon), polygon), polygon);
+    const std::size_t far = diagram_.end(polygon, 0) == cluster ? 1 : 0;
+    const CellIndex other = diagram_.end(polygon, far);
+    if (other == kNoCell || side_at(diagram_, polygon, far) == Sign::kPositive) {
+      add_sides(walk_.at_center(diagram_.corners(polygon), polygon), polygon);
     } else {
       add_path(other, walk_.at_vertex(other), edge.facet);
     }
   }
 
-  const Diagram& faces_;
+  const Diagram& diagram_;
   BackwardWalk& walk_;
   TieBreaking& ties_;
   std::vector<Task> tasks_;
@@ -115,9 +115,9 @@ class TieBreaker {
 
 }  // namespace
 
-std::vector<std::uint32_t> tie_broken_boundary(const Diagram& faces, BackwardWalk& walk, FrontNumber root,
+std::vector<std::uint32_t> tie_broken_boundary(const Diagram& diagram, BackwardWalk& walk, FrontNumber root,
                                                std::span<const VertexIndex> samples, TieBreaking& ties) {
-  TieBreaker breaker(faces, walk, ties);
+  TieBreaker breaker(diagram, walk, ties);
   const Place place = walk.place(root);
   if (place.edge.cell != kNoCell) {
     breaker.add_sides(root, place.edge);

@@ -99,12 +99,9 @@ class GabrielSearch {
     }
     if (walk.cell < walk.start) return true;
     const auto& vertices = delaunay_.vertices(walk.cell);
-    // Places are found without branches: most of the time would go into guessing them wrong.
-    const auto place = [&vertices](VertexIndex v) {
-      return unsigned{vertices[1] == v} + 2 * unsigned{vertices[2] == v} + 3 * unsigned{vertices[3] == v};
-    };
-    const unsigned behind = place(walk.pivot);
-    const unsigned ahead = 6 - behind - place(walk.edge[0]) - place(walk.edge[1]);
+    const unsigned behind = place_among(vertices, walk.pivot);
+    const unsigned ahead =
+        6 - behind - place_among(vertices, walk.edge[0]) - place_among(vertices, walk.edge[1]);
     if ((acute_[walk.cell] >> kEdgeBit[behind][ahead] & 1u) == 0) return true;
     walk.pivot = vertices[ahead];
     walk.cell = delaunay_.neighbors(walk.cell)[behind];
@@ -298,17 +295,17 @@ void StationaryPoints::append(StationaryIndex index, std::span<const PointId> co
   }
 }
 
-StationaryPoints stationary_points(const VoronoiDiagram& diagram) {
-  const Diagram& faces = diagram.faces();
-  OrderedRecords records(faces.delaunay().ordinals);
-  if (faces.spatial() != nullptr) {
-    add_spatial(*faces.spatial(), records);
-  } else if (faces.planar() != nullptr) {
-    add_planar(*faces.planar(), records);
-  } else if (faces.dimension() == 1) {
-    add_collinear(faces.delaunay(), records);
+StationaryPoints stationary_points(const VoronoiDiagram& voronoi) {
+  const Diagram& diagram = voronoi.faces();
+  OrderedRecords records(diagram.delaunay().ordinals);
+  if (diagram.spatial() != nullptr) {
+    add_spatial(*diagram.spatial(), records);
+  } else if (diagram.planar() != nullptr) {
+    add_planar(*diagram.planar(), records);
+  } else if (diagram.dimension() == 1) {
+    add_collinear(diagram.delaunay(), records);
   }
-  return records.list(diagram.points());
+  return records.list(voronoi.points());
 }
 
 }  // namespace flowcert

@@ -32,6 +32,13 @@ struct FacetRef {
   friend auto operator<=>(const FacetRef&, const FacetRef&) = default;
 };
 
+// Which of the four entries of a cell is this one. It has no branches, because that cannot be guessed.
+[[nodiscard]] inline std::uint32_t place_among(const std::array<std::uint32_t, 4>& entries,
+                                               std::uint32_t entry) {
+  return std::uint32_t{entries[1] == entry} + 2 * std::uint32_t{entries[2] == entry} +
+         3 * std::uint32_t{entries[3] == entry};
+}
+
 struct DelaunayCell {
   std::array<VertexIndex, 4> vertices;
   std::array<CellIndex, 4> neighbors;  // [i]: across the facet opposite vertex i
@@ -52,13 +59,10 @@ struct CompactDelaunay {
     return cells[cell].neighbors;
   }
 
-  // The same facet (edge, in dimension 2), seen from the other cell. It has no branches, because which of the four it
-  // is cannot be guessed.
+  // The same facet (edge, in dimension 2), seen from the other cell.
   [[nodiscard]] FacetRef mirror(FacetRef facet) const {
     const CellIndex other = neighbors(facet.cell)[facet.index];
-    const auto& back = neighbors(other);
-    return {other, std::uint32_t{back[1] == facet.cell} + 2 * std::uint32_t{back[2] == facet.cell} +
-                       3 * std::uint32_t{back[3] == facet.cell}};
+    return {other, place_among(neighbors(other), facet.cell)};
   }
 };
 
