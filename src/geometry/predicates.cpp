@@ -1,5 +1,4 @@
-// Each predicate is one polynomial, a template over the number type; the rungs differ in that type alone, and in the
-// error bound that double needs.
+// The rungs of a predicate differ in the number type of its polynomial alone, and in double's error bound.
 #include "geometry/predicates.h"
 
 #include <array>
@@ -19,68 +18,6 @@ std::array<const Point*, 5> points_of(const OutsideSphere& k) { return {&k.p0, &
 std::array<const Point*, 4> points_of(const Orientation& k) { return {&k.p0, &k.p1, &k.p2, &k.p3}; }
 std::array<const Point*, 4> points_of(const OutsideCircle& k) { return {&k.p0, &k.p1, &k.q, &k.r}; }
 
-template <class Number>
-Number value_of(const Angle&, const std::array<Vector3<Number>, 2>& v) {
-  return dot(v[0], v[1]);
-}
-
-// The circumcentre is numerator / (2 det). The apex lies at height det over ab, the centre at <ab, numerator> / (2
-// det).
-template <class Number>
-typename Promoted<Number>::Type value_of(const SideOfPlane&, const std::array<Vector3<Number>, 3>& v) {
-  const auto sphere = circumsphere(v[0], v[1], v[2]);
-  return dot(sphere.ab, sphere.numerator);
-}
-
-template <class Number>
-typename Promoted<Number>::Type value_of(const OutsideSphere&, const std::array<Vector3<Number>, 4>& v) {
-  using Wide = typename Promoted<Number>::Type;
-  const auto sphere = circumsphere(v[0], v[1], v[2]);
-  return Wide(dot(v[3], v[3])) * sphere.determinant - dot(sphere.numerator, promote(v[3]));
-}
-
-template <class Number>
-typename Promoted<Number>::Type value_of(const Orientation&, const std::array<Vector3<Number>, 3>& v) {
-  return dot(promote(v[0]), promote(cross(v[1], v[2])));
-}
-
-// The sign is that of cot(q) + cot(r), over the common denominator. Both cross products are along the plane's normal,
-// with opposite signs, so the same coordinate of both tells their lengths. v = p0-q, p1-q, p0-r, p1-r.
-template <class Number>
-typename Promoted<Number>::Type value_of(const OutsideCircle&, const std::array<Vector3<Number>, 4>& v) {
-  using std::abs;
-  using Wide = typename Promoted<Number>::Type;
-  const Vector3<Wide> at_q = promote(cross(v[0], v[1]));
-  const Vector3<Wide> at_r = promote(cross(v[2], v[3]));
-  const Wide hq(dot(v[0], v[1]));
-  const Wide hr(dot(v[2], v[3]));
-  const Wide ax = abs(at_q.x), ay = abs(at_q.y), az = abs(at_q.z);
-  if (ax >= ay && ax >= az) return hq * abs(at_r.x) + hr * ax;
-  return ay >= az ? hq * abs(at_r.y) + hr * ay : hq * abs(at_r.z) + hr * az;
-}
-
-// The vectors of a query: ordered so that value_of() above reads well.
-template <class Between>
-auto vectors_of(const Angle& k, const Between& between) {
-  return std::array{between(k.q, k.p), between(k.q, k.r)};
-}
-template <class Between>
-auto vectors_of(const SideOfPlane& k, const Between& between) {
-  return std::array{between(k.f0, k.f1), between(k.f0, k.f2), between(k.f0, k.apex)};
-}
-template <class Between>
-auto vectors_of(const OutsideSphere& k, const Between& between) {
-  return std::array{between(k.p0, k.p1), between(k.p0, k.p2), between(k.p0, k.p3), between(k.p0, k.q)};
-}
-template <class Between>
-auto vectors_of(const Orientation& k, const Between& between) {
-  return std::array{between(k.p0, k.p1), between(k.p0, k.p2), between(k.p0, k.p3)};
-}
-template <class Between>
-auto vectors_of(const OutsideCircle& k, const Between& between) {
-  return std::array{between(k.q, k.p0), between(k.q, k.p1), between(k.r, k.p0), between(k.r, k.p1)};
-}
-
 // n: the norms of the vectors.
 double error_bound(const Angle&, const std::array<double, 2>& n) {
   return kAngleBound * kUnitRoundoff * n[0] * n[1];
@@ -90,7 +27,7 @@ double error_bound(const SideOfPlane&, const std::array<double, 3>& n) {
   return kSideOfPlaneBound * kUnitRoundoff * ab * (ab * n[2]) * (n[0] + n[1] + n[2]);
 }
 double error_bound(const OutsideSphere&, const std::array<double, 4>& n) {
-  return kOutsideSphereBound * kUnitRoundoff * (n[0] * n[1] * n[2] * n[3]) * (n[0] + n[1] + n[2] + n[3]);
+  return OutsideSphere::error_bound(n[0] * n[1] * n[2], n[0] + n[1] + n[2], n[3]);
 }
 double error_bound(const Orientation&, const std::array<double, 3>& n) {
   return kOrientationBound * kUnitRoundoff * n[0] * n[1] * n[2];
@@ -102,20 +39,19 @@ double error_bound(const OutsideCircle&, const std::array<double, 4>& n) {
 template <class Query>
 MaybeSign double_sign(const Query& query) {
   const auto vectors =
-      vectors_of(query, [](const Point& from, const Point& to) { return vector_between(from, to); });
+      query.vectors([](const Point& from, const Point& to) { return vector_between(from, to); });
   std::array<double, vectors.size()> norms;
   for (std::size_t i = 0; i < vectors.size(); ++i) {
     norms[i] = std::sqrt(dot(vectors[i], vectors[i]));
     if (!(norms[i] >= kSmallestNorm && norms[i] <= kLargestNorm)) return std::nullopt;
   }
-  return sign_beyond(value_of(query, vectors), error_bound(query, norms));
+  return sign_beyond(Query::value(vectors), error_bound(query, norms));
 }
 
 template <class Integer, class Query>
 Sign integer_sign(const Query& query, const IntegerGrid& grid) {
-  return sign_of(value_of(query, vectors_of(query, [&grid](const Point& from, const Point& to) {
-                            return grid.vector_between<Integer>(from, to);
-                          })));
+  return sign_of(Query::value(query.vectors(
+      [&grid](const Point& from, const Point& to) { return grid.vector_between<Integer>(from, to); })));
 }
 
 }  // namespace

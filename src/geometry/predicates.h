@@ -6,6 +6,9 @@
 // no division and no square root. The filters' bounds are in filter_bounds.h.
 #pragma once
 
+#include <array>
+#include <cmath>
+
 #include "flowcert/filter_tally.h"
 #include "flowcert/point_set.h"
 #include "geometry/filter_bounds.h"
@@ -17,10 +20,22 @@ namespace flowcert::geometry {
 // kNarrow computes degree 2 in the machine's integers, and the rest in wide ones.
 enum class Rung { kDouble, kNarrow, kWide, kBig };
 
+// A query has a polynomial, `value`, over any number type, in the `vectors` between its points. They are in an order
+// that makes the polynomial read well.
+
 // The sign of <p - q, r - q>: positive where the angle at q is acute (FC-SIGN-01).
 struct Angle {
   static constexpr Predicate kPredicate = Predicate::kAngle;
   const Point &p, &q, &r;
+
+  template <class Between>
+  [[nodiscard]] auto vectors(const Between& between) const {
+    return std::array{between(q, p), between(q, r)};
+  }
+  template <class Number>
+  [[nodiscard]] static Number value(const std::array<Vector3<Number>, 2>& v) {
+    return dot(v[0], v[1]);
+  }
 };
 
 // The side of the plane of f0 f1 f2 on which the circumcentre of f0 f1 f2 apex lies; the apex's side is positive
@@ -28,6 +43,18 @@ struct Angle {
 struct SideOfPlane {
   static constexpr Predicate kPredicate = Predicate::kSideOfPlane;
   const Point &f0, &f1, &f2, &apex;
+
+  template <class Between>
+  [[nodiscard]] auto vectors(const Between& between) const {
+    return std::array{between(f0, f1), between(f0, f2), between(f0, apex)};
+  }
+  // The circumcentre is numerator / (2 det). The apex lies at height det over ab, the centre at <ab, numerator> / (2
+  // det).
+  template <class Number>
+  [[nodiscard]] static typename Promoted<Number>::Type value(const std::array<Vector3<Number>, 3>& v) {
+    const auto sphere = circumsphere(v[0], v[1], v[2]);
+    return dot(sphere.ab, sphere.numerator);
+  }
 };
 
 // Zero iff q lies on the circumsphere of p0 p1 p2 p3. If p0 p1 p2 p3 is positively oriented, the sign is positive
@@ -35,12 +62,41 @@ struct SideOfPlane {
 struct OutsideSphere {
   static constexpr Predicate kPredicate = Predicate::kCospherical;
   const Point &p0, &p1, &p2, &p3, &q;
+
+  template <class Between>
+  [[nodiscard]] auto vectors(const Between& between) const {
+    return std::array{between(p0, p1), between(p0, p2), between(p0, p3), between(p0, q)};
+  }
+  template <class Number>
+  [[nodiscard]] static typename Promoted<Number>::Type value(const std::array<Vector3<Number>, 4>& v) {
+    const auto sphere = circumsphere(v[0], v[1], v[2]);
+    return value(sphere.numerator, sphere.determinant, v[3]);
+  }
+  // This is the same for a known circumsphere. The bound of its error takes the product and the sum of the norms of
+  // the three vectors that made the sphere, and the norm of v.
+  template <class Number, class Wide>
+  [[nodiscard]] static Wide value(const Vector3<Wide>& numerator, const Wide& determinant,
+                                  const Vector3<Number>& v) {
+    return Wide(dot(v, v)) * determinant - dot(numerator, promote(v));
+  }
+  [[nodiscard]] static double error_bound(double product, double sum, double norm) {
+    return kOutsideSphereBound * kUnitRoundoff * product * norm * (sum + norm);
+  }
 };
 
 // The sign of det(p1 - p0, p2 - p0, p3 - p0).
 struct Orientation {
   static constexpr Predicate kPredicate = Predicate::kCoplanar;
   const Point &p0, &p1, &p2, &p3;
+
+  template <class Between>
+  [[nodiscard]] auto vectors(const Between& between) const {
+    return std::array{between(p0, p1), between(p0, p2), between(p0, p3)};
+  }
+  template <class Number>
+  [[nodiscard]] static typename Promoted<Number>::Type value(const std::array<Vector3<Number>, 3>& v) {
+    return dot(promote(v[0]), promote(cross(v[1], v[2])));
+  }
 };
 
 // The four points are coplanar, and q and r lie strictly on different sides of p0p1. The sign is positive iff r lies
@@ -49,6 +105,25 @@ struct Orientation {
 struct OutsideCircle {
   static constexpr Predicate kPredicate = Predicate::kCocircular;
   const Point &p0, &p1, &q, &r;
+
+  template <class Between>
+  [[nodiscard]] auto vectors(const Between& between) const {
+    return std::array{between(q, p0), between(q, p1), between(r, p0), between(r, p1)};
+  }
+  // The sign is that of cot(q) + cot(r), over the common denominator. Both cross products are along the plane's
+  // normal, with opposite signs, so the same coordinate of both tells their lengths.
+  template <class Number>
+  [[nodiscard]] static typename Promoted<Number>::Type value(const std::array<Vector3<Number>, 4>& v) {
+    using std::abs;
+    using Wide = typename Promoted<Number>::Type;
+    const Vector3<Wide> at_q = promote(cross(v[0], v[1]));
+    const Vector3<Wide> at_r = promote(cross(v[2], v[3]));
+    const Wide hq(dot(v[0], v[1]));
+    const Wide hr(dot(v[2], v[3]));
+    const Wide ax = abs(at_q.x), ay = abs(at_q.y), az = abs(at_q.z);
+    if (ax >= ay && ax >= az) return hq * abs(at_r.x) + hr * ax;
+    return ay >= az ? hq * abs(at_r.y) + hr * ay : hq * abs(at_r.z) + hr * az;
+  }
 };
 
 // One rung alone, for the tests and for callers that have a filter of their own.

@@ -144,13 +144,11 @@ bool on_sphere(const TetrahedronPoints& points, const CellSphere& sphere, const 
   FilterCount& count = tally[Predicate::kCospherical];
   ++count.calls;
   const Vector3<double> v = vector_between(*points[0], q);
-  const double vv = dot(v, v);
-  const double norm = std::sqrt(vv);
+  const double norm = std::sqrt(dot(v, v));
   if (sphere.in_range && norm >= kSmallestNorm && norm <= kLargestNorm) {
-    const double value = vv * sphere.determinant - dot(sphere.numerator, v);
-    const double error =
-        kOutsideSphereBound * kUnitRoundoff * sphere.norm_product * norm * (sphere.norm_sum + norm);
-    if (std::fabs(value) > error) return false;
+    const double value = OutsideSphere::value(sphere.numerator, sphere.determinant, v);
+    if (std::fabs(value) > OutsideSphere::error_bound(sphere.norm_product, sphere.norm_sum, norm))
+      return false;
   }
   ++count.failures;
   return unfiltered_sign(OutsideSphere{*points[0], *points[1], *points[2], *points[3], q}) == Sign::kZero;
