@@ -118,4 +118,14 @@ std::string gunzip(std::string_view bytes, std::string_view file) {
   return output;
 }
 
+std::string_view plain_content(std::string_view bytes, std::string_view file, std::string& decompressed) {
+  if (is_gzip(bytes)) {
+    decompressed = gunzip(bytes, file);
+    bytes = decompressed;
+  }
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  if (std::all_of(bytes.begin(), bytes.end(), is_blank)) reject_file(file, "empty");
+  return bytes;
+}
+
 }  // namespace flowcert::io

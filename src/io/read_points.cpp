@@ -2,8 +2,6 @@
 // say what it does with damaged files of each format.
 #include "flowcert/read_points.h"
 
-#include <algorithm>
-
 #include "io/input_bytes.h"
 #include "io/layer.h"
 #include "io/line_reader.h"
@@ -64,12 +62,7 @@ PointFile read_as(Format format, std::string_view bytes, std::string_view file) 
 
 PointFile read_points_from(std::string_view bytes, const std::string& name) {
   std::string decompressed;
-  if (is_gzip(bytes)) {
-    decompressed = gunzip(bytes, name);
-    bytes = decompressed;
-  }
-  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
-  if (std::all_of(bytes.begin(), bytes.end(), is_blank)) reject_file(name, "empty");
+  bytes = plain_content(bytes, name, decompressed);
   return read_as(name == "-" ? format_of_content(bytes) : format_of_name(name), bytes, name);
 }
 

@@ -49,12 +49,7 @@ void require_rows_of_stable(const ClaimedPoint& point, const PointSet& points, c
 
 Claim read_claim_from(std::string_view bytes, const std::string& name) {
   std::string decompressed;
-  if (is_gzip(bytes)) {
-    decompressed = gunzip(bytes, name);
-    bytes = decompressed;
-  }
-  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
-  if (std::all_of(bytes.begin(), bytes.end(), is_blank)) reject_file(name, "empty");
+  bytes = plain_content(bytes, name, decompressed);
   const auto* const format = std::find_if(kFormats.begin(), kFormats.end() - 1,
                                           [&](const ClaimFormat* one) { return one->recognises(bytes); });
   Claim claim = (*format)->read(bytes, name);
