@@ -58,8 +58,8 @@ std::optional<Point> PointSet::inner_circumcentre(const Places& simplex) const {
 Places places_of(const PointSet& set, const std::vector<std::size_t>& names) {
   Places places;
   for (const std::size_t name : names) {
-    const auto position = std::lower_bound(set.names.begin(), set.names.end(), name);
-    places.push_back(static_cast<std::size_t>(position - set.names.begin()));
+    const auto found = std::lower_bound(set.names.begin(), set.names.end(), name);
+    places.push_back(static_cast<std::size_t>(found - set.names.begin()));
   }
   return places;
 }

@@ -75,20 +75,20 @@ Answer stationary_points(const std::vector<std::array<double, 3>>& rows) {
 namespace {
 
 // FC-OUT-01: a list of class names, ascending.
-std::optional<Finding> check_names(const PointSet& set, const std::vector<std::size_t>& contact) {
-  if (contact.empty()) return Finding{"FC-OUT-01", "the claimed contact set is empty"};
+std::optional<Fault> check_names(const PointSet& set, const std::vector<std::size_t>& contact) {
+  if (contact.empty()) return Fault{"FC-OUT-01", "the claimed contact set is empty"};
   for (const std::size_t name : contact) {
     if (std::binary_search(set.names.begin(), set.names.end(), name)) continue;
-    return Finding{"FC-IN-03", "contact names " + std::to_string(name) + ", which is no class of the input"};
+    return Fault{"FC-IN-03", "contact names " + std::to_string(name) + ", which is no class of the input"};
   }
   if (std::adjacent_find(contact.begin(), contact.end(), std::greater_equal<>()) == contact.end()) {
     return std::nullopt;
   }
-  return Finding{"FC-OUT-01", "the claimed contact set is not strictly ascending"};
+  return Fault{"FC-OUT-01", "the claimed contact set is not strictly ascending"};
 }
 
 // Checks FC-CRIT-05 (a) to (d) for the points at `places`. Their circumcentre is z, if they have one.
-std::optional<Finding> check_contact(const PointSet& set, const Places& places, const Point& z) {
+std::optional<Fault> check_contact(const PointSet& set, const Places& places, const Point& z) {
   const Rational radius = squared_distance(z, set.points[places[0]]);
   const auto describe = [&](std::size_t place) {
     return "point " + std::to_string(set.names[place]) + " is at squared distance " +
@@ -97,47 +97,47 @@ std::optional<Finding> check_contact(const PointSet& set, const Places& places, 
   };
   for (const std::size_t place : places) {
     if (squared_distance(z, set.points[place]) != radius) {
-      return Finding{"FC-CRIT-05 (a)",
-                     "the claimed contact set is on no sphere centred in its hull: " + describe(place)};
+      return Fault{"FC-CRIT-05 (a)",
+                   "the claimed contact set is on no sphere centred in its hull: " + describe(place)};
     }
   }
   const Places nearest = set.nearest_places(z);
   if (squared_distance(z, set.points[nearest[0]]) < radius) {
-    return Finding{"FC-CRIT-05 (b)",
-                   "the sphere of the claimed contact set is not empty: " + describe(nearest[0])};
+    return Fault{"FC-CRIT-05 (b)",
+                 "the sphere of the claimed contact set is not empty: " + describe(nearest[0])};
   }
   for (const std::size_t place : nearest) {
     if (!std::binary_search(places.begin(), places.end(), place)) {
-      return Finding{"FC-CRIT-05 (c)", "the claimed contact set is not complete: " + describe(place)};
+      return Fault{"FC-CRIT-05 (c)", "the claimed contact set is not complete: " + describe(place)};
     }
   }
   if (!face_dimension(select(set.points, places), z)) {
-    return Finding{"FC-CRIT-05 (d)",
-                   "the centre " + text(z) + " is outside the hull of the claimed contact set"};
+    return Fault{"FC-CRIT-05 (d)",
+                 "the centre " + text(z) + " is outside the hull of the claimed contact set"};
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Finding> certify(const PointSet& set, const StationaryPoint& claim) {
-  if (auto finding = check_names(set, claim.contact)) return finding;
+std::optional<Fault> certify(const PointSet& set, const StationaryPoint& claim) {
+  if (auto fault = check_names(set, claim.contact)) return fault;
   const Places places = places_of(set, claim.contact);
   const std::vector<Point> contact = select(set.points, places);
   const Point z = circumcentre(spanning_subset(contact))->center;  // independent points always have one
-  if (auto finding = check_contact(set, places, z)) return finding;
+  if (auto fault = check_contact(set, places, z)) return fault;
 
   const StationaryPoint truth = stationary_point(set, z, places);
   if (claim.center != z) {
-    return Finding{"FC-OUT-01", "center is claimed to be " + text(claim.center) + ", and is " + text(z)};
+    return Fault{"FC-OUT-01", "center is claimed to be " + text(claim.center) + ", and is " + text(z)};
   }
   if (claim.squared_distance != truth.squared_distance) {
-    return Finding{"FC-OUT-01", "squared_distance is claimed to be " + claim.squared_distance.str() +
-                                    ", and is " + truth.squared_distance.str()};
+    return Fault{"FC-OUT-01", "squared_distance is claimed to be " + claim.squared_distance.str() +
+                                  ", and is " + truth.squared_distance.str()};
   }
   if (claim != truth) {
-    return Finding{truth.is_critical() ? "FC-CRIT-02" : "FC-CRIT-03",
-                   "claimed to be " + index_text(claim) + ", and is " + index_text(truth)};
+    return Fault{truth.is_critical() ? "FC-CRIT-02" : "FC-CRIT-03",
+                 "claimed to be " + index_text(claim) + ", and is " + index_text(truth)};
   }
   return std::nullopt;
 }

@@ -46,12 +46,12 @@ Answer stationary_points(const std::vector<std::array<double, 3>>& rows);
 StationaryPoint stationary_point(const PointSet& set, const Point& x, const Places& contact);
 
 // What is wrong with a claim: the violated clause, and what is claimed and true instead.
-struct Finding {
+struct Fault {
   std::string clause;
   std::string explanation;
 };
 
 // The first thing that is wrong with a claimed stationary point, or nothing if all of it is right.
-std::optional<Finding> certify(const PointSet& set, const StationaryPoint& claim);
+std::optional<Fault> certify(const PointSet& set, const StationaryPoint& claim);
 
 }  // namespace oracle

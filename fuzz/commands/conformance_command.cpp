@@ -105,8 +105,8 @@ void print_list(const std::vector<const VectorCase*>& cases) {
 // ---- Running
 
 void require_full_path(const char* option, const std::string& command) {
-  const std::string fault = fault_of_relative_path(command);
-  if (!fault.empty()) throw InvalidInput(fmt::format("{}: {}", option, fault));
+  const std::string complaint = complaint_about_relative_path(command);
+  if (!complaint.empty()) throw InvalidInput(fmt::format("{}: {}", option, complaint));
 }
 
 void require_answerable(const std::vector<CaseOutcome>& outcomes) {
@@ -170,7 +170,7 @@ int conformance(ConformanceCommandOptions& options) {
 // ---- Options
 
 // Validators return what is wrong.
-std::string has_in_and_start(const std::string& command) {
+std::string complaint_about_missing_places(const std::string& command) {
   return has_place(command, "{start}") ? complaint_about_missing_in(command)
                                        : "there is no {start} in the command";
 }
@@ -207,7 +207,7 @@ void add_command_options(CLI::App& command, ConformanceCommandOptions& options) 
       .add_option("--orbits-against", run.orbit_command,
                   "A command for orbits: {start} stands for where to start, X,Y,Z; its answer is JSON as of "
                   "orbit --json")
-      ->check(has_in_and_start);
+      ->check(complaint_about_missing_places);
   command
       .add_option(
           "--persistence-against", run.persistence_command,

@@ -146,8 +146,8 @@ fuzz::Campaign new_campaign(const FuzzOptions& options) {
   if (!options.count && !options.seconds && !options.only) {
     throw InvalidInput("one of --count and --time is required: when is it enough?");
   }
-  const std::string fault = fault_of_relative_path(options.against);
-  if (!fault.empty()) throw InvalidInput("--against: " + fault);
+  const std::string complaint = complaint_about_relative_path(options.against);
+  if (!complaint.empty()) throw InvalidInput("--against: " + complaint);
   const fuzz::CampaignPlan plan = plan_of(options);
   require_startable(plan);
   if (!options.out.empty()) return fuzz::Campaign::begun(plan, options.count, options.out);

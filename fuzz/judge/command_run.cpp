@@ -172,7 +172,7 @@ std::string answer_bytes(const CommandRun& run) {
   return bytes;
 }
 
-std::string fault_of_relative_path(const std::string& command) {
+std::string complaint_about_relative_path(const std::string& command) {
   const std::string program = command.substr(0, command.find_first_of(" \t\n;|&<>()"));
   std::error_code ignored;
   const bool is_relative =

@@ -64,7 +64,7 @@ struct CommandRun {
 
 // If a command names its program by a relative path, it would not find it in the folder of a run. Returns what to say
 // then; empty if all is well.
-[[nodiscard]] std::string fault_of_relative_path(const std::string& command);
+[[nodiscard]] std::string complaint_about_relative_path(const std::string& command);
 
 // Throws OutputError.
 void write_text_file(const std::filesystem::path& path, const std::string& text);

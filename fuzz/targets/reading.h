@@ -2,7 +2,7 @@
 // was read must make sense.
 //
 // Guarantees: only the first reading of the bytes may throw InvalidInput, and only with one short line that
-// opens with the file's name. Any other exception passes through, and so is a finding.
+// opens with the file's name. Any other exception passes through, and so is a counterexample.
 #pragma once
 
 #include <string>

@@ -11,7 +11,7 @@
 namespace flowcert::fuzz {
 
 // Empty if all is well; otherwise everything that there is to say, input and answers. Anything else that happens,
-// such as an exception that leaves it, is a finding too.
+// such as an exception that leaves it, is a counterexample too.
 [[nodiscard]] std::string complaint_of(Bytes bytes);
 
 }  // namespace flowcert::fuzz

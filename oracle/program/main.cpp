@@ -156,9 +156,9 @@ int run_certify(const std::string& input, const std::string& records, std::size_
   for (const std::size_t place : drawn) {
     const std::string where = records + ":" + std::to_string(place + 2) + ": ";
     const oracle::Record claimed = oracle::parse_record(file.records[place], where);
-    const auto finding = claimed.finding ? claimed.finding : oracle::certify(set, claimed.claim);
-    if (!finding) ++right;
-    if (finding) std::cout << where << finding->clause << ": " << finding->explanation << '\n';
+    const auto fault = claimed.fault ? claimed.fault : oracle::certify(set, claimed.claim);
+    if (!fault) ++right;
+    if (fault) std::cout << where << fault->clause << ": " << fault->explanation << '\n';
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   std::cout << "oracle: " << with_commas(right) << " of " << with_commas(drawn.size())

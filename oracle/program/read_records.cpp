@@ -39,9 +39,9 @@ std::size_t natural_number(const json& value) {
   return value.get<std::size_t>();
 }
 
-// Keeps only the first finding.
+// Keeps only the first fault.
 void note(Record& result, const std::string& clause, const std::string& explanation) {
-  if (!result.finding) result.finding = Finding{clause, explanation};
+  if (!result.fault) result.fault = Fault{clause, explanation};
 }
 
 // FC-CRIT-03: a number for a critical point, the pair of the kind for a regular stationary one.

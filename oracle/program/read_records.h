@@ -1,7 +1,7 @@
 // Reads rationals, and a file of claimed stationary points: JSON Lines as in spec/formats/stationary_points.md.
 //
 // Text that cannot be understood throws UnusableInput: no JSON, a missing key, 1/0 for a number. Text that can be
-// understood but is wrong gives a finding for the caller to report: a rational that is not written canonically, a
+// understood but is wrong gives a fault for the caller to report: a rational that is not written canonically, a
 // kind that does not fit its index, a double that is not the nearest one.
 #pragma once
 
@@ -26,7 +26,7 @@ RecordFile read_record_file(std::istream& in, const std::string& name);
 
 struct Record {
   StationaryPoint claim;
-  std::optional<Finding> finding;  // the first thing that is wrong with how the claim is written
+  std::optional<Fault> fault;  // the first thing that is wrong with how the claim is written
 };
 
 // `where` opens the message of an UnusableInput.

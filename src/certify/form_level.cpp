@@ -69,7 +69,7 @@ void check_counts_of_claim(CheckRun& run) {
 }
 
 // What is wrong with ids, in words; empty if nothing is.
-std::string fault_of_ids(const PointSet& points, const std::vector<PointId>& ids) {
+std::string complaint_about_ids(const PointSet& points, const std::vector<PointId>& ids) {
   for (const PointId id : ids) {
     if (id >= points.row_count()) {
       return "there is no point " + std::to_string(id) + "; the ids are 0 to " +
@@ -82,7 +82,7 @@ std::string fault_of_ids(const PointSet& points, const std::vector<PointId>& ids
   return twice == sorted.end() ? "" : "point " + std::to_string(*twice) + " is named twice";
 }
 
-std::string fault_of_index(const ClaimedPoint& point) {
+std::string complaint_about_index(const ClaimedPoint& point) {
   if (!point.hull_dimension) {
     return point.index < 0 || point.index > 3 ? "an index is 0, 1, 2 or 3" : "";
   }
@@ -90,25 +90,25 @@ std::string fault_of_index(const ClaimedPoint& point) {
   return exists ? "" : "only the kinds 1-2, 2-3 and 1-3 exist";
 }
 
-std::string fault_of_successors(const PointSet& points, const ClaimedPoint& point) {
+std::string complaint_about_successors(const PointSet& points, const ClaimedPoint& point) {
   if (point.successors) {
     for (const ClaimedTarget& target : *point.successors) {
       if (!target.is_infinity && target.contact.empty()) return "a successor without a contact set";
-      const std::string fault = fault_of_ids(points, target.contact);
-      if (!fault.empty()) return "of a successor: " + fault;
+      const std::string complaint = complaint_about_ids(points, target.contact);
+      if (!complaint.empty()) return "of a successor: " + complaint;
     }
     if (point.successors_by_side && point.successors->size() != 2) return "there are two sides";
   }
   if (point.samples) {
-    const std::string fault = fault_of_ids(points, *point.samples);
-    if (!fault.empty()) return "of the samples: " + fault;
+    const std::string complaint = complaint_about_ids(points, *point.samples);
+    if (!complaint.empty()) return "of the samples: " + complaint;
   }
   if (point.u2 && point.u2->size() != 2) return "an unstable manifold U2 has two orbits";
   return "";
 }
 
 // What is wrong with the ids of a stable set. The ids of a walk may repeat.
-std::string fault_of_stable(const PointSet& points, const ClaimedPoint& point) {
+std::string complaint_about_stable(const PointSet& points, const ClaimedPoint& point) {
   std::vector<std::vector<PointId>> lists;
   if (point.stable && point.stable->boundary) lists = *point.stable->boundary;
   if (point.stable && point.stable->walk) {
@@ -125,19 +125,19 @@ std::string fault_of_stable(const PointSet& points, const ClaimedPoint& point) {
   }
   for (const std::vector<PointId>& ids : lists) {
     if (ids.empty()) return "of a stable set: a contact set without points";
-    const std::string fault = fault_of_ids(points, ids);
-    if (!fault.empty()) return "of a stable set: " + fault;
+    const std::string complaint = complaint_about_ids(points, ids);
+    if (!complaint.empty()) return "of a stable set: " + complaint;
   }
   return "";
 }
 
-std::string fault_of(const PointSet& points, const ClaimedPoint& point) {
+std::string complaint_about(const PointSet& points, const ClaimedPoint& point) {
   if (point.contact.empty() && !point.center) return "neither a contact set nor a position";
-  std::string fault = fault_of_index(point);
-  if (fault.empty()) fault = fault_of_ids(points, point.contact);
-  if (fault.empty()) fault = fault_of_successors(points, point);
-  if (fault.empty()) fault = fault_of_stable(points, point);
-  return fault;
+  std::string complaint = complaint_about_index(point);
+  if (complaint.empty()) complaint = complaint_about_ids(points, point.contact);
+  if (complaint.empty()) complaint = complaint_about_successors(points, point);
+  if (complaint.empty()) complaint = complaint_about_stable(points, point);
+  return complaint;
 }
 
 }  // namespace
@@ -156,10 +156,10 @@ void check_form(CheckRun& run) {
   check_counts_of_claim(run);
   for (std::size_t k = 0; k < run.claim.points.size(); ++k) {
     const ClaimedPoint& point = run.claim.points[k];
-    const std::string fault = fault_of(run.points, point);
-    if (!fault.empty()) {
-      const bool is_kind = point.hull_dimension && !fault_of_index(point).empty();
-      run.find(1, FindingReason::kMalformed, is_kind ? "FC-CRIT-03" : kClaimClause, k, fault);
+    const std::string complaint = complaint_about(run.points, point);
+    if (!complaint.empty()) {
+      const bool is_kind = point.hull_dimension && !complaint_about_index(point).empty();
+      run.find(1, FindingReason::kMalformed, is_kind ? "FC-CRIT-03" : kClaimClause, k, complaint);
       continue;
     }
     run.placed[k].is_well_formed = true;

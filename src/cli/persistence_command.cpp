@@ -204,8 +204,8 @@ void print_persistence(const PersistenceOptions& options) {
 std::string complaint_about_seed(const std::string& text) {
   std::uint64_t seed = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-  const bool complaint_about_seed = error == std::errc() && end == text.data() + text.size();
-  return complaint_about_seed ? "" : "not a number from 0 to 2^64 - 1: " + text;
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  return is_number ? "" : "not a number from 0 to 2^64 - 1: " + text;
 }
 
 }  // namespace

@@ -20,14 +20,14 @@ LineReader::LineReader(std::string_view text, std::string_view file)
     : text_(text), file_(file), line_feed_(std::min(text.find('\n'), text.size())) {}
 
 bool LineReader::next(std::string_view& line) {
-  if (position_ == text_.size()) return false;
-  if (line_feed_ < position_) line_feed_ = std::min(text_.find('\n', position_), text_.size());
-  const std::string_view up_to_line_feed = text_.substr(position_, line_feed_ - position_);
+  if (offset_ == text_.size()) return false;
+  if (line_feed_ < offset_) line_feed_ = std::min(text_.find('\n', offset_), text_.size());
+  const std::string_view up_to_line_feed = text_.substr(offset_, line_feed_ - offset_);
   line = up_to_line_feed.substr(0, up_to_line_feed.find('\r'));
-  const std::size_t end = position_ + line.size();
+  const std::size_t end = offset_ + line.size();
   // The line ends with the text, an LF, a CR LF or a lone CR.
   const bool carriage_return_and_line_feed = end + 1 == line_feed_ && line_feed_ < text_.size();
-  position_ = std::min(carriage_return_and_line_feed ? end + 2 : end + 1, text_.size());
+  offset_ = std::min(carriage_return_and_line_feed ? end + 2 : end + 1, text_.size());
   ++number_;
   return true;
 }

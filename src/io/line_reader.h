@@ -42,14 +42,14 @@ class LineReader {
   [[nodiscard]] LinePlace place() const { return {.file = file_, .line = number_}; }
   [[nodiscard]] std::string_view file() const { return file_; }
   // What follows the line given last.
-  [[nodiscard]] std::string_view rest() const { return text_.substr(position_); }
+  [[nodiscard]] std::string_view rest() const { return text_.substr(offset_); }
 
  private:
   std::string_view text_;
   std::string_view file_;
-  std::size_t position_ = 0;
+  std::size_t offset_ = 0;
   std::size_t number_ = 0;
-  // The first LF at or after position_, or the text's size. It is kept, so that lone CRs do not lead to repeated
+  // The first LF at or after offset_, or the text's size. It is kept, so that lone CRs do not lead to repeated
   // searches.
   std::size_t line_feed_ = 0;
 };

@@ -152,8 +152,8 @@ oracle::StationaryPoint certified_saddle(const oracle::PointSet& set,
   saddle.center = oracle::circumcentre(oracle::spanning_subset(points)).value().center;
   saddle.squared_distance = oracle::squared_distance(saddle.center, points.front());
   saddle.face_dimension = saddle.hull_dimension = 2;
-  if (const auto finding = oracle::certify(set, saddle)) {
-    throw std::runtime_error("no index-2 point: " + finding->explanation);
+  if (const auto fault = oracle::certify(set, saddle)) {
+    throw std::runtime_error("no index-2 point: " + fault->explanation);
   }
   return saddle;
 }

@@ -56,7 +56,7 @@ Mean measure(FlowOperator& flow, const std::vector<Location>& starts, std::vecto
   return mean;
 }
 
-// A facet of one input, with the two machines that search it.
+// A facet of one input, with the two flows that search it.
 struct Subject {
   explicit Subject(const fuzz::Input& input)
       : points(rows_of(input)), diagram(Delaunay(points)), faces(diagram) {
@@ -67,7 +67,7 @@ struct Subject {
     name = {std::min(v[0], v[1]), std::max(v[0], v[1])};
     ring = faces.ring(name);
     for (const FacetSearch search : {FacetSearch::kBinary, FacetSearch::kLinear}) {
-      machines.push_back(make_flow_operator(faces, {ConstructionKernel::kLazy, search}));
+      flows.push_back(make_flow_operator(faces, {ConstructionKernel::kLazy, search}));
     }
   }
 
@@ -78,7 +78,7 @@ struct Subject {
   }
 
   RationalPoint vertex(std::size_t element) {
-    return machines[0]->exact({Place::at_vertex(ring.elements[element].vertex), kNoPoint});
+    return flows[0]->exact({Place::at_vertex(ring.elements[element].vertex), kNoPoint});
   }
 
   PointSet points;
@@ -86,7 +86,7 @@ struct Subject {
   VoronoiFaces faces;
   FacetName name;
   FacetRing ring;
-  std::vector<std::unique_ptr<FlowOperator>> machines;
+  std::vector<std::unique_ptr<FlowOperator>> flows;
 };
 
 RationalPoint between(const RationalPoint& a, const RationalPoint& b, int part, int whole) {
@@ -164,11 +164,11 @@ bool run(std::size_t degree, bool perturbed, char kind, Subject& subject, Series
   std::vector<Mean> means;
   std::vector<std::vector<Place>> reached(2);
   for (std::size_t m = 0; m < 2; ++m) {
-    std::vector<Location> positions;
+    std::vector<Location> locations;
     for (const Start& start : starts) {
-      positions.push_back({start.place, kind == 'V' ? kNoPoint : subject.machines[m]->add(start.x)});
+      locations.push_back({start.place, kind == 'V' ? kNoPoint : subject.flows[m]->add(start.x)});
     }
-    means.push_back(measure(*subject.machines[m], positions, reached[m]));
+    means.push_back(measure(*subject.flows[m], locations, reached[m]));
   }
   const double log_degree = std::log2(static_cast<double>(degree));
   fmt::print("{:>8} {:>11} {:>6} {:>8} {:>8.2f} {:>9.2f} {:>5} {:>11.1f} {:>13.1f} {:>13.1f}\n", degree,

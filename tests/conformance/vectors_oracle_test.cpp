@@ -32,8 +32,8 @@ oracle::Answer certified_answer(const Json& one, const std::vector<std::array<do
   oracle::Answer answer{rows.size(), set.merged_duplicates, {}};
   for (const Json& x : one["expected"]["stationary"]) {
     const oracle::Record record = oracle::parse_record(x.dump(), one["id"]);
-    const auto finding = record.finding ? record.finding : oracle::certify(set, record.claim);
-    EXPECT_FALSE(finding) << one["id"] << finding->explanation;
+    const auto fault = record.fault ? record.fault : oracle::certify(set, record.claim);
+    EXPECT_FALSE(fault) << one["id"] << fault->explanation;
     answer.stationary.push_back(record.claim);
   }
   return answer;

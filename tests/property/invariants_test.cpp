@@ -113,9 +113,9 @@ void expect_sound(const std::string& name, const fuzz::Input& input) {
   const oracle::fast::PointSet points(input.rows);
   const std::size_t stride = answer.records.size() / kCertifiedRecords + 1;
   for (std::size_t i = 0; i < answer.records.size(); i += stride) {
-    const auto finding = oracle::certify(points, claim_of(answer.records[i]));
-    EXPECT_FALSE(finding.has_value()) << name << ", " << to_text(answer.records[i]) << ": "
-                                      << (finding ? finding->clause + ": " + finding->explanation : "");
+    const auto fault = oracle::certify(points, claim_of(answer.records[i]));
+    EXPECT_FALSE(fault.has_value()) << name << ", " << to_text(answer.records[i]) << ": "
+                                    << (fault ? fault->clause + ": " + fault->explanation : "");
   }
 }
 

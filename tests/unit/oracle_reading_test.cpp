@@ -194,11 +194,11 @@ std::string record(const std::string& from = "", const std::string& to = "") {
 TEST(OracleRecords, ARecord) {
   CITES("FC-OUT-01");
   const oracle::Record read = oracle::parse_record(record(), "r:2: ");
-  EXPECT_FALSE(read.finding);
+  EXPECT_FALSE(read.fault);
   EXPECT_EQ(read.claim, (oracle::StationaryPoint{{Rational(1) / 2, 0, -3}, Rational(1) / 4, {0, 2}, 1, 1}));
   const oracle::Record regular =
       oracle::parse_record(record(R"(1,"kind":"critical")", R"([1,3],"kind":"regular")"), "");
-  EXPECT_FALSE(regular.finding);
+  EXPECT_FALSE(regular.fault);
   EXPECT_EQ(regular.claim.face_dimension, 1);
   EXPECT_EQ(regular.claim.hull_dimension, 3);
 }
@@ -207,7 +207,7 @@ TEST(OracleRecords, FindingsInTheWriting) {
   CITES("FC-NUM-02", "FC-CRIT-03");
   const auto clause = [](const std::string& line) {
     const oracle::Record read = oracle::parse_record(line, "");
-    return read.finding ? read.finding->clause : "right";
+    return read.fault ? read.fault->clause : "right";
   };
   EXPECT_EQ(clause(record("1/4", "2/8")), "FC-NUM-02");
   EXPECT_EQ(clause(record("1/2", "2/4")), "FC-NUM-02");

@@ -236,8 +236,8 @@ TEST(OracleContactSet, OfAnyPoint) {
 class OracleCertify : public ::testing::Test {
  protected:
   static std::string clause(const PointSet& set, const StationaryPoint& claim) {
-    const auto finding = oracle::certify(set, claim);
-    return finding ? finding->clause : "right";
+    const auto fault = oracle::certify(set, claim);
+    return fault ? fault->clause : "right";
   }
   static std::string on_square(const StationaryPoint& claim) {
     return clause(PointSet({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 0}, {9, 1, 0}}), claim);
@@ -284,11 +284,11 @@ TEST_F(OracleCertify, RejectsByTheFirstConditionThatFails) {
 
 TEST_F(OracleCertify, NamesAPointThatMakesItFail) {
   CITES("FC-CRIT-05");
-  const auto finding =
+  const auto fault =
       oracle::certify(PointSet({{0, 0, 0}, {7, 7, 7}, {4, 0, 0}, {1, 0, 0}}), {{2, 0, 0}, 4, {0, 2}, 1, 1});
-  ASSERT_TRUE(finding);
-  EXPECT_NE(finding->explanation.find("point 3 is at squared distance 1 from (2, 0, 0)"), std::string::npos)
-      << finding->explanation;
+  ASSERT_TRUE(fault);
+  EXPECT_NE(fault->explanation.find("point 3 is at squared distance 1 from (2, 0, 0)"), std::string::npos)
+      << fault->explanation;
 }
 
 TEST_F(OracleCertify, RejectsAWrongCenterAndDistance) {
