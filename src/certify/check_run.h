@@ -95,9 +95,6 @@ struct CheckRun {
   void leave_unjudged(const std::string& what);
 };
 
-// Classes of the rows, ascending, each once.
-[[nodiscard]] std::vector<PointId> class_names(const PointSet& points, const std::vector<PointId>& rows);
-
 // The stationary point at the centre of the smallest sphere through these samples, if there is one.
 [[nodiscard]] std::optional<Placement> placement_of(CheckRun& run, const std::vector<PointId>& names);
 

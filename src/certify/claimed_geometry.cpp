@@ -1,7 +1,6 @@
 #include "certify/claimed_geometry.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -20,41 +19,6 @@ Sign orientation(const PointSet& points, std::span<const PointId> plane, PointId
   return exact_sign(Orientation{sample(points, plane[0]), sample(points, plane[1]), sample(points, plane[2]),
                                 sample(points, q)},
                     unused);
-}
-
-// The places of all points that may be nearest to x; `from` is x, rounded. filter_bounds.h says how far a computed
-// distance is from the true one.
-std::vector<std::size_t> candidates(const PointSet& points, const Point& from) {
-  std::vector<double> squared(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const double dx = points[k].x - from.x, dy = points[k].y - from.y, dz = points[k].z - from.z;
-    squared[k] = dx * dx + dy * dy + dz * dz;
-  }
-  const double least = std::sqrt(*std::min_element(squared.begin(), squared.end()));
-  const double largest = std::max({std::abs(from.x), std::abs(from.y), std::abs(from.z)});
-  const double bound = least * (1 + kDistanceBound * kUnitRoundoff) +
-                       kPositionBound * kUnitRoundoff * largest + kDistanceUnderflow;
-  const double squared_bound = bound * bound * (1 + kSquareBound * kUnitRoundoff);
-  std::vector<std::size_t> result;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    // Beyond 1e150 squares may overflow.
-    if (squared[k] <= squared_bound || bound > 1e150) result.push_back(k);
-  }
-  return result;
-}
-
-std::vector<std::size_t> candidates(const PointSet& points, const RationalPoint& x) {
-  std::array<double, 3> rounded{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::optional<double> nearest = nearest_double(x[axis]);
-    if (!nearest) {
-      std::vector<std::size_t> all(points.size());
-      for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
-      return all;
-    }
-    rounded[axis] = *nearest;
-  }
-  return candidates(points, Point{rounded[0], rounded[1], rounded[2]});
 }
 
 }  // namespace
@@ -90,18 +54,6 @@ std::vector<PointId> supported_face(const PointSet& points, std::span<const Poin
     }
   }
   return face;
-}
-
-NearestSamples nearest_samples(const PointSet& points, const RationalPoint& x) {
-  NearestSamples nearest;
-  for (const std::size_t k : candidates(points, x)) {
-    const Rational distance = squared_distance(x, points[k]);
-    if (!nearest.names.empty() && distance > nearest.squared_distance) continue;
-    if (nearest.names.empty() || distance < nearest.squared_distance) nearest.names.clear();
-    nearest.squared_distance = distance;
-    nearest.names.push_back(points.name(k));
-  }
-  return nearest;
 }
 
 // ---- Values ----

@@ -29,14 +29,6 @@ namespace flowcert::certify {
 [[nodiscard]] std::vector<PointId> supported_face(const PointSet& points, std::span<const PointId> plane,
                                                   std::span<const PointId> of);
 
-// The samples nearest to x, and how far they are: C(x) and d(x)^2 (FC-DIST-01). One scan in double precision comes
-// first. Exact arithmetic compares the samples that the scan cannot tell apart.
-struct NearestSamples {
-  std::vector<PointId> names;
-  Rational squared_distance;
-};
-[[nodiscard]] NearestSamples nearest_samples(const PointSet& points, const RationalPoint& x);
-
 // ---- Values ----
 // Whether a claimed position or radius is the true one (FC-CLAIM-05). An exact claim has to be equal. A claim in
 // decimals has to be near.

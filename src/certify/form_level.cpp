@@ -142,15 +142,6 @@ std::string complaint_about(const PointSet& points, const ClaimedPoint& point) {
 
 }  // namespace
 
-std::vector<PointId> class_names(const PointSet& points, const std::vector<PointId>& rows) {
-  std::vector<PointId> names;
-  names.reserve(rows.size());
-  for (const PointId row : rows) names.push_back(points.name(points.ordinal_of_row(row)));
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  return names;
-}
-
 void check_form(CheckRun& run) {
   check_input_of_claim(run);
   check_counts_of_claim(run);

@@ -7,6 +7,7 @@
 #include "certify/claimed_geometry.h"
 #include "certify/finding_words.h"
 #include "geometry/enclosing_ball.h"
+#include "geometry/nearest_samples.h"
 #include "geometry/rational_point.h"
 
 namespace flowcert::certify {

@@ -46,7 +46,7 @@ inline constexpr double kCellSideBound = 32;
 // (22.5 + 3 + (41.2 + 6) / 9) T Q. Times T Q.
 inline constexpr double kFarCellSideBound = 64;
 
-// ---- The samples nearest to a position, in units of u but for the third ----
+// ---- The samples nearest to a position, in units of u but for the two lengths ----
 
 // A computed distance (three differences, squares, sums, a root) has a relative error of at most 8 u. The filter adds
 // four times that to the least distance.
@@ -57,5 +57,8 @@ inline constexpr double kPositionBound = 8;
 inline constexpr double kDistanceUnderflow = 1e-149;
 // Covers the rounding of the bound's square.
 inline constexpr double kSquareBound = 8;
+// Squares of distances up to this one, and their sums, are far below the largest double (1.8e308). Where the filter's
+// bound on the least distance is larger, squares may overflow, and the filter answers nothing.
+inline constexpr double kLargestDistance = 1e150;
 
 }  // namespace flowcert::geometry

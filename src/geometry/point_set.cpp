@@ -6,6 +6,8 @@
 #include <string>
 #include <tuple>
 
+#include "geometry/keep_unique.h"
+
 namespace flowcert {
 
 namespace {
@@ -58,6 +60,14 @@ std::vector<std::vector<PointId>> PointSet::repeated_classes() const {
   for (PointId row = 0; row < row_count(); ++row) rows_of[class_of_row_[row]].push_back(row);
   std::erase_if(rows_of, [](const std::vector<PointId>& rows) { return rows.size() < 2; });
   return rows_of;
+}
+
+std::vector<PointId> class_names(const PointSet& points, std::span<const PointId> rows) {
+  std::vector<PointId> names;
+  names.reserve(rows.size());
+  for (const PointId row : rows) names.push_back(points.name(points.ordinal_of_row(row)));
+  geometry::keep_unique(names);
+  return names;
 }
 
 }  // namespace flowcert

@@ -1,8 +1,12 @@
 #include "flowcert/explain.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
+#include "flowcert/flow_complex.h"
 #include "geometry/enclosing_ball.h"
+#include "geometry/nearest_samples.h"
 #include "geometry/rational_point.h"
 #include "morse/layer.h"
 
@@ -12,15 +16,10 @@ using namespace morse;
 
 namespace {
 
-// C(x) and d(x)^2 by a scan of all points.
-void scan_contact(const PointSet& points, const RationalPoint& x, Explanation& answer) {
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const Rational distance = squared_distance(x, points[k]);
-    if (!answer.contact.empty() && distance > answer.squared_distance) continue;
-    if (answer.contact.empty() || distance < answer.squared_distance) answer.contact.clear();
-    answer.squared_distance = distance;
-    answer.contact.push_back(points.name(k));
-  }
+void find_contact(const PointSet& points, const RationalPoint& x, Explanation& answer) {
+  NearestSamples nearest = nearest_samples(points, x);
+  answer.contact = std::move(nearest.names);
+  answer.squared_distance = std::move(nearest.squared_distance);
 }
 
 std::vector<Point> coordinates(const PointSet& points, std::span<const PointId> names) {
@@ -33,12 +32,11 @@ std::vector<Point> coordinates(const PointSet& points, std::span<const PointId> 
 // for all points iff it is stationary for C(x) alone, with the same index. The points of C(x) are few, whatever the
 // size of the input.
 void decide_hull(const PointSet& points, const RationalPoint& x, Explanation& answer) {
-  const PointSet contact_only(coordinates(points, answer.contact));
-  const VoronoiDiagram diagram{Delaunay(contact_only)};
-  const StationaryPoints candidates = stationary_points(diagram);
+  const FlowComplex contact_only(coordinates(points, answer.contact));
+  const StationaryPoints& candidates = contact_only.stationary();
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (candidates.contact(i).size() != answer.contact.size()) continue;
-    if (exact_sphere(contact_only, candidates.contact(i)).center != x) continue;
+    if (contact_only.sphere(i).center != x) continue;
     answer.index = candidates.index(i);
     const bool is_critical = answer.index->is_critical();
     answer.clause = is_critical ? "FC-CRIT-02" : "FC-CRIT-03";
@@ -49,21 +47,15 @@ void decide_hull(const PointSet& points, const RationalPoint& x, Explanation& an
   }
   answer.clause = "FC-CRIT-05 (d)";
   answer.reason = "the centre lies outside the hull of its contact set";
-  answer.driver = enclosing_ball_center(contact_only.points());
+  answer.driver = enclosing_ball_center(contact_only.points().points());
 }
 
-std::vector<PointId> distinct_names(const PointSet& points, std::span<const PointId> rows) {
-  std::vector<PointId> names;
+void require_rows(const PointSet& points, std::span<const PointId> rows) {
   for (const PointId row : rows) {
-    if (row >= points.row_count()) {
-      throw InvalidInput("there is no point " + std::to_string(row) + "; the ids are 0 to " +
-                         std::to_string(static_cast<long long>(points.row_count()) - 1));
-    }
-    names.push_back(points.name(points.ordinal_of_row(row)));
+    if (row < points.row_count()) continue;
+    throw InvalidInput("there is no point " + std::to_string(row) + "; the ids are 0 to " +
+                       std::to_string(static_cast<long long>(points.row_count()) - 1));
   }
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  return names;
 }
 
 }  // namespace
@@ -71,7 +63,7 @@ std::vector<PointId> distinct_names(const PointSet& points, std::span<const Poin
 Explanation explain_position(const PointSet& points, const RationalPoint& x) {
   if (points.empty()) throw InvalidInput("there are no points");
   Explanation answer;
-  scan_contact(points, x, answer);
+  find_contact(points, x, answer);
   answer.sphere = ExactSphere{x, answer.squared_distance};
   decide_hull(points, x, answer);
   if (!answer.index) {
@@ -82,7 +74,8 @@ Explanation explain_position(const PointSet& points, const RationalPoint& x) {
 }
 
 Explanation explain_points(const PointSet& points, std::span<const PointId> rows) {
-  const std::vector<PointId> names = distinct_names(points, rows);
+  require_rows(points, rows);
+  const std::vector<PointId> names = class_names(points, rows);
   if (names.empty()) throw InvalidInput("no point is named");
   Explanation answer;
   const ExactSphere sphere = exact_sphere(points, names);
@@ -97,7 +90,7 @@ Explanation explain_points(const PointSet& points, std::span<const PointId> rows
     return answer;
   }
   answer.sphere = sphere;
-  scan_contact(points, sphere.center, answer);
+  find_contact(points, sphere.center, answer);
   if (answer.squared_distance < sphere.squared_radius) {
     answer.clause = "FC-CRIT-05 (b)";
     answer.reason = "a point of the input lies strictly inside the sphere";

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "geometry/keep_unique.h"
 #include "morse/layer.h"
 #include "morse/ordered_records.h"
 #include "voronoi/diagram.h"

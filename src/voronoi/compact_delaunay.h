@@ -6,7 +6,6 @@
 // that neighbours are near in memory. Without that, half the time of a walk around an edge was cache misses.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstdint>
@@ -14,6 +13,7 @@
 
 #include "flowcert/point_set.h"
 #include "flowcert/voronoi_diagram.h"
+#include "geometry/keep_unique.h"
 #include "voronoi/layer.h"
 
 namespace flowcert::voronoi {
@@ -65,13 +65,6 @@ struct CompactDelaunay {
     return {other, place_among(neighbors(other), facet.cell)};
   }
 };
-
-// Sorts the items, and keeps each once.
-template <typename Item>
-void keep_unique(std::vector<Item>& items) {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-}
 
 // The inverse of `ordinals`.
 [[nodiscard]] inline std::vector<VertexIndex> vertices_by_ordinal(const CompactDelaunay& delaunay) {

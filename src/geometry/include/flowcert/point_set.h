@@ -62,4 +62,7 @@ class PointSet {
   std::vector<std::uint32_t> class_of_row_;
 };
 
+// The names of the rows' classes, ascending, each once.
+[[nodiscard]] std::vector<PointId> class_names(const PointSet& points, std::span<const PointId> rows);
+
 }  // namespace flowcert
