@@ -8,6 +8,7 @@
 #include "certify/check_run.h"
 #include "certify/finding_words.h"
 #include "certify/layer.h"
+#include "geometry/floating_point.h"
 
 namespace flowcert {
 
@@ -91,6 +92,7 @@ void CheckRun::leave_unjudged(const std::string& what) {
 }
 
 CheckReport check(const PointSet& points, const Claim& claim, Truth& truth, const CheckOptions& options) {
+  require_ieee_doubles();
   if (!(options.tolerance >= 0 && options.tolerance <= 1))
     throw InvalidInput("the tolerance is not between 0 and 1");
   CheckRun run(points, claim, truth, options);

@@ -13,8 +13,11 @@
 #include <cstdint>
 #include <optional>
 #include <utility>
+#include <vector>
 
+#include "geometry/nearest_samples.h"
 #include "geometry/predicates.h"
+#include "geometry/rational_point.h"
 #include "geometry/tetrahedron_signs.h"
 #include "geometry/vector3.h"
 #include "tests/cites.h"
@@ -265,6 +268,70 @@ TEST(FilterBounds, OfTheCellsSphere) {
   }
   EXPECT_GT(seen.within, kTies / 2);
   EXPECT_GT(seen.telling, 10);
+}
+
+// C(x) by exact distances alone.
+std::vector<PointId> nearest_by_exact_scan(const PointSet& points, const RationalPoint& x) {
+  std::vector<Rational> distances;
+  for (const Point& p : points.points()) distances.push_back(squared_distance(x, p));
+  const Rational least = *std::ranges::min_element(distances);
+  std::vector<PointId> names;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (distances[k] == least) names.push_back(points.name(k));
+  }
+  return names;
+}
+
+// Samples around a centre at offsets that are permutations of one another, up to signs and rounding, and a position
+// that is as far from two of them. Every third time the offsets are random. The centre is `far` times the offsets' length away.
+void expect_nearest_samples(double scale, double far, std::uint64_t seed) {
+  PortableRandom random(seed);
+  int ties = 0;
+  for (int trial = 0; trial < 120; ++trial) {
+    const auto draw = [&] { return random.coordinate() * scale; };
+    const Point centre{far * draw(), far * draw(), far * draw()};
+    std::vector<double> offset = {draw(), draw(), draw()};
+    std::vector<Point> rows;
+    for (int k = 0; k < 8; ++k) {
+      if (trial % 3 == 0) offset = {draw(), draw(), draw()};
+      random.shuffle(offset);
+      const auto sign = [&] { return random.coin() ? 1 : -1; };
+      rows.push_back(
+          {centre.x + sign() * offset[0], centre.y + sign() * offset[1], centre.z + sign() * offset[2]});
+    }
+    const PointSet points(rows);
+    const RationalPoint first = exact_position(rows[0]);
+    for (const Point& other : rows) {
+      RationalPoint x = exact_position(centre);
+      if (trial % 2 == 0) {
+        // The foot of the centre on the bisector of the two.
+        const RationalPoint second = exact_position(other);
+        Rational along = 0, length = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const Rational d = second[axis] - first[axis];
+          along += d * ((first[axis] + second[axis]) / 2 - x[axis]);
+          length += d * d;
+        }
+        if (length == 0) continue;
+        for (std::size_t axis = 0; axis < 3; ++axis) x[axis] += along / length * (second[axis] - first[axis]);
+      }
+      const NearestSamples nearest = nearest_samples(points, x);
+      ASSERT_EQ(nearest.names, nearest_by_exact_scan(points, x)) << "scale " << scale << ", far " << far;
+      EXPECT_EQ(nearest.squared_distance,
+                squared_distance(x, points[points.ordinal_of_row(nearest.names[0])]));
+      if (nearest.names.size() > 1) ++ties;
+    }
+  }
+  EXPECT_GT(ties, 100) << scale << ", " << far;
+}
+
+TEST(FilterBounds, OfTheNearestSamples) {
+  CITES("FC-NUM-01", "FC-DIST-01");
+  std::uint64_t seed = 100;
+  // Squares become subnormal near 2^-537, and zero below; they overflow beyond 2^511.
+  for (const double scale : {1.0, 0x1p-520, 0x1p-530, 0x1p-536, 0x1p-1060, 0x1p490, 0x1p509, 0x1p900}) {
+    for (const double far : {0.0, 1.0, 0x1p20, 0x1p48}) expect_nearest_samples(scale, far, ++seed);
+  }
 }
 
 }  // namespace

@@ -5,10 +5,13 @@
 
 #include <cfenv>
 #include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "flowcert/check.h"
 #include "flowcert/flow_complex.h"
 #include "tests/cites.h"
 
@@ -36,6 +39,35 @@ std::vector<Point> triangle() { return {{0, 0, 0}, {4, 0, 0}, {1, 3, 0}}; }
 TEST(FloatingPoint, IsAsUsual) {
   CITES("FC-NUM-01");
   EXPECT_EQ(complaint_of(require_ieee_doubles), "");
+}
+
+// What is said of what flows, and of a check, where everything that they need was made before.
+TEST(FloatingPoint, EveryOtherRoundingModeIsRefusedLater) {
+  CITES("FC-NUM-01");
+  const PointSet points(triangle());
+  const FlowComplex made(points);
+  const UnstableManifolds& unstable = made.unstable();
+  const StableManifolds& stable = made.stable();
+  ASSERT_EQ(unstable.size(), 1U);
+  Flow flow(made.diagram());
+  const RationalPoint start{1, 1, 1};
+  const std::unique_ptr<Truth> truth = fast_truth(points);
+  const std::vector<std::pair<const char*, std::function<void()>>> acts = {
+      {"check", [&] { (void)check(points, Claim{}, *truth); }},
+      {"Flow::step", [&] { (void)flow.step(start); }},
+      {"Flow::orbit", [&] { (void)flow.orbit(start); }},
+      {"UnstableManifolds::orbit", [&] { (void)unstable.orbit(0, 0); }},
+      {"StableManifolds::set", [&] { (void)stable.set(0); }}};
+  for (const auto& [name, act] : acts) {
+    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+      const int usual = std::fegetround();
+      std::fesetround(mode);
+      const std::string said = complaint_of(act);
+      std::fesetround(usual);
+      EXPECT_EQ(said, "this thread does not round doubles to nearest") << name << ", " << mode;
+    }
+    EXPECT_EQ(complaint_of(act), "") << name;
+  }
 }
 
 TEST(FloatingPoint, EveryOtherRoundingModeIsRefused) {

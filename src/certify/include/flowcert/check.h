@@ -133,7 +133,8 @@ class Truth {
 [[nodiscard]] std::unique_ptr<Truth> fast_truth(const PointSet& points);
 
 // Takes time in proportion to the size of the claim, plus the time for the truth's answers. Each wrong claimed point
-// costs a scan of all points in floating point. Throws InvalidInput for a tolerance that is not between 0 and 1.
+// costs a scan of all points in floating point. Throws InvalidInput for a tolerance that is not between 0 and 1, and
+// std::runtime_error where this thread does not compute with doubles as IEEE 754 says.
 [[nodiscard]] CheckReport check(const PointSet& points, const Claim& claim, Truth& truth,
                                 const CheckOptions& options = {});
 // The same, with fast_truth().
