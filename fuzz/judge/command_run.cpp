@@ -16,6 +16,7 @@
 
 #include "flowcert/point_set.h"
 #include "fuzz/judge/conformance_words.h"
+#include "geometry/contract.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
 
@@ -201,7 +202,10 @@ ScratchFolder::ScratchFolder() {
   path_ = name;
 }
 
-ScratchFolder::ScratchFolder(const fs::path& path) : path_(path) { fs::create_directory(path_); }
+ScratchFolder::ScratchFolder(const fs::path& path) : path_(path) {
+  FLOWCERT_REQUIRES(!fs::exists(path_));
+  fs::create_directory(path_);
+}
 
 ScratchFolder::~ScratchFolder() {
   std::error_code failure;

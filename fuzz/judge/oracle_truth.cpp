@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "geometry/contract.h"
 #include "oracle/fast/point_set.h"
 #include "oracle/orbit.h"
 #include "oracle/stable_pieces.h"
@@ -211,6 +212,9 @@ class VectorTruth final : public Truth {
 
 }  // namespace
 
-std::unique_ptr<Truth> vector_truth(const VectorCase& one) { return std::make_unique<VectorTruth>(one); }
+std::unique_ptr<Truth> vector_truth(const VectorCase& one) {
+  FLOWCERT_REQUIRES(!one.is_invalid());
+  return std::make_unique<VectorTruth>(one);
+}
 
 }  // namespace flowcert::judge

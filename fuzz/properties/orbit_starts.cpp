@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "fuzz/inputs/integer_points.h"
+#include "geometry/contract.h"
 
 namespace flowcert::property {
 namespace {
@@ -331,6 +332,7 @@ rc::Gen<std::vector<StartChoice>> start_choices(std::size_t count) {
 }
 
 oracle::Point start_of(const PointSet& set, const StartChoice& choice) {
+  FLOWCERT_REQUIRES(!set.points.empty());
   Numbers numbers(choice);
   switch (choice.kind) {
     case StartKind::kNearby:

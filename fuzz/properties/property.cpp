@@ -6,11 +6,13 @@
 #include <system_error>
 
 #include "fuzz/properties/property_checks.h"
+#include "geometry/contract.h"
 #include "oracle/fast/point_set.h"
 
 namespace flowcert::property {
 
 oracle::Point start_of(const Trial& trial) {
+  FLOWCERT_REQUIRES(!trial.input.rows.empty());
   if (const auto* point = std::get_if<oracle::Point>(&trial.start)) return *point;
   return start_of(oracle::fast::PointSet(trial.input.rows), std::get<StartChoice>(trial.start));
 }

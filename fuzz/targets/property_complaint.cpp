@@ -2,10 +2,13 @@
 
 #include <sstream>
 
+#include "geometry/contract.h"
+
 namespace flowcert::fuzz {
 
 std::string complaint_of(std::initializer_list<const char*> properties, const property::Trial& trial) {
   for (const char* name : properties) {
+    FLOWCERT_REQUIRES(property::property_named(name) != nullptr);
     const auto found = property::property_named(name)->check(trial);
     if (!found) continue;
     std::ostringstream text;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "geometry/contract.h"
 #include "geometry/predicates.h"
 #include "geometry/rational_point.h"
 
@@ -32,6 +33,7 @@ bool all_on_sphere(const PointSet& points, std::span<const PointId> names, const
 }
 
 int affine_dimension(const PointSet& points, std::span<const PointId> names) {
+  FLOWCERT_REQUIRES(!names.empty());
   if (names.size() < 4) return static_cast<int>(names.size()) - 1;
   const bool is_flat = std::all_of(names.begin() + 3, names.end(), [&](PointId name) {
     return orientation(points, names, name) == Sign::kZero;
@@ -41,6 +43,7 @@ int affine_dimension(const PointSet& points, std::span<const PointId> names) {
 
 std::vector<PointId> supported_face(const PointSet& points, std::span<const PointId> plane,
                                     std::span<const PointId> of) {
+  FLOWCERT_REQUIRES(plane.size() >= 3);
   std::vector<PointId> face;
   Sign side = Sign::kZero;
   for (const PointId name : of) {

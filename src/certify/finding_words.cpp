@@ -71,7 +71,9 @@ std::string position_text(const RationalPoint& x) {
 std::string position_text(const ClaimedPosition& x) { return position_text(values_of(x)); }
 
 const Finding& telling_finding(const std::vector<Finding>& findings) {
-  FLOWCERT_REQUIRES(!findings.empty());
+  FLOWCERT_REQUIRES(!findings.empty() && std::ranges::is_sorted(findings, {}, [](const Finding& finding) {
+    return std::pair(finding.is_variation, finding.level);
+  }));
   const auto of_a_point = std::ranges::find_if(findings, [&](const Finding& finding) {
     return finding.level == findings.front().level && !finding.contact.empty();
   });

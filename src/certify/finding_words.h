@@ -25,7 +25,8 @@ namespace flowcert::certify {
 [[nodiscard]] std::string position_text(const ClaimedPosition& x);
 
 // The finding to tell first: the first one about a point at the lowest level, else the very first. A wrong total
-// mostly follows from a wrong point. The findings must not be empty, and must be sorted as in a report.
+// mostly follows from a wrong point. There must be a finding. What is wrong must come before variations,
+// and both must be sorted by level.
 [[nodiscard]] const Finding& telling_finding(const std::vector<Finding>& findings);
 
 }  // namespace flowcert::certify

@@ -7,6 +7,8 @@
 
 #include <vector>
 
+#include "geometry/contract.h"
+
 namespace flowcert::geometry {
 
 namespace {
@@ -19,6 +21,7 @@ Rational to_rational(const CGAL::Gmpq& value) { return Rational(value.mpq()); }
 }  // namespace
 
 RationalPoint enclosing_ball_center(std::span<const Point> points) {
+  FLOWCERT_REQUIRES(!points.empty());
   std::vector<Kernel::Point_3> positions;
   for (const Point& p : points) positions.emplace_back(p.x, p.y, p.z);
   const Ball ball(positions.begin(), positions.end());

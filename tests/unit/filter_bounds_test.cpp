@@ -283,7 +283,8 @@ std::vector<PointId> nearest_by_exact_scan(const PointSet& points, const Rationa
 }
 
 // Samples around a centre at offsets that are permutations of one another, up to signs and rounding, and a position
-// that is as far from two of them. Every third time the offsets are random. The centre is `far` times the offsets' length away.
+// that is as far from two of them. Every third time the offsets are random. The centre is `far` times the offsets'
+// length away.
 void expect_nearest_samples(double scale, double far, std::uint64_t seed) {
   PortableRandom random(seed);
   int ties = 0;
