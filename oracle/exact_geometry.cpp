@@ -9,6 +9,8 @@
 #include "oracle/exact_geometry.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 
 namespace oracle {
 
@@ -62,6 +64,7 @@ bool all_positive(const std::vector<Rational>& weights) {
 }  // namespace
 
 Point exact(const std::array<double, 3>& row) {
+  assert(std::isfinite(row[0]) && std::isfinite(row[1]) && std::isfinite(row[2]));
   // GMP's conversion from a double is exact, for subnormals too.
   return {Rational(row[0]), Rational(row[1]), Rational(row[2])};
 }

@@ -2,6 +2,7 @@
 #include "oracle/orbit.h"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 namespace oracle {
@@ -54,10 +55,12 @@ Places crossed_places(const PointSet& set, const Places& contact, const Point& d
 }
 
 std::optional<FlowSegment> flow_segment(const PointSet& set, const Point& x) {
+  assert(!set.points.empty());
   return segment_from(set, x, set.nearest_places(x));
 }
 
 Orbit orbit(const PointSet& set, const Point& start) {
+  assert(!set.points.empty());
   Orbit path;
   follow(set, start, path);
   return path;

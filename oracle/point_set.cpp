@@ -2,6 +2,7 @@
 #include "oracle/point_set.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -59,6 +60,7 @@ Places places_of(const PointSet& set, const std::vector<std::size_t>& names) {
   Places places;
   for (const std::size_t name : names) {
     const auto found = std::lower_bound(set.names.begin(), set.names.end(), name);
+    assert(found != set.names.end() && *found == name);
     places.push_back(static_cast<std::size_t>(found - set.names.begin()));
   }
   return places;
