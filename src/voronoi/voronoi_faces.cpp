@@ -15,10 +15,6 @@ namespace {
 constexpr std::uint32_t kSmallRing = 16;
 constexpr PolygonRef kNoPolygon{kNoCell, 0};
 
-unsigned place_in(const std::array<VertexIndex, 4>& vertices, VertexIndex v) {
-  return unsigned{vertices[1] == v} + 2 * unsigned{vertices[2] == v} + 3 * unsigned{vertices[3] == v};
-}
-
 bool contains(const std::array<VertexIndex, 4>& vertices, VertexIndex v) {
   return std::find(vertices.begin(), vertices.end(), v) != vertices.end();
 }
@@ -69,7 +65,7 @@ void VoronoiFaces::add_spatial_ring(FacetName facet, CellIndex start) {
   };
   std::vector<Crossing> crossings;
   const auto& v = delaunay().vertices(start);
-  const unsigned i0 = place_in(v, facet.v0), i1 = place_in(v, facet.v1);
+  const unsigned i0 = place_among(v, facet.v0), i1 = place_among(v, facet.v1);
   // v0 v1 k l is positive iff v0 v1 l is the outward order of the facet opposite k.
   unsigned k = 0, l = 0;
   for (k = 0; k < 4; ++k) {
@@ -83,8 +79,8 @@ void VoronoiFaces::add_spatial_ring(FacetName facet, CellIndex start) {
   VertexIndex pivot = v[k];
   do {
     const auto& vertices = delaunay().vertices(cell);
-    const unsigned behind = place_in(vertices, pivot);
-    const unsigned ahead = 6 - behind - place_in(vertices, facet.v0) - place_in(vertices, facet.v1);
+    const unsigned behind = place_among(vertices, pivot);
+    const unsigned ahead = 6 - behind - place_among(vertices, facet.v0) - place_among(vertices, facet.v1);
     const VertexIndex apex = vertices[ahead];
     const CellIndex next = delaunay().neighbors(cell)[behind];
     const bool here = delaunay().is_finite(cell), there = delaunay().is_finite(next);

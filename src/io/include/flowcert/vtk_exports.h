@@ -44,6 +44,7 @@ class VtkExports {
  public:
   // The complex must outlive it. O(stationary points).
   VtkExports(const FlowComplex& complex, const ExportProgress& progress);
+  VtkExports(FlowComplex&&, const ExportProgress&) = delete;
 
   [[nodiscard]] PolyData critical_points() const;
   // Exact coordinates of long orbits take time.

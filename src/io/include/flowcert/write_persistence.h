@@ -15,8 +15,9 @@ namespace flowcert {
 class PersistenceDiagram {
  public:
   // with_zero adds the regular stationary points as pairs of length zero, whose birth and death are the same record
-  // (FC-PERS-03). The complex must outlive this. O(n log n) comparisons of rationals.
+  // (FC-PERS-03). The complex must outlive this, and stay where it is. O(n log n) comparisons of rationals.
   PersistenceDiagram(const FlowComplex& complex, bool with_zero);
+  PersistenceDiagram(FlowComplex&&, bool) = delete;
 
   [[nodiscard]] const FlowComplex& complex() const { return complex_; }
   [[nodiscard]] const std::vector<PersistencePair>& pairs() const { return pairs_; }
