@@ -122,9 +122,7 @@ std::vector<Point> spanning_subset(const std::vector<Point>& points) {
   return chosen;
 }
 
-int affine_dimension(const std::vector<Point>& points) {
-  return static_cast<int>(spanning_subset(points).size()) - 1;
-}
+int affine_dimension(const std::vector<Point>& points) { return static_cast<int>(spanning_subset(points).size()) - 1; }
 
 // Let F be the face of conv(points) that has x in its relative interior. It is the smallest face that contains x.
 // Call an affinely independent subset T of the points a carrier if x has positive barycentric coordinates in T.

@@ -14,8 +14,7 @@
 namespace oracle {
 
 using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
-using Rational =
-    boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 using Point = std::array<Rational, 3>;
 
 // The same point in rationals (FC-IN-02). Every finite double is a rational. The doubles have to be finite.

@@ -57,8 +57,7 @@ struct Cell {
 
   friend bool operator<(const Cell& a, const Cell& b) {
     if (a.value != b.value) return a.value < b.value;
-    return std::forward_as_tuple(a.simplex.size(), a.simplex) <
-           std::forward_as_tuple(b.simplex.size(), b.simplex);
+    return std::forward_as_tuple(a.simplex.size(), a.simplex) < std::forward_as_tuple(b.simplex.size(), b.simplex);
   }
 };
 

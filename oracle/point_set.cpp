@@ -17,8 +17,7 @@ PointSet::PointSet(const std::vector<std::array<double, 3>>& rows) : names(rows.
     throw std::invalid_argument("point " + std::to_string(id) + " has a coordinate that is not finite");
   }
   std::stable_sort(names.begin(), names.end(), [&](auto a, auto b) { return rows[a] < rows[b]; });
-  const auto repeats =
-      std::unique(names.begin(), names.end(), [&](auto a, auto b) { return rows[a] == rows[b]; });
+  const auto repeats = std::unique(names.begin(), names.end(), [&](auto a, auto b) { return rows[a] == rows[b]; });
   names.erase(repeats, names.end());
   std::sort(names.begin(), names.end());
   merged_duplicates = rows.size() - names.size();
@@ -77,8 +76,7 @@ Point driver(const PointSet& set, const Places& contact, const Point& x) {
   std::optional<Point> nearest;
   for_each_subset(contact.size(), 4, [&](const Places& subset) {
     const auto centre = set.inner_circumcentre(select(contact, subset));
-    if (centre && (!nearest || squared_distance(x, *centre) < squared_distance(x, *nearest)))
-      nearest = centre;
+    if (centre && (!nearest || squared_distance(x, *centre) < squared_distance(x, *nearest))) nearest = centre;
   });
   return nearest.value();
 }

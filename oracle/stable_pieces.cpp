@@ -11,9 +11,7 @@ namespace oracle {
 
 namespace {
 
-const Point& point_of(const PointSet& set, std::size_t name) {
-  return set.points[places_of(set, {name}).front()];
-}
+const Point& point_of(const PointSet& set, std::size_t name) { return set.points[places_of(set, {name}).front()]; }
 
 // Whether x is on a segment from the apex to a point in the relative interior of the simplex of `base`. The segment
 // does not contain the apex. The apex is outside of the affine hull of the base.
@@ -29,8 +27,8 @@ bool in_cone(const Point& apex, std::vector<Point> base, const Point& x) {
 
 // Whether x is in such a cone with one of the apexes. A cone with apex p lies in the Voronoi cell of p. So only cones
 // with apexes in C(x) can contain x. `nearest` is C(x), by names.
-bool in_some_cone(const PointSet& set, const std::vector<std::size_t>& nearest,
-                  std::span<const std::size_t> apexes, const std::vector<Point>& base, const Point& x) {
+bool in_some_cone(const PointSet& set, const std::vector<std::size_t>& nearest, std::span<const std::size_t> apexes,
+                  const std::vector<Point>& base, const Point& x) {
   for (const std::size_t p : apexes) {
     if (!std::binary_search(nearest.begin(), nearest.end(), p)) continue;
     if (in_cone(point_of(set, p), base, x)) return true;
@@ -41,8 +39,7 @@ bool in_some_cone(const PointSet& set, const std::vector<std::size_t>& nearest,
 // Like in_cone(), but the base is the interior of a sector, and `other` is the mirror image of the apex. Take the
 // planes through the apex and the polygon's sides. Inside the cone, x is strictly on one side of all of them. The
 // same holds in the opposite cone, which the height excludes.
-bool in_sector_cone(const Point& apex, const Point& other, const std::vector<Point>& polygon,
-                    const Point& x) {
+bool in_sector_cone(const Point& apex, const Point& other, const std::vector<Point>& polygon, const Point& x) {
   const Point axis = minus(other, apex);
   const Rational height = dot(axis, minus(x, apex));
   if (height <= 0 || 2 * height > dot(axis, axis)) return false;
@@ -81,12 +78,11 @@ std::vector<std::size_t> in_cyclic_order(const PointSet& set, const std::vector<
 
 // Appends what replaces the side from a to b of a polygon in the final walk, without b. `front` is the front of the
 // backward segment of a and b, if there is one.
-void append_walk(const PointSet& set, const StableSet& stable, const Point& front, std::size_t a,
-                 std::size_t b, std::vector<std::size_t>& walk) {
+void append_walk(const PointSet& set, const StableSet& stable, const Point& front, std::size_t a, std::size_t b,
+                 std::vector<std::size_t>& walk) {
   const std::array<std::size_t, 2> samples = {std::min(a, b), std::max(a, b)};
-  const auto segment =
-      std::find_if(stable.segments.begin(), stable.segments.end(),
-                   [&](const BackwardSegment& s) { return s.front == front && s.samples == samples; });
+  const auto segment = std::find_if(stable.segments.begin(), stable.segments.end(),
+                                    [&](const BackwardSegment& s) { return s.front == front && s.samples == samples; });
   if (segment == stable.segments.end() || segment->back_kind != BackKind::kEdge) {
     walk.push_back(a);
     return;
@@ -112,8 +108,7 @@ std::vector<Triangle> triangles(const PointSet& set, const StableSet& stable) {
   return result;
 }
 
-std::vector<std::size_t> boundary_walk(const PointSet& set, const StationaryPoint& z,
-                                       const StableSet& stable) {
+std::vector<std::size_t> boundary_walk(const PointSet& set, const StationaryPoint& z, const StableSet& stable) {
   if (z.hull_dimension != 2 || stable.has_vertex) {
     throw std::invalid_argument("only a disc without Voronoi vertices has a boundary walk");
   }

@@ -23,8 +23,7 @@ std::vector<Triangle> triangles(const PointSet& set, const StableSet& stable);
 // neighbours in the polygon. The first name is not repeated at the end. z must be critical of index 2 or regular
 // stationary of kind (1,2). In the second case, the side with midpoint z stays as it is. Throws std::invalid_argument
 // for another z, and for a set with a Voronoi vertex.
-std::vector<std::size_t> boundary_walk(const PointSet& set, const StationaryPoint& z,
-                                       const StableSet& stable);
+std::vector<std::size_t> boundary_walk(const PointSet& set, const StationaryPoint& z, const StableSet& stable);
 
 // The sides that an odd number of the triangles have, where p0 m and m p1 together count as p0 p1. A side is a pair
 // of class names, ascending, and the list is ascending. Throws std::invalid_argument for a set with a Voronoi vertex.

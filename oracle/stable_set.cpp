@@ -23,8 +23,7 @@ struct Lead {
 
 // The face K whose first points are these two or three, if it leads to y (FC-STAB-03). `contact` is C(y). All of C(y)
 // lies on a sphere, so the other points of K, in the plane of the first three, lie on their circle.
-std::optional<Lead> lead_from(const PointSet& set, const Point& y, const Places& contact,
-                              const Places& first_points) {
+std::optional<Lead> lead_from(const PointSet& set, const Point& y, const Places& contact, const Places& first_points) {
   const Point centre = circumcentre(select(set.points, first_points))->center;
   if (centre == y) return std::nullopt;
   const Lead lead{crossed_places(set, contact, minus(centre, y)), centre};
@@ -57,9 +56,7 @@ Point way_back(const PointSet& set, const Point& y, const Lead& lead) {
   return meeting && *meeting < 1 ? moved(y, *meeting, way) : lead.centre;
 }
 
-bool collinear(const Point& a, const Point& b, const Point& c) {
-  return cross(minus(b, a), minus(c, a)) == Point{};
-}
+bool collinear(const Point& a, const Point& b, const Point& c) { return cross(minus(b, a), minus(c, a)) == Point{}; }
 
 Point middle(const Point& a, const Point& b) { return moved(a, Rational(1, 2), minus(b, a)); }
 
@@ -109,9 +106,7 @@ class Search {
   }
 
  private:
-  int dimension_at(const Point& x) const {
-    return affine_dimension(select(set_.points, set_.nearest_places(x)));
-  }
+  int dimension_at(const Point& x) const { return affine_dimension(select(set_.points, set_.nearest_places(x))); }
 
   // FC-STAB-04
   void add_segment(const Point& y, const Lead& lead) {
@@ -119,8 +114,7 @@ class Search {
     const int dimension = dimension_at(back);
     BackKind kind = dimension == 2 ? BackKind::kEdge : BackKind::kVertex;
     if (back == lead.centre) kind = dimension == 1 ? BackKind::kCritical : BackKind::kRegular;
-    found_.segments.push_back(
-        {samples_of(set_, lead), y, back, contact_set(set_, y), contact_set(set_, back), kind});
+    found_.segments.push_back({samples_of(set_, lead), y, back, contact_set(set_, y), contact_set(set_, back), kind});
     if (back != lead.centre) add_point(back);
   }
 

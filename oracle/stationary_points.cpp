@@ -14,14 +14,11 @@ namespace oracle {
 
 namespace {
 
-std::string text(const Point& x) {
-  return std::string("(") + x[0].str() + ", " + x[1].str() + ", " + x[2].str() + ")";
-}
+std::string text(const Point& x) { return std::string("(") + x[0].str() + ", " + x[1].str() + ", " + x[2].str() + ")"; }
 
 std::string index_text(const StationaryPoint& x) {
   const std::string face = std::to_string(x.face_dimension), hull = std::to_string(x.hull_dimension);
-  return x.is_critical() ? "critical of index " + hull
-                         : "regular stationary of kind (" + face + "," + hull + ")";
+  return x.is_critical() ? "critical of index " + hull : "regular stationary of kind (" + face + "," + hull + ")";
 }
 
 // FC-OUT-02: critical points by index, then regular stationary points by kind. Equal ones are ordered by contact.
@@ -35,10 +32,9 @@ bool output_order(const StationaryPoint& a, const StationaryPoint& b) {
 }  // namespace
 
 std::size_t Answer::count(int face_dimension, int hull_dimension) const {
-  return static_cast<std::size_t>(
-      std::count_if(stationary.begin(), stationary.end(), [&](const StationaryPoint& s) {
-        return s.face_dimension == face_dimension && s.hull_dimension == hull_dimension;
-      }));
+  return static_cast<std::size_t>(std::count_if(stationary.begin(), stationary.end(), [&](const StationaryPoint& s) {
+    return s.face_dimension == face_dimension && s.hull_dimension == hull_dimension;
+  }));
 }
 
 std::array<std::size_t, 4> Answer::critical_counts() const {
@@ -68,9 +64,7 @@ Answer stationary_points(const PointSet& set) {
   return answer;
 }
 
-Answer stationary_points(const std::vector<std::array<double, 3>>& rows) {
-  return stationary_points(PointSet(rows));
-}
+Answer stationary_points(const std::vector<std::array<double, 3>>& rows) { return stationary_points(PointSet(rows)); }
 
 namespace {
 
@@ -97,14 +91,12 @@ std::optional<Fault> check_contact(const PointSet& set, const Places& places, co
   };
   for (const std::size_t place : places) {
     if (squared_distance(z, set.points[place]) != radius) {
-      return Fault{"FC-CRIT-05 (a)",
-                   "the claimed contact set is on no sphere centred in its hull: " + describe(place)};
+      return Fault{"FC-CRIT-05 (a)", "the claimed contact set is on no sphere centred in its hull: " + describe(place)};
     }
   }
   const Places nearest = set.nearest_places(z);
   if (squared_distance(z, set.points[nearest[0]]) < radius) {
-    return Fault{"FC-CRIT-05 (b)",
-                 "the sphere of the claimed contact set is not empty: " + describe(nearest[0])};
+    return Fault{"FC-CRIT-05 (b)", "the sphere of the claimed contact set is not empty: " + describe(nearest[0])};
   }
   for (const std::size_t place : nearest) {
     if (!std::binary_search(places.begin(), places.end(), place)) {
@@ -112,8 +104,7 @@ std::optional<Fault> check_contact(const PointSet& set, const Places& places, co
     }
   }
   if (!face_dimension(select(set.points, places), z)) {
-    return Fault{"FC-CRIT-05 (d)",
-                 "the centre " + text(z) + " is outside the hull of the claimed contact set"};
+    return Fault{"FC-CRIT-05 (d)", "the centre " + text(z) + " is outside the hull of the claimed contact set"};
   }
   return std::nullopt;
 }
@@ -132,8 +123,8 @@ std::optional<Fault> certify(const PointSet& set, const StationaryPoint& claim) 
     return Fault{"FC-OUT-01", "center is claimed to be " + text(claim.center) + ", and is " + text(z)};
   }
   if (claim.squared_distance != truth.squared_distance) {
-    return Fault{"FC-OUT-01", "squared_distance is claimed to be " + claim.squared_distance.str() +
-                                  ", and is " + truth.squared_distance.str()};
+    return Fault{"FC-OUT-01", "squared_distance is claimed to be " + claim.squared_distance.str() + ", and is " +
+                                  truth.squared_distance.str()};
   }
   if (claim != truth) {
     return Fault{truth.is_critical() ? "FC-CRIT-02" : "FC-CRIT-03",

@@ -39,8 +39,7 @@ int complain(const std::string& what) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);  // takes its own options out
   if (argc > 1) {
-    if (argc != 3 || std::string(argv[1]) != "--file")
-      return complain("options: --file NAME.cpp, and GoogleTest's");
+    if (argc != 3 || std::string(argv[1]) != "--file") return complain("options: --file NAME.cpp, and GoogleTest's");
     if (GTEST_FLAG_GET(filter) != "*") return complain("--file and --gtest_filter exclude each other");
     const std::string filter = filter_of_file(argv[2]);
     if (filter.empty()) return complain("no test is in " + std::string(argv[2]));

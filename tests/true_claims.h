@@ -116,8 +116,7 @@ inline Claim true_claim(const PointSet& points, Truth& truth) {
     point.u2.emplace();
     for (std::size_t side = 0; side < 2; ++side) {
       const auto limit = truth.limits(i).at(side);
-      point.successors->push_back(limit ? ClaimedTarget{false, contact_of(truth, *limit)}
-                                        : ClaimedTarget{true, {}});
+      point.successors->push_back(limit ? ClaimedTarget{false, contact_of(truth, *limit)} : ClaimedTarget{true, {}});
       point.u2->push_back(polyline_of(truth.polyline(i, side)));
     }
     point.successors_by_side = true;

@@ -31,12 +31,7 @@ class Batch {
  public:
   Batch(const CampaignPlan& plan, const std::vector<Property>& properties, const BatchOrder& order,
         BatchObserver& observer)
-      : plan_(plan),
-        properties_(properties),
-        order_(order),
-        observer_(observer),
-        mix_(plan),
-        corpus_(plan.corpus) {}
+      : plan_(plan), properties_(properties), order_(order), observer_(observer), mix_(plan), corpus_(plan.corpus) {}
 
   BatchResult result() {
     const std::size_t first = order_.batch * plan_.batch_cases;
@@ -165,8 +160,7 @@ json pairs_of(const Map& counts) {
 
 template <typename Map>
 void read_pairs(const json& pairs, Map& counts) {
-  for (const json& pair : pairs)
-    counts[pair.at(0).get<typename Map::key_type>()] = pair.at(1).get<std::size_t>();
+  for (const json& pair : pairs) counts[pair.at(0).get<typename Map::key_type>()] = pair.at(1).get<std::size_t>();
 }
 
 }  // namespace
@@ -222,9 +216,7 @@ Tally tally_of(const json& object) {
 }
 
 json json_of(const Discovery& discovery) {
-  return {{"signature", discovery.signature.values},
-          {"number", discovery.number},
-          {"rows", json_of(discovery.input)}};
+  return {{"signature", discovery.signature.values}, {"number", discovery.number}, {"rows", json_of(discovery.input)}};
 }
 
 Discovery discovery_of(const json& object) {
@@ -233,8 +225,8 @@ Discovery discovery_of(const json& object) {
           input_of(object.at("rows"))};
 }
 
-BatchResult run_batch(const CampaignPlan& plan, const std::vector<Property>& properties,
-                      const BatchOrder& order, BatchObserver& observer) {
+BatchResult run_batch(const CampaignPlan& plan, const std::vector<Property>& properties, const BatchOrder& order,
+                      BatchObserver& observer) {
   return Batch(plan, properties, order, observer).result();
 }
 

@@ -82,8 +82,7 @@ struct BatchResult {
 };
 
 // `properties` are those of the plan, or stand for them.
-[[nodiscard]] BatchResult run_batch(const CampaignPlan& plan,
-                                    const std::vector<property::Property>& properties,
+[[nodiscard]] BatchResult run_batch(const CampaignPlan& plan, const std::vector<property::Property>& properties,
                                     const BatchOrder& order, BatchObserver& observer);
 
 // The properties of a plan that has no foreign command. Properties that the plan names are checked on all cases. If

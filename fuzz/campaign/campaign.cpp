@@ -305,8 +305,7 @@ void Campaign::offer_point_file(const Counterexample& counterexample) {
       fs::remove(path_of(other));
     }
   }
-  if (least.contains(counterexample.number) || asked.contains(counterexample.number))
-    write_point_file(counterexample);
+  if (least.contains(counterexample.number) || asked.contains(counterexample.number)) write_point_file(counterexample);
 }
 
 void Campaign::absorb(const Discovery& discovery) {
@@ -365,8 +364,7 @@ void OneCase::absorb(const std::string& message) {
 }
 
 void OneCase::absorb(Counterexample counterexample) {
-  if (counterexample.number != number_)
-    return campaign_.absorb(counterexample);  // this earlier case ended its process
+  if (counterexample.number != number_) return campaign_.absorb(counterexample);  // this earlier case ended its process
   counterexample.is_asked = true;
   const std::string kind = kind_of(counterexample);
   counterexamples_.insert_or_assign(kind, counterexample);

@@ -50,8 +50,7 @@ class Campaign : public BatchSource {
   // folder is made for the first of them.
   Campaign(CampaignPlan plan, std::optional<std::size_t> total_cases, std::filesystem::path findings_folder);
   // In a new folder.
-  static Campaign begun(CampaignPlan plan, std::optional<std::size_t> total_cases,
-                        const std::filesystem::path& folder);
+  static Campaign begun(CampaignPlan plan, std::optional<std::size_t> total_cases, const std::filesystem::path& folder);
   // Goes on from its folder, with `total_cases` if that is given. Lines that were cut short are left out.
   static Campaign resumed(const std::filesystem::path& folder, std::optional<std::size_t> total_cases);
   // Reads a folder, to which another process may be writing. Nothing is written there.
@@ -152,9 +151,7 @@ class OneCase : public BatchSource {
   // False if it was stopped, or its process was killed.
   [[nodiscard]] bool is_done() const { return is_done_; }
   // By "PROPERTY KIND".
-  [[nodiscard]] const std::map<std::string, Counterexample>& counterexamples() const {
-    return counterexamples_;
-  }
+  [[nodiscard]] const std::map<std::string, Counterexample>& counterexamples() const { return counterexamples_; }
 
  private:
   void absorb(Counterexample counterexample);

@@ -31,8 +31,7 @@ void require_family(const std::string& name) {
 std::uint64_t weight_of(std::string_view word) {
   std::uint64_t weight = 0;
   const auto result = std::from_chars(word.data(), word.data() + word.size(), weight);
-  if (result.ec != std::errc() || result.ptr != word.data() + word.size() || weight == 0 ||
-      weight > kMostWeight) {
+  if (result.ec != std::errc() || result.ptr != word.data() + word.size() || weight == 0 || weight > kMostWeight) {
     throw std::invalid_argument("'" + std::string(word) + "' is no weight, a number from 1 to 1000000");
   }
   return weight;
@@ -41,8 +40,7 @@ std::uint64_t weight_of(std::string_view word) {
 void require_sound(const CampaignPlan& plan) {
   for (const WeightedFamily& family : plan.families) {
     require_family(family.name);
-    if (family.weight == 0 || family.weight > kMostWeight)
-      throw std::invalid_argument("a weight out of its range");
+    if (family.weight == 0 || family.weight > kMostWeight) throw std::invalid_argument("a weight out of its range");
   }
   for (const Input& input : plan.corpus) {
     if (input.rows.size() > kMostRowsOfTrial) throw std::invalid_argument("a corpus of too many points");
@@ -141,10 +139,8 @@ std::size_t cases_of_shard(const CampaignPlan& plan, std::size_t total) {
   return (own - 1) * plan.batch_cases + cases_of_batch(plan, total, last);
 }
 
-std::optional<std::size_t> batch_from(const CampaignPlan& plan, std::optional<std::size_t> total,
-                                      std::size_t batch) {
-  const std::size_t ahead =
-      (plan.shard.index + plan.shard.count - batch % plan.shard.count) % plan.shard.count;
+std::optional<std::size_t> batch_from(const CampaignPlan& plan, std::optional<std::size_t> total, std::size_t batch) {
+  const std::size_t ahead = (plan.shard.index + plan.shard.count - batch % plan.shard.count) % plan.shard.count;
   const std::size_t next = batch + ahead;
   return cases_of_batch(plan, total, next) == 0 ? std::nullopt : std::optional(next);
 }
@@ -155,8 +151,7 @@ namespace {
 
 // How many of a hundred cases have so many rows. Most have 4 to 8: such a case can be understood, and the oracle is
 // fast.
-constexpr std::array<std::uint64_t, kMostRowsOfTrial + 1> kShareOfRows = {1,  1,  1, 3, 16, 19, 19,
-                                                                          16, 12, 5, 3, 2,  2};
+constexpr std::array<std::uint64_t, kMostRowsOfTrial + 1> kShareOfRows = {1, 1, 1, 3, 16, 19, 19, 16, 12, 5, 3, 2, 2};
 constexpr int kLargestSize = 100;
 constexpr int kAttempts = 4;
 
@@ -175,8 +170,7 @@ TrialMix::TrialMix(const CampaignPlan& plan) : fewest_rows_(plan.fewest_rows), m
 
 const TrialMix::Source& TrialMix::source(std::uint64_t dice) const {
   const std::uint64_t place = dice % sources_.back().weights_before;
-  return *std::find_if(sources_.begin(), sources_.end(),
-                       [&](const Source& one) { return place < one.weights_before; });
+  return *std::find_if(sources_.begin(), sources_.end(), [&](const Source& one) { return place < one.weights_before; });
 }
 
 std::size_t TrialMix::row_target(std::uint64_t dice) const {

@@ -67,13 +67,12 @@ struct CampaignPlan {
 [[nodiscard]] std::vector<WeightedFamily> families_of(const std::string& list);
 
 // The number of cases of a batch, in a campaign of `total` cases or of any number.
-[[nodiscard]] std::size_t cases_of_batch(const CampaignPlan& plan, std::optional<std::size_t> total,
-                                         std::size_t batch);
+[[nodiscard]] std::size_t cases_of_batch(const CampaignPlan& plan, std::optional<std::size_t> total, std::size_t batch);
 // All cases of the plan's shard.
 [[nodiscard]] std::size_t cases_of_shard(const CampaignPlan& plan, std::size_t total);
 // The first batch of the shard that is not before `batch`. Returns nothing beyond the campaign's end.
-[[nodiscard]] std::optional<std::size_t> batch_from(const CampaignPlan& plan,
-                                                    std::optional<std::size_t> total, std::size_t batch);
+[[nodiscard]] std::optional<std::size_t> batch_from(const CampaignPlan& plan, std::optional<std::size_t> total,
+                                                    std::size_t batch);
 
 // ---- Trial mix ----
 // Draws fresh cases. Each is an input of one of the plan's families, of a size from the plan's mix, with the start of

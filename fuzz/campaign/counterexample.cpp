@@ -47,9 +47,7 @@ Input input_of(const nlohmann::json& rows) {
   return input;
 }
 
-std::string to_text(const oracle::Point& point) {
-  return point[0].str() + ' ' + point[1].str() + ' ' + point[2].str();
-}
+std::string to_text(const oracle::Point& point) { return point[0].str() + ' ' + point[1].str() + ' ' + point[2].str(); }
 
 oracle::Point point_of(const std::string& text) {
   oracle::Point point;
@@ -155,8 +153,8 @@ std::string kind_of(const Counterexample& counterexample) {
 }
 
 std::string name_of(const Counterexample& counterexample) {
-  std::string name = fmt::format("{}-{}-{}", counterexample.property, counterexample.disagreement.kind,
-                                 counterexample.number);
+  std::string name =
+      fmt::format("{}-{}-{}", counterexample.property, counterexample.disagreement.kind, counterexample.number);
   for (char& c : name) {
     const bool is_plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
     if (!is_plain) c = '-';
@@ -177,8 +175,7 @@ std::string file_text(const Counterexample& counterexample) {
   if (const auto* start = std::get_if<oracle::Point>(&counterexample.trial.start)) {
     add_comment(text, "start", to_text(*start));
   } else {
-    add_comment(text, "choice of start",
-                choice_text(std::get<property::StartChoice>(counterexample.trial.start)));
+    add_comment(text, "choice of start", choice_text(std::get<property::StartChoice>(counterexample.trial.start)));
   }
   add_answer(text, found.first_name, found.first);
   add_answer(text, found.second_name, found.second);

@@ -48,8 +48,8 @@ std::vector<SignatureComponent> table() {
       {"s2-vertex", "Stable manifolds of index 2 with a Voronoi vertex in their skeleton.", yes_or_no},
       {"s2-interval", "Stable manifolds of index 2 with a part of dimension 3.", yes_or_no},
       {"ties", "Points of index 2 whose boundary a tie leaves open.", yes_or_no},
-      {"exact", "Predicates of the stationary points that exact arithmetic had to decide.",
-       texts_of(kPredicateNames), true, false},
+      {"exact", "Predicates of the stationary points that exact arithmetic had to decide.", texts_of(kPredicateNames),
+       true, false},
       {"exact-flow", "Signs and constructions of the flow that intervals did not settle.",
        texts_of(kFlowPrimitiveNames), true, false},
   };
@@ -213,8 +213,8 @@ DegeneracySignature signature_of(const Input& input) {
   add_unstable(unstable.statistics(), signature);
   add_stable(stable.statistics(), signature);
   signature[SignaturePart::kExact] = failures_of(complex.filter_tally().counts);
-  signature[SignaturePart::kExactFlow] = static_cast<std::uint8_t>(
-      failures_of(unstable.statistics().tally.counts) | failures_of(stable.statistics().tally.counts));
+  signature[SignaturePart::kExactFlow] = static_cast<std::uint8_t>(failures_of(unstable.statistics().tally.counts) |
+                                                                   failures_of(stable.statistics().tally.counts));
   return signature;
 }
 

@@ -59,9 +59,7 @@ const std::vector<SignatureComponent>& signature_components();
 struct DegeneracySignature {
   std::array<std::uint8_t, kSignatureSize> values{};
 
-  [[nodiscard]] std::uint8_t operator[](SignaturePart part) const {
-    return values[static_cast<std::size_t>(part)];
-  }
+  [[nodiscard]] std::uint8_t operator[](SignaturePart part) const { return values[static_cast<std::size_t>(part)]; }
   std::uint8_t& operator[](SignaturePart part) { return values[static_cast<std::size_t>(part)]; }
   // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the zero that an order is compared with for a pointer
   friend auto operator<=>(const DegeneracySignature&, const DegeneracySignature&) = default;

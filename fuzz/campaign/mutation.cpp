@@ -52,9 +52,7 @@ RationalPoint operator-(const RationalPoint& a, const RationalPoint& b) {
 RationalPoint operator*(const Rational& factor, const RationalPoint& a) {
   return {factor * a[0], factor * a[1], factor * a[2]};
 }
-Rational inner(const RationalPoint& a, const RationalPoint& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+Rational inner(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 RationalPoint outer(const RationalPoint& a, const RationalPoint& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -89,8 +87,8 @@ MaybePoint center(const RationalPoint& p, const std::array<RationalPoint, 3>& ed
   const RationalPoint normal = outer(edges[0], edges[1]);
   const Rational volume = inner(normal, edges[2]);
   if (volume == 0) return std::nullopt;
-  RationalPoint sum = inner(edges[0], edges[0]) * outer(edges[1], edges[2]) +
-                      inner(edges[1], edges[1]) * outer(edges[2], edges[0]);
+  RationalPoint sum =
+      inner(edges[0], edges[0]) * outer(edges[1], edges[2]) + inner(edges[1], edges[1]) * outer(edges[2], edges[0]);
   if (!last_is_normal) sum = sum + inner(edges[2], edges[2]) * normal;
   return p + (one_half() / volume) * sum;
 }
@@ -145,8 +143,7 @@ MaybePoint at_foot(const Points& others, const RationalPoint& x, rc::Random& ran
 }
 
 // A point in the plane through `at` with this normal: the one nearest to x, or a step from `at` along the plane.
-MaybePoint in_plane(const RationalPoint& at, const RationalPoint& normal, const RationalPoint& x,
-                    rc::Random& random) {
+MaybePoint in_plane(const RationalPoint& at, const RationalPoint& normal, const RationalPoint& x, rc::Random& random) {
   if (is_zero(normal)) return std::nullopt;
   if (below(random, 2) == 0) return moved_along(x, normal, at, 1);
   return at + outer(normal, small_vector(random));
@@ -350,8 +347,7 @@ MaybeChange copy_coordinate(const Input& parent, rc::Random& random) {
 MaybeChange remove_one(const Input& parent, rc::Random& random) {
   if (parent.rows.size() < 2) return std::nullopt;
   Change change{parent, {}};
-  change.input.rows.erase(change.input.rows.begin() +
-                          static_cast<std::ptrdiff_t>(below(random, parent.rows.size())));
+  change.input.rows.erase(change.input.rows.begin() + static_cast<std::ptrdiff_t>(below(random, parent.rows.size())));
   return change;
 }
 
@@ -425,10 +421,9 @@ std::vector<Mutation> table() {
       move("onto-circumcircle", "x on the circle through p, q, r", 3, on_circumcircle),
       move("onto-great-sphere", "x on the smallest sphere through p, q, r: their circle is a great one", 3,
            on_great_sphere),
-      move("onto-diameter-sphere", "x on the sphere with diameter pq: a right angle at x", 2,
-           on_diameter_sphere),
-      move("onto-foot", "x at the foot of the perpendicular from q to a line through p: a right angle at x",
-           2, at_foot),
+      move("onto-diameter-sphere", "x on the sphere with diameter pq: a right angle at x", 2, on_diameter_sphere),
+      move("onto-foot", "x at the foot of the perpendicular from q to a line through p: a right angle at x", 2,
+           at_foot),
       move("onto-leg", "x in the plane through p that is orthogonal to pq: a right angle at p", 2, on_leg),
       move("onto-bisector", "x as far from p as from q", 2, on_bisector),
       move("onto-mirror-image", "x the image of r in the bisector of p and q", 3, in_mirror),

@@ -106,8 +106,7 @@ class Shrinking {
   // Tries to flatten an axis, to move a row to the origin, to use other units, and to round to integers.
   bool smaller_as_a_whole() {
     for (std::size_t flat = 0; flat < 3; ++flat) {
-      if (accept_mapped([&](std::size_t axis, double value) { return axis == flat ? 0.0 : value; }))
-        return true;
+      if (accept_mapped([&](std::size_t axis, double value) { return axis == flat ? 0.0 : value; })) return true;
     }
     for (const Row origin : best_.trial.input.rows) {
       if (accept_mapped([&](std::size_t axis, double value) { return value - origin.at(axis); })) return true;
@@ -128,8 +127,8 @@ class Shrinking {
     for (bool goes_on = true; goes_on;) {
       goes_on = false;
       const double value = best_.trial.input.rows.at(row).at(axis);
-      for (const double next : {0.0, std::nearbyint(value), std::trunc(value / 2), std::trunc(value) - 1,
-                                std::trunc(value) + 1, -value}) {
+      for (const double next :
+           {0.0, std::nearbyint(value), std::trunc(value / 2), std::trunc(value) - 1, std::trunc(value) + 1, -value}) {
         Input input = best_.trial.input;
         input.rows.at(row).at(axis) = next;
         if (accept_if_cheaper(std::move(input))) {
@@ -179,8 +178,7 @@ class Shrinking {
 
 }  // namespace
 
-Shrunk shrunk(const Trial& failing, const Disagreement& disagreement, const Judge& judge,
-              std::size_t budget) {
+Shrunk shrunk(const Trial& failing, const Disagreement& disagreement, const Judge& judge, std::size_t budget) {
   return Shrinking(failing, disagreement, judge, budget).result();
 }
 

@@ -54,8 +54,7 @@ class SharedTrial {
   SharedTrial& operator=(const SharedTrial&) = delete;
 
   // Called by the worker.
-  void note(std::size_t number, const std::string& source, const std::string& property,
-            const property::Trial& trial);
+  void note(std::size_t number, const std::string& source, const std::string& property, const property::Trial& trial);
   void count_case();
   void forget();  // nothing is being tried
   void start_batch();
@@ -148,8 +147,7 @@ void SharedTrial::tell_to_stop() { memory_->stop = true; }
 NotedTrial SharedTrial::noted() const {
   const Place& place = memory_->places.at(memory_->trials % 2);
   NotedTrial noted{place.number, place.property.data(), place.source.data(), {}};
-  noted.trial.input.rows.assign(place.row.begin(),
-                                place.row.begin() + static_cast<std::ptrdiff_t>(place.rows));
+  noted.trial.input.rows.assign(place.row.begin(), place.row.begin() + static_cast<std::ptrdiff_t>(place.rows));
   if (place.has_choice) {
     const auto* first = place.numbers_of_choice.begin();
     noted.trial.start = property::StartChoice{place.kind, {first, first + place.numbers}};
@@ -177,9 +175,7 @@ constexpr std::size_t kMostKills = 20;
 // Cases under way have so long when everything is to stop.
 constexpr double kSecondsToStop = 2;
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 // ---- A process of its own for one trial ----
 
@@ -201,8 +197,8 @@ std::string text_of_signal(int status) {
 Disagreement crash_of(const std::string& how) { return {"crash", "", how, "", "", "", ""}; }
 
 // Whether the property ends its process on this trial in the same way.
-std::optional<Disagreement> same_crash(const Disagreement& crash,
-                                       const std::function<void(const Trial&)>& attempt, const Trial& trial) {
+std::optional<Disagreement> same_crash(const Disagreement& crash, const std::function<void(const Trial&)>& attempt,
+                                       const Trial& trial) {
   const int status = wait_for_end(start_child([&] {
     ::alarm(kCrashSeconds);
     try {
@@ -224,8 +220,7 @@ class PipeObserver : public BatchObserver {
  public:
   PipeObserver(int descriptor, SharedTrial& shared) : descriptor_(descriptor), shared_(shared) {}
 
-  void tries(std::size_t number, const std::string& source, const std::string& property,
-             const Trial& trial) override {
+  void tries(std::size_t number, const std::string& source, const std::string& property, const Trial& trial) override {
     shared_.note(number, source, property, trial);
   }
   void has_done(std::size_t, const std::string&) override {
@@ -259,9 +254,8 @@ void run_property(const std::vector<Property>& properties, const std::string& na
 
 // A case that hangs is not shrunk.
 Counterexample crash_counterexample(const CampaignPlan& plan, const Crash& crash) {
-  Counterexample counterexample{
-      plan.seed,         crash.at.number, crash.at.source,   crash.at.trial.input.rows.size(),
-      crash.at.property, crash.at.trial,  crash.disagreement};
+  Counterexample counterexample{plan.seed,         crash.at.number, crash.at.source,   crash.at.trial.input.rows.size(),
+                                crash.at.property, crash.at.trial,  crash.disagreement};
   counterexample.is_small = crash.disagreement.kind != "crash";
   return counterexample;
 }
@@ -286,8 +280,8 @@ void report_shrunk(const CampaignPlan& plan, const std::vector<Property>& proper
   observer.tell(message_of(counterexample));
 }
 
-void do_batches(const CampaignPlan& plan, const std::vector<Property>& properties, int orders,
-                PipeObserver& observer, SharedTrial& shared) {
+void do_batches(const CampaignPlan& plan, const std::vector<Property>& properties, int orders, PipeObserver& observer,
+                SharedTrial& shared) {
   LineReader reader(orders);
   while (true) {
     auto line = reader.next_line();

@@ -32,7 +32,6 @@ struct WorkOptions {
 // Works until no batch is left, or is_stopped. Throws what the source throws, std::system_error if no process can be
 // started, and property::MachineFailure if a property does. No other thread may be running. While a source waits for
 // its next batch, all workers wait; so such a source is for one job.
-void work_on(BatchSource& source, const std::vector<property::Property>& properties,
-             const WorkOptions& options);
+void work_on(BatchSource& source, const std::vector<property::Property>& properties, const WorkOptions& options);
 
 }  // namespace flowcert::fuzz

@@ -6,8 +6,8 @@
 namespace flowcert::commands {
 
 void add_check_command(CLI::App& app, int& status) {
-  cli::add_check_command(
-      app, status, {kMostPointsForOracle, [](const std::vector<Point>& rows) { return oracle_truth(rows); }});
+  cli::add_check_command(app, status,
+                         {kMostPointsForOracle, [](const std::vector<Point>& rows) { return oracle_truth(rows); }});
 }
 
 }  // namespace flowcert::commands

@@ -57,9 +57,7 @@ std::string usual_folder() {
   return fs::is_directory(installed, ignored) ? installed.string() : FLOWCERT_SOURCE_VECTORS;
 }
 
-bool has(const Names& names, const std::string& name) {
-  return std::ranges::find(names, name) != names.end();
-}
+bool has(const Names& names, const std::string& name) { return std::ranges::find(names, name) != names.end(); }
 
 // Every name that is asked for has to be one of the known ones.
 void require_known(const char* what, const Names& asked, const Names& known) {
@@ -76,8 +74,7 @@ bool is_chosen(const VectorCase& one, const ConformanceCommandOptions& options) 
          (options.flags.empty() || std::ranges::any_of(one.flags, has_asked_flag));
 }
 
-std::vector<const VectorCase*> chosen_cases(const Vectors& vectors,
-                                            const ConformanceCommandOptions& options) {
+std::vector<const VectorCase*> chosen_cases(const Vectors& vectors, const ConformanceCommandOptions& options) {
   Names flags, ids;
   for (const VectorFlag& flag : vectors.flags) flags.push_back(flag.name);
   for (const VectorCase& one : vectors.cases) ids.push_back(one.id);
@@ -110,8 +107,8 @@ void require_full_path(const char* option, const std::string& command) {
 }
 
 void require_answerable(const std::vector<CaseOutcome>& outcomes) {
-  const bool is_any_run = std::ranges::any_of(
-      outcomes, [](const CaseOutcome& outcome) { return outcome.outcome != RunOutcome::kSkipped; });
+  const bool is_any_run =
+      std::ranges::any_of(outcomes, [](const CaseOutcome& outcome) { return outcome.outcome != RunOutcome::kSkipped; });
   if (is_any_run) return;
   const CaseOutcome& first = outcomes.front();
   throw InvalidInput(fmt::format("there is nothing to run: {} {}", first.of->id, first.message));
@@ -171,12 +168,10 @@ int conformance(ConformanceCommandOptions& options) {
 
 // Validators return what is wrong.
 std::string complaint_about_missing_places(const std::string& command) {
-  return has_place(command, "{start}") ? complaint_about_missing_in(command)
-                                       : "there is no {start} in the command";
+  return has_place(command, "{start}") ? complaint_about_missing_in(command) : "there is no {start} in the command";
 }
 std::string complaint_about_file_name(const std::string& name) {
-  constexpr std::string_view kTaken[] = {"",           ".",      "..",     "points.xyz",
-                                         "points.off", "stdout", "stderr", "case.json"};
+  constexpr std::string_view kTaken[] = {"", ".", "..", "points.xyz", "points.off", "stdout", "stderr", "case.json"};
   const bool is_free = name.find('/') == std::string::npos && std::ranges::count(kTaken, name) == 0;
   return is_free ? "" : in_quotes(name) + " is no file name that is free";
 }
@@ -191,8 +186,7 @@ void add_choice_options(CLI::App& command, ConformanceCommandOptions& options) {
       ->allow_extra_args(false);
   command.add_option("--flag", options.flags, "Only the cases with this flag; may be given several times")
       ->allow_extra_args(false);
-  command.add_option("--case", options.cases, "Only this case; may be given several times")
-      ->allow_extra_args(false);
+  command.add_option("--case", options.cases, "Only this case; may be given several times")->allow_extra_args(false);
   command.add_flag("--list", options.list, "Run nothing; print id, comment and flags of the cases");
 }
 
@@ -209,9 +203,8 @@ void add_command_options(CLI::App& command, ConformanceCommandOptions& options) 
                   "orbit --json")
       ->check(complaint_about_missing_places);
   command
-      .add_option(
-          "--persistence-against", run.persistence_command,
-          "A command for persistence pairs; its answer is JSON as of persistence --json, or a .pers file")
+      .add_option("--persistence-against", run.persistence_command,
+                  "A command for persistence pairs; its answer is JSON as of persistence --json, or a .pers file")
       ->check(complaint_about_missing_in);
   command.add_option("--in-format", options.in_format, "Format of the points: xyz or off")
       ->check(CLI::IsMember({"xyz", "off"}))
@@ -221,9 +214,7 @@ void add_command_options(CLI::App& command, ConformanceCommandOptions& options) 
   command.add_option("--out-name", run.out_name, "Name of the file {out}")
       ->check(complaint_about_file_name)
       ->capture_default_str();
-  command
-      .add_option("--time-limit", run.limits.seconds,
-                  "Seconds after which a run is killed, with all it started")
+  command.add_option("--time-limit", run.limits.seconds, "Seconds after which a run is killed, with all it started")
       ->check(complaint_about_time)
       ->capture_default_str();
   command
@@ -231,9 +222,7 @@ void add_command_options(CLI::App& command, ConformanceCommandOptions& options) 
                   "MiB of address space that each process may have; 0: no limit")
       ->check(CLI::Range(std::size_t{0}, kMostMebibytes))
       ->capture_default_str();
-  command.add_option("--jobs", run.jobs, "Cases that run at a time")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
+  command.add_option("--jobs", run.jobs, "Cases that run at a time")->check(CLI::Range(1, 256))->capture_default_str();
   add_judging_options(command, run.check);
 }
 
@@ -253,8 +242,7 @@ void add_report_options(CLI::App& command, ConformanceCommandOptions& options) {
 
 void add_conformance_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ConformanceCommandOptions>();
-  CLI::App* command =
-      app.add_subcommand("conformance", "How any program answers the conformance vectors, by flag");
+  CLI::App* command = app.add_subcommand("conformance", "How any program answers the conformance vectors, by flag");
   add_command_options(*command, *options);
   add_choice_options(*command, *options);
   add_report_options(*command, *options);

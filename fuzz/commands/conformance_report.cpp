@@ -101,8 +101,8 @@ std::vector<NamedTally> tallies_by_group(const ConformanceReport& report) {
 }
 
 std::size_t claims_judged(const ConformanceReport& report, std::size_t level) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      report.outcomes, [&](const CaseOutcome& outcome) { return outcome.judged.at(level); }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(report.outcomes, [&](const CaseOutcome& outcome) { return outcome.judged.at(level); }));
 }
 
 std::size_t orbits_judged(const ConformanceReport& report) {
@@ -112,19 +112,18 @@ std::size_t orbits_judged(const ConformanceReport& report) {
 }
 
 std::size_t persistence_judged(const ConformanceReport& report) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(report.outcomes, &CaseOutcome::is_persistence_judged));
+  return static_cast<std::size_t>(std::ranges::count_if(report.outcomes, &CaseOutcome::is_persistence_judged));
 }
 
 // ---- Text
 
 void print_tallies(const char* title, const std::vector<NamedTally>& tallies) {
-  Table table("lrrrrrrrr", {title, "cases", "conforms", "where determined", "fails", "refused", "crashed",
-                            "timed out", "unreadable"});
+  Table table("lrrrrrrrr", {title, "cases", "conforms", "where determined", "fails", "refused", "crashed", "timed out",
+                            "unreadable"});
   for (const auto& [name, tally] : tallies) {
     table.row(name);
-    for (const std::size_t count : {tally.cases, tally.conforms, tally.where_determined, tally.fails,
-                                    tally.refused, tally.crashed, tally.timed_out, tally.unreadable}) {
+    for (const std::size_t count : {tally.cases, tally.conforms, tally.where_determined, tally.fails, tally.refused,
+                                    tally.crashed, tally.timed_out, tally.unreadable}) {
       table.cell(count);
     }
   }
@@ -152,8 +151,7 @@ void print_negative_cases(const ConformanceReport& report, std::size_t most) {
       continue;
     }
     ++shown;
-    fmt::print("{} ({}): {}\n  {}\n", outcome.of->id, outcome.of->comment, outcome_words(outcome),
-               outcome.message);
+    fmt::print("{} ({}): {}\n  {}\n", outcome.of->id, outcome.of->comment, outcome_words(outcome), outcome.message);
   }
   if (left_out > 0) fmt::print("and {} more; --most shows more\n", with_commas(left_out));
   if (shown + left_out > 0) fmt::print("\n");
@@ -174,8 +172,7 @@ template <typename Has>
 void print_unasked(const ConformanceReport& report, const char* what, const char* option, const Has& has) {
   const auto count = static_cast<std::size_t>(std::ranges::count_if(report.outcomes, has));
   if (count == 0) return;
-  fmt::print("not judged: the {} of {} case{}, without {}\n", what, with_commas(count), count == 1 ? "" : "s",
-             option);
+  fmt::print("not judged: the {} of {} case{}, without {}\n", what, with_commas(count), count == 1 ? "" : "s", option);
 }
 
 void print_judged(const ConformanceReport& report) {
@@ -339,8 +336,7 @@ void print_conformance_json(const ConformanceReport& report) {
   Json json = header_fields("flowcert-conformance", 1);
   json["command"] = options.command;
   json["orbit_command"] = options.orbit_command.empty() ? Json(nullptr) : Json(options.orbit_command);
-  json["persistence_command"] =
-      options.persistence_command.empty() ? Json(nullptr) : Json(options.persistence_command);
+  json["persistence_command"] = options.persistence_command.empty() ? Json(nullptr) : Json(options.persistence_command);
   json["tolerance"] = options.check.tolerance;
   json["highest_level"] = options.check.highest_level;
   json["time_limit"] = options.limits.seconds;

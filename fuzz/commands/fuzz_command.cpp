@@ -40,8 +40,7 @@ double work_on(fuzz::BatchSource& source, const fuzz::Campaign& campaign, const 
 int run_case(fuzz::Campaign& campaign, const FuzzOptions& options) {
   fuzz::OneCase one(campaign, *options.only);
   work_on(one, campaign, options);
-  if (!one.is_done())
-    throw InvalidInput(fmt::format("case {} was stopped before it was done", *options.only));
+  if (!one.is_done()) throw InvalidInput(fmt::format("case {} was stopped before it was done", *options.only));
   return print_case(campaign, one, options.json);
 }
 
@@ -59,13 +58,11 @@ int run_campaign(const FuzzOptions& options) {
 // ---- Again
 
 // If the file names no property, all are tried.
-bool is_right_on(const fuzz::Counterexample& counterexample,
-                 const std::vector<property::Property>& properties, bool is_for_peer,
-                 const std::string& path) {
+bool is_right_on(const fuzz::Counterexample& counterexample, const std::vector<property::Property>& properties,
+                 bool is_for_peer, const std::string& path) {
   bool is_right = true;
   for (const property::Property& property : properties) {
-    const bool is_asked =
-        is_for_peer || counterexample.property.empty() || counterexample.property == property.name;
+    const bool is_asked = is_for_peer || counterexample.property.empty() || counterexample.property == property.name;
     if (!is_asked) continue;
     const auto found = property::disagreement(property, counterexample.trial);
     is_right = is_right && !found;
@@ -114,8 +111,7 @@ int merge(const FuzzCommandOptions& options) {
     try {
       whole.absorb(parts[k]);
     } catch (const std::invalid_argument& error) {
-      throw InvalidInput(
-          fmt::format("{}: {} than {}", options.merged[k], error.what(), options.merged.front()));
+      throw InvalidInput(fmt::format("{}: {} than {}", options.merged[k], error.what(), options.merged.front()));
     }
   }
   print_fuzz({whole, std::nullopt}, options.json);
@@ -133,8 +129,7 @@ int fuzz_or_list(const FuzzCommandOptions& options) {
 // It has --out and --json of its own, because CLI11 looks for the options of a subcommand only there.
 void add_merge_command(CLI::App& command, const std::shared_ptr<FuzzCommandOptions>& options, int& status) {
   CLI::App* merge_command = command.add_subcommand("merge", "Put the parts of a campaign together");
-  merge_command->add_option("DIR", options->merged, "Folders of campaigns that differ in --shard alone")
-      ->required();
+  merge_command->add_option("DIR", options->merged, "Folders of campaigns that differ in --shard alone")->required();
   merge_command->add_option("--out", options->out, "A new folder for the whole, to go on with or to look at");
   merge_command->add_flag("--json", options->json, "Print one JSON object");
   merge_command->footer("Example:\n  flowcert fuzz merge part-1 part-2 --out whole");
@@ -145,16 +140,14 @@ void add_merge_command(CLI::App& command, const std::shared_ptr<FuzzCommandOptio
 
 void add_fuzz_command(CLI::App& app, int& status) {
   auto options = std::make_shared<FuzzCommandOptions>();
-  CLI::App* command =
-      app.add_subcommand("fuzz", "Search for degenerate inputs on which implementations disagree");
+  CLI::App* command = app.add_subcommand("fuzz", "Search for degenerate inputs on which implementations disagree");
   add_fuzz_options(*command, *options);
   command->add_option("--jobs", options->jobs, "Processes that work at a time")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  auto* replay_option = command
-                            ->add_option("--replay", options->replay,
-                                         "Try the case of a finding's file, or of any point file, again")
-                            ->type_name("FILE");
+  auto* replay_option =
+      command->add_option("--replay", options->replay, "Try the case of a finding's file, or of any point file, again")
+          ->type_name("FILE");
   for (const char* name : {"--count", "--time", "--out", "--resume", "--shard", "--corpus", "--json"}) {
     replay_option->excludes(command->get_option(name));
   }

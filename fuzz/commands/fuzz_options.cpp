@@ -92,13 +92,11 @@ std::string complaint_about_families(const std::string& list) {
 std::string complaint_about_row_range(const std::string& text) {
   const auto range = two_numbers(text, '-');
   const bool is_one = range && range->first <= range->second && range->second <= fuzz::kMostRowsOfTrial;
-  return is_one ? ""
-                : fmt::format("{} is no range like 4-8, of 0 to {}", in_quotes(text), fuzz::kMostRowsOfTrial);
+  return is_one ? "" : fmt::format("{} is no range like 4-8, of 0 to {}", in_quotes(text), fuzz::kMostRowsOfTrial);
 }
 std::string complaint_about_shard(const std::string& text) {
   const auto shard = two_numbers(text, '/');
-  const bool is_one =
-      shard && 1 <= shard->first && shard->first <= shard->second && shard->second <= kMostShards;
+  const bool is_one = shard && 1 <= shard->first && shard->first <= shard->second && shard->second <= kMostShards;
   return is_one ? "" : in_quotes(text) + " is no part i/n, i from 1 to n";
 }
 std::string complaint_about_property(const std::string& name) {
@@ -153,8 +151,7 @@ fuzz::Campaign new_campaign(const FuzzOptions& options) {
   if (!options.out.empty()) return fuzz::Campaign::begun(plan, options.count, options.out);
   const std::string findings = fmt::format("flowcert-fuzz-{}", options.seed);
   if (fs::exists(findings) && !options.only) {
-    throw InvalidInput(findings +
-                       ": there are findings of another campaign in it; name another folder by --out");
+    throw InvalidInput(findings + ": there are findings of another campaign in it; name another folder by --out");
   }
   return {plan, options.count, findings};
 }
@@ -191,21 +188,18 @@ void add_case_options(CLI::App& command, FuzzOptions& options) {
 }
 
 void add_property_options(CLI::App& command, FuzzOptions& options) {
-  auto* property =
-      command
-          .add_option("--property", options.properties,
-                      "Hold every case to this; may be given again. Without it: to all, each on its share")
-          ->check(complaint_about_property)
-          ->allow_extra_args(false);
+  auto* property = command
+                       .add_option("--property", options.properties,
+                                   "Hold every case to this; may be given again. Without it: to all, each on its share")
+                       ->check(complaint_about_property)
+                       ->allow_extra_args(false);
   command
       .add_option("--against", options.against,
                   "Another implementation's command instead: {in} stands for a file of points, {out} for the "
                   "file to write its claim to; without {out}, standard output is the claim")
       ->check(complaint_about_missing_in)
       ->excludes(property);
-  command
-      .add_option("--time-limit", options.time_limit,
-                  "Seconds after which its run is killed; without this 10")
+  command.add_option("--time-limit", options.time_limit, "Seconds after which its run is killed; without this 10")
       ->check(complaint_about_time);
   command
       .add_option("--memory-limit", options.memory_limit,
@@ -221,14 +215,13 @@ void add_run_options(CLI::App& command, FuzzOptions& options) {
       .add_option("--shard", options.shard,
                   "Only this part of the campaign, i/n: all n parts together are the campaign")
       ->check(complaint_about_shard);
-  auto* out = command.add_option(
-      "--out", options.out,
-      "Keep the campaign in this new folder: findings, signatures, and what to go on with");
+  auto* out = command.add_option("--out", options.out,
+                                 "Keep the campaign in this new folder: findings, signatures, and what to go on with");
   auto* resume =
       command.add_option("--resume", options.resume, "Go on with the campaign in this folder")->excludes(out);
   // The campaign's folder says all of this.
-  for (const char* name : {"--families", "--points", "--search", "--corpus", "--seed", "--property",
-                           "--against", "--shard", "--time-limit", "--memory-limit"}) {
+  for (const char* name : {"--families", "--points", "--search", "--corpus", "--seed", "--property", "--against",
+                           "--shard", "--time-limit", "--memory-limit"}) {
     resume->excludes(command.get_option(name));
   }
   command.add_flag("--shrink-all", options.shrinks_all,
@@ -294,8 +287,7 @@ void require_startable(const fuzz::CampaignPlan& plan) {
 }
 
 double hang_seconds(const fuzz::CampaignPlan& plan, const FuzzOptions& options) {
-  return plan.against.empty() ? options.hang_seconds
-                              : std::max(options.hang_seconds, 2 * plan.time_limit_seconds);
+  return plan.against.empty() ? options.hang_seconds : std::max(options.hang_seconds, 2 * plan.time_limit_seconds);
 }
 
 void print_families() {

@@ -70,7 +70,6 @@ void print_families();
 // A seed must be a number of 64 bits. CLI11 would turn a larger one into the largest one.
 [[nodiscard]] std::string complaint_about_seed(const std::string& word);
 // The seconds must be positive and at most `most`, which is `span` ("a day") in words. CLI11's range would take nan.
-[[nodiscard]] std::string complaint_about_seconds(const std::string& word, double most,
-                                                  const std::string& span);
+[[nodiscard]] std::string complaint_about_seconds(const std::string& word, double most, const std::string& span);
 
 }  // namespace flowcert::commands

@@ -53,9 +53,7 @@ FuzzProgress::FuzzProgress(const fuzz::Campaign& campaign, std::optional<double>
 
 FuzzProgress::~FuzzProgress() { erase(); }
 
-double FuzzProgress::seconds_so_far() const {
-  return std::chrono::duration<double>(Clock::now() - start_).count();
-}
+double FuzzProgress::seconds_so_far() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
 void FuzzProgress::erase() {
   if (lines_drawn_ == 0) return;

@@ -92,15 +92,13 @@ void print_reached(const fuzz::Campaign& campaign) {
     const auto& reached = campaign.tally().reached[k];
     if (!components[k].is_set) {
       for (const auto& [value, cases] : reached) {
-        values += fmt::format("{}{}: {}", values.empty() ? "" : ",  ", fuzz::value_text(k, value),
-                              with_commas(cases));
+        values += fmt::format("{}{}: {}", values.empty() ? "" : ",  ", fuzz::value_text(k, value), with_commas(cases));
       }
     } else {
       for (std::size_t bit = 0; bit < components[k].texts.size(); ++bit) {
         std::size_t with = 0;
         for (const auto& [value, cases] : reached) with += (value >> bit & 1) != 0 ? cases : 0;
-        values +=
-            fmt::format("{}{}: {}", values.empty() ? "" : ",  ", components[k].texts[bit], with_commas(with));
+        values += fmt::format("{}{}: {}", values.empty() ? "" : ",  ", components[k].texts[bit], with_commas(with));
       }
     }
     rows.push_back({components[k].name, values});
@@ -128,8 +126,7 @@ void print_counterexamples(const fuzz::Campaign& campaign) {
     print_counterexample(campaign, counterexample);
   }
   const std::string& against = campaign.plan().against;
-  fmt::print("Again: flowcert fuzz --replay FILE{}\n",
-             against.empty() ? "" : " --against " + shell_word(against));
+  fmt::print("Again: flowcert fuzz --replay FILE{}\n", against.empty() ? "" : " --against " + shell_word(against));
 }
 
 void print_fuzz_text(const FuzzRun& run) {
@@ -140,14 +137,13 @@ void print_fuzz_text(const FuzzRun& run) {
   print_row("cases", with_commas(tally.cases), expected ? "of " + with_commas(*expected) : "");
   print_row("seed", std::to_string(plan.seed));
   if (campaign.made_by().size() > 1) {
-    print_row("programs", std::to_string(campaign.made_by().size()),
-              "different ones: they may have drawn other cases");
+    print_row("programs", std::to_string(campaign.made_by().size()), "different ones: they may have drawn other cases");
   }
   if (plan.shard.count > 1) print_row("shard", fmt::format("{}/{}", plan.shard.index + 1, plan.shard.count));
   if (run.seconds) {
     print_row("cases a second", fmt::format("{:.0f}", static_cast<double>(run.cases) / *run.seconds),
-              fmt::format("{} cases in {}, {} job{}", with_commas(run.cases), seconds_text(*run.seconds),
-                          run.jobs, run.jobs == 1 ? "" : "s"));
+              fmt::format("{} cases in {}, {} job{}", with_commas(run.cases), seconds_text(*run.seconds), run.jobs,
+                          run.jobs == 1 ? "" : "s"));
   }
   print_row("signatures", with_commas(campaign.signatures().size()), "distinct degeneracies of inputs");
   print_row("failing cases", with_commas(tally.failing_cases()),

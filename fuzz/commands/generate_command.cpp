@@ -41,8 +41,7 @@ fuzz::CaseRun run_of(const GenerateOptions& options) {
   run.cases = options.cases.value_or(fuzz::usual_cases(options.level));
   run.chosen = fuzz::chosen_families(options.families);
   if (options.only && *options.only >= run.cases) {
-    throw InvalidInput(
-        fmt::format("--only: the run has {} cases, 0 to {}", with_commas(run.cases), run.cases - 1));
+    throw InvalidInput(fmt::format("--only: the run has {} cases, 0 to {}", with_commas(run.cases), run.cases - 1));
   }
   return run;
 }
@@ -58,8 +57,7 @@ void put(const std::string& text) {
   errno = 0;
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
   if (errno == EPIPE) end_of_the_pipe();
-  throw OutputError(
-      fmt::format("standard output cannot be written: {}", std::strerror(errno != 0 ? errno : EIO)));
+  throw OutputError(fmt::format("standard output cannot be written: {}", std::strerror(errno != 0 ? errno : EIO)));
 }
 
 std::string introduction(const fuzz::CaseRun& run, const std::string& id) {

@@ -68,8 +68,8 @@ void add_row(Table& table, const std::string& name, const OutcomeCounts& counts)
 }
 
 void print_family_table(const Verification& verification) {
-  Table table("lrrrrrrr", {"family", "cases", "conforms", "where determined", "fails", "unreadable",
-                           "refused", "unanswered"});
+  Table table("lrrrrrrr",
+              {"family", "cases", "conforms", "where determined", "fails", "unreadable", "refused", "unanswered"});
   for (const auto& [name, counts] : verification.counts_by_family()) add_row(table, name, counts);
   add_row(table, "all", verification.counts());
   table.print();
@@ -112,8 +112,7 @@ void print_failures(const Verification& verification, std::size_t most) {
   const OutcomeCounts counts = verification.counts();
   const std::size_t all = total_of(counts) - right_of(counts) - count_of(counts, Outcome::kUnanswered);
   if (all > shown) {
-    fmt::print("\n({} of {} failing cases are shown; --most N shows N)\n", with_commas(shown),
-               with_commas(all));
+    fmt::print("\n({} of {} failing cases are shown; --most N shows N)\n", with_commas(shown), with_commas(all));
   }
 }
 
@@ -136,8 +135,8 @@ const char* truth_text(const Verification& verification) {
 
 void print_verdict(const Verification& verification) {
   const OutcomeCounts counts = verification.counts();
-  fmt::print("\n{}: {} of {} cases are right", verdict_text(verification.verdict()),
-             with_commas(right_of(counts)), with_commas(verification.expected()));
+  fmt::print("\n{}: {} of {} cases are right", verdict_text(verification.verdict()), with_commas(right_of(counts)),
+             with_commas(verification.expected()));
   if (verification.approximate() > 0) {
     fmt::print("; {} approximate, tolerance {} of the radius", with_commas(verification.approximate()),
                verification.options().check.tolerance);
@@ -205,8 +204,7 @@ void write_family(std::ostream& out, const Verification& verification, const std
   for (const auto& [number, failed] : verification.failures()) {
     if (fuzz::family_of_case(verification.run(), number).name != name) continue;
     out << xml_text(fmt::format("case {} {}", failed.id, verdict_of(failed))) << '\n';
-    for (const std::string& line : lines_of(failed, kMostFindingsShown))
-      out << "  " << xml_text(line) << '\n';
+    for (const std::string& line : lines_of(failed, kMostFindingsShown)) out << "  " << xml_text(line) << '\n';
   }
   if (const std::size_t count = count_of(counts, Outcome::kUnanswered); count > 0) {
     out << fmt::format("{} unanswered\n", count);
@@ -281,8 +279,7 @@ void take_all_answers(Verification& verification) {
 
 int verify(VerifyCommandOptions options) {
   const bool is_for_programs = options.json || !options.junit.empty();
-  options.verification.most_failures_kept =
-      options.most.value_or(is_for_programs ? kUsuallyReported : kUsuallyShown);
+  options.verification.most_failures_kept = options.most.value_or(is_for_programs ? kUsuallyReported : kUsuallyShown);
   Verification verification(options.verification);
   take_all_answers(verification);
   if (!verification.has_begun()) throw InvalidInput("standard input: no answers");
@@ -304,8 +301,7 @@ int verify(VerifyCommandOptions options) {
 void add_verify_command(CLI::App& app, int& status) {
   auto options = std::make_shared<VerifyCommandOptions>();
   VerificationOptions& verification = options->verification;
-  CLI::App* command =
-      app.add_subcommand("verify", "Whether a program's answers to the cases of generate are right");
+  CLI::App* command = app.add_subcommand("verify", "Whether a program's answers to the cases of generate are right");
   command->add_flag("--json", options->json, "Print one JSON object");
   command->add_option("--junit", options->junit, "Write a JUnit report to this file, a test case a family");
   command
@@ -313,17 +309,14 @@ void add_verify_command(CLI::App& app, int& status) {
                    "Write points and claim of each failing case into this folder, for flowcert check")
       ->type_name("DIR");
   add_judging_options(*command, verification.check);
-  command
-      ->add_option("--most", options->most,
-                   "Report so many failing cases; without this 10, to programs 1,000")
+  command->add_option("--most", options->most, "Report so many failing cases; without this 10, to programs 1,000")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--only", verification.only, "Expect an answer to this case alone")
       ->check(CLI::NonNegativeNumber);
-  command->add_flag(
-      "--oracle", verification.by_oracle,
-      fmt::format("Let the oracle say what is true, not the fast implementation, for cases of up "
-                  "to {} points",
-                  kMostPointsForOracle));
+  command->add_flag("--oracle", verification.by_oracle,
+                    fmt::format("Let the oracle say what is true, not the fast implementation, for cases of up "
+                                "to {} points",
+                                kMostPointsForOracle));
   command->footer(
       "Reads from standard input, for each case, in any order:\n"
       "  answer ID\n  ...the critical points, in a format that flowcert check reads...\n  end\n"

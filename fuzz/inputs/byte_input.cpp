@@ -27,9 +27,7 @@ struct Lattice {
   bool is_far = false;
 
   explicit Lattice(unsigned header)
-      : half_width(kHalfWidths.at(header & 7U)),
-        unit(kUnits.at(header >> 3U & 7U)),
-        is_far((header & 0x40U) != 0) {}
+      : half_width(kHalfWidths.at(header & 7U)), unit(kUnits.at(header >> 3U & 7U)), is_far((header & 0x40U) != 0) {}
 
   [[nodiscard]] double coordinate(std::size_t axis, int k) const {
     return std::ldexp((is_far ? kFar.at(axis) : 0) + k, unit);
@@ -114,8 +112,7 @@ Input input_of_bytes(Bytes bytes, std::size_t most_rows) {
     const unsigned ulps = has_ulps ? bytes[3] : 0U;
     Row row{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      row.at(axis) =
-          nudged(lattice.coordinate(axis, points.back().at(axis)), kSteps.at(ulps >> 2 * axis & 3U));
+      row.at(axis) = nudged(lattice.coordinate(axis, points.back().at(axis)), kSteps.at(ulps >> 2 * axis & 3U));
     }
     input.rows.push_back(row);
   }

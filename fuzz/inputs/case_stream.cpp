@@ -32,9 +32,7 @@ struct LargeFamily {
   Input (*make)(std::size_t points, std::uint64_t seed);
 };
 
-Input large_facet(std::size_t points, std::uint64_t seed) {
-  return high_degree_facet(points - 2, seed % 2 == 1, seed);
-}
+Input large_facet(std::size_t points, std::uint64_t seed) { return high_degree_facet(points - 2, seed % 2 == 1, seed); }
 
 constexpr std::array<LargeFamily, 3> kLargeFamilies{
     {{"half-shell", half_shell}, {"high-degree-facet", large_facet}, {"long-cascade", long_cascade}}};
@@ -92,8 +90,8 @@ std::optional<NamedCase> parsed(std::string_view id) {
   const bool has_numbers =
       read_number(next_part(id, ':'), result.run.level) && read_number(next_part(id, ':'), result.run.seed) &&
       read_number(next_part(id, '/'), result.number) && read_number(next_part(id, ':'), result.run.cases);
-  if (!has_numbers || result.run.level < 1 || result.run.level > kCaseLevels ||
-      result.run.cases > kMostCases || result.number >= result.run.cases) {
+  if (!has_numbers || result.run.level < 1 || result.run.level > kCaseLevels || result.run.cases > kMostCases ||
+      result.number >= result.run.cases) {
     return std::nullopt;
   }
   (void)next_part(id, ':');
@@ -120,8 +118,8 @@ std::vector<std::size_t> chosen_families(const std::vector<std::string>& names) 
     if (is_named) chosen.push_back(place);
   }
   for (const std::string& name : names) {
-    const bool exists = std::any_of(families().begin(), families().end(),
-                                    [&](const Family& family) { return family.name == name; });
+    const bool exists =
+        std::any_of(families().begin(), families().end(), [&](const Family& family) { return family.name == name; });
     if (!exists) throw std::invalid_argument("no family is called '" + name + "'");
   }
   if (chosen.size() == families().size()) chosen.clear();

@@ -65,9 +65,8 @@ rc::Gen<IntegerPoints> signed_permutations(std::size_t least, std::size_t most) 
 }
 
 rc::Gen<IntegerPoints> points_of_a_sphere(std::size_t least, std::size_t most) {
-  return rc::gen::apply(
-      [](const RawIndices& raw, Integer norm) { return at_raw_indices(sphere_points(norm), raw); },
-      list_of(least, most, raw_index()), sphere_norm());
+  return rc::gen::apply([](const RawIndices& raw, Integer norm) { return at_raw_indices(sphere_points(norm), raw); },
+                        list_of(least, most, raw_index()), sphere_norm());
 }
 
 rc::Gen<IntegerPoints> box_corners(std::size_t least, std::size_t most) {
@@ -84,15 +83,13 @@ rc::Gen<IntegerPoints> box_corners(std::size_t least, std::size_t most) {
 }
 
 rc::Gen<IntegerPoints> points_of_a_circle(std::size_t least, std::size_t most) {
-  return rc::gen::apply(
-      [](const RawIndices& raw, Integer norm) { return at_raw_indices(circle_points(norm), raw); },
-      list_of(least, most, raw_index()), circle_norm());
+  return rc::gen::apply([](const RawIndices& raw, Integer norm) { return at_raw_indices(circle_points(norm), raw); },
+                        list_of(least, most, raw_index()), circle_norm());
 }
 
 rc::Gen<IntegerPoints> points_of_two_circles(std::size_t least, std::size_t most) {
   return rc::gen::apply(
-      [](const std::pair<RawIndices, RawIndices>& raw, Integer lower_norm, Integer upper_norm,
-         Integer height) {
+      [](const std::pair<RawIndices, RawIndices>& raw, Integer lower_norm, Integer upper_norm, Integer height) {
         IntegerPoints points = at_raw_indices(circle_points(lower_norm), raw.first);
         const IntegerPoints upper = at_raw_indices(circle_points(upper_norm), raw.second);
         for (const IntegerPoint& point : lifted(upper, height)) {
@@ -100,8 +97,8 @@ rc::Gen<IntegerPoints> points_of_two_circles(std::size_t least, std::size_t most
         }
         return points;
       },
-      rc::gen::pair(list_of(least, most, raw_index()), list_of(least, most, raw_index())), circle_norm(),
-      circle_norm(), whole(1, 8));
+      rc::gen::pair(list_of(least, most, raw_index()), list_of(least, most, raw_index())), circle_norm(), circle_norm(),
+      whole(1, 8));
 }
 
 rc::Gen<IntegerPoints> any_configuration() {
@@ -186,9 +183,8 @@ IntegerPoints shifted_circle(Integer norm, Integer x, Integer y) {
   for (IntegerPoint& point : points) {
     point = plus(point, {x, y, 0});
   }
-  std::stable_sort(points.begin(), points.end(), [](const IntegerPoint& a, const IntegerPoint& b) {
-    return squared_length(a) < squared_length(b);
-  });
+  std::stable_sort(points.begin(), points.end(),
+                   [](const IntegerPoint& a, const IntegerPoint& b) { return squared_length(a) < squared_length(b); });
   return points;
 }
 
@@ -234,8 +230,7 @@ constexpr Integer kSteps = 8;  // the parameter 1 of a circle, a quarter, is so 
 // Half of a sphere is i² + j² <= kSteps².
 IntegerPoint half_sphere(Integer radius, Integer i, Integer j) {
   const Integer denominator = kSteps * kSteps + i * i + j * j;
-  return {nearest_integer(radius * 2 * kSteps * i, denominator),
-          nearest_integer(radius * 2 * kSteps * j, denominator),
+  return {nearest_integer(radius * 2 * kSteps * i, denominator), nearest_integer(radius * 2 * kSteps * j, denominator),
           nearest_integer(radius * (denominator - 2 * kSteps * kSteps), denominator)};
 }
 
@@ -287,8 +282,8 @@ rc::Gen<IntegerPoints> rings_of_pairs() {
     for (std::size_t k = 0; k < heights.size(); ++k) {
       const auto& [unused, first, other] = rings[k];
       const Integer norm = ring_norm(heights[k]);
-      const IntegerPoints ring = k == 0 ? polygon_around_origin(norm, first, other / 2, other % 2 == 0)
-                                        : opposite_points(norm, first);
+      const IntegerPoints ring =
+          k == 0 ? polygon_around_origin(norm, first, other / 2, other % 2 == 0) : opposite_points(norm, first);
       append_at_height(points, ring, heights[k]);
     }
     return points;
@@ -406,15 +401,14 @@ rc::Gen<IntegerPoints> right_angles_12() {
 
 rc::Gen<IntegerPoints> right_angles_23() {
   return rc::gen::apply(
-      [](Integer norm, const std::pair<std::size_t, std::size_t>& corners, bool square,
-         const RawIndices& others, const IntegerPoints& far) {
+      [](Integer norm, const std::pair<std::size_t, std::size_t>& corners, bool square, const RawIndices& others,
+         const IntegerPoints& far) {
         IntegerPoints boundary = polygon_around_origin(norm, corners.first, corners.second, square);
         append(boundary, on_positive_side(sphere_points(norm), {0, 0, 1}), others);
         return with_far_points(boundary, far, norm);
       },
       circle_norm(), rc::gen::pair(raw_index(), raw_index()),
-      rc::gen::map(whole(0, 2), [](Integer dice) { return dice == 2; }), list_of(1, 3, raw_index()),
-      further_points(0));
+      rc::gen::map(whole(0, 2), [](Integer dice) { return dice == 2; }), list_of(1, 3, raw_index()), further_points(0));
 }
 
 rc::Gen<IntegerPoints> right_angles_13() {

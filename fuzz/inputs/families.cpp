@@ -62,8 +62,7 @@ rc::Gen<IntegerPoints> few_points() {
 }
 
 Family lattice_family(Integer width, Promise promise) {
-  return {"lattice-" + std::to_string(width),
-          "distinct points of the lattice {0.." + std::to_string(width - 1) + "}^3",
+  return {"lattice-" + std::to_string(width), "distinct points of the lattice {0.." + std::to_string(width - 1) + "}^3",
           [width] { return input_of(lattice_points(width, 4, 12)); }, promise};
 }
 
@@ -75,12 +74,9 @@ static std::vector<Family> lattice_families() {
        "random 53-bit coordinates in [-1, 1]",
        [] { return shrink_by_removing(points_in_general_position()); },
        {.four_points = 100}},
-      lattice_family(
-          2, {.four_points = 100, .cluster = 50, .kind12 = 65, .kind23 = 10, .kind13 = 25, .tie = 90}),
-      lattice_family(3,
-                     {.four_points = 100, .cluster = 10, .kind12 = 75, .kind23 = 5, .kind13 = 25, .tie = 80}),
-      lattice_family(4,
-                     {.four_points = 100, .cluster = 5, .kind12 = 60, .kind23 = 1, .kind13 = 15, .tie = 65}),
+      lattice_family(2, {.four_points = 100, .cluster = 50, .kind12 = 65, .kind23 = 10, .kind13 = 25, .tie = 90}),
+      lattice_family(3, {.four_points = 100, .cluster = 10, .kind12 = 75, .kind23 = 5, .kind13 = 25, .tie = 80}),
+      lattice_family(4, {.four_points = 100, .cluster = 5, .kind12 = 60, .kind23 = 1, .kind13 = 15, .tie = 65}),
       {"few-points",
        "0 to 4 points with small integer coordinates",
        [] { return input_of(few_points()); },
@@ -160,12 +156,10 @@ IntegerPoint or_else(const IntegerPoint& vector, const IntegerPoint& instead) {
 // Integer combinations of two vectors, in any plane.
 rc::Gen<IntegerPoints> points_of_a_plane() {
   return rc::gen::apply(
-      [](const IntegerPoints& coordinates, const IntegerPoint& u, const IntegerPoint& v,
-         const IntegerPoint& origin) {
+      [](const IntegerPoints& coordinates, const IntegerPoint& u, const IntegerPoint& v, const IntegerPoint& origin) {
         IntegerPoints points;
         for (const auto& [s, t, unused] : coordinates) {
-          points.push_back(
-              plus(origin, plus(times(s, or_else(u, {1, 0, 0})), times(t, or_else(v, {0, 1, 0})))));
+          points.push_back(plus(origin, plus(times(s, or_else(u, {1, 0, 0})), times(t, or_else(v, {0, 1, 0})))));
         }
         return points;
       },
@@ -184,9 +178,7 @@ rc::Gen<IntegerPoints> points_of_a_line() {
       list_of(4, 10, whole(-9, 9)), integer_point(-3, 3), integer_point(-3, 3));
 }
 
-rc::Gen<Input> distinct_input(const rc::Gen<IntegerPoints>& points) {
-  return input_of(rc::gen::map(points, distinct));
-}
+rc::Gen<Input> distinct_input(const rc::Gen<IntegerPoints>& points) { return input_of(rc::gen::map(points, distinct)); }
 
 }  // namespace
 
@@ -233,9 +225,7 @@ static std::vector<Family> right_angle_families() {
        {.four_points = 100, .cluster = 25, .kind13 = 95, .tie = 95}},
       {"right-angles",
        "any of the three kinds of regular stationary point",
-       [] {
-         return placed_distinct(rc::gen::oneOf(right_angles_12(), right_angles_23(), right_angles_13()));
-       },
+       [] { return placed_distinct(rc::gen::oneOf(right_angles_12(), right_angles_23(), right_angles_13())); },
        {.four_points = 90, .cluster = 30, .kind12 = 30, .kind23 = 20, .kind13 = 20, .tie = 99}},
   };
 }
@@ -267,8 +257,7 @@ static std::vector<Family> orbit_families() {
        "points symmetric to an axis or to two planes, where the flow across facets runs into Voronoi "
        "vertices",
        [] {
-         return placed_distinct(
-             rc::gen::weightedOneOf<IntegerPoints>({{3, rings_of_pairs()}, {1, mirrored_points()}}));
+         return placed_distinct(rc::gen::weightedOneOf<IntegerPoints>({{3, rings_of_pairs()}, {1, mirrored_points()}}));
        },
        {.four_points = 95, .cluster = 65, .kind12 = 30, .tie = 75}},
   };
@@ -281,8 +270,8 @@ namespace {
 
 std::vector<Family> all_groups() {
   std::vector<Family> all;
-  for (auto* group : {lattice_families, spherical_families, flat_families, right_angle_families,
-                      scan_families, orbit_families, rounding_families, magnitude_families}) {
+  for (auto* group : {lattice_families, spherical_families, flat_families, right_angle_families, scan_families,
+                      orbit_families, rounding_families, magnitude_families}) {
     for (Family& family : group()) {
       all.push_back(std::move(family));
     }

@@ -47,13 +47,9 @@ IntegerPoint cross(const IntegerPoint& a, const IntegerPoint& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-IntegerPoint plus(const IntegerPoint& a, const IntegerPoint& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
+IntegerPoint plus(const IntegerPoint& a, const IntegerPoint& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
-IntegerPoint times(Integer factor, const IntegerPoint& a) {
-  return {factor * a[0], factor * a[1], factor * a[2]};
-}
+IntegerPoint times(Integer factor, const IntegerPoint& a) { return {factor * a[0], factor * a[1], factor * a[2]}; }
 
 Integer nearest_integer(Integer numerator, Integer denominator) {
   const Integer doubled = 2 * numerator + denominator;
@@ -208,9 +204,7 @@ rc::Gen<std::size_t> raw_index() {
   return rc::gen::map(whole(0, 1'000'000), [](Integer index) { return static_cast<std::size_t>(index); });
 }
 
-const IntegerPoint& at_raw_index(const IntegerPoints& list, std::size_t raw) {
-  return list[raw % list.size()];
-}
+const IntegerPoint& at_raw_index(const IntegerPoints& list, std::size_t raw) { return list[raw % list.size()]; }
 
 IntegerPoints at_raw_indices(IntegerPoints list, const std::vector<std::size_t>& raw) {
   IntegerPoints chosen;

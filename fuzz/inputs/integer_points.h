@@ -40,9 +40,8 @@ rc::Gen<std::size_t> row_count(std::size_t least, std::size_t most);
 // A list of row_count(least, most) elements; shrinks its elements, not its length.
 template <typename T>
 rc::Gen<std::vector<T>> list_of(std::size_t least, std::size_t most, const rc::Gen<T>& element) {
-  return rc::gen::mapcat(row_count(least, most), [element](std::size_t count) {
-    return rc::gen::container<std::vector<T>>(count, element);
-  });
+  return rc::gen::mapcat(row_count(least, most),
+                         [element](std::size_t count) { return rc::gen::container<std::vector<T>>(count, element); });
 }
 
 // A rotation times the positive integer `norm`: the matrix of a quaternion of integers. Its rows are

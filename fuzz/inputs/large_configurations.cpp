@@ -57,8 +57,7 @@ Gaussian power(const Gaussian& base, int exponent) {
 constexpr std::array<Gaussian, 8> kPrimes{{{2, 1}, {3, 2}, {4, 1}, {5, 2}, {6, 1}, {5, 4}, {7, 2}, {6, 5}}};
 // The primes are multiplied in this order to a norm N. x² + y² = N has four times as many solutions as N has
 // divisors, 120,960 in the end, with coordinates below 2^48.
-constexpr std::array<std::size_t, 23> kOrder{0, 1, 2, 3, 0, 4, 5, 1, 6, 0, 2, 7,
-                                             3, 0, 4, 1, 5, 0, 6, 2, 3, 1, 0};
+constexpr std::array<std::size_t, 23> kOrder{0, 1, 2, 3, 0, 4, 5, 1, 6, 0, 2, 7, 3, 0, 4, 1, 5, 0, 6, 2, 3, 1, 0};
 
 // A norm whose circle has at least so many points. It is given by the exponents of the primes.
 std::array<int, kPrimes.size()> norm_with_points(std::size_t least) {

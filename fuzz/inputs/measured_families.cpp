@@ -34,8 +34,7 @@ Fraction sine(Integer step) { return {2 * kSteps * step, kSteps * kSteps + step 
 
 IntegerPoint sphere_sample(Integer radius, Integer i, Integer j) {
   const Integer denominator = kSteps * kSteps + i * i + j * j;
-  return {nearest_integer(radius * 2 * kSteps * i, denominator),
-          nearest_integer(radius * 2 * kSteps * j, denominator),
+  return {nearest_integer(radius * 2 * kSteps * i, denominator), nearest_integer(radius * 2 * kSteps * j, denominator),
           nearest_integer(radius * (denominator - 2 * kSteps * kSteps), denominator)};
 }
 
@@ -166,8 +165,7 @@ using Nudge = std::tuple<Integer, Integer, int>;
 
 rc::Gen<Nudge> nudge() {
   // One outcome of five is no step. The others are one step up or down, and shrink to no step.
-  const auto steps =
-      rc::gen::map(whole(0, 4), [](Integer dice) { return dice == 0 ? 0 : (dice % 2 == 1 ? 1 : -1); });
+  const auto steps = rc::gen::map(whole(0, 4), [](Integer dice) { return dice == 0 ? 0 : (dice % 2 == 1 ? 1 : -1); });
   return rc::gen::tuple(whole(0, 99), whole(0, 2), steps);
 }
 

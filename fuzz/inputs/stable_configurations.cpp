@@ -43,8 +43,7 @@ void append_stars(Integer a, Integer t, std::vector<Star>& stars) {
   const IntegerPoints sphere = lower_sphere_points(a, t);
   for (const IntegerPoint& p : sphere) {
     for (const IntegerPoint& q : sphere) {
-      if (is_obtuse(p, left, right) && is_obtuse(q, left, right) && is_obtuse(q, left, p) &&
-          is_obtuse(q, right, p)) {
+      if (is_obtuse(p, left, right) && is_obtuse(q, left, right) && is_obtuse(q, left, p) && is_obtuse(q, right, p)) {
         stars.push_back({a, t, p, q});
       }
     }

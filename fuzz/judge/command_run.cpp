@@ -27,8 +27,7 @@ namespace flowcert::judge {
 // Words that mean nothing special to the shell stay as they are. So a user's own quotes around a place, "{in}", do no
 // harm.
 std::string shell_word(const std::string& text) {
-  constexpr std::string_view kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
   if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
   std::string word = "'";
   for (const char c : text) {
@@ -45,12 +44,11 @@ bool has_place(std::string_view command, std::string_view place) {
   return command.find(place) != std::string_view::npos;
 }
 
-std::string filled_in(std::string_view command,
-                      const std::vector<std::pair<std::string, std::string>>& values) {
+std::string filled_in(std::string_view command, const std::vector<std::pair<std::string, std::string>>& values) {
   std::string text;
   while (!command.empty()) {
-    const auto value = std::ranges::find_if(
-        values, [&](const auto& candidate) { return command.starts_with(candidate.first); });
+    const auto value =
+        std::ranges::find_if(values, [&](const auto& candidate) { return command.starts_with(candidate.first); });
     if (value != values.end()) {
       text += shell_word(value->second);
       command.remove_prefix(value->first.size());
@@ -149,8 +147,8 @@ CommandRun run_command(const CommandOrder& order, const fs::path& folder, const 
   auto values = order.values;
   values.emplace_back("{in}", points.string());
   values.emplace_back("{out}", run.answer.string());
-  run.end = run_limited(filled_in(order.command, values),
-                        {run.work().string(), run.out().string(), run.err().string()}, limits, is_cancelled);
+  run.end = run_limited(filled_in(order.command, values), {run.work().string(), run.out().string(), run.err().string()},
+                        limits, is_cancelled);
   return run;
 }
 
@@ -196,8 +194,7 @@ void write_text_file(const fs::path& path, const std::string& text) {
 ScratchFolder::ScratchFolder() {
   std::string name = (fs::absolute(fs::temp_directory_path()) / "flowcert-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) {
-    throw fs::filesystem_error("no temporary directory", name,
-                               std::error_code(errno, std::generic_category()));
+    throw fs::filesystem_error("no temporary directory", name, std::error_code(errno, std::generic_category()));
   }
   path_ = name;
 }

@@ -83,9 +83,7 @@ class CaseRun {
   // ---- Running
 
   Run run_claim() { return run(options_.command, options_.out_name, {}); }
-  Run run_orbit(const std::string& start) {
-    return run(options_.orbit_command, kOrbitName, {{"{start}", start}});
-  }
+  Run run_orbit(const std::string& start) { return run(options_.orbit_command, kOrbitName, {{"{start}", start}}); }
   Run run_persistence() { return run(options_.persistence_command, kPersistenceName, {}); }
 
   Run run(const std::string& command, const std::string& out_name,
@@ -192,8 +190,8 @@ class CaseRun {
 
   bool judge_orbit(const Run& run, const CaseOrbit& orbit) {
     OrbitPath claimed;
-    const bool is_read = read_answer(
-        run, [&](const std::string& bytes) { claimed = claimed_orbit_of(bytes, run.answer_name); });
+    const bool is_read =
+        read_answer(run, [&](const std::string& bytes) { claimed = claimed_orbit_of(bytes, run.answer_name); });
     if (!is_read) return false;
     ++result_.orbits_judged;
     const auto difference = path_difference(claimed, orbit.path);
@@ -212,8 +210,8 @@ class CaseRun {
   void judge_persistence(const Run& run) {
     if (!ends_well(run)) return;
     PairList claimed;
-    const bool is_read = read_answer(
-        run, [&](const std::string& bytes) { claimed = claimed_pairs_of(bytes, run.answer_name); });
+    const bool is_read =
+        read_answer(run, [&](const std::string& bytes) { claimed = claimed_pairs_of(bytes, run.answer_name); });
     if (!is_read) return;
     result_.is_persistence_judged = true;
     auto differences = pair_differences(claimed, *case_.persistence);
@@ -298,8 +296,8 @@ class ConformanceRun {
 
 }  // namespace
 
-std::vector<CaseOutcome> run_conformance(const std::vector<const VectorCase*>& cases,
-                                         const ConformanceOptions& options, const Progress& progress) {
+std::vector<CaseOutcome> run_conformance(const std::vector<const VectorCase*>& cases, const ConformanceOptions& options,
+                                         const Progress& progress) {
   return ConformanceRun(cases, options, progress).outcomes();
 }
 

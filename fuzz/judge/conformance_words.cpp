@@ -34,13 +34,13 @@ std::string one_line(const std::string& text) {
 }
 
 std::string finding_words(const Finding& finding) {
-  return one_line(fmt::format("level {}: {} [{}]: claimed {}; truth: {}", finding.level,
-                              reason_text(finding.reason), finding.clause, finding.claimed, finding.truth));
+  return one_line(fmt::format("level {}: {} [{}]: claimed {}; truth: {}", finding.level, reason_text(finding.reason),
+                              finding.clause, finding.claimed, finding.truth));
 }
 
 std::string orbit_finding_words(const OrbitFinding& finding) {
-  return one_line(fmt::format("orbit from {}: claimed {}; truth: {}", finding.start,
-                              finding.difference.claimed, finding.difference.truth));
+  return one_line(fmt::format("orbit from {}: claimed {}; truth: {}", finding.start, finding.difference.claimed,
+                              finding.difference.truth));
 }
 
 std::string persistence_finding_words(const PairDifference& difference) {

@@ -128,8 +128,7 @@ pid_t start_process(const Start& start) {
 // The process stays a zombie and keeps its number, so that the group can still be signalled.
 bool has_ended(pid_t process) {
   siginfo_t info{};
-  return ::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
-         info.si_pid == process;
+  return ::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == process;
 }
 
 // Waits a tenth of the time that has passed: short runs are delayed little, and long ones are looked at rarely.

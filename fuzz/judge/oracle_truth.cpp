@@ -49,8 +49,8 @@ StableSet stable_set_of(const oracle::PointSet& points, const oracle::StableSet&
   for (const auto& segment : set.segments) result.segments.push_back(segment_of(segment));
   for (const auto& interval : set.intervals) {
     if (interval.kind == oracle::IntervalKind::kCrossed) continue;
-    result.intervals.push_back({names_of(interval.polygon), interval.front, interval.back,
-                                !oracle::flow_segment(points, interval.back)});
+    result.intervals.push_back(
+        {names_of(interval.polygon), interval.front, interval.back, !oracle::flow_segment(points, interval.back)});
   }
   for (const auto& sector : set.sectors) {
     result.sectors.push_back(
@@ -109,8 +109,7 @@ class OracleTruth final : public Truth {
   }
   [[nodiscard]] StableSummary stable_summary(std::size_t i) override {
     const oracle::StableSet& set = stable(i);
-    return {oracle::segments_without_intervals(answer_.stationary[i], set), set.has_vertex,
-            !set.intervals.empty()};
+    return {oracle::segments_without_intervals(answer_.stationary[i], set), set.has_vertex, !set.intervals.empty()};
   }
   [[nodiscard]] StableSet stable_set(std::size_t i) override { return stable_set_of(set_, stable(i)); }
 
@@ -167,8 +166,7 @@ std::unique_ptr<Truth> oracle_truth(const std::vector<Point>& rows) {
                                    rows.size(), kMostPointsForOracle));
   }
   const auto coordinates = triples(rows);
-  return std::make_unique<OracleTruth>(coordinates,
-                                       oracle::stationary_points(oracle::fast::PointSet(coordinates)));
+  return std::make_unique<OracleTruth>(coordinates, oracle::stationary_points(oracle::fast::PointSet(coordinates)));
 }
 
 std::unique_ptr<Truth> oracle_truth(const std::vector<Point>& rows, oracle::Answer answer) {

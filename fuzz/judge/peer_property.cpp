@@ -94,8 +94,7 @@ class Peer {
     }
   }
 
-  [[nodiscard]] std::optional<Disagreement> judge_answer(const std::vector<Point>& rows,
-                                                         const std::string& bytes,
+  [[nodiscard]] std::optional<Disagreement> judge_answer(const std::vector<Point>& rows, const std::string& bytes,
                                                          const std::string& name) const {
     const PointSet points(rows);
     const Claim claim = read_claim_from(bytes, name);

@@ -54,8 +54,7 @@ oracle::StationaryPoint stationary_point_of(const Json& value, std::size_t rows)
   const Json& index = value.at("index");
   const auto dimensions =
       index.is_array() ? index.get<std::array<int, 2>>() : std::array{index.get<int>(), index.get<int>()};
-  require(0 <= dimensions[0] && dimensions[0] <= dimensions[1] && dimensions[1] <= 3,
-          "no index: " + index.dump());
+  require(0 <= dimensions[0] && dimensions[0] <= dimensions[1] && dimensions[1] <= 3, "no index: " + index.dump());
   point.face_dimension = dimensions[0];
   point.hull_dimension = dimensions[1];
   point.contact = contact_of(value.at("contact"), rows);
@@ -68,8 +67,7 @@ oracle::StationaryPoint stationary_point_of(const Json& value, std::size_t rows)
 
 // The order of FC-OUT-02. The judgement searches the list by it.
 std::tuple<bool, int, int, const std::vector<std::size_t>&> order_key(const oracle::StationaryPoint& point) {
-  return {point.face_dimension != point.hull_dimension, point.face_dimension, point.hull_dimension,
-          point.contact};
+  return {point.face_dimension != point.hull_dimension, point.face_dimension, point.hull_dimension, point.contact};
 }
 
 using RecordOf = std::map<std::vector<std::size_t>, std::size_t>;
@@ -117,8 +115,7 @@ std::string start_of(const std::vector<std::string>& words) {
   std::string start = joined(words);
   const RationalPoint taken = parse_rational_point(start);
   for (std::size_t k = 0; k < 3; ++k) {
-    require(taken.at(k) == exact_rational(words[k]),
-            "a start that is no double and no fraction: " + words[k]);
+    require(taken.at(k) == exact_rational(words[k]), "a start that is no double and no fraction: " + words[k]);
   }
   return start;
 }
@@ -129,12 +126,10 @@ std::vector<ListedPair> pairs_of(const Json& array) {
     const Json& dimension = required_field(value, "dimension");
     require(dimension.is_number_unsigned() && dimension.get<std::uint64_t>() < kPairDimensions,
             "'dimension' is not 0, 1 or 2");
-    pairs.push_back(
-        {dimension.get<int>(), required_rational(required_field(value, "birth"), "birth"), std::nullopt});
+    pairs.push_back({dimension.get<int>(), required_rational(required_field(value, "birth"), "birth"), std::nullopt});
     const Json& death = required_field(value, "death");
     if (!death.is_null()) pairs.back().death = required_rational(death, "death");
-    require(!pairs.back().death || pairs.back().birth < *pairs.back().death,
-            "a persistence pair of no length");
+    require(!pairs.back().death || pairs.back().birth < *pairs.back().death, "a persistence pair of no length");
   }
   require(std::ranges::is_sorted(pairs, is_before), "persistence pairs that are not in order");
   return pairs;
@@ -156,17 +151,15 @@ void add_expected(const Json& expected, VectorCase& one) {
           "stationary points that are not in order");
   for (const Json& value : expected.at("stationary")) {
     const auto limits = value.find("limits");
-    one.limits.push_back(limits == value.end() ? std::nullopt
-                                               : std::optional(limits_of(*limits, record_of, rows)));
+    one.limits.push_back(limits == value.end() ? std::nullopt : std::optional(limits_of(*limits, record_of, rows)));
     const auto stable = value.find("stable");
-    one.stable.push_back(stable == value.end() ? std::nullopt
-                                               : std::optional(stable_of(*stable, record_of, one)));
+    one.stable.push_back(stable == value.end() ? std::nullopt : std::optional(stable_of(*stable, record_of, one)));
   }
   if (expected.contains("persistence")) one.persistence = pairs_of(expected.at("persistence"));
   if (!expected.contains("orbits")) return;
   for (const Json& value : expected.at("orbits")) {
-    one.orbits.push_back({start_of(value.at("start").get<std::vector<std::string>>()),
-                          claimed_orbit_of(value.dump(), "an orbit")});
+    one.orbits.push_back(
+        {start_of(value.at("start").get<std::vector<std::string>>()), claimed_orbit_of(value.dump(), "an orbit")});
   }
 }
 
@@ -225,8 +218,7 @@ Json file_of(const std::string& path, const char* format) {
   const std::string bytes = read_bytes(path);
   return at_place(path, [&] {
     Json file = Json::parse(bytes);
-    require(file.at("format") == format && file.at("format_version") == 1,
-            fmt::format("not {}, version 1", format));
+    require(file.at("format") == format && file.at("format_version") == 1, fmt::format("not {}, version 1", format));
     return file;
   });
 }
@@ -258,8 +250,8 @@ void require_consistent(const std::string& folder, const Vectors& vectors) {
   for (const VectorCase& one : vectors.cases) {
     require(ids.insert(one.id).second, fmt::format("{}: two cases are {}", folder, one.id));
     for (const std::string& flag : one.flags) {
-      require(flags.contains(flag), fmt::format("{}: {}: {} does not know the flag {}", folder, one.id,
-                                                kFlagFile, in_quotes(flag)));
+      require(flags.contains(flag),
+              fmt::format("{}: {}: {} does not know the flag {}", folder, one.id, kFlagFile, in_quotes(flag)));
     }
   }
   require(!vectors.cases.empty(), folder + ": no conformance vectors");

@@ -73,8 +73,7 @@ void AnswerReader::read_claim_lines(Answer& answer) {
     const std::string_view word = first_word(line_);
     if (word == kEnd && without_blanks(line_) == kEnd) return;
     if (word == kAnswer || word == kRefused) {
-      place().reject(in_quotes(word) + " before the 'end' of the answer of line " +
-                     std::to_string(answer.place.line));
+      place().reject(in_quotes(word) + " before the 'end' of the answer of line " + std::to_string(answer.place.line));
     }
     answer.text += line_;
     answer.text += '\n';
@@ -137,9 +136,7 @@ const char* outcome_text(Outcome outcome) {
   return kTexts.at(static_cast<std::size_t>(outcome));
 }
 
-bool is_right(Outcome outcome) {
-  return outcome == Outcome::kConforms || outcome == Outcome::kConformsWhereDetermined;
-}
+bool is_right(Outcome outcome) { return outcome == Outcome::kConforms || outcome == Outcome::kConformsWhereDetermined; }
 
 void Verification::begin_or_continue(const fuzz::NamedCase& named, const Answer& answer) {
   if (!has_begun()) {
@@ -157,12 +154,10 @@ void Verification::begin_or_continue(const fuzz::NamedCase& named, const Answer&
   }
 }
 
-CheckReport Verification::report_of(const std::vector<Point>& rows, const PointSet& points,
-                                    const Claim& claim) {
+CheckReport Verification::report_of(const std::vector<Point>& rows, const PointSet& points, const Claim& claim) {
   const bool is_small = rows.size() <= kMostPointsForOracle;
   too_large_ += options_.by_oracle && !is_small ? 1 : 0;
-  const std::unique_ptr<Truth> truth =
-      options_.by_oracle && is_small ? oracle_truth(rows) : fast_truth(points);
+  const std::unique_ptr<Truth> truth = options_.by_oracle && is_small ? oracle_truth(rows) : fast_truth(points);
   return check(points, claim, *truth, options_.check);
 }
 

@@ -56,14 +56,7 @@ class AnswerReader {
 // ---- Outcomes ----
 
 // In the order in which reports list them.
-enum class Outcome : std::uint8_t {
-  kConforms,
-  kConformsWhereDetermined,
-  kFails,
-  kUnreadable,
-  kRefused,
-  kUnanswered
-};
+enum class Outcome : std::uint8_t { kConforms, kConformsWhereDetermined, kFails, kUnreadable, kRefused, kUnanswered };
 inline constexpr std::size_t kOutcomes = 6;
 // "conforms", "conforms where determined", "fails", "unreadable", "refused", "unanswered"
 [[nodiscard]] const char* outcome_text(Outcome outcome);
@@ -131,9 +124,7 @@ class Verification {
   FailedCase judge(const fuzz::NamedCase& named, const Answer& answer);
   CheckReport report_of(const std::vector<Point>& rows, const PointSet& points, const Claim& claim);
   void keep(const fuzz::NamedCase& named, const Answer& answer) const;
-  [[nodiscard]] bool is_expected(std::size_t number) const {
-    return !options_.only || *options_.only == number;
-  }
+  [[nodiscard]] bool is_expected(std::size_t number) const { return !options_.only || *options_.only == number; }
 
   VerificationOptions options_;
   fuzz::CaseRun run_;

@@ -7,9 +7,7 @@
 namespace flowcert::property {
 namespace {
 
-std::vector<std::size_t> names_of(const std::vector<PointId>& contact) {
-  return {contact.begin(), contact.end()};
-}
+std::vector<std::size_t> names_of(const std::vector<PointId>& contact) { return {contact.begin(), contact.end()}; }
 
 std::string to_text(const std::vector<std::size_t>& names) {
   std::ostringstream text;
@@ -27,8 +25,8 @@ std::string to_text(const std::optional<LimitRecord>& limit) {
   if (!limit) {
     return "limit infinity";
   }
-  return "limit " + property::to_text(limit->position) + " of kind " + std::to_string(limit->face_dimension) +
-         "-" + std::to_string(limit->hull_dimension) + ", contact " + to_text(limit->contact);
+  return "limit " + property::to_text(limit->position) + " of kind " + std::to_string(limit->face_dimension) + "-" +
+         std::to_string(limit->hull_dimension) + ", contact " + to_text(limit->contact);
 }
 
 // "the end is A against B" where they differ.
@@ -65,8 +63,8 @@ OrbitRecord record_of(const Orbit& orbit) {
     record.segments.push_back(record_of(segment));
   }
   if (orbit.limit) {
-    record.limit = {orbit.limit->position, orbit.limit->index.face_dimension,
-                    orbit.limit->index.hull_dimension, names_of(orbit.limit->contact)};
+    record.limit = {orbit.limit->position, orbit.limit->index.face_dimension, orbit.limit->index.hull_dimension,
+                    names_of(orbit.limit->contact)};
   }
   return record;
 }
@@ -90,9 +88,9 @@ std::string to_text(const RationalPoint& x) {
 }
 
 std::string to_text(const SegmentRecord& segment) {
-  return segment.type + " from " + to_text(segment.start) + " " + to_text(segment.start_contact) +
-         " driven by " + to_text(segment.driver) + " across " + to_text(segment.crossed_contact) + " to " +
-         to_text(segment.end) + " " + to_text(segment.end_contact);
+  return segment.type + " from " + to_text(segment.start) + " " + to_text(segment.start_contact) + " driven by " +
+         to_text(segment.driver) + " across " + to_text(segment.crossed_contact) + " to " + to_text(segment.end) + " " +
+         to_text(segment.end_contact);
 }
 
 std::string to_text(const OrbitRecord& orbit) {

@@ -36,9 +36,7 @@ class Numbers {
     ++next_;
     return number % bound;
   }
-  long between(long low, long high) {
-    return low + static_cast<long>(below(static_cast<std::size_t>(high - low + 1)));
-  }
+  long between(long low, long high) { return low + static_cast<long>(below(static_cast<std::size_t>(high - low + 1))); }
 
  private:
   std::vector<std::uint32_t> numbers_;
@@ -244,8 +242,7 @@ std::optional<EdgeLine> edge_line(const PointSet& set, Numbers& numbers) {
 
 Point edge_start(const PointSet& set, Numbers& numbers) {
   const auto line = edge_line(set, numbers);
-  return line ? plus(line->centre, inside(line->stretch, numbers), line->direction)
-              : facet_start(set, numbers);
+  return line ? plus(line->centre, inside(line->stretch, numbers), line->direction) : facet_start(set, numbers);
 }
 
 // The centre of four points if no point is nearer, which is tried a few times. Else an end of a Voronoi edge.
@@ -253,9 +250,8 @@ Point vertex_start(const PointSet& set, Numbers& numbers) {
   for (int attempt = 0; attempt < kAttempts && set.points.size() >= 4; ++attempt) {
     const auto corners = some_points(set, numbers, 4);
     const auto sphere = oracle::circumcentre(corners);
-    if (sphere &&
-        oracle::squared_distance(sphere->center, corners[0]) ==
-            oracle::squared_distance(sphere->center, set.points[set.nearest_places(sphere->center)[0]])) {
+    if (sphere && oracle::squared_distance(sphere->center, corners[0]) ==
+                      oracle::squared_distance(sphere->center, set.points[set.nearest_places(sphere->center)[0]])) {
       return sphere->center;
     }
   }
@@ -278,8 +274,8 @@ Point plane_start(const PointSet& set, Numbers& numbers) {
   }
   const Point one = oracle::minus(corners[1], corners[0]);
   const Point two = oracle::minus(corners[2], corners[0]);
-  const Point x = plus(plus(corners[0], Rational(numbers.between(-4, 8), 4), one),
-                       Rational(numbers.between(-4, 8), 4), two);
+  const Point x =
+      plus(plus(corners[0], Rational(numbers.between(-4, 8), 4), one), Rational(numbers.between(-4, 8), 4), two);
   const Rational height(std::max(0L, numbers.between(-3, 3)), 2);  // zero in four of seven
   return plus(x, height, of_the_size_of(one, cross(one, two)));
 }
@@ -363,9 +359,7 @@ namespace {
 
 constexpr std::string_view kLetters = "CFEV";
 
-int percentage(std::size_t part, std::size_t whole) {
-  return whole == 0 ? 0 : static_cast<int>(100 * part / whole);
-}
+int percentage(std::size_t part, std::size_t whole) { return whole == 0 ? 0 : static_cast<int>(100 * part / whole); }
 
 }  // namespace
 

@@ -50,16 +50,14 @@ KindAndClause difference_kind(const StationaryAnswer& fast, const StationaryAnsw
     if (same->order_key() != record.order_key()) return {"index", "FC-CRIT-02"};
     if (*same != record) return {"position", "FC-OUT-01"};
   }
-  return fast.records == oracle.records ? KindAndClause{"counts", "FC-OUT-01"}
-                                        : KindAndClause{"order", "FC-OUT-02"};
+  return fast.records == oracle.records ? KindAndClause{"counts", "FC-OUT-01"} : KindAndClause{"order", "FC-OUT-02"};
 }
 
 // Splits "FC-INV-01: ..." into the clause and the complaint.
 std::optional<Disagreement> broken_law(const StationaryAnswer& answer, const char* whose) {
   const std::string complaint = broken_clause(answer);
   if (complaint.empty()) return std::nullopt;
-  return Disagreement{"law", complaint.substr(0, complaint.find(':')), complaint, whose, to_text(answer), "",
-                      ""};
+  return Disagreement{"law", complaint.substr(0, complaint.find(':')), complaint, whose, to_text(answer), "", ""};
 }
 
 // ---- Orbits ----
@@ -86,8 +84,7 @@ struct NamedOrbit {
   OrbitRecord orbit;
 };
 
-std::optional<Disagreement> difference_of_orbits(const std::string& what, const NamedOrbit& a,
-                                                 const NamedOrbit& b) {
+std::optional<Disagreement> difference_of_orbits(const std::string& what, const NamedOrbit& a, const NamedOrbit& b) {
   const std::string found = difference(a.orbit, b.orbit);
   if (found.empty()) return std::nullopt;
   const std::string kind = difference_kind(a.orbit, b.orbit);
@@ -131,19 +128,16 @@ std::optional<Disagreement> difference_of_unstable(const Subject& subject, const
 std::optional<Disagreement> difference_of_pieces(const std::string& what, const Pieces& a, const char* a_name,
                                                  const Pieces& b, const char* b_name) {
   if (a == b) return std::nullopt;
-  const std::string kind = a.segments != b.segments     ? "segments"
-                           : a.intervals != b.intervals ? "intervals"
-                                                        : "sectors";
-  return Disagreement{
-      kind, kind == "segments" ? "FC-STAB-04" : "FC-STAB-05", what, a_name, text_of(a), b_name, text_of(b)};
+  const std::string kind = a.segments != b.segments ? "segments" : a.intervals != b.intervals ? "intervals" : "sectors";
+  return Disagreement{kind,      kind == "segments" ? "FC-STAB-04" : "FC-STAB-05", what, a_name, text_of(a), b_name,
+                      text_of(b)};
 }
 
 // Checks what the list of stable sets says of a set without building it.
-std::optional<Disagreement> wrong_summary(const StableManifolds& manifolds, std::size_t i,
-                                          const std::string& what, const Pieces& pieces, bool has_vertex) {
+std::optional<Disagreement> wrong_summary(const StableManifolds& manifolds, std::size_t i, const std::string& what,
+                                          const Pieces& pieces, bool has_vertex) {
   const auto wrong = [&](const char* said) {
-    return Disagreement{
-        "summary", "FC-STAB-02", what + ": " + said + " is wrong", kOracle, text_of(pieces), "", ""};
+    return Disagreement{"summary", "FC-STAB-02", what + ": " + said + " is wrong", kOracle, text_of(pieces), "", ""};
   };
   if (manifolds.has_vertex(i) != has_vertex) return wrong("has_vertex()");
   if (manifolds.has_interval(i) == pieces.intervals.empty()) return wrong("has_interval()");
@@ -153,9 +147,9 @@ std::optional<Disagreement> wrong_summary(const StableManifolds& manifolds, std:
   return std::nullopt;
 }
 
-std::optional<Disagreement> wrong_boundary(const StationaryPoints& stationary,
-                                           const StableManifolds& manifolds, std::size_t i,
-                                           const std::string& what, const Pieces& pieces, bool has_vertex) {
+std::optional<Disagreement> wrong_boundary(const StationaryPoints& stationary, const StableManifolds& manifolds,
+                                           std::size_t i, const std::string& what, const Pieces& pieces,
+                                           bool has_vertex) {
   const auto expected = boundary_of(pieces, has_vertex);
   if (!expected || !stationary.index(manifolds.record(i)).is_critical()) return std::nullopt;
   std::vector<Ids> edges;
@@ -179,8 +173,8 @@ std::optional<Disagreement> difference_of_flows(const Subject& subject, const Tr
         std::pair{"exact, binary", FlowOptions{ConstructionKernel::kExact, FacetSearch::kBinary}},
         std::pair{"exact, linear", kExactLinear}}) {
     Flow other(subject.complex.diagram(), options);
-    if (auto found = difference_of_orbits("the orbit", {"lazy, binary", orbit},
-                                          {name, record_of(other.orbit(start))})) {
+    if (auto found =
+            difference_of_orbits("the orbit", {"lazy, binary", orbit}, {name, record_of(other.orbit(start))})) {
       return found;
     }
   }
@@ -192,8 +186,8 @@ std::optional<Disagreement> difference_of_stable(const Subject& subject, const S
   StableManifolds exact(subject.complex.diagram(), stationary, {.flow = kExactLinear, .seed = 0});
   for (std::size_t i = 0; i < lazy.size(); ++i) {
     const std::string what = "the stable set of " + text_of(ids(stationary.contact(lazy.record(i))));
-    if (auto found = difference_of_pieces(what, pieces_of(lazy.set(i)), "lazy, binary",
-                                          pieces_of(exact.set(i)), "exact, linear")) {
+    if (auto found = difference_of_pieces(what, pieces_of(lazy.set(i)), "lazy, binary", pieces_of(exact.set(i)),
+                                          "exact, linear")) {
       return found;
     }
     if (!std::ranges::equal(lazy.boundary(i), exact.boundary(i))) {
@@ -234,22 +228,19 @@ std::optional<Disagreement> check_unstable_manifolds(const Trial& trial) {
   const StationaryPoints& stationary = subject.complex.stationary();
   const UnstableManifolds& manifolds = subject.complex.unstable();
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
-    const oracle::StationaryPoint saddle =
-        oracle_point(subject.complex.points(), stationary, manifolds.saddle(i));
+    const oracle::StationaryPoint saddle = oracle_point(subject.complex.points(), stationary, manifolds.saddle(i));
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-      const OrbitRecord truth = record_of(
-          subject.set, saddle.center, oracle::unstable_orbit(subject.set, saddle, static_cast<int>(side)));
+      const OrbitRecord truth =
+          record_of(subject.set, saddle.center, oracle::unstable_orbit(subject.set, saddle, static_cast<int>(side)));
       const std::string what = name_of_orbit(stationary, manifolds.saddle(i), side);
-      if (auto found =
-              difference_of_orbits(what, {kFast, record_of(manifolds.orbit(i, side))}, {kOracle, truth})) {
+      if (auto found = difference_of_orbits(what, {kFast, record_of(manifolds.orbit(i, side))}, {kOracle, truth})) {
         return found;
       }
       const auto limit = manifolds.limit(i, side);
       const bool right = limit.has_value() == truth.limit.has_value() &&
                          (!limit || ids(stationary.contact(*limit)) == truth.limit->contact);
       if (!right) {
-        return Disagreement{"limit", "FC-FLOW-07", what + ": limit() is wrong", kOracle, to_text(truth), "",
-                            ""};
+        return Disagreement{"limit", "FC-FLOW-07", what + ": limit() is wrong", kOracle, to_text(truth), "", ""};
       }
     }
   }
@@ -279,8 +270,7 @@ std::optional<Disagreement> check_persistence(const Trial& trial) {
   const auto fast = fast_persistence(subject.complex).pairs;
   const auto truth = oracle::persistence_pairs(subject.set);
   if (fast == truth) return std::nullopt;
-  return Disagreement{"pairs", "FC-PERS-05",  "other persistence pairs", kFast, to_text(fast),
-                      kOracle, to_text(truth)};
+  return Disagreement{"pairs", "FC-PERS-05", "other persistence pairs", kFast, to_text(fast), kOracle, to_text(truth)};
 }
 
 std::optional<Disagreement> check_orbit_kernels(const Trial& trial) {
@@ -307,8 +297,7 @@ std::optional<Disagreement> check_stable_kernels(const Trial& trial) {
 
 FastPersistence fast_persistence(const FlowComplex& complex) {
   const Persistence& persistence = complex.persistence();
-  FastPersistence answer{{},
-                         complex.chains().broken_ties() > 0 || complex.stable().statistics().broken_ties > 0};
+  FastPersistence answer{{}, complex.chains().broken_ties() > 0 || complex.stable().statistics().broken_ties > 0};
   for (const PersistencePair& pair : persistence.pairs()) {
     answer.pairs.push_back({pair.dimension, persistence.squared_value(pair.birth), std::nullopt});
     if (pair.death) answer.pairs.back().death = persistence.squared_value(*pair.death);
@@ -320,8 +309,8 @@ FastPersistence fast_persistence(const FlowComplex& complex) {
 std::string to_text(const std::vector<oracle::PersistencePair>& pairs) {
   std::string text;
   for (const oracle::PersistencePair& pair : pairs) {
-    text += std::to_string(pair.dimension) + ' ' + pair.birth.str() + ' ' +
-            (pair.death ? pair.death->str() : "inf") + '\n';
+    text +=
+        std::to_string(pair.dimension) + ' ' + pair.birth.str() + ' ' + (pair.death ? pair.death->str() : "inf") + '\n';
   }
   return text;
 }

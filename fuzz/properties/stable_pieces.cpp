@@ -53,9 +53,7 @@ std::optional<std::vector<Ids>> boundary_of(const Pieces& pieces, bool has_verte
   return has_vertex ? std::nullopt : std::optional(edges);
 }
 
-std::string text_of(const RationalPoint& x) {
-  return '(' + x[0].str() + ' ' + x[1].str() + ' ' + x[2].str() + ')';
-}
+std::string text_of(const RationalPoint& x) { return '(' + x[0].str() + ' ' + x[1].str() + ' ' + x[2].str() + ')'; }
 std::string text_of(const Ids& names) {
   std::string text = "{";
   for (const std::size_t name : names) text.append(text.size() > 1 ? " " : "").append(std::to_string(name));
@@ -66,8 +64,8 @@ std::string text_of(const Ids& names) {
 std::string text_of(const Pieces& pieces) {
   std::string text;
   for (const auto& [samples, front, back, front_contact, back_contact, kind] : pieces.segments) {
-    text += "  segment " + text_of(samples) + ' ' + text_of(front) + text_of(front_contact) + " to " +
-            text_of(back) + text_of(back_contact) + ' ' + kind + '\n';
+    text += "  segment " + text_of(samples) + ' ' + text_of(front) + text_of(front_contact) + " to " + text_of(back) +
+            text_of(back_contact) + ' ' + kind + '\n';
   }
   for (const auto& [polygon, front, back, is_stationary] : pieces.intervals) {
     text += "  interval " + text_of(polygon) + ' ' + text_of(front) + " to " + text_of(back) +

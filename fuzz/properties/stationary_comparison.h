@@ -31,9 +31,7 @@ struct Record {
 
   [[nodiscard]] bool is_critical() const { return face_dimension == hull_dimension; }
   // FC-OUT-02: critical before regular, by index or kind, then by contact set.
-  [[nodiscard]] auto order_key() const {
-    return std::tuple(!is_critical(), face_dimension, hull_dimension, contact);
-  }
+  [[nodiscard]] auto order_key() const { return std::tuple(!is_critical(), face_dimension, hull_dimension, contact); }
   friend bool operator==(const Record&, const Record&) = default;
 };
 
@@ -67,9 +65,7 @@ inline StationaryAnswer fast_answer(const FlowComplex& complex) {
   return answer;
 }
 
-inline StationaryAnswer fast_answer(const fuzz::Input& input) {
-  return fast_answer(FlowComplex(point_set_of(input)));
-}
+inline StationaryAnswer fast_answer(const fuzz::Input& input) { return fast_answer(FlowComplex(point_set_of(input))); }
 
 inline StationaryAnswer oracle_answer(const oracle::PointSet& set) {
   const oracle::Answer all = oracle::stationary_points(set);
@@ -128,8 +124,7 @@ inline std::string difference(const StationaryAnswer& fast, const StationaryAnsw
       return "only the second has " + to_text(oracle.records[i]);
     }
     if (fast.records[i] != oracle.records[i]) {
-      return "record " + std::to_string(i) + ": " + to_text(fast.records[i]) + " against " +
-             to_text(oracle.records[i]);
+      return "record " + std::to_string(i) + ": " + to_text(fast.records[i]) + " against " + to_text(oracle.records[i]);
     }
   }
   if (fast.critical != oracle.critical || fast.regular != oracle.regular) {

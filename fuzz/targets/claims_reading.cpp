@@ -23,8 +23,8 @@ const ClaimFormat& format_named(std::string_view name) {
 
 // These points have stationary points of nearly every kind, a repeated row, and orbits that end at infinity.
 const PointSet& judged_points() {
-  static const PointSet points(std::vector<Point>{
-      {0, 0, 1}, {1, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}, {0, 0, 1}, {0.1, 5, 0.2}, {3, 4, -1}});
+  static const PointSet points(
+      std::vector<Point>{{0, 0, 1}, {1, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}, {0, 0, 1}, {0.1, 5, 0.2}, {3, 4, -1}});
   return points;
 }
 

@@ -77,8 +77,7 @@ void make_seeds(const std::string& target, const std::string& path, int files, c
 
 int main(int count, char** arguments) {
   if (count < 3) {
-    std::fprintf(stderr,
-                 "usage: make_seeds critical_points|orbit|stable_sets|write_exchange FOLDER XYZ...\n");
+    std::fprintf(stderr, "usage: make_seeds critical_points|orbit|stable_sets|write_exchange FOLDER XYZ...\n");
     return 2;
   }
   flowcert::fuzz::make_seeds(arguments[1], arguments[2], count - 3, arguments + 3);

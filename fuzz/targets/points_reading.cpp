@@ -25,9 +25,7 @@ bool same_bits(const Rows& a, const Rows& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Row)) == 0);
 }
 
-bool is_finite(const Row& row) {
-  return std::isfinite(row[0]) && std::isfinite(row[1]) && std::isfinite(row[2]);
-}
+bool is_finite(const Row& row) { return std::isfinite(row[0]) && std::isfinite(row[1]) && std::isfinite(row[2]); }
 
 std::string text_of(const Rows& rows) {
   std::ostringstream text;

@@ -18,10 +18,7 @@ std::string complaint_of(std::initializer_list<const char*> properties, const pr
       const oracle::Point start = property::start_of(trial);
       text << "# start: " << start[0] << ' ' << start[1] << ' ' << start[2] << '\n';
     }
-    text << found->first_name << ":\n"
-         << found->first << '\n'
-         << found->second_name << ":\n"
-         << found->second;
+    text << found->first_name << ":\n" << found->first << '\n' << found->second_name << ":\n" << found->second;
     return text.str();
   }
   return {};

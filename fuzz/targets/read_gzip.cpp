@@ -33,8 +33,8 @@ std::string gzipped(std::string text) {
 std::string complaint_about_pieces(std::string_view text) {
   const auto first = text.empty() ? 0U : static_cast<unsigned char>(text.front());
   const std::size_t cut = text.size() * (first % 16) / 16;
-  const std::string file = gzipped(std::string(text.substr(0, cut))) +
-                           gzipped(std::string(text.substr(cut))) + std::string(first / 16, '\0');
+  const std::string file = gzipped(std::string(text.substr(0, cut))) + gzipped(std::string(text.substr(cut))) +
+                           std::string(first / 16, '\0');
   return gunzip(file, "a.xyz.gz") == text ? "" : "cut at " + std::to_string(cut) + ", other bytes came back";
 }
 

@@ -64,10 +64,9 @@ void print_text(const oracle::StationaryPoint& s, NumberText number) {
 void print_text(const oracle::Answer& answer) {
   const auto critical = answer.critical_counts();
   const auto regular = answer.regular_counts();
-  std::cout << "points " << answer.points << ", merged duplicates " << answer.merged_duplicates
-            << "\ncritical " << critical[0] << ' ' << critical[1] << ' ' << critical[2] << ' ' << critical[3]
-            << "\nregular stationary 1-2: " << regular[0] << ", 2-3: " << regular[1]
-            << ", 1-3: " << regular[2] << '\n';
+  std::cout << "points " << answer.points << ", merged duplicates " << answer.merged_duplicates << "\ncritical "
+            << critical[0] << ' ' << critical[1] << ' ' << critical[2] << ' ' << critical[3]
+            << "\nregular stationary 1-2: " << regular[0] << ", 2-3: " << regular[1] << ", 1-3: " << regular[2] << '\n';
   for (const auto& s : answer.stationary) print_text(s, exact_text);
 }
 
@@ -81,8 +80,7 @@ void print_json(const oracle::PointSet& set, const oracle::Point& start, const o
 
 void print_text(const oracle::PointSet& set, const oracle::Point& start, const oracle::Orbit& path) {
   std::cout << "orbit from " << text(start, short_text) << '\n' << std::left;
-  const auto row = [](std::string_view number, std::string_view type, std::string_view driver,
-                      std::string_view end) {
+  const auto row = [](std::string_view number, std::string_view type, std::string_view driver, std::string_view end) {
     std::cout << std::setw(4) << number << std::setw(8) << type << ' ' << std::setw(36) << driver << ' '
               << std::setw(36) << end;
   };
@@ -136,8 +134,7 @@ std::vector<std::size_t> draw(std::size_t size, std::size_t count, std::uint64_t
   return drawn;
 }
 
-int run_certify(const std::string& input, const std::string& records, std::size_t sample,
-                std::uint64_t seed) {
+int run_certify(const std::string& input, const std::string& records, std::size_t sample, std::uint64_t seed) {
   const auto start = std::chrono::steady_clock::now();
   const auto rows = oracle::read_point_file(input);
   const auto points = point_set(rows);
@@ -147,8 +144,8 @@ int run_certify(const std::string& input, const std::string& records, std::size_
   const oracle::RecordFile file = oracle::read_record_file(in, records);
   if (file.points != rows.size() || file.merged_duplicates != set.merged_duplicates) {
     std::cout << records << ":1: FC-IN-03: the header claims " << file.points << " points and "
-              << file.merged_duplicates << " merged, the input has " << rows.size() << " and "
-              << set.merged_duplicates << '\n';
+              << file.merged_duplicates << " merged, the input has " << rows.size() << " and " << set.merged_duplicates
+              << '\n';
     return kWrong;
   }
   const auto drawn = draw(file.records.size(), sample, seed);
@@ -198,8 +195,7 @@ int run(int argc, char** argv) {
   CLI::App& judge = *app.add_subcommand("certify", "Judge claimed stationary points of an input of any size");
   judge.add_option("INPUT", input, "XYZ file, or OBJ (.obj)")->required();
   judge.add_option("RECORDS", records, "What 'flowcert compute -o' wrote for it")->required();
-  judge.add_option("--sample", sample, "How many records to draw; all if there are fewer")
-      ->capture_default_str();
+  judge.add_option("--sample", sample, "How many records to draw; all if there are fewer")->capture_default_str();
   judge.add_option("--seed", seed, "Seed of the draw")->capture_default_str();
   judge.footer("Example: flowcert-oracle certify bunny.xyz bunny.jsonl --sample 200 --seed 1");
 

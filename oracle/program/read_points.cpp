@@ -62,15 +62,13 @@ std::vector<std::string> fields(const std::string& line) {
 double number(const std::string& word, const std::string& where) {
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);
-  if (word.empty() || end != word.c_str() + word.size())
-    throw UnusableInput(where + "'" + word + "' is not a number");
+  if (word.empty() || end != word.c_str() + word.size()) throw UnusableInput(where + "'" + word + "' is not a number");
   if (!std::isfinite(value)) throw UnusableInput(where + "'" + word + "' is not a finite double");
   if (is_inexact_hexadecimal(word)) throw UnusableInput(where + "'" + word + "' is not exactly a double");
   return value;
 }
 
-std::vector<std::array<double, 3>> read_points(std::istream& in, const std::string& name,
-                                               PointFormat format) {
+std::vector<std::array<double, 3>> read_points(std::istream& in, const std::string& name, PointFormat format) {
   std::vector<std::array<double, 3>> points;
   bool only_white_space = true;
   std::size_t line_number = 0;

@@ -18,8 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-const Rational kOverflow =
-    2 * Rational(std::ldexp(1.0, 1023));  // the double that would follow the greatest one
+const Rational kOverflow = 2 * Rational(std::ldexp(1.0, 1023));  // the double that would follow the greatest one
 
 bool is_integer(const std::string& text) {
   const std::size_t first_digit = text.starts_with('-') ? 1 : 0;
@@ -54,8 +53,7 @@ void read_index(const json& record, Record& result) {
   result.claim.face_dimension = static_cast<int>(face);
   result.claim.hull_dimension = static_cast<int>(hull);
   const std::string kind = record.at("kind").get<std::string>();
-  if (kind != (is_pair ? "regular" : "critical"))
-    note(result, "FC-CRIT-03", kind + " does not fit the index");
+  if (kind != (is_pair ? "regular" : "critical")) note(result, "FC-CRIT-03", kind + " does not fit the index");
   if (is_pair && face == hull) note(result, "FC-CRIT-03", "the kind names one dimension twice");
 }
 
@@ -131,8 +129,7 @@ Point parse_position(const std::string& text, const std::string& where) {
 
 bool is_nearest_double(double value, const Rational& x) {
   if (!std::isfinite(value)) return false;
-  const bool odd =
-      std::bit_cast<std::uint64_t>(value) & 1;  // of two that are equally near, the even one wins
+  const bool odd = std::bit_cast<std::uint64_t>(value) & 1;  // of two that are equally near, the even one wins
   for (const double end : {-1.0, 1.0}) {
     const double neighbour = std::nextafter(value, end * std::numeric_limits<double>::infinity());
     const Rational other = std::isfinite(neighbour) ? Rational(neighbour) : Rational(end) * kOverflow;
@@ -170,8 +167,8 @@ RecordFile read_record_file(std::istream& in, const std::string& name) {
   RecordFile file = located(name + ":1: ", [&] { return parse_header(line, announced); });
   while (std::getline(in, line)) file.records.push_back(line);
   if (file.records.size() != announced) {
-    throw UnusableInput(name + ": the header announces " + std::to_string(announced) +
-                        " records, the file has " + std::to_string(file.records.size()));
+    throw UnusableInput(name + ": the header announces " + std::to_string(announced) + " records, the file has " +
+                        std::to_string(file.records.size()));
   }
   return file;
 }

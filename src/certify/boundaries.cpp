@@ -45,18 +45,17 @@ bool is_cycle(const std::vector<std::vector<PointId>>& edges) {
 bool has_tie(Truth& truth, std::size_t record) {
   if (truth.stable_summary(record).has_vertex) return true;
   const StableSet set = truth.stable_set(record);
-  return std::ranges::any_of(
-      set.segments, [](const BackwardSegment& segment) { return segment.back_kind == BackKind::kRegular; });
+  return std::ranges::any_of(set.segments,
+                             [](const BackwardSegment& segment) { return segment.back_kind == BackKind::kRegular; });
 }
 
 void Boundaries::find(std::size_t k, int level, const std::string& claimed, const std::string& truth) {
-  run_.find(level, level == 4 ? FindingReason::kWrongIncidence : FindingReason::kWrongSurface,
-            kBoundaryClause, k, truth);
+  run_.find(level, level == 4 ? FindingReason::kWrongIncidence : FindingReason::kWrongSurface, kBoundaryClause, k,
+            truth);
   run_.report.findings.back().claimed += claimed;
 }
 
-void Boundaries::check(std::size_t k, const std::vector<std::vector<PointId>>& chain, int level,
-                       bool is_walk) {
+void Boundaries::check(std::size_t k, const std::vector<std::vector<PointId>>& chain, int level, bool is_walk) {
   const std::size_t record = run_.placed[k].place->record;
   const std::string claimed = (is_walk ? ", walking along " : ", bounded by ") + chain_text(chain);
   const Rational& value = run_.truth.sphere(record).squared_radius;
@@ -65,8 +64,7 @@ void Boundaries::check(std::size_t k, const std::vector<std::vector<PointId>>& c
   bool has_regular = false;
   for (const auto& rows : chain) {
     edges.push_back(class_names(run_.points, rows));
-    const std::optional<Placement> place =
-        edges.back().empty() ? std::nullopt : placement_of(run_, edges.back());
+    const std::optional<Placement> place = edges.back().empty() ? std::nullopt : placement_of(run_, edges.back());
     if (!place || run_.index(place->record).face_dimension != 1 || edges.back().size() != 2) {
       return find(k, level, claimed, names_text(rows) + " is no critical point of index 1");
     }

@@ -75,8 +75,7 @@ void conclude(CheckReport& report, int highest_level) {
 void CheckRun::find(int level, FindingReason reason, const std::string& clause, std::size_t claimed_point,
                     const std::string& truth_text) {
   const ClaimedPoint& point = claim.points[claimed_point];
-  report.findings.push_back(
-      {level, reason, false, clause, point.line, point.contact, claim_text(point), truth_text});
+  report.findings.push_back({level, reason, false, clause, point.line, point.contact, claim_text(point), truth_text});
 }
 
 void CheckRun::vary(int level, FindingReason reason, const std::string& clause, std::size_t claimed_point,
@@ -93,8 +92,7 @@ void CheckRun::leave_unjudged(const std::string& what) {
 
 CheckReport check(const PointSet& points, const Claim& claim, Truth& truth, const CheckOptions& options) {
   require_ieee_doubles();
-  if (!(options.tolerance >= 0 && options.tolerance <= 1))
-    throw InvalidInput("the tolerance is not between 0 and 1");
+  if (!(options.tolerance >= 0 && options.tolerance <= 1)) throw InvalidInput("the tolerance is not between 0 and 1");
   CheckRun run(points, claim, truth, options);
   check_form(run);
   run.report.conforms[0] = true;

@@ -17,9 +17,9 @@ namespace {
 
 Sign orientation(const PointSet& points, std::span<const PointId> plane, PointId q) {
   FilterTally unused;
-  return exact_sign(Orientation{sample(points, plane[0]), sample(points, plane[1]), sample(points, plane[2]),
-                                sample(points, q)},
-                    unused);
+  return exact_sign(
+      Orientation{sample(points, plane[0]), sample(points, plane[1]), sample(points, plane[2]), sample(points, q)},
+      unused);
 }
 
 }  // namespace
@@ -35,9 +35,8 @@ bool all_on_sphere(const PointSet& points, std::span<const PointId> names, const
 int affine_dimension(const PointSet& points, std::span<const PointId> names) {
   FLOWCERT_REQUIRES(!names.empty());
   if (names.size() < 4) return static_cast<int>(names.size()) - 1;
-  const bool is_flat = std::all_of(names.begin() + 3, names.end(), [&](PointId name) {
-    return orientation(points, names, name) == Sign::kZero;
-  });
+  const bool is_flat = std::all_of(names.begin() + 3, names.end(),
+                                   [&](PointId name) { return orientation(points, names, name) == Sign::kZero; });
   return is_flat ? 2 : 3;
 }
 
@@ -121,8 +120,7 @@ RationalPoint values_of(const ClaimedPosition& claimed) {
   return {claimed[0].value, claimed[1].value, claimed[2].value};
 }
 
-ValueMatch match_position(const ClaimedPosition& claimed, const RationalPoint& truth,
-                          const ValueScale& scale) {
+ValueMatch match_position(const ClaimedPosition& claimed, const RationalPoint& truth, const ValueScale& scale) {
   if (matches_at_once(claimed, truth)) return is_exact(claimed) ? ValueMatch::kEqual : ValueMatch::kWithin;
   Rational off_exactly = 0, off_by_decimals = 0;  // squared
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -134,8 +132,7 @@ ValueMatch match_position(const ClaimedPosition& claimed, const RationalPoint& t
   return wrong(is_rounding(off_exactly + off_by_decimals, 0, scale.rounding_length()));
 }
 
-ValueMatch match_distance(const ClaimedNumber& claimed, const Rational& squared_radius,
-                          const ValueScale& scale) {
+ValueMatch match_distance(const ClaimedNumber& claimed, const Rational& squared_radius, const ValueScale& scale) {
   if (claimed.value < 0) return ValueMatch::kOff;
   return match_squared_distance({claimed.value * claimed.value, claimed.is_exact}, squared_radius, scale);
 }

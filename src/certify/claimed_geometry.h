@@ -17,8 +17,7 @@ namespace flowcert::certify {
 
 [[nodiscard]] const Point& sample(const PointSet& points, PointId name);
 
-[[nodiscard]] bool all_on_sphere(const PointSet& points, std::span<const PointId> names,
-                                 const ExactSphere& sphere);
+[[nodiscard]] bool all_on_sphere(const PointSet& points, std::span<const PointId> names, const ExactSphere& sphere);
 
 // The dimension of the samples' affine hull, 0 to 3. There must be at least one sample, and all must lie on one
 // sphere, so that no three are on a line.

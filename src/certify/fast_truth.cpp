@@ -43,8 +43,7 @@ class FastTruth final : public Truth {
   }
   [[nodiscard]] StableSummary stable_summary(std::size_t i) override {
     const std::size_t k = number_of(i);
-    return {complex_.stable().segment_count(k), complex_.stable().has_vertex(k),
-            complex_.stable().has_interval(k)};
+    return {complex_.stable().segment_count(k), complex_.stable().has_vertex(k), complex_.stable().has_interval(k)};
   }
   [[nodiscard]] StableSet stable_set(std::size_t i) override { return complex_.stable().set(number_of(i)); }
 

@@ -40,8 +40,7 @@ void check_input_of_claim(CheckRun& run) {
   }
   const auto& digest = run.claim.input_sha256;
   if (digest && *digest != coordinates_sha256(run.points)) {
-    find_whole(run, FindingReason::kMalformed, kClaimClause,
-               "a claim about the input with SHA-256 " + *digest,
+    find_whole(run, FindingReason::kMalformed, kClaimClause, "a claim about the input with SHA-256 " + *digest,
                "the input's is " + coordinates_sha256(run.points));
   }
 }
@@ -52,8 +51,7 @@ void check_counts_of_claim(CheckRun& run) {
   for (const ClaimedPoint& point : run.claim.points) {
     if (point.hull_dimension) {
       constexpr std::array<std::pair<int, int>, 3> kKinds = {{{1, 2}, {2, 3}, {1, 3}}};
-      const auto* kind =
-          std::find(kKinds.begin(), kKinds.end(), std::pair(point.index, *point.hull_dimension));
+      const auto* kind = std::find(kKinds.begin(), kKinds.end(), std::pair(point.index, *point.hull_dimension));
       if (kind != kKinds.end()) ++regular.at(static_cast<std::size_t>(kind - kKinds.begin()));
     } else if (point.index >= 0 && point.index <= 3) {
       ++run.report.claimed_counts.at(static_cast<std::size_t>(point.index));

@@ -40,9 +40,7 @@ class Incidences {
   explicit Incidences(CheckRun& run) : run_(run), boundaries_(run) {}
 
   // For an index-2 critical point: the index-1 points that bound its stable manifold.
-  void check_boundary(std::size_t k) {
-    boundaries_.check(k, *run_.claim.points[k].stable->boundary, 4, false);
-  }
+  void check_boundary(std::size_t k) { boundaries_.check(k, *run_.claim.points[k].stable->boundary, 4, false); }
   void conclude_boundaries() { boundaries_.conclude(); }
 
   // For an index-1 critical point: the index-2 points from which a connecting orbit comes down to it. If a tie leaves
@@ -66,8 +64,7 @@ class Incidences {
         wrong += (wrong.empty() ? "" : ", ") + target_text(target);
       }
     }
-    std::erase_if(missing,
-                  [&](std::size_t saddle) { return has_tie(run_.truth, saddle) && (varies = true); });
+    std::erase_if(missing, [&](std::size_t saddle) { return has_tie(run_.truth, saddle) && (varies = true); });
     if (!wrong.empty() || !missing.empty()) {
       run_.find(4, FindingReason::kWrongIncidence, "FC-CHAIN-01", k, saddles_text(wrong, missing));
     } else if (varies) {
@@ -96,8 +93,8 @@ class Incidences {
 
   // For a sample: the index-1 points that have it in their contact set.
   void check_edges(std::size_t k) {
-    const PointId name = run_.placed[k].names.empty() ? run_.truth.contact(run_.placed[k].place->record)[0]
-                                                      : run_.placed[k].names[0];
+    const PointId name =
+        run_.placed[k].names.empty() ? run_.truth.contact(run_.placed[k].place->record)[0] : run_.placed[k].names[0];
     std::set<std::size_t> missing;
     for (const std::uint32_t record : run_.contacts.of(name)) {
       if (run_.index(record) == StationaryIndex{1, 1}) missing.insert(record);
@@ -178,12 +175,10 @@ class Incidences {
     return !index.is_critical();
   }
 
-  [[nodiscard]] std::string saddles_text(const std::string& wrong,
-                                         const std::set<std::size_t>& missing) const {
+  [[nodiscard]] std::string saddles_text(const std::string& wrong, const std::set<std::size_t>& missing) const {
     std::string text;
     for (const std::size_t record : missing) {
-      text +=
-          (text.empty() ? "an orbit comes to it also from " : ", ") + names_text(run_.truth.contact(record));
+      text += (text.empty() ? "an orbit comes to it also from " : ", ") + names_text(run_.truth.contact(record));
     }
     if (wrong.empty()) return text;
     return text + (text.empty() ? "" : "; ") + "no orbit comes to it from " + wrong;
@@ -203,22 +198,19 @@ class Incidences {
     return limits;
   }
 
-  static bool is_exactly(const std::vector<NamedTarget>& targets, const std::array<Limit, 2>& truth,
-                         bool by_side) {
+  static bool is_exactly(const std::vector<NamedTarget>& targets, const std::array<Limit, 2>& truth, bool by_side) {
     if (std::ranges::any_of(targets, [](const NamedTarget& t) { return t.fit == Fit::kOther; })) return false;
     if (by_side) return targets[0].limit == truth[0] && targets[1].limit == truth[1];
     return as_set(targets) == std::set<Limit>{truth[0], truth[1]};
   }
 
-  bool is_permitted(const std::vector<NamedTarget>& targets, const std::array<Limit, 2>& truth,
-                    bool by_side) {
+  bool is_permitted(const std::vector<NamedTarget>& targets, const std::array<Limit, 2>& truth, bool by_side) {
     if (std::ranges::any_of(targets, [](const NamedTarget& t) { return t.fit == Fit::kOther; })) return false;
     if (by_side) return may_end(targets[0].limit, truth[0]) && may_end(targets[1].limit, truth[1]);
     const std::set<Limit> limits = as_set(targets);
     if (limits.empty() || limits.size() > 2) return false;
     const Limit &one = *limits.begin(), &other = *limits.rbegin();
-    return (may_end(one, truth[0]) && may_end(other, truth[1])) ||
-           (may_end(one, truth[1]) && may_end(other, truth[0]));
+    return (may_end(one, truth[0]) && may_end(other, truth[1])) || (may_end(one, truth[1]) && may_end(other, truth[0]));
   }
 
   // Whether a perturbation can make the orbit that ends at `truth` end at the target.
@@ -228,8 +220,7 @@ class Incidences {
     if (permitted.limits.contains(target)) return true;
     if (!permitted.beyond) return false;
     if (!target) return true;
-    return run_.index(*target).hull_dimension >= 2 &&
-           run_.truth.sphere(*target).squared_radius > *permitted.beyond;
+    return run_.index(*target).hull_dimension >= 2 && run_.truth.sphere(*target).squared_radius > *permitted.beyond;
   }
 
   const Continuations& continuations(const Limit& from) {
@@ -248,8 +239,7 @@ class Incidences {
       }
     } else if (from && !run_.index(*from).is_critical()) {
       result.beyond = run_.truth.sphere(*from).squared_radius;
-      run_.leave_unjudged(
-          "where, beyond a regular stationary point, a perturbation lets an orbit end (FC-CLAIM-07)");
+      run_.leave_unjudged("where, beyond a regular stationary point, a perturbation lets an orbit end (FC-CLAIM-07)");
     }
     return continuations_.emplace(from, std::move(result)).first->second;
   }
@@ -275,8 +265,7 @@ class Incidences {
     return limit ? "a " + stationary_text(run_.truth, *limit) : "infinity";
   }
   [[nodiscard]] std::string limits_text(const std::array<Limit, 2>& limits) const {
-    return "its orbits end at " + limit_text(limits[0]) + " (side 0) and at " + limit_text(limits[1]) +
-           " (side 1)";
+    return "its orbits end at " + limit_text(limits[0]) + " (side 0) and at " + limit_text(limits[1]) + " (side 1)";
   }
   [[nodiscard]] std::string edges_text(const std::string& wrong, const std::set<std::size_t>& missing) const {
     std::string text;

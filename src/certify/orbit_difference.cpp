@@ -35,8 +35,8 @@ std::string contact_words(const Contact& contact) {
 
 std::string limit_words(const std::optional<PathLimit>& limit) {
   if (!limit) return "infinity";
-  return fmt::format("{} point of index {} at {}", shortened(limit->kind, kLongest),
-                     shortened(limit->index, kLongest), position_words(limit->position));
+  return fmt::format("{} point of index {} at {}", shortened(limit->kind, kLongest), shortened(limit->index, kLongest),
+                     position_words(limit->position));
 }
 
 PathDifference wrong(std::size_t k, const std::string& claimed, const std::string& truth) {
@@ -45,13 +45,11 @@ PathDifference wrong(std::size_t k, const std::string& claimed, const std::strin
 
 // ---- Comparing
 
-bool are_same_where_claimed(const Contact& claimed, const Contact& truth) {
-  return !claimed || claimed == truth;
-}
+bool are_same_where_claimed(const Contact& claimed, const Contact& truth) { return !claimed || claimed == truth; }
 
 // If is_arrival_free, the last letter of the type and the contact set of the end are not compared.
-std::optional<PathDifference> segment_difference(std::size_t k, const PathSegment& claimed,
-                                                 const PathSegment& truth, bool is_arrival_free) {
+std::optional<PathDifference> segment_difference(std::size_t k, const PathSegment& claimed, const PathSegment& truth,
+                                                 bool is_arrival_free) {
   const std::size_t letters = is_arrival_free ? std::string_view("E-F-").size() : std::string::npos;
   if (claimed.type.substr(0, letters) != truth.type.substr(0, letters)) {
     return wrong(k, "type " + shortened(claimed.type, kLongest), truth.type);
@@ -59,8 +57,7 @@ std::optional<PathDifference> segment_difference(std::size_t k, const PathSegmen
   if (claimed.driver != truth.driver) {
     return wrong(k, "driver " + position_words(claimed.driver), position_words(truth.driver));
   }
-  if (claimed.end != truth.end)
-    return wrong(k, "end " + position_words(claimed.end), position_words(truth.end));
+  if (claimed.end != truth.end) return wrong(k, "end " + position_words(claimed.end), position_words(truth.end));
   const auto differ = [&](const char* what, const Contact& of_claim, const Contact& of_truth) {
     return wrong(k, fmt::format("{}, {}", what, contact_words(of_claim)), contact_words(of_truth));
   };
@@ -79,8 +76,8 @@ std::optional<PathDifference> segment_difference(std::size_t k, const PathSegmen
 std::optional<PathDifference> limit_difference(const std::optional<PathLimit>& claimed,
                                                const std::optional<PathLimit>& truth) {
   if (!claimed && !truth) return std::nullopt;
-  const bool is_same_point = claimed && truth && claimed->kind == truth->kind &&
-                             claimed->index == truth->index && claimed->position == truth->position;
+  const bool is_same_point = claimed && truth && claimed->kind == truth->kind && claimed->index == truth->index &&
+                             claimed->position == truth->position;
   if (!is_same_point) return PathDifference{false, "limit " + limit_words(claimed), limit_words(truth)};
   if (claimed->contact != truth->contact) {
     return PathDifference{false, "limit, " + contact_words(claimed->contact), contact_words(truth->contact)};

@@ -36,19 +36,17 @@ std::vector<ListedPair> in_order(std::vector<ListedPair> pairs, bool is_rounded)
 }
 
 std::string number_words(const Rational& value, bool is_rounded) {
-  std::string text =
-      is_rounded && nearest_double(value) ? fmt::format("{}", *nearest_double(value)) : to_text(value);
+  std::string text = is_rounded && nearest_double(value) ? fmt::format("{}", *nearest_double(value)) : to_text(value);
   return shortened(std::move(text), kLongestPairNumber);
 }
 
 // In each dimension, the first pair of one list goes with the first pair of the other, and so on.
-std::vector<PairDifference> differences_of(const std::vector<ListedPair>& claimed,
-                                           const std::vector<ListedPair>& truth, bool is_rounded) {
+std::vector<PairDifference> differences_of(const std::vector<ListedPair>& claimed, const std::vector<ListedPair>& truth,
+                                           bool is_rounded) {
   const auto words = [&](const std::vector<ListedPair>& pairs, std::size_t k) -> std::string {
     if (k >= pairs.size()) return "no such pair";
     const ListedPair& pair = pairs[k];
-    return fmt::format("dimension {}, birth {}, death {}", pair.dimension,
-                       number_words(pair.birth, is_rounded),
+    return fmt::format("dimension {}, birth {}, death {}", pair.dimension, number_words(pair.birth, is_rounded),
                        pair.death ? number_words(*pair.death, is_rounded) : "inf");
   };
   std::vector<PairDifference> differences;

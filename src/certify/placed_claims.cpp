@@ -28,8 +28,7 @@ void find_twice(CheckRun& run, std::size_t k, std::size_t first) {
 
 void vary_contact(CheckRun& run, std::size_t k, std::size_t record) {
   if (run.placed[k].place->fit != Fit::kPart) return;
-  run.vary(2, FindingReason::kSpanningPart, "FC-CLAIM-02", k,
-           "the whole is a " + stationary_text(run.truth, record));
+  run.vary(2, FindingReason::kSpanningPart, "FC-CLAIM-02", k, "the whole is a " + stationary_text(run.truth, record));
 }
 
 // Whether a claimed contact set is a face of the true one with the centre in it, or a simplex that spans such a face.
@@ -61,8 +60,7 @@ class PerturbedPoint {
 
   void add(std::size_t k) {
     const int index = run_.claim.points[k].index;
-    if (index < kind_.face_dimension || index > kind_.hull_dimension ||
-        !is_part_of_face(run_, k, record_, index)) {
+    if (index < kind_.face_dimension || index > kind_.hull_dimension || !is_part_of_face(run_, k, record_, index)) {
       find_collision(k, "no face of it with that centre is claimed");
       return;
     }
@@ -99,8 +97,7 @@ class PerturbedPoint {
 
   [[nodiscard]] bool is_same(std::size_t a, std::size_t b) const {
     if (kind_ != StationaryIndex{1, 3} || run_.claim.points[a].index != 2) return true;
-    const bool by_position =
-        run_.placed[a].place->fit == Fit::kPosition || run_.placed[b].place->fit == Fit::kPosition;
+    const bool by_position = run_.placed[a].place->fit == Fit::kPosition || run_.placed[b].place->fit == Fit::kPosition;
     if (by_position) return accepted_[2].size() > 1;
     return in_one_plane(run_, a, b);
   }

@@ -237,8 +237,7 @@ std::optional<Placement> placement_of(CheckRun& run, const std::vector<PointId>&
   if (larger.empty()) return std::nullopt;
   const ExactSphere sphere = exact_sphere(run.points, names);
   for (const std::size_t record : larger) {
-    if (run.truth.sphere(record).center == sphere.center)
-      return Placement{record, fit_of_part(run, names, record)};
+    if (run.truth.sphere(record).center == sphere.center) return Placement{record, fit_of_part(run, names, record)};
   }
   return std::nullopt;
 }

@@ -46,8 +46,8 @@ class Polylines {
     if (found.goes_on && ends_below(run_.placed[k].place->record, side)) {
       run_.vary(5, FindingReason::kSymbolicPerturbation, "FC-CLAIM-07", k, found.truth);
     } else {
-      run_.find(5, found.by_rounding ? FindingReason::kRounding : FindingReason::kWrongPolyline,
-                kPolylineClause, k, found.truth);
+      run_.find(5, found.by_rounding ? FindingReason::kRounding : FindingReason::kWrongPolyline, kPolylineClause, k,
+                found.truth);
     }
     run_.report.findings.back().claimed += ", side " + std::to_string(side) + ", " + found.claimed;
   }
@@ -78,8 +78,8 @@ class Polylines {
     if (claimed.driver) {
       const ValueMatch match = matched(*claimed.driver, truth.driver, scale);
       if (is_wrong(match)) {
-        return {true, match == ValueMatch::kRounding, false,
-                where + "driver " + position_text(*claimed.driver), "driver " + position_text(truth.driver)};
+        return {true, match == ValueMatch::kRounding, false, where + "driver " + position_text(*claimed.driver),
+                "driver " + position_text(truth.driver)};
       }
     }
     ValueMatch match = ValueMatch::kEqual;

@@ -34,8 +34,7 @@ Fault not_cospherical(const PointSet& points, const std::vector<PointId>& names,
     by_rounding = by_rounding && is_rounding(distance, sphere.squared_radius, rounding_length(sphere));
   }
   return {rounding_or(FindingReason::kNotCospherical, by_rounding), "FC-CRIT-05 (a)",
-          "point " + std::to_string(witness) +
-              " is not on the sphere of the others, centred in their affine hull"};
+          "point " + std::to_string(witness) + " is not on the sphere of the others, centred in their affine hull"};
 }
 
 Fault not_empty(const ExactSphere& sphere, const NearestSamples& nearest) {
@@ -67,8 +66,7 @@ Fault fault_of(const PointSet& points, const std::vector<PointId>& names) {
   std::vector<PointId> further;
   std::ranges::set_difference(nearest.names, names, std::back_inserter(further));
   return {FindingReason::kContactIncomplete, "FC-CRIT-05 (c)",
-          "point " + names_text(further) +
-              " lies on the sphere too, and the centre outside the hull of all of them"};
+          "point " + names_text(further) + " lies on the sphere too, and the centre outside the hull of all of them"};
 }
 
 // Decides the usual case quickly. Only decimals need more.
@@ -146,8 +144,7 @@ void check_values(CheckRun& run, std::size_t k) {
       });
   if (is_right_elsewhere) return;
   for (const WrongValue& value : wrong) {
-    run.find(2,
-             value.match == ValueMatch::kRounding ? FindingReason::kRounding : FindingReason::kWrongPosition,
+    run.find(2, value.match == ValueMatch::kRounding ? FindingReason::kRounding : FindingReason::kWrongPosition,
              "FC-OUT-01", k, value.truth);
     run.report.findings.back().claimed += ", " + value.claimed;
   }

@@ -93,8 +93,7 @@ class Surfaces {
       if (!value || *value == right) return;
       // A perturbation removes Voronoi vertices and intervals from the set.
       if (truth.has_vertex) {
-        run_.vary(5, FindingReason::kSymbolicPerturbation, kSurfaceClause, k,
-                  "a Voronoi vertex is in the skeleton");
+        run_.vary(5, FindingReason::kSymbolicPerturbation, kSurfaceClause, k, "a Voronoi vertex is in the skeleton");
       } else {
         find(k, FindingReason::kWrongSurface, what, "otherwise");
       }
@@ -125,8 +124,7 @@ class Surfaces {
     if (truth && are_same_walks(walk, *truth)) return;
     if (!run_.index(record).is_critical()) {
       if (truth) {
-        find(k, FindingReason::kWrongSurface, "walk " + names_text(rows),
-             "the walk is " + names_text(*truth));
+        find(k, FindingReason::kWrongSurface, "walk " + names_text(rows), "the walk is " + names_text(*truth));
       } else {
         run_.leave_unjudged("boundary walks of regular stationary points that are Voronoi vertices");
       }
@@ -148,8 +146,8 @@ class Surfaces {
 
   // matches(claimed, i): how well a claimed piece matches true piece i.
   template <typename Claimed, typename Matches, typename Beyond, typename Text>
-  static Comparison compare(const std::vector<Claimed>& claimed, std::size_t true_count,
-                            const Matches& matches, const Beyond& is_beyond, const Text& text) {
+  static Comparison compare(const std::vector<Claimed>& claimed, std::size_t true_count, const Matches& matches,
+                            const Beyond& is_beyond, const Text& text) {
     Comparison result{std::vector<bool>(true_count, false), {}};
     std::size_t guess = 0;  // claims are mostly in the order of the truth
     for (const Claimed& piece : claimed) {
@@ -174,8 +172,7 @@ class Surfaces {
 
   // is_determined(i): whether a claim must have true piece i.
   template <typename Determined>
-  void judge(std::size_t k, const Comparison& found, const std::string& what,
-             const Determined& is_determined) {
+  void judge(std::size_t k, const Comparison& found, const std::string& what, const Determined& is_determined) {
     std::size_t missing = 0, left_out = 0;
     for (std::size_t i = 0; i < found.is_claimed.size(); ++i) {
       if (!found.is_claimed[i]) ++(is_determined(i) ? missing : left_out);
@@ -186,23 +183,20 @@ class Surfaces {
       return;
     }
     if (!found.strange.empty()) {
-      find(k, found.is_rounding ? FindingReason::kRounding : FindingReason::kWrongSurface,
-           found.strange.front(),
-           "no such " + what + " is part of it (in all " + std::to_string(found.strange.size()) +
-               " such claims)");
+      find(k, found.is_rounding ? FindingReason::kRounding : FindingReason::kWrongSurface, found.strange.front(),
+           "no such " + what + " is part of it (in all " + std::to_string(found.strange.size()) + " such claims)");
       return;
     }
     if (missing > 0) {
-      find(k, FindingReason::kWrongSurface, "too few",
-           std::to_string(missing) + " " + what + "s are missing");
+      find(k, FindingReason::kWrongSurface, "too few", std::to_string(missing) + " " + what + "s are missing");
     } else if (left_out > 0) {
       run_.vary(5, FindingReason::kSymbolicPerturbation, kSurfaceClause, k,
                 std::to_string(left_out) + " " + what + "s beyond a Voronoi vertex are left out");
     }
   }
 
-  void check_skeleton(std::size_t k, const ClaimedSkeleton& claimed, const StableSet& set,
-                      const ValueScale& scale, const std::vector<bool>& determined) {
+  void check_skeleton(std::size_t k, const ClaimedSkeleton& claimed, const StableSet& set, const ValueScale& scale,
+                      const std::vector<bool>& determined) {
     const std::optional<Rational> regular = value_of_regular_backs(run_.points, set);
     const auto names = [this](const std::vector<PointId>& rows) { return class_names(run_.points, rows); };
     const auto worse = [](ValueMatch a, ValueMatch b) { return std::max(a, b); };
@@ -281,8 +275,8 @@ class Surfaces {
     return best;
   }
 
-  void check_surface(std::size_t k, const ClaimedSurface& claimed, const StableSet& set,
-                     const ValueScale& scale, const std::vector<bool>& determined) {
+  void check_surface(std::size_t k, const ClaimedSurface& claimed, const StableSet& set, const ValueScale& scale,
+                     const std::vector<bool>& determined) {
     if (!set.intervals.empty()) {
       run_.leave_unjudged("surfaces of stable sets that have parts of dimension 3");
       return;
@@ -309,8 +303,7 @@ class Surfaces {
               },
               [&](const std::array<std::size_t, 3>& triangle) {
                 const auto at = corners(triangle);
-                return "a triangle " + position_text(at[0]) + " " + position_text(at[1]) + " " +
-                       position_text(at[2]);
+                return "a triangle " + position_text(at[0]) + " " + position_text(at[1]) + " " + position_text(at[2]);
               }),
           "triangle", [&](std::size_t i) { return static_cast<bool>(determined[i / 2]); });
   }

@@ -24,8 +24,7 @@ struct CheckCommandOptions {
 
 CheckReport report_of(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input,
                       const Claim& claim) {
-  const std::unique_ptr<Truth> truth =
-      options.files.by_oracle ? oracle.of(input.file.rows) : fast_truth(input.points);
+  const std::unique_ptr<Truth> truth = options.files.by_oracle ? oracle.of(input.file.rows) : fast_truth(input.points);
   return check(input.points, claim, *truth, options.check);
 }
 
@@ -60,14 +59,12 @@ int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
 
 void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
   auto options = std::make_shared<CheckCommandOptions>();
-  CLI::App* command =
-      app.add_subcommand("check", "Whether a claimed flow complex is right, and where it is not");
+  CLI::App* command = app.add_subcommand("check", "Whether a claimed flow complex is right, and where it is not");
   command->add_option("POINTS", options->files.points, "Point file, or - for standard input")->required();
   command
-      ->add_option(
-          "CLAIM", options->files.claim,
-          "What an implementation claims of it: JSON Lines as compute -o writes them, CSV, VTP, or the "
-          "text format of Giesen and Kühne's algorithm; also as .gz; - for standard input")
+      ->add_option("CLAIM", options->files.claim,
+                   "What an implementation claims of it: JSON Lines as compute -o writes them, CSV, VTP, or the "
+                   "text format of Giesen and Kühne's algorithm; also as .gz; - for standard input")
       ->required();
   command->add_flag("--json", options->json, "Print one JSON object");
   command->add_option("--junit", options->junit, "Write a JUnit report to this file, a test case a level");
@@ -76,8 +73,7 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
       ->check(CLI::NonNegativeNumber);
   command->add_flag(
       "--oracle", options->files.by_oracle,
-      fmt::format("Let the oracle say what is true, not the fast implementation: up to {} points",
-                  oracle.most_points));
+      fmt::format("Let the oracle say what is true, not the fast implementation: up to {} points", oracle.most_points));
   command->footer(
       "Levels: 1 well formed; 2 every claimed critical point is one; 3 none is missing, none twice, indices, "
       "Euler sum; 4 incidences; 5 polylines and "

@@ -15,12 +15,10 @@ namespace flowcert::cli {
 namespace {
 
 constexpr std::array<const char*, kLevels> kLevelNames = {"well formed", "what is claimed is critical",
-                                                          "nothing is missing, nothing twice, indices",
-                                                          "incidences", "polylines and surfaces"};
+                                                          "nothing is missing, nothing twice, indices", "incidences",
+                                                          "polylines and surfaces"};
 
-const char* truth_text(const CheckedFiles& files) {
-  return files.by_oracle ? "oracle" : "fast implementation";
-}
+const char* truth_text(const CheckedFiles& files) { return files.by_oracle ? "oracle" : "fast implementation"; }
 const char* grade_text(const CheckReport& report) { return report.is_exact ? "exact" : "approximate"; }
 
 struct LevelCount {
@@ -81,8 +79,7 @@ Json levels_field(const CheckReport& report) {
 
 void write_level(std::ostream& out, const CheckedFiles& files, const CheckReport& report, std::size_t k,
                  const LevelCount& count) {
-  out << fmt::format("    <testcase classname=\"flowcert.check\" name=\"level {}: {}\"", k + 1,
-                     kLevelNames.at(k));
+  out << fmt::format("    <testcase classname=\"flowcert.check\" name=\"level {}: {}\"", k + 1, kLevelNames.at(k));
   if (!report.conforms.at(k)) {
     out << "><skipped message=\"nothing to judge\"/></testcase>\n";
     return;
@@ -127,9 +124,8 @@ void print_check_text(const CheckedFiles& files, const CheckReport& report, std:
   print_findings(files, report, most);
   print_row("critical points of index", "claimed", "        truth");
   for (std::size_t index = 0; index < 4; ++index) {
-    print_row(
-        fmt::format("  {}", index), with_commas(report.claimed_counts.at(index)),
-        files.highest_level < 2 ? "" : fmt::format("{:>13}", with_commas(report.true_counts.at(index))));
+    print_row(fmt::format("  {}", index), with_commas(report.claimed_counts.at(index)),
+              files.highest_level < 2 ? "" : fmt::format("{:>13}", with_commas(report.true_counts.at(index))));
   }
   fmt::print("\n");
   print_levels(report);
@@ -164,8 +160,8 @@ void write_check_junit(std::ostream& out, const CheckedFiles& files, const Check
   }
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
       << fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n",
-                     xml_text(fmt::format("flowcert check {} {}", files.points, files.claim)), kLevels,
-                     failures, skipped);
+                     xml_text(fmt::format("flowcert check {} {}", files.points, files.claim)), kLevels, failures,
+                     skipped);
   for (std::size_t k = 0; k < kLevels; ++k) write_level(out, files, report, k, counts.at(k));
   out << "  </testsuite>\n</testsuites>\n";
 }

@@ -34,8 +34,7 @@ Input read_input(const std::string& path) {
                display_name(path));
   }
   if (input.file.declares_single_precision) {
-    fmt::print(stderr,
-               "note: {}: declared as float, but decimals: taken as the nearest doubles, not floats\n",
+    fmt::print(stderr, "note: {}: declared as float, but decimals: taken as the nearest doubles, not floats\n",
                display_name(path));
   }
   if (const std::size_t merged = input.points.merged_duplicates(); merged > 0) {

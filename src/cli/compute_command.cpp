@@ -74,8 +74,7 @@ void check_export_directory(const std::string& directory) {
 }
 
 // Makes the directory if it does not exist. input_name is for messages.
-void write_export_files(const std::string& directory, const std::string& input_name,
-                        const FlowComplex& complex) {
+void write_export_files(const std::string& directory, const std::string& input_name, const FlowComplex& complex) {
   Exports exports;
   try {
     exports = exports_of(complex);
@@ -85,15 +84,13 @@ void write_export_files(const std::string& directory, const std::string& input_n
   make_directory(directory);
   const fs::path folder(directory);
   const std::string comment = made_by_text("flowcert-export", 1, complex.points());
-  const std::pair<const char*, const PolyData*> data_sets[] = {
-      {"critical_points.vtp", &exports.critical_points},
-      {"unstable_lines.vtp", &exports.unstable_lines},
-      {"stable_surfaces.vtp", &exports.stable_surfaces}};
+  const std::pair<const char*, const PolyData*> data_sets[] = {{"critical_points.vtp", &exports.critical_points},
+                                                               {"unstable_lines.vtp", &exports.unstable_lines},
+                                                               {"stable_surfaces.vtp", &exports.stable_surfaces}};
   for (const auto& [name, data] : data_sets) {
     write_file(folder / name, [&comment, poly = data](std::ostream& out) { write_vtp(out, *poly, comment); });
   }
-  write_file(folder / "stable_surfaces.ply",
-             [&](std::ostream& out) { write_ply(out, exports.mesh, comment); });
+  write_file(folder / "stable_surfaces.ply", [&](std::ostream& out) { write_ply(out, exports.mesh, comment); });
 }
 
 // ---- The command ----
@@ -129,10 +126,8 @@ WantedManifolds wanted_manifolds(const ComputeOptions& options) {
 void write_records(const ComputeOptions& options, const Measured& measured) {
   OutputFile file(options.output);
   ProgressLine progress("writing exact records");
-  const RecordsToWrite wanted = {.u2 = measured.has.u2,
-                                 .polylines = options.polylines,
-                                 .s2 = measured.has.s2,
-                                 .skeletons = options.skeletons};
+  const RecordsToWrite wanted = {
+      .u2 = measured.has.u2, .polylines = options.polylines, .s2 = measured.has.s2, .skeletons = options.skeletons};
   write_stationary_points(file.stream(), *measured.last, wanted, std::ref(progress));
   file.commit();
 }
@@ -157,10 +152,9 @@ void compute(const ComputeOptions& options) {
 void add_manifold_options(CLI::App& command, ComputeOptions& options, CLI::Option* output) {
   CLI::Option* manifolds =
       command
-          .add_option(
-              "--manifolds", options.manifolds,
-              "Compute these as well, separated by commas: u2 and s2, the unstable and stable manifolds of "
-              "all critical points of index 2")
+          .add_option("--manifolds", options.manifolds,
+                      "Compute these as well, separated by commas: u2 and s2, the unstable and stable manifolds of "
+                      "all critical points of index 2")
           ->delimiter(',')
           ->check(CLI::IsMember({"u2", "s2"}));
   command
@@ -173,8 +167,7 @@ void add_manifold_options(CLI::App& command, ComputeOptions& options, CLI::Optio
       ->needs(manifolds);
   for (CLI::Option* option : add_flow_options(command, options.u2.flow)) option->needs(manifolds);
   command
-      .add_flag("--polylines", options.polylines,
-                "Write each U2 to the file of -o, as exact polylines: a large file")
+      .add_flag("--polylines", options.polylines, "Write each U2 to the file of -o, as exact polylines: a large file")
       ->needs(manifolds)
       ->needs(output);
   command
@@ -191,20 +184,16 @@ void add_compute_command(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("compute", "All critical points of the distance function, and what flows from them");
   command
-      ->add_option("INPUT", options->input,
-                   "Point file: XYZ/text, OFF, PLY or OBJ, also as .gz; - for standard input")
+      ->add_option("INPUT", options->input, "Point file: XYZ/text, OFF, PLY or OBJ, also as .gz; - for standard input")
       ->required();
   command->add_flag("--json", options->json, "Print one JSON object instead of the table");
-  CLI::Option* output = command->add_option("-o,--output", options->output,
-                                            "Write the stationary points to this file, JSON Lines");
-  command
-      ->add_option("--runs", options->runs,
-                   "Measure this many times and print medians; 5 for a ratio to quote")
+  CLI::Option* output =
+      command->add_option("-o,--output", options->output, "Write the stationary points to this file, JSON Lines");
+  command->add_option("--runs", options->runs, "Measure this many times and print medians; 5 for a ratio to quote")
       ->check(CLI::Range(1, 1000));
-  command->add_option(
-      "--export", options->export_directory,
-      "Write critical points, U2 and S2 into this directory, as VTP and PLY files for viewers; "
-      "computes u2 and s2");
+  command->add_option("--export", options->export_directory,
+                      "Write critical points, U2 and S2 into this directory, as VTP and PLY files for viewers; "
+                      "computes u2 and s2");
   add_manifold_options(*command, *options, output);
   command->footer(
       "Examples:\n  flowcert compute bunny.obj -o bunny.jsonl\n  flowcert compute bunny.obj --manifolds "

@@ -39,9 +39,7 @@ Json primitives_field(const KernelTally& tally) {
   return primitives;
 }
 
-Table distribution_table() {
-  return Table("lrrrrrr", {"", "count", "mean", "max", "stddev", "mode", "median"});
-}
+Table distribution_table() { return Table("lrrrrrr", {"", "count", "mean", "max", "stddev", "mode", "median"}); }
 
 void add_distribution(Table& table, const char* name, const Distribution& distribution) {
   table.row(name).cell(distribution.count()).cell(fmt::format("{:.2f}", distribution.mean()));
@@ -207,9 +205,8 @@ void print_s2_rows(const StationaryPoints& stationary, const StableManifolds& s2
   const StableStatistics& statistics = s2.statistics();
   print_row("triangles of S2", with_commas(statistics.triangle_count), "where it is a surface");
   if (statistics.largest) {
-    print_row(
-        "triangles of the largest S2", with_commas(statistics.triangles.max()),
-        fmt::format("of contact set {}", fmt::join(stationary.contact(s2.record(*statistics.largest)), " ")));
+    print_row("triangles of the largest S2", with_commas(statistics.triangles.max()),
+              fmt::format("of contact set {}", fmt::join(stationary.contact(s2.record(*statistics.largest)), " ")));
   }
   print_row("S2 through Voronoi vertices", with_commas(statistics.with_vertex));
   print_row("S2 with parts of dimension 3", with_commas(statistics.with_interval));
@@ -263,14 +260,11 @@ void print_counts(const PointSet& points, const StationaryPoints& stationary) {
   constexpr const char* kMeaning[] = {"minima: the points themselves", "saddles on Gabriel edges",
                                       "saddles on Delaunay facets", "maxima"};
   for (std::size_t k = 0; k < 4; ++k) {
-    print_row(fmt::format("critical points of index {}", k), with_commas(stationary.critical_counts()[k]),
-              kMeaning[k]);
+    print_row(fmt::format("critical points of index {}", k), with_commas(stationary.critical_counts()[k]), kMeaning[k]);
   }
   const RegularCounts& regular = stationary.regular_counts();
-  print_row("regular stationary points 1-2", with_commas(regular.kind12),
-            "an index 1 and an index 2 collide");
-  print_row("regular stationary points 2-3", with_commas(regular.kind23),
-            "an index 2 and an index 3 collide");
+  print_row("regular stationary points 1-2", with_commas(regular.kind12), "an index 1 and an index 2 collide");
+  print_row("regular stationary points 2-3", with_commas(regular.kind23), "an index 2 and an index 3 collide");
   print_row("regular stationary points 1-3", with_commas(regular.kind13),
             "an edge, two polygons and a maximum collide");
   print_row("Euler sum", fmt::format("{}", stationary.euler_sum()));
@@ -286,12 +280,10 @@ void print_times(const Measured& measured) {
   print_row("critical points", seconds_text(measured.critical_seconds),
             multiple_text(measured, &DelaunayRatios::critical));
   if (measured.has.u2) {
-    print_row("unstable manifolds U2", seconds_text(measured.u2_seconds),
-              multiple_text(measured, &DelaunayRatios::u2));
+    print_row("unstable manifolds U2", seconds_text(measured.u2_seconds), multiple_text(measured, &DelaunayRatios::u2));
   }
   if (measured.has.s2) {
-    print_row("stable manifolds S2", seconds_text(measured.s2_seconds),
-              multiple_text(measured, &DelaunayRatios::s2));
+    print_row("stable manifolds S2", seconds_text(measured.s2_seconds), multiple_text(measured, &DelaunayRatios::s2));
   }
 }
 

@@ -37,8 +37,7 @@ void print_s2_rows(const StationaryPoints& stationary, const StableManifolds& s2
 // The paper's Tables 3 and 4.
 void print_s2_statistics(const StableStatistics& statistics);
 
-[[nodiscard]] Json s2_field(const U2Choice& choice, const StationaryPoints& stationary,
-                            const StableManifolds& s2);
+[[nodiscard]] Json s2_field(const U2Choice& choice, const StationaryPoints& stationary, const StableManifolds& s2);
 
 // ---- What both share ----
 // The reports of U2 and S2 share distributions and filter failures, in JSON and in tables.
@@ -56,8 +55,7 @@ void print_primitives(const KernelTally& tally);
 
 // ---- The whole ----
 // name: the display_name() of the input.
-void print_compute_table(const std::string& name, const Input& input, const Measured& measured,
-                         const U2Choice& choice);
+void print_compute_table(const std::string& name, const Input& input, const Measured& measured, const U2Choice& choice);
 
 void print_compute_summary(const Input& input, const Measured& measured, const U2Choice& choice);
 

@@ -30,8 +30,7 @@ struct Times {
   std::vector<double> delaunay, critical, u2, s2, all;
 };
 
-FlowComplex run_once(const PointSet& points, const WantedManifolds& wanted, unsigned run, unsigned runs,
-                     Times& times) {
+FlowComplex run_once(const PointSet& points, const WantedManifolds& wanted, unsigned run, unsigned runs, Times& times) {
   FlowComplex complex(points, wanted.options,
                       part_progress(runs == 1 ? "" : fmt::format(", run {} of {}", run + 1, runs)));
   const auto seconds_to_make = [&](FlowComplexPart part) {
@@ -54,8 +53,7 @@ Measured measure(const PointSet& points, unsigned runs, const WantedManifolds& w
   for (unsigned run = 0; run < runs; ++run) {
     result.last.reset();
     result.last.emplace(run_once(points, wanted, run, runs, times));
-    times.all.push_back(times.critical.back() + (wanted.u2 ? times.u2.back() : 0) +
-                        (wanted.s2 ? times.s2.back() : 0));
+    times.all.push_back(times.critical.back() + (wanted.u2 ? times.u2.back() : 0) + (wanted.s2 ? times.s2.back() : 0));
   }
   result.has = wanted;
   result.runs = runs;

@@ -69,8 +69,7 @@ void print_json(const Explanation& explanation) {
   json["reason"] = explanation.reason;
   json["witnesses"] = explanation.witnesses;
   json["center"] = explanation.sphere ? center_field(explanation.sphere->center) : Json(nullptr);
-  json["squared_radius"] =
-      explanation.sphere ? Json(to_text(explanation.sphere->squared_radius)) : Json(nullptr);
+  json["squared_radius"] = explanation.sphere ? Json(to_text(explanation.sphere->squared_radius)) : Json(nullptr);
   json["contact"] = explanation.contact;
   json["squared_distance"] = explanation.sphere ? Json(to_text(explanation.squared_distance)) : Json(nullptr);
   json["driver"] = explanation.driver ? center_field(*explanation.driver) : Json(nullptr);

@@ -23,8 +23,8 @@ using namespace flowcert::commands;
 
 std::string version_text() {
   const Reproducibility made_by = reproducibility();
-  return fmt::format("flowcert {} (commit {}; kernel: {}; compiler: {}; CGAL {})", made_by.version,
-                     made_by.commit, made_by.kernel, made_by.compiler, made_by.cgal);
+  return fmt::format("flowcert {} (commit {}; kernel: {}; compiler: {}; CGAL {})", made_by.version, made_by.commit,
+                     made_by.kernel, made_by.compiler, made_by.cgal);
 }
 
 int complain(const std::string& what) {
@@ -36,8 +36,7 @@ int complain(const std::string& what) {
 int finish_output(int status) {
   errno = 0;
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
-  return complain(
-      fmt::format("standard output cannot be written: {}", std::strerror(errno != 0 ? errno : EIO)));
+  return complain(fmt::format("standard output cannot be written: {}", std::strerror(errno != 0 ? errno : EIO)));
 }
 
 // CLI11's own codes are 100 and more; help and version are not errors.

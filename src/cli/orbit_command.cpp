@@ -39,16 +39,14 @@ std::string point_text(const RationalPoint& p) {
 
 std::string kind_text(StationaryIndex index) {
   if (!index.is_critical()) {
-    return fmt::format("a regular stationary point of kind {}-{}", index.face_dimension,
-                       index.hull_dimension);
+    return fmt::format("a regular stationary point of kind {}-{}", index.face_dimension, index.hull_dimension);
   }
   constexpr const char* kNames[] = {"a minimum", "a saddle", "a saddle", "a maximum"};
   return fmt::format("{} (critical point of index {})", kNames[index.face_dimension], index.face_dimension);
 }
 
 std::string limit_text(const PointSet& points, const StationaryLimit& limit) {
-  return fmt::format("{}, contact set {}, squared distance {}", kind_text(limit.index),
-                     fmt::join(limit.contact, " "),
+  return fmt::format("{}, contact set {}, squared distance {}", kind_text(limit.index), fmt::join(limit.contact, " "),
                      short_text(exact_sphere(points, limit.contact).squared_radius));
 }
 
@@ -71,8 +69,7 @@ void print_text(const Orbit& orbit, const FlowComplex& complex) {
     return;
   }
   print_segments(orbit);
-  fmt::print("{}\n",
-             orbit.limit ? "ends at " + limit_text(complex.points(), *orbit.limit) : "goes to infinity");
+  fmt::print("{}\n", orbit.limit ? "ends at " + limit_text(complex.points(), *orbit.limit) : "goes to infinity");
 }
 
 void print_json(const Orbit& orbit, const Input& input) {
@@ -119,8 +116,7 @@ void add_orbit_command(CLI::App& app, int& status) {
       ->add_option("--from", options->start,
                    "The position X,Y,Z: decimals (the nearest doubles), hex floats or fractions p/q (exact)")
       ->required();
-  command->add_flag("--json", options->json,
-                    "Print one JSON object, all exact; the table rounds long numbers");
+  command->add_flag("--json", options->json, "Print one JSON object, all exact; the table rounds long numbers");
   add_flow_options(*command, options->flow);
   command->footer("Example:\n  flowcert orbit bunny.obj --from -1/2,0.25,0x1p-3");
   command->callback([options, &status] {

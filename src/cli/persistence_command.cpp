@@ -98,8 +98,7 @@ void print_times(const PointSet& points, const PersistenceSeconds& seconds) {
                                                   {"all after the triangulation", seconds.after_delaunay()}};
   for (const auto& [name, time] : parts) {
     print_row(name, seconds_text(time),
-              has_ratios(points, seconds) ? fmt::format("{:.2f} x the triangulation", time / seconds.delaunay)
-                                          : "");
+              has_ratios(points, seconds) ? fmt::format("{:.2f} x the triangulation", time / seconds.delaunay) : "");
   }
 }
 
@@ -111,15 +110,14 @@ void print_table(const std::string& name, const Input& input, const PersistenceR
   std::size_t zero = 0;
   const auto counts = counts_of(run);
   for (std::size_t k = 0; k < counts.size(); ++k) {
-    print_row(fmt::format("pairs of dimension {}", k), with_commas(counts[k].positive),
-              fmt::format("{}; {} last{}", kNames[k], with_commas(counts[k].lasting),
-                          counts[k].lasting == 1 ? "s" : ""));
+    print_row(
+        fmt::format("pairs of dimension {}", k), with_commas(counts[k].positive),
+        fmt::format("{}; {} last{}", kNames[k], with_commas(counts[k].lasting), counts[k].lasting == 1 ? "s" : ""));
     zero += counts[k].zero;
   }
   print_row("pairs of length zero", with_commas(zero),
             with_zero ? "regular stationary points" : "regular stationary points; --zero writes them");
-  print_row("ties broken, U2", with_commas(run.complex.chains().broken_ties()),
-            "orbits that had to be let go on");
+  print_row("ties broken, U2", with_commas(run.complex.chains().broken_ties()), "orbits that had to be let go on");
   print_row("ties broken, S2", with_commas(run.complex.stable().statistics().broken_ties),
             "boundaries that a tie leaves open");
   print_times(input.points, run.seconds);
@@ -148,8 +146,7 @@ Json ratios_field(const PointSet& points, const PersistenceSeconds& seconds) {
   return field;
 }
 
-void print_json(const Input& input, const PersistenceRun& run, const PersistenceDiagram& diagram,
-                std::uint64_t seed) {
+void print_json(const Input& input, const PersistenceRun& run, const PersistenceDiagram& diagram, std::uint64_t seed) {
   Json json = header_fields("flowcert-persistence", 1, input.points);
   add_counts(json, input.points, run.complex.stationary());
   Json& counts = json["counts"] = Json::array();
@@ -213,17 +210,14 @@ std::string complaint_about_seed(const std::string& text) {
 void add_persistence_command(CLI::App& app, int& status) {
   auto options = std::make_shared<PersistenceOptions>();
   CLI::App* command = app.add_subcommand(
-      "persistence",
-      "The persistence of the distance function, as its alpha complex has it; values are squared");
+      "persistence", "The persistence of the distance function, as its alpha complex has it; values are squared");
   command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
   command->add_option("-o,--output", options->output,
                       "Write the pairs to this file, in GUDHI's .pers format, and print a table");
   command->add_flag("--json", options->json, "Print one JSON object, all exact, with the critical points");
-  command->add_flag("--zero", options->with_zero,
-                    "Regular stationary points as well, as pairs of length zero");
+  command->add_flag("--zero", options->with_zero, "Regular stationary points as well, as pairs of length zero");
   command
-      ->add_option("--seed-ties", options->seed,
-                   "Break ties at random, reproducibly; births and deaths stay the same")
+      ->add_option("--seed-ties", options->seed, "Break ties at random, reproducibly; births and deaths stay the same")
       ->check(complaint_about_seed);
   command->footer("Example:\n  flowcert persistence bunny.obj -o bunny.pers");
   command->callback([options, &status] {

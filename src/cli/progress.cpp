@@ -16,8 +16,7 @@ constexpr std::size_t kWidth = 32;
 
 }  // namespace
 
-ProgressLine::ProgressLine(std::string what)
-    : what_(std::move(what)), is_terminal_(::isatty(STDERR_FILENO) == 1) {}
+ProgressLine::ProgressLine(std::string what) : what_(std::move(what)), is_terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 ProgressLine::~ProgressLine() {
   if (is_drawn_) std::fputs("\r\033[K", stderr);
@@ -32,8 +31,8 @@ void ProgressLine::operator()(std::size_t done, std::size_t total) {
   const std::size_t filled = kWidth * done / total;
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const double left = done == 0 ? 0 : seconds * static_cast<double>(total - done) / static_cast<double>(done);
-  fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {:3} %  {:.0f} s left\033[K", what_, "", filled, "",
-             kWidth - filled, 100 * done / total, left);
+  fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {:3} %  {:.0f} s left\033[K", what_, "", filled, "", kWidth - filled,
+             100 * done / total, left);
   std::fflush(stderr);
 }
 

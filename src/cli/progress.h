@@ -85,8 +85,8 @@ class PartProgress {
 
 // The complex keeps this function. So parts that are computed later show their progress too.
 inline FlowComplex::Progress part_progress(std::string what_of = "") {
-  return [told = std::make_shared<PartProgress>(std::move(what_of))](
-             FlowComplexPart part, std::size_t done, std::size_t total) { (*told)(part, done, total); };
+  return [told = std::make_shared<PartProgress>(std::move(what_of))](FlowComplexPart part, std::size_t done,
+                                                                     std::size_t total) { (*told)(part, done, total); };
 }
 
 }  // namespace flowcert::cli

@@ -46,8 +46,7 @@ Counts counts_of(const FlowComplex& complex, const std::vector<std::size_t>& set
   return counts;
 }
 
-SurfaceMesh mesh_of(const SurfaceOptions& options, const FlowComplex& complex,
-                    const std::vector<std::size_t>& sets) {
+SurfaceMesh mesh_of(const SurfaceOptions& options, const FlowComplex& complex, const std::vector<std::size_t>& sets) {
   ProgressLine progress("surface");
   try {
     return surface_mesh(complex, sets, std::ref(progress));
@@ -67,8 +66,7 @@ void print_table(const SurfaceOptions& options, const Input& input, const Counts
   print_row("vertices", with_commas(counts.vertices));
 }
 
-void print_json(const SurfaceOptions& options, const Input& input, const FlowComplex& complex,
-                const Counts& counts) {
+void print_json(const SurfaceOptions& options, const Input& input, const FlowComplex& complex, const Counts& counts) {
   Json json = header_fields("flowcert-surface", 1, input.points);
   add_counts(json, input.points, complex.stationary());
   json["select"] = options.selections;
@@ -102,16 +100,15 @@ void write_surface(const SurfaceOptions& options) {
 
 void add_surface_command(CLI::App& app, int& status) {
   auto options = std::make_shared<SurfaceOptions>();
-  CLI::App* command = app.add_subcommand(
-      "surface", "Stable manifolds of index-2 points as a surface: all of them, or those selected");
+  CLI::App* command =
+      app.add_subcommand("surface", "Stable manifolds of index-2 points as a surface: all of them, or those selected");
   command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
   command
       ->add_option("--select", options->selections,
                    "Only those with persistence>X (a difference of squared distances), index2-radius<R, or "
                    "largest-gaps=N, the N most persistent ones; given several times, all must hold")
       ->allow_extra_args(false);
-  command->add_option("-o,--output", options->output, "Write the surface to this file, .ply or .off")
-      ->required();
+  command->add_option("-o,--output", options->output, "Write the surface to this file, .ply or .off")->required();
   command->add_flag("--json", options->json, "Print one JSON object instead of the table");
   command->footer(
       "Example:\n  flowcert surface bunny.obj --select 'index2-radius<0.01' --select 'persistence>1e-6' -o "

@@ -20,8 +20,8 @@ void print_columns(const std::vector<std::vector<std::string>>& rows, std::strin
   for (const auto& row : rows) {
     std::string line;
     for (std::size_t k = 0; k < row.size(); ++k) {
-      line += alignment[k] == 'r' ? fmt::format("  {:>{}}", row[k], width[k])
-                                  : fmt::format("  {:<{}}", row[k], width[k]);
+      line +=
+          alignment[k] == 'r' ? fmt::format("  {:>{}}", row[k], width[k]) : fmt::format("  {:<{}}", row[k], width[k]);
     }
     fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
   }

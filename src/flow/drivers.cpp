@@ -122,15 +122,13 @@ VertexFlow vertex_flow(const Diagram& diagram, CellIndex cluster) {
 namespace {
 
 // The angle of each piece; positive if the piece lies at infinity.
-std::vector<Sign> angles_of(const Diagram& diagram, FacetName facet, const FacetRing& ring,
-                            FilterTally& tally) {
+std::vector<Sign> angles_of(const Diagram& diagram, FacetName facet, const FacetRing& ring, FilterTally& tally) {
   const Point &p0 = diagram.point(facet.v0), &p1 = diagram.point(facet.v1);
   std::vector<Sign> angles;
   angles.reserve(ring.pieces.size());
   for (const RingPiece& piece : ring.pieces) {
     const bool is_finite = piece.polygon.cell != kNoCell;
-    angles.push_back(is_finite ? exact_sign(Angle{p0, diagram.point(piece.apex), p1}, tally)
-                               : Sign::kPositive);
+    angles.push_back(is_finite ? exact_sign(Angle{p0, diagram.point(piece.apex), p1}, tally) : Sign::kPositive);
   }
   return angles;
 }

@@ -90,9 +90,8 @@ class RingQuery {
   // Whether c lies on the ray and beyond x. It must lie on the line of the ray; only the filter checks that, so that
   // no point becomes exact by it.
   [[nodiscard]] bool is_beyond(PointNumber c) {
-    FLOWCERT_REQUIRES(
-        kernel_.sign_on_rung(SideOfRay{x_, p0_, p1_, c}, KernelRung::kFilter).value_or(Sign::kZero) ==
-        Sign::kZero);
+    FLOWCERT_REQUIRES(kernel_.sign_on_rung(SideOfRay{x_, p0_, p1_, c}, KernelRung::kFilter).value_or(Sign::kZero) ==
+                      Sign::kZero);
     return kernel_.sign(AlongRay{x_, p0_, p1_, c}) == Sign::kPositive &&
            kernel_.sign(BeforePoint{x_, p0_, p1_, c}) == Sign::kPositive;
   }

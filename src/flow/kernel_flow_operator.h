@@ -60,8 +60,8 @@ class KernelFlowOperator final : public FlowOperator {
     while (low < high) {
       const std::size_t probe = search_ == FacetSearch::kBinary ? (low + high) / 2 : low;
       const CellIndex cluster = ring.elements[(chain.first + 1 + probe) % n].vertex;
-      const Sign sign = kernel_.sign(
-          SideOfRay{number_of(front), faces_.point(facet.v0), faces_.point(facet.v1), center(cluster)});
+      const Sign sign =
+          kernel_.sign(SideOfRay{number_of(front), faces_.point(facet.v0), faces_.point(facet.v1), center(cluster)});
       if (sign == Sign::kZero) return {Place::at_vertex(cluster), false, kInfiniteVertex};
       (sign == Sign::kPositive ? low : high) = sign == Sign::kPositive ? probe + 1 : probe;
     }
@@ -70,14 +70,12 @@ class KernelFlowOperator final : public FlowOperator {
   }
 
   PointNumber cross_back(const Location& front, FacetName facet, VertexIndex apex) override {
-    return kernel_.add_crossing(number_of(front), faces_.point(facet.v0), faces_.point(facet.v1),
-                                faces_.point(apex));
+    return kernel_.add_crossing(number_of(front), faces_.point(facet.v0), faces_.point(facet.v1), faces_.point(apex));
   }
 
   PointNumber add_center(const std::array<VertexIndex, 3>& samples) override {
     return kernel_.add_circumcenter(
-        std::array{&faces_.point(samples[0]), &faces_.point(samples[1]), &faces_.point(samples[2])},
-        Stay::kPassing);
+        std::array{&faces_.point(samples[0]), &faces_.point(samples[1]), &faces_.point(samples[2])}, Stay::kPassing);
   }
 
   RationalPoint exact(const Location& at) override { return kernel_.exact(number_of(at)); }
@@ -222,9 +220,8 @@ class KernelFlowOperator final : public FlowOperator {
     std::vector<VertexIndex> first;
     for (const VertexIndex q : faces_.neighbors(sample)) {
       if (kernel_.sign(RayAtInfinity{x, p, p, faces_.point(q)}) != Sign::kPositive) continue;
-      const Sign order = first.empty()
-                             ? Sign::kNegative
-                             : kernel_.sign(NearerExit{x, p, faces_.point(q), faces_.point(first.front())});
+      const Sign order = first.empty() ? Sign::kNegative
+                                       : kernel_.sign(NearerExit{x, p, faces_.point(q), faces_.point(first.front())});
       if (order == Sign::kNegative) first.clear();
       if (order != Sign::kPositive) first.push_back(q);
     }

@@ -37,8 +37,7 @@ struct Flow::Parts {
   SuccessorForest forest;
 };
 
-Flow::Flow(const VoronoiDiagram& diagram, FlowOptions options)
-    : parts_(std::make_unique<Parts>(diagram, options)) {}
+Flow::Flow(const VoronoiDiagram& diagram, FlowOptions options) : parts_(std::make_unique<Parts>(diagram, options)) {}
 Flow::~Flow() = default;
 Flow::Flow(Flow&&) noexcept = default;
 Flow& Flow::operator=(Flow&&) noexcept = default;

@@ -70,8 +70,7 @@ template <class Integer>
 Vector3<Integer> IntegerGrid::vector_between(const Point& from, const Point& to) const {
   FLOWCERT_REQUIRES(!std::is_same_v<Integer, WideInteger> || fits_wide());
   FLOWCERT_REQUIRES(!std::is_same_v<Integer, NarrowInteger> || fits_narrow());
-  return {difference<Integer>(from.x, to.x), difference<Integer>(from.y, to.y),
-          difference<Integer>(from.z, to.z)};
+  return {difference<Integer>(from.x, to.x), difference<Integer>(from.y, to.y), difference<Integer>(from.z, to.z)};
 }
 
 template Vector3<BigInteger> IntegerGrid::vector_between(const Point&, const Point&) const;

@@ -21,8 +21,7 @@ namespace mp = boost::multiprecision;
 using BigInteger = mp::number<mp::gmp_int, mp::et_off>;
 // Holds polynomials of degree 6 in differences of kWideBits + 1 bits, with 10 bits to spare for their many
 // terms.
-using WideInteger =
-    mp::number<mp::cpp_int_backend<512, 512, mp::signed_magnitude, mp::unchecked, void>, mp::et_off>;
+using WideInteger = mp::number<mp::cpp_int_backend<512, 512, mp::signed_magnitude, mp::unchecked, void>, mp::et_off>;
 inline constexpr int kWideBits = 82;
 // Sums of three products of differences of kNarrowBits + 1 bits stay below 2^126.
 using NarrowInteger = __int128;

@@ -25,8 +25,8 @@ std::vector<std::size_t> candidates(const PointSet& points, const Point& from) {
   }
   const double least = std::sqrt(*std::min_element(squared.begin(), squared.end()));
   const double largest = std::max({std::abs(from.x), std::abs(from.y), std::abs(from.z)});
-  const double bound = least * (1 + kDistanceBound * kUnitRoundoff) +
-                       kPositionBound * kUnitRoundoff * largest + kDistanceUnderflow;
+  const double bound =
+      least * (1 + kDistanceBound * kUnitRoundoff) + kPositionBound * kUnitRoundoff * largest + kDistanceUnderflow;
   const double squared_bound = bound * bound * (1 + kSquareBound * kUnitRoundoff);
   std::vector<std::size_t> result;
   for (std::size_t k = 0; k < points.size(); ++k) {

@@ -19,9 +19,7 @@ std::array<const Point*, 4> points_of(const Orientation& k) { return {&k.p0, &k.
 std::array<const Point*, 4> points_of(const OutsideCircle& k) { return {&k.p0, &k.p1, &k.q, &k.r}; }
 
 // n: the norms of the vectors.
-double error_bound(const Angle&, const std::array<double, 2>& n) {
-  return kAngleBound * kUnitRoundoff * n[0] * n[1];
-}
+double error_bound(const Angle&, const std::array<double, 2>& n) { return kAngleBound * kUnitRoundoff * n[0] * n[1]; }
 double error_bound(const SideOfPlane&, const std::array<double, 3>& n) {
   const double ab = n[0] * n[1];
   return kSideOfPlaneBound * kUnitRoundoff * ab * (ab * n[2]) * (n[0] + n[1] + n[2]);
@@ -38,8 +36,7 @@ double error_bound(const OutsideCircle&, const std::array<double, 4>& n) {
 
 template <class Query>
 MaybeSign double_sign(const Query& query) {
-  const auto vectors =
-      query.vectors([](const Point& from, const Point& to) { return vector_between(from, to); });
+  const auto vectors = query.vectors([](const Point& from, const Point& to) { return vector_between(from, to); });
   std::array<double, vectors.size()> norms;
   for (std::size_t i = 0; i < vectors.size(); ++i) {
     norms[i] = std::sqrt(dot(vectors[i], vectors[i]));
@@ -50,8 +47,8 @@ MaybeSign double_sign(const Query& query) {
 
 template <class Integer, class Query>
 Sign integer_sign(const Query& query, const IntegerGrid& grid) {
-  return sign_of(Query::value(query.vectors(
-      [&grid](const Point& from, const Point& to) { return grid.vector_between<Integer>(from, to); })));
+  return sign_of(Query::value(
+      query.vectors([&grid](const Point& from, const Point& to) { return grid.vector_between<Integer>(from, to); })));
 }
 
 }  // namespace
@@ -83,12 +80,8 @@ template <class Query>
 bool is_allowed(const Query&) {
   return true;
 }
-bool is_allowed(const SideOfPlane& k) {
-  return unfiltered_sign(Orientation{k.f0, k.f1, k.f2, k.apex}) != Sign::kZero;
-}
-bool is_allowed(const OutsideCircle& k) {
-  return unfiltered_sign(Orientation{k.p0, k.p1, k.q, k.r}) == Sign::kZero;
-}
+bool is_allowed(const SideOfPlane& k) { return unfiltered_sign(Orientation{k.f0, k.f1, k.f2, k.apex}) != Sign::kZero; }
+bool is_allowed(const OutsideCircle& k) { return unfiltered_sign(Orientation{k.p0, k.p1, k.q, k.r}) == Sign::kZero; }
 
 }  // namespace
 

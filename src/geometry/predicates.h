@@ -75,8 +75,7 @@ struct OutsideSphere {
   // This is the same for a known circumsphere. The bound of its error takes the product and the sum of the norms of
   // the three vectors that made the sphere, and the norm of v.
   template <class Number, class Wide>
-  [[nodiscard]] static Wide value(const Vector3<Wide>& numerator, const Wide& determinant,
-                                  const Vector3<Number>& v) {
+  [[nodiscard]] static Wide value(const Vector3<Wide>& numerator, const Wide& determinant, const Vector3<Number>& v) {
     return Wide(dot(v, v)) * determinant - dot(numerator, promote(v));
   }
   [[nodiscard]] static double error_bound(double product, double sum, double norm) {

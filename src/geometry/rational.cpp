@@ -37,8 +37,7 @@ std::optional<double> nearest_double(const Rational& value) {
 
   // The quotient goes at least two bits below the last one that a double of this size keeps; subnormals keep fewer.
   // It fits 64 bits and its last bit is sticky, so rounding it to the kept bits rounds the exact value.
-  const int magnitude =
-      bit_length(top) - bit_length(bottom);  // value is in (2^(magnitude-1), 2^(magnitude+1))
+  const int magnitude = bit_length(top) - bit_length(bottom);  // value is in (2^(magnitude-1), 2^(magnitude+1))
   const int last_kept = std::max(magnitude - 1 - 53, -1074);
   const int shift = 3 - last_kept;
   if (magnitude > 1025) return std::nullopt;

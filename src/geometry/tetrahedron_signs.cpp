@@ -82,8 +82,8 @@ void resolve_sides(const TetrahedronPoints& points, const PerFacet& value, const
   }
 }
 
-void set_sides(const TetrahedronPoints& points, const PerFacet& value, const PerFacet& error,
-               TetrahedronSigns& signs, FilterTally& tally) {
+void set_sides(const TetrahedronPoints& points, const PerFacet& value, const PerFacet& error, TetrahedronSigns& signs,
+               FilterTally& tally) {
   tally[Predicate::kSideOfPlane].calls += 4;
   unsigned negative = 0;
   bool all_certain = true;
@@ -98,8 +98,7 @@ void set_sides(const TetrahedronPoints& points, const PerFacet& value, const Per
 }  // namespace
 
 TetrahedronSigns tetrahedron_signs(const TetrahedronPoints& points, CellSphere& sphere, FilterTally& tally) {
-  FLOWCERT_REQUIRES(unfiltered_sign(Orientation{*points[0], *points[1], *points[2], *points[3]}) ==
-                    Sign::kPositive);
+  FLOWCERT_REQUIRES(unfiltered_sign(Orientation{*points[0], *points[1], *points[2], *points[3]}) == Sign::kPositive);
   const Vector3<double> a = vector_between(*points[0], *points[1]);
   const Vector3<double> b = vector_between(*points[0], *points[2]);
   const Vector3<double> c = vector_between(*points[0], *points[3]);
@@ -139,16 +138,14 @@ Sign side_exactly(const TetrahedronPoints& points, unsigned facet) {
   return unfiltered_sign(SideOfPlane{*points[f[0]], *points[f[1]], *points[f[2]], *points[facet]});
 }
 
-bool on_sphere(const TetrahedronPoints& points, const CellSphere& sphere, const Point& q,
-               FilterTally& tally) {
+bool on_sphere(const TetrahedronPoints& points, const CellSphere& sphere, const Point& q, FilterTally& tally) {
   FilterCount& count = tally[Predicate::kCospherical];
   ++count.calls;
   const Vector3<double> v = vector_between(*points[0], q);
   const double norm = std::sqrt(dot(v, v));
   if (sphere.in_range && norm >= kSmallestNorm && norm <= kLargestNorm) {
     const double value = OutsideSphere::value(sphere.numerator, sphere.determinant, v);
-    if (std::fabs(value) > OutsideSphere::error_bound(sphere.norm_product, sphere.norm_sum, norm))
-      return false;
+    if (std::fabs(value) > OutsideSphere::error_bound(sphere.norm_product, sphere.norm_sum, norm)) return false;
   }
   ++count.failures;
   return unfiltered_sign(OutsideSphere{*points[0], *points[1], *points[2], *points[3], q}) == Sign::kZero;

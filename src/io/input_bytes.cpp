@@ -113,8 +113,7 @@ std::string gunzip(std::string_view bytes, std::string_view file) {
   std::string output;
   while (is_gzip(bytes)) bytes.remove_prefix(gunzip_one(bytes, file, output));
   // Tapes and block devices pad with zeros, and gzip itself accepts that.
-  if (bytes.find_first_not_of('\0') != std::string_view::npos)
-    reject_file(file, "garbage after the gzip data");
+  if (bytes.find_first_not_of('\0') != std::string_view::npos) reject_file(file, "garbage after the gzip data");
   return output;
 }
 

@@ -26,7 +26,6 @@ namespace flowcert::io {
 
 // What a reader of a format takes: the contents of `bytes` without gzip, for which `decompressed` is the place, and
 // without a byte order mark. Throws InvalidInput "FILE: empty" if they are blank.
-[[nodiscard]] std::string_view plain_content(std::string_view bytes, std::string_view file,
-                                             std::string& decompressed);
+[[nodiscard]] std::string_view plain_content(std::string_view bytes, std::string_view file, std::string& decompressed);
 
 }  // namespace flowcert::io

@@ -178,8 +178,6 @@ const Json& required_array(const Json& value, const char* what) {
   return value;
 }
 
-Rational required_rational(const Json& value, const char* what) {
-  return exact_rational(required_string(value, what));
-}
+Rational required_rational(const Json& value, const char* what) { return exact_rational(required_string(value, what)); }
 
 }  // namespace flowcert::io

@@ -194,8 +194,7 @@ Integer parse_integer(std::string_view text, std::string_view signs) {
   const bool has_sign = !text.empty() && signs.find(text.front()) != std::string_view::npos;
   const bool negative = has_sign && text.front() == '-';
   const std::string digits(text.substr(has_sign ? 1 : 0));
-  if (digits.empty() ||
-      !std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; })) {
+  if (digits.empty() || !std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; })) {
     throw InvalidInput("not a number: " + in_quotes(text));
   }
   // A leading zero would mean octal to Boost.
@@ -306,8 +305,7 @@ Rational value_of(const Decimal& decimal) {
   if (decimal.digits.empty()) return 0;
   const Integer digits(decimal.digits);
   const int power = decimal.exponent - decimal.decimals;
-  const Integer scale =
-      boost::multiprecision::pow(Integer(10), static_cast<unsigned>(power < 0 ? -power : power));
+  const Integer scale = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(power < 0 ? -power : power));
   Rational value = power < 0 ? Rational(digits, scale) : Rational(Integer(digits * scale));
   if (decimal.is_negative) value = -value;
   return value;
@@ -323,8 +321,7 @@ bool is_exact_form(std::string_view text) {
 
 ClaimedNumber claimed_number(std::string_view text, PlainInteger plain, const LinePlace& place) {
   // Among rationals, an integer is a fraction without its denominator.
-  const std::size_t longest =
-      is_exact_form(text) || plain == PlainInteger::kExact ? kLongestFraction : kLongestDecimal;
+  const std::size_t longest = is_exact_form(text) || plain == PlainInteger::kExact ? kLongestFraction : kLongestDecimal;
   if (text.size() > longest) place.reject("a number of too many digits: " + in_quotes(text));
   if (is_exact_form(text)) {
     try {
@@ -339,8 +336,7 @@ ClaimedNumber claimed_number(std::string_view text, PlainInteger plain, const Li
     place.reject((fault == nullptr ? "not a number" : fault) + (": " + in_quotes(text)));
   }
   const bool is_exact = decimal->is_integer && plain == PlainInteger::kExact;
-  if (!is_exact && text.size() > kLongestDecimal)
-    place.reject("a number of too many digits: " + in_quotes(text));
+  if (!is_exact && text.size() > kLongestDecimal) place.reject("a number of too many digits: " + in_quotes(text));
   if (decimal->exponent > kLargestExponent || decimal->exponent < -kLargestExponent)
     place.reject("an exponent too large: " + in_quotes(text));
   return {.value = value_of(*decimal), .is_exact = is_exact};
@@ -356,16 +352,14 @@ PointId claimed_id(std::string_view text, const LinePlace& place) {
   PointId id = 0;
   const char* const end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, id);
-  if (result.ptr != end || result.ec == std::errc::invalid_argument)
-    place.reject("not an id: " + in_quotes(text));
+  if (result.ptr != end || result.ec == std::errc::invalid_argument) place.reject("not an id: " + in_quotes(text));
   if (result.ec == std::errc::result_out_of_range || id > kLargestId)
     place.reject("an id beyond 2147483646: " + in_quotes(text));
   return id;
 }
 
 int claimed_index(std::string_view text, const LinePlace& place) {
-  if (text.size() != 1 || text[0] < '0' || text[0] > '3')
-    place.reject("not an index, 0 to 3: " + in_quotes(text));
+  if (text.size() != 1 || text[0] < '0' || text[0] > '3') place.reject("not an index, 0 to 3: " + in_quotes(text));
   return text[0] - '0';
 }
 

@@ -63,8 +63,7 @@ enum class PlainInteger { kExact, kDecimal };
 [[nodiscard]] ClaimedNumber claimed_number(std::string_view text, PlainInteger plain, const LinePlace& place);
 
 // The same for a distance or a squared distance, which cannot be negative.
-[[nodiscard]] ClaimedNumber claimed_distance(std::string_view text, PlainInteger plain,
-                                             const LinePlace& place);
+[[nodiscard]] ClaimedNumber claimed_distance(std::string_view text, PlainInteger plain, const LinePlace& place);
 
 // The id of a row: digits alone, at most 2^31 - 2.
 [[nodiscard]] PointId claimed_id(std::string_view text, const LinePlace& place);

@@ -122,8 +122,6 @@ void OutputFile::commit() {
   forget();
 }
 
-void OutputFile::fail(const std::string& what) const {
-  throw OutputError(path_ + ": cannot be written: " + what);
-}
+void OutputFile::fail(const std::string& what) const { throw OutputError(path_ + ": cannot be written: " + what); }
 
 }  // namespace flowcert::io

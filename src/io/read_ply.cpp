@@ -85,23 +85,22 @@ struct PlyHeader {
 };
 
 // Both sets of type names are in use: the original one (char, …, double) and the one with sizes (int8, …, float64).
-constexpr auto kTypeNames =
-    std::to_array<std::pair<std::string_view, PlyType>>({{"char", PlyType::kInt8},
-                                                         {"int8", PlyType::kInt8},
-                                                         {"uchar", PlyType::kUint8},
-                                                         {"uint8", PlyType::kUint8},
-                                                         {"short", PlyType::kInt16},
-                                                         {"int16", PlyType::kInt16},
-                                                         {"ushort", PlyType::kUint16},
-                                                         {"uint16", PlyType::kUint16},
-                                                         {"int", PlyType::kInt32},
-                                                         {"int32", PlyType::kInt32},
-                                                         {"uint", PlyType::kUint32},
-                                                         {"uint32", PlyType::kUint32},
-                                                         {"float", PlyType::kFloat},
-                                                         {"float32", PlyType::kFloat},
-                                                         {"double", PlyType::kDouble},
-                                                         {"float64", PlyType::kDouble}});
+constexpr auto kTypeNames = std::to_array<std::pair<std::string_view, PlyType>>({{"char", PlyType::kInt8},
+                                                                                 {"int8", PlyType::kInt8},
+                                                                                 {"uchar", PlyType::kUint8},
+                                                                                 {"uint8", PlyType::kUint8},
+                                                                                 {"short", PlyType::kInt16},
+                                                                                 {"int16", PlyType::kInt16},
+                                                                                 {"ushort", PlyType::kUint16},
+                                                                                 {"uint16", PlyType::kUint16},
+                                                                                 {"int", PlyType::kInt32},
+                                                                                 {"int32", PlyType::kInt32},
+                                                                                 {"uint", PlyType::kUint32},
+                                                                                 {"uint32", PlyType::kUint32},
+                                                                                 {"float", PlyType::kFloat},
+                                                                                 {"float32", PlyType::kFloat},
+                                                                                 {"double", PlyType::kDouble},
+                                                                                 {"float64", PlyType::kDouble}});
 
 std::optional<PlyType> type_of_name(std::string_view name) {
   for (const auto& [known, type] : kTypeNames) {
@@ -240,8 +239,7 @@ PlyHeader read_ply_header(LineReader& lines) {
 
 [[noreturn]] void reject_missing_rows(const PlyElement& element, std::uint64_t found, std::string_view file) {
   const std::string what = element.name == "vertex" ? "vertices" : "rows of " + in_quotes(element.name);
-  reject_file(file,
-              std::to_string(element.count) + " " + what + " announced, " + std::to_string(found) + " found");
+  reject_file(file, std::to_string(element.count) + " " + what + " announced, " + std::to_string(found) + " found");
 }
 
 // Receives a row's values with the ordinals of their properties. Lists are skipped.
@@ -260,8 +258,7 @@ struct CoordinateSink {
 };
 
 // Reads the values of one line of an ascii element. `sink` may be null.
-void read_ascii_row(const PlyElement& element, std::string_view line, const LinePlace& place,
-                    CoordinateSink* sink) {
+void read_ascii_row(const PlyElement& element, std::string_view line, const LinePlace& place, CoordinateSink* sink) {
   Fields fields(line, Separators::kBlanks);
   const auto next_field = [&](const PlyProperty& property) {
     std::string_view field;
@@ -307,8 +304,7 @@ Unsigned load(const char* bytes, bool swap) {
   Unsigned value = 0;
   for (std::size_t k = 0; k < sizeof(Unsigned); ++k) {
     const std::size_t place = swap ? sizeof(Unsigned) - 1 - k : k;
-    value = static_cast<Unsigned>(value | static_cast<Unsigned>(static_cast<unsigned char>(bytes[k]))
-                                              << (8 * place));
+    value = static_cast<Unsigned>(value | static_cast<Unsigned>(static_cast<unsigned char>(bytes[k])) << (8 * place));
   }
   return value;
 }
@@ -359,8 +355,8 @@ class BinaryRows {
       if (property.is_list) {
         const double length = take(property.count_type, element, row);
         if (length < 0)
-          reject_file(file_, "a list of negative length in row " + std::to_string(row) + " of " +
-                                 in_quotes(element.name));
+          reject_file(file_,
+                      "a list of negative length in row " + std::to_string(row) + " of " + in_quotes(element.name));
         const std::uint64_t bytes = static_cast<std::uint64_t>(length) * size_of(property.type);
         if (rest_.size() < bytes) reject_missing_rows(element, row, file_);
         rest_.remove_prefix(bytes);
@@ -369,8 +365,8 @@ class BinaryRows {
       const double value = take(property.type, element, row);
       if (sink == nullptr || !sink->wants(k)) continue;
       if (!std::isfinite(value)) {
-        reject_file(file_, "vertex " + std::to_string(row) + ": not a finite number: property " +
-                               in_quotes(property.name));
+        reject_file(file_,
+                    "vertex " + std::to_string(row) + ": not a finite number: property " + in_quotes(property.name));
       }
       sink->take(k, value);
     }
@@ -399,8 +395,7 @@ void read_binary(const PlyHeader& header, const LineReader& lines, PointFile& po
       rows.skip_rows(element);
       continue;
     }
-    if (is_vertex)
-      points.rows.reserve(std::min<std::uint64_t>(element.count, rows.size() / element.smallest_row()));
+    if (is_vertex) points.rows.reserve(std::min<std::uint64_t>(element.count, rows.size() / element.smallest_row()));
     // Every row takes at least a byte, so that an absurd count ends with the file.
     for (std::uint64_t row = 0; row < element.count; ++row) {
       CoordinateSink sink{.ordinals = header.coordinates, .point = {}};

@@ -96,8 +96,7 @@ OffCounts read_header(LineReader& lines) {
   std::string_view keyword;
   fields.next(keyword);
   if (!is_off_keyword(keyword)) {
-    lines.place().reject("not an OFF file: begins with " + in_quotes(keyword) +
-                         ", not OFF, COFF, NOFF or CNOFF");
+    lines.place().reject("not an OFF file: begins with " + in_quotes(keyword) + ", not OFF, COFF, NOFF or CNOFF");
   }
   Fields after_keyword = fields;
   std::string_view field;
@@ -105,8 +104,7 @@ OffCounts read_header(LineReader& lines) {
     if (field == "BINARY") lines.place().reject("binary OFF is not supported");
     return parse_counts(fields, lines.place());
   }
-  if (!lines.next_uncommented(line))
-    reject_file(lines.file(), "cut short: no counts after " + std::string(keyword));
+  if (!lines.next_uncommented(line)) reject_file(lines.file(), "cut short: no counts after " + std::string(keyword));
   Fields counts(line, Separators::kBlanks);
   return parse_counts(counts, lines.place());
 }
@@ -122,16 +120,15 @@ PointFile read_off(std::string_view text, std::string_view file) {
   std::string_view line;
   while (points.rows.size() < counts.vertices) {
     if (!lines.next_uncommented(line)) {
-      reject_file(file, std::to_string(counts.vertices) + " vertices announced, " +
-                            std::to_string(points.rows.size()) + " found");
+      reject_file(file, std::to_string(counts.vertices) + " vertices announced, " + std::to_string(points.rows.size()) +
+                            " found");
     }
     Fields fields(line, Separators::kBlanks);
     points.rows.push_back(first_three(fields, lines.place()));
   }
   for (std::uint64_t face = 0; face < counts.faces; ++face) {
     if (!lines.next_uncommented(line)) {
-      reject_file(file,
-                  std::to_string(counts.faces) + " faces announced, " + std::to_string(face) + " found");
+      reject_file(file, std::to_string(counts.faces) + " faces announced, " + std::to_string(face) + " found");
     }
   }
   return points;

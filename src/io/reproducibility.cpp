@@ -22,8 +22,7 @@ Reproducibility reproducibility() {
 #else
   const std::string compiler = "gcc " __VERSION__;
 #endif
-  return {FLOWCERT_VERSION, FLOWCERT_COMMIT, "double filter, exact integers", compiler,
-          FLOWCERT_CGAL_VERSION};
+  return {FLOWCERT_VERSION, FLOWCERT_COMMIT, "double filter, exact integers", compiler, FLOWCERT_CGAL_VERSION};
 }
 
 std::string coordinates_sha256(const PointSet& points) {
@@ -50,9 +49,9 @@ std::string coordinates_sha256(const PointSet& points) {
 
 std::string made_by_text(const char* format, int format_version, const PointSet& points) {
   const Reproducibility made_by = reproducibility();
-  return fmt::format("{} {}, by flowcert {} (commit {}; kernel: {}; compiler: {}; CGAL {}), input_sha256 {}",
-                     format, format_version, made_by.version, made_by.commit, made_by.kernel,
-                     made_by.compiler, made_by.cgal, coordinates_sha256(points));
+  return fmt::format("{} {}, by flowcert {} (commit {}; kernel: {}; compiler: {}; CGAL {}), input_sha256 {}", format,
+                     format_version, made_by.version, made_by.commit, made_by.kernel, made_by.compiler, made_by.cgal,
+                     coordinates_sha256(points));
 }
 
 }  // namespace flowcert

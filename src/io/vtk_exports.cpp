@@ -39,8 +39,7 @@ struct SeparatrixData {
   Flags types;
   Values maxima, minima, differences;
 
-  void append(std::int64_t source, std::int64_t separatrix, double minimum, double maximum,
-              double difference) {
+  void append(std::int64_t source, std::int64_t separatrix, double minimum, double maximum, double difference) {
     source_ids.push_back(source);
     separatrix_ids.push_back(separatrix);
     types.push_back(kSeparatrixType);
@@ -73,8 +72,8 @@ class LineSet {
  public:
   explicit LineSet(const PointSet& points) : points_(points) {}
 
-  void append(std::size_t saddle, std::span<const PointId> contact, std::int8_t side,
-              std::optional<std::size_t> limit, const Orbit& orbit) {
+  void append(std::size_t saddle, std::span<const PointId> contact, std::int8_t side, std::optional<std::size_t> limit,
+              const Orbit& orbit) {
     Line line = {.saddle = saddle, .side = side, .limit = limit, .first = size()};
     append(orbit.start, contact[0]);
     for (const FlowSegment& segment : orbit.segments) {
@@ -122,9 +121,8 @@ class Document {
 
   template <typename Number>
   void array(const std::string& name, int components, const std::vector<Number>& values) {
-    text(fmt::format(
-        R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}"/>)",
-        type_name(Number{}), name, components, appended_.size()));
+    text(fmt::format(R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}"/>)",
+                     type_name(Number{}), name, components, appended_.size()));
     append_little_endian(appended_, std::uint64_t{values.size() * sizeof(Number)});
     for (const Number value : values) append_little_endian(appended_, value);
   }
@@ -213,8 +211,7 @@ PolyData VtkExports::unstable_lines(const ExportProgress& progress) const {
     const std::size_t saddle = u2.saddle(i);
     for (const std::int8_t side : {std::int8_t{0}, std::int8_t{1}}) {
       const auto number = static_cast<std::size_t>(side);
-      set.append(saddle, complex_.stationary().contact(saddle), side, u2.limit(i, number),
-                 u2.orbit(i, number));
+      set.append(saddle, complex_.stationary().contact(saddle), side, u2.limit(i, number), u2.orbit(i, number));
     }
     if (progress) progress(i + 1, u2.size());
   }
@@ -229,8 +226,8 @@ PolyData VtkExports::unstable_lines(const ExportProgress& progress) const {
     constexpr double kUnbounded = std::numeric_limits<double>::infinity();
     // The critical points of index 2 are consecutive records.
     separatrices.append(static_cast<std::int64_t>(line.saddle),
-                        static_cast<std::int64_t>(2 * (line.saddle - first_saddle)) + line.side,
-                        rounded(minimum), line.limit ? rounded(squared_values_[*line.limit]) : kUnbounded,
+                        static_cast<std::int64_t>(2 * (line.saddle - first_saddle)) + line.side, rounded(minimum),
+                        line.limit ? rounded(squared_values_[*line.limit]) : kUnbounded,
                         line.limit ? rounded(squared_values_[*line.limit] - minimum) : kUnbounded);
     destinations.push_back(line.limit ? static_cast<std::int64_t>(*line.limit) : kInfinity);
     sides.push_back(line.side);
@@ -265,8 +262,7 @@ PolyData VtkExports::stable_surfaces(const SurfaceMesh& mesh) const {
     const std::size_t record = s2.record(set);
     // The minimum is 0, because every S2 reaches to its samples.
     const double maximum = rounded(squared_values_[record]);
-    separatrices.append(static_cast<std::int64_t>(record), static_cast<std::int64_t>(set), 0, maximum,
-                        maximum);
+    separatrices.append(static_cast<std::int64_t>(record), static_cast<std::int64_t>(set), 0, maximum, maximum);
     have_interval.push_back(s2.has_interval(set) ? 1 : 0);
   }
   data.point_data.push_back({"SquaredDistance", std::move(squared_distances)});
@@ -285,8 +281,7 @@ void write_vtp(std::ostream& out, const PolyData& data, const std::string& comme
   document.text("<PolyData>");
   document.text(fmt::format(
       R"(<Piece NumberOfPoints="{}" NumberOfVerts="{}" NumberOfLines="{}" NumberOfStrips="0" NumberOfPolys="{}">)",
-      data.points.size(), data.vertices.offsets.size(), data.lines.offsets.size(),
-      data.polygons.offsets.size()));
+      data.points.size(), data.vertices.offsets.size(), data.lines.offsets.size(), data.polygons.offsets.size()));
   document.section("PointData", data.point_data);
   document.section("CellData", data.cell_data);
   document.text("<Points>");

@@ -35,8 +35,7 @@ PersistenceDiagram::PersistenceDiagram(const FlowComplex& complex, bool with_zer
       first_regular_(critical_count(complex.stationary())),
       pairs_(complex.persistence().pairs()) {
   if (with_zero) add_regular();
-  std::ranges::sort(pairs_,
-                    [this](const PersistencePair& a, const PersistencePair& b) { return is_before(a, b); });
+  std::ranges::sort(pairs_, [this](const PersistencePair& a, const PersistencePair& b) { return is_before(a, b); });
 }
 
 void PersistenceDiagram::add_regular() {

@@ -61,11 +61,9 @@ class Walker {
     const BackwardSegment* segment;  // none: the side whose midpoint is the regular point
   };
 
-  static const BackwardSegment* next_on_chain(const Segments& segments, PointId at,
-                                              const BackwardSegment* from) {
+  static const BackwardSegment* next_on_chain(const Segments& segments, PointId at, const BackwardSegment* from) {
     for (const BackwardSegment* segment : segments) {
-      if (segment != from && std::ranges::find(segment->samples, at) != segment->samples.end())
-        return segment;
+      if (segment != from && std::ranges::find(segment->samples, at) != segment->samples.end()) return segment;
     }
     return nullptr;
   }
@@ -130,8 +128,7 @@ std::optional<std::vector<PointId>> boundary_walk(const StableSet& set, Stationa
 
 // ---- Connecting orbits ----
 
-std::vector<std::vector<std::size_t>> connecting_orbits(const StableSet& set,
-                                                        const RationalPoint& stationary) {
+std::vector<std::vector<std::size_t>> connecting_orbits(const StableSet& set, const RationalPoint& stationary) {
   std::map<RationalPoint, std::size_t> by_back;
   for (std::size_t i = 0; i < set.segments.size(); ++i) by_back.emplace(set.segments[i].back, i);
   std::vector<std::vector<std::size_t>> orbits;

@@ -13,8 +13,7 @@ namespace {
 
 // A path from v0 to v1 over edges of a Voronoi vertex' polytope. No edge of it is obtuse, and none passes through the
 // Voronoi vertex. It has the fewest edges that are possible, or is any path that the ties choose.
-std::vector<PolytopeEdge> path_between(const Diagram& diagram, CellIndex cluster, FacetName ends,
-                                       TieBreaking& ties) {
+std::vector<PolytopeEdge> path_between(const Diagram& diagram, CellIndex cluster, FacetName ends, TieBreaking& ties) {
   const VertexSources sources = vertex_sources(diagram, cluster);
   std::map<VertexIndex, std::vector<const PolytopeEdge*>> at;
   for (const PolytopeEdge& edge : sources.edges) {

@@ -23,8 +23,7 @@ std::uint32_t resolved(const StationaryPoints& stationary, const UnstableManifol
 }  // namespace
 
 ChainComplex::ChainComplex(const PointSet& points, const StationaryPoints& stationary,
-                           const UnstableManifolds& unstable, const StableManifolds& stable,
-                           std::uint64_t seed) {
+                           const UnstableManifolds& unstable, const StableManifolds& stable, std::uint64_t seed) {
   TieBreaking ties(seed, TieBreaking::Of::kUnstable);
   const RecordFinder finder(stationary);
   std::vector<std::vector<std::uint32_t>> of_maximum(finder.range({3, 3}).second);

@@ -40,9 +40,8 @@ void decide_hull(const PointSet& points, const RationalPoint& x, Explanation& an
     answer.index = candidates.index(i);
     const bool is_critical = answer.index->is_critical();
     answer.clause = is_critical ? "FC-CRIT-02" : "FC-CRIT-03";
-    answer.reason = is_critical
-                        ? "the centre lies in the relative interior of the hull of its contact set"
-                        : "the centre lies in the hull of its contact set, but on its relative boundary";
+    answer.reason = is_critical ? "the centre lies in the relative interior of the hull of its contact set"
+                                : "the centre lies in the hull of its contact set, but on its relative boundary";
     return;
   }
   answer.clause = "FC-CRIT-05 (d)";

@@ -96,13 +96,12 @@ void FlowComplex::make(FlowComplexPart part) const {
       break;
     case FlowComplexPart::kUnstable:
       make(FlowComplexPart::kStationary);
-      all.unstable.emplace(*all.diagram, *all.stationary,
-                           UnstableOptions{all.options.flow, all.options.share}, progress);
+      all.unstable.emplace(*all.diagram, *all.stationary, UnstableOptions{all.options.flow, all.options.share},
+                           progress);
       break;
     case FlowComplexPart::kStable:
       make(FlowComplexPart::kStationary);
-      all.stable.emplace(*all.diagram, *all.stationary, StableOptions{all.options.flow, all.options.seed},
-                         progress);
+      all.stable.emplace(*all.diagram, *all.stationary, StableOptions{all.options.flow, all.options.seed}, progress);
       break;
     case FlowComplexPart::kChains:
       make(FlowComplexPart::kUnstable);

@@ -40,10 +40,9 @@ std::vector<OrderedRecords::Record> OrderedRecords::sorted(const std::vector<Rec
   for (const Record& record : records) result[next[record.small[0]]++] = record;
   for (std::size_t k = 0; k < ordinals_.size(); ++k) {
     if (start[k + 1] - start[k] < 2) continue;
-    std::sort(result.begin() + start[k], result.begin() + start[k + 1],
-              [this](const Record& a, const Record& b) {
-                return std::ranges::lexicographical_compare(contact(a), contact(b));
-              });
+    std::sort(result.begin() + start[k], result.begin() + start[k + 1], [this](const Record& a, const Record& b) {
+      return std::ranges::lexicographical_compare(contact(a), contact(b));
+    });
   }
   return result;
 }

@@ -52,8 +52,7 @@ class Components {
 
 class Pairing {
  public:
-  Pairing(const StationaryPoints& stationary, const ChainComplex& complex,
-          const std::vector<Rational>& values)
+  Pairing(const StationaryPoints& stationary, const ChainComplex& complex, const std::vector<Rational>& values)
       : complex_(complex), values_(values), finder_(stationary), partner_(values.size(), kNone) {}
 
   std::vector<PersistencePair> pairs() {
@@ -69,8 +68,7 @@ class Pairing {
     const auto [first, last] = finder_.range({index, index});
     std::vector<Record> records(last - first);
     std::iota(records.begin(), records.end(), static_cast<Record>(first));
-    std::stable_sort(records.begin(), records.end(),
-                     [&](Record a, Record b) { return values_[a] < values_[b]; });
+    std::stable_sort(records.begin(), records.end(), [&](Record a, Record b) { return values_[a] < values_[b]; });
     return records;
   }
 
@@ -103,9 +101,7 @@ class Pairing {
     std::vector<std::size_t> rank(maxima.size() + 1, 0);
     for (std::size_t k = 0; k < maxima.size(); ++k) rank[maxima[k] - first] = maxima.size() - k;
     Components voids(std::move(rank));
-    const auto element = [&](Record limit) {
-      return limit == ChainComplex::kInfinity ? maxima.size() : limit - first;
-    };
+    const auto element = [&](Record limit) { return limit == ChainComplex::kInfinity ? maxima.size() : limit - first; };
     const std::size_t first_saddle = finder_.range({2, 2}).first;
     const std::vector<Record> saddles = sorted(2);
     for (auto saddle = saddles.rbegin(); saddle != saddles.rend(); ++saddle) {
@@ -139,8 +135,7 @@ class Pairing {
         std::ranges::set_symmetric_difference(column, column_of[column.back()], std::back_inserter(sum));
         column.swap(sum);
       }
-      if (column.empty())
-        throw std::logic_error("an index-2 point that neither opens a void nor fills a tunnel");
+      if (column.empty()) throw std::logic_error("an index-2 point that neither opens a void nor fills a tunnel");
       add(1, edge_at[column.back()], saddle);
       column_of[column.back()] = column;
     }
@@ -155,16 +150,14 @@ class Pairing {
 
 }  // namespace
 
-Persistence::Persistence(const PointSet& points, const StationaryPoints& stationary,
-                         const ChainComplex& complex) {
+Persistence::Persistence(const PointSet& points, const StationaryPoints& stationary, const ChainComplex& complex) {
   const std::size_t last = RecordFinder(stationary).range({3, 3}).second;
   values_.reserve(last);
   for (std::size_t record = 0; record < last; ++record) {
     values_.push_back(exact_sphere(points, stationary.contact(record)).squared_radius);
   }
   pairs_ = Pairing(stationary, complex, values_).pairs();
-  std::ranges::sort(pairs_, {},
-                    [](const PersistencePair& pair) { return std::pair(pair.dimension, pair.birth); });
+  std::ranges::sort(pairs_, {}, [](const PersistencePair& pair) { return std::pair(pair.dimension, pair.birth); });
 }
 
 }  // namespace flowcert

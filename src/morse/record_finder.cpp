@@ -33,10 +33,8 @@ std::size_t first_place(std::size_t low, std::size_t high, const Property& holds
 std::pair<std::size_t, std::size_t> RecordFinder::range(StationaryIndex index) const {
   const auto wanted = list_order(index);
   const auto key = [this](std::size_t record) { return list_order(list_.index(record)); };
-  const std::size_t first =
-      first_place(0, list_.size(), [&](std::size_t record) { return key(record) >= wanted; });
-  const std::size_t last =
-      first_place(first, list_.size(), [&](std::size_t record) { return key(record) > wanted; });
+  const std::size_t first = first_place(0, list_.size(), [&](std::size_t record) { return key(record) >= wanted; });
+  const std::size_t last = first_place(first, list_.size(), [&](std::size_t record) { return key(record) > wanted; });
   return {first, last};
 }
 

@@ -25,8 +25,7 @@ class RecordFinder {
   // The records of one index or kind: first, and one beyond the last.
   [[nodiscard]] std::pair<std::size_t, std::size_t> range(StationaryIndex index) const;
   // contact: names, ascending.
-  [[nodiscard]] std::optional<std::size_t> find(StationaryIndex index,
-                                                std::span<const PointId> contact) const;
+  [[nodiscard]] std::optional<std::size_t> find(StationaryIndex index, std::span<const PointId> contact) const;
 
  private:
   const StationaryPoints& list_;
@@ -37,8 +36,7 @@ class RecordFinder {
 class GabrielEdges {
  public:
   // vertex_of has the vertex of each ordinal in the point set. O(index-1 points + vertices).
-  GabrielEdges(const PointSet& points, const StationaryPoints& stationary,
-               std::span<const VertexIndex> vertex_of);
+  GabrielEdges(const PointSet& points, const StationaryPoints& stationary, std::span<const VertexIndex> vertex_of);
 
   // Where the midpoint is in the list; nothing where it is not critical.
   [[nodiscard]] std::optional<std::uint32_t> find(FacetName edge) const {

@@ -51,13 +51,10 @@ RationalPoint point(const Vector& v) { return {v.x, v.y, v.z}; }
 
 // The plane of a facet: its Delaunay edge p0p1 with the midpoint m.
 struct FacetPlane {
-  FacetPlane(const Point& p0_, const Point& p1_)
-      : p0(vector(p0_)), p1(vector(p1_)), m(Rational(1, 2) * (p0 + p1)) {}
+  FacetPlane(const Point& p0_, const Point& p1_) : p0(vector(p0_)), p1(vector(p1_)), m(Rational(1, 2) * (p0 + p1)) {}
 
   // Twice the area spanned with m, counterclockwise seen from p1, times |p0p1|.
-  [[nodiscard]] Rational turn(const Vector& a, const Vector& b) const {
-    return dot(cross(a - m, b - m), p1 - p0);
-  }
+  [[nodiscard]] Rational turn(const Vector& a, const Vector& b) const { return dot(cross(a - m, b - m), p1 - p0); }
 
   Vector p0, p1, m;
 };
@@ -89,8 +86,7 @@ SectorParts sector_of(VoronoiFaces& faces, FlowOperator& flow, FacetName facet, 
   const auto piece = [&](std::size_t k) -> const RingPiece& { return ring.pieces[(chain.first + k) % n]; };
   const auto inner = [&](std::size_t k) { return ring.elements[(chain.first + k + 1) % n].vertex; };
   std::size_t k = 0;
-  while (k + 1 < chain.count &&
-         plane.turn(b, vector(flow.exact({Place::at_vertex(inner(k)), kNoPoint}))) >= 0) {
+  while (k + 1 < chain.count && plane.turn(b, vector(flow.exact({Place::at_vertex(inner(k)), kNoPoint}))) >= 0) {
     ++k;
   }
   Vector from = crossing(b, plane.p0, plane.p1, vector(faces.point(piece(k).apex)));
@@ -237,8 +233,7 @@ FrontNumber StableManifolds::Parts::Worker::start(std::size_t record) {
   const bool is_critical = all_.stationary.index(record).is_critical();
   if (is_critical && contact_.size() == 3) {
     const FrontNumber front = walk_.at_center({contact_[0], contact_[1], contact_[2]});
-    for (std::size_t k = 0; k < 3; ++k)
-      tasks_.push_back({front, facet_name(contact_[k], contact_[(k + 1) % 3])});
+    for (std::size_t k = 0; k < 3; ++k) tasks_.push_back({front, facet_name(contact_[k], contact_[(k + 1) % 3])});
     return front;
   }
   const Place place = faces_.place_of(contact_.front(), std::span(contact_).subspan(1));
@@ -380,12 +375,9 @@ StableSet StableManifolds::Parts::Worker::geometry(std::size_t record) {
   walk(record, set, &geometry);
   record_intervals(geometry, set);
   clear();
-  std::ranges::sort(geometry.segments, {},
-                    [](const BackwardSegment& x) { return std::tie(x.samples, x.front); });
-  std::ranges::sort(geometry.intervals, {},
-                    [](const BackwardInterval& x) { return std::tie(x.polygon, x.front); });
-  std::ranges::sort(geometry.sectors, {},
-                    [](const BackwardSector& x) { return std::tie(x.samples, x.corners); });
+  std::ranges::sort(geometry.segments, {}, [](const BackwardSegment& x) { return std::tie(x.samples, x.front); });
+  std::ranges::sort(geometry.intervals, {}, [](const BackwardInterval& x) { return std::tie(x.polygon, x.front); });
+  std::ranges::sort(geometry.sectors, {}, [](const BackwardSector& x) { return std::tie(x.samples, x.corners); });
   return geometry;
 }
 

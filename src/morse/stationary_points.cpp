@@ -101,8 +101,7 @@ class GabrielSearch {
     if (walk.cell < walk.start) return true;
     const auto& vertices = delaunay_.vertices(walk.cell);
     const unsigned behind = place_among(vertices, walk.pivot);
-    const unsigned ahead =
-        6 - behind - place_among(vertices, walk.edge[0]) - place_among(vertices, walk.edge[1]);
+    const unsigned ahead = 6 - behind - place_among(vertices, walk.edge[0]) - place_among(vertices, walk.edge[1]);
     if ((acute_[walk.cell] >> kEdgeBit[behind][ahead] & 1u) == 0) return true;
     walk.pivot = vertices[ahead];
     walk.cell = delaunay_.neighbors(walk.cell)[behind];
@@ -131,8 +130,7 @@ void add_whole_facets(const VoronoiComplex& complex, OrderedRecords& records) {
     for (std::uint32_t i = 0; i < 4; ++i) {
       if (signs.is_obtuse(i) || delaunay.neighbors(cell)[i] < cell) continue;
       const FacetRef facet{cell, i};
-      if (complex.role(facet) != VoronoiComplex::FacetRole::kWhole || !is_between_ends(complex, facet))
-        continue;
+      if (complex.role(facet) != VoronoiComplex::FacetRole::kWhole || !is_between_ends(complex, facet)) continue;
       const auto& v = delaunay.vertices(cell);
       const std::array<VertexIndex, 3> contact{v[(i + 1) & 3], v[(i + 2) & 3], v[(i + 3) & 3]};
       records.add(signs.is_right(i) ? kKind12 : kIndex2, contact);
@@ -238,8 +236,7 @@ void add_planar(const PlanarComplex& complex, OrderedRecords& records) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const FacetRef across = delaunay.mirror({cell, i});
       if (across.cell < cell || complex.angle(cell, i) != Sign::kPositive) continue;
-      if (delaunay.is_finite(across.cell) && complex.angle(across.cell, across.index) != Sign::kPositive)
-        continue;
+      if (delaunay.is_finite(across.cell) && complex.angle(across.cell, across.index) != Sign::kPositive) continue;
       const auto& v = delaunay.vertices(cell);
       const std::array<VertexIndex, 2> edge{v[(i + 1) % 3], v[(i + 2) % 3]};
       records.add(kIndex1, edge);

@@ -159,8 +159,7 @@ void UnstableManifolds::Parts::Worker::count(FlowStatistics& statistics) {
   if (!all_.options.share) forest_.drop();
 }
 
-std::optional<std::size_t> UnstableManifolds::Parts::Worker::limit_beyond(std::size_t record,
-                                                                          std::size_t choice) {
+std::optional<std::size_t> UnstableManifolds::Parts::Worker::limit_beyond(std::size_t record, std::size_t choice) {
   const Place place = place_of(record);
   Location start;
   if (place.kind == Place::Kind::kEdge) {

@@ -33,8 +33,7 @@ struct FacetRef {
 };
 
 // Which of the four entries of a cell is this one. It has no branches, because that cannot be guessed.
-[[nodiscard]] inline std::uint32_t place_among(const std::array<std::uint32_t, 4>& entries,
-                                               std::uint32_t entry) {
+[[nodiscard]] inline std::uint32_t place_among(const std::array<std::uint32_t, 4>& entries, std::uint32_t entry) {
   return std::uint32_t{entries[1] == entry} + 2 * std::uint32_t{entries[2] == entry} +
          3 * std::uint32_t{entries[3] == entry};
 }
@@ -52,12 +51,8 @@ struct CompactDelaunay {
   std::vector<std::uint32_t> ordinals;  // of the vertices in the point set
 
   [[nodiscard]] bool is_finite(CellIndex cell) const { return cell < finite_count; }
-  [[nodiscard]] const std::array<VertexIndex, 4>& vertices(CellIndex cell) const {
-    return cells[cell].vertices;
-  }
-  [[nodiscard]] const std::array<CellIndex, 4>& neighbors(CellIndex cell) const {
-    return cells[cell].neighbors;
-  }
+  [[nodiscard]] const std::array<VertexIndex, 4>& vertices(CellIndex cell) const { return cells[cell].vertices; }
+  [[nodiscard]] const std::array<CellIndex, 4>& neighbors(CellIndex cell) const { return cells[cell].neighbors; }
 
   // The same facet (edge, in dimension 2), seen from the other cell.
   [[nodiscard]] FacetRef mirror(FacetRef facet) const {

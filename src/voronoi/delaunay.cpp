@@ -24,8 +24,8 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<VertexIndex, Kernel>;
 // The number is the cell's place in the compact copy, so that its neighbours can name it.
-using CellBase = CGAL::Triangulation_cell_base_with_info_3<CellIndex, Kernel,
-                                                           CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+using CellBase =
+    CGAL::Triangulation_cell_base_with_info_3<CellIndex, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_3<VertexBase, CellBase>;
 using Cgal = CGAL::Delaunay_triangulation_3<Kernel, Structure>;
 

@@ -63,7 +63,7 @@ struct Place {
 // A polygon's driver is its centre if the polygon contains that, otherwise the middle of its obtuse side (spec
 // section 6).
 struct PolygonDriver {
-  Sign shape;  // the least angle: negative iff the centre lies outside, zero iff it is the middle of a side
+  Sign shape;      // the least angle: negative iff the centre lies outside, zero iff it is the middle of a side
   FacetName side;  // where negative
 };
 

@@ -24,8 +24,7 @@ PlanarComplex::PlanarComplex(CompactDelaunay delaunay, FilterTally& tally) : del
   angles_.resize(count);
   for (CellIndex cell = 0; cell < count; ++cell) {
     for (std::uint32_t i = 0; i < 3; ++i) {
-      angles_[cell][i] =
-          exact_sign(Angle{point(cell, (i + 1) % 3), point(cell, i), point(cell, (i + 2) % 3)}, tally);
+      angles_[cell][i] = exact_sign(Angle{point(cell, (i + 1) % 3), point(cell, i), point(cell, (i + 2) % 3)}, tally);
     }
   }
 
@@ -81,8 +80,7 @@ constexpr CellIndex kPrefetchDistance = 8;
 
 }  // namespace
 
-VoronoiComplex::VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally)
-    : delaunay_(std::move(delaunay)) {
+VoronoiComplex::VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally) : delaunay_(std::move(delaunay)) {
   FLOWCERT_REQUIRES(delaunay_.dimension == 3);
   compute_signs(tally);
 }
@@ -192,8 +190,7 @@ void VoronoiComplex::gather_inner_polygons() {
     for (std::uint32_t i = 0; i < 4; ++i) {
       const CellIndex neighbor = delaunay_.neighbors(cell)[i];
       if (!delaunay_.is_finite(neighbor) || is_alone(neighbor)) continue;
-      if (cluster_[cell] < cluster_[neighbor])
-        pieces.push_back({cluster_[cell], cluster_[neighbor], {cell, i}});
+      if (cluster_[cell] < cluster_[neighbor]) pieces.push_back({cluster_[cell], cluster_[neighbor], {cell, i}});
     }
   }
   std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
@@ -203,8 +200,8 @@ void VoronoiComplex::gather_inner_polygons() {
   std::vector<FacetRef> run;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     run.push_back(pieces[k].facet);
-    const bool last = k + 1 == pieces.size() || pieces[k + 1].cluster != pieces[k].cluster ||
-                      pieces[k + 1].other != pieces[k].other;
+    const bool last =
+        k + 1 == pieces.size() || pieces[k + 1].cluster != pieces[k].cluster || pieces[k + 1].other != pieces[k].other;
     if (!last) continue;
     if (run.size() > 1) add_polygon(run);
     run.clear();
@@ -238,8 +235,7 @@ void VoronoiComplex::gather_hull_polygons(FilterTally& tally) {
       const VertexIndex tip = delaunay_.vertices(around[i])[delaunay_.mirror({outside, i}).index];
       const auto& v = delaunay_.vertices(hull[k].cell);
       const std::uint32_t f = hull[k].index;
-      const Orientation plane{point(v[(f + 1) & 3]), point(v[(f + 2) & 3]), point(v[(f + 3) & 3]),
-                              point(tip)};
+      const Orientation plane{point(v[(f + 1) & 3]), point(v[(f + 2) & 3]), point(v[(f + 3) & 3]), point(tip)};
       if (exact_sign(plane, tally) == Sign::kZero) partition.unite(k, next->second);
     }
   }
@@ -310,14 +306,12 @@ std::vector<PolygonSide> sides_of(const VoronoiComplex& complex, std::span<const
     }
   }
   // A diagonal is an edge of two facets.
-  std::sort(edges.begin(), edges.end(), [](const PolygonSide& a, const PolygonSide& b) {
-    return std::pair(a.v0, a.v1) < std::pair(b.v0, b.v1);
-  });
+  std::sort(edges.begin(), edges.end(),
+            [](const PolygonSide& a, const PolygonSide& b) { return std::pair(a.v0, a.v1) < std::pair(b.v0, b.v1); });
   std::vector<PolygonSide> sides;
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const bool twin_before = k > 0 && edges[k].v0 == edges[k - 1].v0 && edges[k].v1 == edges[k - 1].v1;
-    const bool twin_after =
-        k + 1 < edges.size() && edges[k].v0 == edges[k + 1].v0 && edges[k].v1 == edges[k + 1].v1;
+    const bool twin_after = k + 1 < edges.size() && edges[k].v0 == edges[k + 1].v0 && edges[k].v1 == edges[k + 1].v1;
     if (!twin_before && !twin_after) sides.push_back(edges[k]);
   }
   return sides;

@@ -120,7 +120,6 @@ struct PolygonSide {
   Sign angle;          // h at the polygon's other vertices, all the same (FC-SIGN-01)
 };
 // In no particular order.
-[[nodiscard]] std::vector<PolygonSide> sides_of(const VoronoiComplex& complex,
-                                                std::span<const FacetRef> polygon);
+[[nodiscard]] std::vector<PolygonSide> sides_of(const VoronoiComplex& complex, std::span<const FacetRef> polygon);
 
 }  // namespace flowcert::voronoi

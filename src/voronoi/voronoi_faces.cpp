@@ -36,8 +36,7 @@ FacetRing VoronoiFaces::ring(FacetName facet, CellIndex hint) {
     diagram_.spatial() != nullptr ? add_spatial_ring(facet, cell) : add_planar_ring(facet, cell);
     rings_.back().count = static_cast<std::uint32_t>(elements_.size()) - rings_.back().first;
     if (rings_.back().count > kSmallRing) sort_large_ring(rings_.back());
-    entry = ring_of_.emplace(key, static_cast<std::uint32_t>(rings_.size() - 1))
-                .first;  // at last: the above may throw
+    entry = ring_of_.emplace(key, static_cast<std::uint32_t>(rings_.size() - 1)).first;  // at last: the above may throw
   }
   const Ring& ring = rings_[entry->second];
   return {entry->second, std::span(elements_).subspan(ring.first, ring.count),
@@ -154,9 +153,8 @@ std::size_t VoronoiFaces::element_of(const FacetRing& ring, CellIndex cluster) c
     return k;
   }
   const auto places = order_.begin() + rings_[ring.id].order + count;
-  return *std::lower_bound(places, places + count, cluster, [&ring](std::uint32_t k, CellIndex value) {
-    return ring.elements[k].vertex < value;
-  });
+  return *std::lower_bound(places, places + count, cluster,
+                           [&ring](std::uint32_t k, CellIndex value) { return ring.elements[k].vertex < value; });
 }
 
 // ---- Finding faces.

@@ -54,17 +54,11 @@ class VoronoiFaces {
   [[nodiscard]] const CompactDelaunay& delaunay() const { return diagram_.delaunay(); }
   [[nodiscard]] const Point& point(VertexIndex vertex) const { return diagram_.point(vertex); }
   [[nodiscard]] const VoronoiComplex& complex() const { return diagram_.complex(); }
-  [[nodiscard]] std::vector<CellIndex> cells_of(CellIndex cluster) const {
-    return diagram_.cells_of(cluster);
-  }
+  [[nodiscard]] std::vector<CellIndex> cells_of(CellIndex cluster) const { return diagram_.cells_of(cluster); }
   [[nodiscard]] PolygonRef polygon(FacetRef facet) const { return diagram_.polygon(facet); }
   [[nodiscard]] PolygonDriver driver(PolygonRef polygon) const { return diagram_.driver(polygon); }
-  [[nodiscard]] std::array<VertexIndex, 3> corners(PolygonRef polygon) const {
-    return diagram_.corners(polygon);
-  }
-  [[nodiscard]] CellIndex end(PolygonRef polygon, std::size_t side) const {
-    return diagram_.end(polygon, side);
-  }
+  [[nodiscard]] std::array<VertexIndex, 3> corners(PolygonRef polygon) const { return diagram_.corners(polygon); }
+  [[nodiscard]] CellIndex end(PolygonRef polygon, std::size_t side) const { return diagram_.end(polygon, side); }
   [[nodiscard]] std::vector<PolygonSide> sides(PolygonRef polygon) const { return diagram_.sides(polygon); }
   [[nodiscard]] std::vector<VertexIndex> contact(const Place& place) const { return diagram_.contact(place); }
 

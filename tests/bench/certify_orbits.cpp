@@ -103,8 +103,8 @@ OrbitText describe(const oracle::PointSet& set, const oracle::Orbit& orbit) {
   result.limit = "infinity";
   if (orbit.limit) {
     result.limit = "index " + std::to_string(orbit.limit->face_dimension) + "-" +
-                   std::to_string(orbit.limit->hull_dimension) + " at " + text(orbit.limit->center) +
-                   " contact " + text_of_ids(orbit.limit->contact);
+                   std::to_string(orbit.limit->hull_dimension) + " at " + text(orbit.limit->center) + " contact " +
+                   text_of_ids(orbit.limit->contact);
   }
   return result;
 }
@@ -121,8 +121,7 @@ std::string difference(const OrbitText& fast, const OrbitText& reference) {
     }
   }
   if (fast.segments.size() != reference.segments.size()) {
-    return both("number of segments", std::to_string(fast.segments.size()),
-                std::to_string(reference.segments.size()));
+    return both("number of segments", std::to_string(fast.segments.size()), std::to_string(reference.segments.size()));
   }
   return fast.limit == reference.limit ? "" : both("limit", fast.limit, reference.limit);
 }
@@ -132,16 +131,15 @@ std::size_t bits(const oracle::Orbit& orbit) {
   std::size_t most = 0;
   for (const oracle::FlowSegment& segment : orbit.segments) {
     for (const oracle::Rational& x : segment.start) {
-      most = std::max({most, mpz_sizeinbase(mpq_numref(x.backend().data()), 2),
-                       mpz_sizeinbase(mpq_denref(x.backend().data()), 2)});
+      most = std::max(
+          {most, mpz_sizeinbase(mpq_numref(x.backend().data()), 2), mpz_sizeinbase(mpq_denref(x.backend().data()), 2)});
     }
   }
   return most;
 }
 
 // The index-2 point with this contact set, from the oracle's own geometry.
-oracle::StationaryPoint certified_saddle(const oracle::PointSet& set,
-                                         std::span<const flowcert::PointId> contact) {
+oracle::StationaryPoint certified_saddle(const oracle::PointSet& set, std::span<const flowcert::PointId> contact) {
   oracle::StationaryPoint saddle;
   saddle.contact.assign(contact.begin(), contact.end());
   std::vector<oracle::Point> points;
@@ -195,8 +193,7 @@ class Certification {
     tally_.segments += reference.segments.size();
     tally_.longest = std::max(tally_.longest, reference.segments.size());
     tally_.bits = std::max(tally_.bits, bits(reference));
-    const std::string where =
-        "the index-2 point " + text_of_ids(saddle.contact) + ", side " + std::to_string(side);
+    const std::string where = "the index-2 point " + text_of_ids(saddle.contact) + ", side " + std::to_string(side);
     const std::string found = difference(describe(manifolds_.orbit(i, side)), describe(set_, reference));
     if (!found.empty()) {
       return where + ", " + found;
@@ -241,11 +238,10 @@ int run(const std::string& input, std::size_t count, std::uint64_t seed) {
     return kDifferent;
   }
   const Tally& tally = certification.tally();
-  std::cout << with_commas(count) << " of " << with_commas(count) << " U2 orbits of "
-            << with_commas(set.points.size())
-            << " points certified by the oracle, exactly: " << with_commas(tally.segments)
-            << " segments, longest " << with_commas(tally.longest) << ", largest coordinate "
-            << with_commas(tally.bits) << " bits (" << std::lround(clock.seconds()) << " s)\n";
+  std::cout << with_commas(count) << " of " << with_commas(count) << " U2 orbits of " << with_commas(set.points.size())
+            << " points certified by the oracle, exactly: " << with_commas(tally.segments) << " segments, longest "
+            << with_commas(tally.longest) << ", largest coordinate " << with_commas(tally.bits) << " bits ("
+            << std::lround(clock.seconds()) << " s)\n";
   return 0;
 }
 

@@ -50,8 +50,8 @@ bool compare(const std::string& path) {
   const std::size_t different = property::count_differences(own.pairs, gudhi);
   const std::size_t by_seed = property::count_differences(at_random.pairs, gudhi);
   fmt::print("{:<20} {:>8} {:>8} {:>8} {:>8} {:>7} {:>10} {:>11} {:>9.2f} {:>9.2f} {:>9.2f}\n",
-             std::filesystem::path(path).filename().string(), points.size(), counts[0], counts[1], counts[2],
-             own.ties, different, by_seed, own.seconds, times.gudhi, times.values);
+             std::filesystem::path(path).filename().string(), points.size(), counts[0], counts[1], counts[2], own.ties,
+             different, by_seed, own.seconds, times.gudhi, times.values);
   if (different > 0) fmt::print("  {}\n", property::difference(own.pairs, gudhi));
   std::fflush(stdout);
   return different == 0 && by_seed == 0;
@@ -64,9 +64,8 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "usage: compare_persistence INPUT...\n");
     return 2;
   }
-  fmt::print("{:<20} {:>8} {:>8} {:>8} {:>8} {:>7} {:>10} {:>11} {:>9} {:>9} {:>9}\n", "input", "points",
-             "dim. 0", "dim. 1", "dim. 2", "ties", "different", "with seed 1", "own [s]", "GUDHI [s]",
-             "exact [s]");
+  fmt::print("{:<20} {:>8} {:>8} {:>8} {:>8} {:>7} {:>10} {:>11} {:>9} {:>9} {:>9}\n", "input", "points", "dim. 0",
+             "dim. 1", "dim. 2", "ties", "different", "with seed 1", "own [s]", "GUDHI [s]", "exact [s]");
   try {
     bool agree = true;
     for (int k = 1; k < argc; ++k) agree = compare(argv[k]) && agree;

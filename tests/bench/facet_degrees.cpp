@@ -58,8 +58,7 @@ Mean measure(FlowOperator& flow, const std::vector<Location>& starts, std::vecto
 
 // A facet of one input, with the two flows that search it.
 struct Subject {
-  explicit Subject(const fuzz::Input& input)
-      : points(rows_of(input)), diagram(Delaunay(points)), faces(diagram) {
+  explicit Subject(const fuzz::Input& input) : points(rows_of(input)), diagram(Delaunay(points)), faces(diagram) {
     VertexIndex v[2] = {0, 0};
     for (VertexIndex k = 0; k < faces.delaunay().ordinals.size(); ++k) {
       if (faces.delaunay().ordinals[k] < 2) v[faces.delaunay().ordinals[k]] = k;
@@ -123,8 +122,8 @@ std::vector<Start> draw(Subject& subject, char kind, std::mt19937& random) {
         starts.push_back({Place::at_vertex(subject.ring.elements[k].vertex), a});
       }
     } else if (kind == 'E') {
-      starts.push_back({Place::on_edge(subject.ring.pieces[k].polygon),
-                        between(a, subject.vertex((k + 1) % n), part, 100)});
+      starts.push_back(
+          {Place::on_edge(subject.ring.pieces[k].polygon), between(a, subject.vertex((k + 1) % n), part, 100)});
     } else {
       // The start lies between two vertices that are not neighbours.
       const RationalPoint b = subject.vertex((k + 2 + random() % (n - 3)) % n);
@@ -184,8 +183,8 @@ bool run(std::size_t degree, bool perturbed, char kind, Subject& subject, Series
 
 int main(int argc, char** argv) {
   const std::size_t largest = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 100000;
-  fmt::print("{:>8} {:>11} {:>6} {:>8} {:>8} {:>9} {:>5} {:>11} {:>13} {:>13}\n", "degree", "neighbours",
-             "start", "queries", "log2 n", "binary", "most", "linear", "binary [us]", "linear [us]");
+  fmt::print("{:>8} {:>11} {:>6} {:>8} {:>8} {:>9} {:>5} {:>11} {:>13} {:>13}\n", "degree", "neighbours", "start",
+             "queries", "log2 n", "binary", "most", "linear", "binary [us]", "linear [us]");
   bool agree = true;
   std::vector<Series> all(3);
   const std::string kinds = "EVF";

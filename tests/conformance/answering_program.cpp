@@ -46,8 +46,7 @@ std::string fraction(const Rational& value) {
   return text.find('/') == std::string::npos ? text + "/1" : text;
 }
 
-std::string csv_line(const std::string& form, int index, const ExactSphere& sphere,
-                     std::span<const PointId> contact) {
+std::string csv_line(const std::string& form, int index, const ExactSphere& sphere, std::span<const PointId> contact) {
   const auto number = [&](const Rational& value) {
     if (form == "contacts") return std::string();
     return form == "decimals" || form == "rounded" ? decimal(value, form == "rounded") : fraction(value);
@@ -79,8 +78,7 @@ void add_right_triangle(std::vector<std::string>& lines, const Case& one, std::s
   for (std::size_t left_out = 0; left_out < contact.size(); ++left_out) {
     std::vector<PointId> side(contact.begin(), contact.end());
     side.erase(side.begin() + static_cast<std::ptrdiff_t>(left_out));
-    if (exact_sphere(one.points, side).center == sphere.center)
-      lines.push_back(csv_line("csv", 1, sphere, side));
+    if (exact_sphere(one.points, side).center == sphere.center) lines.push_back(csv_line("csv", 1, sphere, side));
   }
   lines.push_back(csv_line("csv", 2, sphere, contact));
 }
@@ -102,9 +100,8 @@ std::vector<std::string> lines_of(const std::string& form, const Case& one) {
     }
     if (!found.index(i).is_critical()) continue;
     const ExactSphere sphere = complex.sphere(i);
-    lines.push_back(form == "giesen-kuehne"
-                        ? giesen_kuehne_line(sphere, found.contact(i))
-                        : csv_line(form, found.index(i).face_dimension, sphere, found.contact(i)));
+    lines.push_back(form == "giesen-kuehne" ? giesen_kuehne_line(sphere, found.contact(i))
+                                            : csv_line(form, found.index(i).face_dimension, sphere, found.contact(i)));
   }
   return lines;
 }

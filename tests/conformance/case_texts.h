@@ -18,9 +18,7 @@ inline Words joined(Words words, const Words& more) {
   return words;
 }
 
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 inline std::string generated(const Words& options = {}) {
   const Finished finished = flowcert(joined({"generate"}, options));

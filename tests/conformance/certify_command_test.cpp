@@ -41,8 +41,8 @@ void expect_certified(const Scratch& scratch, const std::string& input) {
 std::string grid(int side) {
   std::string text;
   for (int k = 0; k < side * side * side; ++k) {
-    text += std::to_string(k % side) + " " + std::to_string(k / side % side) + " " +
-            std::to_string(k / side / side) + "\n";
+    text +=
+        std::to_string(k % side) + " " + std::to_string(k / side % side) + " " + std::to_string(k / side / side) + "\n";
   }
   return text;
 }

@@ -66,8 +66,8 @@ std::string spiral() {
   std::string text;
   for (int k = 0; k < 150; ++k) {
     const double z = (k + 0.5) / 75 - 1, r = std::sqrt(1 - z * z), angle = 2.4 * k;
-    text += std::to_string(r * std::cos(angle)) + " " + std::to_string(r * std::sin(angle)) + " " +
-            std::to_string(z) + "\n";
+    text += std::to_string(r * std::cos(angle)) + " " + std::to_string(r * std::sin(angle)) + " " + std::to_string(z) +
+            "\n";
   }
   return text;
 }

@@ -143,8 +143,7 @@ TEST(CheckCommand, OurOwnClaimsConformExactly) {
         EXPECT_EQ(report["findings"], json::array());
         EXPECT_EQ(report["not_judged"], json::array());
         EXPECT_EQ(report["claimed"], report["critical"]);
-        EXPECT_EQ(report["levels"]["5"]["conforms"].is_null(),
-                  options.size() < 3 || report["critical"][2] == 0);
+        EXPECT_EQ(report["levels"]["5"]["conforms"].is_null(), options.size() < 3 || report["critical"][2] == 0);
       }
     }
   }
@@ -176,9 +175,8 @@ TEST(CheckCommand, OurOwnStableSetsConformExactly) {
   }
   // A boundary that is no cycle is wrong by either truth. So is another boundary where there is no tie.
   const Checked own(arch, Words{"--manifolds", "s2"});
-  for (const auto& [right, wrong] :
-       {std::pair{R"("boundary":[[0,1],[0,3],[1,4],[3,4]])", R"("boundary":[[0,1]])"},
-        {R"("boundary":[[0,1],[0,2],[1,2]])", R"("boundary":[])"}}) {
+  for (const auto& [right, wrong] : {std::pair{R"("boundary":[[0,1],[0,3],[1,4],[3,4]])", R"("boundary":[[0,1]])"},
+                                     {R"("boundary":[[0,1],[0,2],[1,2]])", R"("boundary":[])"}}) {
     std::string claim = content_of(own.claim());
     const std::size_t place = claim.find(right);
     ASSERT_NE(place, std::string::npos) << claim;
@@ -209,10 +207,9 @@ TEST(CheckCommand, JudgesAnotherImplementationWhereItIsDetermined) {
   }
   const Finished text = other.run();
   EXPECT_EQ(text.status, 0);
-  EXPECT_NE(
-      text.out.find("claim:5: permitted, level 2: symbolic-perturbation [FC-CLAIM-04]: claimed index 1, "
-                    "contact set 3 4; truth: a regular stationary point of kind 1-2, contact set 1 3 4\n"),
-      std::string::npos)
+  EXPECT_NE(text.out.find("claim:5: permitted, level 2: symbolic-perturbation [FC-CLAIM-04]: claimed index 1, "
+                          "contact set 3 4; truth: a regular stationary point of kind 1-2, contact set 1 3 4\n"),
+            std::string::npos)
       << text.out;
   EXPECT_NE(text.out.find("\nconforms where determined (approximate, tolerance 1e-09 of the radius; truth by "
                           "the fast implementation)\n"),
@@ -280,8 +277,7 @@ TEST(CheckCommand, WritesAReportForCiSystems) {
   const std::string report = content_of(path);
   EXPECT_TRUE(report.starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n")) << report;
   EXPECT_TRUE(report.ends_with("</testsuites>\n"));
-  EXPECT_NE(report.find("tests=\"5\" failures=\"2\" errors=\"0\" skipped=\"1\""), std::string::npos)
-      << report;
+  EXPECT_NE(report.find("tests=\"5\" failures=\"2\" errors=\"0\" skipped=\"1\""), std::string::npos) << report;
   std::size_t cases = 0;
   for (std::size_t at = 0; (at = report.find("<testcase ", at)) != std::string::npos; ++at) ++cases;
   EXPECT_EQ(cases, 5U);

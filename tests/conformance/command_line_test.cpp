@@ -138,8 +138,8 @@ TEST(CommandLine, NotesAreOnStandardErrorAndOnlyWhereDue) {
             "warning: " + scratch.path("many.xyz") + ": 1,000 repeated points merged\n");
 
   const auto ply = [](const std::string& type, std::size_t bytes) {
-    return "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty " + type + " x\nproperty " +
-           type + " y\nproperty " + type + " z\nend_header\n" + std::string(3 * bytes, '\0');
+    return "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty " + type + " x\nproperty " + type +
+           " y\nproperty " + type + " z\nend_header\n" + std::string(3 * bytes, '\0');
   };
   const std::string single = scratch.file("single.ply", ply("float", 4));
   const Words notes = lines_of(flowcert({"compute", single}).err);
@@ -167,9 +167,9 @@ TEST(CommandLine, StandardInputIsReadByItsContent) {
     EXPECT_TRUE(std::regex_search(finished.out, std::regex("\npoints +3\n"))) << finished.out;
   }
   expect_error(flowcert({"compute", "-"}), "-: empty");
-  expect_error(flowcert({"compute", "-"},
-                        {.standard_input = scratch.file("bad", "0 0 0\n1 1\n"), .standard_output = ""}),
-               "-:2: .+");
+  expect_error(
+      flowcert({"compute", "-"}, {.standard_input = scratch.file("bad", "0 0 0\n1 1\n"), .standard_output = ""}),
+      "-:2: .+");
 }
 
 TEST(CommandLine, AnOutputThatCannotBeWrittenIsStatus2) {
@@ -179,8 +179,8 @@ TEST(CommandLine, AnOutputThatCannotBeWrittenIsStatus2) {
   std::filesystem::create_symlink("/dev/full", scratch.path("full"));
   const Names before = scratch.names();
   for (const std::string& output :
-       {scratch.path("folder"), scratch.path("none/out.jsonl"), scratch.path("a.xyz/out.jsonl"),
-        scratch.path("full"), std::string("/dev/full"), std::string("/proc/flowcert.jsonl")}) {
+       {scratch.path("folder"), scratch.path("none/out.jsonl"), scratch.path("a.xyz/out.jsonl"), scratch.path("full"),
+        std::string("/dev/full"), std::string("/proc/flowcert.jsonl")}) {
     SCOPED_TRACE(output);
     expect_error(flowcert({"compute", input, "-o", output}), output + ": cannot be written: .+");
     EXPECT_EQ(scratch.names(), before);
@@ -278,8 +278,7 @@ TEST(Signals, AReaderThatGoesAwayEndsTheProgram) {
   const std::string small = scratch.file("a.xyz", kTriangle);
   // The status of a pipeline is that of its last command, so the program's own goes to standard error.
   const auto piped = [](const std::string& command, const std::string& file) {
-    return RunningProgram({"/bin/sh", "-c", "(" + command + "; echo $? >&2) | true", FLOWCERT_PROGRAM, file})
-        .finish();
+    return RunningProgram({"/bin/sh", "-c", "(" + command + "; echo $? >&2) | true", FLOWCERT_PROGRAM, file}).finish();
   };
   EXPECT_EQ(piped(R"("$0" compute "$1" -o /dev/stdout)", input).err, "141\n");  // 128 + SIGPIPE
   // This output is so short that it may be written before the reader is gone.
@@ -297,10 +296,9 @@ TEST(CommandLine, TheFirstProgramNamesWhatItLacks) {
     arguments.insert(arguments.begin(), FLOWCERT_FIRST_PROGRAM);
     return RunningProgram(arguments).finish();
   };
-  for (const Words& command :
-       {Words{"compute", input, "--manifolds", "u2,s2"}, Words{"orbit", input, "--from", "0,0,1"},
-        Words{"persistence", input},
-        Words{"surface", input, "--select", "largest-gaps=1", "-o", scratch.path("s.ply")}}) {
+  for (const Words& command : {Words{"compute", input, "--manifolds", "u2,s2"},
+                               Words{"orbit", input, "--from", "0,0,1"}, Words{"persistence", input},
+                               Words{"surface", input, "--select", "largest-gaps=1", "-o", scratch.path("s.ply")}}) {
     EXPECT_EQ(first(command).status, 0) << command.front();
   }
   for (const Words& command :

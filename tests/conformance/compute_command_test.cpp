@@ -80,16 +80,14 @@ TEST(ComputeTable, HasARowForEveryCount) {
   const std::vector<std::string> lines = lines_of(finished.out);
   ASSERT_FALSE(lines.empty());
   EXPECT_EQ(lines[0], input + " (xyz)");
-  for (const char* row :
-       {"points +6", "merged duplicates +1", "critical points of index 0 +5 .*",
-        "critical points of index 1 +5 .*", "critical points of index 2 +1 .*",
-        "critical points of index 3 +0 .*", "regular stationary points 1-2 +2( .*)?",
-        "regular stationary points 2-3 +0( .*)?", "regular stationary points 1-3 +1( .*)?", "Euler sum +1",
-        "Delaunay triangulation +[0-9.]+ m?s", "critical points +[0-9.]+ m?s .*",
-        "filter failures, angle +\\d+   of \\d+ calls", "peak memory +[0-9.]+ MiB"}) {
-    const auto matches = std::count_if(lines.begin(), lines.end(), [&](const std::string& line) {
-      return std::regex_match(line, std::regex(row));
-    });
+  for (const char* row : {"points +6", "merged duplicates +1", "critical points of index 0 +5 .*",
+                          "critical points of index 1 +5 .*", "critical points of index 2 +1 .*",
+                          "critical points of index 3 +0 .*", "regular stationary points 1-2 +2( .*)?",
+                          "regular stationary points 2-3 +0( .*)?", "regular stationary points 1-3 +1( .*)?",
+                          "Euler sum +1", "Delaunay triangulation +[0-9.]+ m?s", "critical points +[0-9.]+ m?s .*",
+                          "filter failures, angle +\\d+   of \\d+ calls", "peak memory +[0-9.]+ MiB"}) {
+    const auto matches = std::count_if(
+        lines.begin(), lines.end(), [&](const std::string& line) { return std::regex_match(line, std::regex(row)); });
     EXPECT_EQ(matches, 1) << row << "\n" << finished.out;
   }
 }
@@ -98,10 +96,10 @@ TEST(ComputeSummary, HasTheKeysOfTheFormat) {
   CITES("FC-INV-01");
   const Scratch scratch;
   const json summary = summary_of(scratch, kCube);
-  EXPECT_EQ(keys_of(summary), (Names{"format", "format_version", "version", "commit", "kernel", "compiler",
-                                     "cgal", "input_sha256", "points", "merged_duplicates", "critical",
-                                     "regular_stationary", "dimension", "euler", "runs", "seconds",
-                                     "ratio_to_delaunay", "filters", "peak_memory_bytes"}));
+  EXPECT_EQ(keys_of(summary),
+            (Names{"format", "format_version", "version", "commit", "kernel", "compiler", "cgal", "input_sha256",
+                   "points", "merged_duplicates", "critical", "regular_stationary", "dimension", "euler", "runs",
+                   "seconds", "ratio_to_delaunay", "filters", "peak_memory_bytes"}));
   EXPECT_EQ(summary["format"], "flowcert-summary");
   EXPECT_EQ(summary["format_version"], 1);
   for (const char* key : {"version", "commit", "kernel", "compiler", "cgal"}) {
@@ -141,20 +139,19 @@ struct SmallSet {
 
 TEST(ComputeSummary, SmallAndFlatSetsHaveAnAnswer) {
   CITES("FC-IN-04", "FC-IN-05", "FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-04", "FC-INV-01");
-  const SmallSet sets[] = {
-      {"# nothing but a comment\n", {0, 0, 0, 0}, {0, 0, 0}, -1, 0},
-      {"1 2 3\n", {1, 0, 0, 0}, {0, 0, 0}, 0, 1},
-      {"1 2 3\n1 2 3\n", {1, 0, 0, 0}, {0, 0, 0}, 0, 1},
-      {"0 0 0\n1 0 0\n", {2, 1, 0, 0}, {0, 0, 0}, 1, 1},
-      {"0 0 0\n2 0 0\n1 2 0\n", {3, 3, 1, 0}, {0, 0, 0}, 2, 1},
-      {"0 0 0\n3 0 0\n0 4 0\n", {3, 2, 0, 0}, {1, 0, 0}, 2, 1},
-      {"0 0 0\n9 0 0\n1 1 0\n", {3, 2, 0, 0}, {0, 0, 0}, 2, 1},
-      {"0 0 0\n3 3 3\n1 1 1\n2 2 2\n7 7 7\n", {5, 4, 0, 0}, {0, 0, 0}, 1, 1},
-      {"0 0 1\n1 0 1\n0 1 1\n1 1 1\n", {4, 4, 1, 0}, {0, 0, 0}, 2, 1},
-      {kKind23, {4, 6, 3, 0}, {0, 1, 0}, 3, 1},
-      {kFive, {5, 5, 1, 0}, {2, 0, 1}, 3, 1},
-      {"0x1p-1074 0 0\n0 0 0\n0 0x1.fffffffffffffp1023 0\n", {3, 2, 0, 0}, {1, 0, 0}, 2, 1},
-      {"1.7e308 0 0\n-1.7e308 0 0\n", {2, 1, 0, 0}, {0, 0, 0}, 1, 1}};
+  const SmallSet sets[] = {{"# nothing but a comment\n", {0, 0, 0, 0}, {0, 0, 0}, -1, 0},
+                           {"1 2 3\n", {1, 0, 0, 0}, {0, 0, 0}, 0, 1},
+                           {"1 2 3\n1 2 3\n", {1, 0, 0, 0}, {0, 0, 0}, 0, 1},
+                           {"0 0 0\n1 0 0\n", {2, 1, 0, 0}, {0, 0, 0}, 1, 1},
+                           {"0 0 0\n2 0 0\n1 2 0\n", {3, 3, 1, 0}, {0, 0, 0}, 2, 1},
+                           {"0 0 0\n3 0 0\n0 4 0\n", {3, 2, 0, 0}, {1, 0, 0}, 2, 1},
+                           {"0 0 0\n9 0 0\n1 1 0\n", {3, 2, 0, 0}, {0, 0, 0}, 2, 1},
+                           {"0 0 0\n3 3 3\n1 1 1\n2 2 2\n7 7 7\n", {5, 4, 0, 0}, {0, 0, 0}, 1, 1},
+                           {"0 0 1\n1 0 1\n0 1 1\n1 1 1\n", {4, 4, 1, 0}, {0, 0, 0}, 2, 1},
+                           {kKind23, {4, 6, 3, 0}, {0, 1, 0}, 3, 1},
+                           {kFive, {5, 5, 1, 0}, {2, 0, 1}, 3, 1},
+                           {"0x1p-1074 0 0\n0 0 0\n0 0x1.fffffffffffffp1023 0\n", {3, 2, 0, 0}, {1, 0, 0}, 2, 1},
+                           {"1.7e308 0 0\n-1.7e308 0 0\n", {2, 1, 0, 0}, {0, 0, 0}, 1, 1}};
   const Scratch scratch;
   for (const SmallSet& set : sets) {
     SCOPED_TRACE(set.points);
@@ -184,16 +181,14 @@ TEST(ComputeSummary, TheDigestIsThatOfTheCoordinates) {
   const std::string digest = digest_of(scratch, {0.1, 0.0, 3.0, 0x1p-1074, 0.0, 0x1.8p3, 0.1, 0.0, 3.0});
   const json summary = summary_of(scratch, "0.1 -0.0 3\n0x1p-1074,1e-400,0x1.8p3\n0.1 0 3\n");
   EXPECT_EQ(summary["input_sha256"], digest);
-  EXPECT_EQ(records_of(scratch, "0.1 -0.0 3\n0x1p-1074,1e-400,0x1.8p3\n0.1 0 3\n").header["input_sha256"],
-            digest);
+  EXPECT_EQ(records_of(scratch, "0.1 -0.0 3\n0x1p-1074,1e-400,0x1.8p3\n0.1 0 3\n").header["input_sha256"], digest);
   EXPECT_EQ(summary_of(scratch, "# none\n")["input_sha256"], digest_of(scratch, {}));
 }
 
 std::string compressed(const Scratch& scratch, const std::string& name, const std::string& content) {
   const std::string path = scratch.path(name);
   const gzFile file = ::gzopen(path.c_str(), "wb");
-  EXPECT_EQ(::gzwrite(file, content.data(), static_cast<unsigned>(content.size())),
-            static_cast<int>(content.size()));
+  EXPECT_EQ(::gzwrite(file, content.data(), static_cast<unsigned>(content.size())), static_cast<int>(content.size()));
   EXPECT_EQ(::gzclose(file), Z_OK);
   return path;
 }
@@ -234,9 +229,9 @@ TEST(ComputeRecords, TheHeaderHasTheKeysOfTheFormat) {
   CITES("FC-IN-03");
   const Scratch scratch;
   const json header = records_of(scratch, kWithDuplicates).header;
-  EXPECT_EQ(keys_of(header), (Names{"format", "format_version", "version", "commit", "kernel", "compiler",
-                                    "cgal", "input_sha256", "points", "merged_duplicates", "classes",
-                                    "critical", "regular_stationary"}));
+  EXPECT_EQ(keys_of(header),
+            (Names{"format", "format_version", "version", "commit", "kernel", "compiler", "cgal", "input_sha256",
+                   "points", "merged_duplicates", "classes", "critical", "regular_stationary"}));
   EXPECT_EQ(header["format"], "flowcert-stationary-points");
   EXPECT_EQ(header["format_version"], 1);
   EXPECT_EQ(header["points"], 8);
@@ -358,8 +353,7 @@ TEST(ComputeRecords, TheOrderOfTheInputOnlyMovesIds) {
   CITES("FC-INV-04", "FC-OUT-02", "FC-VOR-04");
   const Scratch scratch;
   // Cospherical and collinear in many ways: the cube, its centre, and points on its axes.
-  const std::vector<std::string> rows =
-      lines_of(std::string(kCube) + "0.5 0.5 0.5\n0.5 0.5 2\n3 0 0\n3 1 0\n");
+  const std::vector<std::string> rows = lines_of(std::string(kCube) + "0.5 0.5 0.5\n0.5 0.5 2\n3 0 0\n3 1 0\n");
   const std::size_t n = rows.size();
   std::vector<std::size_t> same(n), id(n);
   std::string straight, shuffled;

@@ -42,8 +42,8 @@ TEST_F(ConformanceCommand, OurOwnProgramIsRightOnAllCases) {
     if (one.contains("expected")) with_pairs += one["expected"].contains("persistence") ? 1 : 0;
     if (one.contains("expected")) orbits += one["expected"].value("orbits", json::array()).size();
   }
-  const json report = as_json({"--against", kCompute, "--orbits-against", kOrbit, "--persistence-against",
-                               kPersistence, "--jobs", "2", "--time-limit", "120"},
+  const json report = as_json({"--against", kCompute, "--orbits-against", kOrbit, "--persistence-against", kPersistence,
+                               "--jobs", "2", "--time-limit", "120"},
                               FLOWCERT_VECTORS);
   EXPECT_EQ(report["verdict"], "conforms");
   ASSERT_EQ(report["cases"].size(), cases.size());
@@ -87,18 +87,16 @@ TEST_F(ConformanceCommand, GivesThePointsInOtherForms) {
   // This case is about the text of an XYZ file.
   const Finished no_text = run({"--against", look, "--case", "invalid-input-0027", "--in-format", "off"});
   EXPECT_EQ(no_text.status, 2);
-  EXPECT_NE(no_text.err.find("invalid-input-0027 is about the text of an XYZ file"), std::string::npos)
-      << no_text.err;
+  EXPECT_NE(no_text.err.find("invalid-input-0027 is about the text of an XYZ file"), std::string::npos) << no_text.err;
 }
 
 TEST_F(ConformanceCommand, TakesClaimsInAnyFormatFromWhereverTheyAre) {
   CITES("FC-CLAIM-04", "FC-CLAIM-05");
   const std::string by_file = std::string(FLOWCERT_PROGRAM) + " compute {in} -o points.jsonl > /dev/null; ";
-  EXPECT_EQ(run({"--against", by_file + "cat points.jsonl", "--case", kTetrahedron}).status, 0)
-      << "standard output";
+  EXPECT_EQ(run({"--against", by_file + "cat points.jsonl", "--case", kTetrahedron}).status, 0) << "standard output";
   EXPECT_EQ(run({"--against", by_file + "cp points.jsonl \"my claim's\"", "--case", kTetrahedron}).status, 1);
-  EXPECT_EQ(run({"--against", by_file + "cp points.jsonl \"my claim's\"; test {out} -ef \"my claim's\"",
-                 "--out-name", "my claim's", "--case", kTetrahedron})
+  EXPECT_EQ(run({"--against", by_file + "cp points.jsonl \"my claim's\"; test {out} -ef \"my claim's\"", "--out-name",
+                 "my claim's", "--case", kTetrahedron})
                 .status,
             0);
   // This claim is that of a perturbation.
@@ -198,10 +196,8 @@ TEST_F(ConformanceCommand, RefusesVectorsThatItCannotUse) {
   refuses_pairs("persistence/0/death", "100", "not in order");
   refuses_pairs("persistence", 5, "no array");
   const auto refuses_stable = [&](const std::string& pointer, const json& value, const std::string& what) {
-    refuses(
-        "stable-manifolds.json",
-        damaged_other("stable-manifolds", "stable-manifolds-0005", "stationary/6/stable/" + pointer, value),
-        what);
+    refuses("stable-manifolds.json",
+            damaged_other("stable-manifolds", "stable-manifolds-0005", "stationary/6/stable/" + pointer, value), what);
   };
   refuses_stable("segments", "three", "case 1");
   refuses_stable("boundary/0", {0, 1, 2}, "a boundary with what");
@@ -230,8 +226,8 @@ TEST_F(ConformanceCommand, FindsTheVectorsThatAreInstalledWithIt) {
 
 TEST_F(ConformanceCommand, PrintsATable) {
   CITES("FC-CLAIM-03");
-  const std::string no = script("test $(wc -l < \"$1\") -gt 3 || exit 1\n" + std::string(FLOWCERT_PROGRAM) +
-                                " compute \"$1\" -o \"$2\"");
+  const std::string no =
+      script("test $(wc -l < \"$1\") -gt 3 || exit 1\n" + std::string(FLOWCERT_PROGRAM) + " compute \"$1\" -o \"$2\"");
   const Words words = {"--against",     no,       "--case",           "flat-inputs-0003", "--case",
                        kTriangleOrbits, "--case", "flat-inputs-0005", "--case",           kTetrahedron,
                        "--most",        "1"};
@@ -239,14 +235,13 @@ TEST_F(ConformanceCommand, PrintsATable) {
   EXPECT_EQ(finished.status, 1);
   const auto lines = lines_of(finished.out);
   const auto has_line = [&](const std::string& start, const std::string& end) {
-    return std::ranges::any_of(
-        lines, [&](const std::string& line) { return line.starts_with(start) && line.ends_with(end); });
+    return std::ranges::any_of(lines,
+                               [&](const std::string& line) { return line.starts_with(start) && line.ends_with(end); });
   };
-  EXPECT_TRUE(
-      has_line("  flag", "cases  conforms  where determined  fails  refused  crashed  timed out  unreadable"))
+  EXPECT_TRUE(has_line("  flag", "cases  conforms  where determined  fails  refused  crashed  timed out  unreadable"))
       << finished.out;
-  EXPECT_TRUE(has_line("  flat-inputs",
-                       "2         1                 0      0        1        0          0           0"))
+  EXPECT_TRUE(
+      has_line("  flat-inputs", "2         1                 0      0        1        0          0           0"))
       << finished.out;
   EXPECT_TRUE(has_line("flat-inputs-0003 (", "): refuses what is valid")) << finished.out;
   EXPECT_TRUE(has_line("  exit status 1", "")) << finished.out;
@@ -268,10 +263,9 @@ TEST_F(ConformanceCommand, PrintsWhatWasJudged) {
   };
   const std::string compute = kCompute + ",s2";
   const std::string without = printed({"--against", compute});
-  EXPECT_NE(
-      without.find("\njudged: 3 claims on level 1, 3 claims on level 2, 3 claims on level 3, 3 claims on "
-                   "level 4, "),
-      std::string::npos)
+  EXPECT_NE(without.find("\njudged: 3 claims on level 1, 3 claims on level 2, 3 claims on level 3, 3 claims on "
+                         "level 4, "),
+            std::string::npos)
       << without;
   EXPECT_NE(without.find("\nnot judged: the orbits of 2 cases, without --orbits-against\n"
                          "not judged: the persistence pairs of 1 case, without --persistence-against\n"),
@@ -291,8 +285,7 @@ std::vector<std::string> elements_of(const std::string& document) {
   XML_SetStartElementHandler(parser, [](void* user, const XML_Char* name, const XML_Char** /*attributes*/) {
     static_cast<std::vector<std::string>*>(user)->emplace_back(name);
   });
-  EXPECT_EQ(XML_Parse(parser, document.data(), static_cast<int>(document.size()), 1), XML_STATUS_OK)
-      << document;
+  EXPECT_EQ(XML_Parse(parser, document.data(), static_cast<int>(document.size()), 1), XML_STATUS_OK) << document;
   XML_ParserFree(parser);
   return names;
 }
@@ -307,22 +300,20 @@ TEST_F(ConformanceCommand, WritesAReportForCiSystems) {
                        "--junit",   path};
   EXPECT_EQ(run(words).status, 1);
   const std::vector<std::string> names = elements_of(content_of(path));
-  EXPECT_EQ(names, (Words{"testsuites", "testsuite", "testcase", "testcase", "skipped", "testsuite",
-                          "testcase", "failure"}));
+  EXPECT_EQ(names,
+            (Words{"testsuites", "testsuite", "testcase", "testcase", "skipped", "testsuite", "testcase", "failure"}));
   EXPECT_NE(content_of(path).find("<testsuite name=\"unstable-manifolds\" tests=\"1\" failures=\"1\" "
                                   "errors=\"0\" skipped=\"0\""),
             std::string::npos)
       << content_of(path);
-  EXPECT_NE(content_of(path).find("a &lt;b&gt; &amp; ? &quot;c&quot;"), std::string::npos)
-      << content_of(path);
+  EXPECT_NE(content_of(path).find("a &lt;b&gt; &amp; ? &quot;c&quot;"), std::string::npos) << content_of(path);
   // A claim that conforms where it is determined is no failure. The report tells what varies.
-  const Words varied = {
-      "--against", script(kPerturbedTriangle), "--case", "regular-stationary-points-0001", "--junit", path};
+  const Words varied = {"--against", script(kPerturbedTriangle), "--case", "regular-stationary-points-0001", "--junit",
+                        path};
   EXPECT_EQ(run(varied).status, 0);
   EXPECT_EQ(elements_of(content_of(path)), (Words{"testsuites", "testsuite", "testcase", "system-out"}));
   EXPECT_NE(content_of(path).find("failures=\"0\""), std::string::npos);
-  EXPECT_NE(content_of(path).find("<system-out>level 2: symbolic-perturbation [FC-CLAIM-04]"),
-            std::string::npos)
+  EXPECT_NE(content_of(path).find("<system-out>level 2: symbolic-perturbation [FC-CLAIM-04]"), std::string::npos)
       << content_of(path);
 }
 
@@ -330,10 +321,8 @@ TEST_F(ConformanceCommand, KeepsWhatIsNeededToSeeForOneself) {
   CITES("FC-CLAIM-03");
   const std::string folder = scratch_.path("kept/here");
   const std::string command = script("echo said; echo complained >&2; echo '# nothing' > \"$2\"");
-  EXPECT_EQ(
-      run({"--against", command, "--case", kTetrahedron, "--case", "flat-inputs-0001", "--keep", folder})
-          .status,
-      1);
+  EXPECT_EQ(run({"--against", command, "--case", kTetrahedron, "--case", "flat-inputs-0001", "--keep", folder}).status,
+            1);
   EXPECT_FALSE(fs::exists(folder + "/flat-inputs-0001")) << "nothing is right for no points";
   const std::string kept = folder + "/" + kTetrahedron;
   EXPECT_EQ(content_of(kept + "/points.xyz"), "0 0 0\n1 1 0\n1 0 1\n0 1 1\n");
@@ -349,10 +338,8 @@ TEST_F(ConformanceCommand, KeepsWhatIsNeededToSeeForOneself) {
   // Where a folder cannot be made, the run ends, however many cases run at a time.
   const std::string other = scratch_.path("other");
   fs::create_directory(other);
-  for (const char* id : {kTetrahedron, "unstable-manifolds-0003"})
-    std::ofstream(other + "/" + id) << "in the way";
-  const Finished ended =
-      run({"--against", command, "--group", "unstable-manifolds", "--keep", other, "--jobs", "2"});
+  for (const char* id : {kTetrahedron, "unstable-manifolds-0003"}) std::ofstream(other + "/" + id) << "in the way";
+  const Finished ended = run({"--against", command, "--group", "unstable-manifolds", "--keep", other, "--jobs", "2"});
   EXPECT_EQ(ended.status, 2) << ended.out;
   EXPECT_EQ(ended.out, "");
   EXPECT_EQ(lines_of(ended.err).size(), 1U) << ended.err;
@@ -362,9 +349,9 @@ TEST_F(ConformanceCommand, KeepsWhatIsNeededToSeeForOneself) {
 // On a terminal a line tells how many cases are done, from two seconds on, and is taken back in the end.
 TEST_F(ConformanceCommand, TellsAUserHowFarItIs) {
   CITES("FC-CLAIM-03");
-  const std::string typed =
-      std::string(FLOWCERT_PROGRAM) + " conformance --vectors '" + few_vectors->folder() +
-      "' --group flat-inputs --against 'sleep 0.6; exit 1 # {in}' > '" + scratch_.path("out") + "'";
+  const std::string typed = std::string(FLOWCERT_PROGRAM) + " conformance --vectors '" + few_vectors->folder() +
+                            "' --group flat-inputs --against 'sleep 0.6; exit 1 # {in}' > '" + scratch_.path("out") +
+                            "'";
   const std::string seen = RunningProgram({"/usr/bin/script", "-qec", typed, "/dev/null"}).finish().out;
   EXPECT_NE(seen.find("\rcases [#"), std::string::npos) << seen;
   EXPECT_NE(seen.find(" s left\033[K"), std::string::npos) << seen;
@@ -388,8 +375,7 @@ TEST_F(ConformanceCommand, DoesWhatTheReadmeSays) {
   EXPECT_EQ(finished.status, 0) << finished.err;
   const auto printed = lines_of(finished.out);
   for (++line; line != lines.end() && !line->starts_with("```"); ++line) {
-    EXPECT_TRUE(*line == "..." || std::ranges::find(printed, *line) != printed.end())
-        << *line << finished.out;
+    EXPECT_TRUE(*line == "..." || std::ranges::find(printed, *line) != printed.end()) << *line << finished.out;
   }
 }
 

@@ -15,9 +15,7 @@
 namespace flowcert::conformance {
 namespace {
 
-bool is_running(const std::string& process_file) {
-  return ::kill(std::stoi(content_of(process_file)), 0) == 0;
-}
+bool is_running(const std::string& process_file) { return ::kill(std::stoi(content_of(process_file)), 0) == 0; }
 
 void wait_for(const std::string& file) {
   for (int tries = 0; tries < 2000 && !content_of(file).ends_with('\n'); ++tries) {
@@ -42,8 +40,7 @@ TEST_F(ConformanceCommand, SaysWhereAClaimIsWrong) {
   EXPECT_EQ(std::ranges::count_if(less["findings"], missing), 11);
   EXPECT_TRUE(less["message"].get<std::string>().starts_with("level 3: missing [FC-CLAIM-03]")) << less;
 
-  const json turned =
-      outcome_of(compute + "sed 's/\\(\"limits\":\\)\\[\\(.*\\),null\\]/\\1[null,\\2]/' all > \"$2\"");
+  const json turned = outcome_of(compute + "sed 's/\\(\"limits\":\\)\\[\\(.*\\),null\\]/\\1[null,\\2]/' all > \"$2\"");
   EXPECT_EQ(turned["outcome"], "fails");
   EXPECT_EQ(turned["level"], 4);
   ASSERT_FALSE(turned["findings"].empty());
@@ -83,10 +80,8 @@ TEST_F(ConformanceCommand, BoundsWhatAProgramTakes) {
   expect_outcome("exec yes > \"$2\"", "crashed", "SIGXFSZ");
   expect_outcome("yes", "crashed", "SIGXFSZ");
   expect_outcome("exec yes >&2", "crashed", "SIGXFSZ");
-  const std::string limits =
-      "echo $(ulimit -v) $(ulimit -c) > " + scratch_.path("limits") + "; exit 1 # {in}";
-  const Words words = {"conformance", "--vectors", few_vectors->folder(), "--against",
-                       limits,        "--case",    kTetrahedron};
+  const std::string limits = "echo $(ulimit -v) $(ulimit -c) > " + scratch_.path("limits") + "; exit 1 # {in}";
+  const Words words = {"conformance", "--vectors", few_vectors->folder(), "--against", limits, "--case", kTetrahedron};
   EXPECT_EQ(flowcert(words).status, 1);
   EXPECT_EQ(content_of(scratch_.path("limits")), "4194304 0\n");
   Words unlimited = words;
@@ -155,10 +150,9 @@ TEST_F(ConformanceCommand, ComparesOrbits) {
   EXPECT_EQ(outcome(kTetrahedronOrbits, "s/\"[a-z]*_contact\":[^]]*\\],*//g")["outcome"], "unreadable")
       << "a comma too many";
   EXPECT_EQ(outcome(kTetrahedronOrbits, "s/\"start_contact\":[^]]*\\],//g")["outcome"], "conforms");
-  for (const std::string change :
-       {"s/\\(\"squared_distance\":\"\\)/\\11/", "s/\"index\":3/\"index\":2/",
-        "s/\"type\":\"C-C/\"type\":\"F-F/", "s/\\(\"driver\":\\[\"\\)/\\11/",
-        "s/\\(\"crossed_contact\":\\)\\[[0-9]*/\\1[7/", "s/\"critical\"/\"regular\"/"}) {
+  for (const std::string change : {"s/\\(\"squared_distance\":\"\\)/\\11/", "s/\"index\":3/\"index\":2/",
+                                   "s/\"type\":\"C-C/\"type\":\"F-F/", "s/\\(\"driver\":\\[\"\\)/\\11/",
+                                   "s/\\(\"crossed_contact\":\\)\\[[0-9]*/\\1[7/", "s/\"critical\"/\"regular\"/"}) {
     const json one = outcome(kTetrahedronOrbits, change);
     EXPECT_EQ(one["outcome"], "fails") << change << one;
     EXPECT_TRUE(one["level"].is_null());
@@ -193,8 +187,7 @@ TEST_F(ConformanceCommand, SaysWhereAnOrbitIsWrong) {
     EXPECT_EQ(one["orbit_findings"][0]["claimed"], claimed) << change;
     EXPECT_EQ(one["orbit_findings"][0]["truth"], truth) << change;
   };
-  const auto of_tetrahedron = [&](const std::string& change, const std::string& claimed,
-                                  const std::string& truth) {
+  const auto of_tetrahedron = [&](const std::string& change, const std::string& claimed, const std::string& truth) {
     expect(kTetrahedronOrbits, change, claimed, truth);
   };
   const std::string top = "(1/2, 1/2, 1/2)", maximum = "critical point of index 3 at " + top;
@@ -205,18 +198,17 @@ TEST_F(ConformanceCommand, SaysWhereAnOrbitIsWrong) {
                  "segment 1: type a type of more than forty letters, which...", "C-C-V");
   of_tetrahedron("s/\"start_contact\":\\[0\\]/\"start_contact\":[2,1]/", "segment 1: start, contact set 1 2",
                  "contact set 0");
-  of_tetrahedron("s/\"crossed_contact\":\\[0\\]/\"crossed_contact\":[]/",
-                 "segment 1: on the way, contact set ", "contact set 0");
+  of_tetrahedron("s/\"crossed_contact\":\\[0\\]/\"crossed_contact\":[]/", "segment 1: on the way, contact set ",
+                 "contact set 0");
   of_tetrahedron("s/\"end_contact\":\\[0,/\"end_contact\":[/", "segment 1: end, contact set 1 2 3",
                  "contact set 0 1 2 3");
   of_tetrahedron("s/\"segments\":\\[.*\\],\"limit/\"segments\":[],\"limit/", "0 segments", "1");
   of_tetrahedron("s/\"limit\":.*/\"limit\":{\"kind\":\"infinity\"}}/", "limit infinity", maximum);
   of_tetrahedron("s/\"index\":3/\"index\":[2,3]/", "limit critical point of index [2,3] at " + top, maximum);
-  of_tetrahedron("s/\"position\":\\[\"1/\"position\":[\"3/",
-                 "limit critical point of index 3 at (3/2, 1/2, 1/2)", maximum);
+  of_tetrahedron("s/\"position\":\\[\"1/\"position\":[\"3/", "limit critical point of index 3 at (3/2, 1/2, 1/2)",
+                 maximum);
   of_tetrahedron("s/\"contact\":\\[0,/\"contact\":[/", "limit, contact set 1 2 3", "contact set 0 1 2 3");
-  of_tetrahedron("s/\"squared_distance\":\"3\\/4/\"squared_distance\":\"1\\/2/",
-                 "limit, squared distance 1/2", "3/4");
+  of_tetrahedron("s/\"squared_distance\":\"3\\/4/\"squared_distance\":\"1\\/2/", "limit, squared distance 1/2", "3/4");
   const std::string place = "s/\"end\":null,\"start/\"end\":[\"1\",\"2\",\"3\"],\"start/";
   expect(kTriangleOrbits, place, "segment 3: end (1, 2, 3)", "infinity");
   expect(kTriangleOrbits,
@@ -230,8 +222,8 @@ TEST_F(ConformanceCommand, KnowsOutcomesOfTheOrbitCommandApart) {
   const auto expect = [&](const std::string& change, const std::string& message) {
     const std::string orbits =
         std::string(FLOWCERT_PROGRAM) + " orbit {in} --from {start} --json | sed '" + change + "'";
-    const json one = only_case_of(
-        as_json({"--against", kCompute, "--orbits-against", orbits, "--case", kTetrahedronOrbits}));
+    const json one =
+        only_case_of(as_json({"--against", kCompute, "--orbits-against", orbits, "--case", kTetrahedronOrbits}));
     EXPECT_EQ(one["outcome"], "unreadable") << change;
     EXPECT_EQ(one["message"], message) << change;
   };
@@ -257,8 +249,8 @@ TEST_F(ConformanceCommand, KnowsOutcomesOfTheOrbitCommandApart) {
 TEST_F(ConformanceCommand, ComparesPersistencePairs) {
   CITES("FC-PERS-01", "FC-PERS-02", "FC-PERS-03", "FC-PERS-05");
   const auto outcome = [&](const std::string& command) {
-    const json report = as_json(
-        {"--against", kCompute, "--persistence-against", command + " # {in}", "--case", kTrianglePairs});
+    const json report =
+        as_json({"--against", kCompute, "--persistence-against", command + " # {in}", "--case", kTrianglePairs});
     EXPECT_EQ(report["persistence_command"], command + " # {in}");
     return only_case_of(report);
   };
@@ -280,27 +272,25 @@ TEST_F(ConformanceCommand, ComparesPersistencePairs) {
   EXPECT_EQ(text("1 4.50000000000000000001 5e0 # late\n\n2 7 7\n" + components)["outcome"], "conforms");
   EXPECT_EQ(changed("")["outcome"], "conforms");
   // These pairs are wrong, and each finding names a pair.
-  expect_wrong(text(components + "1 4.5 5.000000000000001\n"),
-               "dimension 1, birth 4.5, death 5.000000000000001", "dimension 1, birth 4.5, death 5");
+  expect_wrong(text(components + "1 4.5 5.000000000000001\n"), "dimension 1, birth 4.5, death 5.000000000000001",
+               "dimension 1, birth 4.5, death 5");
   expect_wrong(text(components), none, "dimension 1, birth 4.5, death 5");
   expect_wrong(text(components + "1 4.5 5\n1 4.5 5\n"), "dimension 1, birth 4.5, death 5", none);
   expect_wrong(text(components + "2 4.5 5\n"), none, "dimension 1, birth 4.5, death 5");
   expect_wrong(text("0 0 2.5\n0 0 4\n1 4.5 5\n"), none, "dimension 0, birth 0, death inf");
   expect_wrong(changed("s/\"squared_distance\":\"9\\/2\"/\"squared_distance\":\"13\\/3\"/"),
                "dimension 1, birth 13/3, death 5", "dimension 1, birth 9/2, death 5");
-  expect_wrong(
-      changed("s/\"squared_distance\":\"9\\/2\"/\"squared_distance\":\"1" + std::string(60, '0') + "\"/"),
-      "dimension 1, birth 1" + std::string(59, '0') + "..., death 5", "dimension 1, birth 9/2, death 5");
+  expect_wrong(changed("s/\"squared_distance\":\"9\\/2\"/\"squared_distance\":\"1" + std::string(60, '0') + "\"/"),
+               "dimension 1, birth 1" + std::string(59, '0') + "..., death 5", "dimension 1, birth 9/2, death 5");
   expect_wrong(changed("s/\"death\":{\"contact\":\\[0,1,2\\][^}]*}/\"death\":null/"),
                "dimension 1, birth 9/2, death inf", "dimension 1, birth 9/2, death 5");
 }
 
 TEST_F(ConformanceCommand, KnowsOutcomesOfThePersistenceCommandApart) {
   CITES("FC-PERS-01", "FC-IN-05");
-  const auto expect = [&](const std::string& command, const std::string& outcome,
-                          const std::string& message) {
-    const json one = only_case_of(as_json(
-        {"--against", kCompute, "--persistence-against", command + " # {in}", "--case", kTrianglePairs}));
+  const auto expect = [&](const std::string& command, const std::string& outcome, const std::string& message) {
+    const json one = only_case_of(
+        as_json({"--against", kCompute, "--persistence-against", command + " # {in}", "--case", kTrianglePairs}));
     EXPECT_EQ(one["outcome"], outcome) << one;
     EXPECT_NE(one["message"].get<std::string>().find(message), std::string::npos) << one;
     EXPECT_EQ(one["persistence_findings"], json::array());
@@ -312,28 +302,25 @@ TEST_F(ConformanceCommand, KnowsOutcomesOfThePersistenceCommandApart) {
   expect("echo 1 nan inf", "unreadable", "no squared distance: 'nan'");
   expect("echo '{}'", "unreadable", "no key 'pairs'");
   expect("echo '{'", "unreadable", "standard output");
-  expect("echo '{\"pairs\":[{\"dimension\":0,\"birth\":{\"squared_distance\":0.5},\"death\":null}]}'",
-         "unreadable", "'squared_distance' is no string");
+  expect("echo '{\"pairs\":[{\"dimension\":0,\"birth\":{\"squared_distance\":0.5},\"death\":null}]}'", "unreadable",
+         "'squared_distance' is no string");
   expect("echo no >&2; exit 3", "refused", "exit status 3: no");
   expect("kill -SEGV $$", "crashed", "SIGSEGV");
   for (const std::string word : {"-1", "1x", "9999999999"}) {
-    expect("echo " + word + " 0 1", "unreadable",
-           "standard output:1: no dimension 0, 1 or 2: '" + word + "'");
+    expect("echo " + word + " 0 1", "unreadable", "standard output:1: no dimension 0, 1 or 2: '" + word + "'");
   }
   expect("echo '{\"pairs\":5}'", "unreadable", "'pairs' is no array");
   expect("echo '{\"pairs\":[5]}'", "unreadable", "no object that could have 'dimension'");
   for (const std::string dimension : {"-1", "3", "\"1\"", "0.5"}) {
-    expect("echo '{\"pairs\":[{\"dimension\":" + dimension + "}]}'", "unreadable",
-           "'dimension' is not 0, 1 or 2");
+    expect("echo '{\"pairs\":[{\"dimension\":" + dimension + "}]}'", "unreadable", "'dimension' is not 0, 1 or 2");
   }
   const json missing = only_case_of(
       as_json({"--against", kCompute, "--persistence-against", "true {in} {out}", "--case", kTrianglePairs}));
   EXPECT_EQ(missing["outcome"], "unreadable") << missing;
   EXPECT_EQ(missing["message"], "persistence: there is no such file");
   // The claim that failed before keeps its message, and the pairs are judged all the same.
-  const json both =
-      only_case_of(as_json({"--against", script("echo '# nothing' > \"$2\""), "--persistence-against",
-                            "echo 0 0 inf # {in}", "--case", kTrianglePairs}));
+  const json both = only_case_of(as_json({"--against", script("echo '# nothing' > \"$2\""), "--persistence-against",
+                                          "echo 0 0 inf # {in}", "--case", kTrianglePairs}));
   EXPECT_EQ(both["level"], 3);
   EXPECT_TRUE(both["message"].get<std::string>().starts_with("level 3")) << both;
   EXPECT_EQ(both["persistence_findings"].size(), 3U);

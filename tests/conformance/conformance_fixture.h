@@ -110,8 +110,7 @@ class ConformanceCommand : public testing::Test {
     const json report = as_json({"--against", script(lines), "--case", id, "--time-limit", time_limit});
     return only_case_of(report);
   }
-  void expect_outcome(const std::string& lines, const std::string& outcome,
-                      const std::string& message) const {
+  void expect_outcome(const std::string& lines, const std::string& outcome, const std::string& message) const {
     const json one = outcome_of(lines, kTetrahedron, outcome == "timed out" ? "1" : "60");
     EXPECT_EQ(one["outcome"], outcome) << lines << one;
     EXPECT_NE(one["message"].get<std::string>().find(message), std::string::npos) << lines << one;

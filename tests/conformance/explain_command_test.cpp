@@ -186,16 +186,14 @@ TEST(ExplainCommand, JudgesPositionsByTheirContactSet) {
 TEST(ExplainCommand, PositionsAreDecimalsHexFloatsOrFractions) {
   CITES("FC-IN-02", "FC-NUM-02");
   const Asked cube(kCube);
-  const std::pair<const char*, json> positions[] = {
-      {"0.5,0.5,0.5", {"1/2", "1/2", "1/2"}},
-      {"1/2,2/4,0x1p-1", {"1/2", "1/2", "1/2"}},
-      {" 5e-1 -0.0  +1 ", {"1/2", "0", "1"}},
-      {"-1/3,010/4,-6/3", {"-1/3", "5/2", "-2"}},
-      // A decimal means the nearest double. A fraction means itself.
-      {"0.1,1/10,0", {"3602879701896397/36028797018963968", "1/10", "0"}},
-      {"1e-400,0x1.8p1,7", {"0", "3", "7"}}};
-  for (const auto& [text, center] : positions)
-    EXPECT_EQ(cube.as_json("--at", text)["center"], center) << text;
+  const std::pair<const char*, json> positions[] = {{"0.5,0.5,0.5", {"1/2", "1/2", "1/2"}},
+                                                    {"1/2,2/4,0x1p-1", {"1/2", "1/2", "1/2"}},
+                                                    {" 5e-1 -0.0  +1 ", {"1/2", "0", "1"}},
+                                                    {"-1/3,010/4,-6/3", {"-1/3", "5/2", "-2"}},
+                                                    // A decimal means the nearest double. A fraction means itself.
+                                                    {"0.1,1/10,0", {"3602879701896397/36028797018963968", "1/10", "0"}},
+                                                    {"1e-400,0x1.8p1,7", {"0", "3", "7"}}};
+  for (const auto& [text, center] : positions) EXPECT_EQ(cube.as_json("--at", text)["center"], center) << text;
 }
 
 TEST(ExplainCommand, WhatCannotBeAskedIsStatus2) {
@@ -224,9 +222,8 @@ TEST(ExplainCommand, TheOrderOfArgumentsDoesNotMatter) {
   const Asked cube(kCube);
   const std::string expected = cube.text("--ids", "0,1").out;
   EXPECT_FALSE(expected.empty());
-  for (const Words& words :
-       {Words{"explain", "--ids", "0,1", cube.path()}, Words{"explain", "--ids=0,1", cube.path()},
-        Words{"explain", cube.path(), "--ids", "0", "--ids", "1"}}) {
+  for (const Words& words : {Words{"explain", "--ids", "0,1", cube.path()}, Words{"explain", "--ids=0,1", cube.path()},
+                             Words{"explain", cube.path(), "--ids", "0", "--ids", "1"}}) {
     EXPECT_EQ(flowcert(words).out, expected) << ::testing::PrintToString(words);
   }
   EXPECT_EQ(flowcert({"explain", "--at", "-1,0,0", cube.path()}).status, 1);

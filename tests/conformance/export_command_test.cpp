@@ -118,8 +118,7 @@ TEST(ExportCommand, SelectionsAreThoseOfThePairs) {
   const auto counted = [&](const auto& holds) { return std::ranges::count_if(gaps, holds); };
   EXPECT_EQ(surface(scratch, input, {"persistence>0.01"})["selected"], counted(lasts));
   EXPECT_EQ(surface(scratch, input, {"index2-radius<1/4"})["selected"], counted(is_small));
-  EXPECT_EQ(surface(scratch, input, {"index2-radius < 25e-2", "persistence > 1/100"})["selected"],
-            counted(both));
+  EXPECT_EQ(surface(scratch, input, {"index2-radius < 25e-2", "persistence > 1/100"})["selected"], counted(both));
   EXPECT_GT(counted(both), 0);
   EXPECT_LT(counted(both), std::min(counted(lasts), counted(is_small)));
 }

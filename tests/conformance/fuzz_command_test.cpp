@@ -49,15 +49,15 @@ TEST(FuzzCommand, ListsFamiliesWithASentenceEach) {
 TEST(FuzzCommand, HoldsAllPropertiesOnASmallCampaign) {
   CITES("FC-CRIT-05", "FC-FLOW-02", "FC-STAB-04", "FC-PERS-05", "FC-INV-01");
   const Scratch scratch;
-  const json report = campaign(
-      {"--count", "600", "--seed", "5", "--points", "0-7", "--jobs", "2", "--out", scratch.path("campaign")});
+  const json report =
+      campaign({"--count", "600", "--seed", "5", "--points", "0-7", "--jobs", "2", "--out", scratch.path("campaign")});
   EXPECT_EQ(report.at("cases"), 600);
   EXPECT_EQ(report.at("failing_cases"), 0);
   EXPECT_GE(report.at("signatures"), 100);
   EXPECT_EQ(report.at("by_property").at("critical-points"), 600);
   EXPECT_EQ(report.at("by_property").at("orbit"), 600);
-  for (const char* name : {"unstable-manifolds", "stable-sets", "persistence", "orbit-kernels",
-                           "unstable-kernels", "stable-kernels"}) {
+  for (const char* name :
+       {"unstable-manifolds", "stable-sets", "persistence", "orbit-kernels", "unstable-kernels", "stable-kernels"}) {
     EXPECT_GE(report.at("by_property").at(name), 15) << name;
   }
   EXPECT_GE(report.at("by_family").at("mutant"), 100);
@@ -85,8 +85,7 @@ TEST(FuzzCommand, IsTheSameWithAnyNumberOfJobsAndParts) {
   const json a = with({"--shard", "1/2", "--out", first});
   const json b = with({"--shard", "2/2", "--out", second});
   EXPECT_EQ(a.at("cases").get<int>() + b.at("cases").get<int>(), 2500);
-  const Finished merged =
-      flowcert({"fuzz", "merge", first, second, "--json", "--out", scratch.path("whole")});
+  const Finished merged = flowcert({"fuzz", "merge", first, second, "--json", "--out", scratch.path("whole")});
   EXPECT_EQ(merged.status, 0) << merged.err;
   EXPECT_EQ(account_of(merged), whole);
   // The merged campaign is a campaign like any other, and complete.
@@ -138,8 +137,8 @@ INSTANTIATE_TEST_SUITE_P(Signals, FuzzCommandInterrupted, testing::Values(SIGINT
 // The program is suspended, as by Ctrl-Z, for longer than a property may take.
 TEST(FuzzCommand, IsNotMisledByBeingSuspended) {
   const Scratch scratch;
-  auto start = fuzz({"--count", "8000", "--property", "critical-points", "--points", "3-5", "--jobs", "2",
-                     "--hang", "1", "--out", scratch.path("campaign")});
+  auto start = fuzz({"--count", "8000", "--property", "critical-points", "--points", "3-5", "--jobs", "2", "--hang",
+                     "1", "--out", scratch.path("campaign")});
   start.insert(start.begin(), FLOWCERT_PROGRAM);
   RunningProgram program(start);
   wait_for_a_batch(program, scratch.path("campaign"));
@@ -164,8 +163,7 @@ TEST(FuzzCommand, FindsWhatIsWrongWithCosphericalPointsAndMakesItSmall) {
   CITES("FC-CLAIM-03");
   const Scratch scratch;
   const std::string folder = scratch.path("campaign");
-  const json report =
-      campaign({"--count", "300", "--against", peer("--strict"), "--jobs", "2", "--out", folder}, 1);
+  const json report = campaign({"--count", "300", "--against", peer("--strict"), "--jobs", "2", "--out", folder}, 1);
   EXPECT_GT(report.at("failing_cases"), 20);
   ASSERT_GE(report.at("findings").size(), 1U);
   bool is_cospherical = false;
@@ -187,8 +185,7 @@ TEST(FuzzCommand, FindsWhatIsWrongWithCosphericalPointsAndMakesItSmall) {
 TEST(FuzzCommand, DoesOneCaseAgain) {
   const Scratch scratch;
   const std::string folder = scratch.path("campaign");
-  const json report =
-      campaign({"--count", "120", "--against", peer("--strict"), "--jobs", "2", "--out", folder}, 1);
+  const json report = campaign({"--count", "120", "--against", peer("--strict"), "--jobs", "2", "--out", folder}, 1);
   const auto& numbers = report.at("failing").at("against missed-by-cluster");
   EXPECT_EQ(report.at("failures").at("against missed-by-cluster"), numbers.size());
   ASSERT_GT(numbers.size(), 5U);
@@ -223,26 +220,23 @@ TEST(FuzzCommand, LeavesNoCommandWhenItIsKilled) {
   const Scratch scratch;
   const std::string sleep = "sleep " + std::to_string(100'000 + ::getpid());
   // The first run tells whether the command can be started.
-  const std::string command = "echo {in} >> '" + scratch.path("runs") + "'; test $(wc -l < '" +
-                              scratch.path("runs") + "') = 1 || { " + sleep + " & " + sleep + "; }";
+  const std::string command = "echo {in} >> '" + scratch.path("runs") + "'; test $(wc -l < '" + scratch.path("runs") +
+                              "') = 1 || { " + sleep + " & " + sleep + "; }";
   // The killed program leaves its temporary folder here.
   fs::create_directory(scratch.path("temporary"));
-  RunningProgram program({"/usr/bin/env", "TMPDIR=" + scratch.path("temporary"), FLOWCERT_PROGRAM, "fuzz",
-                          "--count", "10", "--time-limit", "600", "--against", command, "--out",
-                          scratch.path("campaign")});
-  for (int k = 0; k < 1000 && !is_running(sleep); ++k)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  RunningProgram program({"/usr/bin/env", "TMPDIR=" + scratch.path("temporary"), FLOWCERT_PROGRAM, "fuzz", "--count",
+                          "10", "--time-limit", "600", "--against", command, "--out", scratch.path("campaign")});
+  for (int k = 0; k < 1000 && !is_running(sleep); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   ASSERT_TRUE(is_running(sleep));
   program.signal(SIGKILL);
   (void)program.finish();
-  for (int k = 0; k < 1000 && is_running(sleep); ++k)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  for (int k = 0; k < 1000 && is_running(sleep); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_FALSE(is_running(sleep));
 }
 
 TEST(FuzzCommand, OurOwnClaimsAreRight) {
-  const json report = campaign({"--count", "200", "--against",
-                                std::string(FLOWCERT_PROGRAM) + " compute {in} -o {out}", "--jobs", "2"});
+  const json report = campaign(
+      {"--count", "200", "--against", std::string(FLOWCERT_PROGRAM) + " compute {in} -o {out}", "--jobs", "2"});
   EXPECT_EQ(report.at("failing_cases"), 0);
   EXPECT_EQ(report.at("by_property").at("against"), 200);
 }
@@ -266,8 +260,7 @@ TEST_P(FuzzCommandEndings, AreFindings) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FuzzCommandEndings,
-                         testing::Values(std::pair("--crash 6", "signal"),
-                                         std::pair("--hang 6", "time-limit"),
+                         testing::Values(std::pair("--crash 6", "signal"), std::pair("--hang 6", "time-limit"),
                                          std::pair("--refuse 6", "refusal")));
 
 TEST(FuzzCommand, ReplaysAnyPointFile) {
@@ -294,8 +287,7 @@ TEST(FuzzCommand, BeginsWithACorpus) {
 
 TEST(FuzzCommand, AsksNobodyAboutNoPoints) {
   const Scratch scratch;
-  const json report =
-      campaign({"--count", "20", "--against", "exit 3; {in}", "--out", scratch.path("campaign")}, 1);
+  const json report = campaign({"--count", "20", "--against", "exit 3; {in}", "--out", scratch.path("campaign")}, 1);
   for (const json& finding : report.at("findings")) EXPECT_EQ(finding.at("points"), 1);
 }
 

@@ -15,8 +15,7 @@ namespace {
 TEST(Generate, SaysWhatItIsAndAsksAllFamiliesInTurn) {
   CITES("FC-IN-03", "FC-IN-04");
   const std::string stream = generated();
-  EXPECT_TRUE(stream.starts_with("# flowcert generate: 500 cases, level 1, seed 1."))
-      << stream.substr(0, 200);
+  EXPECT_TRUE(stream.starts_with("# flowcert generate: 500 cases, level 1, seed 1.")) << stream.substr(0, 200);
   const std::vector<std::string> cases = cases_of(stream);
   ASSERT_EQ(cases.size(), 500U);
   std::set<std::string> ids;

@@ -39,9 +39,7 @@ class MpiCampaign : public testing::Test {
                    {"/bin/sh", "-c", start, "sh", FLOWCERT_MPI_PROGRAM, "--json"},
                    arguments});
   }
-  Finished run(int ranks, const Words& arguments) const {
-    return RunningProgram(job(ranks, arguments)).finish();
-  }
+  Finished run(int ranks, const Words& arguments) const { return RunningProgram(job(ranks, arguments)).finish(); }
   void signal_rank(int rank, int number) const {
     const std::string process = content_of(scratch_.path("rank-" + std::to_string(rank)));
     ASSERT_NE(process, "");
@@ -88,8 +86,7 @@ TEST_F(MpiCampaign, HasTheFindingsAndTheStatusOfTheCommand) {
   // The files are the same, too.
   for (const auto& entry : fs::directory_iterator(scratch_.path("alone") + "/findings")) {
     const std::string name = entry.path().filename().string();
-    EXPECT_EQ(content_of(scratch_.path("shared") + "/findings/" + name), content_of(entry.path().string()))
-        << name;
+    EXPECT_EQ(content_of(scratch_.path("shared") + "/findings/" + name), content_of(entry.path().string())) << name;
   }
 }
 
@@ -116,8 +113,7 @@ TEST_P(MpiCampaignLosesARank, AndGoesOnToTheSameEnd) {
 
 // Rank 2 is killed while mpirun goes on, or stopped like a machine that no longer answers, or asked to end.
 INSTANTIATE_TEST_SUITE_P(Signals, MpiCampaignLosesARank,
-                         testing::Values(Loss{SIGKILL, {"--enable-recovery"}}, Loss{SIGSTOP, {}},
-                                         Loss{SIGTERM, {}}));
+                         testing::Values(Loss{SIGKILL, {"--enable-recovery"}}, Loss{SIGSTOP, {}}, Loss{SIGTERM, {}}));
 
 TEST_F(MpiCampaign, IsResumedAfterMpirunHasEndedAllRanks) {
   const std::string folder = scratch_.path("campaign");

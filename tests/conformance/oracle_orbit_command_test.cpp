@@ -25,8 +25,7 @@ constexpr char kTetrahedron[] = "0 0 0\n1 1 0\n1 0 1\n0 1 1\n";
 // The one object that is printed for a start among these points.
 ordered_json orbit_json(const std::string& points, const std::string& from) {
   const Scratch scratch;
-  const Finished finished =
-      flowcert_oracle({"orbit", scratch.file("points.xyz", points), "--from", from, "--json"});
+  const Finished finished = flowcert_oracle({"orbit", scratch.file("points.xyz", points), "--from", from, "--json"});
   EXPECT_EQ(finished.status, 0) << finished.err;
   EXPECT_EQ(finished.err, "");
   EXPECT_EQ(lines_of(finished.out).size(), 1U) << finished.out;

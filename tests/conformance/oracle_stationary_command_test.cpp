@@ -51,9 +51,8 @@ TEST_F(OracleStationaryCommand, PrintsTheSameAsJson) {
   CITES("FC-CRIT-02", "FC-CRIT-03", "FC-IN-03", "FC-OUT-01", "FC-NUM-02");
   const std::vector<std::string> lines = lines_of(list({"--json"}).out);
   ASSERT_EQ(lines.size(), 7U);
-  EXPECT_EQ(lines[0],
-            R"({"format":"oracle-stationary-points","format_version":1,"points":4,"merged_duplicates":1,)"
-            R"("critical":[3,2,0,0],"regular_stationary":{"1-2":1,"2-3":0,"1-3":0}})");
+  EXPECT_EQ(lines[0], R"({"format":"oracle-stationary-points","format_version":1,"points":4,"merged_duplicates":1,)"
+                      R"("critical":[3,2,0,0],"regular_stationary":{"1-2":1,"2-3":0,"1-3":0}})");
   EXPECT_EQ(lines[4], R"({"index":1,"kind":"critical","contact":[0,1],"center":["2","0","0"],)"
                       R"("squared_distance":"4"})");
   EXPECT_EQ(lines[6], R"({"index":[1,2],"kind":"regular","contact":[0,1,2],"center":["2","2","0"],)"
@@ -98,8 +97,7 @@ TEST_F(OracleStationaryCommand, AnOutputThatCannotBeWrittenIsStatus2) {
   const Streams full = {.standard_input = "/dev/null", .standard_output = "/dev/full"};
   expect_refused(list({}, full), "standard output cannot be written");
   expect_refused(list({"--json"}, full), "standard output cannot be written");
-  expect_refused(flowcert_oracle({"orbit", input_, "--from", "1,2,3"}, full),
-                 "standard output cannot be written");
+  expect_refused(flowcert_oracle({"orbit", input_, "--from", "1,2,3"}, full), "standard output cannot be written");
 }
 
 }  // namespace

@@ -28,9 +28,7 @@ class Points {
   explicit Points(const std::string& points, const std::string& name = "points.xyz")
       : path_(scratch_.file(name, points)) {}
 
-  [[nodiscard]] Finished text(const std::string& from) const {
-    return flowcert({"orbit", path_, "--from", from});
-  }
+  [[nodiscard]] Finished text(const std::string& from) const { return flowcert({"orbit", path_, "--from", from}); }
   [[nodiscard]] ordered_json as_json(const std::string& from, const Words& options = {}) const {
     Words words = {"orbit", path_, "--from", from, "--json"};
     words.insert(words.end(), options.begin(), options.end());
@@ -64,8 +62,8 @@ TEST(OrbitJson, HasTheKeysOfTheFormatInTheirOrder) {
   CITES("FC-FLOW-02", "FC-FLOW-05");
   const Points cube(kCube);
   const ordered_json answer = cube.as_json("0.25,0.5,0.125");
-  EXPECT_EQ(keys_of(answer), (Words{"format", "format_version", "version", "commit", "kernel", "compiler",
-                                    "cgal", "input_sha256", "start", "segments", "limit"}));
+  EXPECT_EQ(keys_of(answer), (Words{"format", "format_version", "version", "commit", "kernel", "compiler", "cgal",
+                                    "input_sha256", "start", "segments", "limit"}));
   EXPECT_EQ(answer["format"], "flowcert-orbit");
   EXPECT_EQ(answer["format_version"], 1);
   const ordered_json summary = ordered_json::parse(flowcert({"compute", cube.path(), "--json"}).out);
@@ -75,8 +73,7 @@ TEST(OrbitJson, HasTheKeysOfTheFormatInTheirOrder) {
   EXPECT_EQ(answer["start"], ordered_json({"1/4", "1/2", "1/8"}));
   EXPECT_FALSE(answer["segments"].empty());
   for (const ordered_json& segment : answer["segments"]) {
-    EXPECT_EQ(keys_of(segment),
-              (Words{"type", "driver", "end", "start_contact", "crossed_contact", "end_contact"}));
+    EXPECT_EQ(keys_of(segment), (Words{"type", "driver", "end", "start_contact", "crossed_contact", "end_contact"}));
   }
   EXPECT_EQ(keys_of(answer["limit"]), (Words{"kind", "index", "position", "contact", "squared_distance"}));
 }
@@ -112,8 +109,7 @@ TEST(OrbitJson, EndsAtCriticalAndRegularPoints) {
 TEST(OrbitJson, AStationaryStartHasNoSegment) {
   CITES("FC-FLOW-03", "FC-CRIT-03", "FC-CRIT-04");
   const Points cube(kCube);
-  const std::pair<const char*, int> starts[] = {
-      {"1,0,1", 0}, {"1/2,0,1", 1}, {"1/2,1/2,1", 2}, {"1/2,1/2,1/2", 3}};
+  const std::pair<const char*, int> starts[] = {{"1,0,1", 0}, {"1/2,0,1", 1}, {"1/2,1/2,1", 2}, {"1/2,1/2,1/2", 3}};
   for (const auto& [from, index] : starts) {
     const ordered_json answer = cube.as_json(from);
     EXPECT_EQ(answer["segments"], ordered_json::array()) << from;
@@ -193,9 +189,9 @@ TEST(OrbitJson, KernelAndSearchDoNotMatter) {
     for (const char* from : {"0.3,-0.2,0.1", "3/2,5/7,-2/9"}) {
       SCOPED_TRACE(input.name + " from " + from);
       const std::string expected = points.as_json(from).dump();
-      for (const Words& options : {Words{"--kernel", "exact"}, Words{"--search", "linear"},
-                                   Words{"--kernel", "exact", "--search", "linear"},
-                                   Words{"--kernel", "lazy", "--search", "binary"}}) {
+      for (const Words& options :
+           {Words{"--kernel", "exact"}, Words{"--search", "linear"}, Words{"--kernel", "exact", "--search", "linear"},
+            Words{"--kernel", "lazy", "--search", "binary"}}) {
         EXPECT_EQ(points.as_json(from, options).dump(), expected) << ::testing::PrintToString(options);
       }
     }
@@ -220,8 +216,7 @@ TEST(OrbitTable, IsAlignedAndEndsWithTheLimit) {
             "3/4");
   const Words regular = lines_of(Points(kKind23).text("1,0,0").out);
   ASSERT_EQ(regular.size(), 4U);
-  EXPECT_EQ(regular[3],
-            "ends at a regular stationary point of kind 2-3, contact set 0 1 2 3, squared distance 25");
+  EXPECT_EQ(regular[3], "ends at a regular stationary point of kind 2-3, contact set 0 1 2 3, squared distance 25");
 }
 
 TEST(OrbitTable, SaysThatAStationaryStartStays) {
@@ -306,8 +301,7 @@ TEST(OrbitCommand, WhatIsNoInputIsStatus2) {
   expect_refused(nothing.text("0,0,0"), nothing.path() + ": there are no points");
   const Points damaged("0 0 0\n1 1\n");
   expect_refused(damaged.text("0,0,0"), damaged.path() + ":2: ");
-  expect_refused(flowcert({"orbit", damaged.path() + ".none", "--from", "0,0,0"}),
-                 "No such file or directory");
+  expect_refused(flowcert({"orbit", damaged.path() + ".none", "--from", "0,0,0"}), "No such file or directory");
   const Points pair(kPair);
   for (const Words& usage :
        {Words{"orbit"}, Words{"orbit", pair.path()}, Words{"orbit", pair.path(), "--from"},

@@ -74,8 +74,8 @@ void expect_refused(const Finished& finished, const std::string& reason) {
 TEST(PersistenceText, KnownDiagrams) {
   CITES("FC-PERS-01", "FC-PERS-02", "FC-IN-04");
   EXPECT_EQ(pairs_of(kTetrahedron),
-            (Words{"0 0 0.5", "0 0 0.5", "0 0 0.5", "0 0 inf", "1 0.5 0.6666666666666666",
-                   "1 0.5 0.6666666666666666", "1 0.5 0.6666666666666666", "2 0.6666666666666666 0.75"}));
+            (Words{"0 0 0.5", "0 0 0.5", "0 0 0.5", "0 0 inf", "1 0.5 0.6666666666666666", "1 0.5 0.6666666666666666",
+                   "1 0.5 0.6666666666666666", "2 0.6666666666666666 0.75"}));
   Words cube(7, "0 0 0.25");
   cube.emplace_back("0 0 inf");
   cube.insert(cube.end(), 5, "1 0.25 0.5");
@@ -98,9 +98,8 @@ TEST(PersistenceText, SaysWhatItIsInComments) {
   const std::string path = scratch.file("cube.xyz", kCube);
   const Words lines = lines_of(persistence(path).out);
   ASSERT_GT(lines.size(), 3U);
-  EXPECT_EQ(
-      lines[0],
-      "# Persistence of the distance function: dimension, birth, death. The values are squared distances.");
+  EXPECT_EQ(lines[0],
+            "# Persistence of the distance function: dimension, birth, death. The values are squared distances.");
   const ordered_json json = json_of(path);
   std::string made_by = lines_of(flowcert({"--version"}).out).at(0);
   EXPECT_EQ(lines[1], "# " + made_by + ", input_sha256 " + json["input_sha256"].get<std::string>());
@@ -116,8 +115,7 @@ TEST(PersistenceText, RegularStationaryPointsArePairsOfLengthZero) {
   std::ranges::set_difference(with_zero, plain, std::back_inserter(added));
   EXPECT_EQ(added, (Words{"1 1 1", "2 1 1"}));
   EXPECT_EQ(plain.size() + 2, with_zero.size());
-  EXPECT_EQ(pairs_of("0 0 0\n3 0 0\n0 4 0\n", {"--zero"}),
-            (Words{"0 0 2.25", "0 0 4", "0 0 inf", "1 6.25 6.25"}));
+  EXPECT_EQ(pairs_of("0 0 0\n3 0 0\n0 4 0\n", {"--zero"}), (Words{"0 0 2.25", "0 0 4", "0 0 inf", "1 6.25 6.25"}));
   EXPECT_EQ(pairs_of("5 0 0\n-3 4 0\n-3 -4 0\n0 0 5\n", {"--zero"}).back(), "2 25 25");
 }
 
@@ -195,9 +193,9 @@ TEST(PersistenceJson, HasTheKeysOfTheFormatInTheirOrder) {
   const std::string path = scratch.file("points.xyz", kTetrahedron);
   const ordered_json json = json_of(path);
   EXPECT_EQ(keys_of(json),
-            (Words{"format", "format_version", "version", "commit", "kernel", "compiler", "cgal",
-                   "input_sha256", "points", "merged_duplicates", "critical", "regular_stationary", "counts",
-                   "ties_broken", "seed", "seconds", "ratio_to_delaunay", "has_zero", "pairs"}));
+            (Words{"format", "format_version", "version", "commit", "kernel", "compiler", "cgal", "input_sha256",
+                   "points", "merged_duplicates", "critical", "regular_stationary", "counts", "ties_broken", "seed",
+                   "seconds", "ratio_to_delaunay", "has_zero", "pairs"}));
   EXPECT_EQ(json["format"], "flowcert-persistence");
   EXPECT_EQ(json["format_version"], 1);
   EXPECT_EQ(json["critical"], ordered_json({4, 6, 4, 1}));
@@ -213,9 +211,9 @@ TEST(PersistenceJson, HasTheKeysOfTheFormatInTheirOrder) {
   EXPECT_EQ(last["birth"]["contact"].size(), 3U);
   EXPECT_EQ(last["birth"]["squared_distance"], "2/3");
   EXPECT_EQ(last["birth"]["squared_distance_double"], 2.0 / 3);
-  EXPECT_EQ(last["death"],
-            ordered_json::parse(
-                R"({"contact": [0, 1, 2, 3], "squared_distance": "3/4", "squared_distance_double": 0.75})"));
+  EXPECT_EQ(
+      last["death"],
+      ordered_json::parse(R"({"contact": [0, 1, 2, 3], "squared_distance": "3/4", "squared_distance_double": 0.75})"));
   EXPECT_EQ(json["pairs"][3]["birth"]["contact"], ordered_json({0}));
   EXPECT_TRUE(json["pairs"][3]["death"].is_null());
 }
@@ -223,8 +221,7 @@ TEST(PersistenceJson, HasTheKeysOfTheFormatInTheirOrder) {
 TEST(PersistenceJson, CountsAreThoseOfThePairs) {
   CITES("FC-PERS-02", "FC-PERS-03");
   const Scratch scratch;
-  for (const char* points :
-       {kKind13, kFive, kNoComplex, kCube, "# none\n", "1 2 3\n", "0 0 0\n3 0 0\n0 4 0\n"}) {
+  for (const char* points : {kKind13, kFive, kNoComplex, kCube, "# none\n", "1 2 3\n", "0 0 0\n3 0 0\n0 4 0\n"}) {
     SCOPED_TRACE(points);
     const ordered_json json = json_of(scratch.file("points.xyz", points), {"--zero"});
     EXPECT_EQ(json["has_zero"], true);
@@ -266,9 +263,8 @@ TEST(PersistenceCommand, WhatIsNoInputIsStatus2) {
   expect_refused(persistence(cube, {"-o", scratch.path("none/cube.pers")}), "cannot be written");
   expect_refused(persistence(cube, {"-o", "/dev/full"}), "cannot be written");
   expect_refused(flowcert({"persistence"}), "(see flowcert --help)");
-  for (const Words& usage :
-       {Words{"-o"}, Words{"--seed-ties"}, Words{"--seed-ties", "x"}, Words{"--seed-ties", "-1"},
-        Words{"--seed-ties", "18446744073709551616"}, Words{"--bogus"}}) {
+  for (const Words& usage : {Words{"-o"}, Words{"--seed-ties"}, Words{"--seed-ties", "x"}, Words{"--seed-ties", "-1"},
+                             Words{"--seed-ties", "18446744073709551616"}, Words{"--bogus"}}) {
     SCOPED_TRACE(::testing::PrintToString(usage));
     expect_refused(persistence(cube, usage), "(see flowcert --help)");
   }

@@ -23,8 +23,7 @@ using nlohmann::json;
 // The three programs one after the other, with files between them.
 class Pipe {
  public:
-  explicit Pipe(const Words& generate = {}, const Words& middle = {"exchange"})
-      : cases_(generated(generate)) {
+  explicit Pipe(const Words& generate = {}, const Words& middle = {"exchange"}) : cases_(generated(generate)) {
     RunningProgram program(joined({FLOWCERT_MIDDLE}, middle), {scratch_.file("cases", cases_), ""});
     const Finished finished = program.finish();
     EXPECT_EQ(finished.status, 0) << finished.err;
@@ -125,8 +124,7 @@ TEST(Verify, TheOracleAgrees) {
   EXPECT_GT(report["too_large_for_oracle"], 0);
   EXPECT_LT(report["too_large_for_oracle"], 20);
   const Finished text = pipe.verify({"--oracle"});
-  EXPECT_TRUE(contains(text.out, "\nconforms: 40 of 40 cases are right; truth by the oracle, of "))
-      << text.out;
+  EXPECT_TRUE(contains(text.out, "\nconforms: 40 of 40 cases are right; truth by the oracle, of ")) << text.out;
   EXPECT_EQ(pipe.as_json()["truth"], "fast implementation");
 }
 
@@ -177,15 +175,14 @@ TEST(Verify, FindsEachWrongAnswer) {
 
 TEST(Verify, ReportsToPeople) {
   CITES("FC-CLAIM-03");
-  const Pipe pipe({"--seed", "7", "--cases", "80"}, {"csv", "drop", "3", "unreadable", "12", "refuse", "40",
-                                                     "skip", "50", "skip", "51", "skip", "70"});
+  const Pipe pipe({"--seed", "7", "--cases", "80"},
+                  {"csv", "drop", "3", "unreadable", "12", "refuse", "40", "skip", "50", "skip", "51", "skip", "70"});
   const Words ids = ids_of(pipe.cases());
   const Finished text = pipe.verify();
   EXPECT_EQ(text.status, 1);
   EXPECT_EQ(text.err, "");
   EXPECT_TRUE(contains(text.out, "family"));
-  EXPECT_TRUE(
-      contains(text.out, "\ncase " + ids[3] + " (lattice-4) fails on level 3\n  answer: wrong, level 3: "))
+  EXPECT_TRUE(contains(text.out, "\ncase " + ids[3] + " (lattice-4) fails on level 3\n  answer: wrong, level 3: "))
       << text.out;
   EXPECT_TRUE(contains(text.out, "  its points: flowcert generate --level 1 --seed 7 --cases 80 --only 3\n"));
   EXPECT_TRUE(contains(text.out, "\ncase " + ids[12] + " (coplanar-lattice) unreadable: answer:"));
@@ -253,8 +250,7 @@ TEST(Verify, ReportsToProgramsAreBounded) {
   EXPECT_EQ(report["failures"].size(), 1000U);
   EXPECT_EQ(report["failures"][999]["number"], 999);
   EXPECT_TRUE(report["failures"][999]["reason"].is_null());
-  EXPECT_EQ(json::parse(flowcert({"verify", "--json", "--most", "1100"}, {path, ""}).out)["failures"].size(),
-            1100U);
+  EXPECT_EQ(json::parse(flowcert({"verify", "--json", "--most", "1100"}, {path, ""}).out)["failures"].size(), 1100U);
 }
 
 TEST(Verify, AnswersMayComeInAnyOrder) {
@@ -415,9 +411,8 @@ TEST(Verify, KeepsFailingCasesForCheck) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     names.insert(entry.path().filename().string());
   }
-  EXPECT_EQ(names, (std::set<std::string>{"case-1-7-3.xyz", "case-1-7-3.claim", "case-1-7-12.xyz",
-                                          "case-1-7-12.claim", "case-1-7-40.xyz", "case-1-7-75.xyz",
-                                          "case-1-7-75.claim"}));
+  EXPECT_EQ(names, (std::set<std::string>{"case-1-7-3.xyz", "case-1-7-3.claim", "case-1-7-12.xyz", "case-1-7-12.claim",
+                                          "case-1-7-40.xyz", "case-1-7-75.xyz", "case-1-7-75.claim"}));
   for (const auto& [number, status] : {std::pair("3", 1), {"12", 2}, {"75", 1}}) {
     std::string points = folder;
     points.append("/case-1-7-").append(number).append(".xyz");
@@ -474,8 +469,7 @@ TEST(Readme, TheProgramInTheMiddle) {
   // The README shows the head of the table and what follows "...".
   const auto gap = std::find(lines.begin(), lines.end(), "...");
   ASSERT_NE(gap, lines.end());
-  EXPECT_EQ(Words(lines.begin() + 1, gap),
-            Words(printed.begin(), printed.begin() + (gap - lines.begin() - 1)));
+  EXPECT_EQ(Words(lines.begin() + 1, gap), Words(printed.begin(), printed.begin() + (gap - lines.begin() - 1)));
   EXPECT_EQ(Words(gap + 1, lines.end()), Words(printed.end() - (lines.end() - gap - 1), printed.end()));
 }
 

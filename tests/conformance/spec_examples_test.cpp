@@ -75,9 +75,7 @@ void require_canonical(const std::string& word) {
 
 // at X Y Z index K contact IDS… squared_distance R
 RecordText parse_at(const std::vector<std::string>& words) {
-  const auto is = [&](std::size_t place, const char* word) {
-    return place < words.size() && words[place] == word;
-  };
+  const auto is = [&](std::size_t place, const char* word) { return place < words.size() && words[place] == word; };
   const std::size_t n = words.size();
   if (n < 10 || !is(4, "index") || !is(6, "contact") || !is(n - 2, "squared_distance")) {
     throw NotAnExample("an `at` line that lacks a part");
@@ -148,8 +146,7 @@ Example parse_example(const std::vector<std::string>& lines, const std::set<std:
 std::set<std::string> clauses_of(const std::string& spec) {
   static const std::regex heading(R"(\*\*(FC-[A-Z]+-[0-9]{2})\*\* \()");
   std::set<std::string> clauses;
-  for (auto match = std::sregex_iterator(spec.begin(), spec.end(), heading); match != std::sregex_iterator();
-       ++match) {
+  for (auto match = std::sregex_iterator(spec.begin(), spec.end(), heading); match != std::sregex_iterator(); ++match) {
     clauses.insert((*match)[1]);
   }
   return clauses;
@@ -206,8 +203,8 @@ Answer fast_answer(const std::string& xyz) {
     const ExactSphere sphere = exact_sphere(points, stationary.contact(i));
     answer.records.push_back(
         record_text({to_text(sphere.center[0]), to_text(sphere.center[1]), to_text(sphere.center[2])},
-                    stationary.index(i).face_dimension, stationary.index(i).hull_dimension,
-                    stationary.contact(i), to_text(sphere.squared_radius)));
+                    stationary.index(i).face_dimension, stationary.index(i).hull_dimension, stationary.contact(i),
+                    to_text(sphere.squared_radius)));
   }
   return answer;
 }
@@ -227,9 +224,8 @@ Answer oracle_answer(const std::string& xyz) {
   const auto regular = found.regular_counts();
   answer.regular.assign(regular.begin(), regular.end());
   for (const oracle::StationaryPoint& s : found.stationary) {
-    answer.records.push_back(record_text({s.center[0].str(), s.center[1].str(), s.center[2].str()},
-                                         s.face_dimension, s.hull_dimension, s.contact,
-                                         s.squared_distance.str()));
+    answer.records.push_back(record_text({s.center[0].str(), s.center[1].str(), s.center[2].str()}, s.face_dimension,
+                                         s.hull_dimension, s.contact, s.squared_distance.str()));
   }
   return answer;
 }

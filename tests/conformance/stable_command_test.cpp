@@ -55,8 +55,7 @@ TEST(StableCommand, TheSkeletonOfARegularStationaryPoint) {
   CITES("FC-STAB-01", "FC-STAB-03");
   const json regular = records_of(kRight, {"--skeletons"}).at(5);
   EXPECT_EQ(regular["kind"], "regular");
-  EXPECT_EQ(regular["stable"],
-            json::parse(R"({"segments":2,"has_vertex":false,"has_interval":false,"walk":[0,1,2]})"));
+  EXPECT_EQ(regular["stable"], json::parse(R"({"segments":2,"has_vertex":false,"has_interval":false,"walk":[0,1,2]})"));
   EXPECT_EQ(regular["skeleton"]["segments"][0]["back"], json::parse(R"(["3/2","0","0"])"));
 }
 
@@ -78,8 +77,8 @@ TEST(StableCommand, ABranchGoesOnThroughAnObtuseTriangle) {
 
 TEST(StableCommand, TheSummaryHasTheKeysOfS2AndNoneOfU2) {
   const Scratch scratch;
-  const Finished finished = flowcert(
-      {"compute", scratch.file("points.xyz", kTwoTriangles), "--manifolds", "s2", "--json", "--stats"});
+  const Finished finished =
+      flowcert({"compute", scratch.file("points.xyz", kTwoTriangles), "--manifolds", "s2", "--json", "--stats"});
   ASSERT_EQ(finished.status, 0) << finished.err;
   const json summary = json::parse(finished.out);
   ASSERT_TRUE(summary.contains("s2"));

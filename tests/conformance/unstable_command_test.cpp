@@ -106,14 +106,13 @@ TEST(UnstableSummary, HasTheKeysOfTheFormatInTheirOrder) {
 
   const ordered_json u2 = summary_of(input, {"--stats"})["u2"];
   Words all = kPlainKeys;
-  for (const char* key : {"n_u2", "n_wcc", "census", "primitives", "exact_bytes", "depth"})
-    all.push_back(key);
+  for (const char* key : {"n_u2", "n_wcc", "census", "primitives", "exact_bytes", "depth"}) all.push_back(key);
   EXPECT_EQ(keys_of(u2), all);
   for (const char* key : {"n_u2", "n_wcc"}) {
     EXPECT_EQ(keys_of(u2[key]), (Words{"count", "mean", "max", "stddev", "mode", "median", "histogram"}));
   }
-  EXPECT_EQ(keys_of(u2["census"]), (Words{"V-V-V", "V-E-V", "V-E-inf", "V-F-V", "V-F-E", "V-F-inf", "E-E-V",
-                                          "E-E-inf", "E-F-V", "E-F-E", "E-F-inf"}));
+  EXPECT_EQ(keys_of(u2["census"]), (Words{"V-V-V", "V-E-V", "V-E-inf", "V-F-V", "V-F-E", "V-F-inf", "E-E-V", "E-E-inf",
+                                          "E-F-V", "E-F-E", "E-F-inf"}));
   EXPECT_FALSE(u2["primitives"].empty());
   for (const ordered_json& primitive : u2["primitives"]) {
     EXPECT_EQ(keys_of(primitive), (Words{"calls", "failures"}));
@@ -228,9 +227,8 @@ TEST(UnstableTable, HasARowForEveryCount) {
         "  n_U2, orbits +12 +1\\.00 +1 +0\\.00 +1 +1", "  n_WCC, cascades +0 +0\\.00 +0 +0\\.00 +0 +0",
         "  start +cross V +cross E +cross F", "  V +V-V-V +0 +V-E-V +0 +V-F-V +0", "  E +E-E-V +6 +E-F-V +0",
         "  side_of_ray +\\d+ +\\d+", "bytes of exact coordinates .*", "deepest construction .*: \\d+"}) {
-    const auto matches = std::count_if(lines.begin(), lines.end(), [&](const std::string& line) {
-      return std::regex_match(line, std::regex(row));
-    });
+    const auto matches = std::count_if(
+        lines.begin(), lines.end(), [&](const std::string& line) { return std::regex_match(line, std::regex(row)); });
     EXPECT_EQ(matches, 1) << row << "\n" << finished.out;
   }
   const Finished plain = flowcert({"compute", input, "--manifolds", "u2"});
@@ -241,8 +239,8 @@ TEST(UnstableTable, HasARowForEveryCount) {
 // numbers have few bytes or many, and the table has the sizes in between.
 TEST(UnstableTable, HasTheSizesOfExactNumbers) {
   const Scratch scratch;
-  const std::string input = scratch.file(
-      "points.xyz", "7 2 7\n2 6 1\n6 3 7\n8 8 6\n91.1 99 95.3\n97.9 97.9 90\n99 97.9 99\n99 97.9 95.3\n");
+  const std::string input =
+      scratch.file("points.xyz", "7 2 7\n2 6 1\n6 3 7\n8 8 6\n91.1 99 95.3\n97.9 97.9 90\n99 97.9 99\n99 97.9 95.3\n");
   const Words options = {"--kernel", "exact", "--stats"};
   const ordered_json sizes = summary_of(input, options)["u2"]["exact_bytes"];
   EXPECT_EQ(sizes["histogram"], ordered_json::parse("[[8,1],[16,0],[32,2]]"));
@@ -308,17 +306,13 @@ RationalPoint point_of(const ordered_json& texts) {
   return point;
 }
 
-RationalPoint minus(const RationalPoint& a, const RationalPoint& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
+RationalPoint minus(const RationalPoint& a, const RationalPoint& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 RationalPoint cross(const RationalPoint& a, const RationalPoint& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-Rational dot(const RationalPoint& a, const RationalPoint& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+Rational dot(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 std::vector<RationalPoint> rows_of(const std::string& points) {
   std::vector<RationalPoint> rows;
@@ -332,8 +326,7 @@ std::vector<RationalPoint> rows_of(const std::string& points) {
 }
 
 // (b-a) x (c-a) for the first three contact points, or its opposite for side 0.
-RationalPoint side_direction(const ordered_json& record, const std::vector<RationalPoint>& rows,
-                             std::size_t side) {
+RationalPoint side_direction(const ordered_json& record, const std::vector<RationalPoint>& rows, std::size_t side) {
   const auto contact = record["contact"].get<std::vector<std::size_t>>();
   const RationalPoint& a = rows.at(contact.at(0));
   const RationalPoint up = cross(minus(rows.at(contact.at(1)), a), minus(rows.at(contact.at(2)), a));
@@ -356,8 +349,8 @@ std::string inside_first(const ordered_json& record, const ordered_json& first, 
 }
 
 // Compares an orbit that leaves a saddle with the oracle's orbit from a point of its first segment.
-void expect_oracles_orbit(const std::string& path, const ordered_json& record,
-                          const std::vector<RationalPoint>& rows, std::size_t side) {
+void expect_oracles_orbit(const std::string& path, const ordered_json& record, const std::vector<RationalPoint>& rows,
+                          std::size_t side) {
   SCOPED_TRACE(record["contact"].dump() + " side " + std::to_string(side));
   const ordered_json& segments = record["u2"].at(side);
   ASSERT_FALSE(segments.empty());
@@ -389,8 +382,7 @@ TEST(UnstableRecords, AreTheOraclesOrbits) {
     SCOPED_TRACE(input.name);
     const std::string path = scratch.file("points.xyz", input.points);
     const std::vector<RationalPoint> rows = rows_of(input.points);
-    for (const ordered_json& record :
-         records_of(scratch, path, {"--manifolds", "u2", "--polylines"}).records) {
+    for (const ordered_json& record : records_of(scratch, path, {"--manifolds", "u2", "--polylines"}).records) {
       if (record["index"] != 2) continue;
       for (const std::size_t side : {0U, 1U}) expect_oracles_orbit(path, record, rows, side);
       orbits += 2;
@@ -425,8 +417,8 @@ void expect_distribution(const ordered_json& claimed, std::vector<std::size_t> v
   ordered_json histogram = ordered_json::array();
   for (const auto& [value, count] : times) histogram.push_back({value, count});
   EXPECT_EQ(claimed["histogram"], histogram);
-  const auto mode = std::max_element(times.begin(), times.end(),
-                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto mode =
+      std::max_element(times.begin(), times.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   const std::size_t low = values[(values.size() - 1) / 2], high = values[values.size() / 2];
   EXPECT_NEAR(claimed["mean"].get<double>(), mean, 1e-9 * mean);
   EXPECT_NEAR(claimed["stddev"].get<double>(), std::sqrt(squares / n), 1e-9 * mean);

@@ -19,9 +19,7 @@ std::string text_of_file(const std::filesystem::path& path) {
   return text.str();
 }
 
-std::string vectors_text(const std::string& name) {
-  return text_of_file(spec_folder() / "vectors" / (name + ".json"));
-}
+std::string vectors_text(const std::string& name) { return text_of_file(spec_folder() / "vectors" / (name + ".json")); }
 
 std::vector<std::string> names_of_files() {
   std::vector<std::string> names;

@@ -77,25 +77,23 @@ TEST(VectorFiles, TheSchemaNoticesDamagesOfStableSetsAndPairs) {
                   [&](const nlohmann::json& one) { return one["id"] != id; });
     return violations(file.patch(nlohmann::json::parse(damage)));
   };
-  for (
-      const char* damage :
-      {R"([{"op":"remove","path":"/cases/0/expected/stationary/6/skeleton"}])",
-       R"([{"op":"remove","path":"/cases/0/expected/stationary/6/stable"}])",
-       R"([{"op":"remove","path":"/cases/0/expected/stationary/6/stable/walk"}])",
-       R"([{"op":"replace","path":"/cases/0/expected/stationary/6/stable/walk","value":[0,1]}])",
-       R"([{"op":"replace","path":"/cases/0/expected/stationary/6/stable/boundary/0","value":[0,1,2]}])",
-       R"([{"op":"add","path":"/cases/0/expected/stationary/6/skeleton/more","value":1}])",
-       R"([{"op":"remove","path":"/cases/0/expected/stationary/6/skeleton/sectors"}])",
-       R"([{"op":"replace","path":"/cases/0/expected/stationary/6/skeleton/segments/0/back/1","value":"-0"}])",
-       R"([{"op":"replace","path":"/cases/0/expected/stationary/6/skeleton/segments/0/back_kind","value":"x"}])"}) {
+  for (const char* damage :
+       {R"([{"op":"remove","path":"/cases/0/expected/stationary/6/skeleton"}])",
+        R"([{"op":"remove","path":"/cases/0/expected/stationary/6/stable"}])",
+        R"([{"op":"remove","path":"/cases/0/expected/stationary/6/stable/walk"}])",
+        R"([{"op":"replace","path":"/cases/0/expected/stationary/6/stable/walk","value":[0,1]}])",
+        R"([{"op":"replace","path":"/cases/0/expected/stationary/6/stable/boundary/0","value":[0,1,2]}])",
+        R"([{"op":"add","path":"/cases/0/expected/stationary/6/skeleton/more","value":1}])",
+        R"([{"op":"remove","path":"/cases/0/expected/stationary/6/skeleton/sectors"}])",
+        R"([{"op":"replace","path":"/cases/0/expected/stationary/6/skeleton/segments/0/back/1","value":"-0"}])",
+        R"([{"op":"replace","path":"/cases/0/expected/stationary/6/skeleton/segments/0/back_kind","value":"x"}])"}) {
     EXPECT_EQ(damaged("stable-manifolds", "stable-manifolds-0005", "[]"), "");
     EXPECT_NE(damaged("stable-manifolds", "stable-manifolds-0005", damage), "") << damage;
   }
-  for (const char* damage :
-       {R"([{"op":"remove","path":"/cases/0/expected/persistence/0/death"}])",
-        R"([{"op":"replace","path":"/cases/0/expected/persistence/0/dimension","value":3}])",
-        R"([{"op":"replace","path":"/cases/0/expected/persistence/0/birth","value":0}])",
-        R"([{"op":"replace","path":"/cases/0/expected/persistence","value":null}])"}) {
+  for (const char* damage : {R"([{"op":"remove","path":"/cases/0/expected/persistence/0/death"}])",
+                             R"([{"op":"replace","path":"/cases/0/expected/persistence/0/dimension","value":3}])",
+                             R"([{"op":"replace","path":"/cases/0/expected/persistence/0/birth","value":0}])",
+                             R"([{"op":"replace","path":"/cases/0/expected/persistence","value":null}])"}) {
     EXPECT_EQ(damaged("persistence", "persistence-0005", "[]"), "");
     EXPECT_NE(damaged("persistence", "persistence-0005", damage), "") << damage;
   }
@@ -103,11 +101,9 @@ TEST(VectorFiles, TheSchemaNoticesDamagesOfStableSetsAndPairs) {
 
 std::set<std::string> clauses_of_the_spec() {
   static const std::regex heading(R"(\*\*(FC-[A-Z]+-[0-9]{2})\*\* \()");
-  const std::string spec =
-      text_of_file(spec_folder() / "flow_complex.md") + text_of_file(spec_folder() / "claims.md");
+  const std::string spec = text_of_file(spec_folder() / "flow_complex.md") + text_of_file(spec_folder() / "claims.md");
   std::set<std::string> clauses;
-  for (auto match = std::sregex_iterator(spec.begin(), spec.end(), heading); match != std::sregex_iterator();
-       ++match) {
+  for (auto match = std::sregex_iterator(spec.begin(), spec.end(), heading); match != std::sregex_iterator(); ++match) {
     clauses.insert((*match)[1]);
   }
   return clauses;
@@ -222,8 +218,7 @@ TEST(VectorFiles, AreAsTheToolMakesThem) {
     names.push_back(group.name);
     const Json& file = group_named(group.name);
     const std::vector<Json> cases = file["cases"];
-    EXPECT_TRUE(vectors::text_of(vectors::group_file(group, cases)) == vectors_text(group.name))
-        << group.name;
+    EXPECT_TRUE(vectors::text_of(vectors::group_file(group, cases)) == vectors_text(group.name)) << group.name;
     ASSERT_EQ(cases.size(), group.recipes.size() + group.invalid_recipes.size()) << group.name;
     for (std::size_t k = 0; k < group.recipes.size(); ++k) {
       if (group.recipes[k].points.size() > kMadeOnceMore) continue;

@@ -69,8 +69,7 @@ std::multiset<Json> sides_by_skeleton(const Json& record) {
   std::multiset<Json> sides;
   std::map<Json, std::size_t> of_polygon;
   for (const Json& segment : record["skeleton"]["segments"]) {
-    if (segment["back_kind"] == "critical" || segment["back_kind"] == "regular")
-      sides.insert(segment["samples"]);
+    if (segment["back_kind"] == "critical" || segment["back_kind"] == "regular") sides.insert(segment["samples"]);
     if (segment["front"] == record["center"]) {
       for (const Json& sample : segment["samples"]) ++of_polygon[sample];
     }
@@ -157,10 +156,9 @@ Json fast_answer(const Json& one, ConstructionKernel kernel) {
 }
 
 TEST(Vectors, TheFastImplementationPassesUnderTheLazyKernel) {
-  CITES("FC-IN-02", "FC-IN-03", "FC-IN-04", "FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-04", "FC-CRIT-05",
-        "FC-NUM-01", "FC-OUT-01", "FC-OUT-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-03", "FC-FLOW-05",
-        "FC-FLOW-07", "FC-STAB-01", "FC-STAB-04", "FC-STAB-05", "FC-STAB-06", "FC-STAB-07", "FC-PERS-01",
-        "FC-PERS-05");
+  CITES("FC-IN-02", "FC-IN-03", "FC-IN-04", "FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-04", "FC-CRIT-05", "FC-NUM-01",
+        "FC-OUT-01", "FC-OUT-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-03", "FC-FLOW-05", "FC-FLOW-07", "FC-STAB-01",
+        "FC-STAB-04", "FC-STAB-05", "FC-STAB-06", "FC-STAB-07", "FC-PERS-01", "FC-PERS-05");
   for (const Json& one : all_cases()) {
     if (!is_invalid(one)) {
       expect_same(one, "lazy", fast_answer(one, ConstructionKernel::kLazy), one["expected"]);
@@ -216,8 +214,7 @@ TEST(Vectors, TheFastImplementationRefusesWhatIsInvalid) {
       EXPECT_THROW(fast_points(one), InvalidInput) << one["id"];
     } else {
       EXPECT_EQ(fast_points(one).size(), one["points"].size()) << one["id"];
-      EXPECT_THROW(static_cast<void>(parse_rational_point(words_in_a_row(one["start"]))), InvalidInput)
-          << one["id"];
+      EXPECT_THROW(static_cast<void>(parse_rational_point(words_in_a_row(one["start"]))), InvalidInput) << one["id"];
     }
   }
 }

@@ -48,8 +48,7 @@ std::vector<oracle::Point> starts_of(const Json& one) {
 }
 
 TEST(Vectors, TheOraclePasses) {
-  CITES("FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-05", "FC-OUT-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-05",
-        "FC-FLOW-07");
+  CITES("FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-05", "FC-OUT-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-05", "FC-FLOW-07");
   for (const vectors::Group& group : vectors::groups()) {
     const Json& cases = group_named(group.name)["cases"];
     for (std::size_t k = 0; k < group.recipes.size(); ++k) {
@@ -70,8 +69,7 @@ TEST(Vectors, TheOracleRefusesWhatIsInvalid) {
       EXPECT_THROW(oracle_rows(one), oracle::UnusableInput) << one["id"];
     } else {
       EXPECT_EQ(oracle_rows(one).size(), one["points"].size()) << one["id"];
-      EXPECT_THROW(oracle::parse_position(words_in_a_row(one["start"]), "start"), oracle::UnusableInput)
-          << one["id"];
+      EXPECT_THROW(oracle::parse_position(words_in_a_row(one["start"]), "start"), oracle::UnusableInput) << one["id"];
     }
   }
 }

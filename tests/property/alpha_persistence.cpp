@@ -66,8 +66,8 @@ void require_value(const GudhiSimplex& simplex, const Rational& value) {
   const std::optional<double> nearest = nearest_double(value);
   if (!nearest || !std::isnormal(*nearest) || !std::isnormal(simplex.filtration)) return;
   if (std::abs(*nearest - simplex.filtration) > 1e-12 * *nearest) {
-    throw std::runtime_error("GUDHI's filtration value is " + std::to_string(simplex.filtration) +
-                             ", the exact one " + flowcert::to_text(value));
+    throw std::runtime_error("GUDHI's filtration value is " + std::to_string(simplex.filtration) + ", the exact one " +
+                             flowcert::to_text(value));
   }
 }
 

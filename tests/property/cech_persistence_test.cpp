@@ -41,8 +41,7 @@ void require_same_pairs(const fuzz::Input& input, Totals& totals) {
   const PointSet points = point_set_of(input);
   const auto expected = oracle::persistence_pairs(oracle::fast::PointSet(input.rows));
   for (const std::uint64_t seed : kSeeds) {
-    const FastPersistence fast =
-        fast_persistence(FlowComplex(points, {.flow = {}, .share = true, .seed = seed}));
+    const FastPersistence fast = fast_persistence(FlowComplex(points, {.flow = {}, .share = true, .seed = seed}));
     if (fast.pairs != expected) {
       std::ostringstream text;
       text << "ties broken with seed " << seed << "; the fast implementation has\n"
@@ -99,8 +98,7 @@ TEST(CechPersistence, HasTheSamePairsHoweverTiesAreBroken) {
 // Six edges of squared length 2, four faces, and the inside.
 TEST(CechPersistence, OfARegularTetrahedron) {
   CITES("FC-PERS-05");
-  const auto pairs =
-      oracle::persistence_pairs(oracle::PointSet({{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}}));
+  const auto pairs = oracle::persistence_pairs(oracle::PointSet({{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}}));
   EXPECT_EQ(to_text(pairs),
             "0 0 1/2\n0 0 1/2\n0 0 1/2\n0 0 inf\n"
             "1 1/2 2/3\n1 1/2 2/3\n1 1/2 2/3\n"

@@ -86,8 +86,7 @@ std::vector<PointId> spanning_part(const Subject& subject, std::vector<PointId> 
   std::vector<PointId> part;
   for (const PointId name : names) {
     part.push_back(name);
-    if (oracle::affine_dimension(subject.coordinates(part)) + 1 < static_cast<int>(part.size()))
-      part.pop_back();
+    if (oracle::affine_dimension(subject.coordinates(part)) + 1 < static_cast<int>(part.size())) part.pop_back();
   }
   return part;
 }
@@ -151,16 +150,14 @@ std::vector<PointId> smallest_face(const Subject& subject, std::size_t i) {
 }
 
 // The polygons of the contact set's hull that have the edge pq. For kind 1-3 there are two.
-std::set<std::vector<PointId>> polygons_of(const Subject& subject, std::size_t i,
-                                           const std::vector<PointId>& edge) {
+std::set<std::vector<PointId>> polygons_of(const Subject& subject, std::size_t i, const std::vector<PointId>& edge) {
   std::set<std::vector<PointId>> polygons;
   const std::vector<PointId> names = subject.contact(i);
   const auto at = [&](PointId name) { return subject.coordinates({name})[0]; };
   for (const PointId r : names) {
     if (r == edge[0] || r == edge[1]) continue;
     const oracle::Point u = oracle::minus(at(edge[1]), at(edge[0])), v = oracle::minus(at(r), at(edge[0]));
-    const oracle::Point normal = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                                  u[0] * v[1] - u[1] * v[0]};
+    const oracle::Point normal = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
     std::vector<PointId> polygon;
     bool above = false, beneath = false;
     for (const PointId q : names) {
@@ -359,15 +356,13 @@ std::optional<Mutant> with_swapped_sides(const Subject& subject, const Claim& cl
 }
 
 std::optional<Mutant> with_other_limit(const Subject& subject, const Claim& claim) {
-  const auto k =
-      some_point(claim, [&](const ClaimedPoint& point) { return has_final_limits(subject, point); });
+  const auto k = some_point(claim, [&](const ClaimedPoint& point) { return has_final_limits(subject, point); });
   const auto other = some_point(claim, [](const ClaimedPoint& point) { return point.index > 0; });
   if (!k || !other) return std::nullopt;
   Mutant mutant{claim, 4, line_of(*k), {}};
   ClaimedTarget& target = (*mutant.claim.points[*k].successors)[below(2)];
-  const ClaimedTarget wrong = *rc::gen::arbitrary<bool>()
-                                  ? ClaimedTarget{true, {}}
-                                  : ClaimedTarget{false, claim.points[*other].contact};
+  const ClaimedTarget wrong =
+      *rc::gen::arbitrary<bool>() ? ClaimedTarget{true, {}} : ClaimedTarget{false, claim.points[*other].contact};
   if (same(target, wrong)) return std::nullopt;
   target = wrong;
   return mutant;
@@ -454,8 +449,8 @@ TEST(CheckMutations, RightClaimsNeverFail) {
   std::size_t perturbed_points = 0, parts = 0;
   on_all_families<Subject>(fuzz::families(), kInputsPerFamily, [&](const Subject& subject) {
     const CheckReport exact = check(subject.points, full_claim(subject), *subject.truth);
-    require(subject, exact.verdict == Verdict::kConforms && exact.findings.empty() && exact.is_exact,
-            "the full claim", exact);
+    require(subject, exact.verdict == Verdict::kConforms && exact.findings.empty() && exact.is_exact, "the full claim",
+            exact);
     const CheckReport decimals = check(subject.points, claim_in_decimals(subject), *subject.truth);
     require(subject, decimals.verdict != Verdict::kFails, "the claim in decimals", decimals);
     for (const Finding& finding : decimals.findings) {
@@ -466,8 +461,7 @@ TEST(CheckMutations, RightClaimsNeverFail) {
     const PerturbedClaim perturbation = perturbed_claim(subject);
     const CheckReport varied = check(subject.points, perturbation.claim, *subject.truth);
     require(subject,
-            varied.verdict ==
-                (perturbation.lines.empty() ? Verdict::kConforms : Verdict::kConformsWhereDetermined),
+            varied.verdict == (perturbation.lines.empty() ? Verdict::kConforms : Verdict::kConformsWhereDetermined),
             "the perturbed claim", varied);
     perturbed_points += perturbation.lines.size();
   });
@@ -478,8 +472,7 @@ TEST(CheckMutations, RightClaimsNeverFail) {
 }
 
 TEST(CheckMutations, MutantsFailWhereTheyAreWrong) {
-  CITES("FC-CLAIM-01", "FC-CLAIM-03", "FC-CLAIM-05", "FC-CLAIM-06", "FC-CLAIM-08", "FC-CRIT-05",
-        "FC-CRIT-06");
+  CITES("FC-CLAIM-01", "FC-CLAIM-03", "FC-CLAIM-05", "FC-CLAIM-06", "FC-CLAIM-08", "FC-CRIT-05", "FC-CRIT-06");
   std::map<std::string, std::size_t> made;
   on_all_families<Subject>(fuzz::families(), kInputsPerFamily, [&](const Subject& subject) {
     const Claim claim = full_claim(subject);
@@ -489,8 +482,8 @@ TEST(CheckMutations, MutantsFailWhereTheyAreWrong) {
       ++made[name];
       const CheckReport report = check(subject.points, mutant->claim, *subject.truth);
       require(subject, report.verdict == Verdict::kFails, name + ": is not rejected", report);
-      const bool found = std::ranges::any_of(report.findings,
-                                             [&](const Finding& finding) { return is_at(finding, *mutant); });
+      const bool found =
+          std::ranges::any_of(report.findings, [&](const Finding& finding) { return is_at(finding, *mutant); });
       require(subject, found,
               name + ": no finding at line " + std::to_string(mutant->line.value_or(0)) + ", level " +
                   std::to_string(mutant->level),

@@ -27,8 +27,7 @@ constexpr std::size_t kFirstLine = 2;  // of a claim's points
 inline std::size_t below(std::size_t count) { return *rc::gen::inRange<std::size_t>(0, count); }
 
 struct ClaimSubject {
-  explicit ClaimSubject(const fuzz::Input& rows)
-      : input(rows), points(point_set_of(rows)), truth(fast_truth(points)) {}
+  explicit ClaimSubject(const fuzz::Input& rows) : input(rows), points(point_set_of(rows)), truth(fast_truth(points)) {}
 
   [[nodiscard]] std::vector<PointId> contact(std::size_t i) const { return contact_of(*truth, i); }
 
@@ -42,14 +41,12 @@ inline std::string to_text(const CheckReport& report) {
   for (const Finding& finding : report.findings) {
     text += "\n  level " + std::to_string(finding.level) + (finding.is_variation ? " permitted " : " ") +
             reason_text(finding.reason) + ' ' + finding.clause + ", line " +
-            (finding.line ? std::to_string(*finding.line) : "none") + ": " + finding.claimed + "; " +
-            finding.truth;
+            (finding.line ? std::to_string(*finding.line) : "none") + ": " + finding.claimed + "; " + finding.truth;
   }
   return text + '\n';
 }
 
-inline void require(const ClaimSubject& subject, bool holds, const std::string& what,
-                    const CheckReport& report) {
+inline void require(const ClaimSubject& subject, bool holds, const std::string& what, const CheckReport& report) {
   if (holds) return;
   std::ostringstream text;
   text << what << "\ninput:\n" << subject.input << to_text(report);

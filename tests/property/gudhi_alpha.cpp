@@ -21,8 +21,7 @@ using Spatial = alpha::Alpha_complex_3d<alpha::complexity::EXACT, false, false>;
 using FlatKernel = CGAL::Epeck_d<CGAL::Dimension_tag<3>>;
 using Flat = alpha::Alpha_complex<FlatKernel>;
 using Tree = Gudhi::Simplex_tree<>;
-using Cohomology =
-    Gudhi::persistent_cohomology::Persistent_cohomology<Tree, Gudhi::persistent_cohomology::Field_Zp>;
+using Cohomology = Gudhi::persistent_cohomology::Persistent_cohomology<Tree, Gudhi::persistent_cohomology::Field_Zp>;
 
 bool are_flat(std::span<const Point> points) {
   CGAL::Delaunay_triangulation_3<CGAL::Exact_predicates_inexact_constructions_kernel> triangulation;
@@ -75,8 +74,7 @@ struct GudhiAlpha::Complex {
 GudhiAlpha::GudhiAlpha(std::span<const Point> points) : complex_(std::make_unique<Complex>()) {
   if (points.empty()) return;
   Tree& tree = complex_->tree;
-  const std::vector<std::size_t> place =
-      are_flat(points) ? add_flat(points, tree) : add_spatial(points, tree);
+  const std::vector<std::size_t> place = are_flat(points) ? add_flat(points, tree) : add_spatial(points, tree);
   if (tree.num_vertices() != points.size()) throw std::runtime_error("GUDHI leaves points out");
   for (const Tree::Simplex_handle& handle : tree.complex_simplex_range()) complex_->handles.push_back(handle);
   std::ranges::stable_sort(complex_->handles, {}, [&](auto handle) { return tree.dimension(handle); });

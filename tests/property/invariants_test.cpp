@@ -103,8 +103,7 @@ fuzz::Input in_general_position(Dice& dice, std::size_t count) {
 }
 
 oracle::StationaryPoint claim_of(const Record& record) {
-  return {record.center, record.squared_distance, record.contact, record.face_dimension,
-          record.hull_dimension};
+  return {record.center, record.squared_distance, record.contact, record.face_dimension, record.hull_dimension};
 }
 
 void expect_sound(const std::string& name, const fuzz::Input& input) {

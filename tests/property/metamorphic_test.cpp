@@ -41,8 +41,7 @@ StationaryAnswer renamed(StationaryAnswer answer, const std::vector<std::size_t>
   return answer;
 }
 
-StationaryAnswer moved(StationaryAnswer answer,
-                       const std::function<RationalPoint(const RationalPoint&)>& move,
+StationaryAnswer moved(StationaryAnswer answer, const std::function<RationalPoint(const RationalPoint&)>& move,
                        const Rational& squared_factor) {
   for (Record& record : answer.records) {
     record.center = move(record.center);
@@ -55,8 +54,7 @@ void require_same(const StationaryAnswer& transformed_answer, const fuzz::Input&
   const std::string complaint = difference(fast_answer(transformed_input), transformed_answer);
   if (!complaint.empty()) {
     std::ostringstream text;
-    text << "answer of the transformed input against the transformed answer: " << complaint
-         << "\ntransformed input:\n"
+    text << "answer of the transformed input against the transformed answer: " << complaint << "\ntransformed input:\n"
          << transformed_input;
     RC_FAIL(text.str());
   }

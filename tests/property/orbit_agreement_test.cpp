@@ -68,8 +68,7 @@ struct Seen {
 };
 
 void print_head() {
-  std::printf("FLOWCERT_PROPERTY_SEED=%llu, segments by type:\n",
-              static_cast<unsigned long long>(seed_of_run()));
+  std::printf("FLOWCERT_PROPERTY_SEED=%llu, segments by type:\n", static_cast<unsigned long long>(seed_of_run()));
   std::printf("%-22s %6s %6s %7s", "family", "inputs", "orbits", "longest");
   for (const std::string& type : kTableOne) {
     std::printf(" %7s", type.c_str());
@@ -144,8 +143,7 @@ OrbitRecord compared_orbit(const Subject& subject, Flows& flows, const RationalP
   return fast;
 }
 
-bool agrees_on(const fuzz::Family& family, const rc::detail::TestParams& parameters, Seen& seen,
-               StartCensus& starts) {
+bool agrees_on(const fuzz::Family& family, const rc::detail::TestParams& parameters, Seen& seen, StartCensus& starts) {
   const rc::Gen<fuzz::Input> generator = family.generate();
   return expect_holds(family.name, parameters, [&] {
     const fuzz::Input input = *generator;
@@ -205,8 +203,7 @@ Outcome run_of(const std::vector<fuzz::Family>& families, int inputs, bool shrin
 }
 
 TEST(OrbitAgreement, FastOrbitIsTheOracles) {
-  CITES("FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-03", "FC-FLOW-04", "FC-FLOW-05", "FC-DIST-01", "FC-DIST-02",
-        "FC-NUM-01");
+  CITES("FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-03", "FC-FLOW-04", "FC-FLOW-05", "FC-DIST-01", "FC-DIST-02", "FC-NUM-01");
   const Outcome run = run_of(fuzz::families(), kInputsPerFamily, true);
   if (run.complete) {
     EXPECT_GE(run.seen.orbits, kLeastOrbits);

@@ -51,8 +51,7 @@ std::size_t expect_manifolds_agree(const Subject& subject, std::size_t step) {
   for (std::size_t i = 0; i < manifolds.size(); i += step) {
     const auto contact = stationary.contact(manifolds.saddle(i));
     const ExactSphere sphere = exact_sphere(subject.complex.points(), contact);
-    const oracle::StationaryPoint saddle{
-        sphere.center, sphere.squared_radius, {contact.begin(), contact.end()}, 2, 2};
+    const oracle::StationaryPoint saddle{sphere.center, sphere.squared_radius, {contact.begin(), contact.end()}, 2, 2};
     for (int side = 0; side < 2; ++side) {
       const OrbitRecord expected =
           record_of(subject.set, saddle.center, oracle::unstable_orbit(subject.set, saddle, side));
@@ -70,8 +69,7 @@ TEST(OrbitCascades, AlongACascadeBuiltForIt) {
     const fuzz::Input input = fuzz::long_cascade(80, seed);
     const Subject subject(input);
     const RationalPoint m = exact_sphere(subject.complex.points(), std::vector<PointId>{0, 1}).center;
-    EXPECT_GE(expect_orbits_agree(subject, {{m[0] + 1, m[1], m[2]}, {m[0] + Rational(1) / 7, m[1], m[2]}}),
-              50u);
+    EXPECT_GE(expect_orbits_agree(subject, {{m[0] + 1, m[1], m[2]}, {m[0] + Rational(1) / 7, m[1], m[2]}}), 50u);
     EXPECT_GE(expect_manifolds_agree(subject, 1), 50u);
   }
 }
@@ -92,8 +90,7 @@ TEST(OrbitCascades, AcrossAFacetOfHighDegree) {
     const Subject subject(input);
     std::vector<RationalPoint> starts;
     for (std::size_t k = 2; k < input.rows.size() && starts.size() < 40; k += 3) {
-      const RationalPoint q{Rational(input.rows[k][0]), Rational(input.rows[k][1]),
-                            Rational(input.rows[k][2])};
+      const RationalPoint q{Rational(input.rows[k][0]), Rational(input.rows[k][1]), Rational(input.rows[k][2])};
       starts.push_back({q[0] * 3 / 4, q[1] * 3 / 4, q[2] * 3 / 4});
       starts.push_back({q[0] * 7 / 5, q[1] * 7 / 5, q[2] * 7 / 5});
     }

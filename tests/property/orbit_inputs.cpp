@@ -31,8 +31,7 @@ constexpr Integer kDomeRadius = 30;
 
 IntegerPoint onto_dome(const IntegerPoint& point) {
   const Integer rest = kDomeRadius * kDomeRadius - point[0] * point[0] - point[1] * point[1];
-  return {point[0], point[1],
-          rest <= 0 ? 0 : static_cast<Integer>(std::floor(std::sqrt(static_cast<double>(rest))))};
+  return {point[0], point[1], rest <= 0 ? 0 : static_cast<Integer>(std::floor(std::sqrt(static_cast<double>(rest))))};
 }
 
 IntegerPoint onto_plane(const IntegerPoint& point) { return {point[0], point[1], 2 * point[0] - point[1]}; }

@@ -78,8 +78,7 @@ void print_seen(const char* what, const Seen& seen) {
 }
 
 TEST(OrbitInvariants, OrbitsKeepTheLaws) {
-  CITES("FC-DIST-01", "FC-DIST-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-04", "FC-FLOW-05", "FC-CRIT-01",
-        "FC-CRIT-03");
+  CITES("FC-DIST-01", "FC-DIST-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-04", "FC-FLOW-05", "FC-CRIT-01", "FC-CRIT-03");
   Seen seen;
   bool kept = true;
   for (const fuzz::Family& family : fuzz::families()) {

@@ -16,8 +16,7 @@ using oracle::PointSet;
 Point middle_of(const SegmentRecord& segment) {
   Point x = segment.start;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    x[axis] += segment.end ? Rational(((*segment.end)[axis] - x[axis]) / 2)
-                           : Rational(x[axis] - segment.driver[axis]);
+    x[axis] += segment.end ? Rational(((*segment.end)[axis] - x[axis]) / 2) : Rational(x[axis] - segment.driver[axis]);
   }
   return x;
 }
@@ -28,8 +27,7 @@ std::string broken_contact(const PointSet& set, const SegmentRecord& segment) {
     return std::includes(contact.begin(), contact.end(), segment.crossed_contact.begin(),
                          segment.crossed_contact.end());
   };
-  if (oracle::contact_set(set, segment.start) != segment.start_contact ||
-      !has_crossed(segment.start_contact)) {
+  if (oracle::contact_set(set, segment.start) != segment.start_contact || !has_crossed(segment.start_contact)) {
     return "FC-FLOW-01: wrong contact set at the start";
   }
   if (oracle::contact_set(set, middle_of(segment)) != segment.crossed_contact) {
@@ -45,10 +43,9 @@ std::string broken_contact(const PointSet& set, const SegmentRecord& segment) {
 }
 
 std::string broken_type(const PointSet& set, const SegmentRecord& segment) {
-  const std::string type =
-      std::string(1, oracle::face_letter(set, segment.start_contact)) + "-" +
-      oracle::face_letter(set, segment.crossed_contact) + "-" +
-      (segment.end ? std::string(1, oracle::face_letter(set, segment.end_contact)) : "inf");
+  const std::string type = std::string(1, oracle::face_letter(set, segment.start_contact)) + "-" +
+                           oracle::face_letter(set, segment.crossed_contact) + "-" +
+                           (segment.end ? std::string(1, oracle::face_letter(set, segment.end_contact)) : "inf");
   return kTableOne.contains(type) && segment.type == type ? "" : "FC-FLOW-02: " + type + " is the type";
 }
 
@@ -139,8 +136,7 @@ std::string broken_chain(const OrbitRecord& orbit) {
     }
     x = segment.end;
   }
-  const std::optional<RationalPoint> limit =
-      orbit.limit ? std::optional(orbit.limit->position) : std::nullopt;
+  const std::optional<RationalPoint> limit = orbit.limit ? std::optional(orbit.limit->position) : std::nullopt;
   return x == limit ? "" : "FC-FLOW-05: the orbit does not end where its last segment does";
 }
 
@@ -153,8 +149,7 @@ std::string broken_limit(const PointSet& set, const LimitRecord& limit) {
   if (!face) {
     return "FC-FLOW-05: the limit is not stationary";
   }
-  const bool right = *face == limit.face_dimension &&
-                     oracle::affine_dimension(contact) == limit.hull_dimension &&
+  const bool right = *face == limit.face_dimension && oracle::affine_dimension(contact) == limit.hull_dimension &&
                      (*face == limit.hull_dimension || (*face > 0 && *face < limit.hull_dimension));
   return right ? "" : "FC-CRIT-03: the limit is of another kind";
 }

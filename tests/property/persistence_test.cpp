@@ -45,9 +45,7 @@ struct Subject : FlowComplex {
     const auto& counts = stationary().critical_counts();
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
   }
-  [[nodiscard]] bool has_ties() const {
-    return chains().broken_ties() > 0 || stable().statistics().broken_ties > 0;
-  }
+  [[nodiscard]] bool has_ties() const { return chains().broken_ties() > 0 || stable().statistics().broken_ties > 0; }
   [[nodiscard]] Chain boundary(std::size_t record) const {
     const auto boundary = chains().boundary(record);
     return {boundary.begin(), boundary.end()};
@@ -71,8 +69,7 @@ Chain boundary_by_orbits(const Subject& subject, std::size_t maximum) {
   Chain boundary;
   for (std::size_t i = 0; i < subject.unstable().size(); ++i) {
     const bool both = subject.unstable().limit(i, 0) == subject.unstable().limit(i, 1);
-    const bool ends_there =
-        subject.unstable().limit(i, 0) == maximum || subject.unstable().limit(i, 1) == maximum;
+    const bool ends_there = subject.unstable().limit(i, 0) == maximum || subject.unstable().limit(i, 1) == maximum;
     if (ends_there && !both) boundary.push_back(static_cast<std::uint32_t>(subject.unstable().saddle(i)));
   }
   return boundary;
@@ -101,10 +98,8 @@ std::string broken_complex(const Subject& subject) {
         return where + "its boundary is not below it";
       }
     }
-    if (subject.index(record) == 1 && boundary != samples_of(subject, record))
-      return where + "not its samples";
-    if (subject.index(record) == 3 && !subject.has_ties() &&
-        boundary != boundary_by_orbits(subject, record)) {
+    if (subject.index(record) == 1 && boundary != samples_of(subject, record)) return where + "not its samples";
+    if (subject.index(record) == 3 && !subject.has_ties() && boundary != boundary_by_orbits(subject, record)) {
       return where + "not the index-2 points of which one orbit ends there";
     }
     const bool has_to_vanish = subject.index(record) == 2 || !subject.has_ties();
@@ -200,8 +195,7 @@ std::string broken_pairing(const Subject& subject) {
       return "a pair of length zero, or less";
     }
   }
-  if (std::ranges::any_of(times, [](int count) { return count != 1; }))
-    return "a point in no pair, or in two";
+  if (std::ranges::any_of(times, [](int count) { return count != 1; })) return "a point in no pair, or in two";
   const std::array<std::size_t, 4> of_a_point = {subject.points().empty() ? 0U : 1U, 0, 0, 0};
   return lasting == of_a_point ? "" : "not the homology of a point";
 }
@@ -250,14 +244,14 @@ void count(const Subject& subject, const std::vector<ExactPair>& pairs, Seen& se
 
 void print_head() {
   std::printf("FLOWCERT_PROPERTY_SEED=%llu:\n", static_cast<unsigned long long>(seed_of_run()));
-  std::printf("%-22s %6s %7s %9s %8s %8s %6s %12s %21s\n", "family", "inputs", "maxima", "tie-free",
-              "U2 ties", "S2 ties", "other", "dd not zero", "pairs of dim. 0, 1, 2");
+  std::printf("%-22s %6s %7s %9s %8s %8s %6s %12s %21s\n", "family", "inputs", "maxima", "tie-free", "U2 ties",
+              "S2 ties", "other", "dd not zero", "pairs of dim. 0, 1, 2");
 }
 
 void print_row(const std::string& name, const Seen& seen) {
-  std::printf("%-22s %6zu %7zu %9zu %8zu %8zu %6zu %12zu %7zu %6zu %6zu\n", name.c_str(), seen.inputs,
-              seen.with_maxima, seen.free_of_ties, seen.u2_ties, seen.s2_ties, seen.other_choice,
-              seen.not_a_complex, seen.pairs[0], seen.pairs[1], seen.pairs[2]);
+  std::printf("%-22s %6zu %7zu %9zu %8zu %8zu %6zu %12zu %7zu %6zu %6zu\n", name.c_str(), seen.inputs, seen.with_maxima,
+              seen.free_of_ties, seen.u2_ties, seen.s2_ties, seen.other_choice, seen.not_a_complex, seen.pairs[0],
+              seen.pairs[1], seen.pairs[2]);
 }
 
 bool have_same_boundaries(const Subject& a, const Subject& b) {
@@ -413,8 +407,7 @@ TEST(PersistenceTest, TheComplexOfTheCube) {
   CITES("FC-CHAIN-01");
   fuzz::Input input;
   for (int k = 0; k < 8; ++k) {
-    input.rows.push_back(
-        {static_cast<double>(k & 1), static_cast<double>(k >> 1 & 1), static_cast<double>(k >> 2)});
+    input.rows.push_back({static_cast<double>(k & 1), static_cast<double>(k >> 1 & 1), static_cast<double>(k >> 2)});
   }
   const PointSet points = point_set_of(input);
   const Subject subject(points);
@@ -424,8 +417,7 @@ TEST(PersistenceTest, TheComplexOfTheCube) {
     EXPECT_EQ(subject.boundary(record).size(), 2U * static_cast<std::size_t>(subject.index(record)));
     // A face contains the faces in its boundary.
     for (const std::uint32_t cell : subject.boundary(record)) {
-      EXPECT_TRUE(
-          std::ranges::includes(subject.stationary().contact(record), subject.stationary().contact(cell)));
+      EXPECT_TRUE(std::ranges::includes(subject.stationary().contact(record), subject.stationary().contact(cell)));
     }
   }
 }

@@ -42,8 +42,8 @@ template <typename Property>
 bool expect_holds(const std::string& name, const rc::detail::TestParams& parameters, Property&& property) {
   // RapidCheck announces the seed of its own configuration, which would be a random one, on first use.
   ::setenv("RC_PARAMS", ("seed=" + std::to_string(parameters.seed)).c_str(), 0);
-  const auto result = rc::detail::checkTestable(std::forward<Property>(property),
-                                                rc::detail::TestMetadata{name, name}, parameters);
+  const auto result =
+      rc::detail::checkTestable(std::forward<Property>(property), rc::detail::TestMetadata{name, name}, parameters);
   if (result.template is<rc::detail::SuccessResult>()) {
     return true;
   }

@@ -40,12 +40,10 @@ void require_same_pieces(const Subject& subject, const std::string& what, const 
 }
 
 // What the list says of a set without its geometry.
-void require_right_summary(const Subject& subject, const StationaryPoints& stationary,
-                           const StableManifolds& manifolds, std::size_t i, const Pieces& pieces,
-                           bool has_vertex, Totals& totals) {
-  const bool has_regular_end =
-      std::any_of(pieces.segments.begin(), pieces.segments.end(),
-                  [](const SegmentKey& segment) { return std::get<5>(segment) == "regular"; });
+void require_right_summary(const Subject& subject, const StationaryPoints& stationary, const StableManifolds& manifolds,
+                           std::size_t i, const Pieces& pieces, bool has_vertex, Totals& totals) {
+  const bool has_regular_end = std::any_of(pieces.segments.begin(), pieces.segments.end(),
+                                           [](const SegmentKey& segment) { return std::get<5>(segment) == "regular"; });
   require_none(subject.input, manifolds.has_vertex(i) == has_vertex ? "" : "has_vertex() is wrong", "");
   const bool has_interval = !pieces.intervals.empty();
   require_none(subject.input, manifolds.has_interval(i) == has_interval ? "" : "has_interval() is wrong", "");
@@ -70,8 +68,7 @@ void require_right_summary(const Subject& subject, const StationaryPoints& stati
 void require_right_sets(const Subject& subject, Totals& totals) {
   const StationaryPoints& stationary = subject.complex.stationary();
   const StableManifolds& lazy = subject.complex.stable();
-  StableManifolds exact(subject.complex.diagram(), stationary,
-                        {{ConstructionKernel::kExact, FacetSearch::kLinear}});
+  StableManifolds exact(subject.complex.diagram(), stationary, {{ConstructionKernel::kExact, FacetSearch::kLinear}});
   RC_ASSERT(lazy.size() == exact.size());
   const std::size_t step = 1 + lazy.size() / kSetsByOracle;
   for (std::size_t i = 0; i < lazy.size(); i += step) {
@@ -99,8 +96,7 @@ void print_row(const std::string& name, const Totals& totals) {
   std::printf(
       "%-24s %6zu sets; with a Voronoi vertex %5zu, with intervals %5zu, with sectors cut off %3zu, with "
       "regular ends %5zu\n",
-      name.c_str(), totals.sets, totals.with_vertex, totals.with_interval, totals.with_sector_cut,
-      totals.regular_ends);
+      name.c_str(), totals.sets, totals.with_vertex, totals.with_interval, totals.with_sector_cut, totals.regular_ends);
 }
 
 // Returns whether all agreed. Prints each family's totals, and adds them to `all`.
@@ -140,9 +136,8 @@ TEST(StableAgreement, SetsAreTheOracles) {
 // of the ray, and nothing beyond it belongs to the sector. Random inputs seldom have such rays.
 TEST(StableAgreement, SectorsWhoseRaysMeetVoronoiVerticesAreTheOracles) {
   CITES("FC-STAB-05");
-  const std::vector<fuzz::Input> inputs = {
-      {{{-9, -2, 3}, {-1, -2, 3}, {-5, 6, 3}, {-5, -4, 5}, {-5, -4, 1}}},
-      {{{-3, 1, 1}, {5, 1, 1}, {1, 9, 1}, {-1, -1, 1}, {1, -1, -1}, {1, -1, 3}}}};
+  const std::vector<fuzz::Input> inputs = {{{{-9, -2, 3}, {-1, -2, 3}, {-5, 6, 3}, {-5, -4, 5}, {-5, -4, 1}}},
+                                           {{{-3, 1, 1}, {5, 1, 1}, {1, 9, 1}, {-1, -1, 1}, {1, -1, -1}, {1, -1, 3}}}};
   for (const fuzz::Input& input : inputs) {
     Totals totals;
     expect_holds("sectors", parameters_of_run(1), [&] { require_right_sets(Subject(input), totals); });

@@ -217,8 +217,8 @@ std::optional<Mutant> moved_skeleton(const Subject&, const Claim& claim) {
 }
 
 std::optional<Mutant> moved_corner(const Subject&, const Claim& claim) {
-  const auto k = some_point(
-      claim, [](const ClaimedPoint& point) { return point.skeleton && !point.skeleton->sectors.empty(); });
+  const auto k =
+      some_point(claim, [](const ClaimedPoint& point) { return point.skeleton && !point.skeleton->sectors.empty(); });
   if (!k) return std::nullopt;
   Mutant mutant{claim, 5, kFirstLine + *k};
   auto& sectors = mutant.claim.points[*k].skeleton->sectors;
@@ -228,8 +228,8 @@ std::optional<Mutant> moved_corner(const Subject&, const Claim& claim) {
 }
 
 std::optional<Mutant> moved_interval(const Subject&, const Claim& claim) {
-  const auto k = some_point(
-      claim, [](const ClaimedPoint& point) { return point.skeleton && !point.skeleton->intervals.empty(); });
+  const auto k =
+      some_point(claim, [](const ClaimedPoint& point) { return point.skeleton && !point.skeleton->intervals.empty(); });
   if (!k) return std::nullopt;
   Mutant mutant{claim, 5, kFirstLine + *k};
   auto& intervals = mutant.claim.points[*k].skeleton->intervals;
@@ -249,14 +249,12 @@ std::optional<Mutant> moved_triangle(const Subject&, const Claim& claim) {
 
 // Leaves out a segment of the stationary point's own. None of these is beyond a Voronoi vertex.
 std::optional<Mutant> segment_less(const Subject& subject, const Claim& claim) {
-  const auto k =
-      some_point(claim, [](const ClaimedPoint& point) { return point.index == 2 && is_saddle(point); });
+  const auto k = some_point(claim, [](const ClaimedPoint& point) { return point.index == 2 && is_saddle(point); });
   if (!k) return std::nullopt;
   Mutant mutant{claim, 5, kFirstLine + *k};
   auto& segments = mutant.claim.points[*k].skeleton->segments;
-  const auto own = std::ranges::find_if(segments, [&](const ClaimedBackwardSegment& segment) {
-    return *segment.front_contact == subject.contact(*k);
-  });
+  const auto own = std::ranges::find_if(
+      segments, [&](const ClaimedBackwardSegment& segment) { return *segment.front_contact == subject.contact(*k); });
   segments.erase(own);
   return mutant;
 }
@@ -330,19 +328,16 @@ TEST(StableClaims, RightClaimsNeverFail) {
   on_all_families<Subject>(fuzz::families_and_stable_ones(), kInputsPerFamily, [&](const Subject& subject) {
     const Claim claim = stable_claim(subject.points, *subject.truth, kFirstLine);
     const CheckReport exact = check(subject.points, claim, *subject.truth);
-    require(subject, exact.verdict == Verdict::kConforms && exact.findings.empty() && exact.is_exact,
-            "the full claim", exact);
+    require(subject, exact.verdict == Verdict::kConforms && exact.findings.empty() && exact.is_exact, "the full claim",
+            exact);
     const CheckReport decimals = check(subject.points, claim_in_decimals(claim), *subject.truth);
     require(subject, decimals.verdict == Verdict::kConforms, "the claim in decimals", decimals);
-    const CheckReport ties =
-        check(subject.points, with_other_ties(subject, claim, differing), *subject.truth);
+    const CheckReport ties = check(subject.points, with_other_ties(subject, claim, differing), *subject.truth);
     require(subject, ties.verdict != Verdict::kFails, "ties broken otherwise", ties);
-    const CheckReport less =
-        check(subject.points, without_what_is_beyond(subject, claim, left_out), *subject.truth);
+    const CheckReport less = check(subject.points, without_what_is_beyond(subject, claim, left_out), *subject.truth);
     require(subject, less.verdict != Verdict::kFails, "without what is beyond Voronoi vertices", less);
   });
-  std::printf("%zu boundaries by other ties, %zu segments beyond Voronoi vertices left out\n", differing,
-              left_out);
+  std::printf("%zu boundaries by other ties, %zu segments beyond Voronoi vertices left out\n", differing, left_out);
   if (scale_of_run() >= 1) {
     EXPECT_GT(differing, 10U);
     EXPECT_GT(left_out, 50U);
@@ -398,8 +393,8 @@ TEST(StableClaims, WalksAreTheOracles) {
       regular += index.is_critical() ? 0 : 1;
     }
   });
-  std::printf("%zu walks, %zu with sides replaced, %zu of regular points; %zu sets without one\n", walks,
-              replaced, regular, none);
+  std::printf("%zu walks, %zu with sides replaced, %zu of regular points; %zu sets without one\n", walks, replaced,
+              regular, none);
   if (scale_of_run() >= 1) {
     EXPECT_GT(walks, 1000U);
     EXPECT_GT(replaced, 100U);

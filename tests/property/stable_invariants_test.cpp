@@ -78,9 +78,7 @@ struct FastSets {
   std::vector<FastSet> sets;
 };
 
-std::size_t below(rc::Random& random, std::size_t bound) {
-  return static_cast<std::size_t>(random.next() % bound);
-}
+std::size_t below(rc::Random& random, std::size_t bound) { return static_cast<std::size_t>(random.next() % bound); }
 
 // At most so many of them, chosen at random, in their order.
 template <typename T>
@@ -123,8 +121,7 @@ bool holds_for_inputs(int inputs, const Law& law) {
       const auto kernel = below(random, 2) == 0 ? ConstructionKernel::kLazy : ConstructionKernel::kExact;
       law(FastSets(subject, kernel), random);
     };
-    held = expect_holds(family.name, parameters_of_run(k < common ? inputs : 3 * inputs, held), property) &&
-           held;
+    held = expect_holds(family.name, parameters_of_run(k < common ? inputs : 3 * inputs, held), property) && held;
   }
   return held;
 }
@@ -134,9 +131,7 @@ bool is_closed_triangle_around(const Triangle& triangle, const Point& x) {
   return weights && std::all_of(weights->begin(), weights->end(), [](const Rational& w) { return w >= 0; });
 }
 
-Point normal_of(const Triangle& t) {
-  return oracle::cross(oracle::minus(t[1], t[0]), oracle::minus(t[2], t[0]));
-}
+Point normal_of(const Triangle& t) { return oracle::cross(oracle::minus(t[1], t[0]), oracle::minus(t[2], t[0])); }
 
 Rational largest_coordinate(const Point& a) {
   return std::max({Rational(abs(a[0])), Rational(abs(a[1])), Rational(abs(a[2]))});
@@ -155,8 +150,7 @@ bool might_meet(const Triangle& triangle, const Point& x, const Point& y) {
 // large, or half of that, and so on, until the way there meets nothing else of the surface.
 std::optional<Point> beside(const std::vector<Triangle>& surface, std::size_t k, const Point& x, int side) {
   const Point normal = normal_of(surface[k]);
-  Rational step =
-      side * largest_coordinate(oracle::minus(surface[k][1], surface[k][0])) / largest_coordinate(normal);
+  Rational step = side * largest_coordinate(oracle::minus(surface[k][1], surface[k][0])) / largest_coordinate(normal);
   for (int halvings = 0; halvings < kHalvings; ++halvings, step /= 2) {
     const Point y = oracle::moved(x, step, normal);
     bool is_free = true;
@@ -172,8 +166,7 @@ struct SurfacesSeen {
   std::size_t surfaces = 0, of_regular = 0, with_vertex = 0, triangles = 0, beside = 0, given_up = 0;
 };
 
-void require_flow_to_surface(const FastSets& all, const FastSet& set, rc::Random& random,
-                             SurfacesSeen& seen) {
+void require_flow_to_surface(const FastSets& all, const FastSet& set, rc::Random& random, SurfacesSeen& seen) {
   const oracle::PointSet& points = all.subject.set;
   const std::vector<Triangle> surface = oracle::triangles(points, set.skeleton);
   std::vector<std::size_t> places;
@@ -189,8 +182,7 @@ void require_flow_to_surface(const FastSets& all, const FastSet& set, rc::Random
       const std::optional<Point> y = beside(surface, k, x, side);
       ++(y ? seen.beside : seen.given_up);
       if (!y) continue;
-      all.require(oracle::orbit(points, *y).limit != set.z, text_of(*y) + " beside the surface flows to it",
-                  set);
+      all.require(oracle::orbit(points, *y).limit != set.z, text_of(*y) + " beside the surface flows to it", set);
       all.require(!oracle::contains(points, set.skeleton, *y), text_of(*y) + " is beside and in it", set);
     }
   }
@@ -327,8 +319,7 @@ void require_right_set(const FastSets& all, const Point& x, PlacesSeen& seen) {
     if (is_inside) ++(set.z.face_dimension == set.z.hull_dimension ? seen.in_critical : seen.in_regular);
     is_in_one = is_in_one || is_inside;
   }
-  const bool wants_one =
-      limit && (limit->face_dimension != limit->hull_dimension || limit->face_dimension == 2);
+  const bool wants_one = limit && (limit->face_dimension != limit->hull_dimension || limit->face_dimension == 2);
   require_none(all.subject.input, is_in_one == wants_one ? "" : text_of(x) + " is in no set", "");
   ++seen.points;
   seen.elsewhere += is_in_one ? 0 : 1;
@@ -399,15 +390,15 @@ struct OrbitsSeen {
   std::size_t orbits = 0, several_steps = 0, through_vertices = 0, longest = 0, from_regular = 0;
 };
 
-void require_connecting_orbit(const FastSets& all, const FastSet& set, const BackwardSegment& last,
-                              rc::Random& random, OrbitsSeen& seen) {
+void require_connecting_orbit(const FastSets& all, const FastSet& set, const BackwardSegment& last, rc::Random& random,
+                              OrbitsSeen& seen) {
   std::vector<Point> fronts = {last.front};
   while (fronts.back() != set.z.center) {
     const std::optional<Point> next = next_front(all, set, fronts.back());
     if (!next) break;
     fronts.push_back(*next);
-    all.require(fronts.size() <= set.pieces.segments.size() + set.pieces.intervals.size(),
-                "the way up goes round", set);
+    all.require(fronts.size() <= set.pieces.segments.size() + set.pieces.intervals.size(), "the way up goes round",
+                set);
   }
   const bool is_whole = fronts.back() == set.z.center;
   all.require(is_whole || !set.is_surface(), "no way on from " + text_of(fronts.back()), set);

@@ -56,9 +56,8 @@ struct Transformation {
 };
 
 bool has_tie(const StableManifolds& manifolds, std::size_t i, const StableSet& set) {
-  return manifolds.has_vertex(i) || std::any_of(set.segments.begin(), set.segments.end(), [](const auto& s) {
-           return s.back_kind == BackKind::kRegular;
-         });
+  return manifolds.has_vertex(i) || std::any_of(set.segments.begin(), set.segments.end(),
+                                                [](const auto& s) { return s.back_kind == BackKind::kRegular; });
 }
 
 StableAnswer answer_of(const fuzz::Input& input) {
@@ -128,9 +127,9 @@ void require_same(const fuzz::Input& transformed, const StableAnswer& own, const
   for (const auto& [contact, set] : expected.sets) {
     const auto found = own.sets.find(contact);
     require_none(transformed, found == own.sets.end() ? "no set of " + text_of(contact) : "", "");
-    require_none(transformed, found->second == set ? "" : "the set of " + text_of(contact),
-                 "of the transformed input:\n" + text_of(found->second.pieces) + "transformed:\n" +
-                     text_of(set.pieces));
+    require_none(
+        transformed, found->second == set ? "" : "the set of " + text_of(contact),
+        "of the transformed input:\n" + text_of(found->second.pieces) + "transformed:\n" + text_of(set.pieces));
   }
   require_none(transformed, own.sets.size() == expected.sets.size() ? "" : "more sets than expected", "");
   require_none(transformed, difference(own.pairs, expected.pairs), "");
@@ -170,14 +169,12 @@ void expect_equivariance(const char* what, const Draw& draw_transformation, int 
       seen.add(answer);
       require_same(*transformed, answer_of(*transformed), moved(answer, by));
     };
-    held =
-        expect_holds(family.name + ", " + what, parameters_of_run(kInputsPerFamily, held), property) && held;
+    held = expect_holds(family.name + ", " + what, parameters_of_run(kInputsPerFamily, held), property) && held;
   }
   std::printf(
       "%s: %d of %d inputs transformed; %zu segments, %zu intervals, %zu sectors, %zu boundaries, %zu "
       "pairs\n",
-      what, seen.not_identity, seen.inputs, seen.segments, seen.intervals, seen.sectors, seen.boundaries,
-      seen.pairs);
+      what, seen.not_identity, seen.inputs, seen.segments, seen.intervals, seen.sectors, seen.boundaries, seen.pairs);
   if (!held || scale_of_run() < 1) return;
   EXPECT_GE(seen.not_identity * 100, seen.inputs * least_percent);
   EXPECT_GE(seen.segments, 10000U);
@@ -255,9 +252,8 @@ TEST(StableMetamorphic, RationalRotationTurnsSetsOfIntegerPoints) {
   expect_equivariance(
       "turned",
       [](const fuzz::Input& input, Transformation& by) {
-        const std::array<fuzz::Integer, 4> quaternion = {
-            *fuzz::whole(-3, 3).as("a"), *fuzz::whole(-3, 3).as("b"), *fuzz::whole(-3, 3).as("c"),
-            *fuzz::whole(-3, 3).as("d")};
+        const std::array<fuzz::Integer, 4> quaternion = {*fuzz::whole(-3, 3).as("a"), *fuzz::whole(-3, 3).as("b"),
+                                                         *fuzz::whole(-3, 3).as("c"), *fuzz::whole(-3, 3).as("d")};
         const fuzz::IntegerRotation turn = fuzz::rotation_of_quaternion(quaternion);
         by.move = [turn](const RationalPoint& x) { return image_of(x, turn); };
         by.squared_factor = Rational(turn.norm * turn.norm);

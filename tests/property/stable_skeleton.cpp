@@ -21,8 +21,7 @@ Point middle(const Point& a, const Point& b) { return oracle::moved(a, Rational(
 // Three corners in a row of a convex polygon need not span its plane, but some do.
 Point normal_of(const std::vector<Point>& corners) {
   for (std::size_t i = 2; i < corners.size(); ++i) {
-    const Point normal =
-        oracle::cross(oracle::minus(corners[1], corners[0]), oracle::minus(corners[i], corners[0]));
+    const Point normal = oracle::cross(oracle::minus(corners[1], corners[0]), oracle::minus(corners[i], corners[0]));
     if (normal != Point{}) return normal;
   }
   return {};
@@ -42,18 +41,16 @@ class Conversion {
   void add_point(const Point& x) {
     if (!seen_.insert(x).second) return;
     const std::vector<std::size_t> contact = oracle::contact_set(set_, x);
-    const bool is_vertex =
-        oracle::affine_dimension(oracle::select(set_.points, oracle::places_of(set_, contact))) == 3;
+    const bool is_vertex = oracle::affine_dimension(oracle::select(set_.points, oracle::places_of(set_, contact))) == 3;
     result_.has_vertex = result_.has_vertex || is_vertex;
     result_.points.push_back({x, contact});
   }
 
   void add(const BackwardSegment& s) {
-    static const std::map<BackKind, oracle::BackKind> kinds = {
-        {BackKind::kCritical, oracle::BackKind::kCritical},
-        {BackKind::kRegular, oracle::BackKind::kRegular},
-        {BackKind::kEdge, oracle::BackKind::kEdge},
-        {BackKind::kVertex, oracle::BackKind::kVertex}};
+    static const std::map<BackKind, oracle::BackKind> kinds = {{BackKind::kCritical, oracle::BackKind::kCritical},
+                                                               {BackKind::kRegular, oracle::BackKind::kRegular},
+                                                               {BackKind::kEdge, oracle::BackKind::kEdge},
+                                                               {BackKind::kVertex, oracle::BackKind::kVertex}};
     result_.segments.push_back({{s.samples[0], s.samples[1]},
                                 s.front,
                                 s.back,
@@ -65,8 +62,7 @@ class Conversion {
   }
 
   void add(const BackwardInterval& i) {
-    const auto kind =
-        i.back_is_stationary ? oracle::IntervalKind::kFromCentre : oracle::IntervalKind::kFromVertex;
+    const auto kind = i.back_is_stationary ? oracle::IntervalKind::kFromCentre : oracle::IntervalKind::kFromVertex;
     result_.intervals.push_back({{i.polygon.begin(), i.polygon.end()}, i.front, i.back, kind});
     add_point(i.front);
     if (!i.back_is_stationary) add_point(i.back);
@@ -80,8 +76,7 @@ class Conversion {
     for (std::size_t i = 0; i < count; ++i) {
       if (!is_exit(s.corners, normal, m, i)) continue;
       const auto [a, b] = std::minmax(s.corners[i], s.corners[(i + 1) % count]);
-      result_.intervals.push_back(
-          {oracle::contact_set(set_, middle(a, b)), a, b, oracle::IntervalKind::kCrossed});
+      result_.intervals.push_back({oracle::contact_set(set_, middle(a, b)), a, b, oracle::IntervalKind::kCrossed});
       if (is_exit(s.corners, normal, m, i + 1)) add_point(s.corners[(i + 1) % count]);
     }
   }
@@ -102,8 +97,7 @@ class Conversion {
 
 }  // namespace
 
-oracle::StableSet skeleton_of(const oracle::PointSet& set, const oracle::StationaryPoint& z,
-                              const StableSet& fast) {
+oracle::StableSet skeleton_of(const oracle::PointSet& set, const oracle::StationaryPoint& z, const StableSet& fast) {
   Conversion conversion(set);
   conversion.add_point(z.center);
   for (const BackwardSegment& s : fast.segments) conversion.add(s);

@@ -91,14 +91,14 @@ class StationaryAgreement : public ::testing::TestWithParam<fuzz::Family> {
   static void SetUpTestSuite() {
     std::printf("FLOWCERT_PROPERTY_SEED=%llu, percent of the inputs:\n",
                 static_cast<unsigned long long>(seed_of_run()));
-    std::printf("%-22s %6s %6s %7s %5s %5s %5s %8s %9s %10s %5s\n", "family", "inputs", "n >= 4", "cluster",
-                "1-2", "2-3", "1-3", "coplanar", "collinear", "duplicates", "tie");
+    std::printf("%-22s %6s %6s %7s %5s %5s %5s %8s %9s %10s %5s\n", "family", "inputs", "n >= 4", "cluster", "1-2",
+                "2-3", "1-3", "coplanar", "collinear", "duplicates", "tie");
   }
 };
 
 TEST_P(StationaryAgreement, FastAnswerIsTheOracles) {
-  CITES("FC-IN-03", "FC-IN-04", "FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-04", "FC-CRIT-05", "FC-CRIT-06",
-        "FC-INV-01", "FC-NUM-01", "FC-OUT-01", "FC-OUT-02");
+  CITES("FC-IN-03", "FC-IN-04", "FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-04", "FC-CRIT-05", "FC-CRIT-06", "FC-INV-01",
+        "FC-NUM-01", "FC-OUT-01", "FC-OUT-02");
   const fuzz::Family& family = GetParam();
   const rc::Gen<fuzz::Input> inputs = family.generate();
   Distribution seen;

@@ -143,8 +143,7 @@ std::vector<std::size_t> saddles_of(const StationaryPoints& stationary) {
   return saddles;
 }
 
-oracle::StationaryPoint stationary_point(const Subject& subject, const StationaryPoints& stationary,
-                                         std::size_t k) {
+oracle::StationaryPoint stationary_point(const Subject& subject, const StationaryPoints& stationary, std::size_t k) {
   const auto contact = stationary.contact(k);
   const ExactSphere sphere = exact_sphere(subject.complex.points(), contact);
   return {sphere.center,
@@ -161,22 +160,21 @@ oracle::Point cross(const oracle::Point& a, const oracle::Point& b) {
 // The first segment runs along the line of equal distance, to the side that (b-a) x (c-a) points to, or to
 // the other. It ends where the contact set is larger than the saddle's, or goes to infinity if no point is on
 // that side of the plane.
-std::string broken_first_segment(const oracle::PointSet& set, const oracle::StationaryPoint& saddle,
-                                 std::size_t side, const SegmentRecord& segment) {
+std::string broken_first_segment(const oracle::PointSet& set, const oracle::StationaryPoint& saddle, std::size_t side,
+                                 const SegmentRecord& segment) {
   const auto contact = points_of(set, saddle.contact);
-  const oracle::Point normal =
-      cross(oracle::minus(contact[1], contact[0]), oracle::minus(contact[2], contact[0]));
+  const oracle::Point normal = cross(oracle::minus(contact[1], contact[0]), oracle::minus(contact[2], contact[0]));
   const auto height = [&](const oracle::Point& x) {
     const Rational above = oracle::dot(normal, oracle::minus(x, contact[0]));
     return side == 1 ? above : Rational(-above);
   };
-  if (segment.start != saddle.center || segment.driver != saddle.center ||
-      segment.start_contact != saddle.contact || segment.crossed_contact != saddle.contact) {
+  if (segment.start != saddle.center || segment.driver != saddle.center || segment.start_contact != saddle.contact ||
+      segment.crossed_contact != saddle.contact) {
     return "the first segment does not leave the saddle along its Voronoi edge";
   }
   if (!segment.end) {
-    const bool free = std::all_of(set.points.begin(), set.points.end(),
-                                  [&](const oracle::Point& q) { return height(q) <= 0; });
+    const bool free =
+        std::all_of(set.points.begin(), set.points.end(), [&](const oracle::Point& q) { return height(q) <= 0; });
     return free && segment.type == "E-E-inf" ? "" : "the first segment does not go to infinity";
   }
   if (segment.type != "E-E-V" || height(*segment.end) <= 0 ||
@@ -194,8 +192,7 @@ std::string broken_first_segment(const oracle::PointSet& set, const oracle::Stat
 void require_right_limit(const Subject& subject, const StationaryPoints& stationary, const OrbitRecord& orbit,
                          std::optional<std::size_t> limit) {
   if (!limit || !orbit.limit) {
-    require_none(subject.input, limit.has_value() == orbit.limit.has_value() ? "" : "limit() is wrong",
-                 to_text(orbit));
+    require_none(subject.input, limit.has_value() == orbit.limit.has_value() ? "" : "limit() is wrong", to_text(orbit));
     return;
   }
   RC_ASSERT(*limit < stationary.size());
@@ -211,9 +208,9 @@ void require_right_orbit(const Subject& subject, const oracle::StationaryPoint& 
   RC_ASSERT(!orbit.segments.empty());
   require_none(subject.input, broken_first_segment(subject.set, saddle, side, orbit.segments.front()),
                "side " + std::to_string(side) + ", " + to_text(orbit));
-  require_same(subject.input, "side " + std::to_string(side) + " against the oracle's", orbit,
-               record_of(subject.set, saddle.center,
-                         oracle::unstable_orbit(subject.set, saddle, static_cast<int>(side))));
+  require_same(
+      subject.input, "side " + std::to_string(side) + " against the oracle's", orbit,
+      record_of(subject.set, saddle.center, oracle::unstable_orbit(subject.set, saddle, static_cast<int>(side))));
   const auto& end = orbit.segments.front().end;
   if (end) {
     OrbitRecord rest = orbit;
@@ -270,14 +267,13 @@ struct Seen {
 void print_head() {
   std::printf("FLOWCERT_PROPERTY_SEED=%llu, both orbits of each saddle:\n",
               static_cast<unsigned long long>(seed_of_run()));
-  std::printf("%-22s %7s %8s %8s %7s %7s %8s %7s %8s\n", "family", "saddles", "segments", "computed",
-              "longest", "cascade", "critical", "regular", "infinity");
+  std::printf("%-22s %7s %8s %8s %7s %7s %8s %7s %8s\n", "family", "saddles", "segments", "computed", "longest",
+              "cascade", "critical", "regular", "infinity");
 }
 
 void print_row(const std::string& name, const Seen& seen) {
   std::printf("%-22s %7zu %8zu %8zu %7zu %7zu %8zu %7zu %8zu\n", name.c_str(), seen.saddles, seen.segments,
-              seen.computed, seen.longest, seen.longest_cascade, seen.to_critical, seen.to_regular,
-              seen.to_infinity);
+              seen.computed, seen.longest, seen.longest_cascade, seen.to_critical, seen.to_regular, seen.to_infinity);
 }
 
 // Compares the shared orbits with the oracle's, with those computed alone, and with the slow kernel's and search's.
@@ -298,8 +294,7 @@ FlowStatistics compared_statistics(const Subject& subject) {
   require_same_answer(subject, "lazy and binary against exact and linear", shared,
                       answer_of(subject, stationary, {kExactLinear, true}));
   const Counts counts = counted_again(shared);
-  require_same_counts(subject, "statistics against the orbits counted again", counts_of(shared.statistics),
-                      counts);
+  require_same_counts(subject, "statistics against the orbits counted again", counts_of(shared.statistics), counts);
   RC_ASSERT(alone.statistics.segments_computed == segments_of(counts));
   RC_ASSERT(shared.statistics.segments_computed <= segments_of(counts));
   return shared.statistics;

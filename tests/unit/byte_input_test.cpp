@@ -53,21 +53,17 @@ TEST(ByteInput, EveryHeaderHasItsOwnLattice) {
 
 TEST(ByteInput, LayoutIsAsDescribed) {
   // Half width 1, unit 2^0, near, without ulps. The bits for ulps in a row do not count then.
-  EXPECT_EQ(input_of_bytes(ByteString{0x00, 0, 1, 2, 0xff, 3, 4, 5, 0}, 12),
-            (Input{{{-1, 0, 1}, {-1, 0, 1}}}));
+  EXPECT_EQ(input_of_bytes(ByteString{0x00, 0, 1, 2, 0xff, 3, 4, 5, 0}, 12), (Input{{{-1, 0, 1}, {-1, 0, 1}}}));
   // With ulps, which the rows with bits 6 and 7 have.
   const double up = std::nextafter(1.0, 2.0);
   const double down = std::nextafter(1.0, 0.0);
-  EXPECT_EQ(input_of_bytes(ByteString{0x80, 2, 2, 2, 0xc9, 2, 2, 2, 0x49}, 12),
-            (Input{{{up, down, 1}, {1, 1, 1}}}));
+  EXPECT_EQ(input_of_bytes(ByteString{0x80, 2, 2, 2, 0xc9, 2, 2, 2, 0x49}, 12), (Input{{{up, down, 1}, {1, 1, 1}}}));
   // Half width 2, unit 2^-2; far from the origin.
   EXPECT_EQ(input_of_bytes(ByteString{0x09, 0, 1, 4, 0}, 12), (Input{{{-0.5, -0.25, 0.5}}}));
   EXPECT_EQ(input_of_bytes(ByteString{0x41, 2, 3, 4, 0}, 12), (Input{{{0x1p40, -0x1p41 + 1, 0x1p39 + 2}}}));
   // An image of the first row (x and y exchanged, x negative); the row itself. A first row is read as usual.
-  EXPECT_EQ(input_of_bytes(ByteString{0x01, 4, 3, 2, 0, 0, 25, 9, 0x80}, 12),
-            (Input{{{2, 1, 0}, {-1, 2, 0}}}));
-  EXPECT_EQ(input_of_bytes(ByteString{0x01, 4, 3, 2, 0x80, 7, 63, 9, 0xbf}, 12),
-            (Input{{{2, 1, 0}, {2, 1, 0}}}));
+  EXPECT_EQ(input_of_bytes(ByteString{0x01, 4, 3, 2, 0, 0, 25, 9, 0x80}, 12), (Input{{{2, 1, 0}, {-1, 2, 0}}}));
+  EXPECT_EQ(input_of_bytes(ByteString{0x01, 4, 3, 2, 0x80, 7, 63, 9, 0xbf}, 12), (Input{{{2, 1, 0}, {2, 1, 0}}}));
   // Bytes that are left over do not count, nor do rows beyond the limit.
   EXPECT_EQ(input_of_bytes(ByteString{0x00, 1, 1, 1, 0, 0, 0}, 12), (Input{{{0, 0, 0}}}));
   EXPECT_EQ(input_of_bytes(ByteString{0x00, 1, 1, 1, 0, 0, 0, 0, 0}, 1), (Input{{{0, 0, 0}}}));
@@ -82,8 +78,7 @@ struct Shares {
 };
 
 bool is_tie(const oracle::StationaryPoint& x) {
-  return x.face_dimension != x.hull_dimension ||
-         x.contact.size() > static_cast<std::size_t>(x.hull_dimension) + 1;
+  return x.face_dimension != x.hull_dimension || x.contact.size() > static_cast<std::size_t>(x.hull_dimension) + 1;
 }
 
 Shares shares_of_random_inputs() {
@@ -104,8 +99,8 @@ Shares shares_of_random_inputs() {
   for (int* share : {&count.duplicates, &count.near_ties, &count.ties, &count.four_points}) {
     *share = *share * 100 / kInputs;
   }
-  std::printf("duplicates %d %%, ulps %d %%, ties %d %%, four points %d %%\n", count.duplicates,
-              count.near_ties, count.ties, count.four_points);
+  std::printf("duplicates %d %%, ulps %d %%, ties %d %%, four points %d %%\n", count.duplicates, count.near_ties,
+              count.ties, count.four_points);
   return count;
 }
 

@@ -72,10 +72,8 @@ inline void work(
 // All that has to be the same in two campaigns. Times are left out.
 inline std::string account_of(const Campaign& campaign) {
   std::string text = std::to_string(campaign.tally().cases) + '\n';
-  for (const auto& [name, count] : campaign.tally().by_source)
-    text += name + ' ' + std::to_string(count) + '\n';
-  for (const auto& [name, count] : campaign.tally().by_mutation)
-    text += name + ' ' + std::to_string(count) + '\n';
+  for (const auto& [name, count] : campaign.tally().by_source) text += name + ' ' + std::to_string(count) + '\n';
+  for (const auto& [name, count] : campaign.tally().by_mutation) text += name + ' ' + std::to_string(count) + '\n';
   for (const auto& [name, numbers] : campaign.tally().failures) {
     text += name;
     for (const std::size_t number : numbers) text += ' ' + std::to_string(number);
@@ -96,8 +94,7 @@ inline std::set<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-inline std::string account_of_run(const CampaignPlan& plan, std::size_t cases, unsigned jobs,
-                                  const fs::path& folder) {
+inline std::string account_of_run(const CampaignPlan& plan, std::size_t cases, unsigned jobs, const fs::path& folder) {
   Campaign campaign(plan, cases, folder);
   work(campaign, {rows_property(8)}, jobs);
   return account_of(campaign);

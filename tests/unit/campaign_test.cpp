@@ -137,8 +137,7 @@ TEST_F(CampaignTest, ACaseThatIsKilledOrStoppedIsNotDone) {
   };
   const auto start = std::chrono::steady_clock::now();
   OneCase stopped(campaign, 3);
-  work(stopped, {slow}, 1,
-       [&] { return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(200); });
+  work(stopped, {slow}, 1, [&] { return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(200); });
   EXPECT_FALSE(stopped.is_done());
   Property killed = rows_property(100);
   killed.check = [](const Trial&) -> std::optional<Disagreement> {
@@ -293,8 +292,7 @@ TEST(CampaignPlan, CutsCasesIntoBatchesAndShards) {
 TEST(CampaignPlan, CountsTheCasesOfAShard) {
   CampaignPlan plan;
   plan.batch_cases = 10;
-  for (const std::size_t total :
-       {std::size_t{0}, std::size_t{5}, std::size_t{10}, std::size_t{75}, std::size_t{80}}) {
+  for (const std::size_t total : {std::size_t{0}, std::size_t{5}, std::size_t{10}, std::size_t{75}, std::size_t{80}}) {
     for (plan.shard.count = 1; plan.shard.count < 12; ++plan.shard.count) {
       for (plan.shard.index = 0; plan.shard.index < plan.shard.count; ++plan.shard.index) {
         std::size_t sum = 0;
@@ -310,16 +308,10 @@ TEST(CampaignPlan, CountsTheCasesOfAShard) {
 }
 
 Counterexample some_counterexample() {
-  Counterexample counterexample{12,
-                                345,
-                                "shell",
-                                9,
-                                "orbit",
-                                {},
-                                {"segment-type", "FC-FLOW-02", "two\nlines", "fast", "a\nb", "oracle", "c"}};
+  Counterexample counterexample{
+      12, 345, "shell", 9, "orbit", {}, {"segment-type", "FC-FLOW-02", "two\nlines", "fast", "a\nb", "oracle", "c"}};
   counterexample.trial.input.rows = {{0.1, -2, 1e-300}, {3, 4, 5}};
-  counterexample.trial.start =
-      oracle::Point{oracle::Rational(1, 3), oracle::Rational(-2), oracle::Rational(0)};
+  counterexample.trial.start = oracle::Point{oracle::Rational(1, 3), oracle::Rational(-2), oracle::Rational(0)};
   return counterexample;
 }
 
@@ -350,8 +342,7 @@ TEST(Counterexample, RefusesRowsThatAreNone) {
                            "# choice of start: no-such 1\n", "# choice of start: edge 1 x\n"}) {
     EXPECT_THROW((void)counterexample_of(std::string(text)), std::invalid_argument) << text;
   }
-  EXPECT_EQ(counterexample_of(std::string("# any comment\n1 2 3 # and more\n\n0x1p-3 0 0\n"))
-                .trial.input.rows.size(),
+  EXPECT_EQ(counterexample_of(std::string("# any comment\n1 2 3 # and more\n\n0x1p-3 0 0\n")).trial.input.rows.size(),
             2U);
 }
 

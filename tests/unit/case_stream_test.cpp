@@ -19,9 +19,7 @@ CaseRun run_of(int level, std::uint64_t seed, const std::vector<std::string>& na
   return run;
 }
 
-std::string id_of(const CaseRun& run, std::size_t number) {
-  return case_id(run, number, input_of_case(run, number));
-}
+std::string id_of(const CaseRun& run, std::size_t number) { return case_id(run, number, input_of_case(run, number)); }
 
 TEST(CaseStream, IdsNameTheirCases) {
   for (const CaseRun& run : {run_of(1, 1), run_of(2, 7), run_of(3, 18446744073709551615U),
@@ -90,8 +88,7 @@ TEST(CaseStream, LevelsGrow) {
     for (std::size_t number = 0; number < 500; ++number) {
       const std::size_t rows = input_of_case(run_of(level, 1), number).rows.size();
       points.at(static_cast<std::size_t>(level - 1)) += rows;
-      most.at(static_cast<std::size_t>(level - 1)) =
-          std::max(most.at(static_cast<std::size_t>(level - 1)), rows);
+      most.at(static_cast<std::size_t>(level - 1)) = std::max(most.at(static_cast<std::size_t>(level - 1)), rows);
     }
   }
   EXPECT_LT(points[0], points[1]);
@@ -105,8 +102,7 @@ TEST(CaseStream, LevelsGrow) {
 
 TEST(CaseStream, FamiliesByName) {
   EXPECT_TRUE(chosen_families({}).empty());
-  EXPECT_EQ(chosen_families({"lattice-2", "general-position", "lattice-2"}),
-            (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(chosen_families({"lattice-2", "general-position", "lattice-2"}), (std::vector<std::size_t>{0, 1}));
   EXPECT_EQ(family_names(run_of(1, 1, {"lattice-2", "general-position"})),
             (std::vector<std::string>{"general-position", "lattice-2"}));
   EXPECT_THROW((void)chosen_families({"lattice-2", "lattice"}), std::invalid_argument);

@@ -38,8 +38,7 @@ TEST(CheckTest, RefusesWhatIsMalformed) {
   claimed.add(1, {0, 3}).add(1, {1, 1}).add(4, {0}).regular(2, 2, {0, 1, 2}).add(1, {});
   const CheckReport report = triangle.check(claimed);
   for (std::size_t line = right + 1; line <= right + 5; ++line) {
-    expect_finding(report, 1, FindingReason::kMalformed, line == right + 4 ? "FC-CRIT-03" : "FC-CLAIM-01",
-                   line);
+    expect_finding(report, 1, FindingReason::kMalformed, line == right + 4 ? "FC-CRIT-03" : "FC-CLAIM-01", line);
   }
   EXPECT_EQ(report.conforms[0], false);
   Claimed header = triangle.claim();
@@ -99,15 +98,14 @@ TEST(CheckTest, FindsWrongIndicesAndWhatIsMissing) {
   expect_finding(wrong_index, 3, FindingReason::kWrongIndex, "FC-CRIT-02", 27);
   EXPECT_EQ(count(wrong_index, FindingReason::kMissedByCluster), 0U);
   const Truly two({{0, 0, 0}, {1, 0, 0}});
-  expect_finding(two.check(two.claim_without({{0, 1}})), 3, FindingReason::kMissing, "FC-CLAIM-03",
-                 std::nullopt);
+  expect_finding(two.check(two.claim_without({{0, 1}})), 3, FindingReason::kMissing, "FC-CLAIM-03", std::nullopt);
 }
 
 TEST(CheckTest, PermitsASpanningPart) {
   CITES("FC-CLAIM-02");
   const Truly cube(kCube);
-  const CheckReport part = cube.check(
-      cube.claim_without({{0, 1, 2, 3}, {0, 1, 2, 3, 4, 5, 6, 7}}).add(2, {0, 1, 2}).add(3, {0, 1, 2, 4}));
+  const CheckReport part =
+      cube.check(cube.claim_without({{0, 1, 2, 3}, {0, 1, 2, 3, 4, 5, 6, 7}}).add(2, {0, 1, 2}).add(3, {0, 1, 2, 4}));
   EXPECT_EQ(part.verdict, Verdict::kConformsWhereDetermined) << text(part);
   EXPECT_EQ(count(part, FindingReason::kSpanningPart), 2U);
   expect_finding(part, 2, FindingReason::kSpanningPart, "FC-CLAIM-02", 26);
@@ -121,17 +119,13 @@ TEST(CheckTest, PermitsASpanningPart) {
 TEST(CheckTest, PermitsWhatAPerturbationGives) {
   CITES("FC-CLAIM-04", "FC-CRIT-03");
   const Truly low(kRightTriangle), high(kKind23), both(kKind13);
-  const auto verdict = [](const Truly& truly, const Claimed& claimed) {
-    return truly.check(claimed).verdict;
-  };
+  const auto verdict = [](const Truly& truly, const Claimed& claimed) { return truly.check(claimed).verdict; };
   const auto varies = Verdict::kConformsWhereDetermined;
-  for (const Truly* truly : {&low, &high, &both})
-    EXPECT_EQ(verdict(*truly, truly->claim()), Verdict::kConforms);
+  for (const Truly* truly : {&low, &high, &both}) EXPECT_EQ(verdict(*truly, truly->claim()), Verdict::kConforms);
   EXPECT_EQ(verdict(low, low.claim().regular(1, 2, {0, 1, 2})), Verdict::kConforms);
   EXPECT_EQ(verdict(low, low.claim().add(1, {1, 2}).add(2, {0, 1, 2})), varies);
   EXPECT_EQ(verdict(low, low.claim().add(1, {1, 2})), Verdict::kFails);
-  EXPECT_EQ(verdict(low, low.claim().add(1, {1, 2}).add(2, {0, 1, 2}).regular(1, 2, {0, 1, 2})),
-            Verdict::kFails);
+  EXPECT_EQ(verdict(low, low.claim().add(1, {1, 2}).add(2, {0, 1, 2}).regular(1, 2, {0, 1, 2})), Verdict::kFails);
   EXPECT_EQ(verdict(low, low.claim().add(1, {1, 2}).add(2, {0, 1, 2}).add(2, {0, 1, 2})), Verdict::kFails);
   EXPECT_EQ(verdict(high, high.claim().add(2, {0, 1, 2}).add(3, {0, 1, 2, 3})), varies);
   EXPECT_EQ(verdict(high, high.claim().add(3, {0, 1, 2, 3})), Verdict::kFails);
@@ -150,10 +144,8 @@ TEST(CheckTest, OnlyFacesCollide) {
   CITES("FC-CLAIM-04");
   const Truly half({{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}, {-4, 0, 3}, {3, 0, 4}});
   const Ids whole = {0, 1, 2, 3, 4, 5};
-  EXPECT_EQ(half.check(half.claim().add(2, {0, 1, 2}).add(3, whole)).verdict,
-            Verdict::kConformsWhereDetermined);
-  EXPECT_EQ(half.check(half.claim().add(2, {0, 1, 2}).add(3, {0, 1, 2, 5})).verdict,
-            Verdict::kConformsWhereDetermined);
+  EXPECT_EQ(half.check(half.claim().add(2, {0, 1, 2}).add(3, whole)).verdict, Verdict::kConformsWhereDetermined);
+  EXPECT_EQ(half.check(half.claim().add(2, {0, 1, 2}).add(3, {0, 1, 2, 5})).verdict, Verdict::kConformsWhereDetermined);
   EXPECT_EQ(half.check(half.claim().add(2, {0, 3, 4}).add(3, whole)).verdict, Verdict::kFails);
 }
 
@@ -181,8 +173,7 @@ TEST(CheckTest, JudgesPositionsExactlyOrWithinTheTolerance) {
   EXPECT_EQ(two.check(claimed).verdict, Verdict::kFails);
   EXPECT_EQ(two.check(claimed, {.tolerance = 1e-6}).verdict, Verdict::kConforms);
   EXPECT_THROW((void)two.check(claimed, {.tolerance = -1}), InvalidInput);
-  EXPECT_THROW((void)two.check(claimed, {.tolerance = std::numeric_limits<double>::quiet_NaN()}),
-               InvalidInput);
+  EXPECT_THROW((void)two.check(claimed, {.tolerance = std::numeric_limits<double>::quiet_NaN()}), InvalidInput);
 }
 
 TEST(CheckTest, FindsOutWhatIsClaimedByPosition) {

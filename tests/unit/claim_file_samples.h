@@ -55,8 +55,7 @@ inline std::string base64(const std::string& bytes) {
     unsigned bits = 0;
     for (std::size_t j = 0; j < 3; ++j)
       bits = bits << 8 | (k + j < bytes.size() ? static_cast<unsigned char>(bytes[k + j]) : 0U);
-    for (std::size_t j = 0; j < 4; ++j)
-      text += k + j > bytes.size() ? '=' : digits[bits >> (18 - 6 * j) & 63];
+    for (std::size_t j = 0; j < 4; ++j) text += k + j > bytes.size() ? '=' : digits[bits >> (18 - 6 * j) & 63];
   }
   return text;
 }
@@ -64,8 +63,8 @@ inline std::string base64(const std::string& bytes) {
 inline std::string deflated(const std::string& bytes) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
   std::string output(size, '\0');
-  EXPECT_EQ(compress(reinterpret_cast<Bytef*>(output.data()), &size,
-                     reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uLong>(bytes.size())),
+  EXPECT_EQ(compress(reinterpret_cast<Bytef*>(output.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+                     static_cast<uLong>(bytes.size())),
             Z_OK);
   output.resize(size);
   return output;
@@ -127,10 +126,8 @@ inline std::string vtp_file(const VtpChoices& choices, const std::vector<VtpPoin
     const std::string start = "<DataArray " + attributes;
     if (appended) return start + " format=\"appended\" offset=\"" + std::to_string(offset) + "\"/>\n";
     // VTK adds such elements to arrays of several components.
-    const std::string key =
-        "<InformationKey name=\"L2_NORM_RANGE\"><Value index=\"0\">5</Value></InformationKey>";
-    return start + " format=\"" + (ascii ? "ascii" : "binary") + "\">\n   " + data + "\n" + key +
-           "</DataArray>\n";
+    const std::string key = "<InformationKey name=\"L2_NORM_RANGE\"><Value index=\"0\">5</Value></InformationKey>";
+    return start + " format=\"" + (ascii ? "ascii" : "binary") + "\">\n   " + data + "\n" + key + "</DataArray>\n";
   };
   std::ostringstream file;
   file << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\""
@@ -148,8 +145,8 @@ inline std::string vtp_file(const VtpChoices& choices, const std::vector<VtpPoin
                 type_data.size(), position_data)
        << "</Points>\n</Piece></PolyData>\n";
   if (appended) {
-    file << "<AppendedData encoding=\"" << choices.encoding.substr(9) << "\">\n _" << type_data
-         << position_data << "\n</AppendedData>\n";
+    file << "<AppendedData encoding=\"" << choices.encoding.substr(9) << "\">\n _" << type_data << position_data
+         << "\n</AppendedData>\n";
   }
   file << "</VTKFile>\n";
   return file.str();

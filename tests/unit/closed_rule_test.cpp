@@ -31,8 +31,7 @@ Counts closed_counts(const VoronoiComplex& complex) {
   }
   for (const auto& [polygon, facets] : facets_by_polygon(complex)) {
     bool counts = true;
-    for (const PolygonSide& side : sides_of(complex, facets))
-      counts = counts && side.angle != Sign::kNegative;
+    for (const PolygonSide& side : sides_of(complex, facets)) counts = counts && side.angle != Sign::kNegative;
     const FacetRef mirror = delaunay.mirror(facets.front());
     counts = counts && complex.side(facets.front()) != Sign::kNegative;
     counts = counts && (!delaunay.is_finite(mirror.cell) || complex.side(mirror) != Sign::kNegative);
@@ -104,16 +103,14 @@ void check_closed_rule(const std::vector<Point>& rows, int dimension, KindsSeen&
   }
 }
 
-KindsSeen check_families(int dimension, const std::set<std::string>& names, int inputs_each,
-                         int largest_size) {
+KindsSeen check_families(int dimension, const std::set<std::string>& names, int inputs_each, int largest_size) {
   KindsSeen seen;
   std::size_t found = 0;
   for (const fuzz::Family& family : fuzz::families()) {
     if (!names.contains(family.name)) continue;
     ++found;
     for (int k = 0; k < inputs_each; ++k) {
-      const fuzz::Input input =
-          fuzz::draw(family, static_cast<std::uint64_t>(1000 + k), k % (largest_size + 1));
+      const fuzz::Input input = fuzz::draw(family, static_cast<std::uint64_t>(1000 + k), k % (largest_size + 1));
       std::vector<Point> rows;
       for (const fuzz::Row& row : input.rows) rows.push_back({row[0], row[1], row[2]});
       SCOPED_TRACE(testing::Message() << family.name << ", seed " << 1000 + k << '\n' << input);
@@ -124,19 +121,18 @@ KindsSeen check_families(int dimension, const std::set<std::string>& names, int 
   EXPECT_EQ(found, names.size()) << "a family has another name now";
   std::cout << seen.inputs << " inputs of dimension " << dimension
             << "; regular stationary points of kind 1-2: " << seen.points[0] << " in " << seen.inputs_with[0]
-            << " inputs, 2-3: " << seen.points[1] << " in " << seen.inputs_with[1]
-            << ", 1-3: " << seen.points[2] << " in " << seen.inputs_with[2] << '\n';
+            << " inputs, 2-3: " << seen.points[1] << " in " << seen.inputs_with[1] << ", 1-3: " << seen.points[2]
+            << " in " << seen.inputs_with[2] << '\n';
   return seen;
 }
 
 TEST(ClosedRuleTest, ExceedsTheStrictCountsByTheRegularPoints) {
   CITES("FC-INV-02", "FC-INV-01", "FC-SIGN-04");
-  const KindsSeen seen =
-      check_families(3,
-                     {"lattice-2", "lattice-3", "right-angles", "signed-permutations", "integer-sphere",
-                      "sphere-and-others", "box-corners", "two-circles", "duplicates", "one-ulp-off",
-                      "far-away", "rounded-sphere", "mixed-magnitudes"},
-                     300, 60);
+  const KindsSeen seen = check_families(
+      3,
+      {"lattice-2", "lattice-3", "right-angles", "signed-permutations", "integer-sphere", "sphere-and-others",
+       "box-corners", "two-circles", "duplicates", "one-ulp-off", "far-away", "rounded-sphere", "mixed-magnitudes"},
+      300, 60);
   EXPECT_GE(seen.inputs, 2000);
   for (std::size_t k = 0; k < 3; ++k) EXPECT_GT(seen.inputs_with[k], 50);
 }

@@ -27,26 +27,21 @@ constexpr std::uint64_t kSeeds = 60;
 
 bool is_integer(double value) { return value == std::floor(value); }
 
-std::size_t distinct_rows(const Input& input) {
-  return std::set<Row>(input.rows.begin(), input.rows.end()).size();
-}
+std::size_t distinct_rows(const Input& input) { return std::set<Row>(input.rows.begin(), input.rows.end()).size(); }
 
 TEST(RightAngles, HaveAnEmptyBallWithItsCentreOnAFace) {
   for (const auto& configuration : {right_angles_12(), right_angles_23(), right_angles_13()}) {
     for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
       const IntegerPoints points = configuration(rc::Random(seed), 100).value();
       const Integer norm = dot(points.front(), points.front());
-      EXPECT_GE(std::count_if(points.begin(), points.end(), [&](const auto& p) { return dot(p, p) == norm; }),
-                3);
-      EXPECT_TRUE(
-          std::all_of(points.begin(), points.end(), [&](const auto& p) { return dot(p, p) >= norm; }));
+      EXPECT_GE(std::count_if(points.begin(), points.end(), [&](const auto& p) { return dot(p, p) == norm; }), 3);
+      EXPECT_TRUE(std::all_of(points.begin(), points.end(), [&](const auto& p) { return dot(p, p) >= norm; }));
     }
   }
 }
 
 // Integers of any size.
-using Number =
-    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+using Number = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 using NumberPoint = std::array<Number, 3>;
 
 std::vector<NumberPoint> to_numbers(const Input& input) {
@@ -58,21 +53,15 @@ std::vector<NumberPoint> to_numbers(const Input& input) {
   return points;
 }
 
-NumberPoint operator-(const NumberPoint& a, const NumberPoint& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-NumberPoint operator+(const NumberPoint& a, const NumberPoint& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
+NumberPoint operator-(const NumberPoint& a, const NumberPoint& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+NumberPoint operator+(const NumberPoint& a, const NumberPoint& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 NumberPoint operator*(const Number& factor, const NumberPoint& a) {
   return {factor * a[0], factor * a[1], factor * a[2]};
 }
 Number inner(const NumberPoint& a, const NumberPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // The sign of the angle at q over an edge: positive acute, zero right, negative obtuse.
-Number angle_sign(const NumberPoint& q, const NumberPoint& p0, const NumberPoint& p1) {
-  return inner(q - p0, q - p1);
-}
+Number angle_sign(const NumberPoint& q, const NumberPoint& p0, const NumberPoint& p1) { return inner(q - p0, q - p1); }
 
 struct Fraction {
   Number numerator;
@@ -164,9 +153,9 @@ bool are_cocircular(const std::vector<NumberPoint>& points) {
     const NumberPoint u = lifted(3);
     const NumberPoint v = lifted(4);
     const NumberPoint w = lifted(k);
-    if (points[k][2] != 0 || u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) +
-                                     u[2] * (v[0] * w[1] - v[1] * w[0]) !=
-                                 0) {
+    if (points[k][2] != 0 ||
+        u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0]) !=
+            0) {
       return false;
     }
   }

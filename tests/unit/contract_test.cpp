@@ -16,8 +16,7 @@ TEST(Contract, IsEvaluatedOnlyWhereItIsChecked) {
 
 #ifdef FLOWCERT_CONTRACTS
 TEST(ContractDeathTest, NamesWhatDoesNotHold) {
-  EXPECT_DEATH(FLOWCERT_REQUIRES(1 + 1 == 3),
-               "contract_test.cpp:[0-9]+: a precondition does not hold: 1 \\+ 1 == 3");
+  EXPECT_DEATH(FLOWCERT_REQUIRES(1 + 1 == 3), "contract_test.cpp:[0-9]+: a precondition does not hold: 1 \\+ 1 == 3");
   EXPECT_DEATH((void)geometry::nearest_samples(PointSet(), RationalPoint{}), "!points.empty\\(\\)");
 }
 #endif

@@ -19,17 +19,16 @@ struct Seed {
 };
 
 std::vector<Seed> seeds() {
-  return {
-      {"exchange", property::exchange_file({{0, 0, 1}, {1, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}}), false},
-      {"csv", csv_file(), false},
-      {"giesen-kuehne", giesen_kuehne_file(), false},
-      {"vtp ascii", vtp_file({}), true},
-      {"vtp base64", vtp_file({.encoding = "base64"}), true},
-      {"vtp zlib", vtp_file({.encoding = "base64", .compressed = true, .long_header = true}), true},
-      {"vtp appended", vtp_file({.encoding = "appended base64", .big_endian = true}), true},
-      {"vtp raw", vtp_file({.encoding = "appended raw", .compressed = true}), true},
-      {"vtp raw plain", vtp_file({.encoding = "appended raw", .doubles = false, .types = "Int8"}), true},
-      {"gzip", gzipped(giesen_kuehne_file()), true}};
+  return {{"exchange", property::exchange_file({{0, 0, 1}, {1, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}}), false},
+          {"csv", csv_file(), false},
+          {"giesen-kuehne", giesen_kuehne_file(), false},
+          {"vtp ascii", vtp_file({}), true},
+          {"vtp base64", vtp_file({.encoding = "base64"}), true},
+          {"vtp zlib", vtp_file({.encoding = "base64", .compressed = true, .long_header = true}), true},
+          {"vtp appended", vtp_file({.encoding = "appended base64", .big_endian = true}), true},
+          {"vtp raw", vtp_file({.encoding = "appended raw", .compressed = true}), true},
+          {"vtp raw plain", vtp_file({.encoding = "appended raw", .doubles = false, .types = "Int8"}), true},
+          {"gzip", gzipped(giesen_kuehne_file()), true}};
 }
 
 // How a run of damaged files went.
@@ -234,9 +233,8 @@ TEST(DamagedClaims, LargeAndHostile) {
        {std::string(kSize, '{'), header + std::string(kSize, '['), header + keys + "}",
         header + "{\"index\":1,\"contact\":[" + many("1,", kSize / 2) + "1]}",
         header + "{\"index\":1,\"x\":[" + many("[],", kSize / 3) + "1]}",
-        header + "{\"index\":1,\"x\":\"" + many("\\u0000", kSize / 6) + "\"}", fraction,
-        many("<a>", kSize / 3), elements + "</PolyData></VTKFile>",
-        "<VTKFile type=\"" + std::string(kSize, 'a'),
+        header + "{\"index\":1,\"x\":\"" + many("\\u0000", kSize / 6) + "\"}", fraction, many("<a>", kSize / 3),
+        elements + "</PolyData></VTKFile>", "<VTKFile type=\"" + std::string(kSize, 'a'),
         "<VTKFile type=\"PolyData\"" + many(" a=\"\"", kSize / 5) + "/>", std::string(kSize, '\r') + "x",
         std::string(kSize, '|'), "1 | 1" + many("|inf", kSize / 4), many("1 ", kSize / 2) + "|",
         "1,0,0,0,0" + std::string(kSize, ','), "inf 3" + many("\n1|0", kSize / 10),

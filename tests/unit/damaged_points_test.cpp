@@ -126,8 +126,7 @@ TEST(DamagedPoints, DamagedFilesAreRefusedOrGiveFiniteRows) {
       const Rows rows = rows_of(bytes, random() % 4 == 0 ? "-" : seed.name);
       EXPECT_LE(rows.size(), bytes.size());
       for (const Point& row : rows) {
-        ASSERT_TRUE(std::isfinite(row.x) && std::isfinite(row.y) && std::isfinite(row.z))
-            << seed.name << " " << round;
+        ASSERT_TRUE(std::isfinite(row.x) && std::isfinite(row.y) && std::isfinite(row.z)) << seed.name << " " << round;
       }
     } catch (const InvalidInput& error) {
       ASSERT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();

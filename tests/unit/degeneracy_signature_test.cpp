@@ -38,8 +38,7 @@ std::set<std::string> values_of(SignaturePart part, const rc::Gen<IntegerPoints>
 }
 
 const Input& cube() {
-  static const Input rows{
-      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}}};
+  static const Input rows{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}}};
   return rows;
 }
 // No sphere, circle, plane or right angle is met exactly.
@@ -101,8 +100,7 @@ TEST(Signature, SeesDuplicates) {
 
 TEST(Signature, SeesClustersAndPolygonsBySize) {
   // Points of one circle, and two off its plane.
-  const IntegerPoints circle{{5, 0, 0},   {3, 4, 0},  {-3, 4, 0}, {-5, 0, 0},
-                             {-4, -3, 0}, {0, -5, 0}, {4, -3, 0}};
+  const IntegerPoints circle{{5, 0, 0}, {3, 4, 0}, {-3, 4, 0}, {-5, 0, 0}, {-4, -3, 0}, {0, -5, 0}, {4, -3, 0}};
   const std::vector<std::string> polygons{"0-3", "4", "5-6", "5-6", "7+"};
   const std::vector<std::string> clusters{"0-4", "5", "6", "7-8", "7-8"};
   for (std::size_t corners = 3; corners <= 7; ++corners) {
@@ -157,8 +155,7 @@ TEST(Signature, SeesWhereOrbitsEnd) {
   EXPECT_EQ(value_of(SignaturePart::kEndsAtInfinity, cube()), "1+");
   EXPECT_EQ(value_of(SignaturePart::kEndsAtRegular, cube()), "0");
   // An orbit goes from the small square up to the sphere's centre, which is the large square's centre as well.
-  const Input frustum{
-      {{5, 0, 0}, {0, 5, 0}, {-5, 0, 0}, {0, -5, 0}, {3, 0, -4}, {0, 3, -4}, {-3, 0, -4}, {0, -3, -4}}};
+  const Input frustum{{{5, 0, 0}, {0, 5, 0}, {-5, 0, 0}, {0, -5, 0}, {3, 0, -4}, {0, 3, -4}, {-3, 0, -4}, {0, -3, -4}}};
   EXPECT_EQ(value_of(SignaturePart::kKind23, frustum), "1");
   EXPECT_EQ(value_of(SignaturePart::kEndsAtRegular, frustum), "1+");
   EXPECT_EQ(value_of(SignaturePart::kEndsAtInfinity, {{{0, 0, 0}, {4, 0, 0}, {2, 3, 0}}}), "1+");
@@ -194,8 +191,7 @@ TEST(Signature, SaysOfStableManifoldsWhatTheirStatisticsSay) {
       const StableManifolds& stable = complex.stable();
       const StableStatistics& statistics = stable.statistics();
       EXPECT_EQ(value_of(SignaturePart::kStableVertex, input), yes_or_no(statistics.with_vertex)) << input;
-      EXPECT_EQ(value_of(SignaturePart::kStableInterval, input), yes_or_no(statistics.with_interval))
-          << input;
+      EXPECT_EQ(value_of(SignaturePart::kStableInterval, input), yes_or_no(statistics.with_interval)) << input;
       EXPECT_EQ(value_of(SignaturePart::kTies, input), yes_or_no(statistics.broken_ties)) << input;
     }
   }

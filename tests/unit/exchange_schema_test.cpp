@@ -26,8 +26,7 @@ TEST(ExchangeSchema, TakesWhatComputeWrites) {
   CITES("FC-OUT-01", "FC-NUM-02");
   const ExchangeSchema schema;
   for (const std::vector<Point>& rows :
-       {rows_of_many_kinds(), std::vector<Point>{},
-        std::vector<Point>{{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}},
+       {rows_of_many_kinds(), std::vector<Point>{}, std::vector<Point>{{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}},
         std::vector<Point>{{1e308, 0, 0}, {-1e308, 1e-300, 0}, {0, 3, 1e300}, {0, -1e308, 5}}}) {
     std::istringstream lines(property::exchange_file(rows));
     std::string line;
@@ -38,16 +37,14 @@ TEST(ExchangeSchema, TakesWhatComputeWrites) {
 TEST(ExchangeSchema, SaysWhatTheReaderSays) {
   CITES("FC-OUT-01", "FC-NUM-02");
   const ExchangeSchema schema;
-  for (
-      const char* record :
-      {R"({"index":2,"center":["1/2","-3","0x1.8p1"]})", R"({"index":2,"center":["0.1",1e-4,"+.5e+7"]})",
-       R"({"index":[1,3],"kind":"regular","contact":[0],"new":1})",
-       R"({"index":1,"samples":[7],"contact":[7]})",
-       R"({"index":2,"contact":[1],"limits":[null,[1]],"u2":[[],[{"end":null}]]})",
-       R"({"index":2,"contact":[1],"stable":{"segments":3,"has_vertex":false,"boundary":[[0,1]],"walk":[0,1,0]}})",
-       R"({"index":[1,2],"contact":[1],"stable":{"walk":null},"surface":{"vertices":[],"triangles":[]}})",
-       R"({"index":2,"contact":[1],"skeleton":{"segments":[{"samples":[0,1],"front":[0,0,0],"back":["1/2",0,0]}]}})",
-       R"({"index":1,"center_double":[1,2,3],"squared_distance_double":null})"}) {
+  for (const char* record :
+       {R"({"index":2,"center":["1/2","-3","0x1.8p1"]})", R"({"index":2,"center":["0.1",1e-4,"+.5e+7"]})",
+        R"({"index":[1,3],"kind":"regular","contact":[0],"new":1})", R"({"index":1,"samples":[7],"contact":[7]})",
+        R"({"index":2,"contact":[1],"limits":[null,[1]],"u2":[[],[{"end":null}]]})",
+        R"({"index":2,"contact":[1],"stable":{"segments":3,"has_vertex":false,"boundary":[[0,1]],"walk":[0,1,0]}})",
+        R"({"index":[1,2],"contact":[1],"stable":{"walk":null},"surface":{"vertices":[],"triangles":[]}})",
+        R"({"index":2,"contact":[1],"skeleton":{"segments":[{"samples":[0,1],"front":[0,0,0],"back":["1/2",0,0]}]}})",
+        R"({"index":1,"center_double":[1,2,3],"squared_distance_double":null})"}) {
     EXPECT_TRUE(schema.accepts(record)) << record;
     EXPECT_EQ(claim_refusal(kHeader + record), "accepted, 1 points") << record;
   }
@@ -87,9 +84,8 @@ TEST(ExchangeSchema, SaysWhatTheReaderSays) {
     EXPECT_FALSE(schema.accepts(record)) << record;
     EXPECT_NE(claim_refusal(kHeader + record), "accepted, 1 points") << record;
   }
-  for (const char* header :
-       {R"({"format":"flowcert-stationary-points"})", R"({"format":"x","format_version":1})",
-        R"({"format":"flowcert-stationary-points","format_version":1,"points":-1})"}) {
+  for (const char* header : {R"({"format":"flowcert-stationary-points"})", R"({"format":"x","format_version":1})",
+                             R"({"format":"flowcert-stationary-points","format_version":1,"points":-1})"}) {
     EXPECT_FALSE(schema.accepts(header)) << header;
     EXPECT_NE(claim_refusal(header), "accepted, 0 points") << header;
   }

@@ -29,14 +29,12 @@ using flowcert_tests::minus;
 using flowcert_tests::PortableRandom;
 
 using Ids = std::vector<PointId>;
-constexpr StationaryIndex kMinimum{0, 0}, kIndex1{1, 1}, kIndex2{2, 2}, kIndex3{3, 3}, kKind12{1, 2},
-    kKind23{2, 3}, kKind13{1, 3};
+constexpr StationaryIndex kMinimum{0, 0}, kIndex1{1, 1}, kIndex2{2, 2}, kIndex3{3, 3}, kKind12{1, 2}, kKind23{2, 3},
+    kKind13{1, 3};
 
 RationalPoint position(const Rational& x, const Rational& y, const Rational& z) { return {x, y, z}; }
 
-Explanation explained(const std::vector<Point>& rows, const Ids& ids) {
-  return explain_points(PointSet(rows), ids);
-}
+Explanation explained(const std::vector<Point>& rows, const Ids& ids) { return explain_points(PointSet(rows), ids); }
 
 const std::vector<Point>& unit_cube() {
   static const std::vector<Point> rows = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
@@ -55,10 +53,7 @@ TEST(ExplainPointsTest, CriticalPointsOfEachIndex) {
       {{3}, kMinimum, position(1, 1, 0), 0},
       {{1, 0}, kIndex1, position(Rational(1) / 2, 0, 0), Rational(1) / 4},
       {{3, 1, 0, 2}, kIndex2, position(Rational(1) / 2, Rational(1) / 2, 0), Rational(1) / 2},
-      {{7, 6, 5, 4, 3, 2, 1, 0},
-       kIndex3,
-       position(Rational(1) / 2, Rational(1) / 2, Rational(1) / 2),
-       Rational(3) / 4},
+      {{7, 6, 5, 4, 3, 2, 1, 0}, kIndex3, position(Rational(1) / 2, Rational(1) / 2, Rational(1) / 2), Rational(3) / 4},
   };
   for (const auto& expected : cases) {
     const Explanation answer = explained(unit_cube(), expected.ids);
@@ -285,8 +280,7 @@ void check_reason(const PointSet& points, const Ids& names, const Explanation& a
   if (!inside.empty()) {
     ASSERT_EQ(answer.clause, "FC-CRIT-05 (b)");
     ASSERT_FALSE(answer.witnesses.empty());
-    ASSERT_TRUE(
-        std::includes(inside.begin(), inside.end(), answer.witnesses.begin(), answer.witnesses.end()));
+    ASSERT_TRUE(std::includes(inside.begin(), inside.end(), answer.witnesses.begin(), answer.witnesses.end()));
     return;
   }
   ASSERT_EQ(answer.contact, on);

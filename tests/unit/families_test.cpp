@@ -33,8 +33,8 @@ namespace {
 constexpr std::uint64_t kSeeds = 60;
 
 const Family& family_named(const std::string& name) {
-  const auto found = std::find_if(families().begin(), families().end(),
-                                  [&](const Family& family) { return family.name == name; });
+  const auto found =
+      std::find_if(families().begin(), families().end(), [&](const Family& family) { return family.name == name; });
   EXPECT_NE(found, families().end()) << name;
   return *found;
 }
@@ -50,9 +50,7 @@ void for_each_draw(const Family& family, const Check& check) {
 
 bool is_integer(double value) { return value == std::floor(value); }
 
-std::size_t distinct_rows(const Input& input) {
-  return std::set<Row>(input.rows.begin(), input.rows.end()).size();
-}
+std::size_t distinct_rows(const Input& input) { return std::set<Row>(input.rows.begin(), input.rows.end()).size(); }
 
 TEST(Families, NamesAreUniqueKebabCase) {
   std::set<std::string> names;
@@ -135,8 +133,7 @@ double determinant(const Row& o, const Row& a, const Row& b, const Row& c) {
   const Row u{a[0] - o[0], a[1] - o[1], a[2] - o[2]};
   const Row v{b[0] - o[0], b[1] - o[1], b[2] - o[2]};
   const Row w{c[0] - o[0], c[1] - o[1], c[2] - o[2]};
-  return u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) +
-         u[2] * (v[0] * w[1] - v[1] * w[0]);
+  return u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0]);
 }
 
 TEST(Families, FlatOnesAreFlat) {
@@ -178,10 +175,10 @@ TEST(Families, RoundedOnesAreRounded) {
   for (const char* name : {"rounded-sphere", "rounded-rotation", "rounded-to-float"}) {
     int fractional = 0;
     for_each_draw(family_named(name), [&](const Input& input) {
-      fractional += std::any_of(input.rows.begin(), input.rows.end(),
-                                [](const Row& row) { return !is_integer(row[0] * 1024); })
-                        ? 1
-                        : 0;
+      fractional +=
+          std::any_of(input.rows.begin(), input.rows.end(), [](const Row& row) { return !is_integer(row[0] * 1024); })
+              ? 1
+              : 0;
     });
     EXPECT_GT(fractional, static_cast<int>(kSeeds * 3 / 2)) << name;
   }

@@ -97,8 +97,7 @@ Value side_value(const std::array<Point, 4>& t) {
   const auto [a, b, c] = vectors_from_first(t);
   const auto sphere = circumsphere(a, b, c);
   const double abc = norm(a) * norm(b) * norm(c);
-  return {dot(sphere.ab, sphere.numerator),
-          22.5 * u * norm(a) * norm(b) * abc * (norm(a) + norm(b) + norm(c))};
+  return {dot(sphere.ab, sphere.numerator), 22.5 * u * norm(a) * norm(b) * abc * (norm(a) + norm(b) + norm(c))};
 }
 // |v|^2 det: 5.1 + 9.8 + 1; <numerator, v> has more.
 Value sphere_value(const std::array<Point, 5>& t) {
@@ -145,16 +144,12 @@ TEST(FilterBounds, OfTheAngle) {
 
 TEST(FilterBounds, OfTheOrientation) {
   CITES("FC-NUM-01");
-  expect_open_within_the_error<4>(orientation_value, [](const auto& t) {
-    return Orientation{t[0], t[1], t[2], t[3]};
-  });
+  expect_open_within_the_error<4>(orientation_value, [](const auto& t) { return Orientation{t[0], t[1], t[2], t[3]}; });
 }
 
 TEST(FilterBounds, OfTheSideOfAPlane) {
   CITES("FC-NUM-01");
-  expect_open_within_the_error<4>(side_value, [](const auto& t) {
-    return SideOfPlane{t[0], t[1], t[2], t[3]};
-  });
+  expect_open_within_the_error<4>(side_value, [](const auto& t) { return SideOfPlane{t[0], t[1], t[2], t[3]}; });
 }
 
 TEST(FilterBounds, OfTheSphere) {
@@ -200,11 +195,11 @@ CellValues cell_values(const std::array<Point, 4>& t) {
   const double s3 = dot(sphere.ab, sphere.numerator), s1 = dot(sphere.bc, sphere.numerator),
                s2 = dot(sphere.ca, sphere.numerator);
   const double total = na * nb * nc * (na + nb + nc);
-  values.sides = {Value{2 * sphere.determinant * sphere.determinant - s1 - s2 - s3,
-                        30 * u * total * (na * nb + nb * nc + nc * na)},
-                  {s1, 22.5 * u * total * nb * nc},
-                  {s2, 22.5 * u * total * nc * na},
-                  {s3, 22.5 * u * total * na * nb}};
+  values.sides = {
+      Value{2 * sphere.determinant * sphere.determinant - s1 - s2 - s3, 30 * u * total * (na * nb + nb * nc + nc * na)},
+      {s1, 22.5 * u * total * nb * nc},
+      {s2, 22.5 * u * total * nc * na},
+      {s3, 22.5 * u * total * na * nb}};
   return values;
 }
 
@@ -297,8 +292,7 @@ void expect_nearest_samples(double scale, double far, std::uint64_t seed) {
       if (trial % 3 == 0) offset = {draw(), draw(), draw()};
       random.shuffle(offset);
       const auto sign = [&] { return random.coin() ? 1 : -1; };
-      rows.push_back(
-          {centre.x + sign() * offset[0], centre.y + sign() * offset[1], centre.z + sign() * offset[2]});
+      rows.push_back({centre.x + sign() * offset[0], centre.y + sign() * offset[1], centre.z + sign() * offset[2]});
     }
     const PointSet points(rows);
     const RationalPoint first = exact_position(rows[0]);
@@ -318,8 +312,7 @@ void expect_nearest_samples(double scale, double far, std::uint64_t seed) {
       }
       const NearestSamples nearest = nearest_samples(points, x);
       ASSERT_EQ(nearest.names, nearest_by_exact_scan(points, x)) << "scale " << scale << ", far " << far;
-      EXPECT_EQ(nearest.squared_distance,
-                squared_distance(x, points[points.ordinal_of_row(nearest.names[0])]));
+      EXPECT_EQ(nearest.squared_distance, squared_distance(x, points[points.ordinal_of_row(nearest.names[0])]));
       if (nearest.names.size() > 1) ++ties;
     }
   }

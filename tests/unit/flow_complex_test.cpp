@@ -37,8 +37,7 @@ std::vector<RationalPoint> starts_for(const FlowComplex& complex) {
     const RationalPoint p = geometry::exact_position(points[k]), q = geometry::exact_position(points[k + 1]);
     starts.push_back({(2 * p[0] + q[0]) / 3, (2 * p[1] + q[1]) / 3, (2 * p[2] + q[2]) / 3});
   }
-  if (!points.empty())
-    starts.push_back({Rational(points[0].x) + 1, Rational(points[0].y) - 9, Rational(1) / 3});
+  if (!points.empty()) starts.push_back({Rational(points[0].x) + 1, Rational(points[0].y) - 9, Rational(1) / 3});
   return starts;
 }
 
@@ -65,8 +64,7 @@ std::string account_of(const FlowComplex& complex) {
     }
   }
   for (std::size_t i = 0; i < complex.stable().size(); ++i) {
-    for (const BackwardSegment& segment : complex.stable().set(i).segments)
-      text += text_of(segment.back) + '\n';
+    for (const BackwardSegment& segment : complex.stable().set(i).segments) text += text_of(segment.back) + '\n';
   }
   for (const RationalPoint& start : starts_for(complex)) {
     text += text_of(complex.orbit(start)) + type_text(complex.step(start).type) + '\n';
@@ -75,8 +73,7 @@ std::string account_of(const FlowComplex& complex) {
     text += std::to_string(x) + ' ' + std::to_string(y) + ' ' + std::to_string(z) + '\n';
   }
   for (const PersistencePair& pair : complex.persistence().pairs()) {
-    text += std::to_string(pair.dimension) + ' ' + to_text(complex.persistence().squared_value(pair.birth)) +
-            '\n';
+    text += std::to_string(pair.dimension) + ' ' + to_text(complex.persistence().squared_value(pair.birth)) + '\n';
   }
   return text;
 }
@@ -106,8 +103,7 @@ TEST(FlowComplex, CentersAreTheNearestDoubles) {
   ASSERT_EQ(centers.size(), complex.stationary().size());
   for (std::size_t record = 0; record < centers.size(); ++record) {
     const RationalPoint exact = complex.sphere(record).center;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      EXPECT_EQ(centers[record].at(axis), nearest_double(exact.at(axis)));
+    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(centers[record].at(axis), nearest_double(exact.at(axis)));
   }
 }
 

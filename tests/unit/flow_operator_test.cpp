@@ -37,8 +37,7 @@ std::uint64_t failures(const KernelTally& tally) {
 
 TEST(LazyKernel, IntervalsDecideWhereNothingIsDegenerate) {
   CITES("FC-NUM-01");
-  const PointSet points(
-      std::vector<Point>{{0, 0, 0}, {7, 1, 2}, {3, 9, 1}, {2, 3, 8}, {11, 12, 5}, {-4, 6, 7}});
+  const PointSet points(std::vector<Point>{{0, 0, 0}, {7, 1, 2}, {3, 9, 1}, {2, 3, 8}, {11, 12, 5}, {-4, 6, 7}});
   const VoronoiDiagram diagram{Delaunay(points)};
   Flow flow(diagram);
   for (int k = 0; k < 20; ++k) {
@@ -98,8 +97,7 @@ TEST(LazyKernel, NearTiesAreTheExactKernels) {
   std::size_t compared = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const RationalPoint o = exact->exact({Place::at_vertex(ring.elements[k].vertex), kNoPoint});
-    const RationalPoint beside =
-        exact->exact({Place::at_vertex(ring.elements[(k + 1) % n].vertex), kNoPoint});
+    const RationalPoint beside = exact->exact({Place::at_vertex(ring.elements[(k + 1) % n].vertex), kNoPoint});
     for (int exponent = 40; exponent < 80; ++exponent) {
       for (const int sign : {-1, 1}) {
         const Rational little = Rational(sign) / Rational(std::uint64_t{1} << (exponent / 2)) /
@@ -163,8 +161,8 @@ TEST(Distribution, TellsWhatAListTells) {
 
 TEST(RecordFinder, FindsEachRecordAndNoOther) {
   CITES("FC-OUT-02");
-  const PointSet points(rows_of(
-      {{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}, {0, 0, 2}, {2, 0, 2}, {0, 2, 2}, {2, 2, 2}, {5, 1, 1}}}));
+  const PointSet points(
+      rows_of({{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}, {0, 0, 2}, {2, 0, 2}, {0, 2, 2}, {2, 2, 2}, {5, 1, 1}}}));
   const FlowComplex complex(points);
   const StationaryPoints& list = complex.stationary();
   const RecordFinder finder(list);

@@ -22,9 +22,7 @@ namespace flowcert {
 using Ids = std::vector<PointId>;
 
 inline ClaimedNumber decimal(const Rational& value) { return {value, false}; }
-inline ClaimedPosition decimals(const RationalPoint& x) {
-  return {decimal(x[0]), decimal(x[1]), decimal(x[2])};
-}
+inline ClaimedPosition decimals(const RationalPoint& x) { return {decimal(x[0]), decimal(x[1]), decimal(x[2])}; }
 
 // A claim, point by point, on lines from 1 on.
 struct Claimed {
@@ -99,11 +97,10 @@ inline std::size_t count(const CheckReport& report, FindingReason reason) {
   return static_cast<std::size_t>(std::ranges::count(report.findings, reason, &Finding::reason));
 }
 
-inline void expect_finding(const CheckReport& report, int level, FindingReason reason,
-                           const std::string& clause, const std::optional<std::size_t>& line) {
+inline void expect_finding(const CheckReport& report, int level, FindingReason reason, const std::string& clause,
+                           const std::optional<std::size_t>& line) {
   const bool found = std::ranges::any_of(report.findings, [&](const Finding& finding) {
-    return finding.level == level && finding.reason == reason && finding.clause == clause &&
-           finding.line == line;
+    return finding.level == level && finding.reason == reason && finding.clause == clause && finding.line == line;
   });
   EXPECT_TRUE(found) << reason_text(reason) << " in " << text(report);
 }

@@ -68,14 +68,12 @@ TEST(IncidenceFindings, SamplesOfAnEdge) {
       "\n2 symbolic-perturbation FC-CLAIM-04: index 1, contact set 1 2; a regular stationary point of kind "
       "1-2, contact set 0 1 2";
   EXPECT_EQ(perturbed({1, 2}), "conforms where determined" + permitted);
-  EXPECT_EQ(
-      perturbed({0, 2}),
-      "fails" + permitted +
-          "\n4 wrong-incidence FC-FLOW-07: index 1, contact set 1 2, samples 0 2; the stable manifold is "
-          "the segment between the two points of the contact set");
+  EXPECT_EQ(perturbed({0, 2}),
+            "fails" + permitted +
+                "\n4 wrong-incidence FC-FLOW-07: index 1, contact set 1 2, samples 0 2; the stable manifold is "
+                "the segment between the two points of the contact set");
   // A position does not tell which edge is meant.
-  Claimed by_position =
-      triangle.claim().add(2, {0, 1, 2}).at(1, exactly(RationalPoint{Rational(3, 2), 2, 0}));
+  Claimed by_position = triangle.claim().add(2, {0, 1, 2}).at(1, exactly(RationalPoint{Rational(3, 2), 2, 0}));
   by_position.last().samples = {{0, 2}};
   EXPECT_EQ(count(triangle.check(by_position), FindingReason::kWrongIncidence), 0U);
   EXPECT_EQ(triangle.check(by_position).verdict, Verdict::kConformsWhereDetermined);
@@ -141,9 +139,8 @@ TEST(IncidenceFindings, SaddlesAboveAnEdge) {
   EXPECT_EQ(said_of_targets(arch, {0, 1}, {to({0, 1, 2}), to({0, 1, 3})}),
             "conforms where determined\n4 symbolic-perturbation FC-CLAIM-09: index 1, contact set 0 1; "
             "there are ties in the stable manifolds above it, or parts of contact sets are named");
-  EXPECT_EQ(
-      said_of_targets(arch, {1, 3}, {to({0, 1, 3}), to({1, 3, 4}), to({0, 3, 4})}),
-      "fails\n4 wrong-incidence FC-CHAIN-01: index 1, contact set 1 3; no orbit comes to it from 0 3 4");
+  EXPECT_EQ(said_of_targets(arch, {1, 3}, {to({0, 1, 3}), to({1, 3, 4}), to({0, 3, 4})}),
+            "fails\n4 wrong-incidence FC-CHAIN-01: index 1, contact set 1 3; no orbit comes to it from 0 3 4");
 }
 
 TEST(IncidenceFindings, LimitsByPartsOfContactSets) {
@@ -160,9 +157,9 @@ TEST(IncidenceFindings, LimitsByPartsOfContactSets) {
   // The diagonal 0 7 has the same centre, but does not span the set. The triangle 1 2 4 has another centre.
   for (const Ids& wrong : {Ids{0, 7}, Ids{1, 2, 4}}) {
     const std::string names = wrong.size() == 2 ? "0 7" : "1 2 4";
-    EXPECT_EQ(said_of_targets(cube, face, {to(wrong), kInfinity}),
-              "fails\n4 wrong-incidence FC-FLOW-07: index 2, contact set 0 1 2 3, up to " + names +
-                  ", infinity; " + ends);
+    EXPECT_EQ(
+        said_of_targets(cube, face, {to(wrong), kInfinity}),
+        "fails\n4 wrong-incidence FC-FLOW-07: index 2, contact set 0 1 2 3, up to " + names + ", infinity; " + ends);
   }
   EXPECT_EQ(said_of_targets(cube, face, {}),
             "fails\n4 wrong-incidence FC-FLOW-07: index 2, contact set 0 1 2 3, up to nothing; " + ends);
@@ -189,12 +186,10 @@ TEST(IncidenceFindings, OrbitsThatGoOnBeyondASaddle) {
               "up to " +
                   names + ", infinity; " + ends);
   }
-  EXPECT_EQ(
-      by_side(to({0, 1, 3, 4}), kInfinity),
-      "fails\n4 wrong-incidence FC-FLOW-07: index 2, contact set 0 1 2, up to 0 1 3 4, infinity; " + ends);
-  EXPECT_EQ(
-      by_side(kInfinity, to({0, 1, 3})),
-      "fails\n4 wrong-incidence FC-FLOW-07: index 2, contact set 0 1 2, up to infinity, 0 1 3; " + ends);
+  EXPECT_EQ(by_side(to({0, 1, 3, 4}), kInfinity),
+            "fails\n4 wrong-incidence FC-FLOW-07: index 2, contact set 0 1 2, up to 0 1 3 4, infinity; " + ends);
+  EXPECT_EQ(by_side(kInfinity, to({0, 1, 3})),
+            "fails\n4 wrong-incidence FC-FLOW-07: index 2, contact set 0 1 2, up to infinity, 0 1 3; " + ends);
   // Each of these limits is permitted, but there are only two sides.
   EXPECT_EQ(said_of_targets(arch, saddle, {kInfinity, to({0, 1, 3, 4}), to({0, 2, 3, 4})}),
             "fails\n4 wrong-incidence FC-FLOW-07: index 2, contact set 0 1 2, up to infinity, 0 1 3 4, "
@@ -211,22 +206,20 @@ TEST(IncidenceFindings, OrbitsThatGoOnBeyondRegularPoints) {
   const std::string unjudged =
       "\nnot judged: where, beyond a regular stationary point, a perturbation lets an "
       "orbit end (FC-CLAIM-07)";
-  EXPECT_EQ(
-      said_of_targets(arch, {0, 1, 3}, {kInfinity}),
-      "conforms where determined\n4 symbolic-perturbation FC-CLAIM-07: index 2, contact set 0 1 3, up to "
-      "infinity; " +
-          ends + unjudged);
-  EXPECT_EQ(
-      said_of_targets(arch, {0, 1, 3}, {to({0, 1, 2, 4}), kInfinity}),
-      "conforms where determined\n4 symbolic-perturbation FC-CLAIM-07: index 2, contact set 0 1 3, up to "
-      "0 1 2 4, infinity; " +
-          ends + unjudged);
+  EXPECT_EQ(said_of_targets(arch, {0, 1, 3}, {kInfinity}),
+            "conforms where determined\n4 symbolic-perturbation FC-CLAIM-07: index 2, contact set 0 1 3, up to "
+            "infinity; " +
+                ends + unjudged);
+  EXPECT_EQ(said_of_targets(arch, {0, 1, 3}, {to({0, 1, 2, 4}), kInfinity}),
+            "conforms where determined\n4 symbolic-perturbation FC-CLAIM-07: index 2, contact set 0 1 3, up to "
+            "0 1 2 4, infinity; " +
+                ends + unjudged);
   // Neither an edge can be the limit, nor a lower saddle.
   for (const Ids& wrong : {Ids{1, 2}, Ids{0, 3, 4}}) {
     const std::string names = wrong.size() == 2 ? "1 2" : "0 3 4";
     EXPECT_EQ(said_of_targets(arch, {0, 1, 3}, {to(wrong), kInfinity}),
-              "fails\n4 wrong-incidence FC-FLOW-07: index 2, contact set 0 1 3, up to " + names +
-                  ", infinity; " + ends + unjudged);
+              "fails\n4 wrong-incidence FC-FLOW-07: index 2, contact set 0 1 3, up to " + names + ", infinity; " +
+                  ends + unjudged);
   }
 }
 
@@ -239,11 +232,11 @@ TEST(IncidenceFindings, WhatAPerturbationMakesIsNotJudged) {
   claimed.last().stable = ClaimedStable{7, {}, {}, {{{0, 1}}}, {}};
   const CheckReport report = triangle.check(claimed);
   EXPECT_EQ(report.verdict, Verdict::kConformsWhereDetermined) << text(report);
-  EXPECT_EQ(report.not_judged,
-            (std::vector<std::string>{
-                "incidences of the points that a perturbation makes of regular stationary points",
-                "polylines of the points that a perturbation makes of regular stationary points",
-                "stable sets of the points that a perturbation makes of regular stationary points"}));
+  EXPECT_EQ(
+      report.not_judged,
+      (std::vector<std::string>{"incidences of the points that a perturbation makes of regular stationary points",
+                                "polylines of the points that a perturbation makes of regular stationary points",
+                                "stable sets of the points that a perturbation makes of regular stationary points"}));
 }
 
 // ---- Boundaries
@@ -305,9 +298,7 @@ class Undecided final : public Truth {
   [[nodiscard]] StationaryIndex index(std::size_t i) const override { return truth_.index(i); }
   [[nodiscard]] std::span<const PointId> contact(std::size_t i) const override { return truth_.contact(i); }
   [[nodiscard]] ExactSphere sphere(std::size_t i) override { return truth_.sphere(i); }
-  [[nodiscard]] std::array<std::optional<std::size_t>, 2> limits(std::size_t i) override {
-    return truth_.limits(i);
-  }
+  [[nodiscard]] std::array<std::optional<std::size_t>, 2> limits(std::size_t i) override { return truth_.limits(i); }
   [[nodiscard]] std::vector<TrueSegment> polyline(std::size_t i, std::size_t side) override {
     return truth_.polyline(i, side);
   }
@@ -331,10 +322,9 @@ TEST(BoundaryFindings, ByATruthThatBreaksNoTies) {
     claimed.of({0, 3, 4}).stable->boundary = boundary;
     return text(check(arch.points, claimed.claim, undecided));
   };
-  EXPECT_EQ(
-      report({{0, 3}, {3, 4}, {0, 2}, {2, 4}}),
-      "conforms\nnot judged: which of the boundaries that ties allow are claimed, where they pass regular "
-      "stationary points or the truth breaks no ties (FC-CLAIM-09)");
+  EXPECT_EQ(report({{0, 3}, {3, 4}, {0, 2}, {2, 4}}),
+            "conforms\nnot judged: which of the boundaries that ties allow are claimed, where they pass regular "
+            "stationary points or the truth breaks no ties (FC-CLAIM-09)");
   EXPECT_EQ(report({{0, 3}, {3, 4}, {0, 2}}),
             "fails\n4 wrong-incidence FC-CHAIN-01: index 2, contact set 0 3 4, bounded by 0 3, 3 4, 0 2; "
             "a boundary is a cycle");

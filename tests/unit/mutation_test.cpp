@@ -128,8 +128,7 @@ const std::vector<Move>& moves() {
          const RationalPoint z = circle_center(x[1], x[2], x[3]);
          return squared_distance(x[0], z) == squared_distance(x[1], z);
        }},
-      {"onto-diameter-sphere", 2, 85,
-       [](const auto& x) { return inner(minus(x[1], x[0]), minus(x[2], x[0])) == 0; }},
+      {"onto-diameter-sphere", 2, 85, [](const auto& x) { return inner(minus(x[1], x[0]), minus(x[2], x[0])) == 0; }},
       {"onto-foot", 2, 80, [](const auto& x) { return inner(minus(x[1], x[0]), minus(x[2], x[0])) == 0; }},
       {"onto-leg", 2, 80, [](const auto& x) { return inner(minus(x[0], x[1]), minus(x[2], x[1])) == 0; }},
       {"onto-bisector", 2, 80,
@@ -279,9 +278,7 @@ TEST(Mutations, ScaleIsByAPowerOfTwo) {
   const auto check = [](const Input& parent, const Mutant& mutant) {
     const Rational before(largest_coordinate(parent));
     const Rational factor = Rational(largest_coordinate(mutant.input)) / before;
-    const auto is_power = [](const boost::multiprecision::mpz_int& value) {
-      return lsb(value) == msb(value);
-    };
+    const auto is_power = [](const boost::multiprecision::mpz_int& value) { return lsb(value) == msb(value); };
     EXPECT_TRUE(is_power(numerator(factor)) && is_power(denominator(factor))) << factor;
     for (std::size_t row = 0; row < parent.rows.size(); ++row) {
       for (std::size_t axis = 0; axis < 3; ++axis) {

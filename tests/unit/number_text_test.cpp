@@ -83,8 +83,7 @@ TEST(NumberText, RandomDecimalsAreTheNearestDouble) {
   for (int round = 0; round < 20000; ++round) {
     const bool extreme = round % 4 == 0;
     const std::uint64_t digits = random() >> (random() % 60);
-    const int exponent =
-        extreme ? static_cast<int>(random() % 640) - 345 : static_cast<int>(random() % 40) - 20;
+    const int exponent = extreme ? static_cast<int>(random() % 640) - 345 : static_cast<int>(random() % 40) - 20;
     if (decimal(digits, exponent) >= exactly(kLargest)) continue;
     const std::string text = std::to_string(digits) + "e" + std::to_string(exponent);
     EXPECT_TRUE(is_nearest_even(value_of(text), decimal(digits, exponent))) << text;
@@ -174,13 +173,11 @@ TEST(NumberText, HexadecimalFloatsAreExactOrRefused) {
   EXPECT_TRUE(std::signbit(value_of("-0x0p0")));
   EXPECT_EQ(fault_of("0x1p1024"), "out of range of a double");
   EXPECT_EQ(fault_of("0x1p99999999999999999999"), "out of range of a double");
-  for (const char* text :
-       {"0x1p-1075", "0x3p-1075", "0x1.00000000000008p0", "0x1.fffffffffffff8p+1023",
-        "0x1.0000000000000000000000001", "0x20000000000001", "0x1p-99999999999999999999"}) {
+  for (const char* text : {"0x1p-1075", "0x3p-1075", "0x1.00000000000008p0", "0x1.fffffffffffff8p+1023",
+                           "0x1.0000000000000000000000001", "0x20000000000001", "0x1p-99999999999999999999"}) {
     EXPECT_EQ(fault_of(text), "not exactly a double") << text;
   }
-  for (const char* text :
-       {"0x", "0xp1", "0x.", "0x1p", "0x1p+", "0x1.8.0", "0xg", "0x1p1.0", "0x-1", "0x1p 1"}) {
+  for (const char* text : {"0x", "0xp1", "0x.", "0x1p", "0x1p+", "0x1.8.0", "0xg", "0x1p1.0", "0x-1", "0x1p 1"}) {
     EXPECT_EQ(fault_of(text), "not a number") << text;
   }
 }
@@ -199,9 +196,8 @@ TEST(NumberText, HexadecimalFloatsGiveBackEveryDouble) {
 
 TEST(NumberText, WhatIsNotANumber) {
   CITES("FC-IN-01", "FC-IN-05");
-  for (const char* text :
-       {"",    "+",   "-",   ".",  "e5", "abc", "1e",  "1e+",  "1e5x", "1..2",    "--1",  "+-1",
-        "-+1", "1,5", "1d0", "1 ", " 1", "1/2", "one", "-.e1", "nano", "infinit", "--inf"}) {
+  for (const char* text : {"",    "+",   "-",   ".",  "e5", "abc", "1e",  "1e+",  "1e5x", "1..2",    "--1",  "+-1",
+                           "-+1", "1,5", "1d0", "1 ", " 1", "1/2", "one", "-.e1", "nano", "infinit", "--inf"}) {
     EXPECT_EQ(fault_of(text), "not a number") << text;
   }
   for (const char* text : {"nan", "NaN", "-nan", "inf", "+INF", "-Infinity", "infinity"}) {

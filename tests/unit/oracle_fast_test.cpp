@@ -47,21 +47,21 @@ std::vector<Case> hand_made_cases() {
   for (std::size_t i = 0; i < 8; ++i) {
     random_doubles.push_back({random.coordinate(), random.coordinate(), random.coordinate()});
   }
-  return {{"none", {}},
-          {"one", {{1, 2, 3}}},
-          {"repeated", {{1, 2, 0.0}, {1, 2, -0.0}, {4, 2, 0}}},
-          {"collinear", {{0, 0, 0}, {9, 9, 9}, {1, 1, 1}, {3, 3, 3}, {-4, -4, -4}}},
-          {"octahedron", octahedron},
-          {"subnormal octahedron", times(kSubnormal, octahedron)},
-          {"greatest octahedron", times(kGreatest, octahedron)},
-          {"square", square},
-          {"sphere", sphere},
-          {"tiny sphere", times(0x1p-1070, sphere)},
-          {"huge sphere", times(0x1p1020, sphere)},
-          {"random doubles", random_doubles},
-          {"subnormal beside greatest",
-           {{kSubnormal, 0, 0}, {0, kGreatest, 0}, {0, 0, -kGreatest}, {1, 1, 1}, {0, 0, 0}}},
-          {"nearly flat", {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, kSubnormal}, {2, 2, -kSubnormal}}}};
+  return {
+      {"none", {}},
+      {"one", {{1, 2, 3}}},
+      {"repeated", {{1, 2, 0.0}, {1, 2, -0.0}, {4, 2, 0}}},
+      {"collinear", {{0, 0, 0}, {9, 9, 9}, {1, 1, 1}, {3, 3, 3}, {-4, -4, -4}}},
+      {"octahedron", octahedron},
+      {"subnormal octahedron", times(kSubnormal, octahedron)},
+      {"greatest octahedron", times(kGreatest, octahedron)},
+      {"square", square},
+      {"sphere", sphere},
+      {"tiny sphere", times(0x1p-1070, sphere)},
+      {"huge sphere", times(0x1p1020, sphere)},
+      {"random doubles", random_doubles},
+      {"subnormal beside greatest", {{kSubnormal, 0, 0}, {0, kGreatest, 0}, {0, 0, -kGreatest}, {1, 1, 1}, {0, 0, 0}}},
+      {"nearly flat", {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, kSubnormal}, {2, 2, -kSubnormal}}}};
 }
 
 std::vector<Case> drawn_cases() {
@@ -167,8 +167,7 @@ Tally compared(const std::vector<Case>& cases) {
 }
 
 void expect_all_sorts(const Tally& tally, std::size_t at_least) {
-  for (const std::size_t count :
-       {tally.centres, tally.no_centre, tally.meetings, tally.infinity, tally.clusters}) {
+  for (const std::size_t count : {tally.centres, tally.no_centre, tally.meetings, tally.infinity, tally.clusters}) {
     EXPECT_GE(count, at_least);
   }
 }

@@ -143,8 +143,7 @@ TEST(OracleFaceDimension, OfAnOctahedron) {
   EXPECT_EQ(oracle::face_dimension(kOctahedron, {ratio(1, 3), ratio(1, 3), ratio(1, 3)}), 2);
   EXPECT_EQ(oracle::face_dimension(kOctahedron, {ratio(1, 2), 0, ratio(-1, 2)}), 1);
   EXPECT_EQ(oracle::face_dimension(kOctahedron, {ratio(1, 2), 0, 0}), 3);
-  EXPECT_EQ(oracle::face_dimension(kOctahedron, {ratio(1, 2), ratio(1, 2), Rational(kSubnormal)}),
-            std::nullopt);
+  EXPECT_EQ(oracle::face_dimension(kOctahedron, {ratio(1, 2), ratio(1, 2), Rational(kSubnormal)}), std::nullopt);
   // Without one vertex, (0,0,0) lies on the square face that appears; without one more, on an edge.
   const Points pyramid(kOctahedron.begin(), kOctahedron.end() - 1);
   EXPECT_EQ(oracle::face_dimension(pyramid, point(0, 0, 0)), 2);

@@ -107,8 +107,7 @@ TEST(OracleOrbit, FromAVertexAcrossAFacetIntoAVertex) {
 TEST(OracleOrbit, AStationaryPointStays) {
   CITES("FC-FLOW-03");
   const PointSet set(Rows{{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}});
-  for (const StationaryPoint& point :
-       stationary_points({{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}}).stationary) {
+  for (const StationaryPoint& point : stationary_points({{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}}).stationary) {
     const Orbit path = orbit(set, point.center);
     EXPECT_TRUE(path.segments.empty());
     ASSERT_TRUE(path.limit);
@@ -141,19 +140,16 @@ Point random_start(const PointSet& set, rc::Random& random) {
 
 void expect_segment_keeps_its_promises(const PointSet& set, const FlowSegment& segment) {
   EXPECT_TRUE(kTableOne.contains(segment_type(set, segment))) << segment_type(set, segment);
-  EXPECT_TRUE(std::includes(segment.start_contact.begin(), segment.start_contact.end(),
-                            segment.crossed_contact.begin(), segment.crossed_contact.end()));
+  EXPECT_TRUE(std::includes(segment.start_contact.begin(), segment.start_contact.end(), segment.crossed_contact.begin(),
+                            segment.crossed_contact.end()));
   if (!segment.end) return;
   // The middle of the segment has the crossed face's contact set, and the start's driver.
   Point middle;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    middle[axis] = (segment.start[axis] + (*segment.end)[axis]) / 2;
+  for (std::size_t axis = 0; axis < 3; ++axis) middle[axis] = (segment.start[axis] + (*segment.end)[axis]) / 2;
   EXPECT_EQ(contact_set(set, middle), segment.crossed_contact);
   EXPECT_EQ(driver(set, set.nearest_places(middle), middle), segment.driver);
   EXPECT_NE(segment.end_contact, segment.crossed_contact);
-  const auto distance = [&set](const Point& x) {
-    return squared_distance(x, set.points[set.nearest_places(x)[0]]);
-  };
+  const auto distance = [&set](const Point& x) { return squared_distance(x, set.points[set.nearest_places(x)[0]]); };
   EXPECT_LT(distance(segment.start), distance(middle));
   EXPECT_LT(distance(middle), distance(*segment.end));
 }
@@ -212,8 +208,7 @@ TEST(OracleOrbit, IsEquivariant) {
   CITES("FC-FLOW-06");
   const auto turned = [](const auto& p) { return std::decay_t<decltype(p)>{-2 * p[2], 2 * p[0], 2 * p[1]}; };
   for (const flowcert::fuzz::Family& family : flowcert::fuzz::families()) {
-    if (family.name == "extreme-scale" || family.name == "mixed-magnitudes")
-      continue;  // doubling would overflow
+    if (family.name == "extreme-scale" || family.name == "mixed-magnitudes") continue;  // doubling would overflow
     rc::Random random(11);
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
       const Rows rows = flowcert::fuzz::draw(family, seed, 20).rows;

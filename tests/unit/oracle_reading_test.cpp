@@ -56,11 +56,10 @@ TEST(OracleReadXyz, NumbersAreTheNearestDoubles) {
 
 TEST(OracleReadXyz, HexadecimalFloatsAreExactOrAnError) {
   CITES("FC-IN-02");
-  EXPECT_EQ(points("0x1.fffffffffffffp1023 -0x1p-1074 0x1.00000000000000000p0"),
-            (Rows{{kGreatest, -kSubnormal, 1}}));
+  EXPECT_EQ(points("0x1.fffffffffffffp1023 -0x1p-1074 0x1.00000000000000000p0"), (Rows{{kGreatest, -kSubnormal, 1}}));
   EXPECT_EQ(points("-0x0p-9999 0X.0000001P+28 0x20000000000002p-1\n"), (Rows{{0, 1, 0x1.0000000000001p52}}));
-  for (const std::string word : {"0x1.00000000000001p0", "-0x1.00000000000008p0", "0x20000000000001.8",
-                                 "0x1p-1075", "0x1.8p-1074", "0x0.fffffffffffffcp-1022", "-0x1p-99999"}) {
+  for (const std::string word : {"0x1.00000000000001p0", "-0x1.00000000000008p0", "0x20000000000001.8", "0x1p-1075",
+                                 "0x1.8p-1074", "0x0.fffffffffffffcp-1022", "-0x1p-99999"}) {
     EXPECT_EQ(points_error("0 0 0\n1 " + word + " 3\n"), "f:2: '" + word + "' is not exactly a double");
   }
   EXPECT_EQ(points_error("0x1p1024 0 0\n"), "f:1: '0x1p1024' is not a finite double");
@@ -78,8 +77,7 @@ TEST(OracleReadXyz, ErrorsNameTheLine) {
   EXPECT_EQ(points_error("\n1 nan 3\n"), "f:2: 'nan' is not a finite double");
   EXPECT_EQ(points_error("1 2 -inf\n"), "f:1: '-inf' is not a finite double");
   EXPECT_EQ(points_error("1 1e309 3\n"), "f:1: '1e309' is not a finite double");
-  EXPECT_EQ(points_error("1.7976931348623159e308 0 0\n"),
-            "f:1: '1.7976931348623159e308' is not a finite double");
+  EXPECT_EQ(points_error("1.7976931348623159e308 0 0\n"), "f:1: '1.7976931348623159e308' is not a finite double");
 }
 
 TEST(OracleReadXyz, MissingAndEmptyFiles) {
@@ -122,8 +120,7 @@ TEST(OracleRationals, CanonicalOrNot) {
 
 TEST(OracleRationals, WhatIsNone) {
   CITES("FC-NUM-02");
-  for (const char* text :
-       {"", "-", "1/0", "0/0", "1/", "/2", "1/2/3", "1.5", "+1", " 1", "1 ", "0x10", "1e3", "--1"}) {
+  for (const char* text : {"", "-", "1/0", "0/0", "1/", "/2", "1/2/3", "1.5", "+1", " 1", "1 ", "0x10", "1e3", "--1"}) {
     EXPECT_FALSE(oracle::parse_rational(text)) << text;
   }
 }
@@ -178,8 +175,7 @@ TEST(OracleRecords, UnusableFiles) {
   EXPECT_EQ(file_error("{").substr(0, 5), "r:1: ");
   EXPECT_EQ(file_error(R"({"format":"flowcert-summary"})"),
             "r:1: the format is 'flowcert-summary', not a list of stationary points");
-  EXPECT_EQ(file_error(R"({"format":"flowcert-stationary-points","format_version":2})"),
-            "r:1: unknown format_version");
+  EXPECT_EQ(file_error(R"({"format":"flowcert-stationary-points","format_version":2})"), "r:1: unknown format_version");
 }
 
 // A record with one part replaced.
@@ -228,15 +224,12 @@ TEST(OracleRecords, FindingsInTheWriting) {
 
 TEST(OracleRecords, UnusableRecords) {
   CITES("FC-NUM-02");
-  const auto record_error = [](const std::string& line) {
-    return error([&] { oracle::parse_record(line, "r:2: "); });
-  };
+  const auto record_error = [](const std::string& line) { return error([&] { oracle::parse_record(line, "r:2: "); }); };
   EXPECT_EQ(record_error(record("1/4", "1/0")), "r:2: '1/0' is not a rational");
   EXPECT_EQ(record_error(record("[0,2]", "[0,-2]")), "r:2: a point id or an index is no natural number");
   EXPECT_EQ(record_error(record("[0,2]", "[0,2.5]")), "r:2: a point id or an index is no natural number");
   EXPECT_EQ(record_error(record("\"index\":1", "\"index\":4")), "r:2: an index is greater than 3");
-  EXPECT_EQ(record_error(record("\"index\":1", "\"index\":[1]")),
-            "r:2: a point id or an index is no natural number");
+  EXPECT_EQ(record_error(record("\"index\":1", "\"index\":[1]")), "r:2: a point id or an index is no natural number");
   EXPECT_EQ(record_error(record(R"(,"-3"])", "]")), "r:2: center is not three rationals");
   for (const std::string& line : {record("contact", "contacts"), record("0.25", "1e999"), record("}", ""),
                                   record("\"1/4\"", "0.25"), std::string("[]"), std::string(100000, '[')}) {

@@ -23,9 +23,7 @@ namespace {
 using Rows = std::vector<std::array<double, 3>>;
 using Names = std::vector<std::size_t>;
 
-std::size_t below(rc::Random& random, std::size_t bound) {
-  return static_cast<std::size_t>(random.next() % bound);
-}
+std::size_t below(rc::Random& random, std::size_t bound) { return static_cast<std::size_t>(random.next() % bound); }
 
 long between(rc::Random& random, long low, long high) {
   return low + static_cast<long>(below(random, static_cast<std::size_t>(high - low + 1)));
@@ -63,8 +61,7 @@ void for_each_subject(std::uint64_t seeds, std::uint64_t made, const Visit& visi
     if (!rows.empty()) visit(Subject(rows), random);
   };
   for (const flowcert::fuzz::Family& family : flowcert::fuzz::families()) {
-    for (std::uint64_t seed = 0; seed < seeds; ++seed)
-      visit_drawn(family, seed, 12 + static_cast<int>(8 * seed));
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) visit_drawn(family, seed, 12 + static_cast<int>(8 * seed));
   }
   for (const flowcert::fuzz::Family& family : flowcert::fuzz::stable_families()) {
     for (std::uint64_t seed = 0; seed < made; ++seed) visit_drawn(family, seed, 100);
@@ -103,8 +100,7 @@ struct Piece {
 std::vector<Piece> pieces_of(const StableSet& stable) {
   std::vector<Piece> pieces;
   for (const SkeletonPoint& w : stable.points) pieces.push_back({{w.position}, w.contact});
-  for (const BackwardSegment& s : stable.segments)
-    pieces.push_back({{s.front, s.back}, {s.samples[0], s.samples[1]}});
+  for (const BackwardSegment& s : stable.segments) pieces.push_back({{s.front, s.back}, {s.samples[0], s.samples[1]}});
   for (const BackwardInterval& i : stable.intervals) pieces.push_back({{i.front, i.back}, i.polygon});
   for (const Sector& s : stable.sectors) pieces.push_back({s.polygon, {s.samples[0], s.samples[1]}});
   return pieces;
@@ -144,8 +140,7 @@ TEST(OracleStableFamilies, NothingNearASkeletonIsMissing) {
       for (const Piece& piece : pieces_of(stable)) {
         const Point y = mixture(piece.hull, random);
         for (int k = 0; k < 2; ++k) {
-          const Point aim =
-              random_centre(select(subject.set.points, places_of(subject.set, piece.apexes)), 3, random);
+          const Point aim = random_centre(select(subject.set.points, places_of(subject.set, piece.apexes)), 3, random);
           const Rational step(k == 0 ? -1 : 1, 1 << between(random, 1, 6));
           expect_sets_agree_with_flow(subject, moved(y, step, minus(aim, y)));
         }
@@ -161,8 +156,7 @@ TEST(OracleStableFamilies, PointsAnywhereAreInTheSetOfTheirLimit) {
   std::size_t points = 0, in_a_set = 0;
   for_each_subject(2, 20, [&](const Subject& subject, rc::Random& random) {
     for (int k = 0; k < 12; ++k) {
-      const Point a = random_centre(subject.set.points, 4, random),
-                  b = random_centre(subject.set.points, 4, random);
+      const Point a = random_centre(subject.set.points, 4, random), b = random_centre(subject.set.points, 4, random);
       const Rational time = k % 3 == 0 ? Rational(0) : Rational(between(random, -1, 7), 3);
       const auto limit = expect_sets_agree_with_flow(subject, moved(a, time, minus(b, a)));
       ++points;
@@ -253,16 +247,15 @@ void expect_leads_as_signs_say(const Subject& subject, const StableSet& stable, 
   for_each_subset(y.contact.size(), 2, [&](const std::vector<std::size_t>& chosen) {
     if (chosen.size() < 2) return;
     const std::array<std::size_t, 2> g = {y.contact[chosen[0]], y.contact[chosen[1]]};
-    const bool found = std::any_of(
-        stable.segments.begin(), stable.segments.end(),
-        [&](const BackwardSegment& segment) { return segment.front == y.position && segment.samples == g; });
+    const bool found = std::any_of(stable.segments.begin(), stable.segments.end(), [&](const BackwardSegment& segment) {
+      return segment.front == y.position && segment.samples == g;
+    });
     EXPECT_EQ(found, leads_by_sign(subject, polygons, g[0], g[1]));
   });
   for (const Names& polygon : polygons) {
     const bool found =
         std::any_of(stable.intervals.begin(), stable.intervals.end(), [&](const BackwardInterval& interval) {
-          return interval.kind != IntervalKind::kCrossed && interval.front == y.position &&
-                 interval.polygon == polygon;
+          return interval.kind != IntervalKind::kCrossed && interval.front == y.position && interval.polygon == polygon;
         });
     EXPECT_EQ(found, is_vertex && leads_by_sign(subject, y, polygon));
   }
@@ -347,8 +340,8 @@ TEST(OracleStableFamilies, AllKindsOfPiecesAreMetAndNoneTwice) {
   CITES("FC-STAB-04", "FC-STAB-05");
   std::map<std::string, int> seen;
   const auto strictly_ascending = [](const auto& list) {
-    return std::adjacent_find(list.begin(), list.end(),
-                              [](const auto& a, const auto& b) { return !(a < b); }) == list.end();
+    return std::adjacent_find(list.begin(), list.end(), [](const auto& a, const auto& b) { return !(a < b); }) ==
+           list.end();
   };
   for_each_subject(
       3, 40,
@@ -358,12 +351,9 @@ TEST(OracleStableFamilies, AllKindsOfPiecesAreMetAndNoneTwice) {
                       strictly_ascending(stable.intervals) && strictly_ascending(stable.sectors));
           const std::string kind = std::to_string(z.face_dimension) + std::to_string(z.hull_dimension);
           ++seen["set of " + kind + (stable.intervals.empty() ? "" : ", intervals")];
-          for (const auto& s : stable.segments)
-            ++seen["segment " + std::to_string(static_cast<int>(s.back_kind))];
-          for (const auto& i : stable.intervals)
-            ++seen["interval " + std::to_string(static_cast<int>(i.kind))];
-          for (const auto& s : stable.sectors)
-            ++seen["sector of " + std::to_string(s.polygon.size()) + " corners"];
+          for (const auto& s : stable.segments) ++seen["segment " + std::to_string(static_cast<int>(s.back_kind))];
+          for (const auto& i : stable.intervals) ++seen["interval " + std::to_string(static_cast<int>(i.kind))];
+          for (const auto& s : stable.sectors) ++seen["sector of " + std::to_string(s.polygon.size()) + " corners"];
           for (const auto& w : stable.points) {
             if (is_within_a_sector(subject, stable, z, w)) ++seen["vertex within a sector"];
           }

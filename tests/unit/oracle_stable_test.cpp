@@ -71,9 +71,9 @@ TEST(OracleStable, OfAnAcuteTriangle) {
   EXPECT_TRUE(t.stable.sectors.empty());
   EXPECT_FALSE(t.stable.has_vertex);
   const Point p0 = {0, 0, 0}, p1 = {4, 0, 0}, p2 = {2, 3, 0};
-  EXPECT_EQ(triangles(t.set, t.stable),
-            (std::vector<Triangle>{
-                {p0, z, m01}, {p1, z, m01}, {p0, z, m02}, {p2, z, m02}, {p1, z, m12}, {p2, z, m12}}));
+  EXPECT_EQ(
+      triangles(t.set, t.stable),
+      (std::vector<Triangle>{{p0, z, m01}, {p1, z, m01}, {p0, z, m02}, {p2, z, m02}, {p1, z, m12}, {p2, z, m12}}));
   EXPECT_EQ(boundary_walk(t.set, t.z, t.stable), all);
   EXPECT_EQ(boundary_edges(t.stable), (Edges{{0, 1}, {0, 2}, {1, 2}}));
 }
@@ -158,13 +158,12 @@ TEST(OracleStable, MeetsAVoronoiVertex) {
   CITES("FC-STAB-03", "FC-STAB-04", "FC-STAB-06");
   const Example t(kThroughAVertex, {0, 1, 4});
   const Point z = {0, ratio(20, 7), 0}, vertex = {0, 1, 0};
-  EXPECT_EQ(branches(t.stable),
-            (std::vector<Branch>{{{0, 1}, z, vertex, BackKind::kVertex},
-                                 {{0, 2}, vertex, {-2, -1, 0}, kCritical},
-                                 {{0, 4}, z, {ratio(-3, 2), ratio(7, 2), 0}, kCritical},
-                                 {{1, 3}, vertex, {ratio(3, 2), -1, ratio(-1, 2)}, kCritical},
-                                 {{1, 4}, z, {ratio(3, 2), ratio(7, 2), 0}, kCritical},
-                                 {{2, 3}, vertex, {ratio(-1, 2), -2, ratio(-1, 2)}, kCritical}}));
+  EXPECT_EQ(branches(t.stable), (std::vector<Branch>{{{0, 1}, z, vertex, BackKind::kVertex},
+                                                     {{0, 2}, vertex, {-2, -1, 0}, kCritical},
+                                                     {{0, 4}, z, {ratio(-3, 2), ratio(7, 2), 0}, kCritical},
+                                                     {{1, 3}, vertex, {ratio(3, 2), -1, ratio(-1, 2)}, kCritical},
+                                                     {{1, 4}, z, {ratio(3, 2), ratio(7, 2), 0}, kCritical},
+                                                     {{2, 3}, vertex, {ratio(-1, 2), -2, ratio(-1, 2)}, kCritical}}));
   EXPECT_EQ(t.stable.segments[0].back_contact, (Names{0, 1, 2, 3}));
   EXPECT_TRUE(t.stable.has_vertex);
   EXPECT_TRUE(t.stable.intervals.empty());  // no face of the tetrahedron contains its centre
@@ -180,8 +179,7 @@ TEST(OracleStable, AnIndexTwoPointOfDimensionThree) {
   // x + 2y = -2, and (0,1,0) - 4/5 (1,2,0) lies on it, 3/5 of the way from 0 to the middle of 2 and 3.
   const Example t({{-2, 0, 0}, {2, 0, 0}, {0, -1, 1}, {0, -1, -1}, {0, 5, 0}}, {0, 1, 4});
   ASSERT_EQ(t.z.hull_dimension, 2);
-  const Point vertex = {0, 1, 0}, left = {ratio(-4, 5), ratio(-3, 5), 0},
-              right = {ratio(4, 5), ratio(-3, 5), 0};
+  const Point vertex = {0, 1, 0}, left = {ratio(-4, 5), ratio(-3, 5), 0}, right = {ratio(4, 5), ratio(-3, 5), 0};
   EXPECT_EQ(t.stable.intervals, (Intervals{{{0, 2, 3}, vertex, left, IntervalKind::kFromCentre},
                                            {{1, 2, 3}, vertex, right, IntervalKind::kFromCentre}}));
   EXPECT_EQ(t.stable.sectors.size(), 6U);
@@ -193,8 +191,7 @@ TEST(OracleStable, OfKindOneTwo) {
   CITES("FC-STAB-01", "FC-STAB-03", "FC-STAB-04", "FC-STAB-07");
   const Example t({{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {0, 1, 2});
   const Point z = {ratio(3, 2), 2, 0}, m01 = {ratio(3, 2), 0, 0}, m02 = {0, 2, 0};
-  EXPECT_EQ(branches(t.stable),
-            (std::vector<Branch>{{{0, 1}, z, m01, kCritical}, {{0, 2}, z, m02, kCritical}}));
+  EXPECT_EQ(branches(t.stable), (std::vector<Branch>{{{0, 1}, z, m01, kCritical}, {{0, 2}, z, m02, kCritical}}));
   EXPECT_EQ(triangles(t.set, t.stable).size(), 4U);
   EXPECT_EQ(boundary_walk(t.set, t.z, t.stable), (Names{0, 1, 2}));
   EXPECT_EQ(boundary_edges(t.stable), (Edges{{0, 1}, {0, 2}, {1, 2}}));
@@ -254,8 +251,8 @@ TEST(OracleStable, ASectorThatLeavesThroughAVoronoiEdge) {
   const Example t({{6, 0, 0}, {-6, 0, 0}, {0, 6, 0}, {0, 0, 6}, {4, 4, -3}}, {0, 1, 2, 3});
   const Point z = {0, 0, 0}, right = {2, 2, 2}, left = {-2, 2, 2};
   const Point near = {ratio(5, 4), ratio(5, 4), 0}, far = {ratio(41, 16), ratio(41, 16), ratio(7, 8)};
-  const Point m03 = {3, 0, 3}, m04 = {5, 2, ratio(-3, 2)}, m12 = {-3, 3, 0}, m13 = {-3, 0, 3},
-              m23 = {0, 3, 3}, m24 = {2, 5, ratio(-3, 2)};
+  const Point m03 = {3, 0, 3}, m04 = {5, 2, ratio(-3, 2)}, m12 = {-3, 3, 0}, m13 = {-3, 0, 3}, m23 = {0, 3, 3},
+              m24 = {2, 5, ratio(-3, 2)};
   EXPECT_EQ(t.stable.points, (std::vector<SkeletonPoint>{{z, {0, 1, 2, 3}}, {near, {0, 2, 4}}}));
   EXPECT_EQ(branches(t.stable), (std::vector<Branch>{{{0, 2}, z, near, BackKind::kEdge},
                                                      {{0, 3}, z, m03, kCritical},

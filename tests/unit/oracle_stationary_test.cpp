@@ -66,8 +66,7 @@ TEST(OracleStationary, UnitCube) {
 
 TEST(OracleStationary, RegularTetrahedron) {
   CITES("FC-CRIT-02");
-  expect_counts(oracle::stationary_points({{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}}), {4, 6, 4, 1},
-                {0, 0, 0});
+  expect_counts(oracle::stationary_points({{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}}), {4, 6, 4, 1}, {0, 0, 0});
 }
 
 // The 12 edges have midpoints at squared distance 1/2 from their ends and 3/2 from all else. The 8 faces are
@@ -111,10 +110,8 @@ TEST(OracleStationary, RightTriangleIsOfKind12) {
 // (neither).
 TEST(OracleStationary, NearlyRightTriangles) {
   CITES("FC-CRIT-03", "FC-NUM-01");
-  expect_counts(oracle::stationary_points({{-kSubnormal, 0, 0}, {3, 0, 0}, {0, 4, 0}}), {3, 3, 1, 0},
-                {0, 0, 0});
-  expect_counts(oracle::stationary_points({{kSubnormal, 0, 0}, {3, 0, 0}, {0, 4, 0}}), {3, 2, 0, 0},
-                {0, 0, 0});
+  expect_counts(oracle::stationary_points({{-kSubnormal, 0, 0}, {3, 0, 0}, {0, 4, 0}}), {3, 3, 1, 0}, {0, 0, 0});
+  expect_counts(oracle::stationary_points({{kSubnormal, 0, 0}, {3, 0, 0}, {0, 4, 0}}), {3, 2, 0, 0}, {0, 0, 0});
 }
 
 // The base triangle is acute, with its centre 0 strictly inside; the apex is above 0, at the same distance.
@@ -139,8 +136,8 @@ TEST(OracleStationary, CubicLattices) {
   for (int k = 1; k <= 3; ++k) {
     const auto n = static_cast<std::size_t>(k);
     const std::size_t m = n - 1;
-    expect_counts(oracle::stationary_points(lattice(k, k, k)),
-                  {n * n * n, 3 * m * n * n, 3 * m * m * n, m * m * m}, {0, 0, 0});
+    expect_counts(oracle::stationary_points(lattice(k, k, k)), {n * n * n, 3 * m * n * n, 3 * m * m * n, m * m * m},
+                  {0, 0, 0});
   }
 }
 
@@ -163,15 +160,13 @@ TEST(OracleStationary, CollinearPoints) {
 TEST(OracleStationary, CoplanarGrids) {
   CITES("FC-IN-04");
   expect_counts(oracle::stationary_points(lattice(2, 2, 1)), {4, 4, 1, 0}, {0, 0, 0});
-  expect_counts(oracle::stationary_points({{0, 0, 0}, {7, 0, 0}, {7, 1, 0}, {0, 1, 0}}), {4, 4, 1, 0},
-                {0, 0, 0});
+  expect_counts(oracle::stationary_points({{0, 0, 0}, {7, 0, 0}, {7, 1, 0}, {0, 1, 0}}), {4, 4, 1, 0}, {0, 0, 0});
   expect_counts(oracle::stationary_points(lattice(4, 1, 3)), {12, 17, 6, 0}, {0, 0, 0});
 }
 
 TEST(OracleStationary, DuplicatesAreMerged) {
   CITES("FC-IN-03", "FC-IN-02");
-  const Answer answer =
-      oracle::stationary_points({{0, 0, 0}, {2, 0, -0.0}, {0, -0.0, 0}, {2, 0, 0.0}, {0, 0, 0}});
+  const Answer answer = oracle::stationary_points({{0, 0, 0}, {2, 0, -0.0}, {0, -0.0, 0}, {2, 0, 0.0}, {0, 0, 0}});
   EXPECT_EQ(answer.points, 5U);
   EXPECT_EQ(answer.merged_duplicates, 3U);
   expect_counts(answer, {2, 1, 0, 0}, {0, 0, 0});
@@ -181,8 +176,7 @@ TEST(OracleStationary, DuplicatesAreMerged) {
 TEST(OracleStationary, AllMagnitudes) {
   CITES("FC-IN-04", "FC-NUM-01");
   expect_counts(oracle::stationary_points(lattice(2, 2, 2, kSubnormal)), {8, 12, 6, 1}, {0, 0, 0});
-  expect_counts(oracle::stationary_points({{0, 0, 0}, {1e-300, 0, 0}, {1e300, 0, 0}}), {3, 2, 0, 0},
-                {0, 0, 0});
+  expect_counts(oracle::stationary_points({{0, 0, 0}, {1e-300, 0, 0}, {1e300, 0, 0}}), {3, 2, 0, 0}, {0, 0, 0});
   // A right angle at the origin, its legs 600 powers of ten apart.
   const Answer right = oracle::stationary_points({{0, 0, 0}, {1e-300, 0, 0}, {0, 1e300, 0}});
   expect_counts(right, {3, 2, 0, 0}, {1, 0, 0});
@@ -211,8 +205,7 @@ TEST(OracleStationary, OrderOfTheList) {
   EXPECT_GE(answer.count(2, 3), 1U);
   const std::vector<std::pair<int, int>> order = {{0, 0}, {1, 1}, {2, 2}, {3, 3}, {1, 2}, {1, 3}, {2, 3}};
   const auto group = [&](const StationaryPoint& s) {
-    return std::find(order.begin(), order.end(), std::pair(s.face_dimension, s.hull_dimension)) -
-           order.begin();
+    return std::find(order.begin(), order.end(), std::pair(s.face_dimension, s.hull_dimension)) - order.begin();
   };
   for (std::size_t i = 1; i < answer.stationary.size(); ++i) {
     const StationaryPoint& a = answer.stationary[i - 1];
@@ -225,8 +218,7 @@ TEST(OracleStationary, OrderOfTheList) {
 TEST(OracleContactSet, OfAnyPoint) {
   CITES("FC-DIST-01");
   const PointSet square({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {1, 1, 0}});
-  EXPECT_EQ(oracle::contact_set(square, {ratio(1, 2), ratio(1, 2), 9}),
-            (std::vector<std::size_t>{0, 1, 3, 4}));
+  EXPECT_EQ(oracle::contact_set(square, {ratio(1, 2), ratio(1, 2), 9}), (std::vector<std::size_t>{0, 1, 3, 4}));
   EXPECT_EQ(oracle::contact_set(square, {ratio(1, 2), ratio(1, 3), 0}), (std::vector<std::size_t>{0, 1}));
   EXPECT_EQ(oracle::contact_set(square, {ratio(1, 2) + Rational(kSubnormal), ratio(1, 3), 0}),
             (std::vector<std::size_t>{1}));
@@ -268,18 +260,15 @@ TEST_F(OracleCertify, RejectsListsThatAreNoContactSets) {
 TEST_F(OracleCertify, RejectsByTheFirstConditionThatFails) {
   CITES("FC-CRIT-05");
   // (a) Three points of a line; then the square's corners and a point that is not on their sphere.
-  EXPECT_EQ(clause(PointSet({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}), {{1, 0, 0}, 1, {0, 1, 2}, 1, 1}),
-            "FC-CRIT-05 (a)");
+  EXPECT_EQ(clause(PointSet({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}), {{1, 0, 0}, 1, {0, 1, 2}, 1, 1}), "FC-CRIT-05 (a)");
   EXPECT_EQ(on_square({{1, 1, 0}, 2, {0, 1, 2, 3, 5}, 2, 2}), "FC-CRIT-05 (a)");
   // (b) a point strictly inside.
-  EXPECT_EQ(clause(PointSet({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}), {{1, 0, 0}, 1, {0, 2}, 1, 1}),
-            "FC-CRIT-05 (b)");
+  EXPECT_EQ(clause(PointSet({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}), {{1, 0, 0}, 1, {0, 2}, 1, 1}), "FC-CRIT-05 (b)");
   // (c) the diagonal of the square, and the square without a corner.
   EXPECT_EQ(on_square({{1, 1, 0}, 2, {0, 2}, 1, 1}), "FC-CRIT-05 (c)");
   EXPECT_EQ(on_square({{1, 1, 0}, 2, {0, 1, 2}, 1, 2}), "FC-CRIT-05 (c)");
   // (d) an obtuse triangle whose circle is empty.
-  EXPECT_EQ(clause(PointSet({{0, 0, 0}, {4, 0, 0}, {1, 1, 0}}), {{2, -1, 0}, 5, {0, 1, 2}, 2, 2}),
-            "FC-CRIT-05 (d)");
+  EXPECT_EQ(clause(PointSet({{0, 0, 0}, {4, 0, 0}, {1, 1, 0}}), {{2, -1, 0}, 5, {0, 1, 2}, 2, 2}), "FC-CRIT-05 (d)");
 }
 
 TEST_F(OracleCertify, NamesAPointThatMakesItFail) {

@@ -60,12 +60,11 @@ TEST(FormFindings, OfIndicesAndKinds) {
                                     ", contact set 0 1 2 3; an index is 0, 1, 2 or 3");
   }
   for (const auto& [index, hull] : {std::pair{0, 2}, {1, 1}, {2, 1}, {1, 4}, {3, 3}}) {
-    EXPECT_EQ(added(index, hull), "fails\n1 malformed FC-CRIT-03: regular, kind " + std::to_string(index) +
-                                      "-" + std::to_string(hull) +
+    EXPECT_EQ(added(index, hull), "fails\n1 malformed FC-CRIT-03: regular, kind " + std::to_string(index) + "-" +
+                                      std::to_string(hull) +
                                       ", contact set 0 1 2 3; only the kinds 1-2, 2-3 and 1-3 exist");
   }
-  for (const auto& [index, hull] : {std::pair{1, 2}, {2, 3}, {1, 3}})
-    EXPECT_EQ(added(index, hull), "conforms");
+  for (const auto& [index, hull] : {std::pair{1, 2}, {2, 3}, {1, 3}}) EXPECT_EQ(added(index, hull), "conforms");
   EXPECT_EQ(text(points.check(points.claim().add(1, {}), {.highest_level = 1})),
             "fails\n1 malformed FC-CLAIM-01: index 1; neither a contact set nor a position");
 }
@@ -85,19 +84,13 @@ TEST(FormFindings, OfWhatFlows) {
     return report.findings[0].truth;
   };
   using Point = ClaimedPoint;
-  EXPECT_EQ(fault([](Point& point) {
-              point.successors->front() = {false, {}};
-            }),
-            "a successor without a contact set");
+  EXPECT_EQ(fault([](Point& point) { point.successors->front() = {false, {}}; }), "a successor without a contact set");
   EXPECT_EQ(fault([](Point& point) {
               point.successors->front() = to({0, 4});
             }),
             "of a successor: there is no point 4; the ids are 0 to 3");
   EXPECT_EQ(fault([](Point& point) { point.successors->pop_back(); }), "there are two sides");
-  EXPECT_EQ(fault([](Point& point) {
-              point.samples = {{2, 0, 2}};
-            }),
-            "of the samples: point 2 is named twice");
+  EXPECT_EQ(fault([](Point& point) { point.samples = {{2, 0, 2}}; }), "of the samples: point 2 is named twice");
   EXPECT_EQ(fault([](Point& point) { point.u2->pop_back(); }), "an unstable manifold U2 has two orbits");
   EXPECT_EQ(fault([](Point& point) { point.stable->boundary->front().clear(); }),
             "of a stable set: a contact set without points");
@@ -149,21 +142,18 @@ TEST(FormFindings, OnlyToTheLevelThatIsAskedFor) {
 TEST(PlaceFindings, OfRegularPoints) {
   CITES("FC-CLAIM-03", "FC-CLAIM-04", "FC-CRIT-03");
   const Truly triangle(kRightTriangle), both(kKind13);
-  EXPECT_EQ(
-      said(triangle, triangle.claim().regular(1, 3, {0, 1, 2})),
-      "fails\n3 wrong-index FC-CRIT-03: regular, kind 1-3, contact set 0 1 2; a regular stationary point "
-      "of kind 1-2, contact set 0 1 2");
-  EXPECT_EQ(
-      said(triangle, triangle.claim().regular(2, 3, {0, 1, 2})),
-      "fails\n3 wrong-index FC-CRIT-03: regular, kind 2-3, contact set 0 1 2; a regular stationary point "
-      "of kind 1-2, contact set 0 1 2");
+  EXPECT_EQ(said(triangle, triangle.claim().regular(1, 3, {0, 1, 2})),
+            "fails\n3 wrong-index FC-CRIT-03: regular, kind 1-3, contact set 0 1 2; a regular stationary point "
+            "of kind 1-2, contact set 0 1 2");
+  EXPECT_EQ(said(triangle, triangle.claim().regular(2, 3, {0, 1, 2})),
+            "fails\n3 wrong-index FC-CRIT-03: regular, kind 2-3, contact set 0 1 2; a regular stationary point "
+            "of kind 1-2, contact set 0 1 2");
   const std::string incomplete = said(triangle, triangle.claim().regular(1, 2, {1, 2}));
-  EXPECT_TRUE(incomplete.starts_with(
-      "fails\n2 contact-incomplete FC-CRIT-05 (c): regular, kind 1-2, contact set 1 2; "))
+  EXPECT_TRUE(
+      incomplete.starts_with("fails\n2 contact-incomplete FC-CRIT-05 (c): regular, kind 1-2, contact set 1 2; "))
       << incomplete;
-  EXPECT_EQ(
-      said(triangle, triangle.claim().regular(1, 2, {0, 1, 2}).regular(1, 2, {0, 1, 2})),
-      "fails\n3 claimed-twice FC-CRIT-06: regular, kind 1-2, contact set 0 1 2; claimed already in line 6");
+  EXPECT_EQ(said(triangle, triangle.claim().regular(1, 2, {0, 1, 2}).regular(1, 2, {0, 1, 2})),
+            "fails\n3 claimed-twice FC-CRIT-06: regular, kind 1-2, contact set 0 1 2; claimed already in line 6");
   EXPECT_EQ(said(both, both.claim().regular(1, 3, {0, 1, 2, 3})), "conforms");
 }
 
@@ -173,8 +163,7 @@ TEST(PlaceFindings, OfWhatAPerturbationWouldNotMake) {
   for (const auto& [index, names] : {std::pair{0, Ids{1, 2}}, {3, {0, 1, 2}}, {2, {1, 2}}, {1, {0, 1, 2}}}) {
     const CheckReport report = triangle.check(triangle.claim().add(index, names));
     EXPECT_EQ(count(report, FindingReason::kCollisionAsCritical), 1U) << text(report);
-    EXPECT_NE(text(report).find("; no face of it with that centre is claimed"), std::string::npos)
-        << text(report);
+    EXPECT_NE(text(report).find("; no face of it with that centre is claimed"), std::string::npos) << text(report);
   }
 }
 
@@ -189,8 +178,7 @@ TEST(PlaceFindings, OfPerturbedPointsByPosition) {
   EXPECT_EQ(count(points.check(all()), FindingReason::kSymbolicPerturbation), 4U);
   const CheckReport thrice = points.check(all().at(2, center));
   EXPECT_EQ(count(thrice, FindingReason::kClaimedTwice), 1U) << text(thrice);
-  EXPECT_EQ(points.check(points.claim().at(1, center).at(2, center)).verdict,
-            Verdict::kConformsWhereDetermined);
+  EXPECT_EQ(points.check(points.claim().at(1, center).at(2, center)).verdict, Verdict::kConformsWhereDetermined);
   // One polygon is claimed by position, the other by a contact set.
   EXPECT_EQ(points.check(points.claim().add(1, {0, 1}).at(2, center).add(2, {0, 1, 2}).at(3, center)).verdict,
             Verdict::kConformsWhereDetermined);
@@ -206,14 +194,12 @@ TEST(PlaceFindings, OfPerturbedPointsByPosition) {
 TEST(PlaceFindings, OfAnArcOfSamples) {
   CITES("FC-CRIT-05");
   const Truly arc({{25, 0, 0}, {24, 7, 0}, {20, 15, 0}, {15, 20, 0}});
-  EXPECT_EQ(
-      text(arc.check(arc.claim().add(2, {0, 1, 2}), {.highest_level = 2})),
-      "fails\n2 contact-incomplete FC-CRIT-05 (c): index 2, contact set 0 1 2; point 3 lies on the sphere "
-      "too, and the centre outside the hull of all of them");
-  EXPECT_EQ(
-      text(arc.check(arc.claim().add(2, {0, 1, 2, 3}), {.highest_level = 2})),
-      "fails\n2 outside-hull FC-CRIT-05 (d): index 2, contact set 0 1 2 3; the centre 0 0 0 lies outside "
-      "the hull of the contact set");
+  EXPECT_EQ(text(arc.check(arc.claim().add(2, {0, 1, 2}), {.highest_level = 2})),
+            "fails\n2 contact-incomplete FC-CRIT-05 (c): index 2, contact set 0 1 2; point 3 lies on the sphere "
+            "too, and the centre outside the hull of all of them");
+  EXPECT_EQ(text(arc.check(arc.claim().add(2, {0, 1, 2, 3}), {.highest_level = 2})),
+            "fails\n2 outside-hull FC-CRIT-05 (d): index 2, contact set 0 1 2 3; the centre 0 0 0 lies outside "
+            "the hull of the contact set");
 }
 
 TEST(PlaceFindings, OfValuesBeyondDoubles) {
@@ -240,10 +226,9 @@ TEST(PlaceFindings, OfValuesBeyondDoubles) {
                   (x > 0 ? " 1.8e308" : "1.8e308") +
                   " 0 0; no stationary point is there, or within the tolerance of it");
   }
-  EXPECT_EQ(
-      text(Truly({}).check(Claimed().at(0, decimals({1, 2, 3})), {.highest_level = 2})),
-      "fails\n2 wrong-position FC-CRIT-01: index 0, at 1 2 3; no stationary point is there, or within the "
-      "tolerance of it");
+  EXPECT_EQ(text(Truly({}).check(Claimed().at(0, decimals({1, 2, 3})), {.highest_level = 2})),
+            "fails\n2 wrong-position FC-CRIT-01: index 0, at 1 2 3; no stationary point is there, or within the "
+            "tolerance of it");
 }
 
 TEST(PlaceFindings, OfDistances) {
@@ -258,8 +243,7 @@ TEST(PlaceFindings, OfDistances) {
   EXPECT_EQ(with([](ClaimedPoint& point) { point.distance = number(-1); }), start + "distance -1" + end);
   EXPECT_EQ(with([](ClaimedPoint& point) { point.squared_distance = number(-1); }),
             start + "squared distance -1" + end);
-  EXPECT_EQ(with([](ClaimedPoint& point) { point.squared_distance = decimal(2); }),
-            start + "squared distance 2" + end);
+  EXPECT_EQ(with([](ClaimedPoint& point) { point.squared_distance = decimal(2); }), start + "squared distance 2" + end);
   EXPECT_EQ(with([&](ClaimedPoint& point) { point.squared_distance = number(1 + tiny); }),
             rounding + "squared distance ~1.0000000000000002" + end);
   EXPECT_EQ(with([&](ClaimedPoint& point) { point.squared_distance = decimal(1 + tiny); }), "conforms");

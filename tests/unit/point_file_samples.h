@@ -18,9 +18,7 @@ namespace flowcert {
 
 using Rows = std::vector<Point>;
 
-inline Rows rows_of(const std::string& bytes, const std::string& name) {
-  return read_points_from(bytes, name).rows;
-}
+inline Rows rows_of(const std::string& bytes, const std::string& name) { return read_points_from(bytes, name).rows; }
 
 // The message that a file is refused with.
 inline std::string refusal(const std::string& bytes, const std::string& name) {
@@ -33,8 +31,7 @@ inline std::string refusal(const std::string& bytes, const std::string& name) {
 
 inline std::string gzipped(const std::string& bytes) {
   z_stream stream{};
-  EXPECT_EQ(deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, MAX_WBITS + 16, 8, Z_DEFAULT_STRATEGY),
-            Z_OK);
+  EXPECT_EQ(deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, MAX_WBITS + 16, 8, Z_DEFAULT_STRATEGY), Z_OK);
   std::string output(deflateBound(&stream, bytes.size()) + 64, '\0');
   std::string input = bytes;
   stream.next_in = reinterpret_cast<Bytef*>(input.data());
@@ -69,8 +66,7 @@ inline std::string ply_header_with_everything(const std::string& format, const s
 inline const Rows kPlyRows = {{1, -2, 3}, {100, 0, -7}};
 
 template <class Coordinate>
-inline std::string ply_binary(bool big_endian, const std::string& coordinate_type,
-                              const Rows& rows = kPlyRows) {
+inline std::string ply_binary(bool big_endian, const std::string& coordinate_type, const Rows& rows = kPlyRows) {
   const auto put = [&](auto value) { return bytes_of(value, big_endian); };
   std::string file =
       ply_header_with_everything(big_endian ? "binary_big_endian" : "binary_little_endian", coordinate_type);
@@ -81,8 +77,7 @@ inline std::string ply_binary(bool big_endian, const std::string& coordinate_typ
   for (const Point& row : rows) {
     file += put(static_cast<Coordinate>(row.z)) + put(near);
     for (; near > 0; --near) file += put(std::int32_t{-1});
-    file +=
-        put(static_cast<Coordinate>(row.x)) + put(std::uint8_t{255}) + put(static_cast<Coordinate>(row.y));
+    file += put(static_cast<Coordinate>(row.x)) + put(std::uint8_t{255}) + put(static_cast<Coordinate>(row.y));
   }
   return file + put(std::uint8_t{3}) + put(std::uint32_t{0}) + put(std::uint32_t{1}) + put(std::uint32_t{0});
 }

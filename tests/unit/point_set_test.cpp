@@ -54,8 +54,7 @@ TEST(PointSetTest, RefusesCoordinatesThatAreNotFinite) {
 
 TEST(PointSetTest, MergesEqualRowsUnderTheSmallestId) {
   CITES("FC-IN-03");
-  const std::vector<Point> rows = {{5, 5, 5}, {0, 0, 0}, {2, 0, 0}, {0, 0, 0},
-                                   {5, 5, 5}, {1, 1, 1}, {0, 0, 0}};
+  const std::vector<Point> rows = {{5, 5, 5}, {0, 0, 0}, {2, 0, 0}, {0, 0, 0}, {5, 5, 5}, {1, 1, 1}, {0, 0, 0}};
   const PointSet set(rows);
   EXPECT_EQ(set.row_count(), 7u);
   EXPECT_EQ(set.size(), 4u);
@@ -84,8 +83,8 @@ TEST(PointSetTest, AZerosSignIsNoCoordinate) {
 TEST(PointSetTest, NothingElseIsMerged) {
   CITES("FC-IN-02", "FC-IN-03");
   const double tiny = std::numeric_limits<double>::denorm_min();
-  const PointSet set(std::vector<Point>{
-      {1, 0, 0}, {std::nextafter(1.0, 2.0), 0, 0}, {0, 0, 0}, {0, tiny, 0}, {0, -tiny, 0}});
+  const PointSet set(
+      std::vector<Point>{{1, 0, 0}, {std::nextafter(1.0, 2.0), 0, 0}, {0, 0, 0}, {0, tiny, 0}, {0, -tiny, 0}});
   EXPECT_EQ(set.size(), 5u);
   EXPECT_EQ(set.merged_duplicates(), 0u);
   EXPECT_TRUE(set.repeated_classes().empty());

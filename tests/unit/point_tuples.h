@@ -30,10 +30,10 @@ enum class TupleKind {
   kWidest,      // coordinates that span kWideBits bits on their grid, or one more
   kNarrow,      // the same with kNarrowBits
 };
-inline constexpr std::array kTupleKinds = {
-    TupleKind::kGeneric,   TupleKind::kLattice, TupleKind::kSpherical,  TupleKind::kRounded,
-    TupleKind::kOneUlp,    TupleKind::kFarOff,  TupleKind::kMagnitudes, TupleKind::kSubnormal,
-    TupleKind::kNearRight, TupleKind::kWidest,  TupleKind::kNarrow};
+inline constexpr std::array kTupleKinds = {TupleKind::kGeneric,    TupleKind::kLattice,   TupleKind::kSpherical,
+                                           TupleKind::kRounded,    TupleKind::kOneUlp,    TupleKind::kFarOff,
+                                           TupleKind::kMagnitudes, TupleKind::kSubnormal, TupleKind::kNearRight,
+                                           TupleKind::kWidest,     TupleKind::kNarrow};
 
 inline double& coordinate_of(flowcert::Point& p, std::size_t k) { return k == 0 ? p.x : k == 1 ? p.y : p.z; }
 
@@ -59,8 +59,7 @@ std::array<flowcert::Point, N> spherical_tuple(PortableRandom& random) {
 }
 
 template <std::size_t N>
-std::array<flowcert::Point, N> scaled_lattice_tuple(PortableRandom& random, int width, double unit,
-                                                    double offset) {
+std::array<flowcert::Point, N> scaled_lattice_tuple(PortableRandom& random, int width, double unit, double offset) {
   std::array<flowcert::Point, N> points;
   for (flowcert::Point& p : points) {
     for (std::size_t k = 0; k < 3; ++k) coordinate_of(p, k) = offset + unit * random.between(-width, width);
@@ -114,8 +113,8 @@ std::array<flowcert::Point, N> draw_tuple(TupleKind kind, PortableRandom& random
       }
       break;
     case TupleKind::kSubnormal:
-      points = scaled_lattice_tuple<N>(
-          random, 2, random.coin() ? std::numeric_limits<double>::denorm_min() : 0x1p-1023, 0.0);
+      points = scaled_lattice_tuple<N>(random, 2, random.coin() ? std::numeric_limits<double>::denorm_min() : 0x1p-1023,
+                                       0.0);
       break;
     case TupleKind::kNearRight: {
       points = draw_tuple<N>(TupleKind::kGeneric, random);
@@ -128,8 +127,7 @@ std::array<flowcert::Point, N> draw_tuple(TupleKind kind, PortableRandom& random
     case TupleKind::kWidest:
     case TupleKind::kNarrow: {
       // The numbers (2^53 - k) 2^(bits - 53) are the largest ones below 2^bits. One coordinate 1 fixes the grid.
-      const int bits =
-          kind == TupleKind::kWidest ? flowcert::geometry::kWideBits : flowcert::geometry::kNarrowBits;
+      const int bits = kind == TupleKind::kWidest ? flowcert::geometry::kWideBits : flowcert::geometry::kNarrowBits;
       const int top = bits - 53 + random.between(0, 1);
       for (flowcert::Point& p : points) {
         for (std::size_t k = 0; k < 3; ++k) {

@@ -19,9 +19,7 @@ class PortableRandom {
 
   std::uint64_t next() { return engine_(); }
   std::size_t below(std::size_t bound) { return static_cast<std::size_t>(engine_() % bound); }
-  int between(int low, int high) {
-    return low + static_cast<int>(below(static_cast<std::size_t>(high - low) + 1));
-  }
+  int between(int low, int high) { return low + static_cast<int>(below(static_cast<std::size_t>(high - low) + 1)); }
   bool coin() { return (engine_() & 1) != 0; }
   // A number in (-1, 1), on the grid of 2^-53.
   double coordinate() {

@@ -85,10 +85,7 @@ void compare_rungs(const Query& query, Decided& decided) {
   expected[Query::kPredicate] = {1, by_double ? 0u : 1u};
   ASSERT_EQ(tally.counts, expected.counts);
   decided.zeros += *by_big == Sign::kZero ? 1 : 0;
-  ++(by_double   ? decided.by_double
-     : by_narrow ? decided.by_narrow
-     : by_wide   ? decided.by_wide
-                 : decided.by_big);
+  ++(by_double ? decided.by_double : by_narrow ? decided.by_narrow : by_wide ? decided.by_wide : decided.by_big);
 }
 
 // What is asked of each predicate: a query made of a tuple, and its answer by definition. OutsideCircle takes
@@ -142,8 +139,8 @@ struct AskOutsideSphere {
   static Sign by_definition(const Tuple& t) {
     const RationalPoint p0 = exactly(t[0]), p1 = exactly(t[1]), p2 = exactly(t[2]), p3 = exactly(t[3]);
     const RationalPoint center = circumcenter(p0, p1, p2, p3);
-    const Rational outside = flowcert_tests::squared_distance(exactly(t[4]), center) -
-                             flowcert_tests::squared_distance(p0, center);
+    const Rational outside =
+        flowcert_tests::squared_distance(exactly(t[4]), center) - flowcert_tests::squared_distance(p0, center);
     const int orientation = flowcert_tests::sign_of(determinant(minus(p1, p0), minus(p2, p0), minus(p3, p0)));
     return sign_of_int(flowcert_tests::sign_of(outside) * orientation);
   }
@@ -208,8 +205,7 @@ typename Ask::Tuple draw_prepared(TupleKind kind, PortableRandom& random) {
 
 template <class Ask>
 class PredicateTest : public testing::Test {};
-using AllPredicates =
-    testing::Types<AskAngle, AskOrientation, AskSideOfPlane, AskOutsideSphere, AskOutsideCircle>;
+using AllPredicates = testing::Types<AskAngle, AskOrientation, AskSideOfPlane, AskOutsideSphere, AskOutsideCircle>;
 class PredicateNames {
  public:
   template <class Ask>
@@ -319,8 +315,7 @@ struct Answers {
 };
 template <class Query>
 Answers answers(const Query& query) {
-  return {sign_on_rung(query, Rung::kDouble), sign_on_rung(query, Rung::kWide),
-          sign_on_rung(query, Rung::kBig)};
+  return {sign_on_rung(query, Rung::kDouble), sign_on_rung(query, Rung::kWide), sign_on_rung(query, Rung::kBig)};
 }
 
 TEST(RungsTest, ClearSignsAreTheFiltersOwn) {
@@ -348,8 +343,7 @@ TEST(RungsTest, TheFilterIsSharp) {
     const MaybeSign expected = sign > 0 ? Sign::kPositive : Sign::kNegative;
     EXPECT_EQ(answers(Angle{x, kOrigin, Point{sign * 0x1p-49, 1, 0}}).by_double, expected);
     EXPECT_EQ(answers(Orientation{kOrigin, x, y, Point{1, 1, sign * 0x1p-47}}).by_double, expected);
-    EXPECT_EQ(answers(SideOfPlane{x, Point{-1, 0, 0}, y, Point{0, 0, 1 + sign * 0x1p-44}}).by_double,
-              expected);
+    EXPECT_EQ(answers(SideOfPlane{x, Point{-1, 0, 0}, y, Point{0, 0, 1 + sign * 0x1p-44}}).by_double, expected);
     EXPECT_EQ(answers(OutsideSphere{kOrigin, x, y, z, Point{1, 1, 1 + sign * 0x1p-44}}).by_double, expected);
     EXPECT_EQ(answers(OutsideCircle{x, y, kOrigin, Point{1, 1 + sign * 0x1p-46, 0}}).by_double, expected);
   }
@@ -417,12 +411,10 @@ TEST(RungsTest, MixedMagnitudesAreLeftToGmp) {
 TEST(RungsTest, TheFilterIsSilentOutsideOfItsRange) {
   CITES("FC-NUM-01");
   for (const double unit : {2 * kSmallestNorm, kLargestNorm / 2}) {
-    EXPECT_EQ(sign_on_rung(Angle{Point{unit, 0, 0}, kOrigin, Point{unit, unit, 0}}, Rung::kDouble),
-              Sign::kPositive);
+    EXPECT_EQ(sign_on_rung(Angle{Point{unit, 0, 0}, kOrigin, Point{unit, unit, 0}}, Rung::kDouble), Sign::kPositive);
   }
   const double largest = std::numeric_limits<double>::max();
-  for (const double unit :
-       {kSmallestNorm / 2, kLargestNorm, largest, std::numeric_limits<double>::denorm_min()}) {
+  for (const double unit : {kSmallestNorm / 2, kLargestNorm, largest, std::numeric_limits<double>::denorm_min()}) {
     const Angle query{Point{unit, 0, 0}, kOrigin, Point{unit, unit, 0}};
     EXPECT_EQ(sign_on_rung(query, Rung::kDouble), std::nullopt) << unit;
     EXPECT_EQ(sign_on_rung(query, Rung::kWide), Sign::kPositive) << unit;

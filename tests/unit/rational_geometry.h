@@ -32,8 +32,8 @@ inline Rational squared_distance(const RationalPoint& u, const RationalPoint& v)
 
 // The determinant of the rows u, v, w, by the rule of Sarrus.
 inline Rational determinant(const RationalPoint& u, const RationalPoint& v, const RationalPoint& w) {
-  return u[0] * v[1] * w[2] + u[1] * v[2] * w[0] + u[2] * v[0] * w[1] - u[2] * v[1] * w[0] -
-         u[0] * v[2] * w[1] - u[1] * v[0] * w[2];
+  return u[0] * v[1] * w[2] + u[1] * v[2] * w[0] + u[2] * v[0] * w[1] - u[2] * v[1] * w[0] - u[0] * v[2] * w[1] -
+         u[1] * v[0] * w[2];
 }
 
 // x with <rows[k], x> = right[k]; the rows are independent.
@@ -61,8 +61,7 @@ inline RationalPoint normal_of(const RationalPoint& p0, const RationalPoint& p1,
 }
 
 // The point of their plane at the same distance from three that are not collinear.
-inline RationalPoint circle_center(const RationalPoint& p0, const RationalPoint& p1,
-                                   const RationalPoint& p2) {
+inline RationalPoint circle_center(const RationalPoint& p0, const RationalPoint& p1, const RationalPoint& p2) {
   const RationalPoint normal = normal_of(p0, p1, p2);
   const auto right = [&p0](const RationalPoint& p) -> Rational { return (inner(p, p) - inner(p0, p0)) / 2; };
   return solution({minus(p1, p0), minus(p2, p0), normal}, {right(p1), right(p2), inner(normal, p0)});

@@ -35,9 +35,7 @@ Rational power_of_two(int exponent) {
   return exponent < 0 ? Rational(1) / Rational(power) : Rational(power);
 }
 
-Rational distance_of(const Rational& a, const Rational& b) {
-  return a < b ? Rational(b - a) : Rational(a - b);
-}
+Rational distance_of(const Rational& a, const Rational& b) { return a < b ? Rational(b - a) : Rational(a - b); }
 
 bool is_even(double value) { return (std::bit_cast<std::uint64_t>(value) & 1) == 0; }
 
@@ -55,9 +53,7 @@ void expect_nearest(const Rational& value) {
   const Rational distance = distance_of(value, Rational(*got));
   for (const double toward : {-HUGE_VAL, HUGE_VAL}) {
     const double neighbor = std::nextafter(*got, toward);
-    const Rational position = std::isfinite(neighbor) ? Rational(neighbor)
-                              : neighbor > 0          ? beyond
-                                                      : Rational(-beyond);
+    const Rational position = std::isfinite(neighbor) ? Rational(neighbor) : neighbor > 0 ? beyond : Rational(-beyond);
     const Rational other = distance_of(value, position);
     ASSERT_LE(distance, other) << to_text(value).substr(0, 80);
     if (distance == other) {
@@ -77,8 +73,7 @@ TEST(NearestDoubleTest, OfRandomRationalsInAllSizes) {
   PortableRandom random(11);
   int subnormal = 0, overflown = 0;
   for (int k = 0; k < 40000; ++k) {
-    const BigInt top = random_bits(random, 1 + random.below(200)),
-                 bottom = random_bits(random, 1 + random.below(200));
+    const BigInt top = random_bits(random, 1 + random.below(200)), bottom = random_bits(random, 1 + random.below(200));
     Rational value = Rational(top) / Rational(bottom) * power_of_two(random.between(-1200, 1150));
     if (random.coin()) value = -value;
     expect_nearest(value);
@@ -186,8 +181,7 @@ TEST(RationalTextTest, ReadsBackTheSame) {
   CITES("FC-NUM-02");
   PortableRandom random(13);
   for (int k = 0; k < 5000; ++k) {
-    const BigInt top = random_bits(random, 1 + random.below(120)),
-                 bottom = random_bits(random, 1 + random.below(120));
+    const BigInt top = random_bits(random, 1 + random.below(120)), bottom = random_bits(random, 1 + random.below(120));
     Rational value = Rational(top) / Rational(bottom);
     if (random.coin()) value = -value;
     const std::string text = to_text(value);

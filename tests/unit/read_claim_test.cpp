@@ -52,8 +52,7 @@ TEST(ReadExchange, EverythingThatComputeWrites) {
   EXPECT_EQ(claim.input_sha256, coordinates_sha256(points));
   EXPECT_EQ(claim.critical_counts, stationary.critical_counts());
   const RegularCounts& regular = stationary.regular_counts();
-  EXPECT_EQ(claim.regular_counts,
-            (std::array<std::size_t, 3>{regular.kind12, regular.kind23, regular.kind13}));
+  EXPECT_EQ(claim.regular_counts, (std::array<std::size_t, 3>{regular.kind12, regular.kind23, regular.kind13}));
   EXPECT_GT(regular.kind12 + regular.kind23 + regular.kind13, 0U);
   ASSERT_EQ(claim.points.size(), stationary.size());
   std::size_t saddle = 0;
@@ -66,8 +65,7 @@ TEST(ReadExchange, EverythingThatComputeWrites) {
     const ExactSphere sphere = exact_sphere(points, contact);
     EXPECT_EQ(point.line, i + 2);
     EXPECT_EQ(point.index, index.face_dimension);
-    EXPECT_EQ(point.hull_dimension,
-              index.is_critical() ? std::nullopt : std::optional<int>(index.hull_dimension));
+    EXPECT_EQ(point.hull_dimension, index.is_critical() ? std::nullopt : std::optional<int>(index.hull_dimension));
     EXPECT_EQ(point.contact, contact);
     ASSERT_TRUE(point.center && point.squared_distance);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -117,13 +115,10 @@ TEST(ReadExchange, WhatIsExactAndWhatIsNot) {
             "1/10 near, 1/2 exact, 100 near");
   EXPECT_EQ(text_of(*record_of(R"({"index":2,"center":[5,-0.1,1e-400]})").center),
             "5 near, -1/10 near, 1/1" + std::string(400, '0') + " near");
-  EXPECT_EQ(text_of(*record_of(R"({"index":2,"contact":[1],"squared_distance":"7/3"})").squared_distance),
-            "7/3 exact");
+  EXPECT_EQ(text_of(*record_of(R"({"index":2,"contact":[1],"squared_distance":"7/3"})").squared_distance), "7/3 exact");
   // The value is the decimal, not the double nearest to it.
-  EXPECT_EQ(
-      text_of(
-          *record_of(R"({"index":1,"contact":[1],"squared_distance":0.30000000000000004})").squared_distance),
-      "7500000000000001/25000000000000000 near");
+  EXPECT_EQ(text_of(*record_of(R"({"index":1,"contact":[1],"squared_distance":0.30000000000000004})").squared_distance),
+            "7500000000000001/25000000000000000 near");
   const std::string doubles = R"("center_double":[0.5,0,1],"squared_distance_double":2)";
   EXPECT_EQ(text_of(*record_of(R"({"index":1,"center":["1/3","0","0"],)" + doubles + "}").center),
             "1/3 exact, 0 exact, 0 exact");
@@ -188,12 +183,9 @@ TEST(ReadExchange, ErrorsInARecord) {
             "a:2: the value of 'contact' is not a contact set: it is empty");
   EXPECT_EQ(record_refusal("{\"index\":1,\"contact\":[-1]}"), "a:2: not an id: '-1'");
   EXPECT_EQ(record_refusal("{\"index\":1,\"contact\":[1.5]}"), "a:2: not an id: '1.5'");
-  EXPECT_EQ(record_refusal("{\"index\":1,\"contact\":[2147483647]}"),
-            "a:2: an id beyond 2147483646: '2147483647'");
-  EXPECT_EQ(record_refusal("{\"index\":1,\"contact\":[\"1\"]}"),
-            "a:2: the value of 'contact' is not a number");
-  EXPECT_EQ(record_refusal("{\"index\":1,\"center\":[0,0]}"),
-            "a:2: the value of 'center' is not an array of 3");
+  EXPECT_EQ(record_refusal("{\"index\":1,\"contact\":[2147483647]}"), "a:2: an id beyond 2147483646: '2147483647'");
+  EXPECT_EQ(record_refusal("{\"index\":1,\"contact\":[\"1\"]}"), "a:2: the value of 'contact' is not a number");
+  EXPECT_EQ(record_refusal("{\"index\":1,\"center\":[0,0]}"), "a:2: the value of 'center' is not an array of 3");
   EXPECT_EQ(record_refusal("{\"index\":1,\"center\":[0,0,null]}"),
             "a:2: the value of 'center' is not a rational in a string, or a number");
   EXPECT_EQ(record_refusal("{\"index\":1,\"center\":[0,0,1e999]}"), "a:2: out of range of a double: '1e999'");
@@ -215,8 +207,7 @@ TEST(ReadExchange, ErrorsInARecord) {
             "a:2: a key of critical points of index 1 only: 'samples'");
   EXPECT_EQ(record_refusal("{\"index\":2,\"contact\":[1],\"limits\":[null]}"),
             "a:2: the value of 'limits' is not an array of 2");
-  EXPECT_EQ(record_refusal("{\"index\":2,\"contact\":[1],\"u2\":[[],[{\"type\":\"E-E-V\"}]]}"),
-            "a:2: no key 'end'");
+  EXPECT_EQ(record_refusal("{\"index\":2,\"contact\":[1],\"u2\":[[],[{\"type\":\"E-E-V\"}]]}"), "a:2: no key 'end'");
 }
 
 // ---- CSV ----
@@ -272,8 +263,7 @@ TEST(ReadCsvClaim, Errors) {
   EXPECT_EQ(claim_refusal("1,,,\n"), "a:1: too few numbers: 2 of 3 after the index");
   EXPECT_EQ(claim_refusal("1,0,inf,0\n"), "a:1: not a finite number: 'inf'");
   EXPECT_EQ(claim_refusal("1,0,1e701,0\n"), "a:1: an exponent too large: '1e701'");
-  EXPECT_EQ(claim_refusal("1,0,1e-99999999999999999999,0\n"),
-            "a:1: an exponent too large: '1e-99999999999999999999'");
+  EXPECT_EQ(claim_refusal("1,0,1e-99999999999999999999,0\n"), "a:1: an exponent too large: '1e-99999999999999999999'");
   EXPECT_EQ(claim_refusal("1,0," + std::string(2001, '0') + ",0\n"),
             "a:1: a number of too many digits: '" + std::string(40, '0') + "...'");
   EXPECT_EQ(claim_refusal("1,0,0x1p99999,0\n"), "a:1: out of range of a double: '0x1p99999'");
@@ -324,8 +314,7 @@ TEST(ReadGiesenKuehne, Errors) {
   EXPECT_EQ(claim_refusal("inf 3\n0 1 | nan\n"), "a:2: not a finite number: 'nan'");
   EXPECT_EQ(claim_refusal("inf 3\n0 1 | -0.5\n"), "a:2: a negative distance: '-0.5'");
   EXPECT_EQ(claim_refusal("inf 3\n0 1 | 1 | 2 | | 3\n"), "a:2: no ids between two bars");
-  EXPECT_EQ(claim_refusal("inf 3\n0 1 | 1 | inf 3\n"),
-            "a:2: more than one number between two bars: ' inf 3'");
+  EXPECT_EQ(claim_refusal("inf 3\n0 1 | 1 | inf 3\n"), "a:2: more than one number between two bars: ' inf 3'");
 }
 
 // ---- VTP ----
@@ -342,9 +331,8 @@ TEST(ReadVtp, EveryEncoding) {
       EXPECT_EQ(claim.points[k].line, k + 1);
       EXPECT_EQ(claim.points[k].index, kVtpPoints[k].type);
       ASSERT_TRUE(claim.points[k].center);
-      EXPECT_EQ(text_of(*claim.points[k].center), to_text(Rational(p.x)) + " near, " +
-                                                      to_text(Rational(p.y)) + " near, " +
-                                                      to_text(Rational(p.z)) + " near");
+      EXPECT_EQ(text_of(*claim.points[k].center), to_text(Rational(p.x)) + " near, " + to_text(Rational(p.y)) +
+                                                      " near, " + to_text(Rational(p.z)) + " near");
       EXPECT_TRUE(claim.points[k].contact.empty());
       EXPECT_FALSE(claim.points[k].squared_distance || claim.points[k].distance);
     }
@@ -367,8 +355,8 @@ TEST(ReadVtp, PiecesAndTypes) {
   EXPECT_EQ(twice.points.back().line, 2 * kVtpPoints.size());
   EXPECT_TRUE(claim_of("<VTKFile type='PolyData'><PolyData/></VTKFile>").points.empty());
   // Positions may have any type. 2^53 + 1 is no double.
-  const std::string integers = bytes_of(std::int64_t{9007199254740993}, false) +
-                               bytes_of(std::int64_t{-1}, false) + bytes_of(std::int64_t{0}, false);
+  const std::string integers = bytes_of(std::int64_t{9007199254740993}, false) + bytes_of(std::int64_t{-1}, false) +
+                               bytes_of(std::int64_t{0}, false);
   const Claim exact = claim_of(
       "<VTKFile type='PolyData'><PolyData><Piece NumberOfPoints='1'><Points><DataArray type='Int64' "
       "NumberOfComponents='3' format='binary'>" +
@@ -388,8 +376,7 @@ TEST(ReadVtp, ErrorsInTheDocument) {
     return claim_refusal(replaced(file, from, to));
   };
   EXPECT_EQ(claim_refusal("<html></html>"), "a:1: not a VTP file: it begins with 'html'");
-  EXPECT_EQ(with("\"PolyData\"", "\"UnstructuredGrid\""),
-            "a:2: not a VTP file: its type is 'UnstructuredGrid'");
+  EXPECT_EQ(with("\"PolyData\"", "\"UnstructuredGrid\""), "a:2: not a VTP file: its type is 'UnstructuredGrid'");
   EXPECT_EQ(with("</Piece>", "</Peace>"), "a:26: not XML: mismatched tag");
   EXPECT_EQ(claim_refusal(file.substr(0, 60)), "a:2: not XML: unclosed token");
   EXPECT_EQ(claim_refusal("<!DOCTYPE a [<!ENTITY b 'c'>]><a/>"), "a:1: a VTP file has no document type");
@@ -402,8 +389,7 @@ TEST(ReadVtp, ErrorsInTheDocument) {
   EXPECT_EQ(with("NumberOfPoints=\"5\"", "NumberOfPoints=\"-5\""), "a:4: not a count: '-5'");
   EXPECT_EQ(with("\"CriticalType\" format=\"ascii\">\n", "\"Type\" format=\"ascii\">\n"),
             "a:4: no array 'CriticalType' in the point data");
-  EXPECT_EQ(with("NumberOfComponents=\"3\"", "NumberOfComponents=\"2\""),
-            "a:12: positions are not of 3 components");
+  EXPECT_EQ(with("NumberOfComponents=\"3\"", "NumberOfComponents=\"2\""), "a:12: positions are not of 3 components");
   EXPECT_EQ(with("<Points>", "<Dots>").substr(0, 13), "a:25: not XML");
   EXPECT_EQ(with("type=\"Float64\"", "type=\"String\""), "a:12: not a type of numbers: 'String'");
   EXPECT_EQ(with("format=\"ascii\">\n   0", "format=\"hex\">\n   0"), "a:7: not a format of an array: 'hex'");

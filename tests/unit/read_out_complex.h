@@ -35,8 +35,7 @@ class Polygons {
   std::size_t of(FacetRef facet) const {
     if (complex_.role(facet) == VoronoiComplex::FacetRole::kPiece) return complex_.large_polygon_of(facet);
     const FacetRef mirror = complex_.delaunay().mirror(facet);
-    const FacetRef first =
-        complex_.delaunay().is_finite(mirror.cell) && mirror.cell < facet.cell ? mirror : facet;
+    const FacetRef first = complex_.delaunay().is_finite(mirror.cell) && mirror.cell < facet.cell ? mirror : facet;
     return complex_.large_polygon_count() + 4 * std::size_t{first.cell} + first.index;
   }
 

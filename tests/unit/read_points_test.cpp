@@ -102,11 +102,9 @@ TEST(ReadOff, Variants) {
   const Rows expected = {{1, 2, 3}, {4, 5, 0.5}};
   EXPECT_EQ(rows_of("OFF\n2 1 0\n1 2 3\n4 5 .5\n3 0 1 1\n", "a.off"), expected);
   EXPECT_EQ(rows_of("OFF 2 0 0\r\n1 2 3\r\n4 5 .5", "a.OFF"), expected);
-  EXPECT_EQ(rows_of("# c\nCOFF # c\n\n# c\n2 0 0 # c\n\n1 2 3 255 0 0 255 # c\n4 5 .5 red\n", "a.off"),
-            expected);
+  EXPECT_EQ(rows_of("# c\nCOFF # c\n\n# c\n2 0 0 # c\n\n1 2 3 255 0 0 255 # c\n4 5 .5 red\n", "a.off"), expected);
   EXPECT_EQ(rows_of("NOFF\n2 0 0\n1 2 3 0 0 1\n4 5 0x.8 nan nan nan\n", "a.off"), expected);
-  EXPECT_EQ(rows_of("  CNOFF\n2 0 0\n1 2 3 0 0 1 1 1 1 1\n4 5 0.5 0 0 1 1 1 1 1\ntrailing text\n", "a.off"),
-            expected);
+  EXPECT_EQ(rows_of("  CNOFF\n2 0 0\n1 2 3 0 0 1 1 1 1 1\n4 5 0.5 0 0 1 1 1 1 1\ntrailing text\n", "a.off"), expected);
 }
 
 TEST(ReadOff, Errors) {
@@ -116,8 +114,7 @@ TEST(ReadOff, Errors) {
   EXPECT_EQ(refusal("OFF\n120 0 0\n" + rows, "a.off"), "a.off: 120 vertices announced, 57 found");
   EXPECT_EQ(refusal("OFF\n1000000000000000000 0 0\n" + rows, "a.off"),
             "a.off: 1000000000000000000 vertices announced, 57 found");
-  EXPECT_EQ(refusal("OFF\n57 3 0\n" + rows + "3 0 1 2\n3 1 2 3", "a.off"),
-            "a.off: 3 faces announced, 2 found");
+  EXPECT_EQ(refusal("OFF\n57 3 0\n" + rows + "3 0 1 2\n3 1 2 3", "a.off"), "a.off: 3 faces announced, 2 found");
   EXPECT_EQ(refusal("OFF\n57 1000000000000000000 0\n" + rows, "a.off"),
             "a.off: 1000000000000000000 faces announced, 0 found");
   EXPECT_EQ(refusal("OFF\n", "a.off"), "a.off: cut short: no counts after OFF");
@@ -128,8 +125,7 @@ TEST(ReadOff, Errors) {
   EXPECT_EQ(refusal("OFF\n2 0\n", "a.off"), "a.off:2: too few counts: 2 of 3");
   EXPECT_EQ(refusal("OFF\n-2 0 0\n", "a.off"), "a.off:2: not a count: '-2'");
   EXPECT_EQ(refusal("OFF 1e18 0 0\n", "a.off"), "a.off:1: not a count: '1e18'");
-  EXPECT_EQ(refusal("OFF 99999999999999999999 0 0\n", "a.off"),
-            "a.off:1: not a count: '99999999999999999999'");
+  EXPECT_EQ(refusal("OFF 99999999999999999999 0 0\n", "a.off"), "a.off:1: not a count: '99999999999999999999'");
   EXPECT_EQ(refusal("OFF\n2 0 0\n1 2 3\n4 5\n", "a.off"), "a.off:4: too few numbers: 2 of 3");
   EXPECT_EQ(refusal("OFF\n2 0 0\n1 2 3\n4 5 nan\n", "a.off"), "a.off:4: not a finite number: 'nan'");
   EXPECT_EQ(refusal("OFF\n2 0 0\n1,2,3\n4 5 6\n", "a.off"), "a.off:3: not a number: '1,2,3'");
@@ -157,8 +153,7 @@ TEST(ReadPly, AsciiWithElementsAndListsAround) {
   CITES("FC-IN-02");
   EXPECT_EQ(rows_of(ply_ascii(), "a.ply"), kPlyRows);
   std::string with_carriage_returns;
-  for (const char c : ply_ascii())
-    with_carriage_returns += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  for (const char c : ply_ascii()) with_carriage_returns += c == '\n' ? std::string("\r\n") : std::string(1, c);
   EXPECT_EQ(rows_of(with_carriage_returns, "a.ply"), kPlyRows);
 }
 
@@ -177,17 +172,14 @@ TEST(ReadPly, AsciiFloatsAreTheNearestDoublesOfTheirText) {
 TEST(ReadPly, BinaryInEveryTypeAndBothOrders) {
   CITES("FC-IN-02");
   for (const bool big : {false, true}) {
-    for (const char* type : {"char", "int8"})
-      EXPECT_EQ(rows_of(ply_binary<std::int8_t>(big, type), "a.ply"), kPlyRows);
+    for (const char* type : {"char", "int8"}) EXPECT_EQ(rows_of(ply_binary<std::int8_t>(big, type), "a.ply"), kPlyRows);
     for (const char* type : {"short", "int16"}) {
       EXPECT_EQ(rows_of(ply_binary<std::int16_t>(big, type), "a.ply"), kPlyRows);
     }
     for (const char* type : {"int", "int32"})
       EXPECT_EQ(rows_of(ply_binary<std::int32_t>(big, type), "a.ply"), kPlyRows);
-    for (const char* type : {"float", "float32"})
-      EXPECT_EQ(rows_of(ply_binary<float>(big, type), "a.ply"), kPlyRows);
-    for (const char* type : {"double", "float64"})
-      EXPECT_EQ(rows_of(ply_binary<double>(big, type), "a.ply"), kPlyRows);
+    for (const char* type : {"float", "float32"}) EXPECT_EQ(rows_of(ply_binary<float>(big, type), "a.ply"), kPlyRows);
+    for (const char* type : {"double", "float64"}) EXPECT_EQ(rows_of(ply_binary<double>(big, type), "a.ply"), kPlyRows);
     const Rows large = {{200, 0, 255}, {128, 1, 2}};
     for (const char* type : {"uchar", "uint8"}) {
       EXPECT_EQ(rows_of(ply_binary<std::uint8_t>(big, type, large), "a.ply"), large);
@@ -262,12 +254,10 @@ TEST(ReadPly, ErrorsInTheRows) {
   CITES("FC-IN-01", "FC-IN-05");
   const std::string xyz = "property double x\nproperty double y\nproperty double z\n";
   const auto ascii = [&](const std::string& count, const std::string& rows) {
-    return refusal("ply\nformat ascii 1.0\nelement vertex " + count + "\n" + xyz + "end_header\n" + rows,
-                   "a.ply");
+    return refusal("ply\nformat ascii 1.0\nelement vertex " + count + "\n" + xyz + "end_header\n" + rows, "a.ply");
   };
   EXPECT_EQ(ascii("3", "1 2 3\n4 5 6\n"), "a.ply: 3 vertices announced, 2 found");
-  EXPECT_EQ(ascii("1000000000000000000", "1 2 3\n"),
-            "a.ply: 1000000000000000000 vertices announced, 1 found");
+  EXPECT_EQ(ascii("1000000000000000000", "1 2 3\n"), "a.ply: 1000000000000000000 vertices announced, 1 found");
   EXPECT_EQ(ascii("2", "1 2 3\n4 5\n"), "a.ply:9: too few values: none for property 'z'");
   EXPECT_EQ(ascii("1", "1 nan 3\n"), "a.ply:8: not a finite number: 'nan'");
   EXPECT_EQ(ascii("1", "1 2 3#\n"), "a.ply:8: not a number: '3#'");
@@ -282,13 +272,11 @@ TEST(ReadPly, ErrorsInTheRows) {
             "a.ply:13: not the length of a list: '-1'");
   const std::string binary = "ply\nformat binary_little_endian 1.0\n";
   const std::string vertex(24, '\0');
-  EXPECT_EQ(refusal(binary + head + vertex + "\xff", "a.ply"),
-            "a.ply: a list of negative length in row 0 of 'face'");
+  EXPECT_EQ(refusal(binary + head + vertex + "\xff", "a.ply"), "a.ply: a list of negative length in row 0 of 'face'");
   EXPECT_EQ(refusal(binary + head + vertex + std::string(1, '\0'), "a.ply"),
             "a.ply: 2 rows of 'face' announced, 1 found");
   EXPECT_EQ(
-      refusal(binary + "element vertex 1000000000000000000\n" + xyz + "end_header\n" + vertex + vertex + "1",
-              "a.ply"),
+      refusal(binary + "element vertex 1000000000000000000\n" + xyz + "end_header\n" + vertex + vertex + "1", "a.ply"),
       "a.ply: 1000000000000000000 vertices announced, 2 found");
   EXPECT_EQ(refusal(binary + "element a 4611686018427387905\nproperty int i\nelement vertex 1\n" + xyz +
                         "end_header\n" + vertex,
@@ -378,8 +366,7 @@ TEST(ReadPoints, Files) {
   CITES("FC-IN-05");
   const TemporaryDirectory directory;
   EXPECT_EQ(read_points(directory.written("a.xyz", "1 2 3\n")).rows, (Rows{{1, 2, 3}}));
-  EXPECT_EQ(read_points(directory.written("a.off.gz", gzipped("OFF 1 0 0\n1 2 3\n"))).rows,
-            (Rows{{1, 2, 3}}));
+  EXPECT_EQ(read_points(directory.written("a.off.gz", gzipped("OFF 1 0 0\n1 2 3\n"))).rows, (Rows{{1, 2, 3}}));
   EXPECT_EQ(read_points(directory.written("a.ply", ply_binary<double>(false, "double"))).rows, kPlyRows);
   const std::string bad = directory.written("bad.obj", "v 1 2 3\nv 1 2 x\n");
   EXPECT_EQ(refusal_of_path(bad), bad + ":2: not a number: 'x'");

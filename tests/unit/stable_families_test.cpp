@@ -18,9 +18,7 @@ namespace {
 constexpr std::uint64_t kSeeds = 60;
 
 // |p - (0,t,0)|^2.
-Integer squared_distance_to_axis_point(const IntegerPoint& p, Integer t) {
-  return dot(p, p) - 2 * p[1] * t + t * t;
-}
+Integer squared_distance_to_axis_point(const IntegerPoint& p, Integer t) { return dot(p, p) - 2 * p[1] * t + t * t; }
 
 TEST(StableConfigurations, AimedPointsLieOnASphereOutsideOfWhichTheThirdIs) {
   std::size_t with_sphere = 0;
@@ -35,9 +33,8 @@ TEST(StableConfigurations, AimedPointsLieOnASphereOutsideOfWhichTheThirdIs) {
     EXPECT_TRUE(std::all_of(points.begin() + 3, points.end(), [](const auto& p) { return p[1] < 0; }));
     for (Integer t = 1; t <= a; ++t) {
       const Integer norm = a * a + t * t;
-      const auto on_sphere = std::count_if(points.begin() + 3, points.end(), [&](const auto& p) {
-        return squared_distance_to_axis_point(p, t) == norm;
-      });
+      const auto on_sphere = std::count_if(points.begin() + 3, points.end(),
+                                           [&](const auto& p) { return squared_distance_to_axis_point(p, t) == norm; });
       const bool is_third_outside = points[2][1] > t && squared_distance_to_axis_point(points[2], t) > norm;
       if (on_sphere >= 3 && is_third_outside) {
         ++with_sphere;

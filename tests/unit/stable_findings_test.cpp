@@ -55,8 +55,7 @@ TEST(PolylineFindings, OfEachPartOfASegment) {
             rounding + "segment 1: end ~0.5000000000000002 1/2 1/2; end 1/2 1/2 1/2");
   EXPECT_EQ(changed([](ClaimedPolyline& line) { line[0].end.reset(); }),
             wrong + "segment 1: end infinity; end 1/2 1/2 1/2");
-  EXPECT_EQ(changed([](ClaimedPolyline& line) { line.clear(); }),
-            wrong + "0 segments; 1 segments, to 1/2 1/2 1/2");
+  EXPECT_EQ(changed([](ClaimedPolyline& line) { line.clear(); }), wrong + "0 segments; 1 segments, to 1/2 1/2 1/2");
   EXPECT_EQ(changed([](ClaimedPolyline& line) { line.push_back(line[0]); }),
             wrong + "2 segments; 1 segments, to 1/2 1/2 1/2");
 }
@@ -143,10 +142,8 @@ TEST(WalkFindings, WhereThereIsATie) {
   // This walk goes to a sample and back along the same edge.
   EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 2, 0, 1, 4, 3}), "conforms");
   const std::string wrong = "fails\n5 wrong-surface FC-CHAIN-01: " + start;
-  EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 1, 2}),
-            wrong + "0 1, 1 2, 2 0; no way to break ties gives this boundary");
-  EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 1, 2, 3}),
-            wrong + "0 1, 1 2, 2 3, 3 0; 2 3 does not lie below it");
+  EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 1, 2}), wrong + "0 1, 1 2, 2 0; no way to break ties gives this boundary");
+  EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 1, 2, 3}), wrong + "0 1, 1 2, 2 3, 3 0; 2 3 does not lie below it");
   EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 0}), wrong + "0 0, 0 0; 0 0 is no critical point of index 1");
   // A walk may go through the hypotenuse of the right angle 0 2 3, or along its sides.
   EXPECT_EQ(walking(regular, {0, 1, 3}, {0, 2, 3, 1}), "conforms");
@@ -171,8 +168,7 @@ TEST(SkeletonFindings, OfEachPartOfASegment) {
   CITES("FC-CLAIM-10", "FC-STAB-04");
   const Truly points(kTetrahedron);
   const auto changed = [&](const auto& change) {
-    return said_of_skeleton(points, kTriangle,
-                            [&](ClaimedSkeleton& skeleton) { change(skeleton.segments[0]); });
+    return said_of_skeleton(points, kTriangle, [&](ClaimedSkeleton& skeleton) { change(skeleton.segments[0]); });
   };
   using Segment = ClaimedBackwardSegment;
   const std::string start = "FC-CLAIM-10: index 2, contact set 0 1 2, a segment of ";
@@ -204,12 +200,11 @@ TEST(SkeletonFindings, OfPiecesTooFewOrTooMany) {
   CITES("FC-CLAIM-10");
   const Truly points(kTetrahedron);
   const std::string start = "fails\n5 wrong-surface FC-CLAIM-10: index 2, contact set 0 1 2, ";
-  EXPECT_EQ(said_of_skeleton(points, kTriangle,
-                             [](ClaimedSkeleton& skeleton) { std::ranges::reverse(skeleton.segments); }),
-            "conforms");
   EXPECT_EQ(
-      said_of_skeleton(points, kTriangle, [](ClaimedSkeleton& skeleton) { skeleton.segments.resize(1); }),
-      start + "too few; 2 segments are missing");
+      said_of_skeleton(points, kTriangle, [](ClaimedSkeleton& skeleton) { std::ranges::reverse(skeleton.segments); }),
+      "conforms");
+  EXPECT_EQ(said_of_skeleton(points, kTriangle, [](ClaimedSkeleton& skeleton) { skeleton.segments.resize(1); }),
+            start + "too few; 2 segments are missing");
   EXPECT_EQ(said_of_skeleton(points, kTriangle,
                              [](ClaimedSkeleton& skeleton) {
                                skeleton.segments.push_back(skeleton.segments[1]);
@@ -230,23 +225,19 @@ TEST(SkeletonFindings, BeyondAVoronoiVertex) {
   };
   EXPECT_EQ(said_of_skeleton(arch, kSaddleOfArch,
                              [](ClaimedSkeleton& skeleton) {
-                               std::erase_if(skeleton.segments, [](const auto& segment) {
-                                 return segment.front_contact->size() == 4;
-                               });
+                               std::erase_if(skeleton.segments,
+                                             [](const auto& segment) { return segment.front_contact->size() == 4; });
                              }),
             left_out("5 segment"));
-  EXPECT_EQ(
-      said_of_skeleton(arch, kSaddleOfArch, [](ClaimedSkeleton& skeleton) { skeleton.intervals.clear(); }),
-      left_out("2 interval"));
-  EXPECT_EQ(
-      said_of_skeleton(arch, kSaddleOfArch, [](ClaimedSkeleton& skeleton) { skeleton.sectors.resize(5); }),
-      left_out("1 sector"));
+  EXPECT_EQ(said_of_skeleton(arch, kSaddleOfArch, [](ClaimedSkeleton& skeleton) { skeleton.intervals.clear(); }),
+            left_out("2 interval"));
+  EXPECT_EQ(said_of_skeleton(arch, kSaddleOfArch, [](ClaimedSkeleton& skeleton) { skeleton.sectors.resize(5); }),
+            left_out("1 sector"));
   // The point's own segments are not beyond the vertex.
   EXPECT_EQ(said_of_skeleton(arch, kSaddleOfArch,
                              [](ClaimedSkeleton& skeleton) {
-                               std::erase_if(skeleton.segments, [](const auto& segment) {
-                                 return segment.front_contact->size() == 3;
-                               });
+                               std::erase_if(skeleton.segments,
+                                             [](const auto& segment) { return segment.front_contact->size() == 3; });
                              }),
             "fails\n5 wrong-surface FC-CLAIM-10: " + start + ", too few; 3 segments are missing");
 }
@@ -256,8 +247,7 @@ TEST(SkeletonFindings, OfIntervalsAndSectors) {
   const Truly arch(kArch);
   const std::string start = "fails\n5 wrong-surface FC-CLAIM-10: index 2, contact set 0 3 4, ";
   const auto interval = [&](const auto& change) {
-    return said_of_skeleton(arch, kSaddleOfArch,
-                            [&](ClaimedSkeleton& skeleton) { change(skeleton.intervals[0]); });
+    return said_of_skeleton(arch, kSaddleOfArch, [&](ClaimedSkeleton& skeleton) { change(skeleton.intervals[0]); });
   };
   const std::string no_interval = "; no such interval is part of it (in all 1 such claims)";
   EXPECT_EQ(interval([](ClaimedInterval& one) { one.back_is_stationary.reset(); }), "conforms");
@@ -267,13 +257,11 @@ TEST(SkeletonFindings, OfIntervalsAndSectors) {
               one.polygon = {0, 1, 4};
             }),
             start + "an interval of 0 1 4" + no_interval);
-  EXPECT_EQ(interval([](ClaimedInterval& one) { shift(one.front); }),
-            start + "an interval of 0 1 2" + no_interval);
+  EXPECT_EQ(interval([](ClaimedInterval& one) { shift(one.front); }), start + "an interval of 0 1 2" + no_interval);
   EXPECT_EQ(interval([](ClaimedInterval& one) { nudge(one.back); }),
             "fails\n5 rounding FC-CLAIM-10: index 2, contact set 0 3 4, an interval of 0 1 2" + no_interval);
   const auto sector = [&](const auto& change) {
-    return said_of_skeleton(arch, kSaddleOfArch,
-                            [&](ClaimedSkeleton& skeleton) { change(skeleton.sectors[0]); });
+    return said_of_skeleton(arch, kSaddleOfArch, [&](ClaimedSkeleton& skeleton) { change(skeleton.sectors[0]); });
   };
   const std::string no_sector = "a sector of 0 1; no such sector is part of it (in all 1 such claims)";
   EXPECT_EQ(sector([](ClaimedSector& one) { std::ranges::reverse(one.corners); }), "conforms");
@@ -292,12 +280,10 @@ TEST(SkeletonFindings, BeyondARegularPoint) {
   CITES("FC-CLAIM-10");
   const Truly points(kRegularBack), none(kTetrahedron);
   const Ids saddle = {0, 1, 3};
-  const auto added = [](const Truly& truly, const Ids& contact, const RationalPoint& front,
-                        std::size_t kept) {
+  const auto added = [](const Truly& truly, const Ids& contact, const RationalPoint& front, std::size_t kept) {
     return said_of_skeleton(truly, contact, [&](ClaimedSkeleton& skeleton) {
       skeleton.segments.resize(kept);
-      skeleton.segments.push_back(
-          {{0, 2}, exactly(front), exactly(RationalPoint{2, 1, Rational(1, 2)}), {}, {}, ""});
+      skeleton.segments.push_back({{0, 2}, exactly(front), exactly(RationalPoint{2, 1, Rational(1, 2)}), {}, {}, ""});
     });
   };
   const RationalPoint near = {Rational(3, 2), 1, Rational(1, 2)}, far = {0, 1, Rational(1, 2)};
@@ -305,13 +291,10 @@ TEST(SkeletonFindings, BeyondARegularPoint) {
   EXPECT_EQ(added(points, saddle, near, 3), "conforms where determined\n5 symbolic-perturbation " + found +
                                                 "; 1 segments beyond a regular stationary point");
   const std::string end = " 1 1/2 back to 2 1 1/2; no such segment is part of it (in all 1 such claims)";
-  EXPECT_EQ(added(points, saddle, far, 3),
-            "fails\n5 wrong-surface " + found + ", a segment of 0 2 from 0" + end);
-  EXPECT_EQ(added(points, saddle, near, 2),
-            "fails\n5 wrong-surface " + found + ", a segment of 0 2 from 3/2" + end);
-  EXPECT_EQ(
-      added(none, kTriangle, near, 3),
-      "fails\n5 wrong-surface FC-CLAIM-10: index 2, contact set 0 1 2, a segment of 0 2 from 3/2" + end);
+  EXPECT_EQ(added(points, saddle, far, 3), "fails\n5 wrong-surface " + found + ", a segment of 0 2 from 0" + end);
+  EXPECT_EQ(added(points, saddle, near, 2), "fails\n5 wrong-surface " + found + ", a segment of 0 2 from 3/2" + end);
+  EXPECT_EQ(added(none, kTriangle, near, 3),
+            "fails\n5 wrong-surface FC-CLAIM-10: index 2, contact set 0 1 2, a segment of 0 2 from 3/2" + end);
 }
 
 // ---- Surfaces
@@ -323,24 +306,20 @@ TEST(SurfaceFindings, OfTriangles) {
     return said(points, kTriangle, [&](ClaimedPoint& point) { change(*point.surface); });
   };
   const std::string start = "FC-CLAIM-10: index 2, contact set 0 1 2, ";
-  EXPECT_EQ(
-      changed([](ClaimedSurface& surface) { std::swap(surface.triangles[0][0], surface.triangles[0][2]); }),
-      "conforms");
+  EXPECT_EQ(changed([](ClaimedSurface& surface) { std::swap(surface.triangles[0][0], surface.triangles[0][2]); }),
+            "conforms");
   EXPECT_EQ(changed([](ClaimedSurface& surface) { surface.triangles.pop_back(); }),
             "fails\n5 wrong-surface " + start + "too few; 1 triangles are missing");
-  EXPECT_EQ(
-      changed([](ClaimedSurface& surface) { surface.triangles.push_back(surface.triangles[0]); }),
-      "fails\n5 wrong-surface " + start +
-          "a triangle 0 0 0 2/3 1/3 1/3 1/2 1/2 0; no such triangle is part of it (in all 1 such claims)");
-  EXPECT_EQ(
-      changed([](ClaimedSurface& surface) { shift(surface.vertices[0]); }),
-      "fails\n5 wrong-surface " + start +
-          "a triangle 1/8 0 0 2/3 1/3 1/3 1/2 1/2 0; no such triangle is part of it (in all 1 such claims)");
-  EXPECT_EQ(
-      changed([](ClaimedSurface& surface) { nudge(surface.vertices[2]); }),
-      "fails\n5 rounding " + start +
-          "a triangle 0 0 0 2/3 1/3 1/3 ~0.5000000000000002 1/2 0; no such triangle is part of it (in all "
-          "1 such claims)");
+  EXPECT_EQ(changed([](ClaimedSurface& surface) { surface.triangles.push_back(surface.triangles[0]); }),
+            "fails\n5 wrong-surface " + start +
+                "a triangle 0 0 0 2/3 1/3 1/3 1/2 1/2 0; no such triangle is part of it (in all 1 such claims)");
+  EXPECT_EQ(changed([](ClaimedSurface& surface) { shift(surface.vertices[0]); }),
+            "fails\n5 wrong-surface " + start +
+                "a triangle 1/8 0 0 2/3 1/3 1/3 1/2 1/2 0; no such triangle is part of it (in all 1 such claims)");
+  EXPECT_EQ(changed([](ClaimedSurface& surface) { nudge(surface.vertices[2]); }),
+            "fails\n5 rounding " + start +
+                "a triangle 0 0 0 2/3 1/3 1/3 ~0.5000000000000002 1/2 0; no such triangle is part of it (in all "
+                "1 such claims)");
 }
 
 TEST(SurfaceFindings, BeyondVerticesAndRegularPoints) {
@@ -357,9 +336,8 @@ TEST(SurfaceFindings, BeyondVerticesAndRegularPoints) {
     });
   };
   const std::string found = "FC-CLAIM-10: index 2, contact set 0 1 3";
-  EXPECT_EQ(added({Rational(3, 2), 1, Rational(1, 2)}),
-            "conforms where determined\n5 symbolic-perturbation " + found +
-                "; 1 triangles beyond a regular stationary point");
+  EXPECT_EQ(added({Rational(3, 2), 1, Rational(1, 2)}), "conforms where determined\n5 symbolic-perturbation " + found +
+                                                            "; 1 triangles beyond a regular stationary point");
   EXPECT_EQ(added({-1, 1, Rational(1, 2)}),
             "fails\n5 wrong-surface " + found +
                 ", a triangle 2 0 1 2 1 1/2 -1 1 1/2; no such triangle is part of it (in all 1 such claims)");

@@ -31,9 +31,8 @@ using Orbits = std::vector<std::vector<std::size_t>>;
 TEST(ConnectingOrbits, GoFromTheStationaryPointDown) {
   CITES("FC-STAB-06");
   StableSet set;
-  set.segments = {segment(2, 3, BackKind::kCritical), segment(0, 1, BackKind::kEdge),
-                  segment(1, 2, BackKind::kEdge), segment(0, 4, BackKind::kCritical),
-                  segment(1, 5, BackKind::kRegular)};
+  set.segments = {segment(2, 3, BackKind::kCritical), segment(0, 1, BackKind::kEdge), segment(1, 2, BackKind::kEdge),
+                  segment(0, 4, BackKind::kCritical), segment(1, 5, BackKind::kRegular)};
   EXPECT_EQ(connecting_orbits(set, at(0)), (Orbits{{1, 2, 0}, {3}}));
 }
 
@@ -41,9 +40,8 @@ TEST(ConnectingOrbits, GoFromTheStationaryPointDown) {
 TEST(ConnectingOrbits, ThoseThroughIntervalsAreLeftOut) {
   CITES("FC-STAB-06");
   StableSet set;
-  set.segments = {segment(0, 1, BackKind::kEdge), segment(1, 2, BackKind::kCritical),
-                  segment(7, 8, BackKind::kEdge), segment(8, 9, BackKind::kCritical),
-                  segment(7, 6, BackKind::kCritical)};
+  set.segments = {segment(0, 1, BackKind::kEdge), segment(1, 2, BackKind::kCritical), segment(7, 8, BackKind::kEdge),
+                  segment(8, 9, BackKind::kCritical), segment(7, 6, BackKind::kCritical)};
   EXPECT_EQ(connecting_orbits(set, at(0)), (Orbits{{0, 1}}));
 }
 
@@ -75,9 +73,8 @@ TEST(BoundaryWalk, GoesAroundWhatABranchCrosses) {
   CITES("FC-STAB-07");
   StableSet set;
   const Walk contact{0, 1, 2}, beyond{1, 2, 5, 7};
-  set.segments = {
-      leading(contact, 0, 0, 1), leading(contact, 0, 0, 2), leading(contact, 0, 1, 2, BackKind::kEdge, 1),
-      leading(beyond, 1, 1, 7),  leading(beyond, 1, 5, 7),  leading(beyond, 1, 2, 5)};
+  set.segments = {leading(contact, 0, 0, 1), leading(contact, 0, 0, 2), leading(contact, 0, 1, 2, BackKind::kEdge, 1),
+                  leading(beyond, 1, 1, 7),  leading(beyond, 1, 5, 7),  leading(beyond, 1, 2, 5)};
   EXPECT_EQ(boundary_walk(set, {2, 2}, contact), (Walk{0, 1, 7, 5, 2}));
 }
 
@@ -98,8 +95,7 @@ TEST(BoundaryWalk, OfWhatHasNone) {
   CITES("FC-STAB-07");
   const Walk contact{0, 1, 2};
   StableSet set;
-  set.segments = {leading(contact, 0, 0, 1), leading(contact, 0, 0, 2),
-                  leading(contact, 0, 1, 2, BackKind::kVertex)};
+  set.segments = {leading(contact, 0, 0, 1), leading(contact, 0, 0, 2), leading(contact, 0, 1, 2, BackKind::kVertex)};
   EXPECT_EQ(boundary_walk(set, {2, 2}, contact), std::nullopt);
   EXPECT_EQ(boundary_walk(set, {2, 3}, contact), std::nullopt);
 }
@@ -155,9 +151,7 @@ TEST(StableStatistics, AreTheSumsOverTheSets) {
       with_interval += expected.with_interval;
       with_vertex += expected.with_vertex;
       ties_for_largest +=
-          expected.largest && expected.triangles.median() == static_cast<double>(expected.triangles.max())
-              ? 1
-              : 0;
+          expected.largest && expected.triangles.median() == static_cast<double>(expected.triangles.max()) ? 1 : 0;
     }
   }
   // Otherwise nothing of this was tested.

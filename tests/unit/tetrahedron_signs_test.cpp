@@ -79,8 +79,7 @@ Sign exact_angle(const TetrahedronPoints& p, unsigned facet, unsigned vertex) {
 }
 
 Sign exact_side(const TetrahedronPoints& p, unsigned facet) {
-  return unfiltered_sign(
-      SideOfPlane{*p[(facet + 1) % 4], *p[(facet + 2) % 4], *p[(facet + 3) % 4], *p[facet]});
+  return unfiltered_sign(SideOfPlane{*p[(facet + 1) % 4], *p[(facet + 2) % 4], *p[(facet + 3) % 4], *p[facet]});
 }
 
 struct Seen {
@@ -125,8 +124,7 @@ void compare_cell(const TetrahedronPoints& points, Seen& seen) {
   // The filter cannot know a zero, so each is one failure at least.
   ASSERT_GE(of_angles.failures, static_cast<unsigned>(std::popcount(signs.angle_zero)));
   ASSERT_LE(of_angles.failures, 12u);
-  ASSERT_GE(of_sides.failures,
-            static_cast<unsigned>(std::popcount(signs.side_zero) + std::popcount(signs.side_open)));
+  ASSERT_GE(of_sides.failures, static_cast<unsigned>(std::popcount(signs.side_zero) + std::popcount(signs.side_open)));
   ASSERT_LE(of_sides.failures, 4u);
   if (!sphere.in_range) {
     ASSERT_EQ(of_angles.failures, 12u);
@@ -151,8 +149,7 @@ TEST(TetrahedronSignsTest, AgreeWithTheSinglePredicates) {
       EXPECT_GT(seen[kind].sides[sign], 100);
     }
   }
-  for (const TupleKind kind :
-       {TupleKind::kLattice, TupleKind::kSpherical, TupleKind::kFarOff, TupleKind::kSubnormal}) {
+  for (const TupleKind kind : {TupleKind::kLattice, TupleKind::kSpherical, TupleKind::kFarOff, TupleKind::kSubnormal}) {
     EXPECT_GT(seen[kind].angles[Sign::kZero], 100);
     EXPECT_GT(seen[kind].sides[Sign::kZero], 30);
   }
@@ -172,8 +169,7 @@ TEST(TetrahedronSignsTest, TallyOfACubesCorner) {
   EXPECT_EQ(tally[Predicate::kAngle], (FilterCount{12, 3}));
   EXPECT_EQ(tally[Predicate::kSideOfPlane], (FilterCount{4, 0}));
   EXPECT_EQ(signs.angle_negative, 0);
-  EXPECT_EQ(signs.angle_zero, (1u << TetrahedronSigns::angle_bit(1, 0)) |
-                                  (1u << TetrahedronSigns::angle_bit(2, 0)) |
+  EXPECT_EQ(signs.angle_zero, (1u << TetrahedronSigns::angle_bit(1, 0)) | (1u << TetrahedronSigns::angle_bit(2, 0)) |
                                   (1u << TetrahedronSigns::angle_bit(3, 0)));
   // The centre (1/2, 1/2, 1/2) lies beyond the slanted facet.
   EXPECT_EQ(signs.side_negative, 1u);
@@ -195,8 +191,7 @@ TEST(TetrahedronSignsTest, CellsOutsideOfTheFiltersRange) {
     for (const int exponent : {-1074, -150, 150, 1000}) {
       std::array<Point, 4> scaled;
       for (std::size_t i = 0; i < 4; ++i) {
-        scaled[i] = {std::ldexp(cell[i].x, exponent), std::ldexp(cell[i].y, exponent),
-                     std::ldexp(cell[i].z, exponent)};
+        scaled[i] = {std::ldexp(cell[i].x, exponent), std::ldexp(cell[i].y, exponent), std::ldexp(cell[i].z, exponent)};
       }
       FilterTally tally;
       const TetrahedronSigns signs = tetrahedron_signs(first_four(scaled), sphere, tally);
@@ -219,8 +214,7 @@ TEST(OnSphereTest, IsTheInSpherePredicatesZero) {
   for (const TupleKind kind : kTupleKinds) {
     for (int k = 0; k < 6000; ++k) {
       const auto points = draw_cell<5>(kind, random);
-      const Sign expected =
-          unfiltered_sign(OutsideSphere{points[0], points[1], points[2], points[3], points[4]});
+      const Sign expected = unfiltered_sign(OutsideSphere{points[0], points[1], points[2], points[3], points[4]});
       if (expected == Sign::kNegative) continue;  // no Delaunay cell has such a neighbour
       CellSphere sphere;
       FilterTally tally;
@@ -261,8 +255,7 @@ TEST(TetrahedronSignsTest, SignaturesSumToOne) {
       // The common edge of facets i and j is seen from vertex j in facet i, and from vertex i in facet j.
       for (unsigned i = 0; i < 4; ++i) {
         for (unsigned j = i + 1; j < 4; ++j) {
-          const bool acute =
-              angle_of(signs, i, j) == Sign::kPositive && angle_of(signs, j, i) == Sign::kPositive;
+          const bool acute = angle_of(signs, i, j) == Sign::kPositive && angle_of(signs, j, i) == Sign::kPositive;
           count[0] += acute ? 1 : 0;
         }
       }

@@ -145,8 +145,7 @@ Faces faces_of(const std::vector<Point>& rows, ContactSets* cells = nullptr) {
 // ---- By definition ----
 
 // All points at the centre's distance, or nothing where one is nearer.
-std::vector<Point> empty_sphere_contact(const std::vector<Point>& rows, const RationalPoint& center,
-                                        const Point& on) {
+std::vector<Point> empty_sphere_contact(const std::vector<Point>& rows, const RationalPoint& center, const Point& on) {
   const Rational radius = flowcert_tests::squared_distance(exactly(on), center);
   std::vector<Point> contact;
   for (const Point& p : rows) {
@@ -210,8 +209,7 @@ Faces spatial_faces_by_definition(const std::vector<Point>& rows) {
     for (std::size_t j = i + 1; j < n; ++j) {
       for (std::size_t k = j + 1; k < n; ++k) {
         for (std::size_t l = k + 1; l < n; ++l) {
-          const RationalPoint p = exactly(rows[i]), q = exactly(rows[j]), r = exactly(rows[k]),
-                              s = exactly(rows[l]);
+          const RationalPoint p = exactly(rows[i]), q = exactly(rows[j]), r = exactly(rows[k]), s = exactly(rows[l]);
           if (determinant(minus(q, p), minus(r, p), minus(s, p)) == 0) continue;
           const std::vector<Point> contact = empty_sphere_contact(rows, circumcenter(p, q, r, s), rows[i]);
           if (!contact.empty() && faces.vertices.insert(set_of(contact)).second) add_polytope(contact, faces);
@@ -309,13 +307,7 @@ std::vector<Named> degenerate_inputs() {
       {"stacked boxes", box_corners(2, 2, 1, {0, 0, 0})},
       {"square pyramid", {{1, 1, 0}, {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, {0, 0, 3}}},
       {"pyramid over a hexagon in a tilted plane",
-       {tilted(5, 0),
-        tilted(3, 4),
-        tilted(-3, 4),
-        tilted(-5, 0),
-        tilted(-4, -3),
-        tilted(4, -3),
-        {40, -60, 7}}},
+       {tilted(5, 0), tilted(3, 4), tilted(-3, 4), tilted(-5, 0), tilted(-4, -3), tilted(4, -3), {40, -60, 7}}},
   };
   inputs[8].rows.push_back({0, 0, 0});
   for (const Point& p : box_corners(2, 2, 5, {0, 0, 1})) {
@@ -325,8 +317,8 @@ std::vector<Named> degenerate_inputs() {
 }
 
 std::vector<Named> coplanar_inputs() {
-  Named grid{"tilted grid", {}}, circle{"tilted circle", {}},
-      beside{"tilted circle and a point beside it", {}}, level{"level grid", lattice(4, 3, 1)};
+  Named grid{"tilted grid", {}}, circle{"tilted circle", {}}, beside{"tilted circle and a point beside it", {}},
+      level{"level grid", lattice(4, 3, 1)};
   for (int u = 0; u < 4; ++u) {
     for (int v = 0; v < 3; ++v) grid.rows.push_back(tilted(u, v));
   }
@@ -355,8 +347,8 @@ int dimension_of(const std::vector<Point>& rows) {
 // Image of integer points under a scaled isometry: axes permuted, signs changed, and half the time turned so
 // that all axes are tilted. CGAL breaks ties by the lexicographic order of coordinates, so a permutation of
 // the rows alone never changes the triangulation, but this does.
-Point isometric_image(const Point& p, const std::array<std::size_t, 3>& axes,
-                      const std::array<double, 3>& signs, bool is_turned) {
+Point isometric_image(const Point& p, const std::array<std::size_t, 3>& axes, const std::array<double, 3>& signs,
+                      bool is_turned) {
   const Coordinates from = coordinates_of(p);
   const double x = signs[0] * from[axes[0]], y = signs[1] * from[axes[1]], z = signs[2] * from[axes[2]];
   return is_turned ? Point{x + 2 * y + 2 * z, 2 * x + y - 2 * z, 2 * x - 2 * y + z} : Point{x, y, z};
@@ -418,8 +410,7 @@ TEST(VoronoiComplexTest, FacesDoNotDependOnTheTriangulationOfRandomLattices) {
     std::vector<Point> rows(4 + random.below(20));
     const int width = random.between(1, 3);
     for (Point& p : rows) {
-      p = {double(random.between(0, width)), double(random.between(0, width)),
-           double(random.between(0, width))};
+      p = {double(random.between(0, width)), double(random.between(0, width)), double(random.between(0, width))};
     }
     if (dimension_of(rows) < 2) continue;
     spatial += dimension_of(rows) == 3 ? 1 : 0;
@@ -465,8 +456,7 @@ TEST(VoronoiComplexTest, FacesOfRandomInputsAreThoseOfTheDefinition) {
     rows = distinct(std::move(rows));
     const int dimension = dimension_of(rows);
     if (dimension < 2) continue;
-    const Faces expected =
-        dimension == 3 ? spatial_faces_by_definition(rows) : planar_faces_by_definition(rows);
+    const Faces expected = dimension == 3 ? spatial_faces_by_definition(rows) : planar_faces_by_definition(rows);
     ASSERT_EQ(faces_of(rows), expected);
     spatial += dimension == 3 ? 1 : 0;
     for (const ContactSet& contact : dimension == 3 ? expected.vertices : expected.edges) {
@@ -511,8 +501,7 @@ TEST(VoronoiComplexTest, SignsAreThoseOfThePolygonNotOfItsPieces) {
     const std::vector<Point>& at = complex.delaunay().points;
     for (std::size_t k = 0; k < complex.large_polygon_count(); ++k) {
       const auto polygon = complex.large_polygon(k);
-      for (const FacetRef facet : polygon)
-        EXPECT_EQ(complex.side(facet), complex.side(polygon.front())) << input.name;
+      for (const FacetRef facet : polygon) EXPECT_EQ(complex.side(facet), complex.side(polygon.front())) << input.name;
       const std::set<VertexIndex> corners =
           vertices_of(complex.delaunay(), std::vector<FacetRef>(polygon.begin(), polygon.end()));
       for (const PolygonSide& side : sides_of(complex, polygon)) {

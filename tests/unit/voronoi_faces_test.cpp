@@ -33,8 +33,7 @@ PointSet point_set(const fuzz::Input& input) {
 }
 
 struct Subject {
-  explicit Subject(const fuzz::Input& input)
-      : points(point_set(input)), diagram(Delaunay(points)), faces(diagram) {}
+  explicit Subject(const fuzz::Input& input) : points(point_set(input)), diagram(Delaunay(points)), faces(diagram) {}
 
   [[nodiscard]] RationalPoint at(VertexIndex v) const { return exactly(faces.point(v)); }
   [[nodiscard]] RationalPoint center(CellIndex cluster) const {
@@ -46,8 +45,7 @@ struct Subject {
     std::set<std::pair<VertexIndex, VertexIndex>> names;
     for (CellIndex cell = 0; cell < faces.delaunay().finite_count; ++cell) {
       for (std::uint32_t i = faces.dimension() == 2 ? 3 : 0; i < 4; ++i) {
-        if (faces.dimension() == 3 && faces.complex().role({cell, i}) == VoronoiComplex::FacetRole::kInterior)
-          continue;
+        if (faces.dimension() == 3 && faces.complex().role({cell, i}) == VoronoiComplex::FacetRole::kInterior) continue;
         for (const PolygonSide& side : faces.sides(faces.polygon({cell, i}))) names.emplace(side.v0, side.v1);
       }
     }

@@ -165,8 +165,7 @@ TEST_F(WorkerProcessesTest, StoppedWhileMakingSmallItEndsTheSame) {
       }
       Campaign campaign = Campaign::resumed(folder, std::nullopt);
       work(campaign, {property}, 1);
-      for (const auto& [key, counterexample] : campaign.counterexamples())
-        EXPECT_TRUE(counterexample.is_small);
+      for (const auto& [key, counterexample] : campaign.counterexamples()) EXPECT_TRUE(counterexample.is_small);
       return account_of(campaign);
     };
     const std::string name = crashes ? "crashing" : "failing";

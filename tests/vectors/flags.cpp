@@ -64,9 +64,7 @@ bool is_maximum(const StationaryPoint& x) { return !is_regular(x) && x.hull_dime
 bool is_saddle(const StationaryPoint& x) { return !is_regular(x) && x.hull_dimension < 3; }
 
 // More points than an affinely independent set of their dimension has.
-bool is_cluster(const StationaryPoint& x) {
-  return x.contact.size() > static_cast<std::size_t>(x.hull_dimension) + 1;
-}
+bool is_cluster(const StationaryPoint& x) { return x.contact.size() > static_cast<std::size_t>(x.hull_dimension) + 1; }
 
 bool some_kind(const Findings& found, int face, int hull) {
   for (const StationaryPoint& x : found.answer.stationary) {
@@ -103,15 +101,9 @@ bool some_orbit(const Findings& found, bool (*holds)(const PointSet&, const Orbi
 
 bool moves_to_a_point(const Orbit& path) { return !path.segments.empty() && path.limit; }
 
-bool goes_to_maximum(const PointSet&, const Orbit& path) {
-  return moves_to_a_point(path) && is_maximum(*path.limit);
-}
-bool goes_to_saddle(const PointSet&, const Orbit& path) {
-  return moves_to_a_point(path) && is_saddle(*path.limit);
-}
-bool goes_to_regular(const PointSet&, const Orbit& path) {
-  return moves_to_a_point(path) && is_regular(*path.limit);
-}
+bool goes_to_maximum(const PointSet&, const Orbit& path) { return moves_to_a_point(path) && is_maximum(*path.limit); }
+bool goes_to_saddle(const PointSet&, const Orbit& path) { return moves_to_a_point(path) && is_saddle(*path.limit); }
+bool goes_to_regular(const PointSet&, const Orbit& path) { return moves_to_a_point(path) && is_regular(*path.limit); }
 bool goes_to_infinity(const PointSet&, const Orbit& path) { return !path.limit; }
 
 bool passes_a_vertex(const PointSet& set, const Orbit& path) {
@@ -122,8 +114,7 @@ bool passes_a_vertex(const PointSet& set, const Orbit& path) {
 }
 
 // The longest run of segments of which all are so.
-std::size_t longest_run(const PointSet& set, const Orbit& path,
-                        bool (*holds)(const PointSet&, const FlowSegment&)) {
+std::size_t longest_run(const PointSet& set, const Orbit& path, bool (*holds)(const PointSet&, const FlowSegment&)) {
   std::size_t longest = 0, run = 0;
   for (const FlowSegment& segment : path.segments) {
     run = holds(set, segment) ? run + 1 : 0;
@@ -213,25 +204,23 @@ bool has_equal_pairs(const Findings& found) {
 constexpr Flag kFlags[] = {
     // ---- Aims
     {"general-position", "Random coordinates of 53 bits: no ties by intention.", "FC-CRIT-05", nullptr},
-    {"lattice", "Points of a small integer lattice, where ties of all sorts are common.",
-     "FC-CRIT-03 FC-VOR-01", nullptr},
+    {"lattice", "Points of a small integer lattice, where ties of all sorts are common.", "FC-CRIT-03 FC-VOR-01",
+     nullptr},
     {"scan", "A surface rounded to a grid, as scanners and depth images are.", "FC-VOR-01", nullptr},
     {"cospherical", "More than four points of one sphere, of which a Delaunay triangulation has several.",
      "FC-VOR-01 FC-VOR-04", nullptr},
     {"cocircular", "More than three points of one circle: a Voronoi edge's polygon that is no triangle.",
      "FC-VOR-02 FC-VOR-04", nullptr},
     {"right-angle", "Right angles by construction.", "FC-SIGN-01 FC-SIGN-04", nullptr},
-    {"rounded", "An exact configuration whose coordinates had to be rounded: nearly degenerate.", "FC-NUM-01",
-     nullptr},
+    {"rounded", "An exact configuration whose coordinates had to be rounded: nearly degenerate.", "FC-NUM-01", nullptr},
     {"single-precision", "Rounded to 32-bit floats.", "FC-IN-02 FC-NUM-01", nullptr},
-    {"one-ulp", "An exact configuration with coordinates moved to the neighbouring double.", "FC-NUM-01",
-     nullptr},
+    {"one-ulp", "An exact configuration with coordinates moved to the neighbouring double.", "FC-NUM-01", nullptr},
     {"exact-of-three", "The exact one of three cases: the next two have one coordinate one ulp up and down.",
      "FC-NUM-01", nullptr},
     {"extreme-scale", "Scaled by a power of two to an end of the range of doubles.", "FC-INV-04", nullptr},
     {"high-degree-facet", "An edge whose Voronoi facet has many sides.", "FC-VOR-03 FC-FLOW-01", nullptr},
-    {"half-shell", "A sampled surface, open at the top: orbits run along its inside.",
-     "FC-FLOW-05 FC-FLOW-07", nullptr},
+    {"half-shell", "A sampled surface, open at the top: orbits run along its inside.", "FC-FLOW-05 FC-FLOW-07",
+     nullptr},
     {"cascade", "Two combs between which the flow crosses facet after facet.", "FC-FLOW-05", nullptr},
     {"right-angle-chain", "Right triangles about one axis.", "FC-SIGN-04 FC-FLOW-01", nullptr},
     {"symmetric", "Points symmetric to an axis or to planes.", "FC-FLOW-06", nullptr},
@@ -259,17 +248,13 @@ constexpr Flag kFlags[] = {
      [](const Findings& found) { return some_coordinate(found, is_subnormal); }},
     {"near-overflow", "A coordinate is 2^1000 or more in magnitude.", "FC-IN-04 FC-NUM-02",
      [](const Findings& found) { return some_coordinate(found, is_huge); }},
-    {"mixed-magnitudes", "Coordinates that differ by a factor of more than 2^100.", "FC-IN-04",
-     has_mixed_magnitudes},
-    {"far-away", "2^20 times as far from the origin as the points are from the first.", "FC-INV-04",
-     is_far_away},
+    {"mixed-magnitudes", "Coordinates that differ by a factor of more than 2^100.", "FC-IN-04", has_mixed_magnitudes},
+    {"far-away", "2^20 times as far from the origin as the points are from the first.", "FC-INV-04", is_far_away},
     // ---- Of the stationary points
     {"polygon-saddle", "A critical point of index 2 with more than three contact points.",
-     "FC-CRIT-02 FC-SIGN-03 FC-CLAIM-02",
-     [](const Findings& found) { return some_critical_cluster(found, 2); }},
+     "FC-CRIT-02 FC-SIGN-03 FC-CLAIM-02", [](const Findings& found) { return some_critical_cluster(found, 2); }},
     {"polytope-maximum", "A critical point of index 3 with more than four contact points.",
-     "FC-CRIT-02 FC-SIGN-03 FC-CLAIM-02",
-     [](const Findings& found) { return some_critical_cluster(found, 3); }},
+     "FC-CRIT-02 FC-SIGN-03 FC-CLAIM-02", [](const Findings& found) { return some_critical_cluster(found, 3); }},
     {"kind-1-2", "A regular stationary point of kind 1-2.", "FC-CRIT-03 FC-INV-02 FC-CLAIM-04",
      [](const Findings& found) { return some_kind(found, 1, 2); }},
     {"kind-2-3", "A regular stationary point of kind 2-3.", "FC-CRIT-03 FC-INV-02 FC-CLAIM-04",
@@ -298,26 +283,20 @@ constexpr Flag kFlags[] = {
      [](const Findings& found) { return some_orbit(found, goes_to_infinity); }},
     {"through-vertex", "An orbit that passes through a Voronoi vertex.", "FC-FLOW-02 FC-FLOW-08",
      [](const Findings& found) { return some_orbit(found, passes_a_vertex); }},
-    {"along-edges", "An orbit that runs along two Voronoi edges or more, one after the other.",
-     "FC-FLOW-01 FC-FLOW-02",
+    {"along-edges", "An orbit that runs along two Voronoi edges or more, one after the other.", "FC-FLOW-01 FC-FLOW-02",
      [](const Findings& found) { return some_orbit(found, crosses_edges_in_a_row); }},
-    {"across-facets", "An orbit that crosses three Voronoi facets or more, from edge to edge.",
-     "FC-FLOW-01 FC-FLOW-05",
+    {"across-facets", "An orbit that crosses three Voronoi facets or more, from edge to edge.", "FC-FLOW-01 FC-FLOW-05",
      [](const Findings& found) { return some_orbit(found, crosses_facets_in_a_row); }},
     {"one-limit", "A critical point of index 2 both of whose limits are the same.", "FC-FLOW-07",
      has_saddle_with_one_limit},
     // ---- Of stable sets
-    {"edge-back",
-     "A listed stable set in which a backward segment ends inside a Voronoi edge, where it branches.",
+    {"edge-back", "A listed stable set in which a backward segment ends inside a Voronoi edge, where it branches.",
      "FC-STAB-04 FC-STAB-06", [](const Findings& found) { return some_stable_set(found, has_edge_back); }},
     {"regular-back", "A listed stable set in which a backward segment ends at a regular stationary point.",
-     "FC-STAB-04 FC-CHAIN-02",
-     [](const Findings& found) { return some_stable_set(found, has_regular_back); }},
+     "FC-STAB-04 FC-CHAIN-02", [](const Findings& found) { return some_stable_set(found, has_regular_back); }},
     {"skeleton-vertex", "A listed stable set with a Voronoi vertex in its skeleton.",
-     "FC-STAB-03 FC-STAB-06 FC-CHAIN-02",
-     [](const Findings& found) { return some_stable_set(found, has_vertex); }},
-    {"skeleton-interval",
-     "A listed stable set with an interval in its skeleton: a part of it has dimension 3.",
+     "FC-STAB-03 FC-STAB-06 FC-CHAIN-02", [](const Findings& found) { return some_stable_set(found, has_vertex); }},
+    {"skeleton-interval", "A listed stable set with an interval in its skeleton: a part of it has dimension 3.",
      "FC-STAB-05 FC-STAB-06", [](const Findings& found) { return some_stable_set(found, has_interval); }},
     {"cut-sector", "A listed stable set with a sector that is no triangle: its rays leave the Voronoi facet.",
      "FC-STAB-05", [](const Findings& found) { return some_stable_set(found, has_cut_sector); }},
@@ -326,8 +305,8 @@ constexpr Flag kFlags[] = {
      [](const Findings& found) { return some_pair(found, 1); }},
     {"void", "A listed persistence pair of dimension 2.", "FC-PERS-01 FC-PERS-05",
      [](const Findings& found) { return some_pair(found, 2); }},
-    {"equal-pairs", "Two listed persistence pairs of the same dimension, birth and death.",
-     "FC-PERS-01 FC-PERS-04", has_equal_pairs},
+    {"equal-pairs", "Two listed persistence pairs of the same dimension, birth and death.", "FC-PERS-01 FC-PERS-04",
+     has_equal_pairs},
 };
 
 }  // namespace

@@ -24,8 +24,7 @@ const Rows kKite = {{0, 0, 0}, {25, 0, 0}, {9, 12, 0}, {9, -12, 0}};
 const Rows kTieInTheComplex = {{0, 5, 0}, {-3, 0, -2}, {3, 0, -2}, {0, 0, 12}, {0, -5, 0}};
 // A path of FC-CHAIN-02 goes on from one Voronoi vertex to the next.
 const Rows kThroughTwoVertices = {{-1, 2, 1}, {2, 2, -1}, {0, -1, 0}, {-1, 0, 1}, {2, 0, 0}, {-1, 0, 0}};
-const Rows kThroughTwoMore = {{-2, -2, 1}, {-3, 0, 1},  {-1, 2, 2}, {-2, -1, 2},
-                              {1, 2, -1},  {-1, -2, 2}, {0, -3, 0}};
+const Rows kThroughTwoMore = {{-2, -2, 1}, {-3, 0, 1}, {-1, 2, 2}, {-2, -1, 2}, {1, 2, -1}, {-1, -2, 2}, {0, -3, 0}};
 
 // The cases that both groups begin with.
 void add_by_hand(GroupWriter& cases) {
@@ -42,8 +41,7 @@ void add_by_hand(GroupWriter& cases) {
   cases.given(11, "the centre of a sphere inside one of four triangles: kind 2-3", "", kKind23);
   cases.given(12, "an edge through the centre of a sphere: kind 1-3", "right-angle", kKind13);
   cases.given(13, "a square and a point above its centre", "", kSquareAndPoint);
-  cases.given(14, "the faces of a cospherical cluster, to be merged", "cospherical right-angle",
-              kUnmergedFaces);
+  cases.given(14, "the faces of a cospherical cluster, to be merged", "cospherical right-angle", kUnmergedFaces);
   cases.given(15, "a pyramid over a pentagon of a circle", "cocircular", kPyramid);
   cases.given(16, "a prism over a triangle", "cospherical cocircular", kPrism);
   cases.given(17, "the octahedron", "cospherical", sphere(1));
@@ -54,8 +52,7 @@ void add_by_hand(GroupWriter& cases) {
   cases.given(22, "half of the cuboctahedron: a square through the centre of the sphere", "cospherical",
               first_of(sphere(2), 8));
   cases.given(23, "ties whose choices need not suit each other", "right-angle", kTieInTheComplex);
-  cases.given(24, "a tie at a Voronoi vertex that goes on at another one", "right-angle",
-              kThroughTwoVertices);
+  cases.given(24, "a tie at a Voronoi vertex that goes on at another one", "right-angle", kThroughTwoVertices);
   cases.given(25, "another such tie", "right-angle", kThroughTwoMore);
   cases.given(26, "a square of 9 points", "lattice cocircular", grid(3, 3, 1));
   cases.given(27, "8 points in general position", "general-position", general(8, 21));
@@ -111,8 +108,7 @@ Group persistence() {
               {{0, 0, 0}, {1, 0, 0}, {0, 0, 100}, {1, 0, 100}, {0, 0, 0}, {1, 0, 0}});
   cases.given(30, "a circle of 12 points", "cocircular", circle(25, 0));
   cases.given(31, "two squares, each around a corner of the other", "cocircular",
-              joined({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}},
-                     {{1, 0, -1}, {3, 0, -1}, {3, 0, 1}, {1, 0, 1}}));
+              joined({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{1, 0, -1}, {3, 0, -1}, {3, 0, 1}, {1, 0, 1}}));
   cases.given(32, "two tetrahedra, one a thousand times as large", "",
               joined(scaled(kTetrahedron, 10), shifted(kTetrahedron, {300, 200, 100})));
   cases.threefold(33, "a rectangle", {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {3, 4, 0}}, 3, 1);
@@ -165,9 +161,7 @@ void add_homology_groups(std::vector<Group>& table) {
 
 namespace {
 
-Rows cascade(std::size_t points, std::uint64_t seed) {
-  return flowcert::fuzz::long_cascade(points, seed).rows;
-}
+Rows cascade(std::size_t points, std::uint64_t seed) { return flowcert::fuzz::long_cascade(points, seed).rows; }
 Rows shell(std::size_t points, std::uint64_t seed) { return flowcert::fuzz::half_shell(points, seed).rows; }
 Rows facet(std::size_t degree, bool perturbed, std::uint64_t seed) {
   return flowcert::fuzz::high_degree_facet(degree, perturbed, seed).rows;
@@ -181,10 +175,8 @@ Group unstable_manifolds() {
   cases.given(2, "a regular tetrahedron", "", {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}});
   cases.given(3, "two cubes with a common face", "lattice cospherical", grid(2, 2, 3));
   cases.given(4, "the octahedron", "cospherical", sphere(1));
-  cases.given(5, "four points with a maximum of kind 2-3", "",
-              {{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}});
-  cases.given(6, "a square and a point above its centre", "",
-              {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 3}});
+  cases.given(5, "four points with a maximum of kind 2-3", "", {{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}});
+  cases.given(6, "a square and a point above its centre", "", {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 3}});
   cases.drawn(7, "general-position", 100, seeds(4));
   cases.drawn(11, "lattice-3", 100, seeds(4));
   cases.drawn(15, "box-corners", 100, seeds(3));
@@ -218,8 +210,7 @@ void add_orbits_by_hand(GroupWriter& cases) {
   cases.start_from(positions({"0 0 0", "1/3 0 -1/2"}));
   cases.given(2, "two points: from a cell, from the facet, from the saddle", "", {{0, 0, 0}, {1, 0, 0}});
   cases.start_from(positions({"1/4 0 0", "1/4 1 0", "1/2 1/3 0", "1/2 0 0", "-1 0 0"}));
-  cases.given(3, "a regular tetrahedron: straight to the maximum, and onto facet, edge and vertex", "",
-              tetrahedron);
+  cases.given(3, "a regular tetrahedron: straight to the maximum, and onto facet, edge and vertex", "", tetrahedron);
   cases.start_from(positions({"1/8 1/8 1/8", "1/8 1/8 0", "1/3 1/4 1/8", "1/2 1/2 1/2"}));
   cases.given(4, "a right triangle: along the line over the middle of the hypotenuse", "right-angle",
               {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}});
@@ -230,27 +221,23 @@ void add_orbits_by_hand(GroupWriter& cases) {
   cases.given(6, "a boundary degenerate flow: a right angle sends it along the edge", "right-angle",
               {{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 3}});
   cases.start_from(positions({"0 0 1", "0 0 1/2", "0 0 0", "0 0 4/3"}));
-  cases.given(7, "a square and a point above its centre", "",
-              {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 3}});
+  cases.given(7, "a square and a point above its centre", "", {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 3}});
   cases.start_from(positions({"1/2 1/4 1/2", "1 1 1/2", "1 1 -1", "1 1/2 1"}));
   cases.given(8, "the cube: centre, faces, edges, corners, and outside", "cospherical", grid(2, 2, 2));
-  cases.start_from(positions({"1/2 1/2 1/2", "1/2 1/2 0", "1/2 0 0", "0 0 0", "1/2 1/2 1/8", "1/2 1/2 -1",
-                              "1/4 1/4 1/4", "1/4 1/8 1/16"}));
-  cases.given(9, "points of a line: cells, planes between them, and the ends", "",
-              {{0, 0, 0}, {1, 1, 1}, {4, 4, 4}});
+  cases.start_from(positions(
+      {"1/2 1/2 1/2", "1/2 1/2 0", "1/2 0 0", "0 0 0", "1/2 1/2 1/8", "1/2 1/2 -1", "1/4 1/4 1/4", "1/4 1/8 1/16"}));
+  cases.given(9, "points of a line: cells, planes between them, and the ends", "", {{0, 0, 0}, {1, 1, 1}, {4, 4, 4}});
   cases.start_from(positions({"1/2 1/2 1/2", "1 0 1/2", "2 1 0", "3 3 3", "-1 0 0"}));
   cases.given(10, "the octahedron and its centre", "right-angle", joined(sphere(1), {{0, 0, 0}}));
   cases.start_from(positions({"1/8 1/8 1/8", "1/2 1/2 1/2", "1/2 1/2 0", "1/2 1/3 0", "1/4 0 0"}));
   std::vector<Point> starts = positions({"0 0 0", "1/3 1/4 0", "1 0 0"});
   for (Rational& coordinate : starts[1]) coordinate *= Rational(0x1p-1074);
-  cases.given(11, "subnormals: the start is given in their units", "extreme-scale",
-              scaled(grid(2, 2, 1), -1074));
+  cases.given(11, "subnormals: the start is given in their units", "extreme-scale", scaled(grid(2, 2, 1), -1074));
   cases.start_from(starts);
 }
 
 Group orbits() {
-  GroupWriter cases("orbits", "Orbits from given starts, segment by segment",
-                    "FC-FLOW-01 FC-FLOW-02 FC-FLOW-05");
+  GroupWriter cases("orbits", "Orbits from given starts, segment by segment", "FC-FLOW-01 FC-FLOW-02 FC-FLOW-05");
   add_orbits_by_hand(cases);
   constexpr std::size_t kStarts = 7;
   cases.with_own_starts(kStarts);

@@ -52,8 +52,7 @@ void make(const Group& group, const std::filesystem::path& folder, Counts& count
   for (const Json& made : cases) count(made, counts);
   const std::size_t size = write(folder / (group.name + ".json"), oracle::vectors::group_file(group, cases));
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  std::printf("%-28s %4zu cases %9zu bytes %7.1f s\n", group.name.c_str(), cases.size(), size,
-              seconds.count());
+  std::printf("%-28s %4zu cases %9zu bytes %7.1f s\n", group.name.c_str(), cases.size(), size, seconds.count());
   std::fflush(stdout);
 }
 

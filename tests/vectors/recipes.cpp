@@ -122,22 +122,14 @@ Group regular_stationary_points() {
   cases.given(3, "an edge through the centre of a sphere: kind 1-3", "right-angle", kKind13);
   cases.given(4, "counting the faces of any one triangulation strictly gives a wrong Euler sum",
               "cospherical right-angle", kUnmergedFaces);
-  cases.given(5, "right angles and cocircular points in several places, none of them stationary",
-              "right-angle", {{0, 5, 0}, {-3, 0, -2}, {3, 0, -2}, {0, 0, 12}, {0, -5, 0}});
+  cases.given(5, "right angles and cocircular points in several places, none of them stationary", "right-angle",
+              {{0, 5, 0}, {-3, 0, -2}, {3, 0, -2}, {0, 0, 12}, {0, -5, 0}});
   cases.given(6, "a Voronoi vertex driven by the midpoint of the first and the last point", "right-angle",
               {{1, 2, 2}, {0, 2, 1}, {1, 2, 0}, {0, 1, 0}});
   cases.given(7, "half of the cuboctahedron: a square through the centre of the sphere", "cospherical",
               first_of(sphere(2), 8));
   cases.given(8, "half of a circle of 16 points, its diameter included", "cocircular right-angle",
-              {{8, 1, 0},
-               {8, -1, 0},
-               {7, 4, 0},
-               {4, 7, 0},
-               {1, 8, 0},
-               {-1, 8, 0},
-               {-4, 7, 0},
-               {-7, 4, 0},
-               {-8, 1, 0}});
+              {{8, 1, 0}, {8, -1, 0}, {7, 4, 0}, {4, 7, 0}, {1, 8, 0}, {-1, 8, 0}, {-4, 7, 0}, {-7, 4, 0}, {-8, 1, 0}});
   cases.drawn(9, "right-angle-12", 100, seeds(10));
   cases.drawn(19, "right-angle-23", 100, seeds(11));
   cases.drawn(30, "right-angle-13", 100, seeds(11));
@@ -170,8 +162,7 @@ Group cospherical_clusters() {
   cases.given(46, "24 points of one sphere", "cospherical cocircular", sphere(5));
   cases.given(47, "30 points of one sphere", "cospherical cocircular", sphere(9));
   cases.given(48, "48 points of one sphere", "cospherical cocircular", sphere(14));
-  cases.given(49, "60 of the 72 points of a sphere: a part of it is missing", "cospherical cocircular",
-              sphere(26, 60));
+  cases.given(49, "60 of the 72 points of a sphere: a part of it is missing", "cospherical cocircular", sphere(26, 60));
   cases.given(50, "16 points of a circle, and one above and one below its centre", "cocircular",
               joined(circle(65, 0), {{0, 0, 3}, {0, 0, -4}}));
   cases.given(51, "three circles of 8, 12 and 12 points about one axis", "cospherical cocircular",
@@ -215,15 +206,12 @@ Group duplicates() {
   cases.given(3, "two classes, one inside the other", "", {{0, 0, 0}, {2, 0, -0.0}, {0, 0, 0}, {2, 0, 0}});
   cases.given(
       4, "a class is named by its first row: the cube, each corner again, backwards", "cospherical",
-      joined(grid(2, 2, 2),
-             {{1, 1, 1}, {1, 1, 0}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}));
-  cases.given(5, "a right triangle, each corner twice", "right-angle",
-              joined(kRightTriangle, kRightTriangle));
+      joined(grid(2, 2, 2), {{1, 1, 1}, {1, 1, 0}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}));
+  cases.given(5, "a right triangle, each corner twice", "right-angle", joined(kRightTriangle, kRightTriangle));
   cases.given(6, "one ulp is no duplicate", "", {{1, 0, 0}, {0x1.0000000000001p+0, 0, 0}, {1, 0, 0}});
   cases.given(7, "subnormals are not zero", "", {{0, 0, 0}, {0x1p-1074, 0, 0}, {-0.0, 0, 0}});
   cases.drawn(8, "duplicates", 100, seeds(14));
-  cases.given(22, "60 rows, 40 points", "lattice",
-              joined(scattered(40, 5, 11), first_of(scattered(40, 5, 11), 20)));
+  cases.given(22, "60 rows, 40 points", "lattice", joined(scattered(40, 5, 11), first_of(scattered(40, 5, 11), 20)));
   return cases.group();
 }
 
@@ -264,12 +252,10 @@ Group magnitudes() {
   }());
   cases.given(5, "the smallest and the largest doubles on a line", "",
               {{-kLargest, 0, 0}, {-0x1p-1074, 0, 0}, {0, 0, 0}, {0x1p-1074, 0, 0}, {kLargest, 0, 0}});
-  cases.given(6, "a right triangle of subnormals", "right-angle extreme-scale",
-              scaled(kRightTriangle, -1074));
+  cases.given(6, "a right triangle of subnormals", "right-angle extreme-scale", scaled(kRightTriangle, -1074));
   cases.given(7, "kind 2-3 next to overflow", "extreme-scale", scaled(kKind23, 1021));
   cases.given(8, "kind 1-3 at 2^-1060", "right-angle extreme-scale", scaled(kKind13, -1060));
-  cases.given(9, "a cube of size 1 at 2^52", "cospherical",
-              shifted(grid(2, 2, 2), {0x1p+52, 0x1p+52, -0x1p+52}));
+  cases.given(9, "a cube of size 1 at 2^52", "cospherical", shifted(grid(2, 2, 2), {0x1p+52, 0x1p+52, -0x1p+52}));
   cases.drawn(10, "far-away", 100, seeds(7));
   cases.drawn(17, "far-away-rounded", 100, seeds(6));
   cases.drawn(23, "extreme-scale", 100, seeds(8));
@@ -304,18 +290,16 @@ GroupWriter::GroupWriter(const char* name, const char* title, const char* clause
   group_.clauses = fields(clauses);
 }
 
-void GroupWriter::drawn(std::size_t first, const char* name, int size,
-                        const std::vector<std::uint64_t>& seeds) {
+void GroupWriter::drawn(std::size_t first, const char* name, int size, const std::vector<std::uint64_t>& seeds) {
   const Family& family = family_named(name);
   for (const std::uint64_t seed : seeds) {
-    const std::string comment = family.description + " (family " + name + ", seed " + std::to_string(seed) +
-                                ", size " + std::to_string(size) + ")";
+    const std::string comment = family.description + " (family " + name + ", seed " + std::to_string(seed) + ", size " +
+                                std::to_string(size) + ")";
     given(first++, comment, aims_of(name), flowcert::fuzz::draw(family, seed, size).rows);
   }
 }
 
-void GroupWriter::given(std::size_t number, const std::string& comment, const char* aims,
-                        const Rows& points) {
+void GroupWriter::given(std::size_t number, const std::string& comment, const char* aims, const Rows& points) {
   Recipe& recipe = group_.recipes.emplace_back();
   recipe.id = case_id(group_.name, number);
   recipe.comment = comment;
@@ -329,8 +313,8 @@ void GroupWriter::given(std::size_t number, const std::string& comment, const ch
 
 void GroupWriter::start_from(const std::vector<Point>& starts) { group_.recipes.back().starts = starts; }
 
-void GroupWriter::threefold(std::size_t first, const std::string& comment, const Rows& points,
-                            std::size_t row, std::size_t axis) {
+void GroupWriter::threefold(std::size_t first, const std::string& comment, const Rows& points, std::size_t row,
+                            std::size_t axis) {
   given(first, comment, "exact-of-three", points);
   given(first + 1, comment + ", a coordinate one ulp up", "one-ulp", nudged(points, row, axis, 1));
   given(first + 2, comment + ", a coordinate one ulp down", "one-ulp", nudged(points, row, axis, -1));
@@ -383,8 +367,7 @@ class InvalidWriter {
     group_.clauses = fields(clauses);
   }
 
-  void points(std::size_t number, const char* comment, const char* aim,
-              std::initializer_list<const char*> rows) {
+  void points(std::size_t number, const char* comment, const char* aim, std::initializer_list<const char*> rows) {
     InvalidRecipe& recipe = add(number, comment, aim);
     for (const char* row : rows) recipe.points.push_back(fields(row));
   }
@@ -417,8 +400,7 @@ class InvalidWriter {
 };
 
 Group invalid_input() {
-  InvalidWriter cases("invalid-input", "What has no answer, and has to be refused as a whole",
-                      "FC-IN-01 FC-IN-05");
+  InvalidWriter cases("invalid-input", "What has no answer, and has to be refused as a whole", "FC-IN-01 FC-IN-05");
   cases.word(1, "NaN", "not-finite", "nan");
   cases.word(2, "NaN, in capitals", "not-finite", "NaN");
   cases.word(3, "NaN with a sign", "not-finite", "-nan");

@@ -78,8 +78,7 @@ class GroupWriter {
   // Adds the orbits from these starts to the case given last.
   void start_from(const std::vector<Point>& starts);
   // Adds three cases: the points exactly, with one coordinate one ulp up, and with it one ulp down.
-  void threefold(std::size_t first, const std::string& comment, const Rows& points, std::size_t row,
-                 std::size_t axis);
+  void threefold(std::size_t first, const std::string& comment, const Rows& points, std::size_t row, std::size_t axis);
 
   // What all cases from now on ask for.
   void with_limits() { limits_ = true; }

@@ -61,8 +61,7 @@ class Candidates {
 
   // A point on a way that goes on without end.
   static Point on_the_way(const FlowSegment& segment) {
-    return between(segment.driver, segment.start,
-                   segment.start == segment.driver ? Rational(1) : Rational(3));
+    return between(segment.driver, segment.start, segment.start == segment.driver ? Rational(1) : Rational(3));
   }
 
   void add_segments(const Orbit& path, std::vector<Point>& vertices) {
@@ -170,15 +169,13 @@ struct Offer {
 };
 
 std::size_t novelty(const Offer& offer, const std::set<std::string>& seen) {
-  return static_cast<std::size_t>(
-      std::count_if(offer.features.begin(), offer.features.end(),
-                    [&](const auto& feature) { return !seen.contains(feature); }));
+  return static_cast<std::size_t>(std::count_if(offer.features.begin(), offer.features.end(),
+                                                [&](const auto& feature) { return !seen.contains(feature); }));
 }
 
 }  // namespace
 
-std::vector<Point> chosen_starts(const PointSet& set, const Answer& answer, std::size_t count,
-                                 std::uint64_t seed) {
+std::vector<Point> chosen_starts(const PointSet& set, const Answer& answer, std::size_t count, std::uint64_t seed) {
   if (set.points.empty()) return {};
   std::vector<Offer> offers;
   const Candidates candidates(set, answer, seed);

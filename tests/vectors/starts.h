@@ -13,7 +13,6 @@
 namespace oracle::vectors {
 
 // There are none iff there are no points.
-std::vector<Point> chosen_starts(const PointSet& set, const Answer& answer, std::size_t count,
-                                 std::uint64_t seed);
+std::vector<Point> chosen_starts(const PointSet& set, const Answer& answer, std::size_t count, std::uint64_t seed);
 
 }  // namespace oracle::vectors

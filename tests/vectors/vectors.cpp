@@ -41,9 +41,7 @@ std::uint64_t seed_of(const std::string& id) {
 }
 
 // Whether the point has a stable set whose skeleton is worth telling.
-bool has_stable_field(const StationaryPoint& x) {
-  return is_saddle(x) || x.face_dimension != x.hull_dimension;
-}
+bool has_stable_field(const StationaryPoint& x) { return is_saddle(x) || x.face_dimension != x.hull_dimension; }
 
 Findings findings_of(const Recipe& recipe, const Answer& answer, const std::vector<Point>& starts) {
   Findings found{recipe.points, PointSet(recipe.points), answer, {}, starts, {}, {}, {}};
@@ -163,8 +161,7 @@ Json case_of(const Group& group, const Recipe& recipe) {
   return case_of(group, recipe, answer, starts);
 }
 
-Json case_of(const Group& group, const Recipe& recipe, const Answer& answer,
-             const std::vector<Point>& starts) {
+Json case_of(const Group& group, const Recipe& recipe, const Answer& answer, const std::vector<Point>& starts) {
   const Findings found = findings_of(recipe, answer, starts);
   const std::vector<std::string> flags = flags_of(found, recipe.aims);
   const Json alternatives = alternatives_field(found.answer);

@@ -16,8 +16,7 @@ namespace oracle::vectors {
 // Takes time n^5.
 Json case_of(const Group& group, const Recipe& recipe);
 // The same, for stationary points and starts that are known.
-Json case_of(const Group& group, const Recipe& recipe, const Answer& answer,
-             const std::vector<Point>& starts);
+Json case_of(const Group& group, const Recipe& recipe, const Answer& answer, const std::vector<Point>& starts);
 Json case_of(const Group& group, const InvalidRecipe& recipe);
 
 Json group_file(const Group& group, const std::vector<Json>& cases);

@@ -99,8 +99,8 @@ int lead_campaign(RankLines& lines, const FuzzMpiOptions& options, int& ranks) {
   }
   ranks -= led.silent_ranks;
   const auto workers = static_cast<unsigned>(lines.size() - 1);
-  return report({campaign, seconds, campaign.tally().cases - before, workers, Interruption::signal() != 0},
-                led, options.json);
+  return report({campaign, seconds, campaign.tally().cases - before, workers, Interruption::signal() != 0}, led,
+                options.json);
 }
 
 int be_rank_0(RankLines& lines, const CommandLine& line) {

@@ -100,9 +100,7 @@ constexpr std::chrono::milliseconds kPause{5};
 // mpirun passes a signal on, and kills all ranks a second later. So rank 0 waits only so long after a signal.
 constexpr double kSecondsAfterSignal = 0.5;
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 struct Worker {
   int rank = 0;
@@ -222,8 +220,7 @@ class Lead {
   }
 
   [[nodiscard]] bool is_told_to_stop() const {
-    return Interruption::signal() != 0 ||
-           (options_.seconds && progress_.seconds_so_far() >= *options_.seconds);
+    return Interruption::signal() != 0 || (options_.seconds && progress_.seconds_so_far() >= *options_.seconds);
   }
   void stop() {
     is_stopping_ = true;
@@ -271,8 +268,7 @@ class Lead {
 
 }  // namespace
 
-LedCampaign lead(fuzz::Campaign& campaign, RankLines& lines, const FuzzMpiOptions& options,
-                 FuzzProgress& progress) {
+LedCampaign lead(fuzz::Campaign& campaign, RankLines& lines, const FuzzMpiOptions& options, FuzzProgress& progress) {
   return Lead(campaign, lines, options, progress).run();
 }
 

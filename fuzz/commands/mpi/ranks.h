@@ -40,8 +40,7 @@ class RankLines {
   [[nodiscard]] std::optional<Line> receive();
   // Whether `ranks` ranks say `word` within `seconds`, and no rank says `other` before. All other lines that arrive
   // meanwhile are lost.
-  [[nodiscard]] bool have_said(const std::string& word, int ranks, double seconds,
-                               const std::string& other = "");
+  [[nodiscard]] bool have_said(const std::string& word, int ranks, double seconds, const std::string& other = "");
 
  private:
   struct Piece {

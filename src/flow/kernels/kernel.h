@@ -79,8 +79,7 @@ class PointStorage {
     return static_cast<PointNumber>(values.size() - 1) | (stay == Stay::kLasting ? kLasting : 0);
   }
   const Value& operator[](PointNumber number) const {
-    FLOWCERT_REQUIRES((number & kLasting) != 0 ? (number ^ kLasting) < lasting_.size()
-                                               : number < passing_.size());
+    FLOWCERT_REQUIRES((number & kLasting) != 0 ? (number ^ kLasting) < lasting_.size() : number < passing_.size());
     return (number & kLasting) != 0 ? lasting_[number ^ kLasting] : passing_[number];
   }
   [[nodiscard]] PointNumber kept() const { return static_cast<PointNumber>(passing_.size()); }

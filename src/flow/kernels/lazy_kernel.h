@@ -38,8 +38,8 @@ class LazyKernel {
     return points_.keep({Cgal::Point_3(leaf), 0, leaf});
   }
   [[nodiscard]] PointNumber add_crossing(PointNumber from, const Point& p0, const Point& p1, const Point& q) {
-    using Crossed = CGAL::Lazy_rep_n<Intervals::Point_3, Rationals::Point_3, CrossingInIntervals,
-                                     CrossingExactly, Cgal::E2A, false, Cgal::Point_3>;
+    using Crossed = CGAL::Lazy_rep_n<Intervals::Point_3, Rationals::Point_3, CrossingInIntervals, CrossingExactly,
+                                     Cgal::E2A, false, Cgal::Point_3>;
     const Kept& x = points_[from];
     const bool is_long = x.depth >= kLongestChain;
     if (is_long) (void)CGAL::exact(x.value);
@@ -48,8 +48,7 @@ class LazyKernel {
       const CGAL::Protect_FPU_rounding<true> upward;
       node = new Crossed(CrossingInIntervals{p0, p1, q}, CrossingExactly{p0, p1, q}, x.value);
     }
-    return points_.keep(
-        counted(FlowPrimitive::kCrossing, {Cgal::Point_3(node), (is_long ? 0 : x.depth) + 1, node}));
+    return points_.keep(counted(FlowPrimitive::kCrossing, {Cgal::Point_3(node), (is_long ? 0 : x.depth) + 1, node}));
   }
   [[nodiscard]] PointNumber add_circumcenter(std::span<const Point* const> simplex, Stay stay) {
     const auto leaf = [](const Point& v) { return Cgal::Point_3(v.x, v.y, v.z); };
@@ -83,9 +82,7 @@ class LazyKernel {
     const Kept& x = points_[number];
     if (x.node == nullptr || x.node->is_lazy()) return std::nullopt;
     const Rationals::Point_3& p = CGAL::exact(x.value);
-    const auto bytes = [](const mpz_class& integer) {
-      return (mpz_sizeinbase(integer.get_mpz_t(), 2) + 7) / 8;
-    };
+    const auto bytes = [](const mpz_class& integer) { return (mpz_sizeinbase(integer.get_mpz_t(), 2) + 7) / 8; };
     const auto both = [&](const mpq_class& value) { return bytes(value.get_num()) + bytes(value.get_den()); };
     return std::array{both(p.x()), both(p.y()), both(p.z())};
   }
@@ -109,9 +106,7 @@ class LazyKernel {
   struct InIntervals {
     const Points* points = nullptr;
 
-    Vector3<Interval> operator()(const Point& p) const {
-      return {Interval(p.x), Interval(p.y), Interval(p.z)};
-    }
+    Vector3<Interval> operator()(const Point& p) const { return {Interval(p.x), Interval(p.y), Interval(p.z)}; }
     Vector3<Interval> operator()(const Intervals::Point_3& p) const { return {p.x(), p.y(), p.z()}; }
     Vector3<Interval> operator()(PointNumber x) const { return (*this)(CGAL::approx((*points)[x].value)); }
   };
@@ -190,8 +185,7 @@ class LazyKernel {
   // The point is reduced as a whole, by the greatest common divisor of all four numbers. The three denominators stay
   // equal, which spares the next polynomial their least common multiple. The single coordinates may not be canonical.
   // Here only CommonDenominator, CGAL's conversion to intervals and exact() read them.
-  static Rationals::Point_3 over_common_denominator(const Vector3<mpz_class>& numerator,
-                                                    const mpz_class& denominator) {
+  static Rationals::Point_3 over_common_denominator(const Vector3<mpz_class>& numerator, const mpz_class& denominator) {
     mpz_class divisor = gcd(denominator, numerator.x);
     divisor = gcd(divisor, numerator.y);
     divisor = gcd(divisor, numerator.z);
@@ -210,9 +204,7 @@ class LazyKernel {
   Kept counted(FlowPrimitive primitive, const Kept& point) {
     ++tally_[primitive].calls;
     const Intervals::Point_3& p = CGAL::approx(point.value);
-    const auto is_bounded = [](const Interval& i) {
-      return std::isfinite(i.inf()) && std::isfinite(i.sup());
-    };
+    const auto is_bounded = [](const Interval& i) { return std::isfinite(i.inf()) && std::isfinite(i.sup()); };
     if (!is_bounded(p.x()) || !is_bounded(p.y()) || !is_bounded(p.z())) {
       ++tally_[primitive].failures;
       (void)CGAL::exact(point.value);

@@ -177,16 +177,16 @@ struct NearerExit {
 // A kernel answers each of these.
 template <class... Query>
 struct QueryList {};
-using SteeringQueries = QueryList<SideOfRay, RayAtInfinity, AroundStart, RayAroundStart, AlongRay,
-                                  BeforePoint, AlongEdge, NearerExit>;
+using SteeringQueries =
+    QueryList<SideOfRay, RayAtInfinity, AroundStart, RayAroundStart, AlongRay, BeforePoint, AlongEdge, NearerExit>;
 
 // ---- Constructions ----
 
 // The ray from m through x approaches the bisector of p0 (or p1) and q. It meets the bisector at m + s (x-m), with s
 // = <q-p0, q-p1> / (2 <x-m, q-m>).
 template <class Number>
-[[nodiscard]] Vector3<Number> crossing(const Vector3<Number>& x, const Vector3<Number>& p0,
-                                       const Vector3<Number>& p1, const Vector3<Number>& q) {
+[[nodiscard]] Vector3<Number> crossing(const Vector3<Number>& x, const Vector3<Number>& p0, const Vector3<Number>& p1,
+                                       const Vector3<Number>& q) {
   const Vector3<Number> way = from_midpoint(x, p0, p1);
   const Number height = dot(q - p0, q - p1);
   const Number approach = dot(way, from_midpoint(q, p0, p1));

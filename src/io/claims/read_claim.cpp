@@ -19,9 +19,8 @@ constexpr std::array kFormats = {&kExchangeClaims, &kVtpClaims, &kGiesenKuehneCl
 void require_ids(const std::vector<PointId>& ids, const PointSet& points, const LinePlace& place) {
   for (const PointId id : ids) {
     if (id < points.row_count()) continue;
-    const std::string truth = points.row_count() == 0
-                                  ? "the input is empty"
-                                  : "the ids are 0 to " + std::to_string(points.row_count() - 1);
+    const std::string truth =
+        points.row_count() == 0 ? "the input is empty" : "the ids are 0 to " + std::to_string(points.row_count() - 1);
     place.reject("there is no point " + std::to_string(id) + "; " + truth);
   }
 }

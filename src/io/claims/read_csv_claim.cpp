@@ -39,8 +39,7 @@ std::vector<PointId> contact_of(Fields& fields, const LinePlace& place) {
 std::optional<ClaimedPosition> position_of(Fields& fields, const LinePlace& place) {
   std::array<std::string_view, 3> texts;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!fields.next(texts[k]))
-      place.reject("too few numbers: " + std::to_string(k) + " of 3 after the index");
+    if (!fields.next(texts[k])) place.reject("too few numbers: " + std::to_string(k) + " of 3 after the index");
   }
   if (texts[0].empty() && texts[1].empty() && texts[2].empty()) return std::nullopt;
   ClaimedPosition position;

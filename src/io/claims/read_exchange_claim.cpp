@@ -58,9 +58,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool boolean(bool value) override { return add(JsonKind::kBoolean, value ? "true" : "false"); }
   bool number_integer(std::int64_t value) override { return add(JsonKind::kNumber, std::to_string(value)); }
   bool number_unsigned(std::uint64_t value) override { return add(JsonKind::kNumber, std::to_string(value)); }
-  bool number_float(double /*value*/, const std::string& text) override {
-    return add(JsonKind::kNumber, text);
-  }
+  bool number_float(double /*value*/, const std::string& text) override { return add(JsonKind::kNumber, text); }
   bool string(std::string& value) override { return add(JsonKind::kString, std::move(value)); }
   bool binary(nlohmann::json::binary_t& /*value*/) override { return false; }  // never called for text
   bool start_array(std::size_t /*size*/) override { return open(JsonKind::kArray); }
@@ -207,9 +205,7 @@ inline ClaimedPosition position_of(const ExchangeValue& value) {
   return {number_of(value[0]), number_of(value[1]), number_of(value[2])};
 }
 
-inline std::size_t count_of(const ExchangeValue& value) {
-  return claimed_count(value.number_text(), value.place());
-}
+inline std::size_t count_of(const ExchangeValue& value) { return claimed_count(value.number_text(), value.place()); }
 
 inline std::vector<PointId> ids_of(const ExchangeValue& value) {
   return list_of(value, [](const ExchangeValue& id) { return claimed_id(id.number_text(), id.place()); });
@@ -288,8 +284,7 @@ ClaimedSurface surface_of(const ExchangeValue& value) {
   surface.triangles = list_of(triangles, triangle_of);
   for (const auto& triangle : surface.triangles) {
     for (const std::size_t vertex : triangle) {
-      if (vertex >= surface.vertices.size())
-        triangles.reject("triangles of the vertices: there are not so many");
+      if (vertex >= surface.vertices.size()) triangles.reject("triangles of the vertices: there are not so many");
     }
   }
   return surface;
@@ -359,8 +354,7 @@ void read_sphere(const ExchangeValue& record, ClaimedPoint& point) {
     point.center = position_of(*center);
   } else if (const auto near = record.find("center_double"); near && !near->is_null()) {
     near->expect_size(3);
-    if (!(*near)[0].is_null() && !(*near)[1].is_null() && !(*near)[2].is_null())
-      point.center = position_of(*near);
+    if (!(*near)[0].is_null() && !(*near)[1].is_null() && !(*near)[2].is_null()) point.center = position_of(*near);
   }
   if (const auto distance = record.find("squared_distance")) {
     point.squared_distance = distance_of(*distance);
@@ -386,8 +380,8 @@ ClaimedSegment flow_segment_of(const ExchangeValue& value) {
 ClaimedPolyline polyline_of(const ExchangeValue& value) { return list_of(value, flow_segment_of); }
 
 // Finds a key that only critical points of one index may have.
-std::optional<ExchangeValue> find_of_index(const ExchangeValue& record, const ClaimedPoint& point,
-                                           const char* key, int index) {
+std::optional<ExchangeValue> find_of_index(const ExchangeValue& record, const ClaimedPoint& point, const char* key,
+                                           int index) {
   const auto value = record.find(key);
   if (value && (point.hull_dimension || point.index != index)) {
     record.place().reject(std::string("a key of critical points of index ") + std::to_string(index) +
@@ -462,7 +456,6 @@ Claim read_exchange(std::string_view text, std::string_view file) {
 
 }  // namespace
 
-const ClaimFormat kExchangeClaims = {
-    .name = "exchange", .recognises = recognises_exchange, .read = read_exchange};
+const ClaimFormat kExchangeClaims = {.name = "exchange", .recognises = recognises_exchange, .read = read_exchange};
 
 }  // namespace flowcert::io

@@ -78,8 +78,7 @@ void EncodedBytes::expect_end() const {
     place_.reject("more binary data than announced");
 }
 
-void append_inflated(std::string_view bytes, std::uint64_t size, std::string& output,
-                     const LinePlace& place) {
+void append_inflated(std::string_view bytes, std::uint64_t size, std::string& output, const LinePlace& place) {
   if (bytes.size() > std::numeric_limits<uInt>::max()) place.reject("a compressed block of 4 GB or more");
   z_stream stream{};
   if (inflateInit(&stream) != Z_OK) throw std::bad_alloc();
@@ -99,8 +98,7 @@ void append_inflated(std::string_view bytes, std::uint64_t size, std::string& ou
     output.append(block.data(), count);
     size -= count;
   }
-  if (status != Z_STREAM_END || size != 0 || stream.avail_in != 0)
-    place.reject("a compressed block is damaged");
+  if (status != Z_STREAM_END || size != 0 || stream.avail_in != 0) place.reject("a compressed block is damaged");
 }
 
 // ---- The document ----
@@ -136,10 +134,7 @@ class Attributes {
 class VtpParser {
  public:
   VtpParser(std::string_view bytes, std::string_view file, const std::string& data_name)
-      : bytes_(bytes),
-        file_(file),
-        data_name_(data_name),
-        parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
+      : bytes_(bytes), file_(file), data_name_(data_name), parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
     if (parser_ == nullptr) throw std::bad_alloc();
     XML_SetUserData(parser_.get(), this);
     XML_SetElementHandler(parser_.get(), on_start, on_end);
@@ -193,8 +188,8 @@ class VtpParser {
       if (is_of_array) parser.array_->text.append(text, static_cast<std::size_t>(size));
     });
   }
-  static void on_doctype(void* self, const char* /*name*/, const char* /*system_id*/,
-                         const char* /*public_id*/, int /*has_internal_subset*/) {
+  static void on_doctype(void* self, const char* /*name*/, const char* /*system_id*/, const char* /*public_id*/,
+                         int /*has_internal_subset*/) {
     guarded(self, [](VtpParser& parser) { parser.place().reject("a VTP file has no document type"); });
   }
 
@@ -202,9 +197,7 @@ class VtpParser {
     is_stopped_ = true;
     XML_StopParser(parser_.get(), XML_FALSE);
   }
-  [[nodiscard]] LinePlace place() const {
-    return {.file = file_, .line = XML_GetCurrentLineNumber(parser_.get())};
-  }
+  [[nodiscard]] LinePlace place() const { return {.file = file_, .line = XML_GetCurrentLineNumber(parser_.get())}; }
 
   void start(std::string_view name, const Attributes& attributes) {
     if (++depth_ > kDeepest) place().reject("nested deeper than " + std::to_string(kDeepest) + " levels");
@@ -230,8 +223,7 @@ class VtpParser {
     const std::string_view type = attributes.get("type", place());
     if (type != "PolyData") place().reject("not a VTP file: its type is " + in_quotes(type));
     const std::string_view order = attributes.find("byte_order").value_or("LittleEndian");
-    if (order != "LittleEndian" && order != "BigEndian")
-      place().reject("not a byte order: " + in_quotes(order));
+    if (order != "LittleEndian" && order != "BigEndian") place().reject("not a byte order: " + in_quotes(order));
     document_.big_endian = order == "BigEndian";
     const std::string_view header = attributes.find("header_type").value_or("UInt32");
     if (header != "UInt32" && header != "UInt64") place().reject("not a header type: " + in_quotes(header));
@@ -271,8 +263,8 @@ class VtpParser {
     if (encoding != "raw" && encoding != "base64")
       place().reject("not an encoding of appended data: " + in_quotes(encoding));
     document_.appended_is_raw = encoding == "raw";
-    appended_from_ = static_cast<std::size_t>(XML_GetCurrentByteIndex(parser_.get()) +
-                                              XML_GetCurrentByteCount(parser_.get()));
+    appended_from_ =
+        static_cast<std::size_t>(XML_GetCurrentByteIndex(parser_.get()) + XML_GetCurrentByteCount(parser_.get()));
     stop();
   }
 
@@ -362,8 +354,7 @@ std::string decompressed(EncodedBytes& encoded, const VtpDocument& document, std
   const std::uint64_t block_size = next_header_number(encoded, document);
   const std::uint64_t last_size = next_header_number(encoded, document);
   std::vector<std::uint64_t> compressed_sizes;  // grows only as long as the file has numbers
-  for (std::uint64_t k = 0; k < blocks; ++k)
-    compressed_sizes.push_back(next_header_number(encoded, document));
+  for (std::uint64_t k = 0; k < blocks; ++k) compressed_sizes.push_back(next_header_number(encoded, document));
   std::string bytes;
   for (std::uint64_t k = 0; k < blocks; ++k) {
     const std::uint64_t size = k + 1 == blocks && last_size != 0 ? last_size : block_size;
@@ -430,9 +421,7 @@ ClaimedNumber VtpValues::operator[](std::size_t k) const {
     if (!std::isfinite(value)) place_.reject("not a finite number: value " + std::to_string(k));
     return {.value = Rational(value), .is_exact = false};
   };
-  const auto integer = [](auto value) -> ClaimedNumber {
-    return {.value = Rational(value), .is_exact = false};
-  };
+  const auto integer = [](auto value) -> ClaimedNumber { return {.value = Rational(value), .is_exact = false}; };
   switch (type_) {
     case VtpType::kInt8:
       return integer(int{load<std::int8_t>(bytes, big_endian_)});

@@ -80,8 +80,7 @@ struct VtpDocument {
 };
 
 // `data_name` names the array of point data. The document refers to `bytes` and `file`.
-[[nodiscard]] VtpDocument parse_vtp(std::string_view bytes, std::string_view file,
-                                    const std::string& data_name);
+[[nodiscard]] VtpDocument parse_vtp(std::string_view bytes, std::string_view file, const std::string& data_name);
 
 // ---- Values ----
 // The values of a VTP file's arrays, decoded and decompressed.
@@ -109,8 +108,7 @@ class VtpValues {
 class VtpDecoder {
  public:
   // The document must outlive this and the values.
-  explicit VtpDecoder(const VtpDocument& document)
-      : document_(document), appended_left_(document.appended.size()) {}
+  explicit VtpDecoder(const VtpDocument& document) : document_(document), appended_left_(document.appended.size()) {}
 
   // The values of an array, `tuples` times its number of components.
   [[nodiscard]] VtpValues decode(const EncodedVtpArray& array, std::uint64_t tuples);

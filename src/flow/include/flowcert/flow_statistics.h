@@ -34,8 +34,8 @@ class Distribution {
 
 struct FlowStatistics {
   // Two orbits for each index-2 point. Each is counted by itself, even where orbits share what follows.
-  Distribution n_u2;   // segments of an orbit, the first one included
-  Distribution n_wcc;  // runs of consecutive segments that end at a constructed point
+  Distribution n_u2;                                  // segments of an orbit, the first one included
+  Distribution n_wcc;                                 // runs of consecutive segments that end at a constructed point
   std::map<std::array<char, 3>, std::size_t> census;  // segments by type
   std::size_t to_critical = 0;                        // orbits that end at a critical point,
   std::size_t to_regular = 0;                         // at a regular stationary point,
@@ -44,9 +44,9 @@ struct FlowStatistics {
   // The computation.
   KernelTally tally;
   std::size_t segments_computed = 0;  // with sharing, each shared segment once
-  Distribution exact_bytes;  // numerator and denominator of the coordinates of constructed points whose exact
-                             // value was asked for
-  std::size_t depth = 0;     // the longest chain of lazy constructions, from input points up
+  Distribution exact_bytes;           // numerator and denominator of the coordinates of constructed points whose exact
+                                      // value was asked for
+  std::size_t depth = 0;              // the longest chain of lazy constructions, from input points up
 };
 
 }  // namespace flowcert

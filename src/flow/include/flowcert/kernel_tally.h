@@ -23,8 +23,7 @@ enum class FlowPrimitive : std::uint8_t {
 };
 inline constexpr std::size_t kFlowPrimitiveCount = 7;
 inline constexpr std::array<const char*, kFlowPrimitiveCount> kFlowPrimitiveNames = {
-    "side_of_ray", "ray_at_infinity", "around_start", "along_edge",
-    "nearer_exit", "circumcenter",    "crossing"};
+    "side_of_ray", "ray_at_infinity", "around_start", "along_edge", "nearer_exit", "circumcenter", "crossing"};
 
 struct KernelTally {
   std::array<FilterCount, kFlowPrimitiveCount> counts{};

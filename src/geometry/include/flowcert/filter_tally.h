@@ -16,8 +16,8 @@ enum class Predicate : std::uint8_t {
   kCocircular,   // four coplanar points on one circle (FC-VOR-02)
 };
 inline constexpr std::size_t kPredicateCount = 5;
-inline constexpr std::array<const char*, kPredicateCount> kPredicateNames = {
-    "angle", "side_of_plane", "cospherical", "coplanar", "cocircular"};
+inline constexpr std::array<const char*, kPredicateCount> kPredicateNames = {"angle", "side_of_plane", "cospherical",
+                                                                             "coplanar", "cocircular"};
 
 struct FilterCount {
   std::uint64_t calls = 0;

@@ -10,8 +10,7 @@
 
 namespace flowcert {
 
-using Rational =
-    boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 using RationalPoint = std::array<Rational, 3>;
 
 // "-3/4", "5": reduced, no "/1".

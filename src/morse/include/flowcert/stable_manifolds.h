@@ -64,8 +64,8 @@ struct StableSet {
                                                                 std::span<const PointId> contact);
 
 struct StableStatistics {
-  Distribution n_s2;  // flow segments from an index-2 point down to an index-1 point, a connecting orbit each
-  Distribution triangles;              // of the S2's without interval
+  Distribution n_s2;       // flow segments from an index-2 point down to an index-1 point, a connecting orbit each
+  Distribution triangles;  // of the S2's without interval
   std::size_t triangle_count = 0;      // of all of them
   std::optional<std::size_t> largest;  // the number of the first S2 with the most triangles
   std::size_t with_vertex = 0;         // S2's whose skeleton has a Voronoi vertex
@@ -83,12 +83,10 @@ class StableManifolds {
 
   // stationary is the list of the same diagram. Both must outlive this. The time is in proportion to the segments of
   // all skeletons.
-  StableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
-                  StableOptions options = {}, const Progress& progress = {});
-  StableManifolds(const VoronoiDiagram&, StationaryPoints&&, StableOptions = {},
-                  const Progress& = {}) = delete;
-  StableManifolds(VoronoiDiagram&&, const StationaryPoints&, StableOptions = {},
-                  const Progress& = {}) = delete;
+  StableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary, StableOptions options = {},
+                  const Progress& progress = {});
+  StableManifolds(const VoronoiDiagram&, StationaryPoints&&, StableOptions = {}, const Progress& = {}) = delete;
+  StableManifolds(VoronoiDiagram&&, const StationaryPoints&, StableOptions = {}, const Progress& = {}) = delete;
   ~StableManifolds();
   StableManifolds(StableManifolds&&) noexcept;
   StableManifolds& operator=(StableManifolds&&) noexcept;

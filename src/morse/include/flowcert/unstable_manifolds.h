@@ -31,12 +31,10 @@ class UnstableManifolds {
 
   // stationary is the list of the same diagram. Both must outlive this. The time is in proportion to the segments of
   // all orbits; with sharing, only to those of the visited Voronoi vertices.
-  UnstableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
-                    UnstableOptions options = {}, const Progress& progress = {});
-  UnstableManifolds(const VoronoiDiagram&, StationaryPoints&&, UnstableOptions = {},
-                    const Progress& = {}) = delete;
-  UnstableManifolds(VoronoiDiagram&&, const StationaryPoints&, UnstableOptions = {},
-                    const Progress& = {}) = delete;
+  UnstableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary, UnstableOptions options = {},
+                    const Progress& progress = {});
+  UnstableManifolds(const VoronoiDiagram&, StationaryPoints&&, UnstableOptions = {}, const Progress& = {}) = delete;
+  UnstableManifolds(VoronoiDiagram&&, const StationaryPoints&, UnstableOptions = {}, const Progress& = {}) = delete;
   ~UnstableManifolds();
   UnstableManifolds(UnstableManifolds&&) noexcept;
   UnstableManifolds& operator=(UnstableManifolds&&) noexcept;
