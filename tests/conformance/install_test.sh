@@ -72,9 +72,13 @@ cmake_minimum_required(VERSION 3.25)
 project(generators CXX)
 set(CMAKE_CXX_STANDARD 20)
 find_package(flowcert REQUIRED COMPONENTS generators)
-add_executable(generators generators.cpp)
-target_link_libraries(generators flowcert::generators)
+add_executable(generators generators.cpp headers.cpp)
+target_link_libraries(generators flowcert::generators flowcert::flowcert)
 TEXT
+# Every header that is installed compiles.
+(cd "$scratch/prefix/include/flowcert-generators" && find fuzz -name '*.h') | sed 's/.*/#include "&"/' \
+  >"$scratch/generators/headers.cpp"
+grep -q input_points "$scratch/generators/headers.cpp" || fail "no conversion to the library's points is installed"
 quietly cmake -S "$scratch/generators" -B "$scratch/generators/build" -G Ninja -DCMAKE_PREFIX_PATH="$scratch/prefix" \
   -DCMAKE_CXX_COMPILER="$(cached CMAKE_CXX_COMPILER)" -DCMAKE_CXX_FLAGS="$flags -Wall -Wextra"
 quietly cmake --build "$scratch/generators/build"
