@@ -1,10 +1,8 @@
 #include "geometry/nearest_samples.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 
 #include "geometry/contract.h"
 #include "geometry/filter_bounds.h"
@@ -15,9 +13,11 @@ namespace flowcert::geometry {
 
 namespace {
 
-// The places of all points that may be nearest to x; `from` is x, rounded. filter_bounds.h says how far a computed
-// distance is from the true one.
-std::vector<std::size_t> candidates(const PointSet& points, const Point& from) {
+// The places of all points that may be nearest to x. filter_bounds.h says how far a computed distance is from the true
+// one. A coordinate of x without a nearest double becomes infinite, and then all points are candidates.
+std::vector<std::size_t> candidates(const PointSet& points, const RationalPoint& x) {
+  const auto rounded = [](const Rational& value) { return nearest_double(value).value_or(HUGE_VAL); };
+  const Point from{rounded(x[0]), rounded(x[1]), rounded(x[2])};
   std::vector<double> squared(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double dx = points[k].x - from.x, dy = points[k].y - from.y, dz = points[k].z - from.z;
@@ -33,20 +33,6 @@ std::vector<std::size_t> candidates(const PointSet& points, const Point& from) {
     if (squared[k] <= squared_bound || bound > kLargestDistance) result.push_back(k);
   }
   return result;
-}
-
-std::vector<std::size_t> candidates(const PointSet& points, const RationalPoint& x) {
-  std::array<double, 3> rounded{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::optional<double> nearest = nearest_double(x[axis]);
-    if (!nearest) {
-      std::vector<std::size_t> all(points.size());
-      for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
-      return all;
-    }
-    rounded[axis] = *nearest;
-  }
-  return candidates(points, Point{rounded[0], rounded[1], rounded[2]});
 }
 
 }  // namespace

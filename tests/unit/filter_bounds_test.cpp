@@ -326,6 +326,10 @@ TEST(FilterBounds, OfTheNearestSamples) {
   for (const double scale : {1.0, 0x1p-520, 0x1p-530, 0x1p-536, 0x1p-1060, 0x1p490, 0x1p509, 0x1p900}) {
     for (const double far : {0.0, 1.0, 0x1p20, 0x1p48}) expect_nearest_samples(scale, far, ++seed);
   }
+  // This position has no nearest double.
+  const PointSet points(std::vector<Point>{{0, 0, 0}, {1, 1, 0}, {1, -1, 0}});
+  const Rational beyond = Rational(0x1p1023) * 4;
+  EXPECT_EQ(nearest_samples(points, {beyond, 0, 0}).names, (std::vector<PointId>{1, 2}));
 }
 
 }  // namespace
