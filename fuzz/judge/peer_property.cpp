@@ -13,7 +13,7 @@
 #include "flowcert/claim.h"
 #include "fuzz/judge/command_run.h"
 #include "fuzz/judge/conformance_words.h"
-#include "fuzz/properties/input_points.h"
+#include "fuzz/properties/subject.h"
 #include "io/output_file.h"
 
 namespace flowcert::judge {
@@ -74,7 +74,7 @@ class Peer {
     const CommandRun run = run_in(folder.path(), rows.str());
     if (auto bad = bad_ending(run, options_.limits)) return bad;
     try {
-      return judge_answer(property::rows_of(input), answer_bytes(run), run.answer_name);
+      return judge_answer(property::subject_of(input).complex, answer_bytes(run), run.answer_name);
     } catch (const InvalidInput& error) {
       return ending("unreadable", one_line(error.what()));
     } catch (const std::bad_alloc&) {
@@ -94,12 +94,11 @@ class Peer {
     }
   }
 
-  [[nodiscard]] std::optional<Disagreement> judge_answer(const std::vector<Point>& rows, const std::string& bytes,
+  [[nodiscard]] std::optional<Disagreement> judge_answer(const FlowComplex& complex, const std::string& bytes,
                                                          const std::string& name) const {
-    const PointSet points(rows);
     const Claim claim = read_claim_from(bytes, name);
-    require_rows(claim, points, name);
-    return wrong_claim(check(points, claim, options_.check), bytes);
+    require_rows(claim, complex.points(), name);
+    return wrong_claim(check(complex.points(), claim, *fast_truth(complex), options_.check), bytes);
   }
 
   PeerOptions options_;

@@ -14,7 +14,9 @@ namespace {
 
 class FastTruth final : public Truth {
  public:
-  explicit FastTruth(const PointSet& points) : complex_(points), finder_(complex_.stationary()) {}
+  explicit FastTruth(const PointSet& points)
+      : own_(std::in_place, points), complex_(*own_), finder_(complex_.stationary()) {}
+  explicit FastTruth(const FlowComplex& complex) : complex_(complex), finder_(complex_.stationary()) {}
 
   [[nodiscard]] std::size_t size() const override { return complex_.stationary().size(); }
   [[nodiscard]] StationaryIndex index(std::size_t i) const override { return complex_.stationary().index(i); }
@@ -54,12 +56,14 @@ class FastTruth final : public Truth {
     return i < last ? i - first : last - first + i - finder_.range({3, 3}).second;
   }
 
-  FlowComplex complex_;
+  std::optional<FlowComplex> own_;
+  const FlowComplex& complex_;
   RecordFinder finder_;
 };
 
 }  // namespace
 
 std::unique_ptr<Truth> fast_truth(const PointSet& points) { return std::make_unique<FastTruth>(points); }
+std::unique_ptr<Truth> fast_truth(const FlowComplex& complex) { return std::make_unique<FastTruth>(complex); }
 
 }  // namespace flowcert

@@ -25,8 +25,8 @@
 #include <string_view>
 #include <vector>
 
+#include "flowcert/flow_complex.h"
 #include "flowcert/read_points.h"
-#include "flowcert/unstable_manifolds.h"
 #include "oracle/fast/point_set.h"
 #include "oracle/orbit.h"
 #include "oracle/program/read_points.h"
@@ -166,7 +166,7 @@ struct Tally {
 class Certification {
  public:
   Certification(const oracle::PointSet& set, const flowcert::StationaryPoints& stationary,
-                flowcert::UnstableManifolds& manifolds)
+                const flowcert::UnstableManifolds& manifolds)
       : set_(set), stationary_(stationary), manifolds_(manifolds) {}
 
   [[nodiscard]] std::string run(std::size_t count, std::uint64_t seed) {
@@ -214,7 +214,7 @@ class Certification {
 
   const oracle::PointSet& set_;
   const flowcert::StationaryPoints& stationary_;
-  flowcert::UnstableManifolds& manifolds_;
+  const flowcert::UnstableManifolds& manifolds_;
   Tally tally_;
   Clock clock_;
   bool is_terminal_ = ::isatty(STDERR_FILENO) == 1;
@@ -223,15 +223,13 @@ class Certification {
 int run(const std::string& input, std::size_t count, std::uint64_t seed) {
   const Clock clock;
   const std::vector<flowcert::Point> rows = flowcert::read_points(input).rows;
-  const flowcert::PointSet points(rows);
-  const flowcert::VoronoiDiagram diagram{flowcert::Delaunay(points)};
-  const flowcert::StationaryPoints stationary = flowcert::stationary_points(diagram);
-  flowcert::UnstableManifolds manifolds(diagram, stationary);
+  const flowcert::FlowComplex complex(rows);
+  const flowcert::UnstableManifolds& manifolds = complex.unstable();
   if (manifolds.size() == 0) {
     throw std::runtime_error(input + ": there is no critical point of index 2");
   }
   const oracle::fast::PointSet set(oracle::read_point_file(input));
-  Certification certification(set, stationary, manifolds);
+  Certification certification(set, complex.stationary(), manifolds);
   const std::string found = certification.run(count, seed);
   if (!found.empty()) {
     std::cout << "DIFFERENT: " << found;

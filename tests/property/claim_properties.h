@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "flowcert/check.h"
+#include "flowcert/flow_complex.h"
 #include "fuzz/inputs/families.h"
 #include "fuzz/properties/stationary_comparison.h"
 #include "tests/property/property_parameters.h"
@@ -27,12 +28,14 @@ constexpr std::size_t kFirstLine = 2;  // of a claim's points
 inline std::size_t below(std::size_t count) { return *rc::gen::inRange<std::size_t>(0, count); }
 
 struct ClaimSubject {
-  explicit ClaimSubject(const fuzz::Input& rows) : input(rows), points(point_set_of(rows)), truth(fast_truth(points)) {}
+  explicit ClaimSubject(const fuzz::Input& rows)
+      : input(rows), complex(point_set_of(rows)), points(complex.points()), truth(fast_truth(complex)) {}
 
   [[nodiscard]] std::vector<PointId> contact(std::size_t i) const { return contact_of(*truth, i); }
 
   const fuzz::Input& input;
-  PointSet points;
+  FlowComplex complex;
+  const PointSet& points;
   std::unique_ptr<Truth> truth;
 };
 

@@ -34,13 +34,7 @@ namespace {
 constexpr int kInputsPerFamily = 60;
 constexpr std::size_t kMostByOracle = 120;  // stationary points of an input
 
-struct Subject : ClaimSubject {
-  explicit Subject(const fuzz::Input& rows)
-      : ClaimSubject(rows), diagram(Delaunay(points)), stationary(stationary_points(diagram)) {}
-
-  VoronoiDiagram diagram;
-  StationaryPoints stationary;
-};
+using Subject = ClaimSubject;
 
 // ---- Claims that vary where they may.
 
@@ -77,7 +71,8 @@ Claim claim_in_decimals(Claim claim) {
 
 // Breaks ties at random, and counts the boundaries that came out otherwise.
 Claim with_other_ties(const Subject& subject, Claim claim, std::size_t& differing) {
-  const StableManifolds other(subject.diagram, subject.stationary, {.flow = {}, .seed = 1 + below(1000000)});
+  const StableManifolds other(subject.complex.diagram(), subject.complex.stationary(),
+                              {.flow = {}, .seed = 1 + below(1000000)});
   for (std::size_t k = 0; k < other.size(); ++k) {
     ClaimedPoint& point = claim.points[other.record(k)];
     if (point.hull_dimension) continue;
@@ -377,7 +372,7 @@ TEST(StableClaims, WalksAreTheOracles) {
       const StationaryIndex index = subject.truth->index(i);
       if (index != StationaryIndex{2, 2} && index.is_critical()) continue;
       const std::vector<PointId> contact = subject.contact(i);
-      const auto z = oracle_point(subject.points, subject.stationary, i);
+      const auto z = oracle_point(subject.points, subject.complex.stationary(), i);
       const auto walk = boundary_walk(subject.truth->stable_set(i), index, contact);
       const oracle::StableSet stable = oracle::stable_set(set, z);
       const bool has_walk = index.hull_dimension == 2 && !stable.has_vertex;

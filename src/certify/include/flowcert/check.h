@@ -21,6 +21,8 @@
 
 namespace flowcert {
 
+class FlowComplex;
+
 enum class Verdict { kConforms, kConformsWhereDetermined, kFails };
 // "conforms", "conforms where determined", "fails"
 [[nodiscard]] const char* verdict_text(Verdict verdict);
@@ -128,9 +130,11 @@ class Truth {
   [[nodiscard]] virtual StableSet stable_set(std::size_t i) = 0;
 };
 
-// The truth by the fast implementation. The points must outlive it. This takes as long as computing the critical
-// points. U2 is computed when it is first asked for.
+// The truth by the fast implementation, of points or of a complex that must outlive it. This takes as long as computing
+// the critical points. U2 is computed when it is first asked for.
 [[nodiscard]] std::unique_ptr<Truth> fast_truth(const PointSet& points);
+[[nodiscard]] std::unique_ptr<Truth> fast_truth(const FlowComplex& complex);
+std::unique_ptr<Truth> fast_truth(FlowComplex&&) = delete;
 
 // Takes time in proportion to the size of the claim, plus the time for the truth's answers. Each wrong claimed point
 // costs a scan of all points in floating point. Throws InvalidInput for a tolerance that is not between 0 and 1, and
