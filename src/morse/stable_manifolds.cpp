@@ -24,7 +24,7 @@ namespace flowcert::morse {
 
 // ---- Parts of dimension 3 ----
 // What flows into an arc of a Voronoi edge, facet by facet (spec clause FC-STAB-05). It is computed in rationals
-// throughout, because such parts come from ties alone and are few.
+// throughout, and not by the operator's kernel, because such parts come from ties alone and are few.
 
 namespace {
 
