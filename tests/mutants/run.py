@@ -34,6 +34,7 @@ CPU_FACTOR, CPU_LEAST, CLOCK_LIMIT = 4, 4, 900
 LIKELY = {
     "src/geometry/predicates": ["filter_bounds_test", "predicates_test"],
     "src/geometry/integer_grid": ["predicates_test"],
+    "src/geometry/floating_point": ["floating_point_test"],
     "src/geometry/tetrahedron_signs": ["filter_bounds_test", "tetrahedron_signs_test"],
     "src/geometry/point_set": ["point_set_test"],
     "src/geometry/rational": ["rational_test"],
