@@ -52,12 +52,26 @@ std::optional<Rows> rows_for_oracle(std::string_view text, const std::string& na
   }
 }
 
-bool is_for_oracle(std::string_view text) {
+bool is_for_oracle(std::string_view text, const std::string& name) {
+  if (!name.ends_with(".xyz") && !name.ends_with(".obj")) return false;
   if (text.starts_with("\x1f\x8b") || text.starts_with("\xef\xbb\xbf")) return false;
   for (std::size_t k = text.find('\r'); k != std::string_view::npos; k = text.find('\r', k + 1)) {
     if (!text.substr(k).starts_with("\r\n")) return false;
   }
   return true;
+}
+
+std::string complaint_against_oracle(Bytes bytes, const std::string& name) {
+  const std::string_view text = fuzz::text_of(bytes);
+  if (!is_for_oracle(text, name)) return {};
+  const std::optional<PointFile> file = file_read(text, name);
+  const std::optional<Rows> truth = rows_for_oracle(text, name);
+  if (file.has_value() != truth.has_value()) {
+    return file ? "the oracle refuses, and the library reads " + text_of(rows_of(*file))
+                : "the library refuses, and the oracle reads " + text_of(*truth);
+  }
+  if (!file || same_bits(rows_of(*file), *truth)) return {};
+  return text_of(rows_of(*file)) + "are, for the oracle, " + text_of(*truth);
 }
 
 }  // namespace
@@ -67,7 +81,8 @@ std::string complaint_about_points(Bytes bytes, const std::string& name) {
   try {
     file = read_points_from(text_of(bytes), name);
   } catch (const InvalidInput& error) {
-    return complaint_about_refusal(error);
+    const std::string complaint = complaint_about_refusal(error);
+    return complaint.empty() ? complaint_against_oracle(bytes, name) : complaint;
   }
   const Rows rows = rows_of(file);
   if (!std::all_of(rows.begin(), rows.end(), is_finite)) return "not all finite: " + text_of(rows);
@@ -81,20 +96,7 @@ std::string complaint_about_points(Bytes bytes, const std::string& name) {
   if (other && other->format == file.format && !same_bits(rows, rows_of(*other))) {
     return "by content, others: " + text_of(rows) + "became " + text_of(rows_of(*other));
   }
-  return {};
-}
-
-std::string complaint_against_oracle(Bytes bytes, const std::string& name) {
-  const std::string_view text = text_of(bytes);
-  if (!is_for_oracle(text)) return {};
-  const std::optional<PointFile> file = file_read(text, name);
-  const std::optional<Rows> truth = rows_for_oracle(text, name);
-  if (file.has_value() != truth.has_value()) {
-    return file ? "the oracle refuses, and the library reads " + text_of(rows_of(*file))
-                : "the library refuses, and the oracle reads " + text_of(*truth);
-  }
-  if (!file || same_bits(rows_of(*file), *truth)) return {};
-  return text_of(rows_of(*file)) + "are, for the oracle, " + text_of(*truth);
+  return complaint_against_oracle(bytes, name);
 }
 
 }  // namespace flowcert::fuzz

@@ -28,12 +28,10 @@ namespace flowcert::fuzz {
 }
 
 // All rows of a point file `name` must be finite, and be the same bit for bit when written as XYZ and read again.
-// Reading the bytes by content must give the same rows, if it finds the same format.
+// Reading the bytes by content must give the same rows, if it finds the same format. The oracle's own reader must
+// accept the same XYZ and OBJ files, with the same rows. This is for files that the oracle means to read: not
+// compressed, with LF or CR LF only, without a byte order mark.
 [[nodiscard]] std::string complaint_about_points(Bytes bytes, const std::string& name);
-
-// The oracle's own reader must accept the same files, with the same rows. This is for XYZ and OBJ, and for files that
-// the oracle means to read: not compressed, with LF or CR LF only, without a byte order mark.
-[[nodiscard]] std::string complaint_against_oracle(Bytes bytes, const std::string& name);
 
 // The numbers of a claim of the format with this Claim::format must be in their ranges. If it names only rows of a
 // fixed small input, it must be possible to judge it.

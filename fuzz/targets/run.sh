@@ -21,9 +21,14 @@ build() {
 fuzz_targets() { (cd fuzz/corpus && printf '%s\n' *); }
 
 list_fuzz_targets() {
-  local target
+  local target file
   for target in $(fuzz_targets); do
-    printf '  %-20s %s\n' "$target" "$(sed -n '1s|^// ||p' "fuzz/targets/$target.cpp")"
+    file=fuzz/targets/$target.cpp
+    case "$target" in
+      read_xyz | read_off | read_ply | read_obj) file=fuzz/targets/read_points.cpp ;;
+      read_exchange | read_csv | read_giesen_kuehne | read_vtp) file=fuzz/targets/read_claims.cpp ;;
+    esac
+    printf '  %-20s %s\n' "$target" "$(sed -n '1s|^// ||p' "$file")"
   done
 }
 

@@ -1,7 +1,7 @@
 // A fuzz target is one function from bytes to a complaint.
 //
-// Guarantees: none here. Each target has a file of its name that defines the function. entry_point.cpp makes it what
-// libFuzzer and AFL++ call, and replay.cpp runs it on files.
+// Guarantees: none here. Each target has a file that defines the function; read_points.cpp and read_claims.cpp serve a
+// target for each format. entry_point.cpp makes it what libFuzzer and AFL++ call, and replay.cpp runs it on files.
 #pragma once
 
 #include <string>

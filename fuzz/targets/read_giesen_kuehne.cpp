@@ -1,9 +1,0 @@
-// Claims in Giesen and Kuehne's format: refused in one line, or read and judged.
-#include "fuzz/targets/reading.h"
-#include "fuzz/targets/target.h"
-
-namespace flowcert::fuzz {
-
-std::string complaint_of(Bytes bytes) { return complaint_about_claim(bytes, "giesen-kuehne"); }
-
-}  // namespace flowcert::fuzz
