@@ -19,7 +19,6 @@
 #include <cstring>
 #include <memory>
 #include <new>
-#include <ranges>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -428,7 +427,8 @@ class Work {
       if (!workers_[k]->reader().read_more()) ended.push_back(k);
       take_messages(*workers_[k]);
     }
-    for (const std::size_t k : ended | std::views::reverse) take_end(k);
+    std::ranges::reverse(ended);
+    for (const std::size_t k : ended) take_end(k);
   }
 
   void take_messages(Worker& worker) {

@@ -4,7 +4,6 @@
 #include <iterator>
 #include <map>
 #include <numeric>
-#include <ranges>
 
 #include "certify/finding_words.h"
 
@@ -123,8 +122,9 @@ void Boundaries::conclude() {
   for (std::size_t i = 0; i < run_.truth.size(); ++i) {
     if (run_.index(i) == StationaryIndex{2, 2}) values[i] = run_.truth.sphere(i).squared_radius;
   }
-  std::vector<std::size_t> columns(values.size());
-  std::ranges::copy(values | std::views::keys, columns.begin());
+  std::vector<std::size_t> columns;
+  columns.reserve(values.size());
+  for (const auto& [record, value] : values) columns.push_back(record);
   std::ranges::stable_sort(columns, {}, [&](std::size_t i) -> const Rational& { return values.at(i); });
   const auto value_of = [&](const Question& question) -> const Rational& {
     return values.at(run_.placed[question.k].place->record);
