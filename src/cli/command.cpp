@@ -45,7 +45,9 @@ Input read_input(const std::string& path) {
 }
 
 FlowOptions FlowChoice::options() const {
-  return {.kernel = kernel == "exact" ? ConstructionKernel::kExact : ConstructionKernel::kLazy,
+  return {.kernel = kernel == "exact"  ? ConstructionKernel::kExact
+                    : kernel == "lazy" ? ConstructionKernel::kLazy
+                                       : ConstructionKernel::kCascade,
           .search = search == "linear" ? FacetSearch::kLinear : FacetSearch::kBinary};
 }
 
@@ -53,8 +55,9 @@ std::array<CLI::Option*, 2> add_flow_options(CLI::App& command, FlowChoice& choi
   CLI::Option* kernel =
       command
           .add_option("--kernel", choice.kernel,
-                      "How points on orbits are represented: lazy (CGAL's Epeck) or exact (rationals, slow)")
-          ->check(CLI::IsMember({"lazy", "exact"}))
+                      "How points on orbits are represented: cascade (directions with a bound on their angle), lazy "
+                      "(CGAL's Epeck) or exact (rationals, slow)")
+          ->check(CLI::IsMember({"cascade", "lazy", "exact"}))
           ->capture_default_str();
   CLI::Option* search =
       command

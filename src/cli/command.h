@@ -38,7 +38,7 @@ struct Input {
 
 // The options --kernel and --search, which say how orbits are computed, not what they are.
 struct FlowChoice {
-  std::string kernel = "lazy";    // or "exact"
+  std::string kernel = "lazy";    // or "cascade", "exact"
   std::string search = "binary";  // or "linear"
 
   [[nodiscard]] FlowOptions options() const;

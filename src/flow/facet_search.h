@@ -16,6 +16,7 @@
 namespace flowcert::flow {
 
 // centers(cluster) is the constructed point of a cluster, which Centers keeps; centers.point(v) is a sample.
+// centers.side_of_ray tells SideOfRay for an element of the ring that is a Voronoi vertex.
 template <ConstructsPoints Kernel, class Centers>
 class RingQuery {
  public:
@@ -76,7 +77,7 @@ class RingQuery {
   // The side of the ray: positive for an element counterclockwise of it.
   [[nodiscard]] Sign side(std::size_t k) {
     const RingElement& e = element(k);
-    if (e.vertex != kNoCell) return kernel_.sign(SideOfRay{x_, p0_, p1_, centers_(e.vertex)});
+    if (e.vertex != kNoCell) return centers_.side_of_ray(x_, p0_, p1_, ring_, k % n_);
     return times(e.factor, kernel_.sign(RayAtInfinity{x_, p0_, p1_, centers_.point(e.apex)}));
   }
 

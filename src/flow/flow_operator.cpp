@@ -8,6 +8,7 @@
 namespace flowcert::flow {
 
 std::unique_ptr<FlowOperator> make_flow_operator(VoronoiFaces& faces, FlowOptions options) {
+  if (options.kernel == ConstructionKernel::kCascade) return make_cascade_operator(faces, options.search);
   if (options.kernel == ConstructionKernel::kLazy) {
     return std::make_unique<KernelFlowOperator<LazyKernel>>(faces, options.search);
   }

@@ -59,9 +59,9 @@ class KernelFlowOperator final : public FlowOperator {
     std::size_t low = 0, high = chain.count - 1;
     while (low < high) {
       const std::size_t probe = search_ == FacetSearch::kBinary ? (low + high) / 2 : low;
-      const CellIndex cluster = ring.elements[(chain.first + 1 + probe) % n].vertex;
-      const Sign sign =
-          kernel_.sign(SideOfRay{number_of(front), faces_.point(facet.v0), faces_.point(facet.v1), center(cluster)});
+      const std::size_t element = (chain.first + 1 + probe) % n;
+      const CellIndex cluster = ring.elements[element].vertex;
+      const Sign sign = side_of_ray(number_of(front), faces_.point(facet.v0), faces_.point(facet.v1), ring, element);
       if (sign == Sign::kZero) return {Place::at_vertex(cluster), false, kInfiniteVertex};
       (sign == Sign::kPositive ? low : high) = sign == Sign::kPositive ? probe + 1 : probe;
     }
@@ -101,11 +101,32 @@ class KernelFlowOperator final : public FlowOperator {
     KernelFlowOperator& flow;
     PointNumber operator()(CellIndex cluster) const { return flow.center(cluster); }
     const Point& point(VertexIndex v) const { return flow.faces_.point(v); }
+    Sign side_of_ray(PointNumber x, const Point& p0, const Point& p1, const FacetRing& ring, std::size_t k) const {
+      return flow.side_of_ray(x, p0, p1, ring, k);
+    }
   };
   using Query = RingQuery<Kernel, const Centers>;
 
-  // The Voronoi vertex, constructed when first needed. It is kept until drop_all().
+  // The side of the ray from the facet's midpoint through x on which an element of its ring lies, a Voronoi vertex.
+  Sign side_of_ray(PointNumber x, const Point& p0, const Point& p1, const FacetRing& ring, std::size_t element) {
+    if constexpr (Kernel::kConstructsVertices) {
+      return kernel_.sign(SideOfRay{x, p0, p1, center(ring.elements[element].vertex)});
+    } else {
+      const std::size_t n = ring.pieces.size();
+      return kernel_.sign(OrderOfExits{x, p0, p1, faces_.point(ring.pieces[(element + n - 1) % n].apex),
+                                       faces_.point(ring.pieces[element].apex)});
+    }
+  }
+
+  // The Voronoi vertex, constructed when first needed. A kernel that constructs vertices for its signs keeps it until
+  // drop_all().
   PointNumber center(CellIndex cluster) {
+    if constexpr (!Kernel::kConstructsVertices) {
+      const auto& v = faces_.delaunay().vertices(cluster);
+      return kernel_.add_circumcenter(
+          std::array{&faces_.point(v[0]), &faces_.point(v[1]), &faces_.point(v[2]), &faces_.point(v[3])},
+          Stay::kPassing);
+    }
     if (center_of_.empty()) center_of_.assign(faces_.delaunay().finite_count, kNoPoint);
     PointNumber& number = center_of_[cluster];
     if (number == kNoPoint) {

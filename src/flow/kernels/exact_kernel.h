@@ -10,6 +10,8 @@ namespace flowcert::flow {
 
 class ExactKernel {
  public:
+  static constexpr bool kConstructsVertices = true;
+
   explicit ExactKernel(KernelTally& tally) : tally_(tally) {}
 
   [[nodiscard]] PointNumber add(const RationalPoint& x) { return points_.keep({x[0], x[1], x[2]}); }
@@ -30,7 +32,7 @@ class ExactKernel {
   }
   template <class Query>
   [[nodiscard]] MaybeSign sign_on_rung(const Query& query, KernelRung rung) {
-    if (rung == KernelRung::kFilter) return std::nullopt;
+    if (rung != KernelRung::kExact) return std::nullopt;
     return sign_of(query.form(In{points_})(points_[query.x]));
   }
 

@@ -2,7 +2,8 @@
 //
 // Guarantees of every kernel: signs and coordinates are exact. A point is a number that the kernel gives out; its
 // storage, and the history that it may keep of a point, are its own. Requirements are written here once, as a
-// concept; LazyKernel and ExactKernel are its models. Not for two threads at once. Source: paper, sections 5.2, 6.
+// concept; CascadeKernel, LazyKernel and ExactKernel are its models. Not for two threads at once. Source: paper,
+// sections 5.2, 6.
 #pragma once
 
 #include <array>
@@ -21,8 +22,9 @@
 
 namespace flowcert::flow {
 
-// A sign comes from a kernel's filter, which may leave it open, or from its exact numbers.
-enum class KernelRung { kFilter, kExact };
+// A sign comes from a kernel's filter, or from an intermediate precision if it has one. Both may leave it open. Its
+// exact numbers answer always.
+enum class KernelRung { kFilter, kExtended, kExact };
 
 // A lasting point stays until drop_all(), and its number has kLasting.
 enum class Stay { kPassing, kLasting };
@@ -46,8 +48,13 @@ concept ConstructsPoints = std::constructible_from<K, KernelTally&> && answers_e
   // crosses the bisector of q (`crossing` in steering.h).
   { kernel.add(position) } -> std::same_as<PointNumber>;
   { kernel.add_crossing(x, p, p, p) } -> std::same_as<PointNumber>;
-  // Keeps the centre of the circle or sphere through 3 or 4 points, which are affinely independent.
+  // Keeps the centre of the circle or sphere through 3 or 4 points, which are affinely independent. Four of them are
+  // positively oriented.
   { kernel.add_circumcenter(simplex, stay) } -> std::same_as<PointNumber>;
+
+  // Whether the flow asks on which side of a ray a Voronoi vertex lies by constructing the vertex (SideOfRay), or by
+  // the samples that make it (OrderOfExits).
+  { K::kConstructsVertices } -> std::convertible_to<bool>;
 
   { kernel.exact(x) } -> std::same_as<RationalPoint>;
   // How many bytes the coordinates take, where they have been computed exactly.
@@ -78,10 +85,14 @@ class PointStorage {
     values.push_back(std::move(value));
     return static_cast<PointNumber>(values.size() - 1) | (stay == Stay::kLasting ? kLasting : 0);
   }
+  [[nodiscard]] bool has(PointNumber number) const {
+    return (number & kLasting) != 0 ? (number ^ kLasting) < lasting_.size() : number < passing_.size();
+  }
   const Value& operator[](PointNumber number) const {
-    FLOWCERT_REQUIRES((number & kLasting) != 0 ? (number ^ kLasting) < lasting_.size() : number < passing_.size());
+    FLOWCERT_REQUIRES(has(number));
     return (number & kLasting) != 0 ? lasting_[number ^ kLasting] : passing_[number];
   }
+  [[nodiscard]] Value& at(PointNumber number) { return const_cast<Value&>((*this)[number]); }
   [[nodiscard]] PointNumber kept() const { return static_cast<PointNumber>(passing_.size()); }
   void drop_from(PointNumber number) {
     FLOWCERT_REQUIRES(number <= kept());

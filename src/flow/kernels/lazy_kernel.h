@@ -28,6 +28,7 @@ class LazyKernel {
   // A longer chain is computed exactly, and its history is dropped. CGAL walks a history by recursion, and the stack
   // ends somewhere beyond 20,000.
   static constexpr std::size_t kLongestChain = 1000;
+  static constexpr bool kConstructsVertices = true;
 
   explicit LazyKernel(KernelTally& tally) : tally_(tally) {}
 
@@ -66,6 +67,7 @@ class LazyKernel {
   template <class Query>
   [[nodiscard]] MaybeSign sign_on_rung(const Query& query, KernelRung rung) {
     if (rung == KernelRung::kFilter) return sign_in_intervals(query);
+    if (rung == KernelRung::kExtended) return std::nullopt;
     return sign_in_integers(query);
   }
 

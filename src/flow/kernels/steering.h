@@ -76,6 +76,23 @@ struct SideOfRay {
   }
 };
 
+// h_j <x-m, g_i> - h_i <x-m, g_j>, with g = 2 (q-m) and h = <q-p0, q-p1>: the side of the ray from m through x on which
+// the point lies that is equally far from p0, p1, qi and qj. It is SideOfRay of that point c if <g_i ^ g_j, p0p1> is
+// positive, so if qj follows qi counterclockwise around the facet. (c-m solves <c-m, g> = h for both.)
+struct OrderOfExits {
+  static constexpr FlowPrimitive kPrimitive = FlowPrimitive::kSideOfRay;
+  PointNumber x;
+  const Point &p0, &p1, &qi, &qj;
+
+  template <class At>
+  [[nodiscard]] auto form(const At& at) const {
+    const auto v0 = at(p0), v1 = at(p1), wi = at(qi), wj = at(qj);
+    using Number = std::remove_cvref_t<decltype(v0.x)>;
+    const Number hi = dot(wi - v0, wi - v1), hj = dot(wj - v0, wj - v1);
+    return linear_form(hj * from_midpoint(wi, v0, v1) - hi * from_midpoint(wj, v0, v1), 2, v0 + v1);
+  }
+};
+
 // <x-m, q-m>: whether the ray from m through x approaches the bisector of q. This is the sign of Eq. 5 for the
 // Voronoi ray of p0 p1 q. The direction of that ray is +-(p1-p0) x (q-p0), and <d x (e x g), e> = <d,g> <e,e> for d
 // orthogonal to e.
@@ -177,8 +194,8 @@ struct NearerExit {
 // A kernel answers each of these.
 template <class... Query>
 struct QueryList {};
-using SteeringQueries =
-    QueryList<SideOfRay, RayAtInfinity, AroundStart, RayAroundStart, AlongRay, BeforePoint, AlongEdge, NearerExit>;
+using SteeringQueries = QueryList<SideOfRay, OrderOfExits, RayAtInfinity, AroundStart, RayAroundStart, AlongRay,
+                                  BeforePoint, AlongEdge, NearerExit>;
 
 // ---- Constructions ----
 

@@ -20,8 +20,9 @@ namespace flowcert {
 
 // How constructed points are represented.
 enum class ConstructionKernel : std::uint8_t {
-  kLazy,   // CGAL's Epeck: intervals with their history, exact rationals where they do not decide
-  kExact,  // rationals throughout; slow on long orbits, for comparison
+  kCascade,  // directions with a bound on their angle; a longer precision, then integers, where that does not decide
+  kLazy,     // CGAL's Epeck: intervals with their history, exact rationals where they do not decide
+  kExact,    // rationals throughout; slow on long orbits, for comparison
 };
 
 // How to find the Voronoi edge at which an orbit leaves a facet of n edges.

@@ -1,0 +1,370 @@
+// The construction kernel for cascades: a point is a recipe, and its direction from the facet that it is about to
+// cross is carried along with one bound on its angle. Three precisions decide a sign, one after the other: doubles,
+// an intermediate floating-point type, and integers.
+//
+// Guarantees: exact. A sign that doubles or the intermediate type decide is beyond their proven bound
+// (spec/cascades.md); integers decide the others. A direction that a higher precision had to compute is handed down
+// to the lower ones, so that what follows begins anew with a small error. Recipes are replayed in a loop, so that no
+// length of a cascade exhausts the stack.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "flow/kernels/direction.h"
+#include "flow/kernels/exact_direction.h"
+#include "flow/kernels/kernel.h"
+
+namespace flowcert::flow {
+
+class CascadeKernel {
+ public:
+  static constexpr bool kConstructsVertices = false;
+
+  explicit CascadeKernel(KernelTally& tally) : tally_(tally) {}
+
+  [[nodiscard]] PointNumber add(const RationalPoint& x) {
+    Kept point;
+    point.kind = Kind::kGiven;
+    point.refined = std::make_unique<Refined>();
+    point.refined->given = x;
+    return points_.keep(std::move(point));
+  }
+
+  [[nodiscard]] PointNumber add_crossing(PointNumber from, const Point& p0, const Point& p1, const Point& q) {
+    ++tally_[FlowPrimitive::kCrossing].calls;
+    // Within a Voronoi cell there is no facet. Only a given start crosses one.
+    if (&p0 == &p1) return add(exact_crossing(from, {&p0, &p1}, q));
+    Kept point;
+    point.kind = Kind::kCrossing;
+    point.depth = points_[from].depth + 1;
+    point.from = from;
+    point.samples = {&p0, &p1, &q, nullptr};
+    point.arrival = direction_in_doubles(from, {&p0, &p1});
+    if (!point.arrival.is_known) ++tally_[FlowPrimitive::kCrossing].failures;
+    return points_.keep(std::move(point));
+  }
+
+  [[nodiscard]] PointNumber add_circumcenter(std::span<const Point* const> simplex, Stay stay) {
+    ++tally_[FlowPrimitive::kCircumcenter].calls;
+    Kept point;
+    point.kind = simplex.size() == 3 ? Kind::kCircle : Kind::kSphere;
+    point.depth = 1;
+    std::copy(simplex.begin(), simplex.end(), point.samples.begin());
+    return points_.keep(std::move(point), stay);
+  }
+
+  template <class Query>
+  [[nodiscard]] Sign sign(const Query& query) {
+    ++tally_[Query::kPrimitive].calls;
+    if (const MaybeSign sign = sign_in_doubles(query)) return *sign;
+    ++tally_[Query::kPrimitive].failures;
+    if (const MaybeSign sign = sign_in_extended(query)) return *sign;
+    return sign_in_integers(query);
+  }
+  template <class Query>
+  [[nodiscard]] MaybeSign sign_on_rung(const Query& query, KernelRung rung) {
+    if (rung == KernelRung::kFilter) return sign_in_doubles(query);
+    if (rung == KernelRung::kExtended) return sign_in_extended(query);
+    return sign_in_integers(query);
+  }
+
+  [[nodiscard]] RationalPoint exact(PointNumber number) {
+    const Kept& x = points_[number];
+    const auto in = [](const Point& p) { return Vector3<Rational>{Rational(p.x), Rational(p.y), Rational(p.z)}; };
+    const auto as_point = [](const Vector3<Rational>& v) { return RationalPoint{v.x, v.y, v.z}; };
+    const auto& p = x.samples;
+    switch (x.kind) {
+      case Kind::kGiven:
+        return x.refined->given;
+      case Kind::kCircle:
+        return as_point(circumcenter(in(*p[0]), in(*p[1]), in(*p[2])));
+      case Kind::kSphere:
+        return as_point(circumcenter(in(*p[0]), in(*p[1]), in(*p[2]), in(*p[3])));
+      case Kind::kCrossing:
+        break;
+    }
+    return exact_crossing(x.from, {p[0], p[1]}, *p[2]);
+  }
+  // How many bytes the components of the integer direction take, where it was needed.
+  [[nodiscard]] std::optional<std::array<std::size_t, 3>> exact_bytes(PointNumber number) const {
+    const Kept& x = points_[number];
+    if (!x.refined || !x.refined->has_integers) return std::nullopt;
+    const auto bytes = [](const BigInteger& value) { return (mpz_sizeinbase(value.backend().data(), 2) + 7) / 8; };
+    const IntegerDirection& u = x.refined->integers;
+    return std::array{bytes(u.x), bytes(u.y), bytes(u.z)};
+  }
+  // The number of crossings in the recipe, and its start.
+  [[nodiscard]] std::size_t depth(PointNumber x) const { return points_[x].depth; }
+
+  [[nodiscard]] PointNumber kept() const { return points_.kept(); }
+  void drop_from(PointNumber x) { points_.drop_from(x); }
+  void drop_all() {
+    points_.drop_all();
+    with_integers_.clear();
+  }
+
+  // What each precision knows of the direction of a point from the midpoint of a facet, up to a positive factor.
+  [[nodiscard]] Direction<double> direction_in_doubles(PointNumber number, FacetEdge facet) {
+    Kept& x = points_.at(number);
+    if (x.facing == facet) return x.direction;
+    x.direction = first_direction<double>(x, facet);
+    x.facing = facet;
+    return x.direction;
+  }
+  [[nodiscard]] Direction<Extended> direction_in_extended(PointNumber number, FacetEdge facet) {
+    return refined_direction<InExtended>(number, facet);
+  }
+  [[nodiscard]] IntegerDirection direction_in_integers(PointNumber number, FacetEdge facet) {
+    return refined_direction<InIntegers>(number, facet);
+  }
+
+ private:
+  enum class Kind : std::uint8_t { kGiven, kCircle, kSphere, kCrossing };
+
+  // What higher precisions know of a point. Few points have it.
+  struct Refined {
+    RationalPoint given;  // kGiven
+    FacetEdge extended_facing, integer_facing;
+    Direction<Extended> extended;
+    IntegerDirection integers;
+    bool has_integers = false;
+  };
+  struct Kept {
+    Kind kind = Kind::kGiven;
+    std::uint32_t depth = 0;
+    PointNumber from = kNoPoint;            // kCrossing
+    std::array<const Point*, 4> samples{};  // of a crossing: p0, p1, q
+    FacetEdge facing;                       // `direction` is seen from here
+    Direction<double> direction;
+    Direction<double> arrival;  // of a crossing: the direction before it
+    std::unique_ptr<Refined> refined;
+
+    [[nodiscard]] FacetEdge crossed() const { return {samples[0], samples[1]}; }
+    [[nodiscard]] std::array<const Point*, 3> circle() const { return {samples[0], samples[1], samples[2]}; }
+  };
+
+  // ---- Doubles ----
+
+  // For a point that is not a crossing, and for a crossing whose arrival is known in this precision.
+  template <class Number>
+  [[nodiscard]] static Direction<Number> first_direction(const Kept& x, FacetEdge facet) {
+    switch (x.kind) {
+      case Kind::kGiven:
+        return rounded<Number>(exact_direction_from_position(x.refined->given, facet));
+      case Kind::kCircle:
+        return direction_from_circle<Number>(x.circle(), facet);
+      case Kind::kSphere:
+        return direction_from_vertex<Number>(x.samples, facet);
+      case Kind::kCrossing:
+        break;
+    }
+    if constexpr (std::is_same_v<Number, double>) {
+      return direction_across(x.arrival, x.crossed(), *x.samples[2], facet);
+    }
+    return {};
+  }
+
+  // ---- Higher precisions ----
+
+  // An integer direction in floating point. Dropping what lies 300 bits below the longest component changes it by far
+  // less than the bound.
+  template <class Number>
+  [[nodiscard]] static Direction<Number> rounded(const IntegerDirection& u) {
+    std::size_t bits = 0;
+    for (const BigInteger* part : {&u.x, &u.y, &u.z}) {
+      if (*part != 0) bits = std::max(bits, mpz_sizeinbase(part->backend().data(), 2));
+    }
+    if (bits == 0) return {};
+    constexpr std::size_t kKeptBits = 300;
+    const std::size_t shift = bits > kKeptBits ? bits - kKeptBits : 0;
+    const auto part = [shift](const BigInteger& value) { return Extended(BigInteger(value >> shift)); };
+    const Vector3<Extended> v{part(u.x), part(u.y), part(u.z)};
+    return rounded<Number>(Direction<Extended>{Extended(1 / length(v)) * v, 0, true});
+  }
+  // The components are rounded once more.
+  template <class Number>
+  [[nodiscard]] static Direction<Number> rounded(const Direction<Extended>& x) {
+    const Extended error = x.error + Extended(kGivenStartBound * Precision<Number>::kRoundoff);
+    return {{static_cast<Number>(x.u.x), static_cast<Number>(x.u.y), static_cast<Number>(x.u.z)},
+            static_cast<Number>(error),
+            x.is_known};
+  }
+
+  struct InExtended {
+    using Value = Direction<Extended>;
+    static Value start(const Kept& x, FacetEdge facet) { return first_direction<Extended>(x, facet); }
+    static Value across(const Value& u, FacetEdge from, const Point& q, FacetEdge to) {
+      return direction_across(u, from, q, to);
+    }
+    static const Value* cached(const Kept& x, FacetEdge facet) {
+      return x.refined && x.refined->extended_facing == facet ? &x.refined->extended : nullptr;
+    }
+    static void keep(CascadeKernel&, PointNumber, Refined& refined, FacetEdge facet, const Value& value) {
+      refined.extended = value;
+      refined.extended_facing = facet;
+    }
+    static Direction<double> handed_down(const Value& value) { return rounded<double>(value); }
+  };
+  struct InIntegers {
+    using Value = IntegerDirection;
+    static Value start(const Kept& x, FacetEdge facet) {
+      if (x.kind == Kind::kGiven) return exact_direction_from_position(x.refined->given, facet);
+      if (x.kind == Kind::kSphere) return exact_direction_from_vertex(x.samples, facet);
+      return exact_direction_from_circle(x.circle(), facet);
+    }
+    static Value across(const Value& u, FacetEdge from, const Point& q, FacetEdge to) {
+      return exact_direction_across(u, from, q, to);
+    }
+    static const Value* cached(const Kept& x, FacetEdge facet) {
+      const bool is_there = x.refined && x.refined->has_integers && x.refined->integer_facing == facet;
+      return is_there ? &x.refined->integers : nullptr;
+    }
+    static void keep(CascadeKernel& kernel, PointNumber number, Refined& refined, FacetEdge facet, const Value& value) {
+      if (!refined.has_integers) kernel.limit_integers(number);
+      refined.integers = value;
+      refined.integer_facing = facet;
+      refined.has_integers = true;
+      refined.extended = rounded<Extended>(value);
+      refined.extended_facing = facet;
+    }
+    static Direction<double> handed_down(const Value& value) { return rounded<double>(value); }
+  };
+
+  // Goes back along the recipe to a point whose direction is there, and then forth again.
+  template <class Rung>
+  [[nodiscard]] typename Rung::Value refined_direction(PointNumber number, FacetEdge facet) {
+    replay_.clear();
+    FacetEdge edge = facet;
+    PointNumber at = number;
+    const typename Rung::Value* there = Rung::cached(points_[at], edge);
+    while (there == nullptr && points_[at].kind == Kind::kCrossing) {
+      replay_.push_back(at);
+      edge = points_[at].crossed();
+      at = points_[at].from;
+      there = Rung::cached(points_[at], edge);
+    }
+    if (there != nullptr && at == number) return *there;
+    typename Rung::Value value = there != nullptr ? *there : Rung::start(points_[at], edge);
+    while (!replay_.empty()) {
+      const Kept& passed = points_[replay_.back()];
+      replay_.pop_back();
+      const FacetEdge next = replay_.empty() ? facet : points_[replay_.back()].crossed();
+      value = Rung::across(value, passed.crossed(), *passed.samples[2], next);
+    }
+    Kept& x = points_.at(number);
+    if (!x.refined) x.refined = std::make_unique<Refined>();
+    Rung::keep(*this, number, *x.refined, facet, value);
+    const Direction<double> lower = Rung::handed_down(value);
+    if (lower.is_known) {
+      x.direction = lower;
+      x.facing = facet;
+    }
+    return value;
+  }
+
+  // Long integers are kept of the latest points alone: those of 10,000 crossings in a row take a gigabyte.
+  void limit_integers(PointNumber number) {
+    constexpr std::size_t kMost = 16;
+    if (with_integers_.size() < kMost) {
+      with_integers_.push_back(number);
+      return;
+    }
+    PointNumber& oldest = with_integers_[oldest_integers_++ % kMost];
+    if (points_.has(oldest) && points_[oldest].refined) {
+      points_.at(oldest).refined->integers = {};
+      points_.at(oldest).refined->has_integers = false;
+    }
+    oldest = number;
+  }
+
+  [[nodiscard]] RationalPoint exact_crossing(PointNumber from, FacetEdge facet, const Point& q) {
+    const IntegerDirection u = direction_in_integers(from, facet);
+    const ExactBisector seen(facet, q);
+    const Rational scale =
+        Rational(std::ldexp(1.0, seen.grid.exponent())) * Rational(seen.h, BigInteger(dot(u, seen.g)));
+    const auto at = [&](double one, double other, const BigInteger& part) {
+      return Rational((Rational(one) + Rational(other)) / 2 + scale * Rational(part));
+    };
+    return {at(facet.p0->x, facet.p1->x, u.x), at(facet.p0->y, facet.p1->y, u.y), at(facet.p0->z, facet.p1->z, u.z)};
+  }
+
+  // ---- Signs ----
+
+  // A direction decides these; other queries are about starts that were given, and go to exact positions.
+  [[nodiscard]] MaybeSign sign_in_doubles(const RayAtInfinity& k) {
+    return approach_sign(direction_in_doubles(k.x, {&k.p0, &k.p1}), {&k.p0, &k.p1}, k.q);
+  }
+  [[nodiscard]] MaybeSign sign_in_doubles(const OrderOfExits& k) {
+    return order_sign(direction_in_doubles(k.x, {&k.p0, &k.p1}), {&k.p0, &k.p1}, k.qi, k.qj);
+  }
+  [[nodiscard]] MaybeSign sign_in_doubles(const AlongEdge& k) {
+    const Kept& x = points_[k.x];
+    if (x.kind != Kind::kCrossing) return std::nullopt;
+    return normal_sign(x.arrival, k.a, k.b, k.c);
+  }
+  template <class Query>
+  [[nodiscard]] MaybeSign sign_in_doubles(const Query&) {
+    return std::nullopt;
+  }
+
+  [[nodiscard]] MaybeSign sign_in_extended(const RayAtInfinity& k) {
+    return approach_sign(direction_in_extended(k.x, {&k.p0, &k.p1}), {&k.p0, &k.p1}, k.q);
+  }
+  [[nodiscard]] MaybeSign sign_in_extended(const OrderOfExits& k) {
+    return order_sign(direction_in_extended(k.x, {&k.p0, &k.p1}), {&k.p0, &k.p1}, k.qi, k.qj);
+  }
+  [[nodiscard]] MaybeSign sign_in_extended(const AlongEdge& k) {
+    const Kept& x = points_[k.x];
+    if (x.kind != Kind::kCrossing) return std::nullopt;
+    const PointNumber from = x.from;
+    return normal_sign(direction_in_extended(from, x.crossed()), k.a, k.b, k.c);
+  }
+  template <class Query>
+  [[nodiscard]] MaybeSign sign_in_extended(const Query&) {
+    return std::nullopt;
+  }
+
+  [[nodiscard]] Sign sign_in_integers(const RayAtInfinity& k) {
+    return exact_approach_sign(direction_in_integers(k.x, {&k.p0, &k.p1}), {&k.p0, &k.p1}, k.q);
+  }
+  [[nodiscard]] Sign sign_in_integers(const OrderOfExits& k) {
+    return exact_order_sign(direction_in_integers(k.x, {&k.p0, &k.p1}), {&k.p0, &k.p1}, k.qi, k.qj);
+  }
+  [[nodiscard]] Sign sign_in_integers(const AlongEdge& k) {
+    const Kept& x = points_[k.x];
+    if (x.kind != Kind::kCrossing) return sign_of_form(k);
+    const PointNumber from = x.from;
+    return exact_normal_sign(direction_in_integers(from, x.crossed()), k.a, k.b, k.c);
+  }
+  template <class Query>
+  [[nodiscard]] Sign sign_in_integers(const Query& query) {
+    return sign_of_form(query);
+  }
+
+  struct InRationals {
+    CascadeKernel& kernel;
+
+    Vector3<Rational> operator()(PointNumber x) const {
+      const RationalPoint p = kernel.exact(x);
+      return {p[0], p[1], p[2]};
+    }
+    Vector3<Rational> operator()(const Point& p) const { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
+  };
+  template <class Query>
+  [[nodiscard]] Sign sign_of_form(const Query& query) {
+    const InRationals in{*this};
+    return geometry::sign_of(query.form(in)(in(query.x)));
+  }
+
+  KernelTally& tally_;
+  PointStorage<Kept> points_;
+  std::vector<PointNumber> replay_;         // scratch
+  std::vector<PointNumber> with_integers_;  // the latest points that have them
+  std::size_t oldest_integers_ = 0;
+};
+
+static_assert(ConstructsPoints<CascadeKernel>);
+
+}  // namespace flowcert::flow

@@ -1,0 +1,312 @@
+// The direction in which a moving point lies, seen from the midpoint m of the facet that it is about to cross, with a
+// bound on its error (spec/cascades.md).
+//
+// Guarantees: the true direction lies within the bound, for doubles and for every longer floating-point type that
+// rounds to nearest. Crossing a facet is linear in the direction, so nothing is divided by and no point is
+// constructed. A direction whose error is not known to be small is not known at all.
+#pragma once
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+
+#include "flow/kernels/layer.h"
+#include "flow/kernels/steering.h"
+#include "geometry/vector3.h"
+
+namespace flowcert::flow {
+
+// The intermediate precision. Its exponents have 32 bits, so that no power of doubles leaves its range.
+using Extended = boost::multiprecision::number<
+    boost::multiprecision::cpp_bin_float<256, boost::multiprecision::digit_base_2, void, std::int32_t>,
+    boost::multiprecision::et_off>;
+
+// What the bounds need to know of a floating-point type.
+template <class Number>
+struct Precision;
+
+template <>
+struct Precision<double> {
+  static constexpr double kRoundoff = 0x1p-53;
+  // Of the square of a length. All terms of degree 10 in such lengths are normal doubles, and so are their errors.
+  static bool is_in_range(double square) { return square >= 1e-50 && square <= 1e50; }
+};
+
+template <>
+struct Precision<Extended> {
+  static constexpr double kRoundoff = 0x1p-256;
+  static bool is_in_range(const Extended& square) { return square > 0; }
+};
+
+// ---- Constants of the bounds, in units of the roundoff (spec/cascades.md derives them) ----
+
+inline constexpr double kVertexStartBound = 24;  // times |a||b||c| (|a|+|b|+|c|+W)
+inline constexpr double kCircleStartBound = 32;  // times |a|^2 |b|^2 (|a|+|b|+W)
+inline constexpr double kSideStartBound = 24;    // times |e|^2 |c-p0|
+inline constexpr double kGivenStartBound = 8;    // relative
+inline constexpr double kCrossingBound = 40;     // times L^2
+inline constexpr double kAngleFormBound = 2;     // an angle h at q, times G^2
+inline constexpr double kHeightBound = 6;        // an angle at the corner that is left behind, times L^2
+inline constexpr double kExitBound = 20;         // <U,g>, times G
+inline constexpr double kOrderBound = 8;         // h_j <U,g_i> - h_i <U,g_j>, times G_i G_j (G_i + G_j)
+inline constexpr double kNormalBound = 24;       // <U,n>, times |b-a||c-a|
+
+// The Delaunay edge of a facet.
+struct FacetEdge {
+  const Point* p0 = nullptr;
+  const Point* p1 = nullptr;
+
+  friend bool operator==(const FacetEdge&, const FacetEdge&) = default;
+};
+
+template <class Number>
+struct Direction {
+  Vector3<Number> u{};
+  // The tangent of the angle between u and the true direction, in the facet's plane, is at most this. u is at most a
+  // little longer than 1, and leaves the plane by rounding alone.
+  Number error{};
+  bool is_known = false;
+};
+
+template <class Number>
+[[nodiscard]] Vector3<Number> difference(const Point& from, const Point& to) {
+  if constexpr (std::is_same_v<Number, double>) {
+    return geometry::vector_between(from, to);
+  } else {
+    return {Number(to.x) - Number(from.x), Number(to.y) - Number(from.y), Number(to.z) - Number(from.z)};
+  }
+}
+
+template <class Number>
+[[nodiscard]] Number length(const Vector3<Number>& v) {
+  using std::sqrt;
+  return sqrt(dot(v, v));
+}
+
+// Projects y to the plane orthogonal to e, and shortens it to 1. y has an error of at most `bound`. The angle of this
+// error is what is known of the direction.
+template <class Number>
+[[nodiscard]] Direction<Number> direction_of_vector(const Vector3<Number>& y, const Number& bound,
+                                                    const Vector3<Number>& e) {
+  using std::sqrt;
+  const Number yy = dot(y, y), ee = dot(e, e);
+  if (!Precision<Number>::is_in_range(ee)) return {};
+  const Number inverse = Number(1) / sqrt(yy);
+  const Number error = bound * inverse;
+  if (!(error < Number(0.0625))) return {};
+  return {inverse * (y - Number(dot(y, e) / ee) * e), error * (Number(1) + Number(2) * error), true};
+}
+
+// ---- Starts ----
+
+// From the centre of the sphere through four points, positively oriented.
+template <class Number>
+[[nodiscard]] Direction<Number> direction_from_vertex(const std::array<const Point*, 4>& v, FacetEdge facet) {
+  const Vector3<Number> a = difference<Number>(*v[0], *v[1]), b = difference<Number>(*v[0], *v[2]),
+                        c = difference<Number>(*v[0], *v[3]);
+  const Vector3<Number> w0 = difference<Number>(*facet.p0, *v[0]), w1 = difference<Number>(*facet.p1, *v[0]);
+  const geometry::Circumsphere<Number> sphere = geometry::circumsphere(a, b, c);
+  const Number na = length(a), nb = length(b), nc = length(c), product = na * nb * nc;
+  const Number bound =
+      Number(kVertexStartBound * Precision<Number>::kRoundoff) * product * (na + nb + nc + length(w0) + length(w1));
+  if (!Precision<Number>::is_in_range(std::min({na, nb, nc}) * std::min({na, nb, nc})) ||
+      !Precision<Number>::is_in_range(std::max({na, nb, nc}) * std::max({na, nb, nc}))) {
+    return {};
+  }
+  return direction_of_vector<Number>(sphere.numerator + sphere.determinant * (w0 + w1), bound,
+                                     difference<Number>(*facet.p0, *facet.p1));
+}
+
+// From the centre of the circle through the ends of the facet's edge and c.
+template <class Number>
+[[nodiscard]] Direction<Number> direction_from_side(const Point& c, FacetEdge facet) {
+  const Vector3<Number> e = difference<Number>(*facet.p0, *facet.p1), a = difference<Number>(*facet.p0, c),
+                        b = difference<Number>(*facet.p1, c);
+  const Number ee = dot(e, e), aa = dot(a, a), h = dot(a, b);
+  const Number uncertain = Number(2 * kAngleFormBound * Precision<Number>::kRoundoff) * (aa + dot(b, b));
+  if (!Precision<Number>::is_in_range(aa) || !(h > uncertain || h < -uncertain)) return {};
+  using std::sqrt;
+  const Number bound = Number(kSideStartBound * Precision<Number>::kRoundoff) * ee * sqrt(aa);
+  const Vector3<Number> y = ee * a - Number(dot(a, e)) * e;
+  return direction_of_vector<Number>(h > 0 ? y : Number(-1) * y, bound, e);
+}
+
+// From the centre of the circle through three points.
+template <class Number>
+[[nodiscard]] Direction<Number> direction_from_circle(const std::array<const Point*, 3>& v, FacetEdge facet) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point *one = v[(k + 1) % 3], *other = v[(k + 2) % 3];
+    if ((facet.p0 == one && facet.p1 == other) || (facet.p0 == other && facet.p1 == one)) {
+      return direction_from_side<Number>(*v[k], facet);
+    }
+  }
+  const Vector3<Number> a = difference<Number>(*v[0], *v[1]), b = difference<Number>(*v[0], *v[2]);
+  const Vector3<Number> w0 = difference<Number>(*facet.p0, *v[0]), w1 = difference<Number>(*facet.p1, *v[0]);
+  const Vector3<Number> n = cross(a, b);
+  const Number aa = dot(a, a), bb = dot(b, b);
+  if (!Precision<Number>::is_in_range(aa) || !Precision<Number>::is_in_range(bb)) return {};
+  const Number bound = Number(kCircleStartBound * Precision<Number>::kRoundoff) * aa * bb *
+                       (length(a) + length(b) + length(w0) + length(w1));
+  const Vector3<Number> y = Number(dot(n, n)) * (w0 + w1) + cross(aa * b - bb * a, n);
+  return direction_of_vector<Number>(y, bound, difference<Number>(*facet.p0, *facet.p1));
+}
+
+// ---- Seen by a neighbour q of the facet ----
+
+template <class Number>
+struct Bisector {
+  Vector3<Number> a, b, g;  // q-p0, q-p1, and their sum
+  Number h;                 // <a,b>
+  Number squared_size;      // G^2 = 2 (|a|^2 + |b|^2), which is |g|^2 + |p1-p0|^2
+};
+
+template <class Number>
+[[nodiscard]] Bisector<Number> bisector(FacetEdge facet, const Point& q) {
+  Bisector<Number> seen;
+  seen.a = difference<Number>(*facet.p0, q);
+  seen.b = difference<Number>(*facet.p1, q);
+  seen.g = seen.a + seen.b;
+  seen.h = dot(seen.a, seen.b);
+  seen.squared_size = Number(2) * (dot(seen.a, seen.a) + dot(seen.b, seen.b));
+  return seen;
+}
+
+// ---- Signs. They are linear forms in the direction. ----
+
+[[nodiscard]] inline geometry::MaybeSign sign_beyond_bound(double value, double bound) {
+  return geometry::sign_beyond(value, bound);
+}
+[[nodiscard]] inline geometry::MaybeSign sign_beyond_bound(const Extended& value, const Extended& bound) {
+  if (value > bound) return Sign::kPositive;
+  if (value < -bound) return Sign::kNegative;
+  return std::nullopt;
+}
+
+// RayAtInfinity: <U,g>.
+template <class Number>
+[[nodiscard]] geometry::MaybeSign approach_sign(const Direction<Number>& x, FacetEdge facet, const Point& q) {
+  using std::sqrt;
+  const Bisector<Number> seen = bisector<Number>(facet, q);
+  if (!x.is_known || !Precision<Number>::is_in_range(seen.squared_size)) return std::nullopt;
+  return sign_beyond_bound(dot(x.u, seen.g), (x.error + Number(kExitBound * Precision<Number>::kRoundoff)) *
+                                                 Number(sqrt(seen.squared_size)));
+}
+
+// OrderOfExits: h_j <U,g_i> - h_i <U,g_j>.
+template <class Number>
+[[nodiscard]] geometry::MaybeSign order_sign(const Direction<Number>& x, FacetEdge facet, const Point& qi,
+                                             const Point& qj) {
+  using std::abs;
+  using std::sqrt;
+  const Bisector<Number> i = bisector<Number>(facet, qi), j = bisector<Number>(facet, qj);
+  if (!x.is_known || !Precision<Number>::is_in_range(i.squared_size) ||
+      !Precision<Number>::is_in_range(j.squared_size)) {
+    return std::nullopt;
+  }
+  const Number size_i = sqrt(i.squared_size), size_j = sqrt(j.squared_size);
+  const Number value = j.h * dot(x.u, i.g) - i.h * dot(x.u, j.g);
+  const Number spread = abs(j.h) * size_i + abs(i.h) * size_j;
+  return sign_beyond_bound(value, x.error * spread + Number(kOrderBound * Precision<Number>::kRoundoff) * size_i *
+                                                         size_j * (size_i + size_j));
+}
+
+// AlongEdge: <U,n>, of the direction before the crossing.
+template <class Number>
+[[nodiscard]] geometry::MaybeSign normal_sign(const Direction<Number>& x, const Point& a, const Point& b,
+                                              const Point& c) {
+  const Vector3<Number> ab = difference<Number>(a, b), ac = difference<Number>(a, c);
+  if (!x.is_known || !Precision<Number>::is_in_range(dot(ab, ab)) || !Precision<Number>::is_in_range(dot(ac, ac))) {
+    return std::nullopt;
+  }
+  return sign_beyond_bound(dot(x.u, cross(ab, ac)),
+                           (x.error + Number(kNormalBound * Precision<Number>::kRoundoff)) * length(ab) * length(ac));
+}
+
+// ---- Crossing a facet ----
+
+// The facet `from` is left through the polygon of q, and `to` belongs to another side of that polygon.
+template <class Number>
+struct Passage {
+  Vector3<Number> drop;           // the sum of the ends of `from` less those of `to`
+  Number height;                  // the angle under which a corner of the polygon sees `to`
+  Number squared_size;            // L^2
+  Number squared_area_ratio = 1;  // at most this: (area of q and `from` / area of that corner and `to`)^2
+};
+
+// The corner is an end of `from` that is none of `to`. If q is an end of `to`, the corner sees it by the same triangle
+// by which q sees `from`.
+template <class Number>
+[[nodiscard]] Passage<Number> passage(FacetEdge from, const Point& q, const Bisector<Number>& seen, FacetEdge to) {
+  using std::sqrt;
+  const bool keeps_p0 = to.p0 == from.p0 || to.p1 == from.p0, keeps_p1 = to.p0 == from.p1 || to.p1 == from.p1;
+  const Point& corner = keeps_p0 ? *from.p1 : *from.p0;
+  const Vector3<Number> to_0 = difference<Number>(*to.p0, corner), to_1 = difference<Number>(*to.p1, corner);
+  Passage<Number> way;
+  way.height = dot(to_0, to_1);
+  way.squared_size = seen.squared_size;
+  Number drop_size(0);
+  if (keeps_p0 || keeps_p1) {
+    const bool keeps_first = to.p0 == (keeps_p0 ? from.p0 : from.p1);
+    way.drop = keeps_first ? to_1 : to_0;
+    if ((keeps_first ? to.p1 : to.p0) == &q) return way;
+    drop_size = length(way.drop);
+  } else {
+    const Vector3<Number> other = difference<Number>(*to.p1, *from.p1);
+    way.drop = to_0 + other;
+    drop_size = length(to_0) + length(other);
+  }
+  const Number size = sqrt(seen.squared_size) + drop_size;
+  way.squared_size = size * size;
+  // Each cross product has an error of at most 6 roundoffs of the lengths' product.
+  const Number rounding(6 * Precision<Number>::kRoundoff);
+  const Number here = length(cross(seen.a, seen.b)) + rounding * length(seen.a) * length(seen.b);
+  const Number there = length(cross(to_0, to_1)) - rounding * length(to_0) * length(to_1);
+  way.squared_area_ratio = there > 0 ? Number(here * here / (there * there)) : Number(HUGE_VAL);
+  return way;
+}
+
+// The sign of s in x' = m + s u, or 0 if it is not certain. s is h / <u,g>.
+template <class Number>
+[[nodiscard]] int sign_of_way(const Number& approach, const Number& approach_bound, const Number& h,
+                              const Number& h_bound) {
+  if (approach > approach_bound || h > h_bound) return 1;
+  if (approach < -approach_bound || h < -h_bound) return -1;
+  return 0;
+}
+
+// u' = A drop + 2 h u, with A = <u,g>; backward (A, h < 0) its opposite.
+template <class Number>
+[[nodiscard]] Direction<Number> direction_across(const Direction<Number>& x, FacetEdge from, const Point& q,
+                                                 FacetEdge to) {
+  using std::abs;
+  using std::sqrt;
+  const Bisector<Number> seen = bisector<Number>(from, q);
+  if (!x.is_known || !Precision<Number>::is_in_range(seen.squared_size)) return {};
+  const Number roundoff(Precision<Number>::kRoundoff);
+  const Passage<Number> way = passage(from, q, seen, to);
+  const Vector3<Number> e = difference<Number>(*from.p0, *from.p1), next = difference<Number>(*to.p0, *to.p1);
+  const Number ee = dot(e, e), next_ee = dot(next, next);
+  if (!Precision<Number>::is_in_range(ee) || !Precision<Number>::is_in_range(next_ee)) return {};
+
+  const Number size = sqrt(seen.squared_size), approach = dot(x.u, seen.g);
+  const Number angle_bound = Number(kAngleFormBound) * roundoff * seen.squared_size;
+  const int sign = sign_of_way<Number>(approach, (x.error + Number(kExitBound) * roundoff) * size, seen.h, angle_bound);
+  if (sign == 0) return {};
+
+  const Vector3<Number> y = approach * way.drop + Number(2) * seen.h * x.u;
+  const Number inverse = Number(1) / sqrt(Number(dot(y, y)));
+  const Number rounding = Number(kCrossingBound) * roundoff * way.squared_size * inverse;
+  // The map's determinant in the facets' planes, and its norm.
+  const Number stretch = sqrt(Number(way.squared_area_ratio * next_ee / ee));
+  const Number height = (abs(way.height) + Number(kHeightBound) * roundoff * way.squared_size) * stretch;
+  const Number angle = abs(seen.h) + angle_bound;
+  const Number turn = Number(4) * angle * height * inverse * inverse;
+  const Number norm = Number(2) * std::max(angle, height) * inverse;
+  const Number slack = (turn + norm) * x.error + rounding;
+  if (!(slack < Number(0.0625))) return {};
+  const Number factor = sign > 0 ? inverse : Number(-inverse);
+  return {factor * (y - Number(dot(y, next) / next_ee) * next),
+          (turn * x.error + rounding) * (Number(1) + Number(8) * slack), true};
+}
+
+}  // namespace flowcert::flow
