@@ -57,6 +57,38 @@ FacetName doubly_obtuse_edge(const Diagram& diagram, const Boundary& boundary) {
   return {twice->first, twice->second};
 }
 
+// A Voronoi vertex of one cell. Its four facets are its polytope's polygons, and the cell's signs tell all of them.
+VertexFlow lone_vertex_flow(const Diagram& diagram, CellIndex cell) {
+  const VoronoiComplex& complex = diagram.complex();
+  const TetrahedronSigns& signs = complex.signs(cell);
+  VertexFlow flow;
+  std::size_t negative = 0, zeros = 0;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const Sign side = complex.side({cell, i});
+    zeros += side == Sign::kZero ? 1 : 0;
+    if (side != Sign::kNegative) continue;
+    ++negative;
+    if (signs.is_obtuse(i)) continue;
+    flow.way = VertexFlow::Way::kAlongEdge;
+    flow.edge = diagram.polygon({cell, i});
+    return flow;
+  }
+  if (negative == 0) {
+    flow.index = {static_cast<std::uint8_t>(zeros == 0 ? 3 : zeros == 1 ? 2 : 1), 3};
+    return flow;
+  }
+  // Facets i and j share an edge. Vertex j sees it in facet i, vertex i in facet j.
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const auto j = signs.obtuse_corner(i);
+    if (!j || signs.angle(*j, i) != Sign::kNegative) continue;
+    const auto [k, l] = other_two(i, *j);
+    flow.way = VertexFlow::Way::kAcrossFacet;
+    flow.facet = facet_name(diagram.delaunay().vertices(cell)[k], diagram.delaunay().vertices(cell)[l]);
+    return flow;
+  }
+  throw std::logic_error("a Voronoi vertex without a driver");
+}
+
 }  // namespace
 
 VertexSources vertex_sources(const Diagram& diagram, CellIndex cluster) {
@@ -98,6 +130,7 @@ std::vector<PolygonRef> polygons_through(const Diagram& diagram, CellIndex clust
 
 VertexFlow vertex_flow(const Diagram& diagram, CellIndex cluster) {
   FLOWCERT_REQUIRES(diagram.dimension() == 3);
+  if (diagram.complex().is_alone(cluster)) return lone_vertex_flow(diagram, cluster);
   const Boundary boundary = boundary_of(diagram, cluster);
   VertexFlow flow;
   if (boundary.negative.empty()) {
@@ -121,36 +154,40 @@ VertexFlow vertex_flow(const Diagram& diagram, CellIndex cluster) {
 
 namespace {
 
-// The angle of each piece; positive if the piece lies at infinity.
-std::vector<Sign> angles_of(const Diagram& diagram, FacetName facet, const FacetRing& ring, FilterTally& tally) {
-  const Point &p0 = diagram.point(facet.v0), &p1 = diagram.point(facet.v1);
-  std::vector<Sign> angles;
-  angles.reserve(ring.pieces.size());
-  for (const RingPiece& piece : ring.pieces) {
-    const bool is_finite = piece.polygon.cell != kNoCell;
-    angles.push_back(is_finite ? exact_sign(Angle{p0, diagram.point(piece.apex), p1}, tally) : Sign::kPositive);
+// The angle of a piece; positive if the piece lies at infinity.
+Sign angle_of(const Diagram& diagram, FacetName facet, const RingPiece& piece, FilterTally& tally) {
+  if (piece.polygon.cell == kNoCell) return Sign::kPositive;
+  // A polygon of one facet has the angle among its cell's signs.
+  if (const VoronoiComplex* complex = diagram.spatial();
+      complex != nullptr && complex->role(piece.polygon) == VoronoiComplex::FacetRole::kWhole) {
+    const std::uint32_t apex = place_among(diagram.delaunay().vertices(piece.polygon.cell), piece.apex);
+    return complex->signs(piece.polygon.cell).angle(piece.polygon.index, apex);
   }
-  return angles;
+  return exact_sign(Angle{diagram.point(facet.v0), diagram.point(piece.apex), diagram.point(facet.v1)}, tally);
 }
 
 }  // namespace
 
 ObtuseChain obtuse_chain(const Diagram& diagram, FacetName facet, const FacetRing& ring, FilterTally& tally) {
-  const std::vector<Sign> angles = angles_of(diagram, facet, ring, tally);
-  const std::size_t n = angles.size();
+  const std::size_t n = ring.pieces.size();
   ObtuseChain chain;
+  if (n == 0) return chain;
+  const auto angle = [&](std::size_t k) { return angle_of(diagram, facet, ring.pieces[k], tally); };
+  const Sign first = angle(0);
+  Sign before = n == 1 ? first : angle(n - 1);
   for (std::size_t k = 0; k < n; ++k) {
-    const Sign before = angles[k == 0 ? n - 1 : k - 1];
-    if (angles[k] == Sign::kNegative) {
+    const Sign here = k == 0 ? first : angle(k);
+    if (here == Sign::kNegative) {
       ++chain.count;
       if (before != Sign::kNegative) chain.first = static_cast<std::uint32_t>(k);
     }
-    if (angles[k] == Sign::kZero) {
+    if (here == Sign::kZero) {
       ++chain.right_count;
       // If the ring's last piece and its first one are both right, the first one is the later.
-      const bool wraps = k + 1 == n && angles[0] == Sign::kZero && n > 2;
+      const bool wraps = k + 1 == n && first == Sign::kZero && n > 2;
       if (!wraps) chain.right = static_cast<std::uint32_t>(k);
     }
+    before = here;
   }
   return chain;
 }

@@ -21,7 +21,7 @@ template <ConstructsPoints Kernel, class Centers>
 class RingQuery {
  public:
   RingQuery(Kernel& kernel, Centers& centers, FacetRing ring, const Point& p0, const Point& p1, PointNumber x)
-      : kernel_(kernel), centers_(centers), ring_(ring), p0_(p0), p1_(p1), x_(x), n_(ring.elements.size()) {}
+      : kernel_(kernel), centers_(centers), ring_(ring), p0_(p0), p1_(p1), x_(x), n_(ring.size()) {}
 
   // What the ray reaches: an element or a piece, with its place in the ring, or infinity.
   struct Exit {
@@ -53,22 +53,23 @@ class RingQuery {
     if (n_ == 0) return {};
     if (search == FacetSearch::kBinary) {
       for (std::size_t k = 0; k < n_; ++k) {
-        if (ring_.elements[k].vertex != kNoCell) return by_angle(k);
+        if (ring_.pieces[k].vertex != kNoCell) return by_angle(k);
       }
     }
     return by_all_signs();
   }
 
  private:
-  [[nodiscard]] const RingElement& element(std::size_t k) const { return ring_.elements[k % n_]; }
+  // Places are below 2 n.
+  [[nodiscard]] std::size_t around(std::size_t k) const { return k < n_ ? k : k - n_; }
 
   [[nodiscard]] Exit at_element(std::size_t k) const {
-    if (element(k).vertex == kNoCell) return {};
-    return {Exit::Kind::kElement, k % n_};
+    if (ring_.pieces[around(k)].vertex == kNoCell) return {};
+    return {Exit::Kind::kElement, around(k)};
   }
   [[nodiscard]] Exit before_element(std::size_t k) const {
-    const std::size_t piece = (k + n_ - 1) % n_;
-    if (ring_.pieces[piece].polygon.cell == kNoCell) return {};
+    const std::size_t piece = ring_.before(around(k));
+    if (!ring_.pieces[piece].is_finite()) return {};
     return {Exit::Kind::kPiece, piece};
   }
 
@@ -76,14 +77,15 @@ class RingQuery {
 
   // The side of the ray: positive for an element counterclockwise of it.
   [[nodiscard]] Sign side(std::size_t k) {
-    const RingElement& e = element(k);
-    if (e.vertex != kNoCell) return centers_.side_of_ray(x_, p0_, p1_, ring_, k % n_);
+    const std::size_t at = around(k);
+    if (ring_.pieces[at].vertex != kNoCell) return centers_.side_of_ray(x_, p0_, p1_, ring_, at);
+    const RingElement e = ring_.element(at);
     return times(e.factor, kernel_.sign(RayAtInfinity{x_, p0_, p1_, centers_.point(e.apex)}));
   }
 
   // The side of the line from x to the vertex `reference`: positive for an element counterclockwise of it.
   [[nodiscard]] Sign side_of_reference(PointNumber reference, std::size_t k) {
-    const RingElement& e = element(k);
+    const RingElement e = ring_.element(around(k));
     if (e.vertex != kNoCell) return kernel_.sign(AroundStart{x_, p0_, p1_, reference, centers_(e.vertex)});
     return times(e.factor, kernel_.sign(RayAroundStart{x_, p0_, p1_, reference, centers_.point(e.apex)}));
   }
@@ -101,7 +103,7 @@ class RingQuery {
   // ray's angle lies in (0, pi), in (pi, 2 pi), or is 0 or pi. Two signs then tell whether an element comes before
   // the ray.
   [[nodiscard]] Exit by_angle(std::size_t reference) {
-    const PointNumber start = centers_(element(reference).vertex);
+    const PointNumber start = centers_(ring_.pieces[reference].vertex);
     const Sign first = side(reference);
     if (first == Sign::kZero && is_beyond(start)) {
       return at_element(reference);

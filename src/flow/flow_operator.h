@@ -13,6 +13,7 @@
 
 #include "flow/drivers.h"
 #include "flow/kernels/steering.h"
+#include "flowcert/flow_statistics.h"
 #include "flowcert/orbit.h"
 #include "voronoi/voronoi_faces.h"
 
@@ -43,12 +44,38 @@ struct BackwardStep {
   VertexIndex apex = kInfiniteVertex;
 };
 
+// The letters of Table 1.
+using SegmentType = std::array<char, 3>;
+[[nodiscard]] constexpr char letter(Place::Kind kind) {
+  constexpr std::array<char, 5> kLetters = {0, 'V', 'E', 'F', 'C'};
+  return kLetters[static_cast<std::size_t>(kind)];
+}
+[[nodiscard]] inline SegmentType segment_type(const Place& start, const FlowStep& step) {
+  return {letter(start.kind), letter(step.crossed.kind), letter(step.end.place.kind)};
+}
+
+// The flow from a Voronoi vertex to the next one, or to the orbit's end. Between the first and the last segment there
+// are E-F-E alone, because only these and V-F-E end inside a Voronoi edge.
+struct Course {
+  std::uint32_t count = 0;      // segments
+  SegmentType first{}, last{};  // of them, if there are any
+  Place end;
+  std::optional<StationaryIndex> stationary;  // set if the orbit ends there
+
+  void add(const SegmentType& type) {
+    last = type;
+    if (count++ == 0) first = type;
+  }
+};
+
 class FlowOperator {
  public:
   virtual ~FlowOperator() = default;
 
   [[nodiscard]] virtual PointNumber add(const RationalPoint& x) = 0;
   [[nodiscard]] virtual FlowStep step(const Location& from) = 0;
+  // All steps from a Voronoi vertex on. The points that it constructs are kept.
+  [[nodiscard]] virtual Course follow(CellIndex cluster) = 0;
   // Where the Voronoi edge of a polygon ends, on side 0 or 1.
   [[nodiscard]] virtual Location end_of_edge(PolygonRef polygon, std::size_t side) = 0;
 
@@ -62,9 +89,9 @@ class FlowOperator {
   [[nodiscard]] virtual PointNumber add_center(const std::array<VertexIndex, 3>& samples) = 0;
 
   [[nodiscard]] virtual RationalPoint exact(const Location& at) = 0;
-  // How many bytes the coordinates of a kept point take, where they have been computed exactly.
-  [[nodiscard]] virtual std::optional<std::array<std::size_t, 3>> exact_bytes(PointNumber point) const = 0;
-  [[nodiscard]] virtual std::size_t depth(PointNumber point) const = 0;
+  // Adds, for each kept point, how many bytes its coordinates take where they have been computed exactly. Raises
+  // `depth` to the longest chain of constructions behind a point.
+  virtual void count_sizes(Distribution& exact_bytes, std::size_t& depth) const = 0;
 
   // Kept points are numbered in order; the latest can be dropped.
   [[nodiscard]] virtual PointNumber kept() const = 0;

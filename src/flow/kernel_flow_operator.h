@@ -5,6 +5,7 @@
 // changes no answer. The only decisions are signs of the merged Voronoi complex and of steering.h.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -40,6 +41,31 @@ class KernelFlowOperator final : public FlowOperator {
     return {};
   }
 
+  // A loop over rings. The way from one to the next is known from the second visit on.
+  Course follow(CellIndex cluster) override {
+    const VertexFlow flow = vertex_flow(faces_.diagram(), cluster);
+    const Location start{Place::at_vertex(cluster), kNoPoint};
+    if (flow.way != VertexFlow::Way::kAcrossFacet) return course_of(start, step_from_vertex(start));
+    Course course;
+    PointNumber x = center(cluster);
+    FacetRing ring = faces_.ring(flow.facet, cluster);
+    Exit exit = exit_from_vertex(ring, cluster, x);
+    for (char from = 'V'; exit.kind == Exit::Kind::kPiece; from = 'E') {
+      const RingPiece piece = ring.pieces[exit.at];
+      course.add({from, 'F', 'E'});
+      x = kernel_.add_crossing(x, faces_.point(ring.facet.v0), faces_.point(ring.facet.v1), faces_.point(piece.apex));
+      const RingLink link = faces_.rings().link(ring.id, exit.at);
+      if (link.ring == RingLink::kAlongEdge) {
+        const Location at{Place::on_edge(piece.polygon), x};
+        return course_of(at, step_along_edge(at, faces_.driver(piece.polygon).shape), course);
+      }
+      ring = faces_.rings().at(link.ring);
+      exit = exit_from_piece(ring, link.place, x);
+    }
+    const FlowStep last = across(ring, exit, x);
+    return course_of({course.count == 0 ? start.place : Place::on_edge({kNoCell, 0}), x}, last, course);
+  }
+
   Location end_of_edge(PolygonRef polygon, std::size_t side) override {
     const CellIndex cluster = faces_.end(polygon, side);
     return cluster == kNoCell ? Location{} : Location{Place::at_vertex(cluster), kNoPoint};
@@ -54,13 +80,13 @@ class KernelFlowOperator final : public FlowOperator {
   BackwardStep step_back(const Location& front, FacetName facet, CellIndex hint) override {
     const FacetRing ring = faces_.ring(facet, hint);
     const ObtuseChain chain = chain_of(facet, ring);
-    const std::size_t n = ring.pieces.size();
+    const std::size_t n = ring.size();
     if (chain.count == 0) return midpoint_step(facet, ring, chain);
     std::size_t low = 0, high = chain.count - 1;
     while (low < high) {
       const std::size_t probe = search_ == FacetSearch::kBinary ? (low + high) / 2 : low;
       const std::size_t element = (chain.first + 1 + probe) % n;
-      const CellIndex cluster = ring.elements[element].vertex;
+      const CellIndex cluster = ring.pieces[element].vertex;
       const Sign sign = side_of_ray(number_of(front), faces_.point(facet.v0), faces_.point(facet.v1), ring, element);
       if (sign == Sign::kZero) return {Place::at_vertex(cluster), false, kInfiniteVertex};
       (sign == Sign::kPositive ? low : high) = sign == Sign::kPositive ? probe + 1 : probe;
@@ -79,10 +105,14 @@ class KernelFlowOperator final : public FlowOperator {
   }
 
   RationalPoint exact(const Location& at) override { return kernel_.exact(number_of(at)); }
-  std::optional<std::array<std::size_t, 3>> exact_bytes(PointNumber point) const override {
-    return kernel_.exact_bytes(point);
+  void count_sizes(Distribution& exact_bytes, std::size_t& depth) const override {
+    for (PointNumber point = 0; point < kernel_.kept(); ++point) {
+      depth = std::max(depth, kernel_.depth(point));
+      if (const auto bytes = kernel_.exact_bytes(point)) {
+        for (const std::size_t size : *bytes) exact_bytes.add(size);
+      }
+    }
   }
-  std::size_t depth(PointNumber point) const override { return kernel_.depth(point); }
 
   PointNumber kept() const override { return kernel_.kept(); }
   void drop_from(PointNumber point) override { kernel_.drop_from(point); }
@@ -106,14 +136,14 @@ class KernelFlowOperator final : public FlowOperator {
     }
   };
   using Query = RingQuery<Kernel, const Centers>;
+  using Exit = typename Query::Exit;
 
   // The side of the ray from the facet's midpoint through x on which an element of its ring lies, a Voronoi vertex.
   Sign side_of_ray(PointNumber x, const Point& p0, const Point& p1, const FacetRing& ring, std::size_t element) {
     if constexpr (Kernel::kConstructsVertices) {
-      return kernel_.sign(SideOfRay{x, p0, p1, center(ring.elements[element].vertex)});
+      return kernel_.sign(SideOfRay{x, p0, p1, center(ring.pieces[element].vertex)});
     } else {
-      const std::size_t n = ring.pieces.size();
-      return kernel_.sign(OrderOfExits{x, p0, p1, faces_.point(ring.pieces[(element + n - 1) % n].apex),
+      return kernel_.sign(OrderOfExits{x, p0, p1, faces_.point(ring.pieces[ring.before(element)].apex),
                                        faces_.point(ring.pieces[element].apex)});
     }
   }
@@ -152,7 +182,7 @@ class KernelFlowOperator final : public FlowOperator {
   static BackwardStep midpoint_step(FacetName facet, const FacetRing& ring, const ObtuseChain& chain) {
     Place back = Place::on_facet(facet);
     if (chain.right_count == 1) back = Place::on_edge(ring.pieces[chain.right].polygon);
-    if (chain.right_count == 2) back = Place::at_vertex(ring.elements[chain.right].vertex);
+    if (chain.right_count == 2) back = Place::at_vertex(ring.pieces[chain.right].vertex);
     return {back, true, kInfiniteVertex};
   }
 
@@ -177,11 +207,8 @@ class KernelFlowOperator final : public FlowOperator {
         break;
       case VertexFlow::Way::kAcrossFacet: {
         const FacetRing ring = faces_.ring(flow.facet, cluster);
-        const std::size_t start = faces_.element_of(ring, cluster);
         const PointNumber x = center(cluster);
-        Query query = query_of(flow.facet, ring, x);
-        const auto exit = query.from_boundary(search_, start + 1, ring.elements.size() - 2);
-        step = across(flow.facet, ring, exit, x);
+        step = across(ring, exit_from_vertex(ring, cluster, x), x);
         break;
       }
     }
@@ -195,11 +222,15 @@ class KernelFlowOperator final : public FlowOperator {
     const PolygonDriver driver = faces_.driver(polygon);
     if (driver.shape == Sign::kNegative) {
       const FacetRing ring = faces_.ring(driver.side, polygon.cell);
-      const std::size_t start = faces_.piece_of(ring, polygon);
-      Query query = query_of(driver.side, ring, x);
-      const auto exit = query.from_boundary(search_, start + 1, ring.elements.size() - 1);
-      return across(driver.side, ring, exit, x);
+      return across(ring, exit_from_piece(ring, faces_.rings().piece_of(ring, polygon), x), x);
     }
+    return step_along_edge(from, driver.shape);
+  }
+
+  // E-E-{V, infinity}. The polygon contains its centre.
+  FlowStep step_along_edge(const Location& from, Sign shape) {
+    const PolygonRef polygon = from.place.edge;
+    const PointNumber x = from.point;
     const auto [a, b, c] = faces_.corners(polygon);
     const Sign side = kernel_.sign(AlongEdge{x, faces_.point(a), faces_.point(b), faces_.point(c)});
     FlowStep step;
@@ -207,7 +238,7 @@ class KernelFlowOperator final : public FlowOperator {
     step.driver = center_of(polygon);
     if (side == Sign::kZero) {
       step.end = from;
-      step.stationary = StationaryIndex{static_cast<std::uint8_t>(driver.shape == Sign::kZero ? 1 : 2), 2};
+      step.stationary = StationaryIndex{static_cast<std::uint8_t>(shape == Sign::kZero ? 1 : 2), 2};
     } else {
       step.end = end_of_edge(polygon, side == Sign::kPositive ? 1 : 0);
     }
@@ -224,9 +255,7 @@ class KernelFlowOperator final : public FlowOperator {
       return stays(from, {1, 1}, midpoint_of(facet));
     }
     const FacetRing ring = faces_.ring(facet);
-    Query query = query_of(facet, ring, from.point);
-    const auto exit = query.from_inside(search_);
-    return across(facet, ring, exit, from.point);
+    return across(ring, query_of(ring, from.point).from_inside(search_), from.point);
   }
 
   // C-C-{V, E, F, infinity}. Bisectors with the Delaunay neighbours bound the cell; the ray ends at the nearest.
@@ -257,6 +286,14 @@ class KernelFlowOperator final : public FlowOperator {
     return step;
   }
 
+  // Adds the last step.
+  static Course course_of(const Location& from, const FlowStep& step, Course course = {}) {
+    if (!step.stationary) course.add(segment_type(from.place, step));
+    course.end = step.end.place;
+    course.stationary = step.stationary;
+    return course;
+  }
+
   static FlowStep stays(const Location& at, StationaryIndex index, Driver driver) {
     FlowStep step;
     step.crossed = at.place;
@@ -266,21 +303,28 @@ class KernelFlowOperator final : public FlowOperator {
     return step;
   }
 
-  Query query_of(FacetName facet, const FacetRing& ring, PointNumber x) {
-    return Query(kernel_, centers_, ring, faces_.point(facet.v0), faces_.point(facet.v1), x);
+  Query query_of(const FacetRing& ring, PointNumber x) {
+    return Query(kernel_, centers_, ring, faces_.point(ring.facet.v0), faces_.point(ring.facet.v1), x);
+  }
+  Exit exit_from_vertex(const FacetRing& ring, CellIndex cluster, PointNumber x) {
+    return query_of(ring, x).from_boundary(search_, faces_.rings().element_of(ring, cluster) + 1, ring.size() - 2);
+  }
+  Exit exit_from_piece(const FacetRing& ring, std::size_t piece, PointNumber x) {
+    return query_of(ring, x).from_boundary(search_, piece + 1, ring.size() - 1);
   }
 
-  FlowStep across(FacetName facet, const FacetRing& ring, typename Query::Exit exit, PointNumber x) {
+  FlowStep across(const FacetRing& ring, Exit exit, PointNumber x) {
+    const FacetName facet = ring.facet;
     FlowStep step;
     step.crossed = Place::on_facet(facet);
     step.driver = midpoint_of(facet);
     switch (exit.kind) {
-      case Query::Exit::Kind::kInfinity:
+      case Exit::Kind::kInfinity:
         break;
-      case Query::Exit::Kind::kElement:
-        step.end.place = Place::at_vertex(ring.elements[exit.at].vertex);
+      case Exit::Kind::kElement:
+        step.end.place = Place::at_vertex(ring.pieces[exit.at].vertex);
         break;
-      case Query::Exit::Kind::kPiece: {
+      case Exit::Kind::kPiece: {
         const RingPiece& piece = ring.pieces[exit.at];
         step.end.place = Place::on_edge(piece.polygon);
         step.end.point =

@@ -6,22 +6,6 @@
 
 namespace flowcert::flow {
 
-char letter(Place::Kind kind) {
-  switch (kind) {
-    case Place::Kind::kVertex:
-      return 'V';
-    case Place::Kind::kEdge:
-      return 'E';
-    case Place::Kind::kFacet:
-      return 'F';
-    case Place::Kind::kCell:
-      return 'C';
-    case Place::Kind::kInfinity:
-      break;
-  }
-  return 0;
-}
-
 std::vector<PointId> SegmentRecorder::contact(const Place& place) const {
   std::vector<PointId> names;
   for (const VertexIndex v : diagram_.contact(place)) names.push_back(name(v));

@@ -31,10 +31,4 @@ class SegmentRecorder {
   FlowOperator& flow_;
 };
 
-// The letters of Table 1.
-[[nodiscard]] char letter(Place::Kind kind);
-[[nodiscard]] inline std::array<char, 3> segment_type(const Place& start, const FlowStep& step) {
-  return {letter(start.kind), letter(step.crossed.kind), letter(step.end.place.kind)};
-}
-
 }  // namespace flowcert::flow

@@ -2,6 +2,7 @@
 #include "flow/successor_forest.h"
 
 #include <algorithm>
+#include <map>
 
 #include "flow/segment_record.h"
 #include "geometry/contract.h"
@@ -13,30 +14,39 @@ constexpr std::uint32_t kNotVisited = 0xffffffffu;
 }  // namespace
 
 Stretch SuccessorForest::new_stretch(CellIndex cluster) {
-  Stretch stretch;
-  stretch.first = types_.size();
-  Location at{Place::at_vertex(cluster), kNoPoint};
-  do {
-    const FlowStep step = flow_.step(at);
-    if (step.stationary) {
-      stretch.end = {at.place, *step.stationary};
-      break;
-    }
-    types_.push_back(segment_type(at.place, step));
-    at = step.end;
-    if (at.place.kind == Place::Kind::kVertex) stretch.next = at.place.vertex;
-  } while (at.place.kind == Place::Kind::kEdge);
-  stretch.count = types_.size() - stretch.first;
-  count_sizes();
+  const Course course = flow_.follow(cluster);
+  Stretch stretch{.count = course.count, .end = Stretch::kInfinity, .first = course.first, .last = course.last};
+  if (course.stationary) {
+    stretch.end = static_cast<std::uint32_t>(ends_.size());
+    ends_.push_back({course.end, *course.stationary});
+  } else if (course.end.kind == Place::Kind::kVertex) {
+    stretch.next = course.end.vertex;
+  }
+  flow_.count_sizes(exact_bytes_, depth_);
   flow_.drop_from(0);
   return stretch;
 }
 
+// Flows down to a stretch that is known, or to the orbit's end, and then sums up the totals on the way back.
 Stretch& SuccessorForest::stretch_from(CellIndex cluster) {
   if (stretch_of_.empty()) stretch_of_.assign(diagram_.delaunay().finite_count, kNotVisited);
-  if (!share_ || stretch_of_[cluster] == kNotVisited) {
-    stretches_.push_back(new_stretch(cluster));
-    stretch_of_[cluster] = static_cast<std::uint32_t>(stretches_.size() - 1);
+  if (share_ && stretch_of_[cluster] != kNotVisited) return stretches_[stretch_of_[cluster]];
+  pending_.clear();
+  const Stretch* known = nullptr;
+  for (CellIndex at = cluster; known == nullptr && at != kNoCell; at = stretches_.back().next) {
+    if (share_ && stretch_of_[at] != kNotVisited) {
+      known = &stretches_[stretch_of_[at]];
+      break;
+    }
+    pending_.push_back(static_cast<std::uint32_t>(stretches_.size()));
+    stretches_.push_back(new_stretch(at));
+    stretch_of_[at] = pending_.back();
+  }
+  for (; !pending_.empty(); pending_.pop_back()) {
+    Stretch& stretch = stretches_[pending_.back()];
+    stretch.total = stretch.count + (known != nullptr ? known->total : 0);
+    if (known != nullptr) stretch.end = known->end;
+    known = &stretch;
   }
   return stretches_[stretch_of_[cluster]];
 }
@@ -50,39 +60,63 @@ const Stretch& SuccessorForest::visit(CellIndex cluster) {
 std::optional<ForestEnd> SuccessorForest::end_from(const Place& start) {
   if (start.kind == Place::Kind::kInfinity) return std::nullopt;
   FLOWCERT_REQUIRES(start.kind == Place::Kind::kVertex);
-  const Stretch* stretch = &stretch_from(start.vertex);
-  while (!stretch->is_last()) stretch = &stretch_from(stretch->next);
-  return stretch->end;
+  return end_of(stretch_from(start.vertex));
 }
 
-void SuccessorForest::count_sizes() {
-  for (PointNumber point = 0; point < flow_.kept(); ++point) {
-    depth_ = std::max(depth_, flow_.depth(point));
-    if (const auto bytes = flow_.exact_bytes(point)) {
-      for (const std::size_t size : *bytes) exact_bytes_.add(size);
+// A stretch is passed by the orbits that begin with it and by those that pass the stretches before it. So it is
+// counted after all of these.
+std::vector<std::size_t> SuccessorForest::passes() const {
+  std::vector<std::size_t> passes(stretches_.size());
+  std::vector<std::uint32_t> before(stretches_.size(), 0), next(stretches_.size(), kNotVisited);
+  for (std::size_t k = 0; k < stretches_.size(); ++k) {
+    passes[k] = stretches_[k].visits;
+    if (stretches_[k].is_last()) continue;
+    // Without sharing, the stretch behind is the one that was made next.
+    next[k] = share_ ? stretch_of_[stretches_[k].next] : static_cast<std::uint32_t>(k + 1);
+    ++before[next[k]];
+  }
+  for (std::uint32_t k = 0; k < stretches_.size(); ++k) {
+    for (std::uint32_t at = k; at != kNotVisited && before[at] == 0; at = next[at]) {
+      before[at] = kNotVisited;  // it is counted
+      if (next[at] == kNotVisited) break;
+      passes[next[at]] += passes[at];
+      --before[next[at]];
     }
   }
+  return passes;
 }
 
 void SuccessorForest::count(FlowStatistics& statistics) const {
   statistics.depth = std::max(statistics.depth, depth_);
   for (const auto& [size, times] : exact_bytes_.times()) statistics.exact_bytes.add(size, times);
-  for (const Stretch& stretch : stretches_) {
+  std::map<SegmentType, std::size_t> types;
+  std::vector<std::size_t> runs;
+  const std::vector<std::size_t> passed = passes();
+  for (std::size_t k = 0; k < stretches_.size(); ++k) {
+    const Stretch& stretch = stretches_[k];
     statistics.segments_computed += stretch.count;
-    std::size_t constructed = 0;
-    for (std::size_t k = stretch.first; k < stretch.first + stretch.count; ++k) {
-      statistics.census[types_[k]] += stretch.visits;
-      constructed += types_[k][2] == 'E' ? 1 : 0;
-    }
+    if (stretch.count == 0) continue;
+    // The last segment ends at a constructed point if the orbit ends inside a Voronoi edge.
+    const bool is_constructed = stretch.last[2] == 'E';
+    const std::size_t constructed = stretch.count - (is_constructed ? 0 : 1);
+    types[stretch.first] += passed[k];
+    if (stretch.count > 1) types[stretch.last] += passed[k];
+    if (stretch.count > 2) types[{'E', 'F', 'E'}] += std::size_t{stretch.count - 2} * passed[k];
     // After its first constructed point, a stretch makes only constructed points until it ends. So they are one run.
-    if (constructed > 0) statistics.n_wcc.add(constructed, stretch.visits);
+    if (constructed == 0) continue;
+    if (runs.size() <= constructed) runs.resize(constructed + 1);
+    runs[constructed] += passed[k];
+  }
+  for (const auto& [type, times] : types) statistics.census[type] += times;
+  for (std::size_t length = 0; length < runs.size(); ++length) {
+    if (runs[length] > 0) statistics.n_wcc.add(length, runs[length]);
   }
 }
 
 void SuccessorForest::drop() {
   if (share_) stretch_of_.clear();  // otherwise nobody looks a stretch up
   stretches_.clear();
-  types_.clear();
+  ends_.clear();
   exact_bytes_ = {};
   depth_ = 0;
   flow_.drop_all();

@@ -2,7 +2,7 @@
 // through, or to where the orbit ends.
 //
 // Guarantees: exact (FlowOperator). With sharing, what follows a Voronoi vertex is flowed once, whoever asks. A
-// stretch keeps its segment types and where it leads, not its points. The points, with the history that the lazy
+// stretch keeps how many segments it has and where it leads, not its points. The points, with the history that the lazy
 // kernel keeps of each, would take 1 GiB for 35,000 samples. A forest is not for two threads at once.
 #pragma once
 
@@ -15,20 +15,23 @@
 
 namespace flowcert::flow {
 
-using SegmentType = std::array<char, 3>;
-
 // A stationary point at which an orbit ends.
 struct ForestEnd {
   Place place;
   StationaryIndex index;
 };
 
-// The flow from one Voronoi vertex to the next one, or to its end.
+// The flow from one Voronoi vertex to the next one, or to its end. Between its first and its last segment there are
+// E-F-E alone, because only these and V-F-E end inside a Voronoi edge.
 struct Stretch {
-  std::size_t first = 0, count = 0;  // of the segment types
-  CellIndex next = kNoCell;          // the Voronoi vertex reached
-  std::optional<ForestEnd> end;      // if there is none: the orbit's end, nothing for infinity
-  std::size_t visits = 0;            // by orbits
+  static constexpr std::uint32_t kInfinity = 0xffffffffu;
+
+  std::uint32_t count = 0;      // segments
+  CellIndex next = kNoCell;     // the Voronoi vertex reached
+  std::uint32_t end = 0;        // the number of the orbit's end, or kInfinity
+  std::uint32_t visits = 0;     // by orbits that begin here
+  std::uint32_t total = 0;      // segments from here to the orbit's end
+  SegmentType first{}, last{};  // of its segments, if there are any
 
   [[nodiscard]] bool is_last() const { return next == kNoCell; }
 };
@@ -39,13 +42,17 @@ class SuccessorForest {
   SuccessorForest(const Diagram& diagram, FlowOperator& flow, bool share)
       : diagram_(diagram), flow_(flow), share_(share) {}
 
-  // What follows a Voronoi vertex on an orbit. It flows if need be, and counts the visit. The reference holds until
-  // the next question.
+  // The orbit from a Voronoi vertex on: its first stretch, which knows the total and the end. It flows if need be,
+  // and counts the visit. The reference holds until the next question.
   [[nodiscard]] const Stretch& visit(CellIndex cluster);
+  // The end of an orbit, by its first stretch; nothing for infinity.
+  [[nodiscard]] std::optional<ForestEnd> end_of(const Stretch& first) const {
+    return first.end == Stretch::kInfinity ? std::nullopt : std::optional(ends_[first.end]);
+  }
   // Where the orbit from a Voronoi vertex or from infinity ends; nothing for infinity. It is not counted.
   [[nodiscard]] std::optional<ForestEnd> end_from(const Place& start);
 
-  // Adds the segments of all stretches to the statistics, as often as orbits visited them.
+  // Adds the segments of all stretches to the statistics, as often as orbits passed them.
   void count(FlowStatistics& statistics) const;
   // Forgets all stretches, and all points that were constructed.
   void drop();
@@ -53,14 +60,15 @@ class SuccessorForest {
  private:
   [[nodiscard]] Stretch new_stretch(CellIndex cluster);
   [[nodiscard]] Stretch& stretch_from(CellIndex cluster);
-  void count_sizes();
-
+  // How many orbits pass each stretch.
+  [[nodiscard]] std::vector<std::size_t> passes() const;
   const Diagram& diagram_;
   FlowOperator& flow_;
   bool share_;
-  std::vector<SegmentType> types_;
   std::vector<Stretch> stretches_;
+  std::vector<ForestEnd> ends_;
   std::vector<std::uint32_t> stretch_of_;  // by cluster
+  std::vector<std::uint32_t> pending_;     // stretches whose total is not known yet
   // What count() tells of all points that were constructed.
   Distribution exact_bytes_;
   std::size_t depth_ = 0;

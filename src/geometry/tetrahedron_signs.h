@@ -8,7 +8,9 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <optional>
 
 #include "geometry/predicates.h"
 #include "geometry/vector3.h"
@@ -27,6 +29,17 @@ struct TetrahedronSigns {
 
   static constexpr unsigned angle_bit(unsigned facet, unsigned vertex) { return 4 * facet + vertex; }
   [[nodiscard]] bool is_obtuse(unsigned facet) const { return ((angle_negative >> (4 * facet)) & 15u) != 0; }
+  // The vertex at which the facet has its obtuse angle. It has one at most.
+  [[nodiscard]] std::optional<unsigned> obtuse_corner(unsigned facet) const {
+    const unsigned angles = (angle_negative >> (4 * facet)) & 15u;
+    if (angles == 0) return std::nullopt;
+    return static_cast<unsigned>(std::countr_zero(angles));
+  }
+  [[nodiscard]] Sign angle(unsigned facet, unsigned vertex) const {
+    const unsigned bit = angle_bit(facet, vertex);
+    if (((angle_negative >> bit) & 1u) != 0) return Sign::kNegative;
+    return ((angle_zero >> bit) & 1u) != 0 ? Sign::kZero : Sign::kPositive;
+  }
   [[nodiscard]] bool is_right(unsigned facet) const { return ((angle_zero >> (4 * facet)) & 15u) != 0; }
   [[nodiscard]] bool is_acute(unsigned facet) const { return !is_obtuse(facet) && !is_right(facet); }
   [[nodiscard]] bool has_positive_side(unsigned facet) const {

@@ -14,9 +14,9 @@ OrderedRecords::OrderedRecords(std::span<const std::uint32_t> ordinals) : ordina
   records_[1].reserve(2 * ordinals.size());
 }
 
-void OrderedRecords::add(StationaryIndex index, std::span<const VertexIndex> contact) {
+void OrderedRecords::add(StationaryIndex index, std::span<const VertexIndex> contact, std::uint32_t face) {
   const auto slot = static_cast<std::size_t>(std::find(kOrder.begin(), kOrder.end(), index) - kOrder.begin());
-  Record record{static_cast<std::uint32_t>(contact.size()), {}};
+  Record record{static_cast<std::uint32_t>(contact.size()), face, {}};
   if (contact.size() <= record.small.size()) {
     for (std::size_t k = 0; k < contact.size(); ++k) record.small[k] = ordinals_[contact[k]];
     std::sort(record.small.begin(), record.small.begin() + static_cast<std::ptrdiff_t>(contact.size()));
@@ -54,7 +54,7 @@ StationaryPoints OrderedRecords::list(const PointSet& points) const {
   list.reserve(records, points.size() + 3 * (records - points.size()));
   for (std::size_t k = 0; k < points.size(); ++k) {
     const PointId name = points.name(k);
-    list.append({0, 0}, std::span(&name, 1));
+    list.append({0, 0}, std::span(&name, 1), 0);
   }
   std::vector<PointId> names;
   for (std::size_t slot = 0; slot < kOrder.size(); ++slot) {
@@ -62,7 +62,7 @@ StationaryPoints OrderedRecords::list(const PointSet& points) const {
     for (const Record& record : sorted(records_[slot])) {
       names.clear();
       for (const std::uint32_t ordinal : contact(record)) names.push_back(points.name(ordinal));
-      list.append(kOrder[slot], names);
+      list.append(kOrder[slot], names, record.face);
     }
   }
   return list;

@@ -19,7 +19,7 @@ class OrderedRecords {
   explicit OrderedRecords(std::span<const std::uint32_t> ordinals);
 
   // The contact set may come in any order. Index 0 is not added, because the points themselves give it.
-  void add(StationaryIndex index, std::span<const VertexIndex> contact);
+  void add(StationaryIndex index, std::span<const VertexIndex> contact, std::uint32_t face);
 
   // O(records) expected: records are spread over buckets by their first point, and few share one.
   [[nodiscard]] StationaryPoints list(const PointSet& points) const;
@@ -29,6 +29,7 @@ class OrderedRecords {
   // sorting does not have to look elsewhere.
   struct Record {
     std::uint32_t size;
+    std::uint32_t face;  // record_face.h
     std::array<std::uint32_t, 4>
         small;  // ordinals, ascending; for more than four: the first one, and the place in large_
   };

@@ -84,7 +84,7 @@ SectorParts sector_of(VoronoiFaces& faces, FlowOperator& flow, FacetName facet, 
   // Goes from b back to a. Rays from m meet the near side clockwise, in the ring's order.
   const std::size_t n = ring.pieces.size();
   const auto piece = [&](std::size_t k) -> const RingPiece& { return ring.pieces[(chain.first + k) % n]; };
-  const auto inner = [&](std::size_t k) { return ring.elements[(chain.first + k + 1) % n].vertex; };
+  const auto inner = [&](std::size_t k) { return ring.pieces[(chain.first + k + 1) % n].vertex; };
   std::size_t k = 0;
   while (k + 1 < chain.count && plane.turn(b, vector(flow.exact({Place::at_vertex(inner(k)), kNoPoint}))) >= 0) {
     ++k;

@@ -9,6 +9,7 @@
 #include "geometry/keep_unique.h"
 #include "morse/layer.h"
 #include "morse/ordered_records.h"
+#include "morse/record_face.h"
 #include "voronoi/diagram.h"
 
 namespace flowcert {
@@ -95,7 +96,7 @@ class GabrielSearch {
   // Takes one step, and returns whether the walk has ended.
   bool is_over(Walk& walk) {
     if (walk.cell == walk.start) {
-      records_.add(kIndex1, walk.edge);
+      records_.add(kIndex1, walk.edge, face_number(walk.start));
       return true;
     }
     if (walk.cell < walk.start) return true;
@@ -133,7 +134,7 @@ void add_whole_facets(const VoronoiComplex& complex, OrderedRecords& records) {
       if (complex.role(facet) != VoronoiComplex::FacetRole::kWhole || !is_between_ends(complex, facet)) continue;
       const auto& v = delaunay.vertices(cell);
       const std::array<VertexIndex, 3> contact{v[(i + 1) & 3], v[(i + 2) & 3], v[(i + 3) & 3]};
-      records.add(signs.is_right(i) ? kKind12 : kIndex2, contact);
+      records.add(signs.is_right(i) ? kKind12 : kIndex2, contact, face_number(facet));
     }
   }
 }
@@ -157,12 +158,13 @@ void add_large_polygons(const VoronoiComplex& complex, OrderedRecords& records) 
     contact.clear();
     for (const PolygonSide& side : sides) contact.push_back(side.v0), contact.push_back(side.v1);
     keep_unique(contact);
-    records.add(shape == Sign::kZero ? kKind12 : kIndex2, contact);
+    records.add(shape == Sign::kZero ? kKind12 : kIndex2, contact, face_number(polygon.front()));
   }
 }
 
-void add_vertex(std::size_t zero_sides, std::span<const VertexIndex> contact, OrderedRecords& records) {
-  records.add(zero_sides == 0 ? kIndex3 : zero_sides == 1 ? kKind23 : kKind13, contact);
+void add_vertex(std::size_t zero_sides, std::span<const VertexIndex> contact, CellIndex cluster,
+                OrderedRecords& records) {
+  records.add(zero_sides == 0 ? kIndex3 : zero_sides == 1 ? kKind23 : kKind13, contact, face_number(cluster));
 }
 
 // Adds index 3 and kinds 2-3 and 1-3 from Voronoi vertices of one cell (FC-SIGN-03, 04).
@@ -177,7 +179,7 @@ void add_lone_vertices(const VoronoiComplex& complex, OrderedRecords& records) {
       is_inside = side != Sign::kNegative;
       zeros += side == Sign::kZero ? 1 : 0;
     }
-    if (is_inside) add_vertex(zeros, delaunay.vertices(cell), records);
+    if (is_inside) add_vertex(zeros, delaunay.vertices(cell), cell, records);
   }
 }
 
@@ -216,7 +218,7 @@ void add_clusters(const VoronoiComplex& complex, OrderedRecords& records) {
       contact.insert(contact.end(), v.begin(), v.end());
     }
     keep_unique(contact);
-    add_vertex(*zeros, contact, records);
+    add_vertex(*zeros, contact, complex.cluster(cluster.front()), records);
   }
 }
 
@@ -239,7 +241,7 @@ void add_planar(const PlanarComplex& complex, OrderedRecords& records) {
       if (delaunay.is_finite(across.cell) && complex.angle(across.cell, across.index) != Sign::kPositive) continue;
       const auto& v = delaunay.vertices(cell);
       const std::array<VertexIndex, 2> edge{v[(i + 1) % 3], v[(i + 2) % 3]};
-      records.add(kIndex1, edge);
+      records.add(kIndex1, edge, face_number(cell));
     }
   }
   std::vector<VertexIndex> contact;
@@ -254,14 +256,14 @@ void add_planar(const PlanarComplex& complex, OrderedRecords& records) {
     }
     if (shape == Sign::kNegative) continue;
     keep_unique(contact);
-    records.add(shape == Sign::kZero ? kKind12 : kIndex2, contact);
+    records.add(shape == Sign::kZero ? kKind12 : kIndex2, contact, face_number(FacetRef{polygon.front(), 3}));
   }
 }
 
 // Collinear input: the edges between neighbours on the line are Gabriel.
 void add_collinear(const CompactDelaunay& delaunay, OrderedRecords& records) {
   for (CellIndex cell = 0; cell < delaunay.finite_count; ++cell) {
-    records.add(kIndex1, std::span(delaunay.vertices(cell)).first(2));
+    records.add(kIndex1, std::span(delaunay.vertices(cell)).first(2), face_number(cell));
   }
 }
 
@@ -276,9 +278,11 @@ void StationaryPoints::reserve(std::size_t records, std::size_t contacts) {
   index_.reserve(records);
   first_.reserve(records + 1);
   contact_.reserve(contacts);
+  face_.reserve(records);
 }
 
-void StationaryPoints::append(StationaryIndex index, std::span<const PointId> contact) {
+void StationaryPoints::append(StationaryIndex index, std::span<const PointId> contact, std::uint32_t face) {
+  face_.push_back(face);
   index_.push_back(index);
   contact_.insert(contact_.end(), contact.begin(), contact.end());
   first_.push_back(contact_.size());

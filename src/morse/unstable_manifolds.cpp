@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <numeric>
 #include <span>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "flow/segment_record.h"
@@ -14,6 +15,7 @@
 #include "flow/worker_pool.h"
 #include "geometry/contract.h"
 #include "morse/layer.h"
+#include "morse/record_face.h"
 #include "morse/record_finder.h"
 
 namespace flowcert {
@@ -36,20 +38,23 @@ struct UnstableManifolds::Parts {
   class Worker;
 
   Parts(const VoronoiDiagram& voronoi, const StationaryPoints& list, UnstableOptions how)
-      : diagram(voronoi),
-        stationary(list),
-        finder(list),
-        options(how),
-        vertex_of(vertices_by_ordinal(voronoi.faces().delaunay())) {}
+      : diagram(voronoi), stationary(list), finder(list), options(how) {}
 
   void compute(const Progress& progress);
+  // The order of the saddles in space, in which neighbours share what is in the cache.
+  [[nodiscard]] static std::vector<std::uint32_t> along_the_curve(const std::vector<Saddle>& saddles) {
+    std::vector<std::uint32_t> order(saddles.size());
+    std::iota(order.begin(), order.end(), std::uint32_t{0});
+    std::ranges::sort(order, {}, [&](std::uint32_t i) { return saddles[i].polygon; });
+    return order;
+  }
   [[nodiscard]] auto with_worker(const auto& use);
 
   const VoronoiDiagram& diagram;
   const StationaryPoints& stationary;
   RecordFinder finder;
   UnstableOptions options;
-  std::vector<VertexIndex> vertex_of;
+  std::vector<std::uint32_t> record_at;  // by cluster: the stationary point there
   std::vector<Saddle> saddles;
   FlowStatistics statistics;
   WorkerPool<Worker> workers;
@@ -74,14 +79,15 @@ class UnstableManifolds::Parts::Worker {
   [[nodiscard]] const KernelTally& tally() const { return flow_->tally(); }
 
  private:
-  // Sets contact_ to the vertices of the record's contact set, in the order of their names.
-  Place place_of(std::size_t record);
-  [[nodiscard]] bool is_reversed(const Place& place) const;
+  [[nodiscard]] bool is_reversed(std::size_t record, PolygonRef polygon) const;
   [[nodiscard]] Location start_of(const Saddle& saddle, std::size_t side) {
     return flow_->end_of_edge(saddle.polygon, saddle.is_reversed ? 1 - side : side);
   }
+  // Most orbits end at a maximum, and others at the centre of an edge's polygon or at a regular stationary point.
   [[nodiscard]] std::optional<std::size_t> record_of(const std::optional<ForestEnd>& end) const {
-    return end ? all_.finder.find(end->index, recorder_.contact(end->place)) : std::nullopt;
+    if (!end) return std::nullopt;
+    if (end->place.kind == Place::Kind::kVertex) return all_.record_at[end->place.vertex];
+    return all_.finder.find(end->index, recorder_.contact(end->place));
   }
 
   const Parts& all_;
@@ -89,9 +95,9 @@ class UnstableManifolds::Parts::Worker {
   std::unique_ptr<FlowOperator> flow_;
   SegmentRecorder recorder_;
   SuccessorForest forest_;
-  std::vector<VertexIndex> contact_;
-  // By the last Voronoi vertex of an orbit.
-  std::unordered_map<CellIndex, std::optional<std::size_t>> limit_of_;
+  // Counts that go to the statistics together.
+  std::size_t to_vertex_ = 0, to_infinity_ = 0;
+  std::vector<std::size_t> lengths_;  // of orbits: how many have each
 };
 
 auto UnstableManifolds::Parts::with_worker(const auto& use) {
@@ -99,55 +105,44 @@ auto UnstableManifolds::Parts::with_worker(const auto& use) {
 }
 
 // Whether the contact points a, b, c, in the order of their names, turn the other way than the polygon's
-// corners.
-bool UnstableManifolds::Parts::Worker::is_reversed(const Place& place) const {
-  const auto corners = faces_.corners(place.edge);
-  if (contact_.size() == 3) {
-    const auto at = std::find(corners.begin(), corners.end(), contact_[0]) - corners.begin();
-    return corners[static_cast<std::size_t>(at + 1) % 3] != contact_[1];
+// corners. Ordinals ascend with names.
+bool UnstableManifolds::Parts::Worker::is_reversed(std::size_t record, PolygonRef polygon) const {
+  const auto corners = faces_.corners(polygon);
+  const auto contact = all_.stationary.contact(record);
+  if (contact.size() == 3) {
+    const auto& ordinals = faces_.delaunay().ordinals;
+    const std::array<std::uint32_t, 3> o{ordinals[corners[0]], ordinals[corners[1]], ordinals[corners[2]]};
+    return int{o[0] < o[1]} + int{o[1] < o[2]} + int{o[2] < o[0]} == 1;
   }
-  const auto normal = [this](VertexIndex a, VertexIndex b, VertexIndex c) {
-    const auto vector = [this](VertexIndex from, VertexIndex to) {
-      const Point &p = faces_.point(from), &q = faces_.point(to);
-      return Vector3<Rational>{Rational(q.x) - Rational(p.x), Rational(q.y) - Rational(p.y),
-                               Rational(q.z) - Rational(p.z)};
-    };
-    return cross(vector(a, b), vector(a, c));
-  };
-  return dot(normal(corners[0], corners[1], corners[2]), normal(contact_[0], contact_[1], contact_[2])) < 0;
-}
-
-Place UnstableManifolds::Parts::Worker::place_of(std::size_t record) {
-  contact_.clear();
-  for (const PointId name : all_.stationary.contact(record)) {
-    contact_.push_back(all_.vertex_of[all_.diagram.points().ordinal_of_row(name)]);
-  }
-  return faces_.place_of(contact_.front(), std::span(contact_).subspan(1));
+  const auto in = [](const Point& p) { return Vector3<Rational>{Rational(p.x), Rational(p.y), Rational(p.z)}; };
+  const auto normal = [&](const Point& a, const Point& b, const Point& c) { return cross(in(b)-in(a), in(c)-in(a)); };
+  const PointSet& points = all_.diagram.points();
+  const auto named = [&](std::size_t k) -> const Point& { return points[points.ordinal_of_row(contact[k])]; };
+  return dot(normal(faces_.point(corners[0]), faces_.point(corners[1]), faces_.point(corners[2])),
+             normal(named(0), named(1), named(2))) < 0;
 }
 
 UnstableManifolds::Parts::Saddle UnstableManifolds::Parts::Worker::saddle(std::size_t record) {
-  const Place place = place_of(record);
-  return {record, place.edge, is_reversed(place), {}};
+  const PolygonRef polygon = edge_of_record(all_.stationary, record);
+  return {record, polygon, is_reversed(record, polygon), {}};
 }
 
 std::optional<std::size_t> UnstableManifolds::Parts::Worker::follow(const Saddle& saddle, std::size_t side,
                                                                     FlowStatistics& statistics) {
   const Location start = start_of(saddle, side);
   std::size_t length = 1;
-  ++statistics.census[{'E', 'E', letter(start.place.kind)}];
   ++statistics.segments_computed;
   std::optional<std::size_t> limit;
-  for (CellIndex at = start.place.vertex; at != kNoCell;) {
-    const Stretch& stretch = forest_.visit(at);
-    length += stretch.count;
-    if (stretch.is_last()) {
-      const auto [known, is_new] = limit_of_.try_emplace(at);
-      if (is_new) known->second = record_of(stretch.end);
-      limit = known->second;
-    }
-    at = stretch.next;
+  if (start.place.kind == Place::Kind::kVertex) {
+    const Stretch& orbit = forest_.visit(start.place.vertex);
+    length += orbit.total;
+    limit = record_of(forest_.end_of(orbit));
+    ++to_vertex_;
+  } else {
+    ++to_infinity_;
   }
-  statistics.n_u2.add(length);
+  if (lengths_.size() <= length) lengths_.resize(length + 1, 0);
+  ++lengths_[length];
   ++(!limit                                        ? statistics.to_infinity
      : all_.stationary.index(*limit).is_critical() ? statistics.to_critical
                                                    : statistics.to_regular);
@@ -156,11 +151,16 @@ std::optional<std::size_t> UnstableManifolds::Parts::Worker::follow(const Saddle
 
 void UnstableManifolds::Parts::Worker::count(FlowStatistics& statistics) {
   forest_.count(statistics);
+  if (to_vertex_ > 0) statistics.census[{'E', 'E', 'V'}] += std::exchange(to_vertex_, 0);
+  if (to_infinity_ > 0) statistics.census[{'E', 'E', 0}] += std::exchange(to_infinity_, 0);
+  for (std::size_t length = 0; length < lengths_.size(); ++length) {
+    if (lengths_[length] > 0) statistics.n_u2.add(length, std::exchange(lengths_[length], 0));
+  }
   if (!all_.options.share) forest_.drop();
 }
 
 std::optional<std::size_t> UnstableManifolds::Parts::Worker::limit_beyond(std::size_t record, std::size_t choice) {
-  const Place place = place_of(record);
+  const Place place = place_of_record(all_.stationary, record);
   Location start;
   if (place.kind == Place::Kind::kEdge) {
     start = flow_->end_of_edge(place.edge, choice % 2);
@@ -187,11 +187,17 @@ Orbit UnstableManifolds::Parts::Worker::orbit(const Saddle& saddle, std::size_t 
 }
 
 void UnstableManifolds::Parts::compute(const Progress& progress) {
+  if (diagram.dimension() == 3) record_at.resize(diagram.faces().delaunay().finite_count);
+  for (std::size_t record = 0; record < stationary.size(); ++record) {
+    if (stationary.index(record).hull_dimension != 3) continue;
+    record_at[cell_of_record(stationary, record)] = static_cast<std::uint32_t>(record);
+  }
   auto worker = std::make_unique<Worker>(*this);
   const auto [first, last] = finder.range({2, 2});
   for (std::size_t record = first; record < last; ++record) saddles.push_back(worker->saddle(record));
-  for (std::size_t i = 0; i < saddles.size(); ++i) {
-    if (progress && i % kProgressStep == 0) progress(i, saddles.size());
+  std::size_t done = 0;
+  for (const std::uint32_t i : along_the_curve(saddles)) {
+    if (progress && done++ % kProgressStep == 0) progress(done - 1, saddles.size());
     for (std::size_t side = 0; side < 2; ++side) {
       saddles[i].limits[side] = worker->follow(saddles[i], side, statistics);
       if (!options.share) worker->count(statistics);

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +24,8 @@ using CellIndex = std::uint32_t;
 
 inline constexpr VertexIndex kInfiniteVertex = 0xffffffffu;
 inline constexpr CellIndex kNoCell = 0xffffffffu;
+// A cell and one of its facets fit 32 bits.
+inline constexpr std::size_t kMostCells = std::size_t{1} << 30;
 
 // Facet i of a cell: the one opposite its vertex i. In dimension 2, edge i of a triangle.
 struct FacetRef {
@@ -36,6 +39,12 @@ struct FacetRef {
 [[nodiscard]] inline std::uint32_t place_among(const std::array<std::uint32_t, 4>& entries, std::uint32_t entry) {
   return std::uint32_t{entries[1] == entry} + 2 * std::uint32_t{entries[2] == entry} +
          3 * std::uint32_t{entries[3] == entry};
+}
+
+// The places 0 to 3 of a cell other than i and j, ascending.
+[[nodiscard]] constexpr std::array<std::uint32_t, 2> other_two(std::uint32_t i, std::uint32_t j) {
+  const std::uint32_t k = i != 0 && j != 0 ? 0 : (i != 1 && j != 1 ? 1 : 2);
+  return {k, 6 - i - j - k};
 }
 
 struct DelaunayCell {

@@ -132,8 +132,10 @@ CompactDelaunay voronoi::compact_copy(const Delaunay& delaunay) {
   const int corners = std::max(copy.dimension, 0) + 1;
   copy.finite_count = number_cells(cgal, corners, copy.points.size());
 
+  const std::size_t cell_count = cgal.tds().cells().size();
+  if (cell_count >= kMostCells) throw InvalidInput("the Delaunay triangulation has 2^30 cells or more");
   const Cgal::Vertex_handle infinite = cgal.infinite_vertex();
-  copy.cells.resize(cgal.tds().cells().size());
+  copy.cells.resize(cell_count);
   for_each_cell(cgal, [&](Cgal::Cell_handle cell) {
     DelaunayCell& copied = copy.cells[cell->info()];
     copied.vertices.fill(kInfiniteVertex);

@@ -65,11 +65,30 @@ std::vector<PolygonSide> Diagram::sides(PolygonRef polygon) const {
   return sides_of(*spatial_, pieces.empty() ? std::span<const FacetRef>(&polygon, 1) : pieces);
 }
 
+CellIndex Diagram::cell_of_side(PolygonRef polygon, FacetName side) const {
+  const auto has_side = [&](CellIndex cell) {
+    const auto& v = delaunay_->vertices(cell);
+    return std::ranges::find(v, side.v0) != v.end() && std::ranges::find(v, side.v1) != v.end();
+  };
+  if (has_side(polygon.cell)) return polygon.cell;
+  if (planar_ != nullptr) {
+    const auto& cells = planar_->polygons()[planar_->polygon_of(polygon.cell)];
+    return *std::ranges::find_if(cells, has_side);
+  }
+  const auto pieces = large_polygon(polygon);
+  return std::ranges::find_if(pieces, has_side, &FacetRef::cell)->cell;
+}
+
 PolygonDriver Diagram::driver(PolygonRef polygon) const {
-  // Most polygons are one acute facet, which the cell's signs tell.
-  if (spatial_ != nullptr && spatial_->role(polygon) == VoronoiComplex::FacetRole::kWhole &&
-      spatial_->signs(polygon.cell).is_acute(polygon.index)) {
-    return {Sign::kPositive, {}};
+  // Most polygons are one facet, and the cell's signs tell all of it.
+  if (spatial_ != nullptr && spatial_->role(polygon) == VoronoiComplex::FacetRole::kWhole) {
+    const TetrahedronSigns& signs = spatial_->signs(polygon.cell);
+    if (const auto corner = signs.obtuse_corner(polygon.index)) {
+      const auto& v = delaunay_->vertices(polygon.cell);
+      const auto [k, l] = other_two(polygon.index, *corner);
+      return {Sign::kNegative, facet_name(v[k], v[l])};
+    }
+    return {signs.is_right(polygon.index) ? Sign::kZero : Sign::kPositive, {}};
   }
   PolygonDriver driver{Sign::kPositive, {}};
   for (const PolygonSide& side : sides(polygon)) {

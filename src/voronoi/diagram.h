@@ -94,6 +94,9 @@ class Diagram {
   // The Voronoi vertex at end 0 or 1; kNoCell at infinity.
   [[nodiscard]] CellIndex end(PolygonRef polygon, std::size_t side) const;
   [[nodiscard]] std::vector<PolygonSide> sides(PolygonRef polygon) const;
+  // A finite cell that has one of the polygon's sides. If the polygon has several facets, it need not be the one that
+  // names it.
+  [[nodiscard]] CellIndex cell_of_side(PolygonRef polygon, FacetName side) const;
 
   // All of a face's contact set, by ascending VertexIndex.
   [[nodiscard]] std::vector<VertexIndex> contact(const Place& place) const;

@@ -292,17 +292,9 @@ std::vector<PolygonSide> sides_of(const VoronoiComplex& complex, std::span<const
     const TetrahedronSigns& signs = complex.signs(facet.cell);
     for (std::uint32_t j = 0; j < 4; ++j) {
       if (j == facet.index) continue;
-      const unsigned bit = TetrahedronSigns::angle_bit(facet.index, j);
-      const Sign angle = ((signs.angle_negative >> bit) & 1u) != 0 ? Sign::kNegative
-                         : ((signs.angle_zero >> bit) & 1u) != 0   ? Sign::kZero
-                                                                   : Sign::kPositive;
-      // The two of the facet's vertices that are not j.
-      std::array<VertexIndex, 2> edge{};
-      std::size_t filled = 0;
-      for (std::uint32_t k = 0; k < 4; ++k) {
-        if (k != j && k != facet.index) edge[filled++] = vertices[k];
-      }
-      edges.push_back({std::min(edge[0], edge[1]), std::max(edge[0], edge[1]), angle});
+      const auto [k, l] = other_two(j, facet.index);
+      edges.push_back(
+          {std::min(vertices[k], vertices[l]), std::max(vertices[k], vertices[l]), signs.angle(facet.index, j)});
     }
   }
   // A diagonal is an edge of two facets.

@@ -77,7 +77,7 @@ struct Subject {
   }
 
   RationalPoint vertex(std::size_t element) {
-    return flows[0]->exact({Place::at_vertex(ring.elements[element].vertex), kNoPoint});
+    return flows[0]->exact({Place::at_vertex(ring.pieces[element].vertex), kNoPoint});
   }
 
   PointSet points;
@@ -106,7 +106,7 @@ struct Start {
 };
 
 std::vector<Start> draw(Subject& subject, char kind, std::mt19937& random) {
-  const std::size_t n = subject.ring.elements.size();
+  const std::size_t n = subject.ring.size();
   std::vector<std::size_t> entries;  // pieces through which the flow enters
   for (std::size_t k = 0; k < n; ++k) {
     if (enters_here(subject, k)) entries.push_back(k);
@@ -117,9 +117,9 @@ std::vector<Start> draw(Subject& subject, char kind, std::mt19937& random) {
     const auto part = static_cast<int>(random() % 99) + 1;
     const RationalPoint a = subject.vertex(k);
     if (kind == 'V') {
-      const VertexFlow flow = vertex_flow(subject.diagram.faces(), subject.ring.elements[k].vertex);
+      const VertexFlow flow = vertex_flow(subject.diagram.faces(), subject.ring.pieces[k].vertex);
       if (flow.way == VertexFlow::Way::kAcrossFacet && flow.facet == subject.name) {
-        starts.push_back({Place::at_vertex(subject.ring.elements[k].vertex), a});
+        starts.push_back({Place::at_vertex(subject.ring.pieces[k].vertex), a});
       }
     } else if (kind == 'E') {
       starts.push_back(
@@ -192,7 +192,7 @@ int main(int argc, char** argv) {
     if (degree > largest) break;
     for (const bool perturbed : {false, true}) {
       Subject subject(fuzz::high_degree_facet(degree, perturbed, 1));
-      if (subject.ring.elements.size() != degree) return 1;
+      if (subject.ring.size() != degree) return 1;
       for (std::size_t k = 0; k < kinds.size(); ++k) {
         agree = run(degree, perturbed, kinds[k], subject, all[k]) && agree;
       }

@@ -67,9 +67,9 @@ TEST(LazyKernel, ExactNumbersDecideAtAVoronoiVertex) {
   const FacetName name = facet_of_rows_0_and_1(faces);
   const FacetRing ring = faces.ring(name);
   std::size_t hits = 0;
-  for (std::size_t k = 0; k < ring.elements.size(); ++k) {
+  for (std::size_t k = 0; k < ring.size(); ++k) {
     // x lies on the way from m to a vertex, a little before it. For vertices on the far side x is in the facet.
-    const Location vertex{Place::at_vertex(ring.elements[k].vertex), kNoPoint};
+    const Location vertex{Place::at_vertex(ring.pieces[k].vertex), kNoPoint};
     const RationalPoint o = flow->exact(vertex);
     const RationalPoint x{o[0] * 999 / 1000, o[1] * 999 / 1000, o[2] * 999 / 1000};
     if (faces.locate(x).kind != Place::Kind::kFacet) continue;
@@ -93,11 +93,11 @@ TEST(LazyKernel, NearTiesAreTheExactKernels) {
   const auto exact = make_flow_operator(faces, {ConstructionKernel::kExact, FacetSearch::kBinary});
   const FacetName name = facet_of_rows_0_and_1(faces);
   const FacetRing ring = faces.ring(name);
-  const std::size_t n = ring.elements.size();
+  const std::size_t n = ring.size();
   std::size_t compared = 0;
   for (std::size_t k = 0; k < n; ++k) {
-    const RationalPoint o = exact->exact({Place::at_vertex(ring.elements[k].vertex), kNoPoint});
-    const RationalPoint beside = exact->exact({Place::at_vertex(ring.elements[(k + 1) % n].vertex), kNoPoint});
+    const RationalPoint o = exact->exact({Place::at_vertex(ring.pieces[k].vertex), kNoPoint});
+    const RationalPoint beside = exact->exact({Place::at_vertex(ring.pieces[(k + 1) % n].vertex), kNoPoint});
     for (int exponent = 40; exponent < 80; ++exponent) {
       for (const int sign : {-1, 1}) {
         const Rational little = Rational(sign) / Rational(std::uint64_t{1} << (exponent / 2)) /

@@ -70,7 +70,7 @@ RationalPoint along(const Subject& diagram, FacetName name, VertexIndex apex) {
 void expect_piece_is_an_edge(const Subject& diagram, const FacetRing& ring, FacetName name, std::size_t k) {
   const std::size_t n = ring.pieces.size();
   const RingPiece& piece = ring.pieces[k];
-  const RingElement &from = ring.elements[k], &to = ring.elements[(k + 1) % n];
+  const RingElement from = ring.element(k), to = ring.element((k + 1) % n);
   // The gaps are exactly the pieces at infinity, from a direction that leads away to one that comes back.
   const bool is_gap = from.vertex == kNoCell && to.vertex == kNoCell && from.factor == 1 && to.factor == -1;
   ASSERT_EQ(piece.polygon.cell == kNoCell, is_gap);
@@ -108,10 +108,29 @@ void expect_convex(const Subject& diagram, const FacetRing& ring, FacetName name
 void expect_lookups(const Subject& diagram, const FacetRing& ring) {
   for (std::size_t k = 0; k < ring.pieces.size(); ++k) {
     if (ring.pieces[k].polygon.cell != kNoCell) {
-      EXPECT_EQ(diagram.faces.piece_of(ring, ring.pieces[k].polygon), k);
+      EXPECT_EQ(diagram.faces.rings().piece_of(ring, ring.pieces[k].polygon), k);
     }
-    if (ring.elements[k].vertex != kNoCell) {
-      EXPECT_EQ(diagram.faces.element_of(ring, ring.elements[k].vertex), k);
+    if (ring.pieces[k].vertex != kNoCell) {
+      EXPECT_EQ(diagram.faces.rings().element_of(ring, ring.pieces[k].vertex), k);
+    }
+  }
+}
+
+// A link leads to the same Voronoi edge in the ring of the polygon's obtuse side, asked for the first time or again.
+void expect_links(Subject& diagram, RingNumber id) {
+  FacetRings& rings = diagram.faces.rings();
+  for (std::size_t k = 0; k < rings.at(id).size(); ++k) {
+    const RingPiece piece = rings.at(id).pieces[k];
+    if (!piece.is_finite()) continue;
+    const PolygonDriver driver = diagram.faces.driver(piece.polygon);
+    for (int twice = 0; twice < 2; ++twice) {
+      const RingLink link = rings.link(id, k);
+      ASSERT_EQ(link.ring == RingLink::kAlongEdge, driver.shape != Sign::kNegative);
+      if (link.ring == RingLink::kAlongEdge) continue;
+      const FacetRing next = rings.at(link.ring);
+      EXPECT_EQ(next.facet, driver.side);
+      EXPECT_EQ(next.pieces[link.place].polygon, piece.polygon);
+      EXPECT_EQ(next.pieces.data(), diagram.faces.ring(driver.side).pieces.data());
     }
   }
 }
@@ -127,21 +146,21 @@ TEST(VoronoiFaces, RingsAreConvexPolygonsWithoutDuplicates) {
       if (diagram.faces.dimension() < 2) continue;
       for (const FacetName name : diagram.facets()) {
         const FacetRing ring = diagram.faces.ring(name);
-        ASSERT_EQ(ring.elements.size(), ring.pieces.size());
         std::set<CellIndex> vertices;
         std::size_t finite = 0;
-        for (const RingElement& element : ring.elements) {
-          if (element.vertex == kNoCell) continue;
-          vertices.insert(element.vertex);
+        for (const RingPiece& piece : ring.pieces) {
+          if (piece.vertex == kNoCell) continue;
+          vertices.insert(piece.vertex);
           ++finite;
-          merged += diagram.faces.complex().is_alone(element.vertex) ? 0 : 1;
+          merged += diagram.faces.complex().is_alone(piece.vertex) ? 0 : 1;
         }
         EXPECT_EQ(vertices.size(), finite) << "a Voronoi vertex twice in one ring";
         for (std::size_t k = 0; k < ring.pieces.size(); ++k) expect_piece_is_an_edge(diagram, ring, name, k);
         expect_convex(diagram, ring, name);
         expect_lookups(diagram, ring);
+        expect_links(diagram, ring.id);
         ++rings;
-        unbounded += finite < ring.elements.size() ? 1 : 0;
+        unbounded += finite < ring.size() ? 1 : 0;
       }
     }
   }
@@ -158,10 +177,10 @@ TEST(VoronoiFaces, LargeRingsAreSearchedNotScanned) {
     std::size_t large = 0;
     for (const FacetName name : diagram.facets()) {
       const FacetRing ring = diagram.faces.ring(name);
-      large += ring.elements.size() == 500 ? 1 : 0;
+      large += ring.size() == 500 ? 1 : 0;
       expect_lookups(diagram, ring);
       // A second query gives the same array.
-      EXPECT_EQ(diagram.faces.ring(name).elements.data(), diagram.faces.ring(name).elements.data());
+      EXPECT_EQ(diagram.faces.ring(name).pieces.data(), diagram.faces.ring(name).pieces.data());
     }
     EXPECT_EQ(large, 1u);
   }
@@ -191,7 +210,7 @@ TEST(VoronoiFaces, APositionIsFoundFromEveryHint) {
 TEST(VoronoiFaces, FewerDimensionsHaveNoRings) {
   CITES("FC-VOR-03");
   Subject line({{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}});
-  EXPECT_TRUE(line.faces.ring({0, 1}).elements.empty());
+  EXPECT_TRUE(line.faces.ring({0, 1}).pieces.empty());
   EXPECT_EQ(line.faces.locate({Rational(1) / 2, Rational(1) / 2, Rational(1) / 2}).kind, Place::Kind::kFacet);
   Subject point({{{5, 6, 7}}});
   EXPECT_EQ(point.faces.locate({0, 0, 0}).kind, Place::Kind::kCell);

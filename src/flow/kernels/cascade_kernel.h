@@ -36,14 +36,16 @@ class CascadeKernel {
     ++tally_[FlowPrimitive::kCrossing].calls;
     // Within a Voronoi cell there is no facet. Only a given start crosses one.
     if (&p0 == &p1) return add(exact_crossing(from, {&p0, &p1}, q));
-    Kept point;
+    const Direction<double> arrival = direction_in_doubles(from, {&p0, &p1});
+    const std::uint32_t depth = points_[from].depth + 1;
+    if (!arrival.is_known()) ++tally_[FlowPrimitive::kCrossing].failures;
+    Kept& point = points_.add();
     point.kind = Kind::kCrossing;
-    point.depth = points_[from].depth + 1;
+    point.depth = depth;
     point.from = from;
     point.samples = {&p0, &p1, &q, nullptr};
-    point.arrival = direction_in_doubles(from, {&p0, &p1});
-    if (!point.arrival.is_known) ++tally_[FlowPrimitive::kCrossing].failures;
-    return points_.keep(std::move(point));
+    point.arrival = arrival;
+    return points_.kept() - 1;
   }
 
   [[nodiscard]] PointNumber add_circumcenter(std::span<const Point* const> simplex, Stay stay) {
@@ -106,7 +108,7 @@ class CascadeKernel {
   }
 
   // What each precision knows of the direction of a point from the midpoint of a facet, up to a positive factor.
-  [[nodiscard]] Direction<double> direction_in_doubles(PointNumber number, FacetEdge facet) {
+  [[nodiscard]] const Direction<double>& direction_in_doubles(PointNumber number, FacetEdge facet) {
     Kept& x = points_.at(number);
     if (x.facing == facet) return x.direction;
     x.direction = first_direction<double>(x, facet);
@@ -181,15 +183,15 @@ class CascadeKernel {
     const std::size_t shift = bits > kKeptBits ? bits - kKeptBits : 0;
     const auto part = [shift](const BigInteger& value) { return Extended(BigInteger(value >> shift)); };
     const Vector3<Extended> v{part(u.x), part(u.y), part(u.z)};
-    return rounded<Number>(Direction<Extended>{Extended(1 / length(v)) * v, 0, true});
+    return rounded<Number>(Direction<Extended>{Extended(1 / length(v)) * v, 0});
   }
   // The components are rounded once more.
   template <class Number>
   [[nodiscard]] static Direction<Number> rounded(const Direction<Extended>& x) {
+    if (!x.is_known()) return {};
     const Extended error = x.error + Extended(kGivenStartBound * Precision<Number>::kRoundoff);
     return {{static_cast<Number>(x.u.x), static_cast<Number>(x.u.y), static_cast<Number>(x.u.z)},
-            static_cast<Number>(error),
-            x.is_known};
+            static_cast<Number>(error)};
   }
 
   struct InExtended {
@@ -257,7 +259,7 @@ class CascadeKernel {
     if (!x.refined) x.refined = std::make_unique<Refined>();
     Rung::keep(*this, number, *x.refined, facet, value);
     const Direction<double> lower = Rung::handed_down(value);
-    if (lower.is_known) {
+    if (lower.is_known()) {
       x.direction = lower;
       x.facing = facet;
     }

@@ -63,9 +63,10 @@ template <class Number>
 struct Direction {
   Vector3<Number> u{};
   // The tangent of the angle between u and the true direction, in the facet's plane, is at most this. u is at most a
-  // little longer than 1, and leaves the plane by rounding alone.
-  Number error{};
-  bool is_known = false;
+  // little longer than 1, and leaves the plane by rounding alone. A direction that is not known has an error of 1.
+  Number error{1};
+
+  [[nodiscard]] bool is_known() const { return error < 1; }
 };
 
 template <class Number>
@@ -94,7 +95,7 @@ template <class Number>
   const Number inverse = Number(1) / sqrt(yy);
   const Number error = bound * inverse;
   if (!(error < Number(0.0625))) return {};
-  return {inverse * (y - Number(dot(y, e) / ee) * e), error * (Number(1) + Number(2) * error), true};
+  return {inverse * (y - Number(dot(y, e) / ee) * e), error * (Number(1) + Number(2) * error)};
 }
 
 // ---- Starts ----
@@ -187,7 +188,7 @@ template <class Number>
 [[nodiscard]] geometry::MaybeSign approach_sign(const Direction<Number>& x, FacetEdge facet, const Point& q) {
   using std::sqrt;
   const Bisector<Number> seen = bisector<Number>(facet, q);
-  if (!x.is_known || !Precision<Number>::is_in_range(seen.squared_size)) return std::nullopt;
+  if (!x.is_known() || !Precision<Number>::is_in_range(seen.squared_size)) return std::nullopt;
   return sign_beyond_bound(dot(x.u, seen.g), (x.error + Number(kExitBound * Precision<Number>::kRoundoff)) *
                                                  Number(sqrt(seen.squared_size)));
 }
@@ -199,7 +200,7 @@ template <class Number>
   using std::abs;
   using std::sqrt;
   const Bisector<Number> i = bisector<Number>(facet, qi), j = bisector<Number>(facet, qj);
-  if (!x.is_known || !Precision<Number>::is_in_range(i.squared_size) ||
+  if (!x.is_known() || !Precision<Number>::is_in_range(i.squared_size) ||
       !Precision<Number>::is_in_range(j.squared_size)) {
     return std::nullopt;
   }
@@ -215,7 +216,7 @@ template <class Number>
 [[nodiscard]] geometry::MaybeSign normal_sign(const Direction<Number>& x, const Point& a, const Point& b,
                                               const Point& c) {
   const Vector3<Number> ab = difference<Number>(a, b), ac = difference<Number>(a, c);
-  if (!x.is_known || !Precision<Number>::is_in_range(dot(ab, ab)) || !Precision<Number>::is_in_range(dot(ac, ac))) {
+  if (!x.is_known() || !Precision<Number>::is_in_range(dot(ab, ab)) || !Precision<Number>::is_in_range(dot(ac, ac))) {
     return std::nullopt;
   }
   return sign_beyond_bound(dot(x.u, cross(ab, ac)),
@@ -281,7 +282,7 @@ template <class Number>
   using std::abs;
   using std::sqrt;
   const Bisector<Number> seen = bisector<Number>(from, q);
-  if (!x.is_known || !Precision<Number>::is_in_range(seen.squared_size)) return {};
+  if (!x.is_known() || !Precision<Number>::is_in_range(seen.squared_size)) return {};
   const Number roundoff(Precision<Number>::kRoundoff);
   const Passage<Number> way = passage(from, q, seen, to);
   const Vector3<Number> e = difference<Number>(*from.p0, *from.p1), next = difference<Number>(*to.p0, *to.p1);
@@ -306,7 +307,7 @@ template <class Number>
   if (!(slack < Number(0.0625))) return {};
   const Number factor = sign > 0 ? inverse : Number(-inverse);
   return {factor * (y - Number(dot(y, next) / next_ee) * next),
-          (turn * x.error + rounding) * (Number(1) + Number(8) * slack), true};
+          (turn * x.error + rounding) * (Number(1) + Number(8) * slack)};
 }
 
 }  // namespace flowcert::flow

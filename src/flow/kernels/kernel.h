@@ -85,6 +85,8 @@ class PointStorage {
     values.push_back(std::move(value));
     return static_cast<PointNumber>(values.size() - 1) | (stay == Stay::kLasting ? kLasting : 0);
   }
+  // A new passing point, with the greatest number.
+  [[nodiscard]] Value& add() { return passing_.emplace_back(); }
   [[nodiscard]] bool has(PointNumber number) const {
     return (number & kLasting) != 0 ? (number ^ kLasting) < lasting_.size() : number < passing_.size();
   }

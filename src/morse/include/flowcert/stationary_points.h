@@ -43,14 +43,18 @@ class StationaryPoints {
   // c_0 - c_1 + c_2 - c_3: 1, or 0 for the empty set.
   [[nodiscard]] long long euler_sum() const;
 
+  // Where the point lies in the diagram that the list was made of (src/morse/record_face.h).
+  [[nodiscard]] std::uint32_t face(std::size_t i) const { return face_[i]; }
+
   // These build a list. The caller keeps the order; contact is ascending.
   void reserve(std::size_t records, std::size_t contacts);
-  void append(StationaryIndex index, std::span<const PointId> contact);
+  void append(StationaryIndex index, std::span<const PointId> contact, std::uint32_t face);
 
  private:
   std::vector<StationaryIndex> index_;
   std::vector<std::size_t> first_{0};
   std::vector<PointId> contact_;
+  std::vector<std::uint32_t> face_;
   std::array<std::size_t, 4> critical_{};
   RegularCounts regular_;
 };

@@ -1,0 +1,33 @@
+// The Voronoi face in which a stationary point lies, as one number: its place in the triangulation.
+//
+// Guarantees: the number of a Voronoi edge tells its PolygonRef, that of a Voronoi vertex its cluster. The number of
+// an index-1 point tells a finite cell that has its Delaunay edge. Index 0 has none.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "flowcert/stationary_points.h"
+#include "morse/layer.h"
+#include "voronoi/diagram.h"
+
+namespace flowcert::morse {
+
+// A cell's number has 30 bits (CompactDelaunay), and that of its facet two.
+[[nodiscard]] inline std::uint32_t face_number(FacetRef facet) { return 4 * facet.cell + facet.index; }
+[[nodiscard]] inline std::uint32_t face_number(CellIndex cell) { return 4 * cell; }
+
+[[nodiscard]] inline PolygonRef edge_of_record(const StationaryPoints& list, std::size_t record) {
+  return {list.face(record) / 4, list.face(record) % 4};
+}
+[[nodiscard]] inline CellIndex cell_of_record(const StationaryPoints& list, std::size_t record) {
+  return list.face(record) / 4;
+}
+
+// For index 2 and 3 and all kinds.
+[[nodiscard]] inline Place place_of_record(const StationaryPoints& list, std::size_t record) {
+  return list.index(record).hull_dimension == 3 ? Place::at_vertex(cell_of_record(list, record))
+                                                : Place::on_edge(edge_of_record(list, record));
+}
+
+}  // namespace flowcert::morse

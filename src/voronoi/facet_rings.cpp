@@ -1,0 +1,161 @@
+// A ring is read off the cells around its Delaunay edge, and each of them is told its number.
+#include "voronoi/facet_rings.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "geometry/contract.h"
+
+namespace flowcert::voronoi {
+
+namespace {
+
+// Rings up to this size are searched from end to end.
+constexpr std::size_t kSmallRing = 16;
+constexpr PolygonRef kNoPolygon{kNoCell, 0};
+
+bool before(PolygonRef a, PolygonRef b) { return std::tie(a.cell, a.index) < std::tie(b.cell, b.index); }
+
+}  // namespace
+
+FacetRing FacetRings::ring(FacetName facet, CellIndex cell) {
+  FLOWCERT_REQUIRES(facet.v0 < facet.v1 && diagram_.dimension() >= 2 && diagram_.delaunay().is_finite(cell));
+  if (ring_at_.empty()) {
+    std::array<RingNumber, 6> none{};
+    none.fill(kNoRing);
+    ring_at_.assign(diagram_.delaunay().finite_count, none);
+    // Room for all rings that there can be. Memory that is not used is not taken.
+    const std::size_t incidences = 6 * diagram_.delaunay().cells.size();
+    pieces_.reserve(incidences);
+    links_.reserve(incidences);
+    rings_.reserve(incidences / 4);
+  }
+  const RingNumber id = ring_at(cell, facet);
+  return at(id != kNoRing ? id : add_ring(facet, cell));
+}
+
+RingNumber FacetRings::add_ring(FacetName facet, CellIndex cell) {
+  const auto id = static_cast<RingNumber>(rings_.size());
+  Ring ring{facet, static_cast<std::uint32_t>(pieces_.size()), 0};
+  diagram_.spatial() != nullptr ? add_spatial_pieces(facet, cell, id) : add_planar_pieces(facet, cell, id);
+  ring.count = static_cast<std::uint32_t>(pieces_.size()) - ring.first;
+  links_.resize(pieces_.size());
+  rings_.push_back(ring);
+  if (ring.count > kSmallRing) sort_large_ring(at(id));
+  return id;
+}
+
+// Adds the passage to a polygon, through a Voronoi vertex or over a piece at infinity, and the polygon.
+void FacetRings::add_piece(CellIndex vertex_before, PolygonRef polygon, VertexIndex apex) {
+  if (vertex_before == kNoCell) pieces_.push_back({kNoPolygon, kInfiniteVertex, kNoCell});
+  pieces_.push_back({polygon, apex, vertex_before});
+}
+
+// Goes around v0 v1, counterclockwise seen from v1. In a positively oriented cell v0 v1 k l it goes from the facet
+// that has k to the one that has l. A facet inside a cluster, or between two infinite cells, bounds nothing.
+void FacetRings::add_spatial_pieces(FacetName facet, CellIndex start, RingNumber id) {
+  const CompactDelaunay& delaunay = diagram_.delaunay();
+  const VoronoiComplex& complex = diagram_.complex();
+  passages_.clear();
+  const auto& v = delaunay.vertices(start);
+  const unsigned i0 = place_among(v, facet.v0), i1 = place_among(v, facet.v1);
+  // v0 v1 k l is positive iff v0 v1 l is the outward order of the facet opposite k.
+  unsigned k = 0, l = 0;
+  for (k = 0; k < 4; ++k) {
+    if (k == i0 || k == i1) continue;
+    l = 6 - i0 - i1 - k;
+    const auto& order = kOutward[k];
+    const auto at = static_cast<unsigned>(std::find(order, order + 3, l) - order);
+    if (order[(at + 1) % 3] == i0) break;
+  }
+  CellIndex cell = start;
+  VertexIndex pivot = v[k];
+  do {
+    const auto& vertices = delaunay.vertices(cell);
+    const unsigned behind = place_among(vertices, pivot);
+    const unsigned ahead = 6 - behind - place_among(vertices, facet.v0) - place_among(vertices, facet.v1);
+    const VertexIndex apex = vertices[ahead];
+    const CellIndex next = delaunay.neighbors(cell)[behind];
+    const bool here = delaunay.is_finite(cell), there = delaunay.is_finite(next);
+    if (here) ring_at(cell, facet) = id;
+    const bool is_inside = here && there && complex.cluster(cell) == complex.cluster(next);
+    if ((here || there) && !is_inside) {
+      passages_.push_back({diagram_.polygon({cell, behind}), apex, there ? complex.cluster(next) : kNoCell});
+    }
+    pivot = apex;
+    cell = next;
+  } while (cell != start);
+
+  for (std::size_t i = 0; i < passages_.size(); ++i) {
+    const Passage& last = passages_[i == 0 ? passages_.size() - 1 : i - 1];
+    add_piece(last.after, passages_[i].polygon, passages_[i].apex);
+  }
+}
+
+// The facet is a slab between two lines, or a half plane beside one. Each line comes from infinity and goes there.
+void FacetRings::add_planar_pieces(FacetName facet, CellIndex cell, RingNumber id) {
+  const CompactDelaunay& delaunay = diagram_.delaunay();
+  const auto& v = delaunay.vertices(cell);
+  std::uint32_t i = 0;
+  while (v[i] == facet.v0 || v[i] == facet.v1) ++i;
+  ring_at(cell, facet) = id;
+  add_piece(kNoCell, diagram_.polygon({cell, 3}), v[i]);
+  const FacetRef across = delaunay.mirror({cell, i});
+  if (!delaunay.is_finite(across.cell)) return;
+  ring_at(across.cell, facet) = id;
+  add_piece(kNoCell, diagram_.polygon({across.cell, 3}), delaunay.vertices(across.cell)[across.index]);
+}
+
+void FacetRings::sort_large_ring(const FacetRing& ring) {
+  std::vector<std::uint32_t>& places = sorted_[ring.id];
+  const auto count = static_cast<std::uint32_t>(ring.size());
+  for (int twice = 0; twice < 2; ++twice) {
+    for (std::uint32_t k = 0; k < count; ++k) places.push_back(k);
+  }
+  const auto middle = places.begin() + static_cast<std::ptrdiff_t>(count);
+  std::sort(places.begin(), middle, [&ring](std::uint32_t a, std::uint32_t b) {
+    return before(ring.pieces[a].polygon, ring.pieces[b].polygon);
+  });
+  std::sort(middle, places.end(),
+            [&ring](std::uint32_t a, std::uint32_t b) { return ring.pieces[a].vertex < ring.pieces[b].vertex; });
+}
+
+std::size_t FacetRings::piece_of(const FacetRing& ring, PolygonRef polygon) const {
+  FLOWCERT_REQUIRES(std::ranges::count(ring.pieces, polygon, &RingPiece::polygon) == 1);
+  if (ring.size() <= kSmallRing) {
+    std::size_t k = 0;
+    while (ring.pieces[k].polygon != polygon) ++k;
+    return k;
+  }
+  const auto& places = sorted_.at(ring.id);
+  return *std::lower_bound(
+      places.begin(), places.begin() + static_cast<std::ptrdiff_t>(ring.size()), polygon,
+      [&ring](std::uint32_t k, PolygonRef value) { return before(ring.pieces[k].polygon, value); });
+}
+
+std::size_t FacetRings::element_of(const FacetRing& ring, CellIndex cluster) const {
+  FLOWCERT_REQUIRES(std::ranges::count(ring.pieces, cluster, &RingPiece::vertex) == 1);
+  if (ring.size() <= kSmallRing) {
+    std::size_t k = 0;
+    while (ring.pieces[k].vertex != cluster) ++k;
+    return k;
+  }
+  const auto& places = sorted_.at(ring.id);
+  return *std::lower_bound(places.begin() + static_cast<std::ptrdiff_t>(ring.size()), places.end(), cluster,
+                           [&ring](std::uint32_t k, CellIndex value) { return ring.pieces[k].vertex < value; });
+}
+
+RingLink FacetRings::new_link(RingNumber id, std::size_t k) {
+  const PolygonRef polygon = at(id).pieces[k].polygon;
+  FLOWCERT_REQUIRES(polygon.cell != kNoCell);
+  const PolygonDriver driver = diagram_.driver(polygon);
+  RingLink link{RingLink::kAlongEdge, 0};
+  if (driver.shape == Sign::kNegative) {
+    const FacetRing next = ring(driver.side, diagram_.cell_of_side(polygon, driver.side));
+    link = {next.id, static_cast<std::uint32_t>(piece_of(next, polygon))};
+  }
+  links_[rings_[id].first + k] = link;
+  return link;
+}
+
+}  // namespace flowcert::voronoi

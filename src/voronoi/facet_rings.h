@@ -1,0 +1,123 @@
+// What bounds the Voronoi facets that a worker has met: a cyclic array for each, laid out once, side by side in memory.
+//
+// Guarantees: exact; the faces are those of spec clauses FC-VOR-01 to 04. A ring is made when it is first asked for,
+// and kept. That takes O(k) for k Delaunay cells around its edge. Duplicate Voronoi vertices among them are merged
+// there and then, so that no query meets them (paper, Proposition 1). Where the flow leaves one facet for another, the
+// way to the other ring is looked up once. Rings are not for two threads at once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "voronoi/diagram.h"
+
+namespace flowcert::voronoi {
+
+using RingNumber = std::uint32_t;
+inline constexpr RingNumber kNoRing = 0xffffffffu;
+
+// What bounds a facet, counterclockwise seen from v1: element k, then the piece k of the boundary between
+// elements k and k+1, and so on around. An element is a Voronoi vertex, or the direction of a Voronoi ray at
+// infinity; a piece is a Voronoi edge, or lies at infinity.
+struct RingElement {
+  CellIndex vertex;  // the cluster; kNoCell for a direction
+  // For a direction: apex is a third point of the ray's polygon. factor is +1 for the far end of a ray that is
+  // followed outwards, -1 for a ray that comes from infinity. The direction lies counterclockwise of a vector d of
+  // the facet's plane iff factor * <d, apex - v0> > 0 (paper, Eq. 5: the ray is orthogonal to v0 v1 apex).
+  VertexIndex apex;
+  int factor;
+};
+struct RingPiece {
+  PolygonRef polygon;  // cell kNoCell: at infinity
+  VertexIndex apex;    // a point of the polygon other than v0 and v1
+  CellIndex vertex;    // the element before it: the cluster, or kNoCell for a direction
+
+  [[nodiscard]] bool is_finite() const { return polygon.cell != kNoCell; }
+};
+
+// A ring is valid until the next facet is asked for. If there is no piece, the facet is a whole plane.
+struct FacetRing {
+  RingNumber id = kNoRing;
+  FacetName facet{0, 0};
+  std::span<const RingPiece> pieces;
+
+  [[nodiscard]] std::size_t size() const { return pieces.size(); }
+  [[nodiscard]] std::size_t before(std::size_t k) const { return (k == 0 ? pieces.size() : k) - 1; }
+  [[nodiscard]] RingElement element(std::size_t k) const {
+    const RingPiece &here = pieces[k], &last = pieces[before(k)];
+    if (here.vertex != kNoCell) return {here.vertex, kInfiniteVertex, 0};
+    return last.is_finite() ? RingElement{kNoCell, last.apex, 1} : RingElement{kNoCell, here.apex, -1};
+  }
+};
+
+// Where the flow goes on from the inside of a Voronoi edge.
+struct RingLink {
+  static constexpr RingNumber kUnknown = kNoRing;
+  static constexpr RingNumber kAlongEdge = kNoRing - 1;
+
+  RingNumber ring = kUnknown;  // the facet of the polygon's obtuse side, or kAlongEdge if there is none
+  std::uint32_t place = 0;     // of the same Voronoi edge among the other ring's pieces
+};
+
+class FacetRings {
+ public:
+  // The diagram must outlive it. O(1).
+  explicit FacetRings(const Diagram& diagram) : diagram_(diagram) {}
+
+  // The ring of a facet of which a finite cell has the Delaunay edge. Dimension 2 and 3.
+  [[nodiscard]] FacetRing ring(FacetName facet, CellIndex cell);
+  [[nodiscard]] FacetRing at(RingNumber id) const {
+    const Ring& ring = rings_[id];
+    return {id, ring.facet, std::span(pieces_).subspan(ring.first, ring.count)};
+  }
+
+  // The place in the ring of a Voronoi edge or vertex, which must bound the facet. O(log n).
+  [[nodiscard]] std::size_t piece_of(const FacetRing& ring, PolygonRef polygon) const;
+  [[nodiscard]] std::size_t element_of(const FacetRing& ring, CellIndex cluster) const;
+
+  // From piece k of a ring, which must be finite. It may lay out another ring.
+  [[nodiscard]] RingLink link(RingNumber id, std::size_t k) {
+    RingLink& link = links_[rings_[id].first + k];
+    return link.ring != RingLink::kUnknown ? link : new_link(id, k);
+  }
+
+ private:
+  struct Ring {
+    FacetName facet;
+    std::uint32_t first, count;
+  };
+  // A facet of the triangulation that a walk around an edge goes through.
+  struct Passage {
+    PolygonRef polygon;
+    VertexIndex apex;
+    CellIndex after;  // the Voronoi vertex behind it; kNoCell: infinity
+  };
+
+  // The place of a facet's number in a cell that has its Delaunay edge.
+  [[nodiscard]] RingNumber& ring_at(CellIndex cell, FacetName facet) {
+    // The number of the edge between two places of a cell.
+    static constexpr std::uint8_t kEdge[4][4] = {{0, 0, 1, 2}, {0, 0, 3, 4}, {1, 3, 0, 5}, {2, 4, 5, 0}};
+    const auto& v = diagram_.delaunay().vertices(cell);
+    return ring_at_[cell][kEdge[place_among(v, facet.v0)][place_among(v, facet.v1)]];
+  }
+  [[nodiscard]] RingNumber add_ring(FacetName facet, CellIndex cell);
+  void add_spatial_pieces(FacetName facet, CellIndex start, RingNumber id);
+  void add_planar_pieces(FacetName facet, CellIndex cell, RingNumber id);
+  void add_piece(CellIndex vertex_before, PolygonRef polygon, VertexIndex apex);
+  [[nodiscard]] RingLink new_link(RingNumber id, std::size_t k);
+  void sort_large_ring(const FacetRing& ring);
+
+  const Diagram& diagram_;
+  std::vector<std::array<RingNumber, 6>> ring_at_;  // by finite cell and edge
+  std::vector<Ring> rings_;
+  std::vector<RingPiece> pieces_;
+  std::vector<RingLink> links_;    // by piece
+  std::vector<Passage> passages_;  // of the ring that is being made
+  // Of large rings: the places by polygon, and then the places by cluster.
+  std::unordered_map<RingNumber, std::vector<std::uint32_t>> sorted_;
+};
+
+}  // namespace flowcert::voronoi
