@@ -15,13 +15,47 @@
 
 namespace flowcert::flow {
 
-// centers(cluster) is the constructed point of a cluster, which Centers keeps; centers.point(v) is a sample.
-// centers.side_of_ray tells SideOfRay for an element of the ring that is a Voronoi vertex.
+// On which side of the ray from the facet's midpoint through x an element of its ring lies: positive if it lies
+// counterclockwise of the ray. centers(cluster) is the constructed point of a cluster, which Centers keeps;
+// centers.point(v) is a sample.
+template <ConstructsPoints Kernel, class Centers>
+class RaySides {
+ public:
+  using MovingPoint = typename MovingPointOf<Kernel>::Type;
+
+  RaySides(Kernel& kernel, Centers& centers, const FacetRing& ring, MovingPoint& x)
+      : kernel_(kernel), centers_(centers), ring_(ring), x_(x) {}
+
+  [[nodiscard]] Sign of_vertex(std::size_t k) const {
+    if constexpr (HasMovingPoint<Kernel>) {
+      return x_.sign_of_order(centers_.point(ring_.pieces[ring_.before(k)].apex), centers_.point(ring_.pieces[k].apex));
+    } else {
+      return kernel_.sign(SideOfRay{x_.number(), centers_.point(ring_.facet.v0), centers_.point(ring_.facet.v1),
+                                    centers_(ring_.pieces[k].vertex)});
+    }
+  }
+  [[nodiscard]] Sign of(std::size_t k) const {
+    if (ring_.pieces[k].vertex != kNoCell) return of_vertex(k);
+    const RingElement e = ring_.element(k);
+    return times(e.factor, x_.sign_of_ray_at_infinity(centers_.point(e.apex)));
+  }
+
+  static Sign times(int factor, Sign sign) { return static_cast<Sign>(factor * static_cast<int>(sign)); }
+
+ private:
+  Kernel& kernel_;
+  Centers& centers_;
+  const FacetRing& ring_;
+  MovingPoint& x_;
+};
+
 template <ConstructsPoints Kernel, class Centers>
 class RingQuery {
  public:
-  RingQuery(Kernel& kernel, Centers& centers, FacetRing ring, const Point& p0, const Point& p1, PointNumber x)
-      : kernel_(kernel), centers_(centers), ring_(ring), p0_(p0), p1_(p1), x_(x), n_(ring.size()) {}
+  using MovingPoint = typename MovingPointOf<Kernel>::Type;
+
+  RingQuery(Kernel& kernel, Centers& centers, const FacetRing& ring, MovingPoint& x)
+      : kernel_(kernel), centers_(centers), ring_(ring), x_(x), n_(ring.size()), sides_(kernel, centers, ring, x) {}
 
   // What the ray reaches: an element or a piece, with its place in the ring, or infinity.
   struct Exit {
@@ -73,30 +107,26 @@ class RingQuery {
     return {Exit::Kind::kPiece, piece};
   }
 
-  static Sign times(int factor, Sign sign) { return static_cast<Sign>(factor * static_cast<int>(sign)); }
-
-  // The side of the ray: positive for an element counterclockwise of it.
-  [[nodiscard]] Sign side(std::size_t k) {
-    const std::size_t at = around(k);
-    if (ring_.pieces[at].vertex != kNoCell) return centers_.side_of_ray(x_, p0_, p1_, ring_, at);
-    const RingElement e = ring_.element(at);
-    return times(e.factor, kernel_.sign(RayAtInfinity{x_, p0_, p1_, centers_.point(e.apex)}));
-  }
+  [[nodiscard]] Sign side(std::size_t k) const { return sides_.of(around(k)); }
 
   // The side of the line from x to the vertex `reference`: positive for an element counterclockwise of it.
   [[nodiscard]] Sign side_of_reference(PointNumber reference, std::size_t k) {
     const RingElement e = ring_.element(around(k));
-    if (e.vertex != kNoCell) return kernel_.sign(AroundStart{x_, p0_, p1_, reference, centers_(e.vertex)});
-    return times(e.factor, kernel_.sign(RayAroundStart{x_, p0_, p1_, reference, centers_.point(e.apex)}));
+    const Point &p0 = centers_.point(ring_.facet.v0), &p1 = centers_.point(ring_.facet.v1);
+    if (e.vertex != kNoCell) return kernel_.sign(AroundStart{x_.number(), p0, p1, reference, centers_(e.vertex)});
+    return RaySides<Kernel, Centers>::times(
+        e.factor, kernel_.sign(RayAroundStart{x_.number(), p0, p1, reference, centers_.point(e.apex)}));
   }
 
   // Whether c lies on the ray and beyond x. It must lie on the line of the ray; only the filter checks that, so that
   // no point becomes exact by it.
   [[nodiscard]] bool is_beyond(PointNumber c) {
-    FLOWCERT_REQUIRES(kernel_.sign_on_rung(SideOfRay{x_, p0_, p1_, c}, KernelRung::kFilter).value_or(Sign::kZero) ==
+    const Point &p0 = centers_.point(ring_.facet.v0), &p1 = centers_.point(ring_.facet.v1);
+    const PointNumber x = x_.number();
+    FLOWCERT_REQUIRES(kernel_.sign_on_rung(SideOfRay{x, p0, p1, c}, KernelRung::kFilter).value_or(Sign::kZero) ==
                       Sign::kZero);
-    return kernel_.sign(AlongRay{x_, p0_, p1_, c}) == Sign::kPositive &&
-           kernel_.sign(BeforePoint{x_, p0_, p1_, c}) == Sign::kPositive;
+    return kernel_.sign(AlongRay{x, p0, p1, c}) == Sign::kPositive &&
+           kernel_.sign(BeforePoint{x, p0, p1, c}) == Sign::kPositive;
   }
 
   // Goes around x from a reference vertex, and counts angles counterclockwise from it. One sign tells whether the
@@ -151,11 +181,10 @@ class RingQuery {
 
   Kernel& kernel_;
   Centers& centers_;
-  FacetRing ring_;
-  const Point& p0_;
-  const Point& p1_;
-  PointNumber x_;
+  const FacetRing& ring_;
+  MovingPoint& x_;
   std::size_t n_;
+  RaySides<Kernel, Centers> sides_;
 };
 
 }  // namespace flowcert::flow

@@ -47,23 +47,27 @@ class KernelFlowOperator final : public FlowOperator {
     const Location start{Place::at_vertex(cluster), kNoPoint};
     if (flow.way != VertexFlow::Way::kAcrossFacet) return course_of(start, step_from_vertex(start));
     Course course;
-    PointNumber x = center(cluster);
     FacetRing ring = faces_.ring(flow.facet, cluster);
+    MovingPoint x = moving_point(center(cluster), ring);
     Exit exit = exit_from_vertex(ring, cluster, x);
     for (char from = 'V'; exit.kind == Exit::Kind::kPiece; from = 'E') {
-      const RingPiece piece = ring.pieces[exit.at];
       course.add({from, 'F', 'E'});
-      x = kernel_.add_crossing(x, faces_.point(ring.facet.v0), faces_.point(ring.facet.v1), faces_.point(piece.apex));
+      x.leave(faces_.point(ring.pieces[exit.at].apex));
       const RingLink link = faces_.rings().link(ring.id, exit.at);
       if (link.ring == RingLink::kAlongEdge) {
-        const Location at{Place::on_edge(piece.polygon), x};
-        return course_of(at, step_along_edge(at, faces_.driver(piece.polygon).shape), course);
+        const Location at{Place::on_edge(faces_.rings().at(ring.id).pieces[exit.at].polygon), kNoPoint};
+        const auto [a, b, c] = faces_.corners(at.place.edge);
+        const Sign side = x.sign_along_edge(faces_.point(a), faces_.point(b), faces_.point(c));
+        return course_of(at, step_along_edge(at, faces_.driver(at.place.edge).shape, side), course);
       }
       ring = faces_.rings().at(link.ring);
+      x.enter(faces_.point(ring.facet.v0), faces_.point(ring.facet.v1));
       exit = exit_from_piece(ring, link.place, x);
     }
-    const FlowStep last = across(ring, exit, x);
-    return course_of({course.count == 0 ? start.place : Place::on_edge({kNoCell, 0}), x}, last, course);
+    FlowStep last;
+    last.crossed = Place::on_facet(ring.facet);
+    if (exit.kind == Exit::Kind::kElement) last.end.place = Place::at_vertex(ring.pieces[exit.at].vertex);
+    return course_of(course.count == 0 ? start : Location{Place::on_edge({kNoCell, 0}), kNoPoint}, last, course);
   }
 
   Location end_of_edge(PolygonRef polygon, std::size_t side) override {
@@ -82,17 +86,18 @@ class KernelFlowOperator final : public FlowOperator {
     const ObtuseChain chain = chain_of(facet, ring);
     const std::size_t n = ring.size();
     if (chain.count == 0) return midpoint_step(facet, ring, chain);
+    if (chain.count == 1) return edge_step(ring.pieces[chain.first]);
     std::size_t low = 0, high = chain.count - 1;
+    MovingPoint x = moving_point(number_of(front), ring);
+    const RaySides<Kernel, const Centers> sides(kernel_, centers_, ring, x);
     while (low < high) {
       const std::size_t probe = search_ == FacetSearch::kBinary ? (low + high) / 2 : low;
       const std::size_t element = (chain.first + 1 + probe) % n;
-      const CellIndex cluster = ring.pieces[element].vertex;
-      const Sign sign = side_of_ray(number_of(front), faces_.point(facet.v0), faces_.point(facet.v1), ring, element);
-      if (sign == Sign::kZero) return {Place::at_vertex(cluster), false, kInfiniteVertex};
+      const Sign sign = sides.of_vertex(element);
+      if (sign == Sign::kZero) return {Place::at_vertex(ring.pieces[element].vertex), false, kInfiniteVertex};
       (sign == Sign::kPositive ? low : high) = sign == Sign::kPositive ? probe + 1 : probe;
     }
-    const RingPiece& piece = ring.pieces[(chain.first + low) % n];
-    return {Place::on_edge(piece.polygon), false, piece.apex};
+    return edge_step(ring.pieces[(chain.first + low) % n]);
   }
 
   PointNumber cross_back(const Location& front, FacetName facet, VertexIndex apex) override {
@@ -106,8 +111,8 @@ class KernelFlowOperator final : public FlowOperator {
 
   RationalPoint exact(const Location& at) override { return kernel_.exact(number_of(at)); }
   void count_sizes(Distribution& exact_bytes, std::size_t& depth) const override {
+    depth = std::max(depth, kernel_.deepest());
     for (PointNumber point = 0; point < kernel_.kept(); ++point) {
-      depth = std::max(depth, kernel_.depth(point));
       if (const auto bytes = kernel_.exact_bytes(point)) {
         for (const std::size_t size : *bytes) exact_bytes.add(size);
       }
@@ -131,27 +136,19 @@ class KernelFlowOperator final : public FlowOperator {
     KernelFlowOperator& flow;
     PointNumber operator()(CellIndex cluster) const { return flow.center(cluster); }
     const Point& point(VertexIndex v) const { return flow.faces_.point(v); }
-    Sign side_of_ray(PointNumber x, const Point& p0, const Point& p1, const FacetRing& ring, std::size_t k) const {
-      return flow.side_of_ray(x, p0, p1, ring, k);
-    }
   };
   using Query = RingQuery<Kernel, const Centers>;
   using Exit = typename Query::Exit;
+  using MovingPoint = typename MovingPointOf<Kernel>::Type;
 
-  // The side of the ray from the facet's midpoint through x on which an element of its ring lies, a Voronoi vertex.
-  Sign side_of_ray(PointNumber x, const Point& p0, const Point& p1, const FacetRing& ring, std::size_t element) {
-    if constexpr (Kernel::kConstructsVertices) {
-      return kernel_.sign(SideOfRay{x, p0, p1, center(ring.pieces[element].vertex)});
-    } else {
-      return kernel_.sign(OrderOfExits{x, p0, p1, faces_.point(ring.pieces[ring.before(element)].apex),
-                                       faces_.point(ring.pieces[element].apex)});
-    }
+  MovingPoint moving_point(PointNumber start, const FacetRing& ring) {
+    return MovingPoint(kernel_, start, faces_.point(ring.facet.v0), faces_.point(ring.facet.v1));
   }
 
   // The Voronoi vertex, constructed when first needed. A kernel that constructs vertices for its signs keeps it until
   // drop_all().
   PointNumber center(CellIndex cluster) {
-    if constexpr (!Kernel::kConstructsVertices) {
+    if constexpr (HasMovingPoint<Kernel>) {
       const auto& v = faces_.delaunay().vertices(cluster);
       return kernel_.add_circumcenter(
           std::array{&faces_.point(v[0]), &faces_.point(v[1]), &faces_.point(v[2]), &faces_.point(v[3])},
@@ -179,6 +176,7 @@ class KernelFlowOperator final : public FlowOperator {
     return *chains_[ring.id];
   }
 
+  static BackwardStep edge_step(const RingPiece& piece) { return {Place::on_edge(piece.polygon), false, piece.apex}; }
   static BackwardStep midpoint_step(FacetName facet, const FacetRing& ring, const ObtuseChain& chain) {
     Place back = Place::on_facet(facet);
     if (chain.right_count == 1) back = Place::on_edge(ring.pieces[chain.right].polygon);
@@ -207,7 +205,7 @@ class KernelFlowOperator final : public FlowOperator {
         break;
       case VertexFlow::Way::kAcrossFacet: {
         const FacetRing ring = faces_.ring(flow.facet, cluster);
-        const PointNumber x = center(cluster);
+        MovingPoint x = moving_point(center(cluster), ring);
         step = across(ring, exit_from_vertex(ring, cluster, x), x);
         break;
       }
@@ -218,21 +216,20 @@ class KernelFlowOperator final : public FlowOperator {
   // E-E-{V, infinity}, E-F-{V, E, infinity}.
   FlowStep step_from_edge(const Location& from) {
     const PolygonRef polygon = from.place.edge;
-    const PointNumber x = from.point;
     const PolygonDriver driver = faces_.driver(polygon);
     if (driver.shape == Sign::kNegative) {
       const FacetRing ring = faces_.ring(driver.side, polygon.cell);
+      MovingPoint x = moving_point(from.point, ring);
       return across(ring, exit_from_piece(ring, faces_.rings().piece_of(ring, polygon), x), x);
     }
-    return step_along_edge(from, driver.shape);
+    const auto [a, b, c] = faces_.corners(polygon);
+    const Sign side = kernel_.sign(AlongEdge{from.point, faces_.point(a), faces_.point(b), faces_.point(c)});
+    return step_along_edge(from, driver.shape, side);
   }
 
-  // E-E-{V, infinity}. The polygon contains its centre.
-  FlowStep step_along_edge(const Location& from, Sign shape) {
+  // E-E-{V, infinity}. The polygon contains its centre, and `side` is that of its plane on which the start lies.
+  FlowStep step_along_edge(const Location& from, Sign shape, Sign side) {
     const PolygonRef polygon = from.place.edge;
-    const PointNumber x = from.point;
-    const auto [a, b, c] = faces_.corners(polygon);
-    const Sign side = kernel_.sign(AlongEdge{x, faces_.point(a), faces_.point(b), faces_.point(c)});
     FlowStep step;
     step.crossed = from.place;
     step.driver = center_of(polygon);
@@ -255,7 +252,8 @@ class KernelFlowOperator final : public FlowOperator {
       return stays(from, {1, 1}, midpoint_of(facet));
     }
     const FacetRing ring = faces_.ring(facet);
-    return across(ring, query_of(ring, from.point).from_inside(search_), from.point);
+    MovingPoint start = moving_point(from.point, ring);
+    return across(ring, query_of(ring, start).from_inside(search_), start);
   }
 
   // C-C-{V, E, F, infinity}. Bisectors with the Delaunay neighbours bound the cell; the ray ends at the nearest.
@@ -303,17 +301,15 @@ class KernelFlowOperator final : public FlowOperator {
     return step;
   }
 
-  Query query_of(const FacetRing& ring, PointNumber x) {
-    return Query(kernel_, centers_, ring, faces_.point(ring.facet.v0), faces_.point(ring.facet.v1), x);
-  }
-  Exit exit_from_vertex(const FacetRing& ring, CellIndex cluster, PointNumber x) {
+  Query query_of(const FacetRing& ring, MovingPoint& x) { return Query(kernel_, centers_, ring, x); }
+  Exit exit_from_vertex(const FacetRing& ring, CellIndex cluster, MovingPoint& x) {
     return query_of(ring, x).from_boundary(search_, faces_.rings().element_of(ring, cluster) + 1, ring.size() - 2);
   }
-  Exit exit_from_piece(const FacetRing& ring, std::size_t piece, PointNumber x) {
+  Exit exit_from_piece(const FacetRing& ring, std::size_t piece, MovingPoint& x) {
     return query_of(ring, x).from_boundary(search_, piece + 1, ring.size() - 1);
   }
 
-  FlowStep across(const FacetRing& ring, Exit exit, PointNumber x) {
+  FlowStep across(const FacetRing& ring, Exit exit, MovingPoint& x) {
     const FacetName facet = ring.facet;
     FlowStep step;
     step.crossed = Place::on_facet(facet);
@@ -327,8 +323,8 @@ class KernelFlowOperator final : public FlowOperator {
       case Exit::Kind::kPiece: {
         const RingPiece& piece = ring.pieces[exit.at];
         step.end.place = Place::on_edge(piece.polygon);
-        step.end.point =
-            kernel_.add_crossing(x, faces_.point(facet.v0), faces_.point(facet.v1), faces_.point(piece.apex));
+        x.leave(faces_.point(piece.apex));
+        step.end.point = x.number();
         break;
       }
     }

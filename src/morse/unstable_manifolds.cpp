@@ -29,12 +29,6 @@ constexpr std::size_t kProgressStep = 256;
 }  // namespace
 
 struct UnstableManifolds::Parts {
-  struct Saddle {
-    std::size_t record;
-    PolygonRef polygon;
-    bool is_reversed;  // side 0 of the manifold is end 1 of the Voronoi edge
-    std::array<std::optional<std::size_t>, 2> limits;
-  };
   class Worker;
 
   Parts(const VoronoiDiagram& voronoi, const StationaryPoints& list, UnstableOptions how)
@@ -42,10 +36,10 @@ struct UnstableManifolds::Parts {
 
   void compute(const Progress& progress);
   // The order of the saddles in space, in which neighbours share what is in the cache.
-  [[nodiscard]] static std::vector<std::uint32_t> along_the_curve(const std::vector<Saddle>& saddles) {
-    std::vector<std::uint32_t> order(saddles.size());
+  [[nodiscard]] std::vector<std::uint32_t> along_the_curve() const {
+    std::vector<std::uint32_t> order(limits.size());
     std::iota(order.begin(), order.end(), std::uint32_t{0});
-    std::ranges::sort(order, {}, [&](std::uint32_t i) { return saddles[i].polygon; });
+    std::ranges::sort(order, {}, [this](std::uint32_t i) { return stationary.face(first_saddle + i); });
     return order;
   }
   [[nodiscard]] auto with_worker(const auto& use);
@@ -55,7 +49,10 @@ struct UnstableManifolds::Parts {
   RecordFinder finder;
   UnstableOptions options;
   std::vector<std::uint32_t> record_at;  // by cluster: the stationary point there
-  std::vector<Saddle> saddles;
+  // The index-2 points come one after the other in the list. A limit is a place in the list.
+  static constexpr std::uint32_t kInfinity = 0xffffffffu;
+  std::size_t first_saddle = 0;
+  std::vector<std::array<std::uint32_t, 2>> limits;
   FlowStatistics statistics;
   WorkerPool<Worker> workers;
 };
@@ -69,19 +66,20 @@ class UnstableManifolds::Parts::Worker {
         recorder_(all.diagram.points(), faces_.diagram(), *flow_),
         forest_(faces_.diagram(), *flow_, all.options.share) {}
 
-  Saddle saddle(std::size_t record);
   // Follows one orbit, from stretch to stretch, and returns what it ends at.
-  std::optional<std::size_t> follow(const Saddle& saddle, std::size_t side, FlowStatistics& statistics);
+  std::uint32_t follow(std::size_t saddle, std::size_t side, FlowStatistics& statistics);
   // Adds what was flowed. Without sharing, all of that is forgotten.
   void count(FlowStatistics& statistics);
   std::optional<std::size_t> limit_beyond(std::size_t record, std::size_t choice);
-  Orbit orbit(const Saddle& saddle, std::size_t side);
+  Orbit orbit(std::size_t saddle, std::size_t side);
   [[nodiscard]] const KernelTally& tally() const { return flow_->tally(); }
 
  private:
   [[nodiscard]] bool is_reversed(std::size_t record, PolygonRef polygon) const;
-  [[nodiscard]] Location start_of(const Saddle& saddle, std::size_t side) {
-    return flow_->end_of_edge(saddle.polygon, saddle.is_reversed ? 1 - side : side);
+  // If the polygon is reversed, side 0 of the manifold is end 1 of the Voronoi edge.
+  [[nodiscard]] Location start_of(std::size_t saddle, std::size_t side) {
+    const PolygonRef polygon = edge_of_record(all_.stationary, saddle);
+    return flow_->end_of_edge(polygon, is_reversed(saddle, polygon) ? 1 - side : side);
   }
   // Most orbits end at a maximum, and others at the centre of an edge's polygon or at a regular stationary point.
   [[nodiscard]] std::optional<std::size_t> record_of(const std::optional<ForestEnd>& end) const {
@@ -122,13 +120,8 @@ bool UnstableManifolds::Parts::Worker::is_reversed(std::size_t record, PolygonRe
              normal(named(0), named(1), named(2))) < 0;
 }
 
-UnstableManifolds::Parts::Saddle UnstableManifolds::Parts::Worker::saddle(std::size_t record) {
-  const PolygonRef polygon = edge_of_record(all_.stationary, record);
-  return {record, polygon, is_reversed(record, polygon), {}};
-}
-
-std::optional<std::size_t> UnstableManifolds::Parts::Worker::follow(const Saddle& saddle, std::size_t side,
-                                                                    FlowStatistics& statistics) {
+std::uint32_t UnstableManifolds::Parts::Worker::follow(std::size_t saddle, std::size_t side,
+                                                       FlowStatistics& statistics) {
   const Location start = start_of(saddle, side);
   std::size_t length = 1;
   ++statistics.segments_computed;
@@ -146,7 +139,7 @@ std::optional<std::size_t> UnstableManifolds::Parts::Worker::follow(const Saddle
   ++(!limit                                        ? statistics.to_infinity
      : all_.stationary.index(*limit).is_critical() ? statistics.to_critical
                                                    : statistics.to_regular);
-  return limit;
+  return limit ? static_cast<std::uint32_t>(*limit) : kInfinity;
 }
 
 void UnstableManifolds::Parts::Worker::count(FlowStatistics& statistics) {
@@ -174,12 +167,13 @@ std::optional<std::size_t> UnstableManifolds::Parts::Worker::limit_beyond(std::s
   return limit;
 }
 
-Orbit UnstableManifolds::Parts::Worker::orbit(const Saddle& saddle, std::size_t side) {
+Orbit UnstableManifolds::Parts::Worker::orbit(std::size_t saddle, std::size_t side) {
   const PointSet& points = all_.diagram.points();
-  Orbit orbit{exact_sphere(points, all_.stationary.contact(saddle.record)).center, {}, std::nullopt};
+  Orbit orbit{exact_sphere(points, all_.stationary.contact(saddle)).center, {}, std::nullopt};
   FlowStep first;
-  first.crossed = Place::on_edge(saddle.polygon);
-  first.driver = {faces_.corners(saddle.polygon), 3};
+  const PolygonRef polygon = edge_of_record(all_.stationary, saddle);
+  first.crossed = Place::on_edge(polygon);
+  first.driver = {faces_.corners(polygon), 3};
   first.end = start_of(saddle, side);
   orbit.segments.push_back(recorder_.segment({first.crossed, flow_->add(orbit.start)}, first));
   recorder_.follow(first.end, orbit);
@@ -194,19 +188,21 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
   }
   auto worker = std::make_unique<Worker>(*this);
   const auto [first, last] = finder.range({2, 2});
-  for (std::size_t record = first; record < last; ++record) saddles.push_back(worker->saddle(record));
+  first_saddle = first;
+  limits.resize(last - first);
   std::size_t done = 0;
-  for (const std::uint32_t i : along_the_curve(saddles)) {
-    if (progress && done++ % kProgressStep == 0) progress(done - 1, saddles.size());
+  for (const std::uint32_t i : along_the_curve()) {
+    if (progress && done % kProgressStep == 0) progress(done, limits.size());
+    ++done;
     for (std::size_t side = 0; side < 2; ++side) {
-      saddles[i].limits[side] = worker->follow(saddles[i], side, statistics);
+      limits[i][side] = worker->follow(first + i, side, statistics);
       if (!options.share) worker->count(statistics);
     }
   }
   if (options.share) worker->count(statistics);
   statistics.tally = worker->tally();
   workers.give(std::move(worker));
-  if (progress) progress(saddles.size(), saddles.size());
+  if (progress) progress(limits.size(), limits.size());
 }
 
 UnstableManifolds::UnstableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
@@ -218,18 +214,19 @@ UnstableManifolds::~UnstableManifolds() = default;
 UnstableManifolds::UnstableManifolds(UnstableManifolds&&) noexcept = default;
 UnstableManifolds& UnstableManifolds::operator=(UnstableManifolds&&) noexcept = default;
 
-std::size_t UnstableManifolds::size() const { return parts_->saddles.size(); }
+std::size_t UnstableManifolds::size() const { return parts_->limits.size(); }
 std::size_t UnstableManifolds::saddle(std::size_t i) const {
   FLOWCERT_REQUIRES(i < size());
-  return parts_->saddles[i].record;
+  return parts_->first_saddle + i;
 }
 std::optional<std::size_t> UnstableManifolds::limit(std::size_t i, std::size_t side) const {
   FLOWCERT_REQUIRES(i < size() && side < 2);
-  return parts_->saddles[i].limits[side];
+  const std::uint32_t limit = parts_->limits[i][side];
+  return limit == Parts::kInfinity ? std::nullopt : std::optional<std::size_t>(limit);
 }
 Orbit UnstableManifolds::orbit(std::size_t i, std::size_t side) const {
   FLOWCERT_REQUIRES(i < size() && side < 2);
-  return parts_->with_worker([&](Parts::Worker& worker) { return worker.orbit(parts_->saddles[i], side); });
+  return parts_->with_worker([&](Parts::Worker& worker) { return worker.orbit(saddle(i), side); });
 }
 std::optional<std::size_t> UnstableManifolds::limit_beyond(std::size_t record, std::size_t choice) const {
   FLOWCERT_REQUIRES(parts_->stationary.index(record) == (StationaryIndex{2, 2}) ||

@@ -27,7 +27,6 @@ FacetRing FacetRings::ring(FacetName facet, CellIndex cell) {
     // Room for all rings that there can be. Memory that is not used is not taken.
     const std::size_t incidences = 6 * diagram_.delaunay().cells.size();
     pieces_.reserve(incidences);
-    links_.reserve(incidences);
     rings_.reserve(incidences / 4);
   }
   const RingNumber id = ring_at(cell, facet);
@@ -39,7 +38,6 @@ RingNumber FacetRings::add_ring(FacetName facet, CellIndex cell) {
   Ring ring{facet, static_cast<std::uint32_t>(pieces_.size()), 0};
   diagram_.spatial() != nullptr ? add_spatial_pieces(facet, cell, id) : add_planar_pieces(facet, cell, id);
   ring.count = static_cast<std::uint32_t>(pieces_.size()) - ring.first;
-  links_.resize(pieces_.size());
   rings_.push_back(ring);
   if (ring.count > kSmallRing) sort_large_ring(at(id));
   return id;
@@ -47,8 +45,8 @@ RingNumber FacetRings::add_ring(FacetName facet, CellIndex cell) {
 
 // Adds the passage to a polygon, through a Voronoi vertex or over a piece at infinity, and the polygon.
 void FacetRings::add_piece(CellIndex vertex_before, PolygonRef polygon, VertexIndex apex) {
-  if (vertex_before == kNoCell) pieces_.push_back({kNoPolygon, kInfiniteVertex, kNoCell});
-  pieces_.push_back({polygon, apex, vertex_before});
+  if (vertex_before == kNoCell) pieces_.push_back({kNoPolygon, kInfiniteVertex, kNoCell, {}});
+  pieces_.push_back({polygon, apex, vertex_before, {}});
 }
 
 // Goes around v0 v1, counterclockwise seen from v1. In a positively oriented cell v0 v1 k l it goes from the facet
@@ -154,7 +152,7 @@ RingLink FacetRings::new_link(RingNumber id, std::size_t k) {
     const FacetRing next = ring(driver.side, diagram_.cell_of_side(polygon, driver.side));
     link = {next.id, static_cast<std::uint32_t>(piece_of(next, polygon))};
   }
-  links_[rings_[id].first + k] = link;
+  pieces_[rings_[id].first + k].link = link;
   return link;
 }
 

@@ -30,10 +30,19 @@ struct RingElement {
   VertexIndex apex;
   int factor;
 };
+// Where the flow goes on from the inside of a Voronoi edge.
+struct RingLink {
+  static constexpr RingNumber kUnknown = kNoRing;
+  static constexpr RingNumber kAlongEdge = kNoRing - 1;
+
+  RingNumber ring = kUnknown;  // the facet of the polygon's obtuse side, or kAlongEdge if there is none
+  std::uint32_t place = 0;     // of the same Voronoi edge among the other ring's pieces
+};
 struct RingPiece {
   PolygonRef polygon;  // cell kNoCell: at infinity
   VertexIndex apex;    // a point of the polygon other than v0 and v1
   CellIndex vertex;    // the element before it: the cluster, or kNoCell for a direction
+  RingLink link;       // FacetRings::link()
 
   [[nodiscard]] bool is_finite() const { return polygon.cell != kNoCell; }
 };
@@ -51,15 +60,6 @@ struct FacetRing {
     if (here.vertex != kNoCell) return {here.vertex, kInfiniteVertex, 0};
     return last.is_finite() ? RingElement{kNoCell, last.apex, 1} : RingElement{kNoCell, here.apex, -1};
   }
-};
-
-// Where the flow goes on from the inside of a Voronoi edge.
-struct RingLink {
-  static constexpr RingNumber kUnknown = kNoRing;
-  static constexpr RingNumber kAlongEdge = kNoRing - 1;
-
-  RingNumber ring = kUnknown;  // the facet of the polygon's obtuse side, or kAlongEdge if there is none
-  std::uint32_t place = 0;     // of the same Voronoi edge among the other ring's pieces
 };
 
 class FacetRings {
@@ -80,7 +80,7 @@ class FacetRings {
 
   // From piece k of a ring, which must be finite. It may lay out another ring.
   [[nodiscard]] RingLink link(RingNumber id, std::size_t k) {
-    RingLink& link = links_[rings_[id].first + k];
+    const RingLink link = pieces_[rings_[id].first + k].link;
     return link.ring != RingLink::kUnknown ? link : new_link(id, k);
   }
 
@@ -114,7 +114,6 @@ class FacetRings {
   std::vector<std::array<RingNumber, 6>> ring_at_;  // by finite cell and edge
   std::vector<Ring> rings_;
   std::vector<RingPiece> pieces_;
-  std::vector<RingLink> links_;    // by piece
   std::vector<Passage> passages_;  // of the ring that is being made
   // Of large rings: the places by polygon, and then the places by cluster.
   std::unordered_map<RingNumber, std::vector<std::uint32_t>> sorted_;

@@ -20,8 +20,6 @@ namespace flowcert::flow {
 
 class CascadeKernel {
  public:
-  static constexpr bool kConstructsVertices = false;
-
   explicit CascadeKernel(KernelTally& tally) : tally_(tally) {}
 
   [[nodiscard]] PointNumber add(const RationalPoint& x) {
@@ -38,6 +36,7 @@ class CascadeKernel {
     if (&p0 == &p1) return add(exact_crossing(from, {&p0, &p1}, q));
     const Direction<double> arrival = direction_in_doubles(from, {&p0, &p1});
     const std::uint32_t depth = points_[from].depth + 1;
+    deepest_ = std::max<std::size_t>(deepest_, depth);
     if (!arrival.is_known()) ++tally_[FlowPrimitive::kCrossing].failures;
     Kept& point = points_.add();
     point.kind = Kind::kCrossing;
@@ -57,13 +56,13 @@ class CascadeKernel {
     return points_.keep(std::move(point), stay);
   }
 
+  class MovingPoint;
+
   template <class Query>
   [[nodiscard]] Sign sign(const Query& query) {
     ++tally_[Query::kPrimitive].calls;
     if (const MaybeSign sign = sign_in_doubles(query)) return *sign;
-    ++tally_[Query::kPrimitive].failures;
-    if (const MaybeSign sign = sign_in_extended(query)) return *sign;
-    return sign_in_integers(query);
+    return sign_beyond_doubles(query);
   }
   template <class Query>
   [[nodiscard]] MaybeSign sign_on_rung(const Query& query, KernelRung rung) {
@@ -97,14 +96,15 @@ class CascadeKernel {
     const IntegerDirection& u = x.refined->integers;
     return std::array{bytes(u.x), bytes(u.y), bytes(u.z)};
   }
-  // The number of crossings in the recipe, and its start.
-  [[nodiscard]] std::size_t depth(PointNumber x) const { return points_[x].depth; }
+  // The number of crossings in a recipe, and its start.
+  [[nodiscard]] std::size_t deepest() const { return deepest_; }
 
   [[nodiscard]] PointNumber kept() const { return points_.kept(); }
   void drop_from(PointNumber x) { points_.drop_from(x); }
   void drop_all() {
     points_.drop_all();
     with_integers_.clear();
+    deepest_ = 0;
   }
 
   // What each precision knows of the direction of a point from the midpoint of a facet, up to a positive factor.
@@ -123,8 +123,20 @@ class CascadeKernel {
   }
 
  private:
+  template <class Query>
+  [[nodiscard]] Sign sign_beyond_doubles(const Query& query) {
+    ++tally_[Query::kPrimitive].failures;
+    if (const MaybeSign sign = sign_in_extended(query)) return *sign;
+    return sign_in_integers(query);
+  }
+
   enum class Kind : std::uint8_t { kGiven, kCircle, kSphere, kCrossing };
 
+  // A facet that was left, and by whose bisector.
+  struct Crossed {
+    FacetEdge facet;
+    const Point* q;
+  };
   // What higher precisions know of a point. Few points have it.
   struct Refined {
     RationalPoint given;  // kGiven
@@ -362,11 +374,94 @@ class CascadeKernel {
 
   KernelTally& tally_;
   PointStorage<Kept> points_;
+  std::size_t deepest_ = 0;
+  std::vector<Crossed> trail_;              // of the moving point
   std::vector<PointNumber> replay_;         // scratch
   std::vector<PointNumber> with_integers_;  // the latest points that have them
   std::size_t oldest_integers_ = 0;
 };
 
+// A point that moves on in doubles alone, as long as they decide. Then it is kept like others, with all points on its
+// way, and moves on from there. A kernel has one moving point at a time.
+class CascadeKernel::MovingPoint {
+ public:
+  MovingPoint(CascadeKernel& kernel, PointNumber start, const Point& p0, const Point& p1)
+      : kernel_(kernel), start_(start), facet_{&p0, &p1} {
+    kernel_.trail_.clear();
+    look();
+  }
+  MovingPoint(const MovingPoint&) = delete;
+  MovingPoint& operator=(const MovingPoint&) = delete;
+  ~MovingPoint() { count(); }
+
+  void leave(const Point& q) { kernel_.trail_.push_back({facet_, &q}); }
+  void enter(const Point& p0, const Point& p1) {
+    const Crossed& last = kernel_.trail_.back();
+    facet_ = {&p0, &p1};
+    direction_ = direction_across(direction_, last.facet, *last.q, facet_);
+    factor_ = order_factor(direction_);
+    if (!direction_.is_known()) {
+      (void)number();
+      look();
+    }
+  }
+
+  // Keeps the points on the way.
+  [[nodiscard]] PointNumber number() {
+    const std::vector<Crossed> trail(kernel_.trail_);
+    kernel_.trail_.clear();
+    for (const Crossed& crossed : trail) {
+      start_ = kernel_.add_crossing(start_, *crossed.facet.p0, *crossed.facet.p1, *crossed.q);
+    }
+    return start_;
+  }
+
+  [[nodiscard]] Sign sign_of_order(const Point& qi, const Point& qj) {
+    if (const MaybeSign sign = order_sign(direction_, factor_, facet_, qi, qj))
+      return counted(OrderOfExits::kPrimitive, *sign);
+    return beyond_doubles(OrderOfExits{number(), *facet_.p0, *facet_.p1, qi, qj});
+  }
+  [[nodiscard]] Sign sign_of_ray_at_infinity(const Point& q) {
+    if (const MaybeSign sign = approach_sign(direction_, facet_, q)) return counted(RayAtInfinity::kPrimitive, *sign);
+    return beyond_doubles(RayAtInfinity{number(), *facet_.p0, *facet_.p1, q});
+  }
+  [[nodiscard]] Sign sign_along_edge(const Point& a, const Point& b, const Point& c) {
+    if (const MaybeSign sign = normal_sign(direction_, a, b, c)) return counted(AlongEdge::kPrimitive, *sign);
+    return kernel_.sign(AlongEdge{number(), a, b, c});
+  }
+
+ private:
+  void look() {
+    direction_ = kernel_.direction_in_doubles(start_, facet_);
+    factor_ = order_factor(direction_);
+  }
+  [[nodiscard]] Sign counted(FlowPrimitive primitive, Sign sign) {
+    ++kernel_.tally_[primitive].calls;
+    return sign;
+  }
+  // What a higher precision found of the direction helps from here on.
+  template <class Query>
+  [[nodiscard]] Sign beyond_doubles(const Query& query) {
+    ++kernel_.tally_[Query::kPrimitive].calls;
+    const Sign sign = kernel_.sign_beyond_doubles(query);
+    look();
+    return sign;
+  }
+  void count() {
+    kernel_.tally_[FlowPrimitive::kCrossing].calls += kernel_.trail_.size();
+    if (!kernel_.trail_.empty()) {
+      kernel_.deepest_ = std::max(kernel_.deepest_, kernel_.points_[start_].depth + kernel_.trail_.size());
+    }
+  }
+
+  CascadeKernel& kernel_;
+  PointNumber start_;  // the last point that is kept
+  FacetEdge facet_;
+  Direction<double> direction_;
+  double factor_ = 0;  // order_factor(direction_)
+};
+
 static_assert(ConstructsPoints<CascadeKernel>);
+static_assert(HasMovingPoint<CascadeKernel>);
 
 }  // namespace flowcert::flow

@@ -161,8 +161,9 @@ struct Bisector {
   Number squared_size;      // G^2 = 2 (|a|^2 + |b|^2), which is |g|^2 + |p1-p0|^2
 };
 
+// Inlined by force: returned through memory it costs more than its arithmetic.
 template <class Number>
-[[nodiscard]] Bisector<Number> bisector(FacetEdge facet, const Point& q) {
+[[nodiscard, gnu::always_inline]] inline Bisector<Number> bisector(FacetEdge facet, const Point& q) {
   Bisector<Number> seen;
   seen.a = difference<Number>(*facet.p0, q);
   seen.b = difference<Number>(*facet.p1, q);
@@ -193,22 +194,31 @@ template <class Number>
                                                  Number(sqrt(seen.squared_size)));
 }
 
-// OrderOfExits: h_j <U,g_i> - h_i <U,g_j>.
+// OrderOfExits: h_j <U,g_i> - h_i <U,g_j>. Value and bound are compared by their squares, which spares two roots: with
+// |h| <= G^2 / 4 and (G_i + G_j)^2 <= 2 (G_i^2 + G_j^2) the square of the error is at most
+// order_factor(x) G_i^2 G_j^2 (G_i^2 + G_j^2). A direction that is not known has an infinite factor.
+template <class Number>
+[[nodiscard]] Number order_factor(const Direction<Number>& x) {
+  if (!x.is_known()) return Number(HUGE_VAL);
+  const Number part = Number(0.25) * x.error + Number(kOrderBound * Precision<Number>::kRoundoff);
+  return Number(2) * part * part;
+}
+template <class Number>
+[[nodiscard]] geometry::MaybeSign order_sign(const Direction<Number>& x, const Number& factor, FacetEdge facet,
+                                             const Point& qi, const Point& qj) {
+  const Bisector<Number> i = bisector<Number>(facet, qi), j = bisector<Number>(facet, qj);
+  const Number value = j.h * dot(x.u, i.g) - i.h * dot(x.u, j.g);
+  const Number bound = factor * (i.squared_size * j.squared_size * (i.squared_size + j.squared_size));
+  // Nothing of this is true of a NaN.
+  const bool is_certain = value * value > bound && Precision<Number>::is_in_range(i.squared_size) &&
+                          Precision<Number>::is_in_range(j.squared_size);
+  if (!is_certain) return std::nullopt;
+  return value > 0 ? Sign::kPositive : Sign::kNegative;
+}
 template <class Number>
 [[nodiscard]] geometry::MaybeSign order_sign(const Direction<Number>& x, FacetEdge facet, const Point& qi,
                                              const Point& qj) {
-  using std::abs;
-  using std::sqrt;
-  const Bisector<Number> i = bisector<Number>(facet, qi), j = bisector<Number>(facet, qj);
-  if (!x.is_known() || !Precision<Number>::is_in_range(i.squared_size) ||
-      !Precision<Number>::is_in_range(j.squared_size)) {
-    return std::nullopt;
-  }
-  const Number size_i = sqrt(i.squared_size), size_j = sqrt(j.squared_size);
-  const Number value = j.h * dot(x.u, i.g) - i.h * dot(x.u, j.g);
-  const Number spread = abs(j.h) * size_i + abs(i.h) * size_j;
-  return sign_beyond_bound(value, x.error * spread + Number(kOrderBound * Precision<Number>::kRoundoff) * size_i *
-                                                         size_j * (size_i + size_j));
+  return order_sign(x, order_factor(x), facet, qi, qj);
 }
 
 // AlongEdge: <U,n>, of the direction before the crossing.
@@ -237,7 +247,8 @@ struct Passage {
 // The corner is an end of `from` that is none of `to`. If q is an end of `to`, the corner sees it by the same triangle
 // by which q sees `from`.
 template <class Number>
-[[nodiscard]] Passage<Number> passage(FacetEdge from, const Point& q, const Bisector<Number>& seen, FacetEdge to) {
+[[nodiscard, gnu::always_inline]] inline Passage<Number> passage(FacetEdge from, const Point& q,
+                                                                 const Bisector<Number>& seen, FacetEdge to) {
   using std::sqrt;
   const bool keeps_p0 = to.p0 == from.p0 || to.p1 == from.p0, keeps_p1 = to.p0 == from.p1 || to.p1 == from.p1;
   const Point& corner = keeps_p0 ? *from.p1 : *from.p0;

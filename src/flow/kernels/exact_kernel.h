@@ -10,8 +10,6 @@ namespace flowcert::flow {
 
 class ExactKernel {
  public:
-  static constexpr bool kConstructsVertices = true;
-
   explicit ExactKernel(KernelTally& tally) : tally_(tally) {}
 
   [[nodiscard]] PointNumber add(const RationalPoint& x) { return points_.keep({x[0], x[1], x[2]}); }
@@ -50,7 +48,7 @@ class ExactKernel {
     return std::array{both(p.x), both(p.y), both(p.z)};
   }
   // There is no history.
-  [[nodiscard]] std::size_t depth(PointNumber) const { return 0; }
+  [[nodiscard]] std::size_t deepest() const { return 0; }
 
   [[nodiscard]] PointNumber kept() const { return points_.kept(); }
   void drop_from(PointNumber x) { points_.drop_from(x); }

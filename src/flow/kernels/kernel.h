@@ -52,20 +52,56 @@ concept ConstructsPoints = std::constructible_from<K, KernelTally&> && answers_e
   // positively oriented.
   { kernel.add_circumcenter(simplex, stay) } -> std::same_as<PointNumber>;
 
-  // Whether the flow asks on which side of a ray a Voronoi vertex lies by constructing the vertex (SideOfRay), or by
-  // the samples that make it (OrderOfExits).
-  { K::kConstructsVertices } -> std::convertible_to<bool>;
-
   { kernel.exact(x) } -> std::same_as<RationalPoint>;
   // How many bytes the coordinates take, where they have been computed exactly.
   { constant.exact_bytes(x) } -> std::same_as<std::optional<std::array<std::size_t, 3>>>;
-  // The longest chain of constructions behind x that the kernel remembers.
-  { constant.depth(x) } -> std::same_as<std::size_t>;
+  // The longest chain of constructions behind a point, of those that the kernel remembered, since all were dropped.
+  { constant.deepest() } -> std::same_as<std::size_t>;
 
   // Points that do not last are numbered in order; the latest can be dropped.
   { constant.kept() } -> std::same_as<PointNumber>;
   {kernel.drop_from(x)};
   {kernel.drop_all()};
+};
+
+// A point that moves from facet to facet. It leaves a facet by the bisector of q, and enters the next one. This one
+// keeps a point for each facet that it leaves.
+template <class Kernel>
+class ConstructedMovingPoint {
+ public:
+  ConstructedMovingPoint(Kernel& kernel, PointNumber start, const Point& p0, const Point& p1)
+      : kernel_(kernel), x_(start), p0_(&p0), p1_(&p1) {}
+
+  void leave(const Point& q) { x_ = kernel_.add_crossing(x_, *p0_, *p1_, q); }
+  void enter(const Point& p0, const Point& p1) { p0_ = &p0, p1_ = &p1; }
+
+  [[nodiscard]] PointNumber number() const { return x_; }
+  [[nodiscard]] Sign sign_of_ray_at_infinity(const Point& q) { return kernel_.sign(RayAtInfinity{x_, *p0_, *p1_, q}); }
+  // Between leaving one facet and entering another.
+  [[nodiscard]] Sign sign_along_edge(const Point& a, const Point& b, const Point& c) {
+    return kernel_.sign(AlongEdge{x_, a, b, c});
+  }
+
+ private:
+  Kernel& kernel_;
+  PointNumber x_;
+  const Point *p0_, *p1_;
+};
+
+// A kernel may have a moving point of its own, which keeps no points unless they are asked for. It tells on which side
+// of its ray a Voronoi vertex lies by the samples that make the vertex (OrderOfExits). Otherwise the vertex is
+// constructed (SideOfRay).
+template <class K>
+concept HasMovingPoint = requires(typename K::MovingPoint& x, const Point& p) {
+  { x.sign_of_order(p, p) } -> std::same_as<Sign>;
+};
+template <class Kernel>
+struct MovingPointOf {
+  using Type = ConstructedMovingPoint<Kernel>;
+};
+template <HasMovingPoint Kernel>
+struct MovingPointOf<Kernel> {
+  using Type = typename Kernel::MovingPoint;
 };
 
 // The centre of 3 or 4 points, by what makes it from their vectors.

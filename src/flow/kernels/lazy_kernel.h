@@ -9,6 +9,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "flow/kernels/common_denominator.h"
@@ -28,8 +29,6 @@ class LazyKernel {
   // A longer chain is computed exactly, and its history is dropped. CGAL walks a history by recursion, and the stack
   // ends somewhere beyond 20,000.
   static constexpr std::size_t kLongestChain = 1000;
-  static constexpr bool kConstructsVertices = true;
-
   explicit LazyKernel(KernelTally& tally) : tally_(tally) {}
 
   [[nodiscard]] PointNumber add(const RationalPoint& x) {
@@ -88,12 +87,14 @@ class LazyKernel {
     const auto both = [&](const mpq_class& value) { return bytes(value.get_num()) + bytes(value.get_den()); };
     return std::array{both(p.x()), both(p.y()), both(p.z())};
   }
-  // The longest chain of constructions in the history of x that is still kept.
-  [[nodiscard]] std::size_t depth(PointNumber x) const { return points_[x].depth; }
+  [[nodiscard]] std::size_t deepest() const { return deepest_; }
 
   [[nodiscard]] PointNumber kept() const { return points_.kept(); }
   void drop_from(PointNumber x) { points_.drop_from(x); }
-  void drop_all() { points_.drop_all(); }
+  void drop_all() {
+    points_.drop_all();
+    deepest_ = 0;
+  }
 
  private:
   struct Kept {
@@ -205,6 +206,8 @@ class LazyKernel {
   // An interval without bounds decides nothing, so it counts as a failure. Its exact value mends that.
   Kept counted(FlowPrimitive primitive, const Kept& point) {
     ++tally_[primitive].calls;
+    // A Voronoi vertex counts as soon as a point is constructed from it.
+    if (primitive == FlowPrimitive::kCrossing) deepest_ = std::max(deepest_, point.depth);
     const Intervals::Point_3& p = CGAL::approx(point.value);
     const auto is_bounded = [](const Interval& i) { return std::isfinite(i.inf()) && std::isfinite(i.sup()); };
     if (!is_bounded(p.x()) || !is_bounded(p.y()) || !is_bounded(p.z())) {
@@ -216,6 +219,7 @@ class LazyKernel {
 
   KernelTally& tally_;
   Points points_;
+  std::size_t deepest_ = 0;
 };
 
 static_assert(ConstructsPoints<LazyKernel>);
