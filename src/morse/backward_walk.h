@@ -25,8 +25,8 @@ class BackwardWalk {
 
   // Fronts, which stay until clear().
   [[nodiscard]] FrontNumber at_vertex(CellIndex cluster);
-  // The centre of the circle through three samples, which lies inside their Voronoi edge. The edge need not be given.
-  [[nodiscard]] FrontNumber at_center(const std::array<VertexIndex, 3>& samples, PolygonRef edge = {kNoCell, 0});
+  // The centre of the circle through three samples of a polygon, which lies inside its Voronoi edge.
+  [[nodiscard]] FrontNumber at_center(const std::array<VertexIndex, 3>& samples, PolygonRef edge);
   void clear();
 
   // Steps back from a front that the facet leads to. A back that is no critical point becomes a front itself.

@@ -118,7 +118,7 @@ std::vector<std::uint32_t> tie_broken_boundary(const Diagram& diagram, BackwardW
                                                std::span<const VertexIndex> samples, TieBreaking& ties) {
   TieBreaker breaker(diagram, walk, ties);
   const Place place = walk.place(root);
-  if (place.edge.cell != kNoCell) {
+  if (samples.size() > 3) {
     breaker.add_sides(root, place.edge);
   } else {
     for (std::size_t k = 0; k < 3; ++k) breaker.add(root, facet_name(samples[k], samples[(k + 1) % 3]));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <numeric>
 #include <tuple>
 #include <unordered_set>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "morse/backward_walk.h"
 #include "morse/chain_boundary.h"
 #include "morse/layer.h"
+#include "morse/record_face.h"
 #include "morse/record_finder.h"
 
 namespace flowcert::morse {
@@ -143,8 +145,13 @@ struct StableManifolds::Parts {
         gabriel(points, list, vertex_of) {}
 
   void compute(const Progress& progress);
-  void add_set(Worker& worker, std::size_t record, TieBreaking& ties);
-  void count(const Set& set, const Worker& worker);
+  [[nodiscard]] bool make_set(Worker& worker, std::size_t i);
+  void set_boundary(Set& set, std::vector<std::uint32_t> ends);
+  void count(std::size_t i, const Worker& worker);
+  void find_largest();
+  [[nodiscard]] std::size_t record_of(std::size_t i) const {
+    return i < critical_count ? first_critical + i : first_regular + (i - critical_count);
+  }
   [[nodiscard]] const Set& at(std::size_t i) const {
     FLOWCERT_REQUIRES(i < sets.size());
     return sets[i];
@@ -156,7 +163,9 @@ struct StableManifolds::Parts {
   StableOptions options;
   std::vector<VertexIndex> vertex_of;
   GabrielEdges gabriel;
+  std::size_t first_critical = 0, critical_count = 0, first_regular = 0;  // records
   std::vector<Set> sets;
+  std::vector<std::size_t> lengths, triangle_counts;  // how many there are of each
   std::vector<std::uint32_t> boundaries;
   StableStatistics statistics;
   WorkerPool<Worker> workers;
@@ -173,16 +182,21 @@ class StableManifolds::Parts::Worker {
         walk_(faces_, *flow_, all.gabriel) {}
 
   // Walks the segments of a record's skeleton that lie before its intervals, and adds them to `geometry` if given.
-  // Returns the front that it began with.
-  FrontNumber walk(std::size_t record, Set& set, StableSet* geometry = nullptr);
+  void walk(std::size_t record, Set& set, StableSet* geometry = nullptr);
   StableSet geometry(std::size_t record);
 
   // Of the latest skeleton: its critical backs and the lengths of the orbits to them, and how many backs are regular.
   [[nodiscard]] const std::vector<std::uint32_t>& ends() const { return ends_; }
   [[nodiscard]] const std::vector<std::uint32_t>& lengths() const { return lengths_; }
   [[nodiscard]] std::size_t regular_backs() const { return regular_backs_; }
-  [[nodiscard]] std::vector<std::uint32_t> tie_broken_ends(FrontNumber root, TieBreaking& ties) {
-    return tie_broken_boundary(faces_.diagram(), walk_, root, contact_, ties);
+  // The boundary of a record's set where ties are broken.
+  [[nodiscard]] std::vector<std::uint32_t> tie_broken_ends(std::size_t record, TieBreaking& ties) {
+    clear();
+    std::vector<VertexIndex> samples;
+    for (const PointId name : all_.stationary.contact(record)) {
+      samples.push_back(all_.vertex_of[all_.points.ordinal_of_row(name)]);
+    }
+    return tie_broken_boundary(faces_.diagram(), walk_, start(record), samples, ties);
   }
   [[nodiscard]] const KernelTally& tally() const { return flow_->tally(); }
 
@@ -203,7 +217,6 @@ class StableManifolds::Parts::Worker {
   void push_vertex(CellIndex cluster, FrontNumber front, Set& set);
   void follow(Set& set, StableSet* geometry);
 
-  std::vector<PointId> front_contact(FrontNumber front) const;
   void record_segment(const Task& task, const BackwardWalk::Back& back, StableSet& geometry);
   void record_intervals(StableSet& geometry, Set& set);
   void record_sectors(const Arc& arc, StableSet& geometry, Set& set);
@@ -216,7 +229,6 @@ class StableManifolds::Parts::Worker {
   BackwardWalk walk_;
   // Of one skeleton.
   std::vector<Task> tasks_;
-  std::vector<VertexIndex> contact_;
   std::unordered_set<CellIndex> visited_;  // Voronoi vertices
   std::vector<std::uint32_t> ends_;
   std::vector<std::uint32_t> lengths_;
@@ -224,21 +236,16 @@ class StableManifolds::Parts::Worker {
   std::vector<Source> sources_of_intervals_;
 };
 
-// Begins at the point. A critical triangle's Voronoi edge is not looked up: all its sides are acute and lead there.
+// Begins at the point. All sides of a critical triangle are acute and lead there.
 FrontNumber StableManifolds::Parts::Worker::start(std::size_t record) {
-  contact_.clear();
-  for (const PointId name : all_.stationary.contact(record)) {
-    contact_.push_back(all_.vertex_of[all_.points.ordinal_of_row(name)]);
-  }
-  const bool is_critical = all_.stationary.index(record).is_critical();
-  if (is_critical && contact_.size() == 3) {
-    const FrontNumber front = walk_.at_center({contact_[0], contact_[1], contact_[2]});
-    for (std::size_t k = 0; k < 3; ++k) tasks_.push_back({front, facet_name(contact_[k], contact_[(k + 1) % 3])});
-    return front;
-  }
-  const Place place = faces_.place_of(contact_.front(), std::span(contact_).subspan(1));
+  const Place place = place_of_record(all_.stationary, record);
   if (place.kind == Place::Kind::kVertex) return walk_.at_vertex(place.vertex);
-  return walk_.at_center(faces_.corners(place.edge), place.edge);
+  const std::array<VertexIndex, 3> corners = faces_.corners(place.edge);
+  const FrontNumber front = walk_.at_center(corners, place.edge);
+  if (all_.stationary.index(record).is_critical() && all_.stationary.contact(record).size() == 3) {
+    for (std::size_t k = 0; k < 3; ++k) tasks_.push_back({front, facet_name(corners[k], corners[(k + 1) % 3])});
+  }
+  return front;
 }
 
 void StableManifolds::Parts::Worker::push_sides(FrontNumber front, PolygonRef polygon) {
@@ -292,12 +299,11 @@ void StableManifolds::Parts::Worker::clear() {
   walk_.clear();
 }
 
-FrontNumber StableManifolds::Parts::Worker::walk(std::size_t record, Set& set, StableSet* geometry) {
+void StableManifolds::Parts::Worker::walk(std::size_t record, Set& set, StableSet* geometry) {
   clear();
   const FrontNumber root = start(record);
   if (tasks_.empty()) push_sources(root, set);
   follow(set, geometry);
-  return root;
 }
 
 void StableManifolds::Parts::Worker::record_segment(const Task& task, const BackwardWalk::Back& back,
@@ -307,7 +313,7 @@ void StableManifolds::Parts::Worker::record_segment(const Task& task, const Back
   std::ranges::sort(segment.samples);
   const Location front = walk_.location(task.front);
   segment.front = flow_->exact(front);
-  segment.front_contact = front_contact(task.front);
+  segment.front_contact = recorder_.contact(front.place);
   if (back.critical) {
     segment.back_contact = {segment.samples.begin(), segment.samples.end()};
     segment.back = exact_sphere(all_.points, segment.samples).center;
@@ -319,16 +325,6 @@ void StableManifolds::Parts::Worker::record_segment(const Task& task, const Back
     segment.back_contact = recorder_.contact(at.place);
   }
   geometry.segments.push_back(std::move(segment));
-}
-
-// If a front is at the centre of a triangle, start() has not looked up its Voronoi edge.
-std::vector<PointId> StableManifolds::Parts::Worker::front_contact(FrontNumber front) const {
-  const Place& place = walk_.place(front);
-  if (place.kind == Place::Kind::kVertex || place.edge.cell != kNoCell) return recorder_.contact(place);
-  std::vector<PointId> names;
-  for (const VertexIndex v : contact_) names.push_back(name(v));
-  std::ranges::sort(names);
-  return names;
 }
 
 // One interval may lead to a Voronoi vertex that adds segments and more intervals.
@@ -381,51 +377,83 @@ StableSet StableManifolds::Parts::Worker::geometry(std::size_t record) {
   return geometry;
 }
 
-void StableManifolds::Parts::count(const Set& set, const Worker& worker) {
-  for (const std::uint32_t length : worker.lengths()) statistics.n_s2.add(length);
+void StableManifolds::Parts::count(std::size_t i, const Worker& worker) {
+  const Set& set = sets[i];
+  for (const std::uint32_t length : worker.lengths()) {
+    if (lengths.size() <= length) lengths.resize(length + 1, 0);
+    ++lengths[length];
+  }
   statistics.with_vertex += set.has_vertex ? 1 : 0;
   statistics.with_interval += set.has_interval ? 1 : 0;
   statistics.ends_at_regular += worker.regular_backs();
   if (set.has_interval) return;
   const std::size_t triangles = 2 * std::size_t{set.segments};
-  if (triangles > statistics.triangles.max()) statistics.largest = sets.size();
-  statistics.triangles.add(triangles);
+  if (triangle_counts.size() <= triangles) triangle_counts.resize(triangles + 1, 0);
+  ++triangle_counts[triangles];
   statistics.triangle_count += triangles;
 }
 
-void StableManifolds::Parts::add_set(Worker& worker, std::size_t record, TieBreaking& ties) {
-  Set set;
-  set.record = static_cast<std::uint32_t>(record);
-  const FrontNumber root = worker.walk(record, set);
-  if (stationary.index(record).is_critical()) {
-    const bool is_tied = set.has_vertex || worker.regular_backs() > 0;
-    std::vector<std::uint32_t> ends = is_tied ? worker.tie_broken_ends(root, ties) : worker.ends();
-    statistics.broken_ties += is_tied ? 1 : 0;
-    set.boundary_first = boundaries.size();
-    add_mod_2(ends, boundaries);
-    set.boundary_count = boundaries.size() - set.boundary_first;
-    count(set, worker);
+// Returns whether a tie leaves the boundary open. The boundary is then not set.
+bool StableManifolds::Parts::make_set(Worker& worker, std::size_t i) {
+  Set& set = sets[i];
+  set = {};
+  set.record = static_cast<std::uint32_t>(record_of(i));
+  worker.walk(set.record, set);
+  if (!stationary.index(set.record).is_critical()) return false;
+  count(i, worker);
+  if (set.has_vertex || worker.regular_backs() > 0) return true;
+  set_boundary(set, worker.ends());
+  return false;
+}
+
+void StableManifolds::Parts::set_boundary(Set& set, std::vector<std::uint32_t> ends) {
+  set.boundary_first = boundaries.size();
+  add_mod_2(ends, boundaries);
+  set.boundary_count = boundaries.size() - set.boundary_first;
+}
+
+// The first of the sets with the most triangles.
+void StableManifolds::Parts::find_largest() {
+  for (std::size_t i = 0; i < critical_count; ++i) {
+    if (sets[i].has_interval) continue;
+    if (!statistics.largest || sets[i].segments > sets[*statistics.largest].segments) statistics.largest = i;
   }
-  sets.push_back(set);
 }
 
 void StableManifolds::Parts::compute(const Progress& progress) {
   auto worker = std::make_unique<Worker>(*this);
-  TieBreaking ties(options.seed, TieBreaking::Of::kStable);
   const RecordFinder finder(stationary);
   const auto [first, last] = finder.range({2, 2});
-  const std::size_t first_regular = finder.range({3, 3}).second;
-  const std::size_t total = last - first + stationary.size() - first_regular;
-  sets.reserve(total);
-  const auto add = [&](std::size_t record) {
-    if (progress && sets.size() % kProgressStep == 0) progress(sets.size(), total);
-    add_set(*worker, record, ties);
-  };
-  for (std::size_t record = first; record < last; ++record) add(record);
-  for (std::size_t record = first_regular; record < stationary.size(); ++record) add(record);
+  first_critical = first;
+  critical_count = last - first;
+  first_regular = finder.range({3, 3}).second;
+  sets.resize(critical_count + stationary.size() - first_regular);
+  // In the order of space, neighbours share what is in the cache.
+  std::vector<std::uint32_t> order(sets.size());
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  std::ranges::sort(order, {}, [this](std::uint32_t i) { return stationary.face(record_of(i)); });
+  std::vector<std::uint32_t> tied;
+  std::size_t done = 0;
+  for (const std::uint32_t i : order) {
+    if (progress && done % kProgressStep == 0) progress(done, sets.size());
+    ++done;
+    if (make_set(*worker, i)) tied.push_back(i);
+  }
+  // Ties are broken in the order of the list, on which the choices depend.
+  std::ranges::sort(tied);
+  TieBreaking ties(options.seed, TieBreaking::Of::kStable);
+  for (const std::uint32_t i : tied) set_boundary(sets[i], worker->tie_broken_ends(sets[i].record, ties));
+  statistics.broken_ties = tied.size();
+  find_largest();
+  for (std::size_t k = 0; k < lengths.size(); ++k) {
+    if (lengths[k] > 0) statistics.n_s2.add(k, lengths[k]);
+  }
+  for (std::size_t k = 0; k < triangle_counts.size(); ++k) {
+    if (triangle_counts[k] > 0) statistics.triangles.add(k, triangle_counts[k]);
+  }
   statistics.tally = worker->tally();
   workers.give(std::move(worker));
-  if (progress) progress(total, total);
+  if (progress) progress(sets.size(), sets.size());
 }
 
 StableManifolds::StableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
