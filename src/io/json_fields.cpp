@@ -141,7 +141,7 @@ Json skeleton_field(const StableSet& set) {
 
 Json pairs_field(const PersistenceDiagram& diagram) {
   const auto point_field = [&](std::size_t record) {
-    const Rational& value = diagram.squared_value(record);
+    const Rational value = diagram.squared_value(record);
     Json field;
     field["contact"] = diagram.complex().stationary().contact(record);
     field["squared_distance"] = to_text(value);

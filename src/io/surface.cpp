@@ -9,10 +9,13 @@
 #include <gmp.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <limits>
-#include <numeric>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "geometry/rational_point.h"
 #include "io/number_text.h"
@@ -34,31 +37,68 @@ std::string without_blanks(std::string text) {
   return text;
 }
 
-// For each gap: whether it is among the n largest. Among equal gaps, the first in the list come first.
-std::vector<bool> among_largest(const std::vector<Rational>& gaps, std::size_t n) {
-  std::vector<std::size_t> order(gaps.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return gaps[a] > gaps[b]; });
-  std::vector<bool> chosen(gaps.size(), false);
-  for (std::size_t k = 0; k < std::min(n, order.size()); ++k) chosen[order[k]] = true;
-  return chosen;
-}
-
 // For each critical point of index 2, by number in StableManifolds: death minus birth of its pair. The point is the
-// death of a tunnel or the birth of a void.
-std::vector<Rational> gaps_of(const FlowComplex& complex) {
-  std::vector<Rational> gaps(complex.stationary().critical_counts()[2]);
-  if (gaps.empty()) return gaps;
-  const Persistence& persistence = complex.persistence();
-  const std::size_t first = complex.stable().record(0);
-  // Every critical point of index 2 is in a pair that does not last (FC-PERS-02).
-  for (const PersistencePair& pair : persistence.pairs()) {
-    if (pair.dimension == 0 || !pair.death) continue;
-    const std::size_t record = pair.dimension == 1 ? *pair.death : pair.birth;
-    gaps[record - first] = persistence.squared_value(*pair.death) - persistence.squared_value(pair.birth);
+// death of a tunnel or the birth of a void. Gaps are compared by doubles first, and exactly where these are too close.
+class Gaps {
+ public:
+  explicit Gaps(const FlowComplex& complex) : ends_(complex.stationary().critical_counts()[2]) {
+    if (ends_.empty()) return;
+    values_ = &complex.persistence().squared_distances();
+    const std::size_t first = complex.stable().record(0);
+    // Every critical point of index 2 is in a pair that does not last (FC-PERS-02).
+    for (const PersistencePair& pair : complex.persistence().pairs()) {
+      if (pair.dimension == 0 || !pair.death) continue;
+      const std::size_t record = pair.dimension == 1 ? *pair.death : pair.birth;
+      ends_[record - first] = {pair.birth, *pair.death};
+    }
   }
-  return gaps;
-}
+
+  [[nodiscard]] std::size_t size() const { return ends_.size(); }
+
+  [[nodiscard]] bool is_above(std::size_t i, const Rational& least) const {
+    const auto [low, high] = range(i);
+    const std::optional<double> nearest = nearest_double(least);
+    if (nearest && low > std::nextafter(*nearest, HUGE_VAL)) return true;
+    if (nearest && high < std::nextafter(*nearest, -HUGE_VAL)) return false;
+    return exact(i) > least;
+  }
+
+  // For each gap: whether it is among the n largest. Among equal gaps, the first in the list come first.
+  [[nodiscard]] std::vector<bool> among_largest(std::size_t n) const {
+    std::vector<bool> chosen(size(), n >= size());
+    if (n == 0 || n >= size()) return chosen;
+    // At least n gaps are no less than this, so the n largest are among those that may be no less.
+    std::vector<double> lows;
+    for (std::size_t i = 0; i < size(); ++i) lows.push_back(range(i).first);
+    std::ranges::nth_element(lows, lows.begin() + static_cast<std::ptrdiff_t>(n - 1), std::greater<>());
+    const double bound = lows[n - 1];
+    std::vector<std::pair<Rational, std::size_t>> candidates;
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (!(range(i).second < bound)) candidates.emplace_back(exact(i), i);
+    }
+    std::ranges::stable_sort(candidates, [](const auto& a, const auto& b) { return a.first > b.first; });
+    for (std::size_t k = 0; k < n; ++k) chosen[candidates[k].second] = true;
+    return chosen;
+  }
+
+ private:
+  struct Ends {
+    std::size_t birth = 0, death = 0;
+  };
+  [[nodiscard]] Rational exact(std::size_t i) const {
+    return values_->exact(ends_[i].death) - values_->exact(ends_[i].birth);
+  }
+  // The gap lies between these. What is taken away and added covers the rounding of the sums.
+  [[nodiscard]] std::pair<double, double> range(std::size_t i) const {
+    const auto &birth = values_->approximation(ends_[i].birth), &death = values_->approximation(ends_[i].death);
+    const double gap = death.value - birth.value;
+    const double error = death.error + birth.error + (death.value + birth.value) * 0x1p-50;
+    return {gap - error, gap + error};
+  }
+
+  const SquaredDistances* values_ = nullptr;
+  std::vector<Ends> ends_;
+};
 
 // ---- Mesh ----
 
@@ -165,10 +205,10 @@ std::vector<std::size_t> SurfaceSelection::sets(const FlowComplex& complex) cons
     }
   }
   if (persistence_above_ || largest_gaps_) {
-    const std::vector<Rational> gaps = gaps_of(complex);
-    const std::vector<bool> is_large = among_largest(gaps, largest_gaps_.value_or(gaps.size()));
+    const Gaps gaps(complex);
+    const std::vector<bool> is_large = gaps.among_largest(largest_gaps_.value_or(gaps.size()));
     for (std::size_t i = 0; i < is_chosen.size(); ++i) {
-      const bool is_long = !persistence_above_ || gaps[i] > *persistence_above_;
+      const bool is_long = !persistence_above_ || gaps.is_above(i, *persistence_above_);
       is_chosen[i] = is_chosen[i] && is_large[i] && is_long;
     }
   }

@@ -30,18 +30,14 @@ std::string double_text(const Rational& value) {
 }  // namespace
 
 PersistenceDiagram::PersistenceDiagram(const FlowComplex& complex, bool with_zero)
-    : complex_(complex),
-      has_zero_(with_zero),
-      first_regular_(critical_count(complex.stationary())),
-      pairs_(complex.persistence().pairs()) {
+    : complex_(complex), has_zero_(with_zero), pairs_(complex.persistence().pairs()) {
   if (with_zero) add_regular();
   std::ranges::sort(pairs_, [this](const PersistencePair& a, const PersistencePair& b) { return is_before(a, b); });
 }
 
 void PersistenceDiagram::add_regular() {
   const StationaryPoints& stationary = complex_.stationary();
-  for (std::size_t record = first_regular_; record < stationary.size(); ++record) {
-    regular_values_.push_back(complex_.sphere(record).squared_radius);
+  for (std::size_t record = critical_count(stationary); record < stationary.size(); ++record) {
     const StationaryIndex index = stationary.index(record);
     for (int dimension = index.face_dimension; dimension < index.hull_dimension; ++dimension) {
       pairs_.push_back({dimension, record, record});
@@ -52,10 +48,11 @@ void PersistenceDiagram::add_regular() {
 // A strict order by values, then by records.
 bool PersistenceDiagram::is_before(const PersistencePair& a, const PersistencePair& b) const {
   if (a.dimension != b.dimension) return a.dimension < b.dimension;
-  const Rational &birth_a = squared_value(a.birth), &birth_b = squared_value(b.birth);
+  const SquaredDistances& values = complex_.persistence().squared_distances();
+  const std::uint32_t birth_a = values.rank(a.birth), birth_b = values.rank(b.birth);
   if (birth_a != birth_b) return birth_a < birth_b;
   if (!a.death || !b.death) return a.death.has_value();
-  const Rational &death_a = squared_value(*a.death), &death_b = squared_value(*b.death);
+  const std::uint32_t death_a = values.rank(*a.death), death_b = values.rank(*b.death);
   if (death_a != death_b) return death_a < death_b;
   return a.birth < b.birth;
 }

@@ -4,6 +4,7 @@
 #include <boost/pending/disjoint_sets.hpp>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "morse/layer.h"
 #include "morse/record_finder.h"
@@ -52,8 +53,8 @@ class Components {
 
 class Pairing {
  public:
-  Pairing(const StationaryPoints& stationary, const ChainComplex& complex, const std::vector<Rational>& values)
-      : complex_(complex), values_(values), finder_(stationary), partner_(values.size(), kNone) {}
+  Pairing(const StationaryPoints& stationary, const ChainComplex& complex, const SquaredDistances& values)
+      : complex_(complex), values_(values), finder_(stationary), partner_(stationary.size(), kNone) {}
 
   std::vector<PersistencePair> pairs() {
     pair_components();
@@ -68,7 +69,7 @@ class Pairing {
     const auto [first, last] = finder_.range({index, index});
     std::vector<Record> records(last - first);
     std::iota(records.begin(), records.end(), static_cast<Record>(first));
-    std::stable_sort(records.begin(), records.end(), [&](Record a, Record b) { return values_[a] < values_[b]; });
+    std::ranges::sort(records, {}, [&](Record record) { return std::pair(values_.rank(record), record); });
     return records;
   }
 
@@ -115,7 +116,7 @@ class Pairing {
   // A column is a sum of index-1 points that close a tunnel. Each is given by its place among these; places ascend.
   void pair_tunnels() {
     std::vector<Record> edge_at;
-    std::vector<Record> place_of(values_.size(), kNone);
+    std::vector<Record> place_of(partner_.size(), kNone);
     for (const Record edge : sorted(1)) {
       if (partner_[edge] != kNone) continue;
       place_of[edge] = static_cast<Record>(edge_at.size());
@@ -142,7 +143,7 @@ class Pairing {
   }
 
   const ChainComplex& complex_;
-  const std::vector<Rational>& values_;
+  const SquaredDistances& values_;
   RecordFinder finder_;
   std::vector<Record> partner_;
   std::vector<PersistencePair> pairs_;
@@ -150,13 +151,9 @@ class Pairing {
 
 }  // namespace
 
-Persistence::Persistence(const PointSet& points, const StationaryPoints& stationary, const ChainComplex& complex) {
-  const std::size_t last = RecordFinder(stationary).range({3, 3}).second;
-  values_.reserve(last);
-  for (std::size_t record = 0; record < last; ++record) {
-    values_.push_back(exact_sphere(points, stationary.contact(record)).squared_radius);
-  }
-  pairs_ = Pairing(stationary, complex, values_).pairs();
+Persistence::Persistence(const PointSet& points, const StationaryPoints& stationary, const ChainComplex& complex)
+    : distances_(points, stationary) {
+  pairs_ = Pairing(stationary, complex, distances_).pairs();
   std::ranges::sort(pairs_, {}, [](const PersistencePair& pair) { return std::pair(pair.dimension, pair.birth); });
 }
 

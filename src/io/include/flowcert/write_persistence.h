@@ -15,16 +15,16 @@ namespace flowcert {
 class PersistenceDiagram {
  public:
   // with_zero adds the regular stationary points as pairs of length zero, whose birth and death are the same record
-  // (FC-PERS-03). The complex must outlive this, and stay where it is. O(n log n) comparisons of rationals.
+  // (FC-PERS-03). The complex must outlive this, and stay where it is. O(n log n).
   PersistenceDiagram(const FlowComplex& complex, bool with_zero);
   PersistenceDiagram(FlowComplex&&, bool) = delete;
 
   [[nodiscard]] const FlowComplex& complex() const { return complex_; }
   [[nodiscard]] const std::vector<PersistencePair>& pairs() const { return pairs_; }
   [[nodiscard]] bool has_zero() const { return has_zero_; }
-  [[nodiscard]] const Rational& squared_value(std::size_t record) const {
-    return record < first_regular_ ? complex_.persistence().squared_value(record)
-                                   : regular_values_[record - first_regular_];
+  // Computed anew each time.
+  [[nodiscard]] Rational squared_value(std::size_t record) const {
+    return complex_.persistence().squared_value(record);
   }
 
  private:
@@ -33,8 +33,6 @@ class PersistenceDiagram {
 
   const FlowComplex& complex_;
   bool has_zero_;
-  std::size_t first_regular_;
-  std::vector<Rational> regular_values_;
   std::vector<PersistencePair> pairs_;
 };
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "flowcert/chain_complex.h"
+#include "flowcert/squared_distances.h"
 
 namespace flowcert {
 
@@ -23,16 +24,17 @@ struct PersistencePair {
 class Persistence {
  public:
   // Sorts all critical points by their exact values, and makes a reduction. This is cubic at worst in the number of
-  // index-2 points that no maximum is paired with.
+  // index-2 points that no maximum is paired with. Points and list must outlive this.
   Persistence(const PointSet& points, const StationaryPoints& stationary, const ChainComplex& complex);
 
   // Sorted by dimension, then birth. No pair has length zero.
   [[nodiscard]] const std::vector<PersistencePair>& pairs() const { return pairs_; }
-  // The exact value of a critical point.
-  [[nodiscard]] const Rational& squared_value(std::size_t record) const { return values_[record]; }
+  // The exact value of a stationary point, computed anew each time.
+  [[nodiscard]] Rational squared_value(std::size_t record) const { return distances_.exact(record); }
+  [[nodiscard]] const SquaredDistances& squared_distances() const { return distances_; }
 
  private:
-  std::vector<Rational> values_;  // by record, critical ones
+  SquaredDistances distances_;
   std::vector<PersistencePair> pairs_;
 };
 

@@ -1,0 +1,146 @@
+// The bounds are those of filter_bounds.h: u is the unit roundoff, and the vectors go from the first sample to others.
+#include "flowcert/squared_distances.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "flowcert/exact_sphere.h"
+#include "geometry/filter_bounds.h"
+#include "geometry/vector3.h"
+#include "morse/layer.h"
+
+namespace flowcert {
+
+using namespace morse;
+
+namespace {
+
+using Approximation = SquaredDistances::Approximation;
+using Vector = Vector3<double>;
+
+// A value that is known less well than this is computed exactly.
+constexpr double kLargestError = 0x1p-20;
+
+std::optional<Approximation> with_relative_error(double value, double error) {
+  if (!(error < kLargestError)) return std::nullopt;
+  return Approximation{value, value * error};
+}
+
+bool is_in_range(double norm) { return norm >= kSmallestNorm && norm <= kLargestNorm; }
+
+// |a|^2 / 4. A square has a relative error of at most 5.1 u.
+std::optional<Approximation> of_edge(const Vector& a) {
+  const double square = dot(a, a);
+  if (!is_in_range(std::sqrt(square))) return std::nullopt;
+  return with_relative_error(square / 4, 8 * kUnitRoundoff);
+}
+
+// |a|^2 |b|^2 |b-a|^2 / (4 |a x b|^2). The cross product has an error of 5.7 u |a||b|, so its square has a relative
+// one of 12 u S with S = |a||b| / |a x b|, and of a few u more. The three squares and the operations add 24 u.
+std::optional<Approximation> of_circle(const Vector& a, const Vector& b, const Vector& c) {
+  const double aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
+  if (!is_in_range(std::sqrt(std::min({aa, bb, cc}))) || !is_in_range(std::sqrt(std::max({aa, bb, cc})))) {
+    return std::nullopt;
+  }
+  const Vector n = cross(a, b);
+  const double nn = dot(n, n);
+  return with_relative_error(aa * bb * cc / (4 * nn), 40 * kUnitRoundoff * std::sqrt(aa * bb / nn));
+}
+
+// |N|^2 / (4 det^2), with the circumsphere's numerator N (error 13.8 u T) and determinant (9.8 u |a||b||c|).
+std::optional<Approximation> of_sphere(const Vector& a, const Vector& b, const Vector& c) {
+  const double na = std::sqrt(dot(a, a)), nb = std::sqrt(dot(b, b)), nc = std::sqrt(dot(c, c));
+  if (!is_in_range(std::min({na, nb, nc})) || !is_in_range(std::max({na, nb, nc}))) return std::nullopt;
+  const auto sphere = circumsphere(a, b, c);
+  const double product = na * nb * nc, square = dot(sphere.numerator, sphere.numerator);
+  const double determinant = std::fabs(sphere.determinant);
+  // Squares of degree 8 and 6 in lengths may leave the range of doubles where the lengths do not.
+  constexpr double kLeast = 1e-280, kMost = 1e300;
+  if (!(square > kLeast && square < kMost && determinant * determinant > kLeast)) return std::nullopt;
+  const double error = 14 * product * (na + nb + nc) / std::sqrt(square) + 10 * product / determinant;
+  return with_relative_error(square / (4 * determinant * determinant), (2.5 * error + 16) * kUnitRoundoff);
+}
+
+// Any three points of a circle tell it, and any four of a sphere that are not coplanar.
+std::optional<Approximation> approximation_of(const PointSet& points, StationaryIndex index,
+                                              std::span<const PointId> contact) {
+  const auto point = [&](std::size_t k) -> const Point& { return points[points.ordinal_of_row(contact[k])]; };
+  const auto from_first = [&](std::size_t k) { return vector_between(point(0), point(k)); };
+  switch (index.hull_dimension) {
+    case 0:
+      return Approximation{};
+    case 1:
+      return of_edge(from_first(1));
+    case 2:
+      return of_circle(from_first(1), from_first(2), vector_between(point(1), point(2)));
+    default:
+      return of_sphere(from_first(1), from_first(2), from_first(3));
+  }
+}
+
+// The nearest double, with half a unit in its last place, or the whole range where there is none.
+Approximation rounded(const Rational& value) {
+  const std::optional<double> nearest = nearest_double(value);
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  if (!nearest) return {kLargest, std::numeric_limits<double>::infinity()};
+  return {*nearest, *nearest * kUnitRoundoff + std::numeric_limits<double>::denorm_min()};
+}
+
+}  // namespace
+
+Rational SquaredDistances::exact(std::size_t record) const {
+  return exact_sphere(*points_, stationary_->contact(record)).squared_radius;
+}
+
+SquaredDistances::SquaredDistances(const PointSet& points, const StationaryPoints& stationary)
+    : points_(&points), stationary_(&stationary), rank_(stationary.size()) {
+  approximate_.reserve(stationary.size());
+  for (std::size_t record = 0; record < stationary.size(); ++record) {
+    const auto approximate = approximation_of(points, stationary.index(record), stationary.contact(record));
+    approximate_.push_back(approximate ? *approximate : rounded(exact(record)));
+  }
+  // The sums below are rounded. Twice a unit in the last place covers that.
+  const auto lowest = [this](std::uint32_t record) {
+    const auto& [value, error] = approximate_[record];
+    return value - error - value * 0x1p-51;
+  };
+  const auto highest = [this](std::uint32_t record) {
+    const auto& [value, error] = approximate_[record];
+    return value + error + value * 0x1p-51;
+  };
+  std::vector<std::uint32_t> order(stationary.size());
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  std::ranges::sort(order, {}, lowest);
+  std::vector<std::pair<Rational, std::uint32_t>> close;
+  std::uint32_t rank = 0;
+  for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
+    // A run of records whose ranges overlap.
+    double top = highest(order[first]);
+    for (last = first + 1; last < order.size() && lowest(order[last]) <= top; ++last) {
+      top = std::max(top, highest(order[last]));
+    }
+    if (top == 0) {  // the samples themselves
+      rank = 1;
+      continue;
+    }
+    if (last == first + 1) {
+      rank_[order[first]] = rank++;
+      continue;
+    }
+    close.clear();
+    for (std::size_t k = first; k < last; ++k) close.emplace_back(exact(order[k]), order[k]);
+    std::ranges::sort(close);
+    for (std::size_t k = 0; k < close.size(); ++k) {
+      if (k > 0 && close[k].first != close[k - 1].first) ++rank;
+      rank_[close[k].second] = rank;
+    }
+    ++rank;
+  }
+}
+
+}  // namespace flowcert

@@ -1,0 +1,101 @@
+// Squared distances of stationary points: the doubles lie within their bounds, and ranks are the order of the exact
+// values, on inputs with many equal values, with nearly equal ones, and beyond the range of the filter.
+#include "flowcert/squared_distances.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "flowcert/flow_complex.h"
+#include "fuzz/inputs/family.h"
+#include "tests/cites.h"
+#include "tests/unit/portable_random.h"
+
+namespace flowcert {
+namespace {
+
+struct Seen {
+  std::size_t records = 0, equal = 0, inexact = 0;
+};
+
+void expect_right(const FlowComplex& complex, Seen& seen) {
+  const StationaryPoints& list = complex.stationary();
+  const SquaredDistances distances(complex.points(), list);
+  std::vector<Rational> exact;
+  for (std::size_t record = 0; record < list.size(); ++record) {
+    exact.push_back(complex.sphere(record).squared_radius);
+    EXPECT_EQ(distances.exact(record), exact.back());
+    const auto [value, error] = distances.approximation(record);
+    if (!std::isfinite(error)) continue;
+    EXPECT_LE(abs(Rational(value) - exact.back()), Rational(error));
+    seen.inexact += error > 0 ? 1 : 0;
+  }
+  const std::set<Rational> different(exact.begin(), exact.end());
+  std::size_t place = 0;
+  std::map<Rational, std::size_t> rank_of;
+  for (const Rational& value : different) rank_of[value] = place++;
+  for (std::size_t record = 0; record < list.size(); ++record) {
+    ASSERT_EQ(distances.rank(record), rank_of.at(exact[record])) << "record " << record;
+  }
+  seen.records += list.size();
+  seen.equal += list.size() - different.size();
+}
+
+TEST(SquaredDistances, DoublesAreWithinTheirBoundsAndRanksAreExact) {
+  CITES("FC-PERS-01", "FC-NUM-01");
+  Seen seen;
+  for (const fuzz::Family& family : fuzz::families()) {
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+      const fuzz::Input input = fuzz::draw(family, seed, static_cast<int>(10 + 4 * seed));
+      std::vector<Point> rows;
+      for (const fuzz::Row& row : input.rows) rows.push_back({row[0], row[1], row[2]});
+      expect_right(FlowComplex(PointSet(rows)), seen);
+    }
+  }
+  EXPECT_GT(seen.records, 5000U);
+  EXPECT_GT(seen.equal, 1000U);
+  EXPECT_GT(seen.inexact, 3000U);
+}
+
+// The same shape at scales where squares of degree 8 overflow, or underflow, or a double has few bits.
+TEST(SquaredDistances, ScaleDoesNotMatter) {
+  CITES("FC-PERS-01", "FC-NUM-01");
+  flowcert_tests::PortableRandom random(3);
+  std::vector<Point> unit;
+  const auto number = [&] { return static_cast<double>(random.below(1000)); };
+  for (int k = 0; k < 25; ++k) unit.push_back({number(), number(), number()});
+  Seen seen;
+  for (const int exponent : {0, -1000, -400, -130, -60, 60, 120, 300, 480}) {
+    std::vector<Point> rows;
+    for (const Point& p : unit) {
+      rows.push_back({std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)});
+    }
+    expect_right(FlowComplex(PointSet(rows)), seen);
+  }
+  EXPECT_GT(seen.records, 500U);
+}
+
+// Two edges whose lengths differ by less than a double of their squares can tell.
+TEST(SquaredDistances, NearlyEqualValuesAreToldApart) {
+  CITES("FC-PERS-01", "FC-NUM-01");
+  const double ulp = 0x1p-52;
+  const FlowComplex complex(PointSet(std::vector<Point>{
+      {0, 0, 0}, {1, 0, 0x1p-30}, {0, 100, 0}, {1, 100, 0x1p-30 * (1 + ulp)}, {0, 200, 0}, {1, 200, 0x1p-30}}));
+  Seen seen;
+  expect_right(complex, seen);
+  const SquaredDistances distances(complex.points(), complex.stationary());
+  std::vector<std::uint32_t> of_short_edges;
+  for (std::size_t record = 6; record < complex.stationary().size(); ++record) {
+    const auto contact = complex.stationary().contact(record);
+    if (contact.size() == 2 && contact[1] == contact[0] + 1) of_short_edges.push_back(distances.rank(record));
+  }
+  EXPECT_EQ(of_short_edges, (std::vector<std::uint32_t>{1, 2, 1}));
+}
+
+}  // namespace
+}  // namespace flowcert
