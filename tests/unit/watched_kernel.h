@@ -1,0 +1,165 @@
+// A kernel that does what the cascade kernel does, and compares what each of its precisions knows with the integers.
+//
+// Guarantees: a direction is compared exactly (exact_directions.h), and so is each sign. What has been met is counted
+// by the kind of start or of crossing.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "flow/kernels/cascade_kernel.h"
+#include "tests/unit/exact_directions.h"
+
+namespace flowcert_tests {
+
+using namespace flowcert::flow;
+using flowcert::FlowPrimitive;
+using flowcert::KernelTally;
+using flowcert::RationalPoint;
+
+// What was met, by the kind of start or of crossing.
+struct Seen {
+  struct Counts {
+    std::size_t doubles = 0, extended = 0, handed_down = 0, unknown = 0;
+  };
+  std::map<std::string, Counts> directions;
+  std::size_t signs = 0, by_doubles = 0, by_extended = 0, failures = 0;
+};
+// Where the kernels of a test count.
+inline Seen* seen_now = nullptr;
+
+// Three kernels do the same. One is asked for doubles alone and one for the longer precision, so that neither gets help
+// from above. The third one has the integers, which decide.
+class WatchedKernel {
+ public:
+  static constexpr bool kConstructsVertices = false;
+
+  explicit WatchedKernel(KernelTally& tally) : exact_(tally) {}
+
+  [[nodiscard]] PointNumber add(const RationalPoint& x) {
+    return kept({}, doubles_.add(x), extended_.add(x), exact_.add(x));
+  }
+  [[nodiscard]] PointNumber add_crossing(PointNumber from, const Point& p0, const Point& p1, const Point& q) {
+    watch(from, {&p0, &p1});
+    Made made;
+    if (&p0 != &p1) made = {{&p0, &p1}, {&q}};
+    return kept(made, doubles_.add_crossing(from, p0, p1, q), extended_.add_crossing(from, p0, p1, q),
+                exact_.add_crossing(from, p0, p1, q));
+  }
+  [[nodiscard]] PointNumber add_circumcenter(std::span<const Point* const> simplex, Stay stay) {
+    return kept({{}, {simplex.begin(), simplex.end()}}, doubles_.add_circumcenter(simplex, stay),
+                extended_.add_circumcenter(simplex, stay), exact_.add_circumcenter(simplex, stay));
+  }
+
+  template <class Query>
+  [[nodiscard]] Sign sign(const Query& query) {
+    if constexpr (std::is_same_v<Query, RayAtInfinity> || std::is_same_v<Query, OrderOfExits>) {
+      watch(query.x, {&query.p0, &query.p1});
+    }
+    const Sign truth = *exact_.sign_on_rung(query, KernelRung::kExact);
+    const MaybeSign lower = doubles_.sign_on_rung(query, KernelRung::kFilter);
+    const MaybeSign middle = extended_.sign_on_rung(query, KernelRung::kExtended);
+    ++seen_now->signs;
+    seen_now->by_doubles += lower ? 1 : 0;
+    seen_now->by_extended += middle ? 1 : 0;
+    expect(lower.value_or(truth) == truth && middle.value_or(truth) == truth, "a rung contradicts the integers");
+    return truth;
+  }
+  template <class Query>
+  [[nodiscard]] MaybeSign sign_on_rung(const Query& query, KernelRung rung) {
+    return exact_.sign_on_rung(query, rung);
+  }
+
+  [[nodiscard]] RationalPoint exact(PointNumber x) { return exact_.exact(x); }
+  [[nodiscard]] std::optional<std::array<std::size_t, 3>> exact_bytes(PointNumber x) const {
+    return exact_.exact_bytes(x);
+  }
+  [[nodiscard]] std::size_t depth(PointNumber x) const { return exact_.depth(x); }
+  [[nodiscard]] PointNumber kept() const { return exact_.kept(); }
+  void drop_from(PointNumber x) {
+    for (CascadeKernel* one : {&doubles_, &extended_, &exact_}) one->drop_from(x);
+    made_.resize(x);
+  }
+  void drop_all() {
+    for (CascadeKernel* one : {&doubles_, &extended_, &exact_}) one->drop_all();
+    made_.clear();
+  }
+
+ private:
+  // A crossing has the facet and one sample. Other points have none, or the three or four of a centre.
+  struct Made {
+    FacetEdge facet;
+    std::vector<const Point*> samples;
+  };
+
+  static void expect(bool holds, const std::string& complaint) {
+    EXPECT_TRUE(holds) << complaint;
+    seen_now->failures += holds ? 0 : 1;
+  }
+
+  PointNumber kept(Made made, PointNumber in_doubles, PointNumber in_extended, PointNumber in_integers) {
+    EXPECT_EQ(in_doubles, in_integers);
+    EXPECT_EQ(in_extended, in_integers);
+    made_.push_back(std::move(made));
+    return in_integers;
+  }
+
+  [[nodiscard]] std::string branch(PointNumber x, FacetEdge to) const {
+    const Made& made = made_[x];
+    const auto has = [](const std::vector<const Point*>& all, const Point* one) {
+      return std::find(all.begin(), all.end(), one) != all.end();
+    };
+    switch (made.samples.size()) {
+      case 0:
+        return "position";
+      case 3:
+        return has(made.samples, to.p0) && has(made.samples, to.p1) ? "side" : "circle";
+      case 4:
+        return "vertex";
+      default:
+        break;
+    }
+    const std::vector<const Point*> ends = {made.facet.p0, made.facet.p1};
+    if (!has(ends, to.p0) && !has(ends, to.p1)) return "polygon sharing none";
+    return has(made.samples, to.p0) || has(made.samples, to.p1) ? "triangle" : "polygon sharing a vertex";
+  }
+
+  void watch(PointNumber x, FacetEdge facet) {
+    if (facet.p0 == facet.p1) return;
+    const IntegerDirection truth = exact_.direction_in_integers(x, facet);
+    Seen::Counts& counts = seen_now->directions[branch(x, facet)];
+    const Direction<Extended> extended = extended_.direction_in_extended(x, facet);
+    if (extended.is_known) {
+      ++counts.extended;
+      expect(broken_bound(extended, truth, facet).empty(), broken_bound(extended, truth, facet));
+    }
+    Direction<double> doubles = doubles_.direction_in_doubles(x, facet);
+    if (doubles.is_known) {
+      ++counts.doubles;
+      expect(broken_bound(doubles, truth, facet).empty(), broken_bound(doubles, truth, facet));
+      return;
+    }
+    // Here the next rung would be asked, and its direction is handed down.
+    ++counts.unknown;
+    (void)doubles_.direction_in_extended(x, facet);
+    doubles = doubles_.direction_in_doubles(x, facet);
+    if (!doubles.is_known) return;
+    ++counts.handed_down;
+    expect(broken_bound(doubles, truth, facet).empty(), "handed down: " + broken_bound(doubles, truth, facet));
+  }
+
+  KernelTally unused_;
+  CascadeKernel doubles_{unused_}, extended_{unused_}, exact_;
+  std::vector<Made> made_;
+};
+
+}  // namespace flowcert_tests
