@@ -420,8 +420,9 @@ TEST(CascadeKernel, WhatAHigherRungComputedIsHandedDown) {
   // By integers, to both.
   (void)kernel.direction_in_integers(x[last - 1], cascade.facet(last - 1));
   EXPECT_LE(error(last - 1), 17 * kRoundoff);
-  EXPECT_LE(kernel.direction_in_extended(x[last - 1], cascade.facet(last - 1)).error,
-            Extended(8 * Precision<Extended>::kRoundoff));
+  const Direction<Extended> rounded = kernel.direction_in_extended(x[last - 1], cascade.facet(last - 1));
+  EXPECT_TRUE(rounded.is_known);
+  EXPECT_LE(rounded.error, Extended(8 * Precision<Extended>::kRoundoff));
   // What follows begins anew.
   const PointNumber again =
       kernel.add_crossing(x[last - 1], cascade.teeth[last - 1], cascade.teeth[last], cascade.teeth[last + 1]);

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "flow/kernels/cascade_kernel.h"
+#include "flow/kernels/exact_kernel.h"
 #include "tests/unit/exact_directions.h"
 
 namespace flowcert_tests {
@@ -38,7 +39,7 @@ struct Seen {
 inline Seen* seen_now = nullptr;
 
 // Three kernels do the same. One is asked for doubles alone and one for the longer precision, so that neither gets help
-// from above. The third one has the integers, which decide.
+// from above. The third one has the integers, which decide. The plain rationals of a fourth one confirm them.
 class WatchedKernel {
  public:
   static constexpr bool kConstructsVertices = false;
@@ -46,18 +47,19 @@ class WatchedKernel {
   explicit WatchedKernel(KernelTally& tally) : exact_(tally) {}
 
   [[nodiscard]] PointNumber add(const RationalPoint& x) {
-    return kept({}, doubles_.add(x), extended_.add(x), exact_.add(x));
+    return kept({}, {doubles_.add(x), extended_.add(x), exact_.add(x), slow_.add(x)});
   }
   [[nodiscard]] PointNumber add_crossing(PointNumber from, const Point& p0, const Point& p1, const Point& q) {
     watch(from, {&p0, &p1});
     Made made;
     if (&p0 != &p1) made = {{&p0, &p1}, {&q}};
-    return kept(made, doubles_.add_crossing(from, p0, p1, q), extended_.add_crossing(from, p0, p1, q),
-                exact_.add_crossing(from, p0, p1, q));
+    return kept(made, {doubles_.add_crossing(from, p0, p1, q), extended_.add_crossing(from, p0, p1, q),
+                       exact_.add_crossing(from, p0, p1, q), slow_.add_crossing(from, p0, p1, q)});
   }
   [[nodiscard]] PointNumber add_circumcenter(std::span<const Point* const> simplex, Stay stay) {
-    return kept({{}, {simplex.begin(), simplex.end()}}, doubles_.add_circumcenter(simplex, stay),
-                extended_.add_circumcenter(simplex, stay), exact_.add_circumcenter(simplex, stay));
+    return kept({{}, {simplex.begin(), simplex.end()}},
+                {doubles_.add_circumcenter(simplex, stay), extended_.add_circumcenter(simplex, stay),
+                 exact_.add_circumcenter(simplex, stay), slow_.add_circumcenter(simplex, stay)});
   }
 
   template <class Query>
@@ -72,6 +74,7 @@ class WatchedKernel {
     seen_now->by_doubles += lower ? 1 : 0;
     seen_now->by_extended += middle ? 1 : 0;
     expect(lower.value_or(truth) == truth && middle.value_or(truth) == truth, "a rung contradicts the integers");
+    expect(slow_.sign_on_rung(query, KernelRung::kExact) == truth, "the rationals contradict the integers");
     return truth;
   }
   template <class Query>
@@ -87,10 +90,12 @@ class WatchedKernel {
   [[nodiscard]] PointNumber kept() const { return exact_.kept(); }
   void drop_from(PointNumber x) {
     for (CascadeKernel* one : {&doubles_, &extended_, &exact_}) one->drop_from(x);
+    slow_.drop_from(x);
     made_.resize(x);
   }
   void drop_all() {
     for (CascadeKernel* one : {&doubles_, &extended_, &exact_}) one->drop_all();
+    slow_.drop_all();
     made_.clear();
   }
 
@@ -106,11 +111,10 @@ class WatchedKernel {
     seen_now->failures += holds ? 0 : 1;
   }
 
-  PointNumber kept(Made made, PointNumber in_doubles, PointNumber in_extended, PointNumber in_integers) {
-    EXPECT_EQ(in_doubles, in_integers);
-    EXPECT_EQ(in_extended, in_integers);
+  PointNumber kept(Made made, const std::array<PointNumber, 4>& numbers) {
+    for (const PointNumber number : numbers) EXPECT_EQ(number, numbers[0]);
     made_.push_back(std::move(made));
-    return in_integers;
+    return numbers[0];
   }
 
   [[nodiscard]] std::string branch(PointNumber x, FacetEdge to) const {
@@ -159,6 +163,7 @@ class WatchedKernel {
 
   KernelTally unused_;
   CascadeKernel doubles_{unused_}, extended_{unused_}, exact_;
+  ExactKernel slow_{unused_};
   std::vector<Made> made_;
 };
 
