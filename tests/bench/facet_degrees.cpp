@@ -5,13 +5,17 @@
 // orbits do: on an obtuse Voronoi edge (E-F), at a Voronoi vertex between two of them (V-F), inside the facet
 // (F-F). Both searches get the same starts and must reach the same face. Prints a line for each degree, and
 // the least-squares fits of signs = a + b log2 n and of log(signs) = c + d log(n).
+//
+// usage: facet_degrees [LARGEST-DEGREE [cascade|lazy|exact]]
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <memory>
 #include <random>
+#include <string_view>
 #include <vector>
 
 #include "flow/flow_operator.h"
@@ -58,7 +62,8 @@ Mean measure(FlowOperator& flow, const std::vector<Location>& starts, std::vecto
 
 // A facet of one input, with the two flows that search it.
 struct Subject {
-  explicit Subject(const fuzz::Input& input) : points(rows_of(input)), diagram(Delaunay(points)), faces(diagram) {
+  Subject(const fuzz::Input& input, ConstructionKernel kernel)
+      : points(rows_of(input)), diagram(Delaunay(points)), faces(diagram) {
     VertexIndex v[2] = {0, 0};
     for (VertexIndex k = 0; k < faces.delaunay().ordinals.size(); ++k) {
       if (faces.delaunay().ordinals[k] < 2) v[faces.delaunay().ordinals[k]] = k;
@@ -66,7 +71,7 @@ struct Subject {
     name = {std::min(v[0], v[1]), std::max(v[0], v[1])};
     ring = faces.ring(name);
     for (const FacetSearch search : {FacetSearch::kBinary, FacetSearch::kLinear}) {
-      flows.push_back(make_flow_operator(faces, {ConstructionKernel::kLazy, search}));
+      flows.push_back(make_flow_operator(faces, {kernel, search}));
     }
   }
 
@@ -183,6 +188,15 @@ bool run(std::size_t degree, bool perturbed, char kind, Subject& subject, Series
 
 int main(int argc, char** argv) {
   const std::size_t largest = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 100000;
+  const std::string_view name = argc > 2 ? argv[2] : "cascade";
+  const std::map<std::string_view, ConstructionKernel> kernels = {{"cascade", ConstructionKernel::kCascade},
+                                                                  {"lazy", ConstructionKernel::kLazy},
+                                                                  {"exact", ConstructionKernel::kExact}};
+  if (!kernels.contains(name)) {
+    fmt::print(stderr, "no kernel '{}'\n", name);
+    return 2;
+  }
+  const ConstructionKernel kernel = kernels.at(name);
   fmt::print("{:>8} {:>11} {:>6} {:>8} {:>8} {:>9} {:>5} {:>11} {:>13} {:>13}\n", "degree", "neighbours", "start",
              "queries", "log2 n", "binary", "most", "linear", "binary [us]", "linear [us]");
   bool agree = true;
@@ -191,7 +205,7 @@ int main(int argc, char** argv) {
   for (const std::size_t degree : {10, 30, 100, 300, 1000, 3000, 10000, 30000, 100000}) {
     if (degree > largest) break;
     for (const bool perturbed : {false, true}) {
-      Subject subject(fuzz::high_degree_facet(degree, perturbed, 1));
+      Subject subject(fuzz::high_degree_facet(degree, perturbed, 1), kernel);
       if (subject.ring.size() != degree) return 1;
       for (std::size_t k = 0; k < kinds.size(); ++k) {
         agree = run(degree, perturbed, kinds[k], subject, all[k]) && agree;

@@ -2,7 +2,7 @@
 // kind of input that it refuses.
 //
 // Guarantees: start, segments and limit are those that the oracle's program prints for the same input, for
-// point sets of every dimension, from every kind of Voronoi face, with both kernels and both searches.
+// point sets of every dimension, from every kind of Voronoi face, with all kernels and both searches.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -191,7 +191,8 @@ TEST(OrbitJson, KernelAndSearchDoNotMatter) {
       const std::string expected = points.as_json(from).dump();
       for (const Words& options :
            {Words{"--kernel", "exact"}, Words{"--search", "linear"}, Words{"--kernel", "exact", "--search", "linear"},
-            Words{"--kernel", "lazy", "--search", "binary"}}) {
+            Words{"--kernel", "lazy", "--search", "binary"}, Words{"--kernel", "lazy", "--search", "linear"},
+            Words{"--kernel", "cascade", "--search", "binary"}, Words{"--kernel", "cascade", "--search", "linear"}}) {
         EXPECT_EQ(points.as_json(from, options).dump(), expected) << ::testing::PrintToString(options);
       }
     }

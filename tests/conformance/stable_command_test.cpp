@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cites.h"
+#include "tests/conformance/lattice_points.h"
 #include "tests/conformance/program_run.h"
 
 namespace flowcert::conformance {
@@ -94,6 +95,31 @@ TEST(StableCommand, TheSummaryHasTheKeysOfS2AndNoneOfU2) {
   EXPECT_TRUE(summary["seconds"].contains("s2"));
   EXPECT_FALSE(summary["seconds"].contains("u2"));
   EXPECT_TRUE(summary["ratio_to_delaunay"].contains("s2"));
+}
+
+TEST(StableCommand, KernelAndSearchDoNotMatter) {
+  CITES("FC-NUM-01", "FC-STAB-04", "FC-STAB-05");
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", lattice_points(4, 40, 5)), output = scratch.path("records");
+  const auto records = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words = {"compute", input, "--manifolds", "s2", "--skeletons", "--json", "-o", output};
+    words.insert(words.end(), options.begin(), options.end());
+    const Finished finished = flowcert(words);
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    const json s2 = json::parse(finished.out)["s2"];
+    if (!options.empty()) {
+      EXPECT_EQ(s2["kernel"], options[1]);
+      EXPECT_EQ(s2["search"], options[3]);
+    }
+    return content_of(output);
+  };
+  const std::string expected = records({});
+  EXPECT_NE(expected.find("\"back_contact\""), std::string::npos);
+  for (const char* kernel : {"cascade", "lazy", "exact"}) {
+    for (const char* search : {"binary", "linear"}) {
+      EXPECT_EQ(records({"--kernel", kernel, "--search", search}), expected) << kernel << ", " << search;
+    }
+  }
 }
 
 // The points are rounded, so that there are ties and long orbits. An orbit is a chain of segments. There is

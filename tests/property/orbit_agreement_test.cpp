@@ -2,7 +2,7 @@
 // kind.
 //
 // Guarantees: all is equal, segment by segment, for lazy constructions with binary search and for the other
-// three ways to compute orbits. Single steps are compared too. The test fails too when the run has met fewer
+// five ways to compute orbits. Single steps are compared too. The test fails too when the run has met fewer
 // orbits than it should, starts on too few Voronoi vertices, edges or facets, or not every type of Table 1. A
 // failure is shrunk, input and start alike, and printed with both orbits.
 #include <gtest/gtest.h>
@@ -36,9 +36,11 @@ struct Variant {
   const char* name;
   FlowOptions options;
 };
-constexpr std::array<Variant, 4> kVariants = {{
+constexpr std::array<Variant, 6> kVariants = {{
     {"lazy, binary", {ConstructionKernel::kLazy, FacetSearch::kBinary}},
     {"lazy, linear", {ConstructionKernel::kLazy, FacetSearch::kLinear}},
+    {"cascade, binary", {ConstructionKernel::kCascade, FacetSearch::kBinary}},
+    {"cascade, linear", {ConstructionKernel::kCascade, FacetSearch::kLinear}},
     {"exact, binary", {ConstructionKernel::kExact, FacetSearch::kBinary}},
     {"exact, linear", {ConstructionKernel::kExact, FacetSearch::kLinear}},
 }};

@@ -1,6 +1,6 @@
 // Orbits that cross fifty facets and more, fast against oracle. Inputs of a dozen points have none.
 //
-// Guarantees: equality of all segments, as orbit_comparison.h says, for both kernels and both searches. The
+// Guarantees: equality of all segments, as orbit_comparison.h says, for all kernels and both searches. The
 // test fails too when the inputs no longer make long orbits, or none that crosses a facet of high degree.
 #include <gtest/gtest.h>
 
@@ -18,7 +18,9 @@
 namespace flowcert::property {
 namespace {
 
-constexpr std::array<FlowOptions, 4> kAllWays = {{{ConstructionKernel::kLazy, FacetSearch::kBinary},
+constexpr std::array<FlowOptions, 6> kAllWays = {{{ConstructionKernel::kCascade, FacetSearch::kBinary},
+                                                  {ConstructionKernel::kCascade, FacetSearch::kLinear},
+                                                  {ConstructionKernel::kLazy, FacetSearch::kBinary},
                                                   {ConstructionKernel::kLazy, FacetSearch::kLinear},
                                                   {ConstructionKernel::kExact, FacetSearch::kBinary},
                                                   {ConstructionKernel::kExact, FacetSearch::kLinear}}};
@@ -43,10 +45,15 @@ std::size_t expect_orbits_agree(const Subject& subject, const std::vector<Ration
   return longest;
 }
 
-// Compares both orbits of every `step`-th saddle. Returns how many facets the longest one crosses.
+// Compares both orbits of every `step`-th saddle, by lazy constructions and by the cascade kernel. Returns how many
+// facets the longest one crosses.
 std::size_t expect_manifolds_agree(const Subject& subject, std::size_t step) {
   const StationaryPoints& stationary = subject.complex.stationary();
-  const UnstableManifolds& manifolds = subject.complex.unstable();
+  const auto manifolds_by = [&](ConstructionKernel kernel) {
+    return UnstableManifolds(subject.complex.diagram(), stationary, {{kernel, FacetSearch::kBinary}, true});
+  };
+  UnstableManifolds manifolds = manifolds_by(ConstructionKernel::kLazy);
+  UnstableManifolds cascade = manifolds_by(ConstructionKernel::kCascade);
   std::size_t longest = 0;
   for (std::size_t i = 0; i < manifolds.size(); i += step) {
     const auto contact = stationary.contact(manifolds.saddle(i));
@@ -56,8 +63,10 @@ std::size_t expect_manifolds_agree(const Subject& subject, std::size_t step) {
       const OrbitRecord expected =
           record_of(subject.set, saddle.center, oracle::unstable_orbit(subject.set, saddle, side));
       longest = std::max(longest, facets_crossed(expected));
-      EXPECT_EQ(difference(record_of(manifolds.orbit(i, static_cast<std::size_t>(side))), expected), "")
-          << "saddle " << i << ", side " << side;
+      for (UnstableManifolds* each : {&manifolds, &cascade}) {
+        EXPECT_EQ(difference(record_of(each->orbit(i, static_cast<std::size_t>(side))), expected), "")
+            << "saddle " << i << ", side " << side << (each == &cascade ? ", by the cascade kernel" : ", lazy");
+      }
     }
   }
   return longest;

@@ -1,4 +1,4 @@
-// The stable sets of index-2 and regular stationary points, by the fast implementation under both kernels,
+// The stable sets of index-2 and regular stationary points, by the fast implementation under all kernels,
 // against the oracle's, which follows them backwards by scans over all points (FC-STAB-01 to 05).
 //
 // Guarantees: segments, intervals and sectors are compared as sets, exactly. What the fast implementation
@@ -67,9 +67,14 @@ void require_right_summary(const Subject& subject, const StationaryPoints& stati
 
 void require_right_sets(const Subject& subject, Totals& totals) {
   const StationaryPoints& stationary = subject.complex.stationary();
-  const StableManifolds& lazy = subject.complex.stable();
-  StableManifolds exact(subject.complex.diagram(), stationary, {{ConstructionKernel::kExact, FacetSearch::kLinear}});
+  const auto sets_by = [&](ConstructionKernel kernel, FacetSearch search) {
+    return StableManifolds(subject.complex.diagram(), stationary, {{kernel, search}});
+  };
+  const StableManifolds lazy = sets_by(ConstructionKernel::kLazy, FacetSearch::kBinary);
+  const StableManifolds cascade = sets_by(ConstructionKernel::kCascade, FacetSearch::kBinary);
+  const StableManifolds exact = sets_by(ConstructionKernel::kExact, FacetSearch::kLinear);
   RC_ASSERT(lazy.size() == exact.size());
+  RC_ASSERT(lazy.size() == cascade.size());
   const std::size_t step = 1 + lazy.size() / kSetsByOracle;
   for (std::size_t i = 0; i < lazy.size(); i += step) {
     const Pieces fast = pieces_of(lazy.set(i));
@@ -78,6 +83,11 @@ void require_right_sets(const Subject& subject, Totals& totals) {
     const std::string name = "the stable set of " + text_of(z.contact);
     require_same_pieces(subject, name, fast, pieces_of(subject.set, by_oracle));
     require_same_pieces(subject, name + ", by the exact kernel", pieces_of(exact.set(i)), fast);
+    require_same_pieces(subject, name + ", by the cascade kernel", pieces_of(cascade.set(i)), fast);
+    const bool same_boundary = std::ranges::equal(cascade.boundary(i), lazy.boundary(i)) &&
+                               cascade.has_vertex(i) == lazy.has_vertex(i) &&
+                               cascade.has_interval(i) == lazy.has_interval(i);
+    require_none(subject.input, same_boundary ? "" : "another summary by the cascade kernel for " + name, "");
     const bool same_skeleton = skeleton_of(subject.set, z, lazy.set(i)) == by_oracle;
     require_none(subject.input, same_skeleton ? "" : "another skeleton follows for " + name, text_of(fast));
     require_right_summary(subject, stationary, lazy, i, fast, by_oracle.has_vertex, totals);

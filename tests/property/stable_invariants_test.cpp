@@ -118,8 +118,9 @@ bool holds_for_inputs(int inputs, const Law& law) {
       rc::Random random(static_cast<std::uint64_t>(*fuzz::whole(0, 1'000'000).as("dice")));
       const Subject subject(input);
       if (subject.complex.points().empty()) return;
-      const auto kernel = below(random, 2) == 0 ? ConstructionKernel::kLazy : ConstructionKernel::kExact;
-      law(FastSets(subject, kernel), random);
+      constexpr std::array kKernels = {ConstructionKernel::kCascade, ConstructionKernel::kLazy,
+                                       ConstructionKernel::kExact};
+      law(FastSets(subject, kKernels[below(random, kKernels.size())]), random);
     };
     held = expect_holds(family.name, parameters_of_run(k < common ? inputs : 3 * inputs, held), property) && held;
   }

@@ -34,6 +34,8 @@ constexpr int kLargerInputs = 1;
 constexpr std::size_t kSaddlesByOracle = 60;  // at most so many of an input
 
 constexpr FlowOptions kLazyBinary = {ConstructionKernel::kLazy, FacetSearch::kBinary};
+constexpr FlowOptions kCascadeBinary = {ConstructionKernel::kCascade, FacetSearch::kBinary};
+constexpr FlowOptions kCascadeLinear = {ConstructionKernel::kCascade, FacetSearch::kLinear};
 constexpr FlowOptions kExactLinear = {ConstructionKernel::kExact, FacetSearch::kLinear};
 
 // All orbits of an input, computed in one way.
@@ -276,7 +278,7 @@ void print_row(const std::string& name, const Seen& seen) {
               seen.computed, seen.longest, seen.longest_cascade, seen.to_critical, seen.to_regular, seen.to_infinity);
 }
 
-// Compares the shared orbits with the oracle's, with those computed alone, and with the slow kernel's and search's.
+// Compares the shared orbits with the oracle's, with those computed alone, and with those of the other kernels and searches.
 FlowStatistics compared_statistics(const Subject& subject) {
   const StationaryPoints& stationary = subject.complex.stationary();
   const Answer shared = answer_of(subject, stationary, {kLazyBinary, true});
@@ -293,6 +295,10 @@ FlowStatistics compared_statistics(const Subject& subject) {
   require_same_answer(subject, "shared against alone", shared, alone);
   require_same_answer(subject, "lazy and binary against exact and linear", shared,
                       answer_of(subject, stationary, {kExactLinear, true}));
+  require_same_answer(subject, "lazy and binary against cascade and binary", shared,
+                      answer_of(subject, stationary, {kCascadeBinary, true}));
+  require_same_answer(subject, "lazy and binary against cascade and linear, each alone", shared,
+                      answer_of(subject, stationary, {kCascadeLinear, false}));
   const Counts counts = counted_again(shared);
   require_same_counts(subject, "statistics against the orbits counted again", counts_of(shared.statistics), counts);
   RC_ASSERT(alone.statistics.segments_computed == segments_of(counts));

@@ -25,6 +25,8 @@ std::vector<Point> rows_of(const fuzz::Input& input) {
   return rows;
 }
 
+constexpr FlowOptions kLazyBinary = {ConstructionKernel::kLazy, FacetSearch::kBinary};
+
 // An edge whose facet is a decagon, seen from an obtuse neighbour. Rows 0 and 1 are its ends.
 PointSet decagon() { return PointSet(rows_of(fuzz::high_degree_facet(10, false, 1))); }
 
@@ -39,7 +41,7 @@ TEST(LazyKernel, IntervalsDecideWhereNothingIsDegenerate) {
   CITES("FC-NUM-01");
   const PointSet points(std::vector<Point>{{0, 0, 0}, {7, 1, 2}, {3, 9, 1}, {2, 3, 8}, {11, 12, 5}, {-4, 6, 7}});
   const VoronoiDiagram diagram{Delaunay(points)};
-  Flow flow(diagram);
+  Flow flow(diagram, kLazyBinary);
   for (int k = 0; k < 20; ++k) {
     (void)flow.orbit({Rational(3 * k + 1) / 7, Rational(5 * k - 30) / 11, Rational(40 - 2 * k) / 13});
   }
@@ -63,7 +65,7 @@ TEST(LazyKernel, ExactNumbersDecideAtAVoronoiVertex) {
   const PointSet points = decagon();
   const VoronoiDiagram diagram{Delaunay(points)};
   VoronoiFaces faces(diagram);
-  const auto flow = make_flow_operator(faces, {});
+  const auto flow = make_flow_operator(faces, kLazyBinary);
   const FacetName name = facet_of_rows_0_and_1(faces);
   const FacetRing ring = faces.ring(name);
   std::size_t hits = 0;
@@ -89,7 +91,7 @@ TEST(LazyKernel, NearTiesAreTheExactKernels) {
   const PointSet points = decagon();
   const VoronoiDiagram diagram{Delaunay(points)};
   VoronoiFaces faces(diagram);
-  const auto lazy = make_flow_operator(faces, {ConstructionKernel::kLazy, FacetSearch::kBinary});
+  const auto lazy = make_flow_operator(faces, kLazyBinary);
   const auto exact = make_flow_operator(faces, {ConstructionKernel::kExact, FacetSearch::kBinary});
   const FacetName name = facet_of_rows_0_and_1(faces);
   const FacetRing ring = faces.ring(name);
@@ -117,10 +119,20 @@ TEST(LazyKernel, NearTiesAreTheExactKernels) {
 TEST(LazyKernel, LongChainsAreCut) {
   CITES("FC-FLOW-05");
   const PointSet points(rows_of(fuzz::long_cascade(1200, 1)));
-  const FlowComplex complex(points);
+  const FlowComplex complex(points, {.flow = kLazyBinary});
   const UnstableManifolds& manifolds = complex.unstable();
   EXPECT_GT(manifolds.statistics().n_wcc.max(), 1000u);
   EXPECT_EQ(manifolds.statistics().depth, 1000u);
+}
+
+// Its recipes are replayed in a loop.
+TEST(CascadeKernel, LongChainsStayWhole) {
+  CITES("FC-FLOW-05");
+  const PointSet points(rows_of(fuzz::long_cascade(1200, 1)));
+  const FlowComplex complex(points, {.flow = {ConstructionKernel::kCascade, FacetSearch::kBinary}});
+  const FlowStatistics& statistics = complex.unstable().statistics();
+  EXPECT_GT(statistics.n_wcc.max(), 1000u);
+  EXPECT_GT(statistics.depth, 1000u);
 }
 
 TEST(ExactKernel, CountsNoFailure) {
