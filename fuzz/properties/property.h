@@ -51,8 +51,9 @@ struct Property {
   std::function<std::optional<Disagreement>(const Trial&)> check = {};
 };
 
-// critical-points, orbit, unstable-manifolds, stable-sets and persistence: the fast implementation against
-// the oracle. orbit-kernels, unstable-kernels and stable-kernels: against itself.
+// critical-points, orbit, unstable-manifolds, stable-sets and persistence: the fast implementation against the oracle.
+// What flows does so twice, by the usual kernel and by the lazy one with binary search, whichever is the usual one.
+// orbit-kernels, unstable-kernels and stable-kernels: the fast implementation against itself, kernel by kernel.
 [[nodiscard]] const std::vector<Property>& properties();
 // Nothing for a name that is no property's.
 [[nodiscard]] const Property* property_named(std::string_view name);

@@ -20,8 +20,15 @@ namespace flowcert::property {
 
 namespace {
 
+constexpr FlowOptions kCascadeBinary = {ConstructionKernel::kCascade, FacetSearch::kBinary};
+constexpr FlowOptions kCascadeLinear = {ConstructionKernel::kCascade, FacetSearch::kLinear};
+constexpr FlowOptions kLazyBinary = {ConstructionKernel::kLazy, FacetSearch::kBinary};
+constexpr FlowOptions kLazyLinear = {ConstructionKernel::kLazy, FacetSearch::kLinear};
+constexpr FlowOptions kExactBinary = {ConstructionKernel::kExact, FacetSearch::kBinary};
 constexpr FlowOptions kExactLinear = {ConstructionKernel::kExact, FacetSearch::kLinear};
 constexpr const char* kFast = "the fast answer";
+// Whatever the usual kernel is, this pair is compared with the oracle too.
+constexpr const char* kLazy = "the fast answer, lazy, binary";
 constexpr const char* kOracle = "the oracle's answer";
 
 // ---- Critical points ----
@@ -105,9 +112,9 @@ std::string name_of_orbit(const StationaryPoints& stationary, std::size_t record
 
 // Compares fast orbits of U2 that were computed in two ways.
 std::optional<Disagreement> difference_of_unstable(const Subject& subject, const StationaryPoints& stationary,
-                                                   const UnstableOptions& options, const char* name) {
-  const UnstableManifolds& usual = subject.complex.unstable();
-  UnstableManifolds other(subject.complex.diagram(), stationary, options);
+                                                   const UnstableManifolds& usual, const UnstableOptions& options,
+                                                   const char* name) {
+  const UnstableManifolds other(subject.complex.diagram(), stationary, options);
   for (std::size_t i = 0; i < usual.size(); ++i) {
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
       const std::string what = name_of_orbit(stationary, usual.saddle(i), side);
@@ -166,11 +173,11 @@ std::optional<Disagreement> wrong_boundary(const StationaryPoints& stationary, c
 
 std::optional<Disagreement> difference_of_flows(const Subject& subject, const Trial& trial) {
   const RationalPoint start = start_of(trial);
-  Flow usual(subject.complex.diagram());
+  Flow usual(subject.complex.diagram(), kLazyBinary);
   const OrbitRecord orbit = record_of(usual.orbit(start));
   for (const auto& [name, options] :
-       {std::pair{"lazy, linear", FlowOptions{ConstructionKernel::kLazy, FacetSearch::kLinear}},
-        std::pair{"exact, binary", FlowOptions{ConstructionKernel::kExact, FacetSearch::kBinary}},
+       {std::pair{"cascade, binary", kCascadeBinary}, std::pair{"cascade, linear", kCascadeLinear},
+        std::pair{"lazy, linear", kLazyLinear}, std::pair{"exact, binary", kExactBinary},
         std::pair{"exact, linear", kExactLinear}}) {
     Flow other(subject.complex.diagram(), options);
     if (auto found =
@@ -182,16 +189,23 @@ std::optional<Disagreement> difference_of_flows(const Subject& subject, const Tr
 }
 
 std::optional<Disagreement> difference_of_stable(const Subject& subject, const StationaryPoints& stationary) {
-  const StableManifolds& lazy = subject.complex.stable();
-  StableManifolds exact(subject.complex.diagram(), stationary, {.flow = kExactLinear, .seed = 0});
-  for (std::size_t i = 0; i < lazy.size(); ++i) {
-    const std::string what = "the stable set of " + text_of(ids(stationary.contact(lazy.record(i))));
-    if (auto found = difference_of_pieces(what, pieces_of(lazy.set(i)), "lazy, binary", pieces_of(exact.set(i)),
-                                          "exact, linear")) {
-      return found;
-    }
-    if (!std::ranges::equal(lazy.boundary(i), exact.boundary(i))) {
-      return Disagreement{"boundary", "FC-STAB-07", what + ": another boundary", "", "", "", ""};
+  const auto sets_by = [&](const FlowOptions& flow) {
+    return StableManifolds(subject.complex.diagram(), stationary, {.flow = flow, .seed = 0});
+  };
+  const StableManifolds usual = sets_by(kLazyBinary);
+  for (const auto& [name, options] :
+       {std::pair{"cascade, binary", kCascadeBinary}, std::pair{"cascade, linear", kCascadeLinear},
+        std::pair{"exact, linear", kExactLinear}}) {
+    const StableManifolds other = sets_by(options);
+    for (std::size_t i = 0; i < usual.size(); ++i) {
+      const std::string what = "the stable set of " + text_of(ids(stationary.contact(usual.record(i))));
+      if (auto found =
+              difference_of_pieces(what, pieces_of(usual.set(i)), "lazy, binary", pieces_of(other.set(i)), name)) {
+        return found;
+      }
+      if (!std::ranges::equal(usual.boundary(i), other.boundary(i))) {
+        return Disagreement{"boundary", "FC-STAB-07", what + ": another boundary, " + name, "", "", "", ""};
+      }
     }
   }
   return std::nullopt;
@@ -218,29 +232,35 @@ std::optional<Disagreement> check_orbit(const Trial& trial) {
   const Subject& subject = subject_of(trial.input);
   if (subject.complex.points().empty()) return std::nullopt;
   const RationalPoint start = start_of(trial);
-  Flow flow(subject.complex.diagram());
-  return difference_of_orbits("the orbit", {kFast, record_of(flow.orbit(start))},
-                              {kOracle, record_of(subject.set, start, oracle::orbit(subject.set, start))});
+  const NamedOrbit truth{kOracle, record_of(subject.set, start, oracle::orbit(subject.set, start))};
+  for (const auto& [name, options] : {std::pair{kFast, FlowOptions{}}, std::pair{kLazy, kLazyBinary}}) {
+    Flow flow(subject.complex.diagram(), options);
+    if (auto found = difference_of_orbits("the orbit", {name, record_of(flow.orbit(start))}, truth)) return found;
+  }
+  return std::nullopt;
 }
 
 std::optional<Disagreement> check_unstable_manifolds(const Trial& trial) {
   const Subject& subject = subject_of(trial.input);
   const StationaryPoints& stationary = subject.complex.stationary();
   const UnstableManifolds& manifolds = subject.complex.unstable();
+  const UnstableManifolds lazy(subject.complex.diagram(), stationary, {.flow = kLazyBinary, .share = true});
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
     const oracle::StationaryPoint saddle = oracle_point(subject.complex.points(), stationary, manifolds.saddle(i));
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
       const OrbitRecord truth =
           record_of(subject.set, saddle.center, oracle::unstable_orbit(subject.set, saddle, static_cast<int>(side)));
       const std::string what = name_of_orbit(stationary, manifolds.saddle(i), side);
-      if (auto found = difference_of_orbits(what, {kFast, record_of(manifolds.orbit(i, side))}, {kOracle, truth})) {
-        return found;
-      }
-      const auto limit = manifolds.limit(i, side);
-      const bool right = limit.has_value() == truth.limit.has_value() &&
-                         (!limit || ids(stationary.contact(*limit)) == truth.limit->contact);
-      if (!right) {
-        return Disagreement{"limit", "FC-FLOW-07", what + ": limit() is wrong", kOracle, to_text(truth), "", ""};
+      for (const auto& [name, fast] : {std::pair{kFast, &manifolds}, std::pair{kLazy, &lazy}}) {
+        if (auto found = difference_of_orbits(what, {name, record_of(fast->orbit(i, side))}, {kOracle, truth})) {
+          return found;
+        }
+        const auto limit = fast->limit(i, side);
+        const bool right = limit.has_value() == truth.limit.has_value() &&
+                           (!limit || ids(stationary.contact(*limit)) == truth.limit->contact);
+        if (!right) {
+          return Disagreement{"limit", "FC-FLOW-07", what + ": limit() is wrong", kOracle, to_text(truth), "", ""};
+        }
       }
     }
   }
@@ -251,16 +271,17 @@ std::optional<Disagreement> check_stable_sets(const Trial& trial) {
   const Subject& subject = subject_of(trial.input);
   const StationaryPoints& stationary = subject.complex.stationary();
   const StableManifolds& manifolds = subject.complex.stable();
+  const StableManifolds lazy(subject.complex.diagram(), stationary, {.flow = kLazyBinary, .seed = 0});
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
     const auto z = oracle_point(subject.complex.points(), stationary, manifolds.record(i));
     const oracle::StableSet truth = oracle::stable_set(subject.set, z);
     const Pieces pieces = pieces_of(subject.set, truth);
     const std::string what = "the stable set of " + text_of(z.contact);
-    if (auto found = difference_of_pieces(what, pieces_of(manifolds.set(i)), kFast, pieces, kOracle)) {
-      return found;
+    for (const auto& [name, fast] : {std::pair{kFast, &manifolds}, std::pair{kLazy, &lazy}}) {
+      if (auto found = difference_of_pieces(what, pieces_of(fast->set(i)), name, pieces, kOracle)) return found;
+      if (auto found = wrong_summary(*fast, i, what, pieces, truth.has_vertex)) return found;
+      if (auto found = wrong_boundary(stationary, *fast, i, what, pieces, truth.has_vertex)) return found;
     }
-    if (auto found = wrong_summary(manifolds, i, what, pieces, truth.has_vertex)) return found;
-    if (auto found = wrong_boundary(stationary, manifolds, i, what, pieces, truth.has_vertex)) return found;
   }
   return std::nullopt;
 }
@@ -281,11 +302,14 @@ std::optional<Disagreement> check_orbit_kernels(const Trial& trial) {
 std::optional<Disagreement> check_unstable_kernels(const Trial& trial) {
   const Subject& subject = subject_of(trial.input);
   const StationaryPoints& stationary = subject.complex.stationary();
-  if (auto found = difference_of_unstable(subject, stationary, {.flow = {}, .share = false}, "alone")) {
-    return found;
+  const UnstableManifolds usual(subject.complex.diagram(), stationary, {.flow = kLazyBinary, .share = true});
+  for (const auto& [name, options] : {std::pair{"lazy, binary, alone", UnstableOptions{kLazyBinary, false}},
+                                      std::pair{"cascade, binary, shared", UnstableOptions{kCascadeBinary, true}},
+                                      std::pair{"cascade, linear, alone", UnstableOptions{kCascadeLinear, false}},
+                                      std::pair{"exact, linear, shared", UnstableOptions{kExactLinear, true}}}) {
+    if (auto found = difference_of_unstable(subject, stationary, usual, options, name)) return found;
   }
-  const UnstableOptions exact{.flow = kExactLinear, .share = true};
-  return difference_of_unstable(subject, stationary, exact, "exact, linear");
+  return std::nullopt;
 }
 
 std::optional<Disagreement> check_stable_kernels(const Trial& trial) {
