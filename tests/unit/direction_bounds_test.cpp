@@ -386,6 +386,19 @@ TEST(DirectionBounds, OutOfRangeTheLongerPrecisionKnows) {
   }
 }
 
+// Lengths that are not checked may be so large that the square of a vector is infinite.
+TEST(DirectionBounds, WithoutALengthNothingIsKnown) {
+  CITES("FC-NUM-01");
+  constexpr double kSide = 0x1p80, kFar = 0x1p500;
+  const std::array<Point, 5> p = {Point{0, 0, 0}, Point{kSide, 0, 0}, Point{0, kSide, 0}, Point{0, 0, kSide},
+                                  Point{kSide, 1, 1}};
+  const Point far{kFar, 0, 0}, beside{kFar, 0, kSide};
+  EXPECT_FALSE(direction_from_vertex<double>({&p[0], &p[1], &p[2], &p[3]}, {&far, &beside}).is_known);
+  EXPECT_FALSE(direction_from_circle<double>({&p[0], &p[1], &p[2]}, {&far, &beside}).is_known);
+  const Direction<double> up{{0, 0, 1}, 0, true};
+  EXPECT_FALSE(direction_across(up, {&p[0], &p[4]}, p[3], {&far, &beside}).is_known);
+}
+
 // ---- Filters of signs ----
 
 // The facet's edge lies along the z axis, and the direction along the x axis.

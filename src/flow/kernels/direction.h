@@ -94,7 +94,8 @@ template <class Number>
   if (!Precision<Number>::is_in_range(ee)) return {};
   const Number inverse = Number(1) / sqrt(yy);
   const Number error = bound * inverse;
-  if (!(error < Number(0.0625))) return {};
+  // Where the length is infinite, its inverse is zero, and so is the error.
+  if (!(inverse > 0 && error < Number(0.0625))) return {};
   return {inverse * (y - Number(dot(y, e) / ee) * e), error * (Number(1) + Number(2) * error)};
 }
 
@@ -315,7 +316,7 @@ template <class Number>
   const Number turn = Number(4) * angle * height * inverse * inverse;
   const Number norm = Number(2) * std::max(angle, height) * inverse;
   const Number slack = (turn + norm) * x.error + rounding;
-  if (!(slack < Number(0.0625))) return {};
+  if (!(inverse > 0 && slack < Number(0.0625))) return {};
   const Number factor = sign > 0 ? inverse : Number(-inverse);
   return {factor * (y - Number(dot(y, next) / next_ee) * next),
           (turn * x.error + rounding) * (Number(1) + Number(8) * slack)};
