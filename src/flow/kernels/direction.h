@@ -278,7 +278,7 @@ template <class Number>
   return way;
 }
 
-// The sign of s in x' = m + s u, or 0 if it is not certain. s is h / <u,g>.
+// The sign of <u,g>, or 0 if it is not certain. It is that of h, because s in x' = m + s u is h / <u,g>, and positive.
 template <class Number>
 [[nodiscard]] int sign_of_way(const Number& approach, const Number& approach_bound, const Number& h,
                               const Number& h_bound) {
