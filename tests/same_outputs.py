@@ -7,7 +7,8 @@ usage: same_outputs.py OLDER NEWER [--generated N] [--jobs N] [SCAN ...]
 Runs compute with its options, persistence, orbit, explain, surface and --export on generated inputs and on scans, and
 compares exit status, standard output, standard error and every file that is written. A scan (OBJ or XYZ) of more than
 6,000 points is given to compute alone; every option is tried on about 3,000 of its points. Guarantees: all bytes are
-compared but the header (what made it), times, ratios to times, memory, and tallies of filters and of exact numbers.
+compared but the header (what made it), times, ratios to times, memory, and what is of the kernel that is the usual
+one: its name, tallies of filters and of exact numbers, and the lengths of its chains.
 Exit status: 0 where all is the same; 1 where something is not, or a program ends by a signal, and then the commands
 are printed; 2 where the programs cannot be compared, because they refuse every input of some command.
 """
@@ -42,7 +43,11 @@ TALLIES = (
     rb'("(?:predicates|primitives)":)\{(?:"[a-z_]+":\{[^}]*\},?)*\}',
     rb"(?m)^(filter failures, )[^\n]*$",
     rb"(?m)^(filter failures of )[^\n]*\n(?:  [^\n]*\n)*",
-    # Which points have coordinates that a filter left to exact numbers is the filter's own affair.
+    # Which kernel is the usual one, how long a chain of constructions it keeps, and which points have exact numbers, is
+    # the kernel's own affair.
+    rb'("kernel":)"(?:cascade|lazy|exact)"',
+    rb'("depth":)[0-9]+',
+    rb"(?m)^(deepest construction )[^\n]*$",
     rb'("exact_bytes":)\{[^}]*\}',
     rb"(?m)^(bytes of exact coordinates )[^\n]*\n(?:  [^\n]*\n)*",
 )
@@ -78,6 +83,7 @@ def commands(source, is_small):
         return
     yield ["compute", source, *manifolds, "--json", "--polylines", "--skeletons", "-o", "points.jsonl"]
     yield ["compute", source, *manifolds, "--kernel", "exact", "--search", "linear", "--alone"]
+    yield ["compute", source, *manifolds, "--kernel", "lazy", "--polylines", "--skeletons", "-o", "points.jsonl"]
     yield ["compute", source, "--export", "files"]
     yield ["persistence", source, "--json", "--zero", "-o", "pairs.pers"]
     yield ["persistence", source, "--json", "--seed-ties", "7"]
@@ -201,6 +207,10 @@ def self_test():
         right = row.format("3.1 ms   0.46 x the triangulation", 1)
         assert result(right, row.format("2.75 s   1.00 x the triangulation", 2)) == ([], [], 0)
         differ = [line + "standard output differ" for line in both]
+        u2 = """echo '{{"u2":{{"kernel":"{}","orbits":{},"depth":{}}}}}'; echo 'deepest construction (paper): {}'"""
+        assert result(u2.format("lazy", 2, 1000, 1000), u2.format("cascade", 2, 3210, "3,210")) == ([], [], 0)
+        assert result(u2.format("lazy", 2, 1, 1), u2.format("cascade", 3, 1, 1)) == (differ, [], 0)
+        assert result(u2.format("lazy", 2, 1, 1), u2.format("other", 2, 1, 1)) == (differ, [], 0)
         assert result(right, row.format("3.2 ms   0.46 x the octahedron", 1)) == (differ, [], 0)
         assert result("echo 'orbits   3 s   of 4'", "echo 'orbits   5 s   of 4'") == (differ, [], 0)
         assert result("echo 1 >&2", "echo 2 >&2")[0] == [line + "standard error differ" for line in both]

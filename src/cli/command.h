@@ -38,8 +38,8 @@ struct Input {
 
 // The options --kernel and --search, which say how orbits are computed, not what they are.
 struct FlowChoice {
-  std::string kernel = "lazy";    // or "cascade", "exact"
-  std::string search = "binary";  // or "linear"
+  std::string kernel = "cascade";  // or "lazy", "exact"
+  std::string search = "binary";   // or "linear"
 
   [[nodiscard]] FlowOptions options() const;
 };

@@ -2,7 +2,7 @@
 // fast implementation with the oracle's, segment by segment, exactly.
 //
 // COUNT pairs of an index-2 point and a side are drawn, with repetition. The fast side computes all orbits
-// first, by the lazy kernel and with sharing; the oracle computes each of those that are drawn from its
+// first, by the cascade kernel and with sharing; the oracle computes each of those that are drawn from its
 // definition, by scans over all points. Each reads the file with its own reader; only the contact set of the
 // index-2 point goes from one to the other, and the oracle certifies it before it uses it.
 //

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The time of the stable manifolds S2 of all index-2 points against CGAL's Delaunay triangulation: medians of five
-# runs, in turn, one thread, lazy kernel. The inputs: the Stanford bunny of glmark2-data, and from a folder, if one
+# runs, in turn, one thread, cascade kernel. The inputs: the Stanford bunny of glmark2-data, and from a folder, if one
 # is given, dragon_res2.xyz and building.xyz. usage: stable_manifolds.sh PROGRAM [FOLDER]
 set -euo pipefail
 program=$1

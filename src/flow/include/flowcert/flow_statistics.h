@@ -44,9 +44,10 @@ struct FlowStatistics {
   // The computation.
   KernelTally tally;
   std::size_t segments_computed = 0;  // with sharing, each shared segment once
-  Distribution exact_bytes;           // numerator and denominator of the coordinates of constructed points whose exact
-                                      // value was asked for
-  std::size_t depth = 0;              // the longest chain of lazy constructions, from input points up
+  Distribution exact_bytes;           // where exact numbers of a constructed point were needed: numerator and
+                                      // denominator of each coordinate; of the cascade kernel, each component of the
+                                      // direction
+  std::size_t depth = 0;              // the longest chain of constructions that a kernel keeps, from input points up
 };
 
 }  // namespace flowcert

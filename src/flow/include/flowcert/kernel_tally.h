@@ -10,8 +10,9 @@
 
 namespace flowcert {
 
-// The signs and constructions that flowing takes. A predicate fails where the kernel's intervals did not decide and
-// exact numbers were asked. A construction fails where its interval is unbounded.
+// The signs and constructions that flowing takes. A predicate fails where the kernel's filter (doubles with a bound, or
+// intervals) did not decide. A construction fails where doubles know no bound on its error, or its interval is
+// unbounded.
 enum class FlowPrimitive : std::uint8_t {
   kSideOfRay,      // <(x-m) ^ (c-m), p0p1>: on which side of the ray a Voronoi vertex lies (paper, Eq. 2, 3)
   kRayAtInfinity,  // the same for the direction of a Voronoi ray (Eq. 4, 5)

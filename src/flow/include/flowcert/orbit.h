@@ -1,7 +1,7 @@
 // The flow of the distance function: one segment from any point, and whole orbits.
 //
 // Guarantees: exact, on every input and for every start, whatever the dimension of the points and however degenerate
-// the flow. Both kernels and both ways to search a facet give the same answer. Source: spec section 8 (clauses
+// the flow. All kernels and both ways to search a facet give the same answer. Source: spec section 8 (clauses
 // FC-FLOW); paper, Definition 3, Table 1, section 4.
 #pragma once
 
@@ -32,7 +32,7 @@ enum class FacetSearch : std::uint8_t {
 };
 
 struct FlowOptions {
-  ConstructionKernel kernel = ConstructionKernel::kLazy;
+  ConstructionKernel kernel = ConstructionKernel::kCascade;
   FacetSearch search = FacetSearch::kBinary;
 };
 
