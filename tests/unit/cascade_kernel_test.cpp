@@ -352,7 +352,7 @@ TEST(CascadeKernel, TheLongerPrecisionDecidesOutOfRange) {
   (void)far.kernel.sign(far.query(q));
   const PointNumber beyond = far.kernel.add_crossing(far.number, far.v[0], far.v[1], q);
   EXPECT_EQ(far.tally[FlowPrimitive::kCrossing].failures, 0U) << "the direction before it is known";
-  EXPECT_FALSE(far.kernel.direction_in_doubles(beyond, {&far.v[1], &q}).is_known);
+  EXPECT_FALSE(far.kernel.direction_in_doubles(beyond, {&far.v[1], &q}).is_known());
   EXPECT_EQ(far.kernel.sign(RayAtInfinity{beyond, far.v[1], q, r}),
             *far.kernel.sign_on_rung(RayAtInfinity{beyond, far.v[1], q, r}, KernelRung::kExact));
 }
@@ -412,7 +412,7 @@ TEST(CascadeKernel, WhatAHigherRungComputedIsHandedDown) {
   EXPECT_GT(before, error(1)) << "it grows";
   // By the longer precision.
   const Direction<Extended> extended = kernel.direction_in_extended(x[last], cascade.facet(last));
-  EXPECT_TRUE(extended.is_known);
+  EXPECT_TRUE(extended.is_known());
   EXPECT_LT(extended.error, Extended(0x1p-200));
   EXPECT_GE(error(last), 2 * kRoundoff);
   EXPECT_LE(error(last), 9 * kRoundoff);
@@ -421,7 +421,7 @@ TEST(CascadeKernel, WhatAHigherRungComputedIsHandedDown) {
   (void)kernel.direction_in_integers(x[last - 1], cascade.facet(last - 1));
   EXPECT_LE(error(last - 1), 17 * kRoundoff);
   const Direction<Extended> rounded = kernel.direction_in_extended(x[last - 1], cascade.facet(last - 1));
-  EXPECT_TRUE(rounded.is_known);
+  EXPECT_TRUE(rounded.is_known());
   EXPECT_LE(rounded.error, Extended(8 * Precision<Extended>::kRoundoff));
   // What follows begins anew.
   const PointNumber again =
@@ -440,7 +440,7 @@ TEST(CascadeKernel, PositionsOfRecipesAreExact) {
     CascadeKernel kernel(tally);
     ExactKernel slow(tally);
     const PointNumber last = cascade.points(kernel, kNothing).back();
-    EXPECT_EQ(kernel.depth(last), cascade.crossings());
+    EXPECT_EQ(kernel.deepest(), cascade.crossings());
     EXPECT_EQ(kernel.exact(last), slow.exact(cascade.points(slow, kNothing).back()));
   }
 }
@@ -464,8 +464,10 @@ void expect_the_lazy_flow(std::size_t count) {
       at = step.end;
       if (at.point != kNoPoint) constructed = at;
     }
-    const bool is_whole = kernel == ConstructionKernel::kCascade;
-    EXPECT_GE(flow->depth(constructed.point), is_whole ? count - 4 : 0);
+    Distribution bytes;
+    std::size_t depth = 0;
+    flow->count_sizes(bytes, depth);
+    EXPECT_GE(depth, kernel == ConstructionKernel::kCascade ? count - 4 : 0);
     last.push_back(flow->exact(constructed));
     ends.push_back(at.place);
   }
@@ -534,8 +536,8 @@ TEST(CascadeKernel, LongRecipesTakeNoStack) {
       KernelTally tally;
       CascadeKernel kernel(tally);
       const PointNumber x = work.cascade.points(kernel, kNothing).back();
-      work.depth = kernel.depth(x);
-      work.is_known = kernel.direction_in_extended(x, work.cascade.facet(last)).is_known;
+      work.depth = kernel.deepest();
+      work.is_known = kernel.direction_in_extended(x, work.cascade.facet(last)).is_known();
       const IntegerDirection u = kernel.direction_in_integers(x, work.cascade.facet(last));
       work.sign = geometry::sign_of(u.x);
       return nullptr;

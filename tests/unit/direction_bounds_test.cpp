@@ -178,8 +178,8 @@ void expect_bound(const std::string& branch, const Direction<Number>& x, const N
 }
 
 void expect_both(const std::string& branch, const Known& x, FacetEdge facet, const auto& derived, Met& met) {
-  if (x.doubles.is_known) expect_bound(branch, x.doubles, derived(x.doubles), x.exact, facet, met);
-  if (x.extended.is_known) expect_bound(branch, x.extended, derived(x.extended), x.exact, facet, met);
+  if (x.doubles.is_known()) expect_bound(branch, x.doubles, derived(x.doubles), x.exact, facet, met);
+  if (x.extended.is_known()) expect_bound(branch, x.extended, derived(x.extended), x.exact, facet, met);
 }
 
 bool is_nothing(const IntegerDirection& u) { return u.x == 0 && u.y == 0 && u.z == 0; }
@@ -393,10 +393,10 @@ TEST(DirectionBounds, WithoutALengthNothingIsKnown) {
   const std::array<Point, 5> p = {Point{0, 0, 0}, Point{kSide, 0, 0}, Point{0, kSide, 0}, Point{0, 0, kSide},
                                   Point{kSide, 1, 1}};
   const Point far{kFar, 0, 0}, beside{kFar, 0, kSide};
-  EXPECT_FALSE(direction_from_vertex<double>({&p[0], &p[1], &p[2], &p[3]}, {&far, &beside}).is_known);
-  EXPECT_FALSE(direction_from_circle<double>({&p[0], &p[1], &p[2]}, {&far, &beside}).is_known);
-  const Direction<double> up{{0, 0, 1}, 0, true};
-  EXPECT_FALSE(direction_across(up, {&p[0], &p[4]}, p[3], {&far, &beside}).is_known);
+  EXPECT_FALSE(direction_from_vertex<double>({&p[0], &p[1], &p[2], &p[3]}, {&far, &beside}).is_known());
+  EXPECT_FALSE(direction_from_circle<double>({&p[0], &p[1], &p[2]}, {&far, &beside}).is_known());
+  const Direction<double> up{{0, 0, 1}, 0};
+  EXPECT_FALSE(direction_across(up, {&p[0], &p[4]}, p[3], {&far, &beside}).is_known());
 }
 
 // ---- Filters of signs ----
@@ -407,7 +407,7 @@ constexpr FacetEdge kUpright{&kBelow, &kAbove};
 
 template <class Number>
 Direction<Number> along_x(const Number& error) {
-  return {{Number(1), Number(0), Number(0)}, error, true};
+  return {{Number(1), Number(0), Number(0)}, error};
 }
 template <class Number>
 Number distance(const Point& from, const Point& to) {
@@ -452,7 +452,8 @@ void expect_approach_bound(PortableRandom& random) {
   });
 }
 
-// With q_i.x = 0 the value is -2 h_i q_j.x. 3 of what leaves the plane, 3.3 of rounding.
+// With q_i.x = 0 the value is -2 h_i q_j.x. 3 of what leaves the plane, 3.3 of rounding. Squares are compared, so that
+// |h| <= G^2 / 4 and (G_i + G_j)^2 <= 2 (G_i^2 + G_j^2) are in the bound.
 template <class Number>
 void expect_order_bound(PortableRandom& random) {
   expect_open_within_the_error<Number>(random, [&](const Direction<Number>& x, double by) {
@@ -460,8 +461,9 @@ void expect_order_bound(PortableRandom& random) {
     Point qj = generic_point(random);
     const auto height = [](const Point& q) { return q.y * q.y + q.z * q.z - 1; };
     const Number gi = size_of<Number>(qi), gj = size_of<Number>(qj);
-    const Number error = x.error * (Number(std::fabs(height(qj))) * gi + Number(std::fabs(height(qi))) * gj) +
-                         Number(6.3 * Precision<Number>::kRoundoff) * gi * gj * (gi + gj);
+    using std::sqrt;
+    const Number both = sqrt(Number(Number(2) * (gi * gi + gj * gj)));
+    const Number error = (Number(0.25) * x.error + Number(6.3 * Precision<Number>::kRoundoff)) * gi * gj * both;
     qj.x = -by * static_cast<double>(error) / (2 * height(qi));
     return order_sign(x, kUpright, qi, qj);
   });
@@ -513,9 +515,9 @@ TEST(DirectionBounds, OfTheWayThroughAFacet) {
     const double h = q.x * q.x + q.y * q.y + (q.z - 1) * (q.z + 1);
     const bool is_open = std::fabs(h) <= 1.3 * u * size * size;
     within += is_open ? 1 : 0;
-    EXPECT_FALSE(is_open && direction_across(x, kUpright, q, to).is_known) << q.x;
+    EXPECT_FALSE(is_open && direction_across(x, kUpright, q, to).is_known()) << q.x;
     q = q_at(far);
-    EXPECT_TRUE(direction_across(x, kUpright, q, to).is_known) << q.x;
+    EXPECT_TRUE(direction_across(x, kUpright, q, to).is_known()) << q.x;
   }
   EXPECT_GT(within, 500U);
 }

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "flowcert/flow_complex.h"
-#include "fuzz/inputs/family.h"
+#include "fuzz/inputs/families.h"
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
 

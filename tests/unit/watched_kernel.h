@@ -42,7 +42,7 @@ inline Seen* seen_now = nullptr;
 // from above. The third one has the integers, which decide. The plain rationals of a fourth one confirm them.
 class WatchedKernel {
  public:
-  static constexpr bool kConstructsVertices = false;
+  class MovingPoint;
 
   explicit WatchedKernel(KernelTally& tally) : exact_(tally) {}
 
@@ -86,7 +86,7 @@ class WatchedKernel {
   [[nodiscard]] std::optional<std::array<std::size_t, 3>> exact_bytes(PointNumber x) const {
     return exact_.exact_bytes(x);
   }
-  [[nodiscard]] std::size_t depth(PointNumber x) const { return exact_.depth(x); }
+  [[nodiscard]] std::size_t deepest() const { return exact_.deepest(); }
   [[nodiscard]] PointNumber kept() const { return exact_.kept(); }
   void drop_from(PointNumber x) {
     for (CascadeKernel* one : {&doubles_, &extended_, &exact_}) one->drop_from(x);
@@ -142,12 +142,12 @@ class WatchedKernel {
     const IntegerDirection truth = exact_.direction_in_integers(x, facet);
     Seen::Counts& counts = seen_now->directions[branch(x, facet)];
     const Direction<Extended> extended = extended_.direction_in_extended(x, facet);
-    if (extended.is_known) {
+    if (extended.is_known()) {
       ++counts.extended;
       expect(broken_bound(extended, truth, facet).empty(), broken_bound(extended, truth, facet));
     }
     Direction<double> doubles = doubles_.direction_in_doubles(x, facet);
-    if (doubles.is_known) {
+    if (doubles.is_known()) {
       ++counts.doubles;
       expect(broken_bound(doubles, truth, facet).empty(), broken_bound(doubles, truth, facet));
       return;
@@ -156,7 +156,7 @@ class WatchedKernel {
     ++counts.unknown;
     (void)doubles_.direction_in_extended(x, facet);
     doubles = doubles_.direction_in_doubles(x, facet);
-    if (!doubles.is_known) return;
+    if (!doubles.is_known()) return;
     ++counts.handed_down;
     expect(broken_bound(doubles, truth, facet).empty(), "handed down: " + broken_bound(doubles, truth, facet));
   }
@@ -165,6 +165,15 @@ class WatchedKernel {
   CascadeKernel doubles_{unused_}, extended_{unused_}, exact_;
   ExactKernel slow_{unused_};
   std::vector<Made> made_;
+};
+
+// It keeps all points, so that each direction is watched.
+class WatchedKernel::MovingPoint : public ConstructedMovingPoint<WatchedKernel> {
+ public:
+  using ConstructedMovingPoint::ConstructedMovingPoint;
+  [[nodiscard]] Sign sign_of_order(const Point& qi, const Point& qj) {
+    return kernel_.sign(OrderOfExits{x_, *p0_, *p1_, qi, qj});
+  }
 };
 
 }  // namespace flowcert_tests

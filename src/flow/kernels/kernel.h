@@ -82,7 +82,7 @@ class ConstructedMovingPoint {
     return kernel_.sign(AlongEdge{x_, a, b, c});
   }
 
- private:
+ protected:
   Kernel& kernel_;
   PointNumber x_;
   const Point *p0_, *p1_;
