@@ -50,7 +50,7 @@ std::vector<SignatureComponent> table() {
       {"ties", "Points of index 2 whose boundary a tie leaves open.", yes_or_no},
       {"exact", "Predicates of the stationary points that exact arithmetic had to decide.", texts_of(kPredicateNames),
        true, false},
-      {"exact-flow", "Signs and constructions of the flow that intervals did not settle.",
+      {"exact-flow", "Signs and constructions of the flow that the usual filter left open.",
        texts_of(kFlowPrimitiveNames), true, false},
   };
 }

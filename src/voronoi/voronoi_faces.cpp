@@ -19,7 +19,7 @@ bool contains(const std::array<VertexIndex, 4>& vertices, VertexIndex v) {
 // ---- Facets.
 
 FacetRing VoronoiFaces::ring(FacetName facet, CellIndex hint) {
-  if (dimension() < 2) return {};
+  if (dimension() < 2) return {kNoRing, facet, {}};
   return rings_.ring(facet, cell_with(facet, hint));
 }
 

@@ -522,5 +522,53 @@ TEST(DirectionBounds, OfTheWayThroughAFacet) {
   EXPECT_GT(within, 500U);
 }
 
+// The centre of a circle lies on the side of c iff the angle at c is acute. Where that sign is not certain, nothing is
+// known.
+TEST(DirectionBounds, OfTheSideOfACentre) {
+  CITES("FC-NUM-01");
+  PortableRandom random(7);
+  constexpr double u = Precision<double>::kRoundoff;
+  std::size_t within = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const double turn = 1.5 + random.coordinate(), across = 0.5 * random.coordinate();
+    const double radius = std::sqrt((1 - across) * (1 + across));
+    const Point c{across, radius * std::sin(turn), radius * std::cos(turn)};
+    const auto a = difference<double>(kBelow, c), b = difference<double>(kAbove, c);
+    const bool is_open = std::fabs(dot(a, b)) <= 5.1 * u * length(a) * length(b);
+    within += is_open ? 1 : 0;
+    EXPECT_FALSE(is_open && direction_from_circle<double>({&kBelow, &kAbove, &c}, kUpright).is_known());
+    const Point outside{2 * c.x, 2 * c.y, 2 * c.z};
+    EXPECT_TRUE(direction_from_circle<double>({&kBelow, &kAbove, &outside}, kUpright).is_known());
+  }
+  EXPECT_GT(within, 1000U);
+}
+
+// From flatter and flatter tetrahedra: the error grows until nothing is known, and is never more than small.
+TEST(DirectionBounds, WhatIsKnownHasASmallError) {
+  CITES("FC-NUM-01");
+  PortableRandom random(8);
+  std::size_t known = 0, unknown = 0;
+  for (int k = 0; k < 100; ++k) {
+    const std::array<Point, 4> generic = draw_tuple<4>(TupleKind::kGeneric, random);
+    for (int exponent = 30; exponent < 60; ++exponent) {
+      std::array<Point, 4> p = generic;
+      // The last sample comes near to the circle of the others: y becomes small.
+      const RationalVector center = circle_center(p[0], p[1], p[2]), to = exact_vector(p[2]) - center;
+      const double little = std::ldexp(1.0, -exponent);
+      p[3] = {static_cast<double>(Rational(center.x - to.x)), static_cast<double>(Rational(center.y - to.y)),
+              static_cast<double>(Rational(center.z - to.z)) + little};
+      const auto volume = dot(between(p[0], p[1]), cross(between(p[0], p[2]), between(p[0], p[3])));
+      if (volume == 0) continue;
+      std::array<const Point*, 4> v = {&p[0], &p[1], &p[2], &p[3]};
+      if (volume < 0) std::swap(v[2], v[3]);
+      const Direction<double> x = direction_from_vertex<double>(v, {&p[0], &p[1]});
+      ++(x.is_known() ? known : unknown);
+      EXPECT_LE(x.is_known() ? x.error : 0, 0.0625 * 1.125);
+    }
+  }
+  EXPECT_GT(known, 300U);
+  EXPECT_GT(unknown, 300U);
+}
+
 }  // namespace
 }  // namespace flowcert::flow

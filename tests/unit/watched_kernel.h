@@ -52,12 +52,12 @@ class WatchedKernel {
   [[nodiscard]] PointNumber add_crossing(PointNumber from, const Point& p0, const Point& p1, const Point& q) {
     watch(from, {&p0, &p1});
     Made made;
-    if (&p0 != &p1) made = {{&p0, &p1}, {&q}};
+    if (&p0 != &p1) made = {{&p0, &p1}, {&q}, {}};
     return kept(made, {doubles_.add_crossing(from, p0, p1, q), extended_.add_crossing(from, p0, p1, q),
                        exact_.add_crossing(from, p0, p1, q), slow_.add_crossing(from, p0, p1, q)});
   }
   [[nodiscard]] PointNumber add_circumcenter(std::span<const Point* const> simplex, Stay stay) {
-    return kept({{}, {simplex.begin(), simplex.end()}},
+    return kept({{}, {simplex.begin(), simplex.end()}, {}},
                 {doubles_.add_circumcenter(simplex, stay), extended_.add_circumcenter(simplex, stay),
                  exact_.add_circumcenter(simplex, stay), slow_.add_circumcenter(simplex, stay)});
   }
@@ -104,6 +104,7 @@ class WatchedKernel {
   struct Made {
     FacetEdge facet;
     std::vector<const Point*> samples;
+    FacetEdge watched;  // the direction from here has been compared
   };
 
   static void expect(bool holds, const std::string& complaint) {
@@ -138,7 +139,8 @@ class WatchedKernel {
   }
 
   void watch(PointNumber x, FacetEdge facet) {
-    if (facet.p0 == facet.p1) return;
+    if (facet.p0 == facet.p1 || made_[x].watched == facet) return;
+    made_[x].watched = facet;
     const IntegerDirection truth = exact_.direction_in_integers(x, facet);
     Seen::Counts& counts = seen_now->directions[branch(x, facet)];
     const Direction<Extended> extended = extended_.direction_in_extended(x, facet);
