@@ -54,7 +54,6 @@ void FacetRings::add_piece(CellIndex vertex_before, PolygonRef polygon, VertexIn
 void FacetRings::add_spatial_pieces(FacetName facet, CellIndex start, RingNumber id) {
   const CompactDelaunay& delaunay = diagram_.delaunay();
   const VoronoiComplex& complex = diagram_.complex();
-  passages_.clear();
   const auto& v = delaunay.vertices(start);
   const unsigned i0 = place_among(v, facet.v0), i1 = place_among(v, facet.v1);
   // v0 v1 k l is positive iff v0 v1 l is the outward order of the facet opposite k.
@@ -69,25 +68,21 @@ void FacetRings::add_spatial_pieces(FacetName facet, CellIndex start, RingNumber
   CellIndex cell = start;
   VertexIndex pivot = v[k];
   do {
-    const auto& vertices = delaunay.vertices(cell);
+    const auto& [vertices, neighbors] = delaunay.cells[cell];
     const unsigned behind = place_among(vertices, pivot);
-    const unsigned ahead = 6 - behind - place_among(vertices, facet.v0) - place_among(vertices, facet.v1);
-    const VertexIndex apex = vertices[ahead];
-    const CellIndex next = delaunay.neighbors(cell)[behind];
+    const unsigned at0 = place_among(vertices, facet.v0), at1 = place_among(vertices, facet.v1);
+    const VertexIndex apex = vertices[6 - behind - at0 - at1];
+    const CellIndex next = neighbors[behind];
+    __builtin_prefetch(&delaunay.cells[next]);
     const bool here = delaunay.is_finite(cell), there = delaunay.is_finite(next);
-    if (here) ring_at(cell, facet) = id;
+    if (here) ring_at_[cell][kEdgeBetween[at0][at1]] = id;
     const bool is_inside = here && there && complex.cluster(cell) == complex.cluster(next);
     if ((here || there) && !is_inside) {
-      passages_.push_back({diagram_.polygon({cell, behind}), apex, there ? complex.cluster(next) : kNoCell});
+      add_piece(here ? complex.cluster(cell) : kNoCell, diagram_.polygon({cell, behind}), apex);
     }
     pivot = apex;
     cell = next;
   } while (cell != start);
-
-  for (std::size_t i = 0; i < passages_.size(); ++i) {
-    const Passage& last = passages_[i == 0 ? passages_.size() - 1 : i - 1];
-    add_piece(last.after, passages_[i].polygon, passages_[i].apex);
-  }
 }
 
 // The facet is a slab between two lines, or a half plane beside one. Each line comes from infinity and goes there.

@@ -89,19 +89,13 @@ class FacetRings {
     FacetName facet;
     std::uint32_t first, count;
   };
-  // A facet of the triangulation that a walk around an edge goes through.
-  struct Passage {
-    PolygonRef polygon;
-    VertexIndex apex;
-    CellIndex after;  // the Voronoi vertex behind it; kNoCell: infinity
-  };
+  // The number of the edge between two places of a cell.
+  static constexpr std::uint8_t kEdgeBetween[4][4] = {{0, 0, 1, 2}, {0, 0, 3, 4}, {1, 3, 0, 5}, {2, 4, 5, 0}};
 
   // The place of a facet's number in a cell that has its Delaunay edge.
   [[nodiscard]] RingNumber& ring_at(CellIndex cell, FacetName facet) {
-    // The number of the edge between two places of a cell.
-    static constexpr std::uint8_t kEdge[4][4] = {{0, 0, 1, 2}, {0, 0, 3, 4}, {1, 3, 0, 5}, {2, 4, 5, 0}};
     const auto& v = diagram_.delaunay().vertices(cell);
-    return ring_at_[cell][kEdge[place_among(v, facet.v0)][place_among(v, facet.v1)]];
+    return ring_at_[cell][kEdgeBetween[place_among(v, facet.v0)][place_among(v, facet.v1)]];
   }
   [[nodiscard]] RingNumber add_ring(FacetName facet, CellIndex cell);
   void add_spatial_pieces(FacetName facet, CellIndex start, RingNumber id);
@@ -114,7 +108,6 @@ class FacetRings {
   std::vector<std::array<RingNumber, 6>> ring_at_;  // by finite cell and edge
   std::vector<Ring> rings_;
   std::vector<RingPiece> pieces_;
-  std::vector<Passage> passages_;  // of the ring that is being made
   // Of large rings: the places by polygon, and then the places by cluster.
   std::unordered_map<RingNumber, std::vector<std::uint32_t>> sorted_;
 };
