@@ -202,7 +202,7 @@ int main(int argc, char** argv) {
   bool agree = true;
   std::vector<Series> all(3);
   const std::string kinds = "EVF";
-  for (const std::size_t degree : {10, 30, 100, 300, 1000, 3000, 10000, 30000, 100000}) {
+  for (const std::size_t degree : {10U, 30U, 100U, 300U, 1000U, 3000U, 10000U, 30000U, 100000U}) {
     if (degree > largest) break;
     for (const bool perturbed : {false, true}) {
       Subject subject(fuzz::high_degree_facet(degree, perturbed, 1), kernel);

@@ -74,7 +74,7 @@ std::size_t expect_manifolds_agree(const Subject& subject, std::size_t step) {
 
 TEST(OrbitCascades, AlongACascadeBuiltForIt) {
   CITES("FC-FLOW-02", "FC-FLOW-05", "FC-FLOW-07");
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const fuzz::Input input = fuzz::long_cascade(80, seed);
     const Subject subject(input);
     const RationalPoint m = exact_sphere(subject.complex.points(), std::vector<PointId>{0, 1}).center;

@@ -56,7 +56,7 @@ class WatchedFlows {
   // Both orbits of each critical point of index 2.
   void flow_from_saddles() {
     for_each_saddle([&](PolygonRef polygon) {
-      for (const std::size_t side : {0, 1}) follow(flow_.end_of_edge(polygon, side));
+      for (const std::size_t side : {0U, 1U}) follow(flow_.end_of_edge(polygon, side));
     });
   }
   void flow_from(const RationalPoint& x) {
@@ -248,7 +248,7 @@ TEST(CascadeKernel, DirectionsOfFlowsAtTheEndsOfTheRangeAreWithinTheirBounds) {
   for (const double scale : {0x1p500, 0x1p-500, std::numeric_limits<double>::denorm_min()}) {
     Seen seen;
     seen_now = &seen;
-    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
       PortableRandom random(seed);
       std::vector<Point> rows;
       for (int k = 0; k < 12; ++k) {
@@ -434,7 +434,7 @@ TEST(CascadeKernel, WhatAHigherRungComputedIsHandedDown) {
 
 TEST(CascadeKernel, PositionsOfRecipesAreExact) {
   CITES("FC-NUM-01", "FC-FLOW-02");
-  for (const std::size_t points : {10, 100}) {
+  for (const std::size_t points : {10U, 100U}) {
     const Cascade cascade(points);
     KernelTally tally;
     CascadeKernel kernel(tally);
@@ -477,7 +477,7 @@ void expect_the_lazy_flow(std::size_t count) {
 
 TEST(CascadeKernel, LongCascadesEndWhereTheLazyKernelSays) {
   CITES("FC-NUM-01", "FC-FLOW-05");
-  for (const std::size_t count : {10, 100, 1000}) expect_the_lazy_flow(count);
+  for (const std::size_t count : {10U, 100U, 1000U}) expect_the_lazy_flow(count);
 }
 
 TEST(CascadeKernel, FewLongIntegersAreKept) {

@@ -81,7 +81,7 @@ void expect_piece_is_an_edge(const Subject& diagram, const FacetRing& ring, Face
   }
   // The edge's two ends are the elements beside the piece, in either order.
   std::multiset<CellIndex> ends, beside{from.vertex, to.vertex};
-  for (const std::size_t side : {0, 1}) ends.insert(diagram.faces.end(piece.polygon, side));
+  for (const std::size_t side : {0U, 1U}) ends.insert(diagram.faces.end(piece.polygon, side));
   EXPECT_EQ(ends, beside);
   if (from.vertex != kNoCell && to.vertex != kNoCell) {
     const RationalPoint step = minus(diagram.center(to.vertex), diagram.center(from.vertex));
