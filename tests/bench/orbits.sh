@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The time of the unstable manifolds U2 of all index-2 points against CGAL's Delaunay triangulation, with orbits
-# that share what follows a common Voronoi vertex and with each alone, as the paper computed them; medians of five
-# runs of each, in turn, one thread. The inputs: kitten.xyz of Debian's libcgal-demo, the Stanford bunny of
+# The time of the unstable manifolds U2 of all index-2 points against CGAL's Delaunay triangulation: by the cascade
+# kernel with orbits that share what follows a common Voronoi vertex and with each alone, as the paper computed them,
+# and by the lazy kernel with sharing; medians of five runs of each, in turn, one thread. The inputs: kitten.xyz of Debian's libcgal-demo, the Stanford bunny of
 # glmark2-data, and from a folder, if one is given, kitten.xyz and dragon_res3.xyz. usage: orbits.sh PROGRAM [FOLDER]
 set -euo pipefail
 program=$1
@@ -39,12 +39,13 @@ figures() {
     END { print points, delaunay, u2, mean, max }'
 }
 
-printf '%-18s %8s %14s %14s %14s %13s %10s %9s\n' input points 'Delaunay [ms]' 'U2 shared [x]' 'U2 alone [x]' 'alone/shared' \
-  'n_U2 mean' 'n_U2 max'
+printf '%-18s %8s %14s %11s %10s %9s %11s %13s %10s %9s\n' input points 'Delaunay [ms]' 'cascade [x]' 'alone [x]' 'lazy [x]' \
+  'lazy/shared' 'alone/shared' 'n_U2 mean' 'n_U2 max'
 for input in "${inputs[@]}"; do
   for run in 1 2 3 4 5; do
     echo "shared $(figures "$input")"
     echo "alone $(figures "$input" --alone)"
+    echo "lazy $(figures "$input" --kernel lazy)"
   done | awk -v name="$(basename "$input")" '
     function median(list, n,    i, j, swap) {
       for (i = 1; i <= n; i++) for (j = i + 1; j <= n; j++) if (list[j] < list[i]) { swap = list[i]; list[i] = list[j]; list[j] = swap }
@@ -53,8 +54,10 @@ for input in "${inputs[@]}"; do
     { delaunay[++all] = $3 }
     $1 == "shared" { shared[++a] = $4 }
     $1 == "alone" { alone[++b] = $4 }
+    $1 == "lazy" { lazy[++c] = $4 }
     END {
-      d = median(delaunay, all); s = median(shared, a); t = median(alone, b)
-      printf "%-18s %8d %14.1f %14.2f %14.2f %13.2f %10.2f %9d\n", name, $2, 1000 * d, s / d, t / d, t / s, $5, $6
+      d = median(delaunay, all); s = median(shared, a); t = median(alone, b); l = median(lazy, c)
+      printf "%-18s %8d %14.1f %11.2f %10.2f %9.1f %11.1f %13.2f %10.2f %9d\n", name, $2, 1000 * d, s / d, t / d, l / d,
+        l / s, t / s, $5, $6
     }'
 done
