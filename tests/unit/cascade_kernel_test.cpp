@@ -301,7 +301,7 @@ TEST(CascadeKernel, DoublesDecideWhatIsGeneric) {
   EXPECT_EQ(up.kernel.exact_bytes(up.number), std::nullopt);
 }
 
-TEST(CascadeKernel, TheLongerPrecisionDecidesNearTies) {
+TEST(CascadeKernel, LongerPrecisionsDecideNearTies) {
   CITES("FC-NUM-01");
   for (const double little : {0x1p-53, 0x1p-60, 0x1p-100, 0x1p-200}) {
     for (const double sign : {-1.0, 1.0}) {
@@ -309,6 +309,9 @@ TEST(CascadeKernel, TheLongerPrecisionDecidesNearTies) {
       const Point q{0, 5, sign * little};
       const Sign truth = sign > 0 ? Sign::kPositive : Sign::kNegative;
       EXPECT_EQ(up.kernel.sign_on_rung(up.query(q), KernelRung::kFilter), std::nullopt);
+      const MaybeSign doubled = up.kernel.sign_on_rung(up.query(q), KernelRung::kDoubled);
+      EXPECT_EQ(doubled.has_value(), little > 0x1p-90);
+      EXPECT_EQ(doubled.value_or(truth), truth);
       EXPECT_EQ(up.kernel.sign_on_rung(up.query(q), KernelRung::kExtended), truth);
       EXPECT_EQ(up.kernel.sign(up.query(q)), truth);
       EXPECT_EQ(up.count().failures, 1U);
@@ -323,6 +326,7 @@ TEST(CascadeKernel, IntegersDecideTiesAndWhatIsNearerThanThat) {
     UpwardDirection up;
     const Point q{0, 5, beside};
     EXPECT_EQ(up.kernel.sign_on_rung(up.query(q), KernelRung::kFilter), std::nullopt);
+    EXPECT_EQ(up.kernel.sign_on_rung(up.query(q), KernelRung::kDoubled), std::nullopt);
     EXPECT_EQ(up.kernel.sign_on_rung(up.query(q), KernelRung::kExtended), std::nullopt);
     EXPECT_EQ(up.kernel.exact_bytes(up.number), std::nullopt);
     EXPECT_EQ(up.kernel.sign(up.query(q)), geometry::sign_of(beside));

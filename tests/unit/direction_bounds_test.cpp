@@ -159,27 +159,29 @@ Number crossing_error(const Direction<Number>& x, FacetEdge from, const Point& q
 
 // ---- Chains ----
 
-// Both precisions are carried along without help from the integers.
+// All three are carried along without help from the integers.
 struct Known {
   IntegerDirection exact;
   Direction<double> doubles;
   Direction<Extended> extended;
+  Direction<DoubleDouble> doubled;
 };
 
-// By branch: how many directions were known and compared, in both precisions.
-using Met = std::map<std::string, std::array<std::size_t, 2>>;
+// By branch: how many directions were known and compared, in each precision.
+using Met = std::map<std::string, std::array<std::size_t, 3>>;
 
 template <class Number>
 void expect_bound(const std::string& branch, const Direction<Number>& x, const Number& derived,
                   const IntegerDirection& truth, FacetEdge facet, Met& met) {
-  ++met[branch][std::is_same_v<Number, double> ? 0 : 1];
+  ++met[branch][std::is_same_v<Number, double> ? 0 : std::is_same_v<Number, Extended> ? 1 : 2];
   EXPECT_EQ(flowcert_tests::broken_bound(x, truth, facet), "") << branch;
   EXPECT_GE(x.error, derived) << branch;
 }
 
-void expect_both(const std::string& branch, const Known& x, FacetEdge facet, const auto& derived, Met& met) {
+void expect_all(const std::string& branch, const Known& x, FacetEdge facet, const auto& derived, Met& met) {
   if (x.doubles.is_known()) expect_bound(branch, x.doubles, derived(x.doubles), x.exact, facet, met);
   if (x.extended.is_known()) expect_bound(branch, x.extended, derived(x.extended), x.exact, facet, met);
+  if (x.doubled.is_known()) expect_bound(branch, x.doubled, derived(x.doubled), x.exact, facet, met);
 }
 
 bool is_nothing(const IntegerDirection& u) { return u.x == 0 && u.y == 0 && u.z == 0; }
@@ -217,11 +219,13 @@ class Chain {
     if (!to) return false;
     const Known before = x_;
     x_ = {exact_direction_across(before.exact, facet_, q, *to), direction_across(before.doubles, facet_, q, *to),
-          direction_across(before.extended, facet_, q, *to)};
+          direction_across(before.extended, facet_, q, *to), direction_across(before.doubled, facet_, q, *to)};
     if (is_nothing(x_.exact)) return false;
     const auto derived = [&]<class Number>(const Direction<Number>&) {
       if constexpr (std::is_same_v<Number, double>) {
         return crossing_error(before.doubles, facet_, q, *to);
+      } else if constexpr (std::is_same_v<Number, DoubleDouble>) {
+        return crossing_error(before.doubled, facet_, q, *to);
       } else {
         return crossing_error(before.extended, facet_, q, *to);
       }
@@ -229,7 +233,7 @@ class Chain {
     const char* branch = is_triangle(facet_, q, *to)  ? "triangle"
                          : shares_an_end(facet_, *to) ? "polygon sharing a vertex"
                                                       : "polygon sharing none";
-    expect_both(branch, x_, *to, derived, met_);
+    expect_all(branch, x_, *to, derived, met_);
     facet_ = *to;
     return true;
   }
@@ -241,7 +245,7 @@ class Chain {
   bool begin(const char* branch, Known x, const auto& derived) {
     x_ = std::move(x);
     if (is_nothing(x_.exact)) return false;
-    expect_both(branch, x_, facet_, derived, met_);
+    expect_all(branch, x_, facet_, derived, met_);
     return true;
   }
   // On a sphere, of any four of its points.
@@ -257,7 +261,7 @@ class Chain {
     if (volume < 0) std::swap(v[2], v[3]);
     return begin("vertex",
                  {exact_direction_from_vertex(v, facet_), direction_from_vertex<double>(v, facet_),
-                  direction_from_vertex<Extended>(v, facet_)},
+                  direction_from_vertex<Extended>(v, facet_), direction_from_vertex<DoubleDouble>(v, facet_)},
                  [&]<class Number>(const Direction<Number>&) { return vertex_error<Number>(v, facet_); });
   }
   bool start_at_side() {
@@ -287,7 +291,7 @@ class Chain {
   }
   Known known_at_circle(const std::array<const Point*, 3>& v) const {
     return {exact_direction_from_circle(v, facet_), direction_from_circle<double>(v, facet_),
-            direction_from_circle<Extended>(v, facet_)};
+            direction_from_circle<Extended>(v, facet_), direction_from_circle<DoubleDouble>(v, facet_)};
   }
   // A position in the facet's plane. It is rounded once, in each coordinate.
   bool start_at_position() {
@@ -300,7 +304,7 @@ class Chain {
     const PointNumber number = kernel.add({x.x, x.y, x.z});
     return begin("position",
                  {kernel.direction_in_integers(number, facet_), kernel.direction_in_doubles(number, facet_),
-                  kernel.direction_in_extended(number, facet_)},
+                  kernel.direction_in_extended(number, facet_), kernel.direction_in_doubled(number, facet_)},
                  []<class Number>(const Direction<Number>&) { return Number(2 * Precision<Number>::kRoundoff); });
   }
 
@@ -366,6 +370,7 @@ TEST(DirectionBounds, ContainTheIntegerDirectionsAlongRandomChains) {
     std::printf("%-26s %6zu in doubles, %6zu in the longer precision\n", branch.c_str(), known[0], known[1]);
     EXPECT_GT(known[0], 30U) << branch;
     EXPECT_GT(known[1], 30U) << branch;
+    EXPECT_GT(known[2], 30U) << branch;
   }
   EXPECT_EQ(met.size(), 7U) << "four starts and three crossings";
 }
@@ -486,10 +491,13 @@ TEST(DirectionBounds, OfTheSigns) {
   CITES("FC-NUM-01");
   PortableRandom random(5);
   expect_approach_bound<double>(random);
+  expect_approach_bound<DoubleDouble>(random);
   expect_approach_bound<Extended>(random);
   expect_order_bound<double>(random);
+  expect_order_bound<DoubleDouble>(random);
   expect_order_bound<Extended>(random);
   expect_normal_bound<double>(random);
+  expect_normal_bound<DoubleDouble>(random);
   expect_normal_bound<Extended>(random);
 }
 

@@ -4,13 +4,23 @@
 #pragma once
 
 #include <cmath>
+#include <ostream>
 #include <sstream>
 #include <string>
+#include <type_traits>
 
 #include "flow/kernels/direction.h"
 #include "flow/kernels/exact_direction.h"
 #include "flowcert/rational.h"
 #include "geometry/vector3.h"
+
+namespace flowcert::geometry {
+
+inline std::ostream& operator<<(std::ostream& out, const DoubleDouble& x) {
+  return out << x.high() << " + " << x.low();
+}
+
+}  // namespace flowcert::geometry
 
 namespace flowcert_tests {
 
@@ -21,11 +31,13 @@ using flowcert::flow::Extended;
 using flowcert::flow::FacetEdge;
 using flowcert::flow::IntegerDirection;
 using flowcert::flow::Precision;
+using flowcert::geometry::DoubleDouble;
 using RationalVector = flowcert::geometry::Vector3<Rational>;
 
 // ---- Numbers, exactly ----
 
 inline Rational exact_number(double value) { return Rational(value); }
+inline Rational exact_number(const DoubleDouble& value) { return Rational(value.high()) + Rational(value.low()); }
 inline Rational exact_number(const Extended& value) {
   int exponent = 0;
   const Extended mantissa = frexp(value, &exponent);
@@ -46,6 +58,9 @@ template <class Number>
 Number rounded_number(const Rational& value) {
   if constexpr (std::is_same_v<Number, double>) {
     return static_cast<double>(value);
+  } else if constexpr (std::is_same_v<Number, DoubleDouble>) {
+    const auto high = static_cast<double>(value);
+    return Number::sum(high, static_cast<double>(Rational(value - Rational(high))));
   } else {
     return Extended(flowcert::geometry::BigInteger(numerator(value))) /
            Extended(flowcert::geometry::BigInteger(denominator(value)));

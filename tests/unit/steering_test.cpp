@@ -81,6 +81,7 @@ void expect_rungs(const Situation& all, Tally& tally) {
     const MaybeSign filtered = kernel.sign_on_rung(query, KernelRung::kFilter);
     EXPECT_EQ(filtered.value_or(truth), truth) << k;
     ++(filtered ? tally.decided : tally.open);
+    EXPECT_EQ(kernel.sign_on_rung(query, KernelRung::kDoubled).value_or(truth), truth) << k;
     const MaybeSign extended = kernel.sign_on_rung(query, KernelRung::kExtended);
     EXPECT_EQ(extended.value_or(truth), truth) << k;
     tally.decided_by_extended += extended && !filtered ? 1 : 0;

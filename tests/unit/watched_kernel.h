@@ -30,16 +30,16 @@ using flowcert::RationalPoint;
 // What was met, by the kind of start or of crossing.
 struct Seen {
   struct Counts {
-    std::size_t doubles = 0, extended = 0, handed_down = 0, unknown = 0;
+    std::size_t doubles = 0, doubled = 0, extended = 0, handed_down = 0, unknown = 0;
   };
   std::map<std::string, Counts> directions;
-  std::size_t signs = 0, by_doubles = 0, by_extended = 0, failures = 0;
+  std::size_t signs = 0, by_doubles = 0, by_doubled = 0, by_extended = 0, failures = 0;
 };
 // Where the kernels of a test count.
 inline Seen* seen_now = nullptr;
 
-// Three kernels do the same. One is asked for doubles alone and one for the longer precision, so that neither gets help
-// from above. The third one has the integers, which decide. The plain rationals of a fourth one confirm them.
+// Four kernels do the same. Three are asked for one floating-point type alone, so that none of these gets help from
+// above. The fourth one has the integers, which decide. The plain rationals of a fifth one confirm them.
 class WatchedKernel {
  public:
   class MovingPoint;
@@ -47,19 +47,21 @@ class WatchedKernel {
   explicit WatchedKernel(KernelTally& tally) : exact_(tally) {}
 
   [[nodiscard]] PointNumber add(const RationalPoint& x) {
-    return kept({}, {doubles_.add(x), extended_.add(x), exact_.add(x), slow_.add(x)});
+    return kept({}, {doubles_.add(x), doubled_.add(x), extended_.add(x), exact_.add(x), slow_.add(x)});
   }
   [[nodiscard]] PointNumber add_crossing(PointNumber from, const Point& p0, const Point& p1, const Point& q) {
     watch(from, {&p0, &p1});
     Made made;
     if (&p0 != &p1) made = {{&p0, &p1}, {&q}, {}};
-    return kept(made, {doubles_.add_crossing(from, p0, p1, q), extended_.add_crossing(from, p0, p1, q),
-                       exact_.add_crossing(from, p0, p1, q), slow_.add_crossing(from, p0, p1, q)});
+    return kept(made, {doubles_.add_crossing(from, p0, p1, q), doubled_.add_crossing(from, p0, p1, q),
+                       extended_.add_crossing(from, p0, p1, q), exact_.add_crossing(from, p0, p1, q),
+                       slow_.add_crossing(from, p0, p1, q)});
   }
   [[nodiscard]] PointNumber add_circumcenter(std::span<const Point* const> simplex, Stay stay) {
     return kept({{}, {simplex.begin(), simplex.end()}, {}},
-                {doubles_.add_circumcenter(simplex, stay), extended_.add_circumcenter(simplex, stay),
-                 exact_.add_circumcenter(simplex, stay), slow_.add_circumcenter(simplex, stay)});
+                {doubles_.add_circumcenter(simplex, stay), doubled_.add_circumcenter(simplex, stay),
+                 extended_.add_circumcenter(simplex, stay), exact_.add_circumcenter(simplex, stay),
+                 slow_.add_circumcenter(simplex, stay)});
   }
 
   template <class Query>
@@ -69,7 +71,10 @@ class WatchedKernel {
     }
     const Sign truth = *exact_.sign_on_rung(query, KernelRung::kExact);
     const MaybeSign lower = doubles_.sign_on_rung(query, KernelRung::kFilter);
+    const MaybeSign between = doubled_.sign_on_rung(query, KernelRung::kDoubled);
     const MaybeSign middle = extended_.sign_on_rung(query, KernelRung::kExtended);
+    seen_now->by_doubled += between ? 1 : 0;
+    expect(between.value_or(truth) == truth, "doubled doubles contradict the integers");
     ++seen_now->signs;
     seen_now->by_doubles += lower ? 1 : 0;
     seen_now->by_extended += middle ? 1 : 0;
@@ -89,12 +94,12 @@ class WatchedKernel {
   [[nodiscard]] std::size_t deepest() const { return exact_.deepest(); }
   [[nodiscard]] PointNumber kept() const { return exact_.kept(); }
   void drop_from(PointNumber x) {
-    for (CascadeKernel* one : {&doubles_, &extended_, &exact_}) one->drop_from(x);
+    for (CascadeKernel* one : {&doubles_, &doubled_, &extended_, &exact_}) one->drop_from(x);
     slow_.drop_from(x);
     made_.resize(x);
   }
   void drop_all() {
-    for (CascadeKernel* one : {&doubles_, &extended_, &exact_}) one->drop_all();
+    for (CascadeKernel* one : {&doubles_, &doubled_, &extended_, &exact_}) one->drop_all();
     slow_.drop_all();
     made_.clear();
   }
@@ -112,7 +117,7 @@ class WatchedKernel {
     seen_now->failures += holds ? 0 : 1;
   }
 
-  PointNumber kept(Made made, const std::array<PointNumber, 4>& numbers) {
+  PointNumber kept(Made made, const std::array<PointNumber, 5>& numbers) {
     for (const PointNumber number : numbers) EXPECT_EQ(number, numbers[0]);
     made_.push_back(std::move(made));
     return numbers[0];
@@ -148,6 +153,11 @@ class WatchedKernel {
       ++counts.extended;
       expect(broken_bound(extended, truth, facet).empty(), broken_bound(extended, truth, facet));
     }
+    const Direction<DoubleDouble> doubled = doubled_.direction_in_doubled(x, facet);
+    if (doubled.is_known()) {
+      ++counts.doubled;
+      expect(broken_bound(doubled, truth, facet).empty(), broken_bound(doubled, truth, facet));
+    }
     Direction<double> doubles = doubles_.direction_in_doubles(x, facet);
     if (doubles.is_known()) {
       ++counts.doubles;
@@ -164,7 +174,7 @@ class WatchedKernel {
   }
 
   KernelTally unused_;
-  CascadeKernel doubles_{unused_}, extended_{unused_}, exact_;
+  CascadeKernel doubles_{unused_}, doubled_{unused_}, extended_{unused_}, exact_;
   ExactKernel slow_{unused_};
   std::vector<Made> made_;
 };

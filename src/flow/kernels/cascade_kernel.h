@@ -1,9 +1,9 @@
 // The construction kernel for cascades: a point is a recipe, and its direction from the facet that it is about to
-// cross is carried along with one bound on its angle. Three precisions decide a sign, one after the other: doubles,
-// an intermediate floating-point type, and integers.
+// cross is carried along with one bound on its angle. Four precisions decide a sign, one after the other: doubles, two
+// longer floating-point types, and integers.
 //
-// Guarantees: exact. A sign that doubles or the intermediate type decide is beyond their proven bound
-// (spec/cascades.md); integers decide the others. A direction that a higher precision had to compute is handed down
+// Guarantees: exact. A sign that a floating-point type decides is beyond its proven bound (spec/cascades.md); integers
+// decide the others. A direction that a higher precision had to compute is handed down
 // to the lower ones, so that what follows begins anew with a small error. Recipes are replayed in a loop, so that no
 // length of a cascade exhausts the stack.
 #pragma once
@@ -61,13 +61,14 @@ class CascadeKernel {
   template <class Query>
   [[nodiscard]] Sign sign(const Query& query) {
     ++tally_[Query::kPrimitive].calls;
-    if (const MaybeSign sign = sign_in_doubles(query)) return *sign;
+    if (const MaybeSign sign = sign_in<double>(query)) return *sign;
     return sign_beyond_doubles(query);
   }
   template <class Query>
   [[nodiscard]] MaybeSign sign_on_rung(const Query& query, KernelRung rung) {
-    if (rung == KernelRung::kFilter) return sign_in_doubles(query);
-    if (rung == KernelRung::kExtended) return sign_in_extended(query);
+    if (rung == KernelRung::kFilter) return sign_in<double>(query);
+    if (rung == KernelRung::kDoubled) return sign_in<DoubleDouble>(query);
+    if (rung == KernelRung::kExtended) return sign_in<Extended>(query);
     return sign_in_integers(query);
   }
 
@@ -115,8 +116,11 @@ class CascadeKernel {
     x.facing = facet;
     return x.direction;
   }
+  [[nodiscard]] Direction<DoubleDouble> direction_in_doubled(PointNumber number, FacetEdge facet) {
+    return refined_direction<InFloat<DoubleDouble>>(number, facet);
+  }
   [[nodiscard]] Direction<Extended> direction_in_extended(PointNumber number, FacetEdge facet) {
-    return refined_direction<InExtended>(number, facet);
+    return refined_direction<InFloat<Extended>>(number, facet);
   }
   [[nodiscard]] IntegerDirection direction_in_integers(PointNumber number, FacetEdge facet) {
     return refined_direction<InIntegers>(number, facet);
@@ -126,7 +130,8 @@ class CascadeKernel {
   template <class Query>
   [[nodiscard]] Sign sign_beyond_doubles(const Query& query) {
     ++tally_[Query::kPrimitive].failures;
-    if (const MaybeSign sign = sign_in_extended(query)) return *sign;
+    if (const MaybeSign sign = sign_in<DoubleDouble>(query)) return *sign;
+    if (const MaybeSign sign = sign_in<Extended>(query)) return *sign;
     return sign_in_integers(query);
   }
 
@@ -138,12 +143,27 @@ class CascadeKernel {
     const Point* q;
   };
   // What higher precisions know of a point. Few points have it.
+  template <class Number>
+  struct Seen {
+    FacetEdge facing;
+    Direction<Number> direction;
+  };
   struct Refined {
     RationalPoint given;  // kGiven
-    FacetEdge extended_facing, integer_facing;
-    Direction<Extended> extended;
+    Seen<DoubleDouble> doubled;
+    Seen<Extended> extended;
+    FacetEdge integer_facing;
     IntegerDirection integers;
     bool has_integers = false;
+
+    template <class Number>
+    [[nodiscard]] Seen<Number>& seen() {
+      if constexpr (std::is_same_v<Number, Extended>) {
+        return extended;
+      } else {
+        return doubled;
+      }
+    }
   };
   struct Kept {
     Kind kind = Kind::kGiven;
@@ -202,24 +222,43 @@ class CascadeKernel {
   [[nodiscard]] static Direction<Number> rounded(const Direction<Extended>& x) {
     if (!x.is_known()) return {};
     const Extended error = x.error + Extended(kGivenStartBound * Precision<Number>::kRoundoff);
-    return {{static_cast<Number>(x.u.x), static_cast<Number>(x.u.y), static_cast<Number>(x.u.z)},
-            static_cast<Number>(error)};
+    return {{nearest<Number>(x.u.x), nearest<Number>(x.u.y), nearest<Number>(x.u.z)}, nearest<Number>(error)};
+  }
+  template <class Number>
+  [[nodiscard]] static Number nearest(const Extended& value) {
+    if constexpr (std::is_same_v<Number, DoubleDouble>) {
+      const auto high = static_cast<double>(value);
+      return Number::sum(high, static_cast<double>(Extended(value - high)));
+    } else {
+      return static_cast<Number>(value);
+    }
   }
 
-  struct InExtended {
-    using Value = Direction<Extended>;
-    static Value start(const Kept& x, FacetEdge facet) { return first_direction<Extended>(x, facet); }
+  template <class Number>
+  struct InFloat {
+    using Value = Direction<Number>;
+    static Value start(const Kept& x, FacetEdge facet) { return first_direction<Number>(x, facet); }
     static Value across(const Value& u, FacetEdge from, const Point& q, FacetEdge to) {
       return direction_across(u, from, q, to);
     }
     static const Value* cached(const Kept& x, FacetEdge facet) {
-      return x.refined && x.refined->extended_facing == facet ? &x.refined->extended : nullptr;
+      if (!x.refined) return nullptr;
+      const Seen<Number>& seen = x.refined->template seen<Number>();
+      return seen.facing == facet ? &seen.direction : nullptr;
     }
     static void keep(CascadeKernel&, PointNumber, Refined& refined, FacetEdge facet, const Value& value) {
-      refined.extended = value;
-      refined.extended_facing = facet;
+      refined.template seen<Number>() = {facet, value};
+      if constexpr (std::is_same_v<Number, Extended>) refined.doubled = {facet, rounded<DoubleDouble>(value)};
     }
-    static Direction<double> handed_down(const Value& value) { return rounded<double>(value); }
+    static Direction<double> handed_down(const Value& value) {
+      if constexpr (std::is_same_v<Number, Extended>) {
+        return rounded<double>(value);
+      } else {
+        if (!value.is_known()) return {};
+        return {{value.u.x.high(), value.u.y.high(), value.u.z.high()},
+                value.error.high() + kGivenStartBound * Precision<double>::kRoundoff};
+      }
+    }
   };
   struct InIntegers {
     using Value = IntegerDirection;
@@ -240,8 +279,8 @@ class CascadeKernel {
       refined.integers = value;
       refined.integer_facing = facet;
       refined.has_integers = true;
-      refined.extended = rounded<Extended>(value);
-      refined.extended_facing = facet;
+      refined.extended = {facet, rounded<Extended>(value)};
+      refined.doubled = {facet, rounded<DoubleDouble>(value)};
     }
     static Direction<double> handed_down(const Value& value) { return rounded<double>(value); }
   };
@@ -306,37 +345,37 @@ class CascadeKernel {
 
   // ---- Signs ----
 
-  // A direction decides these; other queries are about starts that were given, and go to exact positions.
-  [[nodiscard]] MaybeSign sign_in_doubles(const RayAtInfinity& k) {
-    return approach_sign(direction_in_doubles(k.x, {&k.p0, &k.p1}), {&k.p0, &k.p1}, k.q);
-  }
-  [[nodiscard]] MaybeSign sign_in_doubles(const OrderOfExits& k) {
-    return order_sign(direction_in_doubles(k.x, {&k.p0, &k.p1}), {&k.p0, &k.p1}, k.qi, k.qj);
-  }
-  [[nodiscard]] MaybeSign sign_in_doubles(const AlongEdge& k) {
-    const Kept& x = points_[k.x];
-    if (x.kind != Kind::kCrossing) return std::nullopt;
-    return normal_sign(x.arrival, k.a, k.b, k.c);
-  }
-  template <class Query>
-  [[nodiscard]] MaybeSign sign_in_doubles(const Query&) {
-    return std::nullopt;
+  template <class Number>
+  [[nodiscard]] decltype(auto) direction_in(PointNumber x, FacetEdge facet) {
+    if constexpr (std::is_same_v<Number, double>) {
+      return direction_in_doubles(x, facet);
+    } else {
+      return refined_direction<InFloat<Number>>(x, facet);
+    }
   }
 
-  [[nodiscard]] MaybeSign sign_in_extended(const RayAtInfinity& k) {
-    return approach_sign(direction_in_extended(k.x, {&k.p0, &k.p1}), {&k.p0, &k.p1}, k.q);
+  // A direction decides these; other queries are about starts that were given, and go to exact positions.
+  template <class Number>
+  [[nodiscard]] MaybeSign sign_in(const RayAtInfinity& k) {
+    return approach_sign<Number>(direction_in<Number>(k.x, {&k.p0, &k.p1}), {&k.p0, &k.p1}, k.q);
   }
-  [[nodiscard]] MaybeSign sign_in_extended(const OrderOfExits& k) {
-    return order_sign(direction_in_extended(k.x, {&k.p0, &k.p1}), {&k.p0, &k.p1}, k.qi, k.qj);
+  template <class Number>
+  [[nodiscard]] MaybeSign sign_in(const OrderOfExits& k) {
+    return order_sign<Number>(direction_in<Number>(k.x, {&k.p0, &k.p1}), {&k.p0, &k.p1}, k.qi, k.qj);
   }
-  [[nodiscard]] MaybeSign sign_in_extended(const AlongEdge& k) {
+  template <class Number>
+  [[nodiscard]] MaybeSign sign_in(const AlongEdge& k) {
     const Kept& x = points_[k.x];
     if (x.kind != Kind::kCrossing) return std::nullopt;
-    const PointNumber from = x.from;
-    return normal_sign(direction_in_extended(from, x.crossed()), k.a, k.b, k.c);
+    if constexpr (std::is_same_v<Number, double>) {
+      return normal_sign(x.arrival, k.a, k.b, k.c);
+    } else {
+      const PointNumber from = x.from;
+      return normal_sign<Number>(direction_in<Number>(from, x.crossed()), k.a, k.b, k.c);
+    }
   }
-  template <class Query>
-  [[nodiscard]] MaybeSign sign_in_extended(const Query&) {
+  template <class Number, class Query>
+  [[nodiscard]] MaybeSign sign_in(const Query&) {
     return std::nullopt;
   }
 

@@ -12,11 +12,14 @@
 
 #include "flow/kernels/layer.h"
 #include "flow/kernels/steering.h"
+#include "geometry/double_double.h"
 #include "geometry/vector3.h"
 
 namespace flowcert::flow {
 
-// The intermediate precision. Its exponents have 32 bits, so that no power of doubles leaves its range.
+using geometry::DoubleDouble;
+
+// The longest floating-point type. Its exponents have 32 bits, so that no power of doubles leaves its range.
 using Extended = boost::multiprecision::number<
     boost::multiprecision::cpp_bin_float<256, boost::multiprecision::digit_base_2, void, std::int32_t>,
     boost::multiprecision::et_off>;
@@ -30,6 +33,13 @@ struct Precision<double> {
   static constexpr double kRoundoff = 0x1p-53;
   // Of the square of a length. All terms of degree 10 in such lengths are normal doubles, and so are their errors.
   static bool is_in_range(double square) { return square >= 1e-50 && square <= 1e50; }
+};
+
+template <>
+struct Precision<DoubleDouble> {
+  // Each operation has a relative error of at most 15 u^2, u a double's.
+  static constexpr double kRoundoff = 0x1p-102;
+  static bool is_in_range(const DoubleDouble& square) { return Precision<double>::is_in_range(square.high()); }
 };
 
 template <>
@@ -73,6 +83,8 @@ template <class Number>
 [[nodiscard]] Vector3<Number> difference(const Point& from, const Point& to) {
   if constexpr (std::is_same_v<Number, double>) {
     return geometry::vector_between(from, to);
+  } else if constexpr (std::is_same_v<Number, DoubleDouble>) {
+    return {Number::sum(to.x, -from.x), Number::sum(to.y, -from.y), Number::sum(to.z, -from.z)};
   } else {
     return {Number(to.x) - Number(from.x), Number(to.y) - Number(from.y), Number(to.z) - Number(from.z)};
   }
@@ -176,10 +188,8 @@ template <class Number>
 
 // ---- Signs. They are linear forms in the direction. ----
 
-[[nodiscard]] inline geometry::MaybeSign sign_beyond_bound(double value, double bound) {
-  return geometry::sign_beyond(value, bound);
-}
-[[nodiscard]] inline geometry::MaybeSign sign_beyond_bound(const Extended& value, const Extended& bound) {
+template <class Number>
+[[nodiscard]] geometry::MaybeSign sign_beyond_bound(const Number& value, const Number& bound) {
   if (value > bound) return Sign::kPositive;
   if (value < -bound) return Sign::kNegative;
   return std::nullopt;
@@ -191,8 +201,8 @@ template <class Number>
   using std::sqrt;
   const Bisector<Number> seen = bisector<Number>(facet, q);
   if (!x.is_known() || !Precision<Number>::is_in_range(seen.squared_size)) return std::nullopt;
-  return sign_beyond_bound(dot(x.u, seen.g), (x.error + Number(kExitBound * Precision<Number>::kRoundoff)) *
-                                                 Number(sqrt(seen.squared_size)));
+  return sign_beyond_bound<Number>(dot(x.u, seen.g), (x.error + Number(kExitBound * Precision<Number>::kRoundoff)) *
+                                                         Number(sqrt(seen.squared_size)));
 }
 
 // OrderOfExits: h_j <U,g_i> - h_i <U,g_j>. Value and bound are compared by their squares, which spares two roots: with
@@ -230,8 +240,9 @@ template <class Number>
   if (!x.is_known() || !Precision<Number>::is_in_range(dot(ab, ab)) || !Precision<Number>::is_in_range(dot(ac, ac))) {
     return std::nullopt;
   }
-  return sign_beyond_bound(dot(x.u, cross(ab, ac)),
-                           (x.error + Number(kNormalBound * Precision<Number>::kRoundoff)) * length(ab) * length(ac));
+  return sign_beyond_bound<Number>(
+      dot(x.u, cross(ab, ac)),
+      (x.error + Number(kNormalBound * Precision<Number>::kRoundoff)) * length(ab) * length(ac));
 }
 
 // ---- Crossing a facet ----

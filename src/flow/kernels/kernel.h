@@ -22,9 +22,9 @@
 
 namespace flowcert::flow {
 
-// A sign comes from a kernel's filter, or from an intermediate precision if it has one. Both may leave it open. Its
+// A sign comes from a kernel's filter, or from a longer precision if it has any. All of them may leave it open. Its
 // exact numbers answer always.
-enum class KernelRung { kFilter, kExtended, kExact };
+enum class KernelRung { kFilter, kDoubled, kExtended, kExact };
 
 // A lasting point stays until drop_all(), and its number has kLasting.
 enum class Stay { kPassing, kLasting };

@@ -66,7 +66,7 @@ class LazyKernel {
   template <class Query>
   [[nodiscard]] MaybeSign sign_on_rung(const Query& query, KernelRung rung) {
     if (rung == KernelRung::kFilter) return sign_in_intervals(query);
-    if (rung == KernelRung::kExtended) return std::nullopt;
+    if (rung != KernelRung::kExact) return std::nullopt;
     return sign_in_integers(query);
   }
 

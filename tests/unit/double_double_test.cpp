@@ -1,0 +1,82 @@
+// Doubled doubles against rationals: each operation keeps the relative error that its header states.
+#include "geometry/double_double.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "flowcert/rational.h"
+#include "tests/cites.h"
+#include "tests/unit/portable_random.h"
+
+namespace flowcert::geometry {
+namespace {
+
+using flowcert_tests::PortableRandom;
+
+Rational exact(const DoubleDouble& x) { return Rational(x.high()) + Rational(x.low()); }
+
+const Rational kSquaredRoundoff = Rational(0x1p-106);
+
+void expect_close(const DoubleDouble& computed, const Rational& truth, int times, double& worst) {
+  const Rational error = abs(exact(computed) - truth), unit = kSquaredRoundoff * abs(truth);
+  EXPECT_LE(error, times * unit);
+  EXPECT_EQ(computed.high(), computed.high() + computed.low()) << "the low part is below half a unit of the high one";
+  if (truth != 0) worst = std::max(worst, static_cast<double>(Rational(error / unit)));
+}
+
+// Of any size, with a low part of any size below its own.
+DoubleDouble drawn(PortableRandom& random) {
+  const double high = std::ldexp(random.coordinate(), static_cast<int>(random.between(-40, 40)));
+  const double low = std::ldexp(high, -53 - static_cast<int>(random.below(6))) * random.coordinate() / 8;
+  return DoubleDouble::sum(high, low);
+}
+
+TEST(DoubleDouble, OperationsKeepTheirBounds) {
+  CITES("FC-NUM-01");
+  PortableRandom random(11);
+  double sum = 0, product = 0, quotient = 0, root = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const DoubleDouble x = drawn(random);
+    // Every other time nearly -x, so that most digits cancel.
+    const DoubleDouble y = random.coin() ? drawn(random) : -x * DoubleDouble(1 + 0x1p-40 * random.coordinate());
+    expect_close(x + y, exact(x) + exact(y), 3, sum);
+    expect_close(x - y, exact(x) - exact(y), 3, sum);
+    expect_close(x * y, exact(x) * exact(y), 7, product);
+    if (y.high() != 0) expect_close(x / y, exact(x) / exact(y), 15, quotient);
+    const DoubleDouble r = sqrt(abs(x));
+    // |r^2 - x| <= 2 r |r - sqrt x| + ..., so twice the bound, and a little.
+    expect_close(r * r, exact(abs(x)), 2 * 4 + 8, root);
+    EXPECT_EQ(x < y, exact(x) < exact(y));
+    EXPECT_EQ(x > y, exact(x) > exact(y));
+    EXPECT_EQ(x == y, exact(x) == exact(y));
+  }
+  // Otherwise doubles alone would have passed.
+  EXPECT_GT(sum, 0.5);
+  EXPECT_GT(product, 1);
+  EXPECT_GT(quotient, 1);
+  EXPECT_GT(root, 0.5);
+}
+
+TEST(DoubleDouble, SumsAndProductsOfDoublesAreExact) {
+  CITES("FC-NUM-01");
+  PortableRandom random(12);
+  for (int k = 0; k < 5000; ++k) {
+    const double a = std::ldexp(random.coordinate(), static_cast<int>(random.between(-60, 60))),
+                 b = random.coordinate();
+    EXPECT_EQ(exact(DoubleDouble::sum(a, b)), Rational(a) + Rational(b));
+    EXPECT_EQ(exact(DoubleDouble::product(a, b)), Rational(a) * Rational(b));
+  }
+}
+
+TEST(DoubleDouble, WhatIsNoNumberIsNeitherLessNorMore) {
+  CITES("FC-NUM-01");
+  const DoubleDouble none(std::numeric_limits<double>::quiet_NaN()), one(1);
+  for (const DoubleDouble& x : {none, DoubleDouble(HUGE_VAL) - DoubleDouble(HUGE_VAL), one / (one - one) * 0}) {
+    EXPECT_FALSE(x < one || x > one || x == one);
+  }
+}
+
+}  // namespace
+}  // namespace flowcert::geometry
