@@ -50,7 +50,8 @@ class KernelFlowOperator final : public FlowOperator {
     FacetRing ring = faces_.ring(flow.facet, cluster);
     MovingPoint x = moving_point(center(cluster), ring);
     Exit exit = exit_from_vertex(ring, cluster, x);
-    for (char from = 'V'; exit.kind == Exit::Kind::kPiece; from = 'E') {
+    char from = 'V';
+    for (; exit.kind == Exit::Kind::kPiece; from = 'E') {
       course.add({from, 'F', 'E'});
       x.leave(faces_.point(ring.pieces[exit.at].apex));
       const RingLink link = faces_.rings().link(ring.id, exit.at);
@@ -64,10 +65,9 @@ class KernelFlowOperator final : public FlowOperator {
       x.enter(faces_.point(ring.facet.v0), faces_.point(ring.facet.v1));
       exit = exit_from_piece(ring, link.place, x);
     }
-    FlowStep last;
-    last.crossed = Place::on_facet(ring.facet);
-    if (exit.kind == Exit::Kind::kElement) last.end.place = Place::at_vertex(ring.pieces[exit.at].vertex);
-    return course_of(course.count == 0 ? start : Location{Place::on_edge({kNoCell, 0}), kNoPoint}, last, course);
+    if (exit.kind == Exit::Kind::kElement) course.end = Place::at_vertex(ring.pieces[exit.at].vertex);
+    course.add({from, 'F', letter(course.end.kind)});
+    return course;
   }
 
   Location end_of_edge(PolygonRef polygon, std::size_t side) override {
@@ -148,20 +148,17 @@ class KernelFlowOperator final : public FlowOperator {
   // The Voronoi vertex, constructed when first needed. A kernel that constructs vertices for its signs keeps it until
   // drop_all().
   PointNumber center(CellIndex cluster) {
-    if constexpr (HasMovingPoint<Kernel>) {
+    const auto constructed = [&](Stay stay) {
       const auto& v = faces_.delaunay().vertices(cluster);
       return kernel_.add_circumcenter(
-          std::array{&faces_.point(v[0]), &faces_.point(v[1]), &faces_.point(v[2]), &faces_.point(v[3])},
-          Stay::kPassing);
-    }
+          std::array{&faces_.point(v[0]), &faces_.point(v[1]), &faces_.point(v[2]), &faces_.point(v[3])}, stay);
+    };
+    if constexpr (HasMovingPoint<Kernel>) return constructed(Stay::kPassing);
     if (center_of_.empty()) center_of_.assign(faces_.delaunay().finite_count, kNoPoint);
     PointNumber& number = center_of_[cluster];
     if (number == kNoPoint) {
       constructed_.push_back(cluster);
-      const auto& v = faces_.delaunay().vertices(cluster);
-      number = kernel_.add_circumcenter(
-          std::array{&faces_.point(v[0]), &faces_.point(v[1]), &faces_.point(v[2]), &faces_.point(v[3])},
-          Stay::kLasting);
+      number = constructed(Stay::kLasting);
     }
     return number;
   }

@@ -24,8 +24,9 @@ template <class Number>
   return value < 0 ? Sign::kNegative : Sign::kZero;
 }
 
-// The sign of a double known up to an absolute error; nothing where that leaves it open, or where either is NaN.
-[[nodiscard]] inline MaybeSign sign_beyond(double value, double error) {
+// The sign of a number known up to an absolute error; nothing where that leaves it open, or where either is NaN.
+template <class Number>
+[[nodiscard]] MaybeSign sign_beyond(const Number& value, const Number& error) {
   if (value > error) return Sign::kPositive;
   if (value < -error) return Sign::kNegative;
   return std::nullopt;

@@ -4,8 +4,11 @@
 // an index-1 point tells a finite cell that has its Delaunay edge. Index 0 has none.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <vector>
 
 #include "flowcert/stationary_points.h"
 #include "morse/layer.h"
@@ -28,6 +31,17 @@ namespace flowcert::morse {
 [[nodiscard]] inline Place place_of_record(const StationaryPoints& list, std::size_t record) {
   return list.index(record).hull_dimension == 3 ? Place::at_vertex(cell_of_record(list, record))
                                                 : Place::on_edge(edge_of_record(list, record));
+}
+
+// The numbers 0 to count - 1 in the order in which the faces of their records lie in space. Neighbours then share what
+// is in the cache. record_of(i) is a place in the list.
+template <class RecordOf>
+[[nodiscard]] std::vector<std::uint32_t> along_the_curve(const StationaryPoints& list, std::size_t count,
+                                                         const RecordOf& record_of) {
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  std::ranges::sort(order, {}, [&](std::uint32_t i) { return list.face(record_of(i)); });
+  return order;
 }
 
 }  // namespace flowcert::morse

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
-#include <numeric>
 #include <tuple>
 #include <unordered_set>
 #include <utility>
@@ -428,13 +427,10 @@ void StableManifolds::Parts::compute(const Progress& progress) {
   critical_count = last - first;
   first_regular = finder.range({3, 3}).second;
   sets.resize(critical_count + stationary.size() - first_regular);
-  // In the order of space, neighbours share what is in the cache.
-  std::vector<std::uint32_t> order(sets.size());
-  std::iota(order.begin(), order.end(), std::uint32_t{0});
-  std::ranges::sort(order, {}, [this](std::uint32_t i) { return stationary.face(record_of(i)); });
   std::vector<std::uint32_t> tied;
   std::size_t done = 0;
-  for (const std::uint32_t i : order) {
+  for (const std::uint32_t i :
+       along_the_curve(stationary, sets.size(), [this](std::uint32_t k) { return record_of(k); })) {
     if (progress && done % kProgressStep == 0) progress(done, sets.size());
     ++done;
     if (make_set(*worker, i)) tied.push_back(i);

@@ -56,8 +56,7 @@ class GabrielSearch {
     VertexIndex pivot;  // the third vertex of the facet through which it is entered
   };
 
-  // The bit of the edge beside vertices i and j.
-  static constexpr std::uint8_t kEdgeBit[4][4] = {{0, 0, 1, 2}, {0, 0, 3, 4}, {1, 3, 0, 5}, {2, 4, 5, 0}};
+  // Bit kEdgeBetween[i][j] is the edge that facets i and j of the cell share.
   // An infinite cell has no angle that could object.
   static constexpr std::uint8_t kAllEdges = 0x3f;
 
@@ -70,7 +69,7 @@ class GabrielSearch {
       for (unsigned j = i + 1; j < 4; ++j) {
         const unsigned both =
             (acute >> TetrahedronSigns::angle_bit(i, j)) & (acute >> TetrahedronSigns::angle_bit(j, i));
-        edges |= (both & 1u) << kEdgeBit[i][j];
+        edges |= (both & 1u) << kEdgeBetween[i][j];
       }
     }
     return static_cast<std::uint8_t>(edges);
@@ -85,7 +84,7 @@ class GabrielSearch {
     for (unsigned i = 0; i < 4; ++i) {
       if (neighbors[i] < cell) continue;
       for (unsigned j = i + 1; j < 4; ++j) {
-        if (neighbors[j] < cell || (acute_[cell] >> kEdgeBit[i][j] & 1u) == 0) continue;
+        if (neighbors[j] < cell || (acute_[cell] >> kEdgeBetween[i][j] & 1u) == 0) continue;
         const unsigned k = i == 0 ? (j == 1 ? 2 : 1) : 0;
         walks.push_back({{vertices[k], vertices[6 - i - j - k]}, cell, neighbors[i], vertices[j]});
         __builtin_prefetch(&delaunay_.cells[neighbors[i]]);
@@ -103,7 +102,7 @@ class GabrielSearch {
     const auto& vertices = delaunay_.vertices(walk.cell);
     const unsigned behind = place_among(vertices, walk.pivot);
     const unsigned ahead = 6 - behind - place_among(vertices, walk.edge[0]) - place_among(vertices, walk.edge[1]);
-    if ((acute_[walk.cell] >> kEdgeBit[behind][ahead] & 1u) == 0) return true;
+    if ((acute_[walk.cell] >> kEdgeBetween[behind][ahead] & 1u) == 0) return true;
     walk.pivot = vertices[ahead];
     walk.cell = delaunay_.neighbors(walk.cell)[behind];
     __builtin_prefetch(&delaunay_.cells[walk.cell]);

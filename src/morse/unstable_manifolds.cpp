@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -35,13 +34,6 @@ struct UnstableManifolds::Parts {
       : diagram(voronoi), stationary(list), finder(list), options(how) {}
 
   void compute(const Progress& progress);
-  // The order of the saddles in space, in which neighbours share what is in the cache.
-  [[nodiscard]] std::vector<std::uint32_t> along_the_curve() const {
-    std::vector<std::uint32_t> order(limits.size());
-    std::iota(order.begin(), order.end(), std::uint32_t{0});
-    std::ranges::sort(order, {}, [this](std::uint32_t i) { return stationary.face(first_saddle + i); });
-    return order;
-  }
   [[nodiscard]] auto with_worker(const auto& use);
 
   const VoronoiDiagram& diagram;
@@ -191,7 +183,8 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
   first_saddle = first;
   limits.resize(last - first);
   std::size_t done = 0;
-  for (const std::uint32_t i : along_the_curve()) {
+  const auto record_of = [first = first](std::uint32_t i) { return first + i; };
+  for (const std::uint32_t i : along_the_curve(stationary, limits.size(), record_of)) {
     if (progress && done % kProgressStep == 0) progress(done, limits.size());
     ++done;
     for (std::size_t side = 0; side < 2; ++side) {

@@ -41,6 +41,9 @@ struct FacetRef {
          3 * std::uint32_t{entries[3] == entry};
 }
 
+// The six edges of a cell are numbered by the two places that they join.
+inline constexpr std::uint8_t kEdgeBetween[4][4] = {{0, 0, 1, 2}, {0, 0, 3, 4}, {1, 3, 0, 5}, {2, 4, 5, 0}};
+
 // The places 0 to 3 of a cell other than i and j, ascending.
 [[nodiscard]] constexpr std::array<std::uint32_t, 2> other_two(std::uint32_t i, std::uint32_t j) {
   const std::uint32_t k = i != 0 && j != 0 ? 0 : (i != 1 && j != 1 ? 1 : 2);

@@ -65,11 +65,13 @@ std::vector<PolygonSide> Diagram::sides(PolygonRef polygon) const {
   return sides_of(*spatial_, pieces.empty() ? std::span<const FacetRef>(&polygon, 1) : pieces);
 }
 
+bool Diagram::has_edge(CellIndex cell, FacetName edge) const {
+  const auto& v = delaunay_->vertices(cell);
+  return std::ranges::find(v, edge.v0) != v.end() && std::ranges::find(v, edge.v1) != v.end();
+}
+
 CellIndex Diagram::cell_of_side(PolygonRef polygon, FacetName side) const {
-  const auto has_side = [&](CellIndex cell) {
-    const auto& v = delaunay_->vertices(cell);
-    return std::ranges::find(v, side.v0) != v.end() && std::ranges::find(v, side.v1) != v.end();
-  };
+  const auto has_side = [&](CellIndex cell) { return has_edge(cell, side); };
   if (has_side(polygon.cell)) return polygon.cell;
   if (planar_ != nullptr) {
     const auto& cells = planar_->polygons()[planar_->polygon_of(polygon.cell)];

@@ -94,6 +94,7 @@ class Diagram {
   // The Voronoi vertex at end 0 or 1; kNoCell at infinity.
   [[nodiscard]] CellIndex end(PolygonRef polygon, std::size_t side) const;
   [[nodiscard]] std::vector<PolygonSide> sides(PolygonRef polygon) const;
+  [[nodiscard]] bool has_edge(CellIndex cell, FacetName edge) const;
   // A finite cell that has one of the polygon's sides. If the polygon has several facets, it need not be the one that
   // names it.
   [[nodiscard]] CellIndex cell_of_side(PolygonRef polygon, FacetName side) const;

@@ -89,9 +89,6 @@ class FacetRings {
     FacetName facet;
     std::uint32_t first, count;
   };
-  // The number of the edge between two places of a cell.
-  static constexpr std::uint8_t kEdgeBetween[4][4] = {{0, 0, 1, 2}, {0, 0, 3, 4}, {1, 3, 0, 5}, {2, 4, 5, 0}};
-
   // The place of a facet's number in a cell that has its Delaunay edge.
   [[nodiscard]] RingNumber& ring_at(CellIndex cell, FacetName facet) {
     const auto& v = diagram_.delaunay().vertices(cell);
@@ -108,7 +105,7 @@ class FacetRings {
   std::vector<std::array<RingNumber, 6>> ring_at_;  // by finite cell and edge
   std::vector<Ring> rings_;
   std::vector<RingPiece> pieces_;
-  // Of large rings: the places by polygon, and then the places by cluster.
+  // Large rings have their places here, sorted by polygon, and then sorted by cluster.
   std::unordered_map<RingNumber, std::vector<std::uint32_t>> sorted_;
 };
 

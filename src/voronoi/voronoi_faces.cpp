@@ -8,14 +8,6 @@
 
 namespace flowcert::voronoi {
 
-namespace {
-
-bool contains(const std::array<VertexIndex, 4>& vertices, VertexIndex v) {
-  return std::find(vertices.begin(), vertices.end(), v) != vertices.end();
-}
-
-}  // namespace
-
 // ---- Facets.
 
 FacetRing VoronoiFaces::ring(FacetName facet, CellIndex hint) {
@@ -60,10 +52,7 @@ std::span<const CellIndex> VoronoiFaces::star(VertexIndex p) {
 
 // Finds a finite cell that has both ends of the edge; there must be one.
 CellIndex VoronoiFaces::cell_with(FacetName facet, CellIndex hint) {
-  const auto has_both = [&](CellIndex cell) {
-    const auto& v = delaunay().vertices(cell);
-    return delaunay().is_finite(cell) && contains(v, facet.v0) && contains(v, facet.v1);
-  };
+  const auto has_both = [&](CellIndex cell) { return delaunay().is_finite(cell) && diagram_.has_edge(cell, facet); };
   if (hint != kNoCell && has_both(hint)) return hint;
   return star_until(facet.v0, has_both).front();
 }

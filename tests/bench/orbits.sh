@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The time of the unstable manifolds U2 of all index-2 points against CGAL's Delaunay triangulation: by the cascade
 # kernel with orbits that share what follows a common Voronoi vertex and with each alone, as the paper computed them,
-# and by the lazy kernel with sharing; medians of five runs of each, in turn, one thread. The inputs: kitten.xyz of Debian's libcgal-demo, the Stanford bunny of
+# and by the lazy kernel with sharing; medians of five runs of each, in turn, one thread.
+# The inputs: kitten.xyz of Debian's libcgal-demo, the Stanford bunny of
 # glmark2-data, and from a folder, if one is given, kitten.xyz and dragon_res3.xyz. usage: orbits.sh PROGRAM [FOLDER]
 set -euo pipefail
 program=$1

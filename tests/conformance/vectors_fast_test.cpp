@@ -155,26 +155,24 @@ Json fast_answer(const Json& one, ConstructionKernel kernel) {
   return answer;
 }
 
+void expect_all_cases(const char* name, ConstructionKernel kernel) {
+  for (const Json& one : all_cases()) {
+    if (!is_invalid(one)) expect_same(one, name, fast_answer(one, kernel), one["expected"]);
+  }
+}
+
 TEST(Vectors, TheFastImplementationPassesUnderTheLazyKernel) {
   CITES("FC-IN-02", "FC-IN-03", "FC-IN-04", "FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-04", "FC-CRIT-05", "FC-NUM-01",
         "FC-OUT-01", "FC-OUT-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-03", "FC-FLOW-05", "FC-FLOW-07", "FC-STAB-01",
         "FC-STAB-04", "FC-STAB-05", "FC-STAB-06", "FC-STAB-07", "FC-PERS-01", "FC-PERS-05");
-  for (const Json& one : all_cases()) {
-    if (!is_invalid(one)) {
-      expect_same(one, "lazy", fast_answer(one, ConstructionKernel::kLazy), one["expected"]);
-    }
-  }
+  expect_all_cases("lazy", ConstructionKernel::kLazy);
 }
 
 TEST(Vectors, TheFastImplementationPassesUnderTheCascadeKernel) {
   CITES("FC-IN-02", "FC-IN-03", "FC-IN-04", "FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-04", "FC-CRIT-05", "FC-NUM-01",
         "FC-OUT-01", "FC-OUT-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-03", "FC-FLOW-05", "FC-FLOW-07", "FC-STAB-01",
         "FC-STAB-04", "FC-STAB-05", "FC-STAB-06", "FC-STAB-07", "FC-PERS-01", "FC-PERS-05");
-  for (const Json& one : all_cases()) {
-    if (!is_invalid(one)) {
-      expect_same(one, "cascade", fast_answer(one, ConstructionKernel::kCascade), one["expected"]);
-    }
-  }
+  expect_all_cases("cascade", ConstructionKernel::kCascade);
 }
 
 // It also disagrees where it has not the very same thing to compare with, as for the walk.
@@ -210,11 +208,7 @@ TEST(Vectors, TheFastImplementationDisagreesWithWhatIsWrong) {
 
 TEST(Vectors, TheFastImplementationPassesUnderTheExactKernel) {
   CITES("FC-NUM-01", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-03", "FC-FLOW-05", "FC-FLOW-07");
-  for (const Json& one : all_cases()) {
-    if (!is_invalid(one)) {
-      expect_same(one, "exact", fast_answer(one, ConstructionKernel::kExact), one["expected"]);
-    }
-  }
+  expect_all_cases("exact", ConstructionKernel::kExact);
 }
 
 TEST(Vectors, TheFastImplementationRefusesWhatIsInvalid) {

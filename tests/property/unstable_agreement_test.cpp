@@ -278,7 +278,8 @@ void print_row(const std::string& name, const Seen& seen) {
               seen.computed, seen.longest, seen.longest_cascade, seen.to_critical, seen.to_regular, seen.to_infinity);
 }
 
-// Compares the shared orbits with the oracle's, with those computed alone, and with those of the other kernels and searches.
+// Compares the shared orbits with the oracle's, with those computed alone, and with those of the other kernels and
+// searches.
 FlowStatistics compared_statistics(const Subject& subject) {
   const StationaryPoints& stationary = subject.complex.stationary();
   const Answer shared = answer_of(subject, stationary, {kLazyBinary, true});

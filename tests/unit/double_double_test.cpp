@@ -26,7 +26,7 @@ void expect_close(const DoubleDouble& computed, const Rational& truth, int times
   if (truth != 0) worst = std::max(worst, static_cast<double>(Rational(error / unit)));
 }
 
-// Of any size, with a low part of any size below its own.
+// Draws a number of any size. Its low part has any size below its own.
 DoubleDouble drawn(PortableRandom& random) {
   const double high = std::ldexp(random.coordinate(), static_cast<int>(random.between(-40, 40)));
   const double low = std::ldexp(high, -53 - static_cast<int>(random.below(6))) * random.coordinate() / 8;

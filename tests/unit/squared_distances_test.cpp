@@ -62,7 +62,7 @@ TEST(SquaredDistances, DoublesAreWithinTheirBoundsAndRanksAreExact) {
   EXPECT_GT(seen.inexact, 3000U);
 }
 
-// The same shape at scales where squares of degree 8 overflow, or underflow, or a double has few bits.
+// One shape has many scales: squares of degree 8 overflow there, or underflow, or a double has few bits.
 TEST(SquaredDistances, ScaleDoesNotMatter) {
   CITES("FC-PERS-01", "FC-NUM-01");
   flowcert_tests::PortableRandom random(3);

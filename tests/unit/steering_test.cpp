@@ -147,7 +147,7 @@ std::optional<Vector> equidistant(const Meaning& of) {
 
 RationalPoint position(const Vector& v) { return {v.x, v.y, v.z}; }
 
-// Of x in the facet's plane.
+// x lies in the facet's plane here.
 template <class Kernel>
 void expect_the_side_of_the_equidistant_point(const Situation& all, std::array<std::size_t, 3>& seen) {
   const Meaning meaning(all);

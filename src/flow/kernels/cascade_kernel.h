@@ -74,18 +74,13 @@ class CascadeKernel {
 
   [[nodiscard]] RationalPoint exact(PointNumber number) {
     const Kept& x = points_[number];
-    const auto in = [](const Point& p) { return Vector3<Rational>{Rational(p.x), Rational(p.y), Rational(p.z)}; };
-    const auto as_point = [](const Vector3<Rational>& v) { return RationalPoint{v.x, v.y, v.z}; };
     const auto& p = x.samples;
-    switch (x.kind) {
-      case Kind::kGiven:
-        return x.refined->given;
-      case Kind::kCircle:
-        return as_point(circumcenter(in(*p[0]), in(*p[1]), in(*p[2])));
-      case Kind::kSphere:
-        return as_point(circumcenter(in(*p[0]), in(*p[1]), in(*p[2]), in(*p[3])));
-      case Kind::kCrossing:
-        break;
+    if (x.kind == Kind::kGiven) return x.refined->given;
+    if (x.kind != Kind::kCrossing) {
+      const auto construct = [](const auto&... v) { return circumcenter(v...); };
+      const std::span<const Point* const> simplex = std::span(p).first(x.kind == Kind::kCircle ? 3 : 4);
+      const Vector3<Rational> center = center_of(simplex, InRationals{*this}, construct);
+      return {center.x, center.y, center.z};
     }
     return exact_crossing(x.from, {p[0], p[1]}, *p[2]);
   }

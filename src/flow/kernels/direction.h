@@ -31,7 +31,7 @@ struct Precision;
 template <>
 struct Precision<double> {
   static constexpr double kRoundoff = 0x1p-53;
-  // Of the square of a length. All terms of degree 10 in such lengths are normal doubles, and so are their errors.
+  // It takes the square of a length. All terms of degree 10 in such lengths are normal doubles, and so are their errors.
   static bool is_in_range(double square) { return square >= 1e-50 && square <= 1e50; }
 };
 
@@ -188,21 +188,14 @@ template <class Number>
 
 // ---- Signs. They are linear forms in the direction. ----
 
-template <class Number>
-[[nodiscard]] geometry::MaybeSign sign_beyond_bound(const Number& value, const Number& bound) {
-  if (value > bound) return Sign::kPositive;
-  if (value < -bound) return Sign::kNegative;
-  return std::nullopt;
-}
-
 // RayAtInfinity: <U,g>.
 template <class Number>
 [[nodiscard]] geometry::MaybeSign approach_sign(const Direction<Number>& x, FacetEdge facet, const Point& q) {
   using std::sqrt;
   const Bisector<Number> seen = bisector<Number>(facet, q);
   if (!x.is_known() || !Precision<Number>::is_in_range(seen.squared_size)) return std::nullopt;
-  return sign_beyond_bound<Number>(dot(x.u, seen.g), (x.error + Number(kExitBound * Precision<Number>::kRoundoff)) *
-                                                         Number(sqrt(seen.squared_size)));
+  return geometry::sign_beyond<Number>(dot(x.u, seen.g), (x.error + Number(kExitBound * Precision<Number>::kRoundoff)) *
+                                                             Number(sqrt(seen.squared_size)));
 }
 
 // OrderOfExits: h_j <U,g_i> - h_i <U,g_j>. Value and bound are compared by their squares, which spares two roots: with
@@ -240,7 +233,7 @@ template <class Number>
   if (!x.is_known() || !Precision<Number>::is_in_range(dot(ab, ab)) || !Precision<Number>::is_in_range(dot(ac, ac))) {
     return std::nullopt;
   }
-  return sign_beyond_bound<Number>(
+  return geometry::sign_beyond<Number>(
       dot(x.u, cross(ab, ac)),
       (x.error + Number(kNormalBound * Precision<Number>::kRoundoff)) * length(ab) * length(ac));
 }
