@@ -156,12 +156,14 @@ namespace {
 
 // The angle of a piece; positive if the piece lies at infinity.
 Sign angle_of(const Diagram& diagram, FacetName facet, const RingPiece& piece, FilterTally& tally) {
-  if (piece.polygon.cell == kNoCell) return Sign::kPositive;
+  if (!piece.is_finite()) return Sign::kPositive;
   // A polygon of one facet has the angle among its cell's signs.
-  if (const VoronoiComplex* complex = diagram.spatial();
-      complex != nullptr && complex->role(piece.polygon) == VoronoiComplex::FacetRole::kWhole) {
-    const std::uint32_t apex = place_among(diagram.delaunay().vertices(piece.polygon.cell), piece.apex);
-    return complex->signs(piece.polygon.cell).angle(piece.polygon.index, apex);
+  if (const VoronoiComplex* complex = diagram.spatial(); complex != nullptr) {
+    const PolygonRef polygon = piece.polygon();
+    if (complex->role(polygon) == VoronoiComplex::FacetRole::kWhole) {
+      const std::uint32_t apex = place_among(diagram.delaunay().vertices(polygon.cell), piece.apex);
+      return complex->signs(polygon.cell).angle(polygon.index, apex);
+    }
   }
   return exact_sign(Angle{diagram.point(facet.v0), diagram.point(piece.apex), diagram.point(facet.v1)}, tally);
 }

@@ -68,6 +68,15 @@ struct Course {
   }
 };
 
+// The Voronoi vertices to flow from, and what takes the courses.
+class CourseSource {
+ public:
+  virtual ~CourseSource() = default;
+  // A Voronoi vertex to start from; kNoCell if there is none, unless courses on their way make one known.
+  [[nodiscard]] virtual CellIndex next() = 0;
+  virtual void take(CellIndex start, const Course& course) = 0;
+};
+
 class FlowOperator {
  public:
   virtual ~FlowOperator() = default;
@@ -76,6 +85,8 @@ class FlowOperator {
   [[nodiscard]] virtual FlowStep step(const Location& from) = 0;
   // All steps from a Voronoi vertex on. The points that it constructs are kept.
   [[nodiscard]] virtual Course follow(CellIndex cluster) = 0;
+  // The same for many, in no particular order of the answers.
+  virtual void follow_all(CourseSource& source) = 0;
   // Where the Voronoi edge of a polygon ends, on side 0 or 1.
   [[nodiscard]] virtual Location end_of_edge(PolygonRef polygon, std::size_t side) = 0;
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "flow/courses_in_step.h"
 #include "flow/drivers.h"
 #include "flow/facet_search.h"
 #include "flow/flow_operator.h"
@@ -21,7 +22,7 @@ template <ConstructsPoints Kernel>
 class KernelFlowOperator final : public FlowOperator {
  public:
   KernelFlowOperator(VoronoiFaces& faces, FacetSearch search)
-      : faces_(faces), kernel_(tally_), centers_{*this}, search_(search) {}
+      : faces_(faces), kernel_(tally_), centers_{*this}, search_(search), in_step_(faces, tally_) {}
 
   PointNumber add(const RationalPoint& x) override { return kernel_.add(x); }
 
@@ -56,7 +57,7 @@ class KernelFlowOperator final : public FlowOperator {
       x.leave(faces_.point(ring.pieces[exit.at].apex));
       const RingLink link = faces_.rings().link(ring.id, exit.at);
       if (link.ring == RingLink::kAlongEdge) {
-        const Location at{Place::on_edge(faces_.rings().at(ring.id).pieces[exit.at].polygon), kNoPoint};
+        const Location at{Place::on_edge(faces_.rings().at(ring.id).pieces[exit.at].polygon()), kNoPoint};
         const auto [a, b, c] = faces_.corners(at.place.edge);
         const Sign side = x.sign_along_edge(faces_.point(a), faces_.point(b), faces_.point(c));
         return course_of(at, step_along_edge(at, faces_.driver(at.place.edge).shape, side), course);
@@ -68,6 +69,25 @@ class KernelFlowOperator final : public FlowOperator {
     if (exit.kind == Exit::Kind::kElement) course.end = Place::at_vertex(ring.pieces[exit.at].vertex);
     course.add({from, 'F', letter(course.end.kind)});
     return course;
+  }
+
+  // Longer precisions follow the courses that doubles do not decide, one at a time.
+  void follow_all(CourseSource& source) override {
+    if constexpr (HasMovingPoint<Kernel>) {
+      if (search_ == FacetSearch::kBinary) {
+        struct {
+          KernelFlowOperator& flow;
+          CourseSource& source;
+          CellIndex next() { return source.next(); }
+          void done(CellIndex cluster, const Course& course) { source.take(cluster, course); }
+          void undecided(CellIndex cluster) { source.take(cluster, flow.follow(cluster)); }
+        } step_by_step{*this, source};
+        return in_step_.follow(step_by_step);
+      }
+    }
+    for (CellIndex cluster = source.next(); cluster != kNoCell; cluster = source.next()) {
+      source.take(cluster, follow(cluster));
+    }
   }
 
   Location end_of_edge(PolygonRef polygon, std::size_t side) override {
@@ -111,7 +131,7 @@ class KernelFlowOperator final : public FlowOperator {
 
   RationalPoint exact(const Location& at) override { return kernel_.exact(number_of(at)); }
   void count_sizes(Distribution& exact_bytes, std::size_t& depth) const override {
-    depth = std::max(depth, kernel_.deepest());
+    depth = std::max({depth, kernel_.deepest(), in_step_.deepest()});
     for (PointNumber point = 0; point < kernel_.kept(); ++point) {
       if (const auto bytes = kernel_.exact_bytes(point)) {
         for (const std::size_t size : *bytes) exact_bytes.add(size);
@@ -124,6 +144,7 @@ class KernelFlowOperator final : public FlowOperator {
 
   void drop_all() override {
     kernel_.drop_all();
+    in_step_.forget_deepest();
     for (const CellIndex cluster : constructed_) center_of_[cluster] = kNoPoint;
     constructed_.clear();
   }
@@ -168,15 +189,18 @@ class KernelFlowOperator final : public FlowOperator {
   }
 
   ObtuseChain chain_of(FacetName facet, const FacetRing& ring) {
-    if (chains_.size() <= ring.id) chains_.resize(ring.id + 1);
-    if (!chains_[ring.id]) chains_[ring.id] = obtuse_chain(faces_.diagram(), facet, ring, angle_tally_);
-    return *chains_[ring.id];
+    std::uint32_t& number = faces_.rings().note(ring.id);
+    if (number == FacetRings::kNoNote) {
+      number = static_cast<std::uint32_t>(chains_.size());
+      chains_.push_back(obtuse_chain(faces_.diagram(), facet, ring, angle_tally_));
+    }
+    return chains_[number];
   }
 
-  static BackwardStep edge_step(const RingPiece& piece) { return {Place::on_edge(piece.polygon), false, piece.apex}; }
+  static BackwardStep edge_step(const RingPiece& piece) { return {Place::on_edge(piece.polygon()), false, piece.apex}; }
   static BackwardStep midpoint_step(FacetName facet, const FacetRing& ring, const ObtuseChain& chain) {
     Place back = Place::on_facet(facet);
-    if (chain.right_count == 1) back = Place::on_edge(ring.pieces[chain.right].polygon);
+    if (chain.right_count == 1) back = Place::on_edge(ring.pieces[chain.right].polygon());
     if (chain.right_count == 2) back = Place::at_vertex(ring.pieces[chain.right].vertex);
     return {back, true, kInfiniteVertex};
   }
@@ -319,7 +343,7 @@ class KernelFlowOperator final : public FlowOperator {
         break;
       case Exit::Kind::kPiece: {
         const RingPiece& piece = ring.pieces[exit.at];
-        step.end.place = Place::on_edge(piece.polygon);
+        step.end.place = Place::on_edge(piece.polygon());
         x.leave(faces_.point(piece.apex));
         step.end.point = x.number();
         break;
@@ -333,9 +357,10 @@ class KernelFlowOperator final : public FlowOperator {
   Kernel kernel_;
   const Centers centers_;
   FacetSearch search_;
-  std::vector<CellIndex> constructed_;              // clusters whose centers the kernel keeps
-  std::vector<PointNumber> center_of_;              // by CellIndex
-  std::vector<std::optional<ObtuseChain>> chains_;  // by ring
+  CoursesInStep in_step_;
+  std::vector<CellIndex> constructed_;  // clusters whose centers the kernel keeps
+  std::vector<PointNumber> center_of_;  // by CellIndex
+  std::vector<ObtuseChain> chains_;     // the notes of rings are their numbers
   FilterTally angle_tally_;
 };
 

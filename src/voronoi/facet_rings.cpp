@@ -2,7 +2,6 @@
 #include "voronoi/facet_rings.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include "geometry/contract.h"
 
@@ -12,9 +11,6 @@ namespace {
 
 // Rings up to this size are searched from end to end.
 constexpr std::size_t kSmallRing = 16;
-constexpr PolygonRef kNoPolygon{kNoCell, 0};
-
-bool before(PolygonRef a, PolygonRef b) { return std::tie(a.cell, a.index) < std::tie(b.cell, b.index); }
 
 }  // namespace
 
@@ -26,27 +22,30 @@ FacetRing FacetRings::ring(FacetName facet, CellIndex cell) {
     ring_at_.assign(diagram_.delaunay().finite_count, none);
     // Room for all rings that there can be. Memory that is not used is not taken.
     const std::size_t incidences = 6 * diagram_.delaunay().cells.size();
-    pieces_.reserve(incidences);
-    rings_.reserve(incidences / 4);
+    pieces_.reserve(incidences + incidences / 3);
+    place_.reserve(incidences + incidences / 3);
   }
   const RingNumber id = ring_at(cell, facet);
   return at(id != kNoRing ? id : add_ring(facet, cell));
 }
 
 RingNumber FacetRings::add_ring(FacetName facet, CellIndex cell) {
-  const auto id = static_cast<RingNumber>(rings_.size());
-  Ring ring{facet, static_cast<std::uint32_t>(pieces_.size()), 0};
+  const auto id = static_cast<RingNumber>(pieces_.size());
+  pieces_.push_back({facet.v0, facet.v1, 0, kNoNote});
   diagram_.spatial() != nullptr ? add_spatial_pieces(facet, cell, id) : add_planar_pieces(facet, cell, id);
-  ring.count = static_cast<std::uint32_t>(pieces_.size()) - ring.first;
-  rings_.push_back(ring);
-  if (ring.count > kSmallRing) sort_large_ring(at(id));
+  const auto count = static_cast<std::uint32_t>(pieces_.size() - id - 1);
+  pieces_[id].packed = count;
+  place_.push_back(0);
+  for (std::uint32_t k = 0; k < count; ++k)
+    place_.push_back(static_cast<std::uint8_t>(std::min<std::uint32_t>(k, kFar)));
+  if (count > kSmallRing) sort_large_ring(at(id));
   return id;
 }
 
 // Adds the passage to a polygon, through a Voronoi vertex or over a piece at infinity, and the polygon.
 void FacetRings::add_piece(CellIndex vertex_before, PolygonRef polygon, VertexIndex apex) {
-  if (vertex_before == kNoCell) pieces_.push_back({kNoPolygon, kInfiniteVertex, kNoCell, {}});
-  pieces_.push_back({polygon, apex, vertex_before, {}});
+  if (vertex_before == kNoCell) pieces_.push_back({kInfiniteVertex, kNoCell});
+  pieces_.push_back({apex, vertex_before, RingPiece::pack(polygon)});
 }
 
 // Goes around v0 v1, counterclockwise seen from v1. In a positively oriented cell v0 v1 k l it goes from the facet
@@ -76,8 +75,11 @@ void FacetRings::add_spatial_pieces(FacetName facet, CellIndex start, RingNumber
     __builtin_prefetch(&delaunay.cells[next]);
     const bool here = delaunay.is_finite(cell), there = delaunay.is_finite(next);
     if (here) ring_at_[cell][kEdgeBetween[at0][at1]] = id;
-    const bool is_inside = here && there && complex.cluster(cell) == complex.cluster(next);
-    if ((here || there) && !is_inside) {
+    if (here && there && complex.is_plain()) {
+      // No face is merged, so that the faces are those of the triangulation.
+      const FacetRef facet_here{cell, behind}, facet_there = complex.mirror(facet_here);
+      pieces_.push_back({apex, cell, RingPiece::pack(next < cell ? facet_there : facet_here)});
+    } else if ((here || there) && !(here && there && complex.cluster(cell) == complex.cluster(next))) {
       add_piece(here ? complex.cluster(cell) : kNoCell, diagram_.polygon({cell, behind}), apex);
     }
     pivot = apex;
@@ -106,24 +108,26 @@ void FacetRings::sort_large_ring(const FacetRing& ring) {
     for (std::uint32_t k = 0; k < count; ++k) places.push_back(k);
   }
   const auto middle = places.begin() + static_cast<std::ptrdiff_t>(count);
-  std::sort(places.begin(), middle, [&ring](std::uint32_t a, std::uint32_t b) {
-    return before(ring.pieces[a].polygon, ring.pieces[b].polygon);
-  });
+  std::sort(places.begin(), middle,
+            [&ring](std::uint32_t a, std::uint32_t b) { return ring.pieces[a].packed < ring.pieces[b].packed; });
   std::sort(middle, places.end(),
             [&ring](std::uint32_t a, std::uint32_t b) { return ring.pieces[a].vertex < ring.pieces[b].vertex; });
 }
 
 std::size_t FacetRings::piece_of(const FacetRing& ring, PolygonRef polygon) const {
-  FLOWCERT_REQUIRES(std::ranges::count(ring.pieces, polygon, &RingPiece::polygon) == 1);
+  return place_of(ring, RingPiece::pack(polygon));
+}
+
+std::size_t FacetRings::place_of(const FacetRing& ring, std::uint32_t packed_polygon) const {
+  FLOWCERT_REQUIRES(std::ranges::count(ring.pieces, packed_polygon, &RingPiece::packed) == 1);
   if (ring.size() <= kSmallRing) {
     std::size_t k = 0;
-    while (ring.pieces[k].polygon != polygon) ++k;
+    while (ring.pieces[k].packed != packed_polygon) ++k;
     return k;
   }
   const auto& places = sorted_.at(ring.id);
-  return *std::lower_bound(
-      places.begin(), places.begin() + static_cast<std::ptrdiff_t>(ring.size()), polygon,
-      [&ring](std::uint32_t k, PolygonRef value) { return before(ring.pieces[k].polygon, value); });
+  return *std::lower_bound(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(ring.size()), packed_polygon,
+                           [&ring](std::uint32_t k, std::uint32_t value) { return ring.pieces[k].packed < value; });
 }
 
 std::size_t FacetRings::element_of(const FacetRing& ring, CellIndex cluster) const {
@@ -138,17 +142,25 @@ std::size_t FacetRings::element_of(const FacetRing& ring, CellIndex cluster) con
                            [&ring](std::uint32_t k, CellIndex value) { return ring.pieces[k].vertex < value; });
 }
 
-RingLink FacetRings::new_link(RingNumber id, std::size_t k) {
-  const PolygonRef polygon = at(id).pieces[k].polygon;
-  FLOWCERT_REQUIRES(polygon.cell != kNoCell);
+// It may lay out another ring.
+RingNumber FacetRings::find_next(RingNumber id, std::size_t k) {
+  const PolygonRef polygon = pieces_[id + 1 + k].polygon();
   const PolygonDriver driver = diagram_.driver(polygon);
-  RingLink link{RingLink::kAlongEdge, 0};
+  RingNumber next = RingLink::kAlongEdge;
   if (driver.shape == Sign::kNegative) {
-    const FacetRing next = ring(driver.side, diagram_.cell_of_side(polygon, driver.side));
-    link = {next.id, static_cast<std::uint32_t>(piece_of(next, polygon))};
+    const FacetRing other = ring(driver.side, diagram_.cell_of_side(polygon, driver.side));
+    next = other.id + 1 + static_cast<RingNumber>(piece_of(other, polygon));
   }
-  pieces_[rings_[id].first + k].link = link;
-  return link;
+  pieces_[id + 1 + k].next = next;
+  return next;
+}
+
+// To a piece of a ring so large that its place is not kept beside it.
+RingLink FacetRings::link_to_far(RingNumber id, std::size_t k) {
+  const PolygonRef polygon = pieces_[id + 1 + k].polygon();
+  const FacetName side = diagram_.driver(polygon).side;
+  const FacetRing other = ring(side, diagram_.cell_of_side(polygon, side));
+  return {other.id, static_cast<std::uint32_t>(piece_of(other, polygon))};
 }
 
 }  // namespace flowcert::voronoi

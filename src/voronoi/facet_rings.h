@@ -16,6 +16,7 @@
 
 namespace flowcert::voronoi {
 
+// Where a ring lies in memory, so that nothing has to be looked up to find it.
 using RingNumber = std::uint32_t;
 inline constexpr RingNumber kNoRing = 0xffffffffu;
 
@@ -38,13 +39,19 @@ struct RingLink {
   RingNumber ring = kUnknown;  // the facet of the polygon's obtuse side, or kAlongEdge if there is none
   std::uint32_t place = 0;     // of the same Voronoi edge among the other ring's pieces
 };
+// Four pieces are a cache line.
 struct RingPiece {
-  PolygonRef polygon;  // cell kNoCell: at infinity
-  VertexIndex apex;    // a point of the polygon other than v0 and v1
-  CellIndex vertex;    // the element before it: the cluster, or kNoCell for a direction
-  RingLink link;       // FacetRings::link()
+  static constexpr std::uint32_t kAtInfinity = 0xffffffffu;
 
-  [[nodiscard]] bool is_finite() const { return polygon.cell != kNoCell; }
+  VertexIndex apex;                      // a point of the polygon other than v0 and v1
+  CellIndex vertex;                      // the element before it: the cluster, or kNoCell for a direction
+  std::uint32_t packed = kAtInfinity;    // the polygon: 4 * cell + index
+  RingNumber next = RingLink::kUnknown;  // FacetRings::link(): the number of the piece that it leads to
+
+  [[nodiscard]] static std::uint32_t pack(PolygonRef polygon) { return 4 * polygon.cell + polygon.index; }
+  [[nodiscard]] bool is_finite() const { return packed != kAtInfinity; }
+  // Of a finite piece.
+  [[nodiscard]] PolygonRef polygon() const { return {packed / 4, packed % 4}; }
 };
 
 // A ring is valid until the next facet is asked for. If there is no piece, the facet is a whole plane.
@@ -70,9 +77,12 @@ class FacetRings {
   // The ring of a facet of which a finite cell has the Delaunay edge. Dimension 2 and 3.
   [[nodiscard]] FacetRing ring(FacetName facet, CellIndex cell);
   [[nodiscard]] FacetRing at(RingNumber id) const {
-    const Ring& ring = rings_[id];
-    return {id, ring.facet, std::span(pieces_).subspan(ring.first, ring.count)};
+    const RingPiece& header = pieces_[id];
+    return {id, {header.apex, header.vertex}, {&header + 1, header.packed}};
   }
+  // A number that a user of the rings may keep with one; kNoNote before.
+  static constexpr std::uint32_t kNoNote = 0xffffffffu;
+  [[nodiscard]] std::uint32_t& note(RingNumber id) { return pieces_[id].next; }
 
   // The place in the ring of a Voronoi edge or vertex, which must bound the facet. O(log n).
   [[nodiscard]] std::size_t piece_of(const FacetRing& ring, PolygonRef polygon) const;
@@ -80,15 +90,30 @@ class FacetRings {
 
   // From piece k of a ring, which must be finite. It may lay out another ring.
   [[nodiscard]] RingLink link(RingNumber id, std::size_t k) {
-    const RingLink link = pieces_[rings_[id].first + k].link;
-    return link.ring != RingLink::kUnknown ? link : new_link(id, k);
+    const RingNumber known = pieces_[id + 1 + k].next;
+    const RingNumber next = known != RingLink::kUnknown ? known : find_next(id, k);
+    if (next == RingLink::kAlongEdge) return {next, 0};
+    const std::uint32_t place = place_[next];
+    return place != kFar ? RingLink{next - 1 - place, place} : link_to_far(id, k);
+  }
+  // Asks memory for what link(), and then the ring that it leads to, will need.
+  void prefetch_link(const FacetRing& ring, std::size_t k) const {
+    const RingPiece& piece = ring.pieces[k];
+    if (piece.next < pieces_.size()) {
+      constexpr std::size_t kLine = 4;  // pieces
+      __builtin_prefetch(&place_[piece.next]);
+      __builtin_prefetch(&pieces_[piece.next]);
+      __builtin_prefetch(&pieces_[piece.next] - kLine);
+      __builtin_prefetch(&pieces_[piece.next] + kLine);
+    } else if (piece.is_finite()) {
+      const CellIndex cell = piece.polygon().cell;
+      __builtin_prefetch(&diagram_.complex().signs(cell));
+      __builtin_prefetch(&diagram_.delaunay().cells[cell]);
+      __builtin_prefetch(&ring_at_[cell]);
+    }
   }
 
  private:
-  struct Ring {
-    FacetName facet;
-    std::uint32_t first, count;
-  };
   // The place of a facet's number in a cell that has its Delaunay edge.
   [[nodiscard]] RingNumber& ring_at(CellIndex cell, FacetName facet) {
     const auto& v = diagram_.delaunay().vertices(cell);
@@ -98,13 +123,18 @@ class FacetRings {
   void add_spatial_pieces(FacetName facet, CellIndex start, RingNumber id);
   void add_planar_pieces(FacetName facet, CellIndex cell, RingNumber id);
   void add_piece(CellIndex vertex_before, PolygonRef polygon, VertexIndex apex);
-  [[nodiscard]] RingLink new_link(RingNumber id, std::size_t k);
+  [[nodiscard]] std::size_t place_of(const FacetRing& ring, std::uint32_t packed_polygon) const;
+  [[nodiscard]] RingNumber find_next(RingNumber id, std::size_t k);
+  [[nodiscard]] RingLink link_to_far(RingNumber id, std::size_t k);
   void sort_large_ring(const FacetRing& ring);
 
   const Diagram& diagram_;
   std::vector<std::array<RingNumber, 6>> ring_at_;  // by finite cell and edge
-  std::vector<Ring> rings_;
+  // Before the pieces of each ring there is its header: v0, v1, the number of pieces, and the note.
   std::vector<RingPiece> pieces_;
+  // By number of a piece: its place in its ring. Pieces beyond have kFar.
+  static constexpr std::uint8_t kFar = 255;
+  std::vector<std::uint8_t> place_;
   // Large rings have their places here, sorted by polygon, and then sorted by cluster.
   std::unordered_map<RingNumber, std::vector<std::uint32_t>> sorted_;
 };

@@ -49,8 +49,8 @@ class PlanarComplex {
 // themselves.
 class VoronoiComplex {
  public:
-  // dimension 3. O(cells), plus sorting what is cospherical.
-  VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally);
+  // dimension 3. O(cells), plus sorting what is cospherical. The same for any number of threads.
+  VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally, unsigned threads = 1);
 
   [[nodiscard]] const CompactDelaunay& delaunay() const { return delaunay_; }
   // The signs of a finite cell.
@@ -66,6 +66,8 @@ class VoronoiComplex {
   // Voronoi vertices: a cluster is named by one of its cells; cells that are alone are their own cluster.
   [[nodiscard]] CellIndex cluster(CellIndex cell) const { return cluster_.empty() ? cell : cluster_[cell]; }
   [[nodiscard]] bool is_alone(CellIndex cell) const { return flags_.empty() || (flags_[cell] & kAlone) != 0; }
+  // Nothing is cospherical: all cells are alone, and all facets are polygons.
+  [[nodiscard]] bool is_plain() const { return flags_.empty(); }
   // The clusters of two cells and more.
   [[nodiscard]] std::size_t large_cluster_count() const { return cluster_first_.size() - 1; }
   [[nodiscard]] std::span<const CellIndex> large_cluster(std::size_t k) const {
@@ -93,7 +95,8 @@ class VoronoiComplex {
   // flags_[cell]: bit i, facet i is interior; bit 4 + i, facet i is a piece; kAlone.
   static constexpr std::uint16_t kAlone = 1u << 8;
 
-  void compute_signs(FilterTally& tally);
+  void compute_signs(FilterTally& tally, unsigned threads);
+  void compute_signs_of(CellIndex first, CellIndex last, std::vector<FacetRef>& cospherical, FilterTally& tally);
   void prefetch_neighbors(CellIndex cell) const;
   void gather_clusters(std::span<const FacetRef> cospherical);
   void gather_polygons(FilterTally& tally);

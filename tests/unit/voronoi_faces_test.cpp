@@ -73,15 +73,15 @@ void expect_piece_is_an_edge(const Subject& diagram, const FacetRing& ring, Face
   const RingElement from = ring.element(k), to = ring.element((k + 1) % n);
   // The gaps are exactly the pieces at infinity, from a direction that leads away to one that comes back.
   const bool is_gap = from.vertex == kNoCell && to.vertex == kNoCell && from.factor == 1 && to.factor == -1;
-  ASSERT_EQ(piece.polygon.cell == kNoCell, is_gap);
+  ASSERT_EQ(!piece.is_finite(), is_gap);
   if (is_gap) return;
-  const auto contact = diagram.faces.contact(Place::on_edge(piece.polygon));
+  const auto contact = diagram.faces.contact(Place::on_edge(piece.polygon()));
   for (const VertexIndex v : {name.v0, name.v1, piece.apex}) {
     EXPECT_TRUE(std::find(contact.begin(), contact.end(), v) != contact.end());
   }
   // The edge's two ends are the elements beside the piece, in either order.
   std::multiset<CellIndex> ends, beside{from.vertex, to.vertex};
-  for (const std::size_t side : {0U, 1U}) ends.insert(diagram.faces.end(piece.polygon, side));
+  for (const std::size_t side : {0U, 1U}) ends.insert(diagram.faces.end(piece.polygon(), side));
   EXPECT_EQ(ends, beside);
   if (from.vertex != kNoCell && to.vertex != kNoCell) {
     const RationalPoint step = minus(diagram.center(to.vertex), diagram.center(from.vertex));
@@ -100,15 +100,15 @@ void expect_convex(const Subject& diagram, const FacetRing& ring, FacetName name
   const std::size_t n = ring.pieces.size();
   for (std::size_t k = 0; k < n; ++k) {
     const RingPiece &here = ring.pieces[k], &next = ring.pieces[(k + 1) % n];
-    if (here.polygon.cell == kNoCell || next.polygon.cell == kNoCell || n < 3) continue;
+    if (!here.is_finite() || !next.is_finite() || n < 3) continue;
     EXPECT_EQ(sign_of(determinant(along(diagram, name, here.apex), along(diagram, name, next.apex), e)), 1);
   }
 }
 
 void expect_lookups(const Subject& diagram, const FacetRing& ring) {
   for (std::size_t k = 0; k < ring.pieces.size(); ++k) {
-    if (ring.pieces[k].polygon.cell != kNoCell) {
-      EXPECT_EQ(diagram.faces.rings().piece_of(ring, ring.pieces[k].polygon), k);
+    if (ring.pieces[k].is_finite()) {
+      EXPECT_EQ(diagram.faces.rings().piece_of(ring, ring.pieces[k].polygon()), k);
     }
     if (ring.pieces[k].vertex != kNoCell) {
       EXPECT_EQ(diagram.faces.rings().element_of(ring, ring.pieces[k].vertex), k);
@@ -122,14 +122,14 @@ void expect_links(Subject& diagram, RingNumber id) {
   for (std::size_t k = 0; k < rings.at(id).size(); ++k) {
     const RingPiece piece = rings.at(id).pieces[k];
     if (!piece.is_finite()) continue;
-    const PolygonDriver driver = diagram.faces.driver(piece.polygon);
+    const PolygonDriver driver = diagram.faces.driver(piece.polygon());
     for (int twice = 0; twice < 2; ++twice) {
       const RingLink link = rings.link(id, k);
       ASSERT_EQ(link.ring == RingLink::kAlongEdge, driver.shape != Sign::kNegative);
       if (link.ring == RingLink::kAlongEdge) continue;
       const FacetRing next = rings.at(link.ring);
       EXPECT_EQ(next.facet, driver.side);
-      EXPECT_EQ(next.pieces[link.place].polygon, piece.polygon);
+      EXPECT_EQ(next.pieces[link.place].polygon(), piece.polygon());
       EXPECT_EQ(next.pieces.data(), diagram.faces.ring(driver.side).pieces.data());
     }
   }
@@ -179,6 +179,7 @@ TEST(VoronoiFaces, LargeRingsAreSearchedNotScanned) {
       const FacetRing ring = diagram.faces.ring(name);
       large += ring.size() == 500 ? 1 : 0;
       expect_lookups(diagram, ring);
+      expect_links(diagram, ring.id);
       // A second query gives the same array.
       EXPECT_EQ(diagram.faces.ring(name).pieces.data(), diagram.faces.ring(name).pieces.data());
     }

@@ -291,32 +291,31 @@ template <class Number>
   return 0;
 }
 
-// u' = A drop + 2 h u, with A = <u,g>; backward (A, h < 0) its opposite.
+// u' = A drop + 2 h u, with A = <u,g>; backward (A, h < 0) its opposite. The edges of the two facets are `e`, of squared
+// length ee, and `next`, of squared length next_ee.
 template <class Number>
-[[nodiscard]] Direction<Number> direction_across(const Direction<Number>& x, FacetEdge from, const Point& q,
-                                                 FacetEdge to) {
+[[nodiscard, gnu::always_inline]] inline Direction<Number> direction_behind(
+    const Direction<Number>& x, const Number& approach, const Number& h, const Number& squared_size,
+    const Passage<Number>& way, const Number& ee, const Vector3<Number>& next, const Number& next_ee) {
   using std::abs;
   using std::sqrt;
-  const Bisector<Number> seen = bisector<Number>(from, q);
-  if (!x.is_known() || !Precision<Number>::is_in_range(seen.squared_size)) return {};
+  if (!x.is_known() || !Precision<Number>::is_in_range(squared_size) || !Precision<Number>::is_in_range(ee) ||
+      !Precision<Number>::is_in_range(next_ee)) {
+    return {};
+  }
   const Number roundoff(Precision<Number>::kRoundoff);
-  const Passage<Number> way = passage(from, q, seen, to);
-  const Vector3<Number> e = difference<Number>(*from.p0, *from.p1), next = difference<Number>(*to.p0, *to.p1);
-  const Number ee = dot(e, e), next_ee = dot(next, next);
-  if (!Precision<Number>::is_in_range(ee) || !Precision<Number>::is_in_range(next_ee)) return {};
-
-  const Number size = sqrt(seen.squared_size), approach = dot(x.u, seen.g);
-  const Number angle_bound = Number(kAngleFormBound) * roundoff * seen.squared_size;
-  const int sign = sign_of_way<Number>(approach, (x.error + Number(kExitBound) * roundoff) * size, seen.h, angle_bound);
+  const Number size = sqrt(squared_size);
+  const Number angle_bound = Number(kAngleFormBound) * roundoff * squared_size;
+  const int sign = sign_of_way<Number>(approach, (x.error + Number(kExitBound) * roundoff) * size, h, angle_bound);
   if (sign == 0) return {};
 
-  const Vector3<Number> y = approach * way.drop + Number(2) * seen.h * x.u;
+  const Vector3<Number> y = approach * way.drop + Number(2) * h * x.u;
   const Number inverse = Number(1) / sqrt(Number(dot(y, y)));
   const Number rounding = Number(kCrossingBound) * roundoff * way.squared_size * inverse;
   // The map's determinant in the facets' planes, and its norm.
   const Number stretch = sqrt(Number(way.squared_area_ratio * next_ee / ee));
   const Number height = (abs(way.height) + Number(kHeightBound) * roundoff * way.squared_size) * stretch;
-  const Number angle = abs(seen.h) + angle_bound;
+  const Number angle = abs(h) + angle_bound;
   const Number turn = Number(4) * angle * height * inverse * inverse;
   const Number norm = Number(2) * std::max(angle, height) * inverse;
   const Number slack = (turn + norm) * x.error + rounding;
@@ -324,6 +323,15 @@ template <class Number>
   const Number factor = sign > 0 ? inverse : Number(-inverse);
   return {factor * (y - Number(dot(y, next) / next_ee) * next),
           (turn * x.error + rounding) * (Number(1) + Number(8) * slack)};
+}
+
+template <class Number>
+[[nodiscard]] Direction<Number> direction_across(const Direction<Number>& x, FacetEdge from, const Point& q,
+                                                 FacetEdge to) {
+  const Bisector<Number> seen = bisector<Number>(from, q);
+  const Vector3<Number> e = difference<Number>(*from.p0, *from.p1), next = difference<Number>(*to.p0, *to.p1);
+  return direction_behind<Number>(x, dot(x.u, seen.g), seen.h, seen.squared_size, passage(from, q, seen, to), dot(e, e),
+                                  next, dot(next, next));
 }
 
 }  // namespace flowcert::flow
