@@ -14,8 +14,10 @@ namespace {
 
 class FastTruth final : public Truth {
  public:
-  explicit FastTruth(const PointSet& points)
-      : own_(std::in_place, points), complex_(*own_), finder_(complex_.stationary()) {}
+  FastTruth(const PointSet& points, unsigned threads)
+      : own_(std::in_place, points, FlowComplexOptions{.flow = {}, .threads = threads}),
+        complex_(*own_),
+        finder_(complex_.stationary()) {}
   explicit FastTruth(const FlowComplex& complex) : complex_(complex), finder_(complex_.stationary()) {}
 
   [[nodiscard]] std::size_t size() const override { return complex_.stationary().size(); }
@@ -63,7 +65,9 @@ class FastTruth final : public Truth {
 
 }  // namespace
 
-std::unique_ptr<Truth> fast_truth(const PointSet& points) { return std::make_unique<FastTruth>(points); }
+std::unique_ptr<Truth> fast_truth(const PointSet& points, unsigned threads) {
+  return std::make_unique<FastTruth>(points, threads);
+}
 std::unique_ptr<Truth> fast_truth(const FlowComplex& complex) { return std::make_unique<FastTruth>(complex); }
 
 }  // namespace flowcert

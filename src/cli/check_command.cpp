@@ -20,11 +20,13 @@ struct CheckCommandOptions {
   std::string junit;
   std::size_t most = std::numeric_limits<std::size_t>::max();
   bool json = false;
+  unsigned threads = 1;
 };
 
 CheckReport report_of(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input,
                       const Claim& claim) {
-  const std::unique_ptr<Truth> truth = options.files.by_oracle ? oracle.of(input.file.rows) : fast_truth(input.points);
+  const std::unique_ptr<Truth> truth =
+      options.files.by_oracle ? oracle.of(input.file.rows) : fast_truth(input.points, options.threads);
   return check(input.points, claim, *truth, options.check);
 }
 
@@ -71,6 +73,7 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
   add_judging_options(*command, options->check);
   command->add_option("--most", options->most, "Show so many findings of each level; all, without this")
       ->check(CLI::NonNegativeNumber);
+  add_threads_option(*command, options->threads);
   command->add_flag(
       "--oracle", options->files.by_oracle,
       fmt::format("Let the oracle say what is true, not the fast implementation: up to {} points", oracle.most_points));

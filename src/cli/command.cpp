@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <locale>
 
+#include "geometry/parallel_for.h"
+
 namespace flowcert::cli {
 
 namespace {
@@ -66,6 +68,16 @@ std::array<CLI::Option*, 2> add_flow_options(CLI::App& command, FlowChoice& choi
           ->check(CLI::IsMember({"binary", "linear"}))
           ->capture_default_str();
   return {kernel, search};
+}
+
+void add_threads_option(CLI::App& command, unsigned& threads) {
+  constexpr unsigned kMost = 1024;
+  threads = geometry::all_cores();
+  command
+      .add_option("--threads", threads,
+                  "How many threads compute; all cores, without this. The results are the same for any number; the "
+                  "triangulation takes one")
+      ->check(CLI::Range(1U, kMost));
 }
 
 }  // namespace flowcert::cli

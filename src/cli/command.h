@@ -46,6 +46,9 @@ struct FlowChoice {
 // The two options are returned so that they can be made to need others.
 std::array<CLI::Option*, 2> add_flow_options(CLI::App& command, FlowChoice& choice);
 
+// The option --threads, of commands that compute: all cores without it. Results do not depend on it.
+void add_threads_option(CLI::App& command, unsigned& threads);
+
 // The name of the file for messages: "-" gets a readable name.
 [[nodiscard]] std::string display_name(const std::string& path);
 

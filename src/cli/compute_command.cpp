@@ -104,6 +104,7 @@ struct ComputeOptions {
   bool polylines = false;
   bool skeletons = false;
   std::string export_directory;
+  unsigned threads = 1;
   U2Choice u2;
 };
 
@@ -116,7 +117,7 @@ WantedManifolds wanted_manifolds(const ComputeOptions& options) {
   WantedManifolds wanted;
   wanted.u2 = wants(options, "u2");
   wanted.s2 = wants(options, "s2");
-  wanted.options = {.flow = options.u2.flow.options(), .share = !options.u2.alone};
+  wanted.options = {.flow = options.u2.flow.options(), .share = !options.u2.alone, .threads = options.threads};
   if (options.polylines && !wanted.u2) throw InvalidInput("--polylines: needs --manifolds u2");
   if (options.u2.alone && !wanted.u2) throw InvalidInput("--alone: needs --manifolds u2");
   if (options.skeletons && !wanted.s2) throw InvalidInput("--skeletons: needs --manifolds s2");
@@ -195,6 +196,7 @@ void add_compute_command(CLI::App& app, int& status) {
                       "Write critical points, U2 and S2 into this directory, as VTP and PLY files for viewers; "
                       "computes u2 and s2");
   add_manifold_options(*command, *options, output);
+  add_threads_option(*command, options->threads);
   command->footer(
       "Examples:\n  flowcert compute bunny.obj -o bunny.jsonl\n  flowcert compute bunny.obj --manifolds "
       "u2,s2 "

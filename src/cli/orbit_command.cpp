@@ -21,6 +21,7 @@ struct OrbitOptions {
   std::string start;
   bool json = false;
   FlowChoice flow;
+  unsigned threads = 1;
 };
 
 // Longer exact numbers are shown as doubles.
@@ -97,7 +98,8 @@ void print_orbit(const OrbitOptions& options) {
   if (input.points.empty()) {
     throw InvalidInput(fmt::format("{}: there are no points", display_name(options.input)));
   }
-  const FlowComplex complex(input.points, {.flow = options.flow.options()}, part_progress());
+  const FlowComplex complex(input.points, {.flow = options.flow.options(), .threads = options.threads},
+                            part_progress());
   const Orbit orbit = complex.orbit(start);
   if (options.json) {
     print_json(orbit, input);
@@ -118,6 +120,7 @@ void add_orbit_command(CLI::App& app, int& status) {
       ->required();
   command->add_flag("--json", options->json, "Print one JSON object, all exact; the table rounds long numbers");
   add_flow_options(*command, options->flow);
+  add_threads_option(*command, options->threads);
   command->footer("Example:\n  flowcert orbit bunny.obj --from -1/2,0.25,0x1p-3");
   command->callback([options, &status] {
     print_orbit(*options);

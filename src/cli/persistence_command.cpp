@@ -36,8 +36,8 @@ struct PersistenceSeconds {
 struct PersistenceRun {
   // Makes one part of the complex after the other, and takes the time of each. The seed decides all choices that
   // break ties.
-  PersistenceRun(const PointSet& points, std::uint64_t seed)
-      : complex(points, {.flow = {}, .share = true, .seed = seed}, part_progress()) {
+  PersistenceRun(const PointSet& points, std::uint64_t seed, unsigned threads)
+      : complex(points, {.flow = {}, .share = true, .seed = seed, .threads = threads}, part_progress()) {
     using Clock = std::chrono::steady_clock;
     const auto make = [this](FlowComplexPart part, double& sum) {
       const Clock::time_point start = Clock::now();
@@ -64,6 +64,7 @@ struct PersistenceOptions {
   bool json = false;
   bool with_zero = false;
   std::uint64_t seed = 0;
+  unsigned threads = 1;
 };
 
 // Pairs of one dimension.
@@ -184,7 +185,7 @@ void write_file(const PersistenceOptions& options, const std::string& text) {
 
 void print_persistence(const PersistenceOptions& options) {
   const Input input = read_input(options.input);
-  const PersistenceRun run(input.points, options.seed);
+  const PersistenceRun run(input.points, options.seed, options.threads);
   const PersistenceDiagram diagram(run.complex, options.with_zero);
   const bool has_file = !options.output.empty();
   if (has_file) write_file(options, text_of(options, diagram));
@@ -219,6 +220,7 @@ void add_persistence_command(CLI::App& app, int& status) {
   command
       ->add_option("--seed-ties", options->seed, "Break ties at random, reproducibly; births and deaths stay the same")
       ->check(complaint_about_seed);
+  add_threads_option(*command, options->threads);
   command->footer("Example:\n  flowcert persistence bunny.obj -o bunny.pers");
   command->callback([options, &status] {
     print_persistence(*options);

@@ -23,6 +23,7 @@ struct SurfaceOptions {
   std::string output;
   std::vector<std::string> selections;
   bool json = false;
+  unsigned threads = 1;
 };
 
 using Write = void (*)(std::ostream&, const SurfaceMesh&, const std::string&);
@@ -82,7 +83,7 @@ void write_surface(const SurfaceOptions& options) {
   const SurfaceSelection selection(options.selections);
   const Write write = writer_for(options.output);
   const Input input = read_input(options.input);
-  const FlowComplex complex(input.points, {}, part_progress());
+  const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads}, part_progress());
   const std::vector<std::size_t> sets = selection.sets(complex);
   const SurfaceMesh mesh = mesh_of(options, complex, sets);
   OutputFile file(options.output);
@@ -110,6 +111,7 @@ void add_surface_command(CLI::App& app, int& status) {
       ->allow_extra_args(false);
   command->add_option("-o,--output", options->output, "Write the surface to this file, .ply or .off")->required();
   command->add_flag("--json", options->json, "Print one JSON object instead of the table");
+  add_threads_option(*command, options->threads);
   command->footer(
       "Example:\n  flowcert surface bunny.obj --select 'index2-radius<0.01' --select 'persistence>1e-6' -o "
       "bunny.ply");

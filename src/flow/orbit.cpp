@@ -20,7 +20,7 @@ struct Flow::Parts {
         faces(diagram),
         flow(make_flow_operator(faces, options)),
         recorder(points, faces.diagram(), *flow),
-        forest(faces.diagram(), *flow, true) {}
+        forest(faces.diagram(), true) {}
 
   Location locate(const RationalPoint& x) {
     require_ieee_doubles();
@@ -65,7 +65,7 @@ std::optional<StationaryLimit> Flow::limit(const RationalPoint& start) {
   }
   parts_->flow->drop_from(0);
   if (index) return parts_->recorder.limit(at.place, *index);
-  const std::optional<ForestEnd> end = parts_->forest.end_from(at.place);
+  const std::optional<ForestEnd> end = parts_->forest.end_from(at.place, *parts_->flow);
   if (!end) return std::nullopt;
   return parts_->recorder.limit(end->place, end->index);
 }

@@ -1,14 +1,17 @@
 // The forest of Voronoi vertices under the flow. It leads from each one to the next one that its orbit passes
 // through, or to where the orbit ends.
 //
-// Guarantees: exact (FlowOperator). With sharing, what follows a Voronoi vertex is flowed once, whoever asks. A
-// stretch keeps how many segments it has and where it leads, not its points. The points, with the history that the lazy
-// kernel keeps of each, would take 1 GiB for 35,000 samples. A forest is not for two threads at once.
+// Guarantees: exact (FlowOperator). With sharing, what follows a Voronoi vertex is flowed once, whoever asks, and
+// whatever the number of threads. A stretch keeps how many segments it has and where it leads, not its points. The
+// points, with the history that the lazy kernel keeps of each, would take 1 GiB for 35,000 samples.
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "flow/flow_operator.h"
@@ -25,45 +28,60 @@ struct ForestEnd {
 // E-F-E alone, because only these and V-F-E end inside a Voronoi edge.
 struct Stretch {
   static constexpr std::uint32_t kInfinity = 0xffffffffu;
+  static constexpr std::uint32_t kUnknown = 0xffffffffu;
 
-  std::uint32_t count = 0;      // segments
-  CellIndex next = kNoCell;     // the Voronoi vertex reached
-  std::uint32_t end = 0;        // the number of the orbit's end, or kInfinity
-  std::uint32_t visits = 0;     // by orbits that begin here
-  std::uint32_t total = 0;      // segments from here to the orbit's end
-  SegmentType first{}, last{};  // of its segments, if there are any
+  std::uint32_t count = 0;         // segments
+  CellIndex next = kNoCell;        // the Voronoi vertex reached
+  std::uint32_t end = kInfinity;   // the number of the orbit's end, or kInfinity
+  std::uint32_t visits = 0;        // by orbits that begin here
+  std::uint32_t total = kUnknown;  // segments from here to the orbit's end
+  SegmentType first{}, last{};     // of its segments, if there are any
 
   [[nodiscard]] bool is_last() const { return next == kNoCell; }
 };
 
 class SuccessorForest {
  public:
-  // Without `share` each question flows anew, as the paper did. The diagram and the operator must outlive it.
-  SuccessorForest(const Diagram& diagram, FlowOperator& flow, bool share)
-      : diagram_(diagram), flow_(flow), share_(share) {}
+  // Without `share` each question flows anew, as the paper did. The diagram must outlive it.
+  SuccessorForest(const Diagram& diagram, bool share) : diagram_(diagram), share_(share) {}
+
+  // Flows from many Voronoi vertices, with a thread for each operator. Only with sharing. kNoCell among the starts is
+  // passed over. It tells `progress`, if given, how many starts are done, one thread at a time.
+  void flow_from(std::span<const CellIndex> starts, std::span<FlowOperator* const> flows,
+                 const std::function<void(std::size_t)>& progress = {});
 
   // The orbit from a Voronoi vertex on: its first stretch, which knows the total and the end. It flows if need be,
   // and counts the visit. The reference holds until the next question.
-  [[nodiscard]] const Stretch& visit(CellIndex cluster);
+  [[nodiscard]] const Stretch& visit(CellIndex cluster, FlowOperator& flow);
+  // The same for a Voronoi vertex that flow_from() has reached. Threads may visit at once.
+  const Stretch& visit_known(CellIndex cluster) {
+    Stretch& stretch = stretches_[stretch_of_[cluster]];
+    std::atomic_ref(stretch.visits).fetch_add(1, std::memory_order_relaxed);
+    return stretch;
+  }
   // The end of an orbit, by its first stretch; nothing for infinity.
   [[nodiscard]] std::optional<ForestEnd> end_of(const Stretch& first) const {
     return first.end == Stretch::kInfinity ? std::nullopt : std::optional(ends_[first.end]);
   }
   // Where the orbit from a Voronoi vertex or from infinity ends; nothing for infinity. It is not counted.
-  [[nodiscard]] std::optional<ForestEnd> end_from(const Place& start);
+  [[nodiscard]] std::optional<ForestEnd> end_from(const Place& start, FlowOperator& flow);
 
   // Adds the segments of all stretches to the statistics, as often as orbits passed them.
   void count(FlowStatistics& statistics) const;
-  // Forgets all stretches, and all points that were constructed.
+  // Forgets all stretches.
   void drop();
 
  private:
-  [[nodiscard]] Stretch new_stretch(CellIndex cluster);
-  [[nodiscard]] Stretch& stretch_from(CellIndex cluster);
+  class Branch;
+
+  [[nodiscard]] Stretch& stretch_from(CellIndex cluster, FlowOperator& flow);
+  void append(Branch& branch);
+  void sum_up(std::size_t first);
+  [[nodiscard]] std::uint32_t stretch_behind(std::size_t stretch) const;
   // How many orbits pass each stretch.
   [[nodiscard]] std::vector<std::size_t> passes() const;
+
   const Diagram& diagram_;
-  FlowOperator& flow_;
   bool share_;
   std::vector<Stretch> stretches_;
   std::vector<ForestEnd> ends_;

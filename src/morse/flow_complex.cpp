@@ -88,20 +88,21 @@ void FlowComplex::make(FlowComplexPart part) const {
     case FlowComplexPart::kDiagram:
       make(FlowComplexPart::kTriangulation);
       all.tally = {};
-      all.diagram.emplace(*all.triangulation, &all.tally);
+      all.diagram.emplace(*all.triangulation, &all.tally, all.options.threads);
       break;
     case FlowComplexPart::kStationary:
       make(FlowComplexPart::kDiagram);
-      all.stationary = stationary_points(*all.diagram);
+      all.stationary = stationary_points(*all.diagram, all.options.threads);
       break;
     case FlowComplexPart::kUnstable:
       make(FlowComplexPart::kStationary);
-      all.unstable.emplace(*all.diagram, *all.stationary, UnstableOptions{all.options.flow, all.options.share},
-                           progress);
+      all.unstable.emplace(*all.diagram, *all.stationary,
+                           UnstableOptions{all.options.flow, all.options.share, all.options.threads}, progress);
       break;
     case FlowComplexPart::kStable:
       make(FlowComplexPart::kStationary);
-      all.stable.emplace(*all.diagram, *all.stationary, StableOptions{all.options.flow, all.options.seed}, progress);
+      all.stable.emplace(*all.diagram, *all.stationary,
+                         StableOptions{all.options.flow, all.options.seed, all.options.threads}, progress);
       break;
     case FlowComplexPart::kChains:
       make(FlowComplexPart::kUnstable);

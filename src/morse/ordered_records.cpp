@@ -3,15 +3,36 @@
 #include "morse/ordered_records.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
+
+#include "geometry/parallel_for.h"
 
 namespace flowcert::morse {
 
 // Makes room for what scans have: for each sample, about 3 critical points of index 1 and 2 of index 2.
-OrderedRecords::OrderedRecords(std::span<const std::uint32_t> ordinals) : ordinals_(ordinals) {
-  records_[0].reserve(3 * ordinals.size());
-  records_[1].reserve(2 * ordinals.size());
+OrderedRecords OrderedRecords::empty_part(std::size_t parts) const {
+  OrderedRecords part(ordinals_);
+  part.records_[0].reserve(3 * ordinals_.size() / parts);
+  part.records_[1].reserve(2 * ordinals_.size() / parts);
+  return part;
+}
+
+void OrderedRecords::take(OrderedRecords other) {
+  const auto first_large = static_cast<std::uint32_t>(large_.size());
+  std::ranges::move(other.large_, std::back_inserter(large_));
+  for (std::size_t slot = 0; slot < records_.size(); ++slot) {
+    std::vector<Record>& added = other.records_[slot];
+    for (Record& record : added) {
+      if (record.size > record.small.size()) record.small[1] += first_large;
+    }
+    if (records_[slot].empty()) {
+      records_[slot] = std::move(added);
+    } else {
+      records_[slot].insert(records_[slot].end(), added.begin(), added.end());
+    }
+  }
 }
 
 void OrderedRecords::add(StationaryIndex index, std::span<const VertexIndex> contact, std::uint32_t face) {
@@ -47,7 +68,11 @@ std::vector<OrderedRecords::Record> OrderedRecords::sorted(const std::vector<Rec
   return result;
 }
 
-StationaryPoints OrderedRecords::list(const PointSet& points) const {
+StationaryPoints OrderedRecords::list(const PointSet& points, unsigned threads) const {
+  std::array<std::vector<Record>, kOrder.size()> in_order;
+  geometry::parallel_for(kOrder.size(), threads, [&](std::size_t slot) {
+    if (!records_[slot].empty()) in_order[slot] = sorted(records_[slot]);
+  });
   StationaryPoints list;
   std::size_t records = points.size();
   for (const auto& of_one_index : records_) records += of_one_index.size();
@@ -58,8 +83,7 @@ StationaryPoints OrderedRecords::list(const PointSet& points) const {
   }
   std::vector<PointId> names;
   for (std::size_t slot = 0; slot < kOrder.size(); ++slot) {
-    if (records_[slot].empty()) continue;
-    for (const Record& record : sorted(records_[slot])) {
+    for (const Record& record : in_order[slot]) {
       names.clear();
       for (const std::uint32_t ordinal : contact(record)) names.push_back(points.name(ordinal));
       list.append(kOrder[slot], names, record.face);

@@ -16,13 +16,18 @@ namespace flowcert::morse {
 class OrderedRecords {
  public:
   // ordinals has the ordinal of each vertex in the point set, and must outlive this.
-  explicit OrderedRecords(std::span<const std::uint32_t> ordinals);
+  explicit OrderedRecords(std::span<const std::uint32_t> ordinals) : ordinals_(ordinals) {}
+  // An empty one for the same ordinals, with room for what `parts` of them find in all.
+  [[nodiscard]] OrderedRecords empty_part(std::size_t parts) const;
 
   // The contact set may come in any order. Index 0 is not added, because the points themselves give it.
   void add(StationaryIndex index, std::span<const VertexIndex> contact, std::uint32_t face);
 
+  // Adds all of another one for the same ordinals.
+  void take(OrderedRecords other);
+
   // O(records) expected: records are spread over buckets by their first point, and few share one.
-  [[nodiscard]] StationaryPoints list(const PointSet& points) const;
+  [[nodiscard]] StationaryPoints list(const PointSet& points, unsigned threads) const;
 
  private:
   // Few contact sets have more than four points. The smaller ones are kept in the record that is sorted, so that

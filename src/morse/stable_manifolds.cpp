@@ -15,6 +15,8 @@
 #include "flow/segment_record.h"
 #include "flow/worker_pool.h"
 #include "geometry/contract.h"
+#include "geometry/parallel_for.h"
+#include "geometry/portions.h"
 #include "morse/backward_walk.h"
 #include "morse/chain_boundary.h"
 #include "morse/layer.h"
@@ -96,14 +98,14 @@ SectorParts sector_of(VoronoiFaces& faces, FlowOperator& flow, FacetName facet, 
     const bool is_last = k + 1 == chain.count;
     const Vector next = is_last ? a : vector(flow.exact({Place::at_vertex(inner(k)), kNoPoint}));
     if (!is_last && plane.turn(a, next) > 0) {
-      parts.arcs.push_back({piece(k).polygon, point(from), point(next)});
+      parts.arcs.push_back({piece(k).polygon(), point(from), point(next)});
       parts.vertices.push_back(inner(k));
       parts.corners.push_back(point(next));
       from = next;
       continue;
     }
     const Vector end = crossing(a, plane.p0, plane.p1, vector(faces.point(piece(k).apex)));
-    parts.arcs.push_back({piece(k).polygon, point(from), point(end)});
+    parts.arcs.push_back({piece(k).polygon(), point(from), point(end)});
     parts.corners.push_back(point(end));
     break;
   }
@@ -131,9 +133,17 @@ struct StableManifolds::Parts {
     std::uint32_t record = 0;
     std::uint32_t segments = 0;
     bool has_vertex = false, has_interval = false;
+    std::uint32_t share = 0;  // where its boundary is
     std::size_t boundary_first = 0, boundary_count = 0;
   };
   class Worker;
+  // What one thread finds.
+  struct Share {
+    std::vector<std::uint32_t> boundaries;
+    std::vector<std::uint32_t> tied;                    // sets whose boundary a tie leaves open
+    std::vector<std::size_t> lengths, triangle_counts;  // how many there are of each
+    StableStatistics statistics;
+  };
 
   Parts(const VoronoiDiagram& voronoi, const StationaryPoints& list, StableOptions how)
       : diagram(voronoi),
@@ -144,10 +154,17 @@ struct StableManifolds::Parts {
         gabriel(points, list, vertex_of) {}
 
   void compute(const Progress& progress);
-  [[nodiscard]] bool make_set(Worker& worker, std::size_t i);
-  void set_boundary(Set& set, std::vector<std::uint32_t> ends);
-  void count(std::size_t i, const Worker& worker);
+  void make_set(Worker& worker, std::uint32_t i, std::uint32_t share);
+  void set_boundary(Set& set, std::vector<std::uint32_t> ends, std::uint32_t share);
+  void count(const Set& set, const Worker& worker, Share& share) const;
+  void break_ties(Worker& worker);
+  void sum_up();
   void find_largest();
+  // The other kernels count constructions of Voronoi vertices that a thread keeps. One thread counts the same each
+  // time.
+  [[nodiscard]] unsigned team_size() const {
+    return options.flow.kernel == ConstructionKernel::kCascade ? options.threads : 1;
+  }
   [[nodiscard]] std::size_t record_of(std::size_t i) const {
     return i < critical_count ? first_critical + i : first_regular + (i - critical_count);
   }
@@ -164,8 +181,7 @@ struct StableManifolds::Parts {
   GabrielEdges gabriel;
   std::size_t first_critical = 0, critical_count = 0, first_regular = 0;  // records
   std::vector<Set> sets;
-  std::vector<std::size_t> lengths, triangle_counts;  // how many there are of each
-  std::vector<std::uint32_t> boundaries;
+  std::vector<Share> shares;
   StableStatistics statistics;
   WorkerPool<Worker> workers;
 };
@@ -376,36 +392,38 @@ StableSet StableManifolds::Parts::Worker::geometry(std::size_t record) {
   return geometry;
 }
 
-void StableManifolds::Parts::count(std::size_t i, const Worker& worker) {
-  const Set& set = sets[i];
+void StableManifolds::Parts::count(const Set& set, const Worker& worker, Share& share) const {
   for (const std::uint32_t length : worker.lengths()) {
-    if (lengths.size() <= length) lengths.resize(length + 1, 0);
-    ++lengths[length];
+    if (share.lengths.size() <= length) share.lengths.resize(length + 1, 0);
+    ++share.lengths[length];
   }
-  statistics.with_vertex += set.has_vertex ? 1 : 0;
-  statistics.with_interval += set.has_interval ? 1 : 0;
-  statistics.ends_at_regular += worker.regular_backs();
+  share.statistics.with_vertex += set.has_vertex ? 1 : 0;
+  share.statistics.with_interval += set.has_interval ? 1 : 0;
+  share.statistics.ends_at_regular += worker.regular_backs();
   if (set.has_interval) return;
   const std::size_t triangles = 2 * std::size_t{set.segments};
-  if (triangle_counts.size() <= triangles) triangle_counts.resize(triangles + 1, 0);
-  ++triangle_counts[triangles];
-  statistics.triangle_count += triangles;
+  if (share.triangle_counts.size() <= triangles) share.triangle_counts.resize(triangles + 1, 0);
+  ++share.triangle_counts[triangles];
+  share.statistics.triangle_count += triangles;
 }
 
-// Returns whether a tie leaves the boundary open. The boundary is then not set.
-bool StableManifolds::Parts::make_set(Worker& worker, std::size_t i) {
+void StableManifolds::Parts::make_set(Worker& worker, std::uint32_t i, std::uint32_t share) {
   Set& set = sets[i];
   set = {};
   set.record = static_cast<std::uint32_t>(record_of(i));
   worker.walk(set.record, set);
-  if (!stationary.index(set.record).is_critical()) return false;
-  count(i, worker);
-  if (set.has_vertex || worker.regular_backs() > 0) return true;
-  set_boundary(set, worker.ends());
-  return false;
+  if (!stationary.index(set.record).is_critical()) return;
+  count(set, worker, shares[share]);
+  if (set.has_vertex || worker.regular_backs() > 0) {
+    shares[share].tied.push_back(i);
+  } else {
+    set_boundary(set, worker.ends(), share);
+  }
 }
 
-void StableManifolds::Parts::set_boundary(Set& set, std::vector<std::uint32_t> ends) {
+void StableManifolds::Parts::set_boundary(Set& set, std::vector<std::uint32_t> ends, std::uint32_t share) {
+  std::vector<std::uint32_t>& boundaries = shares[share].boundaries;
+  set.share = share;
   set.boundary_first = boundaries.size();
   add_mod_2(ends, boundaries);
   set.boundary_count = boundaries.size() - set.boundary_first;
@@ -419,36 +437,60 @@ void StableManifolds::Parts::find_largest() {
   }
 }
 
+// Ties are broken in the order of the list, on which the choices depend.
+void StableManifolds::Parts::break_ties(Worker& worker) {
+  std::vector<std::uint32_t> tied;
+  for (const Share& share : shares) tied.insert(tied.end(), share.tied.begin(), share.tied.end());
+  std::ranges::sort(tied);
+  TieBreaking ties(options.seed, TieBreaking::Of::kStable);
+  for (const std::uint32_t i : tied) set_boundary(sets[i], worker.tie_broken_ends(sets[i].record, ties), 0);
+  statistics.broken_ties = tied.size();
+}
+
+void StableManifolds::Parts::sum_up() {
+  for (Share& share : shares) {
+    statistics.with_vertex += share.statistics.with_vertex;
+    statistics.with_interval += share.statistics.with_interval;
+    statistics.ends_at_regular += share.statistics.ends_at_regular;
+    statistics.triangle_count += share.statistics.triangle_count;
+    for (std::size_t k = 0; k < share.lengths.size(); ++k) {
+      if (share.lengths[k] > 0) statistics.n_s2.add(k, share.lengths[k]);
+    }
+    for (std::size_t k = 0; k < share.triangle_counts.size(); ++k) {
+      if (share.triangle_counts[k] > 0) statistics.triangles.add(k, share.triangle_counts[k]);
+    }
+    share.tied = {}, share.lengths = {}, share.triangle_counts = {};
+  }
+  find_largest();
+}
+
 void StableManifolds::Parts::compute(const Progress& progress) {
-  auto worker = std::make_unique<Worker>(*this);
   const RecordFinder finder(stationary);
   const auto [first, last] = finder.range({2, 2});
   first_critical = first;
   critical_count = last - first;
   first_regular = finder.range({3, 3}).second;
   sets.resize(critical_count + stationary.size() - first_regular);
-  std::vector<std::uint32_t> tied;
-  std::size_t done = 0;
-  for (const std::uint32_t i :
-       along_the_curve(stationary, sets.size(), [this](std::uint32_t k) { return record_of(k); })) {
-    if (progress && done % kProgressStep == 0) progress(done, sets.size());
-    ++done;
-    if (make_set(*worker, i)) tied.push_back(i);
+  const std::vector<std::uint32_t> order =
+      along_the_curve(stationary, sets.size(), [this](std::uint32_t k) { return record_of(k); });
+  std::vector<std::unique_ptr<Worker>> team;
+  for (unsigned k = 0; k < team_size(); ++k) team.push_back(std::make_unique<Worker>(*this));
+  shares.resize(team.size());
+  const geometry::Portions::Progress tell = [&](std::size_t begun) {
+    if (progress) progress(begun, sets.size());
+  };
+  geometry::Portions portions(order.size(), kProgressStep, tell);
+  geometry::parallel_for(team.size(), team_size(), [&](std::size_t k) {
+    for (auto [at, end] = portions.next(); at != end; std::tie(at, end) = portions.next()) {
+      for (; at != end; ++at) make_set(*team[k], order[at], static_cast<std::uint32_t>(k));
+    }
+  });
+  break_ties(*team.front());
+  sum_up();
+  for (auto& worker : team) {
+    statistics.tally += worker->tally();
+    workers.give(std::move(worker));
   }
-  // Ties are broken in the order of the list, on which the choices depend.
-  std::ranges::sort(tied);
-  TieBreaking ties(options.seed, TieBreaking::Of::kStable);
-  for (const std::uint32_t i : tied) set_boundary(sets[i], worker->tie_broken_ends(sets[i].record, ties));
-  statistics.broken_ties = tied.size();
-  find_largest();
-  for (std::size_t k = 0; k < lengths.size(); ++k) {
-    if (lengths[k] > 0) statistics.n_s2.add(k, lengths[k]);
-  }
-  for (std::size_t k = 0; k < triangle_counts.size(); ++k) {
-    if (triangle_counts[k] > 0) statistics.triangles.add(k, triangle_counts[k]);
-  }
-  statistics.tally = worker->tally();
-  workers.give(std::move(worker));
   if (progress) progress(sets.size(), sets.size());
 }
 
@@ -477,7 +519,7 @@ bool StableManifolds::has_vertex(std::size_t i) const { return parts_->at(i).has
 bool StableManifolds::has_interval(std::size_t i) const { return parts_->at(i).has_interval; }
 std::span<const std::uint32_t> StableManifolds::boundary(std::size_t i) const {
   const auto& set = parts_->at(i);
-  return std::span(parts_->boundaries).subspan(set.boundary_first, set.boundary_count);
+  return std::span(parts_->shares[set.share].boundaries).subspan(set.boundary_first, set.boundary_count);
 }
 const StableStatistics& StableManifolds::statistics() const { return parts_->statistics; }
 

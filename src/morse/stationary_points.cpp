@@ -5,8 +5,10 @@
 #include "flowcert/stationary_points.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/keep_unique.h"
+#include "geometry/parallel_for.h"
 #include "morse/layer.h"
 #include "morse/ordered_records.h"
 #include "morse/record_face.h"
@@ -21,29 +23,36 @@ namespace {
 constexpr StationaryIndex kIndex1{1, 1}, kIndex2{2, 2}, kIndex3{3, 3};
 constexpr StationaryIndex kKind12{1, 2}, kKind13{1, 3}, kKind23{2, 3};
 
+// The cells that a thread looks at: first to last - 1, all finite.
+struct CellRange {
+  CellIndex first, last;
+};
+
 // Index 1 (FC-SIGN-02). A walk goes around each edge whose angles in its first cell are acute. It gives up at the
 // first angle that is not acute, or at an earlier cell, because that cell has the walk around the edge. The walks of
 // a block of cells go in step, each one cell a round, so that they wait for memory together and not one after the
 // other.
 class GabrielSearch {
  public:
-  GabrielSearch(const VoronoiComplex& complex, OrderedRecords& records)
-      : delaunay_(complex.delaunay()), records_(records), acute_(delaunay_.cells.size(), kAllEdges) {
-    for (CellIndex cell = 0; cell < delaunay_.finite_count; ++cell) {
-      acute_[cell] = acute_edges(complex.signs(cell));
-    }
+  explicit GabrielSearch(const VoronoiComplex& complex)
+      : complex_(complex), delaunay_(complex.delaunay()), acute_(delaunay_.cells.size(), kAllEdges) {}
+
+  // To be called for all cells before the search begins.
+  void look_at_angles(CellRange cells) {
+    for (CellIndex cell = cells.first; cell < cells.last; ++cell) acute_[cell] = acute_edges(complex_.signs(cell));
   }
 
-  void find() {
+  // All edges whose first cell is among these.
+  void find(CellRange cells, OrderedRecords& records) const {
     constexpr CellIndex kBlock = 64;
     std::vector<Walk> walks;
-    for (CellIndex first = 0; first < delaunay_.finite_count; first += kBlock) {
+    for (CellIndex first = cells.first; first < cells.last; first += kBlock) {
       walks.clear();
-      for (CellIndex cell = first; cell < std::min(first + kBlock, delaunay_.finite_count); ++cell) {
+      for (CellIndex cell = first; cell < std::min(first + kBlock, cells.last); ++cell) {
         start_walks(cell, walks);
       }
       while (!walks.empty()) {
-        std::erase_if(walks, [this](Walk& walk) { return is_over(walk); });
+        std::erase_if(walks, [&](Walk& walk) { return is_over(walk, records); });
       }
     }
   }
@@ -93,9 +102,9 @@ class GabrielSearch {
   }
 
   // Takes one step, and returns whether the walk has ended.
-  bool is_over(Walk& walk) {
+  bool is_over(Walk& walk, OrderedRecords& records) const {
     if (walk.cell == walk.start) {
-      records_.add(kIndex1, walk.edge, face_number(walk.start));
+      records.add(kIndex1, walk.edge, face_number(walk.start));
       return true;
     }
     if (walk.cell < walk.start) return true;
@@ -109,8 +118,8 @@ class GabrielSearch {
     return false;
   }
 
+  const VoronoiComplex& complex_;
   const CompactDelaunay& delaunay_;
-  OrderedRecords& records_;
   std::vector<std::uint8_t> acute_;
 };
 
@@ -123,9 +132,9 @@ bool is_between_ends(const VoronoiComplex& complex, FacetRef facet) {
 }
 
 // Adds index 2 and kind 1-2 from polygons of one facet.
-void add_whole_facets(const VoronoiComplex& complex, OrderedRecords& records) {
+void add_whole_facets(const VoronoiComplex& complex, CellRange cells, OrderedRecords& records) {
   const CompactDelaunay& delaunay = complex.delaunay();
-  for (CellIndex cell = 0; cell < delaunay.finite_count; ++cell) {
+  for (CellIndex cell = cells.first; cell < cells.last; ++cell) {
     const TetrahedronSigns& signs = complex.signs(cell);
     for (std::uint32_t i = 0; i < 4; ++i) {
       if (signs.is_obtuse(i) || delaunay.neighbors(cell)[i] < cell) continue;
@@ -167,9 +176,9 @@ void add_vertex(std::size_t zero_sides, std::span<const VertexIndex> contact, Ce
 }
 
 // Adds index 3 and kinds 2-3 and 1-3 from Voronoi vertices of one cell (FC-SIGN-03, 04).
-void add_lone_vertices(const VoronoiComplex& complex, OrderedRecords& records) {
+void add_lone_vertices(const VoronoiComplex& complex, CellRange cells, OrderedRecords& records) {
   const CompactDelaunay& delaunay = complex.delaunay();
-  for (CellIndex cell = 0; cell < delaunay.finite_count; ++cell) {
+  for (CellIndex cell = cells.first; cell < cells.last; ++cell) {
     if (complex.signs(cell).side_negative != 0 || !complex.is_alone(cell)) continue;
     std::size_t zeros = 0;
     bool is_inside = true;
@@ -221,11 +230,24 @@ void add_clusters(const VoronoiComplex& complex, OrderedRecords& records) {
   }
 }
 
-void add_spatial(const VoronoiComplex& complex, OrderedRecords& records) {
-  GabrielSearch(complex, records).find();
-  add_whole_facets(complex, records);
+// Each thread has a part of the cells, and records of its own.
+void add_spatial(const VoronoiComplex& complex, unsigned threads, OrderedRecords& records) {
+  const CellIndex count = complex.delaunay().finite_count;
+  const std::size_t parts = threads == 1 ? 1 : 8 * std::size_t{threads};
+  const auto cells_of = [&](std::size_t k) {
+    return CellRange{static_cast<CellIndex>(k * count / parts), static_cast<CellIndex>((k + 1) * count / parts)};
+  };
+  GabrielSearch gabriel(complex);
+  geometry::parallel_for(parts, threads, [&](std::size_t k) { gabriel.look_at_angles(cells_of(k)); });
+  std::vector<OrderedRecords> found;
+  for (std::size_t k = 0; k < parts; ++k) found.push_back(records.empty_part(parts));
+  geometry::parallel_for(parts, threads, [&](std::size_t k) {
+    gabriel.find(cells_of(k), found[k]);
+    add_whole_facets(complex, cells_of(k), found[k]);
+    add_lone_vertices(complex, cells_of(k), found[k]);
+  });
+  for (OrderedRecords& part : found) records.take(std::move(part));
   add_large_polygons(complex, records);
-  add_lone_vertices(complex, records);
   add_clusters(complex, records);
 }
 
@@ -296,17 +318,17 @@ void StationaryPoints::append(StationaryIndex index, std::span<const PointId> co
   }
 }
 
-StationaryPoints stationary_points(const VoronoiDiagram& voronoi) {
+StationaryPoints stationary_points(const VoronoiDiagram& voronoi, unsigned threads) {
   const Diagram& diagram = voronoi.faces();
   OrderedRecords records(diagram.delaunay().ordinals);
   if (diagram.spatial() != nullptr) {
-    add_spatial(*diagram.spatial(), records);
+    add_spatial(*diagram.spatial(), threads, records);
   } else if (diagram.planar() != nullptr) {
     add_planar(*diagram.planar(), records);
   } else if (diagram.dimension() == 1) {
     add_collinear(diagram.delaunay(), records);
   }
-  return records.list(voronoi.points());
+  return records.list(voronoi.points(), threads);
 }
 
 }  // namespace flowcert

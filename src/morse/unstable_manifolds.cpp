@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "flow/successor_forest.h"
 #include "flow/worker_pool.h"
 #include "geometry/contract.h"
+#include "geometry/parallel_for.h"
+#include "geometry/portions.h"
 #include "morse/layer.h"
 #include "morse/record_face.h"
 #include "morse/record_finder.h"
@@ -34,7 +37,13 @@ struct UnstableManifolds::Parts {
       : diagram(voronoi), stationary(list), finder(list), options(how) {}
 
   void compute(const Progress& progress);
+  static void with_team(std::span<const std::unique_ptr<Worker>> team, std::size_t count, const auto& use);
   [[nodiscard]] auto with_worker(const auto& use);
+  // The other kernels count constructions of Voronoi vertices that a thread keeps. One thread counts the same each
+  // time.
+  [[nodiscard]] unsigned team_size() const {
+    return options.share && options.flow.kernel == ConstructionKernel::kCascade ? options.threads : 1;
+  }
 
   const VoronoiDiagram& diagram;
   const StationaryPoints& stationary;
@@ -56,10 +65,24 @@ class UnstableManifolds::Parts::Worker {
         faces_(all.diagram),
         flow_(make_flow_operator(faces_, all.options.flow)),
         recorder_(all.diagram.points(), faces_.diagram(), *flow_),
-        forest_(faces_.diagram(), *flow_, all.options.share) {}
+        forest_(faces_.diagram(), all.options.share) {}
 
-  // Follows one orbit, from stretch to stretch, and returns what it ends at.
-  std::uint32_t follow(std::size_t saddle, std::size_t side, FlowStatistics& statistics);
+  // The Voronoi vertex to which one side of a manifold leads first, or kNoCell for infinity.
+  [[nodiscard]] CellIndex first_vertex(std::size_t saddle, std::size_t side) {
+    return start_of(saddle, side).place.vertex;
+  }
+  // Flows from many Voronoi vertices, with all of these workers. The forest is this one's.
+  void flow_from(std::span<const CellIndex> starts, std::span<const std::unique_ptr<Worker>> workers,
+                 const std::function<void(std::size_t)>& progress);
+  // The orbit from a first vertex on, alone: returns what it ends at.
+  std::uint32_t follow_alone(CellIndex first_vertex) {
+    return first_vertex == kNoCell ? count_orbit(nullptr) : count_orbit(&forest_.visit(first_vertex, *flow_));
+  }
+  // The same, where another worker's forest knows the vertex. Workers may do this at once.
+  std::uint32_t follow_in(Worker& other, CellIndex first_vertex) {
+    if (first_vertex == kNoCell) return count_orbit(nullptr);
+    return count_orbit(&other.forest_.visit_known(first_vertex), &other);
+  }
   // Adds what was flowed. Without sharing, all of that is forgotten.
   void count(FlowStatistics& statistics);
   std::optional<std::size_t> limit_beyond(std::size_t record, std::size_t choice);
@@ -73,6 +96,10 @@ class UnstableManifolds::Parts::Worker {
     const PolygonRef polygon = edge_of_record(all_.stationary, saddle);
     return flow_->end_of_edge(polygon, is_reversed(saddle, polygon) ? 1 - side : side);
   }
+  void drop() {
+    forest_.drop();
+    flow_->drop_all();
+  }
   // Most orbits end at a maximum, and others at the centre of an edge's polygon or at a regular stationary point.
   [[nodiscard]] std::optional<std::size_t> record_of(const std::optional<ForestEnd>& end) const {
     if (!end) return std::nullopt;
@@ -85,7 +112,13 @@ class UnstableManifolds::Parts::Worker {
   std::unique_ptr<FlowOperator> flow_;
   SegmentRecorder recorder_;
   SuccessorForest forest_;
+  // The orbit that begins with this stretch of the forest of `owner`, or its own; null for an orbit to infinity.
+  std::uint32_t count_orbit(const Stretch* first, const Worker* owner = nullptr);
+
   // Counts that go to the statistics together.
+  struct {
+    std::size_t to_critical = 0, to_regular = 0, to_infinity = 0;
+  } ends_;
   std::size_t to_vertex_ = 0, to_infinity_ = 0;
   std::vector<std::size_t> lengths_;  // of orbits: how many have each
 };
@@ -112,36 +145,43 @@ bool UnstableManifolds::Parts::Worker::is_reversed(std::size_t record, PolygonRe
              normal(named(0), named(1), named(2))) < 0;
 }
 
-std::uint32_t UnstableManifolds::Parts::Worker::follow(std::size_t saddle, std::size_t side,
-                                                       FlowStatistics& statistics) {
-  const Location start = start_of(saddle, side);
+void UnstableManifolds::Parts::Worker::flow_from(std::span<const CellIndex> starts,
+                                                 std::span<const std::unique_ptr<Worker>> workers,
+                                                 const std::function<void(std::size_t)>& progress) {
+  std::vector<FlowOperator*> flows;
+  for (const auto& worker : workers) flows.push_back(worker->flow_.get());
+  forest_.flow_from(starts, flows, progress);
+}
+
+std::uint32_t UnstableManifolds::Parts::Worker::count_orbit(const Stretch* first, const Worker* owner) {
   std::size_t length = 1;
-  ++statistics.segments_computed;
   std::optional<std::size_t> limit;
-  if (start.place.kind == Place::Kind::kVertex) {
-    const Stretch& orbit = forest_.visit(start.place.vertex);
-    length += orbit.total;
-    limit = record_of(forest_.end_of(orbit));
+  if (first != nullptr) {
+    length += first->total;
+    limit = record_of((owner != nullptr ? owner : this)->forest_.end_of(*first));
     ++to_vertex_;
   } else {
     ++to_infinity_;
   }
   if (lengths_.size() <= length) lengths_.resize(length + 1, 0);
   ++lengths_[length];
-  ++(!limit                                        ? statistics.to_infinity
-     : all_.stationary.index(*limit).is_critical() ? statistics.to_critical
-                                                   : statistics.to_regular);
+  ++(!limit ? ends_.to_infinity : all_.stationary.index(*limit).is_critical() ? ends_.to_critical : ends_.to_regular);
   return limit ? static_cast<std::uint32_t>(*limit) : kInfinity;
 }
 
 void UnstableManifolds::Parts::Worker::count(FlowStatistics& statistics) {
   forest_.count(statistics);
+  statistics.segments_computed += to_vertex_ + to_infinity_;
+  statistics.to_critical += ends_.to_critical;
+  statistics.to_regular += ends_.to_regular;
+  statistics.to_infinity += ends_.to_infinity;
+  ends_ = {};
   if (to_vertex_ > 0) statistics.census[{'E', 'E', 'V'}] += std::exchange(to_vertex_, 0);
   if (to_infinity_ > 0) statistics.census[{'E', 'E', 0}] += std::exchange(to_infinity_, 0);
   for (std::size_t length = 0; length < lengths_.size(); ++length) {
     if (lengths_[length] > 0) statistics.n_u2.add(length, std::exchange(lengths_[length], 0));
   }
-  if (!all_.options.share) forest_.drop();
+  if (!all_.options.share) drop();
 }
 
 std::optional<std::size_t> UnstableManifolds::Parts::Worker::limit_beyond(std::size_t record, std::size_t choice) {
@@ -154,8 +194,8 @@ std::optional<std::size_t> UnstableManifolds::Parts::Worker::limit_beyond(std::s
     const PolygonRef polygon = polygons.at(choice % polygons.size());
     start = flow_->end_of_edge(polygon, faces_.end(polygon, 0) == place.vertex ? 1 : 0);
   }
-  const std::optional<std::size_t> limit = record_of(forest_.end_from(start.place));
-  if (!all_.options.share) forest_.drop();
+  const std::optional<std::size_t> limit = record_of(forest_.end_from(start.place, *flow_));
+  if (!all_.options.share) drop();
   return limit;
 }
 
@@ -172,29 +212,59 @@ Orbit UnstableManifolds::Parts::Worker::orbit(std::size_t saddle, std::size_t si
   return orbit;
 }
 
+// Calls use(worker, k) for all k below the count, each worker in a thread of its own.
+void UnstableManifolds::Parts::with_team(std::span<const std::unique_ptr<Worker>> team, std::size_t count,
+                                         const auto& use) {
+  constexpr std::size_t kPortion = 1024;
+  const geometry::Portions::Progress silent;
+  geometry::Portions portions(count, kPortion, silent);
+  geometry::parallel_for(team.size(), static_cast<unsigned>(team.size()), [&](std::size_t number) {
+    for (auto [at, end] = portions.next(); at != end; std::tie(at, end) = portions.next()) {
+      for (; at != end; ++at) use(*team[number], at);
+    }
+  });
+}
+
 void UnstableManifolds::Parts::compute(const Progress& progress) {
   if (diagram.dimension() == 3) record_at.resize(diagram.faces().delaunay().finite_count);
   for (std::size_t record = 0; record < stationary.size(); ++record) {
     if (stationary.index(record).hull_dimension != 3) continue;
     record_at[cell_of_record(stationary, record)] = static_cast<std::uint32_t>(record);
   }
-  auto worker = std::make_unique<Worker>(*this);
   const auto [first, last] = finder.range({2, 2});
   first_saddle = first;
   limits.resize(last - first);
-  std::size_t done = 0;
   const auto record_of = [first = first](std::uint32_t i) { return first + i; };
-  for (const std::uint32_t i : along_the_curve(stationary, limits.size(), record_of)) {
-    if (progress && done % kProgressStep == 0) progress(done, limits.size());
-    ++done;
-    for (std::size_t side = 0; side < 2; ++side) {
-      limits[i][side] = worker->follow(first + i, side, statistics);
-      if (!options.share) worker->count(statistics);
+  const std::vector<std::uint32_t> order = along_the_curve(stationary, limits.size(), record_of);
+  std::vector<std::unique_ptr<Worker>> team;
+  for (unsigned k = 0; k < team_size(); ++k) team.push_back(std::make_unique<Worker>(*this));
+  std::vector<CellIndex> starts(2 * order.size());
+  with_team(team, order.size(), [&](Worker& worker, std::size_t k) {
+    for (const std::size_t side : {0U, 1U}) starts[2 * k + side] = worker.first_vertex(first + order[k], side);
+  });
+  Worker& leader = *team.front();
+  if (options.share) {
+    leader.flow_from(starts, team, [&](std::size_t done) {
+      if (progress) progress(done / 2, limits.size());
+    });
+    with_team(team, order.size(), [&](Worker& worker, std::size_t k) {
+      for (const std::size_t side : {0U, 1U}) {
+        limits[order[k]][side] = worker.follow_in(leader, starts[2 * k + side]);
+      }
+    });
+  }
+  for (std::size_t k = 0; k < order.size() && !options.share; ++k) {
+    if (progress && k % kProgressStep == 0) progress(k, limits.size());
+    for (const std::size_t side : {0U, 1U}) {
+      limits[order[k]][side] = leader.follow_alone(starts[2 * k + side]);
+      leader.count(statistics);
     }
   }
-  if (options.share) worker->count(statistics);
-  statistics.tally = worker->tally();
-  workers.give(std::move(worker));
+  for (const auto& worker : team) worker->count(statistics);
+  for (auto& worker : team) {
+    statistics.tally += worker->tally();
+    workers.give(std::move(worker));
+  }
   if (progress) progress(limits.size(), limits.size());
 }
 

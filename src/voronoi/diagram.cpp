@@ -8,18 +8,18 @@ namespace flowcert::voronoi {
 
 namespace {
 
-std::variant<CompactDelaunay, PlanarComplex, VoronoiComplex> make_complex(const Delaunay& delaunay,
-                                                                          FilterTally& tally) {
+std::variant<CompactDelaunay, PlanarComplex, VoronoiComplex> make_complex(const Delaunay& delaunay, FilterTally& tally,
+                                                                          unsigned threads) {
   CompactDelaunay copy = compact_copy(delaunay);
-  if (copy.dimension == 3) return VoronoiComplex(std::move(copy), tally);
+  if (copy.dimension == 3) return VoronoiComplex(std::move(copy), tally, threads);
   if (copy.dimension == 2) return PlanarComplex(std::move(copy), tally);
   return copy;
 }
 
 }  // namespace
 
-Diagram::Diagram(const Delaunay& delaunay, FilterTally& tally)
-    : complex_(make_complex(delaunay, tally)),
+Diagram::Diagram(const Delaunay& delaunay, FilterTally& tally, unsigned threads)
+    : complex_(make_complex(delaunay, tally, threads)),
       spatial_(std::get_if<VoronoiComplex>(&complex_)),
       planar_(std::get_if<PlanarComplex>(&complex_)),
       delaunay_(spatial_ != nullptr  ? &spatial_->delaunay()
@@ -146,15 +146,15 @@ namespace flowcert {
 
 namespace {
 
-std::unique_ptr<const voronoi::Diagram> made_of(const Delaunay& delaunay, FilterTally* tally) {
+std::unique_ptr<const voronoi::Diagram> made_of(const Delaunay& delaunay, FilterTally* tally, unsigned threads) {
   FilterTally unused;
-  return std::make_unique<const voronoi::Diagram>(delaunay, tally != nullptr ? *tally : unused);
+  return std::make_unique<const voronoi::Diagram>(delaunay, tally != nullptr ? *tally : unused, threads);
 }
 
 }  // namespace
 
-VoronoiDiagram::VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally)
-    : points_(&delaunay.points()), faces_(made_of(delaunay, tally)) {}
+VoronoiDiagram::VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally, unsigned threads)
+    : points_(&delaunay.points()), faces_(made_of(delaunay, tally, threads)) {}
 VoronoiDiagram::~VoronoiDiagram() = default;
 VoronoiDiagram::VoronoiDiagram(VoronoiDiagram&&) noexcept = default;
 VoronoiDiagram& VoronoiDiagram::operator=(VoronoiDiagram&&) noexcept = default;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "geometry/contract.h"
+#include "geometry/parallel_for.h"
 #include "geometry/predicates.h"
 
 namespace flowcert::voronoi {
@@ -80,9 +81,10 @@ constexpr CellIndex kPrefetchDistance = 8;
 
 }  // namespace
 
-VoronoiComplex::VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally) : delaunay_(std::move(delaunay)) {
+VoronoiComplex::VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally, unsigned threads)
+    : delaunay_(std::move(delaunay)) {
   FLOWCERT_REQUIRES(delaunay_.dimension == 3);
-  compute_signs(tally);
+  compute_signs(tally, threads);
 }
 
 TetrahedronPoints VoronoiComplex::points_of(CellIndex cell) const {
@@ -98,31 +100,49 @@ void VoronoiComplex::prefetch_neighbors(CellIndex cell) const {
   for (const VertexIndex vertex : delaunay_.vertices(cell)) __builtin_prefetch(&delaunay_.points[vertex]);
 }
 
-// One pass over the cells: their signs, and which neighbours share their sphere.
-void VoronoiComplex::compute_signs(FilterTally& tally) {
-  signs_.resize(delaunay_.finite_count);
-  mirror_.resize(delaunay_.finite_count);
-  const auto set_mirror = [this](FacetRef facet, std::uint32_t index) {
-    mirror_[facet.cell] = static_cast<std::uint8_t>(mirror_[facet.cell] | (index << (2 * facet.index)));
-  };
-  std::vector<FacetRef> cospherical;
+// The cells from `first` to `last` - 1. Each is written by its own thread alone.
+void VoronoiComplex::compute_signs_of(CellIndex first, CellIndex last, std::vector<FacetRef>& cospherical,
+                                      FilterTally& tally) {
   FilterTally counts;  // local, so that counting does not go through memory
-  for (CellIndex cell = 0; cell < delaunay_.finite_count; ++cell) {
+  for (CellIndex cell = first; cell < last; ++cell) {
     prefetch_neighbors(cell + kPrefetchDistance);
     const TetrahedronPoints points = points_of(cell);
     CellSphere sphere;
     signs_[cell] = tetrahedron_signs(points, sphere, counts);
+    unsigned mirrors = 0;
     for (std::uint32_t i = 0; i < 4; ++i) {
       const CellIndex neighbor = delaunay_.neighbors(cell)[i];
-      if (neighbor < cell || !delaunay_.is_finite(neighbor)) continue;
+      if (!delaunay_.is_finite(neighbor)) continue;
       const FacetRef mirror = delaunay_.mirror({cell, i});
-      set_mirror({cell, i}, mirror.index);
-      set_mirror(mirror, i);
+      mirrors |= mirror.index << (2 * i);
+      if (neighbor < cell) continue;
       const Point& q = delaunay_.points[delaunay_.vertices(neighbor)[mirror.index]];
       if (on_sphere(points, sphere, q, counts)) cospherical.push_back({cell, i});
     }
+    mirror_[cell] = static_cast<std::uint8_t>(mirrors);
   }
-  for (std::size_t k = 0; k < kPredicateCount; ++k) tally.counts[k] += counts.counts[k];
+  tally += counts;
+}
+
+// One pass over the cells: their signs, and which neighbours share their sphere.
+void VoronoiComplex::compute_signs(FilterTally& tally, unsigned threads) {
+  signs_.resize(delaunay_.finite_count);
+  mirror_.resize(delaunay_.finite_count);
+  constexpr CellIndex kPart = 1u << 14;
+  struct Found {
+    std::vector<FacetRef> cospherical;
+    FilterTally tally;
+  };
+  std::vector<Found> found(delaunay_.finite_count / kPart + 1);
+  geometry::parallel_for(found.size(), threads, [&](std::size_t k) {
+    const auto first = static_cast<CellIndex>(k) * kPart;
+    compute_signs_of(first, std::min(first + kPart, delaunay_.finite_count), found[k].cospherical, found[k].tally);
+  });
+  std::vector<FacetRef> cospherical;
+  for (const Found& part : found) {
+    cospherical.insert(cospherical.end(), part.cospherical.begin(), part.cospherical.end());
+    tally += part.tally;
+  }
   if (cospherical.empty()) return;
   gather_clusters(cospherical);
   gather_polygons(tally);

@@ -78,6 +78,55 @@ std::string account_of(const FlowComplex& complex) {
   return text;
 }
 
+std::string text_of(const Distribution& distribution) {
+  std::string text;
+  for (const auto& [value, times] : distribution.times()) {
+    text += std::to_string(value) + ':' + std::to_string(times) + ' ';
+  }
+  return text + '\n';
+}
+
+std::string text_of(const KernelTally& tally) {
+  std::string text;
+  for (const FilterCount& count : tally.counts) {
+    text += std::to_string(count.calls) + '/' + std::to_string(count.failures) + ' ';
+  }
+  return text + '\n';
+}
+
+// The parts that several threads make, with all that is counted on the way.
+std::string parts_of(const FlowComplex& complex) {
+  std::string text;
+  const auto add = [&text](std::size_t number) { text += std::to_string(number) + ' '; };
+  const StationaryPoints& points = complex.stationary();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    add(points.index(i).face_dimension), add(points.index(i).hull_dimension), add(points.face(i));
+    for (const PointId id : points.contact(i)) add(id);
+  }
+  for (const FilterCount& count : complex.filter_tally().counts) add(count.calls), add(count.failures);
+  const FlowStatistics& u2 = complex.unstable().statistics();
+  for (std::size_t i = 0; i < complex.unstable().size(); ++i) {
+    for (const std::size_t side : {0U, 1U}) add(complex.unstable().limit(i, side).value_or(points.size()));
+  }
+  for (const auto& [type, count] : u2.census) text += type_text(type) + ' ' + std::to_string(count) + '\n';
+  text += text_of(u2.n_u2) + text_of(u2.n_wcc) + text_of(u2.exact_bytes) + text_of(u2.tally);
+  add(u2.segments_computed), add(u2.depth), add(u2.to_critical), add(u2.to_regular), add(u2.to_infinity);
+  const StableManifolds& stable = complex.stable();
+  for (std::size_t i = 0; i < stable.size(); ++i) {
+    add(stable.segment_count(i)), add(stable.has_vertex(i)), add(stable.has_interval(i));
+    if (!points.index(stable.record(i)).is_critical()) continue;
+    for (const std::uint32_t record : stable.boundary(i)) add(record);
+  }
+  const StableStatistics& s2 = stable.statistics();
+  text += text_of(s2.n_s2) + text_of(s2.triangles) + text_of(s2.tally);
+  add(s2.triangle_count), add(s2.largest.value_or(points.size())), add(s2.with_vertex), add(s2.with_interval);
+  add(s2.ends_at_regular), add(s2.broken_ties);
+  for (const PersistencePair& pair : complex.persistence().pairs()) {
+    add(pair.birth), add(pair.death.value_or(points.size()));
+  }
+  return text;
+}
+
 FlowComplex returned_by_value() {
   FlowComplex complex(pyramid());
   complex.make(FlowComplexPart::kPersistence);
@@ -222,6 +271,58 @@ TEST(FlowComplex, APartThatIsStoppedInOneThreadIsMadeInAnother) {
   }
   EXPECT_EQ(stopped, 1);
   EXPECT_EQ(made, 3);
+}
+
+// Points on a grid, many of them cospherical, and points in general position.
+std::vector<Point> many_points(bool on_grid, std::size_t count) {
+  std::mt19937_64 engine(7);
+  const auto coordinate = [&] {
+    return on_grid ? static_cast<double>(engine() % 12) : static_cast<double>(engine() >> 11) * 0x1p-53;
+  };
+  std::vector<Point> points(count);
+  for (Point& p : points) p = {coordinate(), coordinate(), coordinate()};
+  return points;
+}
+
+TEST(FlowComplex, IsTheSameForAnyNumberOfThreads) {
+  CITES("FC-NUM-01", "FC-OUT-02");
+  const auto expect_same = [](const std::vector<Point>& rows) {
+    for (const FacetSearch search : {FacetSearch::kBinary, FacetSearch::kLinear}) {
+      const auto with = [&](unsigned threads) {
+        return parts_of(
+            FlowComplex(std::span(rows), {.flow = {.search = search}, .share = true, .seed = 3, .threads = threads}));
+      };
+      const std::string alone = with(1);
+      for (const unsigned threads : {2U, 3U, 8U}) EXPECT_EQ(with(threads), alone) << threads;
+    }
+  };
+  // Large enough that each thread gets a part.
+  for (const bool on_grid : {false, true}) expect_same(many_points(on_grid, 6000));
+  fuzz::CaseRun run;
+  run.seed = 5;
+  for (std::size_t number = 0; number < 60; ++number) {
+    expect_same(property::rows_of(fuzz::input_of_case(run, number)));
+  }
+}
+
+TEST(FlowComplex, AProgressThatThrowsStopsAllThreads) {
+  CITES("FC-NUM-01");
+  const std::vector<Point> rows = many_points(false, 3000);
+  struct Stop {};
+  for (const FlowComplexPart stopped : {FlowComplexPart::kUnstable, FlowComplexPart::kStable}) {
+    bool stops = true;
+    std::size_t last = 0;
+    const FlowComplex complex(std::span<const Point>(rows), {.flow = {}, .threads = 3},
+                              [&](FlowComplexPart part, std::size_t done, std::size_t) {
+                                if (part != stopped) return;
+                                EXPECT_TRUE(done >= last || !stops);
+                                last = done;
+                                if (stops && done > 500) throw Stop();
+                              });
+    EXPECT_THROW(complex.make(stopped), Stop);
+    stops = false;
+    EXPECT_EQ(parts_of(complex), parts_of(FlowComplex{std::span<const Point>(rows)}));
+  }
 }
 
 }  // namespace

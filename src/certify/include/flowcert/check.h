@@ -132,7 +132,7 @@ class Truth {
 
 // The truth by the fast implementation, of points or of a complex that must outlive it. This takes as long as computing
 // the critical points. U2 is computed when it is first asked for.
-[[nodiscard]] std::unique_ptr<Truth> fast_truth(const PointSet& points);
+[[nodiscard]] std::unique_ptr<Truth> fast_truth(const PointSet& points, unsigned threads = 1);
 [[nodiscard]] std::unique_ptr<Truth> fast_truth(const FlowComplex& complex);
 std::unique_ptr<Truth> fast_truth(FlowComplex&&) = delete;
 

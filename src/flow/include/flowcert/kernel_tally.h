@@ -31,6 +31,13 @@ struct KernelTally {
 
   FilterCount& operator[](FlowPrimitive p) { return counts[static_cast<std::size_t>(p)]; }
   const FilterCount& operator[](FlowPrimitive p) const { return counts[static_cast<std::size_t>(p)]; }
+  KernelTally& operator+=(const KernelTally& other) {
+    for (std::size_t k = 0; k < kFlowPrimitiveCount; ++k) {
+      counts[k].calls += other.counts[k].calls;
+      counts[k].failures += other.counts[k].failures;
+    }
+    return *this;
+  }
 };
 
 }  // namespace flowcert

@@ -36,6 +36,10 @@ struct FilterTally {
 
   FilterCount& operator[](Predicate p) { return counts[static_cast<std::size_t>(p)]; }
   const FilterCount& operator[](Predicate p) const { return counts[static_cast<std::size_t>(p)]; }
+  FilterTally& operator+=(const FilterTally& other) {
+    for (std::size_t k = 0; k < kPredicateCount; ++k) counts[k] += other.counts[k];
+    return *this;
+  }
 };
 
 }  // namespace flowcert

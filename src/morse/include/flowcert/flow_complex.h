@@ -23,6 +23,9 @@ struct FlowComplexOptions {
   bool share = true;
   // The seed of all choices where ties are broken (FC-CHAIN-02); 0 always takes the first way.
   std::uint64_t seed = 0;
+  // How many threads make a part, at least 1. All results are the same for any number. The lazy and the exact kernel
+  // use one. Where one thread makes all, none is started.
+  unsigned threads = 1;
 };
 
 // What takes time, in the order in which it is made.
@@ -40,7 +43,8 @@ inline constexpr std::size_t kFlowComplexParts = 7;
 class FlowComplex {
  public:
   // The thread that makes a part tells it now and then how much of the part is done, and at last that all is done.
-  // Triangulation and manifolds also tell before that. Two threads call it at once if they make different parts. It
+  // Triangulation and manifolds also tell before that, from any of the threads that make them, one at a time. Two
+  // threads call it at once if they make different parts. It
   // may throw to stop; the part is then made when it is asked for again. It must not ask the complex for anything.
   using Progress = std::function<void(FlowComplexPart part, std::size_t done, std::size_t total)>;
 

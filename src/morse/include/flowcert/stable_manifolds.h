@@ -23,6 +23,8 @@ struct StableOptions {
   FlowOptions flow;
   // The seed of the choices where ties are broken (FC-CHAIN-02); 0 always takes the first way.
   std::uint64_t seed = 0;
+  // At least 1. The results are the same for any number. Only the cascade kernel uses several.
+  unsigned threads = 1;
 };
 
 // What a backward segment ends at (FC-STAB-04).

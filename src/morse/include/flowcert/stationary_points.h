@@ -59,7 +59,7 @@ class StationaryPoints {
   RegularCounts regular_;
 };
 
-// O(cells), and sorting what is cospherical.
-[[nodiscard]] StationaryPoints stationary_points(const VoronoiDiagram& diagram);
+// O(cells), and sorting what is cospherical. The list is the same for any number of threads, which is at least 1.
+[[nodiscard]] StationaryPoints stationary_points(const VoronoiDiagram& diagram, unsigned threads = 1);
 
 }  // namespace flowcert

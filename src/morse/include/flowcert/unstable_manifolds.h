@@ -21,6 +21,8 @@ struct UnstableOptions {
   // Without sharing each orbit is computed alone, from its own Voronoi vertices on, as the paper did. Only the arrays
   // of facets are common.
   bool share = true;
+  // At least 1. The results are the same for any number. Only the cascade kernel with sharing uses several.
+  unsigned threads = 1;
 };
 
 // Const access is safe from several threads. Each of them flows with arrays of its own.

@@ -51,8 +51,8 @@ class VoronoiDiagram {
  public:
   // O(cells), and sorting what is cospherical. The point set must outlive the diagram; the triangulation need not.
   // The counts are added to the tally, if one is given. Two threads must not use one triangulation here at once,
-  // because this numbers the triangulation's cells.
-  explicit VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally = nullptr);
+  // because this numbers the triangulation's cells. The diagram is the same for any number of threads that make it.
+  explicit VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally = nullptr, unsigned threads = 1);
   ~VoronoiDiagram();
   VoronoiDiagram(VoronoiDiagram&&) noexcept;
   VoronoiDiagram& operator=(VoronoiDiagram&&) noexcept;

@@ -1,0 +1,46 @@
+// Hands out the numbers below a count in portions, to threads that ask for the next one when they are done. Numbers
+// that follow one another go to one thread, because what they stand for lies together in memory.
+//
+// Guarantees: each number is handed out once. The progress is told by one thread at a time, and ascends. Where it
+// throws, the exception ends that thread's part.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <utility>
+
+namespace flowcert::geometry {
+
+class Portions {
+ public:
+  using Progress = std::function<void(std::size_t begun)>;
+
+  // progress may be empty. It must outlive this.
+  Portions(std::size_t count, std::size_t size, const Progress& progress)
+      : count_(count), size_(size), progress_(progress) {}
+
+  // First and last + 1; equal at the end.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> next() {
+    if (!progress_) return take();
+    const std::scoped_lock lock(telling_);
+    const auto portion = take();
+    if (portion.first < count_) progress_(portion.first);
+    return portion;
+  }
+
+ private:
+  [[nodiscard]] std::pair<std::size_t, std::size_t> take() {
+    const std::size_t first = std::min(next_.fetch_add(size_, std::memory_order_relaxed), count_);
+    return {first, std::min(first + size_, count_)};
+  }
+
+  std::size_t count_, size_;
+  const Progress& progress_;
+  std::atomic<std::size_t> next_{0};
+  std::mutex telling_;
+};
+
+}  // namespace flowcert::geometry
