@@ -15,6 +15,7 @@
 #include "flow/kernels/steering.h"
 #include "flowcert/flow_statistics.h"
 #include "flowcert/orbit.h"
+#include "flowcert/rounded_sphere.h"
 #include "voronoi/voronoi_faces.h"
 
 namespace flowcert::flow {
@@ -100,6 +101,8 @@ class FlowOperator {
   [[nodiscard]] virtual PointNumber add_center(const std::array<VertexIndex, 3>& samples) = 0;
 
   [[nodiscard]] virtual RationalPoint exact(const Location& at) = 0;
+  // The position, and the squared distance from there to the nearest samples, as the nearest doubles.
+  [[nodiscard]] virtual RoundedSphere rounded(const Location& at) = 0;
   // Adds, for each kept point, how many bytes its coordinates take where they have been computed exactly. Raises
   // `depth` to the longest chain of constructions behind a point.
   virtual void count_sizes(Distribution& exact_bytes, std::size_t& depth) const = 0;

@@ -130,6 +130,15 @@ class KernelFlowOperator final : public FlowOperator {
   }
 
   RationalPoint exact(const Location& at) override { return kernel_.exact(number_of(at)); }
+  RoundedSphere rounded(const Location& at) override {
+    const PointNumber number = number_of(at);
+    if constexpr (RoundsPoints<Kernel>) {
+      if (const auto sphere = kernel_.rounded(number)) return *sphere;
+    }
+    const RationalPoint x = kernel_.exact(number);
+    const Point& nearest = faces_.point(faces_.contact(at.place).front());
+    return rounded_sphere(ExactSphere{x, geometry::squared_distance(x, nearest)});
+  }
   void count_sizes(Distribution& exact_bytes, std::size_t& depth) const override {
     depth = std::max({depth, kernel_.deepest(), in_step_.deepest()});
     for (PointNumber point = 0; point < kernel_.kept(); ++point) {

@@ -12,6 +12,9 @@ namespace flowcert::geometry {
 
 class DoubleDouble {
  public:
+  // More than the relative error of any operation.
+  static constexpr double kRoundoff = 0x1p-102;
+
   constexpr DoubleDouble() = default;
   constexpr DoubleDouble(double value) : high_(value) {}  // NOLINT: numbers mix with doubles
 

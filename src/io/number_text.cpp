@@ -388,4 +388,11 @@ Point rounded(const RationalPoint& position) {
   return {rounded(position[0]), rounded(position[1]), rounded(position[2])};
 }
 
+double finite(double value) {
+  if (!std::isfinite(value)) throw BeyondDoubles();
+  return value;
+}
+
+Point finite(const Point& position) { return {finite(position.x), finite(position.y), finite(position.z)}; }
+
 }  // namespace flowcert::io

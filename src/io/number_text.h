@@ -81,9 +81,11 @@ class BeyondDoubles : public InvalidInput {
   BeyondDoubles();
 };
 
-// Both throw BeyondDoubles where a number would overflow.
+// All throw BeyondDoubles where a number would overflow. A number that was rounded before is infinite then.
 [[nodiscard]] double rounded(const Rational& value);
 [[nodiscard]] Point rounded(const RationalPoint& position);
+[[nodiscard]] double finite(double value);
+[[nodiscard]] Point finite(const Point& position);
 
 // ---- Bytes ----
 // Numbers as the bytes that binary files hold.

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "geometry/rational_point.h"
+#include "geometry/bounded_sphere.h"
 #include "io/number_text.h"
 
 namespace flowcert {
@@ -70,17 +70,14 @@ struct Line {
 
 class LineSet {
  public:
-  explicit LineSet(const PointSet& points) : points_(points) {}
-
-  void append(std::size_t saddle, std::span<const PointId> contact, std::int8_t side, std::optional<std::size_t> limit,
-              const Orbit& orbit) {
-    Line line = {.saddle = saddle, .side = side, .limit = limit, .first = size()};
-    append(orbit.start, contact[0]);
-    for (const FlowSegment& segment : orbit.segments) {
-      if (segment.end) append(*segment.end, segment.end_contact[0]);
+  void append(std::size_t saddle, std::int8_t side, std::optional<std::size_t> limit,
+              const std::vector<RoundedSphere>& orbit) {
+    const auto count = static_cast<std::int64_t>(orbit.size());
+    lines_.push_back({.saddle = saddle, .side = side, .limit = limit, .first = size(), .count = count});
+    for (const RoundedSphere& point : orbit) {
+      positions_.push_back(finite(point.center));
+      squared_distances_.push_back(finite(point.squared_radius));
     }
-    line.count = size() - line.first;
-    lines_.push_back(line);
   }
 
   // Lines of one point come first, because the format has vertices before lines.
@@ -94,18 +91,21 @@ class LineSet {
  private:
   [[nodiscard]] std::int64_t size() const { return static_cast<std::int64_t>(positions_.size()); }
 
-  // nearest: a sample nearest to the position.
-  void append(const RationalPoint& position, PointId nearest) {
-    const RationalPoint sample = exact_position(points_[points_.ordinal_of_row(nearest)]);
-    positions_.push_back(rounded(position));
-    squared_distances_.push_back(rounded(squared_distance(position, sample)));
-  }
-
-  const PointSet& points_;
   std::vector<Line> lines_;
   std::vector<Point> positions_;
   Values squared_distances_;
 };
+
+// The squared distance at one stationary point less that at another one.
+double rounded_difference(const FlowComplex& complex, std::size_t low, std::size_t high) {
+  const StationaryPoints& stationary = complex.stationary();
+  const auto squared_radius = [&](std::size_t record) {
+    const std::size_t dimension = stationary.index(record).hull_dimension;
+    return bounded_sphere(complex.points(), stationary.contact(record), dimension).squared_radius;
+  };
+  if (const auto nearest = decided_double(squared_radius(high) - squared_radius(low))) return *nearest;
+  return rounded(complex.sphere(high).squared_radius - complex.sphere(low).squared_radius);
+}
 
 // ---- Files ----
 
@@ -171,9 +171,9 @@ VtkExports::VtkExports(const FlowComplex& complex, const ExportProgress& progres
   centers_.reserve(size);
   squared_values_.reserve(size);
   for (std::size_t record = 0; record < size; ++record) {
-    ExactSphere sphere = complex.sphere(record);
-    centers_.push_back(rounded(sphere.center));
-    squared_values_.push_back(std::move(sphere.squared_radius));
+    const RoundedSphere sphere = complex.rounded_sphere(record);
+    centers_.push_back(finite(sphere.center));
+    squared_values_.push_back(sphere.squared_radius);
     if (progress) progress(record + 1, size);
   }
 }
@@ -193,7 +193,7 @@ PolyData VtkExports::critical_points() const {
     face_dimensions.push_back(static_cast<std::int8_t>(index.face_dimension));
     are_regular.push_back(index.is_critical() ? 0 : 1);
     types.push_back(index.is_critical() ? static_cast<std::int8_t>(index.face_dimension) : kRegularType);
-    squared_distances.push_back(rounded(squared_values_[record]));
+    squared_distances.push_back(finite(squared_values_[record]));
   }
   data.point_data.push_back({"CellDimension", std::move(dimensions)});
   data.point_data.push_back({"CellId", std::move(ids)});
@@ -206,12 +206,12 @@ PolyData VtkExports::critical_points() const {
 
 PolyData VtkExports::unstable_lines(const ExportProgress& progress) const {
   const UnstableManifolds& u2 = complex_.unstable();
-  LineSet set(complex_.points());
+  LineSet set;
   for (std::size_t i = 0; i < u2.size(); ++i) {
     const std::size_t saddle = u2.saddle(i);
     for (const std::int8_t side : {std::int8_t{0}, std::int8_t{1}}) {
       const auto number = static_cast<std::size_t>(side);
-      set.append(saddle, complex_.stationary().contact(saddle), side, u2.limit(i, number), u2.orbit(i, number));
+      set.append(saddle, side, u2.limit(i, number), u2.rounded_orbit(i, number));
     }
     if (progress) progress(i + 1, u2.size());
   }
@@ -222,13 +222,12 @@ PolyData VtkExports::unstable_lines(const ExportProgress& progress) const {
   const std::size_t first_saddle = u2.size() > 0 ? u2.saddle(0) : 0;
   for (const Line& line : set.take_lines()) {
     append_cell(line.count == 1 ? data.vertices : data.lines, line.first, line.count);
-    const Rational& minimum = squared_values_[line.saddle];
     constexpr double kUnbounded = std::numeric_limits<double>::infinity();
     // The critical points of index 2 are consecutive records.
-    separatrices.append(static_cast<std::int64_t>(line.saddle),
-                        static_cast<std::int64_t>(2 * (line.saddle - first_saddle)) + line.side, rounded(minimum),
-                        line.limit ? rounded(squared_values_[*line.limit]) : kUnbounded,
-                        line.limit ? rounded(squared_values_[*line.limit] - minimum) : kUnbounded);
+    separatrices.append(
+        static_cast<std::int64_t>(line.saddle), static_cast<std::int64_t>(2 * (line.saddle - first_saddle)) + line.side,
+        finite(squared_values_[line.saddle]), line.limit ? finite(squared_values_[*line.limit]) : kUnbounded,
+        line.limit ? rounded_difference(complex_, line.saddle, *line.limit) : kUnbounded);
     destinations.push_back(line.limit ? static_cast<std::int64_t>(*line.limit) : kInfinity);
     sides.push_back(line.side);
     to_infinity.push_back(line.limit ? 0 : 1);
@@ -261,7 +260,7 @@ PolyData VtkExports::stable_surfaces(const SurfaceMesh& mesh) const {
   for (const std::size_t set : mesh.set_of_triangle) {
     const std::size_t record = s2.record(set);
     // The minimum is 0, because every S2 reaches to its samples.
-    const double maximum = rounded(squared_values_[record]);
+    const double maximum = finite(squared_values_[record]);
     separatrices.append(static_cast<std::int64_t>(record), static_cast<std::int64_t>(set), 0, maximum, maximum);
     have_interval.push_back(s2.has_interval(set) ? 1 : 0);
   }

@@ -4,7 +4,6 @@
 #include "flowcert/flow_complex.h"
 
 #include <atomic>
-#include <limits>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -159,16 +158,16 @@ ExactSphere FlowComplex::sphere(std::size_t record) const {
   return exact_sphere(points(), stationary().contact(record));
 }
 
+RoundedSphere FlowComplex::rounded_sphere(std::size_t record) const {
+  return flowcert::rounded_sphere(points(), stationary().contact(record), stationary().index(record).hull_dimension);
+}
+
 std::vector<std::array<double, 3>> FlowComplex::centers() const {
-  const auto rounded = [](const Rational& x) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    return nearest_double(x).value_or(x < 0 ? -kInfinity : kInfinity);
-  };
   std::vector<std::array<double, 3>> centers;
   centers.reserve(stationary().size());
   for (std::size_t record = 0; record < stationary().size(); ++record) {
-    const RationalPoint center = sphere(record).center;
-    centers.push_back({rounded(center[0]), rounded(center[1]), rounded(center[2])});
+    const auto [x, y, z] = rounded_sphere(record).center;
+    centers.push_back({x, y, z});
   }
   return centers;
 }

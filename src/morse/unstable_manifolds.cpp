@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "flow/rounded_stretches.h"
 #include "flow/segment_record.h"
 #include "flow/successor_forest.h"
 #include "flow/worker_pool.h"
@@ -65,7 +66,8 @@ class UnstableManifolds::Parts::Worker {
         faces_(all.diagram),
         flow_(make_flow_operator(faces_, all.options.flow)),
         recorder_(all.diagram.points(), faces_.diagram(), *flow_),
-        forest_(faces_.diagram(), all.options.share) {}
+        forest_(faces_.diagram(), all.options.share),
+        rounded_(*flow_, faces_.delaunay().finite_count) {}
 
   // The Voronoi vertex to which one side of a manifold leads first, or kNoCell for infinity.
   [[nodiscard]] CellIndex first_vertex(std::size_t saddle, std::size_t side) {
@@ -87,6 +89,7 @@ class UnstableManifolds::Parts::Worker {
   void count(FlowStatistics& statistics);
   std::optional<std::size_t> limit_beyond(std::size_t record, std::size_t choice);
   Orbit orbit(std::size_t saddle, std::size_t side);
+  std::vector<RoundedSphere> rounded_orbit(std::size_t saddle, std::size_t side);
   [[nodiscard]] const KernelTally& tally() const { return flow_->tally(); }
 
  private:
@@ -112,6 +115,7 @@ class UnstableManifolds::Parts::Worker {
   std::unique_ptr<FlowOperator> flow_;
   SegmentRecorder recorder_;
   SuccessorForest forest_;
+  RoundedStretches rounded_;
   // The orbit that begins with this stretch of the forest of `owner`, or its own; null for an orbit to infinity.
   std::uint32_t count_orbit(const Stretch* first, const Worker* owner = nullptr);
 
@@ -212,6 +216,14 @@ Orbit UnstableManifolds::Parts::Worker::orbit(std::size_t saddle, std::size_t si
   return orbit;
 }
 
+std::vector<RoundedSphere> UnstableManifolds::Parts::Worker::rounded_orbit(std::size_t saddle, std::size_t side) {
+  const std::size_t dimension = all_.stationary.index(saddle).hull_dimension;
+  std::vector<RoundedSphere> points{rounded_sphere(all_.diagram.points(), all_.stationary.contact(saddle), dimension)};
+  const Place place = start_of(saddle, side).place;
+  if (place.kind == Place::Kind::kVertex) rounded_.append_orbit(place.vertex, points);
+  return points;
+}
+
 // Calls use(worker, k) for all k below the count, each worker in a thread of its own.
 void UnstableManifolds::Parts::with_team(std::span<const std::unique_ptr<Worker>> team, std::size_t count,
                                          const auto& use) {
@@ -290,6 +302,10 @@ std::optional<std::size_t> UnstableManifolds::limit(std::size_t i, std::size_t s
 Orbit UnstableManifolds::orbit(std::size_t i, std::size_t side) const {
   FLOWCERT_REQUIRES(i < size() && side < 2);
   return parts_->with_worker([&](Parts::Worker& worker) { return worker.orbit(saddle(i), side); });
+}
+std::vector<RoundedSphere> UnstableManifolds::rounded_orbit(std::size_t i, std::size_t side) const {
+  FLOWCERT_REQUIRES(i < size() && side < 2);
+  return parts_->with_worker([&](Parts::Worker& worker) { return worker.rounded_orbit(saddle(i), side); });
 }
 std::optional<std::size_t> UnstableManifolds::limit_beyond(std::size_t record, std::size_t choice) const {
   FLOWCERT_REQUIRES(parts_->stationary.index(record) == (StationaryIndex{2, 2}) ||

@@ -12,6 +12,7 @@
 #include <optional>
 #include <vector>
 
+#include "flow/kernels/crossing_sphere.h"
 #include "flow/kernels/direction.h"
 #include "flow/kernels/exact_direction.h"
 #include "flow/kernels/kernel.h"
@@ -83,6 +84,31 @@ class CascadeKernel {
       return {center.x, center.y, center.z};
     }
     return exact_crossing(x.from, {p[0], p[1]}, *p[2]);
+  }
+  // The nearest doubles to a point's coordinates, and to its squared distance from the samples that it was made of.
+  // Nothing if no floating-point type decides them all.
+  [[nodiscard]] std::optional<RoundedSphere> rounded(PointNumber number) {
+    for (const KernelRung rung : {KernelRung::kDoubled, KernelRung::kExtended}) {
+      if (const auto sphere = rounded_on_rung(number, rung)) return sphere;
+    }
+    return std::nullopt;
+  }
+  [[nodiscard]] std::optional<RoundedSphere> rounded_on_rung(PointNumber number, KernelRung rung) {
+    const Kept& x = points_[number];
+    if (x.kind != Kind::kCrossing) {
+      if (x.kind == Kind::kGiven || rung != KernelRung::kDoubled) return std::nullopt;
+      return decided_sphere(geometry::bounded_sphere(std::span(x.samples).first(x.kind == Kind::kCircle ? 3 : 4)));
+    }
+    const FacetEdge facet = x.crossed();
+    const PointNumber from = x.from;
+    const Point& q = *x.samples[2];
+    if (rung == KernelRung::kDoubled) {
+      return decided_sphere(sphere_at_crossing(direction_in_doubled(from, facet), facet, q));
+    }
+    if (rung == KernelRung::kExtended) {
+      return decided_sphere(sphere_at_crossing(direction_in_extended(from, facet), facet, q));
+    }
+    return std::nullopt;
   }
   // How many bytes the components of the integer direction take, where it was needed.
   [[nodiscard]] std::optional<std::array<std::size_t, 3>> exact_bytes(PointNumber number) const {

@@ -31,14 +31,13 @@ struct Precision;
 template <>
 struct Precision<double> {
   static constexpr double kRoundoff = 0x1p-53;
-  // It takes the square of a length. All terms of degree 10 in such lengths are normal doubles, and so are their errors.
+  // Of the square of a length. All terms of degree 10 in such lengths are normal doubles, and so are their errors.
   static bool is_in_range(double square) { return square >= 1e-50 && square <= 1e50; }
 };
 
 template <>
 struct Precision<DoubleDouble> {
-  // Each operation has a relative error of at most 15 u^2, u a double's.
-  static constexpr double kRoundoff = 0x1p-102;
+  static constexpr double kRoundoff = DoubleDouble::kRoundoff;
   static bool is_in_range(const DoubleDouble& square) { return Precision<double>::is_in_range(square.high()); }
 };
 
@@ -50,16 +49,17 @@ struct Precision<Extended> {
 
 // ---- Constants of the bounds, in units of the roundoff (spec/cascades.md derives them) ----
 
-inline constexpr double kVertexStartBound = 24;  // times |a||b||c| (|a|+|b|+|c|+W)
-inline constexpr double kCircleStartBound = 32;  // times |a|^2 |b|^2 (|a|+|b|+W)
-inline constexpr double kSideStartBound = 24;    // times |e|^2 |c-p0|
-inline constexpr double kGivenStartBound = 8;    // relative
-inline constexpr double kCrossingBound = 40;     // times L^2
-inline constexpr double kAngleFormBound = 2;     // an angle h at q, times G^2
-inline constexpr double kHeightBound = 6;        // an angle at the corner that is left behind, times L^2
-inline constexpr double kExitBound = 20;         // <U,g>, times G
-inline constexpr double kOrderBound = 8;         // h_j <U,g_i> - h_i <U,g_j>, times G_i G_j (G_i + G_j)
-inline constexpr double kNormalBound = 24;       // <U,n>, times |b-a||c-a|
+inline constexpr double kVertexStartBound = 24;   // times |a||b||c| (|a|+|b|+|c|+W)
+inline constexpr double kCircleStartBound = 32;   // times |a|^2 |b|^2 (|a|+|b|+W)
+inline constexpr double kSideStartBound = 24;     // times |e|^2 |c-p0|
+inline constexpr double kGivenStartBound = 8;     // relative
+inline constexpr double kCrossingBound = 40;      // times L^2
+inline constexpr double kAngleFormBound = 2;      // an angle h at q, times G^2
+inline constexpr double kHeightBound = 6;         // an angle at the corner that is left behind, times L^2
+inline constexpr double kExitBound = 20;          // <U,g>, times G
+inline constexpr double kOrderBound = 8;          // h_j <U,g_i> - h_i <U,g_j>, times G_i G_j (G_i + G_j)
+inline constexpr double kNormalBound = 24;        // <U,n>, times |b-a||c-a|
+inline constexpr double kCrossingSlack = 1.0625;  // on the error of a position, for terms of higher order
 
 // The Delaunay edge of a facet.
 struct FacetEdge {

@@ -18,6 +18,7 @@
 #include "flow/kernels/steering.h"
 #include "flowcert/kernel_tally.h"
 #include "flowcert/rational.h"
+#include "flowcert/rounded_sphere.h"
 #include "geometry/contract.h"
 
 namespace flowcert::flow {
@@ -95,6 +96,12 @@ template <class K>
 concept HasMovingPoint = requires(typename K::MovingPoint& x, const Point& p) {
   { x.sign_of_order(p, p) } -> std::same_as<Sign>;
 };
+// A kernel may know the doubles nearest to a point's coordinates and squared distance without exact numbers.
+template <class K>
+concept RoundsPoints = requires(K& kernel, PointNumber x) {
+  { kernel.rounded(x) } -> std::same_as<std::optional<RoundedSphere>>;
+};
+
 template <class Kernel>
 struct MovingPointOf {
   using Type = ConstructedMovingPoint<Kernel>;

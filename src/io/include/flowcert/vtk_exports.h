@@ -47,7 +47,6 @@ class VtkExports {
   VtkExports(FlowComplex&&, const ExportProgress&) = delete;
 
   [[nodiscard]] PolyData critical_points() const;
-  // Exact coordinates of long orbits take time.
   [[nodiscard]] PolyData unstable_lines(const ExportProgress& progress) const;
   // mesh: of all critical points of index 2.
   [[nodiscard]] PolyData stable_surfaces(const SurfaceMesh& mesh) const;
@@ -55,7 +54,7 @@ class VtkExports {
  private:
   const FlowComplex& complex_;
   std::vector<Point> centers_;
-  std::vector<Rational> squared_values_;  // by record
+  std::vector<double> squared_values_;  // by record; a value beyond the doubles is infinite
 };
 
 }  // namespace flowcert

@@ -14,6 +14,7 @@
 
 #include "flowcert/exact_sphere.h"
 #include "flowcert/persistence.h"
+#include "flowcert/rounded_sphere.h"
 
 namespace flowcert {
 
@@ -72,6 +73,8 @@ class FlowComplex {
 
   // Centre and squared radius of a stationary point, by its place in the list.
   [[nodiscard]] ExactSphere sphere(std::size_t record) const;
+  // The nearest doubles. A number that would overflow is an infinity.
+  [[nodiscard]] RoundedSphere rounded_sphere(std::size_t record) const;
   // The doubles nearest to the centres of all stationary points, in the order of the list. A coordinate that would
   // overflow is an infinity.
   [[nodiscard]] std::vector<std::array<double, 3>> centers() const;

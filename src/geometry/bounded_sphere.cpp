@@ -1,0 +1,143 @@
+// Bounds of first order, as in filter_bounds.h, with doubled doubles. Vectors go from the first point to the others;
+// they are exact. All bounds are computed in doubles, and are enlarged by far more than their rounding.
+#include "geometry/bounded_sphere.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/vector3.h"
+
+namespace flowcert::geometry {
+
+namespace {
+
+using DoubledVector = Vector3<DoubleDouble>;
+
+constexpr double kU = DoubleDouble::kRoundoff;
+constexpr double kRounding = 1 + 0x1p-40;  // of the bounds
+
+DoubledVector vector_from(const Point& from, const Point& to) {
+  return {DoubleDouble::sum(to.x, -from.x), DoubleDouble::sum(to.y, -from.y), DoubleDouble::sum(to.z, -from.z)};
+}
+
+double length(const DoubledVector& v) { return std::sqrt(dot(v, v).high()); }
+
+// Then no term here leaves the doubles, and underflow is far below the bounds.
+bool is_in_range(double length) { return length >= 1e-25 && length <= 1e25; }
+
+// The sphere whose centre is `first` + offset. The offset has an error of at most `error`.
+BoundedSphere sphere_around(const Point& first, const DoubledVector& offset, double error) {
+  const DoubleDouble square = dot(offset, offset);
+  const double size = std::sqrt(square.high()) * kRounding;
+  const auto coordinate = [&](double start, const DoubleDouble& step) {
+    const DoubleDouble value = DoubleDouble(start) + step;
+    return BoundedNumber{value, (error + kU * std::fabs(value.high())) * kRounding};
+  };
+  return {{coordinate(first.x, offset.x), coordinate(first.y, offset.y), coordinate(first.z, offset.z)},
+          {square, (5 * kU * square.high() + error * (2 * size + error)) * kRounding}};
+}
+
+BoundedSphere sphere_of_point(const Point& p) { return {{{{p.x, 0}, {p.y, 0}, {p.z, 0}}}, {0, 0}}; }
+
+// Half a coordinate is exact, unless it is subnormal.
+BoundedSphere sphere_of_edge(const Point& p, const Point& q) {
+  const auto middle = [](double a, double b) {
+    const bool is_exact = a / 2 * 2 == a && b / 2 * 2 == b;
+    return BoundedNumber{DoubleDouble::sum(a / 2, b / 2), is_exact ? 0 : std::numeric_limits<double>::denorm_min()};
+  };
+  BoundedSphere sphere{{middle(p.x, q.x), middle(p.y, q.y), middle(p.z, q.z)}, {}};
+  const DoubledVector e = vector_from(p, q);
+  if (is_in_range(length(e))) {
+    const DoubleDouble quarter = DoubleDouble(0.25) * dot(e, e);
+    sphere.squared_radius = {quarter, 6 * kU * quarter.high()};
+  }
+  return sphere;
+}
+
+// The centre is numerator / denominator. Both errors are absolute.
+struct Quotient {
+  DoubledVector numerator;
+  double numerator_error;
+  DoubleDouble denominator;
+  double denominator_error;
+};
+
+// |N'/D' - N/D| <= (|N'-N| + |N'/D'| |D'-D|) / |D|, and a division adds one roundoff.
+BoundedSphere sphere_of_quotient(const Point& first, const Quotient& center) {
+  const double least = std::fabs(center.denominator.high()) * (1 - 0x1p-40) - center.denominator_error;
+  if (!(least > center.denominator_error)) return {};
+  const auto& n = center.numerator;
+  const DoubledVector offset{n.x / center.denominator, n.y / center.denominator, n.z / center.denominator};
+  const double size = length(offset) * kRounding;
+  const double error = (center.numerator_error + size * center.denominator_error) / least + kU * size;
+  return sphere_around(first, offset, error * kRounding);
+}
+
+// (|a|^2 b - |b|^2 a) x n / (2 |n|^2) with n = a x b.
+BoundedSphere sphere_of_circle(const Point& p, const Point& q, const Point& r) {
+  const DoubledVector a = vector_from(p, q), b = vector_from(p, r), n = cross(a, b);
+  const double na = length(a), nb = length(b), square = na * na * nb * nb;
+  if (!is_in_range(std::min(na, nb)) || !is_in_range(std::max(na, nb))) return {};
+  const DoubledVector numerator = cross(DoubleDouble(dot(a, a)) * b - DoubleDouble(dot(b, b)) * a, n);
+  return sphere_of_quotient(p,
+                            {numerator, 24 * kU * square * (na + nb), DoubleDouble(2) * dot(n, n), 36 * kU * square});
+}
+
+BoundedSphere sphere_of_tetrahedron(const std::array<const Point*, 4>& p) {
+  const DoubledVector a = vector_from(*p[0], *p[1]), b = vector_from(*p[0], *p[2]), c = vector_from(*p[0], *p[3]);
+  const double na = length(a), nb = length(b), nc = length(c), product = na * nb * nc;
+  if (!is_in_range(std::min({na, nb, nc})) || !is_in_range(std::max({na, nb, nc}))) return {};
+  const Circumsphere<DoubleDouble> sphere = circumsphere(a, b, c);
+  return sphere_of_quotient(*p[0], {sphere.numerator, 16 * kU * product * (na + nb + nc),
+                                    DoubleDouble(2) * sphere.determinant, 24 * kU * product});
+}
+
+}  // namespace
+
+BoundedSphere bounded_sphere(std::span<const Point* const> points) {
+  switch (points.size()) {
+    case 1:
+      return sphere_of_point(*points[0]);
+    case 2:
+      return sphere_of_edge(*points[0], *points[1]);
+    case 3:
+      return sphere_of_circle(*points[0], *points[1], *points[2]);
+    case 4:
+      return sphere_of_tetrahedron({points[0], points[1], points[2], points[3]});
+    default:
+      return {};
+  }
+}
+
+BoundedSphere bounded_sphere(const PointSet& points, std::span<const PointId> contact, std::size_t hull_dimension) {
+  std::array<const Point*, 4> given{};
+  const std::size_t count = std::min(hull_dimension + 1, given.size());
+  if (contact.size() < count) return {};
+  for (std::size_t k = 0; k < count; ++k) given[k] = &points[points.ordinal_of_row(contact[k])];
+  return bounded_sphere(std::span(given).first(count));
+}
+
+std::optional<RoundedSphere> decided_sphere(const BoundedSphere& sphere) {
+  const auto x = decided_double(sphere.center[0]), y = decided_double(sphere.center[1]),
+             z = decided_double(sphere.center[2]), square = decided_double(sphere.squared_radius);
+  if (!x || !y || !z || !square) return std::nullopt;
+  return RoundedSphere{{*x, *y, *z}, *square};
+}
+
+}  // namespace flowcert::geometry
+
+namespace flowcert {
+
+RoundedSphere rounded_sphere(const ExactSphere& sphere) {
+  const auto rounded = [](const Rational& x) { return nearest_double(x).value_or(x < 0 ? -HUGE_VAL : HUGE_VAL); };
+  return {{rounded(sphere.center[0]), rounded(sphere.center[1]), rounded(sphere.center[2])},
+          rounded(sphere.squared_radius)};
+}
+
+RoundedSphere rounded_sphere(const PointSet& points, std::span<const PointId> contact, std::size_t hull_dimension) {
+  if (const auto sphere = decided_sphere(geometry::bounded_sphere(points, contact, hull_dimension))) return *sphere;
+  return rounded_sphere(exact_sphere(points, contact));
+}
+
+}  // namespace flowcert
