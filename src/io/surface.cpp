@@ -1,14 +1,14 @@
 // How surfaces are chosen, built and written.
 //
-// A front belongs to only one stable set (FC-STAB-01). So its exact position, which can be long, is forgotten after
-// that set. Samples and the midpoints where sets end are kept. The writers are our own, because CGAL's are templates
-// over its own meshes, which this layer does not have.
+// A front belongs to only one stable set (FC-STAB-01), so it is forgotten after that set. Samples and the stationary
+// points where sets end are kept. The writers are our own, because CGAL's are templates over its own meshes, which this
+// layer does not have.
 #include "flowcert/surface.h"
 
 #include <fmt/format.h>
-#include <gmp.h>
 
 #include <algorithm>
+#include <boost/container_hash/hash.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -17,7 +17,6 @@
 #include <unordered_map>
 #include <utility>
 
-#include "geometry/rational_point.h"
 #include "io/number_text.h"
 
 namespace flowcert {
@@ -102,36 +101,17 @@ class Gaps {
 
 // ---- Mesh ----
 
-// Rationals are canonical, so equal ones have equal words.
-struct PositionHash {
-  std::size_t operator()(const RationalPoint& position) const {
-    std::size_t hash = 0;
-    for (const Rational& coordinate : position) {
-      const auto& words = coordinate.backend().data();
-      for (const std::size_t word : {mpz_get_ui(mpq_numref(words)), mpz_get_ui(mpq_denref(words))}) {
-        hash = (hash ^ word) * 0x9e3779b97f4a7c15U;
-        hash ^= hash >> 32;
-      }
-    }
-    return hash;
-  }
-};
-
-using VertexAt = std::unordered_map<RationalPoint, std::uint32_t, PositionHash>;
-
+// Samples, and points where the flow ends, by their contact sets. A front is a vertex of its set alone.
 class MeshBuilder {
  public:
   explicit MeshBuilder(const PointSet& points) : points_(points) {}
 
-  void add(std::size_t number, const StableSet& set) {
-    fronts_.clear();
-    for (const BackwardSegment& segment : set.segments) {
-      const bool ends = segment.back_kind == BackKind::kCritical || segment.back_kind == BackKind::kRegular;
-      const RationalPoint apex = sample_position(segment.samples[0]);
-      const std::uint32_t front = vertex(fronts_, segment.front, apex);
-      const std::uint32_t back = vertex(ends ? ends_ : fronts_, segment.back, apex);
-      mesh_.triangles.push_back({sample(segment.samples[0]), front, back});
-      mesh_.triangles.push_back({sample(segment.samples[1]), back, front});
+  void add(std::size_t number, const RoundedSegments& set) {
+    vertex_of_.assign(set.positions.size(), kNone);
+    for (const auto& [samples, front, back] : set.segments) {
+      const std::uint32_t start = vertex(set, front), end = vertex(set, back);
+      mesh_.triangles.push_back({sample(samples[0]), start, end});
+      mesh_.triangles.push_back({sample(samples[1]), end, start});
       mesh_.set_of_triangle.insert(mesh_.set_of_triangle.end(), 2, number);
     }
   }
@@ -139,31 +119,38 @@ class MeshBuilder {
   [[nodiscard]] SurfaceMesh take() { return std::move(mesh_); }
 
  private:
-  [[nodiscard]] RationalPoint sample_position(PointId id) const {
-    return exact_position(points_[points_.ordinal_of_row(id)]);
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  std::uint32_t sample(PointId id) { return end_vertex({id}, {points_[points_.ordinal_of_row(id)], 0}); }
+
+  std::uint32_t vertex(const RoundedSegments& set, std::uint32_t place) {
+    const auto& [sphere, end] = set.positions[place];
+    if (!end.empty()) return end_vertex(end, sphere);
+    if (vertex_of_[place] == kNone) vertex_of_[place] = new_vertex(sphere);
+    return vertex_of_[place];
   }
 
-  std::uint32_t sample(PointId id) {
-    const RationalPoint position = sample_position(id);
-    return vertex(ends_, position, position);
+  std::uint32_t end_vertex(const std::vector<PointId>& contact, const RoundedSphere& sphere) {
+    const auto [at, is_new] = ends_.try_emplace(contact, kNone);
+    if (is_new) at->second = new_vertex(sphere);
+    return at->second;
   }
 
-  // apex: a sample nearest to the position.
-  std::uint32_t vertex(VertexAt& known, const RationalPoint& position, const RationalPoint& apex) {
+  std::uint32_t new_vertex(const RoundedSphere& sphere) {
     const auto next = static_cast<std::uint32_t>(mesh_.vertices.size());
-    const auto [place, is_new] = known.try_emplace(position, next);
-    if (!is_new) return place->second;
     // The file formats have signed indices.
     if (next >= static_cast<std::uint32_t>(std::numeric_limits<std::int32_t>::max())) {
       throw InvalidInput("a surface of more than 2^31 - 1 vertices cannot be written");
     }
-    mesh_.vertices.push_back(rounded(position));
-    mesh_.squared_distances.push_back(nearest_double(squared_distance(position, apex)));
+    mesh_.vertices.push_back(finite(sphere.center));
+    const bool is_finite = std::isfinite(sphere.squared_radius);
+    mesh_.squared_distances.push_back(is_finite ? std::optional(sphere.squared_radius) : std::nullopt);
     return next;
   }
 
   const PointSet& points_;
-  VertexAt fronts_, ends_;
+  std::unordered_map<std::vector<PointId>, std::uint32_t, boost::hash<std::vector<PointId>>> ends_;
+  std::vector<std::uint32_t> vertex_of_;  // by place in the set
   SurfaceMesh mesh_;
 };
 
@@ -223,7 +210,7 @@ SurfaceMesh surface_mesh(const FlowComplex& complex, std::span<const std::size_t
                          const std::function<void(std::size_t, std::size_t)>& progress) {
   MeshBuilder builder(complex.points());
   for (std::size_t k = 0; k < sets.size(); ++k) {
-    builder.add(sets[k], complex.stable().set(sets[k]));
+    builder.add(sets[k], complex.stable().rounded_segments(sets[k]));
     if (progress) progress(k + 1, sets.size());
   }
   return builder.take();

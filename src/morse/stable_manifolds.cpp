@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <numeric>
 #include <tuple>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -199,6 +201,7 @@ class StableManifolds::Parts::Worker {
   // Walks the segments of a record's skeleton that lie before its intervals, and adds them to `geometry` if given.
   void walk(std::size_t record, Set& set, StableSet* geometry = nullptr);
   StableSet geometry(std::size_t record);
+  RoundedSegments rounded_segments(std::size_t record);
 
   // Of the latest skeleton: its critical backs and the lengths of the orbits to them, and how many backs are regular.
   [[nodiscard]] const std::vector<std::uint32_t>& ends() const { return ends_; }
@@ -220,6 +223,10 @@ class StableManifolds::Parts::Worker {
     FrontNumber front;
     FacetName facet;
   };
+  struct Traced {
+    Task task;
+    BackwardWalk::Back back;
+  };
   struct Source {
     CellIndex cluster;
     PolygonRef polygon;
@@ -232,6 +239,8 @@ class StableManifolds::Parts::Worker {
   void push_vertex(CellIndex cluster, FrontNumber front, Set& set);
   void follow(Set& set, StableSet* geometry);
 
+  [[nodiscard]] RoundedSegments rounded_trace();
+  void sort_by_exact_fronts(RoundedSegments& rounded);
   void record_segment(const Task& task, const BackwardWalk::Back& back, StableSet& geometry);
   void record_intervals(StableSet& geometry, Set& set);
   void record_sectors(const Arc& arc, StableSet& geometry, Set& set);
@@ -249,6 +258,8 @@ class StableManifolds::Parts::Worker {
   std::vector<std::uint32_t> lengths_;
   std::size_t regular_backs_ = 0;
   std::vector<Source> sources_of_intervals_;
+  bool is_traced_ = false;
+  std::vector<Traced> trace_;  // all segments, if it is
 };
 
 // Begins at the point. All sides of a critical triangle are acute and lead there.
@@ -293,6 +304,7 @@ void StableManifolds::Parts::Worker::follow(Set& set, StableSet* geometry) {
     ++set.segments;
     const BackwardWalk::Back back = walk_.step(task.front, task.facet);
     if (geometry != nullptr) record_segment(task, back, *geometry);
+    if (is_traced_) trace_.push_back({task, back});
     if (back.critical) {
       ends_.push_back(*back.critical);
       lengths_.push_back(walk_.depth(task.front) + 1);
@@ -390,6 +402,72 @@ StableSet StableManifolds::Parts::Worker::geometry(std::size_t record) {
   std::ranges::sort(geometry.intervals, {}, [](const BackwardInterval& x) { return std::tie(x.polygon, x.front); });
   std::ranges::sort(geometry.sectors, {}, [](const BackwardSector& x) { return std::tie(x.samples, x.corners); });
   return geometry;
+}
+
+RoundedSegments StableManifolds::Parts::Worker::rounded_segments(std::size_t record) {
+  Set set;
+  StableSet exact;  // only sets with intervals make any of it
+  trace_.clear();
+  is_traced_ = true;
+  walk(record, set);
+  record_intervals(exact, set);
+  is_traced_ = false;
+  RoundedSegments rounded = rounded_trace();
+  clear();
+  return rounded;
+}
+
+// The flow leads from a point to one front, through one facet. So no two fronts of a walk are equal, unless both are
+// one Voronoi vertex.
+RoundedSegments StableManifolds::Parts::Worker::rounded_trace() {
+  RoundedSegments all;
+  std::unordered_map<FrontNumber, std::uint32_t> place_of_front;
+  std::unordered_map<CellIndex, std::uint32_t> place_of_vertex;
+  const auto add = [&](const RoundedSphere& sphere, std::vector<PointId> end) {
+    all.positions.push_back({sphere, std::move(end)});
+    return static_cast<std::uint32_t>(all.positions.size() - 1);
+  };
+  const auto place_of = [&](FrontNumber front) {
+    const Place& face = walk_.place(front);
+    auto [at, is_new] = face.kind == Place::Kind::kVertex ? place_of_vertex.try_emplace(face.vertex, 0)
+                                                          : place_of_front.try_emplace(front, 0);
+    if (is_new) at->second = add(flow_->rounded(walk_.location(front)), {});
+    return at->second;
+  };
+  for (const auto& [task, back] : trace_) {
+    std::array<PointId, 2> samples{name(task.facet.v0), name(task.facet.v1)};
+    std::ranges::sort(samples);
+    const std::uint32_t front = place_of(task.front);
+    std::uint32_t end = 0;
+    if (back.critical) {
+      end = add(rounded_sphere(all_.points, samples, 1), {samples.begin(), samples.end()});
+    } else if (back.is_regular) {
+      const Location at = walk_.location(back.front);
+      end = add(flow_->rounded(at), recorder_.contact(at.place));
+    } else {
+      end = place_of(back.front);
+    }
+    all.segments.push_back({samples, front, end});
+  }
+  sort_by_exact_fronts(all);
+  return all;
+}
+
+// The segments are those of the trace. Rounding keeps the order of numbers, or makes them equal.
+void StableManifolds::Parts::Worker::sort_by_exact_fronts(RoundedSegments& rounded) {
+  std::vector<std::uint32_t> order(trace_.size());
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  std::ranges::sort(order, [&](std::uint32_t i, std::uint32_t j) {
+    const RoundedSegments::Segment &x = rounded.segments[i], &y = rounded.segments[j];
+    if (x.samples != y.samples) return x.samples < y.samples;
+    const double a = rounded.positions[x.front].sphere.center.x, b = rounded.positions[y.front].sphere.center.x;
+    if (a != b) return a < b;
+    return flow_->exact(walk_.location(trace_[i].task.front)) < flow_->exact(walk_.location(trace_[j].task.front));
+  });
+  std::vector<RoundedSegments::Segment> sorted;
+  sorted.reserve(order.size());
+  for (const std::uint32_t k : order) sorted.push_back(rounded.segments[k]);
+  rounded.segments.swap(sorted);
 }
 
 void StableManifolds::Parts::count(const Set& set, const Worker& worker, Share& share) const {
@@ -511,6 +589,10 @@ const char* back_kind_text(BackKind kind) {
 StableSet StableManifolds::set(std::size_t i) const {
   const auto make = [this] { return std::make_unique<Parts::Worker>(*parts_); };
   return parts_->workers.with(make, [&](Parts::Worker& worker) { return worker.geometry(record(i)); });
+}
+RoundedSegments StableManifolds::rounded_segments(std::size_t i) const {
+  const auto make = [this] { return std::make_unique<Parts::Worker>(*parts_); };
+  return parts_->workers.with(make, [&](Parts::Worker& worker) { return worker.rounded_segments(record(i)); });
 }
 std::size_t StableManifolds::size() const { return parts_->sets.size(); }
 std::size_t StableManifolds::record(std::size_t i) const { return parts_->at(i).record; }

@@ -47,6 +47,7 @@ LIKELY = {
     "src/voronoi/diagram": ["voronoi_faces_test"],
     "src/flow/flow_statistics": ["flow_operator_test"],
     "src/flow/kernels/crossing_sphere": ["crossing_sphere_test"],
+    "src/flow/rounded_stretches": ["rounded_manifolds_test"],
     "src/flow/": ["vectors_fast_test", "orbit_agreement_test", "unstable_agreement_test"],
     "src/morse/stationary_points": ["vectors_fast_test", "metamorphic_test", "stationary_agreement_test"],
     "src/flow/successor_forest": ["vectors_fast_test", "unstable_agreement_test"],

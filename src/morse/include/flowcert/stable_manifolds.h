@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "flowcert/orbit.h"
+#include "flowcert/rounded_sphere.h"
 #include "flowcert/stationary_points.h"
 
 namespace flowcert {
@@ -56,6 +57,21 @@ struct StableSet {
   std::vector<BackwardSegment> segments;
   std::vector<BackwardInterval> intervals;
   std::vector<BackwardSector> sectors;
+};
+
+// The backward segments of a stable set in doubles. They come in the order of StableSet::segments.
+struct RoundedSegments {
+  struct Position {
+    RoundedSphere sphere;      // with the squared distance to the samples
+    std::vector<PointId> end;  // the contact set of the stationary point at which segments end here; empty for a front
+  };
+  struct Segment {
+    std::array<PointId, 2> samples;  // ascending
+    std::uint32_t front, back;       // places in `positions`
+  };
+  // No two fronts are equal, exactly. Two ends are equal iff their contact sets are.
+  std::vector<Position> positions;
+  std::vector<Segment> segments;
 };
 
 // The closed walk of FC-STAB-07, as names; the first one is not repeated at the end. It begins at the least sample of
@@ -108,6 +124,8 @@ class StableManifolds {
 
   // The skeleton, with exact coordinates. This flows once more.
   [[nodiscard]] StableSet set(std::size_t i) const;
+  // Its backward segments, in the nearest doubles. This takes much less time.
+  [[nodiscard]] RoundedSegments rounded_segments(std::size_t i) const;
 
   [[nodiscard]] const StableStatistics& statistics() const;
 
