@@ -72,9 +72,14 @@ Rational reduced(const BigInteger& numerator, const BigInteger& denominator, int
   return value;
 }
 
-}  // namespace
+// On the grid.
+struct PlacedCenter {
+  Vector first;  // the first point
+  Center center;
+  int exponent;  // of the grid's unit
+};
 
-ExactSphere exact_sphere(const PointSet& points, std::span<const PointId> contact) {
+PlacedCenter placed_center(const PointSet& points, std::span<const PointId> contact) {
   if (contact.empty()) throw std::invalid_argument("exact_sphere: an empty set has no sphere");
   std::vector<const Point*> given;
   given.reserve(contact.size());
@@ -86,12 +91,27 @@ ExactSphere exact_sphere(const PointSet& points, std::span<const PointId> contac
   for (const Point* point : std::span(given).subspan(1)) {
     vectors.push_back(grid.vector_between<BigInteger>(first, *point));
   }
-  const Center center = center_of(vectors);
-  const BigInteger& d = center.denominator;
-  const Vector from_origin = d * grid.vector_between<BigInteger>({0, 0, 0}, first) + center.numerator;
-  const int e = grid.exponent();
+  return {grid.vector_between<BigInteger>({0, 0, 0}, first), center_of(vectors), grid.exponent()};
+}
+
+Rational squared_radius(const PlacedCenter& placed) {
+  const auto& [numerator, d] = placed.center;
+  return reduced(dot(numerator, numerator), d * d, 2 * placed.exponent);
+}
+
+}  // namespace
+
+ExactSphere exact_sphere(const PointSet& points, std::span<const PointId> contact) {
+  const PlacedCenter placed = placed_center(points, contact);
+  const BigInteger& d = placed.center.denominator;
+  const Vector from_origin = d * placed.first + placed.center.numerator;
+  const int e = placed.exponent;
   return {{reduced(from_origin.x, d, e), reduced(from_origin.y, d, e), reduced(from_origin.z, d, e)},
-          reduced(dot(center.numerator, center.numerator), d * d, 2 * e)};
+          squared_radius(placed)};
+}
+
+Rational exact_squared_radius(const PointSet& points, std::span<const PointId> contact) {
+  return squared_radius(placed_center(points, contact));
 }
 
 }  // namespace flowcert

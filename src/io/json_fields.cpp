@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "flowcert/reproducibility.h"
 #include "io/number_text.h"
 
@@ -83,10 +85,7 @@ Json center_field(const RationalPoint& point) {
   return field;
 }
 
-Json double_field(const Rational& value) {
-  const std::optional<double> nearest = nearest_double(value);
-  return nearest ? Json(*nearest) : Json(nullptr);
-}
+Json double_field(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json segment_field(const FlowSegment& segment) {
   Json field;
@@ -141,11 +140,10 @@ Json skeleton_field(const StableSet& set) {
 
 Json pairs_field(const PersistenceDiagram& diagram) {
   const auto point_field = [&](std::size_t record) {
-    const Rational value = diagram.squared_value(record);
     Json field;
     field["contact"] = diagram.complex().stationary().contact(record);
-    field["squared_distance"] = to_text(value);
-    field["squared_distance_double"] = double_field(value);
+    field["squared_distance"] = to_text(diagram.squared_value(record));
+    field["squared_distance_double"] = double_field(diagram.rounded_squared_value(record));
     return field;
   };
   Json pairs = Json::array();

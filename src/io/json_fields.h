@@ -29,8 +29,8 @@ void add_counts(Json& object, const PointSet& points, const StationaryPoints& st
 [[nodiscard]] Json index_field(StationaryIndex index);
 
 [[nodiscard]] Json center_field(const RationalPoint& point);
-// null where the nearest double would overflow.
-[[nodiscard]] Json double_field(const Rational& value);
+// null for an infinity, which stands for a number beyond the doubles.
+[[nodiscard]] Json double_field(double value);
 
 // type, driver, end.
 [[nodiscard]] Json segment_field(const FlowSegment& segment);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "flowcert/reproducibility.h"
@@ -17,14 +18,13 @@ std::size_t critical_count(const StationaryPoints& stationary) {
   return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
-std::string double_text(const Rational& value) {
-  const std::optional<double> nearest = nearest_double(value);
-  if (!nearest) {
+std::string double_text(double value) {
+  if (!std::isfinite(value)) {
     throw InvalidInput(
         "a squared distance is beyond the largest double, which a .pers file cannot say; --json has it "
         "exactly");
   }
-  return fmt::format("{}", *nearest);
+  return fmt::format("{}", value);
 }
 
 }  // namespace
@@ -67,8 +67,8 @@ std::string pers_text(const PersistenceDiagram& diagram) {
   text += diagram.has_zero() ? "# With regular stationary points, as pairs of length zero.\n"
                              : "# Without pairs of length zero.\n";
   for (const PersistencePair& pair : diagram.pairs()) {
-    text += fmt::format("{} {} {}\n", pair.dimension, double_text(diagram.squared_value(pair.birth)),
-                        pair.death ? double_text(diagram.squared_value(*pair.death)) : "inf");
+    text += fmt::format("{} {} {}\n", pair.dimension, double_text(diagram.rounded_squared_value(pair.birth)),
+                        pair.death ? double_text(diagram.rounded_squared_value(*pair.death)) : "inf");
   }
   return text;
 }

@@ -1,7 +1,13 @@
-// Stable and unstable manifolds are listed in the order of their records, so that one walk writes all.
+// Stable and unstable manifolds are listed in the order of their records, so that one walk writes all. What every
+// record has is written as text at once, because long numbers take most of the file.
 #include "flowcert/write_stationary_points.h"
 
+#include <fmt/format.h>
+
+#include <iterator>
+
 #include "flowcert/stable_manifolds.h"
+#include "geometry/bounded_sphere.h"
 #include "io/json_fields.h"
 
 namespace flowcert {
@@ -17,26 +23,58 @@ class RecordWriter {
   RecordWriter(const FlowComplex& complex, const RecordsToWrite& wanted)
       : complex_(complex), stationary_(complex.stationary()), wanted_(wanted) {}
 
-  // To be called for each record, in the order of the list.
-  Json record(std::size_t i) {
-    const ExactSphere sphere = complex_.sphere(i);
+  // To be called for each record, in the order of the list. The line holds until the next call.
+  const std::string& line(std::size_t i) {
     const StationaryIndex index = stationary_.index(i);
-    Json fields;
-    fields["index"] = index_field(index);
-    fields["kind"] = index.is_critical() ? "critical" : "regular";
-    fields["contact"] = stationary_.contact(i);
-    fields["center"] = center_field(sphere.center);
-    fields["squared_distance"] = to_text(sphere.squared_radius);
-    Json& doubles = fields["center_double"] = Json::array();
-    for (const Rational& coordinate : sphere.center) doubles.push_back(double_field(coordinate));
-    fields["squared_distance_double"] = double_field(sphere.squared_radius);
-    if ((wanted_.u2 || wanted_.s2) && index == StationaryIndex{1, 1}) fields["samples"] = fields["contact"];
-    if (wanted_.u2) add_u2(i, fields);
-    if (wanted_.s2) add_s2(i, sphere.center, fields);
-    return fields;
+    text_.clear();
+    add(R"({{"index":{},"kind":"{}","contact":[{}])", index_field(index).dump(),
+        index.is_critical() ? "critical" : "regular", fmt::join(stationary_.contact(i), ","));
+    Json more;  // the keys after these
+    if (wanted_.centers == WrittenCenters::kExact) {
+      const ExactSphere sphere = complex_.sphere(i);
+      add_center(sphere);
+      add_doubles(doubles_of(i, sphere), more);
+    } else if (wanted_.centers == WrittenCenters::kDouble) {
+      add_doubles(complex_.rounded_sphere(i), more);
+    }
+    if ((wanted_.u2 || wanted_.s2) && index == StationaryIndex{1, 1}) more["samples"] = stationary_.contact(i);
+    if (wanted_.u2) add_u2(i, more);
+    if (wanted_.s2) add_s2(i, more);
+    if (more.is_null()) {
+      text_ += '}';
+    } else {
+      text_ += ',';
+      text_ += std::string_view(more.dump()).substr(1);
+    }
+    text_ += '\n';
+    return text_;
   }
 
  private:
+  template <typename... Values>
+  void add(fmt::format_string<Values...> format, Values&&... values) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+  }
+
+  void add_center(const ExactSphere& sphere) {
+    const auto& [x, y, z] = sphere.center;
+    add(R"(,"center":["{}","{}","{}"],"squared_distance":"{}")", to_text(x), to_text(y), to_text(z),
+        to_text(sphere.squared_radius));
+  }
+
+  // Bounds decide most of them sooner than the exact numbers do.
+  [[nodiscard]] RoundedSphere doubles_of(std::size_t i, const ExactSphere& sphere) const {
+    const std::size_t dimension = stationary_.index(i).hull_dimension;
+    const auto decided = decided_sphere(bounded_sphere(complex_.points(), stationary_.contact(i), dimension));
+    return decided ? *decided : rounded_sphere(sphere);
+  }
+
+  static void add_doubles(const RoundedSphere& sphere, Json& fields) {
+    const auto& [x, y, z] = sphere.center;
+    fields["center_double"] = Json::array({double_field(x), double_field(y), double_field(z)});
+    fields["squared_distance_double"] = double_field(sphere.squared_radius);
+  }
+
   [[nodiscard]] Json limit_contact(std::size_t side) const {
     const std::optional<std::size_t> limit = complex_.unstable().limit(next_u2_, side);
     return limit ? Json(stationary_.contact(*limit)) : Json(nullptr);
@@ -62,7 +100,7 @@ class RecordWriter {
     ++next_u2_;
   }
 
-  void add_s2(std::size_t i, const RationalPoint& center, Json& fields) {
+  void add_s2(std::size_t i, Json& fields) {
     const StableManifolds& s2 = complex_.stable();
     if (next_s2_ == s2.size() || s2.record(next_s2_) != i) return;
     fields["stable"] = stable_field(stationary_, s2, next_s2_);
@@ -71,7 +109,9 @@ class RecordWriter {
       const auto walk = boundary_walk(set, stationary_.index(i), stationary_.contact(i));
       fields["stable"]["walk"] = walk ? Json(*walk) : Json(nullptr);
       fields["skeleton"] = skeleton_field(set);
-      if (stationary_.index(i).is_critical()) fields["skeleton"]["orbits"] = connecting_orbits(set, center);
+      if (stationary_.index(i).is_critical()) {
+        fields["skeleton"]["orbits"] = connecting_orbits(set, complex_.sphere(i).center);
+      }
     }
     ++next_s2_;
   }
@@ -80,6 +120,7 @@ class RecordWriter {
   const StationaryPoints& stationary_;
   RecordsToWrite wanted_;
   std::size_t next_u2_ = 0, next_s2_ = 0;
+  std::string text_;
 };
 
 }  // namespace
@@ -90,10 +131,12 @@ void write_stationary_points(std::ostream& out, const FlowComplex& complex, cons
   Json header = header_fields("flowcert-stationary-points", 1, complex.points());
   add_counts(header, complex.points(), complex.stationary());
   header["classes"] = complex.points().repeated_classes();
+  if (wanted.centers == WrittenCenters::kDouble) header["centers"] = "double";
+  if (wanted.centers == WrittenCenters::kNone) header["centers"] = "none";
   out << header.dump() << '\n';
   RecordWriter writer(complex, wanted);
   for (std::size_t i = 0; i < count && out; ++i) {
-    out << writer.record(i).dump() << '\n';
+    out << writer.line(i);
     if (progress && (i + 1) % kProgressStep == 0) progress(i + 1, count);
   }
   if (progress) progress(count, count);

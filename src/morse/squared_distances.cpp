@@ -94,7 +94,7 @@ Approximation rounded(const Rational& value) {
 }  // namespace
 
 Rational SquaredDistances::exact(std::size_t record) const {
-  return exact_sphere(*points_, stationary_->contact(record)).squared_radius;
+  return exact_squared_radius(*points_, stationary_->contact(record));
 }
 
 SquaredDistances::SquaredDistances(const PointSet& points, const StationaryPoints& stationary)

@@ -17,5 +17,7 @@ struct ExactSphere {
   Rational squared_radius;
 };
 [[nodiscard]] ExactSphere exact_sphere(const PointSet& points, std::span<const PointId> contact);
+// Its squared radius alone, which takes less time.
+[[nodiscard]] Rational exact_squared_radius(const PointSet& points, std::span<const PointId> contact);
 
 }  // namespace flowcert

@@ -27,6 +27,11 @@ class PersistenceDiagram {
     return complex_.persistence().squared_value(record);
   }
 
+  // The double nearest to it, or infinity where that would overflow.
+  [[nodiscard]] double rounded_squared_value(std::size_t record) const {
+    return complex_.rounded_sphere(record).squared_radius;
+  }
+
  private:
   void add_regular();
   [[nodiscard]] bool is_before(const PersistencePair& a, const PersistencePair& b) const;

@@ -1,15 +1,20 @@
-// Writes stationary points as JSON Lines: a header, then one record for each point. A record has the exact centre
-// and, if wanted, what flows out of the point and into it (spec/formats/stationary_points.md).
+// Writes stationary points as JSON Lines: a header, then one record for each point. A record has the centre and, if
+// wanted, what flows out of the point and into it (spec/formats/stationary_points.md).
 //
-// Guarantees: exact; the doubles beside the rationals are the nearest ones.
+// Guarantees: rationals are exact, and doubles are the nearest ones.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <ostream>
 
 #include "flowcert/flow_complex.h"
 
 namespace flowcert {
+
+// What a record says of its centre and squared distance: the exact numbers and the doubles beside them, the nearest
+// doubles alone, or nothing.
+enum class WrittenCenters : std::uint8_t { kExact, kDouble, kNone };
 
 // u2 adds the samples of index-1 points and the limits of index-2 points. polylines adds the orbits of index-2 points
 // as exact polylines. s2 adds the size and boundary of stable sets. skeletons adds their exact skeletons.
@@ -18,6 +23,7 @@ struct RecordsToWrite {
   bool polylines = false;
   bool s2 = false;
   bool skeletons = false;
+  WrittenCenters centers = WrittenCenters::kExact;
 };
 
 // progress, if given, is told now and then how many records are written. The stream's state tells whether all was
