@@ -145,6 +145,10 @@ Record parse_record(const std::string& line, const std::string& where) {
     Record result;
     read_index(record, result);
     for (const json& name : record.at("contact")) result.claim.contact.push_back(natural_number(name));
+    for (const char* key : {"center", "squared_distance"}) {
+      if (!record.contains(key))
+        throw UnusableInput(std::string("no exact '") + key + "', so there is nothing to certify");
+    }
     if (record.at("center").size() != 3) throw UnusableInput("center is not three rationals");
     for (std::size_t axis = 0; axis < 3; ++axis) {
       result.claim.center[axis] = read_rational(record.at("center").at(axis), result);

@@ -103,6 +103,7 @@ struct ComputeOptions {
   std::vector<std::string> manifolds;  // "u2", "s2"
   bool polylines = false;
   bool skeletons = false;
+  std::string centers = "exact";
   std::string export_directory;
   unsigned threads = 1;
   U2Choice u2;
@@ -124,11 +125,19 @@ WantedManifolds wanted_manifolds(const ComputeOptions& options) {
   return wanted;
 }
 
+WrittenCenters written_centers(const std::string& name) {
+  if (name == "double") return WrittenCenters::kDouble;
+  return name == "none" ? WrittenCenters::kNone : WrittenCenters::kExact;
+}
+
 void write_records(const ComputeOptions& options, const Measured& measured) {
   OutputFile file(options.output);
   ProgressLine progress("writing exact records");
-  const RecordsToWrite wanted = {
-      .u2 = measured.has.u2, .polylines = options.polylines, .s2 = measured.has.s2, .skeletons = options.skeletons};
+  const RecordsToWrite wanted = {.u2 = measured.has.u2,
+                                 .polylines = options.polylines,
+                                 .s2 = measured.has.s2,
+                                 .skeletons = options.skeletons,
+                                 .centers = written_centers(options.centers)};
   write_stationary_points(file.stream(), *measured.last, wanted, std::ref(progress));
   file.commit();
 }
@@ -190,6 +199,13 @@ void add_compute_command(CLI::App& app, int& status) {
   command->add_flag("--json", options->json, "Print one JSON object instead of the table");
   CLI::Option* output =
       command->add_option("-o,--output", options->output, "Write the stationary points to this file, JSON Lines");
+  command
+      ->add_option("--centers", options->centers,
+                   "What the file of -o says of centres and squared distances: exact (also the nearest doubles), "
+                   "double (these alone) or none")
+      ->check(CLI::IsMember({"exact", "double", "none"}))
+      ->capture_default_str()
+      ->needs(output);
   command->add_option("--runs", options->runs, "Measure this many times and print medians; 5 for a ratio to quote")
       ->check(CLI::Range(1, 1000));
   command->add_option("--export", options->export_directory,

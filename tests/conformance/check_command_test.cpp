@@ -149,6 +149,23 @@ TEST(CheckCommand, OurOwnClaimsConformExactly) {
   }
 }
 
+// A contact set tells its centre exactly; doubles are approximate.
+TEST(CheckCommand, OurOwnClaimsConformWithoutExactCenters) {
+  CITES("FC-CLAIM-01", "FC-CLAIM-03");
+  for (const std::string& points : {std::string(kCube), std::string(kCollisions), lattice_points(2, 12, 1000003)}) {
+    for (const char* centers : {"double", "none"}) {
+      const Checked own(points, Words{"--centers", centers, "--manifolds", "u2,s2", "--polylines", "--skeletons"});
+      for (const Words& by : {Words{}, {"--oracle"}}) {
+        const json report = own.as_json(by);
+        EXPECT_EQ(report["verdict"], "conforms");
+        EXPECT_EQ(report["grade"], centers == std::string("none") ? "exact" : "approximate");
+        EXPECT_EQ(report["findings"], json::array());
+        EXPECT_EQ(report["claimed"], report["critical"]);
+      }
+    }
+  }
+}
+
 // Where a tie leaves a boundary open, the oracle takes any that may be.
 TEST(CheckCommand, OurOwnStableSetsConformExactly) {
   CITES("FC-CLAIM-06", "FC-CLAIM-09", "FC-CLAIM-10");

@@ -39,9 +39,11 @@ struct Written {
   std::vector<json> records;
 };
 
-Written records_of(const Scratch& scratch, const std::string& points) {
+Written records_of(const Scratch& scratch, const std::string& points, const std::vector<std::string>& options = {}) {
   const std::string output = scratch.path("records.jsonl");
-  const Finished finished = flowcert({"compute", scratch.file("points.xyz", points), "-o", output});
+  std::vector<std::string> words = {"compute", scratch.file("points.xyz", points), "-o", output};
+  words.insert(words.end(), options.begin(), options.end());
+  const Finished finished = flowcert(words);
   EXPECT_EQ(finished.status, 0) << finished.err;
   Written written;
   for (const std::string& line : lines_of(content_of(output))) {
@@ -324,6 +326,48 @@ TEST(ComputeRecords, ADoubleThatWouldOverflowIsNull) {
   expect_well_formed(far.records[2]);
   const oracle::Rational x(1.7e308);
   EXPECT_EQ(far.records[2]["squared_distance"], oracle::Rational(x * x).str());
+}
+
+TEST(ComputeRecords, CentersAreExactOrDoublesOrLeftOut) {
+  CITES("FC-OUT-01", "FC-NUM-02");
+  const Scratch scratch;
+  const std::vector<std::string> manifolds = {"--manifolds", "u2,s2", "--polylines", "--skeletons"};
+  const auto written = [&](const char* points, const char* centers, bool with_manifolds) {
+    std::vector<std::string> options = {"--centers", centers};
+    if (with_manifolds) options.insert(options.end(), manifolds.begin(), manifolds.end());
+    return records_of(scratch, points, options);
+  };
+  for (const char* points : {kCube, kWithDuplicates, kKind23, "1.7e308 0 0\n-1.7e308 0 0\n", "1 2 3\n", "# none\n"}) {
+    for (const bool with_manifolds : {false, true}) {
+      Written expected = written(points, "exact", with_manifolds);
+      EXPECT_FALSE(expected.header.contains("centers"));
+      for (const char* centers : {"double", "none"}) {
+        expected.header["centers"] = centers;
+        for (json& record : expected.records) {
+          for (const char* key : {"center", "squared_distance"}) record.erase(key);
+          if (centers == std::string("double")) continue;
+          for (const char* key : {"center_double", "squared_distance_double"}) record.erase(key);
+        }
+        const Written found = written(points, centers, with_manifolds);
+        EXPECT_EQ(found.header, expected.header);
+        EXPECT_EQ(found.records, expected.records) << points;
+      }
+    }
+  }
+}
+
+TEST(ComputeRecords, CentersNeedAFileAndAKnownWord) {
+  CITES("FC-OUT-01");
+  const Scratch scratch;
+  const std::string input = scratch.file("cube.xyz", kCube);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"compute", input, "--centers", "double"},
+        std::vector<std::string>{"compute", input, "-o", scratch.path("x.jsonl"), "--centers", "rounded"}}) {
+    const Finished finished = flowcert(words);
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_EQ(lines_of(finished.err).size(), 1U) << finished.err;
+    EXPECT_NE(finished.err.find("--centers"), std::string::npos) << finished.err;
+  }
 }
 
 TEST(ComputeRecords, ASecondRunWritesTheSameBytes) {
