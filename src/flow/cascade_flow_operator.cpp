@@ -1,7 +1,7 @@
 // The flow operator over the cascade kernel.
 #include "flow/flow_operator.h"
 #include "flow/kernel_flow_operator.h"
-#include "flow/kernels/cascade_kernel.h"
+#include "flow/kernels/cascade_moving_point.h"
 
 namespace flowcert::flow {
 

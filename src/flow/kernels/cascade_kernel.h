@@ -3,9 +3,9 @@
 // longer floating-point types, and integers.
 //
 // Guarantees: exact. A sign that a floating-point type decides is beyond its proven bound (spec/cascades.md); integers
-// decide the others. A direction that a higher precision had to compute is handed down
-// to the lower ones, so that what follows begins anew with a small error. Recipes are replayed in a loop, so that no
-// length of a cascade exhausts the stack.
+// decide the others. A direction that a higher precision had to compute is handed down to the lower ones, so that what
+// follows begins anew with a small error. Recipes are replayed in a loop, so that no length of a cascade exhausts the
+// stack. What flows over this kernel also includes cascade_moving_point.h.
 #pragma once
 
 #include <memory>
@@ -13,8 +13,7 @@
 #include <vector>
 
 #include "flow/kernels/crossing_sphere.h"
-#include "flow/kernels/direction.h"
-#include "flow/kernels/exact_direction.h"
+#include "flow/kernels/direction_rung.h"
 #include "flow/kernels/kernel.h"
 
 namespace flowcert::flow {
@@ -26,7 +25,7 @@ class CascadeKernel {
   [[nodiscard]] PointNumber add(const RationalPoint& x) {
     Kept point;
     point.kind = Kind::kGiven;
-    point.refined = std::make_unique<Refined>();
+    point.refined = std::make_unique<RefinedDirections>();
     point.refined->given = x;
     return points_.keep(std::move(point));
   }
@@ -148,6 +147,9 @@ class CascadeKernel {
   }
 
  private:
+  using Kept = CascadePoint;
+  using Kind = CascadePoint::Kind;
+
   template <class Query>
   [[nodiscard]] Sign sign_beyond_doubles(const Query& query) {
     ++tally_[Query::kPrimitive].failures;
@@ -156,156 +158,11 @@ class CascadeKernel {
     return sign_in_integers(query);
   }
 
-  enum class Kind : std::uint8_t { kGiven, kCircle, kSphere, kCrossing };
-
   // A facet that was left, and by whose bisector.
   struct Crossed {
     FacetEdge facet;
     const Point* q;
   };
-  // What higher precisions know of a point. Few points have it.
-  template <class Number>
-  struct Seen {
-    FacetEdge facing;
-    Direction<Number> direction;
-  };
-  struct Refined {
-    RationalPoint given;  // kGiven
-    Seen<DoubleDouble> doubled;
-    Seen<Extended> extended;
-    FacetEdge integer_facing;
-    IntegerDirection integers;
-    bool has_integers = false;
-
-    template <class Number>
-    [[nodiscard]] Seen<Number>& seen() {
-      if constexpr (std::is_same_v<Number, Extended>) {
-        return extended;
-      } else {
-        return doubled;
-      }
-    }
-  };
-  struct Kept {
-    Kind kind = Kind::kGiven;
-    std::uint32_t depth = 0;
-    PointNumber from = kNoPoint;            // kCrossing
-    std::array<const Point*, 4> samples{};  // of a crossing: p0, p1, q
-    FacetEdge facing;                       // `direction` is seen from here
-    Direction<double> direction;
-    Direction<double> arrival;  // of a crossing: the direction before it
-    std::unique_ptr<Refined> refined;
-
-    [[nodiscard]] FacetEdge crossed() const { return {samples[0], samples[1]}; }
-    [[nodiscard]] std::array<const Point*, 3> circle() const { return {samples[0], samples[1], samples[2]}; }
-  };
-
-  // ---- Doubles ----
-
-  // For a point that is not a crossing, and for a crossing whose arrival is known in this precision.
-  template <class Number>
-  [[nodiscard]] static Direction<Number> first_direction(const Kept& x, FacetEdge facet) {
-    switch (x.kind) {
-      case Kind::kGiven:
-        return rounded<Number>(exact_direction_from_position(x.refined->given, facet));
-      case Kind::kCircle:
-        return direction_from_circle<Number>(x.circle(), facet);
-      case Kind::kSphere:
-        return direction_from_vertex<Number>(x.samples, facet);
-      case Kind::kCrossing:
-        break;
-    }
-    if constexpr (std::is_same_v<Number, double>) {
-      return direction_across(x.arrival, x.crossed(), *x.samples[2], facet);
-    }
-    return {};
-  }
-
-  // ---- Higher precisions ----
-
-  // An integer direction in floating point. Dropping what lies 300 bits below the longest component changes it by far
-  // less than the bound.
-  template <class Number>
-  [[nodiscard]] static Direction<Number> rounded(const IntegerDirection& u) {
-    std::size_t bits = 0;
-    for (const BigInteger* part : {&u.x, &u.y, &u.z}) {
-      if (*part != 0) bits = std::max(bits, mpz_sizeinbase(part->backend().data(), 2));
-    }
-    if (bits == 0) return {};
-    constexpr std::size_t kKeptBits = 300;
-    const std::size_t shift = bits > kKeptBits ? bits - kKeptBits : 0;
-    const auto part = [shift](const BigInteger& value) { return Extended(BigInteger(value >> shift)); };
-    const Vector3<Extended> v{part(u.x), part(u.y), part(u.z)};
-    return rounded<Number>(Direction<Extended>{Extended(1 / length(v)) * v, 0});
-  }
-  // The components are rounded once more.
-  template <class Number>
-  [[nodiscard]] static Direction<Number> rounded(const Direction<Extended>& x) {
-    if (!x.is_known()) return {};
-    const Extended error = x.error + Extended(kGivenStartBound * Precision<Number>::kRoundoff);
-    return {{nearest<Number>(x.u.x), nearest<Number>(x.u.y), nearest<Number>(x.u.z)}, nearest<Number>(error)};
-  }
-  template <class Number>
-  [[nodiscard]] static Number nearest(const Extended& value) {
-    if constexpr (std::is_same_v<Number, DoubleDouble>) {
-      const auto high = static_cast<double>(value);
-      return Number::sum(high, static_cast<double>(Extended(value - high)));
-    } else {
-      return static_cast<Number>(value);
-    }
-  }
-
-  template <class Number>
-  struct InFloat {
-    using Value = Direction<Number>;
-    static Value start(const Kept& x, FacetEdge facet) { return first_direction<Number>(x, facet); }
-    static Value across(const Value& u, FacetEdge from, const Point& q, FacetEdge to) {
-      return direction_across(u, from, q, to);
-    }
-    static const Value* cached(const Kept& x, FacetEdge facet) {
-      if (!x.refined) return nullptr;
-      const Seen<Number>& seen = x.refined->template seen<Number>();
-      return seen.facing == facet ? &seen.direction : nullptr;
-    }
-    static void keep(CascadeKernel&, PointNumber, Refined& refined, FacetEdge facet, const Value& value) {
-      refined.template seen<Number>() = {facet, value};
-      if constexpr (std::is_same_v<Number, Extended>) refined.doubled = {facet, rounded<DoubleDouble>(value)};
-    }
-    static Direction<double> handed_down(const Value& value) {
-      if constexpr (std::is_same_v<Number, Extended>) {
-        return rounded<double>(value);
-      } else {
-        if (!value.is_known()) return {};
-        return {{value.u.x.high(), value.u.y.high(), value.u.z.high()},
-                value.error.high() + kGivenStartBound * Precision<double>::kRoundoff};
-      }
-    }
-  };
-  struct InIntegers {
-    using Value = IntegerDirection;
-    static Value start(const Kept& x, FacetEdge facet) {
-      if (x.kind == Kind::kGiven) return exact_direction_from_position(x.refined->given, facet);
-      if (x.kind == Kind::kSphere) return exact_direction_from_vertex(x.samples, facet);
-      return exact_direction_from_circle(x.circle(), facet);
-    }
-    static Value across(const Value& u, FacetEdge from, const Point& q, FacetEdge to) {
-      return exact_direction_across(u, from, q, to);
-    }
-    static const Value* cached(const Kept& x, FacetEdge facet) {
-      const bool is_there = x.refined && x.refined->has_integers && x.refined->integer_facing == facet;
-      return is_there ? &x.refined->integers : nullptr;
-    }
-    static void keep(CascadeKernel& kernel, PointNumber number, Refined& refined, FacetEdge facet, const Value& value) {
-      if (!refined.has_integers) kernel.limit_integers(number);
-      refined.integers = value;
-      refined.integer_facing = facet;
-      refined.has_integers = true;
-      refined.extended = {facet, rounded<Extended>(value)};
-      refined.doubled = {facet, rounded<DoubleDouble>(value)};
-    }
-    static Direction<double> handed_down(const Value& value) { return rounded<double>(value); }
-  };
-
   // Goes back along the recipe to a point whose direction is there, and then forth again.
   template <class Rung>
   [[nodiscard]] typename Rung::Value refined_direction(PointNumber number, FacetEdge facet) {
@@ -328,8 +185,9 @@ class CascadeKernel {
       value = Rung::across(value, passed.crossed(), *passed.samples[2], next);
     }
     Kept& x = points_.at(number);
-    if (!x.refined) x.refined = std::make_unique<Refined>();
-    Rung::keep(*this, number, *x.refined, facet, value);
+    if (!x.refined) x.refined = std::make_unique<RefinedDirections>();
+    if (Rung::kIsLong && !x.refined->has_integers) limit_integers(number);
+    Rung::keep(*x.refined, facet, value);
     const Direction<double> lower = Rung::handed_down(value);
     if (lower.is_known()) {
       x.direction = lower;
@@ -441,87 +299,6 @@ class CascadeKernel {
   std::size_t oldest_integers_ = 0;
 };
 
-// A point that moves on in doubles alone, as long as they decide. Then it is kept like others, with all points on its
-// way, and moves on from there. A kernel has one moving point at a time.
-class CascadeKernel::MovingPoint {
- public:
-  MovingPoint(CascadeKernel& kernel, PointNumber start, const Point& p0, const Point& p1)
-      : kernel_(kernel), start_(start), facet_{&p0, &p1} {
-    kernel_.trail_.clear();
-    look();
-  }
-  MovingPoint(const MovingPoint&) = delete;
-  MovingPoint& operator=(const MovingPoint&) = delete;
-  ~MovingPoint() { count(); }
-
-  void leave(const Point& q) { kernel_.trail_.push_back({facet_, &q}); }
-  void enter(const Point& p0, const Point& p1) {
-    const Crossed& last = kernel_.trail_.back();
-    facet_ = {&p0, &p1};
-    direction_ = direction_across(direction_, last.facet, *last.q, facet_);
-    factor_ = order_factor(direction_);
-    if (!direction_.is_known()) {
-      (void)number();
-      look();
-    }
-  }
-
-  // Keeps the points on the way.
-  [[nodiscard]] PointNumber number() {
-    const std::vector<Crossed> trail(kernel_.trail_);
-    kernel_.trail_.clear();
-    for (const Crossed& crossed : trail) {
-      start_ = kernel_.add_crossing(start_, *crossed.facet.p0, *crossed.facet.p1, *crossed.q);
-    }
-    return start_;
-  }
-
-  [[nodiscard]] Sign sign_of_order(const Point& qi, const Point& qj) {
-    if (const MaybeSign sign = order_sign(direction_, factor_, facet_, qi, qj))
-      return counted(OrderOfExits::kPrimitive, *sign);
-    return beyond_doubles(OrderOfExits{number(), *facet_.p0, *facet_.p1, qi, qj});
-  }
-  [[nodiscard]] Sign sign_of_ray_at_infinity(const Point& q) {
-    if (const MaybeSign sign = approach_sign(direction_, facet_, q)) return counted(RayAtInfinity::kPrimitive, *sign);
-    return beyond_doubles(RayAtInfinity{number(), *facet_.p0, *facet_.p1, q});
-  }
-  [[nodiscard]] Sign sign_along_edge(const Point& a, const Point& b, const Point& c) {
-    if (const MaybeSign sign = normal_sign(direction_, a, b, c)) return counted(AlongEdge::kPrimitive, *sign);
-    return kernel_.sign(AlongEdge{number(), a, b, c});
-  }
-
- private:
-  void look() {
-    direction_ = kernel_.direction_in_doubles(start_, facet_);
-    factor_ = order_factor(direction_);
-  }
-  [[nodiscard]] Sign counted(FlowPrimitive primitive, Sign sign) {
-    ++kernel_.tally_[primitive].calls;
-    return sign;
-  }
-  // What a higher precision found of the direction helps from here on.
-  template <class Query>
-  [[nodiscard]] Sign beyond_doubles(const Query& query) {
-    ++kernel_.tally_[Query::kPrimitive].calls;
-    const Sign sign = kernel_.sign_beyond_doubles(query);
-    look();
-    return sign;
-  }
-  void count() {
-    kernel_.tally_[FlowPrimitive::kCrossing].calls += kernel_.trail_.size();
-    if (!kernel_.trail_.empty()) {
-      kernel_.deepest_ = std::max(kernel_.deepest_, kernel_.points_[start_].depth + kernel_.trail_.size());
-    }
-  }
-
-  CascadeKernel& kernel_;
-  PointNumber start_;  // the last point that is kept
-  FacetEdge facet_;
-  Direction<double> direction_;
-  double factor_ = 0;  // order_factor(direction_)
-};
-
 static_assert(ConstructsPoints<CascadeKernel>);
-static_assert(HasMovingPoint<CascadeKernel>);
 
 }  // namespace flowcert::flow

@@ -1,0 +1,118 @@
+// How each precision beyond the doubles makes the directions of a recipe, keeps them, and hands them down to the lower
+// ones.
+//
+// Guarantees: a direction that is handed down is rounded, and its bound covers that. Integers are exact.
+#pragma once
+
+#include "flow/kernels/cascade_point.h"
+
+namespace flowcert::flow {
+
+template <class Number>
+[[nodiscard]] Number nearest_number(const Extended& value) {
+  if constexpr (std::is_same_v<Number, DoubleDouble>) {
+    const auto high = static_cast<double>(value);
+    return Number::sum(high, static_cast<double>(Extended(value - high)));
+  } else {
+    return static_cast<Number>(value);
+  }
+}
+// The components are rounded once more.
+template <class Number>
+[[nodiscard]] Direction<Number> rounded_direction(const Direction<Extended>& x) {
+  if (!x.is_known()) return {};
+  const Extended error = x.error + Extended(kGivenStartBound * Precision<Number>::kRoundoff);
+  return {{nearest_number<Number>(x.u.x), nearest_number<Number>(x.u.y), nearest_number<Number>(x.u.z)},
+          nearest_number<Number>(error)};
+}
+// An integer direction in floating point. Dropping what lies 300 bits below the longest component changes it by far
+// less than the bound.
+template <class Number>
+[[nodiscard]] Direction<Number> rounded_direction(const IntegerDirection& u) {
+  std::size_t bits = 0;
+  for (const BigInteger* part : {&u.x, &u.y, &u.z}) {
+    if (*part != 0) bits = std::max(bits, mpz_sizeinbase(part->backend().data(), 2));
+  }
+  if (bits == 0) return {};
+  constexpr std::size_t kKeptBits = 300;
+  const std::size_t shift = bits > kKeptBits ? bits - kKeptBits : 0;
+  const auto part = [shift](const BigInteger& value) { return Extended(BigInteger(value >> shift)); };
+  const Vector3<Extended> v{part(u.x), part(u.y), part(u.z)};
+  return rounded_direction<Number>(Direction<Extended>{Extended(1 / length(v)) * v, 0});
+}
+
+// For a point that is not a crossing, and for a crossing whose arrival is known in this precision.
+template <class Number>
+[[nodiscard]] Direction<Number> first_direction(const CascadePoint& x, FacetEdge facet) {
+  switch (x.kind) {
+    case CascadePoint::Kind::kGiven:
+      return rounded_direction<Number>(exact_direction_from_position(x.refined->given, facet));
+    case CascadePoint::Kind::kCircle:
+      return direction_from_circle<Number>(x.circle(), facet);
+    case CascadePoint::Kind::kSphere:
+      return direction_from_vertex<Number>(x.samples, facet);
+    case CascadePoint::Kind::kCrossing:
+      break;
+  }
+  if constexpr (std::is_same_v<Number, double>) {
+    return direction_across(x.arrival, x.crossed(), *x.samples[2], facet);
+  }
+  return {};
+}
+
+// ---- Rungs ----
+// `start` and `across` make directions, `cached` and `keep` store them with a point.
+
+template <class Number>
+struct InFloat {
+  static constexpr bool kIsLong = false;
+  using Value = Direction<Number>;
+  static Value start(const CascadePoint& x, FacetEdge facet) { return first_direction<Number>(x, facet); }
+  static Value across(const Value& u, FacetEdge from, const Point& q, FacetEdge to) {
+    return direction_across(u, from, q, to);
+  }
+  static const Value* cached(const CascadePoint& x, FacetEdge facet) {
+    if (!x.refined) return nullptr;
+    const SeenDirection<Number>& seen = x.refined->template seen<Number>();
+    return seen.facing == facet ? &seen.direction : nullptr;
+  }
+  static void keep(RefinedDirections& refined, FacetEdge facet, const Value& value) {
+    refined.template seen<Number>() = {facet, value};
+    if constexpr (std::is_same_v<Number, Extended>) refined.doubled = {facet, rounded_direction<DoubleDouble>(value)};
+  }
+  static Direction<double> handed_down(const Value& value) {
+    if constexpr (std::is_same_v<Number, Extended>) {
+      return rounded_direction<double>(value);
+    } else {
+      if (!value.is_known()) return {};
+      return {{value.u.x.high(), value.u.y.high(), value.u.z.high()},
+              value.error.high() + kGivenStartBound * Precision<double>::kRoundoff};
+    }
+  }
+};
+struct InIntegers {
+  static constexpr bool kIsLong = true;
+  using Value = IntegerDirection;
+  static Value start(const CascadePoint& x, FacetEdge facet) {
+    if (x.kind == CascadePoint::Kind::kGiven) return exact_direction_from_position(x.refined->given, facet);
+    if (x.kind == CascadePoint::Kind::kSphere) return exact_direction_from_vertex(x.samples, facet);
+    return exact_direction_from_circle(x.circle(), facet);
+  }
+  static Value across(const Value& u, FacetEdge from, const Point& q, FacetEdge to) {
+    return exact_direction_across(u, from, q, to);
+  }
+  static const Value* cached(const CascadePoint& x, FacetEdge facet) {
+    const bool is_there = x.refined && x.refined->has_integers && x.refined->integer_facing == facet;
+    return is_there ? &x.refined->integers : nullptr;
+  }
+  static void keep(RefinedDirections& refined, FacetEdge facet, const Value& value) {
+    refined.integers = value;
+    refined.integer_facing = facet;
+    refined.has_integers = true;
+    refined.extended = {facet, rounded_direction<Extended>(value)};
+    refined.doubled = {facet, rounded_direction<DoubleDouble>(value)};
+  }
+  static Direction<double> handed_down(const Value& value) { return rounded_direction<double>(value); }
+};
+
+}  // namespace flowcert::flow
