@@ -5,6 +5,7 @@
 #pragma once
 
 #include "flow/kernels/cascade_point.h"
+#include "flow/kernels/direction_across.h"
 
 namespace flowcert::flow {
 

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "flow/kernels/direction.h"
+#include "flow/kernels/direction_across.h"
 
 namespace flowcert::flow {
 
