@@ -1,6 +1,6 @@
-// Values that several cells share are rounded once, from exact values. In a file, the arrays are raw bytes after the
-// XML, each after its length. The XML says where each begins. The writer is our own, because VTK would be a
-// dependency of 190 MB for a list of arrays. Tests read the files with VTK itself.
+// Values that several cells share are rounded once. In a file, the arrays are raw bytes after the XML, each after its
+// length. The XML says where each begins. The writer is our own, because VTK would be a dependency of 190 MB for a list
+// of arrays. Tests read the files with VTK itself.
 #include "flowcert/vtk_exports.h"
 
 #include <fmt/format.h>
