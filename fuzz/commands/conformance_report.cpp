@@ -9,6 +9,7 @@
 #include "cli/check_report.h"
 #include "cli/command.h"
 #include "cli/table.h"
+#include "cli/xml_text.h"
 #include "fuzz/judge/conformance_words.h"
 
 namespace flowcert::commands {

@@ -16,6 +16,7 @@
 #include "cli/command.h"
 #include "cli/progress.h"
 #include "cli/table.h"
+#include "cli/xml_text.h"
 #include "fuzz/commands/commands.h"
 #include "fuzz/commands/layer.h"
 #include "fuzz/judge/oracle_truth.h"

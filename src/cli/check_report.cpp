@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "cli/table.h"
+#include "cli/xml_text.h"
 #include "io/number_text.h"
 
 namespace flowcert::cli {
@@ -164,32 +165,6 @@ void write_check_junit(std::ostream& out, const CheckedFiles& files, const Check
                      skipped);
   for (std::size_t k = 0; k < kLevels; ++k) write_level(out, files, report, k, counts.at(k));
   out << "  </testsuite>\n</testsuites>\n";
-}
-
-// ---- Text in XML ----
-
-std::string xml_text(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        // XML 1.0 has no control characters. File names may also hold bytes that are not UTF-8.
-        escaped += (static_cast<unsigned char>(c) < 0x20 && c != '\n') || (c & 0x80) != 0 ? '?' : c;
-    }
-  }
-  return escaped;
 }
 
 // ---- Options ----

@@ -35,9 +35,6 @@ void print_check_text(const CheckedFiles& files, const CheckReport& report, std:
 void print_check_json(const CheckedFiles& files, const CheckReport& report, const PointSet& points);
 void write_check_junit(std::ostream& out, const CheckedFiles& files, const CheckReport& report);
 
-// The text, escaped for an XML 1.0 document, also within double quotes. Whatever it holds, the document stays valid.
-[[nodiscard]] std::string xml_text(const std::string& text);
-
 // The options --tolerance and --levels, which all commands that judge claims share.
 void add_judging_options(CLI::App& command, CheckOptions& options);
 
