@@ -26,6 +26,7 @@ void add_compute_command(CLI::App& app, int& status);
 void add_explain_command(CLI::App& app, int& status);
 void add_orbit_command(CLI::App& app, int& status);
 void add_persistence_command(CLI::App& app, int& status);
+void add_stats_command(CLI::App& app, int& status);
 void add_surface_command(CLI::App& app, int& status);
 
 // Reads the file, and says on standard error what a user should know of it: single precision, merged

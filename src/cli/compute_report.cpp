@@ -7,9 +7,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <string_view>
 
+#include "cli/histogram.h"
 #include "flowcert/orbit.h"
 
 namespace flowcert::cli {
@@ -90,21 +90,6 @@ std::vector<TypeCount> full_census(const FlowStatistics& statistics) {
   return census;
 }
 
-// Pairs of 2^k and how many numbers have at least 2^k bytes but fewer than 2^(k+1). Empty ranges in between are
-// listed too.
-std::vector<std::pair<std::size_t, std::size_t>> byte_histogram(const Distribution& bytes) {
-  std::map<std::size_t, std::size_t> ranges;
-  for (const auto& [value, times] : bytes.times()) ranges[std::bit_floor(value)] += times;
-  std::vector<std::pair<std::size_t, std::size_t>> histogram;
-  for (const auto& [from, count] : ranges) {
-    while (!histogram.empty() && histogram.back().first > 0 && histogram.back().first * 2 < from) {
-      histogram.emplace_back(histogram.back().first * 2, 0);
-    }
-    histogram.emplace_back(from, count);
-  }
-  return histogram;
-}
-
 void add_statistics(Json& object, const FlowStatistics& statistics) {
   object["n_u2"] = distribution_field(statistics.n_u2);
   object["n_wcc"] = distribution_field(statistics.n_wcc);
@@ -117,7 +102,7 @@ void add_statistics(Json& object, const FlowStatistics& statistics) {
   sizes["mean"] = bytes.mean();
   sizes["max"] = bytes.max();
   Json& histogram = sizes["histogram"] = Json::array();
-  for (const auto& [from, count] : byte_histogram(bytes)) histogram.push_back(std::array{from, count});
+  for (const Bin& bin : doubling_bins(bytes)) histogram.push_back(std::array{bin.first, bin.count});
   object["depth"] = statistics.depth;
 }
 
@@ -162,7 +147,7 @@ void print_exact_numbers(const FlowStatistics& statistics) {
   fmt::print("\nbytes of exact coordinates (paper, Figure 12): mean {:.1f}, at most {}\n", bytes.mean(),
              with_commas(bytes.max()));
   Table table("rr", {"from", "numbers"});
-  for (const auto& [from, count] : byte_histogram(bytes)) table.row(with_commas(from)).cell(count);
+  for (const Bin& bin : doubling_bins(bytes)) table.row(with_commas(bin.first)).cell(bin.count);
   table.print();
 }
 
@@ -328,7 +313,7 @@ void print_compute_table(const std::string& name, const Input& input, const Meas
   if (measured.has.s2 && choice.with_statistics) print_s2_statistics(complex.stable().statistics());
 }
 
-void print_compute_summary(const Input& input, const Measured& measured, const U2Choice& choice) {
+Json compute_summary(const Input& input, const Measured& measured, const U2Choice& choice) {
   const FlowComplex& complex = *measured.last;
   Json summary = header_fields("flowcert-summary", 1, input.points);
   add_counts(summary, input.points, complex.stationary());
@@ -346,7 +331,11 @@ void print_compute_summary(const Input& input, const Measured& measured, const U
   if (measured.has.u2) summary["u2"] = u2_field(choice, complex.unstable().statistics());
   if (measured.has.s2) summary["s2"] = s2_field(choice, complex.stationary(), complex.stable());
   summary["peak_memory_bytes"] = peak_memory();
-  fmt::print("{}\n", summary.dump());
+  return summary;
+}
+
+void print_compute_summary(const Input& input, const Measured& measured, const U2Choice& choice) {
+  fmt::print("{}\n", compute_summary(input, measured, choice).dump());
 }
 
 }  // namespace flowcert::cli

@@ -57,6 +57,7 @@ void print_primitives(const KernelTally& tally);
 // name: the display_name() of the input.
 void print_compute_table(const std::string& name, const Input& input, const Measured& measured, const U2Choice& choice);
 
+[[nodiscard]] Json compute_summary(const Input& input, const Measured& measured, const U2Choice& choice);
 void print_compute_summary(const Input& input, const Measured& measured, const U2Choice& choice);
 
 }  // namespace flowcert::cli

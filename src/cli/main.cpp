@@ -66,6 +66,7 @@ int run(int argc, char** argv) {
   add_generate_command(app, status);
   add_orbit_command(app, status);
   add_persistence_command(app, status);
+  add_stats_command(app, status);
   add_surface_command(app, status);
   add_verify_command(app, status);
   try {

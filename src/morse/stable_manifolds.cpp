@@ -217,6 +217,12 @@ class StableManifolds::Parts::Worker {
     return tie_broken_boundary(faces_.diagram(), walk_, start(record), samples, ties);
   }
   [[nodiscard]] const KernelTally& tally() const { return flow_->tally(); }
+  [[nodiscard]] std::size_t depth() const {
+    Distribution ignored;
+    std::size_t depth = 0;
+    flow_->count_sizes(ignored, depth);
+    return depth;
+  }
 
  private:
   struct Task {
@@ -567,6 +573,7 @@ void StableManifolds::Parts::compute(const Progress& progress) {
   sum_up();
   for (auto& worker : team) {
     statistics.tally += worker->tally();
+    statistics.depth = std::max(statistics.depth, worker->depth());
     workers.give(std::move(worker));
   }
   if (progress) progress(sets.size(), sets.size());

@@ -91,6 +91,7 @@ struct StableStatistics {
   std::size_t ends_at_regular = 0;     // branches of S2's that end at a regular stationary point
   std::size_t broken_ties = 0;         // index-2 points whose boundary a tie leaves open
   KernelTally tally;
+  std::size_t depth = 0;  // the longest chain of constructions that the kernel kept (FlowStatistics)
 };
 
 // Const access is safe from several threads. Each of them makes sets with arrays of its own.
