@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "fuzz/inputs/gaussian_circle.h"
 #include "fuzz/inputs/integer_points.h"
 
 namespace flowcert::fuzz {
@@ -39,29 +40,13 @@ void require(bool served, const char* complaint) {
   }
 }
 
-using Gaussian = std::array<Integer, 2>;
-
-Gaussian product(const Gaussian& a, const Gaussian& b) {
-  return {a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]};
-}
-
-Gaussian power(const Gaussian& base, int exponent) {
-  Gaussian result{1, 0};
-  for (int k = 0; k < exponent; ++k) {
-    result = product(result, base);
-  }
-  return result;
-}
-
-// The Gaussian primes over 5, 13, 17, 29, 37, 41, 53 and 61.
-constexpr std::array<Gaussian, 8> kPrimes{{{2, 1}, {3, 2}, {4, 1}, {5, 2}, {6, 1}, {5, 4}, {7, 2}, {6, 5}}};
 // The primes are multiplied in this order to a norm N. x² + y² = N has four times as many solutions as N has
 // divisors, 120,960 in the end, with coordinates below 2^48.
 constexpr std::array<std::size_t, 23> kOrder{0, 1, 2, 3, 0, 4, 5, 1, 6, 0, 2, 7, 3, 0, 4, 1, 5, 0, 6, 2, 3, 1, 0};
 
 // A norm whose circle has at least so many points. It is given by the exponents of the primes.
-std::array<int, kPrimes.size()> norm_with_points(std::size_t least) {
-  std::array<int, kPrimes.size()> exponents{};
+PrimeExponents norm_with_points(std::size_t least) {
+  PrimeExponents exponents{};
   std::size_t points = 4;
   for (const std::size_t prime : kOrder) {
     if (points >= least) {
@@ -73,35 +58,8 @@ std::array<int, kPrimes.size()> norm_with_points(std::size_t least) {
   return exponents;
 }
 
-bool is_upper(const Gaussian& z) { return z[1] > 0 || (z[1] == 0 && z[0] > 0); }
-
-// Orders points of one circle about the origin by angle.
-bool comes_before(const Gaussian& a, const Gaussian& b) {
-  if (is_upper(a) != is_upper(b)) {
-    return is_upper(a);
-  }
-  return is_upper(a) ? a[0] > b[0] : a[0] < b[0];
-}
-
 // All integer points of a circle with at least so many, or with as many as the tables give, by angle.
-std::vector<Gaussian> circle_with_points(std::size_t least) {
-  const auto exponents = norm_with_points(least);
-  std::vector<Gaussian> circle{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-  for (std::size_t k = 0; k < kPrimes.size(); ++k) {
-    const Gaussian& prime = kPrimes[k];
-    const Gaussian conjugate{prime[0], -prime[1]};
-    std::vector<Gaussian> multiples;
-    for (int split = 0; split <= exponents[k]; ++split) {
-      const Gaussian factor = product(power(prime, split), power(conjugate, exponents[k] - split));
-      for (const Gaussian& point : circle) {
-        multiples.push_back(product(point, factor));
-      }
-    }
-    circle = std::move(multiples);
-  }
-  std::sort(circle.begin(), circle.end(), comes_before);
-  return circle;
-}
+std::vector<Gaussian> circle_with_points(std::size_t least) { return integer_circle(norm_with_points(least)); }
 
 // Cuts a list into so many equal parts, and chooses one of each.
 std::vector<Gaussian> spread_choice(const std::vector<Gaussian>& list, std::size_t count, Dice& dice) {
