@@ -273,7 +273,7 @@ TEST(CascadeKernel, DirectionsOfFlowsAtTheEndsOfTheRangeAreWithinTheirBounds) {
 // The ends of the edge lie at (+-1,0,0), and the two others make a Voronoi vertex (0,0,4/3): seen from the edge's
 // midpoint it lies along the z axis.
 struct UpwardDirection {
-  explicit UpwardDirection(double scale = 1) {
+  explicit UpwardDirection(double scale = 1, MiddleRungs rungs = {}) : kernel(tally, rungs) {
     for (Point& p : v) p = {scale * p.x, scale * p.y, scale * p.z};
     number = kernel.add_circumcenter(std::array<const Point*, 4>{&v[0], &v[1], &v[2], &v[3]}, Stay::kPassing);
   }
@@ -283,7 +283,7 @@ struct UpwardDirection {
 
   std::array<Point, 4> v = {Point{-1, 0, 0}, Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 3}};
   KernelTally tally;
-  CascadeKernel kernel{tally};
+  CascadeKernel kernel;
   PointNumber number = 0;
 };
 
@@ -316,6 +316,29 @@ TEST(CascadeKernel, LongerPrecisionsDecideNearTies) {
       EXPECT_EQ(up.kernel.sign(up.query(q)), truth);
       EXPECT_EQ(up.count().failures, 1U);
       EXPECT_EQ(up.kernel.exact_bytes(up.number), std::nullopt) << "no integer was needed";
+    }
+  }
+}
+
+TEST(CascadeKernel, RungsThatAreLeftOutChangeNoSign) {
+  CITES("FC-NUM-01");
+  using enum KernelRung;
+  struct Choice {
+    MiddleRungs rungs;
+    KernelRung near, nearer;  // what decides two signs, one of them nearer to a tie
+  };
+  for (const Choice& choice : {Choice{{true, true}, kDoubled, kExtended},
+                               {{true, false}, kDoubled, kExact},
+                               {{false, true}, kExtended, kExtended},
+                               {{false, false}, kExact, kExact}}) {
+    for (const bool is_nearer : {false, true}) {
+      UpwardDirection up(1, choice.rungs);
+      EXPECT_EQ(up.kernel.sign(up.query({0.3, 5, -1})), Sign::kNegative);
+      EXPECT_EQ(up.kernel.sign(up.query({0, 5, is_nearer ? -0x1p-200 : -0x1p-60})), Sign::kNegative);
+      for (const KernelRung rung : {kDoubled, kExtended, kExact}) {
+        EXPECT_EQ(up.kernel.decided_beyond_doubles(rung), rung == (is_nearer ? choice.nearer : choice.near) ? 1U : 0U);
+      }
+      EXPECT_EQ(up.count().failures, 1U);
     }
   }
 }

@@ -18,9 +18,15 @@
 
 namespace flowcert::flow {
 
+// Which precisions between doubles and integers are asked for signs. A benchmark leaves some out; answers stay.
+struct MiddleRungs {
+  bool doubled = true;
+  bool extended = true;
+};
+
 class CascadeKernel {
  public:
-  explicit CascadeKernel(KernelTally& tally) : tally_(tally) {}
+  explicit CascadeKernel(KernelTally& tally, MiddleRungs rungs = {}) : tally_(tally), rungs_(rungs) {}
 
   [[nodiscard]] PointNumber add(const RationalPoint& x) {
     Kept point;
@@ -128,6 +134,11 @@ class CascadeKernel {
     deepest_ = 0;
   }
 
+  // How many signs each rung decided. Doubles decided all that are not here.
+  [[nodiscard]] std::uint64_t decided_beyond_doubles(KernelRung rung) const {
+    return decided_[static_cast<std::size_t>(rung)];
+  }
+
   // What each precision knows of the direction of a point from the midpoint of a facet, up to a positive factor.
   [[nodiscard]] const Direction<double>& direction_in_doubles(PointNumber number, FacetEdge facet) {
     Kept& x = points_.at(number);
@@ -153,9 +164,17 @@ class CascadeKernel {
   template <class Query>
   [[nodiscard]] Sign sign_beyond_doubles(const Query& query) {
     ++tally_[Query::kPrimitive].failures;
-    if (const MaybeSign sign = sign_in<DoubleDouble>(query)) return *sign;
-    if (const MaybeSign sign = sign_in<Extended>(query)) return *sign;
-    return sign_in_integers(query);
+    const auto decided_by = [this](KernelRung rung, Sign sign) {
+      ++decided_[static_cast<std::size_t>(rung)];
+      return sign;
+    };
+    if (rungs_.doubled) {
+      if (const MaybeSign sign = sign_in<DoubleDouble>(query)) return decided_by(KernelRung::kDoubled, *sign);
+    }
+    if (rungs_.extended) {
+      if (const MaybeSign sign = sign_in<Extended>(query)) return decided_by(KernelRung::kExtended, *sign);
+    }
+    return decided_by(KernelRung::kExact, sign_in_integers(query));
   }
 
   // A facet that was left, and by whose bisector.
@@ -291,6 +310,8 @@ class CascadeKernel {
   }
 
   KernelTally& tally_;
+  MiddleRungs rungs_;
+  std::array<std::uint64_t, 4> decided_{};  // by KernelRung
   PointStorage<Kept> points_;
   std::size_t deepest_ = 0;
   std::vector<Crossed> trail_;              // of the moving point
