@@ -3,6 +3,7 @@
 #include "fuzz/inputs/capsule_sample.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
 #include <vector>
 
