@@ -7,6 +7,7 @@
 #include <charconv>
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
 #include <memory>
 
 #include "cli/command.h"
@@ -15,6 +16,7 @@
 #include "cli/table.h"
 #include "flowcert/flow_complex.h"
 #include "io/json_fields.h"
+#include "io/ordered_text.h"
 #include "io/output_file.h"
 
 namespace flowcert::cli {
@@ -165,8 +167,22 @@ void print_json(const Input& input, const PersistenceRun& run, const Persistence
   json["seconds"] = seconds_field(run.seconds);
   json["ratio_to_delaunay"] = ratios_field(input.points, run.seconds);
   json["has_zero"] = diagram.has_zero();
-  json["pairs"] = pairs_field(diagram);
-  fmt::print("{}\n", json.dump());
+  // The pairs come last, and are printed as they are made: all of them as one object take gigabytes.
+  json["pairs"] = Json::array();
+  std::string text = json.dump();
+  text.resize(text.size() - 2);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  const auto make = [&](std::size_t first, std::size_t last, std::string& part) {
+    for (std::size_t k = first; k < last; ++k) {
+      if (k > 0) part += ',';
+      part += pair_field(diagram, diagram.pairs()[k]).dump();
+    }
+  };
+  const auto write = [](const std::string& part, std::size_t) {
+    return std::fwrite(part.data(), 1, part.size(), stdout) == part.size();
+  };
+  io::write_in_order(diagram.pairs().size(), run.complex.threads(), make, write);
+  fmt::print("]}}\n");
 }
 
 std::string text_of(const PersistenceOptions& options, const PersistenceDiagram& diagram) {

@@ -33,14 +33,16 @@ struct StatsOptions {
   bool json = false;
   bool logarithmic = false;
   unsigned runs = 1;
+  unsigned threads = 1;
   std::vector<std::string> manifolds = {"u2", "s2"};
   U2Choice u2{.flow = {}, .alone = false, .with_statistics = true};
 };
 
 WantedManifolds wanted_manifolds_of(const StatsOptions& options) {
   const auto wants = [&](const char* name) { return std::ranges::count(options.manifolds, name) > 0; };
-  return {
-      .u2 = wants("u2"), .s2 = wants("s2"), .options = {.flow = options.u2.flow.options(), .share = !options.u2.alone}};
+  return {.u2 = wants("u2"),
+          .s2 = wants("s2"),
+          .options = {.flow = options.u2.flow.options(), .share = !options.u2.alone, .threads = options.threads}};
 }
 
 // A distribution, and how it is shown.
@@ -151,6 +153,7 @@ void add_stats_command(CLI::App& app, int& status) {
       ->check(CLI::Range(1, 1000));
   command->add_flag("--alone", options->u2.alone, "Compute each orbit alone, as the paper did");
   add_flow_options(*command, options->u2.flow);
+  add_threads_option(*command, options->threads);
   command->footer("Example:\n  flowcert stats bunny.obj --kernel lazy --svg bunny-histograms");
   command->callback([options, &status] {
     show_statistics(*options);

@@ -138,7 +138,7 @@ Json skeleton_field(const StableSet& set) {
   return field;
 }
 
-Json pairs_field(const PersistenceDiagram& diagram) {
+Json pair_field(const PersistenceDiagram& diagram, const PersistencePair& pair) {
   const auto point_field = [&](std::size_t record) {
     Json field;
     field["contact"] = diagram.complex().stationary().contact(record);
@@ -146,15 +146,11 @@ Json pairs_field(const PersistenceDiagram& diagram) {
     field["squared_distance_double"] = double_field(diagram.rounded_squared_value(record));
     return field;
   };
-  Json pairs = Json::array();
-  for (const PersistencePair& pair : diagram.pairs()) {
-    Json field;
-    field["dimension"] = pair.dimension;
-    field["birth"] = point_field(pair.birth);
-    field["death"] = pair.death ? point_field(*pair.death) : Json(nullptr);
-    pairs.push_back(std::move(field));
-  }
-  return pairs;
+  Json field;
+  field["dimension"] = pair.dimension;
+  field["birth"] = point_field(pair.birth);
+  field["death"] = pair.death ? point_field(*pair.death) : Json(nullptr);
+  return field;
 }
 
 // ---- Read ----

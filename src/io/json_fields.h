@@ -45,7 +45,7 @@ void add_counts(Json& object, const PointSet& points, const StationaryPoints& st
 [[nodiscard]] Json skeleton_field(const StableSet& set);
 
 // An array of all pairs, exact.
-[[nodiscard]] Json pairs_field(const PersistenceDiagram& diagram);
+[[nodiscard]] Json pair_field(const PersistenceDiagram& diagram, const PersistencePair& pair);
 
 // ---- Read ----
 // Each function checks that a claim in JSON has a key, or that a value has its type. Otherwise it throws

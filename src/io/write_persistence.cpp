@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "flowcert/reproducibility.h"
+#include "io/ordered_text.h"
 
 namespace flowcert {
 
@@ -66,10 +68,17 @@ std::string pers_text(const PersistenceDiagram& diagram) {
       coordinates_sha256(diagram.complex().points()));
   text += diagram.has_zero() ? "# With regular stationary points, as pairs of length zero.\n"
                              : "# Without pairs of length zero.\n";
-  for (const PersistencePair& pair : diagram.pairs()) {
-    text += fmt::format("{} {} {}\n", pair.dimension, double_text(diagram.rounded_squared_value(pair.birth)),
-                        pair.death ? double_text(diagram.rounded_squared_value(*pair.death)) : "inf");
-  }
+  const auto make = [&](std::size_t first, std::size_t last, std::string& lines) {
+    for (const PersistencePair& pair : std::span(diagram.pairs()).subspan(first, last - first)) {
+      lines += fmt::format("{} {} {}\n", pair.dimension, double_text(diagram.rounded_squared_value(pair.birth)),
+                           pair.death ? double_text(diagram.rounded_squared_value(*pair.death)) : "inf");
+    }
+  };
+  const auto write = [&text](const std::string& lines, std::size_t) {
+    text += lines;
+    return true;
+  };
+  io::write_in_order(diagram.pairs().size(), diagram.complex().threads(), make, write);
   return text;
 }
 

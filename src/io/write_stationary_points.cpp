@@ -1,5 +1,5 @@
-// Stable and unstable manifolds are listed in the order of their records, so that one walk writes all. What every
-// record has is written as text at once, because long numbers take most of the file.
+// Stable and unstable manifolds are listed in the order of their records, so that one walk writes all of a part. What
+// every record has is written as text at once, because long numbers take most of the file.
 #include "flowcert/write_stationary_points.h"
 
 #include <fmt/format.h>
@@ -9,6 +9,7 @@
 #include "flowcert/stable_manifolds.h"
 #include "geometry/bounded_sphere.h"
 #include "io/json_fields.h"
+#include "io/ordered_text.h"
 
 namespace flowcert {
 
@@ -16,17 +17,34 @@ using namespace io;
 
 namespace {
 
-constexpr std::size_t kProgressStep = 64;
+// The first k below the count for which record_of(k), which ascends, is no less than the record.
+template <class RecordOf>
+std::size_t first_from(std::size_t record, std::size_t count, const RecordOf& record_of) {
+  std::size_t low = 0, high = count;
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    (record_of(middle) < record ? low : high) = record_of(middle) < record ? middle + 1 : middle;
+  }
+  return low;
+}
 
 class RecordWriter {
  public:
-  RecordWriter(const FlowComplex& complex, const RecordsToWrite& wanted)
-      : complex_(complex), stationary_(complex.stationary()), wanted_(wanted) {}
+  // Writes the records from `first` on, one after the other, to the text's end.
+  RecordWriter(const FlowComplex& complex, const RecordsToWrite& wanted, std::size_t first, std::string& text)
+      : complex_(complex), stationary_(complex.stationary()), wanted_(wanted), text_(text) {
+    if (wanted.u2) {
+      const UnstableManifolds& u2 = complex.unstable();
+      next_u2_ = first_from(first, u2.size(), [&u2](std::size_t k) { return u2.saddle(k); });
+    }
+    if (wanted.s2) {
+      const StableManifolds& s2 = complex.stable();
+      next_s2_ = first_from(first, s2.size(), [&s2](std::size_t k) { return s2.record(k); });
+    }
+  }
 
-  // To be called for each record, in the order of the list. The line holds until the next call.
-  const std::string& line(std::size_t i) {
+  void add_line(std::size_t i) {
     const StationaryIndex index = stationary_.index(i);
-    text_.clear();
     add(R"({{"index":{},"kind":"{}","contact":[{}])", index_field(index).dump(),
         index.is_critical() ? "critical" : "regular", fmt::join(stationary_.contact(i), ","));
     Json more;  // the keys after these
@@ -47,7 +65,6 @@ class RecordWriter {
       text_ += std::string_view(more.dump()).substr(1);
     }
     text_ += '\n';
-    return text_;
   }
 
  private:
@@ -120,7 +137,7 @@ class RecordWriter {
   const StationaryPoints& stationary_;
   RecordsToWrite wanted_;
   std::size_t next_u2_ = 0, next_s2_ = 0;
-  std::string text_;
+  std::string& text_;
 };
 
 }  // namespace
@@ -134,11 +151,16 @@ void write_stationary_points(std::ostream& out, const FlowComplex& complex, cons
   if (wanted.centers == WrittenCenters::kDouble) header["centers"] = "double";
   if (wanted.centers == WrittenCenters::kNone) header["centers"] = "none";
   out << header.dump() << '\n';
-  RecordWriter writer(complex, wanted);
-  for (std::size_t i = 0; i < count && out; ++i) {
-    out << writer.line(i);
-    if (progress && (i + 1) % kProgressStep == 0) progress(i + 1, count);
-  }
+  const auto make = [&](std::size_t first, std::size_t last, std::string& text) {
+    RecordWriter writer(complex, wanted, first, text);
+    for (std::size_t i = first; i < last; ++i) writer.add_line(i);
+  };
+  const auto write = [&](const std::string& text, std::size_t done) {
+    out << text;
+    if (progress) progress(done, count);
+    return bool(out);
+  };
+  write_in_order(count, complex.threads(), make, write);
   if (progress) progress(count, count);
 }
 

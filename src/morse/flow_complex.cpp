@@ -49,7 +49,7 @@ struct FlowComplex::Parts {
 
   std::array<std::mutex, kFlowComplexParts> making;
   std::array<std::atomic<bool>, kFlowComplexParts> is_made{};
-  std::optional<Delaunay> triangulation;  // kept: giving it back would take a part of the time of the diagram
+  std::optional<Delaunay> triangulation;  // until the diagram is made
   FilterTally tally;
   std::optional<VoronoiDiagram> diagram;
   std::optional<StationaryPoints> stationary;
@@ -88,6 +88,8 @@ void FlowComplex::make(FlowComplexPart part) const {
       make(FlowComplexPart::kTriangulation);
       all.tally = {};
       all.diagram.emplace(*all.triangulation, &all.tally, all.options.threads);
+      // It is as large as all of the diagram, and nothing asks for it any more.
+      all.triangulation.reset();
       break;
     case FlowComplexPart::kStationary:
       make(FlowComplexPart::kDiagram);
@@ -118,6 +120,7 @@ void FlowComplex::make(FlowComplexPart part) const {
 }
 
 const PointSet& FlowComplex::points() const { return parts_->points; }
+unsigned FlowComplex::threads() const { return parts_->options.threads; }
 
 const VoronoiDiagram& FlowComplex::diagram() const {
   make(FlowComplexPart::kDiagram);

@@ -4,10 +4,9 @@
 // an index-1 point tells a finite cell that has its Delaunay edge. Index 0 has none.
 #pragma once
 
-#include <algorithm>
+#include <boost/sort/spreadsort/integer_sort.hpp>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 #include "flowcert/stationary_points.h"
@@ -38,9 +37,14 @@ namespace flowcert::morse {
 template <class RecordOf>
 [[nodiscard]] std::vector<std::uint32_t> along_the_curve(const StationaryPoints& list, std::size_t count,
                                                          const RecordOf& record_of) {
+  // The key comes first, and then the number.
+  std::vector<std::uint64_t> keyed(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    keyed[i] = std::uint64_t{list.face(record_of(static_cast<std::uint32_t>(i)))} << 32 | i;
+  }
+  boost::sort::spreadsort::integer_sort(keyed.begin(), keyed.end());
   std::vector<std::uint32_t> order(count);
-  std::iota(order.begin(), order.end(), std::uint32_t{0});
-  std::ranges::sort(order, {}, [&](std::uint32_t i) { return list.face(record_of(i)); });
+  for (std::size_t i = 0; i < count; ++i) order[i] = static_cast<std::uint32_t>(keyed[i]);
   return order;
 }
 

@@ -157,7 +157,8 @@ struct StableManifolds::Parts {
 
   void compute(const Progress& progress);
   void make_set(Worker& worker, std::uint32_t i, std::uint32_t share);
-  void set_boundary(Set& set, std::vector<std::uint32_t> ends, std::uint32_t share);
+  // Sorts the ends.
+  void set_boundary(Set& set, std::vector<std::uint32_t>& ends, std::uint32_t share);
   void count(const Set& set, const Worker& worker, Share& share) const;
   void break_ties(Worker& worker);
   void sum_up();
@@ -204,7 +205,7 @@ class StableManifolds::Parts::Worker {
   RoundedSegments rounded_segments(std::size_t record);
 
   // Of the latest skeleton: its critical backs and the lengths of the orbits to them, and how many backs are regular.
-  [[nodiscard]] const std::vector<std::uint32_t>& ends() const { return ends_; }
+  [[nodiscard]] std::vector<std::uint32_t>& ends() { return ends_; }
   [[nodiscard]] const std::vector<std::uint32_t>& lengths() const { return lengths_; }
   [[nodiscard]] std::size_t regular_backs() const { return regular_backs_; }
   // The boundary of a record's set where ties are broken.
@@ -505,7 +506,7 @@ void StableManifolds::Parts::make_set(Worker& worker, std::uint32_t i, std::uint
   }
 }
 
-void StableManifolds::Parts::set_boundary(Set& set, std::vector<std::uint32_t> ends, std::uint32_t share) {
+void StableManifolds::Parts::set_boundary(Set& set, std::vector<std::uint32_t>& ends, std::uint32_t share) {
   std::vector<std::uint32_t>& boundaries = shares[share].boundaries;
   set.share = share;
   set.boundary_first = boundaries.size();
@@ -527,7 +528,10 @@ void StableManifolds::Parts::break_ties(Worker& worker) {
   for (const Share& share : shares) tied.insert(tied.end(), share.tied.begin(), share.tied.end());
   std::ranges::sort(tied);
   TieBreaking ties(options.seed, TieBreaking::Of::kStable);
-  for (const std::uint32_t i : tied) set_boundary(sets[i], worker.tie_broken_ends(sets[i].record, ties), 0);
+  for (const std::uint32_t i : tied) {
+    std::vector<std::uint32_t> ends = worker.tie_broken_ends(sets[i].record, ties);
+    set_boundary(sets[i], ends, 0);
+  }
   statistics.broken_ties = tied.size();
 }
 
@@ -571,10 +575,9 @@ void StableManifolds::Parts::compute(const Progress& progress) {
   });
   break_ties(*team.front());
   sum_up();
-  for (auto& worker : team) {
+  for (const auto& worker : team) {
     statistics.tally += worker->tally();
     statistics.depth = std::max(statistics.depth, worker->depth());
-    workers.give(std::move(worker));
   }
   if (progress) progress(sets.size(), sets.size());
 }

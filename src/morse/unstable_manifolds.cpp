@@ -273,10 +273,10 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
     }
   }
   for (const auto& worker : team) worker->count(statistics);
-  for (auto& worker : team) {
-    statistics.tally += worker->tally();
-    workers.give(std::move(worker));
-  }
+  for (const auto& worker : team) statistics.tally += worker->tally();
+  // Where ties are broken, the leader's forest tells most limits (limit_beyond). Otherwise its memory is given back.
+  const RegularCounts& regular = stationary.regular_counts();
+  if (regular.kind12 + regular.kind13 + regular.kind23 > 0) workers.give(std::move(team.front()));
   if (progress) progress(limits.size(), limits.size());
 }
 

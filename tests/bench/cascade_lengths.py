@@ -34,8 +34,8 @@ def measured(options, length, scratch):
     points.write_text(run([options.generator, "long-cascade", str(points_for(length))], None))
     found = {}
     for kernel in KERNELS:
-        text = run([options.program, "stats", points, "--manifolds", "u2", "--json", "--kernel", kernel],
-                   options.limit)
+        text = run([options.program, "stats", points, "--manifolds", "u2", "--threads", "1", "--json", "--kernel",
+                    kernel], options.limit)
         found[kernel] = None if text is None else json.loads(text)
         print(f"  {length}, {kernel}: {'x' if text is None else 'done'}", file=sys.stderr, flush=True)
     reached = {one["u2"]["n_wcc"]["max"] for one in found.values() if one}

@@ -9,7 +9,7 @@ if [ -n "${2:-}" ]; then inputs+=("$2"/*.xyz); fi
 
 printf '%-22s %9s %6s %14s %14s %7s %s\n' input points Euler 'Delaunay [ms]' 'critical [ms]' ratio 'filter failures/calls: angle, side, cospherical'
 for input in "${inputs[@]}"; do
-  "$program" compute "$input" --runs 9 --json | tr ',{}' '\n' | awk -v name="$(basename "$input")" -F: '
+  "$program" compute "$input" --threads 1 --runs 9 --json | tr ',{}' '\n' | awk -v name="$(basename "$input")" -F: '
     { gsub(/["\[\] ]/, "", $1); gsub(/["\]\[ ]/, "", $2) }
     $1 == "seconds" || $1 == "ratio_to_delaunay" || $1 == "filters" { part = $1 }
     $1 == "points" { points = $2 }

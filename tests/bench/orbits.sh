@@ -29,7 +29,7 @@ done
 
 # Points, seconds of the triangulation, seconds of U2, mean and max of n_U2, of one run.
 figures() {
-  "$program" compute --manifolds u2 --stats --json "$@" | tr ',{}' '\n' | awk -F: '
+  "$program" compute --manifolds u2 --threads 1 --stats --json "$@" | tr ',{}' '\n' | awk -F: '
     { gsub(/["\[\] ]/, "", $1); gsub(/["\]\[ ]/, "", $2) }
     $2 == "" { part = $1 }
     $1 == "points" { points = $2 }

@@ -59,7 +59,7 @@ def measured(options, name, scan):
                 found[kernel, tag] = None
                 continue
             command = [options.program, "stats", scan, "--json", "--kernel", kernel, "--manifolds", tag.lower(),
-                       "--svg", options.pictures / f"{name}-{kernel}"]
+                       "--threads", "1", "--svg", options.pictures / f"{name}-{kernel}"]
             command += ["--alone"] if options.alone else []
             command += ["--runs", "5"] if kernel == "cascade" else []
             text = run(command, options.limit)

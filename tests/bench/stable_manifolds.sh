@@ -14,7 +14,7 @@ done
 printf '%-18s %8s %14s %9s %12s %10s %9s %12s %13s %13s\n' input points 'Delaunay [ms]' 'S2 [x]' 'triangles' 'n_S2 mean' 'n_S2 max' \
   'largest S2' 'with vertex' 'to regular'
 for input in "${inputs[@]}"; do
-  "$program" compute --manifolds s2 --stats --json --runs 5 "$input" | tr ',{}' '\n' | awk -F: -v name="$(basename "$input")" '
+  "$program" compute --manifolds s2 --threads 1 --stats --json --runs 5 "$input" | tr ',{}' '\n' | awk -F: -v name="$(basename "$input")" '
     { gsub(/["\[\] ]/, "", $1); gsub(/["\]\[ ]/, "", $2) }
     $2 == "" { part = $1 }
     $1 == "points" { points = $2 }

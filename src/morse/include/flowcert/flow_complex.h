@@ -62,6 +62,8 @@ class FlowComplex {
   void make(FlowComplexPart part) const;
 
   [[nodiscard]] const PointSet& points() const;
+  // Of the options. What is written of a complex is made by as many.
+  [[nodiscard]] unsigned threads() const;
   [[nodiscard]] const VoronoiDiagram& diagram() const;
   // How often the diagram took each predicate.
   [[nodiscard]] const FilterTally& filter_tally() const;
