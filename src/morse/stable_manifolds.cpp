@@ -127,6 +127,8 @@ using namespace morse;
 namespace {
 
 constexpr std::size_t kProgressStep = 1024;
+// So many sets are begun before the memory for one is there.
+constexpr std::size_t kAhead = 12;
 
 }  // namespace
 
@@ -570,7 +572,13 @@ void StableManifolds::Parts::compute(const Progress& progress) {
   geometry::Portions portions(order.size(), kProgressStep, tell);
   geometry::parallel_for(team.size(), team_size(), [&](std::size_t k) {
     for (auto [at, end] = portions.next(); at != end; std::tie(at, end) = portions.next()) {
-      for (; at != end; ++at) make_set(*team[k], order[at], static_cast<std::uint32_t>(k));
+      for (; at != end; ++at) {
+        if (at + kAhead < order.size()) {
+          stationary.prefetch(record_of(order[at + kAhead]));
+          __builtin_prefetch(&sets[order[at + kAhead]], 1);
+        }
+        make_set(*team[k], order[at], static_cast<std::uint32_t>(k));
+      }
     }
   });
   break_ties(*team.front());
