@@ -62,8 +62,8 @@ template <class Number>
   return 0;
 }
 
-// u' = A drop + 2 h u, with A = <u,g>; backward (A, h < 0) its opposite. The edges of the two facets are `e`, of squared
-// length ee, and `next`, of squared length next_ee.
+// u' = A drop + 2 h u, with A = <u,g>; backward (A, h < 0) its opposite. The edges of the two facets are `e`, of
+// squared length ee, and `next`, of squared length next_ee.
 template <class Number>
 [[nodiscard, gnu::always_inline]] inline Direction<Number> direction_behind(
     const Direction<Number>& x, const Number& approach, const Number& h, const Number& squared_size,
