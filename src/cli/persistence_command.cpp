@@ -181,7 +181,7 @@ void print_json(const Input& input, const PersistenceRun& run, const Persistence
   const auto write = [](const std::string& part, std::size_t) {
     return std::fwrite(part.data(), 1, part.size(), stdout) == part.size();
   };
-  io::write_in_order(diagram.pairs().size(), run.complex.threads(), make, write);
+  io::write_in_order(diagram.pairs().size(), io::kShortRecords, run.complex.threads(), make, write);
   fmt::print("]}}\n");
 }
 

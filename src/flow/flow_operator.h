@@ -117,7 +117,7 @@ class FlowOperator {
   [[nodiscard]] virtual const KernelTally& tally() const = 0;
 };
 
-// The faces must outlive the operator. The cascade kernel's is made in a file of its own, because it includes no CGAL.
+// The faces must outlive the operator, and serve no other one: it keeps notes in their rings. The cascade kernel's is made in a file of its own, because it includes no CGAL.
 [[nodiscard]] std::unique_ptr<FlowOperator> make_cascade_operator(VoronoiFaces& faces, FacetSearch search);
 [[nodiscard]] std::unique_ptr<FlowOperator> make_flow_operator(VoronoiFaces& faces, FlowOptions options);
 

@@ -203,6 +203,7 @@ class KernelFlowOperator final : public FlowOperator {
       number = static_cast<std::uint32_t>(chains_.size());
       chains_.push_back(obtuse_chain(faces_.diagram(), facet, ring, angle_tally_));
     }
+    FLOWCERT_REQUIRES(number < chains_.size());
     return chains_[number];
   }
 

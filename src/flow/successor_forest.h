@@ -46,7 +46,7 @@ class SuccessorForest {
   SuccessorForest(const Diagram& diagram, bool share) : diagram_(diagram), share_(share) {}
 
   // Flows from many Voronoi vertices, with a thread for each operator. Only with sharing. kNoCell among the starts is
-  // passed over. It tells `progress`, if given, how many starts are done, one thread at a time.
+  // passed over. It tells `progress`, if given, how many starts are begun, one thread at a time.
   void flow_from(std::span<const CellIndex> starts, std::span<FlowOperator* const> flows,
                  const std::function<void(std::size_t)>& progress = {});
 

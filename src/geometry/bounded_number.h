@@ -1,8 +1,8 @@
 // A number that is known within a bound, and the double nearest to it.
 //
 // Guarantees: the double is the nearest one to every number within the bound, ties to even; so it is the nearest one
-// to the number itself. Nothing is answered where the bound leaves it open, where the number may be zero, or where the
-// double would overflow. A bound of zero says that the value is exact.
+// to the number itself. Nothing is answered where the bound leaves it open, or where the double would overflow. The
+// number may be zero only if the bound is zero, which says that the value is exact.
 #pragma once
 
 #include <cmath>

@@ -2,7 +2,7 @@
 // that follow one another go to one thread, because what they stand for lies together in memory.
 //
 // Guarantees: each number is handed out once. The progress is told by one thread at a time, and ascends. Where it
-// throws, the exception ends that thread's part.
+// throws, nothing more is handed out, so that all threads stop soon.
 #pragma once
 
 #include <algorithm>
@@ -27,9 +27,17 @@ class Portions {
     if (!progress_) return take();
     const std::scoped_lock lock(telling_);
     const auto portion = take();
-    if (portion.first < count_) progress_(portion.first);
+    try {
+      if (portion.first < count_) progress_(portion.first);
+    } catch (...) {
+      stop();
+      throw;
+    }
     return portion;
   }
+
+  // Nothing more is handed out.
+  void stop() { next_ = count_; }
 
  private:
   [[nodiscard]] std::pair<std::size_t, std::size_t> take() {

@@ -44,7 +44,7 @@ void add_counts(Json& object, const PointSet& points, const StationaryPoints& st
 // The object `skeleton`.
 [[nodiscard]] Json skeleton_field(const StableSet& set);
 
-// An array of all pairs, exact.
+// A pair: its exact values, and the doubles nearest to them.
 [[nodiscard]] Json pair_field(const PersistenceDiagram& diagram, const PersistencePair& pair);
 
 // ---- Read ----

@@ -78,7 +78,7 @@ std::string pers_text(const PersistenceDiagram& diagram) {
     text += lines;
     return true;
   };
-  io::write_in_order(diagram.pairs().size(), diagram.complex().threads(), make, write);
+  io::write_in_order(diagram.pairs().size(), io::kShortRecords, diagram.complex().threads(), make, write);
   return text;
 }
 

@@ -160,7 +160,8 @@ void write_stationary_points(std::ostream& out, const FlowComplex& complex, cons
     if (progress) progress(done, count);
     return bool(out);
   };
-  write_in_order(count, complex.threads(), make, write);
+  const bool are_long = wanted.polylines || wanted.skeletons;
+  write_in_order(count, are_long ? kLongRecords : kShortRecords, complex.threads(), make, write);
   if (progress) progress(count, count);
 }
 

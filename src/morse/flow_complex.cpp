@@ -6,6 +6,7 @@
 #include <atomic>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "flow/worker_pool.h"
@@ -29,7 +30,9 @@ bool tells_by_itself(FlowComplexPart part) {
 
 struct FlowComplex::Parts {
   Parts(PointSet all, FlowComplexOptions how, Progress told)
-      : points(std::move(all)), options(how), progress(std::move(told)) {}
+      : points(std::move(all)), options(how), progress(std::move(told)) {
+    if (options.threads == 0) throw std::invalid_argument("a flow complex takes at least one thread");
+  }
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 

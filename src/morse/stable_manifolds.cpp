@@ -168,7 +168,7 @@ struct StableManifolds::Parts {
   // The other kernels count constructions of Voronoi vertices that a thread keeps. One thread counts the same each
   // time.
   [[nodiscard]] unsigned team_size() const {
-    return options.flow.kernel == ConstructionKernel::kCascade ? options.threads : 1;
+    return options.flow.kernel == ConstructionKernel::kCascade ? std::max(1U, options.threads) : 1;
   }
   [[nodiscard]] std::size_t record_of(std::size_t i) const {
     return i < critical_count ? first_critical + i : first_regular + (i - critical_count);

@@ -233,7 +233,7 @@ void add_clusters(const VoronoiComplex& complex, OrderedRecords& records) {
 // Each thread has a part of the cells, and records of its own.
 void add_spatial(const VoronoiComplex& complex, unsigned threads, OrderedRecords& records) {
   const CellIndex count = complex.delaunay().finite_count;
-  const std::size_t parts = threads == 1 ? 1 : 8 * std::size_t{threads};
+  const std::size_t parts = threads <= 1 ? 1 : 8 * std::size_t{threads};
   const auto cells_of = [&](std::size_t k) {
     return CellRange{static_cast<CellIndex>(k * count / parts), static_cast<CellIndex>((k + 1) * count / parts)};
   };

@@ -43,7 +43,7 @@ struct UnstableManifolds::Parts {
   // The other kernels count constructions of Voronoi vertices that a thread keeps. One thread counts the same each
   // time.
   [[nodiscard]] unsigned team_size() const {
-    return options.share && options.flow.kernel == ConstructionKernel::kCascade ? options.threads : 1;
+    return options.share && options.flow.kernel == ConstructionKernel::kCascade ? std::max(1U, options.threads) : 1;
   }
 
   const VoronoiDiagram& diagram;
@@ -258,8 +258,8 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
   });
   Worker& leader = *team.front();
   if (options.share) {
-    leader.flow_from(starts, team, [&](std::size_t done) {
-      if (progress) progress(done / 2, limits.size());
+    leader.flow_from(starts, team, [&](std::size_t begun) {
+      if (progress) progress(begun / 2, limits.size());
     });
     with_team(team, order.size(), [&](Worker& worker, std::size_t k) {
       for (const std::size_t side : {0U, 1U}) {

@@ -24,8 +24,8 @@ using CellIndex = std::uint32_t;
 
 inline constexpr VertexIndex kInfiniteVertex = 0xffffffffu;
 inline constexpr CellIndex kNoCell = 0xffffffffu;
-// A cell and one of its facets fit 32 bits.
-inline constexpr std::size_t kMostCells = std::size_t{1} << 30;
+// A cell and one of its facets fit 32 bits, and so do the numbers of all pieces of rings, up to 8 a cell (FacetRings).
+inline constexpr std::size_t kMostCells = std::size_t{1} << 29;
 
 // Facet i of a cell: the one opposite its vertex i. In dimension 2, edge i of a triangle.
 struct FacetRef {

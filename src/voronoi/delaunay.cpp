@@ -133,7 +133,7 @@ CompactDelaunay voronoi::compact_copy(const Delaunay& delaunay) {
   copy.finite_count = number_cells(cgal, corners, copy.points.size());
 
   const std::size_t cell_count = cgal.tds().cells().size();
-  if (cell_count >= kMostCells) throw InvalidInput("the Delaunay triangulation has 2^30 cells or more");
+  if (cell_count >= kMostCells) throw InvalidInput("the Delaunay triangulation has 2^29 cells or more");
   const Cgal::Vertex_handle infinite = cgal.infinite_vertex();
   copy.cells.resize(cell_count);
   for_each_cell(cgal, [&](Cgal::Cell_handle cell) {

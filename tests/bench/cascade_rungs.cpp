@@ -25,6 +25,7 @@
 
 #include "flow/kernel_flow_operator.h"
 #include "flow/kernels/cascade_kernel.h"
+#include "flow/kernels/cascade_moving_point.h"
 #include "flow/successor_forest.h"
 #include "flowcert/read_points.h"
 #include "flowcert/stationary_points.h"
@@ -115,13 +116,13 @@ constexpr std::array kSigns = {FlowPrimitive::kSideOfRay, FlowPrimitive::kRayAtI
 FilterCount signs_of_all_orbits(const VoronoiDiagram& diagram, const StationaryPoints& stationary) {
   VoronoiFaces faces(diagram);
   KernelFlowOperator<CountedKernel> flow(faces, FacetSearch::kBinary);
-  SuccessorForest forest(faces.diagram(), flow, true);
+  SuccessorForest forest(faces.diagram(), true);
   const auto record_of = [](std::uint32_t record) { return record; };
   for (const std::uint32_t record : along_the_curve(stationary, stationary.size(), record_of)) {
     if (stationary.index(record) != StationaryIndex{2, 2}) continue;
     for (std::size_t side = 0; side < 2; ++side) {
       const Location start = flow.end_of_edge(edge_of_record(stationary, record), side);
-      if (start.place.kind == Place::Kind::kVertex) (void)forest.visit(start.place.vertex);
+      if (start.place.kind == Place::Kind::kVertex) (void)forest.visit(start.place.vertex, flow);
     }
   }
   FilterCount signs;

@@ -100,7 +100,7 @@ RationalPoint between(const RationalPoint& a, const RationalPoint& b, int part, 
 }
 
 bool enters_here(Subject& subject, std::size_t piece) {
-  const PolygonDriver driver = subject.faces.driver(subject.ring.pieces[piece].polygon);
+  const PolygonDriver driver = subject.faces.driver(subject.ring.pieces[piece].polygon());
   return driver.shape == Sign::kNegative && driver.side == subject.name;
 }
 
@@ -128,7 +128,7 @@ std::vector<Start> draw(Subject& subject, char kind, std::mt19937& random) {
       }
     } else if (kind == 'E') {
       starts.push_back(
-          {Place::on_edge(subject.ring.pieces[k].polygon), between(a, subject.vertex((k + 1) % n), part, 100)});
+          {Place::on_edge(subject.ring.pieces[k].polygon()), between(a, subject.vertex((k + 1) % n), part, 100)});
     } else {
       // The start lies between two vertices that are not neighbours.
       const RationalPoint b = subject.vertex((k + 2 + random() % (n - 3)) % n);

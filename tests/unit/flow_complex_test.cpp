@@ -305,6 +305,11 @@ TEST(FlowComplex, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
+TEST(FlowComplex, NoThreadAtAllIsRefused) {
+  CITES("FC-NUM-01");
+  EXPECT_THROW(FlowComplex(pyramid(), {.flow = {}, .threads = 0}), std::invalid_argument);
+}
+
 TEST(FlowComplex, AProgressThatThrowsStopsAllThreads) {
   CITES("FC-NUM-01");
   const std::vector<Point> rows = many_points(false, 3000);

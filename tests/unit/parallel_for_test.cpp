@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "geometry/portions.h"
@@ -71,6 +72,19 @@ TEST(Portions, HandOutEachNumberOnceAndTellInOrder) {
   }
 }
 
+TEST(Portions, AreOverAfterAProgressThatThrows) {
+  CITES("FC-NUM-01");
+  const Portions::Progress tell = [](std::size_t begun) {
+    if (begun == 20) throw std::runtime_error("stop");
+  };
+  Portions portions(1000, 10, tell);
+  EXPECT_EQ(portions.next(), (std::pair<std::size_t, std::size_t>(0, 10)));
+  EXPECT_EQ(portions.next(), (std::pair<std::size_t, std::size_t>(10, 20)));
+  EXPECT_THROW((void)portions.next(), std::runtime_error);
+  const auto [first, last] = portions.next();
+  EXPECT_EQ(first, last);
+}
+
 TEST(OrderedText, IsTheSameForAnyNumberOfThreads) {
   CITES("FC-OUT-02");
   static constexpr std::size_t kCount = 20011;
@@ -78,7 +92,7 @@ TEST(OrderedText, IsTheSameForAnyNumberOfThreads) {
     std::string all;
     std::size_t last = 0;
     io::write_in_order(
-        kCount, threads,
+        kCount, io::kShortRecords, threads,
         [](std::size_t first, std::size_t end, std::string& text) {
           for (std::size_t k = first; k < end; ++k) text += std::to_string(k) + '\n';
         },
@@ -100,7 +114,7 @@ TEST(OrderedText, StopsWhereWritingFails) {
   CITES("FC-OUT-02");
   std::size_t written = 0;
   io::write_in_order(
-      5000, 2, [](std::size_t, std::size_t, std::string& text) { text += 'x'; },
+      5000, io::kShortRecords, 2, [](std::size_t, std::size_t, std::string& text) { text += 'x'; },
       [&written](const std::string&, std::size_t) { return ++written < 3; });
   EXPECT_EQ(written, 3U);
 }

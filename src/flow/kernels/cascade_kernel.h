@@ -127,10 +127,14 @@ class CascadeKernel {
   [[nodiscard]] std::size_t deepest() const { return deepest_; }
 
   [[nodiscard]] PointNumber kept() const { return points_.kept(); }
-  void drop_from(PointNumber x) { points_.drop_from(x); }
+  // Numbers of points begin anew, so that nothing may be remembered of the old ones.
+  void drop_from(PointNumber x) {
+    points_.drop_from(x);
+    if (x == 0) forget_integers();
+  }
   void drop_all() {
     points_.drop_all();
-    with_integers_.clear();
+    forget_integers();
     deepest_ = 0;
   }
 
@@ -215,6 +219,10 @@ class CascadeKernel {
     return value;
   }
 
+  void forget_integers() {
+    with_integers_.clear();
+    oldest_integers_ = 0;
+  }
   // Long integers are kept of the latest points alone: those of 10,000 crossings in a row take a gigabyte.
   void limit_integers(PointNumber number) {
     constexpr std::size_t kMost = 16;

@@ -24,8 +24,9 @@ struct FlowComplexOptions {
   bool share = true;
   // The seed of all choices where ties are broken (FC-CHAIN-02); 0 always takes the first way.
   std::uint64_t seed = 0;
-  // How many threads make a part, at least 1. All results are the same for any number. The lazy and the exact kernel
-  // use one. Where one thread makes all, none is started.
+  // How many threads make a part. All results are the same for any number. With the lazy or the exact kernel, one
+  // thread makes the manifolds. With 1, no thread is started. Each takes memory of its own: 24 bytes a Delaunay cell,
+  // and what it meets of facets. 0 is refused: std::invalid_argument.
   unsigned threads = 1;
 };
 
@@ -43,10 +44,10 @@ inline constexpr std::size_t kFlowComplexParts = 7;
 
 class FlowComplex {
  public:
-  // The thread that makes a part tells it now and then how much of the part is done, and at last that all is done.
-  // Triangulation and manifolds also tell before that, from any of the threads that make them, one at a time. Two
-  // threads call it at once if they make different parts. It
-  // may throw to stop; the part is then made when it is asked for again. It must not ask the complex for anything.
+  // Each part tells at last that all of it is done. Triangulation and manifolds also tell now and then how much is
+  // done, from any of the threads that make them, one at a time. Two threads call it at once if they make different
+  // parts. It may throw to stop; the part is then made when it is asked for again. It must not ask the complex for
+  // anything.
   using Progress = std::function<void(FlowComplexPart part, std::size_t done, std::size_t total)>;
 
   // Computes nothing yet. The second one throws InvalidInput as PointSet does. A thread must compute with doubles as
