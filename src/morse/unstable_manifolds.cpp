@@ -253,8 +253,8 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
   std::vector<CellIndex> starts(2 * order.size());
   with_team(team, order.size(), [&](Worker& worker, std::size_t k) {
     constexpr std::size_t kAhead = 12;
-    if (k + kAhead < order.size()) stationary.prefetch(first + order[k + kAhead]);
-    for (const std::size_t side : {0U, 1U}) starts[2 * k + side] = worker.first_vertex(first + order[k], side);
+    if (k + kAhead < order.size()) stationary.prefetch(first_saddle + order[k + kAhead]);
+    for (const std::size_t side : {0U, 1U}) starts[2 * k + side] = worker.first_vertex(first_saddle + order[k], side);
   });
   Worker& leader = *team.front();
   if (options.share) {
