@@ -86,7 +86,7 @@ class FlowOperator {
   [[nodiscard]] virtual FlowStep step(const Location& from) = 0;
   // All steps from a Voronoi vertex on. The points that it constructs are kept.
   [[nodiscard]] virtual Course follow(CellIndex cluster) = 0;
-  // The same for many, in no particular order of the answers.
+  // Follows from many Voronoi vertices. The answers come in no particular order.
   virtual void follow_all(CourseSource& source) = 0;
   // Where the Voronoi edge of a polygon ends, on side 0 or 1.
   [[nodiscard]] virtual Location end_of_edge(PolygonRef polygon, std::size_t side) = 0;
@@ -117,7 +117,8 @@ class FlowOperator {
   [[nodiscard]] virtual const KernelTally& tally() const = 0;
 };
 
-// The faces must outlive the operator, and serve no other one: it keeps notes in their rings. The cascade kernel's is made in a file of its own, because it includes no CGAL.
+// The faces must outlive the operator, and serve no other one: it keeps notes in their rings. The cascade kernel's is
+// made in a file of its own, because it includes no CGAL.
 [[nodiscard]] std::unique_ptr<FlowOperator> make_cascade_operator(VoronoiFaces& faces, FacetSearch search);
 [[nodiscard]] std::unique_ptr<FlowOperator> make_flow_operator(VoronoiFaces& faces, FlowOptions options);
 

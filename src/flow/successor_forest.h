@@ -53,7 +53,7 @@ class SuccessorForest {
   // The orbit from a Voronoi vertex on: its first stretch, which knows the total and the end. It flows if need be,
   // and counts the visit. The reference holds until the next question.
   [[nodiscard]] const Stretch& visit(CellIndex cluster, FlowOperator& flow);
-  // The same for a Voronoi vertex that flow_from() has reached. Threads may visit at once.
+  // Visits a Voronoi vertex that flow_from() has reached. Threads may do this at once.
   const Stretch& visit_known(CellIndex cluster) {
     Stretch& stretch = stretches_[stretch_of_[cluster]];
     std::atomic_ref(stretch.visits).fetch_add(1, std::memory_order_relaxed);

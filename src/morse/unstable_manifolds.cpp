@@ -80,7 +80,7 @@ class UnstableManifolds::Parts::Worker {
   std::uint32_t follow_alone(CellIndex first_vertex) {
     return first_vertex == kNoCell ? count_orbit(nullptr) : count_orbit(&forest_.visit(first_vertex, *flow_));
   }
-  // The same, where another worker's forest knows the vertex. Workers may do this at once.
+  // Follows the orbit where another worker's forest knows its first vertex. Workers may do this at once.
   std::uint32_t follow_in(Worker& other, CellIndex first_vertex) {
     if (first_vertex == kNoCell) return count_orbit(nullptr);
     return count_orbit(&other.forest_.visit_known(first_vertex), &other);

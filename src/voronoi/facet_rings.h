@@ -50,7 +50,7 @@ struct RingPiece {
 
   [[nodiscard]] static std::uint32_t pack(PolygonRef polygon) { return 4 * polygon.cell + polygon.index; }
   [[nodiscard]] bool is_finite() const { return packed != kAtInfinity; }
-  // Of a finite piece.
+  // The piece must be finite.
   [[nodiscard]] PolygonRef polygon() const { return {packed / 4, packed % 4}; }
 };
 

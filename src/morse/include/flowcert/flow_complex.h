@@ -63,7 +63,7 @@ class FlowComplex {
   void make(FlowComplexPart part) const;
 
   [[nodiscard]] const PointSet& points() const;
-  // Of the options. What is written of a complex is made by as many.
+  // The options say this number. What is written of a complex is made by as many threads.
   [[nodiscard]] unsigned threads() const;
   [[nodiscard]] const VoronoiDiagram& diagram() const;
   // How often the diagram took each predicate.

@@ -56,9 +56,9 @@ class UnstableManifolds {
   // The orbit of limit(i, side), flowed once more. It starts at the saddle, and its first segment runs along the
   // Voronoi edge (E-E-V or E-E-inf). Exact coordinates of long orbits take time.
   [[nodiscard]] Orbit orbit(std::size_t i, std::size_t side) const;
-  // The same orbit in doubles: where it starts, and where each segment ends, but not infinity. Each point has the
-  // squared distance to the samples. What follows a Voronoi vertex is flowed once for all orbits, and kept: 32 bytes
-  // for each point.
+  // The orbit of limit(i, side) in doubles: where it starts, and where each segment ends, but not infinity. Each point
+  // has the squared distance to the samples. What follows a Voronoi vertex is flowed once for all orbits, and kept:
+  // 32 bytes for each point.
   [[nodiscard]] std::vector<RoundedSphere> rounded_orbit(std::size_t i, std::size_t side) const;
 
   [[nodiscard]] const FlowStatistics& statistics() const;
