@@ -55,8 +55,6 @@ inline constexpr double kDistanceBound = 32;
 inline constexpr double kPositionBound = 8;
 // What underflow takes away from a distance is less than 1e-150.
 inline constexpr double kDistanceUnderflow = 1e-149;
-// Covers the rounding of the bound's square.
-inline constexpr double kSquareBound = 8;
 // Squares of distances up to this one, and their sums, are far below the largest double (1.8e308). Where the filter's
 // bound on the least distance is larger, squares may overflow, and the filter answers nothing.
 inline constexpr double kLargestDistance = 1e150;

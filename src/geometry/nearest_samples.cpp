@@ -1,11 +1,10 @@
 #include "geometry/nearest_samples.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "geometry/contract.h"
-#include "geometry/filter_bounds.h"
+#include "geometry/distance_order.h"
 #include "geometry/floating_point.h"
 #include "geometry/rational_point.h"
 
@@ -13,24 +12,14 @@ namespace flowcert::geometry {
 
 namespace {
 
-// The places of all points that may be nearest to x. filter_bounds.h says how far a computed distance is from the true
-// one. A coordinate of x without a nearest double becomes infinite, and then all points are candidates.
-std::vector<std::size_t> candidates(const PointSet& points, const RationalPoint& x) {
-  const auto rounded = [](const Rational& value) { return nearest_double(value).value_or(HUGE_VAL); };
-  const Point from{rounded(x[0]), rounded(x[1]), rounded(x[2])};
-  std::vector<double> squared(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const double dx = points[k].x - from.x, dy = points[k].y - from.y, dz = points[k].z - from.z;
-    squared[k] = dx * dx + dy * dy + dz * dz;
-  }
-  const double least = std::sqrt(*std::min_element(squared.begin(), squared.end()));
-  const double largest = std::max({std::abs(from.x), std::abs(from.y), std::abs(from.z)});
-  const double bound =
-      least * (1 + kDistanceBound * kUnitRoundoff) + kPositionBound * kUnitRoundoff * largest + kDistanceUnderflow;
-  const double squared_bound = bound * bound * (1 + kSquareBound * kUnitRoundoff);
+// The places of all points that may be nearest to x.
+std::vector<std::size_t> candidates(const PointSet& points, const DistanceOrder& order) {
+  std::vector<double> distances(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) distances[k] = order.rounded_distance(points[k]);
+  const double reach = order.reach(*std::min_element(distances.begin(), distances.end()));
   std::vector<std::size_t> result;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    if (squared[k] <= squared_bound || bound > kLargestDistance) result.push_back(k);
+    if (distances[k] <= reach) result.push_back(k);
   }
   return result;
 }
@@ -41,7 +30,7 @@ NearestSamples nearest_samples(const PointSet& points, const RationalPoint& x) {
   FLOWCERT_REQUIRES(!points.empty());
   require_ieee_doubles();
   NearestSamples nearest;
-  for (const std::size_t k : candidates(points, x)) {
+  for (const std::size_t k : candidates(points, DistanceOrder(x))) {
     const Rational distance = squared_distance(x, points[k]);
     if (!nearest.names.empty() && distance > nearest.squared_distance) continue;
     if (nearest.names.empty() || distance < nearest.squared_distance) nearest.names.clear();

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "geometry/contract.h"
-#include "geometry/rational_point.h"
+#include "geometry/distance_order.h"
 
 namespace flowcert::voronoi {
 
@@ -102,20 +102,18 @@ Place VoronoiFaces::locate(const RationalPoint& x, std::optional<VertexIndex> hi
   FLOWCERT_REQUIRES(!delaunay().points.empty());
   VertexIndex& nearest = located_;
   nearest = hint.value_or(nearest);
-  Rational least = squared_distance(x, point(nearest));
+  const geometry::DistanceOrder order(x);
+  std::vector<VertexIndex> others;
   for (bool moved = true; moved;) {
     moved = false;
+    others.clear();
     for (const VertexIndex v : neighbors(nearest)) {
-      Rational distance = squared_distance(x, point(v));
-      if (distance >= least) continue;
-      least = std::move(distance);
+      const Sign farther = order.compare(point(v), point(nearest));
+      if (farther == Sign::kZero) others.push_back(v);
+      if (farther != Sign::kNegative) continue;
       nearest = v;
       moved = true;
     }
-  }
-  std::vector<VertexIndex> others;
-  for (const VertexIndex v : neighbors(nearest)) {
-    if (squared_distance(x, point(v)) == least) others.push_back(v);
   }
   return place_of(nearest, others);
 }
