@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 namespace flowcert::property {
 namespace {
@@ -37,13 +38,13 @@ std::string difference_in(const std::string& what, const T& a, const T& b) {
 
 }  // namespace
 
-SegmentRecord record_of(const FlowSegment& segment) {
+SegmentRecord record_of(FlowSegment segment) {
   return {type_text(segment.type),
-          segment.start,
-          segment.driver,
+          std::move(segment.start),
+          std::move(segment.driver),
           names_of(segment.start_contact),
           names_of(segment.crossed_contact),
-          segment.end,
+          std::move(segment.end),
           names_of(segment.end_contact)};
 }
 
@@ -57,13 +58,13 @@ SegmentRecord record_of(const oracle::PointSet& set, const oracle::FlowSegment& 
           segment.end_contact};
 }
 
-OrbitRecord record_of(const Orbit& orbit) {
-  OrbitRecord record{orbit.start, {}, {}};
-  for (const FlowSegment& segment : orbit.segments) {
-    record.segments.push_back(record_of(segment));
+OrbitRecord record_of(Orbit orbit) {
+  OrbitRecord record{std::move(orbit.start), {}, {}};
+  for (FlowSegment& segment : orbit.segments) {
+    record.segments.push_back(record_of(std::move(segment)));
   }
   if (orbit.limit) {
-    record.limit = {orbit.limit->position, orbit.limit->index.face_dimension, orbit.limit->index.hull_dimension,
+    record.limit = {std::move(orbit.limit->position), orbit.limit->index.face_dimension, orbit.limit->index.hull_dimension,
                     names_of(orbit.limit->contact)};
   }
   return record;

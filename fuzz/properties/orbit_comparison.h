@@ -52,9 +52,9 @@ struct OrbitRecord {
   friend bool operator==(const OrbitRecord&, const OrbitRecord&) = default;
 };
 
-SegmentRecord record_of(const FlowSegment& segment);
+SegmentRecord record_of(FlowSegment segment);
 SegmentRecord record_of(const oracle::PointSet& set, const oracle::FlowSegment& segment);
-OrbitRecord record_of(const Orbit& orbit);
+OrbitRecord record_of(Orbit orbit);
 OrbitRecord record_of(const oracle::PointSet& set, const RationalPoint& start, const oracle::Orbit& orbit);
 
 std::string to_text(const RationalPoint& x);
