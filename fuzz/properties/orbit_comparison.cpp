@@ -39,12 +39,8 @@ std::string difference_in(const std::string& what, const T& a, const T& b) {
 }  // namespace
 
 SegmentRecord record_of(FlowSegment segment) {
-  return {type_text(segment.type),
-          std::move(segment.start),
-          std::move(segment.driver),
-          names_of(segment.start_contact),
-          names_of(segment.crossed_contact),
-          std::move(segment.end),
+  return {type_text(segment.type),         std::move(segment.start),          std::move(segment.driver),
+          names_of(segment.start_contact), names_of(segment.crossed_contact), std::move(segment.end),
           names_of(segment.end_contact)};
 }
 
@@ -64,8 +60,8 @@ OrbitRecord record_of(Orbit orbit) {
     record.segments.push_back(record_of(std::move(segment)));
   }
   if (orbit.limit) {
-    record.limit = {std::move(orbit.limit->position), orbit.limit->index.face_dimension, orbit.limit->index.hull_dimension,
-                    names_of(orbit.limit->contact)};
+    record.limit = {std::move(orbit.limit->position), orbit.limit->index.face_dimension,
+                    orbit.limit->index.hull_dimension, names_of(orbit.limit->contact)};
   }
   return record;
 }

@@ -21,9 +21,14 @@ RationalPoint SegmentRecorder::position(const Driver& driver) const {
 }
 
 FlowSegment SegmentRecorder::segment(const Location& start, const FlowStep& step) const {
+  return segment(start, flow_.exact(start), step);
+}
+
+FlowSegment SegmentRecorder::segment(const Location& start, RationalPoint position_of_start,
+                                     const FlowStep& step) const {
   FlowSegment segment;
   segment.type = segment_type(start.place, step);
-  segment.start = flow_.exact(start);
+  segment.start = std::move(position_of_start);
   segment.driver = step.stationary ? segment.start : position(step.driver);
   segment.start_contact = contact(start.place);
   segment.crossed_contact = contact(step.crossed);
@@ -41,7 +46,8 @@ void SegmentRecorder::follow(Location at, Orbit& orbit) const {
       orbit.limit = limit(at.place, *step.stationary);
       break;
     }
-    orbit.segments.push_back(segment(at, step));
+    RationalPoint start = orbit.segments.empty() ? flow_.exact(at) : *orbit.segments.back().end;
+    orbit.segments.push_back(segment(at, std::move(start), step));
     at = step.end;
   }
   flow_.drop_from(0);

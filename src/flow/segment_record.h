@@ -15,7 +15,8 @@ class SegmentRecorder {
       : points_(points), diagram_(diagram), flow_(flow) {}
 
   [[nodiscard]] FlowSegment segment(const Location& start, const FlowStep& step) const;
-  // Adds all that follows a point to its orbit. The operator forgets the points that it constructed for that.
+  // Adds all that follows a point to its orbit, whose last segment, if there is one, ends there. The operator forgets
+  // the points that it constructed for that.
   void follow(Location at, Orbit& orbit) const;
   // The stationary point in a face.
   [[nodiscard]] StationaryLimit limit(const Place& place, StationaryIndex index) const;
@@ -23,6 +24,7 @@ class SegmentRecorder {
   [[nodiscard]] std::vector<PointId> contact(const Place& place) const;
 
  private:
+  [[nodiscard]] FlowSegment segment(const Location& start, RationalPoint position_of_start, const FlowStep& step) const;
   [[nodiscard]] RationalPoint position(const Driver& driver) const;
   [[nodiscard]] PointId name(VertexIndex v) const { return points_.name(diagram_.delaunay().ordinals[v]); }
 

@@ -305,7 +305,7 @@ TEST(CascadeKernel, LongerPrecisionsDecideNearTies) {
   CITES("FC-NUM-01");
   for (const double little : {0x1p-53, 0x1p-60, 0x1p-100, 0x1p-200}) {
     for (const double sign : {-1.0, 1.0}) {
-      UpwardDirection up;
+      UpwardDirection up(1, {true, true, 1});
       const Point q{0, 5, sign * little};
       const Sign truth = sign > 0 ? Sign::kPositive : Sign::kNegative;
       EXPECT_EQ(up.kernel.sign_on_rung(up.query(q), KernelRung::kFilter), std::nullopt);
@@ -327,10 +327,11 @@ TEST(CascadeKernel, RungsThatAreLeftOutChangeNoSign) {
     MiddleRungs rungs;
     KernelRung near, nearer;  // what decides two signs, one of them nearer to a tie
   };
-  for (const Choice& choice : {Choice{{true, true}, kDoubled, kExtended},
-                               {{true, false}, kDoubled, kExact},
-                               {{false, true}, kExtended, kExtended},
-                               {{false, false}, kExact, kExact}}) {
+  for (const Choice& choice : {Choice{{true, true, 1}, kDoubled, kExtended},
+                               {{true, true, 2}, kDoubled, kExact},
+                               {{true, false, 1}, kDoubled, kExact},
+                               {{false, true, 1}, kExtended, kExtended},
+                               {{false, false, 1}, kExact, kExact}}) {
     for (const bool is_nearer : {false, true}) {
       UpwardDirection up(1, choice.rungs);
       EXPECT_EQ(up.kernel.sign(up.query({0.3, 5, -1})), Sign::kNegative);
@@ -362,7 +363,7 @@ TEST(CascadeKernel, IntegersDecideTiesAndWhatIsNearerThanThat) {
 TEST(CascadeKernel, TheLongerPrecisionDecidesOutOfRange) {
   CITES("FC-NUM-01");
   for (const double scale : {0x1p500, 0x1p-500, 0x1p1000, 0x1p-1060}) {
-    UpwardDirection up(scale);
+    UpwardDirection up(scale, {true, true, 1});
     const Point q{0, 5 * scale, 2 * scale};
     EXPECT_EQ(up.kernel.sign_on_rung(up.query(q), KernelRung::kFilter), std::nullopt);
     EXPECT_EQ(up.kernel.sign(up.query(q)), Sign::kPositive);

@@ -19,9 +19,11 @@
 namespace flowcert::flow {
 
 // Which precisions between doubles and integers are asked for signs. A benchmark leaves some out; answers stay.
+// The longer one is asked from so many crossings on: the integers of a shorter recipe are short, and cost less.
 struct MiddleRungs {
   bool doubled = true;
   bool extended = true;
+  std::uint32_t extended_from = 8;
 };
 
 class CascadeKernel {
@@ -147,7 +149,11 @@ class CascadeKernel {
   [[nodiscard]] const Direction<double>& direction_in_doubles(PointNumber number, FacetEdge facet) {
     Kept& x = points_.at(number);
     if (x.facing == facet) return x.direction;
-    x.direction = first_direction<double>(x, facet);
+    if (x.kind == Kind::kGiven) {
+      x.direction = rounded_direction<double>(start_of_recipe<InFloat<Extended>>(number, facet));
+    } else {
+      x.direction = first_direction<double>(x, facet);
+    }
     x.facing = facet;
     return x.direction;
   }
@@ -175,7 +181,7 @@ class CascadeKernel {
     if (rungs_.doubled) {
       if (const MaybeSign sign = sign_in<DoubleDouble>(query)) return decided_by(KernelRung::kDoubled, *sign);
     }
-    if (rungs_.extended) {
+    if (rungs_.extended && points_[query.x].depth >= rungs_.extended_from) {
       if (const MaybeSign sign = sign_in<Extended>(query)) return decided_by(KernelRung::kExtended, *sign);
     }
     return decided_by(KernelRung::kExact, sign_in_integers(query));
@@ -186,6 +192,25 @@ class CascadeKernel {
     FacetEdge facet;
     const Point* q;
   };
+  // The direction of a given point begins as integers in every precision.
+  template <class Rung>
+  [[nodiscard]] typename Rung::Value start_of_recipe(PointNumber number, FacetEdge facet) {
+    Kept& x = points_.at(number);
+    if (x.kind != Kind::kGiven) return Rung::start(x, facet);
+    if (Rung::cached(x, facet) == nullptr) keep<InIntegers>(number, facet, InIntegers::start(x, facet));
+    return *Rung::cached(x, facet);
+  }
+  template <class Rung>
+  void keep(PointNumber number, FacetEdge facet, const typename Rung::Value& value) {
+    Kept& x = points_.at(number);
+    if (!x.refined) x.refined = std::make_unique<RefinedDirections>();
+    if (Rung::kIsLong && !x.refined->has_integers) limit_integers(number);
+    const Direction<double> lower = Rung::keep(*x.refined, facet, value);
+    if (lower.is_known()) {
+      x.direction = lower;
+      x.facing = facet;
+    }
+  }
   // Goes back along the recipe to a point whose direction is there, and then forth again.
   template <class Rung>
   [[nodiscard]] typename Rung::Value refined_direction(PointNumber number, FacetEdge facet) {
@@ -200,22 +225,14 @@ class CascadeKernel {
       there = Rung::cached(points_[at], edge);
     }
     if (there != nullptr && at == number) return *there;
-    typename Rung::Value value = there != nullptr ? *there : Rung::start(points_[at], edge);
+    typename Rung::Value value = there != nullptr ? *there : start_of_recipe<Rung>(at, edge);
     while (!replay_.empty()) {
       const Kept& passed = points_[replay_.back()];
       replay_.pop_back();
       const FacetEdge next = replay_.empty() ? facet : points_[replay_.back()].crossed();
       value = Rung::across(value, passed.crossed(), *passed.samples[2], next);
     }
-    Kept& x = points_.at(number);
-    if (!x.refined) x.refined = std::make_unique<RefinedDirections>();
-    if (Rung::kIsLong && !x.refined->has_integers) limit_integers(number);
-    Rung::keep(*x.refined, facet, value);
-    const Direction<double> lower = Rung::handed_down(value);
-    if (lower.is_known()) {
-      x.direction = lower;
-      x.facing = facet;
-    }
+    keep<Rung>(number, facet, value);
     return value;
   }
 

@@ -28,8 +28,7 @@ template <class Number>
 }
 // An integer direction in floating point. Dropping what lies 300 bits below the longest component changes it by far
 // less than the bound.
-template <class Number>
-[[nodiscard]] Direction<Number> rounded_direction(const IntegerDirection& u) {
+[[nodiscard]] inline Direction<Extended> rounded_direction(const IntegerDirection& u) {
   std::size_t bits = 0;
   for (const BigInteger* part : {&u.x, &u.y, &u.z}) {
     if (*part != 0) bits = std::max(bits, mpz_sizeinbase(part->backend().data(), 2));
@@ -39,7 +38,7 @@ template <class Number>
   const std::size_t shift = bits > kKeptBits ? bits - kKeptBits : 0;
   const auto part = [shift](const BigInteger& value) { return Extended(BigInteger(value >> shift)); };
   const Vector3<Extended> v{part(u.x), part(u.y), part(u.z)};
-  return rounded_direction<Number>(Direction<Extended>{Extended(1 / length(v)) * v, 0});
+  return rounded_direction<Extended>(Direction<Extended>{Extended(1 / length(v)) * v, 0});
 }
 
 // For a point that is not a crossing, and for a crossing whose arrival is known in this precision.
@@ -47,7 +46,7 @@ template <class Number>
 [[nodiscard]] Direction<Number> first_direction(const CascadePoint& x, FacetEdge facet) {
   switch (x.kind) {
     case CascadePoint::Kind::kGiven:
-      return rounded_direction<Number>(exact_direction_from_position(x.refined->given, facet));
+      break;  // it begins as integers
     case CascadePoint::Kind::kCircle:
       return direction_from_circle<Number>(x.circle(), facet);
     case CascadePoint::Kind::kSphere:
@@ -62,7 +61,8 @@ template <class Number>
 }
 
 // ---- Rungs ----
-// `start` and `across` make directions, `cached` and `keep` store them with a point.
+// `start` and `across` make directions, `cached` tells what a point has, and `keep` stores it there,
+// for the lower precisions too, and returns it in doubles.
 
 template <class Number>
 struct InFloat {
@@ -77,12 +77,10 @@ struct InFloat {
     const SeenDirection<Number>& seen = x.refined->template seen<Number>();
     return seen.facing == facet ? &seen.direction : nullptr;
   }
-  static void keep(RefinedDirections& refined, FacetEdge facet, const Value& value) {
+  static Direction<double> keep(RefinedDirections& refined, FacetEdge facet, const Value& value) {
     refined.template seen<Number>() = {facet, value};
-    if constexpr (std::is_same_v<Number, Extended>) refined.doubled = {facet, rounded_direction<DoubleDouble>(value)};
-  }
-  static Direction<double> handed_down(const Value& value) {
     if constexpr (std::is_same_v<Number, Extended>) {
+      refined.doubled = {facet, rounded_direction<DoubleDouble>(value)};
       return rounded_direction<double>(value);
     } else {
       if (!value.is_known()) return {};
@@ -106,14 +104,12 @@ struct InIntegers {
     const bool is_there = x.refined && x.refined->has_integers && x.refined->integer_facing == facet;
     return is_there ? &x.refined->integers : nullptr;
   }
-  static void keep(RefinedDirections& refined, FacetEdge facet, const Value& value) {
+  static Direction<double> keep(RefinedDirections& refined, FacetEdge facet, const Value& value) {
     refined.integers = value;
     refined.integer_facing = facet;
     refined.has_integers = true;
-    refined.extended = {facet, rounded_direction<Extended>(value)};
-    refined.doubled = {facet, rounded_direction<DoubleDouble>(value)};
+    return InFloat<Extended>::keep(refined, facet, rounded_direction(value));
   }
-  static Direction<double> handed_down(const Value& value) { return rounded_direction<double>(value); }
 };
 
 }  // namespace flowcert::flow
