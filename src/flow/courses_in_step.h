@@ -1,5 +1,6 @@
-// Follows many courses at once, each from one Voronoi vertex to the next, in doubles alone. A course waits for memory
-// at every facet, so the courses advance in step and wait together and not one after the other.
+// Follows many courses at once, each from one Voronoi vertex to the next, in doubles alone. The courses advance in
+// step, facet by facet. So they wait for memory together and not one after the other, and one instruction computes for
+// several of them (DirectionLanes).
 //
 // Guarantees: exact. Each sign is beyond its proven bound (direction.h). A course that doubles do not decide is handed
 // back, to be followed alone with longer precisions. What a course is and what it counts does not depend on the
@@ -12,7 +13,7 @@
 
 #include "flow/drivers.h"
 #include "flow/flow_operator.h"
-#include "flow/kernels/moving_direction.h"
+#include "flow/kernels/direction_lanes.h"
 #include "voronoi/voronoi_faces.h"
 
 namespace flowcert::flow {
@@ -29,13 +30,15 @@ class CoursesInStep {
     std::size_t running = 0;
     do {
       running = 0;
-      for (Lane& lane : lanes_) {
-        if (lane.stage == Stage::kFree) start(lane, source.next());
-        if (lane.stage == Stage::kFree) continue;
+      for (std::size_t k = 0; k < kLanes; ++k) {
+        if (lanes_[k].stage == Stage::kFree) start(lanes_[k], source.next());
+        if (lanes_[k].stage == Stage::kFree) continue;
         ++running;
-        advance(lane);
-        if (lane.stage == Stage::kDone) finish(lane, source);
+        advance(k);
+        if (lanes_[k].stage == Stage::kDone) finish(lanes_[k], source);
       }
+      directions_.cross();
+      search();
     } while (running > 0);
   }
 
@@ -45,20 +48,26 @@ class CoursesInStep {
 
  private:
   // What a lane does next. Between two stages, memory that the next one needs is on its way.
-  enum class Stage : std::uint8_t { kFree, kStart, kFirstFacet, kFacet, kDone };
+  enum class Stage : std::uint8_t { kFree, kStart, kFirstFacet, kSearch, kFacet, kDone };
   struct Lane {
     Stage stage = Stage::kFree;
     bool is_decided = true;
+    char from = 'V';  // the letter of the face in which the facet was entered
     CellIndex cluster = kNoCell;
     Course course;
     RingNumber ring = kNoRing;
-    std::uint32_t exit = 0;  // the piece through which the ring is left
-    SeenSample seen;         // the sample by whose bisector that is
-    MovingDirection moving;
+    FacetName facet{0, 0};
+    std::span<const RingPiece> pieces;  // of the ring, until another one is laid out
+    // Pieces are counted from the one before the element that follows the point. All elements before `low` lie
+    // clockwise of the ray; that of `high` does not, or is the point's own. In the end low is the exit's piece.
+    std::size_t start = 0, low = 0, high = 0;
     std::size_t sides = 0, rays = 0;  // signs
     std::size_t along = 0, crossings = 0, centers = 0;
+
+    [[nodiscard]] std::size_t around(std::size_t k) const { return k < pieces.size() ? k : k - pieces.size(); }
+    [[nodiscard]] std::size_t exit() const { return around(start + low); }
   };
-  static constexpr std::size_t kLanes = 12;
+  static constexpr std::size_t kLanes = DirectionLanes::kLanes;
 
   void start(Lane& lane, CellIndex cluster) {
     if (cluster == kNoCell) return;
@@ -71,15 +80,17 @@ class CoursesInStep {
     __builtin_prefetch(&faces_.delaunay().cells[cluster]);
   }
 
-  void advance(Lane& lane) {
+  void advance(std::size_t k) {
+    Lane& lane = lanes_[k];
     switch (lane.stage) {
       case Stage::kStart:
         return leave_vertex(lane);
       case Stage::kFirstFacet:
-        return cross_first(lane);
+        return enter_first(k);
       case Stage::kFacet:
-        return go_on(lane);
+        return go_on(k);
       case Stage::kFree:
+      case Stage::kSearch:
       case Stage::kDone:
         break;
     }
@@ -121,33 +132,37 @@ class CoursesInStep {
     }
   }
 
-  void cross_first(Lane& lane) {
+  void enter_first(std::size_t k) {
+    Lane& lane = lanes_[k];
     const auto& v = faces_.delaunay().vertices(lane.cluster);
     const FacetRing ring = faces_.rings().at(lane.ring);
     ++lane.centers;
-    const FacetEdge edge = edge_of(ring);
-    lane.moving.begin(direction_from_vertex<double>(
-                          {&faces_.point(v[0]), &faces_.point(v[1]), &faces_.point(v[2]), &faces_.point(v[3])}, edge),
-                      edge);
-    leave(lane, ring, 'V', faces_.rings().element_of(ring, lane.cluster) + 1, ring.size() - 2);
+    const FacetEdge edge = edge_of(ring.facet);
+    directions_.set(k,
+                    direction_from_vertex<double>(
+                        {&faces_.point(v[0]), &faces_.point(v[1]), &faces_.point(v[2]), &faces_.point(v[3])}, edge),
+                    edge);
+    enter(lane, ring, 'V', faces_.rings().element_of(ring, lane.cluster) + 1, ring.size() - 2);
   }
 
   // Goes on from the inside of a Voronoi edge.
-  void go_on(Lane& lane) {
+  void go_on(std::size_t k) {
+    Lane& lane = lanes_[k];
     FacetRings& rings = faces_.rings();
-    const RingLink link = rings.link(lane.ring, lane.exit);
-    if (link.ring == RingLink::kAlongEdge) return end_on_edge(lane);
+    const std::size_t exit = lane.exit();
+    const RingLink link = rings.link(lane.ring, exit);
+    const RingPiece& left = rings.at(lane.ring).pieces[exit];
+    if (link.ring == RingLink::kAlongEdge) return end_on_edge(k, left.polygon());
     const FacetRing ring = rings.at(link.ring);
-    lane.ring = link.ring;
-    lane.moving.cross(lane.seen, edge_of(ring));
-    leave(lane, ring, 'E', link.place + 1, ring.size() - 1);
+    cross(k, left.apex, ring.facet);
+    enter(lane, ring, 'E', link.place + 1, ring.size() - 1);
   }
 
-  void end_on_edge(Lane& lane) {
-    const PolygonRef polygon = faces_.rings().at(lane.ring).pieces[lane.exit].polygon();
+  void end_on_edge(std::size_t k, PolygonRef polygon) {
+    Lane& lane = lanes_[k];
     const auto [a, b, c] = faces_.corners(polygon);
     ++lane.along;
-    const MaybeSign side = normal_sign(lane.moving.direction(), faces_.point(a), faces_.point(b), faces_.point(c));
+    const MaybeSign side = normal_sign(directions_.direction(k), faces_.point(a), faces_.point(b), faces_.point(c));
     // A zero would be a stationary point. Doubles never decide that.
     if (!side) return give_up(lane);
     lane.stage = Stage::kDone;
@@ -163,67 +178,114 @@ class CoursesInStep {
     lane.course.add(type);
   }
 
-  [[nodiscard]] FacetEdge edge_of(const FacetRing& ring) const {
-    return {&faces_.point(ring.facet.v0), &faces_.point(ring.facet.v1)};
+  [[nodiscard]] FacetEdge edge_of(FacetName facet) const { return {&faces_.point(facet.v0), &faces_.point(facet.v1)}; }
+
+  // From one facet to the next, by the bisector of q. Most often q is an end of the next one's edge, and the other end
+  // is one of this facet's. Which of them cannot be guessed, so that it is found without branches.
+  void cross(std::size_t k, VertexIndex q, FacetName to) {
+    const FacetName from = lanes_[k].facet;
+    const bool ends_at_q = to.v1 == q;
+    const VertexIndex other = ends_at_q ? to.v0 : to.v1, end = ends_at_q ? to.v1 : to.v0;
+    const bool keeps_v0 = other == from.v0;
+    const VertexIndex kept = keeps_v0 ? from.v0 : from.v1;
+    if (other == kept && end == q) return directions_.ask_crossing(k, keeps_v0, faces_.point(q), ends_at_q);
+    directions_.set(k, direction_across(directions_.direction(k), edge_of(from), faces_.point(q), edge_of(to)),
+                    edge_of(to));
+  }
+
+  void enter(Lane& lane, const FacetRing& ring, char from, std::size_t first, std::size_t count) {
+    lane.ring = ring.id;
+    lane.facet = ring.facet;
+    lane.from = from;
+    lane.low = 0;
+    lane.high = count;
+    lane.start = ring.before(first < ring.size() ? first : first - ring.size());
+    lane.stage = Stage::kSearch;
+  }
+
+  // ---- The binary search of RingQuery::from_boundary, of all lanes in step ----
+
+  void search() {
+    std::array<std::size_t, kLanes> searching;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < kLanes; ++k) {
+      if (lanes_[k].stage != Stage::kSearch) continue;
+      lanes_[k].pieces = faces_.rings().at(lanes_[k].ring).pieces;
+      if (!directions_.is_known(k)) {
+        give_up(lanes_[k]);
+      } else if (asks(k)) {
+        searching[count++] = k;
+      }
+    }
+    while (count > 0) {
+      directions_.order();
+      std::size_t left = 0;
+      for (std::size_t at = 0; at < count; ++at) {
+        const std::size_t k = searching[at];
+        Lane& lane = lanes_[k];
+        const int sign = directions_.sign(k);
+        // Doubles never say that an element lies on the ray.
+        if (sign == 0) {
+          give_up(lane);
+          continue;
+        }
+        // Without a branch, because half of its guesses would be wrong.
+        const std::size_t probe = (lane.low + lane.high) / 2, is_before = sign < 0 ? 1 : 0;
+        lane.low += is_before * (probe + 1 - lane.low);
+        lane.high -= (1 - is_before) * (lane.high - probe);
+        if (asks(k)) searching[left++] = k;
+      }
+      count = left;
+    }
+  }
+
+  // Asks for the next sign that the lane's search needs. Otherwise the lane has its next stage.
+  [[nodiscard]] bool asks(std::size_t k) {
+    Lane& lane = lanes_[k];
+    while (lane.low < lane.high) {
+      const std::size_t probe = (lane.low + lane.high) / 2;
+      const std::size_t here = lane.around(lane.start + probe), behind = lane.around(here + 1);
+      if (lane.pieces[behind].vertex != kNoCell) {
+        ++lane.sides;
+        directions_.ask_order(k, faces_.point(lane.pieces[here].apex), faces_.point(lane.pieces[behind].apex));
+        return true;
+      }
+      const std::optional<bool> is_clockwise = is_ray_clockwise(k, behind);
+      if (!is_clockwise) {
+        give_up(lane);
+        return false;
+      }
+      (*is_clockwise ? lane.low : lane.high) = *is_clockwise ? probe + 1 : probe;
+    }
+    leave(lane);
+    return false;
   }
 
   // Whether the element before piece k lies clockwise of the ray. It is a direction at infinity.
-  [[nodiscard]] std::optional<bool> is_ray_clockwise(Lane& lane, const FacetRing& ring, std::size_t k) const {
-    ++lane.rays;
-    const RingElement e = ring.element(k);
-    const MaybeSign sign = lane.moving.approach(faces_.point(e.apex));
+  [[nodiscard]] std::optional<bool> is_ray_clockwise(std::size_t k, std::size_t piece) {
+    ++lanes_[k].rays;
+    const FacetRing ring{lanes_[k].ring, lanes_[k].facet, lanes_[k].pieces};
+    const RingElement e = ring.element(piece);
+    const MaybeSign sign = approach_sign(directions_.direction(k), edge_of(ring.facet), faces_.point(e.apex));
     if (!sign) return std::nullopt;
     return (*sign == Sign::kPositive) == (e.factor < 0);
   }
 
-  // The binary search of RingQuery::from_boundary. Pieces are counted from the one before element `first` on, so that
-  // element k lies between pieces k and k + 1. What is seen of a piece's sample serves the next sign. Doubles never say
-  // that an element lies on the ray.
-  void leave(Lane& lane, const FacetRing& ring, char from, std::size_t first, std::size_t count) {
-    if (!lane.moving.is_known()) return give_up(lane);
-    const std::size_t n = ring.size();
-    const auto around = [n](std::size_t k) { return k < n ? k : k - n; };
-    const std::size_t start = ring.before(around(first));
-    const auto see = [&](std::size_t k) { return lane.moving.see(faces_.point(ring.pieces[around(start + k)].apex)); };
-    constexpr std::size_t kUnseen = ~std::size_t{0};
-    std::size_t low = 0, high = count, seen_low = kUnseen, seen_high = kUnseen;
-    SeenSample at_low{}, at_high{};
-    while (low < high) {
-      const std::size_t probe = (low + high) / 2, next = around(around(start + probe) + 1);
-      if (ring.pieces[next].vertex == kNoCell) {
-        const std::optional<bool> is_clockwise = is_ray_clockwise(lane, ring, next);
-        if (!is_clockwise) return give_up(lane);
-        (*is_clockwise ? low : high) = *is_clockwise ? probe + 1 : probe;
-        continue;
-      }
-      ++lane.sides;
-      const SeenSample here = seen_low == probe ? at_low : see(probe);
-      const SeenSample behind = seen_high == probe + 1 ? at_high : see(probe + 1);
-      const MaybeSign sign = lane.moving.order(here, behind);
-      if (!sign) return give_up(lane);
-      if (*sign == Sign::kNegative) {
-        seen_low = low = probe + 1;
-        at_low = behind;
-      } else {
-        seen_high = high = probe;
-        at_high = here;
-      }
-    }
-    const std::size_t piece = around(start + low);
-    const bool is_finite = ring.pieces[piece].is_finite();
-    lane.course.add({from, 'F', is_finite ? 'E' : '\0'});
+  void leave(Lane& lane) {
+    const std::size_t piece = lane.exit();
+    const bool is_finite = lane.pieces[piece].is_finite();
+    lane.course.add({lane.from, 'F', is_finite ? 'E' : '\0'});
     lane.stage = Stage::kDone;
     if (!is_finite) return;
     ++lane.crossings;
-    lane.exit = static_cast<std::uint32_t>(piece);
-    lane.seen = seen_low == low ? at_low : seen_high == low ? at_high : see(low);
     lane.stage = Stage::kFacet;
-    faces_.rings().prefetch_link(ring, piece);
+    faces_.rings().prefetch_link(lane.pieces[piece]);
   }
 
   VoronoiFaces& faces_;
   KernelTally& tally_;
   std::array<Lane, kLanes> lanes_;
+  DirectionLanes directions_;
   std::size_t deepest_ = 0;
 };
 

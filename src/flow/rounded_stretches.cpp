@@ -3,7 +3,7 @@
 namespace flowcert::flow {
 
 namespace {
-constexpr std::uint32_t kNotVisited = 0xffffffffu;
+constexpr std::uint32_t kNotFlowed = 0xffffffffu;
 }  // namespace
 
 RoundedStretches::Stretch RoundedStretches::flowed_from(CellIndex cluster) {
@@ -26,9 +26,9 @@ RoundedStretches::Stretch RoundedStretches::flowed_from(CellIndex cluster) {
 }
 
 void RoundedStretches::append_orbit(CellIndex cluster, std::vector<RoundedSphere>& points) {
-  if (stretch_of_.empty()) stretch_of_.assign(cells_, kNotVisited);
+  if (stretch_of_.empty()) stretch_of_.assign(cells_, kNotFlowed);
   for (CellIndex at = cluster; at != kNoCell;) {
-    if (stretch_of_[at] == kNotVisited) {
+    if (stretch_of_[at] == kNotFlowed) {
       stretches_.push_back(flowed_from(at));
       stretch_of_[at] = static_cast<std::uint32_t>(stretches_.size() - 1);
     }

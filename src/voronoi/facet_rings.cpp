@@ -35,9 +35,10 @@ RingNumber FacetRings::add_ring(FacetName facet, CellIndex cell) {
   diagram_.spatial() != nullptr ? add_spatial_pieces(facet, cell, id) : add_planar_pieces(facet, cell, id);
   const auto count = static_cast<std::uint32_t>(pieces_.size() - id - 1);
   pieces_[id].packed = count;
-  place_.push_back(0);
-  for (std::uint32_t k = 0; k < count; ++k)
-    place_.push_back(static_cast<std::uint8_t>(std::min<std::uint32_t>(k, kFar)));
+  place_.resize(pieces_.size());
+  for (std::uint32_t k = 0; k < count; ++k) {
+    place_[id + 1 + k] = static_cast<std::uint8_t>(std::min<std::uint32_t>(k, kFar));
+  }
   if (count > kSmallRing) sort_large_ring(at(id));
   return id;
 }
@@ -64,25 +65,36 @@ void FacetRings::add_spatial_pieces(FacetName facet, CellIndex start, RingNumber
     const auto at = static_cast<unsigned>(std::find(order, order + 3, l) - order);
     if (order[(at + 1) % 3] == i0) break;
   }
+  // Where the four samples are in the cell: v0, v1, the one behind which the next cell lies, and the apex.
+  struct Places {
+    unsigned v0, v1, behind, apex;
+  };
+  const auto places_in = [&](const DelaunayCell& cell, VertexIndex pivot) {
+    const unsigned at0 = place_among(cell.vertices, facet.v0), at1 = place_among(cell.vertices, facet.v1),
+                   behind = place_among(cell.vertices, pivot);
+    return Places{at0, at1, behind, 6 - at0 - at1 - behind};
+  };
+  const bool is_plain = complex.is_plain();
   CellIndex cell = start;
-  VertexIndex pivot = v[k];
+  bool here = delaunay.is_finite(cell);
+  Places at = places_in(delaunay.cells[cell], v[k]);
   do {
     const auto& [vertices, neighbors] = delaunay.cells[cell];
-    const unsigned behind = place_among(vertices, pivot);
-    const unsigned at0 = place_among(vertices, facet.v0), at1 = place_among(vertices, facet.v1);
-    const VertexIndex apex = vertices[6 - behind - at0 - at1];
-    const CellIndex next = neighbors[behind];
-    __builtin_prefetch(&delaunay.cells[next]);
-    const bool here = delaunay.is_finite(cell), there = delaunay.is_finite(next);
-    if (here) ring_at_[cell][kEdgeBetween[at0][at1]] = id;
-    if (here && there && complex.is_plain()) {
+    const VertexIndex apex = vertices[at.apex];
+    const CellIndex next = neighbors[at.behind];
+    const Places at_next = places_in(delaunay.cells[next], apex);
+    __builtin_prefetch(&delaunay.cells[delaunay.cells[next].neighbors[at_next.behind]]);
+    const bool there = delaunay.is_finite(next);
+    if (here) ring_at_[cell][kEdgeBetween[at.v0][at.v1]] = id;
+    if (here && there && is_plain) {
       // No face is merged, so that the faces are those of the triangulation.
-      const FacetRef facet_here{cell, behind}, facet_there = complex.mirror(facet_here);
-      pieces_.push_back({apex, cell, RingPiece::pack(next < cell ? facet_there : facet_here)});
+      pieces_.push_back(
+          {apex, cell, RingPiece::pack(next < cell ? PolygonRef{next, at_next.apex} : PolygonRef{cell, at.behind})});
     } else if ((here || there) && !(here && there && complex.cluster(cell) == complex.cluster(next))) {
-      add_piece(here ? complex.cluster(cell) : kNoCell, diagram_.polygon({cell, behind}), apex);
+      add_piece(here ? complex.cluster(cell) : kNoCell, diagram_.polygon({cell, at.behind}), apex);
     }
-    pivot = apex;
+    at = at_next;
+    here = there;
     cell = next;
   } while (cell != start);
 }

@@ -97,13 +97,13 @@ class FacetRings {
     return place != kFar ? RingLink{next - 1 - place, place} : link_to_far(id, k);
   }
   // Asks memory for what link(), and then the ring that it leads to, will need.
-  void prefetch_link(const FacetRing& ring, std::size_t k) const {
-    const RingPiece& piece = ring.pieces[k];
+  void prefetch_link(const RingPiece& piece) const {
     if (piece.next < pieces_.size()) {
       constexpr std::size_t kLine = 4;  // pieces
       __builtin_prefetch(&place_[piece.next]);
       __builtin_prefetch(&pieces_[piece.next]);
       __builtin_prefetch(&pieces_[piece.next] - kLine);
+      __builtin_prefetch(&pieces_[piece.next] - 2 * kLine);
       __builtin_prefetch(&pieces_[piece.next] + kLine);
     } else if (piece.is_finite()) {
       const CellIndex cell = piece.polygon().cell;
