@@ -11,9 +11,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "flow/direction_lanes.h"
 #include "flow/drivers.h"
 #include "flow/flow_operator.h"
-#include "flow/kernels/direction_lanes.h"
 #include "voronoi/voronoi_faces.h"
 
 namespace flowcert::flow {

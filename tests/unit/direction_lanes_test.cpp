@@ -1,7 +1,7 @@
-// The directions in lanes against the plain functions of direction.h, to the bit: their signs, and the directions behind
-// all sorts of crossings, with the wide instructions and without them. What the bounds guarantee is tested with those
-// functions (direction_bounds_test).
-#include "flow/kernels/direction_lanes.h"
+// The directions in lanes against the plain functions of direction.h, to the bit: their signs, and the directions
+// behind all sorts of crossings, with the wide instructions and without them. What the bounds guarantee is tested with
+// those functions (direction_bounds_test).
+#include "flow/direction_lanes.h"
 
 #include <gtest/gtest.h>
 

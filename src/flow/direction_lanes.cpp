@@ -1,4 +1,4 @@
-#include "flow/kernels/direction_lanes.h"
+#include "flow/direction_lanes.h"
 
 namespace flowcert::flow {
 
