@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "flow/drivers.h"
 #include "flow/kernels/steering.h"
@@ -121,5 +122,13 @@ class FlowOperator {
 // made in a file of its own, because it includes no CGAL.
 [[nodiscard]] std::unique_ptr<FlowOperator> make_cascade_operator(VoronoiFaces& faces, FacetSearch search);
 [[nodiscard]] std::unique_ptr<FlowOperator> make_flow_operator(VoronoiFaces& faces, FlowOptions options);
+
+// How many of so many threads flow, each with an operator of its own. The lazy and the exact kernel count constructions
+// of Voronoi vertices that a thread keeps, and one thread counts the same each time. Throws std::invalid_argument where
+// there is no thread.
+[[nodiscard]] inline unsigned team_size(const FlowOptions& options, unsigned threads) {
+  if (threads == 0) throw std::invalid_argument("the flow takes at least one thread");
+  return options.kernel == ConstructionKernel::kCascade ? threads : 1;
+}
 
 }  // namespace flowcert::flow

@@ -10,7 +10,10 @@
 #include <cstddef>
 #include <functional>
 #include <mutex>
+#include <tuple>
 #include <utility>
+
+#include "geometry/parallel_for.h"
 
 namespace flowcert::geometry {
 
@@ -50,5 +53,17 @@ class Portions {
   std::atomic<std::size_t> next_{0};
   std::mutex telling_;
 };
+
+// Calls use(thread, k) once for each k below the count, on so many threads, which are numbered from 0 on.
+template <class Use>
+void in_portions(unsigned threads, std::size_t count, std::size_t size, const Portions::Progress& progress,
+                 const Use& use) {
+  Portions portions(count, size, progress);
+  parallel_for(threads, threads, [&](std::size_t thread) {
+    for (auto [at, end] = portions.next(); at != end; std::tie(at, end) = portions.next()) {
+      for (; at != end; ++at) use(thread, at);
+    }
+  });
+}
 
 }  // namespace flowcert::geometry

@@ -13,110 +13,16 @@
 
 #include "flow/drivers.h"
 #include "flow/flow_operator.h"
-#include "flow/kernels/steering.h"
 #include "flow/segment_record.h"
 #include "flow/worker_pool.h"
 #include "geometry/contract.h"
-#include "geometry/parallel_for.h"
 #include "geometry/portions.h"
 #include "morse/backward_walk.h"
 #include "morse/chain_boundary.h"
 #include "morse/layer.h"
 #include "morse/record_face.h"
 #include "morse/record_finder.h"
-
-namespace flowcert::morse {
-
-// ---- Parts of dimension 3 ----
-// What flows into an arc of a Voronoi edge, facet by facet (spec clause FC-STAB-05). It is computed in rationals
-// throughout, and not by the operator's kernel, because such parts come from ties alone and are few.
-
-namespace {
-
-// An open arc of a Voronoi edge.
-struct Arc {
-  PolygonRef polygon;
-  RationalPoint a, b;
-};
-
-struct SectorParts {
-  // The corners of the sector's closure in cyclic order. The lexicographically least is first, the lesser of its
-  // neighbours second.
-  std::vector<RationalPoint> corners;
-  // The sector's rays enter the facet through these.
-  std::vector<Arc> arcs;
-  std::vector<CellIndex> vertices;
-};
-
-using Vector = Vector3<Rational>;
-
-Vector vector(const Point& p) { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
-Vector vector(const RationalPoint& p) { return {p[0], p[1], p[2]}; }
-RationalPoint point(const Vector& v) { return {v.x, v.y, v.z}; }
-
-// The plane of a facet: its Delaunay edge p0p1 with the midpoint m.
-struct FacetPlane {
-  FacetPlane(const Point& p0_, const Point& p1_) : p0(vector(p0_)), p1(vector(p1_)), m(Rational(1, 2) * (p0 + p1)) {}
-
-  // Twice the area spanned with m, counterclockwise seen from p1, times |p0p1|.
-  [[nodiscard]] Rational turn(const Vector& a, const Vector& b) const { return dot(cross(a - m, b - m), p1 - p0); }
-
-  Vector p0, p1, m;
-};
-
-void make_canonical(std::vector<RationalPoint>& corners) {
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
-  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-  if (corners.size() > 2 && corners.back() < corners[1]) std::reverse(corners.begin() + 1, corners.end());
-}
-
-// The sector in a facet that leads to the arc (h > 0 at the arc's polygon).
-SectorParts sector_of(VoronoiFaces& faces, FlowOperator& flow, FacetName facet, const Arc& arc) {
-  const FacetPlane plane(faces.point(facet.v0), faces.point(facet.v1));
-  const FacetRing ring = faces.ring(facet, arc.polygon.cell);
-  FilterTally tally;
-  const ObtuseChain chain = obtuse_chain(faces.diagram(), facet, ring, tally);
-  Vector a = vector(arc.a), b = vector(arc.b);
-  if (plane.turn(a, b) < 0) std::swap(a, b);
-  SectorParts parts;
-  parts.corners = {point(a), point(b)};
-  if (chain.count == 0) {
-    parts.corners.push_back(point(plane.m));
-    make_canonical(parts.corners);
-    return parts;
-  }
-  // Goes from b back to a. Rays from m meet the near side clockwise, in the ring's order.
-  const std::size_t n = ring.pieces.size();
-  const auto piece = [&](std::size_t k) -> const RingPiece& { return ring.pieces[(chain.first + k) % n]; };
-  const auto inner = [&](std::size_t k) { return ring.pieces[(chain.first + k + 1) % n].vertex; };
-  std::size_t k = 0;
-  while (k + 1 < chain.count && plane.turn(b, vector(flow.exact({Place::at_vertex(inner(k)), kNoPoint}))) >= 0) {
-    ++k;
-  }
-  Vector from = crossing(b, plane.p0, plane.p1, vector(faces.point(piece(k).apex)));
-  parts.corners.push_back(point(from));
-  for (; k < chain.count; ++k) {
-    const bool is_last = k + 1 == chain.count;
-    const Vector next = is_last ? a : vector(flow.exact({Place::at_vertex(inner(k)), kNoPoint}));
-    if (!is_last && plane.turn(a, next) > 0) {
-      parts.arcs.push_back({piece(k).polygon(), point(from), point(next)});
-      parts.vertices.push_back(inner(k));
-      parts.corners.push_back(point(next));
-      from = next;
-      continue;
-    }
-    const Vector end = crossing(a, plane.p0, plane.p1, vector(faces.point(piece(k).apex)));
-    parts.arcs.push_back({piece(k).polygon(), point(from), point(end)});
-    parts.corners.push_back(point(end));
-    break;
-  }
-  make_canonical(parts.corners);
-  return parts;
-}
-
-}  // namespace
-}  // namespace flowcert::morse
+#include "morse/stable_sector.h"
 
 namespace flowcert {
 
@@ -165,11 +71,6 @@ struct StableManifolds::Parts {
   void break_ties(Worker& worker);
   void sum_up();
   void find_largest();
-  // The other kernels count constructions of Voronoi vertices that a thread keeps. One thread counts the same each
-  // time.
-  [[nodiscard]] unsigned team_size() const {
-    return options.flow.kernel == ConstructionKernel::kCascade ? std::max(1U, options.threads) : 1;
-  }
   [[nodiscard]] std::size_t record_of(std::size_t i) const {
     return i < critical_count ? first_critical + i : first_regular + (i - critical_count);
   }
@@ -564,22 +465,18 @@ void StableManifolds::Parts::compute(const Progress& progress) {
   const std::vector<std::uint32_t> order =
       along_the_curve(stationary, sets.size(), [this](std::uint32_t k) { return record_of(k); });
   std::vector<std::unique_ptr<Worker>> team;
-  for (unsigned k = 0; k < team_size(); ++k) team.push_back(std::make_unique<Worker>(*this));
+  const unsigned threads = team_size(options.flow, options.threads);
+  for (unsigned k = 0; k < threads; ++k) team.push_back(std::make_unique<Worker>(*this));
   shares.resize(team.size());
   const geometry::Portions::Progress tell = [&](std::size_t begun) {
     if (progress) progress(begun, sets.size());
   };
-  geometry::Portions portions(order.size(), kProgressStep, tell);
-  geometry::parallel_for(team.size(), team_size(), [&](std::size_t k) {
-    for (auto [at, end] = portions.next(); at != end; std::tie(at, end) = portions.next()) {
-      for (; at != end; ++at) {
-        if (at + kAhead < order.size()) {
-          stationary.prefetch(record_of(order[at + kAhead]));
-          __builtin_prefetch(&sets[order[at + kAhead]], 1);
-        }
-        make_set(*team[k], order[at], static_cast<std::uint32_t>(k));
-      }
+  geometry::in_portions(threads, order.size(), kProgressStep, tell, [&](std::size_t thread, std::size_t at) {
+    if (at + kAhead < order.size()) {
+      stationary.prefetch(record_of(order[at + kAhead]));
+      __builtin_prefetch(&sets[order[at + kAhead]], 1);
     }
+    make_set(*team[thread], order[at], static_cast<std::uint32_t>(thread));
   });
   break_ties(*team.front());
   sum_up();

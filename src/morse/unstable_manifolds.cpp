@@ -38,13 +38,7 @@ struct UnstableManifolds::Parts {
       : diagram(voronoi), stationary(list), finder(list), options(how) {}
 
   void compute(const Progress& progress);
-  static void with_team(std::span<const std::unique_ptr<Worker>> team, std::size_t count, const auto& use);
   [[nodiscard]] auto with_worker(const auto& use);
-  // The other kernels count constructions of Voronoi vertices that a thread keeps. One thread counts the same each
-  // time.
-  [[nodiscard]] unsigned team_size() const {
-    return options.share && options.flow.kernel == ConstructionKernel::kCascade ? std::max(1U, options.threads) : 1;
-  }
 
   const VoronoiDiagram& diagram;
   const StationaryPoints& stationary;
@@ -69,9 +63,12 @@ class UnstableManifolds::Parts::Worker {
         forest_(faces_.diagram(), all.options.share),
         rounded_(*flow_, faces_.delaunay().finite_count) {}
 
-  // The Voronoi vertex to which one side of a manifold leads first, or kNoCell for infinity.
-  [[nodiscard]] CellIndex first_vertex(std::size_t saddle, std::size_t side) {
-    return start_of(saddle, side).place.vertex;
+  // The Voronoi vertices to which the two sides of a manifold lead first, or kNoCell for infinity.
+  [[nodiscard]] std::array<CellIndex, 2> first_vertices(std::size_t saddle) {
+    const PolygonRef polygon = edge_of_record(all_.stationary, saddle);
+    std::array<CellIndex, 2> ends{faces_.end(polygon, 0), faces_.end(polygon, 1)};
+    if (is_reversed(saddle, polygon)) std::swap(ends[0], ends[1]);
+    return ends;
   }
   // Flows from many Voronoi vertices, with all of these workers. The forest is this one's.
   void flow_from(std::span<const CellIndex> starts, std::span<const std::unique_ptr<Worker>> workers,
@@ -224,19 +221,6 @@ std::vector<RoundedSphere> UnstableManifolds::Parts::Worker::rounded_orbit(std::
   return points;
 }
 
-// Calls use(worker, k) for all k below the count, each worker in a thread of its own.
-void UnstableManifolds::Parts::with_team(std::span<const std::unique_ptr<Worker>> team, std::size_t count,
-                                         const auto& use) {
-  constexpr std::size_t kPortion = 1024;
-  const geometry::Portions::Progress silent;
-  geometry::Portions portions(count, kPortion, silent);
-  geometry::parallel_for(team.size(), static_cast<unsigned>(team.size()), [&](std::size_t number) {
-    for (auto [at, end] = portions.next(); at != end; std::tie(at, end) = portions.next()) {
-      for (; at != end; ++at) use(*team[number], at);
-    }
-  });
-}
-
 void UnstableManifolds::Parts::compute(const Progress& progress) {
   if (diagram.dimension() == 3) record_at.resize(diagram.faces().delaunay().finite_count);
   for (std::size_t record = 0; record < stationary.size(); ++record) {
@@ -249,21 +233,25 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
   const auto record_of = [first = first](std::uint32_t i) { return first + i; };
   const std::vector<std::uint32_t> order = along_the_curve(stationary, limits.size(), record_of);
   std::vector<std::unique_ptr<Worker>> team;
-  for (unsigned k = 0; k < team_size(); ++k) team.push_back(std::make_unique<Worker>(*this));
+  const unsigned most = team_size(options.flow, options.threads), threads = options.share ? most : 1;
+  for (unsigned k = 0; k < threads; ++k) team.push_back(std::make_unique<Worker>(*this));
+  constexpr std::size_t kPortion = 1024;
   std::vector<CellIndex> starts(2 * order.size());
-  with_team(team, order.size(), [&](Worker& worker, std::size_t k) {
+  geometry::in_portions(threads, order.size(), kPortion, {}, [&](std::size_t thread, std::size_t k) {
     constexpr std::size_t kAhead = 12;
     if (k + kAhead < order.size()) stationary.prefetch(first_saddle + order[k + kAhead]);
-    for (const std::size_t side : {0U, 1U}) starts[2 * k + side] = worker.first_vertex(first_saddle + order[k], side);
+    const auto [one, other] = team[thread]->first_vertices(first_saddle + order[k]);
+    starts[2 * k] = one;
+    starts[2 * k + 1] = other;
   });
   Worker& leader = *team.front();
   if (options.share) {
     leader.flow_from(starts, team, [&](std::size_t begun) {
       if (progress) progress(begun / 2, limits.size());
     });
-    with_team(team, order.size(), [&](Worker& worker, std::size_t k) {
+    geometry::in_portions(threads, order.size(), kPortion, {}, [&](std::size_t thread, std::size_t k) {
       for (const std::size_t side : {0U, 1U}) {
-        limits[order[k]][side] = worker.follow_in(leader, starts[2 * k + side]);
+        limits[order[k]][side] = team[thread]->follow_in(leader, starts[2 * k + side]);
       }
     });
   }
