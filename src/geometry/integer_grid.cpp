@@ -34,7 +34,7 @@ template <class Integer>
 Integer on_grid(double value, int grid_exponent) {
   const OddDouble odd = take_apart(value);
   if (odd.mantissa == 0) return Integer(0);
-  Integer result(odd.mantissa);
+  auto result = static_cast<Integer>(odd.mantissa);
   result <<= static_cast<unsigned>(odd.exponent - grid_exponent);
   return odd.negative ? Integer(-result) : result;
 }
@@ -70,10 +70,12 @@ template <class Integer>
 Vector3<Integer> IntegerGrid::vector_between(const Point& from, const Point& to) const {
   FLOWCERT_REQUIRES(!std::is_same_v<Integer, WideInteger> || fits_wide());
   FLOWCERT_REQUIRES(!std::is_same_v<Integer, NarrowInteger> || fits_narrow());
+  FLOWCERT_REQUIRES(!std::is_same_v<Integer, SmallInteger> || fits_small());
   return {difference<Integer>(from.x, to.x), difference<Integer>(from.y, to.y), difference<Integer>(from.z, to.z)};
 }
 
 template Vector3<BigInteger> IntegerGrid::vector_between(const Point&, const Point&) const;
+template Vector3<SmallInteger> IntegerGrid::vector_between(const Point&, const Point&) const;
 template Vector3<NarrowInteger> IntegerGrid::vector_between(const Point&, const Point&) const;
 template Vector3<WideInteger> IntegerGrid::vector_between(const Point&, const Point&) const;
 

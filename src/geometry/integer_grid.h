@@ -2,13 +2,15 @@
 // points.
 //
 // Guarantees: exact for all finite doubles. All predicates are homogeneous in differences of points, so a common
-// power of two does not change their signs. There are three integer types. NarrowInteger is the machine's; it serves
-// polynomials of degree 2 in points that span at most kNarrowBits bits on their grid. WideInteger has a fixed size
+// power of two does not change their signs. There are four integer types. SmallInteger and NarrowInteger are the
+// machine's. NarrowInteger serves polynomials of degree 2 in points that span at most kNarrowBits bits on their grid,
+// and so does SmallInteger for kSmallBits bits; then NarrowInteger serves up to degree 6. WideInteger has a fixed size
 // and never allocates; it serves up to degree 6 and kWideBits bits. GMP's integers serve everything.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/multiprecision/gmp.hpp>
+#include <cstdint>
 #include <span>
 
 #include "flowcert/point_set.h"
@@ -27,6 +29,15 @@ inline constexpr int kWideBits = 82;
 using NarrowInteger = __int128;
 inline constexpr int kNarrowBits = 61;
 
+// Points of a lattice or of a fine grid. Polynomials of degree 6 in differences of kSmallBits + 1 bits are at most a sum
+// of 128 products, so that they stay below 2^121 in NarrowInteger. Those of degree 2 stay below 2^46.
+using SmallInteger = std::int64_t;
+inline constexpr int kSmallBits = 18;
+
+template <>
+struct Promoted<SmallInteger> {
+  using Type = NarrowInteger;
+};
 template <>
 struct Promoted<NarrowInteger> {
   using Type = WideInteger;
@@ -37,13 +48,14 @@ class IntegerGrid {
   // Takes the finest exponent that a coordinate of the points needs.
   explicit IntegerGrid(std::span<const Point* const> points);
 
-  // Whether every coordinate is below 2^kWideBits (2^kNarrowBits) in units of the grid.
+  // Whether every coordinate is below 2^kWideBits (2^kNarrowBits, 2^kSmallBits) in units of the grid.
   [[nodiscard]] bool fits_wide() const { return top_exponent_ - exponent_ <= kWideBits; }
   [[nodiscard]] bool fits_narrow() const { return top_exponent_ - exponent_ <= kNarrowBits; }
+  [[nodiscard]] bool fits_small() const { return top_exponent_ - exponent_ <= kSmallBits; }
 
   [[nodiscard]] int exponent() const { return exponent_; }
 
-  // to - from, in units of the grid. For WideInteger only where fits_wide(), for NarrowInteger where fits_narrow().
+  // to - from, in units of the grid. For WideInteger only where fits_wide(), and so on.
   template <class Integer>
   [[nodiscard]] Vector3<Integer> vector_between(const Point& from, const Point& to) const;
 

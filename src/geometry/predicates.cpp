@@ -58,6 +58,10 @@ MaybeSign sign_on_rung(const Query& query, Rung rung) {
   if (rung == Rung::kDouble) return double_sign(query);
   const IntegerGrid grid(points_of(query));
   if (rung == Rung::kBig) return integer_sign<BigInteger>(query, grid);
+  if (rung == Rung::kSmall) {
+    if (!grid.fits_small()) return std::nullopt;
+    return integer_sign<SmallInteger>(query, grid);
+  }
   if (rung == Rung::kNarrow) {
     if (!grid.fits_narrow()) return std::nullopt;
     return integer_sign<NarrowInteger>(query, grid);
@@ -69,6 +73,7 @@ MaybeSign sign_on_rung(const Query& query, Rung rung) {
 template <class Query>
 Sign unfiltered_sign(const Query& query) {
   const IntegerGrid grid(points_of(query));
+  if (grid.fits_small()) return integer_sign<SmallInteger>(query, grid);
   if (grid.fits_narrow()) return integer_sign<NarrowInteger>(query, grid);
   return grid.fits_wide() ? integer_sign<WideInteger>(query, grid) : integer_sign<BigInteger>(query, grid);
 }

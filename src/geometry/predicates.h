@@ -16,9 +16,9 @@
 
 namespace flowcert::geometry {
 
-// Every predicate below has these rungs. kBig always answers; kNarrow and kWide answer where the points fit them.
-// kNarrow computes degree 2 in the machine's integers, and the rest in wide ones.
-enum class Rung { kDouble, kNarrow, kWide, kBig };
+// Every predicate below has these rungs. kBig always answers; the three before it answer where the points fit them.
+// kSmall computes in the machine's integers. kNarrow computes degree 2 there, and the rest in wide ones.
+enum class Rung { kDouble, kSmall, kNarrow, kWide, kBig };
 
 // A query has a polynomial, `value`, over any number type, in the `vectors` between its points. They are in an order
 // that makes the polynomial read well.
@@ -113,15 +113,15 @@ struct OutsideCircle {
   // normal, with opposite signs, so the same coordinate of both tells their lengths.
   template <class Number>
   [[nodiscard]] static typename Promoted<Number>::Type value(const std::array<Vector3<Number>, 4>& v) {
-    using std::abs;
     using Wide = typename Promoted<Number>::Type;
     const Vector3<Wide> at_q = promote(cross(v[0], v[1]));
     const Vector3<Wide> at_r = promote(cross(v[2], v[3]));
     const Wide hq(dot(v[0], v[1]));
     const Wide hr(dot(v[2], v[3]));
-    const Wide ax = abs(at_q.x), ay = abs(at_q.y), az = abs(at_q.z);
-    if (ax >= ay && ax >= az) return hq * abs(at_r.x) + hr * ax;
-    return ay >= az ? hq * abs(at_r.y) + hr * ay : hq * abs(at_r.z) + hr * az;
+    const auto size = [](const Wide& value) { return value < 0 ? Wide(-value) : value; };
+    const Wide ax = size(at_q.x), ay = size(at_q.y), az = size(at_q.z);
+    if (ax >= ay && ax >= az) return hq * size(at_r.x) + hr * ax;
+    return ay >= az ? hq * size(at_r.y) + hr * ay : hq * size(at_r.z) + hr * az;
   }
 };
 

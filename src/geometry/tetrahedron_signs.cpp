@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/contract.h"
+#include "geometry/integer_grid.h"
 
 namespace flowcert::geometry {
 
@@ -16,7 +17,8 @@ constexpr unsigned kCorners[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}
 using PerFacet = std::array<double, 4>;
 
 // The angles in the order of kAngleBits.
-using Angles = std::array<double, 12>;
+template <class Number>
+using Angles = std::array<Number, 12>;
 constexpr std::array<std::uint8_t, 12> kAngleBits = {
     TetrahedronSigns::angle_bit(3, 0), TetrahedronSigns::angle_bit(2, 0), TetrahedronSigns::angle_bit(1, 0),
     TetrahedronSigns::angle_bit(3, 1), TetrahedronSigns::angle_bit(2, 1), TetrahedronSigns::angle_bit(0, 1),
@@ -24,7 +26,8 @@ constexpr std::array<std::uint8_t, 12> kAngleBits = {
     TetrahedronSigns::angle_bit(2, 3), TetrahedronSigns::angle_bit(1, 3), TetrahedronSigns::angle_bit(0, 3)};
 
 // <v_k - v_j, v_l - v_j> = G_kl - G_jk - G_jl + G_jj of the Gram matrix of a, b, c; v_0 = 0.
-Angles angles_from(double aa, double bb, double cc, double ab, double bc, double ca) {
+template <class Number>
+Angles<Number> angles_from(Number aa, Number bb, Number cc, Number ab, Number bc, Number ca) {
   return {ab,      ca,      bc,                     //
           aa - ab, aa - ca, (bc - ab) + (aa - ca),  //
           bb - ab, bb - bc, (ca - ab) + (bb - bc),  //
@@ -38,13 +41,37 @@ Sign angle_exactly(const TetrahedronPoints& p, unsigned facet, unsigned vertex) 
   return unfiltered_sign(Angle{*p[k], *p[vertex], *p[l]});
 }
 
-void resolve_angles(const TetrahedronPoints& points, const Angles& h, double error, TetrahedronSigns& signs,
+// The vectors from vertex 0, where they are small integers on a grid. Then the polynomials of the doubles give all signs
+// of a cell at once here, too.
+using SmallVectors = std::array<Vector3<SmallInteger>, 3>;
+std::optional<SmallVectors> small_vectors(const TetrahedronPoints& p) {
+  const IntegerGrid grid(p);
+  if (!grid.fits_small()) return std::nullopt;
+  const auto to = [&](const Point* q) { return grid.vector_between<SmallInteger>(*p[0], *q); };
+  return SmallVectors{to(p[1]), to(p[2]), to(p[3])};
+}
+Angles<SmallInteger> angles_of(const SmallVectors& v) {
+  const auto& [a, b, c] = v;
+  return angles_from(dot(a, a), dot(b, b), dot(c, c), dot(a, b), dot(b, c), dot(c, a));
+}
+// In the order of the facets.
+std::array<Sign, 4> sides_of(const SmallVectors& v) {
+  const Circumsphere<SmallInteger> sphere = circumsphere(v[0], v[1], v[2]);
+  const NarrowInteger s1 = dot(sphere.bc, sphere.numerator), s2 = dot(sphere.ca, sphere.numerator),
+                      s3 = dot(sphere.ab, sphere.numerator);
+  const NarrowInteger s0 = 2 * sphere.determinant * sphere.determinant - s1 - s2 - s3;
+  return {sign_of(s0), sign_of(s1), sign_of(s2), sign_of(s3)};
+}
+
+void resolve_angles(const TetrahedronPoints& points, const Angles<double>& h, double error, TetrahedronSigns& signs,
                     FilterTally& tally) {
+  const std::optional<SmallVectors> small = small_vectors(points);
+  const Angles<SmallInteger> exact = small ? angles_of(*small) : Angles<SmallInteger>{};
   for (std::size_t k = 0; k < h.size(); ++k) {
     if (std::fabs(h[k]) > error) continue;
     ++tally[Predicate::kAngle].failures;
     const unsigned bit = kAngleBits[k];
-    const Sign sign = angle_exactly(points, bit / 4, bit % 4);
+    const Sign sign = small ? sign_of(exact[k]) : angle_exactly(points, bit / 4, bit % 4);
     const unsigned mask = 1u << bit;
     signs.angle_negative = static_cast<std::uint16_t>(sign == Sign::kNegative ? signs.angle_negative | mask
                                                                               : signs.angle_negative & ~mask);
@@ -52,7 +79,7 @@ void resolve_angles(const TetrahedronPoints& points, const Angles& h, double err
   }
 }
 
-void set_angles(const TetrahedronPoints& points, const Angles& h, double error, TetrahedronSigns& signs,
+void set_angles(const TetrahedronPoints& points, const Angles<double>& h, double error, TetrahedronSigns& signs,
                 FilterTally& tally) {
   tally[Predicate::kAngle].calls += h.size();
   unsigned negative = 0;
@@ -67,6 +94,8 @@ void set_angles(const TetrahedronPoints& points, const Angles& h, double error, 
 
 void resolve_sides(const TetrahedronPoints& points, const PerFacet& value, const PerFacet& error,
                    TetrahedronSigns& signs, FilterTally& tally) {
+  const std::optional<SmallVectors> small = small_vectors(points);
+  const std::array<Sign, 4> exact = small ? sides_of(*small) : std::array<Sign, 4>{};
   for (unsigned facet = 0; facet < 4; ++facet) {
     if (std::fabs(value[facet]) > error[facet]) continue;
     ++tally[Predicate::kSideOfPlane].failures;
@@ -76,7 +105,7 @@ void resolve_sides(const TetrahedronPoints& points, const PerFacet& value, const
       signs.side_open |= bit;
       continue;
     }
-    const Sign sign = side_exactly(points, facet);
+    const Sign sign = small ? exact[facet] : side_exactly(points, facet);
     if (sign == Sign::kNegative) signs.side_negative |= bit;
     if (sign == Sign::kZero) signs.side_zero |= bit;
   }

@@ -29,11 +29,12 @@ enum class TupleKind {
   kNearRight,   // a right angle up to rounding, of three generic points; the others generic too
   kWidest,      // coordinates that span kWideBits bits on their grid, or one more
   kNarrow,      // the same with kNarrowBits
+  kSmall,       // the same with kSmallBits
 };
 inline constexpr std::array kTupleKinds = {TupleKind::kGeneric,    TupleKind::kLattice,   TupleKind::kSpherical,
                                            TupleKind::kRounded,    TupleKind::kOneUlp,    TupleKind::kFarOff,
                                            TupleKind::kMagnitudes, TupleKind::kSubnormal, TupleKind::kNearRight,
-                                           TupleKind::kWidest,     TupleKind::kNarrow};
+                                           TupleKind::kWidest,     TupleKind::kNarrow,    TupleKind::kSmall};
 
 inline double& coordinate_of(flowcert::Point& p, std::size_t k) { return k == 0 ? p.x : k == 1 ? p.y : p.z; }
 
@@ -132,6 +133,17 @@ std::array<flowcert::Point, N> draw_tuple(TupleKind kind, PortableRandom& random
       for (flowcert::Point& p : points) {
         for (std::size_t k = 0; k < 3; ++k) {
           const double value = std::ldexp(0x1p53 - random.between(1, 3), top);
+          coordinate_of(p, k) = random.coin() ? value : -value;
+        }
+      }
+      coordinate_of(points[random.below(N)], random.below(3)) = random.coin() ? 1.0 : -1.0;
+      break;
+    }
+    case TupleKind::kSmall: {
+      const double beyond = std::ldexp(1.0, flowcert::geometry::kSmallBits + random.between(0, 1));
+      for (flowcert::Point& p : points) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double value = beyond - random.between(1, 3);
           coordinate_of(p, k) = random.coin() ? value : -value;
         }
       }

@@ -53,20 +53,25 @@ Sign sign_of_int(int sign) { return static_cast<Sign>(sign); }
 
 // How often each rung was the first to answer.
 struct Decided {
-  std::uint64_t by_double = 0, by_narrow = 0, by_wide = 0, by_big = 0, zeros = 0;
-  [[nodiscard]] std::uint64_t total() const { return by_double + by_narrow + by_wide + by_big; }
+  std::uint64_t by_double = 0, by_small = 0, by_narrow = 0, by_wide = 0, by_big = 0, zeros = 0;
+  [[nodiscard]] std::uint64_t total() const { return by_double + by_fixed() + by_big; }
   // The number decided by integers of a fixed size.
-  [[nodiscard]] std::uint64_t by_fixed() const { return by_narrow + by_wide; }
+  [[nodiscard]] std::uint64_t by_fixed() const { return by_small + by_narrow + by_wide; }
 };
 
 // Compares each rung that is not silent with the last one.
 template <class Query>
 void compare_rungs(const Query& query, Decided& decided) {
   const MaybeSign by_double = sign_on_rung(query, Rung::kDouble);
+  const MaybeSign by_small = sign_on_rung(query, Rung::kSmall);
   const MaybeSign by_narrow = sign_on_rung(query, Rung::kNarrow);
   const MaybeSign by_wide = sign_on_rung(query, Rung::kWide);
   const MaybeSign by_big = sign_on_rung(query, Rung::kBig);
   ASSERT_TRUE(by_big.has_value());
+  if (by_small) {
+    ASSERT_EQ(*by_small, *by_big);
+    ASSERT_TRUE(by_narrow.has_value());
+  }
   if (by_narrow) {
     ASSERT_EQ(*by_narrow, *by_big);
     ASSERT_TRUE(by_wide.has_value());
@@ -85,7 +90,11 @@ void compare_rungs(const Query& query, Decided& decided) {
   expected[Query::kPredicate] = {1, by_double ? 0u : 1u};
   ASSERT_EQ(tally.counts, expected.counts);
   decided.zeros += *by_big == Sign::kZero ? 1 : 0;
-  ++(by_double ? decided.by_double : by_narrow ? decided.by_narrow : by_wide ? decided.by_wide : decided.by_big);
+  ++(by_double   ? decided.by_double
+     : by_small  ? decided.by_small
+     : by_narrow ? decided.by_narrow
+     : by_wide   ? decided.by_wide
+                 : decided.by_big);
 }
 
 // What is asked of each predicate: a query made of a tuple, and its answer by definition. OutsideCircle takes
@@ -303,6 +312,7 @@ void expect_end(TupleKind kind, Rung rung, int bits) {
 
 TYPED_TEST(PredicateTest, TheFixedSizeIntegersEndWhereTheySay) {
   CITES("FC-NUM-01");
+  expect_end<TypeParam>(TupleKind::kSmall, Rung::kSmall, kSmallBits);
   expect_end<TypeParam>(TupleKind::kNarrow, Rung::kNarrow, kNarrowBits);
   expect_end<TypeParam>(TupleKind::kWidest, Rung::kWide, kWideBits);
 }
