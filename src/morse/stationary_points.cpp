@@ -149,7 +149,7 @@ void add_whole_facets(const VoronoiComplex& complex, CellRange cells, OrderedRec
 
 // The polygon's shape as its sides tell it. It is negative if the polygon does not contain its centre, zero if the
 // centre is the middle of a side.
-Sign least_angle(std::span<const PolygonSide> sides) {
+Sign least_angle(const PolygonSides& sides) {
   Sign least = Sign::kPositive;
   for (const PolygonSide& side : sides) least = std::min(least, side.angle);
   return least;
@@ -160,7 +160,7 @@ void add_large_polygons(const VoronoiComplex& complex, OrderedRecords& records) 
   std::vector<VertexIndex> contact;
   for (std::size_t k = 0; k < complex.large_polygon_count(); ++k) {
     const auto polygon = complex.large_polygon(k);
-    const std::vector<PolygonSide> sides = sides_of(complex, polygon);
+    const PolygonSides sides = sides_of(complex, polygon);
     const Sign shape = least_angle(sides);
     if (shape == Sign::kNegative || !is_between_ends(complex, polygon.front())) continue;
     contact.clear();

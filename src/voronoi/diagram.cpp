@@ -48,19 +48,21 @@ PolygonRef Diagram::polygon(FacetRef facet) const {
   return mirror.cell < facet.cell ? mirror : facet;  // infinite cells come last
 }
 
-std::vector<PolygonSide> Diagram::sides(PolygonRef polygon) const {
-  if (const PlanarComplex* plane = planar_) {
-    std::vector<PolygonSide> sides;
-    for (const CellIndex cell : plane->polygons()[plane->polygon_of(polygon.cell)]) {
-      const auto& v = delaunay_->vertices(cell);
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        if (plane->is_diagonal({cell, i})) continue;
-        const FacetName side = facet_name(v[(i + 1) % 3], v[(i + 2) % 3]);
-        sides.push_back({side.v0, side.v1, plane->angle(cell, i)});
-      }
+PolygonSides Diagram::planar_sides(PolygonRef polygon) const {
+  PolygonSides sides;
+  for (const CellIndex cell : planar_->polygons()[planar_->polygon_of(polygon.cell)]) {
+    const auto& v = delaunay_->vertices(cell);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (planar_->is_diagonal({cell, i})) continue;
+      const FacetName side = facet_name(v[(i + 1) % 3], v[(i + 2) % 3]);
+      sides.push_back({side.v0, side.v1, planar_->angle(cell, i)});
     }
-    return sides;
   }
+  return sides;
+}
+
+PolygonSides Diagram::sides(PolygonRef polygon) const {
+  if (planar_ != nullptr) return planar_sides(polygon);
   const auto pieces = large_polygon(polygon);
   return sides_of(*spatial_, pieces.empty() ? std::span<const FacetRef>(&polygon, 1) : pieces);
 }

@@ -93,7 +93,7 @@ class Diagram {
   [[nodiscard]] std::array<VertexIndex, 3> corners(PolygonRef polygon) const;
   // The Voronoi vertex at end 0 or 1; kNoCell at infinity.
   [[nodiscard]] CellIndex end(PolygonRef polygon, std::size_t side) const;
-  [[nodiscard]] std::vector<PolygonSide> sides(PolygonRef polygon) const;
+  [[nodiscard]] PolygonSides sides(PolygonRef polygon) const;
   [[nodiscard]] bool has_edge(CellIndex cell, FacetName edge) const;
   // A finite cell that has one of the polygon's sides. If the polygon has several facets, it need not be the one that
   // names it.
@@ -103,6 +103,7 @@ class Diagram {
   [[nodiscard]] std::vector<VertexIndex> contact(const Place& place) const;
 
  private:
+  [[nodiscard]] PolygonSides planar_sides(PolygonRef polygon) const;
   [[nodiscard]] std::span<const FacetRef> large_polygon(PolygonRef polygon) const;
 
   // Collinear inputs and smaller ones need no more than the triangulation.

@@ -305,8 +305,8 @@ VoronoiComplex::FacetRole VoronoiComplex::role(FacetRef facet) const {
   return (flags & 16u) != 0 ? FacetRole::kPiece : FacetRole::kWhole;
 }
 
-std::vector<PolygonSide> sides_of(const VoronoiComplex& complex, std::span<const FacetRef> polygon) {
-  std::vector<PolygonSide> edges;
+PolygonSides sides_of(const VoronoiComplex& complex, std::span<const FacetRef> polygon) {
+  boost::container::small_vector<PolygonSide, 12> edges;  // of up to four facets
   for (const FacetRef facet : polygon) {
     const auto& vertices = complex.delaunay().vertices(facet.cell);
     const TetrahedronSigns& signs = complex.signs(facet.cell);
@@ -320,7 +320,7 @@ std::vector<PolygonSide> sides_of(const VoronoiComplex& complex, std::span<const
   // A diagonal is an edge of two facets.
   std::sort(edges.begin(), edges.end(),
             [](const PolygonSide& a, const PolygonSide& b) { return std::pair(a.v0, a.v1) < std::pair(b.v0, b.v1); });
-  std::vector<PolygonSide> sides;
+  PolygonSides sides;
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const bool twin_before = k > 0 && edges[k].v0 == edges[k - 1].v0 && edges[k].v1 == edges[k - 1].v1;
     const bool twin_after = k + 1 < edges.size() && edges[k].v0 == edges[k + 1].v0 && edges[k].v1 == edges[k + 1].v1;

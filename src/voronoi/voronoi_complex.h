@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -122,7 +123,9 @@ struct PolygonSide {
   VertexIndex v0, v1;  // v0 < v1
   Sign angle;          // h at the polygon's other vertices, all the same (FC-SIGN-01)
 };
+// Most polygons are triangles or quadrilaterals, and their sides take no memory of their own.
+using PolygonSides = boost::container::small_vector<PolygonSide, 4>;
 // In no particular order.
-[[nodiscard]] std::vector<PolygonSide> sides_of(const VoronoiComplex& complex, std::span<const FacetRef> polygon);
+[[nodiscard]] PolygonSides sides_of(const VoronoiComplex& complex, std::span<const FacetRef> polygon);
 
 }  // namespace flowcert::voronoi

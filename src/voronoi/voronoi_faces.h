@@ -35,7 +35,7 @@ class VoronoiFaces {
   [[nodiscard]] PolygonDriver driver(PolygonRef polygon) const { return diagram_.driver(polygon); }
   [[nodiscard]] std::array<VertexIndex, 3> corners(PolygonRef polygon) const { return diagram_.corners(polygon); }
   [[nodiscard]] CellIndex end(PolygonRef polygon, std::size_t side) const { return diagram_.end(polygon, side); }
-  [[nodiscard]] std::vector<PolygonSide> sides(PolygonRef polygon) const { return diagram_.sides(polygon); }
+  [[nodiscard]] PolygonSides sides(PolygonRef polygon) const { return diagram_.sides(polygon); }
   [[nodiscard]] std::vector<VertexIndex> contact(const Place& place) const { return diagram_.contact(place); }
 
   // The bounds of a Voronoi facet, whose Delaunay edge must be one of a polygon's sides. The hint is a cell that may

@@ -476,7 +476,7 @@ TEST(VoronoiComplexTest, ASquareHasFourSidesAndNoDiagonal) {
   ASSERT_EQ(complex.large_cluster_count(), 1u);
   ASSERT_EQ(complex.large_polygon_count(), 6u);
   for (std::size_t k = 0; k < 6; ++k) {
-    const std::vector<PolygonSide> sides = sides_of(complex, complex.large_polygon(k));
+    const PolygonSides sides = sides_of(complex, complex.large_polygon(k));
     ASSERT_EQ(sides.size(), 4u);
     for (const PolygonSide& side : sides) {
       EXPECT_LT(side.v0, side.v1);
