@@ -29,8 +29,8 @@ inline constexpr int kWideBits = 82;
 using NarrowInteger = __int128;
 inline constexpr int kNarrowBits = 61;
 
-// Points of a lattice or of a fine grid. Polynomials of degree 6 in differences of kSmallBits + 1 bits are at most a sum
-// of 128 products, so that they stay below 2^121 in NarrowInteger. Those of degree 2 stay below 2^46.
+// Points of a lattice or of a fine grid. Polynomials of degree 6 in differences of kSmallBits + 1 bits are a sum of at
+// most 1,024 products, so that they stay below 2^124 in NarrowInteger. Those of degree 2 stay below 2^46.
 using SmallInteger = std::int64_t;
 inline constexpr int kSmallBits = 18;
 

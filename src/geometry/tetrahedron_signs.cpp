@@ -41,8 +41,8 @@ Sign angle_exactly(const TetrahedronPoints& p, unsigned facet, unsigned vertex) 
   return unfiltered_sign(Angle{*p[k], *p[vertex], *p[l]});
 }
 
-// The vectors from vertex 0, where they are small integers on a grid. Then the polynomials of the doubles give all signs
-// of a cell at once here, too.
+// The vectors from vertex 0, where they are small integers on a grid. Then the polynomials of the doubles give all
+// signs of a cell at once here, too.
 using SmallVectors = std::array<Vector3<SmallInteger>, 3>;
 std::optional<SmallVectors> small_vectors(const TetrahedronPoints& p) {
   const IntegerGrid grid(p);

@@ -60,8 +60,8 @@ void expect_same_signs(DirectionLanes& lanes, const std::vector<Walker>& walkers
   }
 }
 
-// Of the three points of the polygon, the next facet's edge has q and one of the two ends, in either order. A larger
-// polygon may have a side that has none of them, and some lanes cross nothing.
+// The next facet's edge mostly has q and one of this facet's two ends, in either order. A larger polygon may have a
+// side that has none of them, and some lanes cross nothing.
 void expect_same_crossings(DirectionLanes& lanes, std::vector<Walker>& walkers, std::size_t step,
                            PortableRandom& random, Met& met) {
   for (std::size_t k = 0; k < kLanes; ++k) {
