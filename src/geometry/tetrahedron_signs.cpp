@@ -1,38 +1,17 @@
 // The three edge vectors are seen from vertex 0; the bounds are those of a whole cell in filter_bounds.h.
 #include "geometry/tetrahedron_signs.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "geometry/contract.h"
 #include "geometry/integer_grid.h"
+#include "geometry/tetrahedron_forms.h"
 
 namespace flowcert::geometry {
 
 namespace {
 
 constexpr unsigned kCorners[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
-
-// This is not double[4], because g++ 12 miscompiles loops over references to such arrays under UBSan.
-using PerFacet = std::array<double, 4>;
-
-// The angles in the order of kAngleBits.
-template <class Number>
-using Angles = std::array<Number, 12>;
-constexpr std::array<std::uint8_t, 12> kAngleBits = {
-    TetrahedronSigns::angle_bit(3, 0), TetrahedronSigns::angle_bit(2, 0), TetrahedronSigns::angle_bit(1, 0),
-    TetrahedronSigns::angle_bit(3, 1), TetrahedronSigns::angle_bit(2, 1), TetrahedronSigns::angle_bit(0, 1),
-    TetrahedronSigns::angle_bit(3, 2), TetrahedronSigns::angle_bit(1, 2), TetrahedronSigns::angle_bit(0, 2),
-    TetrahedronSigns::angle_bit(2, 3), TetrahedronSigns::angle_bit(1, 3), TetrahedronSigns::angle_bit(0, 3)};
-
-// <v_k - v_j, v_l - v_j> = G_kl - G_jk - G_jl + G_jj of the Gram matrix of a, b, c; v_0 = 0.
-template <class Number>
-Angles<Number> angles_from(Number aa, Number bb, Number cc, Number ab, Number bc, Number ca) {
-  return {ab,      ca,      bc,                     //
-          aa - ab, aa - ca, (bc - ab) + (aa - ca),  //
-          bb - ab, bb - bc, (ca - ab) + (bb - bc),  //
-          cc - ca, cc - bc, (ab - ca) + (cc - bc)};
-}
 
 Sign angle_exactly(const TetrahedronPoints& p, unsigned facet, unsigned vertex) {
   const unsigned* corner = kCorners[facet];
@@ -50,10 +29,6 @@ std::optional<SmallVectors> small_vectors(const TetrahedronPoints& p) {
   const auto to = [&](const Point* q) { return grid.vector_between<SmallInteger>(*p[0], *q); };
   return SmallVectors{to(p[1]), to(p[2]), to(p[3])};
 }
-Angles<SmallInteger> angles_of(const SmallVectors& v) {
-  const auto& [a, b, c] = v;
-  return angles_from(dot(a, a), dot(b, b), dot(c, c), dot(a, b), dot(b, c), dot(c, a));
-}
 // In the order of the facets.
 std::array<Sign, 4> sides_of(const SmallVectors& v) {
   const Circumsphere<SmallInteger> sphere = circumsphere(v[0], v[1], v[2]);
@@ -63,41 +38,46 @@ std::array<Sign, 4> sides_of(const SmallVectors& v) {
   return {sign_of(s0), sign_of(s1), sign_of(s2), sign_of(s3)};
 }
 
-void resolve_angles(const TetrahedronPoints& points, const Angles<double>& h, double error, TetrahedronSigns& signs,
-                    FilterTally& tally) {
-  const std::optional<SmallVectors> small = small_vectors(points);
-  const Angles<SmallInteger> exact = small ? angles_of(*small) : Angles<SmallInteger>{};
-  for (std::size_t k = 0; k < h.size(); ++k) {
-    if (std::fabs(h[k]) > error) continue;
+// A cell some of whose signs the filter does not know. The integers are made once for all of them.
+class ExactCell {
+ public:
+  explicit ExactCell(const TetrahedronPoints& points) : points_(points) {
+    const std::optional<SmallVectors> small = small_vectors(points);
+    if (!small) return;
+    const auto& [a, b, c] = *small;
+    angles_ = cell_angles(dot(a, a), dot(b, b), dot(c, c), dot(a, b), dot(b, c), dot(c, a));
+    sides_ = sides_of(*small);
+    is_small_ = true;
+  }
+
+  // In the order of kAngleBits.
+  [[nodiscard]] Sign angle(std::size_t k) const {
+    return is_small_ ? sign_of(angles_[k]) : angle_exactly(points_, kAngleBits[k] / 4, kAngleBits[k] % 4);
+  }
+  [[nodiscard]] Sign side(unsigned facet) const { return is_small_ ? sides_[facet] : side_exactly(points_, facet); }
+
+ private:
+  const TetrahedronPoints& points_;
+  bool is_small_ = false;
+  CellAngles<SmallInteger> angles_{};
+  std::array<Sign, 4> sides_{};
+};
+
+void resolve_angles(const ExactCell& cell, const CellForms& forms, TetrahedronSigns& signs, FilterTally& tally) {
+  for (std::size_t k = 0; k < forms.angles.size(); ++k) {
+    if (std::fabs(forms.angles[k]) > forms.angle_error) continue;
     ++tally[Predicate::kAngle].failures;
-    const unsigned bit = kAngleBits[k];
-    const Sign sign = small ? sign_of(exact[k]) : angle_exactly(points, bit / 4, bit % 4);
-    const unsigned mask = 1u << bit;
+    const Sign sign = cell.angle(k);
+    const unsigned mask = 1u << kAngleBits[k];
     signs.angle_negative = static_cast<std::uint16_t>(sign == Sign::kNegative ? signs.angle_negative | mask
                                                                               : signs.angle_negative & ~mask);
     if (sign == Sign::kZero) signs.angle_zero = static_cast<std::uint16_t>(signs.angle_zero | mask);
   }
 }
 
-void set_angles(const TetrahedronPoints& points, const Angles<double>& h, double error, TetrahedronSigns& signs,
-                FilterTally& tally) {
-  tally[Predicate::kAngle].calls += h.size();
-  unsigned negative = 0;
-  bool all_certain = true;  // written so that NaN, from an overflow, is not certain
-  for (std::size_t k = 0; k < h.size(); ++k) {
-    negative |= (h[k] < 0 ? 1u : 0u) << kAngleBits[k];
-    all_certain &= std::fabs(h[k]) > error;
-  }
-  signs.angle_negative = static_cast<std::uint16_t>(negative);
-  if (!all_certain) resolve_angles(points, h, error, signs, tally);
-}
-
-void resolve_sides(const TetrahedronPoints& points, const PerFacet& value, const PerFacet& error,
-                   TetrahedronSigns& signs, FilterTally& tally) {
-  const std::optional<SmallVectors> small = small_vectors(points);
-  const std::array<Sign, 4> exact = small ? sides_of(*small) : std::array<Sign, 4>{};
+void resolve_sides(const ExactCell& cell, const CellForms& forms, TetrahedronSigns& signs, FilterTally& tally) {
   for (unsigned facet = 0; facet < 4; ++facet) {
-    if (std::fabs(value[facet]) > error[facet]) continue;
+    if (std::fabs(forms.sides[facet]) > forms.side_errors[facet]) continue;
     ++tally[Predicate::kSideOfPlane].failures;
     const auto bit = static_cast<std::uint8_t>(1u << facet);
     signs.side_negative = static_cast<std::uint8_t>(signs.side_negative & ~bit);
@@ -105,60 +85,38 @@ void resolve_sides(const TetrahedronPoints& points, const PerFacet& value, const
       signs.side_open |= bit;
       continue;
     }
-    const Sign sign = small ? exact[facet] : side_exactly(points, facet);
+    const Sign sign = cell.side(facet);
     if (sign == Sign::kNegative) signs.side_negative |= bit;
     if (sign == Sign::kZero) signs.side_zero |= bit;
   }
-}
-
-void set_sides(const TetrahedronPoints& points, const PerFacet& value, const PerFacet& error, TetrahedronSigns& signs,
-               FilterTally& tally) {
-  tally[Predicate::kSideOfPlane].calls += 4;
-  unsigned negative = 0;
-  bool all_certain = true;
-  for (unsigned facet = 0; facet < 4; ++facet) {
-    negative |= (value[facet] < 0 ? 1u : 0u) << facet;
-    all_certain &= std::fabs(value[facet]) > error[facet];
-  }
-  signs.side_negative = static_cast<std::uint8_t>(negative);
-  if (!all_certain) resolve_sides(points, value, error, signs, tally);
 }
 
 }  // namespace
 
 TetrahedronSigns tetrahedron_signs(const TetrahedronPoints& points, CellSphere& sphere, FilterTally& tally) {
   FLOWCERT_REQUIRES(unfiltered_sign(Orientation{*points[0], *points[1], *points[2], *points[3]}) == Sign::kPositive);
-  const Vector3<double> a = vector_between(*points[0], *points[1]);
-  const Vector3<double> b = vector_between(*points[0], *points[2]);
-  const Vector3<double> c = vector_between(*points[0], *points[3]);
-  const double aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
-  const double na = std::sqrt(aa), nb = std::sqrt(bb), nc = std::sqrt(cc);
-  const double smallest = std::min({na, nb, nc});
-  const double largest = std::max({na, nb, nc});
-
-  sphere.in_range = smallest >= kSmallestNorm && largest <= kLargestNorm;
-  // An infinite bound leaves every sign open.
-  const double unit = sphere.in_range ? kUnitRoundoff : HUGE_VAL;
+  const CellForms forms = cell_forms(vector_between(*points[0], *points[1]), vector_between(*points[0], *points[2]),
+                                     vector_between(*points[0], *points[3]));
+  sphere = forms.sphere;
+  tally[Predicate::kAngle].calls += forms.angles.size();
+  tally[Predicate::kSideOfPlane].calls += forms.sides.size();
 
   TetrahedronSigns signs;
-  set_angles(points, angles_from(aa, bb, cc, dot(a, b), dot(b, c), dot(c, a)),
-             kCellAngleBound * unit * largest * largest, signs, tally);
-
-  const Circumsphere<double> circum = circumsphere(a, b, c);
-  sphere.numerator = circum.numerator;
-  sphere.determinant = circum.determinant;
-  sphere.norm_product = na * nb * nc;
-  sphere.norm_sum = na + nb + nc;
-  const double t = sphere.norm_product * sphere.norm_sum;
-  const double s3 = dot(circum.ab, circum.numerator);
-  const double s1 = dot(circum.bc, circum.numerator);
-  const double s2 = dot(circum.ca, circum.numerator);
-  const double s0 = 2 * circum.determinant * circum.determinant - s1 - s2 - s3;
-  const PerFacet value = {s0, s1, s2, s3};
-  const PerFacet error = {kFarCellSideBound * unit * t * (na * nb + nb * nc + nc * na),
-                          kCellSideBound * unit * t * (nb * nc), kCellSideBound * unit * t * (nc * na),
-                          kCellSideBound * unit * t * (na * nb)};
-  set_sides(points, value, error, signs, tally);
+  bool all_certain = true;  // written so that NaN, from an overflow, is not certain
+  for (std::size_t k = 0; k < forms.angles.size(); ++k) {
+    const unsigned negative = forms.angles[k] < 0 ? 1u : 0u;
+    signs.angle_negative = static_cast<std::uint16_t>(signs.angle_negative | negative << kAngleBits[k]);
+    all_certain &= std::fabs(forms.angles[k]) > forms.angle_error;
+  }
+  for (unsigned facet = 0; facet < 4; ++facet) {
+    const unsigned negative = forms.sides[facet] < 0 ? 1u : 0u;
+    signs.side_negative = static_cast<std::uint8_t>(signs.side_negative | negative << facet);
+    all_certain &= std::fabs(forms.sides[facet]) > forms.side_errors[facet];
+  }
+  if (all_certain) return signs;
+  const ExactCell exact(points);
+  resolve_angles(exact, forms, signs, tally);
+  resolve_sides(exact, forms, signs, tally);
   return signs;
 }
 
@@ -170,12 +128,7 @@ Sign side_exactly(const TetrahedronPoints& points, unsigned facet) {
 bool on_sphere(const TetrahedronPoints& points, const CellSphere& sphere, const Point& q, FilterTally& tally) {
   FilterCount& count = tally[Predicate::kCospherical];
   ++count.calls;
-  const Vector3<double> v = vector_between(*points[0], q);
-  const double norm = std::sqrt(dot(v, v));
-  if (sphere.in_range && norm >= kSmallestNorm && norm <= kLargestNorm) {
-    const double value = OutsideSphere::value(sphere.numerator, sphere.determinant, v);
-    if (std::fabs(value) > OutsideSphere::error_bound(sphere.norm_product, sphere.norm_sum, norm)) return false;
-  }
+  if (is_off_sphere(sphere, vector_between(*points[0], q)) != 0) return false;
   ++count.failures;
   return unfiltered_sign(OutsideSphere{*points[0], *points[1], *points[2], *points[3], q}) == Sign::kZero;
 }

@@ -42,6 +42,13 @@ struct TetrahedronSigns {
   }
   [[nodiscard]] bool is_right(unsigned facet) const { return ((angle_zero >> (4 * facet)) & 15u) != 0; }
   [[nodiscard]] bool is_acute(unsigned facet) const { return !is_obtuse(facet) && !is_right(facet); }
+  // The facets that are not obtuse and have a positive side: bit i.
+  [[nodiscard]] unsigned inner_facets() const {
+    unsigned obtuse = unsigned{angle_negative} | unsigned{angle_negative} >> 2;
+    obtuse = (obtuse | obtuse >> 1) & 0x1111u;
+    obtuse |= obtuse >> 3 | obtuse >> 6 | obtuse >> 9;
+    return ~(obtuse | side_negative | side_zero | side_open) & 15u;
+  }
   [[nodiscard]] bool has_positive_side(unsigned facet) const {
     return (((side_negative | side_zero | side_open) >> facet) & 1u) == 0;
   }

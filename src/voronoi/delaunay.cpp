@@ -90,9 +90,28 @@ void for_each_cell(const Cgal& cgal, Visit visit) {
   }
 }
 
-// Numbers the cells: finite ones by their last vertex (a counting sort), then the infinite ones. Returns the
-// number of finite cells.
-CellIndex number_cells(const Cgal& cgal, int corners, std::size_t vertex_count) {
+// Asks memory for the cells that are copied soon, and then for their neighbours. A cell of CGAL lies in two lines of
+// the cache. Where g++ does not inline such a function at once, it takes it for one without effect and leaves its
+// calls out.
+[[gnu::always_inline]] inline void prefetch(const std::vector<Cgal::Cell_handle>& cells, std::size_t number,
+                                            int corners) {
+  constexpr std::size_t kDistance = 8;
+  if (number + 2 * kDistance >= cells.size()) return;
+  __builtin_prefetch(&*cells[number + 2 * kDistance]);
+  __builtin_prefetch(&cells[number + 2 * kDistance]->info());
+  for (int i = 0; i < corners; ++i) __builtin_prefetch(&cells[number + kDistance]->neighbor(i)->info());
+}
+
+// The cells in the order of their numbers, which they are told.
+struct NumberedCells {
+  std::vector<Cgal::Cell_handle> cells;
+  CellIndex finite_count;
+};
+
+// Numbers the cells: finite ones by their last vertex (a counting sort), then the infinite ones.
+NumberedCells number_cells(const Cgal& cgal, int corners, std::size_t vertex_count) {
+  const std::size_t cell_count = cgal.tds().cells().size();
+  if (cell_count >= kMostCells) throw InvalidInput("the Delaunay triangulation has 2^29 cells or more");
   const Cgal::Vertex_handle infinite = cgal.infinite_vertex();
   std::vector<Cgal::Cell_handle> infinite_cells;
   std::vector<CellIndex> next(vertex_count + 1, 0);
@@ -110,13 +129,18 @@ CellIndex number_cells(const Cgal& cgal, int corners, std::size_t vertex_count) 
     ++next[last + 1];
   });
   std::partial_sum(next.begin(), next.end(), next.begin());
-  const CellIndex finite_count = next.back();
+  NumberedCells numbered{std::vector<Cgal::Cell_handle>(cell_count), next.back()};
   for_each_cell(cgal, [&](Cgal::Cell_handle cell) {
-    if (cell->info() != kInfiniteVertex) cell->info() = next[cell->info()]++;
+    if (cell->info() == kInfiniteVertex) return;
+    cell->info() = next[cell->info()]++;
+    numbered.cells[cell->info()] = cell;
   });
-  CellIndex count = finite_count;
-  for (const Cgal::Cell_handle cell : infinite_cells) cell->info() = count++;
-  return finite_count;
+  CellIndex count = numbered.finite_count;
+  for (const Cgal::Cell_handle cell : infinite_cells) {
+    numbered.cells[count] = cell;
+    cell->info() = count++;
+  }
+  return numbered;
 }
 
 }  // namespace
@@ -129,23 +153,27 @@ CompactDelaunay voronoi::compact_copy(const Delaunay& delaunay) {
     copy.points.push_back(delaunay.points()[ordinal]);
     copy.ordinals.push_back(static_cast<std::uint32_t>(ordinal));
   }
-  const int corners = std::max(copy.dimension, 0) + 1;
-  copy.finite_count = number_cells(cgal, corners, copy.points.size());
+  if (copy.dimension < 1) return copy;
+  const int corners = copy.dimension + 1;
+  const auto [cells, finite_count] = number_cells(cgal, corners, copy.points.size());
+  copy.finite_count = finite_count;
 
-  const std::size_t cell_count = cgal.tds().cells().size();
-  if (cell_count >= kMostCells) throw InvalidInput("the Delaunay triangulation has 2^29 cells or more");
+  // In the order of the numbers, neighbours are looked at one soon after the other.
   const Cgal::Vertex_handle infinite = cgal.infinite_vertex();
-  copy.cells.resize(cell_count);
-  for_each_cell(cgal, [&](Cgal::Cell_handle cell) {
-    DelaunayCell& copied = copy.cells[cell->info()];
+  copy.cells.reserve(cells.size());
+  for (std::size_t number = 0; number < cells.size(); ++number) {
+    prefetch(cells, number, corners);
+    DelaunayCell copied;
     copied.vertices.fill(kInfiniteVertex);
     copied.neighbors.fill(kNoCell);
+    const Cgal::Cell_handle cell = cells[number];
     for (int i = 0; i < corners; ++i) {
       const auto k = static_cast<std::size_t>(i);
       if (cell->vertex(i) != infinite) copied.vertices[k] = cell->vertex(i)->info();
       copied.neighbors[k] = cell->neighbor(i)->info();
     }
-  });
+    copy.cells.push_back(copied);
+  }
   return copy;
 }
 

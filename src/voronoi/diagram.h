@@ -113,9 +113,6 @@ class Diagram {
   const CompactDelaunay* delaunay_;
 };
 
-// The vertices of facet i of a positively oriented cell, counterclockwise seen from outside.
-inline constexpr unsigned kOutward[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-
 [[nodiscard]] inline FacetName facet_name(VertexIndex v, VertexIndex w) {
   return v < w ? FacetName{v, w} : FacetName{w, v};
 }

@@ -69,20 +69,16 @@ void FacetRings::add_spatial_pieces(FacetName facet, CellIndex start, RingNumber
   struct Places {
     unsigned v0, v1, behind, apex;
   };
-  const auto places_in = [&](const DelaunayCell& cell, VertexIndex pivot) {
-    const unsigned at0 = place_among(cell.vertices, facet.v0), at1 = place_among(cell.vertices, facet.v1),
-                   behind = place_among(cell.vertices, pivot);
-    return Places{at0, at1, behind, 6 - at0 - at1 - behind};
-  };
   const bool is_plain = complex.is_plain();
   CellIndex cell = start;
   bool here = delaunay.is_finite(cell);
-  Places at = places_in(delaunay.cells[cell], v[k]);
+  Places at{i0, i1, k, l};
   do {
     const auto& [vertices, neighbors] = delaunay.cells[cell];
     const VertexIndex apex = vertices[at.apex];
     const CellIndex next = neighbors[at.behind];
-    const Places at_next = places_in(delaunay.cells[next], apex);
+    const PlacesBeyond beyond = complex.places_beyond({cell, at.behind});
+    const Places at_next{beyond[at.v0], beyond[at.v1], beyond[at.apex], beyond[at.behind]};
     __builtin_prefetch(&delaunay.cells[delaunay.cells[next].neighbors[at_next.behind]]);
     const bool there = delaunay.is_finite(next);
     if (here) ring_at_[cell][kEdgeBetween[at.v0][at.v1]] = id;

@@ -3,6 +3,7 @@
 #include "voronoi/voronoi_complex.h"
 
 #include <algorithm>
+#include <bit>
 #include <boost/pending/disjoint_sets.hpp>
 #include <numeric>
 #include <tuple>
@@ -77,8 +78,6 @@ class Partition {
   boost::disjoint_sets<std::uint8_t*, std::uint32_t*> sets_;
 };
 
-constexpr CellIndex kPrefetchDistance = 8;
-
 }  // namespace
 
 VoronoiComplex::VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally, unsigned threads)
@@ -93,51 +92,81 @@ TetrahedronPoints VoronoiComplex::points_of(CellIndex cell) const {
   return {p + v[0], p + v[1], p + v[2], p + v[3]};
 }
 
-// The pass below looks up the neighbours' vertices a few cells later, and would otherwise wait for them.
-void VoronoiComplex::prefetch_neighbors(CellIndex cell) const {
+// The pass below looks up the neighbours' vertices a few cells later, and would otherwise wait for them. Where g++ does
+// not inline such a function at once, it takes it for one without effect and leaves its calls out.
+[[gnu::always_inline]] inline void VoronoiComplex::prefetch_neighbors(CellIndex cell) const {
   if (cell >= delaunay_.finite_count) return;
   for (const CellIndex neighbor : delaunay_.neighbors(cell)) __builtin_prefetch(&delaunay_.cells[neighbor]);
   for (const VertexIndex vertex : delaunay_.vertices(cell)) __builtin_prefetch(&delaunay_.points[vertex]);
 }
 
-// The cells from `first` to `last` - 1. Each is written by its own thread alone.
-void VoronoiComplex::compute_signs_of(CellIndex first, CellIndex last, std::vector<FacetRef>& cospherical,
-                                      FilterTally& tally) {
-  FilterTally counts;  // local, so that counting does not go through memory
-  for (CellIndex cell = first; cell < last; ++cell) {
-    prefetch_neighbors(cell + kPrefetchDistance);
-    const TetrahedronPoints points = points_of(cell);
-    CellSphere sphere;
-    signs_[cell] = tetrahedron_signs(points, sphere, counts);
-    unsigned mirrors = 0;
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      const CellIndex neighbor = delaunay_.neighbors(cell)[i];
-      if (!delaunay_.is_finite(neighbor)) continue;
-      const FacetRef mirror = delaunay_.mirror({cell, i});
-      mirrors |= mirror.index << (2 * i);
-      if (neighbor < cell) continue;
-      const Point& q = delaunay_.points[delaunay_.vertices(neighbor)[mirror.index]];
-      if (on_sphere(points, sphere, q, counts)) cospherical.push_back({cell, i});
-    }
-    mirror_[cell] = static_cast<std::uint8_t>(mirrors);
+// Of a facet, the cell that comes first compares the sphere. Which facets these are cannot be guessed, so that there is
+// no branch.
+VoronoiComplex::Beyond VoronoiComplex::look_across(CellIndex cell) {
+  turns_.look(delaunay_, cell);
+  const auto& [vertices, neighbors] = delaunay_.cells[cell];
+  Beyond beyond{};
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const int is_later = static_cast<int>(neighbors[i] > cell) & static_cast<int>(delaunay_.is_finite(neighbors[i]));
+    beyond.later |= static_cast<unsigned>(is_later) << i;
+    const VertexIndex sample = delaunay_.vertices(neighbors[i])[turns_.mirror({cell, i})];
+    beyond.samples[i] = is_later != 0 ? sample : vertices[0];
+    __builtin_prefetch(&delaunay_.points[beyond.samples[i]]);
   }
-  tally += counts;
+  return beyond;
+}
+
+// The cells from `first` to `last` - 1, at most as many as there are lanes. Each is written by its own thread alone.
+void VoronoiComplex::compute_signs_of(CellIndex first, CellIndex last, TetrahedronLanes& lanes, Found& found) {
+  const std::size_t count = last - first;
+  std::array<Beyond, TetrahedronLanes::kLanes> beyond;
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const CellIndex cell = first + static_cast<CellIndex>(lane);
+    prefetch_neighbors(cell + TetrahedronLanes::kLanes);
+    lanes.set(lane, points_of(cell));
+    beyond[lane] = look_across(cell);
+  }
+  lanes.compute();
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    for (std::size_t i = 0; i < 4; ++i) lanes.set_sample(lane, i, delaunay_.points[beyond[lane].samples[i]]);
+  }
+  lanes.compare();
+  FilterTally& tally = found.tally;
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const CellIndex cell = first + static_cast<CellIndex>(lane);
+    if (lanes.is_certain(lane)) {
+      tally[Predicate::kAngle].calls += 12;
+      tally[Predicate::kSideOfPlane].calls += 4;
+      signs_[cell] = lanes.signs(lane);
+    } else {
+      CellSphere unused;
+      signs_[cell] = tetrahedron_signs(points_of(cell), unused, tally);
+    }
+    const unsigned off = beyond[lane].later & lanes.off_sphere(lane);
+    tally[Predicate::kCospherical].calls += static_cast<unsigned>(std::popcount(off));
+    for (unsigned close = beyond[lane].later & ~off; close != 0; close &= close - 1) {
+      const auto i = static_cast<std::uint32_t>(std::countr_zero(close));
+      const Point& q = delaunay_.points[beyond[lane].samples[i]];
+      if (on_sphere(points_of(cell), lanes.sphere(lane), q, tally)) found.cospherical.push_back({cell, i});
+    }
+  }
 }
 
 // One pass over the cells: their signs, and which neighbours share their sphere.
 void VoronoiComplex::compute_signs(FilterTally& tally, unsigned threads) {
-  signs_.resize(delaunay_.finite_count);
-  mirror_.resize(delaunay_.finite_count);
+  const CellIndex count = delaunay_.finite_count;
+  signs_.resize(count);
+  turns_.resize(delaunay_.cells.size());
   constexpr CellIndex kPart = 1u << 14;
-  struct Found {
-    std::vector<FacetRef> cospherical;
-    FilterTally tally;
-  };
-  std::vector<Found> found(delaunay_.finite_count / kPart + 1);
+  std::vector<Found> found(count / kPart + 1);
   geometry::parallel_for(found.size(), threads, [&](std::size_t k) {
-    const auto first = static_cast<CellIndex>(k) * kPart;
-    compute_signs_of(first, std::min(first + kPart, delaunay_.finite_count), found[k].cospherical, found[k].tally);
+    TetrahedronLanes lanes;
+    const CellIndex end = std::min(static_cast<CellIndex>(k + 1) * kPart, count);
+    for (CellIndex first = static_cast<CellIndex>(k) * kPart; first < end; first += TetrahedronLanes::kLanes) {
+      compute_signs_of(first, std::min<CellIndex>(first + TetrahedronLanes::kLanes, end), lanes, found[k]);
+    }
   });
+  for (CellIndex cell = count; cell < delaunay_.cells.size(); ++cell) turns_.look(delaunay_, cell);
   std::vector<FacetRef> cospherical;
   for (const Found& part : found) {
     cospherical.insert(cospherical.end(), part.cospherical.begin(), part.cospherical.end());

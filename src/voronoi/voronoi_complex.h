@@ -11,9 +11,11 @@
 #include <vector>
 
 #include "flowcert/filter_tally.h"
+#include "geometry/tetrahedron_lanes.h"
 #include "geometry/tetrahedron_signs.h"
 #include "geometry/vector3.h"
 #include "voronoi/compact_delaunay.h"
+#include "voronoi/facet_turns.h"
 
 namespace flowcert::voronoi {
 
@@ -56,11 +58,13 @@ class VoronoiComplex {
   [[nodiscard]] const CompactDelaunay& delaunay() const { return delaunay_; }
   // The signs of a finite cell.
   [[nodiscard]] const TetrahedronSigns& signs(CellIndex cell) const { return signs_[cell]; }
-  // The facet of a finite cell, seen from the other cell. If the other cell is infinite, only `cell` of the answer is
-  // right. It is cheaper than CompactDelaunay::mirror(), which has to look at the other cell.
+  // The facet of a cell, seen from the other cell. It is cheaper than CompactDelaunay::mirror(), which has to look at
+  // the other cell.
   [[nodiscard]] FacetRef mirror(FacetRef facet) const {
-    return {delaunay_.neighbors(facet.cell)[facet.index], (mirror_[facet.cell] >> (2 * facet.index)) & 3u};
+    return {delaunay_.neighbors(facet.cell)[facet.index], turns_.mirror(facet)};
   }
+  // How the places of a cell lie in its neighbour. Either may be infinite.
+  [[nodiscard]] PlacesBeyond places_beyond(FacetRef facet) const { return turns_.places_beyond(facet); }
   // s(o, f) of the facet seen from its cell (FC-SIGN-03), resolved where it is still open.
   [[nodiscard]] Sign side(FacetRef facet) const;
 
@@ -97,7 +101,17 @@ class VoronoiComplex {
   static constexpr std::uint16_t kAlone = 1u << 8;
 
   void compute_signs(FilterTally& tally, unsigned threads);
-  void compute_signs_of(CellIndex first, CellIndex last, std::vector<FacetRef>& cospherical, FilterTally& tally);
+  struct Found {
+    std::vector<FacetRef> cospherical;
+    FilterTally tally;
+  };
+  void compute_signs_of(CellIndex first, CellIndex last, TetrahedronLanes& lanes, Found& found);
+  // The finite cells beyond facets of a cell that come later (bit i), and their vertices behind these facets.
+  struct Beyond {
+    unsigned later;
+    std::array<VertexIndex, 4> samples;
+  };
+  Beyond look_across(CellIndex cell);
   void prefetch_neighbors(CellIndex cell) const;
   void gather_clusters(std::span<const FacetRef> cospherical);
   void gather_polygons(FilterTally& tally);
@@ -108,7 +122,7 @@ class VoronoiComplex {
 
   CompactDelaunay delaunay_;
   std::vector<TetrahedronSigns> signs_;
-  std::vector<std::uint8_t> mirror_;  // a finite cell's facets in its neighbours, two bits each
+  FacetTurns turns_;
   std::vector<CellIndex> cluster_;    // empty: all cells are alone
   std::vector<std::uint16_t> flags_;  // empty: all cells are alone
   std::vector<std::size_t> cluster_first_{0};

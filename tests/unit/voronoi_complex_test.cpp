@@ -490,6 +490,69 @@ TEST(VoronoiComplexTest, ASquareHasFourSidesAndNoDiagonal) {
   EXPECT_EQ(faces_of(complex).facets.size(), 12u);
 }
 
+// Of all cells, the infinite ones too: each facet, seen from the other cell, and where its vertices lie there.
+TEST(VoronoiComplexTest, FacetsAreKnownFromBothOfTheirCells) {
+  CITES("FC-VOR-01");
+  for (const Named& input : degenerate_inputs()) {
+    const PointSet points(input.rows);
+    const Delaunay delaunay(points);
+    FilterTally tally;
+    const VoronoiComplex complex(compact_copy(delaunay), tally, 2);
+    const CompactDelaunay& cells = complex.delaunay();
+    for (CellIndex cell = 0; cell < cells.cells.size(); ++cell) {
+      for (std::uint32_t i = 0; i < 4; ++i) {
+        const FacetRef mirror = complex.mirror({cell, i});
+        ASSERT_EQ(mirror, cells.mirror({cell, i})) << input.name;
+        ASSERT_EQ(complex.mirror(mirror), (FacetRef{cell, i}));
+        const PlacesBeyond places = complex.places_beyond({cell, i});
+        EXPECT_EQ(places[i], mirror.index);
+        for (std::uint32_t k = 0; k < 4; ++k) {
+          if (k == i) continue;
+          EXPECT_EQ(cells.vertices(mirror.cell)[places[k]], cells.vertices(cell)[k]) << input.name;
+        }
+      }
+    }
+  }
+}
+
+// Two cells that share a facet, with their vertices in every order that keeps them positively oriented.
+TEST(FacetTurnsTest, KnowAllWaysInWhichTwoCellsMeet) {
+  CITES("FC-VOR-01");
+  using Cell = std::array<VertexIndex, 4>;
+  const auto orders_of = [](const Cell& cell) {
+    std::vector<Cell> orders;
+    std::array<std::uint32_t, 4> place{0, 1, 2, 3};
+    do {
+      int swaps = 0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t j = i + 1; j < 4; ++j) swaps += place[i] > place[j] ? 1 : 0;
+      }
+      if (swaps % 2 == 0) orders.push_back({cell[place[0]], cell[place[1]], cell[place[2]], cell[place[3]]});
+    } while (std::next_permutation(place.begin(), place.end()));
+    return orders;
+  };
+  std::set<std::array<std::uint32_t, 3>> met;  // facet, its place in the neighbour, and where its first vertex lies
+  for (const Cell& cell : orders_of({0, 1, 2, 3})) {
+    for (const Cell& neighbor : orders_of({1, 0, 2, 4})) {
+      const std::uint32_t facet = place_among(cell, 3), mirror = place_among(neighbor, 4);
+      CompactDelaunay delaunay;
+      delaunay.cells = {{cell, {1, 1, 1, 1}}, {neighbor, {2, 2, 2, 2}}, {{5, 6, 7, 8}, {2, 2, 2, 2}}};
+      delaunay.cells[1].neighbors[mirror] = 0;
+      FacetTurns turns;
+      turns.resize(3);
+      turns.look(delaunay, 0);
+      ASSERT_EQ(turns.mirror({0, facet}), mirror);
+      const PlacesBeyond places = turns.places_beyond({0, facet});
+      EXPECT_EQ(places[facet], mirror);
+      for (std::uint32_t k = 0; k < 4; ++k) {
+        EXPECT_EQ(neighbor[places[k]], k == facet ? 4 : cell[k]);
+      }
+      met.insert({facet, mirror, places[kOutward[facet][0]]});
+    }
+  }
+  EXPECT_EQ(met.size(), 48u);
+}
+
 // All pieces of a polygon, from one side, have one sign s; and h at a side is that of any of its points.
 TEST(VoronoiComplexTest, SignsAreThoseOfThePolygonNotOfItsPieces) {
   CITES("FC-SIGN-01", "FC-SIGN-03", "FC-VOR-02");

@@ -47,7 +47,7 @@ class StationaryPoints {
   [[nodiscard]] std::uint32_t face(std::size_t i) const { return face_[i]; }
 
   // Asks memory for what the list has of a point. Who goes through the list in another order need not wait for it.
-  void prefetch(std::size_t i) const {
+  [[gnu::always_inline]] void prefetch(std::size_t i) const {
     __builtin_prefetch(&index_[i]);
     __builtin_prefetch(&first_[i]);
     __builtin_prefetch(&face_[i]);
