@@ -35,12 +35,28 @@ void OrderedRecords::take(OrderedRecords other) {
   }
 }
 
+namespace {
+
+// Most contact sets have two points or three, and which comes first cannot be guessed.
+void sort_first(std::array<std::uint32_t, 4>& ordinals, std::size_t count) {
+  const auto in_order = [&](std::size_t i, std::size_t j) {
+    const std::uint32_t least = std::min(ordinals[i], ordinals[j]);
+    ordinals[j] = std::max(ordinals[i], ordinals[j]);
+    ordinals[i] = least;
+  };
+  if (count == 4) return std::sort(ordinals.begin(), ordinals.end());
+  if (count > 1) in_order(0, 1);
+  if (count > 2) in_order(1, 2), in_order(0, 1);
+}
+
+}  // namespace
+
 void OrderedRecords::add(StationaryIndex index, std::span<const VertexIndex> contact, std::uint32_t face) {
   const auto slot = static_cast<std::size_t>(std::find(kOrder.begin(), kOrder.end(), index) - kOrder.begin());
   Record record{static_cast<std::uint32_t>(contact.size()), face, {}};
   if (contact.size() <= record.small.size()) {
     for (std::size_t k = 0; k < contact.size(); ++k) record.small[k] = ordinals_[contact[k]];
-    std::sort(record.small.begin(), record.small.begin() + static_cast<std::ptrdiff_t>(contact.size()));
+    sort_first(record.small, contact.size());
   } else {
     std::vector<std::uint32_t> ordinals;
     for (const VertexIndex v : contact) ordinals.push_back(ordinals_[v]);

@@ -5,6 +5,7 @@
 #include "flowcert/stationary_points.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "geometry/keep_unique.h"
@@ -28,10 +29,17 @@ struct CellRange {
   CellIndex first, last;
 };
 
+// The facets of a cell beyond which a later cell lies: bit i. Infinite cells come last.
+unsigned later_facets(const CompactDelaunay& delaunay, CellIndex cell) {
+  unsigned later = 0;
+  for (unsigned i = 0; i < 4; ++i) later |= static_cast<unsigned>(delaunay.neighbors(cell)[i] > cell) << i;
+  return later;
+}
+
 // Index 1 (FC-SIGN-02). A walk goes around each edge whose angles in its first cell are acute. It gives up at the
 // first angle that is not acute, or at an earlier cell, because that cell has the walk around the edge. The walks of
 // a block of cells go in step, each one cell a round, so that they wait for memory together and not one after the
-// other.
+// other. Which of them go on cannot be guessed, so that a round has no branch for it.
 class GabrielSearch {
  public:
   explicit GabrielSearch(const VoronoiComplex& complex)
@@ -45,24 +53,42 @@ class GabrielSearch {
   // All edges whose first cell is among these.
   void find(CellRange cells, OrderedRecords& records) const {
     constexpr CellIndex kBlock = 64;
-    std::vector<Walk> walks;
+    std::array<Walk, 6 * kBlock + 1> walks, done;  // one more, because the last one may be written and not counted
     for (CellIndex first = cells.first; first < cells.last; first += kBlock) {
-      walks.clear();
+      std::size_t count = 0, done_count = 0;
       for (CellIndex cell = first; cell < std::min(first + kBlock, cells.last); ++cell) {
-        start_walks(cell, walks);
+        for (unsigned edges = acute_[cell] & edges_between(later_facets(delaunay_, cell)); edges != 0;
+             edges &= edges - 1) {
+          const auto [i, j] = kFacetsAt[std::countr_zero(edges)];
+          walks[count++] = behind(cell, cell, i, j);
+        }
       }
-      while (!walks.empty()) {
-        std::erase_if(walks, [&](Walk& walk) { return is_over(walk, records); });
+      while (count > 0) {
+        std::size_t left = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+          const Walk walk = walks[k];
+          done[done_count] = walk;
+          done_count += walk.cell == walk.start ? 1 : 0;
+          walks[left] = behind(walk.start, walk.cell, walk.exit, walk.entry);
+          left += static_cast<unsigned>(walk.cell > walk.start) &
+                  (acute_[walk.cell] >> kEdgeBetween[walk.entry][walk.exit]) & 1u;
+        }
+        count = left;
+      }
+      for (std::size_t k = 0; k < done_count; ++k) {
+        const auto& vertices = delaunay_.vertices(done[k].start);
+        const auto [v, w] = other_two(done[k].entry, done[k].exit);
+        records.add(kIndex1, std::array{vertices[v], vertices[w]}, face_number(done[k].start));
       }
     }
   }
 
  private:
+  // The next cell, the facet through which it is entered, and the other one that has the edge.
   struct Walk {
-    std::array<VertexIndex, 2> edge;
     CellIndex start;
-    CellIndex cell;     // to be looked at next
-    VertexIndex pivot;  // the third vertex of the facet through which it is entered
+    CellIndex cell;
+    std::uint8_t entry, exit;
   };
 
   // Bit kEdgeBetween[i][j] is the edge that facets i and j of the cell share.
@@ -84,38 +110,21 @@ class GabrielSearch {
     return static_cast<std::uint8_t>(edges);
   }
 
-  // Starts a walk for each acute edge of the cell, unless a neighbour that has the edge comes earlier. (Infinite
-  // cells come last.)
-  void start_walks(CellIndex cell, std::vector<Walk>& walks) const {
-    if (acute_[cell] == 0) return;
-    const auto& vertices = delaunay_.vertices(cell);
-    const auto& neighbors = delaunay_.neighbors(cell);
-    for (unsigned i = 0; i < 4; ++i) {
-      if (neighbors[i] < cell) continue;
-      for (unsigned j = i + 1; j < 4; ++j) {
-        if (neighbors[j] < cell || (acute_[cell] >> kEdgeBetween[i][j] & 1u) == 0) continue;
-        const unsigned k = i == 0 ? (j == 1 ? 2 : 1) : 0;
-        walks.push_back({{vertices[k], vertices[6 - i - j - k]}, cell, neighbors[i], vertices[j]});
-        __builtin_prefetch(&delaunay_.cells[neighbors[i]]);
-      }
-    }
+  static constexpr std::uint8_t kFacetsAt[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+
+  // The edges that two of these facets share.
+  static unsigned edges_between(unsigned facets) {
+    unsigned edges = 0;
+    for (unsigned e = 0; e < 6; ++e) edges |= (facets >> kFacetsAt[e][0] & facets >> kFacetsAt[e][1] & 1u) << e;
+    return edges;
   }
 
-  // Takes one step, and returns whether the walk has ended.
-  bool is_over(Walk& walk, OrderedRecords& records) const {
-    if (walk.cell == walk.start) {
-      records.add(kIndex1, walk.edge, face_number(walk.start));
-      return true;
-    }
-    if (walk.cell < walk.start) return true;
-    const auto& vertices = delaunay_.vertices(walk.cell);
-    const unsigned behind = place_among(vertices, walk.pivot);
-    const unsigned ahead = 6 - behind - place_among(vertices, walk.edge[0]) - place_among(vertices, walk.edge[1]);
-    if ((acute_[walk.cell] >> kEdgeBetween[behind][ahead] & 1u) == 0) return true;
-    walk.pivot = vertices[ahead];
-    walk.cell = delaunay_.neighbors(walk.cell)[behind];
-    __builtin_prefetch(&delaunay_.cells[walk.cell]);
-    return false;
+  // The walk around the edge of facets `exit` and `entry`, when it has left the cell.
+  [[nodiscard]] Walk behind(CellIndex start, CellIndex cell, unsigned exit, unsigned entry) const {
+    const CellIndex next = delaunay_.neighbors(cell)[exit];
+    __builtin_prefetch(&delaunay_.cells[next]);
+    const PlacesBeyond places = complex_.places_beyond({cell, exit});
+    return {start, next, static_cast<std::uint8_t>(places[exit]), static_cast<std::uint8_t>(places[entry])};
   }
 
   const VoronoiComplex& complex_;
@@ -131,16 +140,19 @@ bool is_between_ends(const VoronoiComplex& complex, FacetRef facet) {
   return !complex.delaunay().is_finite(mirror.cell) || complex.side(mirror) == Sign::kPositive;
 }
 
-// Adds index 2 and kind 1-2 from polygons of one facet.
+// Adds index 2 and kind 1-2 from polygons of one facet. Where a facet is not obtuse, its sides are known without more
+// work, because nothing is left open there.
 void add_whole_facets(const VoronoiComplex& complex, CellRange cells, OrderedRecords& records) {
   const CompactDelaunay& delaunay = complex.delaunay();
   for (CellIndex cell = cells.first; cell < cells.last; ++cell) {
     const TetrahedronSigns& signs = complex.signs(cell);
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      if (signs.is_obtuse(i) || delaunay.neighbors(cell)[i] < cell) continue;
-      const FacetRef facet{cell, i};
-      if (complex.role(facet) != VoronoiComplex::FacetRole::kWhole || !is_between_ends(complex, facet)) continue;
+    for (unsigned facets = signs.inner_facets() & later_facets(delaunay, cell); facets != 0; facets &= facets - 1) {
+      const FacetRef facet{cell, static_cast<std::uint32_t>(std::countr_zero(facets))};
+      const FacetRef mirror = complex.mirror(facet);
+      if (delaunay.is_finite(mirror.cell) && !complex.signs(mirror.cell).has_positive_side(mirror.index)) continue;
+      if (complex.role(facet) != VoronoiComplex::FacetRole::kWhole) continue;
       const auto& v = delaunay.vertices(cell);
+      const std::uint32_t i = facet.index;
       const std::array<VertexIndex, 3> contact{v[(i + 1) & 3], v[(i + 2) & 3], v[(i + 3) & 3]};
       records.add(signs.is_right(i) ? kKind12 : kIndex2, contact, face_number(facet));
     }
