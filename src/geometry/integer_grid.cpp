@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
 #include "geometry/contract.h"
+#include "geometry/filter_bounds.h"
 
 namespace flowcert::geometry {
 
@@ -41,17 +43,28 @@ Integer on_grid(double value, int grid_exponent) {
 
 }  // namespace
 
-IntegerGrid::IntegerGrid(std::span<const Point* const> points)
-    : exponent_(std::numeric_limits<int>::max()), top_exponent_(std::numeric_limits<int>::min()) {
-  for (const Point* p : points) {
-    for (const double value : {p->x, p->y, p->z}) {
-      const OddDouble odd = take_apart(value);
-      if (odd.mantissa == 0) continue;
-      exponent_ = std::min(exponent_, odd.exponent);
-      top_exponent_ = std::max(top_exponent_, odd.exponent + static_cast<int>(std::bit_width(odd.mantissa)));
-    }
+void IntegerGrid::take(const Point& p) {
+  for (const double value : {p.x, p.y, p.z}) {
+    const OddDouble odd = take_apart(value);
+    if (odd.mantissa == 0) continue;
+    exponent_ = std::min(exponent_, odd.exponent);
+    top_exponent_ = std::max(top_exponent_, odd.exponent + static_cast<int>(std::bit_width(odd.mantissa)));
   }
+}
+
+IntegerGrid::IntegerGrid(std::span<const Point* const> points) {
+  for (const Point* p : points) take(*p);
   if (exponent_ > top_exponent_) exponent_ = top_exponent_ = 0;
+}
+
+IntegerGrid::IntegerGrid(std::span<const Point> points) {
+  for (const Point& p : points) take(p);
+  if (exponent_ > top_exponent_) exponent_ = top_exponent_ = 0;
+}
+
+double IntegerGrid::exact_reach() const {
+  const double reach = std::ldexp(kExactReach, exponent_);
+  return std::isfinite(reach) ? reach : 0;
 }
 
 template <class Integer>

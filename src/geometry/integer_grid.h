@@ -11,6 +11,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/multiprecision/gmp.hpp>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "flowcert/point_set.h"
@@ -47,6 +48,7 @@ class IntegerGrid {
  public:
   // Takes the finest exponent that a coordinate of the points needs.
   explicit IntegerGrid(std::span<const Point* const> points);
+  explicit IntegerGrid(std::span<const Point> points);
 
   // Whether every coordinate is below 2^kWideBits (2^kNarrowBits, 2^kSmallBits) in units of the grid.
   [[nodiscard]] bool fits_wide() const { return top_exponent_ - exponent_ <= kWideBits; }
@@ -54,6 +56,8 @@ class IntegerGrid {
   [[nodiscard]] bool fits_small() const { return top_exponent_ - exponent_ <= kSmallBits; }
 
   [[nodiscard]] int exponent() const { return exponent_; }
+  // kExactReach in units of the grid (filter_bounds.h), or 0 where that is no double.
+  [[nodiscard]] double exact_reach() const;
 
   // to - from, in units of the grid. For WideInteger only where fits_wide(), and so on.
   template <class Integer>
@@ -63,8 +67,10 @@ class IntegerGrid {
   template <class Integer>
   [[nodiscard]] Integer difference(double from, double to) const;
 
-  int exponent_;      // the grid is 2^exponent_ Z
-  int top_exponent_;  // all coordinates are below 2^top_exponent_ in absolute value
+  void take(const Point& p);
+
+  int exponent_ = std::numeric_limits<int>::max();      // the grid is 2^exponent_ Z
+  int top_exponent_ = std::numeric_limits<int>::min();  // all coordinates are below 2^top_exponent_ in absolute value
 };
 
 }  // namespace flowcert::geometry

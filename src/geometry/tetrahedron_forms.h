@@ -45,9 +45,10 @@ struct CellForms {
   CellSphere sphere;
 };
 
-// a, b, c: the cell's other vertices, seen from vertex 0.
+// a, b, c: the cell's other vertices, seen from vertex 0. If they are on a grid of a power of two, exact_reach is
+// kExactReach of its units; otherwise it is 0.
 [[nodiscard, gnu::always_inline]] inline CellForms cell_forms(const Vector3<double>& a, const Vector3<double>& b,
-                                                              const Vector3<double>& c) {
+                                                              const Vector3<double>& c, double exact_reach = 0) {
   const double aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
   const double na = std::sqrt(aa), nb = std::sqrt(bb), nc = std::sqrt(cc);
   // std::min() is a branch to the compiler, because it returns a reference.
@@ -65,22 +66,37 @@ struct CellForms {
                s3 = dot(circum.ab, circum.numerator);
   const double s0 = 2 * circum.determinant * circum.determinant - s1 - s2 - s3;
   const double side_error = kCellSideBound * unit * t;
-  return {
-      cell_angles(aa, bb, cc, dot(a, b), dot(b, c), dot(c, a)),
-      kCellAngleBound * unit * largest * largest,
-      {s0, s1, s2, s3},
-      {kFarCellSideBound * unit * t * (na * nb + nb * nc + nc * na), side_error * (nb * nc), side_error * (nc * na),
-       side_error * (na * nb)},
-      {{circum.numerator.x, circum.numerator.y, circum.numerator.z}, circum.determinant, product, sum, in_range != 0}};
+  return {cell_angles(aa, bb, cc, dot(a, b), dot(b, c), dot(c, a)),
+          kCellAngleBound * unit * largest * largest,
+          {s0, s1, s2, s3},
+          {kFarCellSideBound * unit * t * (na * nb + nb * nc + nc * na), side_error * (nb * nc), side_error * (nc * na),
+           side_error * (na * nb)},
+          {{circum.numerator.x, circum.numerator.y, circum.numerator.z},
+           circum.determinant,
+           product,
+           sum,
+           in_range != 0,
+           (in_range & static_cast<int>(largest <= exact_reach)) != 0}};
 }
 
-// Whether a sample q certainly does not lie on the sphere; v is q seen from vertex 0.
-[[nodiscard, gnu::always_inline]] inline int is_off_sphere(const CellSphere& sphere, const Vector3<double>& v) {
+// What the filter tells of a sample and the cell's sphere: 0 or 1 each.
+struct SphereAnswer {
+  int is_beyond_bound;  // so that the sample does not lie on the sphere
+  int is_exact;         // nothing was rounded
+  int is_zero;          // the polynomial, which tells something where it is exact
+};
+
+// v: the sample, seen from vertex 0. exact_reach: as of the cell.
+[[nodiscard, gnu::always_inline]] inline SphereAnswer compare_sphere(const CellSphere& sphere, const Vector3<double>& v,
+                                                                     double exact_reach = 0) {
   const double norm = std::sqrt(dot(v, v));
   const double value = OutsideSphere::value(sphere.numerator, sphere.determinant, v);
-  return static_cast<int>(sphere.in_range) & static_cast<int>(norm >= kSmallestNorm) &
-         static_cast<int>(norm <= kLargestNorm) &
-         static_cast<int>(std::fabs(value) > OutsideSphere::error_bound(sphere.norm_product, sphere.norm_sum, norm));
+  const int in_range = static_cast<int>(sphere.in_range) & static_cast<int>(norm >= kSmallestNorm) &
+                       static_cast<int>(norm <= kLargestNorm);
+  const double error = OutsideSphere::error_bound(sphere.norm_product, sphere.norm_sum, norm);
+  return {in_range & static_cast<int>(std::fabs(value) > error),
+          in_range & static_cast<int>(sphere.is_exact) & static_cast<int>(norm <= exact_reach),
+          static_cast<int>(value == 0)};
 }
 
 }  // namespace flowcert::geometry

@@ -128,7 +128,7 @@ Sign side_exactly(const TetrahedronPoints& points, unsigned facet) {
 bool on_sphere(const TetrahedronPoints& points, const CellSphere& sphere, const Point& q, FilterTally& tally) {
   FilterCount& count = tally[Predicate::kCospherical];
   ++count.calls;
-  if (is_off_sphere(sphere, vector_between(*points[0], q)) != 0) return false;
+  if (compare_sphere(sphere, vector_between(*points[0], q)).is_beyond_bound != 0) return false;
   ++count.failures;
   return unfiltered_sign(OutsideSphere{*points[0], *points[1], *points[2], *points[3], q}) == Sign::kZero;
 }

@@ -61,6 +61,7 @@ struct CellSphere {
   double norm_product = 0;  // |a||b||c|
   double norm_sum = 0;      // |a|+|b|+|c|
   bool in_range = false;    // of the filter's norms; otherwise nothing here is certain
+  bool is_exact = false;    // nothing here was rounded
 };
 
 using TetrahedronPoints = std::array<const Point*, 4>;

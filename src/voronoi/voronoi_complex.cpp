@@ -6,11 +6,11 @@
 #include <bit>
 #include <boost/pending/disjoint_sets.hpp>
 #include <numeric>
-#include <tuple>
 #include <unordered_map>
 #include <utility>
 
 #include "geometry/contract.h"
+#include "geometry/integer_grid.h"
 #include "geometry/parallel_for.h"
 #include "geometry/predicates.h"
 
@@ -134,17 +134,23 @@ void VoronoiComplex::compute_signs_of(CellIndex first, CellIndex last, Tetrahedr
   FilterTally& tally = found.tally;
   for (std::size_t lane = 0; lane < count; ++lane) {
     const CellIndex cell = first + static_cast<CellIndex>(lane);
-    if (lanes.is_certain(lane)) {
-      tally[Predicate::kAngle].calls += 12;
-      tally[Predicate::kSideOfPlane].calls += 4;
+    if (lanes.is_known(lane)) {
+      tally[Predicate::kAngle] += {12, lanes.angle_failures(lane)};
+      tally[Predicate::kSideOfPlane] += {4, lanes.side_failures(lane)};
       signs_[cell] = lanes.signs(lane);
     } else {
       CellSphere unused;
       signs_[cell] = tetrahedron_signs(points_of(cell), unused, tally);
     }
-    const unsigned off = beyond[lane].later & lanes.off_sphere(lane);
-    tally[Predicate::kCospherical].calls += static_cast<unsigned>(std::popcount(off));
-    for (unsigned close = beyond[lane].later & ~off; close != 0; close &= close - 1) {
+    const unsigned later = beyond[lane].later, off = later & lanes.off_sphere(lane);
+    const unsigned on = later & ~off & lanes.exactly_on_sphere(lane);
+    const unsigned told = on | (later & ~off & lanes.exactly_off_sphere(lane));
+    const auto count = [](unsigned mask) { return static_cast<std::uint64_t>(std::popcount(mask)); };
+    tally[Predicate::kCospherical] += {count(off | told), count(told)};
+    for (unsigned left = on; left != 0; left &= left - 1) {
+      found.cospherical.push_back({cell, static_cast<std::uint32_t>(std::countr_zero(left))});
+    }
+    for (unsigned close = later & ~off & ~told; close != 0; close &= close - 1) {
       const auto i = static_cast<std::uint32_t>(std::countr_zero(close));
       const Point& q = delaunay_.points[beyond[lane].samples[i]];
       if (on_sphere(points_of(cell), lanes.sphere(lane), q, tally)) found.cospherical.push_back({cell, i});
@@ -157,10 +163,13 @@ void VoronoiComplex::compute_signs(FilterTally& tally, unsigned threads) {
   const CellIndex count = delaunay_.finite_count;
   signs_.resize(count);
   turns_.resize(delaunay_.cells.size());
+  // Cells of scans are too large on the grid of their coordinates.
+  const geometry::IntegerGrid grid(std::span<const Point>(delaunay_.points));
+  const double exact_reach = grid.fits_small() ? grid.exact_reach() : 0;
   constexpr CellIndex kPart = 1u << 14;
   std::vector<Found> found(count / kPart + 1);
   geometry::parallel_for(found.size(), threads, [&](std::size_t k) {
-    TetrahedronLanes lanes;
+    TetrahedronLanes lanes(exact_reach);
     const CellIndex end = std::min(static_cast<CellIndex>(k + 1) * kPart, count);
     for (CellIndex first = static_cast<CellIndex>(k) * kPart; first < end; first += TetrahedronLanes::kLanes) {
       compute_signs_of(first, std::min<CellIndex>(first + TetrahedronLanes::kLanes, end), lanes, found[k]);
@@ -187,18 +196,25 @@ void VoronoiComplex::gather_clusters(std::span<const FacetRef> cospherical) {
     flags_[facet.cell] = static_cast<std::uint16_t>(flags_[facet.cell] & ~kAlone);
     flags_[neighbor] = static_cast<std::uint16_t>(flags_[neighbor] & ~kAlone);
   }
+  // A counting sort by cluster: of each, its cells ascend.
   cluster_.resize(count);
-  std::vector<std::pair<CellIndex, CellIndex>> members;
+  std::vector<std::uint32_t> sizes(count, 0);
   for (CellIndex cell = 0; cell < count; ++cell) {
     cluster_[cell] = partition.find(cell);
-    if (!is_alone(cell)) members.emplace_back(cluster_[cell], cell);
+    if (!is_alone(cell)) ++sizes[cluster_[cell]];
   }
-  std::sort(members.begin(), members.end());
-  for (std::size_t k = 0; k < members.size(); ++k) {
-    if (k > 0 && members[k].first != members[k - 1].first) cluster_first_.push_back(k);
-    cluster_cells_.push_back(members[k].second);
+  std::vector<std::uint32_t>& next = sizes;
+  std::uint32_t total = 0;
+  for (std::uint32_t& size : sizes) {
+    if (size == 0) continue;
+    if (total > 0) cluster_first_.push_back(total);
+    total += std::exchange(size, total);
   }
-  cluster_first_.push_back(members.size());
+  cluster_first_.push_back(total);
+  cluster_cells_.resize(total);
+  for (CellIndex cell = 0; cell < count; ++cell) {
+    if (!is_alone(cell)) cluster_cells_[next[cluster_[cell]]++] = cell;
+  }
 
   // A facet between two cells of one cluster is interior. It is marked from both of its sides.
   for (const CellIndex cell : cluster_cells_) {
@@ -229,31 +245,31 @@ void VoronoiComplex::gather_polygons(FilterTally& tally) {
   gather_hull_polygons(tally);
 }
 
+// Of each cluster, the facets that lead to one later cluster are a polygon.
 void VoronoiComplex::gather_inner_polygons() {
   struct Piece {
-    CellIndex cluster, other;
+    CellIndex other;
     FacetRef facet;
+    auto operator<=>(const Piece&) const = default;
   };
   std::vector<Piece> pieces;
-  for (const CellIndex cell : cluster_cells_) {
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      const CellIndex neighbor = delaunay_.neighbors(cell)[i];
-      if (!delaunay_.is_finite(neighbor) || is_alone(neighbor)) continue;
-      if (cluster_[cell] < cluster_[neighbor]) pieces.push_back({cluster_[cell], cluster_[neighbor], {cell, i}});
-    }
-  }
-  std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
-    return std::tuple(a.cluster, a.other, a.facet.cell, a.facet.index) <
-           std::tuple(b.cluster, b.other, b.facet.cell, b.facet.index);
-  });
   std::vector<FacetRef> run;
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    run.push_back(pieces[k].facet);
-    const bool last =
-        k + 1 == pieces.size() || pieces[k + 1].cluster != pieces[k].cluster || pieces[k + 1].other != pieces[k].other;
-    if (!last) continue;
-    if (run.size() > 1) add_polygon(run);
-    run.clear();
+  for (std::size_t cluster = 0; cluster < large_cluster_count(); ++cluster) {
+    pieces.clear();
+    for (const CellIndex cell : large_cluster(cluster)) {
+      for (std::uint32_t i = 0; i < 4; ++i) {
+        const CellIndex neighbor = delaunay_.neighbors(cell)[i];
+        if (!delaunay_.is_finite(neighbor) || is_alone(neighbor)) continue;
+        if (cluster_[cell] < cluster_[neighbor]) pieces.push_back({cluster_[neighbor], {cell, i}});
+      }
+    }
+    std::sort(pieces.begin(), pieces.end());
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      run.push_back(pieces[k].facet);
+      if (k + 1 < pieces.size() && pieces[k + 1].other == pieces[k].other) continue;
+      if (run.size() > 1) add_polygon(run);
+      run.clear();
+    }
   }
 }
 
