@@ -1,6 +1,8 @@
 #include "fuzz/campaign/batch.h"
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -231,8 +233,12 @@ BatchResult run_batch(const CampaignPlan& plan, const std::vector<Property>& pro
 }
 
 std::vector<Property> own_properties(const CampaignPlan& plan) {
-  if (plan.properties.empty()) return property::properties();
   std::vector<Property> named;
+  if (plan.properties.empty()) {
+    std::ranges::copy_if(property::properties(), std::back_inserter(named),
+                         [](const Property& p) { return p.one_in > 0; });
+    return named;
+  }
   for (const std::string& name : plan.properties) {
     named.push_back(*property::property_named(name));
     named.back().one_in = 1;

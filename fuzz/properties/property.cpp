@@ -53,6 +53,10 @@ const std::vector<Property>& properties() {
        .description = "stable sets and boundaries, the lazy kernel against cascade and exact",
        .one_in = 8,
        .check = check_stable_kernels},
+      {.name = "threads",
+       .description = "all parts of the complex, made by 2, 3 and 8 threads, against one thread",
+       .one_in = 0,
+       .check = check_threads},
   };
   return table;
 }

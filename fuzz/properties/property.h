@@ -41,7 +41,7 @@ struct Property {
   std::string description;
   // An input of more rows takes the oracle too long, and passes.
   std::size_t most_rows = 12;
-  // In a campaign that names no properties, one case in so many is held to it.
+  // In a campaign that names no properties, one case in so many is held to it; with 0, none.
   std::size_t one_in = 1;
   // So many inputs are tried to make a failing one small.
   std::size_t shrinking_budget = 3000;
@@ -54,6 +54,7 @@ struct Property {
 // critical-points, orbit, unstable-manifolds, stable-sets and persistence: the fast implementation against the oracle.
 // What flows does so twice, by the usual kernel and by the lazy one with binary search, whichever is the usual one.
 // orbit-kernels, unstable-kernels and stable-kernels: the fast implementation against itself, kernel by kernel.
+// threads: the same, by numbers of threads. It is for a campaign of its own, under ThreadSanitizer.
 [[nodiscard]] const std::vector<Property>& properties();
 // Nothing for a name that is no property's.
 [[nodiscard]] const Property* property_named(std::string_view name);

@@ -9,6 +9,7 @@
 #include "flowcert/orbit.h"
 #include "flowcert/stable_manifolds.h"
 #include "flowcert/unstable_manifolds.h"
+#include "fuzz/properties/account_of_parts.h"
 #include "fuzz/properties/orbit_comparison.h"
 #include "fuzz/properties/stable_pieces.h"
 #include "fuzz/properties/stationary_comparison.h"
@@ -315,6 +316,20 @@ std::optional<Disagreement> check_unstable_kernels(const Trial& trial) {
 std::optional<Disagreement> check_stable_kernels(const Trial& trial) {
   const Subject& subject = subject_of(trial.input);
   return difference_of_stable(subject, subject.complex.stationary());
+}
+
+std::optional<Disagreement> check_threads(const Trial& trial) {
+  const auto with = [&](unsigned threads) {
+    return account_of_parts(FlowComplex(point_set_of(trial.input), {.flow = {}, .threads = threads}));
+  };
+  const std::string alone = with(1);
+  for (const unsigned threads : {2U, 3U, 8U}) {
+    const std::string together = with(threads);
+    if (together == alone) continue;
+    const std::string name = std::to_string(threads) + " threads";
+    return Disagreement{"threads", "FC-OUT-02", "other parts with " + name, name, together, "one thread", alone};
+  }
+  return std::nullopt;
 }
 
 // ---- Persistence ----

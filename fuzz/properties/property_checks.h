@@ -21,6 +21,7 @@ namespace flowcert::property {
 [[nodiscard]] std::optional<Disagreement> check_orbit_kernels(const Trial& trial);
 [[nodiscard]] std::optional<Disagreement> check_unstable_kernels(const Trial& trial);
 [[nodiscard]] std::optional<Disagreement> check_stable_kernels(const Trial& trial);
+[[nodiscard]] std::optional<Disagreement> check_threads(const Trial& trial);
 
 // Persistence pairs by the fast implementation, in the oracle's structure.
 //

@@ -13,6 +13,7 @@
 #include <mutex>
 #include <vector>
 #else
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -48,6 +49,8 @@ void share_out(std::size_t count, unsigned threads, const std::function<void(std
 #else
 
 void share_out(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work) {
+  // Without it oneTBB prints a warning where more threads than cores are asked for.
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::max(threads, all_cores()));
   tbb::task_arena arena(static_cast<int>(threads));
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work, tbb::simple_partitioner()); });
 }

@@ -13,6 +13,7 @@
 
 #include "oracle/program/read_records.h"
 #include "tests/cites.h"
+#include "tests/conformance/lattice_points.h"
 #include "tests/conformance/program_run.h"
 
 namespace flowcert::conformance {
@@ -391,6 +392,24 @@ std::map<std::set<std::size_t>, json> by_contact(const Written& written, const s
     EXPECT_TRUE(result.emplace(contact, record).second) << record;
   }
   return result;
+}
+
+// There may be more threads than cores, and nothing is said about it.
+TEST(ComputeRecords, AreTheSameForAnyNumberOfThreads) {
+  CITES("FC-OUT-02");
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", lattice_points(4, 2500, 14));
+  const auto with = [&](const std::string& threads) {
+    const std::string output = scratch.path("records.jsonl");
+    const Finished finished = flowcert({"compute", input, "--manifolds", "u2,s2", "-o", output, "--threads", threads});
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_EQ(lines_of(finished.err).size(), 1U) << finished.err;
+    EXPECT_NE(finished.err.find("repeated points merged"), std::string::npos);
+    return content_of(output);
+  };
+  const std::string alone = with("1");
+  EXPECT_GT(lines_of(alone).size(), 2500U);
+  for (const char* threads : {"2", "3", "8", "64"}) EXPECT_EQ(with(threads), alone) << threads;
 }
 
 TEST(ComputeRecords, TheOrderOfTheInputOnlyMovesIds) {
