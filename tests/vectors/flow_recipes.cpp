@@ -273,6 +273,12 @@ Group orbits() {
   cases.given(94, "a facet of 16 sides", "high-degree-facet cocircular", facet(16, false, 11));
   cases.given(95, "24 points of one sphere", "cospherical cocircular", sphere(5));
   cases.given(96, "the lattice {0..2}^3", "lattice cospherical", grid(3, 3, 3));
+  cases.given(97, "a triangle, straight up from inside a half plane: no sign tells where its boundary is left", "",
+              {{0, 0, 0}, {4, 0, 0}, {2, 3, 0}});
+  cases.start_from(positions({"2 0 1", "2 0 -1/3"}));
+  cases.given(98, "a right triangle, straight up from its line of centres", "right-angle",
+              {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}});
+  cases.start_from(positions({"3/2 2 1", "3/2 2 -7"}));
   return cases.group();
 }
 
