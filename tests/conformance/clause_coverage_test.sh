@@ -20,7 +20,7 @@ clauses() {
     match($0, /FC-[A-Z]+-[0-9]+/)
     name = substr($0, RSTART, RLENGTH)
     level = "?"
-    if (match($0, /^\*\*FC-[A-Z]+-[0-9][0-9]\*\* \((determined|permitted variation|must reject)\)\. /)) {
+    if (match($0, /^\*\*FC-[A-Z]+-[0-9][0-9]\*\* \((determined|permitted variation|must reject)(, theorem)?\)\. /)) {
       level = substr($0, index($0, "(") + 1)
       level = substr(level, 1, index(level, ")") - 1)
     }

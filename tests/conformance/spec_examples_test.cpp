@@ -36,7 +36,7 @@ struct Answer {
   std::size_t points = 0;
   std::size_t merged_duplicates = 0;
   std::vector<std::size_t> critical;  // 4
-  std::vector<std::size_t> regular;   // of kinds 1-2, 2-3, 1-3
+  std::vector<std::size_t> regular;   // of kinds 1-2, 1-3, 2-3
   std::vector<RecordText> records;
 };
 
@@ -198,7 +198,7 @@ Answer fast_answer(const std::string& xyz) {
   answer.merged_duplicates = points.merged_duplicates();
   answer.critical.assign(stationary.critical_counts().begin(), stationary.critical_counts().end());
   const RegularCounts& regular = stationary.regular_counts();
-  answer.regular = {regular.kind12, regular.kind23, regular.kind13};
+  answer.regular = {regular.kind12, regular.kind13, regular.kind23};
   for (std::size_t i = 0; i < stationary.size(); ++i) {
     const ExactSphere sphere = exact_sphere(points, stationary.contact(i));
     answer.records.push_back(
@@ -222,7 +222,7 @@ Answer oracle_answer(const std::string& xyz) {
   const auto critical = found.critical_counts();
   answer.critical.assign(critical.begin(), critical.end());
   const auto regular = found.regular_counts();
-  answer.regular.assign(regular.begin(), regular.end());
+  answer.regular = {regular[0], regular[2], regular[1]};  // the oracle has kind 2-3 in the middle
   for (const oracle::StationaryPoint& s : found.stationary) {
     answer.records.push_back(record_text({s.center[0].str(), s.center[1].str(), s.center[2].str()}, s.face_dimension,
                                          s.hull_dimension, s.contact, s.squared_distance.str()));
