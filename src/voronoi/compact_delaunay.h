@@ -97,7 +97,7 @@ struct CompactDelaunay {
   return vertex_of;
 }
 
-// O(cells), one copy.
-[[nodiscard]] CompactDelaunay compact_copy(const Delaunay& delaunay);
+// O(cells), one copy. The same for any number of threads.
+[[nodiscard]] CompactDelaunay compact_copy(const Delaunay& delaunay, unsigned threads = 1);
 
 }  // namespace flowcert::voronoi

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "flowcert/voronoi_diagram.h"
+#include "geometry/parallel_for.h"
 #include "voronoi/compact_delaunay.h"
 #include "voronoi/layer.h"
 
@@ -143,9 +144,26 @@ NumberedCells number_cells(const Cgal& cgal, int corners, std::size_t vertex_cou
   return numbered;
 }
 
+// In the order of the numbers, neighbours are looked at one soon after the other.
+void copy_cells(const NumberedCells& numbered, std::size_t first, std::size_t last, int corners,
+                Cgal::Vertex_handle infinite, std::vector<DelaunayCell>& copies) {
+  for (std::size_t number = first; number < last; ++number) {
+    prefetch(numbered.cells, number, corners);
+    DelaunayCell& copied = copies[number];
+    copied.vertices.fill(kInfiniteVertex);
+    copied.neighbors.fill(kNoCell);
+    const Cgal::Cell_handle cell = numbered.cells[number];
+    for (int i = 0; i < corners; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      if (cell->vertex(i) != infinite) copied.vertices[k] = cell->vertex(i)->info();
+      copied.neighbors[k] = cell->neighbor(i)->info();
+    }
+  }
+}
+
 }  // namespace
 
-CompactDelaunay voronoi::compact_copy(const Delaunay& delaunay) {
+CompactDelaunay voronoi::compact_copy(const Delaunay& delaunay, unsigned threads) {
   const Cgal& cgal = delaunay.triangulation().cgal;
   CompactDelaunay copy;
   copy.dimension = cgal.dimension();
@@ -155,25 +173,14 @@ CompactDelaunay voronoi::compact_copy(const Delaunay& delaunay) {
   }
   if (copy.dimension < 1) return copy;
   const int corners = copy.dimension + 1;
-  const auto [cells, finite_count] = number_cells(cgal, corners, copy.points.size());
-  copy.finite_count = finite_count;
-
-  // In the order of the numbers, neighbours are looked at one soon after the other.
-  const Cgal::Vertex_handle infinite = cgal.infinite_vertex();
-  copy.cells.reserve(cells.size());
-  for (std::size_t number = 0; number < cells.size(); ++number) {
-    prefetch(cells, number, corners);
-    DelaunayCell copied;
-    copied.vertices.fill(kInfiniteVertex);
-    copied.neighbors.fill(kNoCell);
-    const Cgal::Cell_handle cell = cells[number];
-    for (int i = 0; i < corners; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      if (cell->vertex(i) != infinite) copied.vertices[k] = cell->vertex(i)->info();
-      copied.neighbors[k] = cell->neighbor(i)->info();
-    }
-    copy.cells.push_back(copied);
-  }
+  const NumberedCells numbered = number_cells(cgal, corners, copy.points.size());
+  copy.finite_count = numbered.finite_count;
+  copy.cells.resize(numbered.cells.size());
+  constexpr std::size_t kPart = std::size_t{1} << 14;
+  const std::size_t count = numbered.cells.size();
+  geometry::parallel_for((count + kPart - 1) / kPart, threads, [&](std::size_t k) {
+    copy_cells(numbered, k * kPart, std::min((k + 1) * kPart, count), corners, cgal.infinite_vertex(), copy.cells);
+  });
   return copy;
 }
 

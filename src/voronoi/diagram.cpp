@@ -10,7 +10,7 @@ namespace {
 
 std::variant<CompactDelaunay, PlanarComplex, VoronoiComplex> make_complex(const Delaunay& delaunay, FilterTally& tally,
                                                                           unsigned threads) {
-  CompactDelaunay copy = compact_copy(delaunay);
+  CompactDelaunay copy = compact_copy(delaunay, threads);
   if (copy.dimension == 3) return VoronoiComplex(std::move(copy), tally, threads);
   if (copy.dimension == 2) return PlanarComplex(std::move(copy), tally);
   return copy;
