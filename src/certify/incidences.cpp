@@ -44,15 +44,15 @@ class Incidences {
   void conclude_boundaries() { boundaries_.conclude(); }
 
   // For an index-1 critical point: the index-2 points from which a connecting orbit comes down to it. If a tie leaves
-  // open where the connecting orbits of an index-2 point end, that point may be named or not.
-  void check_saddles_above(std::size_t k) {
+  // open where the connecting orbits of an index-2 point end, that point may be named or not. Returns false if there is
+  // no such saddle, and none is claimed.
+  bool check_saddles_above(std::size_t k) {
     const std::size_t record = run_.placed[k].place->record;
     std::set<std::size_t> missing = saddles_above(record), seen;
     const bool is_without_saddle = missing.empty();
     std::string wrong;
     bool varies = false;
     for (const ClaimedTarget& target : *run_.claim.points[k].successors) {
-      // If there is no such saddle, all that leaves the point goes to infinity, so naming infinity is right too.
       if (target.is_infinity && is_without_saddle) continue;
       const NamedTarget there = named(target);
       if (there.limit && !seen.insert(*there.limit).second) continue;
@@ -71,6 +71,11 @@ class Incidences {
       run_.vary(4, FindingReason::kSymbolicPerturbation, "FC-CLAIM-09", k,
                 "there are ties in the stable manifolds above it, or parts of contact sets are named");
     }
+    const auto& targets = *run_.claim.points[k].successors;
+    if (!is_without_saddle || !std::ranges::all_of(targets, &ClaimedTarget::is_infinity)) return true;
+    // What leaves such a point may end at infinity, at regular stationary points, at maxima, or at several of these.
+    if (!targets.empty()) run_.leave_unjudged("what lies above index-1 points without index-2 points above them");
+    return targets.empty();
   }
 
   // For an index-2 critical point: where its two orbits end.
@@ -296,7 +301,7 @@ bool check_point(CheckRun& run, Incidences& incidences, std::size_t k) {
   }
   if (has_boundary) incidences.check_boundary(k);
   if (!point.successors) return has_samples || has_boundary;
-  if (point.index == 1) incidences.check_saddles_above(k);
+  if (point.index == 1) return incidences.check_saddles_above(k) || has_samples || has_boundary;
   if (point.index == 0) incidences.check_edges(k);
   if (point.index == 2) incidences.check_limits(k);
   if (point.index == 3) incidences.check_nothing_above(k);

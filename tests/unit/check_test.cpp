@@ -239,14 +239,33 @@ TEST(CheckTest, JudgesIncidences) {
   }
 }
 
-TEST(CheckTest, AnEdgeWithoutSaddlesGoesToInfinity) {
+// Of the second input, what leaves the edge ends at infinity, and at regular stationary points of both kinds.
+TEST(CheckTest, WhatLiesAboveAnEdgeWithoutSaddlesIsNotJudged) {
   CITES("FC-CLAIM-06");
-  const Truly pair({{0, 0, 0}, {1, 0, 0}});
-  Claimed edge = pair.claim_without({{0, 1}}).add(1, {0, 1});
-  for (const auto& right : {std::vector<ClaimedTarget>{kInfinity}, {}}) {
-    edge.last().successors = right;
-    EXPECT_EQ(pair.check(edge).verdict, Verdict::kConforms);
+  const Truly pair({{0, 0, 0}, {1, 0, 0}}), five({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {2, 1, 1}});
+  for (const auto& [points, contact] : {std::pair(&pair, Ids{0, 1}), std::pair(&five, Ids{1, 2})}) {
+    Claimed edge = points->claim_without({contact}).add(1, contact);
+    edge.last().successors.emplace();
+    const CheckReport nothing = points->check(edge);
+    EXPECT_EQ(nothing.verdict, Verdict::kConforms);
+    EXPECT_EQ(nothing.conforms[3], true);
+    EXPECT_TRUE(nothing.not_judged.empty());
+    edge.last().successors = {{kInfinity}};
+    const CheckReport infinity = points->check(edge);
+    EXPECT_EQ(infinity.verdict, Verdict::kConforms);
+    EXPECT_EQ(infinity.conforms[3], std::nullopt);
+    EXPECT_EQ(infinity.not_judged.size(), 1U);
   }
+  Claimed wrong = five.claim_without({{1, 2}}).add(1, {1, 2});
+  wrong.last().successors = {{kInfinity, to({0, 1})}};
+  expect_finding(five.check(wrong), 4, FindingReason::kWrongIncidence, "FC-CHAIN-01", wrong.last().line);
+}
+
+TEST(CheckTest, SeveralRowsOfAClassStandForItOnce) {
+  CITES("FC-CLAIM-01");
+  const Truly points({{0, 0, 0}, {2, 0, 0}, {0, 0, 0}});
+  EXPECT_EQ(points.check(points.claim_without({{0, 1}}).add(1, {0, 2, 1})).verdict, Verdict::kConforms);
+  EXPECT_EQ(points.check(points.claim_without({{0, 1}}).add(1, {2, 2, 1})).verdict, Verdict::kFails);
 }
 
 // From the triangle 0 1 2, one orbit ends at the regular stationary point of kind 2-3 above it.
