@@ -58,6 +58,7 @@ class Portions {
 template <class Use>
 void in_portions(unsigned threads, std::size_t count, std::size_t size, const Portions::Progress& progress,
                  const Use& use) {
+  threads = std::max(threads, 1U);
   Portions portions(count, size, progress);
   parallel_for(threads, threads, [&](std::size_t thread) {
     for (auto [at, end] = portions.next(); at != end; std::tie(at, end) = portions.next()) {

@@ -90,13 +90,13 @@ void FlowComplex::make(FlowComplexPart part) const {
     case FlowComplexPart::kDiagram:
       make(FlowComplexPart::kTriangulation);
       all.tally = {};
-      all.diagram.emplace(*all.triangulation, &all.tally, all.options.threads);
+      all.diagram.emplace(*all.triangulation, &all.tally, all.options.threads, progress);
       // It is as large as all of the diagram, and nothing asks for it any more.
       all.triangulation.reset();
       break;
     case FlowComplexPart::kStationary:
       make(FlowComplexPart::kDiagram);
-      all.stationary = stationary_points(*all.diagram, all.options.threads);
+      all.stationary = stationary_points(*all.diagram, all.options.threads, progress);
       break;
     case FlowComplexPart::kUnstable:
       make(FlowComplexPart::kStationary);

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "geometry/keep_unique.h"
-#include "geometry/parallel_for.h"
+#include "geometry/portions.h"
 #include "morse/layer.h"
 #include "morse/ordered_records.h"
 #include "morse/record_face.h"
@@ -242,21 +242,27 @@ void add_clusters(const VoronoiComplex& complex, OrderedRecords& records) {
   }
 }
 
-// Each thread has a part of the cells, and records of its own.
-void add_spatial(const VoronoiComplex& complex, unsigned threads, OrderedRecords& records) {
+// Threads take parts of the cells, and each has records of its own.
+void add_spatial(const VoronoiComplex& complex, unsigned threads, const Delaunay::Progress& progress,
+                 OrderedRecords& records) {
   const CellIndex count = complex.delaunay().finite_count;
-  const std::size_t parts = threads <= 1 ? 1 : 8 * std::size_t{threads};
-  const auto cells_of = [&](std::size_t k) {
-    return CellRange{static_cast<CellIndex>(k * count / parts), static_cast<CellIndex>((k + 1) * count / parts)};
+  constexpr CellIndex kPart = 1u << 14;
+  const std::size_t parts = count / kPart + 1;
+  const auto cells_of = [count](std::size_t k) {
+    const auto first = static_cast<CellIndex>(k) * kPart;
+    return CellRange{first, std::min(first + kPart, count)};
   };
   GabrielSearch gabriel(complex);
   geometry::parallel_for(parts, threads, [&](std::size_t k) { gabriel.look_at_angles(cells_of(k)); });
+  threads = std::max(threads, 1U);
   std::vector<OrderedRecords> found;
-  for (std::size_t k = 0; k < parts; ++k) found.push_back(records.empty_part(parts));
-  geometry::parallel_for(parts, threads, [&](std::size_t k) {
-    gabriel.find(cells_of(k), found[k]);
-    add_whole_facets(complex, cells_of(k), found[k]);
-    add_lone_vertices(complex, cells_of(k), found[k]);
+  for (unsigned thread = 0; thread < threads; ++thread) found.push_back(records.empty_part(threads));
+  geometry::Portions::Progress tell;
+  if (progress) tell = [&](std::size_t part) { progress(part * kPart, count); };
+  geometry::in_portions(threads, parts, 1, tell, [&](std::size_t thread, std::size_t k) {
+    gabriel.find(cells_of(k), found[thread]);
+    add_whole_facets(complex, cells_of(k), found[thread]);
+    add_lone_vertices(complex, cells_of(k), found[thread]);
   });
   for (OrderedRecords& part : found) records.take(std::move(part));
   add_large_polygons(complex, records);
@@ -330,11 +336,12 @@ void StationaryPoints::append(StationaryIndex index, std::span<const PointId> co
   }
 }
 
-StationaryPoints stationary_points(const VoronoiDiagram& voronoi, unsigned threads) {
+StationaryPoints stationary_points(const VoronoiDiagram& voronoi, unsigned threads,
+                                   const Delaunay::Progress& progress) {
   const Diagram& diagram = voronoi.faces();
   OrderedRecords records(diagram.delaunay().ordinals);
   if (diagram.spatial() != nullptr) {
-    add_spatial(*diagram.spatial(), threads, records);
+    add_spatial(*diagram.spatial(), threads, progress, records);
   } else if (diagram.planar() != nullptr) {
     add_planar(*diagram.planar(), records);
   } else if (diagram.dimension() == 1) {

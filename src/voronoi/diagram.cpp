@@ -9,17 +9,18 @@ namespace flowcert::voronoi {
 namespace {
 
 std::variant<CompactDelaunay, PlanarComplex, VoronoiComplex> make_complex(const Delaunay& delaunay, FilterTally& tally,
-                                                                          unsigned threads) {
+                                                                          unsigned threads,
+                                                                          const Delaunay::Progress& progress) {
   CompactDelaunay copy = compact_copy(delaunay, threads);
-  if (copy.dimension == 3) return VoronoiComplex(std::move(copy), tally, threads);
+  if (copy.dimension == 3) return VoronoiComplex(std::move(copy), tally, threads, progress);
   if (copy.dimension == 2) return PlanarComplex(std::move(copy), tally);
   return copy;
 }
 
 }  // namespace
 
-Diagram::Diagram(const Delaunay& delaunay, FilterTally& tally, unsigned threads)
-    : complex_(make_complex(delaunay, tally, threads)),
+Diagram::Diagram(const Delaunay& delaunay, FilterTally& tally, unsigned threads, const Delaunay::Progress& progress)
+    : complex_(make_complex(delaunay, tally, threads, progress)),
       spatial_(std::get_if<VoronoiComplex>(&complex_)),
       planar_(std::get_if<PlanarComplex>(&complex_)),
       delaunay_(spatial_ != nullptr  ? &spatial_->delaunay()
@@ -148,15 +149,17 @@ namespace flowcert {
 
 namespace {
 
-std::unique_ptr<const voronoi::Diagram> made_of(const Delaunay& delaunay, FilterTally* tally, unsigned threads) {
+std::unique_ptr<const voronoi::Diagram> made_of(const Delaunay& delaunay, FilterTally* tally, unsigned threads,
+                                                const Delaunay::Progress& progress) {
   FilterTally unused;
-  return std::make_unique<const voronoi::Diagram>(delaunay, tally != nullptr ? *tally : unused, threads);
+  return std::make_unique<const voronoi::Diagram>(delaunay, tally != nullptr ? *tally : unused, threads, progress);
 }
 
 }  // namespace
 
-VoronoiDiagram::VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally, unsigned threads)
-    : points_(&delaunay.points()), faces_(made_of(delaunay, tally, threads)) {}
+VoronoiDiagram::VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally, unsigned threads,
+                               const Delaunay::Progress& progress)
+    : points_(&delaunay.points()), faces_(made_of(delaunay, tally, threads, progress)) {}
 VoronoiDiagram::~VoronoiDiagram() = default;
 VoronoiDiagram::VoronoiDiagram(VoronoiDiagram&&) noexcept = default;
 VoronoiDiagram& VoronoiDiagram::operator=(VoronoiDiagram&&) noexcept = default;

@@ -11,7 +11,7 @@
 
 #include "geometry/contract.h"
 #include "geometry/integer_grid.h"
-#include "geometry/parallel_for.h"
+#include "geometry/portions.h"
 #include "geometry/predicates.h"
 
 namespace flowcert::voronoi {
@@ -80,10 +80,11 @@ class Partition {
 
 }  // namespace
 
-VoronoiComplex::VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally, unsigned threads)
+VoronoiComplex::VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally, unsigned threads,
+                               const Delaunay::Progress& progress)
     : delaunay_(std::move(delaunay)) {
   FLOWCERT_REQUIRES(delaunay_.dimension == 3);
-  compute_signs(tally, threads);
+  compute_signs(tally, threads, progress);
 }
 
 TetrahedronPoints VoronoiComplex::points_of(CellIndex cell) const {
@@ -159,7 +160,7 @@ void VoronoiComplex::compute_signs_of(CellIndex first, CellIndex last, Tetrahedr
 }
 
 // One pass over the cells: their signs, and which neighbours share their sphere.
-void VoronoiComplex::compute_signs(FilterTally& tally, unsigned threads) {
+void VoronoiComplex::compute_signs(FilterTally& tally, unsigned threads, const Delaunay::Progress& progress) {
   const CellIndex count = delaunay_.finite_count;
   signs_.resize(count);
   turns_.resize(delaunay_.cells.size());
@@ -168,7 +169,9 @@ void VoronoiComplex::compute_signs(FilterTally& tally, unsigned threads) {
   const double exact_reach = grid.fits_small() ? grid.exact_reach() : 0;
   constexpr CellIndex kPart = 1u << 14;
   std::vector<Found> found(count / kPart + 1);
-  geometry::parallel_for(found.size(), threads, [&](std::size_t k) {
+  geometry::Portions::Progress tell;
+  if (progress) tell = [&](std::size_t part) { progress(part * kPart, count); };
+  geometry::in_portions(threads, found.size(), 1, tell, [&](std::size_t, std::size_t k) {
     TetrahedronLanes lanes(exact_reach);
     const CellIndex end = std::min(static_cast<CellIndex>(k + 1) * kPart, count);
     for (CellIndex first = static_cast<CellIndex>(k) * kPart; first < end; first += TetrahedronLanes::kLanes) {

@@ -143,6 +143,17 @@ TEST(FlowComplex, LimitsAreThoseOfOrbits) {
   EXPECT_GT(infinite, 10U);
 }
 
+// Points on a grid, many of them cospherical, and points in general position.
+std::vector<Point> many_points(bool on_grid, std::size_t count) {
+  std::mt19937_64 engine(7);
+  const auto coordinate = [&] {
+    return on_grid ? static_cast<double>(engine() % 12) : static_cast<double>(engine() >> 11) * 0x1p-53;
+  };
+  std::vector<Point> points(count);
+  for (Point& p : points) p = {coordinate(), coordinate(), coordinate()};
+  return points;
+}
+
 // Each part is told to the same observer, once.
 TEST(FlowComplex, TellsItsProgressAndComputesEachPartOnce) {
   CITES("FC-INV-01");
@@ -155,6 +166,26 @@ TEST(FlowComplex, TellsItsProgressAndComputesEachPartOnce) {
   (void)account_of(complex);
   for (std::size_t part = 0; part < kFlowComplexParts; ++part) {
     EXPECT_EQ(ends[static_cast<FlowComplexPart>(part)], 1U) << part;
+  }
+}
+
+// The stages that pass over all cells tell how far they are, too.
+TEST(FlowComplex, SignsAndCriticalPointsTellHowFarTheyAre) {
+  CITES("FC-INV-01");
+  const std::vector<Point> rows = many_points(false, 12000);
+  for (const unsigned threads : {1U, 3U}) {
+    std::map<FlowComplexPart, std::size_t> told;
+    std::size_t last = 0;
+    const FlowComplex complex(std::span<const Point>(rows), {.flow = {}, .threads = threads},
+                              [&](FlowComplexPart part, std::size_t done, std::size_t total) {
+                                if (done == total) return;
+                                EXPECT_LT(done, total);
+                                EXPECT_TRUE(told[part]++ == 0 || done > last) << "it ascends";
+                                last = done;
+                              });
+    (void)complex.stationary();
+    EXPECT_GE(told[FlowComplexPart::kDiagram], 4U);
+    EXPECT_GE(told[FlowComplexPart::kStationary], 4U);
   }
 }
 
@@ -223,17 +254,6 @@ TEST(FlowComplex, APartThatIsStoppedInOneThreadIsMadeInAnother) {
   }
   EXPECT_EQ(stopped, 1);
   EXPECT_EQ(made, 3);
-}
-
-// Points on a grid, many of them cospherical, and points in general position.
-std::vector<Point> many_points(bool on_grid, std::size_t count) {
-  std::mt19937_64 engine(7);
-  const auto coordinate = [&] {
-    return on_grid ? static_cast<double>(engine() % 12) : static_cast<double>(engine() >> 11) * 0x1p-53;
-  };
-  std::vector<Point> points(count);
-  for (Point& p : points) p = {coordinate(), coordinate(), coordinate()};
-  return points;
 }
 
 TEST(FlowComplex, IsTheSameForAnyNumberOfThreads) {

@@ -52,7 +52,9 @@ class VoronoiDiagram {
   // O(cells), and sorting what is cospherical. The point set must outlive the diagram; the triangulation need not.
   // The counts are added to the tally, if one is given. Two threads must not use one triangulation here at once,
   // because this numbers the triangulation's cells. The diagram is the same for any number of threads that make it.
-  explicit VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally = nullptr, unsigned threads = 1);
+  // The progress is told before the end alone, and may throw to stop it.
+  explicit VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally = nullptr, unsigned threads = 1,
+                          const Delaunay::Progress& progress = {});
   ~VoronoiDiagram();
   VoronoiDiagram(VoronoiDiagram&&) noexcept;
   VoronoiDiagram& operator=(VoronoiDiagram&&) noexcept;
