@@ -33,6 +33,7 @@ std::string account_of_parts(const FlowComplex& complex) {
   const StationaryPoints& points = complex.stationary();
   for (std::size_t i = 0; i < points.size(); ++i) {
     add(points.index(i).face_dimension), add(points.index(i).hull_dimension), add(points.face(i));
+    add(points.contact(i).size());
     for (const PointId id : points.contact(i)) add(id);
   }
   for (const FilterCount& count : complex.filter_tally().counts) add(count.calls), add(count.failures);
@@ -47,6 +48,7 @@ std::string account_of_parts(const FlowComplex& complex) {
   for (std::size_t i = 0; i < stable.size(); ++i) {
     add(stable.segment_count(i)), add(stable.has_vertex(i)), add(stable.has_interval(i));
     if (!points.index(stable.record(i)).is_critical()) continue;
+    add(stable.boundary(i).size());
     for (const std::uint32_t record : stable.boundary(i)) add(record);
   }
   const StableStatistics& s2 = stable.statistics();

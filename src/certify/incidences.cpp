@@ -45,7 +45,7 @@ class Incidences {
 
   // For an index-1 critical point: the index-2 points from which a connecting orbit comes down to it. If a tie leaves
   // open where the connecting orbits of an index-2 point end, that point may be named or not. Returns false if there is
-  // no such saddle, and none is claimed.
+  // no such saddle, and infinity alone is claimed: that is not judged.
   bool check_saddles_above(std::size_t k) {
     const std::size_t record = run_.placed[k].place->record;
     std::set<std::size_t> missing = saddles_above(record), seen;

@@ -95,7 +95,7 @@ void SuccessorForest::flow_from(std::span<const CellIndex> starts, std::span<Flo
                                 const std::function<void(std::size_t)>& progress) {
   FLOWCERT_REQUIRES(share_);
   if (stretch_of_.empty()) stretch_of_.assign(diagram_.delaunay().finite_count, kNotVisited);
-  constexpr std::size_t kPortion = 512;
+  constexpr std::size_t kPortion = geometry::portion_size(512);
   geometry::Portions portions(starts.size(), kPortion, progress);
   std::vector<Branch> branches;
   branches.reserve(flows.size());

@@ -32,7 +32,7 @@ using namespace morse;
 
 namespace {
 
-constexpr std::size_t kProgressStep = 1024;
+constexpr std::size_t kProgressStep = geometry::portion_size(1024);
 // So many sets are begun before the memory for one is there.
 constexpr std::size_t kAhead = 12;
 

@@ -246,8 +246,8 @@ void add_clusters(const VoronoiComplex& complex, OrderedRecords& records) {
 void add_spatial(const VoronoiComplex& complex, unsigned threads, const Delaunay::Progress& progress,
                  OrderedRecords& records) {
   const CellIndex count = complex.delaunay().finite_count;
-  constexpr CellIndex kPart = 1u << 14;
-  const std::size_t parts = count / kPart + 1;
+  constexpr auto kPart = static_cast<CellIndex>(geometry::portion_size(1u << 14));
+  const std::size_t parts = (count + kPart - 1) / kPart;
   const auto cells_of = [count](std::size_t k) {
     const auto first = static_cast<CellIndex>(k) * kPart;
     return CellRange{first, std::min(first + kPart, count)};

@@ -235,7 +235,7 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
   std::vector<std::unique_ptr<Worker>> team;
   const unsigned most = team_size(options.flow, options.threads), threads = options.share ? most : 1;
   for (unsigned k = 0; k < threads; ++k) team.push_back(std::make_unique<Worker>(*this));
-  constexpr std::size_t kPortion = 1024;
+  constexpr std::size_t kPortion = geometry::portion_size(1024);
   std::vector<CellIndex> starts(2 * order.size());
   geometry::in_portions(threads, order.size(), kPortion, {}, [&](std::size_t thread, std::size_t k) {
     constexpr std::size_t kAhead = 12;

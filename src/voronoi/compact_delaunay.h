@@ -97,7 +97,7 @@ struct CompactDelaunay {
   return vertex_of;
 }
 
-// O(cells), one copy. The same for any number of threads.
+// O(cells), one copy, and 8 bytes a cell meanwhile. The same for any number of threads.
 [[nodiscard]] CompactDelaunay compact_copy(const Delaunay& delaunay, unsigned threads = 1);
 
 }  // namespace flowcert::voronoi

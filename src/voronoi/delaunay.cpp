@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "flowcert/voronoi_diagram.h"
-#include "geometry/parallel_for.h"
+#include "geometry/portions.h"
 #include "voronoi/compact_delaunay.h"
 #include "voronoi/layer.h"
 
@@ -176,7 +176,7 @@ CompactDelaunay voronoi::compact_copy(const Delaunay& delaunay, unsigned threads
   const NumberedCells numbered = number_cells(cgal, corners, copy.points.size());
   copy.finite_count = numbered.finite_count;
   copy.cells.resize(numbered.cells.size());
-  constexpr std::size_t kPart = std::size_t{1} << 14;
+  constexpr std::size_t kPart = geometry::portion_size(1u << 14);
   const std::size_t count = numbered.cells.size();
   geometry::parallel_for((count + kPart - 1) / kPart, threads, [&](std::size_t k) {
     copy_cells(numbered, k * kPart, std::min((k + 1) * kPart, count), corners, cgal.infinite_vertex(), copy.cells);

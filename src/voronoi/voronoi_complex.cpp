@@ -167,8 +167,8 @@ void VoronoiComplex::compute_signs(FilterTally& tally, unsigned threads, const D
   // Cells of scans are too large on the grid of their coordinates.
   const geometry::IntegerGrid grid(std::span<const Point>(delaunay_.points));
   const double exact_reach = grid.fits_small() ? grid.exact_reach() : 0;
-  constexpr CellIndex kPart = 1u << 14;
-  std::vector<Found> found(count / kPart + 1);
+  constexpr auto kPart = static_cast<CellIndex>(geometry::portion_size(1u << 14));
+  std::vector<Found> found((count + kPart - 1) / kPart);
   geometry::Portions::Progress tell;
   if (progress) tell = [&](std::size_t part) { progress(part * kPart, count); };
   geometry::in_portions(threads, found.size(), 1, tell, [&](std::size_t, std::size_t k) {

@@ -44,8 +44,8 @@ inline constexpr std::size_t kFlowComplexParts = 7;
 
 class FlowComplex {
  public:
-  // Each part tells at last that all of it is done. Triangulation and manifolds also tell now and then how much is
-  // done, from any of the threads that make them, one at a time. Two threads call it at once if they make different
+  // Each part tells at last that all of it is done. All parts but chains and persistence also tell now and then, before
+  // that, how much is done, from any of the threads that make them, one at a time. Two threads call it at once if they make different
   // parts. It may throw to stop; the part is then made when it is asked for again. It must not ask the complex for
   // anything.
   using Progress = std::function<void(FlowComplexPart part, std::size_t done, std::size_t total)>;

@@ -52,7 +52,8 @@ class VoronoiDiagram {
   // O(cells), and sorting what is cospherical. The point set must outlive the diagram; the triangulation need not.
   // The counts are added to the tally, if one is given. Two threads must not use one triangulation here at once,
   // because this numbers the triangulation's cells. The diagram is the same for any number of threads that make it.
-  // The progress is told before the end alone, and may throw to stop it.
+  // The progress is told now and then, from any of these threads, one at a time; it is not told of the end. It may
+  // throw to stop.
   explicit VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally = nullptr, unsigned threads = 1,
                           const Delaunay::Progress& progress = {});
   ~VoronoiDiagram();
