@@ -10,6 +10,7 @@
 #include <cstddef>
 
 #include "flow/kernels/direction_across.h"
+#include "geometry/lane_rows.h"
 
 namespace flowcert::flow {
 
@@ -54,17 +55,9 @@ class DirectionLanes {
   [[nodiscard]] static bool processor_has_wide();
 
  private:
-  struct alignas(64) Row : std::array<double, kLanes> {};
-  struct Rows {
-    Row x{}, y{}, z{};
-    template <class Triple>
-    void put(std::size_t lane, const Triple& value) {
-      x[lane] = value.x;
-      y[lane] = value.y;
-      z[lane] = value.z;
-    }
-    [[nodiscard, gnu::always_inline]] Vector3<double> at(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
-  };
+  using Row = geometry::LaneRow<kLanes>;
+  using Rows = geometry::LaneRows<kLanes>;
+
   [[gnu::always_inline]] inline void cross_lanes();
   [[gnu::always_inline]] inline void order_lanes();
   void cross_wide();

@@ -17,8 +17,8 @@
 
 namespace flowcert::geometry {
 
-// How many numbers a thread takes at a time, where so many are usual. ThreadSanitizer's build takes few, so that several
-// threads share small inputs, too.
+// How many numbers a thread takes at a time, where so many are usual. ThreadSanitizer's build takes few, so that
+// several threads share small inputs, too.
 constexpr std::size_t portion_size(std::size_t usual) {
 #ifdef FLOWCERT_STD_THREADS
   return std::min<std::size_t>(usual, 4);

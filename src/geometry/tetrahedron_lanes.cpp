@@ -10,8 +10,8 @@ namespace flowcert::geometry {
 
 namespace {
 
-// Sums over the forms of a cell. Loops inside of the loops over lanes would keep these from being wide, so that they are
-// written out.
+// Sums over the forms of a cell. Loops inside of the loops over lanes would keep these from being wide, so that they
+// are written out.
 template <class Term, std::size_t... k>
 [[gnu::always_inline]] inline double sum_of(Term term, std::index_sequence<k...>) {
   return (term(std::integral_constant<std::size_t, k>{}) + ...);

@@ -2,14 +2,15 @@
 // compute it, so that one instruction serves two lanes, or four where the processor has AVX2.
 //
 // Guarantees: each lane gives to the bit what tetrahedron_signs() and on_sphere() compute for its cell, on every
-// processor. What a lane gives does not depend on the lanes beside it. Points of a lattice, or of another coarse grid of
-// a power of two, are exact in doubles (kExactReach), so that zeros are certain, too. Nothing else is resolved here:
+// processor. What a lane gives does not depend on the lanes beside it. Points of a lattice, or of another coarse grid
+// of a power of two, are exact in doubles (kExactReach), so that zeros are certain, too. Nothing else is resolved here:
 // where a lane does not know all of its signs, tetrahedron_signs() has to look at the cell.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
+#include "geometry/lane_rows.h"
 #include "geometry/tetrahedron_signs.h"
 
 namespace flowcert::geometry {
@@ -26,7 +27,7 @@ class TetrahedronLanes {
   }
   // The filter of all lanes.
   void compute();
-  // Of the twelve angles and the four sides: how many are not beyond the filter's bounds.
+  // How many of the twelve angles, and of the four sides, are not beyond the filter's bounds.
   [[nodiscard]] unsigned angle_failures(std::size_t lane) const { return static_cast<unsigned>(open_angles_[lane]); }
   [[nodiscard]] unsigned side_failures(std::size_t lane) const { return static_cast<unsigned>(open_sides_[lane]); }
   // Whether all signs are known.
@@ -60,17 +61,9 @@ class TetrahedronLanes {
   [[nodiscard]] static bool processor_has_wide();
 
  private:
-  struct alignas(64) Row : std::array<double, kLanes> {};
-  struct Rows {
-    Row x{}, y{}, z{};
-    template <class Triple>
-    [[gnu::always_inline]] void put(std::size_t lane, const Triple& value) {
-      x[lane] = value.x;
-      y[lane] = value.y;
-      z[lane] = value.z;
-    }
-    [[nodiscard, gnu::always_inline]] Vector3<double> at(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
-  };
+  using Row = LaneRow<kLanes>;
+  using Rows = LaneRows<kLanes>;
+
   template <bool kGrid>
   [[gnu::always_inline]] inline void compute_lanes();
   template <bool kGrid>

@@ -1,5 +1,5 @@
-// How the vertices of a cell lie in its neighbour across a facet: so that a walk from cell to
-// cell compares no vertices.
+// How the vertices of a cell lie in its neighbour across a facet. With that, a walk from cell to cell compares no
+// vertices.
 //
 // Guarantees: a facet's three vertices and the vertex behind it, in the cell, are mapped to the places of the same
 // three and of the vertex on the other side, in the neighbour. Both cells must be positively oriented. That leaves

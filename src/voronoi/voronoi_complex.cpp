@@ -101,8 +101,8 @@ TetrahedronPoints VoronoiComplex::points_of(CellIndex cell) const {
   for (const VertexIndex vertex : delaunay_.vertices(cell)) __builtin_prefetch(&delaunay_.points[vertex]);
 }
 
-// Of a facet, the cell that comes first compares the sphere. Which facets these are cannot be guessed, so that there is
-// no branch.
+// The earlier one of a facet's two cells compares its sphere with the other cell's vertex. Which cell that is cannot be
+// guessed, so that there is no branch.
 VoronoiComplex::Beyond VoronoiComplex::look_across(CellIndex cell) {
   turns_.look(delaunay_, cell);
   const auto& [vertices, neighbors] = delaunay_.cells[cell];
@@ -248,7 +248,7 @@ void VoronoiComplex::gather_polygons(FilterTally& tally) {
   gather_hull_polygons(tally);
 }
 
-// Of each cluster, the facets that lead to one later cluster are a polygon.
+// The facets of a cluster that lead to one later cluster are a polygon.
 void VoronoiComplex::gather_inner_polygons() {
   struct Piece {
     CellIndex other;

@@ -239,7 +239,7 @@ TEST(CheckTest, JudgesIncidences) {
   }
 }
 
-// Of the second input, what leaves the edge ends at infinity, and at regular stationary points of both kinds.
+// What leaves the edge of the second input ends at infinity, and at regular stationary points of both kinds.
 TEST(CheckTest, WhatLiesAboveAnEdgeWithoutSaddlesIsNotJudged) {
   CITES("FC-CLAIM-06");
   const Truly pair({{0, 0, 0}, {1, 0, 0}}), five({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {2, 1, 1}});

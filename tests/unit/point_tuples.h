@@ -13,6 +13,7 @@
 
 #include "flowcert/point_set.h"
 #include "geometry/integer_grid.h"
+#include "geometry/predicates.h"
 #include "tests/unit/portable_random.h"
 
 namespace flowcert_tests {
@@ -152,6 +153,20 @@ std::array<flowcert::Point, N> draw_tuple(TupleKind kind, PortableRandom& random
     }
   }
   return points;
+}
+
+// The first four points are positively oriented and not flat, as in a cell.
+template <std::size_t N>
+std::array<flowcert::Point, N> draw_cell(TupleKind kind, PortableRandom& random) {
+  using flowcert::geometry::Orientation, flowcert::geometry::Sign;
+  for (;;) {
+    std::array<flowcert::Point, N> points = draw_tuple<N>(kind, random);
+    const Sign orientation =
+        flowcert::geometry::unfiltered_sign(Orientation{points[0], points[1], points[2], points[3]});
+    if (orientation == Sign::kZero) continue;
+    if (orientation == Sign::kNegative) std::swap(points[2], points[3]);
+    return points;
+  }
 }
 
 }  // namespace flowcert_tests

@@ -18,7 +18,7 @@
 namespace flowcert::geometry {
 namespace {
 
-using flowcert_tests::draw_tuple;
+using flowcert_tests::draw_cell;
 using flowcert_tests::kTupleKinds;
 using flowcert_tests::PortableRandom;
 using flowcert_tests::TupleKind;
@@ -27,16 +27,6 @@ constexpr std::size_t kLanes = TetrahedronLanes::kLanes;
 
 // A positively oriented cell, and four samples to compare with its sphere.
 using CellAndSamples = std::array<Point, 8>;
-
-CellAndSamples draw_cell(TupleKind kind, PortableRandom& random) {
-  for (;;) {
-    CellAndSamples points = draw_tuple<8>(kind, random);
-    const Sign orientation = unfiltered_sign(Orientation{points[0], points[1], points[2], points[3]});
-    if (orientation == Sign::kZero) continue;
-    if (orientation == Sign::kNegative) std::swap(points[2], points[3]);
-    return points;
-  }
-}
 
 TetrahedronPoints cell_of(const CellAndSamples& points) { return {&points[0], &points[1], &points[2], &points[3]}; }
 
@@ -104,7 +94,7 @@ template <class Scaled>
 void compare_block(TetrahedronLanes& lanes, TupleKind kind, PortableRandom& random, Scaled scaled, Met& met) {
   std::vector<CellAndSamples> cells;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    cells.push_back(draw_cell(kind, random));
+    cells.push_back(draw_cell<8>(kind, random));
     for (Point& p : cells.back()) p = scaled(p);
     lanes.set(lane, cell_of(cells.back()));
     for (std::size_t i = 0; i < 4; ++i) lanes.set_sample(lane, i, cells.back()[4 + i]);

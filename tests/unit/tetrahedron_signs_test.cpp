@@ -13,7 +13,6 @@
 #include <cmath>
 #include <map>
 #include <ostream>
-#include <utility>
 
 #include "tests/cites.h"
 #include "tests/unit/point_tuples.h"
@@ -32,7 +31,7 @@ using namespace geometry;
 
 namespace {
 
-using flowcert_tests::draw_tuple;
+using flowcert_tests::draw_cell;
 using flowcert_tests::kTupleKinds;
 using flowcert_tests::PortableRandom;
 using flowcert_tests::TupleKind;
@@ -40,18 +39,6 @@ using flowcert_tests::TupleKind;
 template <std::size_t N>
 TetrahedronPoints first_four(const std::array<Point, N>& points) {
   return {&points[0], &points[1], &points[2], &points[3]};
-}
-
-// The first four points are positively oriented and not flat, as in a cell.
-template <std::size_t N>
-std::array<Point, N> draw_cell(TupleKind kind, PortableRandom& random) {
-  for (;;) {
-    std::array<Point, N> points = draw_tuple<N>(kind, random);
-    const Sign orientation = unfiltered_sign(Orientation{points[0], points[1], points[2], points[3]});
-    if (orientation == Sign::kZero) continue;
-    if (orientation == Sign::kNegative) std::swap(points[2], points[3]);
-    return points;
-  }
 }
 
 Sign angle_of(const TetrahedronSigns& signs, unsigned facet, unsigned vertex) {

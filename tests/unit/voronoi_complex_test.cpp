@@ -490,7 +490,7 @@ TEST(VoronoiComplexTest, ASquareHasFourSidesAndNoDiagonal) {
   EXPECT_EQ(faces_of(complex).facets.size(), 12u);
 }
 
-// Of all cells, the infinite ones too: each facet, seen from the other cell, and where its vertices lie there.
+// Each facet is seen from its other cell, and so are its vertices. The cells may be infinite.
 TEST(VoronoiComplexTest, FacetsAreKnownFromBothOfTheirCells) {
   CITES("FC-VOR-01");
   for (const Named& input : degenerate_inputs()) {
