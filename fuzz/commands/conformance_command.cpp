@@ -1,5 +1,5 @@
 // `flowcert conformance`: what any program's answers to the conformance vectors are worth. Exit status 0 if
-// all is right, 1 if something is not.
+// all is right or perturbed, 1 if something is not; with --strict, 1 if something is perturbed, too.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -45,6 +45,7 @@ struct ConformanceCommandOptions {
   std::size_t most = 10;
   bool json = false;
   bool list = false;
+  bool is_strict = false;
 };
 
 // ---- Which vectors
@@ -141,7 +142,7 @@ int run_cases(const ConformanceCommandOptions& options, const Vectors& vectors,
   } else {
     print_conformance_text(report, options.most);
   }
-  return report.verdict() == Verdict::kFails ? kNegativeVerdict : kRight;
+  return status_of(report.verdict(), options.is_strict);
 }
 
 int conformance(ConformanceCommandOptions& options) {
@@ -223,7 +224,7 @@ void add_command_options(CLI::App& command, ConformanceCommandOptions& options) 
       ->check(CLI::Range(std::size_t{0}, kMostMebibytes))
       ->capture_default_str();
   command.add_option("--jobs", run.jobs, "Cases that run at a time")->check(CLI::Range(1, 256))->capture_default_str();
-  add_judging_options(command, run.check);
+  add_judging_options(command, run.check, options.is_strict);
 }
 
 void add_report_options(CLI::App& command, ConformanceCommandOptions& options) {

@@ -23,6 +23,7 @@ struct Tally {
   std::size_t cases = 0;  // without skipped ones
   std::size_t conforms = 0;
   std::size_t where_determined = 0;
+  std::size_t perturbed = 0;
   std::size_t fails = 0;
   std::size_t refused = 0;
   std::size_t crashed = 0;
@@ -40,6 +41,8 @@ std::size_t& column_of(Tally& tally, RunOutcome outcome) {
       return tally.conforms;
     case RunOutcome::kConformsWhereDetermined:
       return tally.where_determined;
+    case RunOutcome::kPerturbed:
+      return tally.perturbed;
     case RunOutcome::kSkipped:
       return tally.skipped;
     case RunOutcome::kFails:
@@ -119,12 +122,12 @@ std::size_t persistence_judged(const ConformanceReport& report) {
 // ---- Text
 
 void print_tallies(const char* title, const std::vector<NamedTally>& tallies) {
-  Table table("lrrrrrrrr", {title, "cases", "conforms", "where determined", "fails", "refused", "crashed", "timed out",
-                            "unreadable"});
+  Table table("lrrrrrrrrr", {title, "cases", "conforms", "where determined", "perturbed", "fails", "refused", "crashed",
+                             "timed out", "unreadable"});
   for (const auto& [name, tally] : tallies) {
     table.row(name);
-    for (const std::size_t count : {tally.cases, tally.conforms, tally.where_determined, tally.fails, tally.refused,
-                                    tally.crashed, tally.timed_out, tally.unreadable}) {
+    for (const std::size_t count : {tally.cases, tally.conforms, tally.where_determined, tally.perturbed, tally.fails,
+                                    tally.refused, tally.crashed, tally.timed_out, tally.unreadable}) {
       table.cell(count);
     }
   }
@@ -196,6 +199,13 @@ void print_judged(const ConformanceReport& report) {
   }
 }
 
+void print_undecided(const ConformanceReport& report) {
+  const auto count = std::ranges::count(report.outcomes, false, &CaseOutcome::is_decided);
+  if (count == 0) return;
+  fmt::print("not decided: in {} case{}, whether one perturbation makes all that is claimed at a point (FC-CLAIM-04)\n",
+             with_commas(static_cast<std::size_t>(count)), count == 1 ? "" : "s");
+}
+
 void print_skipped(const ConformanceReport& report) {
   for (const CaseOutcome& outcome : report.outcomes) {
     if (outcome.outcome != RunOutcome::kSkipped) continue;
@@ -212,6 +222,7 @@ Json tally_field(const char* key, const NamedTally& named) {
   field["cases"] = tally.cases;
   field["conforms"] = tally.conforms;
   field["conforms_where_determined"] = tally.where_determined;
+  field["perturbed"] = tally.perturbed;
   field["fails"] = tally.fails;
   field["refused"] = tally.refused;
   field["crashed"] = tally.crashed;
@@ -289,7 +300,7 @@ void write_test_case(std::ostream& out, const CaseOutcome& outcome) {
                        xml_text(outcome_words(outcome)), message);
   } else if (outcome.outcome == RunOutcome::kSkipped) {
     out << fmt::format("><skipped message=\"{}\"/></testcase>\n", message);
-  } else if (outcome.outcome == RunOutcome::kConformsWhereDetermined) {
+  } else if (outcome.outcome == RunOutcome::kConformsWhereDetermined || outcome.outcome == RunOutcome::kPerturbed) {
     out << fmt::format(">\n      <system-out>{}</system-out>\n    </testcase>\n", message);
   } else {
     out << "/>\n";
@@ -316,6 +327,7 @@ void write_test_suite(std::ostream& out, const ConformanceReport& report, const 
 Verdict ConformanceReport::verdict() const {
   const Tally all = tally_of_all(*this);
   if (all.negative() > 0) return Verdict::kFails;
+  if (all.perturbed > 0) return Verdict::kPerturbed;
   return all.where_determined > 0 ? Verdict::kConformsWhereDetermined : Verdict::kConforms;
 }
 
@@ -326,10 +338,12 @@ void print_conformance_text(const ConformanceReport& report, std::size_t most) {
   print_telling_flags(report);
   print_skipped(report);
   print_judged(report);
+  print_undecided(report);
   const Tally all = tally_of_all(report);
-  fmt::print("{} cases in {}: {} conform, {} where determined, {} negative\n\n{}\n", with_commas(all.cases),
-             seconds_text(report.seconds), with_commas(all.conforms), with_commas(all.where_determined),
-             with_commas(all.negative()), verdict_text(report.verdict()));
+  fmt::print("{} cases in {}: {} conform, {} where determined, {} perturbed, {} negative\n\n{}\n",
+             with_commas(all.cases), seconds_text(report.seconds), with_commas(all.conforms),
+             with_commas(all.where_determined), with_commas(all.perturbed), with_commas(all.negative()),
+             verdict_text(report.verdict()));
 }
 
 void print_conformance_json(const ConformanceReport& report) {

@@ -46,9 +46,10 @@ constexpr std::size_t kMostRangesShown = 20;
 // What findings call the text of an answer; its lines count from 1.
 constexpr char kAnswer[] = "answer";
 
-constexpr std::array kColumns = {Outcome::kConforms, Outcome::kConformsWhereDetermined,
-                                 Outcome::kFails,    Outcome::kUnreadable,
-                                 Outcome::kRefused,  Outcome::kUnanswered};
+constexpr std::array kColumns = {Outcome::kConforms,   Outcome::kConformsWhereDetermined,
+                                 Outcome::kPerturbed,  Outcome::kFails,
+                                 Outcome::kUnreadable, Outcome::kRefused,
+                                 Outcome::kUnanswered};
 static_assert(kColumns.size() == kOutcomes);
 
 std::size_t count_of(const OutcomeCounts& counts, Outcome outcome) {
@@ -60,7 +61,8 @@ std::size_t total_of(const OutcomeCounts& counts) {
 }
 
 std::size_t right_of(const OutcomeCounts& counts) {
-  return count_of(counts, Outcome::kConforms) + count_of(counts, Outcome::kConformsWhereDetermined);
+  return count_of(counts, Outcome::kConforms) + count_of(counts, Outcome::kConformsWhereDetermined) +
+         count_of(counts, Outcome::kPerturbed);
 }
 
 void add_row(Table& table, const std::string& name, const OutcomeCounts& counts) {
@@ -69,8 +71,8 @@ void add_row(Table& table, const std::string& name, const OutcomeCounts& counts)
 }
 
 void print_family_table(const Verification& verification) {
-  Table table("lrrrrrrr",
-              {"family", "cases", "conforms", "where determined", "fails", "unreadable", "refused", "unanswered"});
+  Table table("lrrrrrrrr", {"family", "cases", "conforms", "where determined", "perturbed", "fails", "unreadable",
+                            "refused", "unanswered"});
   for (const auto& [name, counts] : verification.counts_by_family()) add_row(table, name, counts);
   add_row(table, "all", verification.counts());
   table.print();
@@ -265,6 +267,7 @@ struct VerifyCommandOptions {
   std::optional<std::size_t> most;
   std::string junit;
   bool json = false;
+  bool is_strict = false;
 };
 
 void take_all_answers(Verification& verification) {
@@ -294,7 +297,7 @@ int verify(VerifyCommandOptions options) {
   } else {
     print_verify_text(verification, options.most.value_or(kUsuallyShown));
   }
-  return verification.verdict() == Verdict::kFails ? kNegativeVerdict : kRight;
+  return status_of(verification.verdict(), options.is_strict);
 }
 
 }  // namespace
@@ -309,7 +312,7 @@ void add_verify_command(CLI::App& app, int& status) {
       ->add_option("--keep", verification.folder,
                    "Write points and claim of each failing case into this folder, for flowcert check")
       ->type_name("DIR");
-  add_judging_options(*command, verification.check);
+  add_judging_options(*command, verification.check, options->is_strict);
   command->add_option("--most", options->most, "Report so many failing cases; without this 10, to programs 1,000")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--only", verification.only, "Expect an answer to this case alone")

@@ -176,13 +176,15 @@ class CaseRun {
     for (std::size_t k = 0; k < kLevels; ++k) result_.judged.at(k) = report.conforms.at(k).has_value();
     auto& findings = report.findings;
     std::ranges::stable_sort(findings, {}, &Finding::is_variation);  // what is wrong comes first
-    if (report.verdict == Verdict::kConformsWhereDetermined) {
-      result_.outcome = RunOutcome::kConformsWhereDetermined;
-      result_.message = finding_words(findings.front());
-    } else if (report.verdict == Verdict::kFails) {
+    if (report.verdict == Verdict::kFails) {
       result_.level = findings.front().level;
       fail(run, RunOutcome::kFails, finding_words(telling_finding(findings)));
+    } else if (report.verdict != Verdict::kConforms) {
+      const bool is_perturbed = report.verdict == Verdict::kPerturbed;
+      result_.outcome = is_perturbed ? RunOutcome::kPerturbed : RunOutcome::kConformsWhereDetermined;
+      result_.message = finding_words(*std::ranges::find(findings, report.verdict, verdict_on));
     }
+    result_.is_decided = report.not_decided.empty();
     const std::size_t kept = std::min(findings.size(), kMostFindings);
     result_.findings_left_out = findings.size() - kept;
     result_.findings.assign(findings.begin(), findings.begin() + static_cast<std::ptrdiff_t>(kept));
@@ -200,8 +202,8 @@ class CaseRun {
     const std::string words = orbit_finding_words(result_.orbit_findings.back());
     if (!difference->is_permitted) {
       fail(run, RunOutcome::kFails, words);
-    } else if (result_.outcome == RunOutcome::kConforms) {
-      result_.outcome = RunOutcome::kConformsWhereDetermined;
+    } else if (result_.outcome < RunOutcome::kPerturbed) {
+      result_.outcome = RunOutcome::kPerturbed;
       result_.message = words;
     }
     return true;

@@ -23,6 +23,7 @@ namespace flowcert::judge {
 enum class RunOutcome {
   kConforms,
   kConformsWhereDetermined,
+  kPerturbed,
   kProperlyRefused,  // an invalid case: the command said no, by its exit status
   kSkipped,          // not asked of the command
   // Negative from here on.
@@ -33,7 +34,7 @@ enum class RunOutcome {
   kTimedOut,
   kUnreadable,  // exit status 0, but no answer that can be read
 };
-inline constexpr std::size_t kRunOutcomes = 10;
+inline constexpr std::size_t kRunOutcomes = 11;
 
 // "conforms where determined"
 [[nodiscard]] const char* run_outcome_text(RunOutcome outcome);
@@ -52,6 +53,7 @@ struct CaseOutcome {
   double seconds = 0;        // of all runs of the case
   std::vector<Finding> findings;
   std::size_t findings_left_out = 0;  // beyond the first kMostFindings
+  bool is_decided = true;             // false if a finding is not
   std::vector<OrbitFinding> orbit_findings;
   std::array<bool, kLevels> judged{};  // the levels on which something was judged
   std::size_t orbits_judged = 0;

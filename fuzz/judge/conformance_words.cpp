@@ -13,15 +13,11 @@ constexpr std::size_t kLongestLine = 300;
 }  // namespace
 
 const char* run_outcome_text(RunOutcome outcome) {
-  constexpr std::array<const char*, kRunOutcomes> kTexts = {"conforms",
-                                                            "conforms where determined",
-                                                            "properly refused",
-                                                            "skipped",
-                                                            "fails",
-                                                            "accepted",
-                                                            "refused",
-                                                            "crashed",
-                                                            "timed out",
+  constexpr std::array<const char*, kRunOutcomes> kTexts = {"conforms",  "conforms where determined",
+                                                            "perturbed", "properly refused",
+                                                            "skipped",   "fails",
+                                                            "accepted",  "refused",
+                                                            "crashed",   "timed out",
                                                             "unreadable"};
   return kTexts.at(static_cast<std::size_t>(outcome));
 }

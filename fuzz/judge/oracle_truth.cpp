@@ -85,11 +85,18 @@ class OracleTruth final : public Truth {
   }
 
   [[nodiscard]] std::vector<TrueSegment> polyline(std::size_t i, std::size_t side) override {
-    std::vector<TrueSegment> line;
-    for (const oracle::FlowSegment& segment : path(i, side).segments) {
-      line.push_back({oracle::segment_type(set_, segment), segment.driver, segment.end});
+    return true_segments(path(i, side));
+  }
+
+  [[nodiscard]] TruePath orbit(const RationalPoint& start) override {
+    Path path;
+    if (const auto record = record_at_.find(start); record != record_at_.end()) {
+      path.limit = record->second;
+    } else {
+      path.segments.push_back(step_from(start));
+      follow(path);
     }
-    return line;
+    return {true_segments(path), path.limit};
   }
 
   // The oracle breaks no ties.
@@ -130,6 +137,12 @@ class OracleTruth final : public Truth {
   Path path(std::size_t i, std::size_t side) {
     Path path;
     path.segments.push_back(oracle::unstable_segment(set_, answer_.stationary[i], static_cast<int>(side)));
+    follow(path);
+    return path;
+  }
+
+  // Goes on from the end of the last segment.
+  void follow(Path& path) {
     while (path.segments.back().end) {
       const oracle::Point& reached = *path.segments.back().end;
       const auto record = record_at_.find(reached);
@@ -139,7 +152,14 @@ class OracleTruth final : public Truth {
       }
       path.segments.push_back(step_from(reached));
     }
-    return path;
+  }
+
+  [[nodiscard]] std::vector<TrueSegment> true_segments(const Path& path) const {
+    std::vector<TrueSegment> line;
+    for (const oracle::FlowSegment& segment : path.segments) {
+      line.push_back({oracle::segment_type(set_, segment), segment.driver, segment.end});
+    }
+    return line;
   }
 
   const oracle::FlowSegment& step_from(const oracle::Point& x) {
@@ -192,6 +212,7 @@ class VectorTruth final : public Truth {
   [[nodiscard]] std::vector<TrueSegment> polyline(std::size_t i, std::size_t side) override {
     return oracle_->polyline(i, side);
   }
+  [[nodiscard]] TruePath orbit(const RationalPoint& start) override { return oracle_->orbit(start); }
   [[nodiscard]] std::optional<std::vector<std::uint32_t>> boundary(std::size_t i) override {
     if (!case_.stable[i]) return oracle_->boundary(i);
     if (!case_.stable[i]->boundary) return std::nullopt;

@@ -117,6 +117,8 @@ Outcome outcome_of(Verdict verdict) {
       return Outcome::kConforms;
     case Verdict::kConformsWhereDetermined:
       return Outcome::kConformsWhereDetermined;
+    case Verdict::kPerturbed:
+      return Outcome::kPerturbed;
     default:
       return Outcome::kFails;
   }
@@ -132,11 +134,11 @@ void write_file(const std::string& path, const std::string& content) {
 
 const char* outcome_text(Outcome outcome) {
   constexpr std::array<const char*, kOutcomes> kTexts = {
-      "conforms", "conforms where determined", "fails", "unreadable", "refused", "unanswered"};
+      "conforms", "conforms where determined", "perturbed", "fails", "unreadable", "refused", "unanswered"};
   return kTexts.at(static_cast<std::size_t>(outcome));
 }
 
-bool is_right(Outcome outcome) { return outcome == Outcome::kConforms || outcome == Outcome::kConformsWhereDetermined; }
+bool is_right(Outcome outcome) { return outcome <= Outcome::kPerturbed; }
 
 void Verification::begin_or_continue(const fuzz::NamedCase& named, const Answer& answer) {
   if (!has_begun()) {
@@ -239,8 +241,9 @@ Verdict Verification::verdict() const {
   const OutcomeCounts of = counts();
   const auto count = [&](Outcome outcome) { return of.at(static_cast<std::size_t>(outcome)); };
   if (count(Outcome::kConforms) == expected()) return Verdict::kConforms;
-  const std::size_t right = count(Outcome::kConforms) + count(Outcome::kConformsWhereDetermined);
-  return right == expected() ? Verdict::kConformsWhereDetermined : Verdict::kFails;
+  const std::size_t where_determined = count(Outcome::kConforms) + count(Outcome::kConformsWhereDetermined);
+  if (where_determined == expected()) return Verdict::kConformsWhereDetermined;
+  return where_determined + count(Outcome::kPerturbed) == expected() ? Verdict::kPerturbed : Verdict::kFails;
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> Verification::unanswered_ranges() const {

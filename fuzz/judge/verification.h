@@ -56,9 +56,17 @@ class AnswerReader {
 // ---- Outcomes ----
 
 // In the order in which reports list them.
-enum class Outcome : std::uint8_t { kConforms, kConformsWhereDetermined, kFails, kUnreadable, kRefused, kUnanswered };
-inline constexpr std::size_t kOutcomes = 6;
-// "conforms", "conforms where determined", "fails", "unreadable", "refused", "unanswered"
+enum class Outcome : std::uint8_t {
+  kConforms,
+  kConformsWhereDetermined,
+  kPerturbed,
+  kFails,
+  kUnreadable,
+  kRefused,
+  kUnanswered
+};
+inline constexpr std::size_t kOutcomes = 7;
+// "conforms", "conforms where determined", "perturbed", "fails", "unreadable", "refused", "unanswered"
 [[nodiscard]] const char* outcome_text(Outcome outcome);
 [[nodiscard]] bool is_right(Outcome outcome);
 

@@ -64,13 +64,15 @@ void Boundaries::check(std::size_t k, const std::vector<std::vector<PointId>>& c
   for (const auto& rows : chain) {
     edges.push_back(class_names(run_.points, rows));
     const std::optional<Placement> place = edges.back().empty() ? std::nullopt : placement_of(run_, edges.back());
-    if (!place || run_.index(place->record).face_dimension != 1 || edges.back().size() != 2) {
+    const bool is_made = place && run_.is_made(place->record, edges.back(), 1);
+    const bool is_edge = place && (run_.index(place->record).face_dimension == 1 || is_made);
+    if (!is_edge || edges.back().size() != 2) {
       return find(k, level, claimed, names_text(rows) + " is no critical point of index 1");
     }
     if (run_.truth.sphere(place->record).squared_radius >= value) {
       return find(k, level, claimed, names_text(rows) + " does not lie below it");
     }
-    has_regular = has_regular || !run_.index(place->record).is_critical();
+    has_regular = has_regular || is_made || !run_.index(place->record).is_critical();
     if (++times[static_cast<std::uint32_t>(place->record)] > 1 && !is_walk) {
       return find(k, level, claimed, names_text(rows) + " is named twice");
     }
@@ -135,8 +137,7 @@ void Boundaries::conclude() {
   for (Question& question : questions_) {
     for (; next != columns.end() && values.at(*next) < value_of(question); ++next) add_to_basis(*next);
     if (bounds_below(question.cycle)) {
-      run_.vary(question.level, FindingReason::kSymbolicPerturbation, "FC-CLAIM-09", question.k,
-                "another way to break ties");
+      run_.vary(question.level, FindingReason::kTieBreak, "FC-CLAIM-09", question.k, "another way to break ties");
       run_.report.findings.back().claimed += question.claimed;
     } else {
       find(question.k, question.level, question.claimed, "no way to break ties gives this boundary");

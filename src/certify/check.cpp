@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "certify/check_run.h"
+#include "certify/claimed_geometry.h"
 #include "certify/finding_words.h"
 #include "certify/layer.h"
 #include "geometry/floating_point.h"
@@ -48,6 +49,10 @@ void check_points(CheckRun& run) {
   check_euler_sum(run);
 }
 
+void add_once(std::vector<std::string>& list, const std::string& what) {
+  if (std::ranges::find(list, what) == list.end()) list.push_back(what);
+}
+
 void sort_findings(std::vector<Finding>& findings) {
   const auto key = [](const Finding& finding) {
     return std::tuple(finding.level, finding.line.value_or(std::numeric_limits<std::size_t>::max()),
@@ -61,16 +66,18 @@ void conclude(CheckReport& report, int highest_level) {
   std::erase_if(report.findings, [&](const Finding& finding) { return finding.level > highest_level; });
   sort_findings(report.findings);
   for (const Finding& finding : report.findings) {
-    if (!finding.is_variation) {
-      report.verdict = Verdict::kFails;
-      report.conforms.at(static_cast<std::size_t>(finding.level - 1)) = false;
-    } else if (report.verdict == Verdict::kConforms) {
-      report.verdict = Verdict::kConformsWhereDetermined;
-    }
+    report.verdict = std::max(report.verdict, verdict_on(finding));
+    if (!finding.is_variation) report.conforms.at(static_cast<std::size_t>(finding.level - 1)) = false;
   }
 }
 
 }  // namespace
+
+Verdict verdict_on(const Finding& finding) {
+  if (!finding.is_variation) return Verdict::kFails;
+  return finding.reason == FindingReason::kSymbolicPerturbation ? Verdict::kPerturbed
+                                                                : Verdict::kConformsWhereDetermined;
+}
 
 void CheckRun::find(int level, FindingReason reason, const std::string& clause, std::size_t claimed_point,
                     const std::string& truth_text) {
@@ -84,10 +91,20 @@ void CheckRun::vary(int level, FindingReason reason, const std::string& clause, 
   report.findings.back().is_variation = true;
 }
 
-void CheckRun::leave_unjudged(const std::string& what) {
-  if (std::ranges::find(report.not_judged, what) == report.not_judged.end()) {
-    report.not_judged.push_back(what);
-  }
+std::size_t CheckRun::true_side(std::size_t k, std::size_t claimed_side) const {
+  const Placement& place = placed[k].place.value();
+  const bool is_turned = place.fit == Fit::kPart && !turn_alike(points, placed[k].names, truth.contact(place.record));
+  return is_turned ? 1 - claimed_side : claimed_side;
+}
+
+void CheckRun::leave_unjudged(const std::string& what) { add_once(report.not_judged, what); }
+void CheckRun::leave_undecided(const std::string& what) { add_once(report.not_decided, what); }
+
+bool CheckRun::is_made(std::size_t record, const std::vector<PointId>& names, int index) const {
+  const auto made = perturbed.find(record);
+  return made != perturbed.end() && std::ranges::any_of(made->second, [&](std::size_t k) {
+           return claim.points[k].index == index && placed[k].names == names;
+         });
 }
 
 CheckReport check(const PointSet& points, const Claim& claim, Truth& truth, const CheckOptions& options) {
@@ -121,6 +138,8 @@ const char* verdict_text(Verdict verdict) {
       return "conforms";
     case Verdict::kConformsWhereDetermined:
       return "conforms where determined";
+    case Verdict::kPerturbed:
+      return "perturbed";
     case Verdict::kFails:
       break;
   }
@@ -165,6 +184,8 @@ const char* reason_text(FindingReason reason) {
       return "wrong-surface";
     case FindingReason::kSpanningPart:
       return "spanning-part";
+    case FindingReason::kTieBreak:
+      return "tie-break";
     case FindingReason::kSymbolicPerturbation:
       break;
   }

@@ -2,8 +2,10 @@
 // stationary points, and the report that they write.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -51,6 +53,7 @@ enum class Fit {
   kWhole,     // it is the point's contact set
   kPart,      // it is an affinely independent part of that set, with the same affine hull (FC-CLAIM-02)
   kOther,     // it is another part of that set, with the same centre
+  kMade,      // a perturbation makes it of the point, and the claim lists it there (FC-CLAIM-04)
   kPosition,  // no contact set is claimed, only a position
 };
 
@@ -67,6 +70,8 @@ struct PlacedPoint {
   bool is_right = false;                  // the claim is right, so its successors and polylines can be judged
 };
 
+[[nodiscard]] inline bool is_regular_claim(const ClaimedPoint& point) { return point.hull_dimension.has_value(); }
+
 struct CheckRun {
   CheckRun(const PointSet& points_, const Claim& claim_, Truth& truth_, const CheckOptions& options_)
       : points(points_),
@@ -74,7 +79,8 @@ struct CheckRun {
         truth(truth_),
         options(options_),
         contacts(points_, truth_),
-        placed(claim_.points.size()) {}
+        placed(claim_.points.size()),
+        tells_regular_points(claim_.regular_counts || std::ranges::any_of(claim_.points, &is_regular_claim)) {}
 
   const PointSet& points;
   const Claim& claim;
@@ -82,6 +88,10 @@ struct CheckRun {
   const CheckOptions& options;
   ContactIndex contacts;
   std::vector<PlacedPoint> placed;  // by claimed point
+  // The claimed points that a perturbation makes of a stationary point, by that point.
+  std::map<std::size_t, std::vector<std::size_t>> perturbed;
+  // The claim counts or lists regular stationary points. It then says of all others that they are none.
+  bool tells_regular_points;
   CheckReport report;
 
   [[nodiscard]] StationaryIndex index(std::size_t record) const { return truth.index(record); }
@@ -91,8 +101,15 @@ struct CheckRun {
   // Reports a permitted variation of a claimed point.
   void vary(int level, FindingReason reason, const std::string& clause, std::size_t claimed_point,
             const std::string& truth_text);
-  // Reports once that this is not judged.
+  // Side 0 or 1 of the index-2 point at which claimed point k is, for a side as claimed. They differ where a part of the
+  // contact set is named that turns the other way (FC-CLAIM-02).
+  [[nodiscard]] std::size_t true_side(std::size_t k, std::size_t claimed_side) const;
+  // Reports once that this is not judged, or not decided.
   void leave_unjudged(const std::string& what);
+  void leave_undecided(const std::string& what);
+  // Whether these names are of a point of this index that the claim lists at a stationary point, and that a
+  // perturbation makes of it.
+  [[nodiscard]] bool is_made(std::size_t record, const std::vector<PointId>& names, int index) const;
 };
 
 // The stationary point at the centre of the smallest sphere through these samples, if there is one.

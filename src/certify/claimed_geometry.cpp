@@ -1,11 +1,13 @@
 #include "certify/claimed_geometry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 
 #include "geometry/contract.h"
+#include "geometry/enclosing_ball.h"
 #include "geometry/predicates.h"
 #include "geometry/rational_point.h"
 
@@ -56,6 +58,30 @@ std::vector<PointId> supported_face(const PointSet& points, std::span<const Poin
     }
   }
   return face;
+}
+
+bool turn_alike(const PointSet& points, std::span<const PointId> a, std::span<const PointId> b) {
+  FLOWCERT_REQUIRES(a.size() >= 3 && b.size() >= 3);
+  const auto normal = [&points](std::span<const PointId> names) {
+    std::array<RationalPoint, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = exact_position(sample(points, names[k]));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      p[1][axis] -= p[0][axis];
+      p[2][axis] -= p[0][axis];
+    }
+    return RationalPoint{p[1][1] * p[2][2] - p[1][2] * p[2][1], p[1][2] * p[2][0] - p[1][0] * p[2][2],
+                         p[1][0] * p[2][1] - p[1][1] * p[2][0]};
+  };
+  const RationalPoint u = normal(a), v = normal(b);
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2] > 0;
+}
+
+// It is then the centre of the smallest ball that encloses them iff it lies in their hull.
+bool has_in_hull(const PointSet& points, std::span<const PointId> names, const RationalPoint& center) {
+  std::vector<Point> coordinates;
+  coordinates.reserve(names.size());
+  for (const PointId name : names) coordinates.push_back(sample(points, name));
+  return enclosing_ball_center(coordinates) == center;
 }
 
 // ---- Values ----

@@ -28,6 +28,12 @@ namespace flowcert::certify {
 [[nodiscard]] std::vector<PointId> supported_face(const PointSet& points, std::span<const PointId> plane,
                                                   std::span<const PointId> of);
 
+// Whether the first three samples of two lists, which lie in one plane, turn the same way.
+[[nodiscard]] bool turn_alike(const PointSet& points, std::span<const PointId> a, std::span<const PointId> b);
+
+// Whether a position that is equally far from all of these samples lies in their convex hull.
+[[nodiscard]] bool has_in_hull(const PointSet& points, std::span<const PointId> names, const RationalPoint& center);
+
 // ---- Values ----
 // Whether a claimed position or radius is the true one (FC-CLAIM-05). An exact claim has to be equal. A claim in
 // decimals has to be near.

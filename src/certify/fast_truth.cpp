@@ -33,12 +33,15 @@ class FastTruth final : public Truth {
   }
 
   [[nodiscard]] std::vector<TrueSegment> polyline(std::size_t i, std::size_t side) override {
-    const std::size_t k = number_of(i);
-    std::vector<TrueSegment> line;
-    for (FlowSegment& segment : complex_.unstable().orbit(k, side).segments) {
-      line.push_back({type_text(segment.type), std::move(segment.driver), std::move(segment.end)});
-    }
-    return line;
+    return true_segments(complex_.unstable().orbit(number_of(i), side));
+  }
+
+  [[nodiscard]] TruePath orbit(const RationalPoint& start) override {
+    Orbit orbit = complex_.orbit(start);
+    TruePath path;
+    if (orbit.limit) path.limit = finder_.find(orbit.limit->index, orbit.limit->contact);
+    path.segments = true_segments(std::move(orbit));
+    return path;
   }
 
   [[nodiscard]] std::optional<std::vector<std::uint32_t>> boundary(std::size_t i) override {
@@ -52,6 +55,14 @@ class FastTruth final : public Truth {
   [[nodiscard]] StableSet stable_set(std::size_t i) override { return complex_.stable().set(number_of(i)); }
 
  private:
+  static std::vector<TrueSegment> true_segments(Orbit orbit) {
+    std::vector<TrueSegment> line;
+    for (FlowSegment& segment : orbit.segments) {
+      line.push_back({type_text(segment.type), std::move(segment.driver), std::move(segment.end)});
+    }
+    return line;
+  }
+
   // The number in StableManifolds: index-2 critical points come first, then the regular stationary points.
   [[nodiscard]] std::size_t number_of(std::size_t i) const {
     const auto [first, last] = finder_.range({2, 2});

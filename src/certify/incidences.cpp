@@ -20,6 +20,7 @@ namespace {
 using Limit = std::optional<std::size_t>;
 
 constexpr StationaryIndex kIndex2{2, 2};
+constexpr FindingReason kPerturbation = FindingReason::kSymbolicPerturbation;
 
 // Where a perturbation can make an orbit end.
 struct Continuations {
@@ -51,25 +52,30 @@ class Incidences {
     std::set<std::size_t> missing = saddles_above(record), seen;
     const bool is_without_saddle = missing.empty();
     std::string wrong;
-    bool varies = false;
+    std::optional<FindingReason> varies;  // the last of its reasons in the order of the list
+    const auto vary = [&varies](FindingReason reason) { varies = varies ? std::max(*varies, reason) : reason; };
     for (const ClaimedTarget& target : *run_.claim.points[k].successors) {
       if (target.is_infinity && is_without_saddle) continue;
       const NamedTarget there = named(target);
       if (there.limit && !seen.insert(*there.limit).second) continue;
       if (there.limit && there.fit != Fit::kOther && missing.erase(*there.limit) > 0) {
-        varies = varies || there.fit == Fit::kPart;
-      } else if (there.limit && may_come_down(*there.limit, record)) {
-        varies = true;
+        if (there.fit != Fit::kWhole) vary(there.fit == Fit::kPart ? FindingReason::kSpanningPart : kPerturbation);
+      } else if (const auto why = there.limit ? why_it_may_come_down(*there.limit, record) : std::nullopt) {
+        vary(*why);
       } else {
         wrong += (wrong.empty() ? "" : ", ") + target_text(target);
       }
     }
-    std::erase_if(missing, [&](std::size_t saddle) { return has_tie(run_.truth, saddle) && (varies = true); });
+    std::erase_if(missing, [&](std::size_t saddle) {
+      const bool is_perturbed = run_.perturbed.contains(saddle);
+      if (!is_perturbed && !has_tie(run_.truth, saddle)) return false;
+      vary(is_perturbed ? kPerturbation : FindingReason::kTieBreak);
+      return true;
+    });
     if (!wrong.empty() || !missing.empty()) {
       run_.find(4, FindingReason::kWrongIncidence, "FC-CHAIN-01", k, saddles_text(wrong, missing));
     } else if (varies) {
-      run_.vary(4, FindingReason::kSymbolicPerturbation, "FC-CLAIM-09", k,
-                "there are ties in the stable manifolds above it, or parts of contact sets are named");
+      vary_saddles(k, *varies);
     }
     const auto& targets = *run_.claim.points[k].successors;
     if (!is_without_saddle || !std::ranges::all_of(targets, &ClaimedTarget::is_infinity)) return true;
@@ -81,7 +87,7 @@ class Incidences {
   // For an index-2 critical point: where its two orbits end.
   void check_limits(std::size_t k) {
     const ClaimedPoint& point = run_.claim.points[k];
-    const std::array<Limit, 2> truth = run_.truth.limits(run_.placed[k].place->record);
+    const std::array<Limit, 2> truth = limits_as_claimed(k);
     std::vector<NamedTarget> targets;
     for (const ClaimedTarget& target : *point.successors) targets.push_back(named(target));
     const bool are_known = std::ranges::all_of(targets, &NamedTarget::is_known);
@@ -120,8 +126,7 @@ class Incidences {
     if (!wrong.empty() || !missing.empty()) {
       run_.find(4, FindingReason::kWrongIncidence, "FC-FLOW-07", k, edges_text(wrong, missing));
     } else if (varies) {
-      run_.vary(4, FindingReason::kSymbolicPerturbation, "FC-CLAIM-04", k,
-                "some of the edges end in regular stationary points");
+      run_.vary(4, FindingReason::kSymbolicPerturbation, "FC-CLAIM-04", k, "a perturbation makes some of the edges");
     }
   }
 
@@ -130,10 +135,14 @@ class Incidences {
     const std::vector<PointId> names = class_names(run_.points, *run_.claim.points[k].samples);
     const PlacedPoint& placed = run_.placed[k];
     const auto contact = run_.truth.contact(placed.place->record);
-    // At a regular stationary point, the edge must be the claimed contact set.
-    const bool is_right = run_.index(placed.place->record).is_critical()
-                              ? std::ranges::equal(names, contact)
-                              : placed.names.empty() || names == placed.names;
+    // If a perturbation makes the point, the edge must be the claimed contact set, or have the point in its middle.
+    const auto is_in_its_middle = [&] {
+      const auto place = names.size() == 2 ? placement_of(run_, names) : std::nullopt;
+      return place && place->record == placed.place->record;
+    };
+    const bool is_right = !run_.perturbed.contains(placed.place->record) ? std::ranges::equal(names, contact)
+                          : placed.names.empty()                         ? is_in_its_middle()
+                                                                         : names == placed.names;
     if (is_right) return;
     run_.find(4, FindingReason::kWrongIncidence, "FC-FLOW-07", k,
               "the stable manifold is the segment between the two points of the contact set");
@@ -150,11 +159,22 @@ class Incidences {
   }
 
  private:
+  // The true limits, in the order of the claimed sides.
+  std::array<Limit, 2> limits_as_claimed(std::size_t k) {
+    const std::array<Limit, 2> limits = run_.truth.limits(run_.placed[k].place->record);
+    return {limits.at(run_.true_side(k, 0)), limits.at(run_.true_side(k, 1))};
+  }
+
   NamedTarget named(const ClaimedTarget& target) {
     if (target.is_infinity) return {true, std::nullopt, Fit::kWhole};
     const std::optional<Placement> place = placement_of(run_, class_names(run_.points, target.contact));
     if (!place) return {false, std::nullopt, Fit::kOther};
-    return {true, place->record, place->fit};
+    const std::vector<PointId> names = class_names(run_.points, target.contact);
+    bool is_made = false;
+    for (int index = 1; index <= 3 && place->fit != Fit::kWhole; ++index) {
+      is_made = is_made || run_.is_made(place->record, names, index);
+    }
+    return {true, place->record, is_made ? Fit::kMade : place->fit};
   }
 
   // Found for all edges at the first call, because only the saddles' stable sets tell them.
@@ -172,12 +192,14 @@ class Incidences {
     return saddles_above_[edge];
   }
 
-  // Whether the point is a saddle whose connecting orbits a tie leaves open, or a perturbation can make it one.
-  bool may_come_down(std::size_t saddle, std::size_t edge) {
+  // Why an orbit may come down from a point: a tie leaves open where its connecting orbits end, or a perturbation can
+  // make it a saddle. There is no value if none may.
+  std::optional<FindingReason> why_it_may_come_down(std::size_t saddle, std::size_t edge) {
     const StationaryIndex index = run_.index(saddle);
-    if (run_.truth.sphere(saddle).squared_radius <= run_.truth.sphere(edge).squared_radius) return false;
-    if (index == kIndex2) return has_tie(run_.truth, saddle);
-    return !index.is_critical();
+    if (run_.truth.sphere(saddle).squared_radius <= run_.truth.sphere(edge).squared_radius) return std::nullopt;
+    if (!index.is_critical() || run_.perturbed.contains(saddle)) return kPerturbation;
+    if (index == kIndex2 && has_tie(run_.truth, saddle)) return FindingReason::kTieBreak;
+    return std::nullopt;
   }
 
   [[nodiscard]] std::string saddles_text(const std::string& wrong, const std::set<std::size_t>& missing) const {
@@ -189,12 +211,23 @@ class Incidences {
     return text + (text.empty() ? "" : "; ") + "no orbit comes to it from " + wrong;
   }
 
+  void vary_saddles(std::size_t k, FindingReason reason) {
+    if (reason == FindingReason::kSpanningPart) {
+      run_.vary(4, reason, "FC-CLAIM-02", k, "parts of contact sets are named");
+    } else if (reason == FindingReason::kTieBreak) {
+      run_.vary(4, reason, "FC-CLAIM-09", k, "there are ties in the stable manifolds above it");
+    } else {
+      run_.vary(4, reason, "FC-CLAIM-09", k, "a perturbation makes some of the points above it");
+    }
+  }
+
   // Whether the target is an edge of this sample, and a perturbation makes an index-1 point in the edge's middle.
   bool is_perturbed_edge(const ClaimedTarget& target, std::size_t record, PointId name) const {
     const StationaryIndex index = run_.index(record);
     const std::vector<PointId> names = class_names(run_.points, target.contact);
-    return !index.is_critical() && index.face_dimension == 1 && names.size() == 2 &&
-           std::ranges::find(names, name) != names.end();
+    const bool is_edge = names.size() == 2 && std::ranges::find(names, name) != names.end();
+    const bool is_of_regular = !index.is_critical() && index.face_dimension == 1;
+    return is_edge && (is_of_regular || run_.is_made(record, names, 1));
   }
 
   static std::set<Limit> as_set(const std::vector<NamedTarget>& targets) {
@@ -204,7 +237,8 @@ class Incidences {
   }
 
   static bool is_exactly(const std::vector<NamedTarget>& targets, const std::array<Limit, 2>& truth, bool by_side) {
-    if (std::ranges::any_of(targets, [](const NamedTarget& t) { return t.fit == Fit::kOther; })) return false;
+    const auto is_other = [](const NamedTarget& t) { return t.fit == Fit::kOther || t.fit == Fit::kMade; };
+    if (std::ranges::any_of(targets, is_other)) return false;
     if (by_side) return targets[0].limit == truth[0] && targets[1].limit == truth[1];
     return as_set(targets) == std::set<Limit>{truth[0], truth[1]};
   }
@@ -251,8 +285,7 @@ class Incidences {
 
   void vary_parts(std::size_t k, const std::vector<NamedTarget>& targets) {
     if (std::ranges::none_of(targets, [](const NamedTarget& t) { return t.fit == Fit::kPart; })) return;
-    run_.vary(4, FindingReason::kSpanningPart, "FC-CLAIM-02", k,
-              limits_text(run_.truth.limits(run_.placed[k].place->record)));
+    run_.vary(4, FindingReason::kSpanningPart, "FC-CLAIM-02", k, limits_text(limits_as_claimed(k)));
     name_targets(run_.claim.points[k]);
   }
 
@@ -294,9 +327,8 @@ bool check_point(CheckRun& run, Incidences& incidences, std::size_t k) {
   const bool has_samples = point.samples.has_value() && point.index == 1;
   if (has_samples) incidences.check_samples(k);
   const bool has_boundary = point.stable && point.stable->boundary;
-  const bool is_critical = run.index(run.placed[k].place->record).is_critical();
-  if ((point.successors || has_boundary) && !is_critical) {
-    run.leave_unjudged("incidences of the points that a perturbation makes of regular stationary points");
+  if ((point.successors || has_boundary) && run.perturbed.contains(run.placed[k].place->record)) {
+    run.leave_unjudged("incidences of the points that a perturbation makes of stationary points");
     return has_samples;
   }
   if (has_boundary) incidences.check_boundary(k);

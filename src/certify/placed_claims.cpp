@@ -1,13 +1,12 @@
-// Levels 2 and 3 for claims at stationary points. A critical point needs exactly one claim (FC-CLAIM-03). At a
-// regular stationary point, three things are right: no claim, the point itself, or what a perturbation makes of it
-// (FC-CLAIM-04).
+// Levels 2 and 3 for claims at stationary points. A critical point needs exactly one claim (FC-CLAIM-03), and a regular
+// stationary point at most one. Instead of it, a claim may have what a perturbation makes of the point (FC-CLAIM-04).
 #include <algorithm>
 #include <array>
-#include <iterator>
 
 #include "certify/check_run.h"
 #include "certify/claimed_geometry.h"
 #include "certify/finding_words.h"
+#include "certify/perturbed_point.h"
 
 namespace flowcert::certify {
 
@@ -31,91 +30,83 @@ void vary_contact(CheckRun& run, std::size_t k, std::size_t record) {
   run.vary(2, FindingReason::kSpanningPart, "FC-CLAIM-02", k, "the whole is a " + stationary_text(run.truth, record));
 }
 
-// Whether a claimed contact set is a face of the true one with the centre in it, or a simplex that spans such a face.
-bool is_part_of_face(const CheckRun& run, std::size_t k, std::size_t record, int dimension) {
-  const PlacedPoint& placed = run.placed[k];
-  if (placed.place->fit == Fit::kPosition) return true;
-  const std::vector<PointId>& names = placed.names;
-  if (affine_dimension(run.points, names) != dimension) return false;
-  const bool is_simplex = static_cast<int>(names.size()) == dimension + 1;
-  const auto contact = run.truth.contact(record);
-  // At most one edge goes through the centre, and it is a face, because the centre lies on the hull's boundary.
-  if (dimension == 1) return is_simplex;
-  if (dimension == run.index(record).hull_dimension) return is_simplex || names.size() == contact.size();
-  const std::vector<PointId> face = supported_face(run.points, names, contact);
-  return !face.empty() && (is_simplex || face == names);
+std::string text_of(const CheckRun& run, std::size_t record) { return "a " + stationary_text(run.truth, record); }
+
+void find_collision(CheckRun& run, std::size_t k, std::size_t record, const std::string& words) {
+  run.find(2, FindingReason::kCollisionAsCritical, "FC-CRIT-03", k, text_of(run, record) + "; " + words);
 }
 
-// Whether two index-2 claims at a point of kind 1-3 mean the same polygon. Such a point lies in two polygons.
-bool in_one_plane(const CheckRun& run, std::size_t a, std::size_t b) {
-  std::vector<PointId> both;
-  std::ranges::set_union(run.placed[a].names, run.placed[b].names, std::back_inserter(both));
-  return affine_dimension(run.points, both) == 2;
+// Takes claimed critical points for what one perturbation makes of a stationary point.
+void accept_perturbed(CheckRun& run, std::size_t record, const Claims& claimed, bool is_decided) {
+  run.perturbed[record] = claimed;
+  for (const std::size_t k : claimed) {
+    run.placed[k].is_right = true;
+    run.vary(2, FindingReason::kSymbolicPerturbation, "FC-CLAIM-04", k, text_of(run, record));
+    run.report.findings.back().is_decided = is_decided;
+  }
+  if (!is_decided) {
+    run.leave_undecided(
+        "whether one perturbation makes all that is claimed at a stationary point whose contact set is no simplex "
+        "(FC-CLAIM-04)");
+  }
+}
+
+// Claims at a critical point that are not just that point. False if they are not what a perturbation makes of it.
+bool judge_perturbed_critical(CheckRun& run, std::size_t record, const Claims& claimed) {
+  const PerturbedPoint point(run, record);
+  std::array<Claims, 4> accepted;  // by index
+  for (const std::size_t k : claimed) {
+    if (!point.can_make(k)) return false;
+    Claims& same = accepted.at(static_cast<std::size_t>(run.claim.points[k].index));
+    if (point.is_again(k, same)) return false;
+    same.push_back(k);
+  }
+  const MadeByPerturbation made = point.makes(claimed);
+  if (made == MadeByPerturbation::kNo) return false;
+  accept_perturbed(run, record, claimed, made == MadeByPerturbation::kYes);
+  for (const std::size_t k : claimed) check_values(run, k);
+  return true;
 }
 
 // All claims of critical points at one regular stationary point.
-class PerturbedPoint {
- public:
-  PerturbedPoint(CheckRun& run, std::size_t record) : run_(run), record_(record), kind_(run.index(record)) {}
-
-  void add(std::size_t k) {
-    const int index = run_.claim.points[k].index;
-    if (index < kind_.face_dimension || index > kind_.hull_dimension || !is_part_of_face(run_, k, record_, index)) {
-      find_collision(k, "no face of it with that centre is claimed");
-      return;
+void judge_perturbed_regular(CheckRun& run, std::size_t record, const Claims& claimed, bool is_listed_as_regular) {
+  const PerturbedPoint point(run, record);
+  std::array<Claims, 4> accepted;  // by index
+  Claims all;
+  for (const std::size_t k : claimed) {
+    if (!point.can_make(k)) {
+      find_collision(run, k, record, "no perturbation makes this of it");
+      continue;
     }
-    Claims& same = accepted_.at(static_cast<std::size_t>(index));
-    const auto again = std::ranges::find_if(same, [&](std::size_t other) { return is_same(k, other); });
-    if (again != same.end()) {
-      find_twice(run_, k, *again);
-    } else {
-      same.push_back(k);
+    Claims& same = accepted.at(static_cast<std::size_t>(run.claim.points[k].index));
+    if (point.is_again(k, same)) {
+      find_twice(run, k, same.back());
+      continue;
     }
+    same.push_back(k);
   }
-
-  void judge(bool is_listed_as_regular) {
-    const bool is_right = !is_listed_as_regular && is_what_a_perturbation_gives();
-    for (const Claims& claims : accepted_) {
-      for (const std::size_t k : claims) {
-        run_.placed[k].is_right = is_right;
-        if (is_right) {
-          run_.vary(2, FindingReason::kSymbolicPerturbation, "FC-CLAIM-04", k, text());
-        } else {
-          find_collision(k, is_listed_as_regular ? "and it is claimed as that as well"
-                                                 : "a perturbation would make pairs of it, or nothing");
-        }
-      }
-    }
+  for (const Claims& some : accepted) all.insert(all.end(), some.begin(), some.end());
+  const MadeByPerturbation made = is_listed_as_regular ? MadeByPerturbation::kNo : point.makes(all);
+  if (made != MadeByPerturbation::kNo) return accept_perturbed(run, record, all, made == MadeByPerturbation::kYes);
+  for (const std::size_t k : all) {
+    find_collision(run, k, record,
+                   is_listed_as_regular ? "and it is claimed as that as well"
+                                        : "no perturbation makes just what is claimed there");
   }
+}
 
- private:
-  [[nodiscard]] std::string text() const { return "a " + stationary_text(run_.truth, record_); }
-
-  void find_collision(std::size_t k, const std::string& words) {
-    run_.find(2, FindingReason::kCollisionAsCritical, "FC-CRIT-03", k, text() + "; " + words);
-  }
-
-  [[nodiscard]] bool is_same(std::size_t a, std::size_t b) const {
-    if (kind_ != StationaryIndex{1, 3} || run_.claim.points[a].index != 2) return true;
-    const bool by_position = run_.placed[a].place->fit == Fit::kPosition || run_.placed[b].place->fit == Fit::kPosition;
-    if (by_position) return accepted_[2].size() > 1;
-    return in_one_plane(run_, a, b);
-  }
-
-  [[nodiscard]] bool is_what_a_perturbation_gives() const {
-    const std::array<std::size_t, 3> counts = {accepted_[1].size(), accepted_[2].size(), accepted_[3].size()};
-    using Counts = std::array<std::size_t, 3>;
-    const bool is_low_pair = counts == Counts{1, 1, 0}, is_high_pair = counts == Counts{0, 1, 1};
-    if (kind_ == StationaryIndex{1, 2}) return is_low_pair;
-    if (kind_ == StationaryIndex{2, 3}) return is_high_pair;
-    return is_low_pair || is_high_pair || counts == Counts{1, 2, 1};
-  }
-
-  CheckRun& run_;
-  std::size_t record_;
-  StationaryIndex kind_;
-  std::array<Claims, 4> accepted_;  // by index
-};
+// Without a perturbation, the point is there. The clause permits to leave it out.
+void vary_denied(CheckRun& run, std::size_t record) {
+  const auto contact = run.truth.contact(record);
+  run.report.findings.push_back({3,
+                                 FindingReason::kSymbolicPerturbation,
+                                 true,
+                                 "FC-CLAIM-04",
+                                 std::nullopt,
+                                 {contact.begin(), contact.end()},
+                                 "no regular stationary point",
+                                 text_of(run, record)});
+}
 
 // Whether a claim that says "regular" is right.
 bool judge_regular_claim(CheckRun& run, std::size_t k, std::size_t record) {
@@ -136,6 +127,8 @@ bool judge_regular_claim(CheckRun& run, std::size_t k, std::size_t record) {
 
 void check_claims_at_critical(CheckRun& run, std::size_t record, const Claims& claimed) {
   const StationaryIndex index = run.index(record);
+  const bool is_plain = claimed.empty() || (claimed.size() == 1 && run.placed[claimed[0]].place->fit != Fit::kOther);
+  if (!is_plain && judge_perturbed_critical(run, record, claimed)) return;
   std::optional<std::size_t> first;
   bool is_addressed = false;
   for (const std::size_t k : claimed) {
@@ -162,22 +155,27 @@ void check_claims_at_critical(CheckRun& run, std::size_t record, const Claims& c
 }
 
 void check_claims_at_regular(CheckRun& run, std::size_t record, const Claims& claimed) {
-  PerturbedPoint perturbed(run, record);
+  Claims critical;
   std::optional<std::size_t> regular;
+  bool is_said_regular = false;
   for (const std::size_t k : claimed) {
     if (!run.claim.points[k].hull_dimension) {
-      perturbed.add(k);
-    } else if (judge_regular_claim(run, k, record)) {
-      if (regular) find_twice(run, k, *regular);
-      if (!regular) {
-        run.placed[k].is_right = true;
-        vary_contact(run, k, record);
+      critical.push_back(k);
+    } else {
+      is_said_regular = true;
+      if (judge_regular_claim(run, k, record)) {
+        if (regular) find_twice(run, k, *regular);
+        if (!regular) {
+          run.placed[k].is_right = true;
+          vary_contact(run, k, record);
+        }
+        regular = k;
       }
-      regular = k;
     }
     check_values(run, k);
   }
-  perturbed.judge(regular.has_value());
+  if (!critical.empty()) judge_perturbed_regular(run, record, critical, regular.has_value());
+  if (critical.empty() && !is_said_regular && run.tells_regular_points) vary_denied(run, record);
 }
 
 void check_missing(CheckRun& run, std::size_t record) {

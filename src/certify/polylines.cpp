@@ -1,30 +1,75 @@
-// Level 5: unstable manifolds U2 as polylines, segment by segment (FC-CLAIM-08).
+// Level 5: unstable manifolds U2 as polylines, segment by segment (FC-CLAIM-08). Where the orbit ends at a stationary
+// point that is no maximum, a polyline may go on as a perturbation would let it. What goes on is judged, too.
+#include <algorithm>
 #include <array>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "certify/check_run.h"
+#include "certify/claimed_geometry.h"
 #include "certify/finding_words.h"
+#include "geometry/nearest_samples.h"
+#include "geometry/rational_point.h"
 
 namespace flowcert::certify {
 
 namespace {
 
 constexpr char kPolylineClause[] = "FC-CLAIM-08";
+constexpr StationaryIndex kMaximum{3, 3};
 
 // What is wrong with a polyline, and in which segment.
 struct Difference {
   bool is_wrong = false;
   bool by_rounding = false;
-  bool goes_on = false;  // it only goes on beyond the end of the true orbit
   std::string claimed;
   std::string truth;
 };
 
+Difference wrong(const std::string& claimed, const std::string& truth) { return {true, false, claimed, truth}; }
+
 // For claimed and for true positions.
 template <typename Position>
-std::string end_text(const std::optional<Position>& end) {
+std::string place_text(const std::optional<Position>& end) {
   return end ? position_text(*end) : "infinity";
 }
+
+// Whether the segment from a regular stationary point y to `end` is one that the flow may take, once a perturbation lets
+// it pass. It then has y as its driver, and is whole.
+class LeavingSegment {
+ public:
+  LeavingSegment(const CheckRun& run, std::span<const PointId> contact, const RationalPoint& y,
+                 const RationalPoint& end)
+      : at_end_(nearest_samples(run.points, end).names) {
+    const RationalPoint way = {end[0] - y[0], end[1] - y[1], end[2] - y[2]};
+    std::optional<Rational> most;
+    for (const PointId name : contact) {
+      const Point& p = sample(run.points, name);
+      const Rational along = way[0] * Rational(p.x) + way[1] * Rational(p.y) + way[2] * Rational(p.z);
+      if (most && along < *most) continue;
+      if (!most || along > *most) crossed_.clear();
+      most = along;
+      crossed_.push_back(name);
+    }
+    is_flow_ = end != y && std::ranges::includes(at_end_, crossed_) && at_end_ != crossed_ &&
+               has_in_hull(run.points, crossed_, y);
+    type_ = {letter(run, contact), '-', letter(run, crossed_), '-', letter(run, at_end_)};
+  }
+
+  [[nodiscard]] bool is_flow() const { return is_flow_; }
+  [[nodiscard]] const std::string& type() const { return type_; }
+
+ private:
+  static char letter(const CheckRun& run, std::span<const PointId> contact) {
+    return "CFEV"[affine_dimension(run.points, contact)];
+  }
+
+  std::vector<PointId> at_end_;
+  std::vector<PointId> crossed_;  // the contact set just after y
+  bool is_flow_ = false;
+  std::string type_;
+};
 
 class Polylines {
  public:
@@ -33,69 +78,161 @@ class Polylines {
   // For an index-2 critical point.
   void check(std::size_t k) {
     const std::size_t record = run_.placed[k].place->record;
-    const auto& claimed = *run_.claim.points[k].u2;
-    const ValueScale scale(run_.truth.sphere(record), run_.options.tolerance);
+    const ClaimedPoint& point = run_.claim.points[k];
     for (std::size_t side = 0; side < 2; ++side) {
-      const Difference found = difference(claimed[side], run_.truth.polyline(record, side), scale);
-      if (found.is_wrong) report(k, side, found);
+      scale_.emplace(run_.truth.sphere(record), run_.options.tolerance);
+      rest_ = (*point.u2)[side];
+      done_ = 0;
+      variation_.clear();
+      is_end_known_ = true;
+      const std::size_t true_side = run_.true_side(k, side);
+      Difference found = follow({run_.truth.polyline(record, true_side), run_.truth.limits(record).at(true_side)});
+      if (!found.is_wrong && !variation_.empty()) found = difference_of_limits(point, side);
+      report(k, side, found);
     }
   }
 
  private:
   void report(std::size_t k, std::size_t side, const Difference& found) {
-    if (found.goes_on && ends_below(run_.placed[k].place->record, side)) {
-      run_.vary(5, FindingReason::kSymbolicPerturbation, "FC-CLAIM-07", k, found.truth);
-    } else {
+    const std::string where = ", side " + std::to_string(side) + ", ";
+    if (found.is_wrong) {
       run_.find(5, found.by_rounding ? FindingReason::kRounding : FindingReason::kWrongPolyline, kPolylineClause, k,
                 found.truth);
+      run_.report.findings.back().claimed += where + found.claimed;
+    } else if (!variation_.empty()) {
+      run_.vary(5, FindingReason::kSymbolicPerturbation, "FC-CLAIM-07", k, variation_);
+      run_.report.findings.back().claimed +=
+          where + std::to_string((*run_.claim.points[k].u2)[side].size()) + " segments";
     }
-    run_.report.findings.back().claimed += ", side " + std::to_string(side) + ", " + found.claimed;
   }
 
-  // Whether the true orbit ends at a stationary point that is no maximum.
-  bool ends_below(std::size_t record, std::size_t side) {
-    const auto limit = run_.truth.limits(record).at(side);
-    return limit && run_.index(*limit) != StationaryIndex{3, 3};
-  }
-
-  // The true orbit has at least one segment, because it leaves its index-2 critical point.
-  Difference difference(const ClaimedPolyline& claimed, const std::vector<TrueSegment>& truth,
-                        const ValueScale& scale) {
-    for (std::size_t i = 0; i < claimed.size() && i < truth.size(); ++i) {
-      Difference found = difference(claimed[i], truth[i], "segment " + std::to_string(i + 1) + ": ", scale);
+  // Takes the segments of this path from the claim, and then what it may go on with.
+  Difference follow(TruePath truth) {
+    while (true) {
+      Difference found = difference(truth);
+      end_ = truth.limit;
+      if (found.is_wrong || rest_.empty()) return found;
+      if (!truth.limit || run_.index(*truth.limit) == kMaximum) {
+        return wrong(std::to_string(done_ + rest_.size()) + " segments",
+                     std::to_string(done_) + " segments, to " + end_text(truth.limit));
+      }
+      const std::size_t y = *truth.limit;
+      if (variation_.empty()) {
+        variation_ = std::to_string(done_) + " segments, to a " + stationary_text(run_.truth, y);
+      }
+      if (run_.index(y) == StationaryIndex{2, 2}) {
+        truth = orbit_beyond(y);
+        continue;
+      }
+      if (!rest_.front().end || !is_exact(*rest_.front().end)) return stop_judging();
+      found = leave(y);
       if (found.is_wrong) return found;
+      truth = run_.truth.orbit(values_of(*rest_.front().end));
+      take(1);
     }
-    if (claimed.size() == truth.size()) return {};
-    return {true, false, claimed.size() > truth.size(), std::to_string(claimed.size()) + " segments",
-            std::to_string(truth.size()) + " segments, to " + end_text(truth.back().end)};
   }
 
-  Difference difference(const ClaimedSegment& claimed, const TrueSegment& truth, const std::string& where,
-                        const ValueScale& scale) {
-    if (!claimed.type.empty() && claimed.type != truth.type) {
-      return {true, false, false, where + "type " + claimed.type, "type " + truth.type};
+  // The one of the two orbits of an index-2 point that begins as the claim goes on.
+  TruePath orbit_beyond(std::size_t y) {
+    const auto way = [&](std::size_t side) {
+      return TruePath{run_.truth.polyline(y, side), run_.truth.limits(y).at(side)};
+    };
+    TruePath first = way(0);
+    const Difference found = difference(rest_.front(), first.segments.front(), "");
+    return found.is_wrong ? way(1) : first;
+  }
+
+  // The first claimed segment beyond a regular stationary point.
+  Difference leave(std::size_t y) {
+    const RationalPoint position = run_.truth.sphere(y).center;
+    const LeavingSegment segment(run_, run_.truth.contact(y), position, values_of(*rest_.front().end));
+    const std::string where = segment_text() + "end " + place_text(rest_.front().end);
+    if (!segment.is_flow()) {
+      return wrong(where, "no perturbation lets the orbit go there from the " + stationary_text(run_.truth, y));
     }
+    return difference(rest_.front(), {segment.type(), position, values_of(*rest_.front().end)}, segment_text());
+  }
+
+  // A position in decimals does not tell where the flow goes on, and infinity does not tell in which direction.
+  Difference stop_judging() {
+    run_.leave_unjudged(
+        "what of a polyline lies beyond a regular stationary point, if it is claimed in decimals or goes to infinity "
+        "at "
+        "once (FC-CLAIM-08)");
+    is_end_known_ = false;
+    if (!rest_.front().end && rest_.size() > 1) return wrong(segment_text() + "end infinity", "nothing comes after it");
+    return {};
+  }
+
+  // A claimed limit has to be where the polyline ends.
+  Difference difference_of_limits(const ClaimedPoint& point, std::size_t side) {
+    if (!is_end_known_ || !point.successors || !point.successors_by_side) return {};
+    const ClaimedTarget& target = point.successors->at(side);
+    std::optional<std::size_t> claimed;
+    if (!target.is_infinity) {
+      const auto place = placement_of(run_, class_names(run_.points, target.contact));
+      if (!place) return {};  // wrong on level 4
+      claimed = place->record;
+    }
+    if (claimed == end_) return {};
+    return wrong("the limit " + (target.is_infinity ? "infinity" : names_text(target.contact)),
+                 "the polyline goes on to " + (end_ ? "a " + stationary_text(run_.truth, *end_) : "infinity"));
+  }
+
+  [[nodiscard]] std::string end_text(const std::optional<std::size_t>& limit) {
+    return limit ? position_text(run_.truth.sphere(*limit).center) : "infinity";
+  }
+  [[nodiscard]] std::string segment_text() const { return "segment " + std::to_string(done_ + 1) + ": "; }
+  void take(std::size_t count) {
+    rest_ = rest_.subspan(count);
+    done_ += count;
+  }
+
+  // Takes the segments of the path.
+  Difference difference(const TruePath& truth) {
+    const std::size_t all = done_ + rest_.size(), true_all = done_ + truth.segments.size();
+    for (const TrueSegment& segment : truth.segments) {
+      if (rest_.empty()) {
+        return wrong(std::to_string(all) + " segments",
+                     std::to_string(true_all) + " segments, to " + end_text(truth.limit));
+      }
+      Difference found = difference(rest_.front(), segment, segment_text());
+      if (found.is_wrong) return found;
+      take(1);
+    }
+    return {};
+  }
+
+  Difference difference(const ClaimedSegment& claimed, const TrueSegment& truth, const std::string& where) {
+    if (!claimed.type.empty() && claimed.type != truth.type)
+      return wrong(where + "type " + claimed.type, "type " + truth.type);
     if (claimed.driver) {
-      const ValueMatch match = matched(*claimed.driver, truth.driver, scale);
+      const ValueMatch match = matched(*claimed.driver, truth.driver);
       if (is_wrong(match)) {
-        return {true, match == ValueMatch::kRounding, false, where + "driver " + position_text(*claimed.driver),
+        return {true, match == ValueMatch::kRounding, where + "driver " + position_text(*claimed.driver),
                 "driver " + position_text(truth.driver)};
       }
     }
     ValueMatch match = ValueMatch::kEqual;
     if (claimed.end.has_value() != truth.end.has_value()) match = ValueMatch::kOff;
-    if (claimed.end && truth.end) match = matched(*claimed.end, *truth.end, scale);
+    if (claimed.end && truth.end) match = matched(*claimed.end, *truth.end);
     if (!is_wrong(match)) return {};
-    return {true, match == ValueMatch::kRounding, false, where + "end " + end_text(claimed.end),
-            "end " + end_text(truth.end)};
+    return {true, match == ValueMatch::kRounding, where + "end " + place_text(claimed.end),
+            "end " + place_text(truth.end)};
   }
 
-  ValueMatch matched(const ClaimedPosition& claimed, const RationalPoint& truth, const ValueScale& scale) {
+  ValueMatch matched(const ClaimedPosition& claimed, const RationalPoint& truth) {
     run_.report.is_exact = run_.report.is_exact && is_exact(claimed);
-    return match_position(claimed, truth, scale);
+    return match_position(claimed, truth, *scale_);
   }
 
   CheckRun& run_;
+  std::optional<ValueScale> scale_;
+  std::span<const ClaimedSegment> rest_;  // the claimed segments that are not judged yet
+  std::size_t done_ = 0;                  // how many are
+  std::string variation_;                 // where the true orbit ends, if the claimed one goes on
+  std::optional<std::size_t> end_;        // where the polyline ends, if is_end_known_; none: infinity
+  bool is_end_known_ = true;
 };
 
 }  // namespace
@@ -106,8 +243,8 @@ bool check_polylines(CheckRun& run) {
   for (std::size_t k = 0; k < run.placed.size(); ++k) {
     const ClaimedPoint& point = run.claim.points[k];
     if (!point.u2 || !run.placed[k].is_right) continue;
-    if (run.index(run.placed[k].place->record) != StationaryIndex{2, 2}) {
-      run.leave_unjudged("polylines of the points that a perturbation makes of regular stationary points");
+    if (run.perturbed.contains(run.placed[k].place->record)) {
+      run.leave_unjudged("polylines of the points that a perturbation makes of stationary points");
       continue;
     }
     polylines.check(k);

@@ -87,20 +87,37 @@ class Surfaces {
     run_.report.findings.back().claimed += ", " + claimed;
   }
 
+  // A claim may leave out what lies beyond a Voronoi vertex, and add pieces beyond a regular back.
   void check_summary(std::size_t k, const ClaimedStable& claimed, std::size_t record) {
     const StableSummary truth = run_.truth.stable_summary(record);
-    const auto compare = [&](const auto& value, const auto& right, const std::string& what) {
-      if (!value || *value == right) return;
-      // A perturbation removes Voronoi vertices and intervals from the set.
-      if (truth.has_vertex) {
-        run_.vary(5, FindingReason::kSymbolicPerturbation, kSurfaceClause, k, "a Voronoi vertex is in the skeleton");
+    const auto judge = [&](bool is_permitted, const std::string& what, const std::string& right) {
+      if (is_permitted) {
+        run_.vary(5, FindingReason::kSymbolicPerturbation, kSurfaceClause, k, "it has " + right);
+        run_.report.findings.back().claimed += ", " + what;
       } else {
-        find(k, FindingReason::kWrongSurface, what, "otherwise");
+        find(k, FindingReason::kWrongSurface, what, "it has " + right);
       }
     };
-    compare(claimed.segments, truth.segments, std::to_string(claimed.segments.value_or(0)) + " segments");
-    compare(claimed.has_vertex, truth.has_vertex, "has_vertex");
-    compare(claimed.has_interval, truth.has_interval, "has_interval");
+    if (claimed.segments && *claimed.segments != truth.segments) {
+      judge(may_have_segments(*claimed.segments, truth.segments, record),
+            std::to_string(*claimed.segments) + " segments", std::to_string(truth.segments) + " segments");
+    }
+    if (claimed.has_vertex && *claimed.has_vertex != truth.has_vertex) {
+      judge(truth.has_vertex, *claimed.has_vertex ? "a Voronoi vertex" : "no Voronoi vertex",
+            truth.has_vertex ? "one" : "none");
+    }
+    if (claimed.has_interval && *claimed.has_interval != truth.has_interval) {
+      judge(truth.has_interval, *claimed.has_interval ? "an interval" : "no interval",
+            truth.has_interval ? "one" : "none");
+    }
+  }
+
+  // Whether a set of another number of segments than the true one is permitted.
+  bool may_have_segments(std::size_t count, std::size_t true_count, std::size_t record) {
+    const StableSet set = run_.truth.stable_set(record);
+    if (count > true_count) return value_of_regular_backs(run_.points, set).has_value();
+    const auto determined = determined_segments(set, run_.truth.sphere(record).center, run_.index(record));
+    return count >= static_cast<std::size_t>(std::ranges::count(determined, true));
   }
 
   // Whether these are the same closed walk, which may begin anywhere and go either way around.
@@ -327,8 +344,8 @@ bool check_surfaces(CheckRun& run) {
   for (std::size_t k = 0; k < run.placed.size(); ++k) {
     const ClaimedPoint& point = run.claim.points[k];
     if (!is_told(point) || !run.placed[k].is_right) continue;
-    if (!run.index(run.placed[k].place->record).is_critical() && !point.hull_dimension) {
-      run.leave_unjudged("stable sets of the points that a perturbation makes of regular stationary points");
+    if (run.perturbed.contains(run.placed[k].place->record)) {
+      run.leave_unjudged("stable sets of the points that a perturbation makes of stationary points");
       continue;
     }
     surfaces.check(k);

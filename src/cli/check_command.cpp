@@ -1,4 +1,5 @@
-// `flowcert check`: whether a claimed flow complex is right. Exit status 0 if it conforms, 1 if it fails.
+// `flowcert check`: whether a claimed flow complex is right. Exit status 0 if it conforms or is perturbed, 1 if it
+// fails; with --strict, 1 if it is perturbed, too.
 #include "cli/check_command.h"
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@ struct CheckCommandOptions {
   std::string junit;
   std::size_t most = std::numeric_limits<std::size_t>::max();
   bool json = false;
+  bool is_strict = false;
   unsigned threads = 1;
 };
 
@@ -54,7 +56,7 @@ int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
   } else {
     print_check_text(files, report, options.most);
   }
-  return report.verdict == Verdict::kFails ? kNegativeVerdict : kRight;
+  return status_of(report.verdict, options.is_strict);
 }
 
 }  // namespace
@@ -70,7 +72,7 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
       ->required();
   command->add_flag("--json", options->json, "Print one JSON object");
   command->add_option("--junit", options->junit, "Write a JUnit report to this file, a test case a level");
-  add_judging_options(*command, options->check);
+  add_judging_options(*command, options->check, options->is_strict);
   command->add_option("--most", options->most, "Show so many findings of each level; all, without this")
       ->check(CLI::NonNegativeNumber);
   add_threads_option(*command, options->threads);
@@ -81,7 +83,8 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
       "Levels: 1 well formed; 2 every claimed critical point is one; 3 none is missing, none twice, indices, "
       "Euler sum; 4 incidences; 5 polylines and "
       "surfaces.\n"
-      "Verdicts: conforms; conforms where determined (permitted variations are listed); fails.\n\n"
+      "Verdicts: conforms; conforms where determined (permitted variations are listed); perturbed (some of it is what "
+      "a perturbation of the points makes); fails.\n\n"
       "Examples:\n  flowcert check bunny.obj claim.jsonl\n  flowcert check bunny.obj claim.csv --tolerance "
       "1e-6 "
       "--junit report.xml");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <ostream>
 
@@ -25,6 +26,8 @@ const char* grade_text(const CheckReport& report) { return report.is_exact ? "ex
 struct LevelCount {
   std::size_t wrong = 0;
   std::size_t varied = 0;
+  std::size_t undecided = 0;  // of those
+  Verdict verdict = Verdict::kConforms;
 };
 
 std::array<LevelCount, kLevels> count_levels(const CheckReport& report) {
@@ -32,26 +35,31 @@ std::array<LevelCount, kLevels> count_levels(const CheckReport& report) {
   for (const Finding& finding : report.findings) {
     LevelCount& count = counts.at(static_cast<std::size_t>(finding.level - 1));
     ++(finding.is_variation ? count.varied : count.wrong);
+    count.undecided += finding.is_decided ? 0 : 1;
+    count.verdict = std::max(count.verdict, verdict_on(finding));
   }
   return counts;
 }
 
 void print_findings(const CheckedFiles& files, const CheckReport& report, std::size_t most) {
-  std::size_t shown = 0;
+  std::size_t of_level = 0;
+  bool is_cut = false;
   for (std::size_t k = 0; k < report.findings.size(); ++k) {
-    if (k > 0 && report.findings[k].level != report.findings[k - 1].level) shown = 0;
-    if (shown++ < most) fmt::print("{}\n", finding_line(files.claim, report.findings[k]));
+    if (k > 0 && report.findings[k].level != report.findings[k - 1].level) of_level = 0;
+    if (of_level++ < most) {
+      fmt::print("{}\n", finding_line(files.claim, report.findings[k]));
+    } else {
+      is_cut = true;
+    }
   }
-  if (report.findings.size() > most) {
+  if (is_cut) {
     fmt::print("(of each level, {} at most are shown)\n", with_commas(most));
   }
   if (!report.findings.empty()) fmt::print("\n");
 }
 
 std::string level_verdict(const std::optional<bool>& conforms, const LevelCount& count) {
-  if (!conforms) return "nothing to judge";
-  if (!*conforms) return "fails";
-  return count.varied > 0 ? "conforms where determined" : "conforms";
+  return conforms ? verdict_text(count.verdict) : "nothing to judge";
 }
 
 void print_levels(const CheckReport& report) {
@@ -74,6 +82,7 @@ Json levels_field(const CheckReport& report) {
     level["conforms"] = conforms ? Json(*conforms) : Json(nullptr);
     level["wrong"] = counts.at(k).wrong;
     level["permitted"] = counts.at(k).varied;
+    level["not_decided"] = counts.at(k).undecided;
   }
   return levels;
 }
@@ -104,8 +113,10 @@ void write_level(std::ostream& out, const CheckedFiles& files, const CheckReport
 std::string finding_line(const std::string& claim, const Finding& finding) {
   const std::string place = finding.line ? fmt::format("{}:{}", claim, *finding.line) : claim;
   return fmt::format("{}: {}, level {}: {} [{}]: claimed {}; truth: {}", place,
-                     finding.is_variation ? "permitted" : "wrong", finding.level, reason_text(finding.reason),
-                     finding.clause, finding.claimed, finding.truth);
+                     !finding.is_variation ? "wrong"
+                     : finding.is_decided  ? "permitted"
+                                           : "not decided",
+                     finding.level, reason_text(finding.reason), finding.clause, finding.claimed, finding.truth);
 }
 
 Json finding_field(const Finding& finding) {
@@ -113,6 +124,7 @@ Json finding_field(const Finding& finding) {
   field["level"] = finding.level;
   field["reason"] = reason_text(finding.reason);
   field["permitted"] = finding.is_variation;
+  field["decided"] = finding.is_decided;
   field["clause"] = finding.clause;
   field["line"] = finding.line ? Json(*finding.line) : Json(nullptr);
   field["contact"] = finding.contact;
@@ -131,6 +143,7 @@ void print_check_text(const CheckedFiles& files, const CheckReport& report, std:
   fmt::print("\n");
   print_levels(report);
   for (const std::string& what : report.not_judged) fmt::print("not judged: {}\n", what);
+  for (const std::string& what : report.not_decided) fmt::print("not decided: {}\n", what);
   fmt::print("\n{} ({}", verdict_text(report.verdict), grade_text(report));
   if (!report.is_exact) fmt::print(", tolerance {} of the radius", files.tolerance);
   fmt::print("; truth by the {})\n", truth_text(files));
@@ -147,6 +160,7 @@ void print_check_json(const CheckedFiles& files, const CheckReport& report, cons
   json["critical"] = files.highest_level < 2 ? Json(nullptr) : Json(report.true_counts);
   json["levels"] = levels_field(report);
   json["not_judged"] = report.not_judged;
+  json["not_decided"] = report.not_decided;
   Json& findings = json["findings"] = Json::array();
   for (const Finding& finding : report.findings) findings.push_back(finding_field(finding));
   fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
@@ -183,7 +197,11 @@ std::string complaint_about_tolerance(const std::string& word) {
 
 }  // namespace
 
-void add_judging_options(CLI::App& command, CheckOptions& options) {
+int status_of(Verdict verdict, bool is_strict) {
+  return verdict >= (is_strict ? Verdict::kPerturbed : Verdict::kFails) ? kNegativeVerdict : kRight;
+}
+
+void add_judging_options(CLI::App& command, CheckOptions& options, bool& is_strict) {
   command
       .add_option("--tolerance", options.tolerance,
                   "Positions and radii claimed in decimals match within this part of the radius")
@@ -192,6 +210,7 @@ void add_judging_options(CLI::App& command, CheckOptions& options) {
   command.add_option("--levels", options.highest_level, "Check levels 1 to this one")
       ->check(CLI::Range(1, kLevels))
       ->capture_default_str();
+  command.add_flag("--strict", is_strict, "Exit with status 1 also if the verdict is 'perturbed'");
 }
 
 }  // namespace flowcert::cli

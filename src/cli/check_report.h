@@ -35,7 +35,9 @@ void print_check_text(const CheckedFiles& files, const CheckReport& report, std:
 void print_check_json(const CheckedFiles& files, const CheckReport& report, const PointSet& points);
 void write_check_junit(std::ostream& out, const CheckedFiles& files, const CheckReport& report);
 
-// The options --tolerance and --levels, which all commands that judge claims share.
-void add_judging_options(CLI::App& command, CheckOptions& options);
+// The options --tolerance, --levels and --strict, which all commands that judge claims share.
+void add_judging_options(CLI::App& command, CheckOptions& options, bool& is_strict);
+// The exit status that a verdict brings.
+[[nodiscard]] int status_of(Verdict verdict, bool is_strict);
 
 }  // namespace flowcert::cli

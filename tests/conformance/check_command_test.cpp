@@ -213,7 +213,8 @@ TEST(CheckCommand, JudgesAnotherImplementationWhereItIsDetermined) {
   const Checked other(kCollisions, kCollisionsClaimed);
   for (const Words& by : {Words{}, {"--oracle"}}) {
     const json report = other.as_json(by);
-    EXPECT_EQ(report["verdict"], "conforms where determined");
+    EXPECT_EQ(report["verdict"], "perturbed");
+    EXPECT_EQ(report["not_decided"], json::array());
     EXPECT_EQ(report["grade"], "approximate");
     EXPECT_EQ(report["tolerance"], 1e-9);
     EXPECT_EQ(report["claim_format"], "giesen-kuehne");
@@ -224,15 +225,38 @@ TEST(CheckCommand, JudgesAnotherImplementationWhereItIsDetermined) {
   }
   const Finished text = other.run();
   EXPECT_EQ(text.status, 0);
+  EXPECT_EQ(other.run({"--strict"}).status, 1);
+  EXPECT_EQ(other.run({"--strict"}).out, text.out);
   EXPECT_NE(text.out.find("claim:5: permitted, level 2: symbolic-perturbation [FC-CLAIM-04]: claimed index 1, "
                           "contact set 3 4; truth: a regular stationary point of kind 1-2, contact set 1 3 4\n"),
             std::string::npos)
       << text.out;
-  EXPECT_NE(text.out.find("\nconforms where determined (approximate, tolerance 1e-09 of the radius; truth by "
+  EXPECT_NE(text.out.find("\nperturbed (approximate, tolerance 1e-09 of the radius; truth by "
                           "the fast implementation)\n"),
             std::string::npos)
       << text.out;
   EXPECT_EQ(other.as_json({"--tolerance", "1e-15"})["verdict"], "fails") << "radii are off by 1e-13";
+}
+
+// Of a contact set that is no simplex, only necessary conditions are known.
+TEST(CheckCommand, TellsWhatIsNotDecided) {
+  CITES("FC-CLAIM-04");
+  const Checked square(std::string("1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n"),
+                       std::string("0,1,0,0\n0,-1,0,0\n0,0,1,0\n0,0,-1,0\n1,,,,,0,2\n1,,,,,0,3\n1,,,,,1,2\n1,,,,,1,3\n"
+                                   "1,,,,,0,1\n2,,,,,0,1,2\n2,,,,,0,1,3\n"));
+  const json report = square.as_json();
+  EXPECT_EQ(report["verdict"], "perturbed");
+  EXPECT_EQ(report["levels"]["2"]["permitted"], 3);
+  EXPECT_EQ(report["levels"]["2"]["not_decided"], 3);
+  EXPECT_EQ(report["findings"][0]["decided"], false);
+  ASSERT_EQ(report["not_decided"].size(), 1U);
+  const Finished text = square.run();
+  EXPECT_EQ(text.status, 0);
+  EXPECT_NE(text.out.find("claim:9: not decided, level 2: symbolic-perturbation [FC-CLAIM-04]: claimed index 1"),
+            std::string::npos)
+      << text.out;
+  EXPECT_NE(text.out.find("\nnot decided: whether one perturbation makes all that is claimed"), std::string::npos);
+  EXPECT_EQ(square.run({"--strict"}).status, 1);
 }
 
 TEST(CheckCommand, NamesWhatIsMissing) {

@@ -101,7 +101,7 @@ TEST_F(ConformanceCommand, TakesClaimsInAnyFormatFromWhereverTheyAre) {
             0);
   // This claim is that of a perturbation.
   const json one = outcome_of(kPerturbedTriangle, "regular-stationary-points-0001");
-  EXPECT_EQ(one["outcome"], "conforms where determined") << one;
+  EXPECT_EQ(one["outcome"], "perturbed") << one;
   EXPECT_NE(one["message"].get<std::string>().find("symbolic-perturbation [FC-CLAIM-04]"), std::string::npos);
 }
 
@@ -238,16 +238,17 @@ TEST_F(ConformanceCommand, PrintsATable) {
     return std::ranges::any_of(lines,
                                [&](const std::string& line) { return line.starts_with(start) && line.ends_with(end); });
   };
-  EXPECT_TRUE(has_line("  flag", "cases  conforms  where determined  fails  refused  crashed  timed out  unreadable"))
+  EXPECT_TRUE(has_line("  flag",
+                       "cases  conforms  where determined  perturbed  fails  refused  crashed  timed out  unreadable"))
       << finished.out;
-  EXPECT_TRUE(
-      has_line("  flat-inputs", "2         1                 0      0        1        0          0           0"))
+  EXPECT_TRUE(has_line("  flat-inputs",
+                       "2         1                 0          0      0        1        0          0           0"))
       << finished.out;
   EXPECT_TRUE(has_line("flat-inputs-0003 (", "): refuses what is valid")) << finished.out;
   EXPECT_TRUE(has_line("  exit status 1", "")) << finished.out;
   EXPECT_TRUE(has_line("not judged: the orbits of 1 case, without --orbits-against", "")) << finished.out;
   EXPECT_TRUE(has_line("and 1 more; --most shows more", "")) << finished.out;
-  EXPECT_TRUE(has_line("4 cases in ", ": 2 conform, 0 where determined, 2 negative")) << finished.out;
+  EXPECT_TRUE(has_line("4 cases in ", ": 2 conform, 0 where determined, 0 perturbed, 2 negative")) << finished.out;
   EXPECT_EQ(lines.back(), "fails");
   EXPECT_EQ(finished.err, "");
 }

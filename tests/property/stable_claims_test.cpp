@@ -285,23 +285,29 @@ std::optional<Mutant> triangle_less(const Subject& subject, const Claim& claim) 
   return mutant;
 }
 
+// A claim may have more segments beyond a regular back, and fewer beyond a Voronoi vertex.
 std::optional<Mutant> other_summary(const Subject&, const Claim& claim) {
-  const auto k =
-      some_point(claim, [](const ClaimedPoint& point) { return point.stable && !*point.stable->has_vertex; });
+  const auto k = some_point(claim, [](const ClaimedPoint& point) { return point.stable.has_value(); });
   if (!k) return std::nullopt;
   Mutant mutant{claim, 5, kFirstLine + *k};
   ClaimedStable& stable = *mutant.claim.points[*k].stable;
+  const bool has_regular_back =
+      std::ranges::any_of(mutant.claim.points[*k].skeleton->segments,
+                          [](const ClaimedBackwardSegment& segment) { return segment.back_kind == "regular"; });
   switch (below(3)) {
     case 0:
-      ++*stable.segments;
-      break;
+      if (has_regular_back && *stable.has_vertex) return std::nullopt;
+      stable.segments = has_regular_back ? *stable.segments - 1 : *stable.segments + 1;
+      return mutant;
     case 1:
+      if (*stable.has_vertex) return std::nullopt;
       stable.has_vertex = true;
-      break;
+      return mutant;
     default:
+      if (*stable.has_interval) return std::nullopt;
       stable.has_interval = true;
+      return mutant;
   }
-  return mutant;
 }
 
 const std::map<std::string, Mutation>& mutations() {

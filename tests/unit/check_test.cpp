@@ -120,7 +120,7 @@ TEST(CheckTest, PermitsWhatAPerturbationGives) {
   CITES("FC-CLAIM-04", "FC-CRIT-03");
   const Truly low(kRightTriangle), high(kKind23), both(kKind13);
   const auto verdict = [](const Truly& truly, const Claimed& claimed) { return truly.check(claimed).verdict; };
-  const auto varies = Verdict::kConformsWhereDetermined;
+  const auto varies = Verdict::kPerturbed;
   for (const Truly* truly : {&low, &high, &both}) EXPECT_EQ(verdict(*truly, truly->claim()), Verdict::kConforms);
   EXPECT_EQ(verdict(low, low.claim().regular(1, 2, {0, 1, 2})), Verdict::kConforms);
   EXPECT_EQ(verdict(low, low.claim().add(1, {1, 2}).add(2, {0, 1, 2})), varies);
@@ -144,8 +144,8 @@ TEST(CheckTest, OnlyFacesCollide) {
   CITES("FC-CLAIM-04");
   const Truly half({{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}, {-4, 0, 3}, {3, 0, 4}});
   const Ids whole = {0, 1, 2, 3, 4, 5};
-  EXPECT_EQ(half.check(half.claim().add(2, {0, 1, 2}).add(3, whole)).verdict, Verdict::kConformsWhereDetermined);
-  EXPECT_EQ(half.check(half.claim().add(2, {0, 1, 2}).add(3, {0, 1, 2, 5})).verdict, Verdict::kConformsWhereDetermined);
+  EXPECT_EQ(half.check(half.claim().add(2, {0, 1, 2}).add(3, whole)).verdict, Verdict::kPerturbed);
+  EXPECT_EQ(half.check(half.claim().add(2, {0, 1, 2}).add(3, {0, 1, 2, 5})).verdict, Verdict::kPerturbed);
   EXPECT_EQ(half.check(half.claim().add(2, {0, 3, 4}).add(3, whole)).verdict, Verdict::kFails);
 }
 
@@ -292,7 +292,7 @@ TEST(CheckTest, PermitsOrbitsToGoOn) {
   };
   EXPECT_EQ(report(to({0, 1, 2, 3})).verdict, Verdict::kConforms);
   const CheckReport beyond = report(kInfinity);
-  EXPECT_EQ(beyond.verdict, Verdict::kConformsWhereDetermined) << text(beyond);
+  EXPECT_EQ(beyond.verdict, Verdict::kPerturbed) << text(beyond);
   expect_finding(beyond, 4, FindingReason::kSymbolicPerturbation, "FC-CLAIM-07", beyond.findings[0].line);
   EXPECT_EQ(beyond.not_judged.size(), 1U);
   EXPECT_EQ(report(to({0, 3})).verdict, Verdict::kFails) << "nothing below it";
@@ -310,7 +310,7 @@ TEST(CheckTest, PermitsOrbitsToGoOn) {
   EXPECT_EQ(points.check(polylines).conforms[4], true);
   Claimed further = polylines;
   (*further.last().u2)[side].push_back({"V-E-inf", std::nullopt, std::nullopt});
-  EXPECT_EQ(points.check(further).verdict, Verdict::kConformsWhereDetermined);
+  EXPECT_EQ(points.check(further).verdict, Verdict::kPerturbed);
   further = polylines;
   (*further.last().u2)[1 - side].push_back({"V-E-inf", std::nullopt, std::nullopt});
   expect_finding(points.check(further), 5, FindingReason::kWrongPolyline, "FC-CLAIM-08", further.last().line);

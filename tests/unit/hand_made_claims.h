@@ -73,6 +73,12 @@ class Truly {
   [[nodiscard]] Claimed claim() const { return claim_without({}); }
   // All that is true, with incidences, polylines and stable sets. Point k is record k.
   [[nodiscard]] Claimed whole_claim() const { return {.claim = true_claim(points, *truth)}; }
+  [[nodiscard]] std::size_t record_of(const Ids& contact) const {
+    for (std::size_t i = 0; i < truth->size(); ++i) {
+      if (std::ranges::equal(truth->contact(i), contact)) return i;
+    }
+    throw std::invalid_argument("there is no such point");
+  }
   [[nodiscard]] CheckReport check(const Claimed& claimed, const CheckOptions& options = {}) const {
     return flowcert::check(points, claimed.claim, *truth, options);
   }

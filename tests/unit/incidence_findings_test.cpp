@@ -67,16 +67,17 @@ TEST(IncidenceFindings, SamplesOfAnEdge) {
       "1-2, contact set 0 1 2"
       "\n2 symbolic-perturbation FC-CLAIM-04: index 1, contact set 1 2; a regular stationary point of kind "
       "1-2, contact set 0 1 2";
-  EXPECT_EQ(perturbed({1, 2}), "conforms where determined" + permitted);
+  EXPECT_EQ(perturbed({1, 2}), "perturbed" + permitted);
   EXPECT_EQ(perturbed({0, 2}),
             "fails" + permitted +
                 "\n4 wrong-incidence FC-FLOW-07: index 1, contact set 1 2, samples 0 2; the stable manifold is "
                 "the segment between the two points of the contact set");
-  // A position does not tell which edge is meant.
+  // If a position is claimed instead of an edge, it must be the middle of the samples.
   Claimed by_position = triangle.claim().add(2, {0, 1, 2}).at(1, exactly(RationalPoint{Rational(3, 2), 2, 0}));
+  by_position.last().samples = {{1, 2}};
+  EXPECT_EQ(triangle.check(by_position).verdict, Verdict::kPerturbed) << text(triangle.check(by_position));
   by_position.last().samples = {{0, 2}};
-  EXPECT_EQ(count(triangle.check(by_position), FindingReason::kWrongIncidence), 0U);
-  EXPECT_EQ(triangle.check(by_position).verdict, Verdict::kConformsWhereDetermined);
+  EXPECT_EQ(count(triangle.check(by_position), FindingReason::kWrongIncidence), 1U);
 }
 
 TEST(IncidenceFindings, EdgesOfASample) {
@@ -106,8 +107,8 @@ TEST(IncidenceFindings, EdgesThatAPerturbationMakes) {
   CITES("FC-CLAIM-04");
   const Truly triangle(kRightTriangle), high(kKind23);
   EXPECT_EQ(said_of_targets(triangle, {1}, {to({0, 1}), to({1, 2})}),
-            "conforms where determined\n4 symbolic-perturbation FC-CLAIM-04: index 0, contact set 1; "
-            "some of the edges end in regular stationary points");
+            "perturbed\n4 symbolic-perturbation FC-CLAIM-04: index 0, contact set 1; "
+            "a perturbation makes some of the edges");
   // Wrong in turn: an edge without this end, more than an edge, a regular point that gives no edge, a saddle.
   EXPECT_EQ(said_of_targets(triangle, {0}, {to({0, 1}), to({0, 2}), to({1, 2})}),
             "fails\n4 wrong-incidence FC-FLOW-07: index 0, contact set 0; it is no end of 1 2");
@@ -126,19 +127,19 @@ TEST(IncidenceFindings, SaddlesAboveAnEdge) {
   const ClaimedTarget one = to({0, 1, 2, 3}), other = to({0, 1, 4, 5});
   EXPECT_EQ(said_of_targets(cube, edge, {one, other, one}), "conforms");
   EXPECT_EQ(said_of_targets(cube, edge, {one, to({0, 1, 4})}),
-            "conforms where determined\n4 symbolic-perturbation FC-CLAIM-09: index 1, contact set 0 1; "
-            "there are ties in the stable manifolds above it, or parts of contact sets are named");
+            "conforms where determined\n4 spanning-part FC-CLAIM-02: index 1, contact set 0 1; "
+            "parts of contact sets are named");
   // A diagonal is no part of a face that will do, and the triangle 1 2 4 is no part of any face.
   EXPECT_EQ(said_of_targets(cube, edge, {to({0, 3}), to({1, 2, 4})}),
             "fails\n4 wrong-incidence FC-CHAIN-01: index 1, contact set 0 1; an orbit comes to it also from "
             "0 1 2 3, 0 1 4 5; no orbit comes to it from 0 3, 1 2 4");
   EXPECT_EQ(said_of_targets(triangle, {0, 1}, {to({0, 1, 2})}),
-            "conforms where determined\n4 symbolic-perturbation FC-CLAIM-09: index 1, contact set 0 1; "
-            "there are ties in the stable manifolds above it, or parts of contact sets are named");
+            "perturbed\n4 symbolic-perturbation FC-CLAIM-09: index 1, contact set 0 1; "
+            "a perturbation makes some of the points above it");
   // A tie leaves the boundary of the saddle 0 3 4 open. It may be above 0 1, but never above a higher point.
   EXPECT_EQ(said_of_targets(arch, {0, 1}, {to({0, 1, 2}), to({0, 1, 3})}),
-            "conforms where determined\n4 symbolic-perturbation FC-CLAIM-09: index 1, contact set 0 1; "
-            "there are ties in the stable manifolds above it, or parts of contact sets are named");
+            "conforms where determined\n4 tie-break FC-CLAIM-09: index 1, contact set 0 1; "
+            "there are ties in the stable manifolds above it");
   EXPECT_EQ(said_of_targets(arch, {1, 3}, {to({0, 1, 3}), to({1, 3, 4}), to({0, 3, 4})}),
             "fails\n4 wrong-incidence FC-CHAIN-01: index 1, contact set 1 3; no orbit comes to it from 0 3 4");
 }
@@ -165,6 +166,24 @@ TEST(IncidenceFindings, LimitsByPartsOfContactSets) {
             "fails\n4 wrong-incidence FC-FLOW-07: index 2, contact set 0 1 2 3, up to nothing; " + ends);
 }
 
+// Sides are told by the samples that are named. The part 1 2 3 of 0 1 2 3 turns the other way than 0 1 2.
+TEST(IncidenceFindings, SidesOfParts) {
+  CITES("FC-CLAIM-02", "FC-FLOW-07");
+  const Truly cube(kCube);
+  const ClaimedTarget center = to({0, 1, 2, 3, 4, 5, 6, 7});
+  const auto by_side = [&](const Ids& part, const ClaimedTarget& first, const ClaimedTarget& second) {
+    Claimed claimed = cube.claim_without({{0, 1, 2, 3}}).add(2, part);
+    claimed.last().successors = {{first, second}};
+    claimed.last().successors_by_side = true;
+    return cube.check(claimed).verdict;
+  };
+  EXPECT_EQ(by_side({0, 1, 2, 3}, kInfinity, center), Verdict::kConforms);
+  EXPECT_EQ(by_side({0, 1, 2}, kInfinity, center), Verdict::kConformsWhereDetermined);
+  EXPECT_EQ(by_side({0, 1, 2}, center, kInfinity), Verdict::kFails);
+  EXPECT_EQ(by_side({1, 2, 3}, center, kInfinity), Verdict::kConformsWhereDetermined);
+  EXPECT_EQ(by_side({1, 2, 3}, kInfinity, center), Verdict::kFails);
+}
+
 TEST(IncidenceFindings, OrbitsThatGoOnBeyondASaddle) {
   CITES("FC-CLAIM-07");
   const Truly arch(kArch);
@@ -178,11 +197,11 @@ TEST(IncidenceFindings, OrbitsThatGoOnBeyondASaddle) {
   for (const Ids& beyond : {Ids{0, 1, 3, 4}, Ids{0, 2, 3, 4}}) {
     const std::string names = beyond[1] == 1 ? "0 1 3 4" : "0 2 3 4";
     EXPECT_EQ(by_side(kInfinity, to(beyond)),
-              "conforms where determined\n4 symbolic-perturbation FC-CLAIM-07: index 2, contact set 0 1 2, "
+              "perturbed\n4 symbolic-perturbation FC-CLAIM-07: index 2, contact set 0 1 2, "
               "up to infinity, " +
                   names + "; " + ends);
     EXPECT_EQ(said_of_targets(arch, saddle, {to(beyond), kInfinity}),
-              "conforms where determined\n4 symbolic-perturbation FC-CLAIM-07: index 2, contact set 0 1 2, "
+              "perturbed\n4 symbolic-perturbation FC-CLAIM-07: index 2, contact set 0 1 2, "
               "up to " +
                   names + ", infinity; " + ends);
   }
@@ -207,11 +226,11 @@ TEST(IncidenceFindings, OrbitsThatGoOnBeyondRegularPoints) {
       "\nnot judged: where, beyond a regular stationary point, a perturbation lets an "
       "orbit end (FC-CLAIM-07)";
   EXPECT_EQ(said_of_targets(arch, {0, 1, 3}, {kInfinity}),
-            "conforms where determined\n4 symbolic-perturbation FC-CLAIM-07: index 2, contact set 0 1 3, up to "
+            "perturbed\n4 symbolic-perturbation FC-CLAIM-07: index 2, contact set 0 1 3, up to "
             "infinity; " +
                 ends + unjudged);
   EXPECT_EQ(said_of_targets(arch, {0, 1, 3}, {to({0, 1, 2, 4}), kInfinity}),
-            "conforms where determined\n4 symbolic-perturbation FC-CLAIM-07: index 2, contact set 0 1 3, up to "
+            "perturbed\n4 symbolic-perturbation FC-CLAIM-07: index 2, contact set 0 1 3, up to "
             "0 1 2 4, infinity; " +
                 ends + unjudged);
   // Neither an edge can be the limit, nor a lower saddle.
@@ -231,12 +250,11 @@ TEST(IncidenceFindings, WhatAPerturbationMakesIsNotJudged) {
   claimed.last().u2.emplace(2);
   claimed.last().stable = ClaimedStable{7, {}, {}, {{{0, 1}}}, {}};
   const CheckReport report = triangle.check(claimed);
-  EXPECT_EQ(report.verdict, Verdict::kConformsWhereDetermined) << text(report);
-  EXPECT_EQ(
-      report.not_judged,
-      (std::vector<std::string>{"incidences of the points that a perturbation makes of regular stationary points",
-                                "polylines of the points that a perturbation makes of regular stationary points",
-                                "stable sets of the points that a perturbation makes of regular stationary points"}));
+  EXPECT_EQ(report.verdict, Verdict::kPerturbed) << text(report);
+  EXPECT_EQ(report.not_judged,
+            (std::vector<std::string>{"incidences of the points that a perturbation makes of stationary points",
+                                      "polylines of the points that a perturbation makes of stationary points",
+                                      "stable sets of the points that a perturbation makes of stationary points"}));
 }
 
 // ---- Boundaries
@@ -266,9 +284,9 @@ TEST(BoundaryFindings, ATieLeavesSomeOpen) {
   const Ids saddle = {0, 3, 4};
   const std::string start = "index 2, contact set 0 3 4, bounded by ";
   const std::string wrong = "fails\n4 wrong-incidence FC-CHAIN-01: " + start;
-  EXPECT_EQ(said_of_boundary(arch, saddle, {{0, 3}, {3, 4}, {0, 2}, {2, 4}}),
-            "conforms where determined\n4 symbolic-perturbation FC-CLAIM-09: " + start +
-                "0 3, 3 4, 0 2, 2 4; another way to break ties");
+  EXPECT_EQ(
+      said_of_boundary(arch, saddle, {{0, 3}, {3, 4}, {0, 2}, {2, 4}}),
+      "conforms where determined\n4 tie-break FC-CLAIM-09: " + start + "0 3, 3 4, 0 2, 2 4; another way to break ties");
   EXPECT_EQ(said_of_boundary(arch, saddle, {{0, 1}, {0, 2}, {1, 2}}),
             wrong + "0 1, 0 2, 1 2; no way to break ties gives this boundary");
   EXPECT_EQ(said_of_boundary(arch, saddle, {}), wrong + "nothing; no way to break ties gives this boundary");
@@ -281,7 +299,7 @@ TEST(BoundaryFindings, ThroughWhatAPerturbationMakesCritical) {
   CITES("FC-CLAIM-09");
   const Truly points(kRegularBack);
   EXPECT_EQ(said_of_boundary(points, {0, 1, 3}, {{0, 1}, {1, 3}, {0, 3}}),
-            "conforms where determined\n4 symbolic-perturbation FC-CLAIM-09: index 2, contact set 0 1 3; its "
+            "perturbed\n4 symbolic-perturbation FC-CLAIM-09: index 2, contact set 0 1 3; its "
             "boundary is 0 1, 0 2, 1 3, 2 3"
             "\nnot judged: which of the boundaries that ties allow are claimed, where they pass regular "
             "stationary points or the truth breaks no ties (FC-CLAIM-09)");
@@ -302,6 +320,7 @@ class Undecided final : public Truth {
   [[nodiscard]] std::vector<TrueSegment> polyline(std::size_t i, std::size_t side) override {
     return truth_.polyline(i, side);
   }
+  [[nodiscard]] TruePath orbit(const RationalPoint& start) override { return truth_.orbit(start); }
   [[nodiscard]] std::optional<std::vector<std::uint32_t>> boundary(std::size_t i) override {
     if (has_tie(truth_, i)) return std::nullopt;
     return truth_.boundary(i);

@@ -163,7 +163,7 @@ TEST(PlaceFindings, OfWhatAPerturbationWouldNotMake) {
   for (const auto& [index, names] : {std::pair{0, Ids{1, 2}}, {3, {0, 1, 2}}, {2, {1, 2}}, {1, {0, 1, 2}}}) {
     const CheckReport report = triangle.check(triangle.claim().add(index, names));
     EXPECT_EQ(count(report, FindingReason::kCollisionAsCritical), 1U) << text(report);
-    EXPECT_NE(text(report).find("; no face of it with that centre is claimed"), std::string::npos) << text(report);
+    EXPECT_NE(text(report).find("; no perturbation makes this of it"), std::string::npos) << text(report);
   }
 }
 
@@ -174,19 +174,127 @@ TEST(PlaceFindings, OfPerturbedPointsByPosition) {
   const Truly points(kKind13);
   const ClaimedPosition center = exactly(RationalPoint{0, 0, 0});
   const auto all = [&] { return points.claim().at(1, center).at(2, center).at(2, center).at(3, center); };
-  EXPECT_EQ(points.check(all()).verdict, Verdict::kConformsWhereDetermined);
+  EXPECT_EQ(points.check(all()).verdict, Verdict::kPerturbed);
   EXPECT_EQ(count(points.check(all()), FindingReason::kSymbolicPerturbation), 4U);
   const CheckReport thrice = points.check(all().at(2, center));
   EXPECT_EQ(count(thrice, FindingReason::kClaimedTwice), 1U) << text(thrice);
-  EXPECT_EQ(points.check(points.claim().at(1, center).at(2, center)).verdict, Verdict::kConformsWhereDetermined);
+  EXPECT_EQ(points.check(points.claim().at(1, center).at(2, center)).verdict, Verdict::kPerturbed);
   // One polygon is claimed by position, the other by a contact set.
   EXPECT_EQ(points.check(points.claim().add(1, {0, 1}).at(2, center).add(2, {0, 1, 2}).at(3, center)).verdict,
-            Verdict::kConformsWhereDetermined);
+            Verdict::kPerturbed);
   Claimed regular = points.claim().at(1, center);
   regular.last().hull_dimension = 3;
   EXPECT_EQ(said(points, regular), "conforms");
   regular.last().hull_dimension = 2;
   EXPECT_EQ(count(points.check(regular), FindingReason::kWrongIndex), 1U);
+}
+
+// The edge 0 1 of a tetrahedron with the centre in its middle: the angle between the triangles there decides.
+TEST(PlaceFindings, OfSimplicesByTheirAngle) {
+  CITES("FC-CLAIM-04");
+  const Truly right(kKind13), acute({{5, 0, 0}, {-5, 0, 0}, {0, 5, 0}, {0, 3, 4}}),
+      obtuse({{5, 0, 0}, {-5, 0, 0}, {0, 5, 0}, {0, -3, 4}});
+  const auto verdict = [](const Truly& truly, const std::vector<Ids>& simplices) {
+    Claimed claimed = truly.claim();
+    for (const Ids& names : simplices) claimed.add(static_cast<int>(names.size()) - 1, names);
+    return truly.check(claimed);
+  };
+  const Ids edge = {0, 1}, one = {0, 1, 2}, other = {0, 1, 3}, whole = {0, 1, 2, 3};
+  for (const Truly* truly : {&right, &acute, &obtuse}) {
+    const CheckReport all = verdict(*truly, {edge, one, other, whole});
+    EXPECT_EQ(all.verdict, Verdict::kPerturbed) << text(all);
+    EXPECT_TRUE(all.not_decided.empty());
+    for (const std::vector<Ids>& never : {std::vector<Ids>{edge},
+                                          {one},
+                                          {whole},
+                                          {edge, whole},
+                                          {one, other},
+                                          {edge, one, other},
+                                          {one, other, whole},
+                                          {edge, one, whole}}) {
+      EXPECT_EQ(verdict(*truly, never).verdict, Verdict::kFails);
+    }
+    for (const Ids& triangle : {one, other}) {
+      EXPECT_EQ(verdict(*truly, {edge, triangle}).verdict, truly == &obtuse ? Verdict::kFails : Verdict::kPerturbed);
+      EXPECT_EQ(verdict(*truly, {triangle, whole}).verdict, truly == &acute ? Verdict::kFails : Verdict::kPerturbed);
+    }
+  }
+}
+
+// What one perturbation makes of a contact set that is no simplex: half an octahedron, a trapezoid with its centre on
+// the longest edge, a square, and a cube. The indices were computed, after the points had been moved.
+TEST(PlaceFindings, OfWhatIsNoSimplex) {
+  CITES("FC-CLAIM-03", "FC-CLAIM-04");
+  const Truly half({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}});
+  const Truly flat({{-5, 0, 0}, {5, 0, 0}, {3, 4, 0}, {-3, 4, 0}});
+  const Truly square({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}});
+  const Truly cube(kCube);
+  const auto expect_undecided = [](const Truly& truly, const Claimed& claimed, std::size_t points) {
+    const CheckReport report = truly.check(claimed);
+    EXPECT_EQ(report.verdict, Verdict::kPerturbed) << text(report);
+    EXPECT_EQ(report.not_decided.size(), 1U);
+    EXPECT_EQ(count(report, FindingReason::kSymbolicPerturbation), points);
+    for (const Finding& finding : report.findings) EXPECT_FALSE(finding.is_decided);
+  };
+  const auto of_half = [&] {
+    return half.claim().add(1, {0, 1}).add(2, {0, 1, 2}).add(2, {0, 1, 3}).add(3, {0, 1, 2, 4}).add(3, {0, 1, 3, 4});
+  };
+  expect_undecided(half, of_half().add(2, {0, 1, 4}), 6);
+  EXPECT_EQ(half.check(of_half()).verdict, Verdict::kFails) << "the alternating sum";
+  EXPECT_EQ(half.check(of_half().add(2, {0, 1, 2})).verdict, Verdict::kFails) << "a point twice";
+  EXPECT_EQ(half.check(of_half().add(2, {0, 2, 4})).verdict, Verdict::kFails) << "the centre outside";
+  expect_undecided(flat, flat.claim().add(1, {0, 1}).add(2, {0, 1, 2}).add(2, {0, 1, 3}).add(3, {0, 1, 2, 3}), 4);
+  EXPECT_EQ(flat.check(flat.claim().add(2, {0, 1, 2}).add(3, {0, 1, 2, 3}).add(1, {2, 3})).verdict, Verdict::kFails);
+  const auto of_square = [&] {
+    return square.claim_without({{0, 1, 2, 3}}).add(1, {0, 1}).add(2, {0, 1, 2}).add(2, {0, 1, 3});
+  };
+  expect_undecided(square, of_square(), 3);
+  // All four points may come to be the corners of a flat tetrahedron.
+  expect_undecided(square, of_square().add(1, {2, 3}).add(2, {0, 2, 3}).add(2, {1, 2, 3}).add(3, {0, 1, 2, 3}), 7);
+  EXPECT_EQ(square.check(of_square().add(2, {0, 1, 2, 3}).add(1, {2, 3})).verdict, Verdict::kPerturbed);
+  EXPECT_EQ(square.check(square.claim().add(1, {0, 1})).verdict, Verdict::kFails);
+  EXPECT_EQ(
+      square
+          .check(square.claim_without({{0, 1, 2, 3}}).add(1, {0, 1}).add(1, {2, 3}).add(2, {0, 1, 2}).add(2, {0, 1, 3}))
+          .verdict,
+      Verdict::kFails);
+  // Four corners of a cube in a plane through its centre, alone.
+  const Ids all = {0, 1, 2, 3, 4, 5, 6, 7};
+  expect_undecided(cube, cube.claim_without({all}).add(3, {0, 1, 6, 7}), 1);
+  EXPECT_EQ(cube.check(cube.claim_without({all}).add(2, {0, 1, 6})).verdict, Verdict::kFails) << "no index 3";
+  // By position alone, two opposite samples make an index-1 point possible.
+  const auto at_center = [&](const Truly& truly, const RationalPoint& x, const std::vector<int>& indices) {
+    Claimed claimed = truly.claim_without({{0, 1, 2, 3}, all});
+    for (const int index : indices) claimed.at(index, exactly(x));
+    return truly.check(claimed).verdict;
+  };
+  EXPECT_EQ(at_center(square, {0, 0, 0}, {1, 2, 2}), Verdict::kPerturbed);
+  EXPECT_EQ(at_center(square, {0, 0, 0}, {2, 2}), Verdict::kFails);
+  const Truly kite({{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {4, 3, 0}});
+  EXPECT_EQ(at_center(kite, {0, 0, 0}, {2}), Verdict::kConforms);
+  EXPECT_EQ(at_center(kite, {0, 0, 0}, {1, 2, 2}), Verdict::kFails);
+}
+
+// A claim that counts or lists regular stationary points denies those that it leaves out. Another says nothing of them.
+TEST(PlaceFindings, OfRegularPointsThatAreDenied) {
+  CITES("FC-CLAIM-01", "FC-CLAIM-04");
+  const Truly triangle(kRightTriangle);
+  Claimed denied = triangle.claim();
+  EXPECT_EQ(said(triangle, denied), "conforms");
+  denied.claim.regular_counts = {{0, 0, 0}};
+  EXPECT_EQ(
+      said(triangle, denied),
+      "perturbed\n3 symbolic-perturbation FC-CLAIM-04: no regular stationary point; a regular stationary point of "
+      "kind 1-2, contact set 0 1 2");
+  denied.regular(1, 2, {0, 1, 2});
+  EXPECT_EQ(count(triangle.check(denied), FindingReason::kWrongCounts), 1U);
+  denied.claim.regular_counts = {{1, 0, 0}};
+  EXPECT_EQ(said(triangle, denied), "conforms");
+  // One of two is listed.
+  const Truly two({{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {100, 7, 50}, {103, 7, 50}, {100, 11, 50}});
+  Claimed one = two.claim().regular(1, 2, {0, 1, 2});
+  EXPECT_EQ(count(two.check(one), FindingReason::kSymbolicPerturbation), 1U);
+  EXPECT_EQ(said(two, one.regular(1, 2, {3, 4, 5})), "conforms");
 }
 
 // ---- Positions and distances

@@ -77,13 +77,117 @@ TEST(PolylineFindings, ToInfinity) {
             start + "2 segments; 1 segments, to infinity");
 }
 
+// The claimed polyline of one side, and the limit there, go on beyond the end of the true orbit.
+void go_on(ClaimedPoint& point, std::size_t side, const TruePath& path, const ClaimedTarget& limit) {
+  for (const TrueSegment& segment : path.segments) {
+    ClaimedSegment& claimed = (*point.u2)[side].emplace_back();
+    claimed = {segment.type, exactly(segment.driver), std::nullopt};
+    if (segment.end) claimed.end = exactly(*segment.end);
+  }
+  (*point.successors)[side] = limit;
+}
+
 TEST(PolylineFindings, BeyondASaddle) {
   CITES("FC-CLAIM-07", "FC-CLAIM-08");
   const Truly arch(kArch);
-  EXPECT_EQ(said(arch, kTriangle, [](ClaimedPoint& point) { (*point.u2)[1].push_back({}); })
-                .find("conforms where determined\n5 symbolic-perturbation FC-CLAIM-07: index 2, contact set "
-                      "0 1 2, side 1, "),
+  const std::size_t saddle = arch.record_of(kSaddleOfArch);
+  const std::string start = "5 wrong-polyline FC-CLAIM-08: index 2, contact set 0 1 2, side 1, ";
+  for (std::size_t side = 0; side < 2; ++side) {
+    const TruePath beyond = {arch.truth->polyline(saddle, side), arch.truth->limits(saddle).at(side)};
+    const auto contact = arch.truth->contact(*beyond.limit);
+    const ClaimedTarget limit = to({contact.begin(), contact.end()});
+    const std::string on = said(arch, kTriangle, [&](ClaimedPoint& point) { go_on(point, 1, beyond, limit); });
+    EXPECT_NE(on.find("\n5 symbolic-perturbation FC-CLAIM-07: index 2, contact set 0 1 2, side 1, 3 segments; 2 "
+                      "segments, to a critical point of index 2, contact set 0 3 4"),
+              std::string::npos)
+        << on;
+    EXPECT_EQ(on.find("perturbed\n4 "), 0U) << on;
+    // The limit contradicts the polyline.
+    const std::string other = said(arch, kTriangle, [&](ClaimedPoint& point) {
+      go_on(point, 1, beyond, to({0, 3, 4}));
+    });
+    EXPECT_NE(other.find(start + "the limit 0 3 4; the polyline goes on to a critical point of index 3"),
+              std::string::npos)
+        << other;
+    // A segment beyond the maximum.
+    const std::string more = said(arch, kTriangle, [&](ClaimedPoint& point) {
+      go_on(point, 1, beyond, limit);
+      (*point.u2)[1].push_back({});
+    });
+    EXPECT_NE(more.find(start + "4 segments; 3 segments, to "), std::string::npos) << more;
+  }
+  EXPECT_EQ(said(arch, kTriangle, [](ClaimedPoint& point) { (*point.u2)[1].push_back({}); }).find("fails\n" + start),
             0U);
+}
+
+// From the saddle 0 2 3 an orbit goes to a regular stationary point of kind 2-3. Beyond it, the Voronoi edge of 0 3 4
+// comes to a Voronoi vertex, because of the last sample.
+const std::vector<Point> kBeyond23 = {{0, 0, 3}, {1, 3, 1}, {0, 2, 2}, {1, 0, 2}, {0, 0, 1}, {-6, 3, 5}};
+// From the saddle 0 1 2 an orbit goes to a regular stationary point of kind 1-3, at 1/2 5/2 3/2. Beyond it is the Voronoi
+// facet of 0 3. In the direction 1 4 1 it ends because of the last sample.
+const std::vector<Point> kBeyond13 = {{0, 3, 0}, {0, 2, 3}, {2, 2, 1}, {1, 2, 3}, {6, 14.5, 4.5}};
+
+struct Beyond {
+  Beyond(const std::vector<Point>& rows, Ids from, RationalPoint position)
+      : truly(rows), saddle(std::move(from)), end(std::move(position)) {}
+
+  // What check() says if the polyline goes on with this segment and then as the orbit of its end.
+  [[nodiscard]] std::string said_of(const ClaimedSegment& first, const RationalPoint& from) const {
+    return said(truly, saddle, [&](ClaimedPoint& point) {
+      const std::size_t side = (*point.successors)[0].is_infinity ? 1 : 0;
+      const TruePath rest = truly.truth->orbit(from);
+      (*point.u2)[side].push_back(first);
+      ClaimedTarget limit = kInfinity;
+      if (rest.limit) limit = to({truly.truth->contact(*rest.limit).begin(), truly.truth->contact(*rest.limit).end()});
+      go_on(point, side, rest, limit);
+    });
+  }
+
+  Truly truly;
+  Ids saddle;
+  RationalPoint end;  // of a segment that leaves the regular point
+};
+
+TEST(PolylineFindings, BeyondARegularPoint) {
+  CITES("FC-CLAIM-07", "FC-CLAIM-08");
+  const Rational t(361, 226);
+  const Beyond of_23(kBeyond23, {0, 2, 3}, {Rational(-97, 24), Rational(3, 4), 2});
+  const Beyond of_13(kBeyond13, {0, 1, 2}, {Rational(1, 2) + t, Rational(5, 2) + 4 * t, Rational(3, 2) + t});
+  for (const Beyond* beyond : {&of_23, &of_13}) {
+    const RationalPoint& end = beyond->end;
+    const std::string type = beyond == &of_23 ? "V-E-V" : "V-F-E";
+    const std::string on = beyond->said_of({type, std::nullopt, exactly(end)}, end);
+    EXPECT_EQ(on.find("perturbed\n"), 0U) << on;
+    EXPECT_NE(on.find("5 symbolic-perturbation FC-CLAIM-07"), std::string::npos) << on;
+    EXPECT_EQ(on.find("of a polyline lies beyond"), std::string::npos) << on;
+    // The type, the end and what follows must be right.
+    const auto fails_with = [&](const ClaimedSegment& first, const RationalPoint& from, const std::string& words) {
+      const std::string wrong = beyond->said_of(first, from);
+      EXPECT_EQ(wrong.find("fails\n"), 0U) << wrong;
+      EXPECT_NE(wrong.find(words), std::string::npos) << wrong;
+    };
+    fails_with({"V-E-E", std::nullopt, exactly(end)}, end, "segment 2: type V-E-E; type " + type);
+    fails_with({"", exactly(end), exactly(end)}, end, "segment 2: driver ");
+    const std::string no_way = "no perturbation lets the orbit go there from the regular stationary point";
+    const RationalPoint farther = {2 * end[0], 2 * end[1], 2 * end[2]};
+    fails_with({"", std::nullopt, exactly(farther)}, farther, no_way);
+    const RationalPoint y = beyond == &of_23 ? RationalPoint{0, Rational(3, 4), 2}
+                                             : RationalPoint{Rational(1, 2), Rational(5, 2), Rational(3, 2)};
+    const RationalPoint half = {(y[0] + end[0]) / 2, (y[1] + end[1]) / 2, (y[2] + end[2]) / 2};
+    fails_with({"", std::nullopt, exactly(half)}, half, no_way);
+    fails_with({"", std::nullopt, exactly(y)}, y, no_way);
+    fails_with({"", std::nullopt, exactly(end)}, y, "segments");
+    // A position in decimals does not tell where it goes on, nor does infinity.
+    for (const ClaimedSegment& first : {ClaimedSegment{"", std::nullopt, decimals(end)}, ClaimedSegment{}}) {
+      const std::string unjudged = said(beyond->truly, beyond->saddle, [&](ClaimedPoint& point) {
+        (*point.u2)[(*point.successors)[0].is_infinity ? 1 : 0].push_back(first);
+      });
+      EXPECT_EQ(unjudged.find("perturbed\n"), 0U) << unjudged;
+      EXPECT_NE(unjudged.find("not judged: what of a polyline lies beyond a regular stationary point"),
+                std::string::npos);
+    }
+    fails_with(ClaimedSegment{}, end, "segment 2: end infinity; nothing comes after it");
+  }
 }
 
 // ---- What a stable set is made of
@@ -101,16 +205,23 @@ TEST(StableFindings, OfItsSize) {
   const std::string start = "fails\n5 wrong-surface FC-CLAIM-10: index 2, contact set 0 1 2, ";
   EXPECT_EQ(alone(points, kTriangle, {3, {}, {}, {}, {}}), "conforms");
   EXPECT_EQ(alone(points, kTriangle, {{}, {}, false, {}, {}}), "conforms");
-  EXPECT_EQ(alone(points, kTriangle, {4, {}, {}, {}, {}}), start + "4 segments; otherwise");
-  EXPECT_EQ(alone(points, kTriangle, {{}, true, {}, {}, {}}), start + "has_vertex; otherwise");
-  EXPECT_EQ(alone(points, kTriangle, {{}, {}, true, {}, {}}), start + "has_interval; otherwise");
-  // Where there is a Voronoi vertex, a perturbation leaves other pieces.
-  EXPECT_EQ(alone(arch, kSaddleOfArch, {7, false, true, {}, {}}),
-            "conforms where determined"
-            "\n5 symbolic-perturbation FC-CLAIM-10: index 2, contact set 0 3 4; a Voronoi vertex is in the "
-            "skeleton"
-            "\n5 symbolic-perturbation FC-CLAIM-10: index 2, contact set 0 3 4; a Voronoi vertex is in the "
-            "skeleton");
+  EXPECT_EQ(alone(points, kTriangle, {4, {}, {}, {}, {}}), start + "4 segments; it has 3 segments");
+  EXPECT_EQ(alone(points, kTriangle, {{}, true, {}, {}, {}}), start + "a Voronoi vertex; it has none");
+  EXPECT_EQ(alone(points, kTriangle, {{}, {}, true, {}, {}}), start + "an interval; it has none");
+  // A claim may leave out what lies beyond a Voronoi vertex, and add nothing.
+  const std::string of_arch = " FC-CLAIM-10: index 2, contact set 0 3 4, ";
+  EXPECT_EQ(alone(arch, kSaddleOfArch, {3, false, false, {}, {}}),
+            "perturbed\n5 symbolic-perturbation" + of_arch + "3 segments; it has 8 segments" +
+                "\n5 symbolic-perturbation" + of_arch + "no Voronoi vertex; it has one" + "\n5 symbolic-perturbation" +
+                of_arch + "no interval; it has one");
+  EXPECT_EQ(alone(arch, kSaddleOfArch, {2, {}, {}, {}, {}}),
+            "fails\n5 wrong-surface" + of_arch + "2 segments; it has 8 segments");
+  EXPECT_EQ(alone(arch, kSaddleOfArch, {777, {}, {}, {}, {}}),
+            "fails\n5 wrong-surface" + of_arch + "777 segments; it has 8 segments");
+  // It may add segments beyond a regular back.
+  const Truly back(kRegularBack);
+  const std::size_t count = back.truth->stable_summary(8).segments;
+  EXPECT_EQ(alone(back, {0, 1, 3}, {count + 1, {}, {}, {}, {}}).find("perturbed\n5 "), 0U);
 }
 
 // ---- Walks
@@ -136,9 +247,8 @@ TEST(WalkFindings, WhereThereIsATie) {
   };
   const std::string start = "index 2, contact set 0 3 4, walking along ";
   EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 1, 4, 3}), "conforms");
-  EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 2, 4, 3}),
-            "conforms where determined\n5 symbolic-perturbation FC-CLAIM-09: " + start +
-                "0 2, 2 4, 4 3, 3 0; another way to break ties");
+  EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 2, 4, 3}), "conforms where determined\n5 tie-break FC-CLAIM-09: " + start +
+                                                            "0 2, 2 4, 4 3, 3 0; another way to break ties");
   // This walk goes to a sample and back along the same edge.
   EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 2, 0, 1, 4, 3}), "conforms");
   const std::string wrong = "fails\n5 wrong-surface FC-CHAIN-01: " + start;
@@ -220,7 +330,7 @@ TEST(SkeletonFindings, BeyondAVoronoiVertex) {
   const Truly arch(kArch);
   const std::string start = "index 2, contact set 0 3 4";
   const auto left_out = [&](const std::string& what) {
-    return "conforms where determined\n5 symbolic-perturbation FC-CLAIM-10: " + start + "; " + what +
+    return "perturbed\n5 symbolic-perturbation FC-CLAIM-10: " + start + "; " + what +
            "s beyond a Voronoi vertex are left out";
   };
   EXPECT_EQ(said_of_skeleton(arch, kSaddleOfArch,
@@ -288,8 +398,8 @@ TEST(SkeletonFindings, BeyondARegularPoint) {
   };
   const RationalPoint near = {Rational(3, 2), 1, Rational(1, 2)}, far = {0, 1, Rational(1, 2)};
   const std::string found = "FC-CLAIM-10: index 2, contact set 0 1 3";
-  EXPECT_EQ(added(points, saddle, near, 3), "conforms where determined\n5 symbolic-perturbation " + found +
-                                                "; 1 segments beyond a regular stationary point");
+  EXPECT_EQ(added(points, saddle, near, 3),
+            "perturbed\n5 symbolic-perturbation " + found + "; 1 segments beyond a regular stationary point");
   const std::string end = " 1 1/2 back to 2 1 1/2; no such segment is part of it (in all 1 such claims)";
   EXPECT_EQ(added(points, saddle, far, 3), "fails\n5 wrong-surface " + found + ", a segment of 0 2 from 0" + end);
   EXPECT_EQ(added(points, saddle, near, 2), "fails\n5 wrong-surface " + found + ", a segment of 0 2 from 3/2" + end);
@@ -336,8 +446,8 @@ TEST(SurfaceFindings, BeyondVerticesAndRegularPoints) {
     });
   };
   const std::string found = "FC-CLAIM-10: index 2, contact set 0 1 3";
-  EXPECT_EQ(added({Rational(3, 2), 1, Rational(1, 2)}), "conforms where determined\n5 symbolic-perturbation " + found +
-                                                            "; 1 triangles beyond a regular stationary point");
+  EXPECT_EQ(added({Rational(3, 2), 1, Rational(1, 2)}),
+            "perturbed\n5 symbolic-perturbation " + found + "; 1 triangles beyond a regular stationary point");
   EXPECT_EQ(added({-1, 1, Rational(1, 2)}),
             "fails\n5 wrong-surface " + found +
                 ", a triangle 2 0 1 2 1 1/2 -1 1 1/2; no such triangle is part of it (in all 1 such claims)");

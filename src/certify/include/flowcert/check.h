@@ -23,8 +23,14 @@ namespace flowcert {
 
 class FlowComplex;
 
-enum class Verdict { kConforms, kConformsWhereDetermined, kFails };
-// "conforms", "conforms where determined", "fails"
+// From right to wrong.
+enum class Verdict {
+  kConforms,
+  kConformsWhereDetermined,
+  kPerturbed,  // differs only by what a perturbation of the samples makes (FC-CLAIM-04)
+  kFails,
+};
+// "conforms", "conforms where determined", "perturbed", "fails"
 [[nodiscard]] const char* verdict_text(Verdict verdict);
 
 // Why a claim is wrong, or how it varies where it may.
@@ -49,8 +55,9 @@ enum class FindingReason {
   kWrongSurface,  // a skeleton, a boundary walk, or triangles
   // Permitted variations; kAmbiguous is one too.
   kSpanningPart,          // an affinely independent spanning part of the contact set
-  kSymbolicPerturbation,  // what a perturbation makes of a regular stationary point, or of an orbit that ends
-                          // at a point that is no maximum
+  kTieBreak,              // a boundary that another way to break ties gives (FC-CLAIM-09)
+  kSymbolicPerturbation,  // what a perturbation makes of a stationary point, of an orbit that ends at a point that is
+                          // no maximum, or of a stable set
 };
 // A word or two with hyphens, "missed-by-cluster".
 [[nodiscard]] const char* reason_text(FindingReason reason);
@@ -64,7 +71,11 @@ struct Finding {
   std::vector<PointId> contact;     // of the critical point: as claimed, or the true one if it is missing
   std::string claimed;              // in words
   std::string truth;
+  // False for a variation of which only necessary conditions are known to hold (FC-CLAIM-04).
+  bool is_decided = true;
 };
+// What this finding alone would make of a claim.
+[[nodiscard]] Verdict verdict_on(const Finding& finding);
 
 inline constexpr double kDefaultTolerance = 1e-9;
 inline constexpr int kLevels = 5;
@@ -90,6 +101,8 @@ struct CheckReport {
   std::vector<Finding> findings;
   // What was claimed and is not judged, in words.
   std::vector<std::string> not_judged;
+  // What was judged by necessary conditions alone, in words. The claim is then perturbed, or it fails.
+  std::vector<std::string> not_decided;
   std::array<std::size_t, 4> claimed_counts{};  // of critical points by index, as listed
   std::array<std::size_t, 4> true_counts{};
 };
@@ -98,6 +111,12 @@ struct TrueSegment {
   std::string type;  // "E-F-V"
   RationalPoint driver;
   std::optional<RationalPoint> end;  // none: infinity
+};
+
+// An orbit, or what is left of it.
+struct TruePath {
+  std::vector<TrueSegment> segments;
+  std::optional<std::size_t> limit;  // a stationary point; none: infinity
 };
 
 // What StableManifolds counts of one stable set.
@@ -121,6 +140,8 @@ class Truth {
   // For an index-2 critical point: where its two orbits end (FC-FLOW-07), by side; none: infinity.
   [[nodiscard]] virtual std::array<std::optional<std::size_t>, 2> limits(std::size_t i) = 0;
   [[nodiscard]] virtual std::vector<TrueSegment> polyline(std::size_t i, std::size_t side) = 0;
+  // The orbit of any position. It has no segments if the position is stationary.
+  [[nodiscard]] virtual TruePath orbit(const RationalPoint& start) = 0;
 
   // For an index-2 critical point: records of index 1, mod 2, ascending. If a tie leaves the boundary open, this is
   // one choice that FC-CHAIN-02 allows. A truth that breaks no ties then gives none.

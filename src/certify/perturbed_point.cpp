@@ -1,0 +1,158 @@
+// The conditions of FC-CLAIM-04, one after the other.
+#include "certify/perturbed_point.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <iterator>
+#include <set>
+#include <stdexcept>
+
+#include "certify/claimed_geometry.h"
+#include "geometry/rational_point.h"
+
+namespace flowcert::certify {
+
+namespace {
+
+Rational inner_product(const RationalPoint& u, const RationalPoint& v) {
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+std::vector<PointId> with(std::vector<PointId> names, PointId name) {
+  names.insert(std::ranges::upper_bound(names, name), name);
+  return names;
+}
+
+int index_of(const std::vector<PointId>& simplex) { return static_cast<int>(simplex.size()) - 1; }
+
+}  // namespace
+
+PerturbedPoint::PerturbedPoint(CheckRun& run, std::size_t record)
+    : run_(run),
+      index_(run.index(record)),
+      contact_(run.truth.contact(record).begin(), run.truth.contact(record).end()),
+      center_(run.truth.sphere(record).center),
+      is_simplex_(contact_.size() == index_.hull_dimension + std::size_t{1}) {
+  if (is_simplex_) outcomes_ = outcomes_of_simplex();
+}
+
+// ---- Simplices ----
+
+std::vector<std::vector<PerturbedPoint::Names>> PerturbedPoint::outcomes_of_simplex() const {
+  if (index_.is_critical()) return {{contact_}};
+  // The centre lies inside one face. It is the only one of its dimension that has its centre there.
+  for (std::uint32_t chosen = 0; chosen < 1U << contact_.size(); ++chosen) {
+    Names face;
+    for (std::size_t k = 0; k < contact_.size(); ++k) {
+      if ((chosen >> k & 1U) != 0) face.push_back(contact_[k]);
+    }
+    if (index_of(face) != index_.face_dimension || !has_in_hull(run_.points, face, center_)) continue;
+    if (index_ == StationaryIndex{1, 3}) return outcomes_of_kind_13(face);
+    return {{face, contact_}};
+  }
+  throw std::logic_error("a regular stationary point without a face that has its centre inside");
+}
+
+std::vector<std::vector<PerturbedPoint::Names>> PerturbedPoint::outcomes_of_kind_13(const Names& edge) const {
+  Names others;
+  std::ranges::set_difference(contact_, edge, std::back_inserter(others));
+  const Names one = with(edge, others[0]), other = with(edge, others[1]);
+  std::vector<std::vector<Names>> outcomes = {{edge, one, other, contact_}};
+  // The angle at the edge between the two triangles: positive if it is acute.
+  const RationalPoint a = from_center(edge[0]), r = from_center(others[0]), s = from_center(others[1]);
+  const Rational cosine = inner_product(r, s) * inner_product(a, a) - inner_product(r, a) * inner_product(s, a);
+  if (cosine >= 0) {
+    outcomes.push_back({edge, one});
+    outcomes.push_back({edge, other});
+  }
+  if (cosine <= 0) {
+    outcomes.push_back({one, contact_});
+    outcomes.push_back({other, contact_});
+  }
+  return outcomes;
+}
+
+bool PerturbedPoint::is_outcome(const std::vector<Names>& outcome, std::span<const std::size_t> claimed) const {
+  if (outcome.size() != claimed.size()) return false;
+  std::array<std::size_t, 4> surplus{};
+  for (const Names& simplex : outcome) ++surplus.at(simplex.size() - 1);
+  for (const std::size_t k : claimed) {
+    const Names& names = run_.placed[k].names;
+    if (!names.empty() && std::ranges::find(outcome, names) == outcome.end()) return false;
+    std::size_t& left = surplus.at(static_cast<std::size_t>(run_.claim.points[k].index));
+    if (left == 0) return false;
+    --left;
+  }
+  return true;
+}
+
+// ---- Conditions ----
+
+bool PerturbedPoint::can_make(std::size_t k) const {
+  const int index = run_.claim.points[k].index;
+  const Names& names = run_.placed[k].names;
+  if (index < 1 || index > 3 || run_.claim.points[k].hull_dimension) return false;
+  if (is_simplex_) {
+    return std::ranges::any_of(outcomes_, [&](const std::vector<Names>& outcome) {
+      return std::ranges::any_of(outcome, [&](const Names& simplex) {
+        return index_of(simplex) == index && (names.empty() || names == simplex);
+      });
+    });
+  }
+  if (names.empty()) return index > 1 || has_opposite_samples();
+  if (!std::ranges::includes(contact_, names)) return false;
+  return (index_of(names) == index || is_face(names, index)) && has_in_hull(run_.points, names, center_);
+}
+
+bool PerturbedPoint::is_again(std::size_t k, const std::vector<std::size_t>& same_index) const {
+  if (is_simplex_) {
+    // A simplex has at most so many faces of this dimension with that centre.
+    const bool has_two = index_ == StationaryIndex{1, 3} && run_.claim.points[k].index == 2;
+    if (same_index.size() >= (has_two ? 2U : 1U)) return true;
+  }
+  return std::ranges::any_of(same_index, [&](std::size_t other) {
+    return !run_.placed[k].names.empty() && run_.placed[k].names == run_.placed[other].names;
+  });
+}
+
+MadeByPerturbation PerturbedPoint::makes(std::span<const std::size_t> claimed) const {
+  if (is_simplex_) {
+    const bool is_one =
+        std::ranges::any_of(outcomes_, [&](const auto& outcome) { return is_outcome(outcome, claimed); });
+    return is_one ? MadeByPerturbation::kYes : MadeByPerturbation::kNo;
+  }
+  int sum = 0;
+  bool has_own_index = false;
+  for (const std::size_t k : claimed) {
+    const int index = run_.claim.points[k].index;
+    sum += index % 2 == 0 ? 1 : -1;
+    has_own_index = has_own_index || index == index_.face_dimension;
+  }
+  const int right_sum = !index_.is_critical() ? 0 : index_.face_dimension % 2 == 0 ? 1 : -1;
+  const bool is_possible = sum == right_sum && (has_own_index || !index_.is_critical());
+  return is_possible ? MadeByPerturbation::kNotDecided : MadeByPerturbation::kNo;
+}
+
+// ---- Geometry ----
+
+bool PerturbedPoint::is_face(const Names& names, int dimension) const {
+  if (names == contact_) return dimension == index_.hull_dimension;
+  if (dimension != 2 || names.size() < 3 || affine_dimension(run_.points, names) != 2) return false;
+  return index_.hull_dimension == 3 && supported_face(run_.points, names, contact_) == names;
+}
+
+bool PerturbedPoint::has_opposite_samples() const {
+  std::set<RationalPoint> from;
+  for (const PointId name : contact_) from.insert(from_center(name));
+  return std::ranges::any_of(from, [&](const RationalPoint& v) {
+    return from.contains(RationalPoint{-v[0], -v[1], -v[2]});
+  });
+}
+
+RationalPoint PerturbedPoint::from_center(PointId name) const {
+  const RationalPoint p = exact_position(sample(run_.points, name));
+  return {p[0] - center_[0], p[1] - center_[1], p[2] - center_[2]};
+}
+
+}  // namespace flowcert::certify
