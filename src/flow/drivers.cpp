@@ -95,15 +95,14 @@ VertexSources vertex_sources(const Diagram& diagram, CellIndex cluster) {
   FLOWCERT_REQUIRES(diagram.dimension() == 3);
   struct Side {
     FacetName facet;
-    Sign angle;
-    PolygonRef polygon;
+    Sign angle;  // at each edge, the lesser of its two comes first
   };
   const Boundary boundary = boundary_of(diagram, cluster);
   VertexSources sources;
   std::vector<Side> sides;
   for (const PolygonRef polygon : boundary.polygons) {
     for (const PolygonSide& side : diagram.sides(polygon)) {
-      sides.push_back({{side.v0, side.v1}, side.angle, polygon});
+      sides.push_back({{side.v0, side.v1}, side.angle});
     }
     const bool is_positive = std::ranges::find(boundary.negative, polygon) == boundary.negative.end() &&
                              std::ranges::find(boundary.zero, polygon) == boundary.zero.end();
@@ -112,7 +111,7 @@ VertexSources vertex_sources(const Diagram& diagram, CellIndex cluster) {
   const auto key = [](const Side& side) { return std::tuple(side.facet.v0, side.facet.v1, side.angle); };
   std::sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) { return key(a) < key(b); });
   for (std::size_t k = 0; k + 1 < sides.size(); k += 2) {
-    sources.edges.push_back({sides[k].facet, {sides[k].angle, sides[k + 1].angle}, sides[k].polygon});
+    if (sides[k].angle == Sign::kPositive) sources.edges.push_back(sides[k].facet);
   }
   return sources;
 }

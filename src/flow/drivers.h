@@ -33,21 +33,10 @@ struct VertexFlow {
   FacetName facet{0, 0};        // kAcrossFacet: driven by its midpoint
 };
 
-// An edge of a Voronoi vertex' polytope, with its angles h (FC-SIGN-01) in its two polygons, the lesser one first.
-// Both are zero iff its midpoint is the Voronoi vertex.
-struct PolytopeEdge {
-  FacetName facet;
-  std::array<Sign, 2> angles;
-  // The polygon that has the lesser angle. If that angle is zero, the polygon's centre is the edge's midpoint.
-  PolygonRef right_polygon{kNoCell, 0};
-
-  // Its facet leads to the Voronoi vertex (FC-STAB-03).
-  [[nodiscard]] bool leads() const { return angles[0] == Sign::kPositive; }
-};
-
 // What flows into a Voronoi vertex.
 struct VertexSources {
-  std::vector<PolytopeEdge> edges;   // all of the polytope's
+  // The edges of its polytope that lead to it, ascending. They connect all samples of the polytope (FC-STAB-03).
+  std::vector<FacetName> edges;
   std::vector<PolygonRef> polygons;  // whose Voronoi edges lead to it, from their centres
 };
 // Dimension 3 only. The time is in proportion to the number of facets of the cluster, apart from sorting them.

@@ -11,35 +11,31 @@ namespace flowcert::morse {
 
 namespace {
 
-// A path from v0 to v1 over edges of a Voronoi vertex' polytope. No edge of it is obtuse, and none passes through the
-// Voronoi vertex. It has the fewest edges that are possible, or is any path that the ties choose.
-std::vector<PolytopeEdge> path_between(const Diagram& diagram, CellIndex cluster, FacetName ends, TieBreaking& ties) {
-  const VertexSources sources = vertex_sources(diagram, cluster);
-  std::map<VertexIndex, std::vector<const PolytopeEdge*>> at;
-  for (const PolytopeEdge& edge : sources.edges) {
-    if (edge.angles[0] == Sign::kNegative || edge.angles[1] == Sign::kZero) continue;
-    at[edge.facet.v0].push_back(&edge);
-    at[edge.facet.v1].push_back(&edge);
+// A path over edges of a Voronoi vertex' polytope that lead to the Voronoi vertex. It has the fewest edges that are
+// possible, or is any path that the ties choose.
+std::vector<FacetName> path_between(const Diagram& diagram, CellIndex cluster, FacetName ends, TieBreaking& ties) {
+  std::map<VertexIndex, std::vector<FacetName>> at;
+  for (const FacetName edge : vertex_sources(diagram, cluster).edges) {
+    at[edge.v0].push_back(edge);
+    at[edge.v1].push_back(edge);
   }
-  const auto other_end = [](const PolytopeEdge& edge, VertexIndex v) {
-    return edge.facet.v0 == v ? edge.facet.v1 : edge.facet.v0;
-  };
+  const auto other_end = [](FacetName edge, VertexIndex v) { return edge.v0 == v ? edge.v1 : edge.v0; };
   struct Step {
     VertexIndex to;
-    const PolytopeEdge* by;
+    FacetName by;
   };
-  std::map<VertexIndex, const PolytopeEdge*> came_by;
+  std::map<VertexIndex, FacetName> came_by;
   // If the first one is always chosen, the search is breadth first.
-  for (std::deque<Step> open{{ends.v0, nullptr}}; !open.empty() && !came_by.contains(ends.v1);) {
+  for (std::deque<Step> open{{ends.v0, ends}}; !open.empty() && !came_by.contains(ends.v1);) {
     const auto next = open.begin() + static_cast<std::ptrdiff_t>(ties.choose(open.size()));
     const Step step = *next;
     open.erase(next);
     if (!came_by.emplace(step.to, step.by).second) continue;
-    for (const PolytopeEdge* edge : at[step.to]) open.push_back({other_end(*edge, step.to), edge});
+    for (const FacetName edge : at[step.to]) open.push_back({other_end(edge, step.to), edge});
   }
-  if (!came_by.contains(ends.v1)) throw std::logic_error("a polytope without a path of acute edges");
-  std::vector<PolytopeEdge> path;
-  for (VertexIndex v = ends.v1; v != ends.v0; v = other_end(path.back(), v)) path.push_back(*came_by.at(v));
+  if (!came_by.contains(ends.v1)) throw std::logic_error("a polytope whose leading edges do not connect its samples");
+  std::vector<FacetName> path;
+  for (VertexIndex v = ends.v1; v != ends.v0; v = other_end(path.back(), v)) path.push_back(came_by.at(v));
   return path;
 }
 
@@ -68,7 +64,7 @@ class TieBreaker {
       // A regular stationary point is no end here. The other sides of its polygon follow, or a path past it.
       const Place place = walk_.place(back.front);
       if (place.kind == Place::Kind::kVertex) {
-        add_path(place.vertex, back.front, task.facet);
+        for (const FacetName edge : path_between(diagram_, place.vertex, task.facet, ties_)) add(back.front, edge);
       } else {
         add_sides(back.front, place.edge);
       }
@@ -81,29 +77,6 @@ class TieBreaker {
     FrontNumber front;
     FacetName facet;
   };
-
-  void add_path(CellIndex cluster, FrontNumber front, FacetName ends) {
-    for (const PolytopeEdge& edge : path_between(diagram_, cluster, ends, ties_)) {
-      if (edge.leads()) {
-        add(front, edge.facet);
-      } else {
-        add_along(cluster, edge);
-      }
-    }
-  }
-
-  // Goes from a Voronoi vertex along the Voronoi edge of a right polygon to the middle of its longest side, or to the
-  // other Voronoi vertex if that comes first.
-  void add_along(CellIndex cluster, const PolytopeEdge& edge) {
-    const PolygonRef polygon = edge.right_polygon;
-    const std::size_t far = diagram_.end(polygon, 0) == cluster ? 1 : 0;
-    const CellIndex other = diagram_.end(polygon, far);
-    if (other == kNoCell || side_at(diagram_, polygon, far) == Sign::kPositive) {
-      add_sides(walk_.at_center(diagram_.corners(polygon), polygon), polygon);
-    } else {
-      add_path(other, walk_.at_vertex(other), edge.facet);
-    }
-  }
 
   const Diagram& diagram_;
   BackwardWalk& walk_;

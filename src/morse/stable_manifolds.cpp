@@ -194,9 +194,7 @@ void StableManifolds::Parts::Worker::push_vertex(CellIndex cluster, FrontNumber 
   if (!visited_.insert(cluster).second) return;
   set.has_vertex = true;
   const VertexSources sources = vertex_sources(faces_.diagram(), cluster);
-  for (const PolytopeEdge& edge : sources.edges) {
-    if (edge.leads()) tasks_.push_back({front, edge.facet});
-  }
+  for (const FacetName edge : sources.edges) tasks_.push_back({front, edge});
   set.has_interval = set.has_interval || !sources.polygons.empty();
   for (const PolygonRef polygon : sources.polygons) sources_of_intervals_.push_back({cluster, polygon});
 }
