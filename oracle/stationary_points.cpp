@@ -41,7 +41,7 @@ std::array<std::size_t, 4> Answer::critical_counts() const {
   return {count(0, 0), count(1, 1), count(2, 2), count(3, 3)};
 }
 
-std::array<std::size_t, 3> Answer::regular_counts() const { return {count(1, 2), count(2, 3), count(1, 3)}; }
+std::array<std::size_t, 3> Answer::regular_counts() const { return {count(1, 2), count(1, 3), count(2, 3)}; }
 
 StationaryPoint stationary_point(const PointSet& set, const Point& x, const Places& contact) {
   const std::vector<Point> points = select(set.points, contact);

@@ -36,7 +36,7 @@ struct Answer {
 
   std::size_t count(int face_dimension, int hull_dimension) const;
   std::array<std::size_t, 4> critical_counts() const;
-  std::array<std::size_t, 3> regular_counts() const;  // of kinds 1-2, 2-3, 1-3
+  std::array<std::size_t, 3> regular_counts() const;  // of kinds 1-2, 1-3, 2-3
 };
 
 Answer stationary_points(const PointSet& set);

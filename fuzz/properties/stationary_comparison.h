@@ -39,7 +39,7 @@ struct StationaryAnswer {
   std::size_t points = 0;
   std::size_t merged_duplicates = 0;
   std::vector<Record> records;
-  // Counts as the implementation gives them. The regular ones are of kinds 1-2, 2-3, 1-3.
+  // Counts as the implementation gives them. The regular ones are of kinds 1-2, 1-3, 2-3.
   std::array<std::size_t, 4> critical{};
   std::array<std::size_t, 3> regular{};
 
@@ -54,7 +54,7 @@ inline StationaryAnswer fast_answer(const FlowComplex& complex) {
   const StationaryPoints& all = complex.stationary();
   StationaryAnswer answer{points.row_count(), points.merged_duplicates(), {}, all.critical_counts(), {}};
   const RegularCounts& regular = all.regular_counts();
-  answer.regular = {regular.kind12, regular.kind23, regular.kind13};
+  answer.regular = {regular.kind12, regular.kind13, regular.kind23};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto contact = all.contact(i);
     const ExactSphere sphere = complex.sphere(i);

@@ -179,8 +179,8 @@ Json counts_field(const Answer& answer) {
   field["merged_duplicates"] = answer.merged_duplicates;
   field["critical"] = answer.critical_counts();
   field["regular_stationary"]["1-2"] = regular[0];
-  field["regular_stationary"]["2-3"] = regular[1];
-  field["regular_stationary"]["1-3"] = regular[2];
+  field["regular_stationary"]["1-3"] = regular[1];
+  field["regular_stationary"]["2-3"] = regular[2];
   return field;
 }
 

@@ -66,7 +66,7 @@ void print_text(const oracle::Answer& answer) {
   const auto regular = answer.regular_counts();
   std::cout << "points " << answer.points << ", merged duplicates " << answer.merged_duplicates << "\ncritical "
             << critical[0] << ' ' << critical[1] << ' ' << critical[2] << ' ' << critical[3]
-            << "\nregular stationary 1-2: " << regular[0] << ", 2-3: " << regular[1] << ", 1-3: " << regular[2] << '\n';
+            << "\nregular stationary 1-2: " << regular[0] << ", 1-3: " << regular[1] << ", 2-3: " << regular[2] << '\n';
   for (const auto& s : answer.stationary) print_text(s, exact_text);
 }
 

@@ -50,7 +50,7 @@ void check_counts_of_claim(CheckRun& run) {
   std::array<std::size_t, 3> regular{};
   for (const ClaimedPoint& point : run.claim.points) {
     if (point.hull_dimension) {
-      constexpr std::array<std::pair<int, int>, 3> kKinds = {{{1, 2}, {2, 3}, {1, 3}}};
+      constexpr std::array<std::pair<int, int>, 3> kKinds = {{{1, 2}, {1, 3}, {2, 3}}};
       const auto* kind = std::find(kKinds.begin(), kKinds.end(), std::pair(point.index, *point.hull_dimension));
       if (kind != kKinds.end()) ++regular.at(static_cast<std::size_t>(kind - kKinds.begin()));
     } else if (point.index >= 0 && point.index <= 3) {
@@ -63,7 +63,7 @@ void check_counts_of_claim(CheckRun& run) {
                "the claim itself lists " + counts_text(listed));
   };
   compare(run.claim.critical_counts, run.report.claimed_counts, "critical points");
-  compare(run.claim.regular_counts, regular, "regular stationary points of kinds 1-2, 2-3, 1-3");
+  compare(run.claim.regular_counts, regular, "regular stationary points of kinds 1-2, 1-3, 2-3");
 }
 
 // What is wrong with ids, in words; empty if nothing is.
@@ -85,7 +85,7 @@ std::string complaint_about_index(const ClaimedPoint& point) {
     return point.index < 0 || point.index > 3 ? "an index is 0, 1, 2 or 3" : "";
   }
   const bool exists = 1 <= point.index && point.index < *point.hull_dimension && *point.hull_dimension <= 3;
-  return exists ? "" : "only the kinds 1-2, 2-3 and 1-3 exist";
+  return exists ? "" : "only the kinds 1-2, 1-3 and 2-3 exist";
 }
 
 std::string complaint_about_successors(const PointSet& points, const ClaimedPoint& point) {

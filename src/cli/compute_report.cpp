@@ -249,9 +249,9 @@ void print_counts(const PointSet& points, const StationaryPoints& stationary) {
   }
   const RegularCounts& regular = stationary.regular_counts();
   print_row("regular stationary points 1-2", with_commas(regular.kind12), "an index 1 and an index 2 collide");
-  print_row("regular stationary points 2-3", with_commas(regular.kind23), "an index 2 and an index 3 collide");
   print_row("regular stationary points 1-3", with_commas(regular.kind13),
             "an edge, two polygons and a maximum collide");
+  print_row("regular stationary points 2-3", with_commas(regular.kind23), "an index 2 and an index 3 collide");
   print_row("Euler sum", fmt::format("{}", stationary.euler_sum()));
 }
 

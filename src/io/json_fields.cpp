@@ -70,8 +70,8 @@ void add_counts(Json& object, const PointSet& points, const StationaryPoints& st
   object["critical"] = stationary.critical_counts();
   Json& kinds = object["regular_stationary"];
   kinds["1-2"] = regular.kind12;
-  kinds["2-3"] = regular.kind23;
   kinds["1-3"] = regular.kind13;
+  kinds["2-3"] = regular.kind23;
 }
 
 Json index_field(StationaryIndex index) {

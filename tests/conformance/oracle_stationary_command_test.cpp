@@ -38,7 +38,7 @@ TEST_F(OracleStationaryCommand, PrintsALineForEachStationaryPoint) {
   EXPECT_EQ(finished.out,
             "points 4, merged duplicates 1\n"
             "critical 3 2 0 0\n"
-            "regular stationary 1-2: 1, 2-3: 0, 1-3: 0\n"
+            "regular stationary 1-2: 1, 1-3: 0, 2-3: 0\n"
             "index 0 at 0 0 0 contact 0 squared_distance 0\n"
             "index 0 at 4 0 0 contact 1 squared_distance 0\n"
             "index 0 at 0 4 0 contact 2 squared_distance 0\n"
@@ -52,7 +52,7 @@ TEST_F(OracleStationaryCommand, PrintsTheSameAsJson) {
   const std::vector<std::string> lines = lines_of(list({"--json"}).out);
   ASSERT_EQ(lines.size(), 7U);
   EXPECT_EQ(lines[0], R"({"format":"oracle-stationary-points","format_version":1,"points":4,"merged_duplicates":1,)"
-                      R"("critical":[3,2,0,0],"regular_stationary":{"1-2":1,"2-3":0,"1-3":0}})");
+                      R"("critical":[3,2,0,0],"regular_stationary":{"1-2":1,"1-3":0,"2-3":0}})");
   EXPECT_EQ(lines[4], R"({"index":1,"kind":"critical","contact":[0,1],"center":["2","0","0"],)"
                       R"("squared_distance":"4"})");
   EXPECT_EQ(lines[6], R"({"index":[1,2],"kind":"regular","contact":[0,1,2],"center":["2","2","0"],)"
@@ -63,7 +63,7 @@ TEST_F(OracleStationaryCommand, NoPointHasNoStationaryPoints) {
   CITES("FC-IN-04", "FC-CRIT-02");
   const std::string nothing = scratch_.file("nothing.xyz", "# no point\n");
   EXPECT_EQ(flowcert_oracle({"stationary", nothing}).out,
-            "points 0, merged duplicates 0\ncritical 0 0 0 0\nregular stationary 1-2: 0, 2-3: 0, 1-3: 0\n");
+            "points 0, merged duplicates 0\ncritical 0 0 0 0\nregular stationary 1-2: 0, 1-3: 0, 2-3: 0\n");
 }
 
 TEST_F(OracleStationaryCommand, RefusesMorePointsThanTheLimit) {

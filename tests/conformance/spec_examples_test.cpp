@@ -222,7 +222,7 @@ Answer oracle_answer(const std::string& xyz) {
   const auto critical = found.critical_counts();
   answer.critical.assign(critical.begin(), critical.end());
   const auto regular = found.regular_counts();
-  answer.regular = {regular[0], regular[2], regular[1]};  // the oracle has kind 2-3 in the middle
+  answer.regular = {regular[0], regular[1], regular[2]};
   for (const oracle::StationaryPoint& s : found.stationary) {
     answer.records.push_back(record_text({s.center[0].str(), s.center[1].str(), s.center[2].str()}, s.face_dimension,
                                          s.hull_dimension, s.contact, s.squared_distance.str()));

@@ -9,10 +9,13 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <regex>
 #include <set>
 
+#include "flowcert/check.h"
 #include "flowcert/rational.h"
+#include "flowcert/read_points.h"
 #include "oracle/program/read_records.h"
 #include "tests/cites.h"
 #include "tests/json_schema.h"
@@ -167,6 +170,32 @@ TEST(VectorFiles, LeaveNothingOut) {
   EXPECT_EQ(*sizes.rbegin(), 60U);
 }
 
+// Which claims of indices at a tetrahedron of kind 1-3 check() takes for what a perturbation makes (FC-CLAIM-04).
+Json claims_of_tetrahedron(const Json& one, const Json& x) {
+  const PointSet points(read_points_from(xyz_text(one), "case.xyz").rows);
+  const std::unique_ptr<Truth> truth = fast_truth(points);
+  ClaimedPosition center;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    center[axis] = {oracle::parse_rational(x["center"][axis])->value, true};
+  }
+  Json claims = Json::array({Json::array()});
+  for (const std::vector<int>& indices : {std::vector{1, 2}, {2, 3}, {1, 2, 2, 3}}) {
+    Claim claim;
+    const auto add = [&claim](int index) -> ClaimedPoint& {
+      ClaimedPoint& point = claim.points.emplace_back();
+      point.index = index;
+      return point;
+    };
+    for (std::size_t i = 0; i < truth->size(); ++i) {
+      if (!truth->index(i).is_critical()) continue;
+      add(truth->index(i).face_dimension).contact.assign(truth->contact(i).begin(), truth->contact(i).end());
+    }
+    for (const int index : indices) add(index).center = center;
+    if (check(points, claim, *truth).verdict == Verdict::kPerturbed) claims.push_back(indices);
+  }
+  return claims;
+}
+
 // The alternatives of a case are those of its regular stationary points; the counts are those of its list.
 TEST(VectorFiles, AreConsistent) {
   CITES("FC-INV-01", "FC-INV-02", "FC-CRIT-06", "FC-NUM-02");
@@ -185,6 +214,8 @@ TEST(VectorFiles, AreConsistent) {
       ++counts[index];
       if (claims.contains(index)) {
         alternatives.push_back({{"contact", x["contact"]}, {"claims", claims.at(index)}});
+        const bool is_tetrahedron = index == "[1,3]" && x["contact"].size() == 4;
+        if (is_tetrahedron) alternatives.back()["claims"] = claims_of_tetrahedron(one, x);
       }
       for (const Json& number : x["center"]) {
         const auto rational = oracle::parse_rational(number);
@@ -194,7 +225,7 @@ TEST(VectorFiles, AreConsistent) {
     const Json critical = {counts["0"], counts["1"], counts["2"], counts["3"]};
     expect_same(one, "critical", critical, expected["critical"]);
     EXPECT_EQ(counts["0"] - counts["1"] + counts["2"] - counts["3"], one["points"].empty() ? 0 : 1);
-    const Json regular = {{"1-2", counts["[1,2]"]}, {"2-3", counts["[2,3]"]}, {"1-3", counts["[1,3]"]}};
+    const Json regular = {{"1-2", counts["[1,2]"]}, {"1-3", counts["[1,3]"]}, {"2-3", counts["[2,3]"]}};
     expect_same(one, "regular_stationary", regular, expected["regular_stationary"]);
     expect_same(one, "alternatives", alternatives, one.value("alternatives", Json::array()));
     EXPECT_EQ(one["result"] == "acceptable", !alternatives.empty()) << one["id"];

@@ -58,8 +58,8 @@ void Distribution::add(const fuzz::Input& input, const StationaryAnswer& answer)
   four_points += classes >= 4 ? 1 : 0;
   cluster += clustered ? 1 : 0;
   kind12 += answer.regular[0] > 0 ? 1 : 0;
-  kind23 += answer.regular[1] > 0 ? 1 : 0;
-  kind13 += answer.regular[2] > 0 ? 1 : 0;
+  kind13 += answer.regular[1] > 0 ? 1 : 0;
+  kind23 += answer.regular[2] > 0 ? 1 : 0;
   coplanar += dimension == 2 ? 1 : 0;
   collinear += dimension == 1 && classes >= 3 ? 1 : 0;
   duplicates += answer.merged_duplicates > 0 ? 1 : 0;

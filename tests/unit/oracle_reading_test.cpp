@@ -151,7 +151,7 @@ TEST(OracleNearestDouble, OverflowBeginsHalfWayTo2To1024) {
 
 const std::string kHeader =
     R"({"format":"flowcert-stationary-points","format_version":1,"points":3,"merged_duplicates":1,)"
-    R"("critical":[2,1,0,0],"regular_stationary":{"1-2":0,"2-3":0,"1-3":0}})";
+    R"("critical":[2,1,0,0],"regular_stationary":{"1-2":0,"1-3":0,"2-3":0}})";
 
 TEST(OracleRecords, Header) {
   CITES("FC-IN-03");

@@ -42,7 +42,7 @@ TEST(FormFindings, OfTheWhole) {
             "fails"
             "\n1 wrong-counts FC-IN-03: 2 merged duplicates; 1"
             "\n1 malformed FC-IN-03: other classes of repeated points; 1 classes of more than one row"
-            "\n1 wrong-counts FC-CLAIM-01: 0 0 1 regular stationary points of kinds 1-2, 2-3, 1-3; the claim "
+            "\n1 wrong-counts FC-CLAIM-01: 0 0 1 regular stationary points of kinds 1-2, 1-3, 2-3; the claim "
             "itself lists 1 0 0");
 }
 
@@ -62,7 +62,7 @@ TEST(FormFindings, OfIndicesAndKinds) {
   for (const auto& [index, hull] : {std::pair{0, 2}, {1, 1}, {2, 1}, {1, 4}, {3, 3}}) {
     EXPECT_EQ(added(index, hull), "fails\n1 malformed FC-CRIT-03: regular, kind " + std::to_string(index) + "-" +
                                       std::to_string(hull) +
-                                      ", contact set 0 1 2 3; only the kinds 1-2, 2-3 and 1-3 exist");
+                                      ", contact set 0 1 2 3; only the kinds 1-2, 1-3 and 2-3 exist");
   }
   for (const auto& [index, hull] : {std::pair{1, 2}, {2, 3}, {1, 3}}) EXPECT_EQ(added(index, hull), "conforms");
   EXPECT_EQ(text(points.check(points.claim().add(1, {}), {.highest_level = 1})),

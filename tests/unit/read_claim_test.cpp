@@ -52,7 +52,7 @@ TEST(ReadExchange, EverythingThatComputeWrites) {
   EXPECT_EQ(claim.input_sha256, coordinates_sha256(points));
   EXPECT_EQ(claim.critical_counts, stationary.critical_counts());
   const RegularCounts& regular = stationary.regular_counts();
-  EXPECT_EQ(claim.regular_counts, (std::array<std::size_t, 3>{regular.kind12, regular.kind23, regular.kind13}));
+  EXPECT_EQ(claim.regular_counts, (std::array<std::size_t, 3>{regular.kind12, regular.kind13, regular.kind23}));
   EXPECT_GT(regular.kind12 + regular.kind23 + regular.kind13, 0U);
   ASSERT_EQ(claim.points.size(), stationary.size());
   std::size_t saddle = 0;

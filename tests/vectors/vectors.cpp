@@ -83,17 +83,38 @@ Json stationary_field(const Recipe& recipe, const Findings& found) {
   return records;
 }
 
-// What a symbolic perturbation may make of a regular stationary point. FC-INV-02 counts how many critical
-// points collide there. Those that meet may annihilate each other or stay.
-Json alternatives_field(const Answer& answer) {
+// The sign of the cosine of a tetrahedron's angle at its edge through the centre. It is 0 for more than four samples,
+// because a perturbation can then leave any tetrahedron.
+int sign_at_edge(const PointSet& set, const StationaryPoint& x) {
+  if (x.contact.size() != 4) return 0;
+  std::vector<Point> from;  // the centre
+  for (const std::size_t place : places_of(set, x.contact)) from.push_back(minus(set.points[place], x.center));
+  const Point zero = {0, 0, 0};
+  for (std::size_t k = 1; k < 4; ++k) {
+    // The edge is that of samples 0 and k, or that of the two others.
+    const std::size_t one = k == 1 ? 2 : 1, other = k == 3 ? 2 : 3;
+    for (const auto& [a, b, r, s] :
+         {std::array{from[0], from[k], from[one], from[other]}, std::array{from[one], from[other], from[0], from[k]}}) {
+      if (minus(a, minus(zero, b)) != zero) continue;
+      const Rational cosine = dot(r, s) * dot(a, a) - dot(r, a) * dot(s, a);
+      return cosine > 0 ? 1 : cosine < 0 ? -1 : 0;
+    }
+  }
+  throw std::logic_error("a regular stationary point of kind 1-3 without an edge through it");
+}
+
+// What a perturbation may make of a regular stationary point (FC-CLAIM-04).
+Json alternatives_field(const PointSet& set, const Answer& answer) {
   using Claims = std::vector<std::vector<int>>;  // each the indices that are claimed there
   Json alternatives = Json::array();
   for (const StationaryPoint& x : answer.stationary) {
     if (x.face_dimension == x.hull_dimension) continue;
+    const bool is_kind_13 = x.face_dimension == 1 && x.hull_dimension == 3;
+    const int angle = is_kind_13 ? sign_at_edge(set, x) : 0;
     Claims claims(1);  // none
-    if (x.face_dimension == 1) claims.push_back({1, 2});
-    if (x.hull_dimension == 3) claims.push_back({2, 3});
-    if (x.face_dimension == 1 && x.hull_dimension == 3) claims.push_back({1, 2, 2, 3});
+    if (x.face_dimension == 1 && angle >= 0) claims.push_back({1, 2});
+    if (x.hull_dimension == 3 && angle <= 0) claims.push_back({2, 3});
+    if (is_kind_13) claims.push_back({1, 2, 2, 3});
     Json alternative;
     alternative["contact"] = x.contact;
     alternative["claims"] = claims;
@@ -164,7 +185,7 @@ Json case_of(const Group& group, const Recipe& recipe) {
 Json case_of(const Group& group, const Recipe& recipe, const Answer& answer, const std::vector<Point>& starts) {
   const Findings found = findings_of(recipe, answer, starts);
   const std::vector<std::string> flags = flags_of(found, recipe.aims);
-  const Json alternatives = alternatives_field(found.answer);
+  const Json alternatives = alternatives_field(found.set, found.answer);
   Json made = head_of(group, recipe.id, recipe.comment, flags);
   made["points"] = points_field(recipe.points);
   made["result"] = alternatives.empty() ? "determined" : "acceptable";

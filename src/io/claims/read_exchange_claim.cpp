@@ -301,7 +301,7 @@ int index_of(const ExchangeValue& value) { return claimed_index(value.number_tex
 // The header.
 
 std::array<std::size_t, 3> regular_counts_of(const ExchangeValue& value) {
-  return {count_of(value.get("1-2")), count_of(value.get("2-3")), count_of(value.get("1-3"))};
+  return {count_of(value.get("1-2")), count_of(value.get("1-3")), count_of(value.get("2-3"))};
 }
 
 std::string sha256_of(const ExchangeValue& value) {

@@ -104,7 +104,7 @@ struct Claim {
   std::optional<std::size_t> merged_duplicates;
   std::optional<std::vector<std::vector<PointId>>> classes;  // of repeated rows
   std::optional<std::array<std::size_t, 4>> critical_counts;
-  std::optional<std::array<std::size_t, 3>> regular_counts;  // of kinds 1-2, 2-3, 1-3
+  std::optional<std::array<std::size_t, 3>> regular_counts;  // of kinds 1-2, 1-3, 2-3
 };
 
 // Reads a claim of any known format, recognised by content, gzip-compressed or not; "-" is standard input.

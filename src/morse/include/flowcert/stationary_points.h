@@ -21,8 +21,8 @@ namespace flowcert {
 // How many regular stationary points of each kind there are.
 struct RegularCounts {
   std::size_t kind12 = 0;
-  std::size_t kind23 = 0;
   std::size_t kind13 = 0;
+  std::size_t kind23 = 0;
 
   friend bool operator==(const RegularCounts&, const RegularCounts&) = default;
 };
