@@ -75,7 +75,8 @@ const Finding& telling_finding(const std::vector<Finding>& findings) {
     return std::pair(finding.is_variation, finding.level);
   }));
   const auto of_a_point = std::ranges::find_if(findings, [&](const Finding& finding) {
-    return finding.level == findings.front().level && !finding.contact.empty();
+    return finding.is_variation == findings.front().is_variation && finding.level == findings.front().level &&
+           !finding.contact.empty();
   });
   return of_a_point == findings.end() ? findings.front() : *of_a_point;
 }

@@ -262,25 +262,44 @@ class Incidences {
     return run_.index(*target).hull_dimension >= 2 && run_.truth.sphere(*target).squared_radius > *permitted.beyond;
   }
 
+  // It does not recurse, because orbits can go on from saddle to saddle. The distance grows on the way, so that this
+  // comes to an end.
   const Continuations& continuations(const Limit& from) {
-    const auto known = continuations_.find(from);
-    if (known != continuations_.end()) return known->second;
-    Continuations result;
-    result.limits.insert(from);
-    if (from && run_.index(*from) == kIndex2) {
-      // The distance grows along orbits, so this comes to an end.
-      for (const Limit& next : run_.truth.limits(*from)) {
-        const Continuations& further = continuations(next);
-        result.limits.insert(further.limits.begin(), further.limits.end());
-        if (further.beyond && (!result.beyond || *further.beyond < *result.beyond)) {
-          result.beyond = further.beyond;
+    std::vector<Limit> open(1, from);
+    while (!open.empty()) {
+      const Limit at = open.back();
+      if (!continuations_.contains(at)) {
+        const std::size_t before = open.size();
+        if (goes_on(at)) {
+          for (const Limit& next : run_.truth.limits(*at)) {
+            if (!continuations_.contains(next)) open.push_back(next);
+          }
         }
+        if (open.size() > before) continue;
+        continuations_.emplace(at, continuations_of(at));
       }
-    } else if (from && !run_.index(*from).is_critical()) {
-      result.beyond = run_.truth.sphere(*from).squared_radius;
+      open.pop_back();
+    }
+    return continuations_.at(from);
+  }
+
+  [[nodiscard]] bool goes_on(const Limit& at) const { return at && run_.index(*at) == kIndex2; }
+
+  // The continuations of the limits beyond it must be there.
+  Continuations continuations_of(const Limit& at) {
+    Continuations result;
+    result.limits.insert(at);
+    if (goes_on(at)) {
+      for (const Limit& next : run_.truth.limits(*at)) {
+        const Continuations& further = continuations_.at(next);
+        result.limits.insert(further.limits.begin(), further.limits.end());
+        if (further.beyond && (!result.beyond || *further.beyond < *result.beyond)) result.beyond = further.beyond;
+      }
+    } else if (at && !run_.index(*at).is_critical()) {
+      result.beyond = run_.truth.sphere(*at).squared_radius;
       run_.leave_unjudged("where, beyond a regular stationary point, a perturbation lets an orbit end (FC-CLAIM-07)");
     }
-    return continuations_.emplace(from, std::move(result)).first->second;
+    return result;
   }
 
   void vary_parts(std::size_t k, const std::vector<NamedTarget>& targets) {

@@ -195,18 +195,30 @@ class ByPosition {
     return within;
   }
 
-  // Looks for an augmenting path (Kuhn's algorithm) among the candidates of rank 0.
-  bool find_own(std::size_t k) {
-    for (const Candidate& candidate : candidates_.at(k)) {
-      if (candidate.rank > 0) break;
-      if (!tried_.insert(candidate.record).second) continue;
-      const auto owner = owner_.find(candidate.record);
-      if (owner == owner_.end() || find_own(owner->second)) {
-        owner_[candidate.record] = k;
-        return true;
+  // Looks for an augmenting path (Kuhn's algorithm) among the candidates of rank 0. It does not recurse, because a path
+  // can be as long as the claim.
+  void find_own(std::size_t k) {
+    struct Step {
+      const std::vector<Candidate>* of;
+      std::size_t k;
+      std::size_t tried;  // so many of the candidates
+    };
+    std::vector<Step> path{{&candidates_.at(k), k, 0}};
+    while (!path.empty()) {
+      Step& last = path.back();
+      if (last.tried == last.of->size() || (*last.of)[last.tried].rank > 0) {
+        path.pop_back();
+        continue;
       }
+      const std::size_t record = (*last.of)[last.tried++].record;
+      if (!tried_.insert(record).second) continue;
+      if (const auto owner = owner_.find(record); owner != owner_.end()) {
+        path.push_back({&candidates_.at(owner->second), owner->second, 0});
+        continue;
+      }
+      for (const Step& step : path) owner_[(*step.of)[step.tried - 1].record] = step.k;
+      return;
     }
-    return false;
   }
 
   void place(std::size_t k, const std::vector<Candidate>& within, std::size_t record) {

@@ -2,6 +2,7 @@
 // made by hand, and the reports are compared word for word.
 #include <gtest/gtest.h>
 
+#include "certify/finding_words.h"
 #include "tests/cites.h"
 #include "tests/unit/hand_made_claims.h"
 
@@ -135,6 +136,18 @@ TEST(FormFindings, OnlyToTheLevelThatIsAskedFor) {
     for (std::size_t k = at + 1; k < 5; ++k) EXPECT_FALSE(report.conforms[k].has_value());
   }
   EXPECT_THROW((void)points.check(claimed, {.tolerance = 1.5}), InvalidInput);
+}
+
+// What is permitted is never told as what is wrong, even where it is about a point and the other is not.
+TEST(FormFindings, TheTellingOneIsWrong) {
+  CITES("FC-CLAIM-04");
+  const Finding sum{3, FindingReason::kWrongCounts, false, "FC-INV-01", std::nullopt, {}, "", ""};
+  const Finding denied{3, FindingReason::kSymbolicPerturbation, true, "FC-CLAIM-04", std::nullopt, {1, 2}, "", ""};
+  Finding missing{3, FindingReason::kMissing, false, "FC-CLAIM-03", std::nullopt, {0, 1}, "", ""};
+  EXPECT_EQ(certify::telling_finding({sum, denied}).reason, FindingReason::kWrongCounts);
+  EXPECT_EQ(certify::telling_finding({sum, missing, denied}).reason, FindingReason::kMissing);
+  missing.level = 4;
+  EXPECT_EQ(certify::telling_finding({sum, missing}).reason, FindingReason::kWrongCounts);
 }
 
 // ---- At regular stationary points
