@@ -30,7 +30,7 @@ struct Promise {
   int coplanar = 0;    // the points span a plane
   int collinear = 0;   // three distinct points and more, spanning a line
   int duplicates = 0;  // a row that repeats another
-  int tie = 0;         // a cluster or a regular stationary point
+  int degenerate = 0;  // a cluster or a regular stationary point
 };
 
 struct Family {

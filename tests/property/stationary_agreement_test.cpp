@@ -33,7 +33,7 @@ struct Distribution {
   int coplanar = 0;
   int collinear = 0;
   int duplicates = 0;
-  int tie = 0;
+  int degenerate = 0;
 
   void add(const fuzz::Input& input, const StationaryAnswer& answer);
   [[nodiscard]] int percent(int count) const { return inputs == 0 ? 0 : 100 * count / inputs; }
@@ -63,14 +63,14 @@ void Distribution::add(const fuzz::Input& input, const StationaryAnswer& answer)
   coplanar += dimension == 2 ? 1 : 0;
   collinear += dimension == 1 && classes >= 3 ? 1 : 0;
   duplicates += answer.merged_duplicates > 0 ? 1 : 0;
-  tie += clustered || regular ? 1 : 0;
+  degenerate += clustered || regular ? 1 : 0;
 }
 
 void print_row(const std::string& name, const Distribution& seen) {
-  std::printf("%-22s %6d %6d %7d %5d %5d %5d %8d %9d %10d %5d\n", name.c_str(), seen.inputs,
+  std::printf("%-22s %6d %6d %7d %5d %5d %5d %8d %9d %10d %10d\n", name.c_str(), seen.inputs,
               seen.percent(seen.four_points), seen.percent(seen.cluster), seen.percent(seen.kind12),
               seen.percent(seen.kind23), seen.percent(seen.kind13), seen.percent(seen.coplanar),
-              seen.percent(seen.collinear), seen.percent(seen.duplicates), seen.percent(seen.tie));
+              seen.percent(seen.collinear), seen.percent(seen.duplicates), seen.percent(seen.degenerate));
 }
 
 void expect_promise_kept(const fuzz::Family& family, const Distribution& seen) {
@@ -83,7 +83,7 @@ void expect_promise_kept(const fuzz::Family& family, const Distribution& seen) {
   EXPECT_GE(seen.percent(seen.coplanar), promise.coplanar);
   EXPECT_GE(seen.percent(seen.collinear), promise.collinear);
   EXPECT_GE(seen.percent(seen.duplicates), promise.duplicates);
-  EXPECT_GE(seen.percent(seen.tie), promise.tie);
+  EXPECT_GE(seen.percent(seen.degenerate), promise.degenerate);
 }
 
 class StationaryAgreement : public ::testing::TestWithParam<fuzz::Family> {
@@ -91,8 +91,8 @@ class StationaryAgreement : public ::testing::TestWithParam<fuzz::Family> {
   static void SetUpTestSuite() {
     std::printf("FLOWCERT_PROPERTY_SEED=%llu, percent of the inputs:\n",
                 static_cast<unsigned long long>(seed_of_run()));
-    std::printf("%-22s %6s %6s %7s %5s %5s %5s %8s %9s %10s %5s\n", "family", "inputs", "n >= 4", "cluster", "1-2",
-                "2-3", "1-3", "coplanar", "collinear", "duplicates", "tie");
+    std::printf("%-22s %6s %6s %7s %5s %5s %5s %8s %9s %10s %10s\n", "family", "inputs", "n >= 4", "cluster", "1-2",
+                "2-3", "1-3", "coplanar", "collinear", "duplicates", "degenerate");
   }
 };
 

@@ -1,9 +1,10 @@
 // The chain complex of the flow complex over Z/2. It has a cell for each critical point. The boundary of the cell is
 // the critical points of one index less at which its stable manifold ends.
 //
-// Guarantees: where no tie has to be broken, the boundary operators are determined, and boundary of boundary is zero.
-// Otherwise ties are broken as clause FC-CHAIN-02 allows. Whatever the choice, boundaries of index-2 points are
-// cycles, and persistence is the alpha complex's. Source: spec section 11 (clauses FC-CHAIN).
+// Guarantees: where no tie has to be broken, the boundary operators are determined, and, if nothing is regular
+// stationary, the boundary of a boundary is zero. Otherwise ties are broken as clause FC-CHAIN-02 allows. Whatever the
+// choice, boundaries of index-2 points are cycles, and persistence is the alpha complex's. Source: spec section 11
+// (clauses FC-CHAIN).
 #pragma once
 
 #include <cstddef>
