@@ -274,7 +274,8 @@ TEST(PlaceFindings, OfWhatIsNoSimplex) {
   // Four corners of a cube in a plane through its centre, alone.
   const Ids all = {0, 1, 2, 3, 4, 5, 6, 7};
   expect_undecided(cube, cube.claim_without({all}).add(3, {0, 1, 6, 7}), 1);
-  EXPECT_EQ(cube.check(cube.claim_without({all}).add(2, {0, 1, 6})).verdict, Verdict::kFails) << "no index 3";
+  EXPECT_EQ(cube.check(cube.claim_without({all}).add(2, {0, 1, 6})).verdict, Verdict::kFails) << "the sum";
+  EXPECT_EQ(cube.check(cube.claim_without({all}).add(1, {0, 7})).verdict, Verdict::kFails) << "no index 3";
   // By position alone, two opposite samples make an index-1 point possible.
   const auto at_center = [&](const Truly& truly, const RationalPoint& x, const std::vector<int>& indices) {
     Claimed claimed = truly.claim_without({{0, 1, 2, 3}, all});

@@ -173,6 +173,14 @@ TEST(PolylineFindings, BeyondARegularPoint) {
     fails_with({"", std::nullopt, exactly(farther)}, farther, no_way);
     const RationalPoint y = beyond == &of_23 ? RationalPoint{0, Rational(3, 4), 2}
                                              : RationalPoint{Rational(1, 2), Rational(5, 2), Rational(3, 2)};
+    const RationalPoint beyond_it = {2 * end[0] - y[0], 2 * end[1] - y[1], 2 * end[2] - y[2]};
+    fails_with({"", std::nullopt, exactly(beyond_it)}, beyond_it, no_way);
+    // The Voronoi edge of the saddle comes to y. Nothing flows back along it, to its other end.
+    const std::size_t record = beyond->truly.record_of(beyond->saddle);
+    for (std::size_t side = 0; side < 2; ++side) {
+      const auto back = beyond->truly.truth->polyline(record, side).front().end;
+      if (back && *back != y) fails_with({"", std::nullopt, exactly(*back)}, *back, no_way);
+    }
     const RationalPoint half = {(y[0] + end[0]) / 2, (y[1] + end[1]) / 2, (y[2] + end[2]) / 2};
     fails_with({"", std::nullopt, exactly(half)}, half, no_way);
     fails_with({"", std::nullopt, exactly(y)}, y, no_way);
