@@ -271,6 +271,8 @@ TEST_F(ConformanceCommand, ComparesPersistencePairs) {
   EXPECT_EQ(text("# of a triangle\n" + components + "1 4.5 5\n")["outcome"], "conforms");
   EXPECT_EQ(text("1 4.50000000000000000001 5e0 # late\n\n2 7 7\n" + components)["outcome"], "conforms");
   EXPECT_EQ(changed("")["outcome"], "conforms");
+  // GUDHI's tools write the characteristic of the field in front.
+  EXPECT_EQ(text("2  0 0 inf \n2  0 0 2.5 \n11 0 0 4\n2  1 4.5 5\n")["outcome"], "conforms");
   // These pairs are wrong, and each finding names a pair.
   expect_wrong(text(components + "1 4.5 5.000000000000001\n"), "dimension 1, birth 4.5, death 5.000000000000001",
                "dimension 1, birth 4.5, death 5");
@@ -296,8 +298,10 @@ TEST_F(ConformanceCommand, KnowsOutcomesOfThePersistenceCommandApart) {
     EXPECT_EQ(one["persistence_findings"], json::array());
   };
   expect("true", "unreadable", "standard output: empty");
-  expect("echo nonsense", "unreadable", "standard output:1: not the three words");
+  expect("echo nonsense", "unreadable", "standard output:1: not the words dimension, birth, death");
   expect("printf '# x\n3 1 2\n'", "unreadable", "standard output:2: no dimension");
+  expect("echo 1 0 0 inf", "unreadable", "standard output:1: no characteristic of a field: '1'");
+  expect("echo 2 0 0 inf 5", "unreadable", "standard output:1: not the words dimension, birth, death");
   expect("echo 1 x 2", "unreadable", "no squared distance: 'x'");
   expect("echo 1 nan inf", "unreadable", "no squared distance: 'nan'");
   expect("echo '{}'", "unreadable", "no key 'pairs'");

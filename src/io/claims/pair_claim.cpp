@@ -59,11 +59,28 @@ Rational double_of(const std::string& word) {
   return Rational(number.value);
 }
 
+// GUDHI's tools write in front of each pair the characteristic of the field over which homology was taken. The pairs are
+// the same over all fields.
+void expect_characteristic(const std::string& word) {
+  int value = 0;
+  const char* end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  if (error != std::errc() || stop != end || value < 2) {
+    throw InvalidInput("no characteristic of a field: " + in_quotes(word));
+  }
+}
+
 std::optional<ListedPair> pair_of_line(const std::string& line) {
   std::istringstream in(line.substr(0, line.find('#')));
-  const std::vector<std::string> words(std::istream_iterator<std::string>(in), {});
+  std::vector<std::string> words(std::istream_iterator<std::string>(in), {});
   if (words.empty()) return std::nullopt;
-  if (words.size() != 3) throw InvalidInput("not the three words dimension, birth, death");
+  if (words.size() != 3 && words.size() != 4) {
+    throw InvalidInput("not the words dimension, birth, death, with the characteristic of a field before them or not");
+  }
+  if (words.size() == 4) {
+    expect_characteristic(words.front());
+    words.erase(words.begin());
+  }
   ListedPair pair{dimension_of(words[0]), double_of(words[1]), std::nullopt};
   if (words[2] != "inf") pair.death = double_of(words[2]);
   return pair;
