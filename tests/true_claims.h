@@ -85,6 +85,7 @@ inline Claim stable_claim(const PointSet& points, Truth& truth, std::size_t firs
       point.stable = ClaimedStable{summary.segments, summary.has_vertex, summary.has_interval, {}, {}};
       point.stable->walk = boundary_walk(set, index, point.contact);
       point.skeleton = skeleton_of(set);
+      if (index.is_critical()) point.skeleton->orbits = connecting_orbits(set, truth.sphere(i).center);
       if (set.intervals.empty()) point.surface = surface_of(points, set);
       if (index.is_critical()) {
         point.stable->boundary.emplace();

@@ -103,7 +103,7 @@ void CheckRun::leave_undecided(const std::string& what) { add_once(report.not_de
 bool CheckRun::is_made(std::size_t record, const std::vector<PointId>& names, int index) const {
   const auto made = perturbed.find(record);
   return made != perturbed.end() && std::ranges::any_of(made->second, [&](std::size_t k) {
-           return claim.points[k].index == index && placed[k].names == names;
+           return claim.points[k].index == index && (placed[k].names.empty() || placed[k].names == names);
          });
 }
 

@@ -101,8 +101,8 @@ struct CheckRun {
   // Reports a permitted variation of a claimed point.
   void vary(int level, FindingReason reason, const std::string& clause, std::size_t claimed_point,
             const std::string& truth_text);
-  // Side 0 or 1 of the index-2 point at which claimed point k is, for a side as claimed. They differ where a part of the
-  // contact set is named that turns the other way (FC-CLAIM-02).
+  // The side, 0 or 1, of the index-2 point at which claimed point k is, for a side as claimed. They differ where a part
+  // of the contact set is named that turns the other way (FC-CLAIM-02).
   [[nodiscard]] std::size_t true_side(std::size_t k, std::size_t claimed_side) const;
   // Reports once that this is not judged, or not decided.
   void leave_unjudged(const std::string& what);

@@ -121,6 +121,13 @@ std::string complaint_about_stable(const PointSet& points, const ClaimedPoint& p
     for (const auto& interval : point.skeleton->intervals) lists.push_back(interval.polygon);
     for (const auto& sector : point.skeleton->sectors) lists.push_back(sector.samples);
   }
+  if (point.skeleton && point.skeleton->orbits) {
+    for (const auto& chain : *point.skeleton->orbits) {
+      const bool exist =
+          std::ranges::all_of(chain, [&](std::size_t place) { return place < point.skeleton->segments.size(); });
+      if (!exist) return "of a stable set: an orbit along a segment that is not there";
+    }
+  }
   for (const std::vector<PointId>& ids : lists) {
     if (ids.empty()) return "of a stable set: a contact set without points";
     const std::string complaint = complaint_about_ids(points, ids);

@@ -223,11 +223,9 @@ class Incidences {
 
   // Whether the target is an edge of this sample, and a perturbation makes an index-1 point in the edge's middle.
   bool is_perturbed_edge(const ClaimedTarget& target, std::size_t record, PointId name) const {
-    const StationaryIndex index = run_.index(record);
     const std::vector<PointId> names = class_names(run_.points, target.contact);
     const bool is_edge = names.size() == 2 && std::ranges::find(names, name) != names.end();
-    const bool is_of_regular = !index.is_critical() && index.face_dimension == 1;
-    return is_edge && (is_of_regular || run_.is_made(record, names, 1));
+    return is_edge && run_.is_made(record, names, 1);
   }
 
   static std::set<Limit> as_set(const std::vector<NamedTarget>& targets) {

@@ -35,6 +35,7 @@ PerturbedPoint::PerturbedPoint(CheckRun& run, std::size_t record)
       center_(run.truth.sphere(record).center),
       is_simplex_(contact_.size() == index_.hull_dimension + std::size_t{1}) {
   if (is_simplex_) outcomes_ = outcomes_of_simplex();
+  if (!is_simplex_) opposite_pairs_ = count_opposite_samples();
 }
 
 // ---- Simplices ----
@@ -100,7 +101,7 @@ bool PerturbedPoint::can_make(std::size_t k) const {
       });
     });
   }
-  if (names.empty()) return index > 1 || has_opposite_samples();
+  if (names.empty()) return index > 1 || opposite_pairs_ > 0;
   if (!std::ranges::includes(contact_, names)) return false;
   return (index_of(names) == index || is_face(names, index)) && has_in_hull(run_.points, names, center_);
 }
@@ -110,6 +111,8 @@ bool PerturbedPoint::is_again(std::size_t k, const std::vector<std::size_t>& sam
     // A simplex has at most so many faces of this dimension with that centre.
     const bool has_two = index_ == StationaryIndex{1, 3} && run_.claim.points[k].index == 2;
     if (same_index.size() >= (has_two ? 2U : 1U)) return true;
+  } else if (run_.claim.points[k].index == 1 && same_index.size() >= opposite_pairs_) {
+    return true;
   }
   return std::ranges::any_of(same_index, [&](std::size_t other) {
     return !run_.placed[k].names.empty() && run_.placed[k].names == run_.placed[other].names;
@@ -130,7 +133,7 @@ MadeByPerturbation PerturbedPoint::makes(std::span<const std::size_t> claimed) c
     has_own_index = has_own_index || index == index_.face_dimension;
   }
   const int right_sum = !index_.is_critical() ? 0 : index_.face_dimension % 2 == 0 ? 1 : -1;
-  const bool is_possible = sum == right_sum && (has_own_index || !index_.is_critical());
+  const bool is_possible = sum == right_sum && (has_own_index || !index_.is_critical()) && !overlap(claimed);
   return is_possible ? MadeByPerturbation::kNotDecided : MadeByPerturbation::kNo;
 }
 
@@ -142,12 +145,47 @@ bool PerturbedPoint::is_face(const Names& names, int dimension) const {
   return index_.hull_dimension == 3 && supported_face(run_.points, names, contact_) == names;
 }
 
-bool PerturbedPoint::has_opposite_samples() const {
+bool PerturbedPoint::has_inside(const Names& tetrahedron) const {
+  if (affine_dimension(run_.points, tetrahedron) < 3) return false;
+  for (const PointId left_out : tetrahedron) {
+    Names triangle = tetrahedron;
+    std::erase(triangle, left_out);
+    if (has_in_hull(run_.points, triangle, center_)) return false;
+  }
+  return true;
+}
+
+// Whether the samples are, or span, a proper face of the hull with the centre in it.
+bool PerturbedPoint::is_on_face(const Names& names, int index) const {
+  if (index == 1) return index_.face_dimension == 1;
+  return index == 2 && index_.hull_dimension == 3 && !supported_face(run_.points, names, contact_).empty();
+}
+
+// Delaunay faces do not overlap. So one tetrahedron at most has the centre inside. If all of the contact set stays
+// together, what else there is are faces of its hull.
+bool PerturbedPoint::overlap(std::span<const std::size_t> claimed) const {
+  const auto names = [&](std::size_t k) -> const Names& { return run_.placed[k].names; };
+  const auto is_whole = [&](std::size_t k) {
+    return names(k) == contact_ && run_.claim.points[k].index == index_.hull_dimension;
+  };
+  const bool is_together = std::ranges::any_of(claimed, is_whole);
+  std::size_t around = 0;
+  for (const std::size_t k : claimed) {
+    const int index = run_.claim.points[k].index;
+    if (names(k).empty() || is_whole(k)) continue;
+    if (is_together && !is_on_face(names(k), index)) return true;
+    around += index == 3 && names(k).size() == 4 && has_inside(names(k)) ? 1 : 0;
+  }
+  return around > 1;
+}
+
+std::size_t PerturbedPoint::count_opposite_samples() const {
   std::set<RationalPoint> from;
   for (const PointId name : contact_) from.insert(from_center(name));
-  return std::ranges::any_of(from, [&](const RationalPoint& v) {
+  const auto count = std::ranges::count_if(from, [&](const RationalPoint& v) {
     return from.contains(RationalPoint{-v[0], -v[1], -v[2]});
   });
+  return static_cast<std::size_t>(count) / 2;
 }
 
 RationalPoint PerturbedPoint::from_center(PointId name) const {

@@ -18,14 +18,14 @@ enum class MadeByPerturbation { kNo, kNotDecided, kYes };
 
 class PerturbedPoint {
  public:
-  // The run must outlive this. Takes time in proportion to the contact set, and to the cube of its size only if it is
-  // a simplex.
+  // The run must outlive this. O(n log n) for a contact set of n samples.
   PerturbedPoint(CheckRun& run, std::size_t record);
 
-  // Whether some perturbation makes this claimed critical point, perhaps together with others.
+  // For a simplex, whether some perturbation makes this claimed critical point, perhaps together with others.
+  // Otherwise, whether no condition on it alone forbids it.
   [[nodiscard]] bool can_make(std::size_t claimed_point) const;
-  // Whether two claimed points of one index are the same point. A position alone does not tell which of several
-  // contact sets is meant. `same_index` has the claims of that index that are accepted so far.
+  // Whether a claimed point repeats one of the same index. A position alone does not tell which of several contact sets
+  // is meant. `same_index` has the claims of that index that are accepted so far.
   [[nodiscard]] bool is_again(std::size_t claimed_point, const std::vector<std::size_t>& same_index) const;
   // Whether one perturbation makes just these points. It must be able to make each, and none may be there again.
   [[nodiscard]] MadeByPerturbation makes(std::span<const std::size_t> claimed_points) const;
@@ -37,7 +37,10 @@ class PerturbedPoint {
   [[nodiscard]] std::vector<std::vector<Names>> outcomes_of_kind_13(const Names& edge) const;
   [[nodiscard]] bool is_outcome(const std::vector<Names>& outcome, std::span<const std::size_t> claimed_points) const;
   [[nodiscard]] bool is_face(const Names& names, int dimension) const;
-  [[nodiscard]] bool has_opposite_samples() const;
+  [[nodiscard]] bool is_on_face(const Names& names, int index) const;
+  [[nodiscard]] bool has_inside(const Names& tetrahedron) const;
+  [[nodiscard]] bool overlap(std::span<const std::size_t> claimed_points) const;
+  [[nodiscard]] std::size_t count_opposite_samples() const;
   [[nodiscard]] RationalPoint from_center(PointId name) const;
 
   CheckRun& run_;
@@ -45,6 +48,7 @@ class PerturbedPoint {
   Names contact_;
   RationalPoint center_;
   bool is_simplex_;
+  std::size_t opposite_pairs_ = 0;            // of samples, if the contact set is no simplex
   std::vector<std::vector<Names>> outcomes_;  // of a simplex; without the one that leaves nothing
 };
 

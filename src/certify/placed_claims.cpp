@@ -86,6 +86,7 @@ void judge_perturbed_regular(CheckRun& run, std::size_t record, const Claims& cl
     same.push_back(k);
   }
   for (const Claims& some : accepted) all.insert(all.end(), some.begin(), some.end());
+  if (all.empty()) return;
   const MadeByPerturbation made = is_listed_as_regular ? MadeByPerturbation::kNo : point.makes(all);
   if (made != MadeByPerturbation::kNo) return accept_perturbed(run, record, all, made == MadeByPerturbation::kYes);
   for (const std::size_t k : all) {

@@ -182,15 +182,18 @@ class ByPosition {
   std::vector<Candidate> candidates(const ClaimedPoint& point) const {
     const ClaimedPosition& at = point.center.value();
     const RationalPoint x = values_of(at);
-    std::vector<Candidate> within;
+    std::vector<Candidate> within, nearly;
     for (const std::size_t record : grid_.near(at)) {
       const ExactSphere& sphere = grid_.sphere(record);
       const ValueMatch match = match_position(at, sphere.center, ValueScale(sphere, run_.options.tolerance));
       if (match == ValueMatch::kOff) continue;
-      within.push_back({rank_of(run_, point, record), squared_distance(x, sphere.center), record});
+      std::vector<Candidate>& to = is_wrong(match) ? nearly : within;
+      to.push_back({rank_of(run_, point, record), squared_distance(x, sphere.center), record});
       // A position that equals a centre exactly names that stationary point.
       if (match == ValueMatch::kEqual) return {within.back()};
     }
+    // What an exact coordinate excludes is meant only if nothing else can be.
+    if (within.empty()) within = std::move(nearly);
     std::sort(within.begin(), within.end());
     return within;
   }

@@ -35,8 +35,12 @@ std::string place_text(const std::optional<Position>& end) {
   return end ? position_text(*end) : "infinity";
 }
 
-// Whether the segment from a regular stationary point y to `end` is one that the flow may take, once a perturbation lets
-// it pass. It then has y as its driver, and is whole.
+char face_letter(const CheckRun& run, std::span<const PointId> contact) {
+  return "CFEV"[affine_dimension(run.points, contact)];
+}
+
+// Whether the flow may take the segment from a regular stationary point y to `end`, once a perturbation lets it pass. The
+// segment then has y as its driver, and is whole.
 class LeavingSegment {
  public:
   LeavingSegment(const CheckRun& run, std::span<const PointId> contact, const RationalPoint& y,
@@ -54,17 +58,13 @@ class LeavingSegment {
     }
     is_flow_ = end != y && std::ranges::includes(at_end_, crossed_) && at_end_ != crossed_ &&
                has_in_hull(run.points, crossed_, y);
-    type_ = {letter(run, contact), '-', letter(run, crossed_), '-', letter(run, at_end_)};
+    type_ = {face_letter(run, contact), '-', face_letter(run, crossed_), '-', face_letter(run, at_end_)};
   }
 
   [[nodiscard]] bool is_flow() const { return is_flow_; }
   [[nodiscard]] const std::string& type() const { return type_; }
 
  private:
-  static char letter(const CheckRun& run, std::span<const PointId> contact) {
-    return "CFEV"[affine_dimension(run.points, contact)];
-  }
-
   std::vector<PointId> at_end_;
   std::vector<PointId> crossed_;  // the contact set just after y
   bool is_flow_ = false;
@@ -87,7 +87,7 @@ class Polylines {
       is_end_known_ = true;
       const std::size_t true_side = run_.true_side(k, side);
       Difference found = follow({run_.truth.polyline(record, true_side), run_.truth.limits(record).at(true_side)});
-      if (!found.is_wrong && !variation_.empty()) found = difference_of_limits(point, side);
+      if (!found.is_wrong) found = difference_of_limits(point, side);
       report(k, side, found);
     }
   }
@@ -124,7 +124,7 @@ class Polylines {
         truth = orbit_beyond(y);
         continue;
       }
-      if (!rest_.front().end || !is_exact(*rest_.front().end)) return stop_judging();
+      if (!rest_.front().end || !is_exact(*rest_.front().end)) return stop_judging(y);
       found = leave(y);
       if (found.is_wrong) return found;
       truth = run_.truth.orbit(values_of(*rest_.front().end));
@@ -137,9 +137,13 @@ class Polylines {
     const auto way = [&](std::size_t side) {
       return TruePath{run_.truth.polyline(y, side), run_.truth.limits(y).at(side)};
     };
-    TruePath first = way(0);
-    const Difference found = difference(rest_.front(), first.segments.front(), "");
-    return found.is_wrong ? way(1) : first;
+    TruePath first = way(0), second = way(1);
+    if (difference(rest_.front(), first.segments.front(), "").is_wrong) return second;
+    if (difference(rest_.front(), second.segments.front(), "").is_wrong) return first;
+    // In decimals both can be near.
+    const RationalPoint end = values_of(*rest_.front().end);
+    const auto off = [&](const TruePath& path) { return squared_distance(end, *path.segments.front().end); };
+    return off(second) < off(first) ? second : first;
   }
 
   // The first claimed segment beyond a regular stationary point.
@@ -154,7 +158,17 @@ class Polylines {
   }
 
   // A position in decimals does not tell where the flow goes on, and infinity does not tell in which direction.
-  Difference stop_judging() {
+  Difference stop_judging(std::size_t y) {
+    const ClaimedSegment& segment = rest_.front();
+    const RationalPoint position = run_.truth.sphere(y).center;
+    if (segment.driver && is_wrong(matched(*segment.driver, position))) {
+      return wrong(segment_text() + "driver " + position_text(*segment.driver), "driver " + position_text(position));
+    }
+    const std::string first(1, face_letter(run_, run_.truth.contact(y)));
+    if (!segment.type.empty() && (!segment.type.starts_with(first) || segment.type.ends_with("inf") != !segment.end)) {
+      return wrong(segment_text() + "type " + segment.type,
+                   "it begins with " + first + (segment.end ? " and does not go to infinity" : " and ends with inf"));
+    }
     run_.leave_unjudged(
         "what of a polyline lies beyond a regular stationary point, if it is claimed in decimals or goes to infinity "
         "at "
@@ -176,7 +190,7 @@ class Polylines {
     }
     if (claimed == end_) return {};
     return wrong("the limit " + (target.is_infinity ? "infinity" : names_text(target.contact)),
-                 "the polyline goes on to " + (end_ ? "a " + stationary_text(run_.truth, *end_) : "infinity"));
+                 "the polyline goes to " + (end_ ? "a " + stationary_text(run_.truth, *end_) : "infinity"));
   }
 
   [[nodiscard]] std::string end_text(const std::optional<std::size_t>& limit) {

@@ -5,6 +5,7 @@
 // may add pieces beyond a regular stationary point, which a perturbation might make.
 #include <algorithm>
 #include <array>
+#include <set>
 #include <span>
 #include <string>
 
@@ -19,6 +20,7 @@ namespace flowcert::certify {
 namespace {
 
 constexpr char kSurfaceClause[] = "FC-CLAIM-10";
+constexpr std::size_t kLongestList = 60;  // characters
 
 // Its values belong to corners or to sides.
 template <typename Each>
@@ -45,10 +47,11 @@ std::vector<bool> determined_segments(const StableSet& set, const RationalPoint&
 
 // Which claimed pieces are true ones, and which true pieces are claimed.
 struct Comparison {
-  std::vector<bool> is_claimed;      // by true piece
-  std::vector<std::string> strange;  // claimed pieces that are not true
-  bool is_rounding = true;           // each strange piece is near a true one
-  bool is_beyond = true;             // each strange piece may lie beyond a regular back
+  std::vector<bool> is_claimed;                     // by true piece
+  std::vector<std::optional<std::size_t>> partner;  // the true piece, by claimed piece
+  std::vector<std::string> strange;                 // claimed pieces that are not true
+  bool is_rounding = true;                          // each strange piece is near a true one
+  bool is_beyond = true;                            // each strange piece may lie beyond a regular back
 };
 
 // The largest squared distance of a regular back from its samples; none if no back is regular.
@@ -77,7 +80,10 @@ class Surfaces {
     const ValueScale scale(sphere, run_.options.tolerance);
     const auto determined = determined_segments(set, sphere.center, run_.index(record));
     if (point.stable && point.stable->walk) check_walk(k, *point.stable->walk, record, set);
-    if (point.skeleton) check_skeleton(k, *point.skeleton, set, scale, determined);
+    if (point.skeleton) {
+      const Comparison found = check_skeleton(k, *point.skeleton, set, scale, determined);
+      if (point.skeleton->orbits) check_orbits(k, *point.skeleton->orbits, found, set);
+    }
     if (point.surface) check_surface(k, *point.surface, set, scale, determined);
   }
 
@@ -115,7 +121,11 @@ class Surfaces {
   // Whether a set of another number of segments than the true one is permitted.
   bool may_have_segments(std::size_t count, std::size_t true_count, std::size_t record) {
     const StableSet set = run_.truth.stable_set(record);
-    if (count > true_count) return value_of_regular_backs(run_.points, set).has_value();
+    if (count > true_count) {
+      if (!value_of_regular_backs(run_.points, set)) return false;
+      run_.leave_unjudged("which pieces of a stable set a perturbation adds beyond a regular stationary point");
+      return true;
+    }
     const auto determined = determined_segments(set, run_.truth.sphere(record).center, run_.index(record));
     return count >= static_cast<std::size_t>(std::ranges::count(determined, true));
   }
@@ -165,24 +175,30 @@ class Surfaces {
   template <typename Claimed, typename Matches, typename Beyond, typename Text>
   static Comparison compare(const std::vector<Claimed>& claimed, std::size_t true_count, const Matches& matches,
                             const Beyond& is_beyond, const Text& text) {
-    Comparison result{std::vector<bool>(true_count, false), {}};
+    Comparison result{std::vector<bool>(true_count, false), {}, {}};
     std::size_t guess = 0;  // claims are mostly in the order of the truth
     for (const Claimed& piece : claimed) {
       ValueMatch best = ValueMatch::kOff;
+      bool is_again = false;
+      result.partner.emplace_back();
       for (std::size_t step = 0; step < true_count; ++step) {
         const std::size_t i = (guess + step) % true_count;
-        if (result.is_claimed[i]) continue;
         const ValueMatch match = matches(piece, i);
+        if (result.is_claimed[i]) {
+          is_again = is_again || !is_wrong(match);
+          continue;
+        }
         best = std::min(best, match);
         if (is_wrong(match)) continue;
         result.is_claimed[i] = true;
+        result.partner.back() = i;
         guess = i + 1;
         break;
       }
       if (!is_wrong(best)) continue;
       result.strange.push_back(text(piece));
       result.is_rounding = result.is_rounding && best == ValueMatch::kRounding;
-      result.is_beyond = result.is_beyond && is_beyond(piece);
+      result.is_beyond = result.is_beyond && !is_again && is_beyond(piece);
     }
     return result;
   }
@@ -197,6 +213,7 @@ class Surfaces {
     if (!found.strange.empty() && found.is_beyond && missing + left_out == 0) {
       run_.vary(5, FindingReason::kSymbolicPerturbation, kSurfaceClause, k,
                 std::to_string(found.strange.size()) + " " + what + "s beyond a regular stationary point");
+      run_.leave_unjudged("which pieces of a stable set a perturbation adds beyond a regular stationary point");
       return;
     }
     if (!found.strange.empty()) {
@@ -212,8 +229,9 @@ class Surfaces {
     }
   }
 
-  void check_skeleton(std::size_t k, const ClaimedSkeleton& claimed, const StableSet& set, const ValueScale& scale,
-                      const std::vector<bool>& determined) {
+  // Returns how the claimed segments compare with the true ones.
+  Comparison check_skeleton(std::size_t k, const ClaimedSkeleton& claimed, const StableSet& set,
+                            const ValueScale& scale, const std::vector<bool>& determined) {
     const std::optional<Rational> regular = value_of_regular_backs(run_.points, set);
     const auto names = [this](const std::vector<PointId>& rows) { return class_names(run_.points, rows); };
     const auto worse = [](ValueMatch a, ValueMatch b) { return std::max(a, b); };
@@ -226,18 +244,14 @@ class Surfaces {
       if (!same) return ValueMatch::kOff;
       return worse(matched(piece.front, truth.front, scale), matched(piece.back, truth.back, scale));
     };
-    judge(k,
-          compare(
-              claimed.segments, set.segments.size(), segment,
-              [&](const ClaimedBackwardSegment& piece) {
-                const Point& p = sample(run_.points, piece.samples.front());
-                return regular && squared_distance(values_of(piece.front), p) <= *regular;
-              },
-              [](const ClaimedBackwardSegment& piece) {
-                return "a segment of " + names_text(piece.samples) + " from " + position_text(piece.front) +
-                       " back to " + position_text(piece.back);
-              }),
-          "segment", [&](std::size_t i) { return static_cast<bool>(determined[i]); });
+    Comparison segments = compare(
+        claimed.segments, set.segments.size(), segment,
+        [&](const ClaimedBackwardSegment& piece) { return regular && may_be_added(piece, *regular); },
+        [](const ClaimedBackwardSegment& piece) {
+          return "a segment of " + names_text(piece.samples) + " from " + position_text(piece.front) + " back to " +
+                 position_text(piece.back);
+        });
+    judge(k, segments, "segment", [&](std::size_t i) { return static_cast<bool>(determined[i]); });
     const auto interval = [&](const ClaimedInterval& piece, std::size_t i) {
       const BackwardInterval& truth = set.intervals[i];
       if (names(piece.polygon) != truth.polygon ||
@@ -262,6 +276,54 @@ class Surfaces {
               claimed.sectors, set.sectors.size(), sector, [](const ClaimedSector&) { return false; },
               [](const ClaimedSector& piece) { return "a sector of " + names_text(piece.samples); }),
           "sector", never);
+    return segments;
+  }
+
+  // Whether the segment goes back from a front that is no farther from its samples than a regular stationary point. It
+  // is not judged whether both ends are as far from one sample as from the other, if they are claimed in decimals.
+  bool may_be_added(const ClaimedBackwardSegment& piece, const Rational& regular) const {
+    const auto far = [&](const ClaimedPosition& x, std::size_t k) {
+      return squared_distance(values_of(x), sample(run_.points, piece.samples[k]));
+    };
+    const bool is_flat = (!is_exact(piece.front) || far(piece.front, 0) == far(piece.front, 1)) &&
+                         (!is_exact(piece.back) || far(piece.back, 0) == far(piece.back, 1));
+    return is_flat && piece.back_kind != "vertex" && far(piece.front, 0) <= regular &&
+           far(piece.back, 0) <= far(piece.front, 0);
+  }
+
+  // Connecting orbits as chains of the claimed segments. Chains through segments that are left out may be left out, and
+  // chains through segments that are added beyond a regular back may be added.
+  void check_orbits(std::size_t k, const std::vector<std::vector<std::size_t>>& claimed, const Comparison& segments,
+                    const StableSet& set) {
+    const std::size_t record = run_.placed[k].place->record;
+    if (!run_.index(record).is_critical()) {
+      run_.leave_unjudged("connecting orbits of regular stationary points");
+      return;
+    }
+    std::set<std::vector<std::size_t>> missing;
+    for (auto& chain : connecting_orbits(set, run_.truth.sphere(record).center)) missing.insert(std::move(chain));
+    for (const auto& chain : claimed) {
+      std::vector<std::size_t> pieces;
+      for (const std::size_t place : chain) {
+        if (segments.partner[place]) pieces.push_back(*segments.partner[place]);
+      }
+      if (pieces.size() == chain.size() && missing.erase(pieces) == 0) {
+        return find(k, FindingReason::kWrongSurface, "an orbit along the segments " + places_text(chain),
+                    "that is no connecting orbit, or it is there twice");
+      }
+    }
+    std::erase_if(missing, [&](const std::vector<std::size_t>& chain) {
+      return !std::ranges::all_of(chain, [&](std::size_t i) { return segments.is_claimed[i]; });
+    });
+    if (missing.empty()) return;
+    find(k, FindingReason::kWrongSurface, std::to_string(claimed.size()) + " connecting orbits",
+         std::to_string(missing.size()) + " more go along the segments that are claimed");
+  }
+
+  static std::string places_text(const std::vector<std::size_t>& places) {
+    std::string text;
+    for (const std::size_t place : places) text.append(text.empty() ? "" : " ").append(std::to_string(place));
+    return text.empty() ? "of no number" : shortened(std::move(text), kLongestList);
   }
 
   // For each corner of the triangle take the larger squared distance to another corner. This is the least of them.

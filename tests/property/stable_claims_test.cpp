@@ -61,6 +61,11 @@ Claim claim_in_decimals(Claim claim) {
         std::ranges::reverse(sector.corners);
       }
       std::ranges::reverse(point.skeleton->segments);
+      if (point.skeleton->orbits) {
+        for (auto& chain : *point.skeleton->orbits) {
+          for (std::size_t& place : chain) place = point.skeleton->segments.size() - 1 - place;
+        }
+      }
     }
     if (!point.surface) continue;
     for (ClaimedPosition& vertex : point.surface->vertices) round_off(vertex);
@@ -92,6 +97,7 @@ Claim without_what_is_beyond(const Subject& subject, Claim claim, std::size_t& l
     point.surface.reset();
     point.skeleton->intervals.clear();
     point.skeleton->sectors.clear();
+    point.skeleton->orbits.reset();  // they name segments by their places
     const StableSet set = subject.truth->stable_set(i);
     std::erase_if(point.skeleton->segments, [&](const ClaimedBackwardSegment& segment) {
       const auto is_vertex = [&](const BackwardSegment& s) {
@@ -251,6 +257,7 @@ std::optional<Mutant> segment_less(const Subject& subject, const Claim& claim) {
   const auto own = std::ranges::find_if(
       segments, [&](const ClaimedBackwardSegment& segment) { return *segment.front_contact == subject.contact(*k); });
   segments.erase(own);
+  mutant.claim.points[*k].skeleton->orbits.reset();  // they name segments by their places
   return mutant;
 }
 
@@ -282,6 +289,30 @@ std::optional<Mutant> triangle_less(const Subject& subject, const Claim& claim) 
   Mutant mutant{claim, 5, kFirstLine + *k};
   auto& triangles = mutant.claim.points[*k].surface->triangles;
   triangles.erase(triangles.begin() + static_cast<std::ptrdiff_t>(below(triangles.size())));
+  return mutant;
+}
+
+std::optional<Mutant> other_orbits(const Subject&, const Claim& claim) {
+  const auto k = some_point(claim, [](const ClaimedPoint& point) {
+    return point.skeleton && point.skeleton->orbits && !point.skeleton->orbits->empty();
+  });
+  if (!k) return std::nullopt;
+  Mutant mutant{claim, 5, kFirstLine + *k};
+  auto& orbits = *mutant.claim.points[*k].skeleton->orbits;
+  const std::size_t at = below(orbits.size());
+  switch (below(4)) {
+    case 0:
+      orbits.erase(orbits.begin() + static_cast<std::ptrdiff_t>(at));
+      break;
+    case 1:
+      orbits.push_back(orbits[at]);
+      break;
+    case 2:
+      orbits[at].pop_back();
+      break;
+    default:
+      orbits[at].push_back(orbits[at].front());
+  }
   return mutant;
 }
 
@@ -317,7 +348,8 @@ const std::map<std::string, Mutation>& mutations() {
       {"moved skeleton", moved_skeleton},   {"moved corner", moved_corner},
       {"moved interval", moved_interval},   {"moved triangle", moved_triangle},
       {"segment less", segment_less},       {"piece twice", piece_twice},
-      {"triangle less", triangle_less},     {"other summary", other_summary}};
+      {"triangle less", triangle_less},     {"other summary", other_summary},
+      {"other orbits", other_orbits}};
   return all;
 }
 

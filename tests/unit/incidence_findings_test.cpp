@@ -10,10 +10,11 @@ namespace {
 
 using Targets = std::vector<ClaimedTarget>;
 
-// The report on a claim that is true but for one change.
+// The report on a claim that is true but for one change. It has no polylines, because these would tell the limits again.
 template <typename Change>
 std::string said(const Truly& truly, const Change& change) {
   Claimed claimed = truly.whole_claim();
+  for (ClaimedPoint& point : claimed.claim.points) point.u2.reset();
   change(claimed);
   return text(truly.check(claimed));
 }
@@ -106,9 +107,16 @@ TEST(IncidenceFindings, EdgesOfASample) {
 TEST(IncidenceFindings, EdgesThatAPerturbationMakes) {
   CITES("FC-CLAIM-04");
   const Truly triangle(kRightTriangle), high(kKind23);
+  Claimed perturbed = triangle.claim().add(2, {0, 1, 2}).add(1, {1, 2});
+  perturbed.of({1}).successors = {{to({0, 1}), to({1, 2})}};
+  EXPECT_NE(text(triangle.check(perturbed))
+                .find("\n4 symbolic-perturbation FC-CLAIM-04: index 0, contact set 1; a perturbation makes some of the "
+                      "edges"),
+            std::string::npos);
+  EXPECT_EQ(triangle.check(perturbed).verdict, Verdict::kPerturbed);
+  // Nobody may name a point that is not claimed.
   EXPECT_EQ(said_of_targets(triangle, {1}, {to({0, 1}), to({1, 2})}),
-            "perturbed\n4 symbolic-perturbation FC-CLAIM-04: index 0, contact set 1; "
-            "a perturbation makes some of the edges");
+            "fails\n4 wrong-incidence FC-FLOW-07: index 0, contact set 1; it is no end of 1 2");
   // Wrong in turn: an edge without this end, more than an edge, a regular point that gives no edge, a saddle.
   EXPECT_EQ(said_of_targets(triangle, {0}, {to({0, 1}), to({0, 2}), to({1, 2})}),
             "fails\n4 wrong-incidence FC-FLOW-07: index 0, contact set 0; it is no end of 1 2");

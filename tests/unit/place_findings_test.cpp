@@ -264,7 +264,8 @@ TEST(PlaceFindings, OfWhatIsNoSimplex) {
   expect_undecided(square, of_square(), 3);
   // All four points may come to be the corners of a flat tetrahedron.
   expect_undecided(square, of_square().add(1, {2, 3}).add(2, {0, 2, 3}).add(2, {1, 2, 3}).add(3, {0, 1, 2, 3}), 7);
-  EXPECT_EQ(square.check(of_square().add(2, {0, 1, 2, 3}).add(1, {2, 3})).verdict, Verdict::kPerturbed);
+  // If all of the square stays together, there are no diagonals.
+  EXPECT_EQ(square.check(of_square().add(2, {0, 1, 2, 3}).add(1, {2, 3})).verdict, Verdict::kFails);
   EXPECT_EQ(square.check(square.claim().add(1, {0, 1})).verdict, Verdict::kFails);
   EXPECT_EQ(
       square
@@ -287,6 +288,24 @@ TEST(PlaceFindings, OfWhatIsNoSimplex) {
   const Truly kite({{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {4, 3, 0}});
   EXPECT_EQ(at_center(kite, {0, 0, 0}, {2}), Verdict::kConforms);
   EXPECT_EQ(at_center(kite, {0, 0, 0}, {1, 2, 2}), Verdict::kFails);
+}
+
+// There are no more points of index 1 than pairs of opposite samples, and tetrahedra do not overlap.
+TEST(PlaceFindings, OfWhatCannotBeTogether) {
+  CITES("FC-CLAIM-04");
+  const Truly five({{0, 0, 1}, {1, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}});
+  const ClaimedPosition middle = exactly(RationalPoint{Rational(1, 2), Rational(1, 2), Rational(1, 2)});
+  EXPECT_EQ(five.check(five.claim().at(1, middle).at(2, middle)).verdict, Verdict::kPerturbed);
+  EXPECT_EQ(five.check(five.claim().at(1, middle).at(1, middle).at(2, middle).at(2, middle)).verdict, Verdict::kFails);
+  EXPECT_EQ(five.check(five.claim().add(1, {2, 3}).at(1, middle).at(2, middle).at(2, middle)).verdict, Verdict::kFails);
+  const Truly cube(kCube);
+  const Ids all = {0, 1, 2, 3, 4, 5, 6, 7};
+  const auto instead = [&] { return cube.claim_without({all}); };
+  // Of two tetrahedra around the centre, and of the whole with a diagonal, one at most can be there.
+  EXPECT_EQ(cube.check(instead().add(3, {0, 3, 5, 6}).add(3, {1, 2, 4, 7}).add(2, {0, 1, 7})).verdict, Verdict::kFails);
+  EXPECT_EQ(cube.check(instead().add(3, all).add(1, {0, 7}).add(2, {0, 1, 7})).verdict, Verdict::kFails);
+  EXPECT_EQ(cube.check(instead().add(3, {0, 1, 2, 7}).add(3, {0, 1, 4, 7}).add(2, {0, 1, 7})).verdict,
+            Verdict::kPerturbed);
 }
 
 // A claim that counts or lists regular stationary points denies those that it leaves out. Another says nothing of them.
@@ -403,6 +422,18 @@ TEST(PlaceFindings, OfAmbiguousPositions) {
   Claimed exact = nearly.claim_without({{0, 1}});
   exact.at(1, exactly(RationalPoint{1, 0, 0}));
   EXPECT_EQ(said(nearly, exact), "conforms");
+}
+
+// A plain 0 is a decimal. The exact coordinates beside it exclude all but one of the points that are near.
+TEST(PlaceFindings, OfADecimalBesideExactCoordinates) {
+  CITES("FC-CLAIM-05");
+  const Truly nearly({{0, 0, 0}, {2, 0, 0}, {1, 1 + 0x1p-46, 0}});
+  const RationalPoint center = nearly.truth->sphere(nearly.record_of({0, 1, 2})).center;
+  Claimed claimed = nearly.claim_without({{0, 1, 2}});
+  claimed.at(2, {number(center[0]), number(center[1]), decimal(0)});
+  EXPECT_EQ(said(nearly, claimed), "conforms");
+  claimed.last().center = ClaimedPosition{number(center[0]), number(2 * center[1]), decimal(0)};
+  EXPECT_EQ(nearly.check(claimed).verdict, Verdict::kFails);
 }
 
 // Points that are claimed wrongly, or a second time, are not followed any further.

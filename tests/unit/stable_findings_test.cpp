@@ -21,12 +21,20 @@ std::string said(const Truly& truly, const Ids& contact, const Change& change) {
 
 template <typename Change>
 std::string said_of_skeleton(const Truly& truly, const Ids& contact, const Change& change) {
-  return said(truly, contact, [&](ClaimedPoint& point) { change(*point.skeleton); });
+  return said(truly, contact, [&](ClaimedPoint& point) {
+    const std::size_t before = point.skeleton->segments.size();
+    change(*point.skeleton);
+    // Orbits are claimed by the places of their segments.
+    if (point.skeleton->segments.size() < before) point.skeleton->orbits.reset();
+  });
 }
 
 // Moves the position by less than rounding may.
 void nudge(ClaimedPosition& x) { x[0].value += Rational(1) / (Rational(1 << 30) * Rational(1 << 22)); }
 void shift(ClaimedPosition& x) { x[0].value += Rational(1, 8); }
+
+const std::string kAddedIsNotJudged =
+    "\nnot judged: which pieces of a stable set a perturbation adds beyond a regular stationary point";
 
 // ---- Polylines
 
@@ -106,7 +114,7 @@ TEST(PolylineFindings, BeyondASaddle) {
     const std::string other = said(arch, kTriangle, [&](ClaimedPoint& point) {
       go_on(point, 1, beyond, to({0, 3, 4}));
     });
-    EXPECT_NE(other.find(start + "the limit 0 3 4; the polyline goes on to a critical point of index 3"),
+    EXPECT_NE(other.find(start + "the limit 0 3 4; the polyline goes to a critical point of index 3"),
               std::string::npos)
         << other;
     // A segment beyond the maximum.
@@ -193,8 +201,39 @@ TEST(PolylineFindings, BeyondARegularPoint) {
       EXPECT_EQ(unjudged.find("perturbed\n"), 0U) << unjudged;
       EXPECT_NE(unjudged.find("not judged: what of a polyline lies beyond a regular stationary point"),
                 std::string::npos);
+      // Its driver is known all the same, and so are the first and the last letter of its type.
+      ClaimedSegment driven = first;
+      driven.driver = exactly(end);
+      fails_with(driven, end, "segment 2: driver ");
+      ClaimedSegment typed = first;
+      typed.type = first.end ? "V-F-inf" : "V-F-E";
+      fails_with(typed, end, "segment 2: type ");
     }
     fails_with(ClaimedSegment{}, end, "segment 2: end infinity; nothing comes after it");
+  }
+}
+
+// In decimals the first ends of both orbits of the saddle 0 3 4 are near each other. The nearer one is meant.
+TEST(PolylineFindings, BeyondASaddleInDecimals) {
+  CITES("FC-CLAIM-05", "FC-CLAIM-08");
+  const double x = 1.0801234498;  // the two maxima are 1.3e-10 apart
+  const Truly arch({{0, 5, 0}, {-x, 0, -2}, {x, 0, -2}, {0, 0, 12}, {0, -5, 0}});
+  const std::size_t saddle = arch.record_of(kSaddleOfArch);
+  const auto in_decimals = [](const RationalPoint& at) {
+    return decimals(
+        {Rational(*nearest_double(at[0])), Rational(*nearest_double(at[1])), Rational(*nearest_double(at[2]))});
+  };
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto limit = arch.truth->limits(saddle).at(side);
+    ASSERT_TRUE(limit.has_value());
+    const std::string on = said(arch, kTriangle, [&](ClaimedPoint& point) {
+      for (const TrueSegment& segment : arch.truth->polyline(saddle, side)) {
+        (*point.u2)[1].push_back({segment.type, in_decimals(segment.driver), in_decimals(*segment.end)});
+      }
+      const auto contact = arch.truth->contact(*limit);
+      (*point.successors)[1] = to({contact.begin(), contact.end()});
+    });
+    EXPECT_EQ(on.find("perturbed\n"), 0U) << on;
   }
 }
 
@@ -314,6 +353,54 @@ TEST(SkeletonFindings, OfEachPartOfASegment) {
             "fails\n5 rounding " + start + "0 1 from 2/3 1/3 1/3 back to ~0.5000000000000002 1/2 0" + end);
 }
 
+TEST(SkeletonFindings, OfConnectingOrbits) {
+  CITES("FC-CLAIM-10", "FC-STAB-06");
+  const Truly points(kTetrahedron), arch(kArch);
+  using Chains = std::vector<std::vector<std::size_t>>;
+  const auto claiming = [](const Truly& truly, const Ids& contact, const auto& change) {
+    return said_of_skeleton(truly, contact, [&](ClaimedSkeleton& skeleton) { change(*skeleton.orbits); });
+  };
+  const std::string start = "fails\n5 wrong-surface FC-CLAIM-10: index 2, contact set 0 1 2, ";
+  EXPECT_EQ(claiming(points, kTriangle, [](Chains& chains) { std::swap(chains[0], chains[2]); }), "conforms");
+  EXPECT_EQ(claiming(points, kTriangle, [](Chains& chains) { chains.pop_back(); }),
+            start + "2 connecting orbits; 1 more go along the segments that are claimed");
+  EXPECT_EQ(claiming(points, kTriangle, [](Chains& chains) { chains.push_back(chains[0]); }),
+            start + "an orbit along the segments 0; that is no connecting orbit, or it is there twice");
+  EXPECT_EQ(claiming(points, kTriangle,
+                     [](Chains& chains) {
+                       chains[1] = {1, 2};
+                     }),
+            start + "an orbit along the segments 1 2; that is no connecting orbit, or it is there twice");
+  EXPECT_EQ(claiming(points, kTriangle, [](Chains& chains) { chains[1].clear(); }),
+            start + "an orbit along the segments of no number; that is no connecting orbit, or it is there twice");
+  EXPECT_NE(claiming(points, kTriangle, [](Chains& chains) { chains[1].assign(1, 3); })
+                .find("1 malformed FC-CLAIM-01: index 2, contact set 0 1 2; of a stable set: an orbit along a segment "
+                      "that is not there\n"),
+            std::string::npos);
+  // An orbit through a segment that is left out is left out, too.
+  const std::string less = said(arch, kSaddleOfArch, [&](ClaimedPoint& point) {
+    ClaimedSkeleton& skeleton = *point.skeleton;
+    const std::size_t none = skeleton.segments.size();
+    std::vector<std::size_t> place;  // after the segments from a Voronoi vertex are gone
+    std::vector<ClaimedBackwardSegment> kept;
+    for (const ClaimedBackwardSegment& segment : skeleton.segments) {
+      const bool is_kept = segment.front_contact->size() != 4;
+      place.push_back(is_kept ? kept.size() : none);
+      if (is_kept) kept.push_back(segment);
+    }
+    std::erase_if(*skeleton.orbits, [&](const auto& chain) {
+      return std::ranges::any_of(chain, [&](std::size_t k) { return place[k] == none; });
+    });
+    for (auto& chain : *skeleton.orbits) {
+      for (std::size_t& k : chain) k = place[k];
+    }
+    skeleton.segments = kept;
+  });
+  EXPECT_EQ(less,
+            "perturbed\n5 symbolic-perturbation FC-CLAIM-10: index 2, contact set 0 3 4; 5 segments beyond a Voronoi "
+            "vertex are left out");
+}
+
 TEST(SkeletonFindings, OfPiecesTooFewOrTooMany) {
   CITES("FC-CLAIM-10");
   const Truly points(kTetrahedron);
@@ -406,8 +493,8 @@ TEST(SkeletonFindings, BeyondARegularPoint) {
   };
   const RationalPoint near = {Rational(3, 2), 1, Rational(1, 2)}, far = {0, 1, Rational(1, 2)};
   const std::string found = "FC-CLAIM-10: index 2, contact set 0 1 3";
-  EXPECT_EQ(added(points, saddle, near, 3),
-            "perturbed\n5 symbolic-perturbation " + found + "; 1 segments beyond a regular stationary point");
+  EXPECT_EQ(added(points, saddle, near, 3), "perturbed\n5 symbolic-perturbation " + found +
+                                                "; 1 segments beyond a regular stationary point" + kAddedIsNotJudged);
   const std::string end = " 1 1/2 back to 2 1 1/2; no such segment is part of it (in all 1 such claims)";
   EXPECT_EQ(added(points, saddle, far, 3), "fails\n5 wrong-surface " + found + ", a segment of 0 2 from 0" + end);
   EXPECT_EQ(added(points, saddle, near, 2), "fails\n5 wrong-surface " + found + ", a segment of 0 2 from 3/2" + end);
@@ -454,8 +541,9 @@ TEST(SurfaceFindings, BeyondVerticesAndRegularPoints) {
     });
   };
   const std::string found = "FC-CLAIM-10: index 2, contact set 0 1 3";
-  EXPECT_EQ(added({Rational(3, 2), 1, Rational(1, 2)}),
-            "perturbed\n5 symbolic-perturbation " + found + "; 1 triangles beyond a regular stationary point");
+  EXPECT_EQ(added({Rational(3, 2), 1, Rational(1, 2)}), "perturbed\n5 symbolic-perturbation " + found +
+                                                            "; 1 triangles beyond a regular stationary point" +
+                                                            kAddedIsNotJudged);
   EXPECT_EQ(added({-1, 1, Rational(1, 2)}),
             "fails\n5 wrong-surface " + found +
                 ", a triangle 2 0 1 2 1 1/2 -1 1 1/2; no such triangle is part of it (in all 1 such claims)");

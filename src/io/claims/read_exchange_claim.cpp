@@ -274,6 +274,14 @@ ClaimedSkeleton skeleton_of(const ExchangeValue& value) {
   skeleton.segments = list_of(value.get("segments"), segment_of);
   if (const auto intervals = value.find("intervals")) skeleton.intervals = list_of(*intervals, interval_of);
   if (const auto sectors = value.find("sectors")) skeleton.sectors = list_of(*sectors, sector_of);
+  if (const auto orbits = value.find("orbits")) {
+    skeleton.orbits = list_of(*orbits, [](const ExchangeValue& chain) { return list_of(chain, count_of); });
+    for (const auto& chain : *skeleton.orbits) {
+      for (const std::size_t place : chain) {
+        if (place >= skeleton.segments.size()) orbits->reject("chains of the segments: there are not so many");
+      }
+    }
+  }
   return skeleton;
 }
 

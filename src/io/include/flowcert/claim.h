@@ -60,6 +60,8 @@ struct ClaimedSkeleton {
   std::vector<ClaimedBackwardSegment> segments;
   std::vector<ClaimedInterval> intervals;
   std::vector<ClaimedSector> sectors;
+  // Connecting orbits, each a chain of places in `segments`, which exist.
+  std::optional<std::vector<std::vector<std::size_t>>> orbits;
 };
 struct ClaimedSurface {
   std::vector<ClaimedPosition> vertices;
