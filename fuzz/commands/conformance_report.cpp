@@ -252,8 +252,9 @@ Json orbit_findings_field(const CaseOutcome& outcome) {
 
 Json persistence_findings_field(const CaseOutcome& outcome) {
   Json field = Json::array();
-  for (const auto& [claimed, truth] : outcome.persistence_findings) {
+  for (const auto& [claimed, truth, by_rounding] : outcome.persistence_findings) {
     Json finding;
+    finding["reason"] = by_rounding ? "rounding" : "wrong-pair";
     finding["claimed"] = claimed;
     finding["truth"] = truth;
     field.push_back(std::move(finding));

@@ -211,12 +211,12 @@ class CaseRun {
 
   void judge_persistence(const Run& run) {
     if (!ends_well(run)) return;
-    PairList claimed;
+    std::vector<ClaimedPair> claimed;
     const bool is_read =
         read_answer(run, [&](const std::string& bytes) { claimed = claimed_pairs_of(bytes, run.answer_name); });
     if (!is_read) return;
     result_.is_persistence_judged = true;
-    auto differences = pair_differences(claimed, *case_.persistence);
+    auto differences = pair_differences(claimed, *case_.persistence, options_.check.tolerance);
     if (differences.empty()) return;
     fail(run, RunOutcome::kFails, persistence_finding_words(differences.front()));
     if (differences.size() > kMostFindings) differences.resize(kMostFindings);

@@ -40,7 +40,8 @@ std::string orbit_finding_words(const OrbitFinding& finding) {
 }
 
 std::string persistence_finding_words(const PairDifference& difference) {
-  return one_line(fmt::format("persistence: claimed {}; truth: {}", difference.claimed, difference.truth));
+  return one_line(fmt::format("persistence{}: claimed {}; truth: {}", difference.by_rounding ? ", rounding" : "",
+                              difference.claimed, difference.truth));
 }
 
 }  // namespace flowcert::judge

@@ -1,12 +1,17 @@
-// Compares sorted lists. Pairs that only one list has are put beside pairs that only the other has.
+// A maximum flow from claimed to true pairs tells which of them find a partner.
 #include "flowcert/pair_differences.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/edmonds_karp_max_flow.hpp>
+#include <cmath>
+#include <map>
+#include <tuple>
 #include <utility>
 
+#include "certify/claimed_geometry.h"
 #include "certify/finding_words.h"
 
 namespace flowcert {
@@ -18,45 +23,187 @@ namespace {
 // A message shows at most this many characters of a number.
 constexpr std::size_t kLongestPairNumber = 60;
 
-// A value beyond the doubles stays exact. No claim in text can have such a value.
-Rational rounded(const Rational& value) {
-  const std::optional<double> nearest = nearest_double(value);
-  return nearest ? Rational(*nearest) : value;
+// ---- Groups of equal pairs ----
+
+struct PairGroup {
+  ClaimedPair pair;  // the truth is exact
+  std::size_t count = 0;
+  bool needs_partner = true;
+
+  [[nodiscard]] bool is_exact() const { return pair.birth.is_exact && (!pair.death || pair.death->is_exact); }
+};
+
+ClaimedPair as_claimed(const ListedPair& pair) {
+  ClaimedPair exact{pair.dimension, {pair.birth, true}, std::nullopt};
+  if (pair.death) exact.death = ClaimedNumber{*pair.death, true};
+  return exact;
 }
 
-std::vector<ListedPair> in_order(std::vector<ListedPair> pairs, bool is_rounded) {
-  for (ListedPair& pair : pairs) {
-    if (!is_rounded) break;
-    pair.birth = rounded(pair.birth);
-    if (pair.death) pair.death = rounded(*pair.death);
+// Ascending by dimension, birth and death; pairs of length zero are left out. A class that lasts comes last.
+std::vector<PairGroup> groups_of(const std::vector<ClaimedPair>& pairs) {
+  using Key = std::tuple<int, Rational, bool, Rational, bool, bool>;
+  std::map<Key, PairGroup> groups;
+  for (const ClaimedPair& pair : pairs) {
+    if (pair.death && pair.death->value == pair.birth.value) continue;
+    const Key key{pair.dimension,      pair.birth.value,
+                  !pair.death,         pair.death ? pair.death->value : Rational(0),
+                  pair.birth.is_exact, pair.death && pair.death->is_exact};
+    PairGroup& group = groups[key];
+    group.pair = pair;
+    ++group.count;
   }
-  std::erase_if(pairs, [](const ListedPair& pair) { return pair.death == pair.birth; });
-  std::ranges::sort(pairs, is_before);
+  std::vector<PairGroup> sorted;
+  sorted.reserve(groups.size());
+  for (auto& [key, group] : groups) sorted.push_back(std::move(group));
+  return sorted;
+}
+
+// ---- Which pairs can be partners ----
+
+class Closeness {
+ public:
+  explicit Closeness(double tolerance) : tolerance_(tolerance) {}
+
+  [[nodiscard]] bool are_partners(const ClaimedPair& claimed, const ClaimedPair& truth) const {
+    if (claimed.dimension != truth.dimension || claimed.death.has_value() != truth.death.has_value()) return false;
+    return is_right(claimed.birth, truth.birth.value) &&
+           (!claimed.death || is_right(*claimed.death, truth.death->value));
+  }
+
+  // Whether a pair may be left over, because it may as well have no length.
+  [[nodiscard]] bool is_short(const ClaimedPair& pair) const {
+    if (!pair.death) return false;
+    const Rational length = pair.death->value - pair.birth.value;
+    if (length < 0) return false;
+    const std::optional<double> birth = nearest_double(pair.birth.value), death = nearest_double(pair.death->value);
+    return length <= 2 * tolerance_ * pair.death->value || (birth && death && *birth == *death);
+  }
+
+ private:
+  [[nodiscard]] bool is_right(const ClaimedNumber& claimed, const Rational& truth) const {
+    if (claimed.value == truth) return true;
+    if (claimed.is_exact) return false;
+    const std::optional<double> a = nearest_double(claimed.value), b = nearest_double(truth);
+    if (a && b && *a == *b) return true;
+    const Rational off = claimed.value - truth;
+    return abs(off) <= tolerance_ * abs(truth);
+  }
+
+  Rational tolerance_;
+};
+
+// ---- Matching ----
+
+using Groups = std::vector<PairGroup>;
+using Edge = std::pair<std::size_t, std::size_t>;  // places among the claimed and among the true groups
+
+// How many pairs of each group find no partner, if only the pairs of one side that need one ask for them. By the theorem
+// of Mendelsohn and Dulmage, what either side can have alone, both can have at once.
+class PartnerFlow {
+  using Traits = boost::adjacency_list_traits<boost::vecS, boost::vecS, boost::directedS>;
+  using Graph = boost::adjacency_list<
+      boost::vecS, boost::vecS, boost::directedS,
+      boost::property<boost::vertex_color_t, boost::default_color_type,
+                      boost::property<boost::vertex_distance_t, long,
+                                      boost::property<boost::vertex_predecessor_t, Traits::edge_descriptor>>>,
+      boost::property<boost::edge_capacity_t, long,
+                      boost::property<boost::edge_residual_capacity_t, long,
+                                      boost::property<boost::edge_reverse_t, Traits::edge_descriptor>>>>;
+
+ public:
+  PartnerFlow(const Groups& asking, const Groups& giving) : asking_(asking), graph_(asking.size() + giving.size() + 2) {
+    for (std::size_t k = 0; k < asking.size(); ++k) {
+      const bool asks = asking[k].needs_partner;
+      from_source_.push_back(add(source(), k, asks ? static_cast<long>(asking[k].count) : 0));
+    }
+    for (std::size_t k = 0; k < giving.size(); ++k) {
+      add(asking.size() + k, sink(), static_cast<long>(giving[k].count));
+    }
+  }
+
+  void connect(std::size_t asking, std::size_t giving) {
+    add(asking, asking_.size() + giving, static_cast<long>(asking_[asking].count));
+  }
+
+  // By group of the asking side.
+  [[nodiscard]] std::vector<std::size_t> without_partner() {
+    boost::edmonds_karp_max_flow(graph_, source(), sink());
+    std::vector<std::size_t> left;
+    for (const Traits::edge_descriptor& edge : from_source_) {
+      left.push_back(static_cast<std::size_t>(get(boost::edge_residual_capacity, graph_, edge)));
+    }
+    return left;
+  }
+
+ private:
+  [[nodiscard]] std::size_t source() const { return num_vertices(graph_) - 2; }
+  [[nodiscard]] std::size_t sink() const { return num_vertices(graph_) - 1; }
+
+  Traits::edge_descriptor add(std::size_t from, std::size_t to, long capacity) {
+    const auto there = add_edge(from, to, graph_).first, back = add_edge(to, from, graph_).first;
+    put(boost::edge_capacity, graph_, there, capacity);
+    put(boost::edge_capacity, graph_, back, 0L);
+    put(boost::edge_reverse, graph_, there, back);
+    put(boost::edge_reverse, graph_, back, there);
+    return there;
+  }
+
+  const Groups& asking_;
+  Graph graph_;
+  std::vector<Traits::edge_descriptor> from_source_;
+};
+
+struct LeftOver {
+  std::vector<ClaimedPair> claimed, truth;  // each as often as it has no partner
+};
+
+std::vector<ClaimedPair> left_of(const Groups& groups, const std::vector<std::size_t>& left) {
+  std::vector<ClaimedPair> pairs;
+  for (std::size_t k = 0; k < groups.size(); ++k) pairs.insert(pairs.end(), left[k], groups[k].pair);
   return pairs;
 }
 
-std::string number_words(const Rational& value, bool is_rounded) {
-  std::string text = is_rounded && nearest_double(value) ? fmt::format("{}", *nearest_double(value)) : to_text(value);
+LeftOver left_over(Groups claimed, Groups truth, double tolerance) {
+  const Closeness closeness(tolerance);
+  const bool is_exact = std::ranges::all_of(claimed, &PairGroup::is_exact);
+  // A claim without decimals has all pairs, however short they are.
+  for (PairGroup& group : claimed) group.needs_partner = group.is_exact() || !closeness.is_short(group.pair);
+  for (PairGroup& group : truth) group.needs_partner = is_exact || !closeness.is_short(group.pair);
+  PartnerFlow of_claimed(claimed, truth), of_truth(truth, claimed);
+  for (std::size_t i = 0; i < claimed.size(); ++i) {
+    for (std::size_t k = 0; k < truth.size(); ++k) {
+      if (!closeness.are_partners(claimed[i].pair, truth[k].pair)) continue;
+      of_claimed.connect(i, k);
+      of_truth.connect(k, i);
+    }
+  }
+  return {left_of(claimed, of_claimed.without_partner()), left_of(truth, of_truth.without_partner())};
+}
+
+// ---- In words ----
+
+std::string number_words(const ClaimedNumber& number, bool in_doubles) {
+  const std::optional<double> nearest = nearest_double(number.value);
+  std::string text = in_doubles && nearest ? fmt::format("{}", *nearest) : to_text(number.value);
   return shortened(std::move(text), kLongestPairNumber);
 }
 
 // In each dimension, the first pair of one list goes with the first pair of the other, and so on.
-std::vector<PairDifference> differences_of(const std::vector<ListedPair>& claimed, const std::vector<ListedPair>& truth,
-                                           bool is_rounded) {
-  const auto words = [&](const std::vector<ListedPair>& pairs, std::size_t k) -> std::string {
+std::vector<PairDifference> differences_of(const LeftOver& left, bool in_doubles, bool by_rounding) {
+  const auto words = [&](const std::vector<ClaimedPair>& pairs, std::size_t k) -> std::string {
     if (k >= pairs.size()) return "no such pair";
-    const ListedPair& pair = pairs[k];
-    return fmt::format("dimension {}, birth {}, death {}", pair.dimension, number_words(pair.birth, is_rounded),
-                       pair.death ? number_words(*pair.death, is_rounded) : "inf");
+    const ClaimedPair& pair = pairs[k];
+    return fmt::format("dimension {}, birth {}, death {}", pair.dimension, number_words(pair.birth, in_doubles),
+                       pair.death ? number_words(*pair.death, in_doubles) : "inf");
   };
   std::vector<PairDifference> differences;
   for (int dimension = 0; dimension < kPairDimensions; ++dimension) {
-    std::vector<ListedPair> a, b;
-    const auto is_of = [&](const ListedPair& pair) { return pair.dimension == dimension; };
-    std::ranges::copy_if(claimed, std::back_inserter(a), is_of);
-    std::ranges::copy_if(truth, std::back_inserter(b), is_of);
+    std::vector<ClaimedPair> a, b;
+    const auto is_of = [&](const ClaimedPair& pair) { return pair.dimension == dimension; };
+    std::ranges::copy_if(left.claimed, std::back_inserter(a), is_of);
+    std::ranges::copy_if(left.truth, std::back_inserter(b), is_of);
     for (std::size_t k = 0; k < std::max(a.size(), b.size()); ++k) {
-      differences.push_back({words(a, k), words(b, k)});
+      differences.push_back({words(a, k), words(b, k), by_rounding});
     }
   }
   return differences;
@@ -64,13 +211,17 @@ std::vector<PairDifference> differences_of(const std::vector<ListedPair>& claime
 
 }  // namespace
 
-std::vector<PairDifference> pair_differences(const PairList& claimed, const std::vector<ListedPair>& truth) {
-  const std::vector<ListedPair> a = in_order(claimed.pairs, claimed.is_rounded);
-  const std::vector<ListedPair> b = in_order(truth, claimed.is_rounded);
-  std::vector<ListedPair> only_a, only_b;
-  std::ranges::set_difference(a, b, std::back_inserter(only_a), is_before);
-  std::ranges::set_difference(b, a, std::back_inserter(only_b), is_before);
-  return differences_of(only_a, only_b, claimed.is_rounded);
+std::vector<PairDifference> pair_differences(const std::vector<ClaimedPair>& claimed,
+                                             const std::vector<ListedPair>& truth, double tolerance) {
+  std::vector<ClaimedPair> exact;
+  exact.reserve(truth.size());
+  for (const ListedPair& pair : truth) exact.push_back(as_claimed(pair));
+  const Groups a = groups_of(claimed), b = groups_of(exact);
+  const LeftOver left = left_over(a, b, tolerance);
+  if (left.claimed.empty() && left.truth.empty()) return {};
+  const LeftOver rounded = left_over(a, b, std::max(tolerance, kRoundingPart));
+  const bool by_rounding = rounded.claimed.empty() && rounded.truth.empty();
+  return differences_of(left, !std::ranges::all_of(a, &PairGroup::is_exact), by_rounding);
 }
 
 }  // namespace flowcert

@@ -273,9 +273,15 @@ TEST_F(ConformanceCommand, ComparesPersistencePairs) {
   EXPECT_EQ(changed("")["outcome"], "conforms");
   // GUDHI's tools write the characteristic of the field in front.
   EXPECT_EQ(text("2  0 0 inf \n2  0 0 2.5 \n11 0 0 4\n2  1 4.5 5\n")["outcome"], "conforms");
+  // Decimals are right within the tolerance, and pairs within twice of it are as good as none.
+  EXPECT_EQ(
+      text("0 0 2.5000000001\n" + components.substr(0, 8) + "0 0 4\n1 4.4999999999 5.000000000000001\n")["outcome"],
+      "conforms");
+  EXPECT_EQ(text("1 4.5 5\n2 7 7.00000001\n" + components)["outcome"], "conforms");
   // These pairs are wrong, and each finding names a pair.
-  expect_wrong(text(components + "1 4.5 5.000000000000001\n"), "dimension 1, birth 4.5, death 5.000000000000001",
+  expect_wrong(text(components + "1 4.5 5.00000001\n"), "dimension 1, birth 4.5, death 5.00000001",
                "dimension 1, birth 4.5, death 5");
+  expect_wrong(text(components + "1 4.5 5\n2 7 7.0000001\n"), "dimension 2, birth 7, death 7.0000001", none);
   expect_wrong(text(components), none, "dimension 1, birth 4.5, death 5");
   expect_wrong(text(components + "1 4.5 5\n1 4.5 5\n"), "dimension 1, birth 4.5, death 5", none);
   expect_wrong(text(components + "2 4.5 5\n"), none, "dimension 1, birth 4.5, death 5");

@@ -27,77 +27,68 @@ int dimension_of(const Json& pair) {
   return value.get<int>();
 }
 
-PairList pairs_of_json(const std::string& bytes) {
+std::vector<ClaimedPair> pairs_of_json(const std::string& bytes) {
   const Json object = Json::parse(bytes);
-  PairList list;
+  std::vector<ClaimedPair> pairs;
   const auto value = [](const Json& point) {
-    return required_rational(required_field(point, "squared_distance"), "squared_distance");
+    return ClaimedNumber{required_rational(required_field(point, "squared_distance"), "squared_distance"), true};
   };
   for (const Json& pair : required_array(required_field(object, "pairs"), "pairs")) {
-    list.pairs.push_back({dimension_of(pair), value(required_field(pair, "birth")), std::nullopt});
+    pairs.push_back({dimension_of(pair), value(required_field(pair, "birth")), std::nullopt});
     const Json& death = required_field(pair, "death");
-    if (!death.is_null()) list.pairs.back().death = value(death);
+    if (!death.is_null()) pairs.back().death = value(death);
   }
-  return list;
+  return pairs;
 }
 
 // ---- Text
 
-int dimension_of(const std::string& word) {
+int dimension_of(const std::string& word, const LinePlace& place) {
   int dimension = 0;
   const char* end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, dimension);
   if (error != std::errc() || stop != end || dimension < 0 || dimension >= kPairDimensions) {
-    throw InvalidInput("no dimension 0, 1 or 2: " + in_quotes(word));
+    place.reject("no dimension 0, 1 or 2: " + in_quotes(word));
   }
   return dimension;
 }
 
-Rational double_of(const std::string& word) {
-  const NumberText number = parse_number(word);
-  if (number.fault != nullptr) throw InvalidInput("no squared distance: " + in_quotes(word));
-  return Rational(number.value);
-}
-
 // GUDHI's tools write in front of each pair the characteristic of the field over which homology was taken. The pairs are
 // the same over all fields.
-void expect_characteristic(const std::string& word) {
+void expect_characteristic(const std::string& word, const LinePlace& place) {
   int value = 0;
   const char* end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);
   if (error != std::errc() || stop != end || value < 2) {
-    throw InvalidInput("no characteristic of a field: " + in_quotes(word));
+    place.reject("no characteristic of a field: " + in_quotes(word));
   }
 }
 
-std::optional<ListedPair> pair_of_line(const std::string& line) {
+std::optional<ClaimedPair> pair_of_line(const std::string& line, const LinePlace& place) {
   std::istringstream in(line.substr(0, line.find('#')));
   std::vector<std::string> words(std::istream_iterator<std::string>(in), {});
   if (words.empty()) return std::nullopt;
   if (words.size() != 3 && words.size() != 4) {
-    throw InvalidInput("not the words dimension, birth, death, with the characteristic of a field before them or not");
+    place.reject("not the words dimension, birth, death, with the characteristic of a field before them or not");
   }
   if (words.size() == 4) {
-    expect_characteristic(words.front());
+    expect_characteristic(words.front(), place);
     words.erase(words.begin());
   }
-  ListedPair pair{dimension_of(words[0]), double_of(words[1]), std::nullopt};
-  if (words[2] != "inf") pair.death = double_of(words[2]);
+  const auto value = [&place](const std::string& word) { return claimed_number(word, PlainInteger::kDecimal, place); };
+  ClaimedPair pair{dimension_of(words[0], place), value(words[1]), std::nullopt};
+  if (words[2] != "inf") pair.death = value(words[2]);
   return pair;
 }
 
-PairList pairs_of_text(const std::string& bytes, const std::string& name) {
-  PairList list{{}, true};
+std::vector<ClaimedPair> pairs_of_text(const std::string& bytes, const std::string& name) {
+  std::vector<ClaimedPair> pairs;
   std::istringstream in(bytes);
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {
-    try {
-      if (const auto pair = pair_of_line(line)) list.pairs.push_back(*pair);
-    } catch (const InvalidInput& error) {
-      throw InvalidInput(fmt::format("{}:{}: {}", name, number, error.what()));
-    }
+    if (const auto pair = pair_of_line(line, {.file = name, .line = number})) pairs.push_back(*pair);
   }
-  return list;
+  return pairs;
 }
 
 }  // namespace
@@ -108,7 +99,7 @@ bool is_before(const ListedPair& a, const ListedPair& b) {
   return a.death && (!b.death || *a.death < *b.death);
 }
 
-PairList claimed_pairs_of(const std::string& bytes, const std::string& name) {
+std::vector<ClaimedPair> claimed_pairs_of(const std::string& bytes, const std::string& name) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) throw InvalidInput(name + ": empty");
   if (bytes[first] != '{') return pairs_of_text(bytes, name);

@@ -1,7 +1,8 @@
-// Where claimed persistence pairs are not the right ones (spec/formats/persistence.md).
+// Where claimed persistence pairs are not the right ones (FC-CLAIM-11).
 //
-// Guarantees: exact pairs are compared exactly, rounded pairs by nearest doubles. Both lists are multisets. Pairs of
-// length zero do not count.
+// Guarantees: what is claimed exactly is compared exactly. Decimals are matched within the tolerance by a matching that
+// leaves over as few pairs as possible, so that near values cannot take each other's place. Both lists are multisets.
+// Pairs of length zero do not count.
 #pragma once
 
 #include <string>
@@ -15,10 +16,12 @@ namespace flowcert {
 struct PairDifference {
   std::string claimed;  // in words
   std::string truth;
+  bool by_rounding = false;  // wrong by no more than rounding explains (FC-CLAIM-05)
 };
 
-// None iff the lists are the same. If the claim is rounded, the truth is rounded before the comparison.
-[[nodiscard]] std::vector<PairDifference> pair_differences(const PairList& claimed,
-                                                           const std::vector<ListedPair>& truth);
+// None iff the claim is right. tolerance: as in CheckOptions. Takes time in proportion to the product of the numbers of
+// different pairs, if there are decimals.
+[[nodiscard]] std::vector<PairDifference> pair_differences(const std::vector<ClaimedPair>& claimed,
+                                                           const std::vector<ListedPair>& truth, double tolerance);
 
 }  // namespace flowcert

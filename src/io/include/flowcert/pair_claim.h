@@ -1,14 +1,15 @@
 // A list of persistence pairs that a program claims, in JSON or in the text format of GUDHI's tools
 // (spec/formats/persistence.md).
 //
-// Guarantees: numbers from JSON are exact, and numbers from text are the nearest doubles. A file in neither format
-// throws InvalidInput. For text, the message names the line.
+// Guarantees: numbers from JSON are exact, and numbers from text are the decimals that they are (FC-CLAIM-05). A file in
+// neither format throws InvalidInput. For text, the message names the line.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "flowcert/claim.h"
 #include "flowcert/rational.h"
 
 namespace flowcert {
@@ -16,6 +17,7 @@ namespace flowcert {
 // Classes of components, tunnels and voids.
 inline constexpr int kPairDimensions = 3;
 
+// A pair as it is.
 struct ListedPair {
   int dimension = 0;
   Rational birth;
@@ -25,12 +27,14 @@ struct ListedPair {
 // The order by dimension, birth and death. A class that lasts comes last.
 [[nodiscard]] bool is_before(const ListedPair& a, const ListedPair& b);
 
-struct PairList {
-  std::vector<ListedPair> pairs;
-  bool is_rounded = false;  // from text: each value is a double
+// A pair as claimed.
+struct ClaimedPair {
+  int dimension = 0;
+  ClaimedNumber birth;
+  std::optional<ClaimedNumber> death;  // none: the class lasts
 };
 
 // Reads what a program has written. name: of the file, for messages.
-[[nodiscard]] PairList claimed_pairs_of(const std::string& bytes, const std::string& name);
+[[nodiscard]] std::vector<ClaimedPair> claimed_pairs_of(const std::string& bytes, const std::string& name);
 
 }  // namespace flowcert
