@@ -181,10 +181,7 @@ void check_claims_at_regular(CheckRun& run, std::size_t record, const Claims& cl
 
 void check_missing(CheckRun& run, std::size_t record) {
   const auto contact = run.truth.contact(record);
-  const auto is_cluster = [&run](std::size_t other) {
-    return run.truth.contact(other).size() > run.index(other).hull_dimension + std::size_t{1};
-  };
-  const bool by_cluster = is_cluster(record) || std::ranges::any_of(run.contacts.larger(contact), is_cluster);
+  const bool by_cluster = contact.size() > run.index(record).hull_dimension + std::size_t{1};
   run.report.findings.push_back({3,
                                  by_cluster ? FindingReason::kMissedByCluster : FindingReason::kMissing,
                                  false,

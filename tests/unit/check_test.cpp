@@ -88,6 +88,10 @@ TEST(CheckTest, FindsWrongIndicesAndWhatIsMissing) {
   const Truly cube(kCube);
   const CheckReport square = cube.check(cube.claim_without({{0, 1, 2, 3}}));
   expect_finding(square, 3, FindingReason::kMissedByCluster, "FC-CLAIM-03", std::nullopt);
+  // A corner and a side of the square are missed for other reasons than a cluster.
+  const CheckReport corner = Truly(kCube).check(Truly(kCube).claim_without({{0}, {0, 1}}));
+  EXPECT_EQ(count(corner, FindingReason::kMissing), 2U) << text(corner);
+  EXPECT_EQ(count(corner, FindingReason::kMissedByCluster), 0U);
   expect_finding(square, 3, FindingReason::kWrongCounts, "FC-INV-01", std::nullopt);
   EXPECT_EQ(square.findings.size(), 2U);
   EXPECT_EQ(square.findings.front().contact, Ids()) << "the Euler sum comes first, by its empty contact set";
