@@ -148,6 +148,7 @@ std::string complaint_about(const PointSet& points, const ClaimedPoint& point) {
 }  // namespace
 
 void check_form(CheckRun& run) {
+  for (const std::string& key : run.claim.unknown_keys) run.leave_unjudged("what the unknown key '" + key + "' says");
   check_input_of_claim(run);
   check_counts_of_claim(run);
   for (std::size_t k = 0; k < run.claim.points.size(); ++k) {

@@ -119,6 +119,42 @@ std::vector<WrongValue> wrong_values(CheckRun& run, const ClaimedPoint& point, s
   return wrong;
 }
 
+std::string double_text(const std::optional<ClaimedNumber>& number) {
+  return number ? number_text(number->value) : "no double";
+}
+
+// The doubles that are claimed beside exact values are these values in decimals (FC-NUM-02, FC-CLAIM-05). There is none
+// exactly where no double is near.
+std::vector<WrongValue> wrong_doubles(CheckRun& run, const ClaimedPoint& point, std::size_t record) {
+  if (!point.rounded_center && !point.has_rounded_squared_distance) return {};
+  std::vector<WrongValue> wrong;
+  const ExactSphere sphere = run.truth.sphere(record);
+  const ValueScale scale(sphere, run.options.tolerance);
+  for (std::size_t axis = 0; point.rounded_center && axis < 3; ++axis) {
+    const std::optional<ClaimedNumber>& claimed = (*point.rounded_center)[axis];
+    const Rational& truth = sphere.center[axis];
+    ValueMatch match = ValueMatch::kOff;
+    if (claimed.has_value() == nearest_double(truth).has_value()) {
+      const ClaimedNumber zero{0, true};
+      match = claimed ? match_position({*claimed, zero, zero}, {truth, 0, 0}, scale) : ValueMatch::kEqual;
+    }
+    if (!is_wrong(match)) continue;
+    wrong.push_back({match, "center_double with " + double_text(claimed), "the coordinate is " + number_text(truth)});
+  }
+  if (point.has_rounded_squared_distance) {
+    const std::optional<ClaimedNumber>& claimed = point.rounded_squared_distance;
+    ValueMatch match = ValueMatch::kOff;
+    if (claimed.has_value() == nearest_double(sphere.squared_radius).has_value()) {
+      match = claimed ? match_squared_distance(*claimed, sphere.squared_radius, scale) : ValueMatch::kEqual;
+    }
+    if (is_wrong(match)) {
+      wrong.push_back({match, "squared_distance_double " + double_text(claimed),
+                       "the squared distance is " + number_text(sphere.squared_radius)});
+    }
+  }
+  return wrong;
+}
+
 }  // namespace
 
 void check_stray_claim(CheckRun& run, std::size_t k) {
@@ -134,6 +170,11 @@ void check_stray_claim(CheckRun& run, std::size_t k) {
 
 void check_values(CheckRun& run, std::size_t k) {
   const ClaimedPoint& point = run.claim.points[k];
+  for (const WrongValue& value : wrong_doubles(run, point, run.placed[k].place->record)) {
+    run.find(2, value.match == ValueMatch::kRounding ? FindingReason::kRounding : FindingReason::kWrongPosition,
+             "FC-NUM-02", k, value.truth);
+    run.report.findings.back().claimed += ", " + value.claimed;
+  }
   if (!point.center && !point.distance && !point.squared_distance) return;
   run.report.is_exact = run.report.is_exact && is_exact_throughout(point);
   const std::vector<WrongValue> wrong = wrong_values(run, point, run.placed[k].place->record);

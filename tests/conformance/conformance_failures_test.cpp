@@ -308,8 +308,8 @@ TEST_F(ConformanceCommand, KnowsOutcomesOfThePersistenceCommandApart) {
   expect("printf '# x\n3 1 2\n'", "unreadable", "standard output:2: no dimension");
   expect("echo 1 0 0 inf", "unreadable", "standard output:1: no characteristic of a field: '1'");
   expect("echo 2 0 0 inf 5", "unreadable", "standard output:1: not the words dimension, birth, death");
-  expect("echo 1 x 2", "unreadable", "no squared distance: 'x'");
-  expect("echo 1 nan inf", "unreadable", "no squared distance: 'nan'");
+  expect("echo 1 x 2", "unreadable", "not a number: 'x'");
+  expect("echo 1 nan inf", "unreadable", "not a finite number: 'nan'");
   expect("echo '{}'", "unreadable", "no key 'pairs'");
   expect("echo '{'", "unreadable", "standard output");
   expect("echo '{\"pairs\":[{\"dimension\":0,\"birth\":{\"squared_distance\":0.5},\"death\":null}]}'", "unreadable",

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,16 +31,35 @@ enum class JsonKind { kNull, kBoolean, kNumber, kString, kArray, kObject };
 
 struct JsonTree {
   JsonKind kind = JsonKind::kNull;
-  std::string text;             // a number as written, or the value of a string
-  std::vector<JsonTree> items;  // the items of an array, or the keys and values of an object in turn
+  std::string text;               // a number as written, or the value of a string
+  std::vector<JsonTree> items;    // the items of an array, or the keys and values of an object in turn
+  mutable bool is_known = false;  // of a key: somebody has asked for it
 
   [[nodiscard]] bool is(JsonKind other) const { return kind == other; }
   // The value of an object's key; null if the object does not have the key.
   [[nodiscard]] const JsonTree* find(std::string_view key) const {
     for (std::size_t k = 0; k + 1 < items.size(); k += 2) {
-      if (items[k].text == key) return &items[k + 1];
+      if (items[k].text != key) continue;
+      items[k].is_known = true;
+      return &items[k + 1];
     }
     return nullptr;
+  }
+
+  // The keys that nobody has asked for, each with those of the objects around it: "skeleton.colour".
+  void add_unknown_keys(const std::string& around, std::set<std::string>& keys) const {
+    if (is(JsonKind::kArray)) {
+      for (const JsonTree& item : items) item.add_unknown_keys(around, keys);
+    }
+    if (!is(JsonKind::kObject)) return;
+    for (std::size_t k = 0; k + 1 < items.size(); k += 2) {
+      const std::string name = around.empty() ? items[k].text : around + "." + items[k].text;
+      if (!items[k].is_known) {
+        keys.insert(name);
+      } else {
+        items[k + 1].add_unknown_keys(name, keys);
+      }
+    }
   }
 };
 
@@ -79,7 +99,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  private:
   // The pointers in open_ stay valid, because the items of a container grow only while none of them is open.
   bool add(JsonKind kind, std::string text) {
-    JsonTree value{.kind = kind, .text = std::move(text), .items = {}};
+    JsonTree value{.kind = kind, .text = std::move(text), .items = {}, .is_known = false};
     if (open_.empty()) {
       root_ = std::move(value);
     } else {
@@ -299,8 +319,8 @@ ClaimedSurface surface_of(const ExchangeValue& value) {
 }
 
 // ---- A file ----
-// Rationals in strings are exact; numbers of JSON are decimals. Unknown keys are ignored. A known key with a wrong
-// value is an error. So is a known key that does not belong to points of this index.
+// Rationals in strings are exact; numbers of JSON are decimals. Unknown keys are listed. A known key with a wrong value is
+// an error. So is a known key that does not belong to points of this index.
 
 constexpr std::string_view kFormatName = "flowcert-stationary-points";
 
@@ -336,6 +356,14 @@ Claim claim_of_header(const ExchangeValue& header) {
                              count_of((*value)[3])};
   }
   if (const auto value = header.find("regular_stationary")) claim.regular_counts = regular_counts_of(*value);
+  // These say what made the file, and how.
+  for (const char* key : {"version", "commit", "kernel", "compiler", "cgal"}) {
+    if (const auto value = header.find(key)) (void)value->text();
+  }
+  if (const auto value = header.find("centers")) {
+    constexpr std::array kForms = {"exact", "double", "none"};
+    if (std::ranges::find(kForms, value->text()) == kForms.end()) value->reject("'exact', 'double' or 'none'");
+  }
   return claim;
 }
 
@@ -356,16 +384,33 @@ void read_index(const ExchangeValue& record, ClaimedPoint& point) {
   if (kind && kind->text() != expected) kind->reject(in_quotes(expected) + ", which the index says");
 }
 
-// Takes center, or else center_double, and squared_distance in the same way. A double is null if none is near.
+std::optional<ClaimedNumber> number_or_null(const ExchangeValue& value) {
+  return value.is_null() ? std::nullopt : std::optional(number_of(value));
+}
+
+std::array<std::optional<ClaimedNumber>, 3> doubles_of(const ExchangeValue& value) {
+  value.expect_size(3);
+  return {number_or_null(value[0]), number_or_null(value[1]), number_or_null(value[2])};
+}
+
+// Takes center, or else center_double, and squared_distance in the same way. A double is null if none is near. Beside
+// the exact value it is kept apart.
 void read_sphere(const ExchangeValue& record, ClaimedPoint& point) {
   if (const auto center = record.find("center")) {
     point.center = position_of(*center);
+    if (const auto near = record.find("center_double"); near && !near->is_null()) {
+      point.rounded_center = doubles_of(*near);
+    }
   } else if (const auto near = record.find("center_double"); near && !near->is_null()) {
     near->expect_size(3);
     if (!(*near)[0].is_null() && !(*near)[1].is_null() && !(*near)[2].is_null()) point.center = position_of(*near);
   }
   if (const auto distance = record.find("squared_distance")) {
     point.squared_distance = distance_of(*distance);
+    if (const auto near = record.find("squared_distance_double")) {
+      point.rounded_squared_distance = near->is_null() ? std::nullopt : std::optional(distance_of(*near));
+      point.has_rounded_squared_distance = true;
+    }
   } else if (const auto near = record.find("squared_distance_double"); near && !near->is_null()) {
     point.squared_distance = distance_of(*near);
   }
@@ -455,10 +500,14 @@ Claim read_exchange(std::string_view text, std::string_view file) {
   lines.next_filled(line);
   const JsonTree header = parse_json(line, lines.place());
   Claim claim = claim_of_header({header, "header", lines.place()});
+  std::set<std::string> unknown;
+  header.add_unknown_keys("", unknown);
   while (lines.next_filled(line)) {
     const JsonTree record = parse_json(line, lines.place());
     claim.points.push_back(point_of({record, "record", lines.place()}));
+    record.add_unknown_keys("", unknown);
   }
+  claim.unknown_keys.assign(unknown.begin(), unknown.end());
   return claim;
 }
 

@@ -84,6 +84,10 @@ struct ClaimedPoint {
   std::optional<ClaimedPosition> center;
   std::optional<ClaimedNumber> squared_distance;  // not negative
   std::optional<ClaimedNumber> distance;          // the radius itself, for formats that give it
+  // The doubles beside center and squared_distance. One that has no value says that no double is near.
+  std::optional<std::array<std::optional<ClaimedNumber>, 3>> rounded_center;
+  std::optional<ClaimedNumber> rounded_squared_distance;
+  bool has_rounded_squared_distance = false;
   // The claimed incidences with critical points of one index more. Without a value, nothing is claimed about them.
   std::optional<std::vector<ClaimedTarget>> successors;
   // If true, the successors are two in order: the limits of side 0 and side 1 (FC-FLOW-07), possibly equal. Otherwise
@@ -107,6 +111,8 @@ struct Claim {
   std::optional<std::vector<std::vector<PointId>>> classes;  // of repeated rows
   std::optional<std::array<std::size_t, 4>> critical_counts;
   std::optional<std::array<std::size_t, 3>> regular_counts;  // of kinds 1-2, 1-3, 2-3
+  // Keys that the format does not know, "skeleton.colour", ascending.
+  std::vector<std::string> unknown_keys;
 };
 
 // Reads a claim of any known format, recognised by content, gzip-compressed or not; "-" is standard input.
