@@ -71,7 +71,8 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
                    "text format of Giesen and Kühne's algorithm; also as .gz; - for standard input")
       ->required();
   command->add_flag("--json", options->json, "Print one JSON object");
-  command->add_option("--junit", options->junit, "Write a JUnit report to this file, a test case a level");
+  command->add_option("--junit", options->junit, "Write a JUnit report to this file, a test case a level")
+      ->check(complaint_about_path);
   add_judging_options(*command, options->check, options->is_strict);
   command->add_option("--most", options->most, "Show so many findings of each level; all, without this")
       ->check(CLI::NonNegativeNumber);

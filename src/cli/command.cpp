@@ -20,6 +20,8 @@ struct Commas : std::numpunct<char> {
 
 }  // namespace
 
+std::string complaint_about_path(const std::string& path) { return path.empty() ? "the path is empty" : ""; }
+
 std::string display_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
 std::string with_commas(unsigned long long value) {

@@ -50,6 +50,11 @@ std::array<CLI::Option*, 2> add_flow_options(CLI::App& command, FlowChoice& choi
 // The option --threads, of commands that compute: all cores without it. Results do not depend on it.
 void add_threads_option(CLI::App& command, unsigned& threads);
 
+// The path that stands for standard input or standard output.
+inline constexpr char kStandardStream[] = "-";
+// What is wrong with the path of a file to write, or nothing.
+[[nodiscard]] std::string complaint_about_path(const std::string& path);
+
 // The name of the file for messages: "-" gets a readable name.
 [[nodiscard]] std::string display_name(const std::string& path);
 

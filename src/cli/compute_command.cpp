@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <iostream>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -131,19 +132,22 @@ WrittenCenters written_centers(const std::string& name) {
 }
 
 void write_records(const ComputeOptions& options, const Measured& measured) {
-  OutputFile file(options.output);
+  std::optional<OutputFile> file;
+  if (options.output != kStandardStream) file.emplace(options.output);
   ProgressLine progress("writing exact records");
   const RecordsToWrite wanted = {.u2 = measured.has.u2,
                                  .polylines = options.polylines,
                                  .s2 = measured.has.s2,
                                  .skeletons = options.skeletons,
                                  .centers = written_centers(options.centers)};
-  write_stationary_points(file.stream(), *measured.last, wanted, std::ref(progress));
-  file.commit();
+  write_stationary_points(file ? file->stream() : std::cout, *measured.last, wanted, std::ref(progress));
+  if (file) file->commit();
 }
 
 void compute(const ComputeOptions& options) {
   const WantedManifolds wanted = wanted_manifolds(options);
+  const bool is_streamed = options.output == kStandardStream;
+  if (is_streamed && options.json) throw InvalidInput("-o - and --json would both write to standard output");
   if (!options.export_directory.empty()) check_export_directory(options.export_directory);
   const Input input = read_input(options.input);
   const Measured measured = measure(input.points, options.runs, wanted);
@@ -153,7 +157,7 @@ void compute(const ComputeOptions& options) {
   }
   if (options.json) {
     print_compute_summary(input, measured, options.u2);
-  } else {
+  } else if (!is_streamed) {
     print_compute_table(display_name(options.input), input, measured, options.u2);
   }
 }
@@ -198,7 +202,11 @@ void add_compute_command(CLI::App& app, int& status) {
       ->required();
   command->add_flag("--json", options->json, "Print one JSON object instead of the table");
   CLI::Option* output =
-      command->add_option("-o,--output", options->output, "Write the stationary points to this file, JSON Lines");
+      command
+          ->add_option(
+              "-o,--output", options->output,
+              "Write the stationary points to this file, JSON Lines; -: to standard output, instead of the table")
+          ->check(complaint_about_path);
   command
       ->add_option("--centers", options->centers,
                    "What the file of -o says of centres and squared distances: exact (also the nearest doubles), "
@@ -208,9 +216,11 @@ void add_compute_command(CLI::App& app, int& status) {
       ->needs(output);
   command->add_option("--runs", options->runs, "Measure this many times and print medians; 5 for a ratio to quote")
       ->check(CLI::Range(1, 1000));
-  command->add_option("--export", options->export_directory,
-                      "Write critical points, U2 and S2 into this directory, as VTP and PLY files for viewers; "
-                      "computes u2 and s2");
+  command
+      ->add_option("--export", options->export_directory,
+                   "Write critical points, U2 and S2 into this directory, as VTP and PLY files for viewers; "
+                   "computes u2 and s2")
+      ->check(complaint_about_path);
   add_manifold_options(*command, *options, output);
   add_threads_option(*command, options->threads);
   command->footer(

@@ -200,10 +200,13 @@ void write_file(const PersistenceOptions& options, const std::string& text) {
 }
 
 void print_persistence(const PersistenceOptions& options) {
+  if (options.output == kStandardStream && options.json) {
+    throw InvalidInput("-o - and --json would both write to standard output");
+  }
   const Input input = read_input(options.input);
   const PersistenceRun run(input.points, options.seed, options.threads);
   const PersistenceDiagram diagram(run.complex, options.with_zero);
-  const bool has_file = !options.output.empty();
+  const bool has_file = !options.output.empty() && options.output != kStandardStream;
   if (has_file) write_file(options, text_of(options, diagram));
   if (options.json) {
     print_json(input, run, diagram, options.seed);
@@ -229,8 +232,10 @@ void add_persistence_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "persistence", "The persistence of the distance function, as its alpha complex has it; values are squared");
   command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
-  command->add_option("-o,--output", options->output,
-                      "Write the pairs to this file, in GUDHI's .pers format, and print a table");
+  command
+      ->add_option("-o,--output", options->output,
+                   "Write the pairs to this file, in GUDHI's .pers format, and print a table; -: to standard output")
+      ->check(complaint_about_path);
   command->add_flag("--json", options->json, "Print one JSON object, all exact, with the critical points");
   command->add_flag("--zero", options->with_zero, "Regular stationary points as well, as pairs of length zero");
   command

@@ -109,7 +109,9 @@ void add_surface_command(CLI::App& app, int& status) {
                    "Only those with persistence>X (a difference of squared distances), index2-radius<R, or "
                    "largest-gaps=N, the N most persistent ones; given several times, all must hold")
       ->allow_extra_args(false);
-  command->add_option("-o,--output", options->output, "Write the surface to this file, .ply or .off")->required();
+  command->add_option("-o,--output", options->output, "Write the surface to this file, .ply or .off")
+      ->required()
+      ->check(complaint_about_path);
   command->add_flag("--json", options->json, "Print one JSON object instead of the table");
   add_threads_option(*command, options->threads);
   command->footer(

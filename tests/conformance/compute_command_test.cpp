@@ -7,6 +7,7 @@
 #include <zlib.h>
 
 #include <cstring>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -369,6 +370,29 @@ TEST(ComputeRecords, CentersNeedAFileAndAKnownWord) {
     EXPECT_EQ(lines_of(finished.err).size(), 1U) << finished.err;
     EXPECT_NE(finished.err.find("--centers"), std::string::npos) << finished.err;
   }
+}
+
+TEST(ComputeRecords, GoToStandardOutputInsteadOfTheTable) {
+  CITES("FC-OUT-01", "FC-IN-05");
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", kWithDuplicates), file = scratch.path("points.jsonl");
+  ASSERT_EQ(flowcert({"compute", input, "-o", file}).status, 0);
+  const Finished streamed = flowcert({"compute", input, "-o", "-"});
+  EXPECT_EQ(streamed.status, 0) << streamed.err;
+  EXPECT_EQ(streamed.out, content_of(file));
+  const Finished pairs = flowcert({"persistence", input, "-o", "-"});
+  EXPECT_EQ(pairs.status, 0) << pairs.err;
+  EXPECT_EQ(pairs.out, flowcert({"persistence", input}).out);
+  for (const char* command : {"compute", "persistence"}) {
+    const Finished both = flowcert({command, input, "-o", "-", "--json"});
+    EXPECT_EQ(both.status, 2);
+    EXPECT_EQ(both.err, "flowcert: -o - and --json would both write to standard output\n");
+    EXPECT_EQ(both.out, "");
+    const Finished nowhere = flowcert({command, input, "-o", ""});
+    EXPECT_EQ(nowhere.status, 2);
+    EXPECT_NE(nowhere.err.find("the path is empty"), std::string::npos) << nowhere.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists("-"));
 }
 
 TEST(ComputeRecords, ASecondRunWritesTheSameBytes) {
