@@ -215,7 +215,7 @@ void add_command_options(CLI::App& command, ConformanceCommandOptions& options) 
   command.add_option("--out-name", run.out_name, "Name of the file {out}")
       ->check(complaint_about_file_name)
       ->capture_default_str();
-  command.add_option("--time-limit", run.limits.seconds, "Seconds after which a run is killed, with all it started")
+  command.add_option("--time-limit", run.limits.seconds, "Seconds after which a run is killed, with its process group")
       ->check(complaint_about_time)
       ->capture_default_str();
   command
@@ -248,7 +248,7 @@ void add_conformance_command(CLI::App& app, int& status) {
   add_choice_options(*command, *options);
   add_report_options(*command, *options);
   command->footer(
-      "The command runs by /bin/sh in a folder of its own for each case, and is killed with all it started "
+      "The command runs by /bin/sh in a folder of its own for each case, and is killed with its process group "
       "when it is done, or late. It has to exit with 0 and leave a right claim (formats: see flowcert "
       "check); "
       "of an invalid case, with another status.\n\n"

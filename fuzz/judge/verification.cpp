@@ -111,6 +111,13 @@ Claim claim_of(const std::string& text, const PointSet& points) {
   return claim;
 }
 
+// What a program says of itself must not reach a terminal raw.
+std::string printable(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return c < 0x20 || c > 0x7e; }, '?');
+  return text;
+}
+
 Outcome outcome_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::kConforms:
@@ -166,7 +173,7 @@ CheckReport Verification::report_of(const std::vector<Point>& rows, const PointS
 FailedCase Verification::judge(const fuzz::NamedCase& named, const Answer& answer) {
   FailedCase result{.id = answer.id, .outcome = Outcome::kRefused, .reason = {}, .findings = {}};
   if (answer.is_refusal) {
-    result.reason = answer.text;
+    result.reason = printable(answer.text);
     return result;
   }
   const std::vector<Point> rows = property::rows_of(named.input);

@@ -238,6 +238,16 @@ TEST(Verify, TenFailuresAreShownAndAllAreCounted) {
   EXPECT_EQ(pipe.as_json({"--most", "4"})["failures"].size(), 4U);
 }
 
+TEST(Verify, AReasonNeverReachesATerminalRaw) {
+  CITES("FC-CLAIM-03");
+  const std::string id = ids_of(generated({"--level", "1", "--cases", "1"})).front();
+  const Scratch scratch;
+  const std::string path = scratch.file("answers", "refused " + id + " \x1b[31mred\x07 \xc3\xbc\n");
+  const Finished text = flowcert({"verify"}, {path, ""});
+  EXPECT_EQ(text.status, 1);
+  EXPECT_TRUE(contains(text.out, ") refused: ?[31mred? ??\n")) << text.out;
+}
+
 TEST(Verify, ReportsToProgramsAreBounded) {
   CITES("FC-CLAIM-03");
   std::string answers;
