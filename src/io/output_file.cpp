@@ -4,13 +4,16 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace flowcert::io {
@@ -21,36 +24,52 @@ constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 
 // A signal handler reads this, and may touch nothing that allocates. So it is a plain array. Empty means no file.
 char temporary_in_progress[4096] = {};
+// Held while the temporary file is made, renamed or removed. A mutex may not be taken in a signal handler, this may.
+std::atomic<bool> temporary_is_held = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler uses it");
 
+void hold_temporary() {
+  constexpr timespec kMoment = {.tv_sec = 0, .tv_nsec = 100'000};
+  while (temporary_is_held.exchange(true)) ::nanosleep(&kMoment, nullptr);
+}
+
+// Any thread may be given a signal. It waits for the one that writes, and then never lets go: so no file is made
+// between here and the end.
 void remove_and_end(int signal_number) {
+  hold_temporary();
   if (temporary_in_progress[0] != '\0') ::unlink(temporary_in_progress);
   ::signal(signal_number, SIG_DFL);
   ::raise(signal_number);
 }
 
-// Holds the signals back while there is a file that the handlers do not know yet.
-class SignalsHeld {
+// Keeps the handlers away from the temporary file: in this thread no signal is handled, in others handlers wait.
+class HandlersHeld {
  public:
-  SignalsHeld() {
+  HandlersHeld() {
     sigset_t ending;
     ::sigemptyset(&ending);
     for (const int signal_number : kEndingSignals) ::sigaddset(&ending, signal_number);
     ::pthread_sigmask(SIG_BLOCK, &ending, &before_);
+    hold_temporary();
   }
-  ~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsHeld(const SignalsHeld&) = delete;
-  SignalsHeld& operator=(const SignalsHeld&) = delete;
+  ~HandlersHeld() {
+    temporary_is_held = false;
+    ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  HandlersHeld(const HandlersHeld&) = delete;
+  HandlersHeld& operator=(const HandlersHeld&) = delete;
 
  private:
   sigset_t before_{};
 };
 
-// A signal that is ignored (nohup, a shell's background job) stays ignored.
-void replace_handlers(void (*from)(int), void (*to)(int)) {
+// A signal that is ignored (nohup, a shell's background job) stays ignored. The handlers stay after the file: a signal
+// that is on its way to another thread finds them.
+void set_handlers() {
   for (const int signal_number : kEndingSignals) {
     struct sigaction current {};
-    if (::sigaction(signal_number, nullptr, &current) == 0 && current.sa_handler == from) {
-      ::signal(signal_number, to);
+    if (::sigaction(signal_number, nullptr, &current) == 0 && current.sa_handler == SIG_DFL) {
+      ::signal(signal_number, remove_and_end);
     }
   }
 }
@@ -59,20 +78,21 @@ void remember(const std::string& temporary) {
   if (temporary.size() < sizeof(temporary_in_progress)) {
     std::memcpy(temporary_in_progress, temporary.c_str(), temporary.size() + 1);
   }
-  replace_handlers(SIG_DFL, remove_and_end);
 }
+
+void forget() { temporary_in_progress[0] = '\0'; }
 
 // Returns a descriptor, or -1 with errno. Replaces the X's at the end of the name.
 int make_temporary(std::vector<char>& name) {
-  const SignalsHeld held;
   const int descriptor = ::mkstemp(name.data());
   if (descriptor >= 0) remember(name.data());
   return descriptor;
 }
 
-void forget() {
-  temporary_in_progress[0] = '\0';
-  replace_handlers(remove_and_end, SIG_DFL);
+void remove_temporary(const std::string& temporary) {
+  const HandlersHeld held;
+  ::unlink(temporary.c_str());
+  forget();
 }
 
 }  // namespace
@@ -87,6 +107,9 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
   }
   std::vector<char> name(path_.begin(), path_.end());
   for (const char c : {'.', 'X', 'X', 'X', 'X', 'X', 'X', '\0'}) name.push_back(c);
+  // Opening a stream makes the file anew where a handler has removed it. So they wait until it is open.
+  std::optional<HandlersHeld> held(std::in_place);
+  set_handlers();
   const int descriptor = make_temporary(name);
   if (descriptor < 0) fail(std::strerror(errno));
   // Only the owner can read a file that mkstemp makes. An output has to be as readable as any new file.
@@ -96,11 +119,11 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
   ::close(descriptor);
   temporary_ = name.data();
   stream_.open(temporary_, std::ios::binary);
+  const int reason = errno;
+  held.reset();
   if (!stream_) {
-    const int reason = errno;
     // The destructor will not run after a throwing constructor.
-    ::unlink(temporary_.c_str());
-    forget();
+    remove_temporary(temporary_);
     fail(std::strerror(reason));
   }
 }
@@ -108,8 +131,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
 OutputFile::~OutputFile() {
   if (temporary_.empty()) return;
   stream_.close();
-  ::unlink(temporary_.c_str());
-  forget();
+  remove_temporary(temporary_);
 }
 
 void OutputFile::commit() {
@@ -117,6 +139,7 @@ void OutputFile::commit() {
   stream_.close();
   if (!stream_) fail(errno != 0 ? std::strerror(errno) : "write failed");
   if (temporary_.empty()) return;
+  const HandlersHeld held;
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(std::strerror(errno));
   temporary_.clear();
   forget();

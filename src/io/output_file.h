@@ -2,7 +2,8 @@
 // when it is complete.
 //
 // Guarantees: until commit() has returned, the target is what it was. The temporary file goes away with the object,
-// also on Ctrl-C, SIGTERM and a closed pipe. Every failed write throws OutputError, also on a full disk.
+// also on Ctrl-C, SIGTERM and a closed pipe, whichever thread is given the signal. Every failed write throws
+// OutputError, also on a full disk.
 #pragma once
 
 #include <fstream>
