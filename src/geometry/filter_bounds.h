@@ -47,8 +47,8 @@ inline constexpr double kCellSideBound = 32;
 inline constexpr double kFarCellSideBound = 64;
 
 // On a grid of a power of two, doubles are exact for cells that are small on it: while |a|, |b| and |c| are at most
-// this many units, every intermediate result is an integer below 2^53 in units of its degree. The largest one is the s of
-// the facet opposite vertex 0: 2 det^2 <= 6 |.|^6, and three times a sum of three products of |.|^2 and 3 |.|^4.
+// this many units, every intermediate result is an integer below 2^53 in units of its degree. The largest one is the s
+// of the facet opposite vertex 0: 2 det^2 <= 6 |.|^6, and three times a sum of three products of |.|^2 and 3 |.|^4.
 inline constexpr double kExactReach = 250;  // 33 * 250^6 < 2^53
 
 // ---- The samples nearest to a position, in units of u but for the two lengths ----

@@ -238,7 +238,7 @@ TEST(CheckCommand, JudgesAnotherImplementationWhereItIsDetermined) {
   EXPECT_EQ(other.as_json({"--tolerance", "1e-15"})["verdict"], "fails") << "radii are off by 1e-13";
 }
 
-// Of a contact set that is no simplex, only necessary conditions are known.
+// Only necessary conditions are known where the contact set is no simplex.
 TEST(CheckCommand, TellsWhatIsNotDecided) {
   CITES("FC-CLAIM-04");
   const Checked square(std::string("1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n"),

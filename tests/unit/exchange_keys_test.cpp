@@ -1,5 +1,5 @@
-// No key of the exchange format goes unread: its value is changed, and the claim fails, or is refused, or the report says
-// that it was not judged. The keys are those of the schema.
+// No key of the exchange format goes unread: its value is changed, and the claim fails, or is refused, or the report
+// says that it was not judged. The keys are those of the schema.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -10,7 +10,8 @@ namespace {
 
 using Targets = std::vector<ClaimedTarget>;
 
-// The report on a claim that is true but for one change. It has no polylines, because these would tell the limits again.
+// The report on a claim that is true but for one change. It has no polylines, because these would tell the limits
+// again.
 template <typename Change>
 std::string said(const Truly& truly, const Change& change) {
   Claimed claimed = truly.whole_claim();

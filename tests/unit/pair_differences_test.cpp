@@ -1,5 +1,5 @@
-// pair_differences() on pairs made by hand: exact values, decimals within the tolerance and beyond it, pairs that are as
-// good as none, and near values that must not take each other's place.
+// pair_differences() on pairs made by hand: exact values, decimals within the tolerance and beyond it, pairs that are
+// as good as none, and near values that must not take each other's place.
 #include "flowcert/pair_differences.h"
 
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ TEST(PairDifferences, ShortPairsAreAsGoodAsNone) {
   EXPECT_EQ(wrong({lasts, {1, decimal(1 + parts(20)), decimal(1)}}, alone), 1U) << "dies before it is born";
 }
 
-// Of two claimed values that are near one true value, one at most has it.
+// Two claimed values may be near one true value. One of them at most is its partner.
 TEST(PairDifferences, NearValuesDoNotTakeEachOthersPlace) {
   CITES("FC-CLAIM-11");
   const auto of = [](const std::vector<long>& deaths) {

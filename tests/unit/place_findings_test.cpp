@@ -301,7 +301,7 @@ TEST(PlaceFindings, OfWhatCannotBeTogether) {
   const Truly cube(kCube);
   const Ids all = {0, 1, 2, 3, 4, 5, 6, 7};
   const auto instead = [&] { return cube.claim_without({all}); };
-  // Of two tetrahedra around the centre, and of the whole with a diagonal, one at most can be there.
+  // One tetrahedron at most can have the centre inside. The whole and a diagonal exclude each other, too.
   EXPECT_EQ(cube.check(instead().add(3, {0, 3, 5, 6}).add(3, {1, 2, 4, 7}).add(2, {0, 1, 7})).verdict, Verdict::kFails);
   EXPECT_EQ(cube.check(instead().add(3, all).add(1, {0, 7}).add(2, {0, 1, 7})).verdict, Verdict::kFails);
   EXPECT_EQ(cube.check(instead().add(3, {0, 1, 2, 7}).add(3, {0, 1, 4, 7}).add(2, {0, 1, 7})).verdict,

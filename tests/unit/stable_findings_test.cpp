@@ -131,8 +131,8 @@ TEST(PolylineFindings, BeyondASaddle) {
 // From the saddle 0 2 3 an orbit goes to a regular stationary point of kind 2-3. Beyond it, the Voronoi edge of 0 3 4
 // comes to a Voronoi vertex, because of the last sample.
 const std::vector<Point> kBeyond23 = {{0, 0, 3}, {1, 3, 1}, {0, 2, 2}, {1, 0, 2}, {0, 0, 1}, {-6, 3, 5}};
-// From the saddle 0 1 2 an orbit goes to a regular stationary point of kind 1-3, at 1/2 5/2 3/2. Beyond it is the Voronoi
-// facet of 0 3. In the direction 1 4 1 it ends because of the last sample.
+// From the saddle 0 1 2 an orbit goes to a regular stationary point of kind 1-3, at 1/2 5/2 3/2. Beyond it is the
+// Voronoi facet of 0 3. In the direction 1 4 1 it ends because of the last sample.
 const std::vector<Point> kBeyond13 = {{0, 3, 0}, {0, 2, 3}, {2, 2, 1}, {1, 2, 3}, {6, 14.5, 4.5}};
 
 struct Beyond {

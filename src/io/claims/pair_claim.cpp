@@ -53,8 +53,8 @@ int dimension_of(const std::string& word, const LinePlace& place) {
   return dimension;
 }
 
-// GUDHI's tools write in front of each pair the characteristic of the field over which homology was taken. The pairs are
-// the same over all fields.
+// GUDHI's tools write in front of each pair the characteristic of the field over which homology was taken. The pairs
+// are the same over all fields.
 void expect_characteristic(const std::string& word, const LinePlace& place) {
   int value = 0;
   const char* end = word.data() + word.size();

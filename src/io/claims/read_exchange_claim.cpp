@@ -319,8 +319,8 @@ ClaimedSurface surface_of(const ExchangeValue& value) {
 }
 
 // ---- A file ----
-// Rationals in strings are exact; numbers of JSON are decimals. Unknown keys are listed. A known key with a wrong value is
-// an error. So is a known key that does not belong to points of this index.
+// Rationals in strings are exact; numbers of JSON are decimals. Unknown keys are listed. A known key with a wrong value
+// is an error. So is a known key that does not belong to points of this index.
 
 constexpr std::string_view kFormatName = "flowcert-stationary-points";
 

@@ -1,8 +1,8 @@
 // A list of persistence pairs that a program claims, in JSON or in the text format of GUDHI's tools
 // (spec/formats/persistence.md).
 //
-// Guarantees: numbers from JSON are exact, and numbers from text are the decimals that they are (FC-CLAIM-05). A file in
-// neither format throws InvalidInput. For text, the message names the line.
+// Guarantees: numbers from JSON are exact, and numbers from text are the decimals that they are (FC-CLAIM-05). A file
+// in neither format throws InvalidInput. For text, the message names the line.
 #pragma once
 
 #include <optional>
