@@ -61,8 +61,9 @@ std::size_t total_of(const OutcomeCounts& counts) {
 }
 
 std::size_t right_of(const OutcomeCounts& counts) {
-  return count_of(counts, Outcome::kConforms) + count_of(counts, Outcome::kConformsWhereDetermined) +
-         count_of(counts, Outcome::kPerturbed);
+  std::size_t right = 0;
+  for (const Outcome outcome : kColumns) right += is_right(outcome) ? count_of(counts, outcome) : 0;
+  return right;
 }
 
 void add_row(Table& table, const std::string& name, const OutcomeCounts& counts) {

@@ -100,10 +100,11 @@ std::size_t CheckRun::true_side(std::size_t k, std::size_t claimed_side) const {
 void CheckRun::leave_unjudged(const std::string& what) { add_once(report.not_judged, what); }
 void CheckRun::leave_undecided(const std::string& what) { add_once(report.not_decided, what); }
 
-bool CheckRun::is_made(std::size_t record, const std::vector<PointId>& names, int index) const {
+bool CheckRun::is_made(std::size_t record, const std::vector<PointId>& names, std::optional<int> index) const {
   const auto made = perturbed.find(record);
   return made != perturbed.end() && std::ranges::any_of(made->second, [&](std::size_t k) {
-           return claim.points[k].index == index && (placed[k].names.empty() || placed[k].names == names);
+           return index.value_or(claim.points[k].index) == claim.points[k].index &&
+                  (placed[k].names.empty() || placed[k].names == names);
          });
 }
 

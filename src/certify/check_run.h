@@ -107,9 +107,9 @@ struct CheckRun {
   // Reports once that this is not judged, or not decided.
   void leave_unjudged(const std::string& what);
   void leave_undecided(const std::string& what);
-  // Whether these names are of a point of this index that the claim lists at a stationary point, and that a
-  // perturbation makes of it.
-  [[nodiscard]] bool is_made(std::size_t record, const std::vector<PointId>& names, int index) const;
+  // Whether these names are of a point that the claim lists at a stationary point, and that a perturbation makes of
+  // it; with an index, of a point of this index.
+  [[nodiscard]] bool is_made(std::size_t record, const std::vector<PointId>& names, std::optional<int> index) const;
 };
 
 // The stationary point at the centre of the smallest sphere through these samples, if there is one.

@@ -63,17 +63,10 @@ std::vector<PointId> supported_face(const PointSet& points, std::span<const Poin
 bool turn_alike(const PointSet& points, std::span<const PointId> a, std::span<const PointId> b) {
   FLOWCERT_REQUIRES(a.size() >= 3 && b.size() >= 3);
   const auto normal = [&points](std::span<const PointId> names) {
-    std::array<RationalPoint, 3> p;
-    for (std::size_t k = 0; k < 3; ++k) p[k] = exact_position(sample(points, names[k]));
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      p[1][axis] -= p[0][axis];
-      p[2][axis] -= p[0][axis];
-    }
-    return RationalPoint{p[1][1] * p[2][2] - p[1][2] * p[2][1], p[1][2] * p[2][0] - p[1][0] * p[2][2],
-                         p[1][0] * p[2][1] - p[1][1] * p[2][0]};
+    const auto position = [&](std::size_t k) { return exact_position(sample(points, names[k])); };
+    return cross(vector_between(position(0), position(1)), vector_between(position(0), position(2)));
   };
-  const RationalPoint u = normal(a), v = normal(b);
-  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2] > 0;
+  return dot(normal(a), normal(b)) > 0;
 }
 
 // It is then the centre of the smallest ball that encloses them iff it lies in their hull.
@@ -94,12 +87,6 @@ double as_double(const Rational& value) {
   return std::numeric_limits<double>::max() * (value > 0 ? 1 : -1);
 }
 
-// A decimal that rounds to the same double as the truth is as right as a double can be.
-bool rounds_alike(const Rational& a, const Rational& b) {
-  const std::optional<double> x = nearest_double(a), y = nearest_double(b);
-  return x && y && *x == *y;
-}
-
 // Avoids the difference of rationals, which costs most: exact values must be equal, and decimals must round to the
 // same double.
 bool matches_at_once(const ClaimedPosition& claimed, const RationalPoint& truth) {
@@ -113,6 +100,11 @@ bool matches_at_once(const ClaimedPosition& claimed, const RationalPoint& truth)
 ValueMatch wrong(bool by_rounding) { return by_rounding ? ValueMatch::kRounding : ValueMatch::kOff; }
 
 }  // namespace
+
+bool rounds_alike(const Rational& a, const Rational& b) {
+  const std::optional<double> x = nearest_double(a), y = nearest_double(b);
+  return x && y && *x == *y;
+}
 
 double rounding_length(const ExactSphere& sphere) {
   double length = std::sqrt(as_double(sphere.squared_radius));

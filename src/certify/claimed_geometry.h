@@ -72,6 +72,9 @@ class ValueScale {
 [[nodiscard]] bool is_exact(const ClaimedPosition& claimed);
 [[nodiscard]] RationalPoint values_of(const ClaimedPosition& claimed);
 
+// Whether two values have the same nearest double. A decimal for which this holds is as right as a double can be.
+[[nodiscard]] bool rounds_alike(const Rational& a, const Rational& b);
+
 // Whether two lengths, given by their squares, differ by no more than rounding explains at this rounding_length.
 inline constexpr double kRoundingPart = 0x1p-44;
 [[nodiscard]] bool is_rounding(const Rational& squared_a, const Rational& squared_b, double rounding_length);

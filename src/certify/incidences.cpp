@@ -167,13 +167,10 @@ class Incidences {
 
   NamedTarget named(const ClaimedTarget& target) {
     if (target.is_infinity) return {true, std::nullopt, Fit::kWhole};
-    const std::optional<Placement> place = placement_of(run_, class_names(run_.points, target.contact));
-    if (!place) return {false, std::nullopt, Fit::kOther};
     const std::vector<PointId> names = class_names(run_.points, target.contact);
-    bool is_made = false;
-    for (int index = 1; index <= 3 && place->fit != Fit::kWhole; ++index) {
-      is_made = is_made || run_.is_made(place->record, names, index);
-    }
+    const std::optional<Placement> place = placement_of(run_, names);
+    if (!place) return {false, std::nullopt, Fit::kOther};
+    const bool is_made = place->fit != Fit::kWhole && run_.is_made(place->record, names, std::nullopt);
     return {true, place->record, is_made ? Fit::kMade : place->fit};
   }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/edmonds_karp_max_flow.hpp>
-#include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -75,16 +74,14 @@ class Closeness {
     if (!pair.death) return false;
     const Rational length = pair.death->value - pair.birth.value;
     if (length < 0) return false;
-    const std::optional<double> birth = nearest_double(pair.birth.value), death = nearest_double(pair.death->value);
-    return length <= 2 * tolerance_ * pair.death->value || (birth && death && *birth == *death);
+    return length <= 2 * tolerance_ * pair.death->value || rounds_alike(pair.birth.value, pair.death->value);
   }
 
  private:
   [[nodiscard]] bool is_right(const ClaimedNumber& claimed, const Rational& truth) const {
     if (claimed.value == truth) return true;
     if (claimed.is_exact) return false;
-    const std::optional<double> a = nearest_double(claimed.value), b = nearest_double(truth);
-    if (a && b && *a == *b) return true;
+    if (rounds_alike(claimed.value, truth)) return true;
     const Rational off = claimed.value - truth;
     return abs(off) <= tolerance_ * abs(truth);
   }
@@ -97,8 +94,8 @@ class Closeness {
 using Groups = std::vector<PairGroup>;
 using Edge = std::pair<std::size_t, std::size_t>;  // places among the claimed and among the true groups
 
-// How many pairs of each group find no partner, if only the pairs of one side that need one ask for them. By the theorem
-// of Mendelsohn and Dulmage, what either side can have alone, both can have at once.
+// How many pairs of each group find no partner, if only the pairs of one side that need one ask for them. By the
+// theorem of Mendelsohn and Dulmage, what either side can have alone, both can have at once.
 class PartnerFlow {
   using Traits = boost::adjacency_list_traits<boost::vecS, boost::vecS, boost::directedS>;
   using Graph = boost::adjacency_list<

@@ -15,10 +15,6 @@ namespace flowcert::certify {
 
 namespace {
 
-Rational inner_product(const RationalPoint& u, const RationalPoint& v) {
-  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
-
 std::vector<PointId> with(std::vector<PointId> names, PointId name) {
   names.insert(std::ranges::upper_bound(names, name), name);
   return names;
@@ -61,8 +57,8 @@ std::vector<std::vector<PerturbedPoint::Names>> PerturbedPoint::outcomes_of_kind
   const Names one = with(edge, others[0]), other = with(edge, others[1]);
   std::vector<std::vector<Names>> outcomes = {{edge, one, other, contact_}};
   // The angle at the edge between the two triangles: positive if it is acute.
-  const RationalPoint a = from_center(edge[0]), r = from_center(others[0]), s = from_center(others[1]);
-  const Rational cosine = inner_product(r, s) * inner_product(a, a) - inner_product(r, a) * inner_product(s, a);
+  const Vector3<Rational> a = from_center(edge[0]), r = from_center(others[0]), s = from_center(others[1]);
+  const Rational cosine = dot(r, s) * dot(a, a) - dot(r, a) * dot(s, a);
   if (cosine >= 0) {
     outcomes.push_back({edge, one});
     outcomes.push_back({edge, other});
@@ -180,17 +176,16 @@ bool PerturbedPoint::overlap(std::span<const std::size_t> claimed) const {
 }
 
 std::size_t PerturbedPoint::count_opposite_samples() const {
-  std::set<RationalPoint> from;
-  for (const PointId name : contact_) from.insert(from_center(name));
-  const auto count = std::ranges::count_if(from, [&](const RationalPoint& v) {
-    return from.contains(RationalPoint{-v[0], -v[1], -v[2]});
+  std::set<RationalPoint> samples;
+  for (const PointId name : contact_) samples.insert(exact_position(sample(run_.points, name)));
+  const auto count = std::ranges::count_if(samples, [&](const RationalPoint& p) {
+    return samples.contains({2 * center_[0] - p[0], 2 * center_[1] - p[1], 2 * center_[2] - p[2]});
   });
   return static_cast<std::size_t>(count) / 2;
 }
 
-RationalPoint PerturbedPoint::from_center(PointId name) const {
-  const RationalPoint p = exact_position(sample(run_.points, name));
-  return {p[0] - center_[0], p[1] - center_[1], p[2] - center_[2]};
+Vector3<Rational> PerturbedPoint::from_center(PointId name) const {
+  return vector_between(center_, exact_position(sample(run_.points, name)));
 }
 
 }  // namespace flowcert::certify

@@ -11,6 +11,7 @@
 
 #include "certify/check_run.h"
 #include "flowcert/rational.h"
+#include "geometry/vector3.h"
 
 namespace flowcert::certify {
 
@@ -41,7 +42,7 @@ class PerturbedPoint {
   [[nodiscard]] bool has_inside(const Names& tetrahedron) const;
   [[nodiscard]] bool overlap(std::span<const std::size_t> claimed_points) const;
   [[nodiscard]] std::size_t count_opposite_samples() const;
-  [[nodiscard]] RationalPoint from_center(PointId name) const;
+  [[nodiscard]] Vector3<Rational> from_center(PointId name) const;
 
   CheckRun& run_;
   StationaryIndex index_;

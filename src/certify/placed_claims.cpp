@@ -51,16 +51,37 @@ void accept_perturbed(CheckRun& run, std::size_t record, const Claims& claimed, 
   }
 }
 
+// Claims at one stationary point, each looked at alone.
+struct SortedClaims {
+  Claims possible;                                         // by index
+  Claims impossible;                                       // no perturbation makes these
+  std::vector<std::pair<std::size_t, std::size_t>> again;  // a claim, and the claim that it repeats
+};
+
+SortedClaims sorted_claims(const CheckRun& run, const PerturbedPoint& point, const Claims& claimed) {
+  SortedClaims sorted;
+  std::array<Claims, 4> accepted;  // by index
+  for (const std::size_t k : claimed) {
+    if (!point.can_make(k)) {
+      sorted.impossible.push_back(k);
+      continue;
+    }
+    Claims& same = accepted.at(static_cast<std::size_t>(run.claim.points[k].index));
+    if (point.is_again(k, same)) {
+      sorted.again.emplace_back(k, same.back());
+    } else {
+      same.push_back(k);
+    }
+  }
+  for (const Claims& some : accepted) sorted.possible.insert(sorted.possible.end(), some.begin(), some.end());
+  return sorted;
+}
+
 // Claims at a critical point that are not just that point. False if they are not what a perturbation makes of it.
 bool judge_perturbed_critical(CheckRun& run, std::size_t record, const Claims& claimed) {
   const PerturbedPoint point(run, record);
-  std::array<Claims, 4> accepted;  // by index
-  for (const std::size_t k : claimed) {
-    if (!point.can_make(k)) return false;
-    Claims& same = accepted.at(static_cast<std::size_t>(run.claim.points[k].index));
-    if (point.is_again(k, same)) return false;
-    same.push_back(k);
-  }
+  const SortedClaims sorted = sorted_claims(run, point, claimed);
+  if (!sorted.impossible.empty() || !sorted.again.empty()) return false;
   const MadeByPerturbation made = point.makes(claimed);
   if (made == MadeByPerturbation::kNo) return false;
   accept_perturbed(run, record, claimed, made == MadeByPerturbation::kYes);
@@ -71,21 +92,9 @@ bool judge_perturbed_critical(CheckRun& run, std::size_t record, const Claims& c
 // All claims of critical points at one regular stationary point.
 void judge_perturbed_regular(CheckRun& run, std::size_t record, const Claims& claimed, bool is_listed_as_regular) {
   const PerturbedPoint point(run, record);
-  std::array<Claims, 4> accepted;  // by index
-  Claims all;
-  for (const std::size_t k : claimed) {
-    if (!point.can_make(k)) {
-      find_collision(run, k, record, "no perturbation makes this of it");
-      continue;
-    }
-    Claims& same = accepted.at(static_cast<std::size_t>(run.claim.points[k].index));
-    if (point.is_again(k, same)) {
-      find_twice(run, k, same.back());
-      continue;
-    }
-    same.push_back(k);
-  }
-  for (const Claims& some : accepted) all.insert(all.end(), some.begin(), some.end());
+  const auto& [all, impossible, again] = sorted_claims(run, point, claimed);
+  for (const std::size_t k : impossible) find_collision(run, k, record, "no perturbation makes this of it");
+  for (const auto& [k, earlier] : again) find_twice(run, k, earlier);
   if (all.empty()) return;
   const MadeByPerturbation made = is_listed_as_regular ? MadeByPerturbation::kNo : point.makes(all);
   if (made != MadeByPerturbation::kNo) return accept_perturbed(run, record, all, made == MadeByPerturbation::kYes);

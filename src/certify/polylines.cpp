@@ -39,18 +39,17 @@ char face_letter(const CheckRun& run, std::span<const PointId> contact) {
   return "CFEV"[affine_dimension(run.points, contact)];
 }
 
-// Whether the flow may take the segment from a regular stationary point y to `end`, once a perturbation lets it pass. The
-// segment then has y as its driver, and is whole.
+// Whether the flow may take the segment from a regular stationary point y to `end`, once a perturbation lets it pass.
+// The segment then has y as its driver, and is whole.
 class LeavingSegment {
  public:
   LeavingSegment(const CheckRun& run, std::span<const PointId> contact, const RationalPoint& y,
                  const RationalPoint& end)
       : at_end_(nearest_samples(run.points, end).names) {
-    const RationalPoint way = {end[0] - y[0], end[1] - y[1], end[2] - y[2]};
+    const Vector3<Rational> way = vector_between(y, end);
     std::optional<Rational> most;
     for (const PointId name : contact) {
-      const Point& p = sample(run.points, name);
-      const Rational along = way[0] * Rational(p.x) + way[1] * Rational(p.y) + way[2] * Rational(p.z);
+      const Rational along = dot(way, vector_between(y, exact_position(sample(run.points, name))));
       if (most && along < *most) continue;
       if (!most || along > *most) crossed_.clear();
       most = along;
@@ -79,8 +78,8 @@ class Polylines {
   void check(std::size_t k) {
     const std::size_t record = run_.placed[k].place->record;
     const ClaimedPoint& point = run_.claim.points[k];
+    scale_.emplace(run_.truth.sphere(record), run_.options.tolerance);
     for (std::size_t side = 0; side < 2; ++side) {
-      scale_.emplace(run_.truth.sphere(record), run_.options.tolerance);
       rest_ = (*point.u2)[side];
       done_ = 0;
       variation_.clear();
@@ -139,8 +138,8 @@ class Polylines {
     };
     TruePath first = way(0), second = way(1);
     if (difference(rest_.front(), first.segments.front(), "").is_wrong) return second;
-    if (difference(rest_.front(), second.segments.front(), "").is_wrong) return first;
     // In decimals both can be near.
+    if (!rest_.front().end || difference(rest_.front(), second.segments.front(), "").is_wrong) return first;
     const RationalPoint end = values_of(*rest_.front().end);
     const auto off = [&](const TruePath& path) { return squared_distance(end, *path.segments.front().end); };
     return off(second) < off(first) ? second : first;
@@ -171,8 +170,7 @@ class Polylines {
     }
     run_.leave_unjudged(
         "what of a polyline lies beyond a regular stationary point, if it is claimed in decimals or goes to infinity "
-        "at "
-        "once (FC-CLAIM-08)");
+        "at once (FC-CLAIM-08)");
     is_end_known_ = false;
     if (!rest_.front().end && rest_.size() > 1) return wrong(segment_text() + "end infinity", "nothing comes after it");
     return {};

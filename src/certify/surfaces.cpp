@@ -20,6 +20,7 @@ namespace flowcert::certify {
 namespace {
 
 constexpr char kSurfaceClause[] = "FC-CLAIM-10";
+constexpr char kAddedPieces[] = "which pieces of a stable set a perturbation adds beyond a regular stationary point";
 constexpr std::size_t kLongestList = 60;  // characters
 
 // Its values belong to corners or to sides.
@@ -82,7 +83,7 @@ class Surfaces {
     if (point.stable && point.stable->walk) check_walk(k, *point.stable->walk, record, set);
     if (point.skeleton) {
       const Comparison found = check_skeleton(k, *point.skeleton, set, scale, determined);
-      if (point.skeleton->orbits) check_orbits(k, *point.skeleton->orbits, found, set);
+      if (point.skeleton->orbits) check_orbits(k, *point.skeleton->orbits, found, set, sphere.center);
     }
     if (point.surface) check_surface(k, *point.surface, set, scale, determined);
   }
@@ -123,7 +124,7 @@ class Surfaces {
     const StableSet set = run_.truth.stable_set(record);
     if (count > true_count) {
       if (!value_of_regular_backs(run_.points, set)) return false;
-      run_.leave_unjudged("which pieces of a stable set a perturbation adds beyond a regular stationary point");
+      run_.leave_unjudged(kAddedPieces);
       return true;
     }
     const auto determined = determined_segments(set, run_.truth.sphere(record).center, run_.index(record));
@@ -179,15 +180,11 @@ class Surfaces {
     std::size_t guess = 0;  // claims are mostly in the order of the truth
     for (const Claimed& piece : claimed) {
       ValueMatch best = ValueMatch::kOff;
-      bool is_again = false;
       result.partner.emplace_back();
       for (std::size_t step = 0; step < true_count; ++step) {
         const std::size_t i = (guess + step) % true_count;
+        if (result.is_claimed[i]) continue;
         const ValueMatch match = matches(piece, i);
-        if (result.is_claimed[i]) {
-          is_again = is_again || !is_wrong(match);
-          continue;
-        }
         best = std::min(best, match);
         if (is_wrong(match)) continue;
         result.is_claimed[i] = true;
@@ -198,6 +195,10 @@ class Surfaces {
       if (!is_wrong(best)) continue;
       result.strange.push_back(text(piece));
       result.is_rounding = result.is_rounding && best == ValueMatch::kRounding;
+      bool is_again = false;
+      for (std::size_t i = 0; i < true_count; ++i) {
+        is_again = is_again || (result.is_claimed[i] && !is_wrong(matches(piece, i)));
+      }
       result.is_beyond = result.is_beyond && !is_again && is_beyond(piece);
     }
     return result;
@@ -213,7 +214,7 @@ class Surfaces {
     if (!found.strange.empty() && found.is_beyond && missing + left_out == 0) {
       run_.vary(5, FindingReason::kSymbolicPerturbation, kSurfaceClause, k,
                 std::to_string(found.strange.size()) + " " + what + "s beyond a regular stationary point");
-      run_.leave_unjudged("which pieces of a stable set a perturbation adds beyond a regular stationary point");
+      run_.leave_unjudged(kAddedPieces);
       return;
     }
     if (!found.strange.empty()) {
@@ -294,14 +295,13 @@ class Surfaces {
   // Connecting orbits as chains of the claimed segments. Chains through segments that are left out may be left out, and
   // chains through segments that are added beyond a regular back may be added.
   void check_orbits(std::size_t k, const std::vector<std::vector<std::size_t>>& claimed, const Comparison& segments,
-                    const StableSet& set) {
-    const std::size_t record = run_.placed[k].place->record;
-    if (!run_.index(record).is_critical()) {
+                    const StableSet& set, const RationalPoint& z) {
+    if (!run_.index(run_.placed[k].place->record).is_critical()) {
       run_.leave_unjudged("connecting orbits of regular stationary points");
       return;
     }
     std::set<std::vector<std::size_t>> missing;
-    for (auto& chain : connecting_orbits(set, run_.truth.sphere(record).center)) missing.insert(std::move(chain));
+    for (auto& chain : connecting_orbits(set, z)) missing.insert(std::move(chain));
     for (const auto& chain : claimed) {
       std::vector<std::size_t> pieces;
       for (const std::size_t place : chain) {
