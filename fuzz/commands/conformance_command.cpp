@@ -19,6 +19,7 @@
 #include "fuzz/commands/fuzz_options.h"
 #include "fuzz/judge/command_run.h"
 #include "fuzz/judge/limited_program.h"
+#include "fuzz/judge/vectors_folder.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
 
@@ -28,8 +29,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostMebibytes = std::size_t{1} << 24;
-constexpr double kLongestSeconds = 86400;
+constexpr std::size_t kMostMebibytesOfRun = std::size_t{1} << 24;
+constexpr double kLongestRunSeconds = 86400;
 // A shell exits with this plus n if signal n has ended its program.
 constexpr int kShellSignal = 128;
 
@@ -49,14 +50,6 @@ struct ConformanceCommandOptions {
 };
 
 // ---- Which vectors
-
-// The folder beside an installed program, or else in the tree that the program was built from.
-std::string usual_folder() {
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  const fs::path installed = program.parent_path().parent_path() / FLOWCERT_INSTALLED_VECTORS;
-  return fs::is_directory(installed, ignored) ? installed.string() : FLOWCERT_SOURCE_VECTORS;
-}
 
 bool has(const Names& names, const std::string& name) { return std::ranges::find(names, name) != names.end(); }
 
@@ -150,7 +143,7 @@ int conformance(ConformanceCommandOptions& options) {
   options.run.limits.memory_bytes = std::uint64_t{options.memory_mebibytes} << 20;
   options.run.points.format = options.in_format == "off" ? PointFileFormat::kOff : PointFileFormat::kXyz;
   if (!options.run.keep.empty()) options.run.keep = fs::absolute(options.run.keep).string();
-  const Vectors vectors = read_vectors(options.folder.empty() ? usual_folder() : options.folder);
+  const Vectors vectors = read_vectors(options.folder.empty() ? usual_vectors_folder() : options.folder);
   const std::vector<const VectorCase*> cases = chosen_cases(vectors, options);
   if (options.list) {
     print_list(cases);
@@ -176,8 +169,8 @@ std::string complaint_about_file_name(const std::string& name) {
   const bool is_free = name.find('/') == std::string::npos && std::ranges::count(kTaken, name) == 0;
   return is_free ? "" : in_quotes(name) + " is no file name that is free";
 }
-std::string complaint_about_time(const std::string& word) {
-  return complaint_about_seconds(word, kLongestSeconds, "a day");
+std::string complaint_about_run_time(const std::string& word) {
+  return complaint_about_seconds(word, kLongestRunSeconds, "a day");
 }
 
 void add_choice_options(CLI::App& command, ConformanceCommandOptions& options) {
@@ -216,12 +209,12 @@ void add_command_options(CLI::App& command, ConformanceCommandOptions& options) 
       ->check(complaint_about_file_name)
       ->capture_default_str();
   command.add_option("--time-limit", run.limits.seconds, "Seconds after which a run is killed, with its process group")
-      ->check(complaint_about_time)
+      ->check(complaint_about_run_time)
       ->capture_default_str();
   command
       .add_option("--memory-limit", options.memory_mebibytes,
                   "MiB of address space that each process may have; 0: no limit")
-      ->check(CLI::Range(std::size_t{0}, kMostMebibytes))
+      ->check(CLI::Range(std::size_t{0}, kMostMebibytesOfRun))
       ->capture_default_str();
   command.add_option("--jobs", run.jobs, "Cases that run at a time")->check(CLI::Range(1, 256))->capture_default_str();
   add_judging_options(command, run.check, options.is_strict);

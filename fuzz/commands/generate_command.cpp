@@ -18,6 +18,7 @@
 #include "fuzz/commands/commands.h"
 #include "fuzz/commands/fuzz_options.h"
 #include "fuzz/inputs/case_stream.h"
+#include "fuzz/judge/asked_cases.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
 
@@ -31,19 +32,19 @@ struct GenerateOptions {
   std::optional<std::size_t> cases;
   std::optional<std::size_t> only;
   std::vector<std::string> families;
+  bool asks_vectors = false;
+  std::string vectors;  // a folder; empty: the usual one
   bool hexadecimal = false;
 };
 
-fuzz::CaseRun run_of(const GenerateOptions& options) {
+std::unique_ptr<AskedCases> cases_of(const GenerateOptions& options) {
+  if (options.asks_vectors) return vectors_to_ask(options.vectors);
   fuzz::CaseRun run;
   run.level = options.level;
   run.seed = options.seed;
   run.cases = options.cases.value_or(fuzz::usual_cases(options.level));
   run.chosen = fuzz::chosen_families(options.families);
-  if (options.only && *options.only >= run.cases) {
-    throw InvalidInput(fmt::format("--only: the run has {} cases, 0 to {}", with_commas(run.cases), run.cases - 1));
-  }
-  return run;
+  return drawn_cases(run);
 }
 
 // Ends the program by SIGPIPE, even if that signal is ignored.
@@ -60,9 +61,9 @@ void put(const std::string& text) {
   throw OutputError(fmt::format("standard output cannot be written: {}", std::strerror(errno != 0 ? errno : EIO)));
 }
 
-std::string introduction(const fuzz::CaseRun& run, const std::string& id) {
+std::string introduction(const AskedCases& cases, const std::string& id) {
   return fmt::format(
-      "# flowcert generate: {} case{}, level {}, seed {}. After 'case ID N' there are N points, x y z; a "
+      "# flowcert generate: {}. After 'case ID N' there are N points, x y z; a "
       "point's id is its place, from 0.\n"
       "# Answer each case to flowcert verify, in any order. A critical point is a line "
       "index,x,y,z,squared_distance,ids of all nearest points;\n"
@@ -74,19 +75,23 @@ std::string introduction(const fuzz::CaseRun& run, const std::string& id) {
       "#   1,1,0,0,1,0,1\n"
       "#   end\n"
       "# or, if your program gives up on a case: refused ID REASON\n",
-      run.cases, run.cases == 1 ? "" : "s", run.level, run.seed, id);
+      cases.description(), id);
 }
 
 void generate(const GenerateOptions& options) {
-  const fuzz::CaseRun run = run_of(options);
+  const std::unique_ptr<AskedCases> cases = cases_of(options);
+  if (options.only && *options.only >= cases->size()) {
+    throw InvalidInput(
+        fmt::format("--only: the run has {} cases, 0 to {}", with_commas(cases->size()), cases->size() - 1));
+  }
   const auto form = options.hexadecimal ? fuzz::NumberForm::kHexadecimal : fuzz::NumberForm::kDecimal;
   const std::size_t first = options.only.value_or(0);
-  const std::size_t last = options.only.value_or(run.cases - 1);
+  const std::size_t last = options.only.value_or(cases->size() - 1);
   for (std::size_t number = first; number <= last; ++number) {
-    const fuzz::Input input = fuzz::input_of_case(run, number);
-    const std::string id = fuzz::case_id(run, number, input);
-    if (number == first) put(introduction(run, id));
-    put(fuzz::case_text(id, input, form));
+    const AskedCase one = cases->numbered(number);
+    const std::string id = cases->id(one);
+    if (number == first) put(introduction(*cases, id));
+    put(fuzz::case_text(id, one.input, form));
   }
 }
 
@@ -124,11 +129,22 @@ void add_generate_command(CLI::App& app, int& status) {
       ->type_name("NAME");
   command->add_option("--only", options->only, "This case of the run alone, by its number, from 0")
       ->check(CLI::NonNegativeNumber);
+  CLI::Option* vectors =
+      command
+          ->add_option("--vectors", options->vectors,
+                       "Instead of drawn cases the conformance vectors, without invalid ones: those in this folder, or "
+                       "those that came with the program")
+          ->expected(0, 1)
+          ->check(CLI::ExistingDirectory)
+          ->type_name("[FOLDER]");
+  for (const char* other : {"--level", "--seed", "--cases", "--family"}) vectors->excludes(command->get_option(other));
   command->add_flag("--hex", options->hexadecimal, "Print hexadecimal floats, not decimals");
   command->footer(
       "Example:\n  flowcert generate --level 1 --seed 7 | ./your-program | flowcert verify\n"
-      "  flowcert generate --level 1 --seed 7 --only 12");
-  command->callback([options, &status] {
+      "  flowcert generate --level 1 --seed 7 --only 12\n"
+      "  flowcert generate --vectors | ./your-program | flowcert verify");
+  command->callback([options, command, &status] {
+    options->asks_vectors = command->count("--vectors") > 0;
     generate(*options);
     status = kRight;
   });

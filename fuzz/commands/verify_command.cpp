@@ -29,17 +29,6 @@ namespace flowcert::commands {
 
 namespace {
 
-// The command that prints a case of the run again, or the whole run if there is no number.
-std::string generate_command(const fuzz::CaseRun& run, std::optional<std::size_t> number) {
-  std::string command = fmt::format("flowcert generate --level {} --seed {}", run.level, run.seed);
-  if (run.cases != fuzz::usual_cases(run.level)) command += fmt::format(" --cases {}", run.cases);
-  if (!run.chosen.empty()) {
-    for (const std::string& name : fuzz::family_names(run)) command += " --family " + name;
-  }
-  if (number) command += fmt::format(" --only {}", *number);
-  return command;
-}
-
 // Reports for people show at most so many.
 constexpr std::size_t kMostFindingsShown = 3;
 constexpr std::size_t kMostRangesShown = 20;
@@ -71,12 +60,22 @@ void add_row(Table& table, const std::string& name, const OutcomeCounts& counts)
   for (const Outcome outcome : kColumns) table.cell(count_of(counts, outcome));
 }
 
-void print_family_table(const Verification& verification) {
-  Table table("lrrrrrrrr", {"family", "cases", "conforms", "where determined", "perturbed", "fails", "unreadable",
+Table outcome_table(const char* what, const CountsByName& rows) {
+  Table table("lrrrrrrrr", {what, "cases", "conforms", "where determined", "perturbed", "fails", "unreadable",
                             "refused", "unanswered"});
-  for (const auto& [name, counts] : verification.counts_by_family()) add_row(table, name, counts);
-  add_row(table, "all", verification.counts());
-  table.print();
+  for (const auto& [name, counts] : rows) add_row(table, name, counts);
+  return table;
+}
+
+void print_tables(const Verification& verification) {
+  const CountsByName flags = verification.counts_by_flag();
+  if (!flags.empty()) {
+    outcome_table("flag", flags).print();
+    fmt::print("\n");
+  }
+  Table families = outcome_table(flags.empty() ? "family" : "group", verification.counts_by_family());
+  add_row(families, "all", verification.counts());
+  families.print();
 }
 
 // "fails on level 3", "unreadable: answer:1: not an index", "refused: out of memory"
@@ -97,10 +96,9 @@ std::vector<std::string> lines_of(const FailedCase& failed, std::size_t most) {
 }
 
 void print_failure(const Verification& verification, std::size_t number, const FailedCase& failed) {
-  fmt::print("\ncase {} ({}) {}\n", failed.id, fuzz::family_of_case(verification.run(), number).name,
-             verdict_of(failed));
+  fmt::print("\ncase {} ({}) {}\n", failed.id, verification.cases().family(number), verdict_of(failed));
   for (const std::string& line : lines_of(failed, kMostFindingsShown)) fmt::print("  {}\n", line);
-  fmt::print("  its points: {}\n", generate_command(verification.run(), number));
+  fmt::print("  its points: {}\n", verification.cases().generate_command(number));
   if (verification.options().folder.empty() || failed.outcome == Outcome::kRefused) return;
   const std::string path = verification.kept_path(number);
   fmt::print("  its answer: flowcert check {}.xyz {}.claim\n", path, path);
@@ -134,6 +132,7 @@ void print_unanswered(const Verification& verification) {
 }
 
 const char* truth_text(const Verification& verification) {
+  if (verification.is_stored()) return "conformance vectors";
   return verification.options().by_oracle ? "oracle" : "fast implementation";
 }
 
@@ -168,15 +167,15 @@ Json counts_field(const OutcomeCounts& counts) {
   return field;
 }
 
-Json families_field(const Verification& verification) {
-  Json families = Json::array();
-  for (const auto& [name, counts] : verification.counts_by_family()) {
-    Json family;
-    family["family"] = name;
-    family.update(counts_field(counts));
-    families.push_back(std::move(family));
+Json table_field(const char* what, const CountsByName& rows) {
+  Json table = Json::array();
+  for (const auto& [name, counts] : rows) {
+    Json row;
+    row[what] = name;
+    row.update(counts_field(counts));
+    table.push_back(std::move(row));
   }
-  return families;
+  return table;
 }
 
 Json failure_field(const Verification& verification, std::size_t number, const FailedCase& failed) {
@@ -185,12 +184,12 @@ Json failure_field(const Verification& verification, std::size_t number, const F
   Json field;
   field["id"] = failed.id;
   field["number"] = number;
-  field["family"] = fuzz::family_of_case(verification.run(), number).name;
+  field["family"] = verification.cases().family(number);
   field["verdict"] = outcome_text(failed.outcome);
   field["reason"] = failed.reason.empty() ? Json(nullptr) : Json(failed.reason);
   field["wrong"] = failed.wrong;
   field["findings"] = std::move(findings);
-  field["points"] = generate_command(verification.run(), number);
+  field["points"] = verification.cases().generate_command(number);
   return field;
 }
 
@@ -206,7 +205,7 @@ void write_family(std::ostream& out, const Verification& verification, const std
   }
   out << fmt::format(">\n      <failure message=\"{} of {} cases are wrong\">", wrong, total_of(counts));
   for (const auto& [number, failed] : verification.failures()) {
-    if (fuzz::family_of_case(verification.run(), number).name != name) continue;
+    if (verification.cases().family(number) != name) continue;
     out << xml_text(fmt::format("case {} {}", failed.id, verdict_of(failed))) << '\n';
     for (const std::string& line : lines_of(failed, kMostFindingsShown)) out << "  " << xml_text(line) << '\n';
   }
@@ -218,7 +217,7 @@ void write_family(std::ostream& out, const Verification& verification, const std
 
 // At most `most` of the failing cases that were kept are shown.
 void print_verify_text(const Verification& verification, std::size_t most) {
-  print_family_table(verification);
+  print_tables(verification);
   print_failures(verification, most);
   print_unanswered(verification);
   print_verdict(verification);
@@ -230,12 +229,13 @@ void print_verify_json(const Verification& verification) {
   json["tolerance"] = verification.options().check.tolerance;
   json["highest_level"] = verification.options().check.highest_level;
   json["truth"] = truth_text(verification);
-  json["run"] = generate_command(verification.run(), verification.options().only);
+  json["run"] = verification.cases().generate_command(verification.options().only);
   json.update(counts_field(verification.counts()));
   json["approximate"] = verification.approximate();
   json["partly_judged"] = verification.partly_judged();
   json["too_large_for_oracle"] = verification.too_large();
-  json["families"] = families_field(verification);
+  json["families"] = table_field("family", verification.counts_by_family());
+  if (verification.is_stored()) json["flags"] = table_field("flag", verification.counts_by_flag());
   Json& failures = json["failures"] = Json::array();
   for (const auto& [number, failed] : verification.failures()) {
     failures.push_back(failure_field(verification, number, failed));
@@ -249,7 +249,7 @@ void write_verify_junit(std::ostream& out, const Verification& verification) {
   const auto failures = std::count_if(families.begin(), families.end(), [](const auto& family) {
     return right_of(family.second) < total_of(family.second);
   });
-  const std::string run = generate_command(verification.run(), verification.options().only);
+  const std::string run = verification.cases().generate_command(verification.options().only);
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
       << fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\">\n",
                      xml_text("flowcert verify of " + run), families.size(), failures);
@@ -322,11 +322,17 @@ void add_verify_command(CLI::App& app, int& status) {
                     fmt::format("Let the oracle say what is true, not the fast implementation, for cases of up "
                                 "to {} points",
                                 kMostPointsForOracle));
+  command
+      ->add_option("--vectors", verification.vectors,
+                   "Folder of the conformance vectors, if generate --vectors was given one")
+      ->check(CLI::ExistingDirectory)
+      ->type_name("FOLDER");
   command->footer(
       "Reads from standard input, for each case, in any order:\n"
       "  answer ID\n  ...the critical points, in a format that flowcert check reads...\n  end\n"
       "or a line `refused ID REASON`.\n\n"
-      "Example:\n  flowcert generate --level 1 --seed 7 | ./your-program | flowcert verify");
+      "Example:\n  flowcert generate --level 1 --seed 7 | ./your-program | flowcert verify\n"
+      "  flowcert generate --vectors | ./your-program | flowcert verify");
   command->callback([options, &status] { status = verify(*options); });
 }
 

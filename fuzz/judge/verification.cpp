@@ -147,36 +147,34 @@ const char* outcome_text(Outcome outcome) {
 
 bool is_right(Outcome outcome) { return outcome <= Outcome::kPerturbed; }
 
-void Verification::begin_or_continue(const fuzz::NamedCase& named, const Answer& answer) {
-  if (!has_begun()) {
-    run_ = named.run;
-    outcomes_.assign(run_.cases, Outcome::kUnanswered);
-  }
-  if (named.run != run_) {
-    answer.place.reject("a case of another run than those before: " + in_quotes(answer.id));
-  }
-  if (!is_expected(named.number)) {
-    answer.place.reject("not the case that --only names: " + in_quotes(answer.id));
-  }
-  if (outcomes_[named.number] != Outcome::kUnanswered) {
-    answer.place.reject("a second answer to the case " + in_quotes(answer.id));
+// The cases are those of the first answer's id.
+AskedCase Verification::case_of(const Answer& answer) {
+  try {
+    if (!has_begun()) {
+      cases_ = cases_with(answer.id, options_.vectors);
+      outcomes_.assign(cases_->size(), Outcome::kUnanswered);
+    }
+    return cases_->named(answer.id);
+  } catch (const InvalidInput& error) {
+    answer.place.reject(error.what());
   }
 }
 
-CheckReport Verification::report_of(const std::vector<Point>& rows, const PointSet& points, const Claim& claim) {
+std::unique_ptr<Truth> Verification::truth_of(const AskedCase& one, const std::vector<Point>& rows,
+                                              const PointSet& points) {
+  if (std::unique_ptr<Truth> stored = cases_->stored_truth(one.number)) return stored;
   const bool is_small = rows.size() <= kMostPointsForOracle;
   too_large_ += options_.by_oracle && !is_small ? 1 : 0;
-  const std::unique_ptr<Truth> truth = options_.by_oracle && is_small ? oracle_truth(rows) : fast_truth(points);
-  return check(points, claim, *truth, options_.check);
+  return options_.by_oracle && is_small ? oracle_truth(rows) : fast_truth(points);
 }
 
-FailedCase Verification::judge(const fuzz::NamedCase& named, const Answer& answer) {
+FailedCase Verification::judge(const AskedCase& one, const Answer& answer) {
   FailedCase result{.id = answer.id, .outcome = Outcome::kRefused, .reason = {}, .findings = {}};
   if (answer.is_refusal) {
     result.reason = printable(answer.text);
     return result;
   }
-  const std::vector<Point> rows = property::rows_of(named.input);
+  const std::vector<Point> rows = property::rows_of(one.input);
   const PointSet points(rows);
   Claim claim;
   try {
@@ -186,7 +184,7 @@ FailedCase Verification::judge(const fuzz::NamedCase& named, const Answer& answe
     result.reason = error.what();
     return result;
   }
-  CheckReport report = report_of(rows, points, claim);
+  CheckReport report = check(points, claim, *truth_of(one, rows, points), options_.check);
   result.outcome = outcome_of(report.verdict);
   approximate_ += report.is_exact ? 0 : 1;
   partly_judged_ += report.not_judged.empty() ? 0 : 1;
@@ -198,29 +196,31 @@ FailedCase Verification::judge(const fuzz::NamedCase& named, const Answer& answe
 }
 
 void Verification::take(const Answer& answer) {
-  const std::optional<fuzz::NamedCase> named = fuzz::case_named(answer.id);
-  if (!named) answer.place.reject("no case is called " + in_quotes(answer.id));
-  begin_or_continue(*named, answer);
-  FailedCase result = judge(*named, answer);
-  outcomes_[named->number] = result.outcome;
+  const AskedCase one = case_of(answer);
+  if (!is_expected(one.number)) answer.place.reject("not the case that --only names: " + in_quotes(answer.id));
+  if (outcomes_.at(one.number) != Outcome::kUnanswered) {
+    answer.place.reject("a second answer to the case " + in_quotes(answer.id));
+  }
+  FailedCase result = judge(one, answer);
+  outcomes_[one.number] = result.outcome;
   ++taken_;
   if (is_right(result.outcome)) return;
-  if (!options_.folder.empty()) keep(*named, answer);
-  failures_.emplace(named->number, std::move(result));
+  if (!options_.folder.empty()) keep(one, answer);
+  failures_.emplace(one.number, std::move(result));
   if (failures_.size() > options_.most_failures_kept) failures_.erase(std::prev(failures_.end()));
 }
 
 std::string Verification::kept_path(std::size_t number) const {
-  return fmt::format("{}/case-{}-{}-{}", options_.folder, run_.level, run_.seed, number);
+  return options_.folder + "/" + cases_->file_name(number);
 }
 
-void Verification::keep(const fuzz::NamedCase& named, const Answer& answer) const {
+void Verification::keep(const AskedCase& one, const Answer& answer) const {
   std::error_code failure;
   std::filesystem::create_directories(options_.folder, failure);
   if (failure) throw OutputError(options_.folder + ": cannot be written: " + failure.message());
-  const std::string path = kept_path(named.number);
+  const std::string path = kept_path(one.number);
   // The file is never empty, because no reader takes an empty file.
-  write_file(path + ".xyz", "# " + fuzz::case_text(answer.id, named.input, fuzz::NumberForm::kDecimal));
+  write_file(path + ".xyz", "# " + fuzz::case_text(answer.id, one.input, fuzz::NumberForm::kDecimal));
   if (answer.is_refusal) return;
   write_file(path + ".claim", is_empty(answer.text) ? "# no critical points\n" : answer.text);
 }
@@ -233,15 +233,28 @@ OutcomeCounts Verification::counts() const {
   return counts;
 }
 
-std::vector<std::pair<std::string, OutcomeCounts>> Verification::counts_by_family() const {
-  std::vector<std::pair<std::string, OutcomeCounts>> table;
-  for (std::string& name : fuzz::family_names(run_)) table.emplace_back(std::move(name), OutcomeCounts{});
+CountsByName Verification::counts_by(const std::vector<std::string>& names,
+                                     const std::function<std::vector<std::string>(std::size_t)>& names_of) const {
+  std::map<std::string, OutcomeCounts> counts;
   for (std::size_t number = 0; number < outcomes_.size(); ++number) {
-    OutcomeCounts& counts = table[number % table.size()].second;
-    if (is_expected(number)) ++counts.at(static_cast<std::size_t>(outcomes_[number]));
+    if (!is_expected(number)) continue;
+    for (const std::string& name : names_of(number)) {
+      ++counts[name].at(static_cast<std::size_t>(outcomes_[number]));
+    }
   }
-  std::erase_if(table, [](const auto& row) { return row.second == OutcomeCounts{}; });
+  CountsByName table;
+  for (const std::string& name : names) {
+    if (const auto row = counts.find(name); row != counts.end()) table.emplace_back(*row);
+  }
   return table;
+}
+
+CountsByName Verification::counts_by_family() const {
+  return counts_by(cases_->families(), [&](std::size_t number) { return std::vector{cases_->family(number)}; });
+}
+
+CountsByName Verification::counts_by_flag() const {
+  return counts_by(cases_->flags(), [&](std::size_t number) { return cases_->flags(number); });
 }
 
 Verdict Verification::verdict() const {

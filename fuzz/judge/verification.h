@@ -1,5 +1,5 @@
-// Reads a program's answers to the cases of a run (fuzz/inputs/case_stream.h) one by one from a stream
-// (spec/formats/cases.md), and judges them.
+// Reads a program's answers to cases (asked_cases.h) one by one from a stream (spec/formats/cases.md), and judges
+// them.
 //
 // Guarantees: every case of the run has one outcome in the end, the unanswered ones too. Answers are judged one at a
 // time and forgotten. What is kept is a byte for each case, and a few findings for each of the first failing cases by
@@ -9,15 +9,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "flowcert/check.h"
-#include "fuzz/inputs/case_stream.h"
+#include "fuzz/judge/asked_cases.h"
 #include "fuzz/judge/layer.h"
 #include "io/line_reader.h"
 
@@ -71,6 +73,7 @@ inline constexpr std::size_t kOutcomes = 7;
 [[nodiscard]] bool is_right(Outcome outcome);
 
 using OutcomeCounts = std::array<std::size_t, kOutcomes>;
+using CountsByName = std::vector<std::pair<std::string, OutcomeCounts>>;
 
 inline constexpr std::size_t kMostFindingsKept = 10;
 
@@ -85,7 +88,8 @@ struct FailedCase {
 
 struct VerificationOptions {
   CheckOptions check;
-  bool by_oracle = false;  // for inputs of up to kMostPointsForOracle points
+  bool by_oracle = false;  // for drawn inputs of up to kMostPointsForOracle points
+  std::string vectors;     // the folder of the vectors that were asked, as given; may be empty
   std::optional<std::size_t> only;
   std::size_t most_failures_kept = 0;
   std::string folder;  // for points and claims of failing cases; empty: not kept
@@ -100,17 +104,20 @@ class Verification {
   void take(const Answer& answer);
 
   // Whether there was any answer. Before that, nothing else may be asked.
-  [[nodiscard]] bool has_begun() const { return !outcomes_.empty(); }
+  [[nodiscard]] bool has_begun() const { return cases_ != nullptr; }
 
   [[nodiscard]] const VerificationOptions& options() const { return options_; }
-  [[nodiscard]] const fuzz::CaseRun& run() const { return run_; }
+  [[nodiscard]] const AskedCases& cases() const { return *cases_; }
+  // Whether the cases are conformance vectors, which say themselves what is right.
+  [[nodiscard]] bool is_stored() const { return cases_->is_stored(); }
   // How many answers are expected, and were taken.
-  [[nodiscard]] std::size_t expected() const { return options_.only ? 1 : run_.cases; }
+  [[nodiscard]] std::size_t expected() const { return options_.only ? 1 : outcomes_.size(); }
   [[nodiscard]] std::size_t taken() const { return taken_; }
 
   [[nodiscard]] OutcomeCounts counts() const;
-  // By the names of families, in the order of fuzz::family_names; without families that have no case.
-  [[nodiscard]] std::vector<std::pair<std::string, OutcomeCounts>> counts_by_family() const;
+  // By name, in the order of the cases' families and flags; without those that have no case.
+  [[nodiscard]] CountsByName counts_by_family() const;
+  [[nodiscard]] CountsByName counts_by_flag() const;
   [[nodiscard]] Verdict verdict() const;
 
   // By number.
@@ -128,15 +135,17 @@ class Verification {
   [[nodiscard]] std::string kept_path(std::size_t number) const;
 
  private:
-  void begin_or_continue(const fuzz::NamedCase& named, const Answer& answer);
-  FailedCase judge(const fuzz::NamedCase& named, const Answer& answer);
-  CheckReport report_of(const std::vector<Point>& rows, const PointSet& points, const Claim& claim);
-  void keep(const fuzz::NamedCase& named, const Answer& answer) const;
+  AskedCase case_of(const Answer& answer);
+  FailedCase judge(const AskedCase& one, const Answer& answer);
+  std::unique_ptr<Truth> truth_of(const AskedCase& one, const std::vector<Point>& rows, const PointSet& points);
+  void keep(const AskedCase& one, const Answer& answer) const;
+  [[nodiscard]] CountsByName counts_by(const std::vector<std::string>& names,
+                                       const std::function<std::vector<std::string>(std::size_t)>& names_of) const;
   [[nodiscard]] bool is_expected(std::size_t number) const { return !options_.only || *options_.only == number; }
 
   VerificationOptions options_;
-  fuzz::CaseRun run_;
-  std::vector<Outcome> outcomes_;  // by number
+  std::unique_ptr<AskedCases> cases_;  // none before the first answer
+  std::vector<Outcome> outcomes_;      // by number
   std::map<std::size_t, FailedCase> failures_;
   std::size_t taken_ = 0;
   std::size_t approximate_ = 0;
