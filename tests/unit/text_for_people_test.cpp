@@ -1,0 +1,99 @@
+// Lines of at most 80 columns, and long numbers that are shortened in the middle: on words, numbers and bytes at random,
+// and at both sides of each limit.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/shortened_numbers.h"
+#include "cli/wrapped_text.h"
+
+namespace flowcert {
+
+using namespace cli;
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text + '\n');
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::string without(std::string text, const std::string& dropped) {
+  std::erase_if(text, [&](char c) { return dropped.find(c) != std::string::npos; });
+  return text;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text.append(text.empty() ? "" : "\n").append(line);
+  return text;
+}
+
+std::string row_of(std::size_t count, char c, const std::string& indent = "") {
+  return std::string(indent).append(count, c);
+}
+
+TEST(WrappedText, ShortTextStaysAsItIs) {
+  for (const std::string text : {"", "a", "  two  blanks ", "one\ntwo\n", "\n\n"}) EXPECT_EQ(wrapped(text, 4), text);
+  EXPECT_EQ(wrapped(row_of(80, 'x'), 4), row_of(80, 'x'));
+  EXPECT_EQ(wrapped(row_of(79, 'x') + " y", 4), joined({row_of(79, 'x'), "    y"}));
+}
+
+TEST(WrappedText, LinesAreBrokenAtBlanksAndIndented) {
+  const std::string words = row_of(40, 'a') + ' ' + row_of(39, 'b') + ' ' + row_of(75, 'c') + " d";
+  const std::string first = row_of(40, 'a') + ' ' + row_of(39, 'b');
+  EXPECT_EQ(wrapped(words, 4), joined({first, row_of(75, 'c', "    "), "    d"}));
+  EXPECT_EQ(wrapped("  " + words, 0), joined({row_of(40, 'a', "  "), row_of(39, 'b'), row_of(75, 'c') + " d"}));
+}
+
+TEST(WrappedText, LineEndsOfTheTextStay) {
+  const std::string wide = row_of(78, 'x', "  ");
+  EXPECT_EQ(wrapped(joined({"first", wide + " y", "last"}), 6), joined({"first", wide, "      y", "last"}));
+}
+
+TEST(WrappedText, WordsThatFitNoLineAreBrokenAfterCommasOrSlashes) {
+  EXPECT_EQ(wrapped(row_of(50, '1') + ',' + row_of(40, '2'), 2),
+            joined({row_of(50, '1') + ',', row_of(40, '2', "  ")}));
+  EXPECT_EQ(wrapped(row_of(79, '1') + '/' + row_of(40, '2'), 2),
+            joined({row_of(79, '1') + '/', row_of(40, '2', "  ")}));
+  EXPECT_EQ(wrapped(row_of(200, 'x'), 2), joined({row_of(80, 'x'), row_of(78, 'x', "  "), row_of(42, 'x', "  ")}));
+}
+
+TEST(WrappedText, ColumnsAreCharacters) {
+  std::string umlauts;
+  for (int k = 0; k < 80; ++k) umlauts += "ü";
+  EXPECT_EQ(columns_of(umlauts), 80U);
+  EXPECT_EQ(wrapped(umlauts, 2), umlauts);
+  EXPECT_EQ(wrapped(umlauts + "ü", 2), umlauts + "\n  ü");
+}
+
+TEST(WrappedText, AnyTextFitsAndLosesNothing) {
+  std::mt19937 random(1);
+  const std::string alphabet = "ab  ,/7\n\xc3\xbc\x80";
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::string text;
+    for (std::size_t k = random() % 700; k > 0; --k) text += alphabet[random() % alphabet.size()];
+    if (trial % 2 == 0) text = without(text, " ");
+    const std::string result = wrapped(text, random() % 90);
+    for (const std::string& line : lines_of(result)) EXPECT_LE(columns_of(line), 80U) << line;
+    EXPECT_EQ(without(result, " \n"), without(text, " \n"));
+  }
+}
+
+TEST(ShortNumbers, OnlyLongOnesAreShortened) {
+  EXPECT_EQ(with_short_numbers(""), "");
+  EXPECT_EQ(with_short_numbers("1/2, -0.25 and 0x1p-3"), "1/2, -0.25 and 0x1p-3");
+  const std::string longest = "123456789012345678901234";
+  EXPECT_EQ(with_short_numbers(longest), longest);
+  EXPECT_EQ(with_short_numbers(longest + "5"), "1234567890...6789012345");
+  EXPECT_EQ(with_short_numbers("at -" + longest + "5/" + longest + "7, 3"),
+            "at -1234567890...6789012345/1234567890...6789012347, 3");
+  EXPECT_LE(with_short_numbers(row_of(9000, '1', "-") + '/' + row_of(9000, '2')).size(), 48U);
+}
+
+}  // namespace
+}  // namespace flowcert
