@@ -1,0 +1,96 @@
+// Claims of persistence pairs, as they are read from JSON and from text, and the order of pairs.
+#include "flowcert/pair_claim.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/cites.h"
+
+namespace flowcert {
+namespace {
+
+std::vector<ClaimedPair> read(const std::string& text) { return claimed_pairs_of(text, "pairs"); }
+
+std::string error_in(const std::string& text) {
+  try {
+    (void)read(text);
+  } catch (const InvalidInput& error) {
+    return error.what();
+  }
+  return "read without an error";
+}
+
+void expect_number(const ClaimedNumber& number, const Rational& value, bool is_exact) {
+  EXPECT_EQ(number.value, value);
+  EXPECT_EQ(number.is_exact, is_exact) << value;
+}
+
+TEST(PairClaim, TextIsInDecimalsAndFractions) {
+  CITES("FC-CLAIM-05", "FC-CLAIM-11");
+  const auto pairs = read("# of GUDHI\n0 0 inf\n\n1  2.25 5/2 # a comment\n2\t0x1p-1 4\r\n");
+  ASSERT_EQ(pairs.size(), 3U);
+  EXPECT_EQ(pairs[0].dimension, 0);
+  EXPECT_FALSE(pairs[0].death);
+  EXPECT_EQ(pairs[1].dimension, 1);
+  expect_number(pairs[1].birth, Rational(9) / 4, false);
+  expect_number(*pairs[1].death, Rational(5) / 2, true);
+  EXPECT_EQ(pairs[2].dimension, 2);
+  expect_number(pairs[2].birth, Rational(1) / 2, true);
+  expect_number(*pairs[2].death, 4, false);
+}
+
+TEST(PairClaim, ACharacteristicMayStandInFront) {
+  CITES("FC-CLAIM-11");
+  const auto pairs = read("2 0 0 inf\n11 1 0.5 1\n");
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_EQ(pairs[0].dimension, 0);
+  EXPECT_EQ(pairs[1].dimension, 1);
+  expect_number(pairs[1].birth, Rational(1) / 2, false);
+  for (const char* line : {"1 0 0 1", "0 0 0 1", "-2 0 0 1", "2.0 0 0 1", "two 0 0 1"}) {
+    EXPECT_NE(error_in(line).find("pairs:1: no characteristic of a field"), std::string::npos) << line;
+  }
+}
+
+TEST(PairClaim, JsonIsExact) {
+  CITES("FC-NUM-02", "FC-CLAIM-11");
+  const auto pairs = read(R"({"pairs": [
+    {"dimension": 0, "birth": {"squared_distance": "0"}, "death": null},
+    {"dimension": 1, "birth": {"squared_distance": "7"}, "death": {"squared_distance": "15/2"}}]})");
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_FALSE(pairs[0].death);
+  EXPECT_EQ(pairs[1].dimension, 1);
+  expect_number(pairs[1].birth, 7, true);
+  expect_number(*pairs[1].death, Rational(15) / 2, true);
+}
+
+TEST(PairClaim, WhatIsNoneIsRefused) {
+  CITES("FC-IN-05", "FC-CLAIM-11");
+  EXPECT_EQ(error_in(" \n"), "pairs: empty");
+  for (const char* text : {"0 0\n", "0 0 1 2 3\n"}) {
+    EXPECT_NE(error_in(text).find("pairs:1: not the words"), std::string::npos) << text;
+  }
+  for (const char* text : {"3 0 1\n", "-1 0 1\n", "0.0 0 1\n"}) {
+    EXPECT_NE(error_in(text).find("pairs:1: no dimension"), std::string::npos) << text;
+  }
+  for (const char* text : {"0 0 infinity\n", "0 inf 1\n", "0 0 nan\n", "0 0 -inf\n"}) {
+    EXPECT_NE(error_in(text), "read without an error") << text;
+  }
+  for (const char* pair : {R"({"dimension": 3, "birth": {"squared_distance": "0"}, "death": null})",
+                           R"({"dimension": 0, "birth": {"squared_distance": 0}, "death": null})",
+                           R"({"dimension": 0, "birth": {"squared_distance": "0"}})", R"({"dimension": 0})"}) {
+    EXPECT_NE(error_in(std::string(R"({"pairs": [)") + pair + "]}"), "read without an error") << pair;
+  }
+}
+
+TEST(PairClaim, PairsAreOrderedByDimensionBirthAndDeath) {
+  CITES("FC-PERS-01");
+  const std::vector<ListedPair> ordered = {{0, 0, Rational(1)}, {0, 0, Rational(2)}, {0, 0, std::nullopt},
+                                           {0, 1, Rational(2)}, {1, 0, Rational(9)}, {1, 0, std::nullopt}};
+  for (std::size_t i = 0; i < ordered.size(); ++i) {
+    for (std::size_t j = 0; j < ordered.size(); ++j) EXPECT_EQ(is_before(ordered[i], ordered[j]), i < j);
+  }
+}
+
+}  // namespace
+}  // namespace flowcert
