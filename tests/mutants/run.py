@@ -55,15 +55,40 @@ LIKELY = {
     "src/morse/persistence": ["vectors_fast_test", "persistence_test"],
     "src/morse/chain": ["vectors_fast_test", "persistence_test"],
     "src/morse/": ["vectors_fast_test", "stable_sets_test", "chain_complex_test", "stable_agreement_test"],
+    "oracle/exact_geometry": ["oracle_geometry_test"],
+    "oracle/point_set": ["oracle_stationary_test", "oracle_stable_test"],
+    "oracle/stationary_points": ["oracle_stationary_test"],
+    "oracle/orbit": ["oracle_orbit_test"],
+    "oracle/stable": ["oracle_stable_test", "vectors_oracle_test"],
+    "oracle/persistence": ["oracle_fast_test", "vectors_oracle_test"],
+    "oracle/fast/": ["oracle_fast_test"],
+    "oracle/program/": ["oracle_reading_test", "oracle_stable_test"],
+    "fuzz/judge/verification": ["verification_test"],
+    "fuzz/judge/vector_cases": ["vector_cases_test"],
+    "fuzz/judge/oracle_truth": ["oracle_truth_test"],
+    "fuzz/judge/peer_property": ["peer_property_test"],
+    "fuzz/judge/": ["conformance_run_test"],
 }
 
 # Tests that do not reach a folder's code cannot kill its mutants.
 OF_GEOMETRY = {"point_set_test", "rational_test", "filter_bounds_test", "predicates_test", "tetrahedron_signs_test"}
+OF_ORACLE = {"oracle_fast_test", "oracle_geometry_test", "oracle_orbit_test", "oracle_reading_test",
+             "oracle_stable_test", "oracle_stationary_test", "vectors_oracle_test"}
+OF_JUDGE = {"conformance_run_test", "oracle_truth_test", "peer_property_test", "vector_cases_test", "verification_test"}
 BLIND = {
-    "voronoi": OF_GEOMETRY,
-    "flow": OF_GEOMETRY | {"voronoi_faces_test", "voronoi_complex_test", "explain_test", "metamorphic_test",
+    "geometry": OF_ORACLE,
+    "voronoi": OF_GEOMETRY | OF_ORACLE,
+    "flow": OF_GEOMETRY | OF_ORACLE | {"voronoi_faces_test", "voronoi_complex_test", "explain_test", "metamorphic_test",
                            "invariants_test", "stationary_agreement_test"},
-    "morse": OF_GEOMETRY | {"voronoi_faces_test"},
+    "morse": OF_GEOMETRY | OF_ORACLE | {"voronoi_faces_test"},
+}
+# The other way round where few tests reach a folder: no other test can kill its mutants.
+REACHED_BY = {
+    "oracle": OF_ORACLE | OF_JUDGE | {
+        "cech_persistence_test", "invariants_test", "metamorphic_test", "orbit_agreement_test", "orbit_cascades_test",
+        "orbit_invariants_test", "persistence_test", "stable_agreement_test", "stable_invariants_test",
+        "stable_metamorphic_test", "stationary_agreement_test", "unstable_agreement_test"},
+    "judge": OF_JUDGE,
 }
 
 
@@ -129,10 +154,11 @@ class Copy:
     def quick_tests(self):
         """Builds the tests with ctest's label `quick`. Returns their command lines, by name without folder.
 
-        ctest knows the command line of a program only once it is built. The tests of FOLDER/ are FOLDER_tests."""
+        ctest knows the command line of a program only once it is built. The tests of GROUP/ are GROUP_tests."""
         self.compile(*{entry["name"].partition("/")[0] + "_tests" for entry in self.listed_tests()})
         tests = {entry["name"].rpartition("/")[2]: entry["command"] for entry in self.listed_tests()}
-        unknown = ({name for names in LIKELY.values() for name in names} | set().union(*BLIND.values())) - tests.keys()
+        named = set().union(*LIKELY.values(), *BLIND.values(), *REACHED_BY.values())
+        unknown = named - tests.keys()
         if unknown:
             give_up(f"no quick test, but named here: {', '.join(sorted(unknown))}")
         return tests
@@ -171,7 +197,8 @@ def program_of(command):
 def order_for(entry, limits):
     """Names of tests: what is likely to kill comes first, then what takes least time."""
     likely = [name for prefix, names in LIKELY.items() if entry["file"].startswith(prefix) for name in names]
-    blind = BLIND.get(table.folder_of(entry), set())
+    folder = table.folder_of(entry)
+    blind = BLIND.get(folder, set()) | (limits.keys() - REACHED_BY.get(folder, limits.keys()))
     return [name for name in dict.fromkeys(likely + sorted(limits, key=limits.get)) if name not in blind]
 
 

@@ -10,6 +10,10 @@ import re
 
 TABLE = pathlib.Path(__file__).with_name("mutants.json")
 LEAST = 60
+# Whatever may be wrong with other programs, what judges them must not be: these folders have many mutants of their own.
+JUDGING = ("src/certify/", "src/io/claims/", "fuzz/judge/", "oracle/")
+LEAST_OF_JUDGING = 35
+ROOTS = ("src/", "fuzz/judge/", "oracle/")
 FIELDS = {"id", "file", "old", "new", "wrong"}
 # An equivalent mutant behaves as the original does for all inputs. An accepted one does not, and is left alive.
 REASONS = {"equivalent", "accepted"}
@@ -35,14 +39,14 @@ def faults_of_entry(entry, text):
         faults.append("a reason is not a sentence")
     if entry["old"] == entry["new"]:
         faults.append("the new text is the old one")
-    if not entry["file"].startswith("src/") or text is None:
-        faults.append(f"there is no {entry['file']} in src/")
+    if not entry["file"].startswith(ROOTS) or text is None:
+        faults.append(f"there is no {entry['file']} in {', '.join(ROOTS)}")
     elif (times := text.count(entry["old"])) != 1:
         faults.append(f"its old text is in {entry['file']} {times} times, not once")
     return faults
 
 
-def faults_of(entries, root, least=LEAST):
+def faults_of(entries, root, least=LEAST, least_of_judging=LEAST_OF_JUDGING):
     """What is wrong with the table, one line each."""
     texts = {}
     for name in {entry.get("file", "") for entry in entries}:
@@ -54,6 +58,9 @@ def faults_of(entries, root, least=LEAST):
     faults += [f"{name}: {count} entries have this id" for name, count in ids.items() if count > 1]
     if len(entries) < least:
         faults.append(f"{len(entries)} mutants; at least {least} are asked")
+    judging = sum(entry.get("file", "").startswith(JUDGING) for entry in entries)
+    if judging < least_of_judging:
+        faults.append(f"{judging} mutants in {', '.join(JUDGING)}; at least {least_of_judging} are asked")
     return faults
 
 
@@ -63,4 +70,6 @@ def mutated(entry, text):
 
 
 def folder_of(entry):
-    return entry["file"].split("/")[1]
+    """The layer of src/; else "judge" or "oracle"."""
+    first, second = entry["file"].split("/")[:2]
+    return first if first == "oracle" else second

@@ -14,12 +14,12 @@ GOOD = {"id": "less-or-equal", "file": "src/geometry/least.cpp", "old": "a < b",
         "wrong": "Of two equal numbers the other is returned."}
 
 
-def faults(*entries, least=1):
+def faults(*entries, least=1, least_of_judging=0):
     with tempfile.TemporaryDirectory() as name:
         root = pathlib.Path(name)
         (root / "src/geometry").mkdir(parents=True)
         (root / GOOD["file"]).write_text(TEXT, encoding="utf-8")
-        return table.faults_of(list(entries), root, least)
+        return table.faults_of(list(entries), root, least, least_of_judging)
 
 
 def outcome_of(entries, killed):
@@ -47,6 +47,13 @@ class Table(unittest.TestCase):
             self.assertEqual(len(faults({k: v for k, v in GOOD.items() if k != field})), 1, field)
         self.assertEqual(len(faults(GOOD, GOOD)), 1)
         self.assertEqual(len(faults(GOOD, least=2)), 1)
+        self.assertEqual(len(faults(GOOD, least_of_judging=1)), 1)
+
+    def test_folders(self):
+        for name, folder in (("src/geometry/a.cpp", "geometry"), ("src/io/claims/a.cpp", "io"),
+                             ("fuzz/judge/a.cpp", "judge"), ("oracle/a.cpp", "oracle"),
+                             ("oracle/fast/a.cpp", "oracle")):
+            self.assertEqual(table.folder_of({"file": name}), folder)
 
 
 class Report(unittest.TestCase):
@@ -82,7 +89,7 @@ class Report(unittest.TestCase):
 
 class Order(unittest.TestCase):
     def test_every_test_is_run_once_and_the_likely_ones_first(self):
-        named = {name for names in [*run.LIKELY.values(), *run.BLIND.values()] for name in names}
+        named = set().union(*run.LIKELY.values(), *run.BLIND.values(), *run.REACHED_BY.values())
         limits = {name: 5 for name in named} | {"slow_test": 9, "fast_test": 1}
         for name in ("src/geometry/predicates.cpp", "src/morse/stable_manifolds.cpp", "src/cli/main.cpp"):
             order = run.order_for({"file": name}, limits)
@@ -90,6 +97,15 @@ class Order(unittest.TestCase):
             self.assertEqual(sorted(order), sorted(limits.keys() - blind))
             self.assertLess(order.index("fast_test"), order.index("slow_test"))
         self.assertEqual(run.order_for({"file": "src/geometry/rational.cpp"}, limits)[0], "rational_test")
+
+    def test_what_judges_is_tried_on_the_tests_that_reach_it(self):
+        reaching = run.REACHED_BY["oracle"]
+        order = run.order_for({"file": "oracle/orbit.cpp"}, {name: 5 for name in reaching} | {"fast_test": 1})
+        self.assertEqual(sorted(order), sorted(reaching))
+        self.assertEqual(order[0], "oracle_orbit_test")
+        for prefix, names in run.LIKELY.items():
+            folder = table.folder_of({"file": prefix + "/"})
+            self.assertEqual([name for name in names if name not in run.REACHED_BY.get(folder, names)], [], prefix)
 
     def test_none_is_lost_by_spreading(self):
         entries = list(range(146))

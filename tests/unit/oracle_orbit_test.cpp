@@ -312,6 +312,11 @@ TEST(OracleUnstableOrbit, OnlyOfIndexTwoAndTwoSides) {
   }
   EXPECT_THROW(unstable_orbit(set, saddle_of(rows, {1, 2, 3}), 2), std::invalid_argument);
   EXPECT_THROW(unstable_orbit(set, saddle_of(rows, {1, 2, 3}), -1), std::invalid_argument);
+  // Kind (2,3): its centre lies in a triangle, as that of an index-2 point, but there is a fourth contact.
+  const Rows centred = {{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}};
+  const StationaryPoint regular = saddle_of(centred, {0, 1, 2, 3});
+  EXPECT_EQ(regular.hull_dimension, 3);
+  EXPECT_THROW(unstable_orbits(PointSet(centred), regular), std::invalid_argument);
 }
 
 // The saddle drives the points of the first segment. The orbit of such a point is the rest of the saddle's orbit.

@@ -59,7 +59,7 @@ TEST(OracleReadXyz, HexadecimalFloatsAreExactOrAnError) {
   EXPECT_EQ(points("0x1.fffffffffffffp1023 -0x1p-1074 0x1.00000000000000000p0"), (Rows{{kGreatest, -kSubnormal, 1}}));
   EXPECT_EQ(points("-0x0p-9999 0X.0000001P+28 0x20000000000002p-1\n"), (Rows{{0, 1, 0x1.0000000000001p52}}));
   for (const std::string word : {"0x1.00000000000001p0", "-0x1.00000000000008p0", "0x20000000000001.8", "0x1p-1075",
-                                 "0x1.8p-1074", "0x0.fffffffffffffcp-1022", "-0x1p-99999"}) {
+                                 "0x1.8p-1074", "0x0.fffffffffffffcp-1022", "-0x1p-99999", "0X1.00000000000001P0"}) {
     EXPECT_EQ(points_error("0 0 0\n1 " + word + " 3\n"), "f:2: '" + word + "' is not exactly a double");
   }
   EXPECT_EQ(points_error("0x1p1024 0 0\n"), "f:1: '0x1p1024' is not a finite double");
@@ -178,13 +178,16 @@ TEST(OracleRecords, UnusableFiles) {
   EXPECT_EQ(file_error(R"({"format":"flowcert-stationary-points","format_version":2})"), "r:1: unknown format_version");
 }
 
+std::string replaced(std::string line, const std::string& from, const std::string& to) {
+  return line.replace(line.find(from), from.size(), to);
+}
+
 // A record with one part replaced.
 std::string record(const std::string& from = "", const std::string& to = "") {
-  std::string line =
+  const std::string line =
       R"({"index":1,"kind":"critical","contact":[0,2],"center":["1/2","0","-3"],"squared_distance":"1/4",)"
       R"("center_double":[0.5,0.0,-3.0],"squared_distance_double":0.25})";
-  if (!from.empty()) line.replace(line.find(from), from.size(), to);
-  return line;
+  return from.empty() ? line : replaced(line, from, to);
 }
 
 TEST(OracleRecords, ARecord) {
@@ -217,9 +220,12 @@ TEST(OracleRecords, FindingsInTheWriting) {
   const std::string huge = "1" + std::string(400, '0');
   const std::string line = record("1/4", huge);
   EXPECT_EQ(clause(line), "FC-NUM-02");
-  std::string with_null = line;
-  with_null.replace(with_null.find("0.25"), 4, "null");
+  const std::string with_null = replaced(line, "0.25", "null");
   EXPECT_EQ(clause(with_null), "right");
+  // That range ends half way between the greatest double and 2^1024, and the tie overflows.
+  const oracle::Integer end = (oracle::Integer(1) << 1024) - (oracle::Integer(1) << 970);
+  EXPECT_EQ(clause(replaced(with_null, huge, end.str())), "right");
+  EXPECT_EQ(clause(replaced(with_null, huge, oracle::Integer(end - 1).str())), "FC-NUM-02");
 }
 
 TEST(OracleRecords, UnusableRecords) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "oracle/orbit.h"
+#include "oracle/program/answer_fields.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
 
@@ -309,6 +310,24 @@ TEST(OracleStable, HasAWalkOnlyWhereItIsADisc) {
   const Example saddle(Rows{{0, 0, 0}, {2, 0, 0}}, {0, 1});
   EXPECT_THROW(boundary_walk(saddle.set, saddle.z, saddle.stable), std::invalid_argument);
   EXPECT_TRUE(boundary_edges(saddle.stable).empty());
+}
+
+// The edge from (0,0) to (-10,0) dangles: it lies inside of the polygon of the other edges, and both of its sides flow
+// to the centre of 0, 4 and 5. Other edges from 0 are not critical, because 1 sees 0 2 and 0 3 at an obtuse angle, and
+// these see 0 4 and 0 5 so: <(10,0),(-1,30)> < 0 and <(11,-30),(80,30)> < 0.
+TEST(OracleStable, AnEdgeWithBothSidesInTheSetIsNoBoundary) {
+  CITES("FC-STAB-07", "FC-CHAIN-01");
+  const Example t({{0, 0, 0}, {-10, 0, 0}, {-11, 30, 0}, {-11, -30, 0}, {69, 60, 0}, {69, -60, 0}}, {0, 4, 5});
+  EXPECT_EQ(std::count_if(t.stable.segments.begin(), t.stable.segments.end(),
+                          [](const BackwardSegment& s) {
+                            return s.samples == std::array<std::size_t, 2>{0, 1};
+                          }),
+            2);
+  EXPECT_FALSE(has_tie(t.stable));
+  const Edges edges = {{1, 2}, {1, 3}, {2, 4}, {3, 5}, {4, 5}};
+  EXPECT_EQ(stable_field(t.set, t.z, t.stable)["boundary"], Json(edges));
+  EXPECT_EQ(boundary_edges(t.stable), edges);
+  EXPECT_EQ(boundary_walk(t.set, t.z, t.stable), (Names{0, 1, 2, 4, 5, 3, 1}));
 }
 
 TEST(OracleStable, NamesClasses) {
