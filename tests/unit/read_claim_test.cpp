@@ -174,8 +174,15 @@ TEST(ReadExchange, ErrorsInARecord) {
             "a:2: nested deeper than 16 levels");
   EXPECT_EQ(record_refusal("{\"index\":4,\"contact\":[1]}"), "a:2: not an index, 0 to 3: '4'");
   EXPECT_EQ(record_refusal("{\"index\":1.0,\"contact\":[1]}"), "a:2: not an index, 0 to 3: '1.0'");
-  EXPECT_EQ(record_refusal("{\"index\":[2,1],\"contact\":[1]}"),
-            "a:2: the value of 'index' is not a kind: [1,2], [2,3], [1,3]");
+  for (const char* kind : {"[2,1]", "[2,2]", "[0,1]"}) {
+    EXPECT_EQ(record_refusal("{\"index\":" + std::string(kind) + ",\"contact\":[1]}"),
+              "a:2: the value of 'index' is not a kind: [1,2], [2,3], [1,3]");
+  }
+  const std::string skeleton =
+      "{\"index\":2,\"contact\":[1],\"skeleton\":{\"segments\":[{\"samples\":[0,1],"
+      "\"front\":[0,0,0],\"back\":[0,0,0]}],\"orbits\":";
+  EXPECT_EQ(record_refusal(skeleton + "[[0],[1]]}}"),
+            "a:2: the value of 'orbits' is not chains of the segments: there are not so many");
   EXPECT_EQ(record_refusal("{\"index\":1,\"kind\":\"regular\",\"contact\":[1]}"),
             "a:2: the value of 'kind' is not 'critical', which the index says");
   EXPECT_EQ(record_refusal("{\"index\":1}"), "a:2: neither 'contact' nor 'center'");
@@ -466,6 +473,36 @@ TEST(ReadClaim, RecognisedByContent) {
     EXPECT_EQ(claim_refusal(gzipped(empty)), "a: empty");
   }
   EXPECT_EQ(claim_refusal(gzipped(kHeader).substr(0, 20)), "a: gzip data cut short");
+}
+
+// Four rows. Each claim names row 3, which exists, or row 4, in one place of a record.
+TEST(ReadClaim, NamesRowsOfTheInput) {
+  CITES("FC-IN-03", "FC-OUT-01");
+  const PointSet points(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  const auto complaint = [&](std::string record, const std::string& row) -> std::string {
+    record.replace(record.find('#'), 1, row);
+    try {
+      require_rows(claim_of(kHeader + record), points, "a");
+    } catch (const InvalidInput& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  const std::string saddle = "{\"index\":2,\"contact\":[0,1,2],";
+  const std::string piece = "\"front\":[0,0,0],\"back\":[0,0,0]";
+  for (const std::string& record :
+       {std::string("{\"index\":2,\"contact\":[0,1,#]}"),
+        std::string("{\"index\":1,\"contact\":[0,1],\"samples\":[0,#]}"), saddle + "\"limits\":[null,[0,1,2,#]]}",
+        saddle + "\"stable\":{\"walk\":[0,1,#]}}", saddle + "\"stable\":{\"boundary\":[[0,1],[1,#]]}}",
+        saddle + "\"skeleton\":{\"segments\":[{\"samples\":[0,#]," + piece + "}]}}",
+        saddle + "\"skeleton\":{\"segments\":[{\"samples\":[0,1]," + piece + ",\"front_contact\":[0,1,#]}]}}",
+        saddle + "\"skeleton\":{\"segments\":[{\"samples\":[0,1]," + piece + ",\"back_contact\":[0,#]}]}}",
+        saddle + "\"skeleton\":{\"segments\":[],\"intervals\":[{\"polygon\":[0,1,#]," + piece + "}]}}",
+        saddle + "\"skeleton\":{\"segments\":[],\"sectors\":[{\"samples\":[0,#],"
+                 "\"corners\":[[0,0,0],[1,0,0],[0,1,0]]}]}}"}) {
+    EXPECT_EQ(complaint(record, "3"), "accepted") << record;
+    EXPECT_EQ(complaint(record, "4"), "a:2: there is no point 4; the ids are 0 to 3") << record;
+  }
 }
 
 TEST(ReadClaim, FilesAndStandardInput) {
