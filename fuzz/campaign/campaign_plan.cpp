@@ -19,6 +19,8 @@ namespace {
 using nlohmann::json;
 
 constexpr int kVersion = 3;
+// The version of a plan that judges persistence pairs or ignores reasons. A program of version 3 would not know it.
+constexpr int kLaterVersion = 4;
 constexpr std::uint64_t kMostWeight = 1'000'000;
 
 void require_family(const std::string& name) {
@@ -63,8 +65,9 @@ std::string to_text(const CampaignPlan& plan) {
   for (const WeightedFamily& family : plan.families) families.push_back({family.name, family.weight});
   json corpus = json::array();
   for (const Input& input : plan.corpus) corpus.push_back(json_of(input));
-  return json{{"format", "flowcert-fuzz"},
-              {"version", kVersion},
+  const bool is_later = plan.judges_pairs || !plan.ignored.empty();
+  json object{{"format", "flowcert-fuzz"},
+              {"version", is_later ? kLaterVersion : kVersion},
               {"seed", plan.seed},
               {"families", families},
               {"fewest_rows", plan.fewest_rows},
@@ -77,15 +80,17 @@ std::string to_text(const CampaignPlan& plan) {
               {"batch_cases", plan.batch_cases},
               {"corpus", corpus},
               {"shrinks_all", plan.shrinks_all},
-              {"shard", {plan.shard.index, plan.shard.count}}}
-      .dump();
+              {"shard", {plan.shard.index, plan.shard.count}}};
+  if (is_later) object.update({{"judges_pairs", plan.judges_pairs}, {"ignored", plan.ignored}});
+  return object.dump();
 }
 
 CampaignPlan plan_of(const std::string& text) {
   CampaignPlan plan;
   try {
     const json object = json::parse(text);
-    if (object.at("format") != "flowcert-fuzz" || object.at("version") != kVersion) {
+    const bool is_later = object.at("version") == kLaterVersion;
+    if (object.at("format") != "flowcert-fuzz" || (!is_later && object.at("version") != kVersion)) {
       throw std::invalid_argument("the plan of another version");
     }
     object.at("seed").get_to(plan.seed);
@@ -102,6 +107,10 @@ CampaignPlan plan_of(const std::string& text) {
     object.at("batch_cases").get_to(plan.batch_cases);
     for (const json& rows : object.at("corpus")) plan.corpus.push_back(input_of(rows));
     object.at("shrinks_all").get_to(plan.shrinks_all);
+    if (is_later) {
+      object.at("judges_pairs").get_to(plan.judges_pairs);
+      object.at("ignored").get_to(plan.ignored);
+    }
     plan.shard = {object.at("shard").at(0).get<std::size_t>(), object.at("shard").at(1).get<std::size_t>()};
   } catch (const json::exception&) {
     throw std::invalid_argument("no plan of a campaign");

@@ -5,16 +5,22 @@
 #include <algorithm>
 #include <array>
 #include <ostream>
+#include <set>
 
 #include "cli/check_report.h"
 #include "cli/command.h"
+#include "cli/reason_table.h"
+#include "cli/shortened_numbers.h"
 #include "cli/table.h"
+#include "cli/wrapped_text.h"
 #include "cli/xml_text.h"
 #include "fuzz/judge/conformance_words.h"
 
 namespace flowcert::commands {
 
 namespace {
+
+constexpr std::size_t kCaseIndent = 4;
 
 // ---- Counting
 
@@ -122,7 +128,7 @@ std::size_t persistence_judged(const ConformanceReport& report) {
 // ---- Text
 
 void print_tallies(const char* title, const std::vector<NamedTally>& tallies) {
-  Table table("lrrrrrrrrr", {title, "cases", "conforms", "where determined", "perturbed", "fails", "refused", "crashed",
+  Table table("lrrrrrrrrr", {title, "cases", "conforms", "determined", "perturbed", "fails", "refused", "crashed",
                              "timed out", "unreadable"});
   for (const auto& [name, tally] : tallies) {
     table.row(name);
@@ -131,6 +137,7 @@ void print_tallies(const char* title, const std::vector<NamedTally>& tallies) {
       table.cell(count);
     }
   }
+  table.leave_out_zeros(3);
   table.print();
   fmt::print("\n");
 }
@@ -146,28 +153,91 @@ std::string outcome_words(const CaseOutcome& outcome) {
   }
 }
 
-void print_negative_cases(const ConformanceReport& report, std::size_t most) {
+// The numbers of examples are those of outcomes.
+std::vector<ReasonRow> reasons_of(const ConformanceReport& report) {
+  ReasonTally tally;
+  for (std::size_t k = 0; k < report.outcomes.size(); ++k) {
+    const CaseOutcome& outcome = report.outcomes[k];
+    for (const CaseReason& reason : outcome.reasons) tally.add(reason.reason, outcome.of->rows.size(), k);
+  }
+  return tally.rows();
+}
+
+void print_negative_case(const CaseOutcome& outcome, const std::string& words) {
+  const VectorCase& of = *outcome.of;
+  const std::string head = fmt::format("{} ({}): {}", of.id, of.comment, outcome_words(outcome));
+  fmt::print("{}\n{}\n", wrapped(head, kCaseIndent), wrapped("  " + with_short_numbers(words), kCaseIndent));
+}
+
+// Returns which outcomes were shown as examples.
+std::set<std::size_t> print_reasons_and_examples(const ConformanceReport& report) {
+  const std::vector<ReasonRow> rows = reasons_of(report);
+  print_reasons(rows, "cases", [&](const ReasonRow& row) {
+    return fmt::format("{}, {} point{}", report.outcomes[row.example].of->id, row.size, row.size == 1 ? "" : "s");
+  });
+  std::set<std::size_t> shown;
+  for (const ReasonRow& row : rows) {
+    const CaseOutcome& outcome = report.outcomes[row.example];
+    print_negative_case(outcome, std::ranges::find(outcome.reasons, row.reason, &CaseReason::reason)->example);
+    shown.insert(row.example);
+  }
+  if (!rows.empty()) fmt::print("\n");
+  return shown;
+}
+
+void print_other_negative_cases(const ConformanceReport& report, std::size_t most,
+                                const std::set<std::size_t>& examples) {
   std::size_t shown = 0, left_out = 0;
-  for (const CaseOutcome& outcome : report.outcomes) {
-    if (!is_negative(outcome.outcome)) continue;
+  for (std::size_t k = 0; k < report.outcomes.size(); ++k) {
+    const CaseOutcome& outcome = report.outcomes[k];
+    if (!is_negative(outcome.outcome) || examples.contains(k)) continue;
     if (shown == most) {
       ++left_out;
       continue;
     }
     ++shown;
-    fmt::print("{} ({}): {}\n  {}\n", outcome.of->id, outcome.of->comment, outcome_words(outcome), outcome.message);
+    print_negative_case(outcome, outcome.message);
   }
   if (left_out > 0) fmt::print("and {} more; --most shows more\n", with_commas(left_out));
   if (shown + left_out > 0) fmt::print("\n");
 }
 
-// Prints the flags whose cases are all negative, unless all cases are.
-void print_telling_flags(const ConformanceReport& report) {
+// Prints the flags and groups whose cases are all negative, unless all cases are, and the flags and groups that all
+// negative cases have.
+void print_telling_names(const ConformanceReport& report) {
   const Tally all = tally_of_all(report);
   if (all.negative() == all.cases) return;
-  for (const auto& [name, tally] : tallies_by_flag(report)) {
-    if (tally.cases < 2 || tally.negative() < tally.cases) continue;
-    fmt::print("all {} cases with the flag {} are negative\n", tally.cases, name);
+  const auto tell = [&](const char* what, const std::vector<NamedTally>& tallies) {
+    for (const auto& [name, tally] : tallies) {
+      if (tally.cases >= 2 && tally.negative() == tally.cases) {
+        fmt::print("all {} cases {} {} are negative\n", tally.cases, what, name);
+      }
+      if (all.negative() >= 2 && tally.negative() == all.negative()) {
+        fmt::print("all {} negative cases are {} {}\n", all.negative(), what, name);
+      }
+    }
+  };
+  tell("with the flag", tallies_by_flag(report));
+  tell("of the group", tallies_by_group(report));
+}
+
+// Prints for each reason the rarest flag that all of its cases have, if some other case does not have it.
+void print_flags_of_reasons(const ConformanceReport& report) {
+  std::vector<NamedTally> flags = tallies_by_flag(report);
+  std::ranges::stable_sort(flags, {}, [](const NamedTally& flag) { return flag.tally.cases; });
+  const std::size_t all = tally_of_all(report).cases;
+  for (const ReasonRow& row : reasons_of(report)) {
+    if (row.count < 2) continue;
+    const auto is_on_all = [&](const NamedTally& flag) {
+      return std::ranges::all_of(report.outcomes, [&](const CaseOutcome& outcome) {
+        const bool is_so = std::ranges::find(outcome.reasons, row.reason, &CaseReason::reason) != outcome.reasons.end();
+        return !is_so || std::ranges::find(outcome.of->flags, flag.name) != outcome.of->flags.end();
+      });
+    };
+    const auto flag = std::ranges::find_if(flags, is_on_all);
+    if (flag == flags.end() || flag->tally.cases == all) continue;
+    fmt::print("all {} cases of {} have the flag {}, as {} cases do\n", with_commas(row.count), row.reason, flag->name,
+               with_commas(flag->tally.cases));
   }
 }
 
@@ -250,17 +320,21 @@ Json orbit_findings_field(const CaseOutcome& outcome) {
   return field;
 }
 
-Json persistence_findings_field(const CaseOutcome& outcome) {
+}  // namespace
+
+Json persistence_findings_field(const std::vector<PairDifference>& differences) {
   Json field = Json::array();
-  for (const auto& [claimed, truth, by_rounding] : outcome.persistence_findings) {
+  for (const PairDifference& difference : differences) {
     Json finding;
-    finding["reason"] = by_rounding ? "rounding" : "wrong-pair";
-    finding["claimed"] = claimed;
-    finding["truth"] = truth;
+    finding["reason"] = pair_reason_text(difference);
+    finding["claimed"] = difference.claimed;
+    finding["truth"] = difference.truth;
     field.push_back(std::move(finding));
   }
   return field;
 }
+
+namespace {
 
 Json case_field(const CaseOutcome& outcome) {
   Json findings = Json::array();
@@ -276,7 +350,20 @@ Json case_field(const CaseOutcome& outcome) {
   field["findings"] = std::move(findings);
   field["findings_left_out"] = outcome.findings_left_out;
   field["orbit_findings"] = orbit_findings_field(outcome);
-  field["persistence_findings"] = persistence_findings_field(outcome);
+  field["persistence_findings"] = persistence_findings_field(outcome.persistence_findings);
+  return field;
+}
+
+Json conformance_reasons_field(const ConformanceReport& report) {
+  Json field = Json::array();
+  for (const ReasonRow& row : reasons_of(report)) {
+    Json reason;
+    reason["reason"] = row.reason;
+    reason["cases"] = row.count;
+    reason["smallest"] = report.outcomes[row.example].of->id;
+    reason["smallest_points"] = row.size;
+    field.push_back(std::move(reason));
+  }
   return field;
 }
 
@@ -333,15 +420,17 @@ Verdict ConformanceReport::verdict() const {
 }
 
 void print_conformance_text(const ConformanceReport& report, std::size_t most) {
+  const std::set<std::size_t> examples = print_reasons_and_examples(report);
   print_tallies("flag", tallies_by_flag(report));
   print_tallies("group", tallies_by_group(report));
-  print_negative_cases(report, most);
-  print_telling_flags(report);
+  print_telling_names(report);
+  print_flags_of_reasons(report);
+  print_other_negative_cases(report, most, examples);
   print_skipped(report);
   print_judged(report);
   print_undecided(report);
   const Tally all = tally_of_all(report);
-  fmt::print("{} cases in {}: {} conform, {} where determined, {} perturbed, {} negative\n\n{}\n",
+  fmt::print("\n{} cases in {}: {} conform, {} where determined, {} perturbed, {} negative\n\n{}\n",
              with_commas(all.cases), seconds_text(report.seconds), with_commas(all.conforms),
              with_commas(all.where_determined), with_commas(all.perturbed), with_commas(all.negative()),
              verdict_text(report.verdict()));
@@ -359,6 +448,7 @@ void print_conformance_json(const ConformanceReport& report) {
   json["verdict"] = verdict_text(report.verdict());
   json["seconds"] = report.seconds;
   json["judged"] = judged_field(report);
+  json["reasons"] = conformance_reasons_field(report);
   json["flags"] = tallies_field("flag", tallies_by_flag(report));
   json["groups"] = tallies_field("group", tallies_by_group(report));
   Json& cases = json["cases"] = Json::array();

@@ -8,6 +8,7 @@
 
 #include "fuzz/commands/layer.h"
 #include "fuzz/judge/conformance_run.h"
+#include "io/json_fields.h"
 
 namespace flowcert::commands {
 
@@ -20,6 +21,9 @@ struct ConformanceReport {
   // The verdict on the cases that were not skipped.
   [[nodiscard]] Verdict verdict() const;
 };
+
+// The differences of persistence pairs in a report for programs.
+[[nodiscard]] Json persistence_findings_field(const std::vector<PairDifference>& differences);
 
 // At most `most` negative cases are shown; the others are counted.
 void print_conformance_text(const ConformanceReport& report, std::size_t most);

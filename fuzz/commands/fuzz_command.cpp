@@ -11,6 +11,7 @@
 #include "fuzz/commands/fuzz_options.h"
 #include "fuzz/commands/fuzz_progress.h"
 #include "fuzz/commands/fuzz_report.h"
+#include "fuzz/commands/known_findings.h"
 #include "fuzz/judge/limited_program.h"
 
 namespace flowcert::commands {
@@ -46,13 +47,15 @@ int run_case(fuzz::Campaign& campaign, const FuzzOptions& options) {
 
 int run_campaign(const FuzzOptions& options) {
   const Interruption interruption;
+  const KnownFindings known(options.known);
   fuzz::Campaign campaign = campaign_of(options);
   if (options.only) return run_case(campaign, options);
   const std::size_t before = campaign.tally().cases;
   const double seconds = work_on(campaign, campaign, options);
-  print_fuzz({campaign, seconds, campaign.tally().cases - before, options.jobs, Interruption::signal() != 0},
-             options.json);
-  return verdict_of(campaign);
+  const FuzzRun run{
+      campaign, known, seconds, campaign.tally().cases - before, options.jobs, Interruption::signal() != 0};
+  print_fuzz(run, options.json);
+  return verdict_of(run);
 }
 
 // ---- Again
@@ -93,6 +96,7 @@ int replay(const FuzzCommandOptions& options) {
 // ---- Parts
 
 int merge(const FuzzCommandOptions& options) {
+  const KnownFindings known(options.known);
   std::vector<fuzz::Campaign> parts;
   for (const std::string& folder : options.merged) {
     parts.push_back(fuzz::Campaign::read(folder));
@@ -114,8 +118,9 @@ int merge(const FuzzCommandOptions& options) {
       throw InvalidInput(fmt::format("{}: {} than {}", options.merged[k], error.what(), options.merged.front()));
     }
   }
-  print_fuzz({whole, std::nullopt}, options.json);
-  return verdict_of(whole);
+  const FuzzRun run{whole, known, std::nullopt};
+  print_fuzz(run, options.json);
+  return verdict_of(run);
 }
 
 int fuzz_or_list(const FuzzCommandOptions& options) {
@@ -131,6 +136,8 @@ void add_merge_command(CLI::App& command, const std::shared_ptr<FuzzCommandOptio
   CLI::App* merge_command = command.add_subcommand("merge", "Put the parts of a campaign together");
   merge_command->add_option("DIR", options->merged, "Folders of campaigns that differ in --shard alone")->required();
   merge_command->add_option("--out", options->out, "A new folder for the whole, to go on with or to look at");
+  merge_command->add_option("--known", options->known, "Findings that are known, as for fuzz itself")
+      ->type_name("FINDINGS");
   merge_command->add_flag("--json", options->json, "Print one JSON object");
   merge_command->footer("Example:\n  flowcert fuzz merge part-1 part-2 --out whole");
   merge_command->callback([options, &status] { status = merge(*options); });
@@ -148,14 +155,14 @@ void add_fuzz_command(CLI::App& app, int& status) {
   auto* replay_option =
       command->add_option("--replay", options->replay, "Try the case of a finding's file, or of any point file, again")
           ->type_name("FILE");
-  for (const char* name : {"--count", "--time", "--out", "--resume", "--shard", "--corpus", "--json"}) {
+  for (const char* name : {"--count", "--time", "--out", "--resume", "--shard", "--corpus", "--json", "--known"}) {
     replay_option->excludes(command->get_option(name));
   }
   auto* only = command->add_option(
       "--case", options->only,
       "Only this case of the campaign, once more: what fails is made small. After a crash or a hang in "
       "its batch, with --resume alone it is the same case");
-  for (const char* name : {"--count", "--time", "--out", "--shard", "--jobs", "--replay"}) {
+  for (const char* name : {"--count", "--time", "--out", "--shard", "--jobs", "--replay", "--known"}) {
     only->excludes(command->get_option(name));
   }
   add_merge_command(*command, options, status);
@@ -169,6 +176,7 @@ void add_fuzz_command(CLI::App& app, int& status) {
       "  flowcert fuzz --resume campaign --case 4711\n"
       "  flowcert fuzz --time 60 --against \"$PWD/my-flow {in} {out}\" --families "
       "box-corners:3,integer-sphere\n"
+      "  flowcert fuzz --time 60 --against \"$PWD/my-flow {in} {out}\" --known findings --ignore refusal\n"
       "  flowcert fuzz --count 100000 --shard 1/4 --out part-1");
   command->callback([options, command, &status] {
     if (command->get_subcommands().empty()) status = fuzz_or_list(*options);

@@ -2,6 +2,7 @@
 #include "fuzz/commands/fuzz_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -105,6 +106,11 @@ std::string complaint_about_property(const std::string& name) {
   for (const auto& one : property::properties()) names += (names.empty() ? "" : ", ") + one.name;
   return fmt::format("no property is called {}; there are: {}", in_quotes(name), names);
 }
+std::string complaint_about_reason(const std::string& name) {
+  const std::vector<std::string> kinds = peer_kinds();
+  if (std::ranges::find(kinds, name) != kinds.end()) return "";
+  return fmt::format("no reason is called {}; there are: {}", in_quotes(name), fmt::join(kinds, ", "));
+}
 std::string complaint_about_time(const std::string& word) {
   return complaint_about_seconds(word, kLongestSeconds, "a year");
 }
@@ -144,9 +150,12 @@ fuzz::Campaign new_campaign(const FuzzOptions& options) {
   if (!options.count && !options.seconds && !options.only) {
     throw InvalidInput("one of --count and --time is required: when is it enough?");
   }
-  const std::string complaint = complaint_about_relative_path(options.against);
-  if (!complaint.empty()) throw InvalidInput("--against: " + complaint);
   const fuzz::CampaignPlan plan = plan_of(options);
+  const std::string complaint = complaint_about_relative_path(plan.against);
+  if (!complaint.empty()) throw InvalidInput(against_option(plan) + ": " + complaint);
+  if (plan.against.empty() && !plan.ignored.empty()) {
+    throw InvalidInput("--ignore needs --against or --persistence-against");
+  }
   require_startable(plan);
   if (!options.out.empty()) return fuzz::Campaign::begun(plan, options.count, options.out);
   const std::string findings = fmt::format("flowcert-fuzz-{}", options.seed);
@@ -159,6 +168,8 @@ fuzz::Campaign new_campaign(const FuzzOptions& options) {
 PeerOptions peer_of(const fuzz::CampaignPlan& plan) {
   PeerOptions peer;
   peer.command = plan.against;
+  peer.judges_pairs = plan.judges_pairs;
+  peer.ignored = plan.ignored;
   peer.limits.seconds = plan.time_limit_seconds;
   peer.limits.memory_bytes = std::uint64_t{plan.memory_limit_mebibytes} << 20;
   return peer;
@@ -199,6 +210,26 @@ void add_property_options(CLI::App& command, FuzzOptions& options) {
                   "file to write its claim to; without {out}, standard output is the claim")
       ->check(complaint_about_missing_in)
       ->excludes(property);
+  command
+      .add_option("--persistence-against", options.persistence_against,
+                  "The same for a command whose answer is persistence pairs, as persistence --json or GUDHI's tools "
+                  "write them")
+      ->check(complaint_about_missing_in)
+      ->excludes(property)
+      ->excludes(command.get_option("--against"));
+  command
+      .add_option(
+          "--ignore", options.ignored,
+          "Of --against: what is wrong for this reason (missed-by-cluster, refusal, ...) does not count; may be "
+          "given again")
+      ->check(complaint_about_reason)
+      ->type_name("REASON")
+      ->allow_extra_args(false);
+  command
+      .add_option("--known", options.known,
+                  "Findings that are known: files of findings, or folders of them. What they explain, being of the "
+                  "same kind on points that are degenerate in the same way, is listed last and is no failure")
+      ->type_name("FINDINGS");
   command.add_option("--time-limit", options.time_limit, "Seconds after which its run is killed; without this 10")
       ->check(complaint_about_time);
   command
@@ -221,7 +252,7 @@ void add_run_options(CLI::App& command, FuzzOptions& options) {
       command.add_option("--resume", options.resume, "Go on with the campaign in this folder")->excludes(out);
   // The campaign's folder says all of this.
   for (const char* name : {"--families", "--points", "--search", "--corpus", "--seed", "--property", "--against",
-                           "--shard", "--time-limit", "--memory-limit"}) {
+                           "--persistence-against", "--ignore", "--shard", "--time-limit", "--memory-limit"}) {
     resume->excludes(command.get_option(name));
   }
   command.add_flag("--shrink-all", options.shrinks_all,
@@ -250,7 +281,9 @@ fuzz::CampaignPlan plan_of(const FuzzOptions& options) {
     const bool is_new = std::ranges::find(plan.properties, name) == plan.properties.end();
     if (is_new) plan.properties.push_back(name);
   }
-  plan.against = options.against;
+  plan.judges_pairs = !options.persistence_against.empty();
+  plan.against = plan.judges_pairs ? options.persistence_against : options.against;
+  plan.ignored = options.ignored;
   plan.shrinks_all = options.shrinks_all;
   plan.time_limit_seconds = options.time_limit.value_or(plan.time_limit_seconds);
   plan.memory_limit_mebibytes = options.memory_limit.value_or(plan.memory_limit_mebibytes);
@@ -276,13 +309,18 @@ std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan) {
   return {peer_property(peer_of(plan))};
 }
 
+std::string against_option(const fuzz::CampaignPlan& plan) {
+  return plan.judges_pairs ? "--persistence-against" : "--against";
+}
+
 void require_startable(const fuzz::CampaignPlan& plan) {
   if (plan.against.empty()) return;
   PeerOptions peer = peer_of(plan);
+  peer.ignored.clear();
   peer.is_cancelled = [] { return Interruption::signal() != 0; };
   const auto found = peer_property(peer).check({{{{0, 0, 0}, {2, 0, 0}}}, property::StartChoice{}});
   if (found && found->kind == "not-started") {
-    throw InvalidInput("--against: the command was not started: " + found->complaint);
+    throw InvalidInput(against_option(plan) + ": the command was not started: " + found->complaint);
   }
 }
 

@@ -24,7 +24,10 @@ struct FuzzOptions {
   std::string families;  // "list", or NAME[:WEIGHT],...
   std::string points;    // "4-8"
   std::vector<std::string> properties;
-  std::string against;  // a command
+  std::string against;              // a command
+  std::string persistence_against;  // another
+  std::vector<std::string> ignored;
+  std::vector<std::string> known;  // paths
   std::optional<double> time_limit;
   std::optional<std::size_t> memory_limit;
   std::uint64_t seed = 1;
@@ -51,6 +54,8 @@ void add_fuzz_options(CLI::App& command, FuzzOptions& options);
 
 // The properties of the plan.
 [[nodiscard]] std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan);
+// The option that gives the plan's command.
+[[nodiscard]] std::string against_option(const fuzz::CampaignPlan& plan);
 // Runs the plan's command once, if it has one, and throws InvalidInput if it cannot be started.
 void require_startable(const fuzz::CampaignPlan& plan);
 // Seconds after which a property is taken to hang. A command that is late is a finding of another kind.

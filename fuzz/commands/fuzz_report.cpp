@@ -5,13 +5,17 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/shortened_numbers.h"
 #include "cli/table.h"
+#include "cli/wrapped_text.h"
+#include "fuzz/commands/fuzz_options.h"
 #include "fuzz/judge/command_run.h"
 #include "fuzz/judge/conformance_words.h"
 
@@ -24,7 +28,7 @@ using Rows = std::vector<std::vector<std::string>>;
 
 // The text prints at most so many; the JSON has all.
 constexpr std::size_t kMostFindingsPrinted = 20;
-constexpr std::size_t kMostNumbersPrinted = 8;
+constexpr std::size_t kFuzzIndent = 4;
 
 double rate_of(const fuzz::RowsTally& tally) {
   return tally.seconds > 0 ? static_cast<double>(tally.cases) / tally.seconds : 0;
@@ -70,19 +74,6 @@ void print_properties(const fuzz::Campaign& campaign) {
   print_part("By property:", rows, "lrrl");
 }
 
-void print_failures(const fuzz::Tally& tally) {
-  Rows rows;
-  for (const auto& [kind, numbers] : tally.failures) {
-    const std::size_t printed = std::min(numbers.size(), kMostNumbersPrinted);
-    const std::vector<std::size_t> first(numbers.begin(),
-                                         std::next(numbers.begin(), static_cast<std::ptrdiff_t>(printed)));
-    rows.push_back({kind, with_commas(numbers.size()),
-                    fmt::format("case{} {}{}", numbers.size() == 1 ? "" : "s", fmt::join(first, ", "),
-                                printed < numbers.size() ? ", ..." : "")});
-  }
-  print_part("Failing cases by kind:", rows, "lrl");
-}
-
 // "cluster      none 120, 4 30, 5 11"
 void print_reached(const fuzz::Campaign& campaign) {
   Rows rows;
@@ -106,27 +97,98 @@ void print_reached(const fuzz::Campaign& campaign) {
   print_part("Degeneracy reached, by component of the signature, in cases:", rows, "ll");
 }
 
+// ---- Findings
+
+// A kind of failing cases, and the smallest of its findings.
+struct Kind {
+  std::string name;
+  const std::set<std::size_t>* cases = nullptr;
+  const fuzz::Counterexample* smallest = nullptr;  // one that the known findings do not explain, if there is any
+  bool is_explained = false;
+};
+
+// The first is what a reader should look at first: what is not explained, and small.
+std::vector<const fuzz::Counterexample*> in_order(const FuzzRun& run) {
+  std::vector<const fuzz::Counterexample*> findings;
+  for (const auto& [key, finding] : run.campaign.counterexamples()) findings.push_back(&finding);
+  std::ranges::stable_sort(findings, {}, [&](const fuzz::Counterexample* finding) {
+    return std::pair(run.known.explain(*finding), finding->trial.input.rows.size());
+  });
+  return findings;
+}
+
+// Kinds that are not explained come first, and of these the most frequent one.
+std::vector<Kind> kinds_of(const FuzzRun& run) {
+  std::vector<Kind> kinds;
+  const auto findings = in_order(run);
+  for (const auto& [name, cases] : run.campaign.tally().failures) {
+    Kind kind{name, &cases};
+    const auto first = std::ranges::find(findings, name, [](const auto* finding) { return kind_of(*finding); });
+    if (first != findings.end()) {
+      kind.smallest = *first;
+      kind.is_explained = run.known.explain(**first);
+    }
+    kinds.push_back(kind);
+  }
+  std::ranges::stable_sort(kinds, [](const Kind& a, const Kind& b) {
+    return a.is_explained != b.is_explained ? b.is_explained : a.cases->size() > b.cases->size();
+  });
+  return kinds;
+}
+
+void print_kinds(const FuzzRun& run, const std::vector<Kind>& kinds) {
+  if (kinds.empty()) return;
+  Table table(run.known.is_empty() ? "lrl" : "lrll", {"kind", "cases", "smallest example"});
+  for (const Kind& kind : kinds) {
+    table.row(kind.name).cell(kind.cases->size());
+    const auto* smallest = kind.smallest;
+    table.cell(smallest == nullptr
+                   ? ""
+                   : fmt::format("case {}, {} point{}", smallest->number, smallest->trial.input.rows.size(),
+                                 smallest->trial.input.rows.size() == 1 ? "" : "s"));
+    if (kind.is_explained) table.cell("known");
+  }
+  table.print();
+}
+
 void print_counterexample(const fuzz::Campaign& campaign, const fuzz::Counterexample& counterexample) {
   const std::string file = campaign.file_of(counterexample).string();
-  fmt::print("  case {}, {} of {} points ({}, before {}): {}\n", counterexample.number,
-             counterexample.disagreement.kind, counterexample.trial.input.rows.size(), counterexample.source,
-             counterexample.rows_before, one_line(counterexample.disagreement.complaint));
+  const std::string text =
+      fmt::format("  case {}, {} of {} points ({}, before {}): {}", counterexample.number,
+                  counterexample.disagreement.kind, counterexample.trial.input.rows.size(), counterexample.source,
+                  counterexample.rows_before, one_line(counterexample.disagreement.complaint));
+  fmt::print("{}\n", wrapped(with_short_numbers(text), kFuzzIndent));
   if (!file.empty()) fmt::print("    {}\n", file);
 }
 
-void print_counterexamples(const fuzz::Campaign& campaign) {
+// One finding of each kind, and then the others. Known ones are counted.
+void print_counterexamples(const FuzzRun& run, const std::vector<Kind>& kinds) {
+  const fuzz::Campaign& campaign = run.campaign;
   if (campaign.counterexamples().empty()) return;
   fmt::print("\nFindings:\n");
-  std::size_t printed = 0;
-  for (const auto& [key, counterexample] : campaign.counterexamples()) {
-    if (printed++ == kMostFindingsPrinted) {
-      fmt::print("  ... and {} more\n", campaign.counterexamples().size() - kMostFindingsPrinted);
-      break;
-    }
-    print_counterexample(campaign, counterexample);
+  std::set<const fuzz::Counterexample*> shown;
+  for (const Kind& kind : kinds) {
+    if (kind.smallest == nullptr || kind.is_explained) continue;
+    print_counterexample(campaign, *kind.smallest);
+    shown.insert(kind.smallest);
   }
-  const std::string& against = campaign.plan().against;
-  fmt::print("Again: flowcert fuzz --replay FILE{}\n", against.empty() ? "" : " --against " + shell_word(against));
+  std::size_t printed = 0, left_out = 0;
+  for (const fuzz::Counterexample* finding : in_order(run)) {
+    if (shown.contains(finding) || run.known.explain(*finding)) continue;
+    if (printed++ < kMostFindingsPrinted) {
+      print_counterexample(campaign, *finding);
+    } else {
+      ++left_out;
+    }
+  }
+  if (left_out > 0) fmt::print("  ... and {} more\n", with_commas(left_out));
+  if (const std::size_t explained = run.known.explained_of(campaign); explained > 0) {
+    fmt::print("  {} of {} finding{}: explained by known ones\n", with_commas(explained),
+               with_commas(campaign.counterexamples().size()), campaign.counterexamples().size() == 1 ? "" : "s");
+  }
+  const fuzz::CampaignPlan& plan = campaign.plan();
+  fmt::print("Again: flowcert fuzz --replay FILE{}\n",
+             plan.against.empty() ? "" : fmt::format(" {} {}", against_option(plan), shell_word(plan.against)));
 }
 
 void print_fuzz_text(const FuzzRun& run) {
@@ -134,6 +196,10 @@ void print_fuzz_text(const FuzzRun& run) {
   const fuzz::Tally& tally = campaign.tally();
   const fuzz::CampaignPlan& plan = campaign.plan();
   const auto expected = campaign.expected_cases();
+  const std::vector<Kind> kinds = kinds_of(run);
+  print_kinds(run, kinds);
+  print_counterexamples(run, kinds);
+  if (!kinds.empty()) fmt::print("\n");
   print_row("cases", with_commas(tally.cases), expected ? "of " + with_commas(*expected) : "");
   print_row("seed", std::to_string(plan.seed));
   if (campaign.made_by().size() > 1) {
@@ -149,15 +215,16 @@ void print_fuzz_text(const FuzzRun& run) {
   print_row("failing cases", with_commas(tally.failing_cases()),
             fmt::format("{} finding{}", campaign.counterexamples().size(),
                         campaign.counterexamples().size() == 1 ? "" : "s"));
+  if (!plan.ignored.empty()) print_row("ignored", "", fmt::format("{}", fmt::join(plan.ignored, ", ")));
   print_properties(campaign);
-  print_failures(tally);
   print_sizes(tally);
   print_part("By family:", rows_of(tally.by_source), "lr");
   print_part("Mutants by their moves:", rows_of(tally.by_mutation), "lr");
   print_reached(campaign);
-  print_counterexamples(campaign);
   if (run.is_interrupted) fmt::print("\nStopped by a signal.\n");
 }
+
+// ---- JSON
 
 ordered_json counterexample_json(const fuzz::Campaign& campaign, const fuzz::Counterexample& counterexample) {
   return {{"case", counterexample.number},
@@ -179,6 +246,19 @@ ordered_json reached_json(const fuzz::Tally& tally) {
     components[fuzz::signature_components()[k].name] = values;
   }
   return components;
+}
+
+// In the order of the table.
+ordered_json kinds_json(const FuzzRun& run) {
+  ordered_json kinds = ordered_json::array();
+  for (const Kind& kind : kinds_of(run)) {
+    ordered_json object = {{"kind", kind.name}, {"cases", kind.cases->size()}, {"explained", kind.is_explained}};
+    object["smallest"] = kind.smallest == nullptr ? ordered_json(nullptr) : ordered_json(kind.smallest->number);
+    object["smallest_points"] =
+        kind.smallest == nullptr ? ordered_json(nullptr) : ordered_json(kind.smallest->trial.input.rows.size());
+    kinds.push_back(object);
+  }
+  return kinds;
 }
 
 void print_fuzz_json(const FuzzRun& run) {
@@ -206,7 +286,10 @@ void print_fuzz_json(const FuzzRun& run) {
                          {"by_mutation", tally.by_mutation},
                          {"by_points", rows},
                          {"reached", reached_json(tally)},
-                         {"findings", counterexamples}};
+                         {"findings", counterexamples},
+                         {"kinds", kinds_json(run)}};
+  if (!run.known.is_empty()) report["explained"] = run.known.explained_of(campaign);
+  if (!campaign.plan().ignored.empty()) report["ignored"] = campaign.plan().ignored;
   if (run.seconds) {
     report["seconds"] = *run.seconds;
     report["cases_per_second"] = static_cast<double>(run.cases) / *run.seconds;
@@ -240,8 +323,9 @@ int print_case(const fuzz::Campaign& campaign, const fuzz::OneCase& one, bool js
   return holds ? kRight : kNegativeVerdict;
 }
 
-int verdict_of(const fuzz::Campaign& campaign) {
-  return campaign.counterexamples().empty() ? kRight : kNegativeVerdict;
+int verdict_of(const FuzzRun& run) {
+  const bool are_explained = run.known.explained_of(run.campaign) == run.campaign.counterexamples().size();
+  return are_explained ? kRight : kNegativeVerdict;
 }
 
 }  // namespace flowcert::commands

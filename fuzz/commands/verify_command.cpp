@@ -11,14 +11,20 @@
 #include <memory>
 #include <numeric>
 #include <ostream>
+#include <set>
 
 #include "cli/check_report.h"
 #include "cli/command.h"
 #include "cli/progress.h"
+#include "cli/reason_table.h"
+#include "cli/shortened_numbers.h"
 #include "cli/table.h"
+#include "cli/wrapped_text.h"
 #include "cli/xml_text.h"
 #include "fuzz/commands/commands.h"
+#include "fuzz/commands/conformance_report.h"
 #include "fuzz/commands/layer.h"
+#include "fuzz/judge/conformance_words.h"
 #include "fuzz/judge/oracle_truth.h"
 #include "fuzz/judge/verification.h"
 #include "io/output_file.h"
@@ -29,6 +35,7 @@ namespace flowcert::commands {
 
 namespace {
 
+constexpr std::size_t kVerifyIndent = 4;
 // Reports for people show at most so many.
 constexpr std::size_t kMostFindingsShown = 3;
 constexpr std::size_t kMostRangesShown = 20;
@@ -60,22 +67,43 @@ void add_row(Table& table, const std::string& name, const OutcomeCounts& counts)
   for (const Outcome outcome : kColumns) table.cell(count_of(counts, outcome));
 }
 
-Table outcome_table(const char* what, const CountsByName& rows) {
-  Table table("lrrrrrrrr", {what, "cases", "conforms", "where determined", "perturbed", "fails", "unreadable",
-                            "refused", "unanswered"});
+// The columns of outcomes that no case has are left out, but not the first two.
+void print_outcomes(const char* what, const CountsByName& rows, const std::optional<OutcomeCounts>& all) {
+  Table table("lrrrrrrrr",
+              {what, "cases", "conforms", "determined", "perturbed", "fails", "unreadable", "refused", "unanswered"});
   for (const auto& [name, counts] : rows) add_row(table, name, counts);
-  return table;
+  if (all) add_row(table, "all", *all);
+  table.leave_out_zeros(3);
+  table.print();
 }
 
 void print_tables(const Verification& verification) {
   const CountsByName flags = verification.counts_by_flag();
   if (!flags.empty()) {
-    outcome_table("flag", flags).print();
+    print_outcomes("flag", flags, std::nullopt);
     fmt::print("\n");
   }
-  Table families = outcome_table(flags.empty() ? "family" : "group", verification.counts_by_family());
-  add_row(families, "all", verification.counts());
-  families.print();
+  print_outcomes(flags.empty() ? "family" : "group", verification.counts_by_family(), verification.counts());
+}
+
+// Prints the families and flags whose cases are all wrong, unless all cases are, and the family of all wrong cases.
+void print_telling_names(const Verification& verification) {
+  const OutcomeCounts all = verification.counts();
+  const std::size_t wrong = total_of(all) - right_of(all);
+  if (wrong < 2 || wrong == total_of(all)) return;
+  std::string lines;
+  const auto tell = [&](const char* what, const CountsByName& rows) {
+    for (const auto& [name, counts] : rows) {
+      const std::size_t here = total_of(counts) - right_of(counts);
+      if (total_of(counts) >= 2 && here == total_of(counts)) {
+        lines += fmt::format("all {} cases of the {} {} are wrong\n", with_commas(here), what, name);
+      }
+      if (here == wrong) lines += fmt::format("all {} wrong cases are of the {} {}\n", with_commas(wrong), what, name);
+    }
+  };
+  tell(verification.is_stored() ? "group" : "family", verification.counts_by_family());
+  tell("flag", verification.counts_by_flag());
+  if (!lines.empty()) fmt::print("\n{}", lines);
 }
 
 // "fails on level 3", "unreadable: answer:1: not an index", "refused: out of memory"
@@ -91,26 +119,67 @@ std::vector<std::string> lines_of(const FailedCase& failed, std::size_t most) {
   for (std::size_t k = 0; k < std::min(most, failed.findings.size()); ++k) {
     lines.push_back(finding_line(kAnswer, failed.findings[k]));
   }
+  for (std::size_t k = 0; k < std::min(most, failed.pair_findings.size()); ++k) {
+    lines.push_back(fmt::format("{}: wrong, {}", kAnswer, persistence_finding_words(failed.pair_findings[k])));
+  }
   if (failed.wrong > lines.size()) lines.push_back(fmt::format("({} more)", failed.wrong - lines.size()));
   return lines;
 }
 
 void print_failure(const Verification& verification, std::size_t number, const FailedCase& failed) {
-  fmt::print("\ncase {} ({}) {}\n", failed.id, verification.cases().family(number), verdict_of(failed));
-  for (const std::string& line : lines_of(failed, kMostFindingsShown)) fmt::print("  {}\n", line);
+  const std::string family = verification.cases().family(number);
+  fmt::print("{}\n", wrapped(fmt::format("case {} ({}) {}", failed.id, family, verdict_of(failed)), kVerifyIndent));
+  for (const std::string& line : lines_of(failed, kMostFindingsShown)) {
+    fmt::print("{}\n", wrapped("  " + with_short_numbers(line), kVerifyIndent));
+  }
   fmt::print("  its points: {}\n", verification.cases().generate_command(number));
   if (verification.options().folder.empty() || failed.outcome == Outcome::kRefused) return;
   const std::string path = verification.kept_path(number);
-  fmt::print("  its answer: flowcert check {}.xyz {}.claim\n", path, path);
+  if (verification.options().judges_pairs) {
+    fmt::print("  its answer: {}.claim, of {}.xyz\n", path, path);
+  } else {
+    fmt::print("  its answer: flowcert check {}.xyz {}.claim\n", path, path);
+  }
 }
 
+std::vector<ReasonRow> reasons_of(const Verification& verification) {
+  std::vector<ReasonRow> rows;
+  for (const auto& [reason, of] : verification.reasons()) rows.push_back({reason, of.cases, of.points, of.number});
+  sort_reasons(rows);
+  return rows;
+}
+
+std::string points_text(std::size_t count) { return fmt::format("{} point{}", count, count == 1 ? "" : "s"); }
+
+void print_reason_table(const Verification& verification) {
+  print_reasons(reasons_of(verification), "cases", [&](const ReasonRow& row) {
+    return fmt::format("case {} ({}), {}", row.example, verification.cases().family(row.example),
+                       points_text(row.size));
+  });
+}
+
+// The smallest case of each reason, with what is wrong for that reason.
+void print_examples(const Verification& verification) {
+  for (const ReasonRow& row : reasons_of(verification)) {
+    const CasesOfReason& of = verification.reasons().at(row.reason);
+    print_failure(verification, of.number, of.smallest);
+    fmt::print("\n");
+  }
+}
+
+// Those that are no examples.
 void print_failures(const Verification& verification, std::size_t most) {
+  std::set<std::size_t> examples;
+  for (const auto& [reason, of] : verification.reasons()) examples.insert(of.number);
   std::size_t shown = 0;
   for (const auto& [number, failed] : verification.failures()) {
     if (shown == most) break;
+    if (examples.contains(number)) continue;
     ++shown;
+    fmt::print("\n");
     print_failure(verification, number, failed);
   }
+  shown += examples.size();
   const OutcomeCounts counts = verification.counts();
   const std::size_t all = total_of(counts) - right_of(counts) - count_of(counts, Outcome::kUnanswered);
   if (all > shown) {
@@ -178,6 +247,19 @@ Json table_field(const char* what, const CountsByName& rows) {
   return table;
 }
 
+Json verify_reasons_field(const Verification& verification) {
+  Json reasons = Json::array();
+  for (const ReasonRow& row : reasons_of(verification)) {
+    Json field;
+    field["reason"] = row.reason;
+    field["cases"] = row.count;
+    field["smallest"] = row.example;
+    field["smallest_points"] = row.size;
+    reasons.push_back(std::move(field));
+  }
+  return reasons;
+}
+
 Json failure_field(const Verification& verification, std::size_t number, const FailedCase& failed) {
   Json findings = Json::array();
   for (const Finding& finding : failed.findings) findings.push_back(finding_field(finding));
@@ -189,6 +271,9 @@ Json failure_field(const Verification& verification, std::size_t number, const F
   field["reason"] = failed.reason.empty() ? Json(nullptr) : Json(failed.reason);
   field["wrong"] = failed.wrong;
   field["findings"] = std::move(findings);
+  if (verification.options().judges_pairs) {
+    field["persistence_findings"] = persistence_findings_field(failed.pair_findings);
+  }
   field["points"] = verification.cases().generate_command(number);
   return field;
 }
@@ -217,7 +302,10 @@ void write_family(std::ostream& out, const Verification& verification, const std
 
 // At most `most` of the failing cases that were kept are shown.
 void print_verify_text(const Verification& verification, std::size_t most) {
+  print_reason_table(verification);
+  print_examples(verification);
   print_tables(verification);
+  print_telling_names(verification);
   print_failures(verification, most);
   print_unanswered(verification);
   print_verdict(verification);
@@ -234,6 +322,7 @@ void print_verify_json(const Verification& verification) {
   json["approximate"] = verification.approximate();
   json["partly_judged"] = verification.partly_judged();
   json["too_large_for_oracle"] = verification.too_large();
+  json["reasons"] = verify_reasons_field(verification);
   json["families"] = table_field("family", verification.counts_by_family());
   if (verification.is_stored()) json["flags"] = table_field("flag", verification.counts_by_flag());
   Json& failures = json["failures"] = Json::array();
@@ -318,10 +407,12 @@ void add_verify_command(CLI::App& app, int& status) {
       ->check(CLI::NonNegativeNumber);
   command->add_option("--only", verification.only, "Expect an answer to this case alone")
       ->check(CLI::NonNegativeNumber);
+  command->add_flag("--persistence", verification.judges_pairs,
+                    "Answers are persistence pairs, as persistence --json or GUDHI's tools write them");
   command->add_flag("--oracle", verification.by_oracle,
                     fmt::format("Let the oracle say what is true, not the fast implementation, for cases of up "
-                                "to {} points",
-                                kMostPointsForOracle));
+                                "to {} points; with --persistence, up to {}",
+                                kMostPointsForOracle, kMostPointsForOraclePairs));
   command
       ->add_option("--vectors", verification.vectors,
                    "Folder of the conformance vectors, if generate --vectors was given one")
@@ -332,7 +423,8 @@ void add_verify_command(CLI::App& app, int& status) {
       "  answer ID\n  ...the critical points, in a format that flowcert check reads...\n  end\n"
       "or a line `refused ID REASON`.\n\n"
       "Example:\n  flowcert generate --level 1 --seed 7 | ./your-program | flowcert verify\n"
-      "  flowcert generate --vectors | ./your-program | flowcert verify");
+      "  flowcert generate --vectors | ./your-program | flowcert verify\n"
+      "  flowcert generate --level 1 | ./your-diagrams | flowcert verify --persistence");
   command->callback([options, &status] { status = verify(*options); });
 }
 

@@ -70,6 +70,9 @@ class DrawnCases final : public AskedCases {
   }
   [[nodiscard]] bool is_stored() const override { return false; }
   [[nodiscard]] std::unique_ptr<Truth> stored_truth(std::size_t /*number*/) const override { return nullptr; }
+  [[nodiscard]] std::optional<std::vector<ListedPair>> stored_pairs(std::size_t /*number*/) const override {
+    return std::nullopt;
+  }
 
  private:
   fuzz::CaseRun run_;
@@ -138,6 +141,9 @@ class VectorsToAsk final : public AskedCases {
   [[nodiscard]] bool is_stored() const override { return true; }
   [[nodiscard]] std::unique_ptr<Truth> stored_truth(std::size_t number) const override {
     return vector_truth(vectors_.cases.at(number));
+  }
+  [[nodiscard]] std::optional<std::vector<ListedPair>> stored_pairs(std::size_t number) const override {
+    return vectors_.cases.at(number).persistence;
   }
 
  private:

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "flowcert/check.h"
+#include "flowcert/pair_claim.h"
 #include "fuzz/inputs/case_stream.h"
 #include "fuzz/judge/layer.h"
 
@@ -53,6 +54,8 @@ class AskedCases {
   [[nodiscard]] virtual bool is_stored() const = 0;
   // None for cases that are drawn. It must not outlive this.
   [[nodiscard]] virtual std::unique_ptr<Truth> stored_truth(std::size_t number) const = 0;
+  // The persistence pairs of a vector that has them.
+  [[nodiscard]] virtual std::optional<std::vector<ListedPair>> stored_pairs(std::size_t number) const = 0;
 };
 
 [[nodiscard]] std::unique_ptr<AskedCases> drawn_cases(const fuzz::CaseRun& run);

@@ -98,10 +98,21 @@ class CaseRun {
 
   // The first negative outcome decides the case, and its run is kept.
   void fail(const Run& run, RunOutcome outcome, const std::string& message) {
+    if (outcome != RunOutcome::kFails) add_reason(one_word(run_outcome_text(outcome)), message);
     if (is_negative(result_.outcome)) return;
     result_.outcome = outcome;
     result_.message = message;
     if (!options_.keep.empty()) keep(run);
+  }
+
+  static std::string one_word(std::string text) {
+    std::ranges::replace(text, ' ', '-');
+    return text;
+  }
+
+  void add_reason(const std::string& reason, const std::string& example) {
+    const bool is_known = std::ranges::find(result_.reasons, reason, &CaseReason::reason) != result_.reasons.end();
+    if (!is_known) result_.reasons.push_back({reason, example});
   }
 
   void keep(const Run& run) const {
@@ -178,6 +189,9 @@ class CaseRun {
     std::ranges::stable_sort(findings, {}, &Finding::is_variation);  // what is wrong comes first
     if (report.verdict == Verdict::kFails) {
       result_.level = findings.front().level;
+      for (const Finding& finding : first_of_each_reason(findings)) {
+        add_reason(reason_text(finding.reason), finding_words(finding));
+      }
       fail(run, RunOutcome::kFails, finding_words(telling_finding(findings)));
     } else if (report.verdict != Verdict::kConforms) {
       const bool is_perturbed = report.verdict == Verdict::kPerturbed;
@@ -201,6 +215,7 @@ class CaseRun {
     result_.orbit_findings.push_back({orbit.start, *difference});
     const std::string words = orbit_finding_words(result_.orbit_findings.back());
     if (!difference->is_permitted) {
+      add_reason("wrong-orbit", words);
       fail(run, RunOutcome::kFails, words);
     } else if (result_.outcome < RunOutcome::kPerturbed) {
       result_.outcome = RunOutcome::kPerturbed;
@@ -218,6 +233,9 @@ class CaseRun {
     result_.is_persistence_judged = true;
     auto differences = pair_differences(claimed, *case_.persistence, options_.check.tolerance);
     if (differences.empty()) return;
+    for (const PairDifference& difference : differences) {
+      add_reason(pair_reason_text(difference), persistence_finding_words(difference));
+    }
     fail(run, RunOutcome::kFails, persistence_finding_words(differences.front()));
     if (differences.size() > kMostFindings) differences.resize(kMostFindings);
     result_.persistence_findings = std::move(differences);

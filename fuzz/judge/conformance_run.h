@@ -45,12 +45,21 @@ struct OrbitFinding {
   PathDifference difference;
 };
 
+// Why a case is negative, and the first thing that is so, in words.
+struct CaseReason {
+  std::string reason;
+  std::string example;
+};
+
 struct CaseOutcome {
   const VectorCase* of = nullptr;
   RunOutcome outcome = RunOutcome::kSkipped;
   std::string message;       // one line; empty where there is nothing to say
   std::optional<int> level;  // the first level that fails, if the claim fails
-  double seconds = 0;        // of all runs of the case
+  // Of a negative case: the reasons of its wrong findings, "wrong-orbit", "wrong-pair" (or "rounding"), or how the run
+  // ended ("timed-out"). Each is there once.
+  std::vector<CaseReason> reasons;
+  double seconds = 0;  // of all runs of the case
   std::vector<Finding> findings;
   std::size_t findings_left_out = 0;  // beyond the first kMostFindings
   bool is_decided = true;             // false if a finding is not

@@ -11,6 +11,7 @@
 #include "geometry/contract.h"
 #include "oracle/fast/point_set.h"
 #include "oracle/orbit.h"
+#include "oracle/persistence.h"
 #include "oracle/stable_pieces.h"
 
 namespace flowcert::judge {
@@ -191,6 +192,19 @@ std::unique_ptr<Truth> oracle_truth(const std::vector<Point>& rows) {
 
 std::unique_ptr<Truth> oracle_truth(const std::vector<Point>& rows, oracle::Answer answer) {
   return std::make_unique<OracleTruth>(triples(rows), std::move(answer));
+}
+
+// ---- Persistence pairs ----
+
+std::vector<ListedPair> oracle_pairs(const std::vector<Point>& rows) {
+  if (rows.size() > kMostPointsForOraclePairs) {
+    throw InvalidInput(fmt::format("the oracle pairs critical points of up to {} points", kMostPointsForOraclePairs));
+  }
+  std::vector<ListedPair> pairs;
+  for (const oracle::PersistencePair& pair : oracle::persistence_pairs(oracle::PointSet(triples(rows)))) {
+    pairs.push_back({pair.dimension, pair.birth, pair.death});
+  }
+  return pairs;
 }
 
 // ---- A vector's ----

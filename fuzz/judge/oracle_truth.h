@@ -25,6 +25,13 @@ inline constexpr std::size_t kMostPointsForOracle = 100;
 // computed.
 [[nodiscard]] std::unique_ptr<Truth> oracle_truth(const std::vector<Point>& rows, oracle::Answer answer);
 
+// ---- Persistence pairs ----
+
+// The oracle's homology takes the cube of time n^4.
+inline constexpr std::size_t kMostPointsForOraclePairs = 12;
+
+[[nodiscard]] std::vector<ListedPair> oracle_pairs(const std::vector<Point>& rows);
+
 // ---- A vector's ----
 // What a conformance vector says is right, as the truth by which a claim is judged.
 //

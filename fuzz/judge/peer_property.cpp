@@ -3,14 +3,17 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
 
 #include "certify/finding_words.h"
 #include "flowcert/claim.h"
+#include "flowcert/pair_differences.h"
 #include "fuzz/judge/command_run.h"
 #include "fuzz/judge/conformance_words.h"
 #include "fuzz/properties/subject.h"
@@ -30,6 +33,10 @@ constexpr char kLate[] = "time-limit";
 constexpr std::size_t kLateShrinkingBudget = 40;
 constexpr std::size_t kMostFindingsShown = 20;
 
+bool is_among(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
 Disagreement ending(std::string kind, const std::string& complaint) {
   return {std::move(kind), "", complaint, "", "", "", ""};
 }
@@ -46,12 +53,14 @@ std::optional<Disagreement> bad_ending(const CommandRun& run, const ProgramLimit
   return std::nullopt;
 }
 
-std::optional<Disagreement> wrong_claim(const CheckReport& report, const std::string& claim) {
-  if (report.verdict != Verdict::kFails) return std::nullopt;
+std::optional<Disagreement> wrong_claim(const CheckReport& report, const std::string& claim,
+                                        const std::vector<std::string>& ignored) {
   std::vector<Finding> wrong;
   for (const Finding& finding : report.findings) {
-    if (!finding.is_variation) wrong.push_back(finding);
+    const bool counts = !finding.is_variation && !is_among(ignored, reason_text(finding.reason));
+    if (counts) wrong.push_back(finding);
   }
+  if (wrong.empty()) return std::nullopt;
   const Finding& telling = telling_finding(wrong);
   std::string truth;
   for (std::size_t k = 0; k < std::min(wrong.size(), kMostFindingsShown); ++k) {
@@ -59,6 +68,24 @@ std::optional<Disagreement> wrong_claim(const CheckReport& report, const std::st
   }
   return Disagreement{reason_text(telling.reason), telling.clause, finding_words(telling), "the claim", claim,
                       "what is wrong with it",     truth};
+}
+
+std::optional<Disagreement> wrong_pairs(std::vector<PairDifference> differences, const std::string& answer,
+                                        const std::vector<std::string>& ignored) {
+  std::erase_if(differences,
+                [&](const PairDifference& difference) { return is_among(ignored, pair_reason_text(difference)); });
+  if (differences.empty()) return std::nullopt;
+  std::string truth;
+  for (std::size_t k = 0; k < std::min(differences.size(), kMostFindingsShown); ++k) {
+    truth += persistence_finding_words(differences[k]) + '\n';
+  }
+  return Disagreement{pair_reason_text(differences.front()),
+                      "FC-CLAIM-11",
+                      persistence_finding_words(differences.front()),
+                      "the persistence pairs",
+                      answer,
+                      "what is wrong with them",
+                      truth};
 }
 
 class Peer {
@@ -72,14 +99,9 @@ class Peer {
     rows << input;
     const ScratchFolder folder(scratch_.path() / fmt::format("{}-{}", ::getpid(), ++runs_));
     const CommandRun run = run_in(folder.path(), rows.str());
-    if (auto bad = bad_ending(run, options_.limits)) return bad;
-    try {
-      return judge_answer(property::subject_of(input).complex, answer_bytes(run), run.answer_name);
-    } catch (const InvalidInput& error) {
-      return ending("unreadable", one_line(error.what()));
-    } catch (const std::bad_alloc&) {
-      return ending("unreadable", run.answer_name + ": too large to be read");
-    }
+    std::optional<Disagreement> found = bad_ending(run, options_.limits);
+    if (!found) found = judge_run(input, run);
+    return found && is_among(options_.ignored, found->kind) ? std::nullopt : found;
   }
 
  private:
@@ -94,11 +116,34 @@ class Peer {
     }
   }
 
-  [[nodiscard]] std::optional<Disagreement> judge_answer(const FlowComplex& complex, const std::string& bytes,
-                                                         const std::string& name) const {
+  [[nodiscard]] std::optional<Disagreement> judge_run(const fuzz::Input& input, const CommandRun& run) const {
+    try {
+      const FlowComplex& complex = property::subject_of(input).complex;
+      const std::string bytes = answer_bytes(run);
+      return options_.judges_pairs ? judge_pairs(complex, bytes, run.answer_name)
+                                   : judge_claim(complex, bytes, run.answer_name);
+    } catch (const InvalidInput& error) {
+      return ending("unreadable", one_line(error.what()));
+    } catch (const nlohmann::json::exception& error) {
+      return ending("unreadable", one_line(fmt::format("{}: {}", run.answer_name, error.what())));
+    } catch (const std::bad_alloc&) {
+      return ending("unreadable", run.answer_name + ": too large to be read");
+    }
+  }
+
+  [[nodiscard]] std::optional<Disagreement> judge_pairs(const FlowComplex& complex, const std::string& bytes,
+                                                        const std::string& name) const {
+    const std::vector<ClaimedPair> claimed = claimed_pairs_of(bytes, name);
+    return wrong_pairs(pair_differences(claimed, listed_pairs(complex), options_.check.tolerance), bytes,
+                       options_.ignored);
+  }
+
+  [[nodiscard]] std::optional<Disagreement> judge_claim(const FlowComplex& complex, const std::string& bytes,
+                                                        const std::string& name) const {
     const Claim claim = read_claim_from(bytes, name);
     require_rows(claim, complex.points(), name);
-    return wrong_claim(check(complex.points(), claim, *fast_truth(complex), options_.check), bytes);
+    const CheckReport report = check(complex.points(), claim, *fast_truth(complex), options_.check);
+    return wrong_claim(report, bytes, options_.ignored);
   }
 
   PeerOptions options_;
@@ -108,10 +153,20 @@ class Peer {
 
 }  // namespace
 
+std::vector<std::string> peer_kinds() {
+  std::vector<std::string> kinds = {"signal", kLate, "refusal", "unreadable", "not-started", "wrong-pair"};
+  for (int k = 0; k <= static_cast<int>(FindingReason::kWrongSurface); ++k) {
+    const auto reason = static_cast<FindingReason>(k);
+    if (reason != FindingReason::kAmbiguous) kinds.emplace_back(reason_text(reason));
+  }
+  return kinds;
+}
+
 property::Property peer_property(const PeerOptions& options) {
   auto peer = std::make_shared<Peer>(options);
-  return {.name = kPeerProperty,
-          .description = "what the command claims is right",
+  return {.name = options.judges_pairs ? kPeerPairsProperty : kPeerProperty,
+          .description =
+              options.judges_pairs ? "the command's persistence pairs are right" : "what the command claims is right",
           .shrinking_budget = kShrinkingBudget,
           .slow_kind = kLate,
           .slow_shrinking_budget = kLateShrinkingBudget,

@@ -3,11 +3,12 @@
 // Guarantees: those of command_run.h and flowcert/check.h: however the command ends, there is a verdict, and
 // what the claim is free to say is permitted. The kind of a disagreement is how the run ended ("signal",
 // "time-limit", "refusal", "unreadable", "not-started"), or the reason of the finding that tells most
-// ("missed-by-cluster").
+// ("missed-by-cluster", "wrong-pair").
 #pragma once
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "flowcert/check.h"
 #include "fuzz/judge/limited_program.h"
@@ -20,10 +21,16 @@ struct PeerOptions {
   std::string out_name = "claim";
   ProgramLimits limits;
   CheckOptions check;
+  bool judges_pairs = false;                                  // the command writes persistence pairs, not a claim
+  std::vector<std::string> ignored;                           // kinds of disagreements that do not count
   std::function<bool()> is_cancelled = [] { return false; };  // if true, a run throws MachineFailure
 };
 
 inline constexpr char kPeerProperty[] = "against";
+inline constexpr char kPeerPairsProperty[] = "persistence-against";
+
+// All kinds of disagreements with a command.
+[[nodiscard]] std::vector<std::string> peer_kinds();
 
 // Each run has a folder of its own, below a temporary one that goes when the last copy of the property does. Several
 // processes may use it at once, even forked ones that end without unwinding.

@@ -7,8 +7,13 @@
 #include <filesystem>
 #include <istream>
 #include <ostream>
+#include <set>
+#include <tuple>
 
+#include "certify/finding_words.h"
 #include "flowcert/claim.h"
+#include "flowcert/flow_complex.h"
+#include "fuzz/judge/conformance_words.h"
 #include "fuzz/judge/oracle_truth.h"
 #include "fuzz/properties/input_points.h"
 #include "io/number_text.h"
@@ -168,30 +173,79 @@ std::unique_ptr<Truth> Verification::truth_of(const AskedCase& one, const std::v
   return options_.by_oracle && is_small ? oracle_truth(rows) : fast_truth(points);
 }
 
-FailedCase Verification::judge(const AskedCase& one, const Answer& answer) {
-  FailedCase result{.id = answer.id, .outcome = Outcome::kRefused, .reason = {}, .findings = {}};
-  if (answer.is_refusal) {
-    result.reason = printable(answer.text);
-    return result;
-  }
+FailedCase* Verification::count_reason(const AskedCase& one, const FailedCase& failed, const std::string& reason) {
+  CasesOfReason& of = reasons_[reason];
+  const std::pair size(one.input.rows.size(), one.number);
+  if (of.cases++ > 0 && std::pair(of.points, of.number) <= size) return nullptr;
+  std::tie(of.points, of.number) = size;
+  of.smallest = failed;
+  of.smallest.findings.clear();
+  of.smallest.pair_findings.clear();
+  return &of.smallest;
+}
+
+void Verification::judge_claim(const AskedCase& one, const Answer& answer, FailedCase& result) {
   const std::vector<Point> rows = property::rows_of(one.input);
   const PointSet points(rows);
-  Claim claim;
-  try {
-    claim = claim_of(answer.text, points);
-  } catch (const InvalidInput& error) {
-    result.outcome = Outcome::kUnreadable;
-    result.reason = error.what();
-    return result;
-  }
+  const Claim claim = claim_of(answer.text, points);
   CheckReport report = check(points, claim, *truth_of(one, rows, points), options_.check);
   result.outcome = outcome_of(report.verdict);
   approximate_ += report.is_exact ? 0 : 1;
   partly_judged_ += report.not_judged.empty() ? 0 : 1;
-  for (Finding& finding : report.findings) {
-    if (finding.is_variation) continue;
-    if (result.wrong++ < kMostFindingsKept) result.findings.push_back(std::move(finding));
+  std::erase_if(report.findings, [](const Finding& finding) { return finding.is_variation; });
+  result.wrong = report.findings.size();
+  for (const Finding& finding : first_of_each_reason(report.findings)) {
+    FailedCase* const smallest = count_reason(one, result, reason_text(finding.reason));
+    if (smallest != nullptr) smallest->findings.push_back(finding);
   }
+  if (report.findings.size() > kMostFindingsKept) report.findings.resize(kMostFindingsKept);
+  result.findings = std::move(report.findings);
+}
+
+void Verification::judge_pairs(const AskedCase& one, const Answer& answer, FailedCase& result) {
+  const std::vector<ClaimedPair> claimed = claimed_pairs_of(answer.text, "answer");
+  const auto is_decimal = [](const ClaimedPair& pair) {
+    return !pair.birth.is_exact || (pair.death && !pair.death->is_exact);
+  };
+  approximate_ += std::ranges::any_of(claimed, is_decimal) ? 1 : 0;
+  auto differences = pair_differences(claimed, pairs_of(one, property::rows_of(one.input)), options_.check.tolerance);
+  result.outcome = differences.empty() ? Outcome::kConforms : Outcome::kFails;
+  result.wrong = differences.size();
+  std::set<std::string> known;
+  for (const PairDifference& difference : differences) {
+    const std::string reason = pair_reason_text(difference);
+    if (!known.insert(reason).second) continue;
+    FailedCase* const smallest = count_reason(one, result, reason);
+    if (smallest != nullptr) smallest->pair_findings.push_back(difference);
+  }
+  if (differences.size() > kMostFindingsKept) differences.resize(kMostFindingsKept);
+  result.pair_findings = std::move(differences);
+}
+
+std::vector<ListedPair> Verification::pairs_of(const AskedCase& one, const std::vector<Point>& rows) {
+  if (auto stored = cases_->stored_pairs(one.number)) return *std::move(stored);
+  const bool is_small = rows.size() <= kMostPointsForOraclePairs;
+  too_large_ += options_.by_oracle && !is_small ? 1 : 0;
+  return options_.by_oracle && is_small ? oracle_pairs(rows) : listed_pairs(FlowComplex(PointSet(rows)));
+}
+
+FailedCase Verification::judge(const AskedCase& one, const Answer& answer) {
+  FailedCase result;
+  result.id = answer.id;
+  try {
+    if (answer.is_refusal) {
+      result.outcome = Outcome::kRefused;
+      result.reason = printable(answer.text);
+    } else if (options_.judges_pairs) {
+      judge_pairs(one, answer, result);
+    } else {
+      judge_claim(one, answer, result);
+    }
+  } catch (const InvalidInput& error) {
+    result.outcome = Outcome::kUnreadable;
+    result.reason = error.what();
+  }
+  if (!result.reason.empty() || answer.is_refusal) count_reason(one, result, outcome_text(result.outcome));
   return result;
 }
 

@@ -3,7 +3,7 @@
 //
 // Guarantees: every case of the run has one outcome in the end, the unanswered ones too. Answers are judged one at a
 // time and forgotten. What is kept is a byte for each case, and a few findings for each of the first failing cases by
-// number, as many as asked for.
+// number, as many as asked for, and for the smallest case of each reason.
 #pragma once
 
 #include <array>
@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "flowcert/check.h"
+#include "flowcert/pair_differences.h"
 #include "fuzz/judge/asked_cases.h"
 #include "fuzz/judge/layer.h"
 #include "io/line_reader.h"
@@ -81,15 +82,25 @@ inline constexpr std::size_t kMostFindingsKept = 10;
 struct FailedCase {
   std::string id;
   Outcome outcome = Outcome::kFails;
-  std::string reason;             // of a refusal, or why the answer is unreadable; else empty
-  std::vector<Finding> findings;  // the first kMostFindingsKept that are wrong
-  std::size_t wrong = 0;          // how many there are
+  std::string reason;                         // of a refusal, or why the answer is unreadable; else empty
+  std::vector<Finding> findings;              // the first kMostFindingsKept that are wrong
+  std::vector<PairDifference> pair_findings;  // the same, of persistence pairs
+  std::size_t wrong = 0;                      // how many there are
+};
+
+// The cases in which something is wrong for one reason, and the smallest one of them.
+struct CasesOfReason {
+  std::size_t cases = 0;
+  std::size_t points = 0;  // of the smallest case; the first by number, if several are
+  std::size_t number = 0;
+  FailedCase smallest;  // with the first finding of this reason alone
 };
 
 struct VerificationOptions {
   CheckOptions check;
-  bool by_oracle = false;  // for drawn inputs of up to kMostPointsForOracle points
-  std::string vectors;     // the folder of the vectors that were asked, as given; may be empty
+  bool by_oracle = false;     // for drawn inputs of up to kMostPointsForOracle points
+  std::string vectors;        // the folder of the vectors that were asked, as given; may be empty
+  bool judges_pairs = false;  // answers are persistence pairs, not claims
   std::optional<std::size_t> only;
   std::size_t most_failures_kept = 0;
   std::string folder;  // for points and claims of failing cases; empty: not kept
@@ -122,6 +133,8 @@ class Verification {
 
   // By number.
   [[nodiscard]] const std::map<std::size_t, FailedCase>& failures() const { return failures_; }
+  // By reason of a finding, or "unreadable" or "refused". A case counts for each of its reasons.
+  [[nodiscard]] const std::map<std::string, CasesOfReason>& reasons() const { return reasons_; }
   // The first and the last number of each range, ascending.
   [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> unanswered_ranges() const;
 
@@ -137,7 +150,12 @@ class Verification {
  private:
   AskedCase case_of(const Answer& answer);
   FailedCase judge(const AskedCase& one, const Answer& answer);
+  void judge_claim(const AskedCase& one, const Answer& answer, FailedCase& result);
+  void judge_pairs(const AskedCase& one, const Answer& answer, FailedCase& result);
+  std::vector<ListedPair> pairs_of(const AskedCase& one, const std::vector<Point>& rows);
   std::unique_ptr<Truth> truth_of(const AskedCase& one, const std::vector<Point>& rows, const PointSet& points);
+  // Counts the case for a reason. Returns the place of its finding if it is the smallest case so far.
+  FailedCase* count_reason(const AskedCase& one, const FailedCase& failed, const std::string& reason);
   void keep(const AskedCase& one, const Answer& answer) const;
   [[nodiscard]] CountsByName counts_by(const std::vector<std::string>& names,
                                        const std::function<std::vector<std::string>(std::size_t)>& names_of) const;
@@ -147,6 +165,7 @@ class Verification {
   std::unique_ptr<AskedCases> cases_;  // none before the first answer
   std::vector<Outcome> outcomes_;      // by number
   std::map<std::size_t, FailedCase> failures_;
+  std::map<std::string, CasesOfReason> reasons_;
   std::size_t taken_ = 0;
   std::size_t approximate_ = 0;
   std::size_t partly_judged_ = 0;

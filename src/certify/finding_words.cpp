@@ -81,4 +81,14 @@ const Finding& telling_finding(const std::vector<Finding>& findings) {
   return of_a_point == findings.end() ? findings.front() : *of_a_point;
 }
 
+std::vector<Finding> first_of_each_reason(const std::vector<Finding>& findings) {
+  std::vector<Finding> first;
+  for (const Finding& finding : findings) {
+    const bool is_known = std::ranges::find(first, finding.reason, &Finding::reason) != first.end();
+    if (!finding.is_variation && !is_known) first.push_back(finding);
+  }
+  if (first.size() > 1) std::erase_if(first, [](const Finding& finding) { return finding.clause == kEulerClause; });
+  return first;
+}
+
 }  // namespace flowcert::certify

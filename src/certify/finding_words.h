@@ -29,4 +29,11 @@ namespace flowcert::certify {
 // and both must be sorted by level.
 [[nodiscard]] const Finding& telling_finding(const std::vector<Finding>& findings);
 
+// The clause of the Euler sum.
+inline constexpr char kEulerClause[] = "FC-INV-01";
+
+// The first wrong finding of each reason. A wrong Euler sum follows from whatever else is wrong with the points. So it
+// is a reason only if it is the only one.
+[[nodiscard]] std::vector<Finding> first_of_each_reason(const std::vector<Finding>& findings);
+
 }  // namespace flowcert::certify

@@ -12,6 +12,7 @@
 
 #include "certify/claimed_geometry.h"
 #include "certify/finding_words.h"
+#include "flowcert/flow_complex.h"
 
 namespace flowcert {
 
@@ -207,6 +208,15 @@ std::vector<PairDifference> differences_of(const LeftOver& left, bool in_doubles
 }
 
 }  // namespace
+
+std::vector<ListedPair> listed_pairs(const FlowComplex& complex) {
+  std::vector<ListedPair> pairs;
+  for (const PersistencePair& pair : complex.persistence().pairs()) {
+    pairs.push_back({pair.dimension, complex.sphere(pair.birth).squared_radius, std::nullopt});
+    if (pair.death) pairs.back().death = complex.sphere(*pair.death).squared_radius;
+  }
+  return pairs;
+}
 
 std::vector<PairDifference> pair_differences(const std::vector<ClaimedPair>& claimed,
                                              const std::vector<ListedPair>& truth, double tolerance) {

@@ -212,7 +212,7 @@ void check_euler_sum(CheckRun& run) {
   run.report.findings.push_back({3,
                                  FindingReason::kWrongCounts,
                                  false,
-                                 "FC-INV-01",
+                                 kEulerClause,
                                  std::nullopt,
                                  {},
                                  "an Euler sum of " + std::to_string(sum),

@@ -74,7 +74,9 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
   command->add_option("--junit", options->junit, "Write a JUnit report to this file, a test case a level")
       ->check(complaint_about_path);
   add_judging_options(*command, options->check, options->is_strict);
-  command->add_option("--most", options->most, "Show so many findings of each level; all, without this")
+  command
+      ->add_option("--most", options->most,
+                   "After one finding of each reason, show so many of each level; all, without this")
       ->check(CLI::NonNegativeNumber);
   add_threads_option(*command, options->threads);
   command->add_flag(

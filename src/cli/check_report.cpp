@@ -6,9 +6,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <ostream>
+#include <vector>
 
+#include "cli/reason_table.h"
+#include "cli/shortened_numbers.h"
 #include "cli/table.h"
+#include "cli/wrapped_text.h"
 #include "cli/xml_text.h"
 #include "io/number_text.h"
 
@@ -16,9 +21,14 @@ namespace flowcert::cli {
 
 namespace {
 
+constexpr std::size_t kFindingIndent = 4;
 constexpr std::array<const char*, kLevels> kLevelNames = {"well formed", "what is claimed is critical",
                                                           "nothing is missing, nothing twice, indices", "incidences",
                                                           "polylines and surfaces"};
+
+// For the table, which has to fit into a line.
+constexpr std::array<const char*, kLevels> kShortLevelNames = {
+    "well formed", "what is claimed is critical", "none missing, none twice", "incidences", "polylines and surfaces"};
 
 const char* truth_text(const CheckedFiles& files) { return files.by_oracle ? "oracle" : "fast implementation"; }
 const char* grade_text(const CheckReport& report) { return report.is_exact ? "exact" : "approximate"; }
@@ -41,21 +51,74 @@ std::array<LevelCount, kLevels> count_levels(const CheckReport& report) {
   return counts;
 }
 
-void print_findings(const CheckedFiles& files, const CheckReport& report, std::size_t most) {
-  std::size_t of_level = 0;
-  bool is_cut = false;
+// The reasons of what is wrong come first, then those of what is permitted. The numbers of examples are those of
+// findings. An example is small if its contact set is.
+std::vector<ReasonRow> reasons_of(const CheckReport& report) {
+  std::array<ReasonTally, 2> tallies;  // wrong, permitted
   for (std::size_t k = 0; k < report.findings.size(); ++k) {
-    if (k > 0 && report.findings[k].level != report.findings[k - 1].level) of_level = 0;
-    if (of_level++ < most) {
-      fmt::print("{}\n", finding_line(files.claim, report.findings[k]));
+    const Finding& finding = report.findings[k];
+    tallies.at(finding.is_variation ? 1 : 0).add(reason_text(finding.reason), finding.contact.size(), k);
+  }
+  std::vector<ReasonRow> rows = tallies[0].rows();
+  std::ranges::copy(tallies[1].rows(), std::back_inserter(rows));
+  return rows;
+}
+
+const char* word_of(const Finding& finding) {
+  if (!finding.is_variation) return "wrong";
+  return finding.is_decided ? "permitted" : "not decided";
+}
+
+std::string place_of(const std::string& claim, const Finding& finding) {
+  return finding.line ? fmt::format("{}:{}", claim, *finding.line) : claim;
+}
+
+void print_reason_table(const CheckedFiles& files, const CheckReport& report, const std::vector<ReasonRow>& reasons) {
+  Table table("llrl", {"reason", "", "findings", "smallest example"});
+  for (const ReasonRow& row : reasons) {
+    const Finding& finding = report.findings[row.example];
+    table.row(row.reason).cell(word_of(finding)).cell(row.count).cell(place_of(files.claim, finding));
+  }
+  table.print();
+  fmt::print("\n");
+}
+
+// First one example of each reason, then all others, level by level.
+void print_findings(const CheckedFiles& files, const CheckReport& report, std::size_t most) {
+  if (report.findings.empty()) return;
+  const std::vector<ReasonRow> reasons = reasons_of(report);
+  if (report.findings.size() > 1) print_reason_table(files, report, reasons);
+  std::vector<bool> is_shown(report.findings.size(), false);
+  for (const ReasonRow& row : reasons) {
+    is_shown[row.example] = true;
+    fmt::print("{}\n", finding_text(files.claim, report.findings[row.example]));
+  }
+  std::array<std::size_t, kLevels> of_level{};
+  bool is_cut = false;
+  if (report.findings.size() > reasons.size()) fmt::print("\n");
+  for (std::size_t k = 0; k < report.findings.size(); ++k) {
+    if (is_shown[k]) continue;
+    if (of_level.at(static_cast<std::size_t>(report.findings[k].level - 1))++ < most) {
+      fmt::print("{}\n", finding_text(files.claim, report.findings[k]));
     } else {
       is_cut = true;
     }
   }
-  if (is_cut) {
-    fmt::print("(of each level, {} at most are shown)\n", with_commas(most));
+  if (is_cut) fmt::print("(of each level, {} more at most are shown)\n", with_commas(most));
+  fmt::print("\n");
+}
+
+Json reasons_field(const CheckReport& report) {
+  Json reasons = Json::array();
+  for (const ReasonRow& row : reasons_of(report)) {
+    Json field;
+    field["reason"] = row.reason;
+    field["permitted"] = report.findings[row.example].is_variation;
+    field["findings"] = row.count;
+    field["example"] = row.example;
+    reasons.push_back(std::move(field));
   }
-  if (!report.findings.empty()) fmt::print("\n");
+  return reasons;
 }
 
 std::string level_verdict(const std::optional<bool>& conforms, const LevelCount& count) {
@@ -66,7 +129,7 @@ void print_levels(const CheckReport& report) {
   const auto counts = count_levels(report);
   Table table("lllrr", {"level", "", "verdict", "wrong", "permitted"});
   for (std::size_t k = 0; k < kLevels; ++k) {
-    table.row(fmt::format("{}", k + 1)).cell(kLevelNames.at(k));
+    table.row(fmt::format("{}", k + 1)).cell(kShortLevelNames.at(k));
     table.cell(level_verdict(report.conforms.at(k), counts.at(k)));
     table.cell(counts.at(k).wrong).cell(counts.at(k).varied);
   }
@@ -111,12 +174,12 @@ void write_level(std::ostream& out, const CheckedFiles& files, const CheckReport
 }  // namespace
 
 std::string finding_line(const std::string& claim, const Finding& finding) {
-  const std::string place = finding.line ? fmt::format("{}:{}", claim, *finding.line) : claim;
-  return fmt::format("{}: {}, level {}: {} [{}]: claimed {}; truth: {}", place,
-                     !finding.is_variation ? "wrong"
-                     : finding.is_decided  ? "permitted"
-                                           : "not decided",
+  return fmt::format("{}: {}, level {}: {} [{}]: claimed {}; truth: {}", place_of(claim, finding), word_of(finding),
                      finding.level, reason_text(finding.reason), finding.clause, finding.claimed, finding.truth);
+}
+
+std::string finding_text(const std::string& claim, const Finding& finding) {
+  return wrapped(with_short_numbers(finding_line(claim, finding)), kFindingIndent);
 }
 
 Json finding_field(const Finding& finding) {
@@ -142,11 +205,14 @@ void print_check_text(const CheckedFiles& files, const CheckReport& report, std:
   }
   fmt::print("\n");
   print_levels(report);
-  for (const std::string& what : report.not_judged) fmt::print("not judged: {}\n", what);
-  for (const std::string& what : report.not_decided) fmt::print("not decided: {}\n", what);
-  fmt::print("\n{} ({}", verdict_text(report.verdict), grade_text(report));
-  if (!report.is_exact) fmt::print(", tolerance {} of the radius", files.tolerance);
-  fmt::print("; truth by the {})\n", truth_text(files));
+  for (const std::string& what : report.not_judged) fmt::print("{}\n", wrapped("not judged: " + what, kFindingIndent));
+  for (const std::string& what : report.not_decided) {
+    fmt::print("{}\n", wrapped("not decided: " + what, kFindingIndent));
+  }
+  const std::string tolerance = report.is_exact ? "" : fmt::format(", tolerance {} of the radius", files.tolerance);
+  fmt::print("\n{}\n", wrapped(fmt::format("{} ({}{}; truth by the {})", verdict_text(report.verdict),
+                                           grade_text(report), tolerance, truth_text(files)),
+                               kFindingIndent));
 }
 
 void print_check_json(const CheckedFiles& files, const CheckReport& report, const PointSet& points) {
@@ -159,6 +225,7 @@ void print_check_json(const CheckedFiles& files, const CheckReport& report, cons
   json["claimed"] = report.claimed_counts;
   json["critical"] = files.highest_level < 2 ? Json(nullptr) : Json(report.true_counts);
   json["levels"] = levels_field(report);
+  json["reasons"] = reasons_field(report);
   json["not_judged"] = report.not_judged;
   json["not_decided"] = report.not_decided;
   Json& findings = json["findings"] = Json::array();

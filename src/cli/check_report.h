@@ -28,9 +28,11 @@ struct CheckedFiles {
 
 // "CLAIM:LINE: wrong, level 2: ..."
 [[nodiscard]] std::string finding_line(const std::string& claim, const Finding& finding);
+// The same for people: in lines of at most 80 columns, and with long numbers shortened in the middle.
+[[nodiscard]] std::string finding_text(const std::string& claim, const Finding& finding);
 [[nodiscard]] Json finding_field(const Finding& finding);
 
-// Shows at most `most` findings of each level. The table of levels counts all of them.
+// Shows one finding of each reason first, and then at most `most` others of each level. The tables count all of them.
 void print_check_text(const CheckedFiles& files, const CheckReport& report, std::size_t most);
 void print_check_json(const CheckedFiles& files, const CheckReport& report, const PointSet& points);
 void write_check_junit(std::ostream& out, const CheckedFiles& files, const CheckReport& report);

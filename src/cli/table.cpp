@@ -41,6 +41,17 @@ Table& Table::cell(std::string text) {
   return *this;
 }
 
+void Table::leave_out_zeros(std::size_t from) {
+  for (std::size_t k = alignment_.size(); k-- > from;) {
+    const bool has_zeros =
+        std::all_of(rows_.begin() + 1, rows_.end(), [&](const auto& row) { return k < row.size() && row[k] == "0"; });
+    if (!has_zeros) continue;
+    const auto place = static_cast<std::ptrdiff_t>(k);
+    alignment_.erase(k, 1);
+    for (auto& row : rows_) row.erase(row.begin() + place);
+  }
+}
+
 Table& Table::cell(std::size_t number) { return cell(with_commas(number)); }
 
 std::string seconds_text(double seconds) {

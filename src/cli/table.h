@@ -1,6 +1,7 @@
 // Tables for people, on standard output.
 #pragma once
 
+#include <cstddef>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -28,12 +29,15 @@ class Table {
   Table& cell(std::string text);
   Table& cell(std::size_t number);  // with commas
 
+  // Leaves out each column from this one on (0 is the first) that has only zeros below its title.
+  void leave_out_zeros(std::size_t from);
+
   // The number of rows, with the line of titles.
   [[nodiscard]] std::size_t height() const { return rows_.size(); }
   void print() const { print_columns(rows_, alignment_); }
 
  private:
-  std::string_view alignment_;
+  std::string alignment_;
   std::vector<std::vector<std::string>> rows_;
 };
 

@@ -4,8 +4,9 @@
 //   answering_program FORM [FAULT NUMBER]...
 //
 // FORM is exchange, csv (exact), decimals, rounded (decimals of 8 digits), contacts (csv without positions),
-// perturbed (csv, with an index-1 and an index-2 point for right triangles) or giesen-kuehne (contact sets
-// must be simplices; incidences are left out). A FAULT is made at the case with that number in the stream:
+// perturbed (csv, with an index-1 and an index-2 point for right triangles), giesen-kuehne (contact sets
+// must be simplices; incidences are left out), or persistence pairs: pairs (exact) and diagram (lines of decimals).
+// A FAULT is made at the case with that number in the stream:
 // drop, index, unreadable, none (an answer without lines), refuse, skip, twice, other-id, stray, cut (ends in
 // the answer).
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "flowcert/pair_differences.h"
 #include "flowcert/rational.h"
 #include "flowcert/read_points.h"
 #include "flowcert/write_stationary_points.h"
@@ -83,8 +85,34 @@ void add_right_triangle(std::vector<std::string>& lines, const Case& one, std::s
   lines.push_back(csv_line("csv", 2, sphere, contact));
 }
 
+// "0 0 1.25", or the same as a line of JSON.
+std::string pair_line(const std::string& form, const ListedPair& pair) {
+  if (form == "diagram") {
+    const auto word = [](const Rational& value) { return decimal(value, false); };
+    return std::to_string(pair.dimension) + ' ' + word(pair.birth) + ' ' + (pair.death ? word(*pair.death) : "inf");
+  }
+  const auto point = [](const Rational& value) { return R"({"squared_distance":")" + to_text(value) + R"("})"; };
+  return R"({"dimension":)" + std::to_string(pair.dimension) + R"(,"birth":)" + point(pair.birth) + R"(,"death":)" +
+         (pair.death ? point(*pair.death) : "null") + "}";
+}
+
+// One pair a line.
+std::vector<std::string> pair_lines(const std::string& form, const FlowComplex& complex) {
+  std::vector<std::string> lines;
+  for (const ListedPair& pair : listed_pairs(complex)) lines.push_back(pair_line(form, pair));
+  return lines;
+}
+
+// A list of JSON lines as one object.
+void join_pairs(std::vector<std::string>& lines) {
+  std::string object = R"({"pairs":[)";
+  for (std::size_t k = 0; k < lines.size(); ++k) object += (k == 0 ? "" : ",") + lines[k];
+  lines = {object + "]}"};
+}
+
 std::vector<std::string> lines_of(const std::string& form, const Case& one) {
   const FlowComplex complex(one.points);
+  if (form == "pairs" || form == "diagram") return pair_lines(form, complex);
   const StationaryPoints& found = complex.stationary();
   std::vector<std::string> lines;
   if (form == "exchange") {
@@ -125,6 +153,7 @@ bool answer(const std::string& form, const Case& one, const std::string& fault) 
   if (fault == "stray") std::cout << "thinking about it" << std::endl;
   std::vector<std::string> lines = lines_of(form, one);
   damage(lines, fault);
+  if (form == "pairs") join_pairs(lines);
   for (int time = 0; time < (fault == "twice" ? 2 : 1); ++time) {
     std::cout << "# here it is\n\nanswer " << (fault == "other-id" ? "0" : "") << one.id << '\n';
     for (const std::string& line : lines) std::cout << line << '\n';

@@ -227,12 +227,13 @@ TEST(CheckCommand, JudgesAnotherImplementationWhereItIsDetermined) {
   EXPECT_EQ(text.status, 0);
   EXPECT_EQ(other.run({"--strict"}).status, 1);
   EXPECT_EQ(other.run({"--strict"}).out, text.out);
-  EXPECT_NE(text.out.find("claim:5: permitted, level 2: symbolic-perturbation [FC-CLAIM-04]: claimed index 1, "
-                          "contact set 3 4; truth: a regular stationary point of kind 1-2, contact set 1 3 4\n"),
+  const std::string said = unbroken(text.out);
+  EXPECT_NE(said.find("claim:5: permitted, level 2: symbolic-perturbation [FC-CLAIM-04]: claimed index 1, "
+                      "contact set 3 4; truth: a regular stationary point of kind 1-2, contact set 1 3 4\n"),
             std::string::npos)
       << text.out;
-  EXPECT_NE(text.out.find("\nperturbed (approximate, tolerance 1e-09 of the radius; truth by "
-                          "the fast implementation)\n"),
+  EXPECT_NE(said.find("\nperturbed (approximate, tolerance 1e-09 of the radius; truth by "
+                      "the fast implementation)\n"),
             std::string::npos)
       << text.out;
   EXPECT_EQ(other.as_json({"--tolerance", "1e-15"})["verdict"], "fails") << "radii are off by 1e-13";
@@ -252,10 +253,11 @@ TEST(CheckCommand, TellsWhatIsNotDecided) {
   ASSERT_EQ(report["not_decided"].size(), 1U);
   const Finished text = square.run();
   EXPECT_EQ(text.status, 0);
-  EXPECT_NE(text.out.find("claim:9: not decided, level 2: symbolic-perturbation [FC-CLAIM-04]: claimed index 1"),
+  const std::string said = unbroken(text.out);
+  EXPECT_NE(said.find("claim:9: not decided, level 2: symbolic-perturbation [FC-CLAIM-04]: claimed index 1"),
             std::string::npos)
       << text.out;
-  EXPECT_NE(text.out.find("\nnot decided: whether one perturbation makes all that is claimed"), std::string::npos);
+  EXPECT_NE(said.find("\nnot decided: whether one perturbation makes all that is claimed"), std::string::npos);
   EXPECT_EQ(square.run({"--strict"}).status, 1);
 }
 
@@ -281,8 +283,28 @@ TEST(CheckCommand, NamesWhatIsMissing) {
   EXPECT_EQ(named, expected);
   const Finished text = missing.run({"--levels", "3", "--most", "1"});
   EXPECT_EQ(text.status, 1);
-  EXPECT_NE(text.out.find("(of each level, 1 at most are shown)"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("(of each level, 1 more at most are shown)"), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("\nfails ("), std::string::npos) << text.out;
+}
+
+// A table of reasons comes first, and one finding of each reason is shown whatever --most says.
+TEST(CheckCommand, SaysWhyFirst) {
+  CITES("FC-CLAIM-02", "FC-CLAIM-03");
+  const Checked square(std::string("1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n"),
+                       std::string("0,1,0,0\n0,-1,0,0\n2,,,,,0,1,2\n1,,,,,1,2\n1,,,,,1,2\n"));
+  const json reasons = square.as_json()["reasons"];
+  ASSERT_EQ(reasons.size(), 3U) << reasons;
+  EXPECT_EQ(reasons[0], json({{"reason", "missing"}, {"permitted", false}, {"findings", 5}, {"example", 5}}));
+  EXPECT_EQ(reasons[1]["reason"], "claimed-twice");
+  EXPECT_EQ(reasons[2], json({{"reason", "spanning-part"}, {"permitted", true}, {"findings", 1}, {"example", 0}}));
+  const Finished text = square.run({"--most", "0"});
+  EXPECT_TRUE(
+      text.out.starts_with("  reason                    findings  smallest example\n"
+                           "  missing        wrong             5  "))
+      << text.out;
+  for (const char* reason : {": missing [", ": claimed-twice [", ": spanning-part ["}) {
+    EXPECT_NE(unbroken(text.out).find(reason), std::string::npos) << reason;
+  }
 }
 
 // One thing is wrong in a record of our own. The finding names the line.

@@ -15,6 +15,7 @@
 
 #include "tests/cites.h"
 #include "tests/conformance/campaign_account.h"
+#include "tests/conformance/case_texts.h"
 #include "tests/conformance/program_run.h"
 
 namespace flowcert::conformance {
@@ -179,6 +180,67 @@ TEST(FuzzCommand, FindsWhatIsWrongWithCosphericalPointsAndMakesItSmall) {
     EXPECT_EQ(again.status, 1) << path << again.err;
     EXPECT_EQ(flowcert({"fuzz", "--replay", path, "--property", "critical-points"}).status, 0) << path;
     EXPECT_EQ(flowcert({"compute", path}).status, 0) << path;
+  }
+}
+
+// What is ignored is looked for no more, and what is known is no failure.
+TEST(FuzzCommand, GoesOnBeyondWhatIsKnown) {
+  CITES("FC-CLAIM-03");
+  const Scratch scratch;
+  const std::string folder = scratch.path("campaign"), cluster = "against missed-by-cluster";
+  const Words command = {"--count", "60", "--against", peer("--strict")};
+  const json all = campaign(joined(command, {"--out", folder}), 1);
+  ASSERT_TRUE(all.at("failures").contains(cluster)) << all.at("failures");
+  EXPECT_FALSE(all.contains("explained"));
+  std::size_t cases = 0;
+  for (const json& kind : all.at("kinds")) cases += kind.at("cases").get<std::size_t>();
+  EXPECT_GE(cases, all.at("failing_cases"));
+  for (std::size_t k = 1; k < all.at("kinds").size(); ++k) {
+    EXPECT_GE(all.at("kinds")[k - 1].at("cases"), all.at("kinds")[k].at("cases"));
+  }
+
+  const json without = campaign(joined(command, {"--out", scratch.path("2"), "--ignore", "missed-by-cluster"}), 1);
+  EXPECT_FALSE(without.at("failures").contains(cluster)) << without.at("failures");
+  EXPECT_EQ(without.at("ignored"), json({"missed-by-cluster"}));
+  // Going on means the same.
+  const json more = campaign({"--resume", scratch.path("2"), "--count", "90"}, 1);
+  EXPECT_FALSE(more.at("failures").contains(cluster)) << more.at("failures");
+
+  const json known = campaign(joined(command, {"--out", scratch.path("3"), "--known", folder}), 0);
+  EXPECT_EQ(known.at("explained"), known.at("findings").size());
+  EXPECT_EQ(known.at("failing_cases"), all.at("failing_cases"));
+  EXPECT_TRUE(known.at("kinds")[0].at("explained"));
+  // One file explains its own finding. What is new comes first.
+  const std::string file = folder + "/findings/" + "against-missed-by-cluster-" +
+                           std::to_string(all.at("failing").at(cluster)[0].get<std::size_t>()) + ".xyz";
+  const json some = campaign({"--resume", folder, "--count", "60", "--known", file}, 1);
+  EXPECT_EQ(some.at("explained"), 1);
+  EXPECT_TRUE(some.at("kinds").back().at("explained")) << some.at("kinds");
+  EXPECT_FALSE(some.at("kinds")[0].at("explained"));
+
+  EXPECT_EQ(flowcert(joined({"fuzz", "--ignore", "misses"}, command)).status, 2);
+  EXPECT_EQ(flowcert({"fuzz", "--count", "5", "--ignore", "missing"}).status, 2);
+  const std::string plain = scratch.file("plain.xyz", "0 0 0\n");
+  const Finished refused = flowcert(joined({"fuzz", "--known", plain}, command));
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("does not say of which property and kind"), std::string::npos) << refused.err;
+}
+
+TEST(FuzzCommand, JudgesPersistencePairs) {
+  CITES("FC-CLAIM-11");
+  const Scratch scratch;
+  const std::string right = std::string(FLOWCERT_PROGRAM) + " persistence {in} --json";
+  const json report = campaign({"--count", "60", "--persistence-against", right, "--out", scratch.path("right")}, 0);
+  EXPECT_EQ(report.at("by_property"), json({{"persistence-against", 60}}));
+  // It loses the last pair.
+  const std::string wrong = std::string(FLOWCERT_PROGRAM) + " persistence {in} -o - | sed '$d'; true";
+  const std::string folder = scratch.path("wrong");
+  const json lost = campaign({"--count", "20", "--persistence-against", wrong, "--out", folder}, 1);
+  EXPECT_GT(lost.at("failures").at("persistence-against wrong-pair"), 5);
+  for (const auto& entry : fs::directory_iterator(folder + "/findings")) {
+    const std::string path = entry.path().string();
+    EXPECT_EQ(flowcert({"fuzz", "--replay", path, "--persistence-against", wrong}).status, 1) << path;
+    EXPECT_EQ(flowcert({"fuzz", "--replay", path, "--persistence-against", right}).status, 0) << path;
   }
 }
 

@@ -115,6 +115,45 @@ TEST(Verify, PermittedVariationsAreNoFailures) {
   }
 }
 
+TEST(Verify, RightPairsOfEveryFamilyConform) {
+  CITES("FC-CLAIM-11", "FC-PERS-01");
+  const Pipe pipe({"--cases", "160"}, {"pairs"});
+  const json report = pipe.as_json({"--persistence"});
+  EXPECT_EQ(report["verdict"], "conforms") << report;
+  EXPECT_EQ(report["approximate"], 0);
+  EXPECT_EQ(pipe.as_json({"--persistence", "--oracle"})["verdict"], "conforms");
+  const json diagrams = Pipe({"--cases", "40", "--family", "lattice-3"}, {"diagram"}).as_json({"--persistence"});
+  EXPECT_EQ(diagrams["verdict"], "conforms") << diagrams;
+  EXPECT_GT(diagrams["approximate"], 30);
+}
+
+TEST(Verify, FindsWrongPairs) {
+  CITES("FC-CLAIM-11");
+  const Pipe pipe({"--cases", "20", "--family", "lattice-3"}, {"pairs", "drop", "3", "drop", "5", "refuse", "7"});
+  const json report = pipe.as_json({"--persistence"});
+  EXPECT_EQ(report["fails"], 2);
+  EXPECT_EQ(report["reasons"][0]["reason"], "wrong-pair");
+  EXPECT_EQ(report["reasons"][0]["cases"], 2);
+  const json& failure = report["failures"][0];
+  EXPECT_EQ(failure["number"], 3);
+  EXPECT_EQ(failure["findings"], json::array());
+  ASSERT_EQ(failure["persistence_findings"].size(), 1U);
+  EXPECT_EQ(failure["persistence_findings"][0]["reason"], "wrong-pair");
+  EXPECT_EQ(failure["persistence_findings"][0]["claimed"], "no such pair");
+  const Finished text = pipe.verify({"--persistence"});
+  EXPECT_TRUE(contains(unbroken(text.out), "  answer: wrong, persistence: claimed no such pair; truth: dimension "))
+      << text.out;
+  // A claim is no list of pairs.
+  EXPECT_EQ(Pipe({"--cases", "3"}, {"csv"}).as_json({"--persistence"})["unreadable"], 3);
+}
+
+// A vector that has persistence pairs says what is right.
+TEST(Verify, JudgesThePairsOfVectors) {
+  CITES("FC-CLAIM-11", "FC-PERS-01");
+  const json report = Pipe({"--vectors"}, {"pairs"}).as_json({"--persistence"});
+  EXPECT_EQ(report["verdict"], "conforms") << report["reasons"];
+}
+
 TEST(Verify, TheOracleAgrees) {
   CITES("FC-CLAIM-03");
   // Some cases are large, and the oracle is not asked about them.
@@ -176,27 +215,36 @@ TEST(Verify, FindsEachWrongAnswer) {
 
 TEST(Verify, ReportsToPeople) {
   CITES("FC-CLAIM-03");
-  const Pipe pipe({"--seed", "7", "--cases", "80"},
-                  {"csv", "drop", "3", "unreadable", "12", "refuse", "40", "skip", "50", "skip", "51", "skip", "70"});
+  const Pipe pipe({"--seed", "7", "--cases", "80"}, {"csv", "drop", "3", "unreadable", "12", "refuse", "40", "refuse",
+                                                     "41", "skip", "50", "skip", "51", "skip", "70"});
   const Words ids = ids_of(pipe.cases());
   const Finished text = pipe.verify();
   EXPECT_EQ(text.status, 1);
   EXPECT_EQ(text.err, "");
   EXPECT_TRUE(contains(text.out, "family"));
+  EXPECT_TRUE(
+      text.out.starts_with("  reason      cases  smallest example\n"
+                           "  refused         2  case 40 (few-points), 4 points\n"
+                           "  missing         1  case 3 (lattice-4), "))
+      << text.out;
   EXPECT_TRUE(contains(text.out, "\ncase " + ids[3] + " (lattice-4) fails on level 3\n  answer: wrong, level 3: "))
       << text.out;
   EXPECT_TRUE(contains(text.out, "  its points: flowcert generate --level 1 --seed 7 --cases 80 --only 3\n"));
   EXPECT_TRUE(contains(text.out, "\ncase " + ids[12] + " (coplanar-lattice) unreadable: answer:"));
   EXPECT_TRUE(contains(text.out, "\ncase " + ids[40] + " (few-points) refused: too hard <for me>\n"));
   EXPECT_TRUE(contains(text.out, "\nunanswered cases: 50-51, 70\n"));
-  EXPECT_TRUE(contains(text.out, "\nfails: 74 of 80 cases are right; truth by the fast implementation\n"));
+  EXPECT_TRUE(contains(text.out, "\nfails: 73 of 80 cases are right; truth by the fast implementation\n"));
   EXPECT_FALSE(contains(text.out, "--most"));
 
-  const Finished less = pipe.verify({"--most", "1"});
+  // An example of each reason is always there.
+  const Finished less = pipe.verify({"--most", "0"});
   EXPECT_EQ(less.status, 1);
-  EXPECT_TRUE(contains(less.out, ids[3]));
-  EXPECT_FALSE(contains(less.out, ids[12]));
-  EXPECT_TRUE(contains(less.out, "\n(1 of 3 failing cases are shown; --most N shows N)\n")) << less.out;
+  for (const std::size_t number : {3, 12, 40}) EXPECT_TRUE(contains(less.out, ids[number]));
+  EXPECT_FALSE(contains(less.out, ids[41]));
+  EXPECT_TRUE(contains(less.out, "\n(3 of 4 failing cases are shown; --most N shows N)\n")) << less.out;
+  const json reasons = pipe.as_json()["reasons"];
+  ASSERT_EQ(reasons.size(), 3U);
+  EXPECT_EQ(reasons[0], json({{"reason", "refused"}, {"cases", 2}, {"smallest", 40}, {"smallest_points", 4}}));
 }
 
 TEST(Verify, SaysHowManyAnswersAreApproximate) {

@@ -62,6 +62,16 @@ inline std::string content_of(const std::string& path) {
   return bytes.str();
 }
 
+// The text with the lines joined again that were broken because they were too wide: the later parts are indented by four
+// blanks.
+inline std::string unbroken(std::string text) {
+  constexpr std::string_view kBreak = "\n    ";
+  for (std::size_t at = text.find(kBreak); at != std::string::npos; at = text.find(kBreak, at)) {
+    text.replace(at, kBreak.size(), " ");
+  }
+  return text;
+}
+
 inline std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream in(text);

@@ -21,15 +21,6 @@ namespace {
 constexpr int kInputsPerFamily = 20;
 constexpr double kTolerance = 1e-9;
 
-std::vector<ListedPair> true_pairs(const FlowComplex& complex) {
-  std::vector<ListedPair> pairs;
-  for (const PersistencePair& pair : complex.persistence().pairs()) {
-    pairs.push_back({pair.dimension, complex.sphere(pair.birth).squared_radius, std::nullopt});
-    if (pair.death) pairs.back().death = complex.sphere(*pair.death).squared_radius;
-  }
-  return pairs;
-}
-
 // A value that no double has stays exact.
 ClaimedNumber with_digits(const Rational& value, int digits) {
   const std::optional<double> nearest = nearest_double(value);
@@ -96,7 +87,7 @@ TEST(PairClaims, AreJudged) {
                                           "other death", "other birth", "other end"};
   std::map<std::string, std::size_t> made;
   on_all_families<ClaimSubject>(fuzz::families(), kInputsPerFamily, [&](const ClaimSubject& subject) {
-    const std::vector<ListedPair> truth = true_pairs(subject.complex);
+    const std::vector<ListedPair> truth = listed_pairs(subject.complex);
     std::ostringstream text;
     text << subject.input;
     for (const int digits : {17, 12}) {

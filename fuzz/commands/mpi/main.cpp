@@ -16,6 +16,7 @@
 
 #include "cli/command.h"
 #include "fuzz/commands/fuzz_report.h"
+#include "fuzz/commands/known_findings.h"
 #include "fuzz/commands/mpi/ranks.h"
 #include "fuzz/judge/conformance_words.h"
 #include "fuzz/judge/limited_program.h"
@@ -78,7 +79,7 @@ int report(const FuzzRun& run, const LedCampaign& led, bool json) {
   const bool is_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (!is_written) return complain("standard output cannot be written");
   if (led.is_deserted) return complain("no rank is left; what was kept by --out goes on by --resume");
-  return verdict_of(run.campaign);
+  return verdict_of(run);
 }
 
 // Returns the exit status. `ranks` counts the other ranks that can be expected to end.
@@ -87,6 +88,7 @@ int lead_campaign(RankLines& lines, const FuzzMpiOptions& options, int& ranks) {
     print_families();
     return kRight;
   }
+  const KnownFindings known(options.known);
   fuzz::Campaign campaign = campaign_of(options);
   const std::size_t before = campaign.tally().cases;
   const Interruption interruption;
@@ -99,7 +101,7 @@ int lead_campaign(RankLines& lines, const FuzzMpiOptions& options, int& ranks) {
   }
   ranks -= led.silent_ranks;
   const auto workers = static_cast<unsigned>(lines.size() - 1);
-  return report({campaign, seconds, campaign.tally().cases - before, workers, Interruption::signal() != 0}, led,
+  return report({campaign, known, seconds, campaign.tally().cases - before, workers, Interruption::signal() != 0}, led,
                 options.json);
 }
 

@@ -12,6 +12,11 @@
 
 namespace flowcert {
 
+class FlowComplex;
+
+// The pairs of positive length and the class that lasts, as persistence() finds them. This computes them if need be.
+[[nodiscard]] std::vector<ListedPair> listed_pairs(const FlowComplex& complex);
+
 // A pair that only one of the lists has, or two such pairs, one of each list.
 struct PairDifference {
   std::string claimed;  // in words
