@@ -227,7 +227,11 @@ int main(int argc, char** argv) {
     if (std::cout) return status;
     std::cerr << "flowcert-oracle: standard output cannot be written\n";
   } catch (const std::exception& error) {
-    std::cerr << "flowcert-oracle: " << error.what() << '\n';
+    // A path may hold a line's end, but an error is one line.
+    std::string line = error.what();
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return (c >= 0 && c < 0x20) || c == 0x7f; }, '?');
+    std::cerr << "flowcert-oracle: " << line << '\n';
   }
   return kUnusable;
 }

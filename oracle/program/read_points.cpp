@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 namespace oracle {
 
@@ -39,6 +40,12 @@ std::vector<std::string> blank_separated(const std::string& line) {
   std::vector<std::string> words;
   for (std::string word; in >> word;) words.push_back(word);
   return words;
+}
+
+// "x,y,z", in any case. Further names of columns may follow.
+bool names_columns(const std::vector<std::string>& words) {
+  return words.size() >= 3 && (words[0] == "x" || words[0] == "X") && (words[1] == "y" || words[1] == "Y") &&
+         (words[2] == "z" || words[2] == "Z");
 }
 
 }  // namespace
@@ -71,6 +78,7 @@ double number(const std::string& word, const std::string& where) {
 std::vector<std::array<double, 3>> read_points(std::istream& in, const std::string& name, PointFormat format) {
   std::vector<std::array<double, 3>> points;
   bool only_white_space = true;
+  bool is_first = true;
   std::size_t line_number = 0;
   for (std::string line; std::getline(in, line);) {
     const std::string where = name + ":" + std::to_string(++line_number) + ": ";
@@ -82,6 +90,7 @@ std::vector<std::array<double, 3>> read_points(std::istream& in, const std::stri
       if (words[0] != "v") continue;
       words.erase(words.begin());
     }
+    if (std::exchange(is_first, false) && format == PointFormat::kXyz && names_columns(words)) continue;
     if (words.size() < 3) {
       throw UnusableInput(where + "three numbers expected, found " + std::to_string(words.size()));
     }

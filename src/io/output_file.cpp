@@ -98,9 +98,11 @@ void remove_temporary(const std::string& temporary) {
 }  // namespace
 
 OutputFile::OutputFile(const std::string& path) : path_(path) {
-  if (std::filesystem::is_directory(path_)) fail("Is a directory");
+  // What cannot be found out here, in a folder that may not be entered, is told when the file is made.
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path_, ignored)) fail("Is a directory");
   // /dev/stdout or a named pipe is no regular file, and cannot be replaced by renaming.
-  if (std::filesystem::exists(path_) && !std::filesystem::is_regular_file(path_)) {
+  if (std::filesystem::exists(path_, ignored) && !std::filesystem::is_regular_file(path_, ignored)) {
     stream_.open(path_, std::ios::binary);
     if (!stream_) fail(std::strerror(errno));
     return;

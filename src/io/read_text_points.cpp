@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "io/line_reader.h"
 #include "io/number_text.h"
@@ -17,15 +18,47 @@ namespace flowcert::io {
 // starts a comment.
 //
 // CGAL's reader takes no commas, no hexadecimal floats and no fourth column, and silently skips a leading count. Here
-// a line without three numbers is an error. So a leading count and a table's headings are errors.
+// a line without three numbers is an error, and so is a leading count. Only the names x, y, z may stand above.
+namespace {
+
+// "x,y,z", in any case. Further names of columns may follow.
+bool names_columns(std::string_view line) {
+  Fields fields(line, Separators::kBlanksAndCommas);
+  std::string_view field;
+  for (const char axis : {'x', 'y', 'z'}) {
+    if (!fields.next(field) || field.size() != 1 || (field[0] | 0x20) != axis) return false;
+  }
+  return true;
+}
+
+// Whether some numbers have a comma between them, and others blanks alone.
+bool mixes_separators(std::string_view line) {
+  if (line.find(',') == std::string_view::npos) return false;
+  Fields by_commas(line, Separators::kBlanksAndCommas);
+  std::string_view field;
+  std::size_t count = 0;
+  while (by_commas.next(field)) ++count;
+  return count > static_cast<std::size_t>(std::ranges::count(line, ',')) + 1;
+}
+
+}  // namespace
 
 PointFile read_xyz(std::string_view text, std::string_view file) {
   PointFile points;
   LineReader lines(text, file);
   std::string_view line;
+  bool is_first = true;
   while (lines.next_uncommented(line)) {
+    if (std::exchange(is_first, false) && names_columns(line)) continue;
     Fields fields(line, Separators::kBlanksAndCommas);
     points.rows.push_back(first_three(fields, lines.place()));
+    std::string_view further;
+    if (points.line_of_further_columns == 0 && fields.next(further)) {
+      points.line_of_further_columns = lines.place().line;
+    }
+    if (points.line_of_mixed_separators == 0 && mixes_separators(line)) {
+      points.line_of_mixed_separators = lines.place().line;
+    }
   }
   return points;
 }

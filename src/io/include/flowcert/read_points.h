@@ -22,6 +22,10 @@ struct PointFile {
   // The file declares 32-bit floats but holds decimals (ascii PLY). The rows are still the doubles nearest to the
   // decimals.
   bool declares_single_precision = false;
+  // The first line of an XYZ file with more than three numbers, and the first with a comma between two of its numbers
+  // and blanks alone between others, as in "0,1 2 3". 0: there is none.
+  std::size_t line_of_further_columns = 0;
+  std::size_t line_of_mixed_separators = 0;
   // The format that the file was read as: "xyz", "off", "ply" or "obj".
   std::string format;
 };
