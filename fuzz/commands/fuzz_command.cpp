@@ -171,12 +171,14 @@ void add_fuzz_command(CLI::App& app, int& status) {
       "there are. Ctrl-C stops after the cases under way, or after two seconds; --resume goes on, after a "
       "kill as well.\n\n"
       "Examples:\n  flowcert fuzz --time 60 --jobs 2\n"
-      "  flowcert fuzz --count 1000000 --property critical-points --property orbit --out campaign\n"
+      "  flowcert fuzz --count 1000000 --property critical-points --property orbit \\\n"
+      "    --out campaign\n"
       "  flowcert fuzz --resume campaign --jobs 2\n"
       "  flowcert fuzz --resume campaign --case 4711\n"
-      "  flowcert fuzz --time 60 --against \"$PWD/my-flow {in} {out}\" --families "
-      "box-corners:3,integer-sphere\n"
-      "  flowcert fuzz --time 60 --against \"$PWD/my-flow {in} {out}\" --known findings --ignore refusal\n"
+      "  flowcert fuzz --time 60 --against \"$PWD/my-flow {in} {out}\" \\\n"
+      "    --families box-corners:3,integer-sphere\n"
+      "  flowcert fuzz --time 60 --against \"$PWD/my-flow {in} {out}\" \\\n"
+      "    --known findings --ignore refusal\n"
       "  flowcert fuzz --count 100000 --shard 1/4 --out part-1");
   command->callback([options, command, &status] {
     if (command->get_subcommands().empty()) status = fuzz_or_list(*options);

@@ -22,7 +22,23 @@ struct Commas : std::numpunct<char> {
 
 std::string complaint_about_path(const std::string& path) { return path.empty() ? "the path is empty" : ""; }
 
-std::string display_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+std::string on_one_line(const std::string& text) {
+  std::string line;
+  for (const char c : text) {
+    if (c == '\n') {
+      line += "\\n";
+    } else if (c == '\t') {
+      line += "\\t";
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+      line += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    } else {
+      line += c;
+    }
+  }
+  return line;
+}
+
+std::string display_name(const std::string& path) { return path == "-" ? "standard input" : on_one_line(path); }
 
 std::string with_commas(unsigned long long value) {
   static const std::locale commas(std::locale::classic(), new Commas);
@@ -40,6 +56,14 @@ Input read_input(const std::string& path) {
   if (input.file.declares_single_precision) {
     fmt::print(stderr, "note: {}: declared as float, but decimals: taken as the nearest doubles, not floats\n",
                display_name(path));
+  }
+  if (const std::size_t line = input.file.line_of_mixed_separators; line > 0) {
+    fmt::print(stderr, "note: {}:{}: a comma separates numbers as a blank does, and is no decimal point\n",
+               display_name(path), line);
+  }
+  if (const std::size_t line = input.file.line_of_further_columns; line > 0) {
+    fmt::print(stderr, "note: {}:{}: more than three columns; those after the third are ignored\n", display_name(path),
+               line);
   }
   if (const std::size_t merged = input.points.merged_duplicates(); merged > 0) {
     fmt::print(stderr, "warning: {}: {} repeated point{} merged\n", display_name(path), with_commas(merged),

@@ -29,8 +29,8 @@ void add_persistence_command(CLI::App& app, int& status);
 void add_stats_command(CLI::App& app, int& status);
 void add_surface_command(CLI::App& app, int& status);
 
-// Reads the file, and says on standard error what a user should know of it: single precision, merged
-// duplicates.
+// Reads the file, and says on standard error what a user should know of it: single precision, columns that are
+// ignored, commas that may have been meant as decimal points, merged duplicates.
 struct Input {
   PointFile file;
   PointSet points;
@@ -55,7 +55,11 @@ inline constexpr char kStandardStream[] = "-";
 // What is wrong with the path of a file to write, or nothing.
 [[nodiscard]] std::string complaint_about_path(const std::string& path);
 
-// The name of the file for messages: "-" gets a readable name.
+// The text with control characters as \n, \t, \x1b and the like: one line that harms no terminal. All errors are told
+// in it. A path may hold any byte.
+[[nodiscard]] std::string on_one_line(const std::string& text);
+
+// The name of the file for messages, on one line: "-" gets a readable name.
 [[nodiscard]] std::string display_name(const std::string& path);
 
 // "34,835"

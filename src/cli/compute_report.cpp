@@ -135,7 +135,7 @@ void add_census_lines(Table& table, const std::vector<TypeCount>& census, char s
 }
 
 void print_census(const FlowStatistics& statistics) {
-  fmt::print("\nflow segments by the Voronoi faces where they start, cross, end (paper, Table 1)\n");
+  fmt::print("\nflow segments by the Voronoi faces where they start, cross, end (Table 1)\n");
   const std::vector<TypeCount> census = full_census(statistics);
   Table table("llrlrlrlr", {"start", "cross V", "", "cross E", "", "cross F"});
   for (const char start : kFaces) add_census_lines(table, census, start);
@@ -154,10 +154,9 @@ void print_exact_numbers(const FlowStatistics& statistics) {
 }  // namespace
 
 void print_u2_rows(const FlowStatistics& statistics) {
-  print_row("orbits", with_commas(statistics.n_u2.count()), "two from each critical point of index 2");
+  print_row("orbits", with_commas(statistics.n_u2.count()), "two from each index-2 saddle");
   print_row("orbits to critical points", with_commas(statistics.to_critical));
-  print_row("orbits to regular points", with_commas(statistics.to_regular),
-            "where critical points of two indices collide");
+  print_row("orbits to regular points", with_commas(statistics.to_regular), "where two indices collide");
   print_row("orbits to infinity", with_commas(statistics.to_infinity));
   print_row("flow segments computed", with_commas(statistics.segments_computed));
 }
@@ -195,8 +194,7 @@ void print_s2_rows(const StationaryPoints& stationary, const StableManifolds& s2
   }
   print_row("S2 through Voronoi vertices", with_commas(statistics.with_vertex));
   print_row("S2 with parts of dimension 3", with_commas(statistics.with_interval));
-  print_row("branches to regular points", with_commas(statistics.ends_at_regular),
-            "where critical points of two indices collide");
+  print_row("branches to regular points", with_commas(statistics.ends_at_regular), "where two indices collide");
 }
 
 void print_s2_statistics(const StableStatistics& statistics) {
@@ -248,10 +246,9 @@ void print_counts(const PointSet& points, const StationaryPoints& stationary) {
     print_row(fmt::format("critical points of index {}", k), with_commas(stationary.critical_counts()[k]), kMeaning[k]);
   }
   const RegularCounts& regular = stationary.regular_counts();
-  print_row("regular stationary points 1-2", with_commas(regular.kind12), "an index 1 and an index 2 collide");
-  print_row("regular stationary points 1-3", with_commas(regular.kind13),
-            "an edge, two polygons and a maximum collide");
-  print_row("regular stationary points 2-3", with_commas(regular.kind23), "an index 2 and an index 3 collide");
+  print_row("regular stationary points 1-2", with_commas(regular.kind12), "indices 1 and 2 collide");
+  print_row("regular stationary points 1-3", with_commas(regular.kind13), "indices 1, 2, 2 and 3 collide");
+  print_row("regular stationary points 2-3", with_commas(regular.kind23), "indices 2 and 3 collide");
   print_row("Euler sum", fmt::format("{}", stationary.euler_sum()));
 }
 
@@ -298,7 +295,7 @@ Json ratios_field(const Measured& measured) {
 void print_compute_table(const std::string& name, const Input& input, const Measured& measured,
                          const U2Choice& choice) {
   const FlowComplex& complex = *measured.last;
-  fmt::print("{} ({})\n", name, input.file.format);
+  print_wrapped(fmt::format("{} ({})", name, input.file.format));
   print_counts(input.points, complex.stationary());
   if (measured.has.u2) print_u2_rows(complex.unstable().statistics());
   if (measured.has.s2) print_s2_rows(complex.stationary(), complex.stable());

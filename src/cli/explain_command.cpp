@@ -7,6 +7,8 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/shortened_numbers.h"
+#include "cli/table.h"
 #include "flowcert/explain.h"
 #include "io/json_fields.h"
 #include "io/number_text.h"
@@ -24,13 +26,13 @@ struct ExplainOptions {
 
 std::string exact_and_double(const Rational& value) {
   const std::optional<double> nearest = nearest_double(value);
-  std::string text = to_text(value);
+  std::string text = with_short_numbers(to_text(value));
   // An integer is clear by itself. A fraction is easier to read with its double beside it.
   if (text.find('/') == std::string::npos || !nearest) return text;
   return fmt::format("{} ({})", text, *nearest);
 }
 
-std::string point_text(const RationalPoint& p) {
+std::string explained_point(const RationalPoint& p) {
   return fmt::format("{}, {}, {}", exact_and_double(p[0]), exact_and_double(p[1]), exact_and_double(p[2]));
 }
 
@@ -41,21 +43,24 @@ std::string verdict_text(const Explanation& explanation) {
   return fmt::format("regular stationary point of kind {}-{}", index.face_dimension, index.hull_dimension);
 }
 
+// "  centre       1/2 (0.5), 0, 0"
+void print_fact(const char* name, const std::string& text) { print_wrapped(fmt::format("  {:<13}{}", name, text), 15); }
+
 void print_text(const Explanation& explanation, const std::string& asked) {
-  fmt::print("{}: {}\n", asked, verdict_text(explanation));
-  fmt::print("  because      {} [{}]\n", explanation.reason, explanation.clause);
+  print_wrapped(fmt::format("{}: {}", asked, verdict_text(explanation)), 2);
+  print_fact("because", fmt::format("{} [{}]", with_short_numbers(explanation.reason), explanation.clause));
   if (!explanation.witnesses.empty()) {
-    fmt::print("  by point{}    {}\n", explanation.witnesses.size() == 1 ? " " : "s",
-               fmt::join(explanation.witnesses, ", "));
+    const char* name = explanation.witnesses.size() == 1 ? "by point" : "by points";
+    print_fact(name, fmt::format("{}", fmt::join(explanation.witnesses, ", ")));
   }
   if (!explanation.sphere) return;
-  fmt::print("  centre       {}\n", point_text(explanation.sphere->center));
-  fmt::print("  radius^2     {}\n", exact_and_double(explanation.sphere->squared_radius));
+  print_fact("centre", explained_point(explanation.sphere->center));
+  print_fact("radius^2", exact_and_double(explanation.sphere->squared_radius));
   if (explanation.squared_distance != explanation.sphere->squared_radius) {
-    fmt::print("  nearest^2    {}\n", exact_and_double(explanation.squared_distance));
+    print_fact("nearest^2", exact_and_double(explanation.squared_distance));
   }
-  fmt::print("  contact set  {}\n", fmt::join(explanation.contact, ", "));
-  if (explanation.driver) fmt::print("  driver       {}\n", point_text(*explanation.driver));
+  print_fact("contact set", fmt::format("{}", fmt::join(explanation.contact, ", ")));
+  if (explanation.driver) print_fact("driver", explained_point(*explanation.driver));
 }
 
 void print_json(const Explanation& explanation) {
@@ -92,7 +97,7 @@ int explain(const ExplainOptions& options) {
   if (options.json) {
     print_json(explanation);
   } else {
-    print_text(explanation, by_position ? fmt::format("position {}", point_text(position))
+    print_text(explanation, by_position ? fmt::format("position {}", explained_point(position))
                                         : fmt::format("points {}", fmt::join(options.ids, ", ")));
   }
   return explanation.index ? kRight : kNegativeVerdict;
@@ -108,9 +113,11 @@ void add_explain_command(CLI::App& app, int& status) {
   what->add_option("--ids", options->ids, "The points, by 0-based row: 3,17,20")
       ->delimiter(',')
       ->allow_extra_args(false)  // else `--ids 3,17 INPUT` takes INPUT for a further id
-      ->check(complaint_about_id);
+      ->check(complaint_about_id)
+      ->type_name("ID,ID,...");
   what->add_option("--at", options->position,
-                   "The position X,Y,Z: decimals (the nearest doubles), hex floats or fractions p/q (exact)");
+                   "The position: decimals (the nearest doubles), hex floats or fractions p/q (exact)")
+      ->type_name("X,Y,Z");
   what->require_option(1);
   command->add_flag("--json", options->json, "Print one JSON object");
   command->footer(

@@ -9,13 +9,14 @@
 
 #include "cli/command.h"
 #include "cli/table.h"
+#include "cli/wrapped_text.h"
 
 namespace flowcert::cli {
 
 namespace {
 
 constexpr std::size_t kMostBins = 30;
-constexpr double kBarWidth = 60;
+constexpr std::size_t kLongestBar = 60;
 
 // The least of 1, 2, 5, 10, 20, 50, … with which the bins from `least` to `most` are few enough.
 std::size_t bin_width(std::size_t least, std::size_t most) {
@@ -67,17 +68,34 @@ double share_of_axis(double count, double top, bool is_logarithmic) {
   return is_logarithmic ? std::log(2 * count) / std::log(2 * top) : count / top;
 }
 
+namespace {
+
+// The columns that the numbers before a bar leave.
+std::size_t room_for_bars(const std::vector<Bin>& bins) {
+  std::size_t first = columns_of("from"), last = columns_of("to"), count = columns_of("count");
+  for (const Bin& bin : bins) {
+    first = std::max(first, with_commas(bin.first).size());
+    last = std::max(last, with_commas(bin.last).size());
+    count = std::max(count, with_commas(bin.count).size());
+  }
+  return std::min(kLongestBar, kLineWidth - (first + last + count + 8));  // two blanks before each column
+}
+
+}  // namespace
+
 void print_bars(const Histogram& histogram) {
-  fmt::print("\n{}{}\n", histogram.title, histogram.is_logarithmic ? "; the bars are logarithmic" : "");
+  print_wrapped(fmt::format("\n{}{}", histogram.title, histogram.is_logarithmic ? "; the bars are logarithmic" : ""),
+                2);
   if (histogram.bins.empty()) {
     fmt::print("  none\n");
     return;
   }
   Table table("rrrl", {"from", "to", "count"});
   const auto top = static_cast<double>(largest_count(histogram.bins));
+  const std::size_t longest_bar = room_for_bars(histogram.bins);
   for (const Bin& bin : histogram.bins) {
     const double share = share_of_axis(static_cast<double>(bin.count), top, histogram.is_logarithmic);
-    const auto marks = static_cast<std::size_t>(std::ceil(kBarWidth * share));
+    const auto marks = static_cast<std::size_t>(std::ceil(static_cast<double>(longest_bar) * share));
     table.row(with_commas(bin.first)).cell(with_commas(bin.last)).cell(bin.count).cell(std::string(marks, '#'));
   }
   table.print();

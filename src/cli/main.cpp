@@ -3,13 +3,19 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "cli/command.h"
+#include "cli/command_line.h"
 #include "cli/layer.h"
 #include "flowcert/reproducibility.h"
 #include "fuzz/commands/commands.h"
@@ -28,7 +34,7 @@ std::string version_text() {
 }
 
 int complain(const std::string& what) {
-  fmt::print(stderr, "flowcert: {}\n", what);
+  fmt::print(stderr, "flowcert: {}\n", on_one_line(what));
   return kUnusable;
 }
 
@@ -40,18 +46,19 @@ int finish_output(int status) {
 }
 
 // CLI11's own codes are 100 and more; help and version are not errors.
-int exit_status_of(const CLI::App& app, const CLI::ParseError& error) {
+int exit_status_of(const CLI::App& app, const CLI::ParseError& error, std::span<const std::string> words) {
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
     app.exit(error);
     std::cout.flush();
     return finish_output(kRight);
   }
-  return complain(fmt::format("{} (see flowcert --help)", error.what()));
+  return complain(complaint_about(app, error, words));
 }
 
 int run(int argc, char** argv) {
   CLI::App app{"The flow complex of a point set in three dimensions, exactly."};
   app.name("flowcert");
+  app.formatter(help_formatter());
   app.set_version_flag("--version", version_text(), "Print what made this program, for reproducibility");
   app.require_subcommand(1);
   app.footer(
@@ -72,7 +79,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return exit_status_of(app, error);
+    return exit_status_of(app, error, std::vector<std::string>(argv + 1, argv + std::max(argc, 1)));
   }
   return finish_output(status);
 }
@@ -84,6 +91,9 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {
     return complain("out of memory");
+  } catch (const std::filesystem::filesystem_error& error) {
+    // Its own text is the C++ library's, with the name of a function.
+    return complain(fmt::format("{}: {}", error.path1().string(), error.code().message()));
   } catch (const std::exception& error) {
     return complain(error.what());
   }

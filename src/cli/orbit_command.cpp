@@ -63,14 +63,15 @@ void print_segments(const Orbit& orbit) {
 
 // An orbit from a stationary start has no segments, so the flow is asked for the step's type, for example "V-V-V".
 void print_text(const Orbit& orbit, const FlowComplex& complex) {
-  fmt::print("orbit from {}\n", point_text(orbit.start));
+  print_wrapped(fmt::format("orbit from {}", point_text(orbit.start)), 2);
   if (orbit.segments.empty()) {
-    fmt::print("stays: {}, {}\n", type_text(complex.step(orbit.start).type),
-               limit_text(complex.points(), *orbit.limit));
+    print_wrapped(fmt::format("stays: {}, {}", type_text(complex.step(orbit.start).type),
+                              limit_text(complex.points(), *orbit.limit)),
+                  2);
     return;
   }
   print_segments(orbit);
-  fmt::print("{}\n", orbit.limit ? "ends at " + limit_text(complex.points(), *orbit.limit) : "goes to infinity");
+  print_wrapped(orbit.limit ? "ends at " + limit_text(complex.points(), *orbit.limit) : "goes to infinity", 2);
 }
 
 void print_json(const Orbit& orbit, const Input& input) {
@@ -116,7 +117,8 @@ void add_orbit_command(CLI::App& app, int& status) {
   command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
   command
       ->add_option("--from", options->start,
-                   "The position X,Y,Z: decimals (the nearest doubles), hex floats or fractions p/q (exact)")
+                   "The position: decimals (the nearest doubles), hex floats or fractions p/q (exact)")
+      ->type_name("X,Y,Z")
       ->required();
   command->add_flag("--json", options->json, "Print one JSON object, all exact; the table rounds long numbers");
   add_flow_options(*command, options->flow);

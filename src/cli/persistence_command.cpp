@@ -106,7 +106,7 @@ void print_times(const PointSet& points, const PersistenceSeconds& seconds) {
 }
 
 void print_table(const std::string& name, const Input& input, const PersistenceRun& run, bool with_zero) {
-  fmt::print("{} ({})\n", name, input.file.format);
+  print_wrapped(fmt::format("{} ({})", name, input.file.format));
   print_row("points", with_commas(input.points.row_count()));
   print_row("merged duplicates", with_commas(input.points.merged_duplicates()));
   constexpr const char* kNames[] = {"components", "tunnels", "voids"};
@@ -120,9 +120,9 @@ void print_table(const std::string& name, const Input& input, const PersistenceR
   }
   print_row("pairs of length zero", with_commas(zero),
             with_zero ? "regular stationary points" : "regular stationary points; --zero writes them");
-  print_row("ties broken, U2", with_commas(run.complex.chains().broken_ties()), "orbits that had to be let go on");
+  print_row("ties broken, U2", with_commas(run.complex.chains().broken_ties()), "orbits that had to go on");
   print_row("ties broken, S2", with_commas(run.complex.stable().statistics().broken_ties),
-            "boundaries that a tie leaves open");
+            "boundaries left open by ties");
   print_times(input.points, run.seconds);
 }
 

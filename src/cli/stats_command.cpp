@@ -79,7 +79,8 @@ std::vector<Shown> histograms_of(const Measured& measured, bool logarithmic) {
 
 void print_text(const StatsOptions& options, const Input& input, const Measured& measured,
                 const std::vector<Shown>& all) {
-  fmt::print("{} ({}), kernel {}\n\n", display_name(options.input), input.file.format, options.u2.flow.kernel);
+  print_wrapped(
+      fmt::format("{} ({}), kernel {}\n", display_name(options.input), input.file.format, options.u2.flow.kernel));
   Table table = distribution_table();
   for (const Shown& shown : all) add_distribution(table, shown.name, shown.distribution);
   table.print();

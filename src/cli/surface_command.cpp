@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <iostream>
 #include <memory>
 
 #include "cli/command.h"
@@ -29,9 +30,21 @@ struct SurfaceOptions {
 using Write = void (*)(std::ostream&, const SurfaceMesh&, const std::string&);
 
 Write writer_for(const std::string& path) {
-  if (path.ends_with(".ply")) return write_ply;
+  if (path == kStandardStream || path.ends_with(".ply")) return write_ply;
   if (path.ends_with(".off")) return write_off;
   throw InvalidInput("-o: the file's name must end in .ply or .off: " + path);
+}
+
+void write_mesh(const std::string& path, const SurfaceMesh& mesh, const std::string& made_by) {
+  const Write write = writer_for(path);
+  if (path == kStandardStream) {
+    write(std::cout, mesh, made_by);
+    std::cout.flush();
+    return;
+  }
+  OutputFile file(path);
+  write(file.stream(), mesh, made_by);
+  file.commit();
 }
 
 struct Counts {
@@ -57,12 +70,11 @@ SurfaceMesh mesh_of(const SurfaceOptions& options, const FlowComplex& complex, c
 }
 
 void print_table(const SurfaceOptions& options, const Input& input, const Counts& counts) {
-  fmt::print("{} ({})\n", display_name(options.input), input.file.format);
+  print_wrapped(fmt::format("{} ({})", display_name(options.input), input.file.format));
   print_row("points", with_commas(input.points.row_count()));
-  print_row("surfaces S2", with_commas(counts.sets), "of all critical points of index 2");
+  print_row("surfaces S2", with_commas(counts.sets), "of all index-2 saddles");
   print_row("selected", with_commas(counts.selected));
-  print_row("with parts of dimension 3", with_commas(counts.with_interval),
-            "of those selected; no surface shows these parts");
+  print_row("with parts of dimension 3", with_commas(counts.with_interval), "of these; no surface has them");
   print_row("triangles", with_commas(counts.triangles));
   print_row("vertices", with_commas(counts.vertices));
 }
@@ -81,14 +93,15 @@ void print_json(const SurfaceOptions& options, const Input& input, const FlowCom
 
 void write_surface(const SurfaceOptions& options) {
   const SurfaceSelection selection(options.selections);
-  const Write write = writer_for(options.output);
+  (void)writer_for(options.output);
+  const bool is_streamed = options.output == kStandardStream;
+  if (is_streamed && options.json) throw InvalidInput("-o - and --json would both write to standard output");
   const Input input = read_input(options.input);
   const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads}, part_progress());
   const std::vector<std::size_t> sets = selection.sets(complex);
   const SurfaceMesh mesh = mesh_of(options, complex, sets);
-  OutputFile file(options.output);
-  write(file.stream(), mesh, made_by_text("flowcert-surface", 1, input.points));
-  file.commit();
+  write_mesh(options.output, mesh, made_by_text("flowcert-surface", 1, input.points));
+  if (is_streamed) return;
   const Counts counts = counts_of(complex, sets, mesh);
   if (options.json) {
     print_json(options, input, complex, counts);
@@ -109,14 +122,17 @@ void add_surface_command(CLI::App& app, int& status) {
                    "Only those with persistence>X (a difference of squared distances), index2-radius<R, or "
                    "largest-gaps=N, the N most persistent ones; given several times, all must hold")
       ->allow_extra_args(false);
-  command->add_option("-o,--output", options->output, "Write the surface to this file, .ply or .off")
+  command
+      ->add_option("-o,--output", options->output,
+                   "Write the surface to this file, .ply or .off; -: to standard output, as PLY, instead of the table")
       ->required()
       ->check(complaint_about_path);
   command->add_flag("--json", options->json, "Print one JSON object instead of the table");
   add_threads_option(*command, options->threads);
   command->footer(
-      "Example:\n  flowcert surface bunny.obj --select 'index2-radius<0.01' --select 'persistence>1e-6' -o "
-      "bunny.ply");
+      "Examples:\n  flowcert surface bunny.obj --select 'index2-radius<0.01' \\\n    --select 'persistence>1e-6' -o "
+      "bunny.ply\n"
+      "  flowcert surface bunny.obj --select largest-gaps=20 -o - >gaps.ply");
   command->callback([options, &status] {
     write_surface(*options);
     status = kRight;

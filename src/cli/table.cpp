@@ -3,28 +3,80 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string.hpp>
 
 #include "cli/command.h"
+#include "cli/wrapped_text.h"
 
 namespace flowcert::cli {
 
-void print_row(const std::string& name, const std::string& value, const std::string& remark) {
-  fmt::print("{:<34}{:>14}{}{}\n", name, value, remark.empty() ? "" : "   ", remark);
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+// "name", 14 columns for the value, and three blanks come before a remark.
+constexpr std::size_t kRemarks = 51;
+// What a column keeps of its width.
+constexpr std::size_t kNarrowest = 12;
+
+std::vector<std::size_t> widths_of(const Rows& rows, std::string_view alignment) {
+  std::vector<std::size_t> widths(alignment.size(), 0);
+  for (const auto& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], columns_of(row[k]));
+  }
+  std::size_t total = 2 * widths.size();
+  for (const std::size_t width : widths) total += width;
+  for (; total > kLineWidth; --total) {
+    std::size_t widest = widths.size();
+    for (std::size_t k = 0; k < widths.size(); ++k) {
+      const bool is_candidate = alignment[k] == 'l' && widths[k] > kNarrowest;
+      if (is_candidate && (widest == widths.size() || widths[k] > widths[widest])) widest = k;
+    }
+    if (widest == widths.size()) break;
+    --widths[widest];
+  }
+  return widths;
 }
 
-void print_columns(const std::vector<std::vector<std::string>>& rows, std::string_view alignment) {
-  std::vector<std::size_t> width(alignment.size(), 0);
-  for (const auto& row : rows) {
-    for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
+std::vector<std::string> lines_of_cell(const std::string& cell, std::size_t width) {
+  if (columns_of(cell) <= width) return {cell};
+  std::vector<std::string> lines;
+  const std::string text = wrapped(cell, 0, width);
+  boost::algorithm::split(lines, text, [](char c) { return c == '\n'; });
+  return lines;
+}
+
+void print_table_row(const std::vector<std::string>& row, const std::vector<std::size_t>& widths,
+                     std::string_view alignment) {
+  std::vector<std::vector<std::string>> cells;
+  std::size_t height = 1;
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    cells.push_back(lines_of_cell(row[k], widths[k]));
+    height = std::max(height, cells.back().size());
   }
-  for (const auto& row : rows) {
-    std::string line;
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      line +=
-          alignment[k] == 'r' ? fmt::format("  {:>{}}", row[k], width[k]) : fmt::format("  {:<{}}", row[k], width[k]);
+  for (std::size_t line = 0; line < height; ++line) {
+    std::string text;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const std::string cell = line < cells[k].size() ? cells[k][line] : "";
+      const std::string blanks(widths[k] - std::min(widths[k], columns_of(cell)), ' ');
+      text += "  " + (alignment[k] == 'r' ? blanks + cell : cell + blanks);
     }
-    fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+    fmt::print("{}\n", text.substr(0, text.find_last_not_of(' ') + 1));
   }
+}
+
+}  // namespace
+
+void print_wrapped(std::string_view text, std::size_t indent) { fmt::print("{}\n", wrapped(text, indent)); }
+
+void print_row(const std::string& name, const std::string& value, const std::string& remark) {
+  const std::string row = fmt::format("{:<34}{:>14}{}{}", name, value, remark.empty() ? "" : "   ", remark);
+  print_wrapped(row, kRemarks);
+}
+
+void print_columns(const Rows& rows, std::string_view alignment) {
+  const std::vector<std::size_t> widths = widths_of(rows, alignment);
+  for (const auto& row : rows) print_table_row(row, widths, alignment);
 }
 
 Table::Table(std::string_view alignment, std::initializer_list<const char*> titles) : alignment_(alignment) {

@@ -11,11 +11,15 @@
 
 namespace flowcert::cli {
 
-// "critical points of index 1      97,790   saddles on Gabriel edges"
+// Prints the text within 80 columns, with a line's end. Lines that go on begin with `indent` blanks.
+void print_wrapped(std::string_view text, std::size_t indent = 0);
+
+// "critical points of index 1      97,790   saddles on Gabriel edges". A long remark goes on below its beginning.
 void print_row(const std::string& name, const std::string& value, const std::string& remark = "");
 
 // Each column is as wide as its widest cell, with two blanks before it. alignment has a letter for each column,
-// 'l' or 'r'. A row may have fewer cells.
+// 'l' or 'r'. A row may have fewer cells. If the table would be wider than 80 columns, the widest columns of 'l' become
+// narrower, and their cells have several lines.
 void print_columns(const std::vector<std::vector<std::string>>& rows, std::string_view alignment);
 
 // A table as print_columns() prints it, filled cell by cell. It may have a line of titles.

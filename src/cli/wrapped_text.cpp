@@ -6,8 +6,6 @@ namespace flowcert::cli {
 
 namespace {
 
-constexpr std::size_t kLargestIndent = kLineWidth / 2;
-
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
 
 // How many bytes of the text its first `columns` columns have.
@@ -28,8 +26,8 @@ std::size_t break_of(std::string_view line, std::size_t first, std::size_t room)
   return mark != std::string_view::npos && mark > first ? mark + 1 : room;
 }
 
-void append_line(std::string& lines, std::string_view line, const std::string& indent) {
-  std::size_t room = kLineWidth;
+void append_line(std::string& lines, std::string_view line, const std::string& indent, std::size_t width) {
+  std::size_t room = width;
   while (columns_of(line) > room) {
     const std::size_t first = line.find_first_not_of(' ');
     const std::size_t at = first == std::string_view::npos ? 0 : break_of(line, first, bytes_of(line, room));
@@ -39,7 +37,7 @@ void append_line(std::string& lines, std::string_view line, const std::string& i
     if (next == std::string_view::npos) return;
     lines += '\n' + indent;
     line.remove_prefix(next);
-    room = kLineWidth - indent.size();
+    room = width - indent.size();
   }
   lines += line;
 }
@@ -50,12 +48,12 @@ std::size_t columns_of(std::string_view text) {
   return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, continues_character));
 }
 
-std::string wrapped(std::string_view text, std::size_t indent) {
-  const std::string blanks(std::min(indent, kLargestIndent), ' ');
+std::string wrapped(std::string_view text, std::size_t indent, std::size_t width) {
+  const std::string blanks(std::min(indent, width / 4 * 3), ' ');
   std::string lines;
   while (true) {
     const std::size_t end = text.find('\n');
-    append_line(lines, text.substr(0, end), blanks);
+    append_line(lines, text.substr(0, end), blanks, width);
     if (end == std::string_view::npos) return lines;
     lines += '\n';
     text.remove_prefix(end + 1);

@@ -53,7 +53,91 @@ TEST(CommandLine, WrongUsageIsStatus2AndOneLine) {
                           {"explain", input, "--ids", "0", "--at", "0,0,0"}};
   for (const Words& usage : usages) {
     SCOPED_TRACE(::testing::PrintToString(usage));
-    expect_error(flowcert(usage), ".+ \\(see flowcert --help\\)");
+    const bool has_command = !usage.empty() && (usage[0] == "compute" || usage[0] == "explain");
+    expect_error(flowcert(usage), ".+ \\(see flowcert " + (has_command ? usage[0] + ' ' : "") + "--help\\)");
+  }
+}
+
+TEST(CommandLine, WrongWordsAreNamedWithWhatIsNearest) {
+  const Scratch scratch;
+  const std::string input = scratch.file("a.xyz", kTriangle);
+  const std::pair<Words, std::string> usages[] = {
+      {{}, "a command is required \\(see flowcert --help\\)"},
+      {{"comput"}, "there is no command 'comput'; did you mean compute\\? \\(see flowcert --help\\)"},
+      {{"chekc", input}, "there is no command 'chekc'; did you mean check\\? .*"},
+      {{"help"}, "there is no command 'help'; did you mean --help\\? .*"},
+      {{"quartz"}, "there is no command 'quartz' \\(see flowcert --help\\)"},
+      {{"-v"}, "flowcert has no option '-v'; did you mean --version\\? \\(see flowcert --help\\)"},
+      {{"compute", input, "--jsno"},
+       "compute has no option '--jsno'; did you mean --json\\? \\(see flowcert compute .*"},
+      {{"compute", "--out=x", input}, "compute has no option '--out'; did you mean --output\\? .*"},
+      {{"orbit", input, "--form", "0,0,1"}, "orbit has no option '--form'; did you mean --from\\? .*"},
+      {{"explain", input, "--id", "1"}, "explain has no option '--id'; did you mean --ids\\? .*"},
+      {{"stats", input, "-z"}, "stats has no option '-z' \\(see flowcert stats --help\\)"},
+      {{"--json", "compute", input}, "--json has to stand after compute .*"},
+      {{"fuzz", "merge", "a", "--jsn"}, ".* no option '--jsn'; .* --json\\? \\(see flowcert fuzz merge --help\\)"},
+      {{"compute", "a", "b", "c\nd", "e"}, "unexpected arguments: 'b' 'c\\?d' 'e' \\(see flowcert compute --help\\)"},
+      {{"compute", "a", "b"}, "unexpected argument: 'b' .*"},
+      {{"explain", "--ids", "0", "1", input}, "--ids takes one word: write --ids 0,1 .*"},
+      {{"explain", input, "--ids", "0", "1", "2"}, "--ids takes one word: write --ids 0,1,2 .*"},
+      {{"explain", input, "--at", "1/2", "-2", "3"}, "--at takes one word: write --at 1/2,-2,3 .*"},
+      {{"orbit", "--from", "1", "2", "3", input}, "--from takes one word: write --from 1,2,3 .*"}};
+  for (const auto& [usage, pattern] : usages) {
+    SCOPED_TRACE(::testing::PrintToString(usage));
+    expect_error(flowcert(usage), pattern);
+  }
+}
+
+// Whatever a path holds, an error, a note and the first line of a table are one line each.
+TEST(CommandLine, PathsAreToldOnOneLine) {
+  const Scratch scratch;
+  const std::string strange = "a\nflowcert: b\t\x1b[31m.xyz";
+  const std::string shown = scratch.path("a\\nflowcert: b\\t\\x1b[31m.xyz");
+  const std::string missing = scratch.path("no/" + strange);
+  for (const Words& usage :
+       {Words{"compute", missing}, Words{"check", missing, missing}, Words{"stats", missing},
+        Words{"explain", missing, "--ids", "0"}, Words{"conformance", "--vectors", missing},
+        Words{"surface", missing, "-o", "x.ply"}, Words{"persistence", missing}, Words{"fuzz", "--replay", missing},
+        Words{"fuzz", "--resume", missing, "--count", "1"}, Words{"fuzz", "merge", missing}}) {
+    const Finished finished = flowcert(usage);
+    SCOPED_TRACE(::testing::PrintToString(usage));
+    expect_error(finished, ".+");
+    EXPECT_NE(finished.err.find("/no/a\\nflowcert: b\\t\\x1b[31m.xyz"), std::string::npos) << finished.err;
+  }
+  const std::string input = scratch.file(strange, "0 0 0\n0 0 0 1\n1 0 0\n");
+  const Finished finished = flowcert({"compute", input});
+  EXPECT_EQ(finished.err, "note: " + shown + ":2: more than three columns; those after the third are ignored\n" +
+                              "warning: " + shown + ": 1 repeated point merged\n");
+  const Words lines = lines_of(finished.out);
+  std::string table;
+  for (const std::string& line : lines) table += line;
+  EXPECT_EQ(table.find('\x1b'), std::string::npos);
+  expect_error(flowcert({"compute", input, "-o", missing}), ".+cannot be written: .+", 3);
+  RunningProgram oracle({FLOWCERT_ORACLE_PROGRAM, "stationary", missing});
+  EXPECT_EQ(lines_of(oracle.finish().err).size(), 1U);
+}
+
+// A folder that cannot be entered, here because it leads to itself. One without permission does the same, but root may
+// enter it.
+TEST(CommandLine, AFolderThatCannotBeEnteredIsToldInOurWords) {
+  const Scratch scratch;
+  const std::string input = scratch.file("a.xyz", kTriangle);
+  std::filesystem::create_symlink("loop", scratch.path("loop"));
+  const std::string inside = scratch.path("loop/out");
+  const std::string claim = scratch.file("claim.csv", "0,0,0,0\n");
+  for (const Words& usage :
+       {Words{"compute", input, "-o", inside}, Words{"compute", inside}, Words{"compute", input, "--export", inside},
+        Words{"stats", input, "--svg", inside}, Words{"persistence", input, "-o", inside},
+        Words{"surface", input, "-o", inside + ".ply"}, Words{"check", input, inside},
+        Words{"check", input, claim, "--junit", inside}, Words{"fuzz", "--count", "1", "--out", inside},
+        Words{"fuzz", "--count", "1", "--corpus", inside}, Words{"fuzz", "--resume", inside, "--count", "1"},
+        Words{"conformance", "--vectors", inside, "--list"},
+        Words{"conformance", "--against", "true {in}", "--keep", inside, "--case", "unstable-manifolds-0003"}}) {
+    SCOPED_TRACE(::testing::PrintToString(usage));
+    const Finished finished = flowcert(usage);
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_TRUE(std::regex_match(finished.err, std::regex("flowcert: [^ ]*loop/out[^ ]*: .*\n"))) << finished.err;
+    EXPECT_EQ(finished.err.find("filesystem error"), std::string::npos) << finished.err;
   }
 }
 
@@ -147,6 +231,51 @@ TEST(CommandLine, NotesAreOnStandardErrorAndOnlyWhereDue) {
   EXPECT_TRUE(notes[0].starts_with("note: " + single + ": ")) << notes[0];
   EXPECT_NE(notes[0].find("single precision"), std::string::npos) << notes[0];
   EXPECT_EQ(flowcert({"compute", scratch.file("double.ply", ply("double", 8))}).err, "");
+}
+
+TEST(CommandLine, FurtherColumnsAndCommasGetANote) {
+  CITES("FC-IN-01");
+  const Scratch scratch;
+  const auto notes = [&](const std::string& rows) {
+    const std::string input = scratch.file("a.xyz", rows);
+    const Finished finished = flowcert({"compute", input});
+    EXPECT_EQ(finished.status, 0);
+    std::string told = finished.err;
+    for (std::size_t at = 0; (at = told.find(input + ":", at)) != std::string::npos;) told.erase(at, input.size() + 1);
+    return told;
+  };
+  const std::string columns = ": more than three columns; those after the third are ignored\n";
+  const std::string commas = ": a comma separates numbers as a blank does, and is no decimal point\n";
+  EXPECT_EQ(notes("0 0 0\n1 0 0\n"), "");
+  EXPECT_EQ(notes("0,0,0\n1, 0 ,0\n2,0,0,\n"), "");
+  EXPECT_EQ(notes("0 0 0\n1 0 0 0\n2 0 0 7 8\n"), "note: 2" + columns);
+  EXPECT_EQ(notes("0,1 2 3\n"), "note: 1" + commas + "note: 1" + columns);
+  EXPECT_EQ(notes("# x\n1 2 3\n1,2 4\n"), "note: 3" + commas);
+  EXPECT_EQ(notes("0,5 1,5 2,5\n"), "note: 1" + commas + "note: 1" + columns);
+}
+
+TEST(CommandLine, NamesOfColumnsMayStandAboveTheFirstPoint) {
+  CITES("FC-IN-05");
+  const Scratch scratch;
+  const std::string rows = flowcert({"compute", scratch.file("a.csv", "0,0,0\n1,0,0\n"), "-o", "-"}).out;
+  const auto after_header = [](const std::string& records) { return records.substr(records.find('\n')); };
+  for (const std::string head : {"x,y,z\n", "X,Y,Z\r\n", "x y z\n", "# a comment\n\n x , y , z\n"}) {
+    const std::string input = scratch.file("a.csv", head + "0,0,0\n1,0,0\n");
+    const Finished finished = flowcert({"compute", input, "-o", "-"});
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    EXPECT_EQ(finished.err, "");
+    EXPECT_EQ(after_header(finished.out), after_header(rows));
+    const Finished piped = flowcert({"compute", "-", "-o", "-"}, {.standard_input = input, .standard_output = ""});
+    EXPECT_EQ(after_header(piped.out), after_header(rows));
+    RunningProgram oracle({FLOWCERT_ORACLE_PROGRAM, "stationary", input});
+    EXPECT_EQ(oracle.finish().status, 0);
+  }
+  for (const std::string rejected : {"x,y\n0,0,0\n", "y,x,z\n0,0,0\n", "0,0,0\nx,y,z\n", "x,y,z\nx,y,z\n0,0,0\n"}) {
+    const std::string input = scratch.file("a.csv", rejected);
+    expect_error(flowcert({"compute", input}), input + ":[12]: .+");
+    RunningProgram oracle({FLOWCERT_ORACLE_PROGRAM, "stationary", input});
+    EXPECT_EQ(oracle.finish().status, 2);
+  }
 }
 
 TEST(CommandLine, StandardInputIsReadByItsContent) {

@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "cli/command.h"
+#include "cli/command_line.h"
 #include "fuzz/commands/fuzz_report.h"
 #include "fuzz/commands/known_findings.h"
 #include "fuzz/commands/mpi/ranks.h"
@@ -49,6 +50,7 @@ struct CommandLine {
 void parse(int argc, char** argv, CommandLine& line) {
   CLI::App app{"A fuzzing campaign, shared out over the ranks of an MPI job."};
   app.name("flowcert-fuzz-mpi");
+  app.formatter(help_formatter());
   add_fuzz_options(app, line.options);
   app.add_option("--silence", line.options.silence_seconds,
                  "Seconds after which a rank that is not heard of is given up; all say every second that "
@@ -62,7 +64,8 @@ void parse(int argc, char** argv, CommandLine& line) {
     std::ostringstream out;
     const bool is_help = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
     if (is_help) app.exit(error, out, out);
-    line.text = is_help ? out.str() : fmt::format("{} (see flowcert-fuzz-mpi --help)", error.what());
+    const std::vector<std::string> words(argv + 1, argv + std::max(argc, 1));
+    line.text = is_help ? out.str() : complaint_about(app, error, words);
     line.status = is_help ? kRight : kUnusable;
   }
 }

@@ -1,0 +1,184 @@
+// CLI11 says of every error only what it was, and of an unknown command nothing but that there has to be one.
+#include "cli/command_line.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <boost/algorithm/string.hpp>
+#include <numeric>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "cli/wrapped_text.h"
+#include "io/number_text.h"
+
+namespace flowcert::cli {
+
+// ---- Help ----
+
+namespace {
+
+constexpr std::size_t kNames = 26;  // columns
+
+// Where the lines go on that `line` is broken into: below its second column, if it has one, or below its first word.
+std::size_t indent_of(std::string_view line) {
+  const std::size_t first = std::min(line.find_first_not_of(' '), line.size());
+  const std::size_t gap = line.find("  ", first);
+  if (first == 0 || gap == std::string_view::npos) return first;
+  return line.find_first_not_of(' ', gap);
+}
+
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter() { column_width(kNames); }
+
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    std::string help = CLI::Formatter::make_help(app, std::move(name), mode);
+    std::vector<std::string> lines;
+    boost::algorithm::split(lines, help, [](char c) { return c == '\n'; });
+    for (std::string& line : lines) line = wrapped(line, indent_of(line));
+    return boost::algorithm::join(lines, "\n");
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<CLI::FormatterBase> help_formatter() { return std::make_shared<HelpFormatter>(); }
+
+// ---- The nearest name ----
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+// How many letters have to be put in, left out or replaced to make one word of the other. Neither Boost nor CLI11 has
+// it.
+std::size_t edits_between(std::string_view one, std::string_view other) {
+  std::vector<std::size_t> row(other.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t k = 0; k < other.size(); ++k) {
+      const std::size_t replaced = diagonal + (one[i] == other[k] ? 0 : 1);
+      diagonal = std::exchange(row[k + 1], std::min({replaced, row[k] + 1, row[k + 1] + 1}));
+    }
+  }
+  return row.back();
+}
+
+// Letters alone, so that "-v" and "version" are near "--version".
+std::string letters_of(const std::string& name) {
+  return boost::algorithm::to_lower_copy(name.substr(std::min(name.find_first_not_of('-'), name.size())));
+}
+
+// "; did you mean --json?", or nothing if no name is near. A name that begins with the word is nearest.
+std::string suggestion(const std::string& word, const Names& names) {
+  const std::string asked = letters_of(word);
+  std::size_t fewest = std::min<std::size_t>(asked.size() / 2, 3) + 1;
+  const std::string* nearest = nullptr;
+  for (const std::string& name : names) {
+    const std::string letters = letters_of(name);
+    const std::size_t edits = !asked.empty() && letters.starts_with(asked) ? 0 : edits_between(asked, letters);
+    if (edits >= fewest) continue;
+    fewest = edits;
+    nearest = &name;
+  }
+  return nearest == nullptr ? "" : fmt::format("; did you mean {}?", *nearest);
+}
+
+Names options_of(const CLI::App& app) {
+  Names names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  // Option groups are commands without a name.
+  for (const CLI::App* group : app.get_subcommands([](const CLI::App* sub) { return sub->get_name().empty(); })) {
+    for (std::string& name : options_of(*group)) names.push_back(std::move(name));
+  }
+  return names;
+}
+
+Names commands_of(const CLI::App& app) {
+  Names names;
+  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (!sub->get_name().empty()) names.push_back(sub->get_name());
+  }
+  return names;
+}
+
+// ---- What is wrong ----
+
+bool is_number(const std::string& word) {
+  try {
+    (void)parse_rational(word);
+    return true;
+  } catch (const InvalidInput&) {
+    return false;
+  }
+}
+
+bool is_option(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' && word != "--" && !is_number(word);
+}
+
+// An option whose value has commas, such as X,Y,Z, was given several words instead. Returns what to write.
+std::optional<std::string> joined_value(const CLI::App& command, std::span<const std::string> words) {
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const CLI::Option* option = is_option(words[k]) ? command.get_option_no_throw(words[k]) : nullptr;
+    if (option == nullptr) continue;
+    const std::string type = option->get_type_name();
+    if (type.substr(0, type.find(':')).find(',') == std::string::npos) continue;
+    std::string value;
+    std::size_t count = 0;
+    for (; k + 1 < words.size() && is_number(words[k + 1]); ++k) value += (count++ == 0 ? "" : ",") + words[k + 1];
+    if (count > 1) return fmt::format("{} takes one word: write {} {}", words[k - count], words[k - count], value);
+  }
+  return std::nullopt;
+}
+
+std::string complaint_about_option(const CLI::App& app, const CLI::App& command, const std::string& word) {
+  const std::string name = word.substr(0, word.find('='));
+  const bool is_before_command = &command != &app && std::ranges::count(app.remaining(), word) > 0;
+  if (is_before_command && command.get_option_no_throw(name) != nullptr) {
+    return fmt::format("{} has to stand after {}", name, command.get_name());
+  }
+  const CLI::App& asked = is_before_command ? app : command;
+  return fmt::format("{} has no option {}{}", asked.get_name(), in_quotes(name), suggestion(name, options_of(asked)));
+}
+
+std::string complaint_about_words(const CLI::App& app, const CLI::App& command, const CLI::ParseError& error,
+                                  std::span<const std::string> words) {
+  Names left = app.remaining(true);
+  std::erase(left, "--");
+  const auto option = std::ranges::find_if(left, is_option);
+  if (option != left.end()) return complaint_about_option(app, command, *option);
+  const bool has_commands = !commands_of(app).empty();
+  if (&command == &app && has_commands && left.empty()) return "a command is required";
+  if (&command == &app && has_commands) {
+    Names names = commands_of(app);
+    for (std::string& name : options_of(app)) names.push_back(std::move(name));
+    return fmt::format("there is no command {}{}", in_quotes(left[0]), suggestion(left[0], names));
+  }
+  if (left.empty()) return error.what();
+  if (const auto value = joined_value(command, words)) return *value;
+  for (std::string& word : left) word = in_quotes(word);
+  return fmt::format("unexpected argument{}: {}", left.size() == 1 ? "" : "s", fmt::join(left, " "));
+}
+
+}  // namespace
+
+std::string complaint_about(const CLI::App& app, const CLI::ParseError& error, std::span<const std::string> words) {
+  const CLI::App* command = &app;
+  std::string help = app.get_name();
+  while (!command->get_subcommands().empty()) {
+    command = command->get_subcommands().back();
+    help += ' ' + command->get_name();
+  }
+  return fmt::format("{} (see {} --help)", complaint_about_words(app, *command, error, words), help);
+}
+
+}  // namespace flowcert::cli

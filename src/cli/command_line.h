@@ -1,0 +1,27 @@
+// What all command lines have in common: help within 80 columns, and one line that says what is wrong with one and what
+// to write instead.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "cli/layer.h"
+
+namespace CLI {
+class App;
+class FormatterBase;
+class ParseError;
+}  // namespace CLI
+
+namespace flowcert::cli {
+
+// CLI11's help, broken at 80 columns. A program gives it to its App before it adds commands, which then have it too.
+[[nodiscard]] std::shared_ptr<CLI::FormatterBase> help_formatter();
+
+// What is wrong with a command line that `app` has refused, with the nearest command or option and whose help to see.
+// `words` are all of its words but the program's name.
+[[nodiscard]] std::string complaint_about(const CLI::App& app, const CLI::ParseError& error,
+                                          std::span<const std::string> words);
+
+}  // namespace flowcert::cli
