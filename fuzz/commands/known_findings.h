@@ -1,7 +1,8 @@
 // Findings that are known already, and which other findings they explain.
 //
-// Guarantees: a known finding explains another one iff both are of the same property and kind, and what is combinatorial
-// of their signatures is equal: their small inputs are degenerate in the same way (degeneracy_signature.h).
+// Guarantees: a known finding explains another one iff both are of the same property and kind, and what is
+// combinatorial of their signatures is equal: their small inputs are degenerate in the same way
+// (degeneracy_signature.h).
 #pragma once
 
 #include <set>

@@ -97,6 +97,14 @@ std::size_t CheckRun::true_side(std::size_t k, std::size_t claimed_side) const {
   return is_turned ? 1 - claimed_side : claimed_side;
 }
 
+const std::array<double, 3>& CheckRun::center_in_doubles(std::size_t record) {
+  for (std::size_t k = centers_in_doubles_.size(); k < truth.size(); ++k) {
+    const RationalPoint center = truth.sphere(k).center;
+    centers_in_doubles_.push_back({as_double(center[0]), as_double(center[1]), as_double(center[2])});
+  }
+  return centers_in_doubles_[record];
+}
+
 void CheckRun::leave_unjudged(const std::string& what) { add_once(report.not_judged, what); }
 void CheckRun::leave_undecided(const std::string& what) { add_once(report.not_decided, what); }
 

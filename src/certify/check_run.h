@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -80,7 +81,11 @@ struct CheckRun {
         options(options_),
         contacts(points_, truth_),
         placed(claim_.points.size()),
-        tells_regular_points(claim_.regular_counts || std::ranges::any_of(claim_.points, &is_regular_claim)) {}
+        tells_regular_points(claim_.regular_counts || std::ranges::any_of(claim_.points, &is_regular_claim)) {
+    for (std::size_t index = 0; index < 4; ++index) {
+      report.indices.at(index) = options_.indices.at(index) && (!claim_.indices || claim_.indices->at(index));
+    }
+  }
 
   const PointSet& points;
   const Claim& claim;
@@ -95,6 +100,13 @@ struct CheckRun {
   CheckReport report;
 
   [[nodiscard]] StationaryIndex index(std::size_t record) const { return truth.index(record); }
+  // The centre of a stationary point, rounded. All of them are computed at the first call.
+  [[nodiscard]] const std::array<double, 3>& center_in_doubles(std::size_t record);
+  // Whether critical points of this index are judged (FC-CLAIM-12). An index that does not exist is judged, too.
+  [[nodiscard]] bool judges(int index) const {
+    return index < 0 || index > 3 || report.indices.at(static_cast<std::size_t>(index));
+  }
+  [[nodiscard]] bool judges_all() const { return report.indices == ClaimedIndices{true, true, true, true}; }
   // Reports a finding about a claimed point.
   void find(int level, FindingReason reason, const std::string& clause, std::size_t claimed_point,
             const std::string& truth_text);
@@ -110,6 +122,9 @@ struct CheckRun {
   // Whether these names are of a point that the claim lists at a stationary point, and that a perturbation makes of
   // it; with an index, of a point of this index.
   [[nodiscard]] bool is_made(std::size_t record, const std::vector<PointId>& names, std::optional<int> index) const;
+
+ private:
+  std::vector<std::array<double, 3>> centers_in_doubles_;
 };
 
 // The stationary point at the centre of the smallest sphere through these samples, if there is one.

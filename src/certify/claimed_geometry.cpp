@@ -79,13 +79,13 @@ bool has_in_hull(const PointSet& points, std::span<const PointId> names, const R
 
 // ---- Values ----
 
-namespace {
-
 double as_double(const Rational& value) {
   const std::optional<double> nearest = nearest_double(value);
   if (nearest) return *nearest;
   return std::numeric_limits<double>::max() * (value > 0 ? 1 : -1);
 }
+
+namespace {
 
 // Avoids the difference of rationals, which costs most: exact values must be equal, and decimals must round to the
 // same double.

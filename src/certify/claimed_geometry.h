@@ -72,6 +72,9 @@ class ValueScale {
 [[nodiscard]] bool is_exact(const ClaimedPosition& claimed);
 [[nodiscard]] RationalPoint values_of(const ClaimedPosition& claimed);
 
+// The nearest double, or the largest one of its sign where none is near.
+[[nodiscard]] double as_double(const Rational& value);
+
 // Whether two values have the same nearest double. A decimal for which this holds is as right as a double can be.
 [[nodiscard]] bool rounds_alike(const Rational& a, const Rational& b);
 

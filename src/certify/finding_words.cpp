@@ -1,11 +1,15 @@
 #include "certify/finding_words.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "certify/claimed_geometry.h"
 #include "geometry/contract.h"
+#include "geometry/rational_point.h"
 
 namespace flowcert::certify {
 
@@ -68,7 +72,35 @@ std::string position_text(const RationalPoint& x) {
   return number_text(x[0]) + " " + number_text(x[1]) + " " + number_text(x[2]);
 }
 
-std::string position_text(const ClaimedPosition& x) { return position_text(values_of(x)); }
+std::string number_text(const ClaimedNumber& number) {
+  if (!number.is_exact) {
+    Rational scaled = abs(number.value);
+    for (std::size_t places = 0; places <= kDigitsShown; ++places, scaled *= 10) {
+      if (denominator(scaled) != 1) continue;
+      std::string digits = numerator(scaled).str();
+      if (digits.size() > kDigitsShown) break;
+      if (places == 0) return (number.value < 0 ? "-" : "") + digits;
+      if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
+      digits.insert(digits.size() - places, 1, '.');
+      return (number.value < 0 ? "-" : "") + digits;
+    }
+  }
+  return number_text(number.value);
+}
+
+std::string position_text(const ClaimedPosition& x) {
+  return number_text(x[0]) + " " + number_text(x[1]) + " " + number_text(x[2]);
+}
+
+std::string offset_text(const ClaimedPosition& claimed, const RationalPoint& truth, const ValueScale& scale) {
+  const Rational off = squared_distance(values_of(claimed), truth);
+  if (!nearest_double(off)) return "farther away than doubles reach";
+  std::string text = off > 0 && as_double(off) == 0 ? "less than 1e-160 away"
+                                                    : fmt::format("{:.3g} away", std::sqrt(as_double(off)));
+  const Rational allowed = scale.squared_allowance();
+  if (is_exact(claimed) || allowed == 0) return text;
+  return text + fmt::format(", {:.3g} times the tolerance", std::sqrt(as_double(Rational(off / allowed))));
+}
 
 const Finding& telling_finding(const std::vector<Finding>& findings) {
   FLOWCERT_REQUIRES(!findings.empty() && std::ranges::is_sorted(findings, {}, [](const Finding& finding) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/claimed_geometry.h"
 #include "certify/layer.h"
 #include "flowcert/check.h"
 
@@ -22,7 +23,12 @@ namespace flowcert::certify {
 // The exact number if its text is short; otherwise the rounded number, marked with ~.
 [[nodiscard]] std::string number_text(const Rational& value);
 [[nodiscard]] std::string position_text(const RationalPoint& x);
+// A claimed number as it was written: a decimal is no fraction.
+[[nodiscard]] std::string number_text(const ClaimedNumber& number);
 [[nodiscard]] std::string position_text(const ClaimedPosition& x);
+// "1.2e-07 away", and for decimals "1.2e-07 away, 120 times the tolerance".
+[[nodiscard]] std::string offset_text(const ClaimedPosition& claimed, const RationalPoint& truth,
+                                      const ValueScale& scale);
 
 // The finding to tell first: the first one about a point at the lowest level, else the very first. A wrong total
 // mostly follows from a wrong point. There must be a finding. What is wrong must come before variations,

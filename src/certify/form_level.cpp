@@ -57,7 +57,10 @@ void check_counts_of_claim(CheckRun& run) {
       ++run.report.claimed_counts.at(static_cast<std::size_t>(point.index));
     }
   }
-  const auto compare = [&run](const auto& claimed, const auto& listed, const char* what) {
+  const auto compare = [&run](auto claimed, const auto& listed, const char* what) {
+    for (std::size_t k = 0; claimed && listed.size() == 4 && k < 4; ++k) {
+      if (!run.report.indices.at(k)) claimed->at(k) = listed.at(k);
+    }
     if (!claimed || *claimed == listed) return;
     find_whole(run, FindingReason::kWrongCounts, kClaimClause, counts_text(*claimed) + " " + what,
                "the claim itself lists " + counts_text(listed));
@@ -145,14 +148,33 @@ std::string complaint_about(const PointSet& points, const ClaimedPoint& point) {
   return complaint;
 }
 
+// A point of an index that is not judged. The claim's own header excludes it, or only who judges does.
+void check_unjudged_index(CheckRun& run, std::size_t k) {
+  const auto index = static_cast<std::size_t>(run.claim.points[k].index);
+  if (run.claim.indices && !run.claim.indices->at(index)) {
+    run.find(1, FindingReason::kMalformed, "FC-CLAIM-12", k, "the claim's header says that it is of other indices");
+  } else {
+    run.leave_unjudged("the claimed critical points of index " + std::to_string(index));
+  }
+}
+
 }  // namespace
 
 void check_form(CheckRun& run) {
   for (const std::string& key : run.claim.unknown_keys) run.leave_unjudged("what the unknown key '" + key + "' says");
+  for (std::size_t index = 0; index < 4; ++index) {
+    if (run.report.indices.at(index)) continue;
+    run.leave_unjudged("which critical points of index " + std::to_string(index) +
+                       " there are, and what rests on them (FC-CLAIM-12)");
+  }
   check_input_of_claim(run);
   check_counts_of_claim(run);
   for (std::size_t k = 0; k < run.claim.points.size(); ++k) {
     const ClaimedPoint& point = run.claim.points[k];
+    if (!point.hull_dimension && !run.judges(point.index)) {
+      check_unjudged_index(run, k);
+      continue;
+    }
     const std::string complaint = complaint_about(run.points, point);
     if (!complaint.empty()) {
       const bool is_kind = point.hull_dimension && !complaint_about_index(point).empty();

@@ -338,15 +338,16 @@ class Incidences {
 bool check_point(CheckRun& run, Incidences& incidences, std::size_t k) {
   const ClaimedPoint& point = run.claim.points[k];
   if (!run.placed[k].is_right || point.hull_dimension) return false;
-  const bool has_samples = point.samples.has_value() && point.index == 1;
+  const bool has_samples = point.samples.has_value() && point.index == 1 && run.judges(0);
   if (has_samples) incidences.check_samples(k);
-  const bool has_boundary = point.stable && point.stable->boundary;
-  if ((point.successors || has_boundary) && run.perturbed.contains(run.placed[k].place->record)) {
+  const bool has_boundary = point.stable && point.stable->boundary && run.judges(1);
+  const bool has_successors = point.successors && run.judges(point.index + 1);
+  if ((has_successors || has_boundary) && run.perturbed.contains(run.placed[k].place->record)) {
     run.leave_unjudged("incidences of the points that a perturbation makes of stationary points");
     return has_samples;
   }
   if (has_boundary) incidences.check_boundary(k);
-  if (!point.successors) return has_samples || has_boundary;
+  if (!has_successors) return has_samples || has_boundary;
   if (point.index == 1) return incidences.check_saddles_above(k) || has_samples || has_boundary;
   if (point.index == 0) incidences.check_edges(k);
   if (point.index == 2) incidences.check_limits(k);

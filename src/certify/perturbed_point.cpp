@@ -31,6 +31,10 @@ PerturbedPoint::PerturbedPoint(CheckRun& run, std::size_t record)
       center_(run.truth.sphere(record).center),
       is_simplex_(contact_.size() == index_.hull_dimension + std::size_t{1}) {
   if (is_simplex_) outcomes_ = outcomes_of_simplex();
+  // What a claim says nothing of may be there or not.
+  for (std::vector<Names>& outcome : outcomes_) {
+    std::erase_if(outcome, [&](const Names& simplex) { return !run_.judges(index_of(simplex)); });
+  }
   if (!is_simplex_) opposite_pairs_ = count_opposite_samples();
 }
 
@@ -129,7 +133,9 @@ MadeByPerturbation PerturbedPoint::makes(std::span<const std::size_t> claimed) c
     has_own_index = has_own_index || index == index_.face_dimension;
   }
   const int right_sum = !index_.is_critical() ? 0 : index_.face_dimension % 2 == 0 ? 1 : -1;
-  const bool is_possible = sum == right_sum && (has_own_index || !index_.is_critical()) && !overlap(claimed);
+  const bool has_right_sum = sum == right_sum || !run_.judges_all();
+  const bool needs_own_index = index_.is_critical() && run_.judges(index_.face_dimension);
+  const bool is_possible = has_right_sum && (has_own_index || !needs_own_index) && !overlap(claimed);
   return is_possible ? MadeByPerturbation::kNotDecided : MadeByPerturbation::kNo;
 }
 

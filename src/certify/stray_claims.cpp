@@ -1,6 +1,8 @@
 // Level 2. For a claim where nothing is stationary, finds the first condition of FC-CRIT-05 that fails. For a claim
 // at a stationary point, judges the claimed centre and distance.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
 
 #include "certify/check_run.h"
@@ -101,26 +103,27 @@ std::vector<WrongValue> wrong_values(CheckRun& run, const ClaimedPoint& point, s
     const ValueMatch match = match_position(*point.center, sphere.center, scale);
     if (is_wrong(match)) {
       wrong.push_back(
-          {match, "centre " + position_text(*point.center), "the centre is " + position_text(sphere.center)});
+          {match, "centre " + position_text(*point.center),
+           "the centre is " + position_text(sphere.center) + ", " + offset_text(*point.center, sphere.center, scale)});
     }
   }
   if (point.squared_distance) {
     const ValueMatch match = match_squared_distance(*point.squared_distance, sphere.squared_radius, scale);
     if (is_wrong(match)) {
-      wrong.push_back({match, "squared distance " + number_text(point.squared_distance->value), squared()});
+      wrong.push_back({match, "squared distance " + number_text(*point.squared_distance), squared()});
     }
   }
   if (point.distance) {
     const ValueMatch match = match_distance(*point.distance, sphere.squared_radius, scale);
     if (is_wrong(match)) {
-      wrong.push_back({match, "distance " + number_text(point.distance->value), squared()});
+      wrong.push_back({match, "distance " + number_text(*point.distance), squared()});
     }
   }
   return wrong;
 }
 
 std::string double_text(const std::optional<ClaimedNumber>& number) {
-  return number ? number_text(number->value) : "no double";
+  return number ? number_text(*number) : "no double";
 }
 
 // The doubles that are claimed beside exact values are these values in decimals (FC-NUM-02, FC-CLAIM-05). There is none
@@ -155,13 +158,44 @@ std::vector<WrongValue> wrong_doubles(CheckRun& run, const ClaimedPoint& point, 
   return wrong;
 }
 
+// The stationary point of the claimed index or kind that is nearest to a claimed position. Which one is the nearest is
+// found in doubles, because it only helps to read the finding.
+std::optional<std::size_t> nearest_of_index(CheckRun& run, const ClaimedPoint& point) {
+  const RationalPoint at = values_of(*point.center);
+  std::optional<std::size_t> nearest;
+  double least = 0;
+  for (std::size_t record = 0; record < run.truth.size(); ++record) {
+    const StationaryIndex index = run.index(record);
+    const int hull_dimension = point.hull_dimension.value_or(index.hull_dimension);
+    const bool is_meant = index.face_dimension == point.index && index.hull_dimension == hull_dimension &&
+                          index.is_critical() != point.hull_dimension.has_value();
+    if (!is_meant) continue;
+    const std::array<double, 3>& center = run.center_in_doubles(record);
+    const double off =
+        std::hypot(as_double(at[0]) - center[0], as_double(at[1]) - center[1], as_double(at[2]) - center[2]);
+    if (nearest && !(off < least)) continue;
+    nearest = record;
+    least = off;
+  }
+  return nearest;
+}
+
+std::string nearest_text(CheckRun& run, const ClaimedPoint& point) {
+  const std::optional<std::size_t> nearest = nearest_of_index(run, point);
+  if (!nearest) return "there is none of that " + std::string(point.hull_dimension ? "kind" : "index");
+  const ExactSphere sphere = run.truth.sphere(*nearest);
+  return "the nearest one of that " + std::string(point.hull_dimension ? "kind" : "index") + " has the contact set " +
+         names_text(run.truth.contact(*nearest)) + " and is at " + position_text(sphere.center) + ", " +
+         offset_text(*point.center, sphere.center, ValueScale(sphere, run.options.tolerance));
+}
+
 }  // namespace
 
 void check_stray_claim(CheckRun& run, std::size_t k) {
   const std::vector<PointId>& names = run.placed[k].names;
   if (names.empty()) {
     run.find(2, FindingReason::kWrongPosition, "FC-CRIT-01", k,
-             "no stationary point is there, or within the tolerance of it");
+             "no stationary point is there, or within the tolerance of it; " + nearest_text(run, run.claim.points[k]));
     return;
   }
   const Fault fault = fault_of(run.points, names);

@@ -90,7 +90,7 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
       "a perturbation of the points makes); fails.\n\n"
       "Examples:\n  flowcert check bunny.obj claim.jsonl\n  flowcert check bunny.obj claim.csv --tolerance "
       "1e-6 "
-      "--junit report.xml");
+      "--junit report.xml\n  flowcert check bunny.obj saddles.csv --indices 1,2,3");
   command->callback([options, oracle, &status] { status = check_claim(*options, oracle); });
 }
 

@@ -200,7 +200,9 @@ void print_check_text(const CheckedFiles& files, const CheckReport& report, std:
   print_findings(files, report, most);
   print_row("critical points of index", "claimed", "        truth");
   for (std::size_t index = 0; index < 4; ++index) {
-    print_row(fmt::format("  {}", index), with_commas(report.claimed_counts.at(index)),
+    const bool is_judged = report.indices.at(index);
+    print_row(fmt::format("  {}", index),
+              is_judged ? with_commas(report.claimed_counts.at(index)) : std::string("not judged"),
               files.highest_level < 2 ? "" : fmt::format("{:>13}", with_commas(report.true_counts.at(index))));
   }
   fmt::print("\n");
@@ -222,6 +224,10 @@ void print_check_json(const CheckedFiles& files, const CheckReport& report, cons
   json["tolerance"] = files.tolerance;
   json["truth"] = truth_text(files);
   json["claim_format"] = files.claim_format;
+  json["indices"] = Json::array();
+  for (std::size_t index = 0; index < 4; ++index) {
+    if (report.indices.at(index)) json["indices"].push_back(index);
+  }
   json["claimed"] = report.claimed_counts;
   json["critical"] = files.highest_level < 2 ? Json(nullptr) : Json(report.true_counts);
   json["levels"] = levels_field(report);
@@ -277,6 +283,17 @@ void add_judging_options(CLI::App& command, CheckOptions& options, bool& is_stri
   command.add_option("--levels", options.highest_level, "Check levels 1 to this one")
       ->check(CLI::Range(1, kLevels))
       ->capture_default_str();
+  command
+      .add_option_function<std::vector<std::size_t>>(
+          "--indices",
+          [&options](const std::vector<std::size_t>& indices) {
+            options.indices = {};
+            for (const std::size_t index : indices) options.indices.at(index) = true;
+          },
+          "Judge critical points of these indices alone, such as 1,2,3, and not what rests on others")
+      ->delimiter(',')
+      ->check(CLI::Range(0, 3))
+      ->type_name("INDEX,...");
   command.add_flag("--strict", is_strict, "Exit with status 1 also if the verdict is 'perturbed'");
 }
 

@@ -1,6 +1,7 @@
 // Text for people in lines of at most 80 columns.
 //
-// Guarantees: only blanks are dropped and only line ends and indents are added. No line is wider than it may be. The code is our own: neither {fmt} nor Boost nor CLI11 2.1 breaks lines.
+// Guarantees: only blanks are dropped and only line ends and indents are added. No line is wider than it may be. The
+// code is our own: neither {fmt} nor Boost nor CLI11 2.1 breaks lines.
 #pragma once
 
 #include <cstddef>

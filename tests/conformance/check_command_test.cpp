@@ -287,6 +287,19 @@ TEST(CheckCommand, NamesWhatIsMissing) {
   EXPECT_NE(text.out.find("\nfails ("), std::string::npos) << text.out;
 }
 
+// A program that lists saddles alone is right about them.
+TEST(CheckCommand, JudgesSomeIndices) {
+  CITES("FC-CLAIM-12");
+  const Checked saddle(std::string("1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n"), std::string("2,0,0,0\n"));
+  EXPECT_EQ(saddle.as_json()["verdict"], "fails");
+  const json report = saddle.as_json({"--indices", "2,3"});
+  EXPECT_EQ(report["verdict"], "conforms");
+  EXPECT_EQ(report["indices"], json({2, 3}));
+  EXPECT_EQ(report["not_judged"].size(), 3U) << report["not_judged"];
+  EXPECT_EQ(saddle.as_json({"--indices", "1,2"})["verdict"], "fails");
+  EXPECT_EQ(saddle.run({"--indices", "4"}).status, 2);
+}
+
 // A table of reasons comes first, and one finding of each reason is shown whatever --most says.
 TEST(CheckCommand, SaysWhyFirst) {
   CITES("FC-CLAIM-02", "FC-CLAIM-03");

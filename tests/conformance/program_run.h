@@ -62,8 +62,8 @@ inline std::string content_of(const std::string& path) {
   return bytes.str();
 }
 
-// The text with the lines joined again that were broken because they were too wide: the later parts are indented by four
-// blanks.
+// The text with the lines joined again that were broken because they were too wide: the later parts are indented by
+// four blanks.
 inline std::string unbroken(std::string text) {
   constexpr std::string_view kBreak = "\n    ";
   for (std::size_t at = text.find(kBreak); at != std::string::npos; at = text.find(kBreak, at)) {

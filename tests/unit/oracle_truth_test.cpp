@@ -23,8 +23,8 @@ using Words = std::vector<std::string>;
 
 constexpr std::size_t kMostRows = 8;
 
-// Points of a plane. The first and the second are the ends of an edge that dangles in the polygon of the other edges, so
-// both of its sides flow from the centre of that polygon.
+// Points of a plane. The first and the second are the ends of an edge that dangles in the polygon of the other edges,
+// so both of its sides flow from the centre of that polygon.
 const std::vector<Point> kDangling = {{0, 0, 0}, {-10, 0, 0}, {-11, 30, 0}, {-11, -30, 0}, {69, 60, 0}, {69, -60, 0}};
 
 // How often each sort of answer was compared.

@@ -352,11 +352,11 @@ TEST(PlaceFindings, OfValuesBeyondDoubles) {
   EXPECT_EQ(with([&](ClaimedPoint& point) {
               point.center = exactly(RationalPoint{huge, -huge, 0});
             }),
-            start + "centre > 1.8e308 < -1.8e308 0; the centre is 1 0 0");
+            start + "centre > 1.8e308 < -1.8e308 0; the centre is 1 0 0, farther away than doubles reach");
   EXPECT_EQ(with([&](ClaimedPoint& point) {
               point.center = decimals({-huge, huge, 0});
             }),
-            start + "centre < -1.8e308 > 1.8e308 0; the centre is 1 0 0");
+            start + "centre < -1.8e308 > 1.8e308 0; the centre is 1 0 0, farther away than doubles reach");
   EXPECT_EQ(with([&](ClaimedPoint& point) { point.squared_distance = decimal(huge); }),
             start + "squared distance > 1.8e308; the squared distance is 1");
   EXPECT_EQ(with([&](ClaimedPoint& point) { point.squared_distance = number(huge); }),
@@ -365,11 +365,66 @@ TEST(PlaceFindings, OfValuesBeyondDoubles) {
     EXPECT_EQ(text(points.check(points.claim().at(1, decimals({x, 0, 0})), {.highest_level = 2})),
               std::string("fails\n2 wrong-position FC-CRIT-01: index 1, at ") + (x > 0 ? ">" : "< -") +
                   (x > 0 ? " 1.8e308" : "1.8e308") +
-                  " 0 0; no stationary point is there, or within the tolerance of it");
+                  " 0 0; no stationary point is there, or within the tolerance of it; the nearest one of that index "
+                  "has the contact set 0 1 and is at 1 0 0, farther away than doubles reach");
   }
   EXPECT_EQ(text(Truly({}).check(Claimed().at(0, decimals({1, 2, 3})), {.highest_level = 2})),
             "fails\n2 wrong-position FC-CRIT-01: index 0, at 1 2 3; no stationary point is there, or within the "
-            "tolerance of it");
+            "tolerance of it; there is none of that index");
+}
+
+// A decimal is told as it was written.
+TEST(PlaceFindings, SayHowWrongAPositionIs) {
+  CITES("FC-CLAIM-05", "FC-CRIT-01", "FC-OUT-01");
+  const Truly square({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  const auto by_position = [&](int index, const ClaimedPosition& position) {
+    const CheckReport report = square.check(Claimed().at(index, position), {.highest_level = 2});
+    return report.findings.at(0).claimed + "; " + report.findings.at(0).truth;
+  };
+  const std::string none = "; no stationary point is there, or within the tolerance of it; ";
+  EXPECT_EQ(by_position(2, decimals({Rational(1, 2) + Rational(1, 10'000'000), Rational(1, 2), 0})),
+            "index 2, at 0.5000001 0.5 0" + none +
+                "the nearest one of that index has the contact set 0 1 2 3 and is at 1/2 1/2 0, 1e-07 away, 141 times "
+                "the tolerance");
+  EXPECT_EQ(by_position(1, exactly({1, Rational(3, 4), -2})),
+            "index 1, at 1 3/4 -2" + none +
+                "the nearest one of that index has the contact set 1 2 and is at 1 1/2 0, 2.02 away");
+  EXPECT_EQ(by_position(3, decimals({1, 1, 1})), "index 3, at 1 1 1" + none + "there is none of that index");
+  const auto with_center = [&](const ClaimedPosition& position) {
+    return said(square, {0, 1, 2, 3}, [&](ClaimedPoint& point) { point.center = position; });
+  };
+  const std::string start = "fails\n2 wrong-position FC-OUT-01: index 2, contact set 0 1 2 3, centre ";
+  EXPECT_EQ(with_center(decimals({Rational(-25, 100), Rational(1, 2), 0})),
+            start + "-0.25 0.5 0; the centre is 1/2 1/2 0, 0.75 away, 1.06e+09 times the tolerance");
+  EXPECT_EQ(with_center(exactly({Rational(1, 4), Rational(1, 2), 0})),
+            start + "1/4 1/2 0; the centre is 1/2 1/2 0, 0.25 away");
+}
+
+// ---- Claims of some indices
+
+TEST(FormFindings, OfIndicesThatAreNotClaimed) {
+  CITES("FC-CLAIM-12");
+  const Truly triangle(kRightTriangle);
+  Claimed claimed = triangle.whole_claim();
+  claimed.claim.indices = ClaimedIndices{false, true, true, true};
+  claimed.claim.critical_counts = {{9, 2, 0, 0}};
+  const CheckReport report = triangle.check(claimed);
+  EXPECT_EQ(count(report, FindingReason::kMalformed), 3U) << text(report);
+  EXPECT_EQ(report.findings.size(), 3U) << text(report);
+  EXPECT_EQ(report.findings[0].clause, "FC-CLAIM-12");
+  EXPECT_EQ(report.findings[0].truth, "the claim's header says that it is of other indices");
+  std::erase_if(claimed.claim.points, [](const ClaimedPoint& point) { return point.index == 0; });
+  EXPECT_EQ(text(triangle.check(claimed)),
+            "conforms\nnot judged: which critical points of index 0 there are, and what rests on them (FC-CLAIM-12)"
+            "\nnot judged: the Euler sum");
+  // What a perturbation makes of the hypotenuse is not all claimed.
+  Claimed pair = triangle.claim();
+  std::erase_if(pair.claim.points, [](const ClaimedPoint& point) { return point.index != 2; });
+  pair.add(2, {0, 1, 2});
+  CheckOptions options;
+  options.indices = {false, false, true, true};
+  EXPECT_EQ(triangle.check(pair, options).verdict, Verdict::kPerturbed);
+  EXPECT_EQ(triangle.check(pair).verdict, Verdict::kFails);
 }
 
 TEST(PlaceFindings, OfDistances) {

@@ -1,5 +1,5 @@
-// Lines of at most 80 columns, and long numbers that are shortened in the middle: on words, numbers and bytes at random,
-// and at both sides of each limit.
+// Lines of at most 80 columns, and long numbers that are shortened in the middle: on words, numbers and bytes at
+// random, and at both sides of each limit.
 #include <gtest/gtest.h>
 
 #include <random>

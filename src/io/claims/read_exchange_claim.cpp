@@ -340,6 +340,16 @@ std::string sha256_of(const ExchangeValue& value) {
   return text;
 }
 
+ClaimedIndices indices_of(const ExchangeValue& value) {
+  ClaimedIndices indices{};
+  for (const int index : list_of(value, index_of)) {
+    bool& is_claimed = indices.at(static_cast<std::size_t>(index));
+    if (is_claimed) value.reject("indices: " + std::to_string(index) + " is there twice");
+    is_claimed = true;
+  }
+  return indices;
+}
+
 Claim claim_of_header(const ExchangeValue& header) {
   const ExchangeValue format = header.get("format");
   if (format.text() != kFormatName) format.reject(in_quotes(kFormatName));
@@ -350,6 +360,7 @@ Claim claim_of_header(const ExchangeValue& header) {
   if (const auto value = header.find("merged_duplicates")) claim.merged_duplicates = count_of(*value);
   if (const auto value = header.find("input_sha256")) claim.input_sha256 = sha256_of(*value);
   if (const auto value = header.find("classes")) claim.classes = list_of(*value, ids_of);
+  if (const auto value = header.find("indices")) claim.indices = indices_of(*value);
   if (const auto value = header.find("critical")) {
     value->expect_size(4);
     claim.critical_counts = {count_of((*value)[0]), count_of((*value)[1]), count_of((*value)[2]),

@@ -87,6 +87,8 @@ struct CheckOptions {
   double tolerance = kDefaultTolerance;
   // Levels beyond this one are not checked.
   int highest_level = kLevels;
+  // Critical points of other indices are not judged, whatever is claimed of them (FC-CLAIM-12).
+  ClaimedIndices indices = {true, true, true, true};
 };
 
 struct CheckReport {
@@ -103,6 +105,7 @@ struct CheckReport {
   std::vector<std::string> not_judged;
   // What was judged by necessary conditions alone, in words. The claim is then perturbed, or it fails.
   std::vector<std::string> not_decided;
+  ClaimedIndices indices{};                     // the indices that were judged
   std::array<std::size_t, 4> claimed_counts{};  // of critical points by index, as listed
   std::array<std::size_t, 4> true_counts{};
 };

@@ -101,9 +101,15 @@ struct ClaimedPoint {
   std::optional<ClaimedSurface> surface;
 };
 
+// Whether the critical points of each index are claimed.
+using ClaimedIndices = std::array<bool, 4>;
+
 struct Claim {
   std::string format;  // "exchange", "csv", "giesen-kuehne", "vtp"
   std::vector<ClaimedPoint> points;
+  // The indices of the critical points that are claimed; without a value, all. Of others it says nothing
+  // (FC-CLAIM-12).
+  std::optional<ClaimedIndices> indices;
   // What the format says of the whole claim.
   std::optional<std::size_t> point_count;  // rows of the input
   std::optional<std::string> input_sha256;
