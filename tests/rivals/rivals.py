@@ -36,7 +36,8 @@ PYTHON = "/usr/bin/python3"  # Debian's, which has Debian's modules
 PACKAGES = ["python3-gudhi", "gudhi-utils", "libcgal-dev", "python3-scipy", "libgmp10"]
 # What is wrong for no other reason than that a critical point is no simplex, or that a stationary point is none.
 TIES = {"missed-by-cluster", "contact-incomplete", "collision-as-critical", "claimed-twice", "wrong-counts"}
-VECTOR_LIMIT = 600
+VECTOR_LIMIT = 600  # seconds
+MOST_COLUMNS = 120
 
 
 class Program:
@@ -238,7 +239,8 @@ def fact_text(points, ids):
     facts = sphere_facts(points, ids)
     if facts is None:
         part = sphere_facts(points, independent_part(points, ids))
-        return f"no simplex; {part['inside']} inside, {part['on']} on the sphere: a tie"
+        verdict = "not critical" if part["inside"] else "a tie"
+        return f"no simplex; {part['inside']} inside, {part['on']} on the sphere: {verdict}"
     short = [str(w) if len(str(w)) < 10 else f"{float(w):.3g}" for w in facts["weights"]]
     on = facts["on"]
     if facts["inside"] or min(facts["weights"]) < 0:
@@ -263,11 +265,16 @@ def vector_rows(case):
 
 def print_table(head, rows):
     widths = [max(len(str(row[k])) for row in [head, *rows]) for k in range(len(head))]
-    print("| " + " | ".join(str(cell).ljust(width) for cell, width in zip(head, widths)) + " |")
-    print("|" + "|".join("-" * (width + 2) for width in widths) + "|")
-    for row in rows:
-        print("| " + " | ".join(str(cell).ljust(width) for cell, width in zip(row, widths)) + " |")
+    blank = " " if sum(widths) + 3 * len(widths) < MOST_COLUMNS else ""
+    for row in [head, None, *rows]:
+        cells = ["-" * width for width in widths] if row is None else [
+            str(cell).ljust(width) for cell, width in zip(row, widths)]
+        print("|" + "|".join(f"{blank}{cell}{blank}" for cell in cells) + "|")
     print()
+
+
+def count_text(count, noun):
+    return f"{count} {noun}{'' if count == 1 else 's'}"
 
 
 CLASSES = ("right", "not claimed", "wrong", "refused", "crashed")
@@ -357,7 +364,8 @@ def contact_of(rivals, path, kind):
 def print_smallest(name, found):
     print(f"{name}:\n")
     for kind, (vectors, cases, points, where, contact) in sorted(found.items(), key=lambda item: -item[1][0]):
-        print(f"- `{kind}`: {vectors} vectors, {cases} drawn; the smallest is {where}, {len(points)} points.")
+        print(f"- `{kind}`: {count_text(vectors, 'vector')}, {cases} drawn; the smallest is {where}, "
+              f"{count_text(len(points), 'point')}.")
         if contact and all(i < len(points) for i in contact):
             print(f"  {' '.join(map(str, contact))}: {fact_text(points, contact)}.")
     print()
@@ -478,20 +486,20 @@ def report(options):
     campaigns = dict(zip(verdicts, in_turn(options.jobs, rivals.campaign, asked, "campaign")))
     print(f"Of {datetime.date.today()}, with {platform.freedesktop_os_release()['PRETTY_NAME']}:\n")
     print("".join(f"- {line}\n" for line in versions()))
-    print("## Critical points, by program\n")
+    print("### Critical points, by program\n")
     print_by_program(verdicts, campaigns)
-    print("## Critical points, by flag\n")
+    print("### Critical points, by flag\n")
     print_by_flag(rivals.flags, rivals.vectors, verdicts)
-    print("## Kinds of failures\n")
+    print("### Kinds of failures\n")
     for name, of in verdicts.items():
         print_smallest(name, smallest_of_each_kind(rivals, name, of, campaigns[name]))
     if options.only is None:
-        print("## Persistence\n")
+        print("### Persistence\n")
         names = diagrams()
         print_diagrams(list(zip(names, in_turn(options.jobs, rivals.ask_diagrams, names, "persistence"))))
-        print("## Recorded answers of a Giesen-Kühne program\n")
+        print("### Recorded answers of a Giesen-Kühne program\n")
         print_recorded(rivals, os.environ.get("FLOWCERT_RECORDED"))
-        print("## Known defects\n")
+        print("### Known defects\n")
         print_defects()
 
 
@@ -507,6 +515,7 @@ def self_test():
     assert fact_text([*square, [1, 1, 0]], [0, 3]).endswith("1 inside, 4 on the sphere: not critical")
     assert fact_text([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [0, 1, 2]).startswith("no simplex; ")
     assert fact_text([*square, [0, 0, 0]], [4]) == "weights 1; 0 inside, 1 on the sphere: critical of index 0"
+    assert fact_text([*square, [1, 1, 0]], [0, 1, 2, 3]) == "no simplex; 1 inside, 4 on the sphere: not critical"
     obtuse = [[0, 0, 0], [4, 0, 0], [1, 1, 0]]
     assert fact_text(obtuse, [0, 1, 2]).endswith(": not critical")
     tetrahedron = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]
