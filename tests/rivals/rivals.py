@@ -155,7 +155,7 @@ class Rivals:
         findings = failure["findings"]
         if failure["wrong"] > len(findings):
             findings = self.run("check", f"{kept}.xyz", f"{kept}.claim", "--json", "--tolerance", tolerance)["findings"]
-        return class_of([finding for finding in findings if not finding["permitted"]])
+        return class_of([finding for finding in findings if not finding["permitted"]], self.vectors[kept.name])
 
     # ---- Campaigns
 
@@ -178,9 +178,20 @@ class Rivals:
                             "--memory-limit", "0", "--against", own, "--persistence-against", command)
 
 
-def class_of(findings):
-    """The class of an answer that fails, and its first finding of each kind."""
+def is_at_stationary_point(finding, case):
+    """Whether the claimed simplex has the centre of a stationary point, whatever it leaves out of its contact set."""
+    rows = vector_rows(case)
+    facts = sphere_facts(rows, independent_part(rows, finding["contact"]))
+    centers = [[Fraction(word) for word in point["center"]] for point in case["expected"]["stationary"]]
+    return facts["center"] in centers
+
+
+def class_of(findings, case=None):
+    """The class of an answer that fails, and its first finding of each kind. A vector knows its stationary points."""
     kinds = {}
+    for finding in findings:
+        if finding["reason"] == "contact-incomplete" and case and not is_at_stationary_point(finding, case):
+            finding["reason"] = "contact-incomplete, nothing there"
     for finding in findings:
         kinds.setdefault(finding["reason"], finding)
     if len(kinds) > 1:
@@ -523,6 +534,10 @@ def self_test():
     finding = lambda reason: {"reason": reason, "contact": [0]}
     assert class_of([finding("missed-by-cluster"), finding("wrong-counts")])[0] == "not claimed"
     assert class_of([finding("missed-by-cluster"), finding("missing")])[0] == "wrong"
+    case = {"points": [["0", "0", "0"], ["2", "0", "0"], ["1", "1", "0"]],
+            "expected": {"stationary": [{"center": ["1", "0", "0"]}]}}
+    edge = lambda ids: [{"reason": "contact-incomplete", "contact": ids}]
+    assert class_of(edge([0, 1]), case)[0] == "not claimed" and class_of(edge([0, 2]), case)[0] == "wrong"
     assert list(class_of([finding("wrong-counts"), finding("missing")])[1]) == ["missing"]
     assert kind_of_reason("crashed: signal 11") == "crashed: signal 11"
     assert kind_of_reason("QhullError: QH6154 Qhull precision error: Initial") == "QhullError: QH6154"
