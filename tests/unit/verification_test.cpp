@@ -9,8 +9,10 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "fuzz/judge/command_run.h"
 #include "fuzz/judge/oracle_truth.h"
 #include "fuzz/properties/input_points.h"
+#include "io/json_fields.h"
 #include "tests/cites.h"
 
 namespace flowcert::judge {
@@ -239,6 +241,71 @@ TEST(Verification, OneCaseAlone) {
   verification.take(answer_to(run, 3));
   EXPECT_EQ(verification.verdict(), Verdict::kConforms);
   EXPECT_TRUE(verification.unanswered_ranges().empty());
+}
+
+// ---- Vectors
+
+// A folder with one vector: an acute triangle whose two orbits are said to end at the given sample. (They go to
+// infinity.)
+std::unique_ptr<ScratchFolder> vectors_with_limits_at(int sample) {
+  Json one = Json::parse(R"({"id": "triangle", "comment": "", "flags": ["few-points"], "result": "determined",
+    "points": [["0","0","0"], ["4","0","0"], ["2","3","0"]], "expected": {"merged_duplicates": 0}})");
+  for (const auto& point : oracle::stationary_points({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}}).stationary) {
+    Json record = {{"index", point.hull_dimension}, {"contact", point.contact}, {"squared_distance", "0"}};
+    for (const Rational& coordinate : point.center) record["center"].push_back(to_text(coordinate));
+    record["squared_distance"] = to_text(point.squared_distance);
+    if (point.hull_dimension == 2) record["limits"] = {{sample}, {sample}};
+    one["expected"]["stationary"].push_back(record);
+  }
+  auto folder = std::make_unique<ScratchFolder>();
+  write_text_file(folder->path() / "flags.json", R"({"format": "flowcert-vector-flags", "format_version": 1,
+    "flags": [{"flag": "few-points", "meaning": "Few points."}]})");
+  const Json group = {{"format", "flowcert-vectors"}, {"format_version", 1}, {"group", "few"}, {"cases", {one}}};
+  write_text_file(folder->path() / "few.json", group.dump());
+  return folder;
+}
+
+// All critical points of that triangle, with limits at a sample.
+std::string exchange_claim(const std::string& limit) {
+  std::string text = R"({"format":"flowcert-stationary-points","format_version":1})";
+  for (const char* contact : {"[0]", "[1]", "[2]"}) text += std::string("\n{\"index\":0,\"contact\":") + contact + "}";
+  for (const char* contact : {"[0,1]", "[0,2]", "[1,2]"}) {
+    text += std::string("\n{\"index\":1,\"contact\":") + contact + "}";
+  }
+  return text + "\n{\"index\":2,\"contact\":[0,1,2],\"limits\":[" + limit + "," + limit + "]}\n";
+}
+
+TEST(Verification, AVectorSaysWhatIsRight) {
+  CITES("FC-FLOW-07");
+  const auto folder = vectors_with_limits_at(1);
+  VerificationOptions options = keeping_failures();
+  options.vectors = folder->path().string();
+  const auto cases = vectors_to_ask(options.vectors);
+  const auto outcomes = [&](const std::string& limit) {
+    Verification verification(options);
+    verification.take({.place = {.file = "answers", .line = 1},
+                       .id = cases->id(cases->numbered(0)),
+                       .is_refusal = false,
+                       .text = exchange_claim(limit)});
+    return verification.counts();
+  };
+  EXPECT_EQ(outcomes("[1]"), (OutcomeCounts{1, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(outcomes("null"), (OutcomeCounts{0, 0, 0, 1, 0, 0, 0}));
+}
+
+// A vector of the same name that says something else is another case.
+TEST(Verification, AnswersAreToTheVectorsThatWereAsked) {
+  CITES("FC-CLAIM-01");
+  const auto asked = vectors_with_limits_at(1), other = vectors_with_limits_at(2);
+  const auto cases = vectors_to_ask(asked->path().string());
+  VerificationOptions options = keeping_failures();
+  options.vectors = other->path().string();
+  Verification verification(options);
+  const Answer answer{.place = {.file = "answers", .line = 1},
+                      .id = cases->id(cases->numbered(0)),
+                      .is_refusal = false,
+                      .text = exchange_claim("[1]")};
+  EXPECT_NE(complaint_of(verification, answer).find("no case of the vectors"), std::string::npos);
 }
 
 }  // namespace
