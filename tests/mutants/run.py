@@ -68,6 +68,9 @@ LIKELY = {
     "fuzz/judge/oracle_truth": ["oracle_truth_test"],
     "fuzz/judge/peer_property": ["peer_property_test"],
     "fuzz/judge/": ["conformance_run_test"],
+    "src/io/claims/pair_claim": ["pair_claim_test"],
+    "src/io/claims/orbit_claim": ["orbit_difference_test"],
+    "src/io/claims/": ["read_claim_test", "exchange_keys_test"],
 }
 
 # Tests that do not reach a folder's code cannot kill its mutants.
@@ -89,6 +92,7 @@ REACHED_BY = {
         "orbit_invariants_test", "persistence_test", "stable_agreement_test", "stable_invariants_test",
         "stable_metamorphic_test", "stationary_agreement_test", "unstable_agreement_test"},
     "judge": OF_JUDGE,
+    "io": OF_JUDGE | {"exchange_keys_test", "orbit_difference_test", "pair_claim_test", "read_claim_test"},
 }
 
 
