@@ -68,6 +68,14 @@ LIKELY = {
     "fuzz/judge/oracle_truth": ["oracle_truth_test"],
     "fuzz/judge/peer_property": ["peer_property_test"],
     "fuzz/judge/": ["conformance_run_test"],
+    "src/certify/placement": ["place_findings_test"],
+    "src/certify/incidences": ["incidence_findings_test"],
+    "src/certify/boundaries": ["incidence_findings_test"],
+    "src/certify/polylines": ["stable_findings_test"],
+    "src/certify/surfaces": ["stable_findings_test"],
+    "src/certify/pair_differences": ["pair_differences_test"],
+    "src/certify/orbit_difference": ["orbit_difference_test"],
+    "src/certify/": ["check_test", "place_findings_test", "perturbed_claims_test"],
     "src/io/claims/pair_claim": ["pair_claim_test"],
     "src/io/claims/orbit_claim": ["orbit_difference_test"],
     "src/io/claims/": ["read_claim_test", "exchange_keys_test"],
@@ -92,6 +100,10 @@ REACHED_BY = {
         "orbit_invariants_test", "persistence_test", "stable_agreement_test", "stable_invariants_test",
         "stable_metamorphic_test", "stationary_agreement_test", "unstable_agreement_test"},
     "judge": OF_JUDGE,
+    "certify": OF_JUDGE | {
+        "check_mutations_test", "check_test", "exchange_keys_test", "incidence_findings_test", "orbit_difference_test",
+        "pair_claims_test", "pair_differences_test", "perturbed_claims_test", "place_findings_test",
+        "stable_claims_test", "stable_findings_test"},
     "io": OF_JUDGE | {"exchange_keys_test", "orbit_difference_test", "pair_claim_test", "read_claim_test"},
 }
 

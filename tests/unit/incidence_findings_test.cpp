@@ -304,6 +304,40 @@ TEST(BoundaryFindings, ATieLeavesSomeOpen) {
             wrong + "0 3, 1 3, 0 1; 1 3 does not lie below it");
 }
 
+// The walk from 0 over 1 to 3 goes back along the hypotenuse 0 3 of the right angle 0 2 3, or along its sides, but not
+// along both.
+TEST(BoundaryFindings, ThreeEdgesAtASampleAreNoCycle) {
+  CITES("FC-CLAIM-09", "FC-CHAIN-01");
+  const Truly points(kRegularBack);
+  const auto verdict = [&](const std::vector<Ids>& boundary) {
+    Claimed claimed = points.whole_claim();
+    claimed.of({0, 1, 3}).stable->boundary = boundary;
+    return points.check(claimed, {.highest_level = 4}).verdict;
+  };
+  EXPECT_EQ(verdict({{0, 1}, {1, 3}, {0, 2}, {2, 3}}), Verdict::kConforms);
+  EXPECT_EQ(verdict({{0, 1}, {1, 3}, {0, 3}}), Verdict::kPerturbed);
+  EXPECT_EQ(verdict({{0, 1}, {1, 3}, {0, 3}, {0, 2}, {2, 3}}), Verdict::kFails);
+}
+
+// The stable manifold of 0 1 4 has a Voronoi vertex, (0,1,0), and no interval: no triangle of the four samples around
+// the vertex contains its circumcentre. An index-1 point below it may name it, or not.
+TEST(BoundaryFindings, AVertexWithoutIntervalsIsATie) {
+  CITES("FC-CLAIM-09", "FC-CHAIN-01");
+  const Truly points({{-3, 0, 0}, {3, 0, 0}, {-1, -2, 0}, {0, -2, -1}, {0, 7, 0}}), flat(kTetrahedron);
+  const Ids saddle = {0, 1, 4}, edge = {2, 3};
+  const StableSummary summary = points.truth->stable_summary(points.record_of(saddle));
+  EXPECT_TRUE(summary.has_vertex);
+  EXPECT_FALSE(summary.has_interval);
+  EXPECT_TRUE(has_tie(*points.truth, points.record_of(saddle)));
+  EXPECT_FALSE(has_tie(*flat.truth, flat.record_of({0, 1, 2})));
+  Claimed claimed = points.whole_claim();
+  std::vector<ClaimedTarget>& above = claimed.of(edge).successors.value();
+  EXPECT_EQ(std::erase_if(above, [&](const ClaimedTarget& target) { return target.contact == saddle; }), 1U);
+  const CheckReport report = points.check(claimed);
+  EXPECT_EQ(report.verdict, Verdict::kConformsWhereDetermined) << text(report);
+  EXPECT_EQ(count(report, FindingReason::kTieBreak), 1U);
+}
+
 TEST(BoundaryFindings, ThroughWhatAPerturbationMakesCritical) {
   CITES("FC-CLAIM-09");
   const Truly points(kRegularBack);

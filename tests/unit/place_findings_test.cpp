@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "certify/finding_words.h"
+#include "flowcert/reproducibility.h"
 #include "tests/cites.h"
 #include "tests/unit/hand_made_claims.h"
 
@@ -45,6 +46,11 @@ TEST(FormFindings, OfTheWhole) {
             "\n1 malformed FC-IN-03: other classes of repeated points; 1 classes of more than one row"
             "\n1 wrong-counts FC-CLAIM-01: 0 0 1 regular stationary points of kinds 1-2, 1-3, 2-3; the claim "
             "itself lists 1 0 0");
+  Claimed other = points.whole_claim();
+  other.claim.input_sha256 = coordinates_sha256(points.points);
+  EXPECT_EQ(said(points, other), "conforms");
+  std::ranges::reverse(*other.claim.input_sha256);
+  EXPECT_TRUE(said(points, other).starts_with("fails\n1 malformed FC-CLAIM-01: a claim about the input with SHA-256 "));
 }
 
 TEST(FormFindings, OfIndicesAndKinds) {
@@ -277,6 +283,10 @@ TEST(PlaceFindings, OfWhatIsNoSimplex) {
   expect_undecided(cube, cube.claim_without({all}).add(3, {0, 1, 6, 7}), 1);
   EXPECT_EQ(cube.check(cube.claim_without({all}).add(2, {0, 1, 6})).verdict, Verdict::kFails) << "the sum";
   EXPECT_EQ(cube.check(cube.claim_without({all}).add(1, {0, 7})).verdict, Verdict::kFails) << "no index 3";
+  // That plane is not the plane of a face, so its four corners do not stay together as a polygon.
+  EXPECT_EQ(
+      cube.check(cube.claim_without({all}).add(2, {0, 1, 6, 7}).add(3, {0, 1, 2, 7}).add(3, {0, 1, 4, 7})).verdict,
+      Verdict::kFails);
   // By position alone, two opposite samples make an index-1 point possible.
   const auto at_center = [&](const Truly& truly, const RationalPoint& x, const std::vector<int>& indices) {
     Claimed claimed = truly.claim_without({{0, 1, 2, 3}, all});
@@ -442,12 +452,20 @@ TEST(PlaceFindings, OfDistances) {
   EXPECT_EQ(with([](ClaimedPoint& point) { point.squared_distance = decimal(2); }), start + "squared distance 2" + end);
   EXPECT_EQ(with([&](ClaimedPoint& point) { point.squared_distance = number(1 + tiny); }),
             rounding + "squared distance ~1.0000000000000002" + end);
+  EXPECT_EQ(with([&](ClaimedPoint& point) { point.squared_distance = number(1 + 1000 * tiny); }),
+            start + "squared distance ~1.000000000000222" + end)
+      << "more than rounding explains";
   EXPECT_EQ(with([&](ClaimedPoint& point) { point.squared_distance = decimal(1 + tiny); }), "conforms");
   // The claimed squared distance is off by all of the radius.
   Claimed nothing = points.claim();
   nothing.last().squared_distance = decimal(0);
   EXPECT_EQ(points.check(nothing, {.tolerance = 1}).verdict, Verdict::kConforms);
   EXPECT_EQ(points.check(nothing, {.tolerance = 0.5}).verdict, Verdict::kFails);
+  // What is exact is not right because it rounds to the right double.
+  EXPECT_EQ(with([&](ClaimedPoint& point) {
+              point.center = {number(1 + tiny / 256), number(0), number(0)};
+            }),
+            "fails\n2 rounding FC-OUT-01: index 1, contact set 0 1, centre ~1 0 0; the centre is 1 0 0");
   // A position that is partly exact and partly in decimals is approximate.
   Claimed mixed = points.claim();
   mixed.last().center = {number(1), decimal(0), number(0)};
@@ -455,6 +473,21 @@ TEST(PlaceFindings, OfDistances) {
   EXPECT_EQ(points.check(mixed).verdict, Verdict::kConforms);
   mixed.last().center = {number(2), decimal(0), number(0)};
   EXPECT_EQ(points.check(mixed).verdict, Verdict::kFails) << "what is exact has no tolerance";
+}
+
+// The radius of the cube's sphere is 0.866025...
+TEST(PlaceFindings, AsFarAsTheToleranceGoes) {
+  CITES("FC-CLAIM-05");
+  const Truly cube(kCube);
+  const auto verdict = [&](const Rational& off) {
+    Claimed claimed = cube.claim_without({{0, 1, 2, 3, 4, 5, 6, 7}});
+    claimed.at(3, decimals({Rational(1, 2), Rational(1, 2), Rational(1, 2) + off}));
+    return cube.check(claimed, {.tolerance = 0.01}).verdict;
+  };
+  for (const int sign : {-1, 1}) {
+    EXPECT_EQ(verdict(Rational(sign * 866, 100000)), Verdict::kConforms);
+    EXPECT_EQ(verdict(Rational(sign * 867, 100000)), Verdict::kFails);
+  }
 }
 
 // Two places look the same. Each claim finds a place of its own while there is one.
@@ -471,6 +504,10 @@ TEST(PlaceFindings, OfAmbiguousPositions) {
   EXPECT_EQ(claim({2, 1}).verdict, Verdict::kConformsWhereDetermined);
   const CheckReport again = claim({1, 2, 1});
   EXPECT_EQ(count(again, FindingReason::kClaimedTwice), 1U) << text(again);
+  // A claim too many does not take the place of another index.
+  const CheckReport early = claim({1, 1, 2});
+  EXPECT_EQ(count(early, FindingReason::kClaimedTwice), 1U) << text(early);
+  EXPECT_EQ(count(early, FindingReason::kWrongIndex), 0U) << text(early);
   const CheckReport wrong = claim({1, 3});
   EXPECT_EQ(wrong.verdict, Verdict::kFails);
   // A claim that is exactly at one of the places means that place.

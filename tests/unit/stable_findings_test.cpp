@@ -95,6 +95,19 @@ void go_on(ClaimedPoint& point, std::size_t side, const TruePath& path, const Cl
   (*point.successors)[side] = limit;
 }
 
+// A polyline that goes to infinity, as it should, beside a limit that is a point: both levels say so.
+TEST(PolylineFindings, ToInfinityAndALimit) {
+  CITES("FC-CLAIM-06", "FC-FLOW-07");
+  const Truly points(kTetrahedron);
+  Claimed claimed = points.whole_claim();
+  ClaimedPoint& saddle = claimed.of({0, 1, 2});
+  const std::size_t side = saddle.successors->at(0).is_infinity ? 0 : 1;
+  saddle.successors->at(side) = to({0, 1, 2, 3});
+  const CheckReport report = points.check(claimed);
+  EXPECT_EQ(count(report, FindingReason::kWrongIncidence), 1U) << text(report);
+  EXPECT_EQ(count(report, FindingReason::kWrongPolyline), 1U) << text(report);
+}
+
 TEST(PolylineFindings, BeyondASaddle) {
   CITES("FC-CLAIM-07", "FC-CLAIM-08");
   const Truly arch(kArch);
@@ -500,6 +513,11 @@ TEST(SkeletonFindings, BeyondARegularPoint) {
   EXPECT_EQ(added(points, saddle, near, 2), "fails\n5 wrong-surface " + found + ", a segment of 0 2 from 3/2" + end);
   EXPECT_EQ(added(none, kTriangle, near, 3),
             "fails\n5 wrong-surface FC-CLAIM-10: index 2, contact set 0 1 2, a segment of 0 2 from 3/2" + end);
+  // The same segment the other way round goes up.
+  const std::string up = said_of_skeleton(points, saddle, [&](ClaimedSkeleton& skeleton) {
+    skeleton.segments.push_back({{0, 2}, exactly(RationalPoint{2, 1, Rational(1, 2)}), exactly(near), {}, {}, ""});
+  });
+  EXPECT_TRUE(up.starts_with("fails\n5 wrong-surface ")) << up;
 }
 
 // ---- Surfaces
