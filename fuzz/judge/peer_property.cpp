@@ -60,6 +60,10 @@ std::optional<Disagreement> wrong_claim(const CheckReport& report, const std::st
     const bool counts = !finding.is_variation && !is_among(ignored, reason_text(finding.reason));
     if (counts) wrong.push_back(finding);
   }
+  // A wrong Euler sum follows from what is ignored.
+  const bool has_ignored = std::ranges::any_of(
+      report.findings, [&](const Finding& finding) { return is_among(ignored, reason_text(finding.reason)); });
+  if (has_ignored) std::erase_if(wrong, [](const Finding& finding) { return finding.clause == kEulerClause; });
   if (wrong.empty()) return std::nullopt;
   const Finding& telling = telling_finding(wrong);
   std::string truth;

@@ -95,8 +95,8 @@ std::string position_text(const ClaimedPosition& x) {
 std::string offset_text(const ClaimedPosition& claimed, const RationalPoint& truth, const ValueScale& scale) {
   const Rational off = squared_distance(values_of(claimed), truth);
   if (!nearest_double(off)) return "farther away than doubles reach";
-  std::string text = off > 0 && as_double(off) == 0 ? "less than 1e-160 away"
-                                                    : fmt::format("{:.3g} away", std::sqrt(as_double(off)));
+  std::string text =
+      off > 0 && as_double(off) == 0 ? "less than 1e-160 away" : fmt::format("{:.3g} away", std::sqrt(as_double(off)));
   const Rational allowed = scale.squared_allowance();
   if (is_exact(claimed) || allowed == 0) return text;
   return text + fmt::format(", {:.3g} times the tolerance", std::sqrt(as_double(Rational(off / allowed))));

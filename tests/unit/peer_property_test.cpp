@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "tests/cites.h"
 
 namespace flowcert::judge {
@@ -13,10 +17,8 @@ const std::string kSamples = "0,,,,,0\\n0,,,,,1\\n0,,,,,2\\n";
 const std::string kEdges = "1,,,,,0,1\\n1,,,,,0,2\\n";
 
 // The kind of the disagreement about the right triangle, "none" if there is none.
-std::string kind_of(const std::string& command, double seconds = 60) {
-  PeerOptions options;
+std::string kind_of(const std::string& command, PeerOptions options = {}) {
   options.command = command + " # {in} {out}";
-  options.limits.seconds = seconds;
   const property::Property property = peer_property(options);
   const auto found = property.check({{{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}}, oracle::Point{}});
   return found ? found->kind : "none";
@@ -42,9 +44,49 @@ TEST(PeerProperty, AnEndIsAKind) {
   EXPECT_EQ(kind_of(claiming(kSamples + kEdges) + "; exit 3"), "refusal");
   EXPECT_EQ(kind_of("kill -SEGV $$"), "signal");
   EXPECT_EQ(kind_of("exit 127"), "not-started");
-  EXPECT_EQ(kind_of("sleep 100", 0.2), "time-limit");
+  PeerOptions hurried;
+  hurried.limits.seconds = 0.2;
+  EXPECT_EQ(kind_of("sleep 100", hurried), "time-limit");
   EXPECT_EQ(kind_of("true"), "unreadable");
   EXPECT_EQ(kind_of(claiming("0,,,,,3\\n")), "unreadable");
+}
+
+// The next reason is looked for in the same answer.
+TEST(PeerProperty, WhatIsIgnoredIsNoKind) {
+  CITES("FC-CLAIM-03");
+  const auto kind_without = [](const std::string& command, const std::vector<std::string>& ignored) {
+    PeerOptions options;
+    options.ignored = ignored;
+    return kind_of(command, options);
+  };
+  const std::string wrong = claiming(kSamples + "1,,,,,0,1\\n1,,,,,0,1\\n");
+  EXPECT_EQ(kind_without(wrong, {}), "claimed-twice");
+  EXPECT_EQ(kind_without(wrong, {"claimed-twice"}), "missing");
+  EXPECT_EQ(kind_without(wrong, {"claimed-twice", "missing"}), "none") << "the Euler sum is right";
+  EXPECT_EQ(kind_without(claiming(kSamples + "1,,,,,0,1\\n"), {"missing"}), "none") << "the Euler sum follows";
+  EXPECT_EQ(kind_without("exit 3", {"refusal"}), "none");
+  EXPECT_EQ(kind_without("exit 3", {"signal"}), "refusal");
+  const auto kinds = peer_kinds();
+  for (const char* kind : {"missing", "wrong-surface", "signal", "wrong-pair", "rounding"}) {
+    EXPECT_NE(std::ranges::find(kinds, kind), kinds.end()) << kind;
+  }
+  EXPECT_EQ(std::ranges::find(kinds, "spanning-part"), kinds.end());
+}
+
+// The pairs of the right triangle, whose edges have the squared radii 9/4 and 4.
+TEST(PeerProperty, PairsAreJudgedInstead) {
+  CITES("FC-CLAIM-11");
+  PeerOptions options;
+  options.judges_pairs = true;
+  EXPECT_STREQ(peer_property(options).name.c_str(), "persistence-against");
+  const auto kind = [&](const std::string& lines) { return kind_of(claiming(lines), options); };
+  EXPECT_EQ(kind("0 0 2.25\\n0 0 4\\n0 0 inf\\n"), "none");
+  EXPECT_EQ(kind("0 0 2.25\\n0 0 inf\\n"), "wrong-pair");
+  EXPECT_EQ(kind("0 0 2.2500001\\n0 0 4\\n0 0 inf\\n"), "wrong-pair");
+  EXPECT_EQ(kind("0 0\\n"), "unreadable");
+  EXPECT_EQ(kind("{}"), "unreadable");
+  options.ignored = {"wrong-pair"};
+  EXPECT_EQ(kind("0 0 2.25\\n0 0 inf\\n"), "none");
 }
 
 }  // namespace
