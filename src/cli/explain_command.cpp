@@ -4,11 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "cli/command.h"
 #include "cli/shortened_numbers.h"
 #include "cli/table.h"
+#include "cli/wrapped_text.h"
 #include "flowcert/explain.h"
 #include "io/json_fields.h"
 #include "io/number_text.h"
@@ -48,7 +50,9 @@ void print_fact(const char* name, const std::string& text) { print_wrapped(fmt::
 
 void print_text(const Explanation& explanation, const std::string& asked) {
   print_wrapped(fmt::format("{}: {}", asked, verdict_text(explanation)), 2);
-  print_fact("because", fmt::format("{} [{}]", with_short_numbers(explanation.reason), explanation.clause));
+  std::string clause = explanation.clause;
+  std::ranges::replace(clause, ' ', kFixedBlank);
+  print_fact("because", fmt::format("{} [{}]", with_short_numbers(explanation.reason), clause));
   if (!explanation.witnesses.empty()) {
     const char* name = explanation.witnesses.size() == 1 ? "by point" : "by points";
     print_fact(name, fmt::format("{}", fmt::join(explanation.witnesses, ", ")));

@@ -119,7 +119,7 @@ void print_table(const std::string& name, const Input& input, const PersistenceR
     zero += counts[k].zero;
   }
   print_row("pairs of length zero", with_commas(zero),
-            with_zero ? "regular stationary points" : "regular stationary points; --zero writes them");
+            with_zero ? "regular stationary points" : "regular; --zero writes them");
   print_row("ties broken, U2", with_commas(run.complex.chains().broken_ties()), "orbits that had to go on");
   print_row("ties broken, S2", with_commas(run.complex.stable().statistics().broken_ties),
             "boundaries left open by ties");

@@ -16,8 +16,18 @@ using Rows = std::vector<std::vector<std::string>>;
 
 // "name", 14 columns for the value, and three blanks come before a remark.
 constexpr std::size_t kRemarks = 51;
-// What a column keeps of its width.
+// What a column keeps of its width. Words are broken only beyond the second.
 constexpr std::size_t kNarrowest = 12;
+constexpr std::size_t kLongestWord = 30;
+
+// The width below which a cell's words would be broken.
+std::size_t narrowest_of(const std::string& cell) {
+  std::size_t narrowest = kNarrowest;
+  std::vector<std::string> words;
+  boost::algorithm::split(words, cell, [](char c) { return c == ' '; });
+  for (const std::string& word : words) narrowest = std::max(narrowest, std::min(columns_of(word), kLongestWord));
+  return narrowest;
+}
 
 std::vector<std::size_t> widths_of(const Rows& rows, std::string_view alignment) {
   std::vector<std::size_t> widths(alignment.size(), 0);
@@ -26,10 +36,15 @@ std::vector<std::size_t> widths_of(const Rows& rows, std::string_view alignment)
   }
   std::size_t total = 2 * widths.size();
   for (const std::size_t width : widths) total += width;
+  if (total <= kLineWidth) return widths;
+  std::vector<std::size_t> narrowest(alignment.size(), 0);
+  for (const auto& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) narrowest[k] = std::max(narrowest[k], narrowest_of(row[k]));
+  }
   for (; total > kLineWidth; --total) {
     std::size_t widest = widths.size();
     for (std::size_t k = 0; k < widths.size(); ++k) {
-      const bool is_candidate = alignment[k] == 'l' && widths[k] > kNarrowest;
+      const bool is_candidate = alignment[k] == 'l' && widths[k] > narrowest[k];
       if (is_candidate && (widest == widths.size() || widths[k] > widths[widest])) widest = k;
     }
     if (widest == widths.size()) break;

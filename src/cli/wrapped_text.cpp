@@ -54,10 +54,12 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t width
   while (true) {
     const std::size_t end = text.find('\n');
     append_line(lines, text.substr(0, end), blanks, width);
-    if (end == std::string_view::npos) return lines;
+    if (end == std::string_view::npos) break;
     lines += '\n';
     text.remove_prefix(end + 1);
   }
+  std::ranges::replace(lines, kFixedBlank, ' ');
+  return lines;
 }
 
 }  // namespace flowcert::cli

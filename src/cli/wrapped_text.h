@@ -13,6 +13,8 @@
 namespace flowcert::cli {
 
 inline constexpr std::size_t kLineWidth = 80;
+// wrapped() makes a blank of it, but no line's end.
+inline constexpr char kFixedBlank = '\x1f';
 
 // How many columns a text in UTF-8 takes.
 [[nodiscard]] std::size_t columns_of(std::string_view text);

@@ -262,11 +262,11 @@ TEST(PersistenceCommand, WhatIsNoInputIsStatus2) {
   const std::string cube = scratch.file("cube.xyz", kCube);
   expect_refused(persistence(cube, {"-o", scratch.path("none/cube.pers")}), "cannot be written");
   expect_refused(persistence(cube, {"-o", "/dev/full"}), "cannot be written");
-  expect_refused(flowcert({"persistence"}), "(see flowcert --help)");
+  expect_refused(flowcert({"persistence"}), "(see flowcert persistence --help)");
   for (const Words& usage : {Words{"-o"}, Words{"--seed-ties"}, Words{"--seed-ties", "x"}, Words{"--seed-ties", "-1"},
                              Words{"--seed-ties", "18446744073709551616"}, Words{"--bogus"}}) {
     SCOPED_TRACE(::testing::PrintToString(usage));
-    expect_refused(persistence(cube, usage), "(see flowcert --help)");
+    expect_refused(persistence(cube, usage), "(see flowcert persistence --help)");
   }
   const Finished full =
       flowcert({"persistence", cube}, {.standard_input = "/dev/null", .standard_output = "/dev/full"});

@@ -512,7 +512,7 @@ TEST(UnstableUsage, OptionsThatMeanNothingAreStatus2) {
     EXPECT_EQ(finished.status, 2);
     EXPECT_EQ(finished.out, "");
     EXPECT_EQ(lines_of(finished.err).size(), 1U) << finished.err;
-    EXPECT_TRUE(finished.err.ends_with("(see flowcert --help)\n")) << finished.err;
+    EXPECT_TRUE(finished.err.ends_with("(see flowcert compute --help)\n")) << finished.err;
   }
   EXPECT_EQ(scratch.names(), (std::set<std::string>{"a.xyz"}));
 }

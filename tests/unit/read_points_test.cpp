@@ -66,7 +66,11 @@ TEST(ReadXyz, Errors) {
   EXPECT_EQ(refusal("1 2 3\n\n# c\n4 # 5 6\n", "a.xyz"), "a.xyz:4: too few numbers: 1 of 3");
   EXPECT_EQ(refusal("1,2,\n", "a.csv"), "a.csv:1: too few numbers: 2 of 3");
   EXPECT_EQ(refusal("2\n1 2 3\n4 5 6\n", "a.pts"), "a.pts:1: too few numbers: 1 of 3");
-  EXPECT_EQ(refusal("x,y,z\n1,2,3\n", "a.csv"), "a.csv:1: not a number: 'x'");
+  // Names of columns are taken above the first row alone, and only these.
+  EXPECT_EQ(refusal("x,y,z\n1,2,3\n", "a.csv"), "accepted, 1 rows");
+  EXPECT_EQ(refusal("x,y\n1,2,3\n", "a.csv"), "a.csv:1: not a number: 'x'");
+  EXPECT_EQ(refusal("id,x,y,z\n1,2,3\n", "a.csv"), "a.csv:1: not a number: 'id'");
+  EXPECT_EQ(refusal("1,2,3\nx,y,z\n", "a.csv"), "a.csv:2: not a number: 'x'");
   EXPECT_EQ(refusal("1,,3,4\n", "a.csv"), "a.csv:1: not a number: ''");
   EXPECT_EQ(refusal(",1,2,3\n", "a.csv"), "a.csv:1: not a number: ''");
   EXPECT_EQ(refusal("1,5;2,5;3,5\n", "a.csv"), "a.csv:1: not a number: '5;2'");

@@ -63,6 +63,12 @@ TEST(WrappedText, WordsThatFitNoLineAreBrokenAfterCommasOrSlashes) {
   EXPECT_EQ(wrapped(row_of(200, 'x'), 2), joined({row_of(80, 'x'), row_of(78, 'x', "  "), row_of(42, 'x', "  ")}));
 }
 
+TEST(WrappedText, AFixedBlankIsNoPlaceForALineEnd) {
+  const std::string clause = std::string("(b") + kFixedBlank + "c)";
+  EXPECT_EQ(wrapped(row_of(77, 'x') + ' ' + clause, 2), joined({row_of(77, 'x'), "  (b c)"}));
+  EXPECT_EQ(wrapped(row_of(75, 'x') + clause, 2), row_of(75, 'x') + "(b c)");
+}
+
 TEST(WrappedText, ColumnsAreCharacters) {
   std::string umlauts;
   for (int k = 0; k < 80; ++k) umlauts += "ü";
