@@ -3,9 +3,11 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,6 +16,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -31,11 +34,14 @@ constexpr int kShellSignal = 128;
 constexpr int kNotStarted = 127;
 constexpr int kLastSignal = 31;
 
-// This signal, which programs do not use, tells the leader of a group that this process has ended.
-const int kParentEnded = SIGRTMIN + 7;
+// This signal, which programs do not use, tells a guard that the command is to end. The kernel sends it when this
+// process has ended.
+const int kEndIt = SIGRTMIN + 7;
 
-// A killed process may take a moment to go, and is not waited for longer than this.
+// A killed process may take a moment to go, and is not waited for longer than this. A guard looks this often.
 constexpr Seconds kLongestDying{5};
+constexpr timespec kLook = {.tv_sec = 0, .tv_nsec = 500'000};
+constexpr int kMostLooks = 10'000;
 
 class Descriptor {
  public:
@@ -62,30 +68,56 @@ ResourceLimit limit_of(int resource, rlim_t most) {
   return {resource, {value, value}};
 }
 
-// Everything that the new process needs, made before the fork.
+// A number that the guard tells this process.
+class SharedProcess {
+ public:
+  SharedProcess() : place_(::mmap(nullptr, sizeof(pid_t), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
+    if (place_ == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "no memory to share");
+  }
+  ~SharedProcess() { ::munmap(place_, sizeof(pid_t)); }
+  SharedProcess(const SharedProcess&) = delete;
+  SharedProcess& operator=(const SharedProcess&) = delete;
+
+  [[nodiscard]] volatile pid_t& number() const { return *static_cast<volatile pid_t*>(place_); }
+
+ private:
+  void* place_;
+};
+
+// Everything that the new processes need, made before the fork.
 struct Start {
   pid_t parent;
   const char* command;
   const char* directory;
   std::array<int, 3> descriptors;
   std::array<ResourceLimit, 3> limits;
+  const SharedProcess& group;  // the command's
 };
 
-void end_own_group(int) { ::kill(0, SIGKILL); }
+// ---- The guard ----
+// A process between this one and the command, which is its child. Whatever the command starts comes to the guard when
+// its own parent ends, also what has left the command's group by setsid. So the guard finds all of it.
 
-// Sets up the group's leader, and so the command.
-bool set_up(const Start& start) {
+// Only guards catch the signal that sets it.
+volatile sig_atomic_t has_to_end = 0;
+void note_end(int) { has_to_end = 1; }
+void wake_up(int) {}
+
+// Nothing but SIGKILL and kEndIt can disturb a guard.
+bool set_up_guard(const Start& start) {
   ::setpgid(0, 0);
   for (int number = 1; number < NSIG; ++number) ::signal(number, SIG_DFL);
-  ::signal(kParentEnded, end_own_group);
-  sigset_t none;
-  ::sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  ::signal(kEndIt, note_end);
+  ::signal(SIGCHLD, wake_up);
+  sigset_t all;
+  ::sigfillset(&all);
+  ::sigprocmask(SIG_SETMASK, &all, nullptr);
   for (int target = 0; target < 3; ++target) {
     if (::dup2(start.descriptors[static_cast<std::size_t>(target)], target) < 0) return false;
   }
   ::close_range(3, ~0U, 0);
-  ::prctl(PR_SET_PDEATHSIG, kParentEnded, 0UL, 0UL, 0UL);
+  if (::prctl(PR_SET_CHILD_SUBREAPER, 1UL, 0UL, 0UL, 0UL) != 0) return false;
+  ::prctl(PR_SET_PDEATHSIG, kEndIt, 0UL, 0UL, 0UL);
   return ::getppid() == start.parent;
 }
 
@@ -97,35 +129,92 @@ bool set_limits(const Start& start) {
 }
 
 [[noreturn]] void become_command(const Start& start) {
+  ::setpgid(0, 0);
   if (set_limits(start) && ::chdir(start.directory) == 0) {
+    for (const int number : {kEndIt, SIGCHLD}) ::signal(number, SIG_DFL);
+    sigset_t none;
+    ::sigemptyset(&none);
+    ::sigprocmask(SIG_SETMASK, &none, nullptr);
     ::execl("/bin/sh", "sh", "-c", start.command, static_cast<char*>(nullptr));
   }
   ::_exit(kNotStarted);
 }
 
-// Waits for the command. If our parent ends, even by being killed, this ends the whole group, since nobody else
-// would.
-[[noreturn]] void lead_group(const Start& start) {
-  const pid_t command = set_up(start) ? ::_Fork() : -1;  // fork itself may take locks
+// Waits until the command has ended, or has to. False in the second case.
+bool wait_for(pid_t command, int& status) {
+  sigset_t others;
+  ::sigfillset(&others);
+  ::sigdelset(&others, kEndIt);
+  ::sigdelset(&others, SIGCHLD);
+  while (has_to_end == 0) {
+    int status_of_one = 0;
+    const pid_t ended = ::waitpid(-1, &status_of_one, WNOHANG);
+    if (ended == command) {
+      status = status_of_one;
+      return true;
+    }
+    if (ended <= 0) ::sigsuspend(&others);
+  }
+  return false;
+}
+
+// The kernel lists the numbers with a blank after each.
+void kill_children() {
+  const int list = ::open("/proc/thread-self/children", O_RDONLY | O_CLOEXEC);
+  if (list < 0) return;
+  std::array<char, 4096> text;
+  pid_t child = 0;
+  for (ssize_t count = 0; (count = ::read(list, text.data(), text.size())) > 0;) {
+    for (const char c : std::string_view(text.data(), static_cast<std::size_t>(count))) {
+      if ('0' <= c && c <= '9') {
+        child = child * 10 + (c - '0');
+      } else {
+        if (child > 0) ::kill(child, SIGKILL);
+        child = 0;
+      }
+    }
+  }
+  ::close(list);
+}
+
+// Kills children until there is none. Those of a killed child become the guard's.
+void end_children(pid_t command) {
+  for (int look = 0; look < kMostLooks; ++look) {
+    ::kill(-command, SIGKILL);
+    kill_children();
+    pid_t ended = 1;
+    while (ended > 0) ended = ::waitpid(-1, nullptr, WNOHANG);
+    if (ended < 0 && errno == ECHILD) return;
+    ::nanosleep(&kLook, nullptr);
+  }
+}
+
+[[noreturn]] void guard(const Start& start) {
+  const pid_t command = set_up_guard(start) ? ::_Fork() : -1;  // fork itself may take locks
   if (command < 0) ::_exit(kNotStarted);
   if (command == 0) become_command(start);
+  // The guard does it too, so that the group exists when it is first signalled.
+  ::setpgid(command, command);
+  start.group.number() = command;
   int status = 0;
-  while (::waitpid(command, &status, 0) < 0 && errno == EINTR) continue;
+  const bool has_ended = wait_for(command, status);
+  end_children(command);
+  if (!has_ended) ::_exit(kNotStarted);  // nobody asks
   ::_exit(WIFSIGNALED(status) ? kShellSignal + WTERMSIG(status) : WEXITSTATUS(status));
 }
 
-pid_t start_process(const Start& start) {
-  // Orphans of the group become our children, so that we can wait for them.
+pid_t start_guard(const Start& start) {
+  // Where a guard is killed itself, the command comes to us.
   ::prctl(PR_SET_CHILD_SUBREAPER, 1UL, 0UL, 0UL, 0UL);
   const pid_t process = ::fork();
   if (process < 0) throw std::system_error(errno, std::generic_category(), "no process can be started");
-  if (process == 0) lead_group(start);
-  // The parent does it too, so that the group exists when we first signal it.
-  ::setpgid(process, process);
+  if (process == 0) guard(start);
   return process;
 }
 
-// The process stays a zombie and keeps its number, so that the group can still be signalled.
+// ---- This process ----
+
+// The process stays a zombie and keeps its number.
 bool has_ended(pid_t process) {
   siginfo_t info{};
   return ::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == process;
@@ -138,15 +227,19 @@ void pause(Clock::time_point since) {
   std::this_thread::sleep_for(std::clamp(passed / 10, microseconds(200), microseconds(10'000)));
 }
 
-// Kills what is left of the group, and waits for it. Returns the status of the process that leads it.
-int end_group(pid_t leader) {
-  ::kill(-leader, SIGKILL);
-  int status = 0;
-  while (::waitpid(leader, &status, 0) < 0 && errno == EINTR) continue;
+// Waits for the guard, and returns its status. It needs a moment to end what is left.
+int end_of_guard(pid_t guard, const SharedProcess& group) {
   const Clock::time_point since = Clock::now();
+  while (!has_ended(guard) && Clock::now() - since < 2 * kLongestDying) pause(since);
+  ::kill(guard, SIGKILL);  // nothing, if it has ended
+  int status = 0;
+  while (::waitpid(guard, &status, 0) < 0 && errno == EINTR) continue;
+  const pid_t command = group.number();
+  if (!WIFSIGNALED(status) || command <= 0) return status;
+  ::kill(-command, SIGKILL);
   for (;;) {
-    const pid_t orphan = ::waitpid(-leader, nullptr, WNOHANG);
-    if ((orphan < 0 && errno != EINTR) || Clock::now() - since > kLongestDying) return status;
+    const pid_t orphan = ::waitpid(-command, nullptr, WNOHANG);
+    if ((orphan < 0 && errno != EINTR) || Clock::now() - since > 3 * kLongestDying) return status;
     if (orphan == 0) pause(since);
   }
 }
@@ -168,13 +261,15 @@ ProgramEnd run_limited(const std::string& command, const ProgramPlaces& places, 
   const Descriptor out(places.standard_output, O_WRONLY | O_CREAT | O_TRUNC);
   const Descriptor err(places.standard_error, O_WRONLY | O_CREAT | O_TRUNC);
   const rlim_t memory = limits.memory_bytes == 0 ? RLIM_INFINITY : limits.memory_bytes;
+  const SharedProcess group;
   const Clock::time_point since = Clock::now();
-  const pid_t process = start_process(
-      {::getpid(),
-       command.c_str(),
-       places.directory.c_str(),
-       {in.number(), out.number(), err.number()},
-       {limit_of(RLIMIT_AS, memory), limit_of(RLIMIT_FSIZE, limits.file_bytes), limit_of(RLIMIT_CORE, 0)}});
+  const pid_t process =
+      start_guard({::getpid(),
+                   command.c_str(),
+                   places.directory.c_str(),
+                   {in.number(), out.number(), err.number()},
+                   {limit_of(RLIMIT_AS, memory), limit_of(RLIMIT_FSIZE, limits.file_bytes), limit_of(RLIMIT_CORE, 0)},
+                   group});
   bool is_late = false, is_over = false;
   while (!has_ended(process)) {
     is_over = is_cancelled();
@@ -183,7 +278,8 @@ ProgramEnd run_limited(const std::string& command, const ProgramPlaces& places, 
     pause(since);
   }
   const double seconds = Seconds(Clock::now() - since).count();
-  ProgramEnd end = end_of(end_group(process));
+  if (is_over || is_late) ::kill(process, kEndIt);
+  ProgramEnd end = end_of(end_of_guard(process, group));
   if (is_over) end = {ProgramEnding::kCancelled, 0};
   if (is_late && !is_over) end = {ProgramEnding::kTimedOut, 0};
   end.seconds = seconds;
