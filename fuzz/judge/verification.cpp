@@ -29,6 +29,7 @@ constexpr std::string_view kStream = "standard input";
 constexpr std::string_view kAnswer = "answer";
 constexpr std::string_view kRefused = "refused";
 constexpr std::string_view kEnd = "end";
+constexpr std::size_t kMostAnswerBytes = std::size_t{1} << 28;
 
 std::string_view first_word(std::string_view line) {
   std::string_view word;
@@ -80,6 +81,8 @@ void AnswerReader::read_claim_lines(Answer& answer) {
     if (word == kAnswer || word == kRefused) {
       place().reject(in_quotes(word) + " before the 'end' of the answer of line " + std::to_string(answer.place.line));
     }
+    // Of a text that is too long, what comes after is not kept.
+    if (answer.text.size() > kMostAnswerBytes) continue;
     answer.text += line_;
     answer.text += '\n';
   }
@@ -102,6 +105,26 @@ bool AnswerReader::next(Answer& answer) {
 namespace {
 
 bool is_empty(const std::string& text) { return std::all_of(text.begin(), text.end(), is_blank); }
+
+// A set of n points has at most 2 n^2 + n vertices, edges, facets and cells in its Delaunay triangulation, and so no
+// more critical points. An answer has room for twice as many, and for lines of other kinds. A program that never comes
+// to an end is stopped here: a line takes up to 3 KB when it is judged.
+std::size_t most_lines(std::size_t rows) { return 1000 + 4 * rows * rows; }
+
+std::size_t count_of_lines(std::string_view text) {
+  LineReader lines(text, kStream);
+  std::string_view line;
+  std::size_t count = 0;
+  while (lines.next_uncommented(line)) ++count;
+  return count;
+}
+
+// Throws InvalidInput.
+void require_not_endless(const std::string& text, std::size_t rows) {
+  if (text.size() > kMostAnswerBytes) reject_file("answer", fmt::format("more than {} bytes", kMostAnswerBytes));
+  const std::size_t most = most_lines(rows);
+  if (count_of_lines(text) > most) reject_file("answer", fmt::format("more than {} lines for {} points", most, rows));
+}
 
 // An answer without lines claims that there is no critical point. The readers of files would refuse it, as an empty
 // file.
@@ -233,6 +256,7 @@ FailedCase Verification::judge(const AskedCase& one, const Answer& answer) {
   FailedCase result;
   result.id = answer.id;
   try {
+    require_not_endless(answer.text, one.input.rows.size());
     if (answer.is_refusal) {
       result.outcome = Outcome::kRefused;
       result.reason = printable(answer.text);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 
 #include "fuzz/inputs/families.h"
@@ -294,6 +295,26 @@ TEST(Verify, AReasonNeverReachesATerminalRaw) {
   const Finished text = flowcert({"verify"}, {path, ""});
   EXPECT_EQ(text.status, 1);
   EXPECT_TRUE(contains(text.out, ") refused: ?[31mred? ??\n")) << text.out;
+}
+
+// Eight megabytes of wrong lines take little more than that: 400 MB of address space are enough.
+TEST(Verify, AnEndlessAnswerTakesNoMemory) {
+  const std::string head = generated({"--only", "3"});
+  const Words words = lines_of(cases_of(head).at(0));
+  const std::string id = words[0].substr(5, words[0].find(' ', 5) - 5);
+  const Scratch scratch;
+  std::string answer = "answer " + id + "\n";
+  while (answer.size() < 8'000'000) answer += "2,0.5,0.25,0,1,0,1\n";
+  const std::string file = scratch.file("answers", answer + "end\n");
+  RunningProgram program({"/bin/sh", "-c", "ulimit -v 400000; exec \"$0\" verify --only 3", FLOWCERT_PROGRAM},
+                         {file, ""});
+  const Finished finished = program.finish();
+  EXPECT_EQ(finished.status, 1) << finished.err;
+  EXPECT_EQ(finished.err, "");
+  const std::string reason = "answer: more than " + std::to_string(1000 + 4 * (words.size() - 1) * (words.size() - 1)) +
+                             " lines for " + std::to_string(words.size() - 1) + " points";
+  EXPECT_NE(std::regex_replace(finished.out, std::regex("\\s+"), " ").find("unreadable: " + reason), std::string::npos)
+      << finished.out;
 }
 
 TEST(Verify, ReportsToProgramsAreBounded) {
