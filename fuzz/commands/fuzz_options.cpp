@@ -160,7 +160,8 @@ fuzz::Campaign new_campaign(const FuzzOptions& options) {
   if (!options.out.empty()) return fuzz::Campaign::begun(plan, options.count, options.out);
   const std::string findings = fmt::format("flowcert-fuzz-{}", options.seed);
   if (fs::exists(findings) && !options.only) {
-    throw InvalidInput(findings + ": there are findings of another campaign in it; name another folder by --out");
+    throw InvalidInput(
+        findings + ": there are findings of an earlier campaign in it; move it away, or name another folder by --out");
   }
   return {plan, options.count, findings};
 }

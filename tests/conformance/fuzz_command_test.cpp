@@ -359,6 +359,24 @@ TEST(FuzzCommand, AsksNobodyAboutNoPoints) {
   for (const json& finding : report.at("findings")) EXPECT_EQ(finding.at("points"), 1);
 }
 
+TEST(FuzzCommand, SaysWhatToDoAboutFindingsOfAnEarlierCampaign) {
+  const Scratch scratch;
+  const auto run = [&](const std::string& options) {
+    return RunningProgram({"/bin/sh", "-c",
+                           "cd \"$1\" && exec \"$0\" fuzz --seed 9 --count 2 --against 'exit 3 # {in}' " + options,
+                           FLOWCERT_PROGRAM, scratch.path("")})
+        .finish();
+  };
+  EXPECT_EQ(run("").status, 1);
+  const Finished again = run("");
+  EXPECT_EQ(again.status, 2);
+  EXPECT_EQ(again.err,
+            "flowcert: flowcert-fuzz-9: there are findings of an earlier campaign in it; move it away, or name another "
+            "folder by --out\n");
+  EXPECT_EQ(run("--out other").status, 1);
+  EXPECT_NE(content_of(FLOWCERT_FUZZ_README).find("`flowcert-fuzz-SEED`"), std::string::npos);
+}
+
 TEST(FuzzCommand, RefusesFoldersThatDoNotFit) {
   const Scratch scratch;
   fs::create_directory(scratch.path("full"));
