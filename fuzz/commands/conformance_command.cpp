@@ -83,14 +83,15 @@ std::vector<const VectorCase*> chosen_cases(const Vectors& vectors, const Confor
   return chosen;
 }
 
+// A case begins two blanks from the left. What goes on is indented more.
 void print_list(const std::vector<const VectorCase*>& cases) {
-  Table table("lll");
+  constexpr std::size_t kIndent = 6;
   for (const VectorCase* one : cases) {
+    print_wrapped(fmt::format("  {}  {}", one->id, one->comment), kIndent);
     std::string flags;
-    for (const std::string& flag : one->flags) flags += (flags.empty() ? "" : " ") + flag;
-    table.row(one->id).cell(one->comment).cell(flags);
+    for (const std::string& flag : one->flags) flags += ' ' + flag;
+    if (!flags.empty()) print_wrapped(fmt::format("     {}", flags), kIndent);
   }
-  table.print();
 }
 
 // ---- Running
@@ -98,6 +99,21 @@ void print_list(const std::vector<const VectorCase*>& cases) {
 void require_full_path(const char* option, const std::string& command) {
   const std::string complaint = complaint_about_relative_path(command);
   if (!complaint.empty()) throw InvalidInput(fmt::format("{}: {}", option, complaint));
+}
+
+// Runs a command once, on two points. A command that does not exist is better refused now than for every case.
+void require_startable(const char* option, const std::string& command, const ConformanceOptions& options) {
+  if (command.empty()) return;
+  require_full_path(option, command);
+  const ScratchFolder scratch;
+  const std::string points = options.points.format == PointFileFormat::kOff ? "OFF\n2 0 0\n" : "";
+  const CommandOrder order = {
+      command, point_file_name(options.points), points + "0 0 0\n2 0 0\n", options.out_name, {{"{start}", "1,0,0"}}};
+  const auto is_cancelled = [] { return Interruption::signal() != 0; };
+  const CommandRun run = run_command(order, scratch.path() / "once", options.limits, is_cancelled);
+  if (was_not_started(run.end)) {
+    throw InvalidInput(fmt::format("{}: the command was not started: {}", option, status_text(run)));
+  }
 }
 
 void require_answerable(const std::vector<CaseOutcome>& outcomes) {
@@ -110,9 +126,9 @@ void require_answerable(const std::vector<CaseOutcome>& outcomes) {
 
 int run_cases(const ConformanceCommandOptions& options, const Vectors& vectors,
               const std::vector<const VectorCase*>& cases) {
-  require_full_path("--against", options.run.command);
-  require_full_path("--orbits-against", options.run.orbit_command);
-  require_full_path("--persistence-against", options.run.persistence_command);
+  require_startable("--against", options.run.command, options.run);
+  require_startable("--orbits-against", options.run.orbit_command, options.run);
+  require_startable("--persistence-against", options.run.persistence_command, options.run);
   // A file that cannot be written is better reported before the run.
   std::optional<OutputFile> junit;
   if (!options.junit.empty()) junit.emplace(options.junit);
@@ -208,7 +224,8 @@ void add_command_options(CLI::App& command, ConformanceCommandOptions& options) 
   command.add_option("--out-name", run.out_name, "Name of the file {out}")
       ->check(complaint_about_file_name)
       ->capture_default_str();
-  command.add_option("--time-limit", run.limits.seconds, "Seconds after which a run is killed, with its process group")
+  command
+      .add_option("--time-limit", run.limits.seconds, "Seconds after which a run is killed, with all that it started")
       ->check(complaint_about_run_time)
       ->capture_default_str();
   command
@@ -241,15 +258,17 @@ void add_conformance_command(CLI::App& app, int& status) {
   add_choice_options(*command, *options);
   add_report_options(*command, *options);
   command->footer(
-      "The command runs by /bin/sh in a folder of its own for each case, and is killed with its process group "
+      "The command runs by /bin/sh in a folder of its own for each case, and is killed with all that it started "
       "when it is done, or late. It has to exit with 0 and leave a right claim (formats: see flowcert "
       "check); "
       "of an invalid case, with another status.\n\n"
       "Examples:\n  flowcert conformance --against \"$PWD/my-flow {in} {out}\"\n"
-      "  flowcert conformance --against 'flowcert compute {in} -o {out} --manifolds u2' --orbits-against "
-      "'flowcert orbit {in} --from {start} --json' --jobs 2\n"
-      "  flowcert conformance --against 'flowcert compute {in} -o {out}' --persistence-against 'flowcert "
-      "persistence {in} -o {out}' --group persistence\n"
+      "  flowcert conformance --jobs 2 \\\n"
+      "    --against 'flowcert compute {in} -o {out} --manifolds u2' \\\n"
+      "    --orbits-against 'flowcert orbit {in} --from {start} --json'\n"
+      "  flowcert conformance --against 'flowcert compute {in} -o {out}' \\\n"
+      "    --persistence-against 'flowcert persistence {in} -o {out}' \\\n"
+      "    --group persistence\n"
       "  flowcert conformance --list --flag kind-1-3");
   command->callback([options, &status] { status = conformance(*options); });
 }

@@ -18,6 +18,8 @@
 #include "fuzz/commands/commands.h"
 #include "fuzz/commands/fuzz_options.h"
 #include "fuzz/inputs/case_stream.h"
+#include "fuzz/inputs/families.h"
+#include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/judge/asked_cases.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
@@ -35,6 +37,7 @@ struct GenerateOptions {
   bool asks_vectors = false;
   std::string vectors;  // a folder; empty: the usual one
   bool hexadecimal = false;
+  bool is_xyz = false;
 };
 
 std::unique_ptr<AskedCases> cases_of(const GenerateOptions& options) {
@@ -63,12 +66,12 @@ void put(const std::string& text) {
 
 std::string introduction(const AskedCases& cases, const std::string& id) {
   return fmt::format(
-      "# flowcert generate: {}. After 'case ID N' there are N points, x y z; a "
-      "point's id is its place, from 0.\n"
-      "# Answer each case to flowcert verify, in any order. A critical point is a line "
-      "index,x,y,z,squared_distance,ids of all nearest points;\n"
-      "# what you do not have stays empty (other formats: spec/formats/claims.md). For two points (0,0,0) "
-      "and (2,0,0):\n"
+      "# flowcert generate: {}.\n"
+      "# After 'case ID N' come N points, x y z; a point's id is its place, from 0.\n"
+      "# Answer each case to flowcert verify, in any order. A critical point is a line\n"
+      "# index,x,y,z,squared_distance,ids of all nearest points;\n"
+      "# what you do not have stays empty (other formats: spec/formats/claims.md).\n"
+      "# For two points (0,0,0) and (2,0,0):\n"
       "#   answer {}\n"
       "#   0,0,0,0,0,0\n"
       "#   0,2,0,0,0,1\n"
@@ -89,6 +92,10 @@ void generate(const GenerateOptions& options) {
   const std::size_t last = options.only.value_or(cases->size() - 1);
   for (std::size_t number = first; number <= last; ++number) {
     const AskedCase one = cases->numbered(number);
+    if (options.is_xyz) {
+      put(fuzz::points_text(one.input, form));
+      continue;
+    }
     const std::string id = cases->id(one);
     if (number == first) put(introduction(*cases, id));
     put(fuzz::case_text(id, one.input, form));
@@ -122,13 +129,16 @@ void add_generate_command(CLI::App& app, int& status) {
   command->add_option("--cases", options->cases, "So many cases, instead of those of the level")
       ->check(CLI::Range(std::size_t{1}, fuzz::kMostCases));
   command
-      ->add_option("--family", options->families,
-                   "Cases of this family of degeneracy; may be given again. All of them, without this")
+      ->add_option(
+          "--family", options->families,
+          fmt::format("Cases of this family of degeneracy; may be given again. All of them, without this: {} of "
+                      "the {} families that flowcert fuzz --families list prints",
+                      fuzz::families().size(), fuzz::families_and_stable_ones().size()))
       ->check(complaint_about_family)
       ->allow_extra_args(false)
       ->type_name("NAME");
-  command->add_option("--only", options->only, "This case of the run alone, by its number, from 0")
-      ->check(CLI::NonNegativeNumber);
+  auto* only = command->add_option("--only", options->only, "This case of the run alone, by its number, from 0")
+                   ->check(CLI::NonNegativeNumber);
   CLI::Option* vectors =
       command
           ->add_option("--vectors", options->vectors,
@@ -139,9 +149,12 @@ void add_generate_command(CLI::App& app, int& status) {
           ->type_name("[FOLDER]");
   for (const char* other : {"--level", "--seed", "--cases", "--family"}) vectors->excludes(command->get_option(other));
   command->add_flag("--hex", options->hexadecimal, "Print hexadecimal floats, not decimals");
+  command->add_flag("--xyz", options->is_xyz, "Print the points of the case of --only alone, as a point file")
+      ->needs(only);
   command->footer(
-      "Example:\n  flowcert generate --level 1 --seed 7 | ./your-program | flowcert verify\n"
+      "Examples:\n  flowcert generate --level 1 --seed 7 | ./your-program | flowcert verify\n"
       "  flowcert generate --level 1 --seed 7 --only 12\n"
+      "  flowcert generate --level 1 --seed 7 --only 12 --xyz | flowcert compute -\n"
       "  flowcert generate --vectors | ./your-program | flowcert verify");
   command->callback([options, command, &status] {
     options->asks_vectors = command->count("--vectors") > 0;

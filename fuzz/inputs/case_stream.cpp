@@ -172,9 +172,8 @@ std::optional<NamedCase> case_named(std::string_view id) {
   }
 }
 
-std::string case_text(const std::string& id, const Input& input, NumberForm form) {
+std::string points_text(const Input& input, NumberForm form) {
   std::ostringstream out;
-  out << "case " << id << ' ' << input.rows.size() << '\n';
   if (form == NumberForm::kDecimal) {
     out << input;
     return out.str();
@@ -186,6 +185,10 @@ std::string case_text(const std::string& id, const Input& input, NumberForm form
     }
   }
   return out.str();
+}
+
+std::string case_text(const std::string& id, const Input& input, NumberForm form) {
+  return "case " + id + ' ' + std::to_string(input.rows.size()) + '\n' + points_text(input, form);
 }
 
 }  // namespace flowcert::fuzz

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <regex>
 
 #include "tests/cites.h"
 #include "tests/conformance/conformance_fixture.h"
@@ -107,13 +108,27 @@ TEST_F(ConformanceCommand, TakesClaimsInAnyFormatFromWhereverTheyAre) {
 
 // ---- Choosing, reports, what is kept
 
+// The cases that --list prints. A case begins two blanks from the left, and what goes on is indented more.
+Words listed_cases(const std::string& list) {
+  Words cases;
+  for (const std::string& line : lines_of(list)) {
+    EXPECT_TRUE(line.starts_with("  "));
+    if (line.starts_with("   ")) {
+      cases.back() += line;
+    } else {
+      cases.push_back(line);
+    }
+  }
+  return cases;
+}
+
 TEST_F(ConformanceCommand, ChoosesCases) {
   CITES("FC-IN-04");
   const auto listed = [](Words words) {
     words.emplace_back("--list");
     const Finished finished = run(words, FLOWCERT_VECTORS);
     EXPECT_EQ(finished.status, 0) << finished.err;
-    return lines_of(finished.out);
+    return listed_cases(finished.out);
   };
   EXPECT_EQ(listed({}).size(), vector_cases().size());
   const auto collinear = listed({"--flag", "collinear"});
@@ -213,13 +228,13 @@ TEST_F(ConformanceCommand, FindsTheVectorsThatAreInstalledWithIt) {
   fs::create_directories(prefix / "bin");
   fs::copy_file(FLOWCERT_PROGRAM, prefix / "bin" / "flowcert");
   const Words list = {(prefix / "bin" / "flowcert").string(), "conformance", "--list"};
-  EXPECT_EQ(lines_of(RunningProgram(list).finish().out).size(), vector_cases().size()) << "the source tree's";
+  EXPECT_EQ(listed_cases(RunningProgram(list).finish().out).size(), vector_cases().size()) << "the source tree's";
   const fs::path vectors = prefix / "share" / "flowcert" / "vectors";
   fs::create_directories(vectors);
   for (const char* file : {"flags.json", "invalid-input.json"}) {
     fs::copy_file(fs::path(FLOWCERT_VECTORS) / file, vectors / file);
   }
-  for (const std::string& line : lines_of(RunningProgram(list).finish().out)) {
+  for (const std::string& line : listed_cases(RunningProgram(list).finish().out)) {
     EXPECT_TRUE(line.starts_with("  invalid-input-")) << line;
   }
 }
@@ -379,6 +394,27 @@ TEST_F(ConformanceCommand, DoesWhatTheReadmeSays) {
 }
 
 // A relative path means something only where the user is.
+// Each of the commands is tried once, before the first case.
+TEST_F(ConformanceCommand, RefusesACommandThatDoesNotExist) {
+  const Scratch scratch;
+  const std::string told = scratch.path("told");
+  const std::string answers = "echo >>" + told + "; echo # {in}";
+  for (const Words& options : {Words{"--against", "no-such-program {in}"},
+                               Words{"--against", answers, "--orbits-against", "no-such-program {in} {start}"},
+                               Words{"--against", answers, "--persistence-against", "/no/such/program {in}"},
+                               Words{"--against", "/etc/passwd {in}", "--in-format", "off"}}) {
+    Words words = {"conformance"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Finished finished = flowcert(words);
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_EQ(finished.out, "");
+    EXPECT_TRUE(
+        std::regex_match(finished.err, std::regex("flowcert: --[a-z-]*against: the command was not started: .*\n")))
+        << finished.err;
+  }
+  EXPECT_EQ(content_of(told), "\n\n");
+}
+
 TEST_F(ConformanceCommand, AsksForFullPaths) {
   CITES("FC-IN-05");
   const std::string relative = fs::relative(FLOWCERT_PROGRAM, fs::current_path()).string();

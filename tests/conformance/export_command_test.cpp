@@ -104,6 +104,19 @@ TEST(ExportCommand, WithoutASelectionAllSurfacesAreWritten) {
   EXPECT_EQ(scratch.names(), (std::set<std::string>{"a", "points.xyz", "surface.ply"}));
 }
 
+TEST(ExportCommand, AHyphenIsStandardOutput) {
+  const Scratch scratch;
+  const std::string input = scratch.file("a.xyz", "0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 1 3\n");
+  EXPECT_EQ(flowcert({"surface", input, "-o", scratch.path("a.ply")}).status, 0);
+  const Finished streamed = flowcert({"surface", input, "-o", "-"});
+  EXPECT_EQ(streamed.status, 0) << streamed.err;
+  EXPECT_EQ(streamed.out, content_of(scratch.path("a.ply")));
+  EXPECT_FALSE(std::filesystem::exists("-"));
+  const Finished both = flowcert({"surface", input, "-o", "-", "--json"});
+  EXPECT_EQ(both.status, 2);
+  EXPECT_EQ(both.err, "flowcert: -o - and --json would both write to standard output\n");
+}
+
 TEST(ExportCommand, SelectionsAreThoseOfThePairs) {
   CITES("FC-PERS-01", "FC-PERS-02");
   const Scratch scratch;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <regex>
 #include <set>
 
 #include "tests/cites.h"
@@ -11,6 +12,13 @@
 
 namespace flowcert::conformance {
 namespace {
+
+// A family's line begins with two blanks, and what goes on with more.
+std::size_t lines_of_families(const std::string& list) {
+  const Words lines = lines_of(list);
+  return static_cast<std::size_t>(
+      std::ranges::count_if(lines, [](const std::string& line) { return !line.starts_with("   "); }));
+}
 
 TEST(Generate, SaysWhatItIsAndAsksAllFamiliesInTurn) {
   CITES("FC-IN-03", "FC-IN-04");
@@ -53,6 +61,50 @@ TEST(Generate, IsAFunctionOfItsOptions) {
   // The number of cases does not matter.
   const auto longer = points_of({"--cases", "100"});
   EXPECT_EQ(first, std::vector(longer.begin(), longer.begin() + 72));
+}
+
+TEST(Generate, PointsAloneAreAPointFile) {
+  CITES("FC-IN-02");
+  for (const Words& form : {Words{}, Words{"--hex"}}) {
+    for (const std::string number : {"0", "3", "17"}) {
+      Words options = {"--seed", "7", "--only", number};
+      options.insert(options.end(), form.begin(), form.end());
+      const std::string one = cases_of(generated(options)).at(0);
+      options.emplace_back("--xyz");
+      EXPECT_EQ(generated(options), one.substr(one.find('\n') + 1));
+    }
+  }
+  const Scratch scratch;
+  const std::string points = scratch.file("a.xyz", generated({"--only", "3", "--xyz"}));
+  const Finished piped = flowcert({"compute", "-"}, {.standard_input = points, .standard_output = ""});
+  EXPECT_EQ(piped.status, 0) << piped.err;
+  const Finished all = flowcert({"generate", "--xyz"});
+  EXPECT_EQ(all.status, 2);
+  EXPECT_EQ(all.err, "flowcert: --xyz requires --only (see flowcert generate --help)\n");
+}
+
+// Every number of families that is written is the number that there is.
+TEST(Generate, FamiliesAreCountedAlikeEverywhere) {
+  const std::size_t all = lines_of_families(flowcert({"fuzz", "--families", "list"}).out);
+  const std::string complaint = flowcert({"generate", "--family", "none"}).err;
+  const std::string names = complaint.substr(complaint.find("there are: "));
+  const auto drawn = static_cast<std::size_t>(std::ranges::count(names, ',')) + 1;
+  const std::string of_all = std::to_string(drawn) + " of the " + std::to_string(all) + " families";
+  std::size_t mentions = 0;
+  for (const std::string& path :
+       {FLOWCERT_SPEC_FOLDER + std::string("/../README.md"), std::string(FLOWCERT_FUZZ_README),
+        FLOWCERT_SPEC_FOLDER + std::string("/formats/cases.md")}) {
+    const std::string text = content_of(path);
+    const std::regex numbered("([0-9]+ of the )?([0-9]+) families");
+    for (std::sregex_iterator found(text.begin(), text.end(), numbered); found != std::sregex_iterator(); ++found) {
+      EXPECT_EQ((*found)[2], std::to_string(all)) << path << ": " << found->str();
+      EXPECT_TRUE(!(*found)[1].matched || found->str() == of_all) << path << ": " << found->str();
+      ++mentions;
+    }
+  }
+  EXPECT_EQ(mentions, 4U);
+  const std::string help = flowcert({"generate", "--help"}).out;
+  EXPECT_NE(std::regex_replace(help, std::regex("\\s+"), " ").find(of_all), std::string::npos) << help;
 }
 
 TEST(Generate, OnlyIsTheVeryCase) {
