@@ -102,7 +102,7 @@ void require_full_path(const char* option, const std::string& command) {
 }
 
 // Runs a command once, on two points. A command that does not exist is better refused now than for every case.
-void require_startable(const char* option, const std::string& command, const ConformanceOptions& options) {
+void require_runnable(const char* option, const std::string& command, const ConformanceOptions& options) {
   if (command.empty()) return;
   require_full_path(option, command);
   const ScratchFolder scratch;
@@ -126,9 +126,9 @@ void require_answerable(const std::vector<CaseOutcome>& outcomes) {
 
 int run_cases(const ConformanceCommandOptions& options, const Vectors& vectors,
               const std::vector<const VectorCase*>& cases) {
-  require_startable("--against", options.run.command, options.run);
-  require_startable("--orbits-against", options.run.orbit_command, options.run);
-  require_startable("--persistence-against", options.run.persistence_command, options.run);
+  require_runnable("--against", options.run.command, options.run);
+  require_runnable("--orbits-against", options.run.orbit_command, options.run);
+  require_runnable("--persistence-against", options.run.persistence_command, options.run);
   // A file that cannot be written is better reported before the run.
   std::optional<OutputFile> junit;
   if (!options.junit.empty()) junit.emplace(options.junit);
