@@ -393,11 +393,9 @@ TEST_F(ConformanceCommand, DoesWhatTheReadmeSays) {
   }
 }
 
-// A relative path means something only where the user is.
 // Each of the commands is tried once, before the first case.
 TEST_F(ConformanceCommand, RefusesACommandThatDoesNotExist) {
-  const Scratch scratch;
-  const std::string told = scratch.path("told");
+  const std::string told = scratch_.path("told");
   const std::string answers = "echo >>" + told + "; echo # {in}";
   for (const Words& options : {Words{"--against", "no-such-program {in}"},
                                Words{"--against", answers, "--orbits-against", "no-such-program {in} {start}"},
@@ -415,6 +413,7 @@ TEST_F(ConformanceCommand, RefusesACommandThatDoesNotExist) {
   EXPECT_EQ(content_of(told), "\n\n");
 }
 
+// A relative path means something only where the user is.
 TEST_F(ConformanceCommand, AsksForFullPaths) {
   CITES("FC-IN-05");
   const std::string relative = fs::relative(FLOWCERT_PROGRAM, fs::current_path()).string();
