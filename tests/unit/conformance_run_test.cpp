@@ -132,12 +132,14 @@ TEST(ConformanceRun, NoChildIsLeft) {
   CITES("FC-CLAIM-01");
   const ScratchFolder folder;
   const std::string file = (folder.path() / "process").string();
-  for (const std::string end : {"; ", "; sleep 100; "}) {
-    (void)outcome_of(right_triangle(), "sleep 100 & echo $! > " + file + end + kRight, 1);
-    pid_t process = 0;
-    std::ifstream(file) >> process;
-    ASSERT_GT(process, 0);
-    EXPECT_NE(::kill(process, 0), 0) << "a child in the background";
+  for (const std::string child : {"sleep 100 &", "setsid sleep 100 &"}) {
+    for (const std::string end : {" ", " sleep 100; "}) {
+      (void)outcome_of(right_triangle(), child + " echo $! > " + file + ";" + end + kRight, 1);
+      pid_t process = 0;
+      std::ifstream(file) >> process;
+      ASSERT_GT(process, 0);
+      EXPECT_NE(::kill(process, 0), 0) << child << end;
+    }
   }
 }
 
