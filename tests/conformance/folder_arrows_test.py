@@ -40,7 +40,7 @@ ARROWS = {
     "tests/vectors": ["fuzz/inputs", "oracle/program"],
     "tests/conformance": ["tests", "tests/vectors", "src/certify"],
     "tests/property": ["tests", "fuzz/campaign", "src/certify"],
-    "tests/unit": ["tests/property", "fuzz/campaign", "src/cli"],
+    "tests/unit": ["tests/property", "fuzz/campaign", "fuzz/judge", "src/cli"],
     "tests/bench": ["tests/property"],
 }
 # The program's main file alone puts together what the other folders keep apart.

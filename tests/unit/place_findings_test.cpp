@@ -465,7 +465,7 @@ TEST(PlaceFindings, OfDistances) {
   EXPECT_EQ(with([&](ClaimedPoint& point) {
               point.center = {number(1 + tiny / 256), number(0), number(0)};
             }),
-            "fails\n2 rounding FC-OUT-01: index 1, contact set 0 1, centre ~1 0 0; the centre is 1 0 0");
+            "fails\n2 rounding FC-OUT-01: index 1, contact set 0 1, centre ~1 0 0; the centre is 1 0 0, 8.67e-19 away");
   // A position that is partly exact and partly in decimals is approximate.
   Claimed mixed = points.claim();
   mixed.last().center = {number(1), decimal(0), number(0)};
