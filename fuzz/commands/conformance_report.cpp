@@ -138,7 +138,7 @@ void print_tallies(const char* title, const std::vector<NamedTally>& tallies) {
     }
   }
   table.leave_out_zeros(3);
-  table.print();
+  table.print_in_parts();
   fmt::print("\n");
 }
 
@@ -236,8 +236,9 @@ void print_flags_of_reasons(const ConformanceReport& report) {
     };
     const auto flag = std::ranges::find_if(flags, is_on_all);
     if (flag == flags.end() || flag->tally.cases == all) continue;
-    fmt::print("all {} cases of {} have the flag {}, as {} cases do\n", with_commas(row.count), row.reason, flag->name,
-               with_commas(flag->tally.cases));
+    print_wrapped(fmt::format("all {} cases of {} have the flag {}, as {} cases do", with_commas(row.count), row.reason,
+                              flag->name, with_commas(flag->tally.cases)),
+                  kCaseIndent);
   }
 }
 
@@ -246,16 +247,18 @@ template <typename Has>
 void print_unasked(const ConformanceReport& report, const char* what, const char* option, const Has& has) {
   const auto count = static_cast<std::size_t>(std::ranges::count_if(report.outcomes, has));
   if (count == 0) return;
-  fmt::print("not judged: the {} of {} case{}, without {}\n", what, with_commas(count), count == 1 ? "" : "s", option);
+  print_wrapped(fmt::format("not judged: the {} of {} case{}, without {}", what, with_commas(count),
+                            count == 1 ? "" : "s", option),
+                kCaseIndent);
 }
 
 void print_judged(const ConformanceReport& report) {
-  fmt::print("judged: ");
+  std::string judged = "judged: ";
   for (std::size_t level = 0; level < kLevels; ++level) {
-    fmt::print("{} claim{} on level {}, ", with_commas(claims_judged(report, level)),
-               claims_judged(report, level) == 1 ? "" : "s", level + 1);
+    judged += fmt::format("{} claim{} on level {}, ", with_commas(claims_judged(report, level)),
+                          claims_judged(report, level) == 1 ? "" : "s", level + 1);
   }
-  fmt::print("{} orbits\n", with_commas(orbits_judged(report)));
+  print_wrapped(judged + with_commas(orbits_judged(report)) + " orbits", kCaseIndent);
   if (!report.options.persistence_command.empty()) {
     fmt::print("judged: the persistence pairs of {} cases\n", with_commas(persistence_judged(report)));
   }
@@ -272,14 +275,17 @@ void print_judged(const ConformanceReport& report) {
 void print_undecided(const ConformanceReport& report) {
   const auto count = std::ranges::count(report.outcomes, false, &CaseOutcome::is_decided);
   if (count == 0) return;
-  fmt::print("not decided: in {} case{}, whether one perturbation makes all that is claimed at a point (FC-CLAIM-04)\n",
-             with_commas(static_cast<std::size_t>(count)), count == 1 ? "" : "s");
+  print_wrapped(fmt::format("not decided: in {} case{}, whether one perturbation makes all that is claimed at a point "
+                            "(FC-CLAIM-04)",
+                            with_commas(static_cast<std::size_t>(count)), count == 1 ? "" : "s"),
+                kCaseIndent);
 }
 
 void print_skipped(const ConformanceReport& report) {
   for (const CaseOutcome& outcome : report.outcomes) {
     if (outcome.outcome != RunOutcome::kSkipped) continue;
-    fmt::print("skipped: {} ({}): it {}\n", outcome.of->id, outcome.of->comment, outcome.message);
+    print_wrapped(fmt::format("skipped: {} ({}): it {}", outcome.of->id, outcome.of->comment, outcome.message),
+                  kCaseIndent);
   }
 }
 
@@ -430,10 +436,12 @@ void print_conformance_text(const ConformanceReport& report, std::size_t most) {
   print_judged(report);
   print_undecided(report);
   const Tally all = tally_of_all(report);
-  fmt::print("\n{} cases in {}: {} conform, {} where determined, {} perturbed, {} negative\n\n{}\n",
-             with_commas(all.cases), seconds_text(report.seconds), with_commas(all.conforms),
-             with_commas(all.where_determined), with_commas(all.perturbed), with_commas(all.negative()),
-             verdict_text(report.verdict()));
+  fmt::print("\n");
+  print_wrapped(fmt::format("{} cases in {}: {} conform, {} where determined, {} perturbed, {} negative",
+                            with_commas(all.cases), seconds_text(report.seconds), with_commas(all.conforms),
+                            with_commas(all.where_determined), with_commas(all.perturbed), with_commas(all.negative())),
+                kCaseIndent);
+  fmt::print("\n{}\n", verdict_text(report.verdict()));
 }
 
 void print_conformance_json(const ConformanceReport& report) {

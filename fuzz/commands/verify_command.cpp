@@ -74,7 +74,7 @@ void print_outcomes(const char* what, const CountsByName& rows, const std::optio
   for (const auto& [name, counts] : rows) add_row(table, name, counts);
   if (all) add_row(table, "all", *all);
   table.leave_out_zeros(3);
-  table.print();
+  table.print_in_parts();
 }
 
 void print_tables(const Verification& verification) {
@@ -197,7 +197,8 @@ void print_unanswered(const Verification& verification) {
     list += first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
   }
   if (ranges.size() > kMostRangesShown) list += ", ...";
-  fmt::print("\nunanswered cases: {}\n", list);
+  fmt::print("\n");
+  print_wrapped("unanswered cases: " + list, kVerifyIndent);
 }
 
 const char* truth_text(const Verification& verification) {
@@ -207,20 +208,21 @@ const char* truth_text(const Verification& verification) {
 
 void print_verdict(const Verification& verification) {
   const OutcomeCounts counts = verification.counts();
-  fmt::print("\n{}: {} of {} cases are right", verdict_text(verification.verdict()), with_commas(right_of(counts)),
-             with_commas(verification.expected()));
+  std::string text = fmt::format("{}: {} of {} cases are right", verdict_text(verification.verdict()),
+                                 with_commas(right_of(counts)), with_commas(verification.expected()));
   if (verification.approximate() > 0) {
-    fmt::print("; {} approximate, tolerance {} of the radius", with_commas(verification.approximate()),
-               verification.options().check.tolerance);
+    text += fmt::format("; {} approximate, tolerance {} of the radius", with_commas(verification.approximate()),
+                        verification.options().check.tolerance);
   }
   if (verification.partly_judged() > 0) {
-    fmt::print("; {} claim more than is judged", with_commas(verification.partly_judged()));
+    text += fmt::format("; {} claim more than is judged", with_commas(verification.partly_judged()));
   }
-  fmt::print("; truth by the {}", truth_text(verification));
+  text += fmt::format("; truth by the {}", truth_text(verification));
   if (verification.too_large() > 0) {
-    fmt::print(", of {} large ones by the fast implementation", with_commas(verification.too_large()));
+    text += fmt::format(", of {} large ones by the fast implementation", with_commas(verification.too_large()));
   }
   fmt::print("\n");
+  print_wrapped(text, kVerifyIndent);
 }
 
 // ---- JSON ----

@@ -119,6 +119,28 @@ void Table::leave_out_zeros(std::size_t from) {
   }
 }
 
+void Table::print_in_parts() const {
+  std::size_t width = 0;
+  for (std::size_t k = 0; k < alignment_.size(); ++k) {
+    std::size_t widest = 0;
+    for (const auto& row : rows_) widest = std::max(widest, columns_of(row.at(k)));
+    width += 2 + widest;
+  }
+  if (width <= kLineWidth) return print();
+  const std::size_t half = (alignment_.size() + 1) / 2;
+  const auto print_part = [&](std::size_t from, std::size_t to) {
+    Rows part;
+    for (const auto& row : rows_) {
+      part.push_back({row.front()});
+      for (std::size_t k = from; k < to; ++k) part.back().push_back(row.at(k));
+    }
+    print_columns(part, alignment_.substr(0, 1) + alignment_.substr(from, to - from));
+  };
+  print_part(1, half);
+  fmt::print("\n");
+  print_part(half, alignment_.size());
+}
+
 Table& Table::cell(std::size_t number) { return cell(with_commas(number)); }
 
 std::string seconds_text(double seconds) {

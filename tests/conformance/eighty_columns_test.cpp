@@ -118,6 +118,33 @@ TEST(EightyColumns, WhatCommandsPrint) {
   narrow_output({"generate", "--level", "2", "--seed", "123456789012345678", "--cases", "100"});
 }
 
+// A path, and a command that can be copied, are whole.
+void expect_narrow(const std::string& out) {
+  EXPECT_NE(out, "");
+  for (const std::string& line : lines_of(out)) {
+    const bool is_to_be_copied = line.find("flowcert ") != std::string::npos || line.starts_with("    /");
+    EXPECT_TRUE(is_to_be_copied || columns_in(line) <= 80) << line;
+  }
+}
+
+TEST(EightyColumns, WhatIsSaidOfWrongClaims) {
+  const Scratch scratch;
+  const std::string input = scratch.file("sphere.xyz", sphere_rows());
+  const std::string claim = scratch.path("claim.jsonl");
+  EXPECT_EQ(flowcert({"compute", input, "--manifolds", "u2,s2", "--polylines", "-o", claim}).status, 0);
+  expect_narrow(flowcert({"check", input, claim}).out);
+  const std::string wrong = scratch.file("wrong.csv", "index,x,y,z\n2,0.123456789012345678901,1e-200,1/3\n");
+  expect_narrow(flowcert({"check", input, wrong}).out);
+  const std::string peer = std::string(FLOWCERT_PEER) + " {in} {out}";
+  expect_narrow(flowcert({"conformance", "--against", peer, "--group", "rounding", "--group", "invalid-input"}).out);
+  expect_narrow(flowcert({"fuzz", "--against", peer, "--count", "40", "--out", scratch.path("campaign")}).out);
+  const std::string cases = scratch.path("cases"), answers = scratch.path("answers");
+  const std::string pipe = std::string(FLOWCERT_PROGRAM) + " generate --cases 80 >" + cases + " && " + FLOWCERT_MIDDLE +
+                           " rounded drop 3 unreadable 5 refuse 7 skip 9 skip 20 <" + cases + " >" + answers;
+  EXPECT_EQ(RunningProgram({"/bin/sh", "-c", pipe}).finish().status, 0);
+  expect_narrow(RunningProgram({"/bin/sh", "-c", std::string(FLOWCERT_PROGRAM) + " verify <" + answers}).finish().out);
+}
+
 TEST(EightyColumns, LongNumbersAreShortenedInTextAlone) {
   const Scratch scratch;
   const std::string input = scratch.file("long.xyz", kLongNumbers);

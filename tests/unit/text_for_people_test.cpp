@@ -1,13 +1,17 @@
 // Lines of at most 80 columns, and long numbers that are shortened in the middle: on words, numbers and bytes at
-// random, and at both sides of each limit.
+// random, and at both sides of each limit. Tables of counts and of reasons.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <functional>
 #include <random>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "cli/reason_table.h"
 #include "cli/shortened_numbers.h"
+#include "cli/table.h"
 #include "cli/wrapped_text.h"
 
 namespace flowcert {
@@ -99,6 +103,63 @@ TEST(ShortNumbers, OnlyLongOnesAreShortened) {
   EXPECT_EQ(with_short_numbers("at -" + longest + "5/" + longest + "7, 3"),
             "at -1234567890...6789012345/1234567890...6789012347, 3");
   EXPECT_LE(with_short_numbers(row_of(9000, '1', "-") + '/' + row_of(9000, '2')).size(), 48U);
+}
+
+// ---- Tables
+
+std::string printed(const std::function<void()>& print) {
+  std::fflush(stdout);
+  ::testing::internal::CaptureStdout();
+  print();
+  std::fflush(stdout);
+  return ::testing::internal::GetCapturedStdout();
+}
+
+TEST(Tables, ColumnsOfZerosAreLeftOut) {
+  Table table("lrrr", {"name", "all", "none", "some"});
+  table.row("one").cell(0).cell(0).cell(0);
+  table.row("two").cell(0).cell(0).cell(1234);
+  table.leave_out_zeros(2);
+  EXPECT_EQ(printed([&] { table.print(); }),
+            "  name  all   some\n"
+            "  one     0      0\n"
+            "  two     0  1,234\n");
+}
+
+TEST(Tables, WideOnesAreTwo) {
+  const std::string wide(30, '1');
+  for (const std::size_t length : {16, 17}) {
+    const std::string name(length, 'n');
+    Table table("lrr", {"name", "first", "second"});
+    table.row(name).cell(wide).cell(std::string(28, '2'));
+    const std::string text = printed([&] { table.print_in_parts(); });
+    EXPECT_EQ(lines_of(text).size(), length == 16 ? 3U : 6U) << text;
+    if (length == 16) continue;
+    EXPECT_NE(text.find("\n  " + name + "  " + wide + "\n\n  name "), std::string::npos) << text;
+  }
+}
+
+TEST(ReasonTally, CountsAndKeepsTheSmallestExample) {
+  ReasonTally tally;
+  tally.add("b", 5, 0);
+  tally.add("a", 7, 1);
+  tally.add("c", 2, 2);
+  tally.add("c", 1, 3);
+  tally.add("c", 1, 4);
+  const std::vector<ReasonRow> rows = tally.rows();
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].reason, "c");
+  EXPECT_EQ(rows[0].count, 3U);
+  EXPECT_EQ(rows[0].example, 3U);
+  EXPECT_EQ(rows[1].reason, "a");
+  EXPECT_EQ(rows[2].reason, "b");
+  EXPECT_EQ(printed([&] {
+              print_reasons(rows, "cases", [](const ReasonRow& row) { return "case " + std::to_string(row.example); });
+            }),
+            "  reason  cases  smallest example\n"
+            "  c           3  case 3\n"
+            "  a           1  case 1\n"
+            "  b           1  case 0\n\n");
 }
 
 }  // namespace
