@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -12,7 +13,9 @@
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "cli/command.h"
 #include "cli/command_line.h"
@@ -25,6 +28,7 @@
 namespace {
 
 using namespace flowcert;
+using namespace flowcert::commands;
 
 // A rank that has not ended by then has been killed since it was last heard of.
 constexpr double kSecondsToEnd = 5;
