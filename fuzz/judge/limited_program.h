@@ -1,9 +1,9 @@
 // A shell command under limits: of time, of memory, of the size of the files that it writes.
 //
 // Guarantees: whatever the command does, the call returns soon after the time limit or a cancellation. The command
-// has a process group of its own. When the call returns, or soon after this process is killed, no process that it started
-// is left, not even one that has left the group by setsid. (Two things escape: what another program starts for it, such
-// as a daemon that was there before, and what a command starts that kills our process above it, by SIGKILL.)
+// has a process group of its own. When the call returns, or soon after this process is killed, no process that it
+// started is left, not even one that has left the group by setsid. (Two things escape: what another program starts for
+// it, such as a daemon that was there before, and what a command starts that kills our process above it, by SIGKILL.)
 // The command reads nothing, and writes to files, so that nobody blocks on a pipe. It gets no other descriptors, and
 // signals at their defaults. No core is dumped.
 //

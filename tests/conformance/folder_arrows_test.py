@@ -52,6 +52,7 @@ LEFT_OUT = {
     "fuzz/commands/mpi": "MPI is not everywhere; ./dev mpi builds it",
     "fuzz/targets/make_seeds.cpp": "it made fuzz/corpus, and no test runs it",
     "tests/bench": "benchmarks; ./dev bench builds them",
+    "tests/rivals": "./dev rivals compiles it",
     "tests/conformance/mpi_campaign_test.cpp": "it tests what MPI builds",
 }
 
