@@ -173,7 +173,7 @@ void print_negative_case(const CaseOutcome& outcome, const std::string& words) {
 std::set<std::size_t> print_reasons_and_examples(const ConformanceReport& report) {
   const std::vector<ReasonRow> rows = reasons_of(report);
   print_reasons(rows, "cases", [&](const ReasonRow& row) {
-    return fmt::format("{}, {} point{}", report.outcomes[row.example].of->id, row.size, row.size == 1 ? "" : "s");
+    return report.outcomes[row.example].of->id + ", " + points_text(row.size);
   });
   std::set<std::size_t> shown;
   for (const ReasonRow& row : rows) {
@@ -360,19 +360,6 @@ Json case_field(const CaseOutcome& outcome) {
   return field;
 }
 
-Json conformance_reasons_field(const ConformanceReport& report) {
-  Json field = Json::array();
-  for (const ReasonRow& row : reasons_of(report)) {
-    Json reason;
-    reason["reason"] = row.reason;
-    reason["cases"] = row.count;
-    reason["smallest"] = report.outcomes[row.example].of->id;
-    reason["smallest_points"] = row.size;
-    field.push_back(std::move(reason));
-  }
-  return field;
-}
-
 Json judged_field(const ConformanceReport& report) {
   Json field = Json::object();
   for (std::size_t level = 0; level < kLevels; ++level) {
@@ -456,7 +443,8 @@ void print_conformance_json(const ConformanceReport& report) {
   json["verdict"] = verdict_text(report.verdict());
   json["seconds"] = report.seconds;
   json["judged"] = judged_field(report);
-  json["reasons"] = conformance_reasons_field(report);
+  json["reasons"] = reasons_field(reasons_of(report),
+                                  [&](const ReasonRow& row) { return Json(report.outcomes[row.example].of->id); });
   json["flags"] = tallies_field("flag", tallies_by_flag(report));
   json["groups"] = tallies_field("group", tallies_by_group(report));
   Json& cases = json["cases"] = Json::array();

@@ -107,26 +107,33 @@ struct Kind {
   bool is_explained = false;
 };
 
-// The first is what a reader should look at first: what is not explained, and small.
-std::vector<const fuzz::Counterexample*> in_order(const FuzzRun& run) {
-  std::vector<const fuzz::Counterexample*> findings;
-  for (const auto& [key, finding] : run.campaign.counterexamples()) findings.push_back(&finding);
-  std::ranges::stable_sort(findings, {}, [&](const fuzz::Counterexample* finding) {
-    return std::pair(run.known.explain(*finding), finding->trial.input.rows.size());
+struct ListedFinding {
+  const fuzz::Counterexample* finding;
+  bool is_explained;
+};
+
+// The first is what a reader should look at first: what is not explained, and small. Whether a finding is explained
+// takes its signature, and so is asked once.
+std::vector<ListedFinding> in_order(const FuzzRun& run) {
+  std::vector<ListedFinding> findings;
+  for (const auto& [key, finding] : run.campaign.counterexamples()) {
+    findings.push_back({&finding, run.known.explain(finding)});
+  }
+  std::ranges::stable_sort(findings, {}, [](const ListedFinding& listed) {
+    return std::pair(listed.is_explained, listed.finding->trial.input.rows.size());
   });
   return findings;
 }
 
 // Kinds that are not explained come first, and of these the most frequent one.
-std::vector<Kind> kinds_of(const FuzzRun& run) {
+std::vector<Kind> kinds_of(const FuzzRun& run, const std::vector<ListedFinding>& findings) {
   std::vector<Kind> kinds;
-  const auto findings = in_order(run);
   for (const auto& [name, cases] : run.campaign.tally().failures) {
     Kind kind{name, &cases};
-    const auto first = std::ranges::find(findings, name, [](const auto* finding) { return kind_of(*finding); });
+    const auto first = std::ranges::find(findings, name, [](const auto& listed) { return kind_of(*listed.finding); });
     if (first != findings.end()) {
-      kind.smallest = *first;
-      kind.is_explained = run.known.explain(**first);
+      kind.smallest = first->finding;
+      kind.is_explained = first->is_explained;
     }
     kinds.push_back(kind);
   }
@@ -162,7 +169,8 @@ void print_counterexample(const fuzz::Campaign& campaign, const fuzz::Counterexa
 }
 
 // One finding of each kind, and then the others. Known ones are counted.
-void print_counterexamples(const FuzzRun& run, const std::vector<Kind>& kinds) {
+void print_counterexamples(const FuzzRun& run, const std::vector<Kind>& kinds,
+                           const std::vector<ListedFinding>& findings) {
   const fuzz::Campaign& campaign = run.campaign;
   if (campaign.counterexamples().empty()) return;
   fmt::print("\nFindings:\n");
@@ -173,17 +181,17 @@ void print_counterexamples(const FuzzRun& run, const std::vector<Kind>& kinds) {
     shown.insert(kind.smallest);
   }
   std::size_t printed = 0, left_out = 0;
-  for (const fuzz::Counterexample* finding : in_order(run)) {
-    if (shown.contains(finding) || run.known.explain(*finding)) continue;
+  for (const ListedFinding& listed : findings) {
+    if (shown.contains(listed.finding) || listed.is_explained) continue;
     if (printed++ < kMostFindingsPrinted) {
-      print_counterexample(campaign, *finding);
+      print_counterexample(campaign, *listed.finding);
     } else {
       ++left_out;
     }
   }
   if (left_out > 0) fmt::print("  ... and {} more\n", with_commas(left_out));
-  if (const std::size_t explained = run.known.explained_of(campaign); explained > 0) {
-    fmt::print("  {} of {} finding{}: explained by known ones\n", with_commas(explained),
+  if (const auto explained = std::ranges::count(findings, true, &ListedFinding::is_explained); explained > 0) {
+    fmt::print("  {} of {} finding{}: explained by known ones\n", with_commas(static_cast<std::size_t>(explained)),
                with_commas(campaign.counterexamples().size()), campaign.counterexamples().size() == 1 ? "" : "s");
   }
   const fuzz::CampaignPlan& plan = campaign.plan();
@@ -196,9 +204,10 @@ void print_fuzz_text(const FuzzRun& run) {
   const fuzz::Tally& tally = campaign.tally();
   const fuzz::CampaignPlan& plan = campaign.plan();
   const auto expected = campaign.expected_cases();
-  const std::vector<Kind> kinds = kinds_of(run);
+  const std::vector<ListedFinding> findings = in_order(run);
+  const std::vector<Kind> kinds = kinds_of(run, findings);
   print_kinds(run, kinds);
-  print_counterexamples(run, kinds);
+  print_counterexamples(run, kinds, findings);
   if (!kinds.empty()) fmt::print("\n");
   print_row("cases", with_commas(tally.cases), expected ? "of " + with_commas(*expected) : "");
   print_row("seed", std::to_string(plan.seed));
@@ -251,7 +260,7 @@ ordered_json reached_json(const fuzz::Tally& tally) {
 // In the order of the table.
 ordered_json kinds_json(const FuzzRun& run) {
   ordered_json kinds = ordered_json::array();
-  for (const Kind& kind : kinds_of(run)) {
+  for (const Kind& kind : kinds_of(run, in_order(run))) {
     ordered_json object = {{"kind", kind.name}, {"cases", kind.cases->size()}, {"explained", kind.is_explained}};
     object["smallest"] = kind.smallest == nullptr ? ordered_json(nullptr) : ordered_json(kind.smallest->number);
     object["smallest_points"] =

@@ -149,8 +149,6 @@ std::vector<ReasonRow> reasons_of(const Verification& verification) {
   return rows;
 }
 
-std::string points_text(std::size_t count) { return fmt::format("{} point{}", count, count == 1 ? "" : "s"); }
-
 void print_reason_table(const Verification& verification) {
   print_reasons(reasons_of(verification), "cases", [&](const ReasonRow& row) {
     return fmt::format("case {} ({}), {}", row.example, verification.cases().family(row.example),
@@ -249,19 +247,6 @@ Json table_field(const char* what, const CountsByName& rows) {
   return table;
 }
 
-Json verify_reasons_field(const Verification& verification) {
-  Json reasons = Json::array();
-  for (const ReasonRow& row : reasons_of(verification)) {
-    Json field;
-    field["reason"] = row.reason;
-    field["cases"] = row.count;
-    field["smallest"] = row.example;
-    field["smallest_points"] = row.size;
-    reasons.push_back(std::move(field));
-  }
-  return reasons;
-}
-
 Json failure_field(const Verification& verification, std::size_t number, const FailedCase& failed) {
   Json findings = Json::array();
   for (const Finding& finding : failed.findings) findings.push_back(finding_field(finding));
@@ -324,7 +309,7 @@ void print_verify_json(const Verification& verification) {
   json["approximate"] = verification.approximate();
   json["partly_judged"] = verification.partly_judged();
   json["too_large_for_oracle"] = verification.too_large();
-  json["reasons"] = verify_reasons_field(verification);
+  json["reasons"] = reasons_field(reasons_of(verification), [](const ReasonRow& row) { return Json(row.example); });
   json["families"] = table_field("family", verification.counts_by_family());
   if (verification.is_stored()) json["flags"] = table_field("flag", verification.counts_by_flag());
   Json& failures = json["failures"] = Json::array();

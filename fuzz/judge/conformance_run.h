@@ -56,7 +56,7 @@ struct CaseOutcome {
   RunOutcome outcome = RunOutcome::kSkipped;
   std::string message;       // one line; empty where there is nothing to say
   std::optional<int> level;  // the first level that fails, if the claim fails
-  // Of a negative case: the reasons of its wrong findings, "wrong-orbit", "wrong-pair" (or "rounding"), or how the run
+  // A negative case has the reasons of its wrong findings, "wrong-orbit", "wrong-pair" (or "rounding"), or how the run
   // ended ("timed-out"). Each is there once.
   std::vector<CaseReason> reasons;
   double seconds = 0;  // of all runs of the case

@@ -81,7 +81,7 @@ void AnswerReader::read_claim_lines(Answer& answer) {
     if (word == kAnswer || word == kRefused) {
       place().reject(in_quotes(word) + " before the 'end' of the answer of line " + std::to_string(answer.place.line));
     }
-    // Of a text that is too long, what comes after is not kept.
+    // The end of a text that is too long is not kept.
     if (answer.text.size() > kMostAnswerBytes) continue;
     answer.text += line_;
     answer.text += '\n';

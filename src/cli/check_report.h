@@ -28,7 +28,7 @@ struct CheckedFiles {
 
 // "CLAIM:LINE: wrong, level 2: ..."
 [[nodiscard]] std::string finding_line(const std::string& claim, const Finding& finding);
-// The same for people: in lines of at most 80 columns, and with long numbers shortened in the middle.
+// A finding for people has lines of at most 80 columns, and long numbers are shortened in the middle.
 [[nodiscard]] std::string finding_text(const std::string& claim, const Finding& finding);
 [[nodiscard]] Json finding_field(const Finding& finding);
 

@@ -31,6 +31,21 @@ void sort_reasons(std::vector<ReasonRow>& rows) {
   });
 }
 
+std::string points_text(std::size_t count) { return fmt::format("{} point{}", count, count == 1 ? "" : "s"); }
+
+Json reasons_field(const std::vector<ReasonRow>& rows, const std::function<Json(const ReasonRow&)>& smallest) {
+  Json reasons = Json::array();
+  for (const ReasonRow& row : rows) {
+    Json field;
+    field["reason"] = row.reason;
+    field["cases"] = row.count;
+    field["smallest"] = smallest(row);
+    field["smallest_points"] = row.size;
+    reasons.push_back(std::move(field));
+  }
+  return reasons;
+}
+
 void print_reasons(const std::vector<ReasonRow>& rows, const char* counted,
                    const std::function<std::string(const ReasonRow&)>& name) {
   if (rows.empty()) return;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/layer.h"
+#include "io/json_fields.h"
 
 namespace flowcert::cli {
 
@@ -32,6 +33,13 @@ class ReasonTally {
 
 // Rows as ReasonTally gives them, whoever counted.
 void sort_reasons(std::vector<ReasonRow>& rows);
+
+// "1 point", "4 points"
+[[nodiscard]] std::string points_text(std::size_t count);
+
+// Reports for programs have the table as this array. smallest: the name or number of the example.
+[[nodiscard]] Json reasons_field(const std::vector<ReasonRow>& rows,
+                                 const std::function<Json(const ReasonRow&)>& smallest);
 
 // Prints a line for each reason, if there is any, and an empty line: "missed-by-cluster  148  stationary-0003".
 // counted: the title of the numbers, "cases". name: of the example.

@@ -39,7 +39,7 @@ class Table {
   // The number of rows, with the line of titles.
   [[nodiscard]] std::size_t height() const { return rows_.size(); }
   void print() const { print_columns(rows_, alignment_); }
-  // The same, but if the table is wider than a line, in two tables that each have the first column.
+  // Prints two tables that each have the first column, if one would be wider than a line.
   void print_in_parts() const;
 
  private:

@@ -513,7 +513,7 @@ TEST(SkeletonFindings, BeyondARegularPoint) {
   EXPECT_EQ(added(points, saddle, near, 2), "fails\n5 wrong-surface " + found + ", a segment of 0 2 from 3/2" + end);
   EXPECT_EQ(added(none, kTriangle, near, 3),
             "fails\n5 wrong-surface FC-CLAIM-10: index 2, contact set 0 1 2, a segment of 0 2 from 3/2" + end);
-  // The same segment the other way round goes up.
+  // The segment goes up if it is the other way round.
   const std::string up = said_of_skeleton(points, saddle, [&](ClaimedSkeleton& skeleton) {
     skeleton.segments.push_back({{0, 2}, exactly(RationalPoint{2, 1, Rational(1, 2)}), exactly(near), {}, {}, ""});
   });
