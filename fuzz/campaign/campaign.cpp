@@ -303,6 +303,7 @@ void Campaign::offer_point_file(const Counterexample& counterexample) {
       Counterexample other = counterexample;
       other.number = last;
       fs::remove(path_of(other));
+      fs::remove(path_of(other).replace_extension(".html"));  // its page, if an earlier run has made one
     }
   }
   if (least.contains(counterexample.number) || asked.contains(counterexample.number)) write_point_file(counterexample);

@@ -29,3 +29,9 @@ void add_generate_command(CLI::App& app, int&) { add_absent_command(app, "genera
 void add_verify_command(CLI::App& app, int&) { add_absent_command(app, "verify"); }
 
 }  // namespace flowcert::commands
+
+namespace flowcert::cli {
+
+void add_view_command(CLI::App& app, int&) { commands::add_absent_command(app, "view"); }
+
+}  // namespace flowcert::cli

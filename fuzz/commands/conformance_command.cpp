@@ -15,6 +15,7 @@
 #include "cli/progress.h"
 #include "cli/table.h"
 #include "fuzz/commands/commands.h"
+#include "fuzz/commands/conformance_page.h"
 #include "fuzz/commands/conformance_report.h"
 #include "fuzz/commands/fuzz_options.h"
 #include "fuzz/judge/command_run.h"
@@ -43,6 +44,7 @@ struct ConformanceCommandOptions {
   std::string in_format = "xyz";
   std::size_t memory_mebibytes = 4096;
   std::string junit;
+  std::string report;
   std::size_t most = 10;
   bool json = false;
   bool list = false;
@@ -124,6 +126,15 @@ void require_answerable(const std::vector<CaseOutcome>& outcomes) {
   throw InvalidInput(fmt::format("there is nothing to run: {} {}", first.of->id, first.message));
 }
 
+// Links in the page are relative to its folder, so that both folders can be moved together.
+ConformancePageContext page_context(const ConformanceCommandOptions& options) {
+  if (options.run.keep.empty()) return {};
+  const fs::path folder = fs::absolute(options.report).parent_path();
+  const fs::path keep = options.run.keep;
+  return {.kept_folder = keep.lexically_relative(folder).generic_string(),
+          .has_page = [keep](const std::string& id) { return fs::exists(keep / id / kPageName); }};
+}
+
 int run_cases(const ConformanceCommandOptions& options, const Vectors& vectors,
               const std::vector<const VectorCase*>& cases) {
   require_runnable("--against", options.run.command, options.run);
@@ -132,6 +143,8 @@ int run_cases(const ConformanceCommandOptions& options, const Vectors& vectors,
   // A file that cannot be written is better reported before the run.
   std::optional<OutputFile> junit;
   if (!options.junit.empty()) junit.emplace(options.junit);
+  std::optional<OutputFile> page;
+  if (!options.report.empty()) page.emplace(options.report);
   if (!options.run.keep.empty()) fs::create_directories(options.run.keep);
   const auto since = std::chrono::steady_clock::now();
   std::vector<CaseOutcome> outcomes;
@@ -145,6 +158,10 @@ int run_cases(const ConformanceCommandOptions& options, const Vectors& vectors,
   if (junit) {
     write_conformance_junit(junit->stream(), report);
     junit->commit();
+  }
+  if (page) {
+    write_conformance_page(page->stream(), conformance_json(report), page_context(options));
+    page->commit();
   }
   if (options.json) {
     print_conformance_json(report);
@@ -181,7 +198,8 @@ std::string complaint_about_missing_places(const std::string& command) {
   return has_place(command, "{start}") ? complaint_about_missing_in(command) : "there is no {start} in the command";
 }
 std::string complaint_about_file_name(const std::string& name) {
-  constexpr std::string_view kTaken[] = {"", ".", "..", "points.xyz", "points.off", "stdout", "stderr", "case.json"};
+  constexpr std::string_view kTaken[] = {"",       ".",      "..",        "points.xyz", "points.off",
+                                         "stdout", "stderr", "case.json", kPageName};
   const bool is_free = name.find('/') == std::string::npos && std::ranges::count(kTaken, name) == 0;
   return is_free ? "" : in_quotes(name) + " is no file name that is free";
 }
@@ -239,8 +257,10 @@ void add_command_options(CLI::App& command, ConformanceCommandOptions& options) 
 
 void add_report_options(CLI::App& command, ConformanceCommandOptions& options) {
   command.add_option("--keep", options.run.keep,
-                     "For each negative case, leave points, claim, what the command said, and the case, in a "
-                     "folder of its name here");
+                     "For each negative case, leave points, claim, what the command said, the case, and a page "
+                     "that shows it, in a folder of its name here");
+  command.add_option("--report", options.report, "Write a page with tables, flags and findings to this file, .html")
+      ->check(complaint_about_path);
   command.add_option("--most", options.most, "Show so many negative cases")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();

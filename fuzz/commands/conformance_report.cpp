@@ -431,7 +431,7 @@ void print_conformance_text(const ConformanceReport& report, std::size_t most) {
   fmt::print("\n{}\n", verdict_text(report.verdict()));
 }
 
-void print_conformance_json(const ConformanceReport& report) {
+Json conformance_json(const ConformanceReport& report) {
   const ConformanceOptions& options = report.options;
   Json json = header_fields("flowcert-conformance", 1);
   json["command"] = options.command;
@@ -449,7 +449,11 @@ void print_conformance_json(const ConformanceReport& report) {
   json["groups"] = tallies_field("group", tallies_by_group(report));
   Json& cases = json["cases"] = Json::array();
   for (const CaseOutcome& outcome : report.outcomes) cases.push_back(case_field(outcome));
-  fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return json;
+}
+
+void print_conformance_json(const ConformanceReport& report) {
+  fmt::print("{}\n", conformance_json(report).dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 void write_conformance_junit(std::ostream& out, const ConformanceReport& report) {

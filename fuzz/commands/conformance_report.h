@@ -27,6 +27,7 @@ struct ConformanceReport {
 
 // At most `most` negative cases are shown; the others are counted.
 void print_conformance_text(const ConformanceReport& report, std::size_t most);
+[[nodiscard]] Json conformance_json(const ConformanceReport& report);
 void print_conformance_json(const ConformanceReport& report);
 void write_conformance_junit(std::ostream& out, const ConformanceReport& report);
 

@@ -8,6 +8,7 @@
 
 #include "fuzz/campaign/worker_processes.h"
 #include "fuzz/commands/commands.h"
+#include "fuzz/commands/finding_pages.h"
 #include "fuzz/commands/fuzz_options.h"
 #include "fuzz/commands/fuzz_progress.h"
 #include "fuzz/commands/fuzz_report.h"
@@ -42,6 +43,7 @@ int run_case(fuzz::Campaign& campaign, const FuzzOptions& options) {
   fuzz::OneCase one(campaign, *options.only);
   work_on(one, campaign, options);
   if (!one.is_done()) throw InvalidInput(fmt::format("case {} was stopped before it was done", *options.only));
+  write_finding_pages(campaign);
   return print_case(campaign, one, options.json);
 }
 
@@ -52,6 +54,7 @@ int run_campaign(const FuzzOptions& options) {
   if (options.only) return run_case(campaign, options);
   const std::size_t before = campaign.tally().cases;
   const double seconds = work_on(campaign, campaign, options);
+  write_finding_pages(campaign);
   const FuzzRun run{
       campaign, known, seconds, campaign.tally().cases - before, options.jobs, Interruption::signal() != 0};
   print_fuzz(run, options.json);
@@ -118,6 +121,7 @@ int merge(const FuzzCommandOptions& options) {
       throw InvalidInput(fmt::format("{}: {} than {}", options.merged[k], error.what(), options.merged.front()));
     }
   }
+  write_finding_pages(whole);
   const FuzzRun run{whole, known, std::nullopt};
   print_fuzz(run, options.json);
   return verdict_of(run);

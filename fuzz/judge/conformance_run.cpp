@@ -15,6 +15,7 @@
 
 #include "certify/finding_words.h"
 #include "flowcert/claim.h"
+#include "flowcert/viewer_claim.h"
 #include "fuzz/judge/command_run.h"
 #include "fuzz/judge/conformance_words.h"
 #include "fuzz/judge/oracle_truth.h"
@@ -123,6 +124,22 @@ class CaseRun {
     copy_if_regular(run.out(), folder / "stdout");
     copy_if_regular(run.err(), folder / "stderr");
     if (run.answer != run.out()) copy_if_regular(run.answer, folder / run.answer_name);
+    if (!case_.rows.empty()) keep_page(run, folder);
+  }
+
+  // The points in a page and, if they were claimed, what is wrong with the critical points.
+  void keep_page(const Run& run, const fs::path& folder) const {
+    std::optional<ClaimText> claim;
+    if (run.answer_name == options_.out_name || run.answer == run.out()) {
+      try {
+        claim = {answer_bytes(run), run.answer_name};
+      } catch (const InvalidInput&) {
+        // There is no answer. The page then has the points alone.
+      }
+    }
+    OutputFile page((folder / kPageName).string());
+    write_claim_page(page.stream(), PointSet(case_.rows), case_.id, claim, options_.check);
+    page.commit();
   }
 
   // Returns false if the program said neither yes nor no, because it crashed, was late or was cancelled.

@@ -70,6 +70,8 @@ struct CaseOutcome {
   bool is_persistence_judged = false;
 };
 inline constexpr std::size_t kMostFindings = 100;
+// The page in the folder of a case that is kept (spec/formats/view.md).
+inline constexpr char kPageName[] = "page.html";
 
 struct ConformanceOptions {
   std::string command;              // with {in}; the answer is the file {out}, or standard output

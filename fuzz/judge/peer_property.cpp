@@ -70,7 +70,7 @@ std::optional<Disagreement> wrong_claim(const CheckReport& report, const std::st
   for (std::size_t k = 0; k < std::min(wrong.size(), kMostFindingsShown); ++k) {
     truth += finding_words(wrong[k]) + '\n';
   }
-  return Disagreement{reason_text(telling.reason), telling.clause, finding_words(telling), "the claim", claim,
+  return Disagreement{reason_text(telling.reason), telling.clause, finding_words(telling), kClaimName, claim,
                       "what is wrong with it",     truth};
 }
 

@@ -26,6 +26,8 @@ struct PeerOptions {
   std::function<bool()> is_cancelled = [] { return false; };  // if true, a run throws MachineFailure
 };
 
+// The name under which a disagreement has the text of a claim.
+inline constexpr char kClaimName[] = "the claim";
 inline constexpr char kPeerProperty[] = "against";
 inline constexpr char kPeerPairsProperty[] = "persistence-against";
 

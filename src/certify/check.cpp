@@ -83,6 +83,7 @@ void CheckRun::find(int level, FindingReason reason, const std::string& clause, 
                     const std::string& truth_text) {
   const ClaimedPoint& point = claim.points[claimed_point];
   report.findings.push_back({level, reason, false, clause, point.line, point.contact, claim_text(point), truth_text});
+  if (const auto& place = placed[claimed_point].place) report.findings.back().record = place->record;
 }
 
 void CheckRun::vary(int level, FindingReason reason, const std::string& clause, std::size_t claimed_point,

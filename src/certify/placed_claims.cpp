@@ -116,6 +116,7 @@ void vary_denied(CheckRun& run, std::size_t record) {
                                  {contact.begin(), contact.end()},
                                  "no regular stationary point",
                                  text_of(run, record)});
+  run.report.findings.back().record = record;
 }
 
 // Whether a claim that says "regular" is right.
@@ -199,6 +200,7 @@ void check_missing(CheckRun& run, std::size_t record) {
                                  {contact.begin(), contact.end()},
                                  "nothing",
                                  "a " + stationary_text(run.truth, record)});
+  run.report.findings.back().record = record;
 }
 
 void check_euler_sum(CheckRun& run) {

@@ -28,6 +28,8 @@ void add_orbit_command(CLI::App& app, int& status);
 void add_persistence_command(CLI::App& app, int& status);
 void add_stats_command(CLI::App& app, int& status);
 void add_surface_command(CLI::App& app, int& status);
+// In a program that was built without FLOWCERT_JUDGE, a name only.
+void add_view_command(CLI::App& app, int& status);
 
 // Reads the file, and says on standard error what a user should know of it: single precision, columns that are
 // ignored, commas that may have been meant as decimal points, merged duplicates.

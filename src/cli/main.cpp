@@ -76,6 +76,7 @@ int run(int argc, char** argv) {
   add_stats_command(app, status);
   add_surface_command(app, status);
   add_verify_command(app, status);
+  add_view_command(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

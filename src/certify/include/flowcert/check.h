@@ -73,6 +73,8 @@ struct Finding {
   std::string truth;
   // False for a variation of which only necessary conditions are known to hold (FC-CLAIM-04).
   bool is_decided = true;
+  // The stationary point that it is about, by its place in the truth's list, where one is known.
+  std::optional<std::size_t> record = std::nullopt;
 };
 // What this finding alone would make of a claim.
 [[nodiscard]] Verdict verdict_on(const Finding& finding);

@@ -1,0 +1,245 @@
+// Spheres are those that prove what is said: the claimed one, with the samples inside, and the true one, which is empty.
+#include "flowcert/viewer_claim.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+
+#include "certify/claimed_geometry.h"
+#include "certify/layer.h"
+#include "geometry/rational_point.h"
+
+namespace flowcert {
+
+using namespace certify;
+
+namespace {
+
+constexpr std::size_t kMostInside = 20;
+constexpr std::size_t kMostOn = 200;
+
+std::vector<std::size_t> ordinals_of(const PointSet& points, const std::vector<PointId>& rows) {
+  std::vector<std::size_t> ordinals;
+  for (const PointId row : rows) {
+    if (row < points.row_count()) ordinals.push_back(points.ordinal_of_row(row));
+  }
+  std::ranges::sort(ordinals);
+  const auto repeated = std::ranges::unique(ordinals);
+  ordinals.erase(repeated.begin(), repeated.end());
+  return ordinals;
+}
+
+// Tells most samples far outside a sphere by doubles. It says so only where rounding cannot matter.
+class FarOutside {
+ public:
+  explicit FarOutside(const ExactSphere& sphere)
+      : center_{as_double(sphere.center[0]), as_double(sphere.center[1]), as_double(sphere.center[2])},
+        squared_radius_(as_double(sphere.squared_radius)) {}
+
+  [[nodiscard]] bool operator()(const Point& p) const {
+    const double x = p.x - center_[0], y = p.y - center_[1], z = p.z - center_[2];
+    const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), std::abs(center_[0]),
+                                     std::abs(center_[1]), std::abs(center_[2])});
+    // A difference is wrong by at most 2^-51 of the largest coordinate, and is at most twice that coordinate. So the
+    // sum of squares is wrong by less than 2^-45 of its square. What underflows is decided exactly.
+    const double slack = largest * largest * 0x1p-44 + squared_radius_ * 0x1p-44;
+    if (!(slack > std::numeric_limits<double>::min() * 0x1p60)) return false;
+    return x * x + y * y + z * z > squared_radius_ + slack;
+  }
+
+ private:
+  std::array<double, 3> center_;
+  double squared_radius_;
+};
+
+ViewerSphere sphere_with_samples(const PointSet& points, const ExactSphere& sphere, bool is_claimed) {
+  ViewerSphere result = {.sphere = sphere, .is_claimed = is_claimed, .inside = {}, .on = {}, .inside_count = 0};
+  const FarOutside is_far_outside(sphere);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (is_far_outside(points[i])) continue;
+    const Rational squared = squared_distance(sphere.center, points[i]);
+    if (squared < sphere.squared_radius) {
+      ++result.inside_count;
+      if (result.inside.size() < kMostInside) result.inside.push_back(i);
+    } else if (squared == sphere.squared_radius && result.on.size() < kMostOn) {
+      result.on.push_back(i);
+    }
+  }
+  return result;
+}
+
+// The sphere that a claimed point stands for. It has the claimed centre and distance, or else those of the contact set.
+std::optional<ExactSphere> claimed_sphere(const PointSet& points, const ClaimedPoint& point) {
+  std::optional<ExactSphere> of_contact;
+  if (const std::vector<std::size_t> contact = ordinals_of(points, point.contact); !contact.empty()) {
+    std::vector<PointId> names;
+    for (const std::size_t ordinal : contact) names.push_back(points.name(ordinal));
+    of_contact = exact_sphere(points, names);
+  }
+  ExactSphere sphere;
+  if (point.center) {
+    sphere.center = values_of(*point.center);
+  } else if (of_contact) {
+    return of_contact;
+  } else {
+    return std::nullopt;
+  }
+  if (point.squared_distance) {
+    sphere.squared_radius = point.squared_distance->value;
+  } else if (point.distance) {
+    sphere.squared_radius = point.distance->value * point.distance->value;
+  } else if (of_contact) {
+    sphere.squared_radius = of_contact->squared_radius;
+  } else {
+    // Only a position is claimed. The sphere reaches to the nearest sample.
+    std::optional<FarOutside> is_farther;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (is_farther && (*is_farther)(points[i])) continue;
+      const Rational squared = squared_distance(sphere.center, points[i]);
+      if (is_farther && squared >= sphere.squared_radius) continue;
+      sphere.squared_radius = squared;
+      is_farther.emplace(sphere);
+    }
+  }
+  return sphere;
+}
+
+std::optional<RationalPoint> position_of(const PointSet& points, const ClaimedTarget& target) {
+  if (target.is_infinity) return std::nullopt;
+  ClaimedPoint point;
+  point.contact = target.contact;
+  const auto sphere = claimed_sphere(points, point);
+  return sphere ? std::optional(sphere->center) : std::nullopt;
+}
+
+// What is claimed to flow from a point: the polylines, or else straight lines to where they are said to end.
+std::vector<ViewerLine> claimed_lines(const PointSet& points, const ClaimedPoint& point, const RationalPoint& from) {
+  std::vector<ViewerLine> lines;
+  if (point.u2) {
+    for (const ClaimedPolyline& polyline : *point.u2) {
+      ViewerLine line = {from};
+      for (const ClaimedSegment& segment : polyline) {
+        if (segment.end) line.push_back(values_of(*segment.end));
+      }
+      lines.push_back(std::move(line));
+    }
+  } else if (point.successors) {
+    for (const ClaimedTarget& target : *point.successors) {
+      if (auto end = position_of(points, target)) lines.push_back({from, std::move(*end)});
+    }
+  }
+  return lines;
+}
+
+class FindingPlaces {
+ public:
+  FindingPlaces(const FlowComplex& complex, const Claim& claim) : complex_(complex), points_(complex.points()) {
+    for (const ClaimedPoint& point : claim.points) point_at_line_.try_emplace(point.line, &point);
+  }
+
+  [[nodiscard]] ViewerFinding placed(const Finding& finding) const {
+    ViewerFinding result = {.level = finding.level,
+                            .reason = reason_text(finding.reason),
+                            .is_variation = finding.is_variation,
+                            .clause = finding.clause,
+                            .line = finding.line,
+                            .claimed = finding.claimed,
+                            .truth = finding.truth,
+                            .index = std::nullopt,
+                            .record = finding.record,
+                            .position = std::nullopt,
+                            .contact = ordinals_of(points_, finding.contact),
+                            .spheres = {},
+                            .claimed_lines = {}};
+    if (finding.line) place_claimed(*finding.line, finding, result);
+    if (finding.record) {
+      const ExactSphere truth = complex_.sphere(*finding.record);
+      if (!result.position) result.position = truth.center;
+      if (!result.index) result.index = complex_.stationary().index(*finding.record).face_dimension;
+      result.spheres.push_back(sphere_with_samples(points_, truth, false));
+    }
+    return result;
+  }
+
+ private:
+  void place_claimed(std::size_t line, const Finding& finding, ViewerFinding& result) const {
+    const auto found = point_at_line_.find(line);
+    if (found == point_at_line_.end()) return;
+    const ClaimedPoint& point = *found->second;
+    result.index = point.index;
+    const auto sphere = claimed_sphere(points_, point);
+    if (!sphere) return;
+    result.position = sphere->center;
+    result.spheres.push_back(sphere_with_samples(points_, *sphere, true));
+    if (finding.level >= 4) result.claimed_lines = claimed_lines(points_, point, sphere->center);
+  }
+
+  const FlowComplex& complex_;
+  const PointSet& points_;
+  std::map<std::size_t, const ClaimedPoint*> point_at_line_;
+};
+
+// What is wrong comes before what varies. The first of each reason come first, and then the others as they are.
+std::vector<const Finding*> listed_findings(const std::vector<Finding>& findings, std::size_t most) {
+  constexpr std::size_t kOfEachReason = 10;
+  std::map<FindingReason, std::size_t> count;
+  std::vector<const Finding*> first, others;
+  for (const bool is_variation : {false, true}) {
+    for (const Finding& finding : findings) {
+      if (finding.is_variation != is_variation) continue;
+      (count[finding.reason]++ < kOfEachReason ? first : others).push_back(&finding);
+    }
+  }
+  others.resize(std::min(others.size(), most));
+  first.insert(first.end(), others.begin(), others.end());
+  return first;
+}
+
+}  // namespace
+
+ViewerClaim viewer_claim(const FlowComplex& complex, const Claim& claim, const CheckReport& report,
+                         const ViewerClaimOptions& options) {
+  ViewerClaim result = {.name = options.name,
+                        .verdict = verdict_text(report.verdict),
+                        .tolerance = options.tolerance,
+                        .findings = {},
+                        .findings_count = report.findings.size(),
+                        .not_judged = report.not_judged,
+                        .not_decided = report.not_decided};
+  const FindingPlaces places(complex, claim);
+  for (const Finding* finding : listed_findings(report.findings, options.most)) {
+    result.findings.push_back(places.placed(*finding));
+  }
+  return result;
+}
+
+namespace {
+
+ViewerClaim judged_text(const FlowComplex& complex, const ClaimText& text, const CheckOptions& options) {
+  const ViewerClaimOptions shown = {.name = text.name, .tolerance = options.tolerance};
+  try {
+    const Claim claim = read_claim_from(text.bytes, text.name);
+    require_rows(claim, complex.points(), text.name);
+    const std::unique_ptr<Truth> truth = fast_truth(complex);
+    return viewer_claim(complex, claim, check(complex.points(), claim, *truth, options), shown);
+  } catch (const InvalidInput& error) {
+    ViewerClaim unreadable = viewer_claim(complex, Claim{}, CheckReport{}, shown);
+    unreadable.verdict = std::string("cannot be read: ") + error.what();
+    return unreadable;
+  }
+}
+
+}  // namespace
+
+void write_claim_page(std::ostream& out, const PointSet& points, const std::string& name,
+                      const std::optional<ClaimText>& claim, const CheckOptions& options) {
+  const FlowComplex complex(points);
+  ViewerOptions content;
+  content.name = name;
+  if (claim) content.claim = judged_text(complex, *claim, options);
+  write_viewer_page(out, complex, content);
+}
+
+}  // namespace flowcert

@@ -1,0 +1,139 @@
+// `flowcert view`: one page that shows the complex of an input in a browser and, if wanted, what is wrong with a claim
+// (spec/formats/view.md). With a claim, the exit status is that of `check`.
+//
+// Guarantees: the page appears whole or not at all.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <memory>
+
+#include "cli/check_report.h"
+#include "cli/command.h"
+#include "cli/progress.h"
+#include "cli/table.h"
+#include "flowcert/check.h"
+#include "flowcert/viewer_claim.h"
+#include "flowcert/viewer_page.h"
+#include "io/output_file.h"
+
+namespace flowcert::cli {
+
+namespace {
+
+struct ViewCommandOptions {
+  std::string input;
+  std::string output;
+  std::string claim;
+  CheckOptions check;
+  bool is_strict = false;
+  std::size_t most = ViewerOptions{}.most_of_an_index;
+  unsigned threads = 1;
+};
+
+// "bunny.obj.gz" gives "bunny.html", in the current folder.
+std::string page_beside(const std::string& input) {
+  std::filesystem::path name = input == kStandardStream ? "flow-complex" : std::filesystem::path(input).filename();
+  if (name.extension() == ".gz") name = name.stem();
+  return name.stem().string() + ".html";
+}
+
+struct JudgedClaim {
+  ViewerClaim claim;
+  Verdict verdict = Verdict::kConforms;
+};
+
+JudgedClaim judged_claim(const ViewCommandOptions& options, const Claim& claim, const FlowComplex& complex) {
+  const std::unique_ptr<Truth> truth = fast_truth(complex);
+  const CheckReport report = check(complex.points(), claim, *truth, options.check);
+  return {
+      viewer_claim(complex, claim, report, {.name = display_name(options.claim), .tolerance = options.check.tolerance}),
+      report.verdict};
+}
+
+void write_page(const std::string& path, const std::string& input_name, const FlowComplex& complex,
+                const ViewerOptions& content) {
+  std::optional<OutputFile> file;
+  if (path != kStandardStream) file.emplace(path);
+  ProgressLine progress("page");
+  try {
+    write_viewer_page(file ? file->stream() : std::cout, complex, content, std::ref(progress));
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format("{}: {}", input_name, error.what()));
+  }
+  if (file) file->commit();
+}
+
+void print_page_table(const std::string& page, const Input& input, const FlowComplex& complex,
+                      const ViewerOptions& content) {
+  const auto& counts = complex.stationary().critical_counts();
+  print_wrapped(fmt::format("{}: open it in a browser", on_one_line(page)));
+  constexpr double kMegabyte = 1e6;
+  print_row("size", fmt::format("{:.1f} MB", static_cast<double>(std::filesystem::file_size(page)) / kMegabyte));
+  print_row("points", with_commas(input.points.row_count()));
+  for (std::size_t index = 0; index < counts.size(); ++index) {
+    const bool is_thinned = index > 0 && counts.at(index) > content.most_of_an_index;
+    print_row(fmt::format("critical points of index {}", index), with_commas(counts.at(index)),
+              is_thinned ? "thinned: those with the longest pairs are shown (--most)" : "");
+  }
+  if (content.claim) {
+    print_row("findings", with_commas(content.claim->findings_count), "verdict: " + content.claim->verdict);
+  }
+}
+
+int view(ViewCommandOptions options) {
+  if (options.input == kStandardStream && options.claim == kStandardStream) {
+    throw InvalidInput("INPUT and --claim cannot both be standard input");
+  }
+  std::optional<Claim> claim;
+  if (!options.claim.empty()) claim = read_claim(options.claim);
+  const Input input = read_input(options.input);
+  if (claim) require_rows(*claim, input.points, display_name(options.claim));
+  if (options.output.empty()) options.output = page_beside(options.input);
+  const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads}, part_progress());
+  ViewerOptions content = {
+      .name = display_name(options.input), .most_of_an_index = options.most, .claim = std::nullopt};
+  int status = kRight;
+  if (claim) {
+    JudgedClaim judged = judged_claim(options, *claim, complex);
+    content.claim = std::move(judged.claim);
+    status = status_of(judged.verdict, options.is_strict);
+  }
+  write_page(options.output, content.name, complex, content);
+  if (options.output != kStandardStream) print_page_table(options.output, input, complex, content);
+  return status;
+}
+
+}  // namespace
+
+void add_view_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<ViewCommandOptions>();
+  CLI::App* command =
+      app.add_subcommand("view", "A page that shows the complex in a browser, and what is wrong with a claim");
+  command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "Write the page to this file; -: to standard output; without this, INPUT's name with .html, in the "
+                   "current folder")
+      ->check(complaint_about_path);
+  CLI::Option* claim = command->add_option(
+      "--claim", options->claim,
+      "Show what check finds wrong with this claim, in place; the exit status is then that of check");
+  add_judging_options(*command, options->check, options->is_strict);
+  for (const char* name : {"--tolerance", "--levels", "--indices", "--strict"}) {
+    command->get_option(name)->needs(claim);
+  }
+  command
+      ->add_option("--most", options->most,
+                   "The page has at most so many critical points of each index from 1 on, those with the longest "
+                   "persistence pairs, and what these lead to")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{0xfffffff}))
+      ->capture_default_str();
+  add_threads_option(*command, options->threads);
+  command->footer("Examples:\n  flowcert view bunny.obj\n  flowcert view bunny.obj --claim claim.csv -o wrong.html");
+  command->callback([options, &status] { status = view(*options); });
+}
+
+}  // namespace flowcert::cli

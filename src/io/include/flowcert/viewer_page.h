@@ -1,0 +1,71 @@
+// A page that shows a flow complex: one HTML file that a browser opens from disk, with nothing else
+// (spec/formats/view.md).
+//
+// Guarantees: the page has the exact samples, and computes exact positions of stationary points from them. What it
+// draws is rounded to floats. All combinatorial facts in it, such as contact sets, limits of orbits and pairs, are
+// exact. Text of a claim or of a file's name cannot become markup. Nothing is loaded from elsewhere.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <ostream>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "flowcert/flow_complex.h"
+
+namespace flowcert {
+
+// A sphere that proves a finding, with the samples that matter.
+struct ViewerSphere {
+  ExactSphere sphere;
+  bool is_claimed = false;          // otherwise it is the sphere of a stationary point
+  std::vector<std::size_t> inside;  // ordinals of samples, the first of them
+  std::vector<std::size_t> on;      // the same
+  std::size_t inside_count = 0;     // how many there are, with those that are not listed
+};
+
+// A line that is claimed to be an orbit, or to lead to where one ends.
+using ViewerLine = std::vector<RationalPoint>;
+
+// What is wrong with a claim, at its place. The texts are for people.
+struct ViewerFinding {
+  int level = 0;
+  std::string reason;  // "missed-by-cluster"
+  bool is_variation = false;
+  std::string clause;
+  std::optional<std::size_t> line;  // of the claim
+  std::string claimed, truth;
+  std::optional<int> index;               // as claimed, or the true one of what is missing
+  std::optional<std::size_t> record;      // the stationary point that it is about, by its place in the list
+  std::optional<RationalPoint> position;  // where it is drawn; none: it has no place
+  std::vector<std::size_t> contact;       // ordinals of samples
+  std::vector<ViewerSphere> spheres;
+  std::vector<ViewerLine> claimed_lines;
+};
+
+struct ViewerClaim {
+  std::string name;
+  std::string verdict;
+  double tolerance = 0;
+  std::vector<ViewerFinding> findings;
+  std::size_t findings_count = 0;  // with those that are not listed
+  std::vector<std::string> not_judged, not_decided;
+};
+
+struct ViewerOptions {
+  std::string name;  // of the input
+  // A larger complex is thinned: of each index, the page has so many of the points with the longest persistence pairs.
+  std::size_t most_of_an_index = 150000;
+  std::optional<ViewerClaim> claim;
+};
+
+// Writes the page. Makes all parts of the complex, and the surfaces once more. The time is that of the exports.
+// Throws InvalidInput for a surface with a coordinate beyond the doubles.
+void write_viewer_page(std::ostream& out, const FlowComplex& complex, const ViewerOptions& options,
+                       const std::function<void(std::size_t done, std::size_t total)>& progress = {});
+
+}  // namespace flowcert

@@ -1,0 +1,55 @@
+#include "io/viewer_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flowcert/rational.h"
+
+namespace flowcert::io {
+
+namespace {
+
+// Floats hold this, and so do the squares that graphics computes of it.
+constexpr double kFarthest = 1e15;
+
+double clamped(double value) { return std::isnan(value) ? 0 : std::clamp(value, -kFarthest, kFarthest); }
+
+}  // namespace
+
+ViewerFrame::ViewerFrame(const PointSet& points) {
+  if (points.empty()) return;
+  std::array<double, 3> low, high;
+  low = high = {points[0].x, points[0].y, points[0].z};
+  for (const Point& point : points.points()) {
+    const std::array<double, 3> row = {point.x, point.y, point.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], row[axis]);
+      high[axis] = std::max(high[axis], row[axis]);
+    }
+  }
+  double half = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    // Halves are taken first, so that nothing overflows.
+    origin_[axis] = low[axis] / 2 + high[axis] / 2;
+    half = std::max(half, high[axis] / 2 - low[axis] / 2);
+  }
+  if (half > 0) unit_ = half;
+}
+
+std::array<double, 3> ViewerFrame::placed(const Point& point) const {
+  const std::array<double, 3> row = {point.x, point.y, point.z};
+  std::array<double, 3> at{};
+  for (std::size_t axis = 0; axis < 3; ++axis) at[axis] = clamped((row[axis] / 2 - origin_[axis] / 2) / (unit_ / 2));
+  return at;
+}
+
+std::array<double, 3> ViewerFrame::placed(const RationalPoint& point) const {
+  const auto rounded = [](const Rational& value) {
+    return nearest_double(value).value_or(value > 0 ? HUGE_VAL : -HUGE_VAL);
+  };
+  return placed(Point{rounded(point[0]), rounded(point[1]), rounded(point[2])});
+}
+
+double ViewerFrame::scaled(double length) const { return clamped(length / unit_); }
+
+}  // namespace flowcert::io

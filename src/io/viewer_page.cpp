@@ -1,0 +1,366 @@
+// The data of a page, put into the page that src/viewer/ makes.
+#include "flowcert/viewer_page.h"
+
+#include <algorithm>
+#include <bit>
+#include <boost/container_hash/hash.hpp>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "flowcert/surface.h"
+#include "io/json_fields.h"
+#include "io/viewer_blob.h"
+#include "io/viewer_frame.h"
+#include "io/viewer_selection.h"
+#include "io/viewer_template.h"
+
+namespace flowcert {
+
+using namespace io;
+
+namespace {
+
+constexpr std::uint32_t kNone = ViewerSelection::kNone;
+using Numbers = std::vector<std::uint32_t>;
+using Floats = std::vector<float>;
+
+// What all parts of the data are made of.
+struct ViewerContent {
+  const FlowComplex& complex;
+  const ViewerFrame& frame;
+  const ViewerSelection& selection;
+
+  void append(Floats& to, const Point& point) const {
+    for (const double x : frame.placed(point)) to.push_back(static_cast<float>(x));
+  }
+  [[nodiscard]] std::uint32_t sample(PointId name) const {
+    return static_cast<std::uint32_t>(complex.points().ordinal_of_row(name));
+  }
+};
+
+// ---- Points ----
+
+Json sample_coordinates(const PointSet& points) {
+  std::vector<double> coordinates;
+  for (const Point& point : points.points()) coordinates.insert(coordinates.end(), {point.x, point.y, point.z});
+  return viewer_blob(coordinates);
+}
+
+Json sample_rows(const PointSet& points) {
+  Numbers rows;
+  for (std::size_t i = 0; i < points.size(); ++i) rows.push_back(points.name(i));
+  return viewer_blob(rows);
+}
+
+// The two samples whose midpoint the point is. No other two of its contact set have this midpoint, since it lies inside
+// an edge of their hull.
+std::array<std::uint32_t, 2> edge_of(const ViewerContent& content, std::size_t record) {
+  const auto contact = content.complex.stationary().contact(record);
+  if (contact.size() == 2) return {content.sample(contact[0]), content.sample(contact[1])};
+  const PointSet& points = content.complex.points();
+  const RationalPoint center = content.complex.sphere(record).center;
+  const auto opposite = [&](const Point& a, const Point& b) {
+    return Rational(a.x) + Rational(b.x) == 2 * center[0] && Rational(a.y) + Rational(b.y) == 2 * center[1] &&
+           Rational(a.z) + Rational(b.z) == 2 * center[2];
+  };
+  for (std::size_t i = 0; i < contact.size(); ++i) {
+    for (std::size_t j = i + 1; j < contact.size(); ++j) {
+      const std::uint32_t a = content.sample(contact[i]), b = content.sample(contact[j]);
+      if (opposite(points[a], points[b])) return {a, b};
+    }
+  }
+  throw std::logic_error("a stationary point on an edge is no midpoint of two samples");
+}
+
+// The page computes the sphere of such a point itself: a midpoint, or the centre of an acute triangle's circle, which
+// doubles give well.
+bool is_plain(const StationaryPoints& stationary, std::size_t record) {
+  const StationaryIndex index = stationary.index(record);
+  return index.is_critical() && index.hull_dimension <= 2 &&
+         stationary.contact(record).size() == static_cast<std::size_t>(index.hull_dimension) + 1;
+}
+
+Json records_field(const ViewerContent& content) {
+  const StationaryPoints& stationary = content.complex.stationary();
+  Numbers numbers, offsets = {0}, contacts, edges;
+  std::vector<std::uint8_t> faces, hulls;
+  Floats positions;
+  std::vector<double> squared;
+  for (const std::size_t record : content.selection.records) {
+    const StationaryIndex index = stationary.index(record);
+    numbers.push_back(static_cast<std::uint32_t>(record));
+    faces.push_back(static_cast<std::uint8_t>(index.face_dimension));
+    hulls.push_back(static_cast<std::uint8_t>(index.hull_dimension));
+    if (!is_plain(stationary, record)) {
+      const RoundedSphere sphere = content.complex.rounded_sphere(record);
+      content.append(positions, sphere.center);
+      squared.push_back(sphere.squared_radius);
+    }
+    for (const PointId name : stationary.contact(record)) contacts.push_back(content.sample(name));
+    offsets.push_back(static_cast<std::uint32_t>(contacts.size()));
+    const auto edge = index.face_dimension == 1 ? edge_of(content, record) : std::array{kNone, kNone};
+    edges.insert(edges.end(), edge.begin(), edge.end());
+  }
+  return {{"numbers", viewer_blob(numbers)},   {"face", viewer_blob(faces)},
+          {"hull", viewer_blob(hulls)},        {"positions", viewer_blob(positions)},
+          {"squared", viewer_blob(squared)},   {"contact_offsets", viewer_blob(offsets)},
+          {"contacts", viewer_blob(contacts)}, {"edges", viewer_blob(edges)}};
+}
+
+Json pairs_field(const ViewerContent& content) {
+  std::vector<std::uint8_t> dimensions;
+  Numbers births, deaths, birth_samples;
+  for (const PersistencePair* pair : content.selection.pairs) {
+    dimensions.push_back(static_cast<std::uint8_t>(pair->dimension));
+    births.push_back(content.selection.place[pair->birth]);
+    deaths.push_back(pair->death ? content.selection.place[*pair->death] : kNone);
+    // The critical points of index 0 are the first records, in the order of the samples.
+    birth_samples.push_back(pair->dimension == 0 ? static_cast<std::uint32_t>(pair->birth) : kNone);
+  }
+  return {{"dimension", viewer_blob(dimensions)},
+          {"birth", viewer_blob(births)},
+          {"death", viewer_blob(deaths)},
+          {"birth_sample", viewer_blob(birth_samples)}};
+}
+
+// ---- Manifolds ----
+
+Json s2_field(const ViewerContent& content, const std::function<void(std::size_t, std::size_t)>& progress) {
+  const StableManifolds& s2 = content.complex.stable();
+  const SurfaceMesh mesh = surface_mesh(content.complex, content.selection.sets, progress);
+  Numbers records, offsets = {0}, triangles;
+  std::vector<std::uint8_t> have_interval;
+  Floats vertices;
+  for (const Point& vertex : mesh.vertices) content.append(vertices, vertex);
+  std::size_t done = 0;
+  for (const std::size_t set : content.selection.sets) {
+    records.push_back(content.selection.place[s2.record(set)]);
+    have_interval.push_back(s2.has_interval(set) ? 1 : 0);
+    for (; done < mesh.triangles.size() && mesh.set_of_triangle[done] == set; ++done) {
+      triangles.insert(triangles.end(), mesh.triangles[done].begin(), mesh.triangles[done].end());
+    }
+    offsets.push_back(static_cast<std::uint32_t>(done));
+  }
+  return {{"record", viewer_blob(records)},
+          {"triangle_offsets", viewer_blob(offsets)},
+          {"vertices", viewer_blob(vertices)},
+          {"triangles", viewer_blob(triangles)},
+          {"has_interval", viewer_blob(have_interval)}};
+}
+
+// Lines as a forest. Two lines share what they have in common at their ends. It is found from the ends, so that lines
+// that only look alike for a while are not led astray.
+class LineForest {
+ public:
+  explicit LineForest(const ViewerContent& content) : content_(content) {}
+
+  // Returns where the line starts.
+  std::uint32_t append(const std::vector<RoundedSphere>& line) {
+    std::uint32_t next = kNone;
+    for (std::size_t i = length_in_view(line); i-- > 0;) {
+      const Position at = i == 0 ? content_.frame.placed(line[0].center) : end_in_reach(line[i - 1], line[i]);
+      const Key key = {std::bit_cast<std::uint64_t>(at[0]), std::bit_cast<std::uint64_t>(at[1]),
+                       std::bit_cast<std::uint64_t>(at[2]), next};
+      const auto [found, is_new] = vertex_of_.try_emplace(key, static_cast<std::uint32_t>(next_.size()));
+      if (is_new) {
+        positions_.push_back(at);
+        next_.push_back(next);
+      }
+      next = found->second;
+    }
+    return next;
+  }
+
+  [[nodiscard]] const Numbers& next() const { return next_; }
+
+  // The positions are multiples of this. A large forest has larger steps, which are still less than a pixel.
+  [[nodiscard]] double step() const {
+    constexpr std::size_t kLarge = 200000;
+    return next_.size() > kLarge ? 0x1p-13 : 0x1p-20;
+  }
+
+  // From the next vertex of each, or the origin, as numbers of steps. Even numbers stand for steps ahead, odd ones for
+  // steps back.
+  [[nodiscard]] Numbers steps() const {
+    std::vector<std::array<long long, 3>> at(positions_.size());
+    Numbers steps;
+    for (std::size_t i = 0; i < positions_.size(); ++i) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        at[i][axis] = std::llround(positions_[i][axis] / step());
+        const long long ahead = at[i][axis] - (next_[i] == kNone ? 0 : at[next_[i]][axis]);
+        steps.push_back(static_cast<std::uint32_t>(ahead < 0 ? -2 * ahead - 1 : 2 * ahead));
+      }
+    }
+    return steps;
+  }
+
+ private:
+  using Key = std::array<std::uint64_t, 4>;
+  using Position = std::array<double, 3>;
+
+  static constexpr double kBox = 3;  // the page clips lines here
+
+  // A line that has left the hull of the samples never comes back, so what follows the box is not seen.
+  [[nodiscard]] std::size_t length_in_view(const std::vector<RoundedSphere>& line) const {
+    const auto is_outside = [&](const RoundedSphere& sphere) {
+      return std::ranges::any_of(content_.frame.placed(sphere.center), [](double x) { return std::abs(x) > kBox; });
+    };
+    const auto first = std::ranges::find_if(line, is_outside);
+    return first == line.end() ? line.size() : static_cast<std::size_t>(first - line.begin()) + 1;
+  }
+
+  // Where a segment ends, or a point on it, if it goes on far out of the box.
+  [[nodiscard]] Position end_in_reach(const RoundedSphere& from, const RoundedSphere& to) const {
+    constexpr double kReach = 64;
+    const Position start = content_.frame.placed(from.center);
+    Position end = content_.frame.placed(to.center);
+    const double farthest = std::max({std::abs(end[0]), std::abs(end[1]), std::abs(end[2])});
+    if (farthest <= kReach) return end;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      end[axis] = start[axis] + (end[axis] - start[axis]) * kReach / farthest;
+    return end;
+  }
+
+  const ViewerContent& content_;
+  std::vector<Position> positions_;
+  Numbers next_;
+  std::unordered_map<Key, std::uint32_t, boost::hash<Key>> vertex_of_;
+};
+
+Json u2_field(const ViewerContent& content, const std::function<void(std::size_t, std::size_t)>& progress) {
+  const UnstableManifolds& u2 = content.complex.unstable();
+  Numbers records, starts, limits;
+  LineForest forest(content);
+  std::size_t done = 0;
+  for (const std::size_t i : content.selection.sets) {
+    records.push_back(content.selection.place[u2.saddle(i)]);
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+      const auto limit = u2.limit(i, side);
+      starts.push_back(forest.append(u2.rounded_orbit(i, side)));
+      limits.push_back(limit ? content.selection.place[*limit] : kNone);
+    }
+    if (progress) progress(++done, content.selection.sets.size());
+  }
+  return {{"record", viewer_blob(records)},       {"starts", viewer_blob(starts)},
+          {"limits", viewer_blob(limits)},        {"step", forest.step()},
+          {"steps", viewer_blob(forest.steps())}, {"next", viewer_blob(forest.next())}};
+}
+
+// ---- A claim ----
+
+Json position_field(const ViewerContent& content, const RationalPoint& position) {
+  return content.frame.placed(position);
+}
+
+Json sphere_field(const ViewerContent& content, const ViewerSphere& of) {
+  const RoundedSphere rounded = rounded_sphere(of.sphere);
+  return {{"center", position_field(content, of.sphere.center)},
+          {"radius", content.frame.scaled(std::sqrt(rounded.squared_radius))},
+          {"role", of.is_claimed ? "claimed" : "true"},
+          {"empty", of.inside_count == 0},
+          {"inside", of.inside},
+          {"inside_count", of.inside_count},
+          {"on", of.on}};
+}
+
+Json finding_field(const ViewerContent& content, const ViewerFinding& finding) {
+  Json field = {{"level", finding.level},
+                {"reason", finding.reason},
+                {"variation", finding.is_variation},
+                {"clause", finding.clause},
+                {"claimed", finding.claimed},
+                {"truth", finding.truth},
+                {"contact", finding.contact},
+                {"line", nullptr},
+                {"index", nullptr},
+                {"record", nullptr},
+                {"position", nullptr}};
+  if (finding.line) field["line"] = *finding.line;
+  if (finding.index) field["index"] = *finding.index;
+  if (finding.record && content.selection.place[*finding.record] != kNone) {
+    field["record"] = content.selection.place[*finding.record];
+  }
+  if (finding.position) field["position"] = position_field(content, *finding.position);
+  field["spheres"] = Json::array();
+  for (const ViewerSphere& sphere : finding.spheres) field["spheres"].push_back(sphere_field(content, sphere));
+  field["lines"] = Json::array();
+  for (const ViewerLine& line : finding.claimed_lines) {
+    Json positions = Json::array();
+    for (const RationalPoint& point : line) positions.push_back(position_field(content, point));
+    field["lines"].push_back({{"role", "claimed"}, {"positions", std::move(positions)}});
+  }
+  return field;
+}
+
+Json claim_field(const ViewerContent& content, const ViewerClaim& claim) {
+  Json field = {{"name", claim.name},
+                {"verdict", claim.verdict},
+                {"tolerance", claim.tolerance},
+                {"findings", Json::array()},
+                {"findings_count", claim.findings_count},
+                {"not_judged", claim.not_judged},
+                {"not_decided", claim.not_decided}};
+  for (const ViewerFinding& finding : claim.findings) field["findings"].push_back(finding_field(content, finding));
+  return field;
+}
+
+// ---- The page ----
+
+Json data_of(const FlowComplex& complex, const ViewerOptions& options,
+             const std::function<void(std::size_t, std::size_t)>& progress) {
+  complex.make(FlowComplexPart::kPersistence);
+  const ViewerFrame frame(complex.points());
+  const ViewerSelection selection = viewer_selection(complex, options.most_of_an_index);
+  const ViewerContent content = {complex, frame, selection};
+  Json data = header_fields("flowcert-view", 1, complex.points());
+  add_counts(data, complex.points(), complex.stationary());
+  data["name"] = options.name;
+  data["origin"] = frame.origin();
+  data["unit"] = frame.unit();
+  data["thinned"] = nullptr;
+  if (selection.records.size() < selection.all_records) {
+    data["thinned"] = {{"of", selection.all_records}, {"kept", selection.records.size()}};
+  }
+  data["samples"] = sample_coordinates(complex.points());
+  data["sample_rows"] = sample_rows(complex.points());
+  data["records"] = records_field(content);
+  data["pairs"] = pairs_field(content);
+  data["s2"] = s2_field(content, progress);
+  data["u2"] = u2_field(content, progress);
+  data["claim"] = options.claim ? claim_field(content, *options.claim) : Json(nullptr);
+  return data;
+}
+
+// JSON as the text of a script element: nothing in it can end the element, or begin a comment.
+std::string text_for_script(const Json& data) {
+  const std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string safe;
+  safe.reserve(text.size() + text.size() / 64);
+  for (const char c : text) {
+    if (c == '<') {
+      safe += "\\u003c";
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+}  // namespace
+
+void write_viewer_page(std::ostream& out, const FlowComplex& complex, const ViewerOptions& options,
+                       const std::function<void(std::size_t, std::size_t)>& progress) {
+  constexpr std::string_view kPlace = R"(<script type="application/json" id="flowcert-data">null</script>)";
+  constexpr std::string_view kNull = "null</script>";
+  const std::string_view page = viewer_template();
+  const std::size_t at = page.find(kPlace);
+  if (at == std::string_view::npos) throw std::logic_error("the viewer's page has no place for data");
+  const std::size_t data_at = at + kPlace.size() - kNull.size();
+  const std::string data = text_for_script(data_of(complex, options, progress));
+  out << page.substr(0, data_at) << data << page.substr(data_at + std::string_view("null").size());
+}
+
+}  // namespace flowcert

@@ -1,0 +1,76 @@
+#include "io/viewer_selection.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace flowcert::io {
+
+namespace {
+
+double length_of(const FlowComplex& complex, const PersistencePair& pair) {
+  if (!pair.death) return std::numeric_limits<double>::infinity();
+  const SquaredDistances& values = complex.persistence().squared_distances();
+  return values.approximation(*pair.death).value - values.approximation(pair.birth).value;
+}
+
+// The pairs with the greatest lengths, at most so many of them that have a point of index 2, and of the others.
+std::vector<const PersistencePair*> longest_pairs(const FlowComplex& complex, std::size_t most) {
+  std::vector<std::pair<double, const PersistencePair*>> of_components, of_others;
+  for (const PersistencePair& pair : complex.persistence().pairs()) {
+    (pair.dimension == 0 ? of_components : of_others).emplace_back(length_of(complex, pair), &pair);
+  }
+  std::vector<const PersistencePair*> longest;
+  for (auto* of_kind : {&of_components, &of_others}) {
+    std::ranges::stable_sort(*of_kind, [](const auto& a, const auto& b) { return a.first > b.first; });
+    if (of_kind->size() > most) of_kind->resize(most);
+    for (const auto& entry : *of_kind) longest.push_back(entry.second);
+  }
+  std::ranges::sort(longest);  // the order of the list of pairs
+  return longest;
+}
+
+// Marks what the kept points of index 2 lead to.
+void keep_limits(const FlowComplex& complex, std::vector<bool>& is_kept) {
+  const UnstableManifolds& u2 = complex.unstable();
+  for (std::size_t i = 0; i < u2.size(); ++i) {
+    if (!is_kept[u2.saddle(i)]) continue;
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+      if (const auto limit = u2.limit(i, side)) is_kept[*limit] = true;
+    }
+  }
+}
+
+}  // namespace
+
+ViewerSelection viewer_selection(const FlowComplex& complex, std::size_t most) {
+  const StationaryPoints& stationary = complex.stationary();
+  const std::size_t samples = stationary.critical_counts()[0];
+  ViewerSelection selection;
+  selection.all_records = stationary.size() - samples;
+  std::vector<bool> is_kept(stationary.size(), true);
+  if (std::ranges::all_of(stationary.critical_counts().begin() + 1, stationary.critical_counts().end(),
+                          [most](std::size_t count) { return count <= most; })) {
+    for (const PersistencePair& pair : complex.persistence().pairs()) selection.pairs.push_back(&pair);
+  } else {
+    selection.pairs = longest_pairs(complex, most);
+    for (std::size_t i = samples; i < stationary.size(); ++i) is_kept[i] = !stationary.index(i).is_critical();
+    for (const PersistencePair* pair : selection.pairs) {
+      is_kept[pair->birth] = true;
+      if (pair->death) is_kept[*pair->death] = true;
+    }
+    keep_limits(complex, is_kept);
+  }
+  selection.place.assign(stationary.size(), ViewerSelection::kNone);
+  for (std::size_t i = samples; i < stationary.size(); ++i) {
+    if (!is_kept[i]) continue;
+    selection.place[i] = static_cast<std::uint32_t>(selection.records.size());
+    selection.records.push_back(i);
+  }
+  for (std::size_t i = 0; i < stationary.critical_counts()[2]; ++i) {
+    if (is_kept[complex.stable().record(i)]) selection.sets.push_back(i);
+  }
+  return selection;
+}
+
+}  // namespace flowcert::io

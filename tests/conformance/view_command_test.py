@@ -1,0 +1,398 @@
+#!/usr/bin/env python3
+"""The data of viewer pages, against what the other commands say of the same input.
+
+usage: view_command_test.py FLOWCERT
+
+Guarantees: every blob is decoded as spec/formats/view.md says, and contact sets, indices, limits of orbits, pairs and
+triangles are compared exactly. Positions are compared within the rounding that the format names. Exit status: 0; 1
+where something differs.
+"""
+import base64
+import fractions
+import json
+import math
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+
+NONE = 0xFFFFFFFF
+FLOWCERT = None
+LETTERS = {"f64": "d", "f32": "f", "u32": "I", "u8": "B"}
+# A program that is wrong on every input.
+CLAIMS_A_SADDLE = "test -f {in} && printf 'index,x,y,z\\n1,0,0,0\\n' > {out}"
+OPENING = '<script type="application/json" id="flowcert-data">'
+
+# Inputs with every kind of point: a pyramid, a cube, a square with a point above, a half octahedron, collinear points,
+# repeated rows, one point, and points of very different and of extreme sizes.
+INPUTS = {
+    "pyramid": "0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 1 3\n",
+    "cube": "".join(f"{x} {y} {z}\n" for x in (0, 1) for y in (0, 1) for z in (0, 1)),
+    "half-octahedron": "1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n",
+    "kind-1-2": "-5 0 0\n5 0 0\n3 4 0\n-3 4 0\n",
+    "line": "0 0 0\n1 0 0\n3 0 0\n",
+    "repeated": "1 1 1\n0 0 0\n1 1 1\n4 0 0\n0 4 0\n0 0 4\n",
+    "one": "1 2 3\n",
+    "huge": "1e300 0 0\n-1e300 0 0\n0 1.5e300 0\n0 1 2e300\n0 0 -7e299\n",
+    "tiny": "1e-300 0 0\n-1e-300 0 0\n0 1.5e-300 0\n0 1e-301 2e-300\n0 0 -7e-301\n",
+    "scattered": "".join(f"{i * 37 % 101} {i * 61 % 97} {i * 53 % 89}\n" for i in range(60)),
+}
+
+
+def run(*words, text="", status=0):
+    done = subprocess.run([FLOWCERT, *map(str, words)], input=text.encode(), capture_output=True, check=False)
+    if done.returncode != status:
+        raise AssertionError(f"{words}: exit status {done.returncode}: {done.stderr.decode()}")
+    return done.stdout.decode()
+
+
+def numbers(blob):
+    letter = LETTERS[blob["type"]]
+    if blob["data"] == "":
+        assert blob["count"] == 0
+        return []
+    planes = zlib.decompress(base64.b64decode(blob["data"], validate=True))
+    size = struct.calcsize("<" + letter)
+    assert len(planes) == size * blob["count"]
+    rows = b"".join(planes[i:: blob["count"]] for i in range(blob["count"]))
+    return list(struct.unpack(f"<{blob['count']}{letter}", rows))
+
+
+def data_of(page):
+    assert page.count(OPENING) == 1
+    begin = page.index(OPENING) + len(OPENING)
+    text = page[begin: page.index("</script>", begin)]
+    assert "<" not in text
+    return json.loads(text)
+
+
+def decoded(value):
+    if isinstance(value, dict):
+        if set(value) == {"type", "count", "data"}:
+            return numbers(value)
+        return {key: decoded(part) for key, part in value.items()}
+    return value
+
+
+def view(text, *options, status=0):
+    return decoded(data_of(run("view", "-", "-o", "-", *options, text=text, status=status)))
+
+
+def triples(flat):
+    return [tuple(flat[i: i + 3]) for i in range(0, len(flat), 3)]
+
+
+def slices(offsets, flat):
+    return [flat[a:b] for a, b in zip(offsets, offsets[1:])]
+
+
+class Page:
+    """What a page says, in the words of the other commands."""
+
+    def __init__(self, data):
+        self.data = data
+        records = data["records"]
+        self.samples = triples(data["samples"])
+        self.contacts = slices(records["contact_offsets"], records["contacts"])
+        rows = data["sample_rows"]
+        self.names = [[rows[s] for s in contact] for contact in self.contacts]
+        self.indices = [f if f == h else [f, h] for f, h in zip(records["face"], records["hull"])]
+
+    def is_plain(self, place):
+        index = self.indices[place]
+        return index in (1, 2) and len(self.contacts[place]) == index + 1
+
+    def framed(self, position):
+        origin, unit = self.data["origin"], self.data["unit"]
+        return [float((fractions.Fraction(x) - fractions.Fraction(o)) / fractions.Fraction(unit))
+                for x, o in zip(position, origin)]
+
+
+class ViewTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.made = {}
+        for name, text in INPUTS.items():
+            lines = run("compute", "-", "--manifolds", "u2,s2", "-o", "-", text=text).splitlines()
+            header, *records = map(json.loads, lines)
+            cls.made[name] = (text, Page(view(text)), header, records)
+
+    def on_each_input(self, check):
+        for name, made in self.made.items():
+            with self.subTest(name):
+                check(*made)
+
+    def test_stationary_points(self):
+        def check(_0, page, header, records):
+            data = page.data
+            for key in ("points", "merged_duplicates", "critical", "regular_stationary", "input_sha256"):
+                self.assertEqual(data[key], header[key])
+            samples = [r for r in records if r["index"] == 0]
+            self.assertEqual(data["sample_rows"], [r["contact"][0] for r in samples])
+            self.assertEqual(page.samples, [tuple(float(fractions.Fraction(x)) for x in r["center"]) for r in samples])
+            others = [r for r in records if r["index"] != 0]
+            self.assertEqual(page.names, [r["contact"] for r in others])
+            self.assertEqual(page.indices, [r["index"] for r in others])
+            self.assertEqual(data["records"]["numbers"], list(range(len(samples), len(records))))
+            self.assertIsNone(data["thinned"])
+            self.assertIsNone(data["claim"])
+
+        self.on_each_input(check)
+
+    def test_positions_of_points_that_are_not_plain(self):
+        def check(_0, page, _2, records):
+            others = [r for r in records if r["index"] != 0]
+            given = [r for k, r in enumerate(others) if not page.is_plain(k)]
+            self.assertEqual(len(page.data["records"]["squared"]), len(given))
+            for record, at, squared in zip(given, triples(page.data["records"]["positions"]),
+                                           page.data["records"]["squared"]):
+                for x, y in zip(at, page.framed(map(fractions.Fraction, record["center"]))):
+                    self.assertAlmostEqual(x, y, delta=2e-7)
+                if record["squared_distance_double"] is None:
+                    self.assertEqual(squared, math.inf)
+                else:
+                    self.assertEqual(squared, record["squared_distance_double"])
+
+        self.on_each_input(check)
+
+    def test_edges_have_their_midpoints_at_the_points(self):
+        def check(_0, page, _2, records):
+            others = [r for r in records if r["index"] != 0]
+            edges = page.data["records"]["edges"]
+            for k, record in enumerate(others):
+                a, b = edges[2 * k: 2 * k + 2]
+                face = page.data["records"]["face"][k]
+                self.assertEqual((a, b) != (NONE, NONE), face == 1)
+                if face != 1:
+                    continue
+                self.assertLessEqual({a, b}, set(page.contacts[k]))
+                middle = [(fractions.Fraction(x) + fractions.Fraction(y)) / 2
+                          for x, y in zip(page.samples[a], page.samples[b])]
+                self.assertEqual(middle, [fractions.Fraction(x) for x in record["center"]])
+
+        self.on_each_input(check)
+
+    def test_the_frame_fits_the_samples(self):
+        def check(_0, page, _2, _3):
+            framed = [page.framed(sample) for sample in page.samples]
+            largest = max(abs(x) for row in framed for x in row)
+            self.assertLessEqual(largest, 1 + 1e-15)
+            if len(framed) > 1:
+                self.assertGreaterEqual(largest, 1 - 1e-15)
+
+        self.on_each_input(check)
+
+    def test_pairs(self):
+        def check(text, page, _2, _3):
+            listed = json.loads(run("persistence", "-", "--json", text=text))["pairs"]
+            ends = [(p["dimension"], p["birth"]["contact"], p["death"] and p["death"]["contact"]) for p in listed]
+            pairs, rows = page.data["pairs"], page.data["sample_rows"]
+            shown = []
+            for dimension, birth, death, sample in zip(*(pairs[key] for key in ("dimension", "birth", "death",
+                                                                                "birth_sample"))):
+                self.assertEqual((birth == NONE, sample == NONE), (dimension == 0, dimension != 0))
+                shown.append((dimension, [rows[sample]] if dimension == 0 else page.names[birth],
+                              None if death == NONE else page.names[death]))
+            self.assertEqual(sorted(shown, key=repr), sorted(ends, key=repr))
+
+        self.on_each_input(check)
+
+    def test_surfaces(self):
+        def check(text, page, _2, records):
+            with tempfile.TemporaryDirectory() as folder:
+                counts = json.loads(run("surface", "-", "-o", f"{folder}/all.ply", "--json", text=text))
+            s2 = page.data["s2"]
+            self.assertEqual(len(s2["record"]), counts["sets"])
+            self.assertEqual(3 * counts["triangles"], len(s2["triangles"]))
+            self.assertEqual(3 * counts["vertices"], len(s2["vertices"]))
+            twos = [k for k, r in enumerate(r for r in records if r["index"] != 0) if r["index"] == 2]
+            self.assertEqual(s2["record"], twos)
+            self.assertEqual(sum(s2["has_interval"]), counts["with_interval"])
+            sets = slices(s2["triangle_offsets"], triples(s2["triangles"]))
+            others = [r for r in records if r["index"] != 0]
+            for k, triangles in zip(twos, sets):
+                self.assertEqual(len(triangles), 2 * others[k]["stable"]["segments"])
+                corners = {v for triangle in triangles for v in triangle}
+                self.assertTrue(all(v < counts["vertices"] for v in corners))
+
+        self.on_each_input(check)
+
+    def test_lines(self):
+        def check(_0, page, _2, records):
+            others = [r for r in records if r["index"] != 0]
+            u2 = page.data["u2"]
+            steps = triples(u2["steps"])
+            at = []
+            for k, ahead in enumerate(steps):
+                self.assertTrue(u2["next"][k] == NONE or u2["next"][k] < k)
+                base = at[u2["next"][k]] if u2["next"][k] != NONE else (0, 0, 0)
+                at.append(tuple(b + (n // 2 if n % 2 == 0 else -(n // 2) - 1) for b, n in zip(base, ahead)))
+            for i, place in enumerate(u2["record"]):
+                record = others[place]
+                self.assertEqual(record["index"], 2)
+                for side, end in enumerate(record["limits"]):
+                    limit = u2["limits"][2 * i + side]
+                    if end is None:
+                        self.assertEqual(limit, NONE)
+                    else:
+                        self.assertEqual(page.names[limit], end)
+                    self.check_line(page, [u2["step"], at, u2["next"]], u2["starts"][2 * i + side], record,
+                                    None if limit == NONE else others[limit])
+
+        self.on_each_input(check)
+
+    def check_line(self, page, forest, vertex, source, target):
+        step, at, following = forest
+        line = [vertex]
+        while following[line[-1]] != NONE:
+            line.append(following[line[-1]])
+        for end, record in ((line[0], source), (line[-1], target)):
+            if record is None:
+                continue
+            for x, y in zip(at[end], page.framed(map(fractions.Fraction, record["center"]))):
+                self.assertAlmostEqual(x * step, y, delta=step)
+        for inner in line[:-1]:
+            self.assertLessEqual(max(abs(x) * step for x in at[inner]), 3 + step)
+
+    def test_a_large_complex_is_thinned_to_the_longest_pairs(self):
+        text = INPUTS["scattered"]
+        whole, thin = Page(view(text)), Page(view(text, "--most", "10"))
+        self.assertEqual(thin.data["thinned"], {"of": len(whole.names), "kept": len(thin.names)})
+        self.assertLess(len(thin.names), len(whole.names))
+        self.assertEqual(thin.data["critical"], whole.data["critical"])
+        listed = json.loads(run("persistence", "-", "--json", text=text))["pairs"]
+        lengths = {repr(p["death"]["contact"]) + repr(p["birth"]["contact"]):
+                   fractions.Fraction(p["death"]["squared_distance"]) - fractions.Fraction(p["birth"]["squared_distance"])
+                   for p in listed if p["dimension"] > 0}
+        pairs = thin.data["pairs"]
+        kept = [lengths[repr(thin.names[death]) + repr(thin.names[birth])]
+                for dimension, birth, death in zip(pairs["dimension"], pairs["birth"], pairs["death"]) if dimension > 0]
+        self.assertEqual(sorted(kept), sorted(lengths.values())[-10:])
+        self.assertEqual(len(pairs["dimension"]), 20)
+        self.assertEqual(len(thin.data["s2"]["record"]), sum(i == 2 for i in thin.indices))
+        self.assertTrue(all(limit == NONE or limit < len(thin.names) for limit in thin.data["u2"]["limits"]))
+
+    def test_what_is_wrong_with_a_claim(self):
+        claim = "index,x,y,z\n0,0,0,0\n2,0.5,0.5,0\n2,1,1,0\n"
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "claim<b>&.csv"
+            path.write_text(claim)
+            data = view(INPUTS["pyramid"], "--claim", path, status=1)
+            report = json.loads(run("check", "-", path, "--json", text=INPUTS["pyramid"], status=1))
+        shown = data["claim"]
+        self.assertEqual(shown["verdict"], report["verdict"])
+        self.assertEqual(shown["findings_count"], len(report["findings"]))
+        self.assertTrue(shown["name"].endswith("claim<b>&.csv"))
+        key = lambda finding: (finding["reason"], finding["line"] or 0, finding["claimed"], finding["truth"])
+        self.assertEqual(sorted(map(key, shown["findings"])), sorted(map(key, report["findings"])))
+        page = Page(data)
+        wrong = next(f for f in shown["findings"] if f["line"] == 3)
+        self.assertEqual(wrong["position"], page.framed([0.5, 0.5, 0]))
+        claimed = next(s for s in wrong["spheres"] if s["role"] == "claimed")
+        # The nearest sample is the origin, so nothing is inside, and the sphere is not that of a stationary point.
+        self.assertEqual((claimed["inside"], claimed["on"], claimed["empty"]), ([], [0], True))
+        self.assertAlmostEqual(claimed["radius"] * data["unit"], math.sqrt(0.5), delta=1e-6)
+        missing = [f for f in shown["findings"] if f["reason"].startswith("miss")]
+        self.assertTrue(missing)
+        for finding in missing:
+            true = next(s for s in finding["spheres"] if s["role"] == "true")
+            self.assertTrue(true["empty"])
+            self.assertEqual(true["on"], finding["contact"])
+            if finding["index"] != 0:
+                self.assertEqual(page.contacts[finding["record"]], finding["contact"])
+
+    def test_samples_inside_a_claimed_sphere(self):
+        claim = '{"format": "flowcert-stationary-points", "format_version": 1, "points": 5}\n' \
+                '{"index": 2, "contact": [0, 1, 4]}\n'
+        points = "0 0 0\n2 0 0\n1 0.25 0.25\n9 9 9\n1 1 3\n"
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "claim.jsonl"
+            path.write_text(claim)
+            finding = next(f for f in view(points, "--claim", path, status=1)["claim"]["findings"] if f["line"] == 2)
+        sphere = next(s for s in finding["spheres"] if s["role"] == "claimed")
+        self.assertEqual(sphere["inside"], [2])
+        self.assertEqual(sphere["on"], [0, 1, 4])
+        self.assertFalse(sphere["empty"])
+
+    def test_names_cannot_become_markup(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "<img src=x onerror=alert(1)> <!-- .xyz"
+            path.write_text("0 0 0\n1 0 0\n")
+            page = run("view", path, "-o", "-")
+        self.assertNotIn("<img src=x", page)
+        self.assertTrue(data_of(page)["name"].endswith("<img src=x onerror=alert(1)> <!-- .xyz"))
+
+    def test_the_page_has_the_input_s_name(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "scan.one.xyz"
+            path.write_text(INPUTS["cube"])
+            done = subprocess.run([FLOWCERT, "view", path], cwd=folder, capture_output=True, check=True)
+            self.assertIn(b"scan.one.html: open it in a browser", done.stdout)
+            self.assertEqual(data_of((pathlib.Path(folder) / "scan.one.html").read_text())["points"], 8)
+            self.assertEqual(len(list(pathlib.Path(folder).iterdir())), 2)
+
+    def test_unusable_input_leaves_no_page(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = pathlib.Path(folder) / "page.html"
+            claim = pathlib.Path(folder) / "claim.csv"
+            claim.write_text("index,x,y,z\n7,0,0,zero\n")
+            run("view", "-", "-o", page, text="0 0 nan\n", status=2)
+            run("view", "-", "-o", page, "--claim", claim, text="0 0 0\n", status=2)
+            run("view", "-", "-o", page, "--strict", text="0 0 0\n", status=2)
+            run("view", "-", "-o", page, "--claim", "-", text="0 0 0\n", status=2)
+            self.assertEqual([p.name for p in pathlib.Path(folder).iterdir()], ["claim.csv"])
+
+    def test_no_points(self):
+        data = view("# nothing\n")
+        self.assertEqual((data["points"], data["samples"], data["records"]["contacts"]), (0, [], []))
+
+
+class FindingPagesTest(unittest.TestCase):
+    def test_conformance_keeps_pages_and_reports(self):
+        with tempfile.TemporaryDirectory() as folder:
+            kept, report = pathlib.Path(folder) / "kept files", pathlib.Path(folder) / "report.html"
+            command = CLAIMS_A_SADDLE
+            run("conformance", "--against", command, "--keep", kept, "--report", report, "--group", "flat-inputs",
+                status=1)
+            page = report.read_text()
+            folders = sorted(p.name for p in kept.iterdir())
+            self.assertTrue(folders)
+            shown = 0
+            for name in folders:
+                case = json.loads((kept / name / "case.json").read_text())
+                self.assertIn(f'id="case-{name}"', page)
+                self.assertIn(f'href="kept%20files/{name}/"', page)
+                has_points = bool(case.get("points"))
+                self.assertEqual((kept / name / "page.html").exists(), has_points)
+                self.assertEqual(f'href="kept%20files/{name}/page.html"' in page, has_points)
+                if not has_points:
+                    continue
+                data = data_of((kept / name / "page.html").read_text())
+                self.assertEqual((data["name"], data["claim"]["verdict"]), (name, "fails"))
+                shown += 1
+            self.assertGreater(shown, 0)
+            self.assertIn("&amp;&amp; printf 'index", page)
+            self.assertNotIn("http", page.split("</style>")[1])
+
+    def test_fuzz_writes_a_page_beside_each_finding(self):
+        with tempfile.TemporaryDirectory() as folder:
+            campaign = pathlib.Path(folder) / "campaign"
+            run("fuzz", "--count", "30", "--against", CLAIMS_A_SADDLE, "--out", campaign,
+                status=1)
+            files = sorted((campaign / "findings").iterdir())
+            points = [p for p in files if p.suffix == ".xyz"]
+            self.assertTrue(points)
+            for path in points:
+                data = data_of(path.with_suffix(".html").read_text())
+                self.assertEqual(data["name"], path.stem)
+                self.assertEqual(data["claim"]["verdict"], "fails")
+                rows = [line for line in path.read_text().splitlines() if not line.startswith("#")]
+                self.assertEqual(data["points"], len(rows))
+
+
+if __name__ == "__main__":
+    FLOWCERT = sys.argv.pop()
+    unittest.main()
