@@ -165,6 +165,19 @@ TEST(FuzzCommand, StopsWhenItsTimeIsOver) {
   EXPECT_GT(report.at("cases"), 0);
 }
 
+// The point files of a campaign's findings. Each has a page beside it.
+std::vector<std::string> point_files(const std::string& campaign) {
+  std::vector<std::string> files;
+  std::size_t pages = 0;
+  for (const auto& entry : fs::directory_iterator(campaign + "/findings")) {
+    if (entry.path().extension() == ".xyz") files.push_back(entry.path().string());
+    pages += entry.path().extension() == ".html" ? 1 : 0;
+  }
+  EXPECT_EQ(pages, files.size());
+  EXPECT_FALSE(files.empty());
+  return files;
+}
+
 // The findings of a campaign against a program that gets cospherical points wrong.
 TEST(FuzzCommand, FindsWhatIsWrongWithCosphericalPointsAndMakesItSmall) {
   CITES("FC-CLAIM-03");
@@ -180,8 +193,7 @@ TEST(FuzzCommand, FindsWhatIsWrongWithCosphericalPointsAndMakesItSmall) {
   }
   EXPECT_TRUE(is_cospherical) << report.at("findings");
   // The case of each file is wrong again, and only with the command.
-  for (const auto& entry : fs::directory_iterator(folder + "/findings")) {
-    const std::string path = entry.path().string();
+  for (const std::string& path : point_files(folder)) {
     const Finished again = flowcert({"fuzz", "--replay", path, "--against", peer("--strict")});
     EXPECT_EQ(again.status, 1) << path << again.err;
     EXPECT_EQ(flowcert({"fuzz", "--replay", path, "--property", "critical-points"}).status, 0) << path;
@@ -243,8 +255,7 @@ TEST(FuzzCommand, JudgesPersistencePairs) {
   const std::string folder = scratch.path("wrong");
   const json lost = campaign({"--count", "20", "--persistence-against", wrong, "--out", folder}, 1);
   EXPECT_GT(lost.at("failures").at("persistence-against wrong-pair"), 5);
-  for (const auto& entry : fs::directory_iterator(folder + "/findings")) {
-    const std::string path = entry.path().string();
+  for (const std::string& path : point_files(folder)) {
     EXPECT_EQ(flowcert({"fuzz", "--replay", path, "--persistence-against", wrong}).status, 1) << path;
     EXPECT_EQ(flowcert({"fuzz", "--replay", path, "--persistence-against", right}).status, 0) << path;
   }
