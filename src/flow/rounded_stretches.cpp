@@ -25,18 +25,28 @@ RoundedStretches::Stretch RoundedStretches::flowed_from(CellIndex cluster) {
   return stretch;
 }
 
-void RoundedStretches::append_orbit(CellIndex cluster, std::vector<RoundedSphere>& points) {
+const RoundedStretches::Stretch& RoundedStretches::stretch_from(CellIndex cluster) {
   if (stretch_of_.empty()) stretch_of_.assign(cells_, kNotFlowed);
+  if (stretch_of_[cluster] == kNotFlowed) {
+    stretches_.push_back(flowed_from(cluster));
+    stretch_of_[cluster] = static_cast<std::uint32_t>(stretches_.size() - 1);
+  }
+  return stretches_[stretch_of_[cluster]];
+}
+
+void RoundedStretches::append_orbit(CellIndex cluster, std::vector<RoundedSphere>& points) {
   for (CellIndex at = cluster; at != kNoCell;) {
-    if (stretch_of_[at] == kNotFlowed) {
-      stretches_.push_back(flowed_from(at));
-      stretch_of_[at] = static_cast<std::uint32_t>(stretches_.size() - 1);
-    }
-    const Stretch& stretch = stretches_[stretch_of_[at]];
+    const Stretch& stretch = stretch_from(at);
     const auto first = points_.begin() + static_cast<std::ptrdiff_t>(stretch.first);
     points.insert(points.end(), first, first + static_cast<std::ptrdiff_t>(stretch.count));
     at = stretch.next;
   }
+}
+
+CellIndex RoundedStretches::last_vertex(CellIndex cluster) {
+  CellIndex last = cluster;
+  for (CellIndex at = cluster; at != kNoCell; at = stretch_from(at).next) last = at;
+  return last;
 }
 
 }  // namespace flowcert::flow

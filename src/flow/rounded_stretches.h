@@ -19,6 +19,8 @@ class RoundedStretches {
   // Adds the orbit from a Voronoi vertex on: that vertex, and the end of each segment, but not infinity. The operator
   // forgets the points that it constructed.
   void append_orbit(CellIndex cluster, std::vector<RoundedSphere>& points);
+  // The last Voronoi vertex that the orbit from a Voronoi vertex passes through or ends at.
+  [[nodiscard]] CellIndex last_vertex(CellIndex cluster);
 
  private:
   struct Stretch {
@@ -26,6 +28,8 @@ class RoundedStretches {
     CellIndex next = kNoCell;
   };
   [[nodiscard]] Stretch flowed_from(CellIndex cluster);
+  // The reference holds until the next call.
+  [[nodiscard]] const Stretch& stretch_from(CellIndex cluster);
 
   FlowOperator& flow_;
   std::size_t cells_;

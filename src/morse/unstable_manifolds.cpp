@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "geometry/contract.h"
 #include "geometry/parallel_for.h"
 #include "geometry/portions.h"
+#include "geometry/rational_point.h"
 #include "morse/layer.h"
 #include "morse/record_face.h"
 #include "morse/record_finder.h"
@@ -28,6 +30,21 @@ using namespace morse;
 namespace {
 
 constexpr std::size_t kProgressStep = 256;
+
+// The direction of a vector, which must not be zero.
+Point rounded_direction(const Vector3<Rational>& vector) {
+  const Rational largest = std::max({Rational(abs(vector.x)), Rational(abs(vector.y)), Rational(abs(vector.z))});
+  // No quotient exceeds 1, so each has a nearest double. The sum makes no negative zero.
+  const auto rounded = [&](const Rational& coordinate) { return nearest_double(coordinate / largest).value() + 0.0; };
+  return {rounded(vector.x), rounded(vector.y), rounded(vector.z)};
+}
+
+// (b-a) x (c-a)
+Vector3<Rational> exact_normal(const Point& a, const Point& b, const Point& c) {
+  const RationalPoint from = geometry::exact_position(a);
+  return cross(geometry::vector_between(from, geometry::exact_position(b)),
+               geometry::vector_between(from, geometry::exact_position(c)));
+}
 
 }  // namespace
 
@@ -87,10 +104,15 @@ class UnstableManifolds::Parts::Worker {
   std::optional<std::size_t> limit_beyond(std::size_t record, std::size_t choice);
   Orbit orbit(std::size_t saddle, std::size_t side);
   std::vector<RoundedSphere> rounded_orbit(std::size_t saddle, std::size_t side);
+  // The orbit must go to infinity.
+  Point direction_to_infinity(std::size_t saddle, std::size_t side);
   [[nodiscard]] const KernelTally& tally() const { return flow_->tally(); }
 
  private:
   [[nodiscard]] bool is_reversed(std::size_t record, PolygonRef polygon) const;
+  // Of the plane through the saddle's contact points, as limit() tells the sides apart.
+  [[nodiscard]] Vector3<Rational> normal_of(std::size_t saddle) const;
+  [[nodiscard]] Point last_direction_from(CellIndex vertex);
   // If the polygon is reversed, side 0 of the manifold is end 1 of the Voronoi edge.
   [[nodiscard]] Location start_of(std::size_t saddle, std::size_t side) {
     const PolygonRef polygon = edge_of_record(all_.stationary, saddle);
@@ -113,6 +135,7 @@ class UnstableManifolds::Parts::Worker {
   SegmentRecorder recorder_;
   SuccessorForest forest_;
   RoundedStretches rounded_;
+  std::unordered_map<CellIndex, Point> last_directions_;  // by the last Voronoi vertex
   // The orbit that begins with this stretch of the forest of `owner`, or its own; null for an orbit to infinity.
   std::uint32_t count_orbit(const Stretch* first, const Worker* owner = nullptr);
 
@@ -138,12 +161,15 @@ bool UnstableManifolds::Parts::Worker::is_reversed(std::size_t record, PolygonRe
     const std::array<std::uint32_t, 3> o{ordinals[corners[0]], ordinals[corners[1]], ordinals[corners[2]]};
     return int{o[0] < o[1]} + int{o[1] < o[2]} + int{o[2] < o[0]} == 1;
   }
-  const auto in = [](const Point& p) { return Vector3<Rational>{Rational(p.x), Rational(p.y), Rational(p.z)}; };
-  const auto normal = [&](const Point& a, const Point& b, const Point& c) { return cross(in(b)-in(a), in(c)-in(a)); };
+  return dot(exact_normal(faces_.point(corners[0]), faces_.point(corners[1]), faces_.point(corners[2])),
+             normal_of(record)) < 0;
+}
+
+Vector3<Rational> UnstableManifolds::Parts::Worker::normal_of(std::size_t saddle) const {
   const PointSet& points = all_.diagram.points();
+  const auto contact = all_.stationary.contact(saddle);
   const auto named = [&](std::size_t k) -> const Point& { return points[points.ordinal_of_row(contact[k])]; };
-  return dot(normal(faces_.point(corners[0]), faces_.point(corners[1]), faces_.point(corners[2])),
-             normal(named(0), named(1), named(2))) < 0;
+  return exact_normal(named(0), named(1), named(2));
 }
 
 void UnstableManifolds::Parts::Worker::flow_from(std::span<const CellIndex> starts,
@@ -221,6 +247,26 @@ std::vector<RoundedSphere> UnstableManifolds::Parts::Worker::rounded_orbit(std::
   return points;
 }
 
+Point UnstableManifolds::Parts::Worker::direction_to_infinity(std::size_t saddle, std::size_t side) {
+  const Place place = start_of(saddle, side).place;
+  if (place.kind == Place::Kind::kVertex) return last_direction_from(rounded_.last_vertex(place.vertex));
+  return rounded_direction(Rational(side == 1 ? 1 : -1) * normal_of(saddle));
+}
+
+Point UnstableManifolds::Parts::Worker::last_direction_from(CellIndex vertex) {
+  const auto [known, is_new] = last_directions_.try_emplace(vertex);
+  if (!is_new) return known->second;
+  Location at{Place::at_vertex(vertex), kNoPoint};
+  FlowStep step = flow_->step(at);
+  while (step.end.place.kind != Place::Kind::kInfinity) {
+    at = step.end;
+    step = flow_->step(at);
+  }
+  const FlowSegment last = recorder_.segment(at, step);
+  flow_->drop_from(0);
+  return known->second = rounded_direction(geometry::vector_between(last.driver, last.start));
+}
+
 void UnstableManifolds::Parts::compute(const Progress& progress) {
   if (diagram.dimension() == 3) record_at.resize(diagram.faces().delaunay().finite_count);
   for (std::size_t record = 0; record < stationary.size(); ++record) {
@@ -296,6 +342,10 @@ Orbit UnstableManifolds::orbit(std::size_t i, std::size_t side) const {
 std::vector<RoundedSphere> UnstableManifolds::rounded_orbit(std::size_t i, std::size_t side) const {
   FLOWCERT_REQUIRES(i < size() && side < 2);
   return parts_->with_worker([&](Parts::Worker& worker) { return worker.rounded_orbit(saddle(i), side); });
+}
+std::optional<Point> UnstableManifolds::direction_to_infinity(std::size_t i, std::size_t side) const {
+  if (limit(i, side)) return std::nullopt;
+  return parts_->with_worker([&](Parts::Worker& worker) { return worker.direction_to_infinity(saddle(i), side); });
 }
 std::optional<std::size_t> UnstableManifolds::limit_beyond(std::size_t record, std::size_t choice) const {
   FLOWCERT_REQUIRES(parts_->stationary.index(record) == (StationaryIndex{2, 2}) ||

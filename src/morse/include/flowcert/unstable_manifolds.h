@@ -61,6 +61,11 @@ class UnstableManifolds {
   // 32 bytes for each point.
   [[nodiscard]] std::vector<RoundedSphere> rounded_orbit(std::size_t i, std::size_t side) const;
 
+  // The direction of the last segment of limit(i, side), if that goes to infinity. The coordinates are divided by
+  // the largest of their absolute values, which becomes 1, and are then the nearest doubles. What follows the last
+  // Voronoi vertex is flowed once for all orbits.
+  [[nodiscard]] std::optional<Point> direction_to_infinity(std::size_t i, std::size_t side) const;
+
   [[nodiscard]] const FlowStatistics& statistics() const;
 
  private:
