@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <functional>
 #include <iostream>
 #include <memory>
 
 #include "cli/command.h"
 #include "cli/progress.h"
+#include "cli/radius_bars.h"
 #include "cli/table.h"
 #include "flowcert/reproducibility.h"
 #include "flowcert/surface.h"
@@ -49,13 +51,15 @@ void write_mesh(const std::string& path, const SurfaceMesh& mesh, const std::str
 
 struct Counts {
   std::size_t sets = 0, selected = 0, triangles = 0, vertices = 0, with_interval = 0;
+  TriangleEdges edges;
 };
 
 Counts counts_of(const FlowComplex& complex, const std::vector<std::size_t>& sets, const SurfaceMesh& mesh) {
   Counts counts = {.sets = complex.stationary().critical_counts()[2],
                    .selected = sets.size(),
                    .triangles = mesh.triangles.size(),
-                   .vertices = mesh.vertices.size()};
+                   .vertices = mesh.vertices.size(),
+                   .edges = mesh.edges};
   for (const std::size_t set : sets) counts.with_interval += complex.stable().has_interval(set) ? 1 : 0;
   return counts;
 }
@@ -69,7 +73,33 @@ SurfaceMesh mesh_of(const SurfaceOptions& options, const FlowComplex& complex, c
   }
 }
 
-void print_table(const SurfaceOptions& options, const Input& input, const Counts& counts) {
+// The nearest double, or an infinity.
+double double_of(const Rational& value) { return nearest_double(value).value_or(HUGE_VAL); }
+
+void print_edges(const TriangleEdges& edges) {
+  print_row("edges of two triangles", with_commas(edges.manifold));
+  print_row("edges of one", with_commas(edges.boundary), "boundary");
+  print_row("edges of more than two", with_commas(edges.non_manifold), "not manifold");
+  print_row("components", with_commas(edges.components), "joined by edges of two triangles");
+  print_row("components without orientation", with_commas(edges.without_orientation), "no consistent one is possible");
+}
+
+void print_thresholds(const SurfaceThresholds& thresholds, const SaddleRadii& radii) {
+  const auto& spacing = radii.squared_spacing();
+  if (!spacing) return;
+  print_row("spacing", fmt::format("{:.6g}", std::sqrt(double_of(*spacing))), "median distance to the nearest sample");
+  if (const auto& square = thresholds.squared_radius_below) {
+    print_row("radii below", fmt::format("{:.6g}", std::sqrt(double_of(*square))),
+              fmt::format("{:.6g} x the spacing", std::sqrt(double_of(*square / *spacing))));
+  }
+  if (const auto& length = thresholds.persistence_above) {
+    print_row("persistence above", fmt::format("{:.6g}", double_of(*length)),
+              fmt::format("{:.6g} x its square", double_of(*length / *spacing)));
+  }
+}
+
+void print_table(const SurfaceOptions& options, const Input& input, const Counts& counts,
+                 const SurfaceThresholds& thresholds, const SaddleRadii& radii) {
   print_wrapped(fmt::format("{} ({})", display_name(options.input), input.file.format));
   print_row("points", with_commas(input.points.row_count()));
   print_row("surfaces S2", with_commas(counts.sets), "of all index-2 saddles");
@@ -77,9 +107,41 @@ void print_table(const SurfaceOptions& options, const Input& input, const Counts
   print_row("with parts of dimension 3", with_commas(counts.with_interval), "of these; no surface has them");
   print_row("triangles", with_commas(counts.triangles));
   print_row("vertices", with_commas(counts.vertices));
+  print_edges(counts.edges);
+  print_thresholds(thresholds, radii);
+  print_radius_bars(radii, thresholds.squared_radius_below);
 }
 
-void print_json(const SurfaceOptions& options, const Input& input, const FlowComplex& complex, const Counts& counts) {
+// An exact number with its nearest double; null for none.
+void add_exact(Json& object, const std::string& key, const std::optional<Rational>& value) {
+  object[key] = value ? Json(to_text(*value)) : Json(nullptr);
+  object[key + "_double"] = value ? io::double_field(double_of(*value)) : Json(nullptr);
+}
+
+Json edges_field(const TriangleEdges& edges) {
+  Json field;
+  field["boundary"] = edges.boundary;
+  field["manifold"] = edges.manifold;
+  field["not_manifold"] = edges.non_manifold;
+  field["components"] = edges.components;
+  field["without_orientation"] = edges.without_orientation;
+  return field;
+}
+
+Json radii_field(const SaddleRadii& radii) {
+  Json field = Json::array();
+  for (const RadiusBin& bin : radius_histogram(radii)) {
+    Json entry;
+    entry["from"] = double_of(bin.from);
+    entry["to"] = double_of(bin.to);
+    entry["count"] = bin.count;
+    field.push_back(std::move(entry));
+  }
+  return field;
+}
+
+void print_json(const SurfaceOptions& options, const Input& input, const FlowComplex& complex, const Counts& counts,
+                const SurfaceThresholds& thresholds, const SaddleRadii& radii) {
   Json json = header_fields("flowcert-surface", 1, input.points);
   add_counts(json, input.points, complex.stationary());
   json["select"] = options.selections;
@@ -88,6 +150,11 @@ void print_json(const SurfaceOptions& options, const Input& input, const FlowCom
   json["with_interval"] = counts.with_interval;
   json["triangles"] = counts.triangles;
   json["vertices"] = counts.vertices;
+  json["edges"] = edges_field(counts.edges);
+  add_exact(json, "squared_spacing", radii.squared_spacing());
+  add_exact(json, "squared_radius_below", thresholds.squared_radius_below);
+  add_exact(json, "persistence_above", thresholds.persistence_above);
+  json["radii"] = radii_field(radii);
   fmt::print("{}\n", json.dump());
 }
 
@@ -98,15 +165,16 @@ void write_surface(const SurfaceOptions& options) {
   if (is_streamed && options.json) throw InvalidInput("-o - and --json would both write to standard output");
   const Input input = read_input(options.input);
   const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads}, part_progress());
-  const std::vector<std::size_t> sets = selection.sets(complex);
+  const SaddleRadii radii(complex);
+  const auto [sets, thresholds] = selection.select(complex, radii);
   const SurfaceMesh mesh = mesh_of(options, complex, sets);
   write_mesh(options.output, mesh, made_by_text("flowcert-surface", 1, input.points));
   if (is_streamed) return;
   const Counts counts = counts_of(complex, sets, mesh);
   if (options.json) {
-    print_json(options, input, complex, counts);
+    print_json(options, input, complex, counts, thresholds, radii);
   } else {
-    print_table(options, input, counts);
+    print_table(options, input, counts, thresholds, radii);
   }
 }
 
@@ -119,8 +187,9 @@ void add_surface_command(CLI::App& app, int& status) {
   command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
   command
       ->add_option("--select", options->selections,
-                   "Only those with persistence>X (a difference of squared distances), index2-radius<R, or "
-                   "largest-gaps=N, the N most persistent ones; given several times, all must hold")
+                   "Only those with index2-radius<R, persistence>X (a difference of squared distances), or "
+                   "largest-gaps=N, the N most persistent ones; given several times, all must hold. R may be 3spacing "
+                   "(of the median distance of neighbours; X: 3spacing^2), q0.9 (a quantile), auto (the largest gap)")
       ->allow_extra_args(false);
   command
       ->add_option("-o,--output", options->output,
@@ -130,8 +199,7 @@ void add_surface_command(CLI::App& app, int& status) {
   command->add_flag("--json", options->json, "Print one JSON object instead of the table");
   add_threads_option(*command, options->threads);
   command->footer(
-      "Examples:\n  flowcert surface bunny.obj --select 'index2-radius<0.01' \\\n    --select 'persistence>1e-6' -o "
-      "bunny.ply\n"
+      "Examples:\n  flowcert surface bunny.obj --select 'index2-radius<1.6spacing' \\\n    -o bunny.ply\n"
       "  flowcert surface bunny.obj --select largest-gaps=20 -o - >gaps.ply");
   command->callback([options, &status] {
     write_surface(*options);

@@ -1,13 +1,13 @@
-// Stable manifolds S2 as one surface: which of them, their triangles with shared vertices, and the files.
+// Stable manifolds S2 as one surface: their triangles with shared vertices, and the files. Which of them is asked of
+// surface_selection.h.
 //
-// Guarantees: a selection is decided exactly. Two triangles share a vertex iff the exact positions are equal,
-// whatever the doubles. Coordinates are the doubles nearest to the exact ones. Each backward segment gives two
-// triangles (spec clause FC-STAB-04); parts of dimension 3 give none. Triangles have no common orientation, because a
-// surface of several S2 is no manifold in general.
+// Guarantees: two triangles share a vertex iff the exact positions are equal, whatever the doubles. Coordinates are
+// the doubles nearest to the exact ones. Each backward segment gives two triangles (spec clause FC-STAB-04); parts of
+// dimension 3 give none. Triangles have one orientation where they can (triangle_orientation.h); a surface of several
+// S2 is no manifold in general.
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <ostream>
@@ -16,36 +16,18 @@
 #include <vector>
 
 #include "flowcert/flow_complex.h"
+#include "flowcert/surface_selection.h"
+#include "flowcert/triangle_orientation.h"
 
 namespace flowcert {
-
-// Chooses the critical points of index 2 that make a surface. All conditions have to hold, so of several alike
-// the sharpest one decides.
-class SurfaceSelection {
- public:
-  // Expressions: "persistence>X" (death minus birth of the pair that it is in, a difference of squared distances),
-  // "index2-radius<R" (its distance, not squared), "largest-gaps=N" (the N most persistent ones; of equal ones the
-  // first in the list). X and R are read exactly. Throws InvalidInput for anything else.
-  explicit SurfaceSelection(const std::vector<std::string>& expressions);
-
-  // The chosen points, by number in StableManifolds, ascending. Conditions on persistence need the whole complex.
-  [[nodiscard]] std::vector<std::size_t> sets(const FlowComplex& complex) const;
-
- private:
-  // option: the ordinal of the expression, from 1, for messages.
-  void add(const std::string& expression, std::size_t option);
-
-  std::optional<Rational> persistence_above_;
-  std::optional<Rational> radius_below_;
-  std::optional<std::size_t> largest_gaps_;
-};
 
 struct SurfaceMesh {
   std::vector<Point> vertices;
   // From each vertex to its nearest samples. A value beyond the doubles is left out.
   std::vector<std::optional<double>> squared_distances;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Triangle> triangles;
   std::vector<std::size_t> set_of_triangle;  // its number in StableManifolds
+  TriangleEdges edges;
 };
 
 // sets: critical points of index 2, by their numbers in StableManifolds, each once. The stable sets are computed once

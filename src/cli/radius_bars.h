@@ -1,0 +1,14 @@
+// The radii of critical points of index 2 as bars, from which one chooses a surface.
+#pragma once
+
+#include <optional>
+
+#include "cli/layer.h"
+#include "flowcert/saddle_radii.h"
+
+namespace flowcert::cli {
+
+// A line for each bin. The one that has the threshold is marked; a threshold beyond all bins is told of the nearest one.
+void print_radius_bars(const SaddleRadii& radii, const std::optional<Rational>& squared_threshold);
+
+}  // namespace flowcert::cli

@@ -1,0 +1,63 @@
+// Which critical points of index 2 make a surface, by their radii or the lengths of their persistence pairs.
+//
+// Guarantees: a selection is decided exactly, also one without units. Points of one radius, or of one length, are
+// chosen together, but by largest-gaps.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flowcert/saddle_radii.h"
+
+namespace flowcert {
+
+// What the conditions of a selection came to; nothing where there is no such condition, or where it holds for all.
+struct SurfaceThresholds {
+  std::optional<Rational> squared_radius_below;
+  std::optional<Rational> persistence_above;
+};
+
+struct SelectedSets {
+  std::vector<std::size_t> sets;  // by number in StableManifolds, ascending
+  SurfaceThresholds thresholds;
+};
+
+// Chooses the critical points of index 2 that make a surface. All conditions have to hold, so of several alike
+// the sharpest one decides.
+class SurfaceSelection {
+ public:
+  // Expressions (spec/formats/surfaces.md): "index2-radius<R" (its distance, not squared), "persistence>X" (death minus
+  // birth of the pair that it is in, a difference of squared distances), "largest-gaps=N" (the N most persistent ones;
+  // of equal ones the first in the list). R may also be "3spacing" (a multiple of the samples' spacing), "q0.9" (a
+  // quantile of all radii) or "auto" (beyond the widest gap of SaddleRadii), and X "3spacing^2", "q0.9" or "auto",
+  // likewise. Numbers are read exactly. Throws InvalidInput for anything else.
+  explicit SurfaceSelection(const std::vector<std::string>& expressions);
+
+  // Conditions on persistence need the whole complex. The radii must be of the same complex.
+  [[nodiscard]] SelectedSets select(const FlowComplex& complex, const SaddleRadii& radii) const;
+  // The chosen points alone, by number in StableManifolds, ascending.
+  [[nodiscard]] std::vector<std::size_t> sets(const FlowComplex& complex) const;
+
+ private:
+  enum class Unit : std::uint8_t { kInput, kSpacing, kQuantile, kWidestGap };
+  struct Bound {
+    Unit unit = Unit::kInput;
+    Rational number = 0;
+  };
+  class Lengths;
+
+  // option: the ordinal of the expression, from 1, for messages.
+  void add(const std::string& expression, std::size_t option);
+  [[nodiscard]] static std::optional<Rational> squared_radius_of(const Bound& bound, const SaddleRadii& radii);
+  [[nodiscard]] static std::optional<Rational> length_of(const Bound& bound, const Lengths& lengths,
+                                                         const SaddleRadii& radii);
+
+  std::vector<Bound> radii_below_;
+  std::vector<Bound> persistence_above_;
+  std::optional<std::size_t> largest_gaps_;
+};
+
+}  // namespace flowcert

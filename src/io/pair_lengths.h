@@ -1,0 +1,22 @@
+// Lengths of persistence pairs in their order.
+//
+// Guarantees: exact (ValueOrder). A length is the squared distance of the death less that of the birth.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "flowcert/squared_distances.h"
+#include "io/value_order.h"
+
+namespace flowcert::io {
+
+// Stationary points, by their places in the list.
+struct PairEnds {
+  std::size_t birth = 0, death = 0;
+};
+
+// The values must outlive the order.
+[[nodiscard]] ValueOrder length_order(const SquaredDistances& values, std::vector<PairEnds> pairs);
+
+}  // namespace flowcert::io

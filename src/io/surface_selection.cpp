@@ -1,0 +1,168 @@
+// A condition becomes a threshold, and a threshold a place among the radii or lengths in ascending order.
+#include "flowcert/surface_selection.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "io/number_text.h"
+#include "io/pair_lengths.h"
+
+namespace flowcert {
+
+using namespace io;
+
+namespace {
+
+constexpr std::string_view kPersistence = "persistence>";
+constexpr std::string_view kRadius = "index2-radius<";
+constexpr std::string_view kLargestGaps = "largest-gaps=";
+constexpr std::string_view kWidest = "auto";
+
+std::string without_blanks(std::string text) {
+  std::erase(text, ' ');
+  return text;
+}
+
+// The greatest integer that is not greater; the number is not negative.
+std::size_t floor_of(const Rational& number) {
+  return static_cast<std::size_t>(boost::multiprecision::mpz_int(numerator(number) / denominator(number)));
+}
+
+std::vector<PairEnds> pairs_of_saddles(const FlowComplex& complex) {
+  const auto& counts = complex.stationary().critical_counts();
+  const std::size_t first = counts[0] + counts[1];
+  std::vector<PairEnds> pairs(counts[2]);
+  if (pairs.empty()) return pairs;
+  // Every critical point of index 2 is in a pair that does not last (FC-PERS-02), as the death of a tunnel or the birth
+  // of a void.
+  for (const PersistencePair& pair : complex.persistence().pairs()) {
+    if (pair.dimension == 0 || !pair.death) continue;
+    const std::size_t record = pair.dimension == 1 ? *pair.death : pair.birth;
+    pairs[record - first] = {pair.birth, *pair.death};
+  }
+  return pairs;
+}
+
+}  // namespace
+
+// The pairs of all critical points of index 2, by number in StableManifolds, in the order of their lengths.
+class SurfaceSelection::Lengths {
+ public:
+  explicit Lengths(const FlowComplex& complex)
+      : order_(length_order(complex.persistence().squared_distances(), pairs_of_saddles(complex))) {}
+
+  [[nodiscard]] const ValueOrder& order() const { return order_; }
+
+ private:
+  ValueOrder order_;
+};
+
+SurfaceSelection::SurfaceSelection(const std::vector<std::string>& expressions) {
+  for (std::size_t k = 0; k < expressions.size(); ++k) add(expressions[k], k + 1);
+}
+
+void SurfaceSelection::add(const std::string& expression, std::size_t option) {
+  const LinePlace place = {"--select", option};
+  const std::string text = without_blanks(expression);
+  const auto number_of = [&](std::string_view digits) {
+    return claimed_number(digits, PlainInteger::kExact, place).value;
+  };
+  const auto bound_of = [&](std::string_view rest, std::string_view spacing) -> Bound {
+    if (rest == kWidest) return {Unit::kWidestGap, 0};
+    if (rest.ends_with(spacing)) return {Unit::kSpacing, number_of(rest.substr(0, rest.size() - spacing.size()))};
+    if (!rest.starts_with('q')) return {Unit::kInput, number_of(rest)};
+    const Rational share = number_of(rest.substr(1));
+    if (share < 0 || share > 1) place.reject("no quantile from 0 to 1: " + in_quotes(rest));
+    return {Unit::kQuantile, share};
+  };
+  const std::string_view rest(text);
+  if (rest.starts_with(kPersistence)) {
+    persistence_above_.push_back(bound_of(rest.substr(kPersistence.size()), "spacing^2"));
+  } else if (rest.starts_with(kRadius)) {
+    radii_below_.push_back(bound_of(rest.substr(kRadius.size()), "spacing"));
+  } else if (rest.starts_with(kLargestGaps)) {
+    const std::size_t count = claimed_count(rest.substr(kLargestGaps.size()), place);
+    largest_gaps_ = largest_gaps_ ? std::min(*largest_gaps_, count) : count;
+  } else {
+    place.reject("none of persistence>X, index2-radius<R and largest-gaps=N: " + in_quotes(expression));
+  }
+}
+
+// Nothing where the condition holds for all radii.
+std::optional<Rational> SurfaceSelection::squared_radius_of(const Bound& bound, const SaddleRadii& radii) {
+  const Rational square = bound.number > 0 ? Rational(bound.number * bound.number) : Rational(0);
+  switch (bound.unit) {
+    case Unit::kInput:
+      return square;
+    case Unit::kSpacing:
+      return square * radii.squared_spacing().value_or(0);
+    case Unit::kQuantile: {
+      const std::size_t place = floor_of(bound.number * radii.size());
+      return place < radii.size() ? std::optional(radii.squared_radius(place)) : std::nullopt;
+    }
+    case Unit::kWidestGap:
+      break;
+  }
+  const std::optional<std::size_t> gap = radii.widest_gap();
+  return gap ? std::optional(radii.squared_radius(*gap + 1)) : std::nullopt;
+}
+
+// Nothing where the condition holds for all lengths.
+std::optional<Rational> SurfaceSelection::length_of(const Bound& bound, const Lengths& lengths,
+                                                    const SaddleRadii& radii) {
+  const ValueOrder& order = lengths.order();
+  switch (bound.unit) {
+    case Unit::kInput:
+      return bound.number;
+    case Unit::kSpacing:
+      return bound.number * radii.squared_spacing().value_or(0);
+    case Unit::kQuantile: {
+      const std::size_t shorter = order.size() - floor_of((1 - bound.number) * order.size());
+      return shorter > 0 ? std::optional(order.exact(shorter - 1)) : std::nullopt;
+    }
+    case Unit::kWidestGap:
+      break;
+  }
+  const auto gap = order.size() < 2 ? std::nullopt : order.widest_gap((order.size() - 1) / 2, order.size() - 1);
+  return gap ? std::optional(order.exact(*gap)) : std::nullopt;
+}
+
+SelectedSets SurfaceSelection::select(const FlowComplex& complex, const SaddleRadii& radii) const {
+  SelectedSets selected;
+  std::vector<bool> is_chosen(radii.size(), true);
+  auto& [radius, length] = selected.thresholds;
+  for (const Bound& bound : radii_below_) {
+    const std::optional<Rational> square = squared_radius_of(bound, radii);
+    if (square) radius = radius ? std::min(*radius, *square) : *square;
+  }
+  if (radius) {
+    for (std::size_t k = radii.count_below(*radius); k < radii.size(); ++k) is_chosen[radii.number(k)] = false;
+  }
+  if (!persistence_above_.empty() || largest_gaps_) {
+    const Lengths lengths(complex);
+    const ValueOrder& order = lengths.order();
+    for (const Bound& bound : persistence_above_) {
+      const std::optional<Rational> value = length_of(bound, lengths, radii);
+      if (value) length = length ? std::max(*length, *value) : *value;
+    }
+    // Of equal lengths the first in the list is at the last place.
+    std::size_t too_short = length ? order.count_up_to(*length) : 0;
+    if (largest_gaps_) too_short = std::max(too_short, order.size() - std::min(*largest_gaps_, order.size()));
+    for (std::size_t k = 0; k < too_short; ++k) is_chosen[order.at(k)] = false;
+  }
+  for (std::size_t i = 0; i < is_chosen.size(); ++i) {
+    if (is_chosen[i]) selected.sets.push_back(i);
+  }
+  return selected;
+}
+
+std::vector<std::size_t> SurfaceSelection::sets(const FlowComplex& complex) const {
+  if (radii_below_.empty() && persistence_above_.empty() && !largest_gaps_) {
+    std::vector<std::size_t> all(complex.stationary().critical_counts()[2]);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+    return all;
+  }
+  return select(complex, SaddleRadii(complex)).sets;
+}
+
+}  // namespace flowcert

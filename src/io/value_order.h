@@ -1,0 +1,56 @@
+// Exact numbers in ascending order, and questions of their order.
+//
+// Guarantees: exact. Doubles that bound each number decide most of the order, and exact numbers are made where the
+// bounds overlap. The order depends on the numbers alone; equal numbers come in descending order of what they belong
+// to, so that the greatest ones at the end are the first of a list.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "flowcert/rational.h"
+#include "io/layer.h"
+
+namespace flowcert::io {
+
+// A number that is not negative lies between these.
+struct ValueRange {
+  double low = 0, high = 0;
+};
+
+class ValueOrder {
+ public:
+  using Exact = std::function<Rational(std::size_t)>;
+
+  // keys: numbers with one key are equal, and are made once. exact(i) makes the i-th number. O(n log n), apart from the
+  // numbers that have to be made.
+  ValueOrder(std::vector<ValueRange> ranges, std::vector<std::uint64_t> keys, Exact exact);
+
+  [[nodiscard]] std::size_t size() const { return order_.size(); }
+  // What the number at a place, from 0 in ascending order, belongs to.
+  [[nodiscard]] std::size_t at(std::size_t place) const { return order_[place]; }
+  [[nodiscard]] Rational exact(std::size_t place) const { return exact_(order_[place]); }
+
+  // How many numbers are less, or not greater.
+  [[nodiscard]] std::size_t count_below(const Rational& bound) const;
+  [[nodiscard]] std::size_t count_up_to(const Rational& bound) const;
+
+  // The first place k, `from` <= k < `to`, at which the number at k + 1 is the largest multiple of that at k; nothing
+  // where all of them are equal. All numbers from `from` on must be positive, and `to` less than size().
+  [[nodiscard]] std::optional<std::size_t> widest_gap(std::size_t from, std::size_t to) const;
+
+ private:
+  void sort_exactly(std::size_t first, std::size_t last);
+  // What v(k + 1) / v(k) lies between.
+  [[nodiscard]] ValueRange ratio_behind(std::size_t place) const;
+
+  std::vector<ValueRange> ranges_;
+  std::vector<std::uint64_t> keys_;
+  Exact exact_;
+  std::vector<std::size_t> order_;
+};
+
+}  // namespace flowcert::io
