@@ -2,99 +2,32 @@
 // for people or one JSON object for programs (spec/formats/summary.md). It can also write a file of exact records
 // (stationary_points.md) and files for viewers (exports.md).
 //
-// Guarantees: all files for viewers are computed before the first is written. Each appears whole or not at all.
+// Guarantees: each file for viewers is written when what it shows is made, and appears whole or not at all.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "cli/command.h"
 #include "cli/compute_report.h"
 #include "cli/compute_run.h"
+#include "cli/export_files.h"
 #include "cli/layer.h"
 #include "cli/progress.h"
 #include "flowcert/flow_complex.h"
-#include "flowcert/reproducibility.h"
-#include "flowcert/vtk_exports.h"
 #include "flowcert/write_stationary_points.h"
+#include "io/number_text.h"
 #include "io/output_file.h"
 
 namespace flowcert::cli {
 
-// ---- --export DIR: the files that viewers open ----
-
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Exports {
-  PolyData critical_points, unstable_lines, stable_surfaces;
-  SurfaceMesh mesh;
-};
-
-Exports exports_of(const FlowComplex& complex) {
-  Exports exports;
-  ProgressLine points_progress("exporting critical points");
-  const VtkExports data_sets(complex, std::ref(points_progress));
-  exports.critical_points = data_sets.critical_points();
-  ProgressLine surfaces_progress("exporting stable manifolds");
-  const std::vector<std::size_t> all = SurfaceSelection({}).sets(complex);
-  exports.mesh = surface_mesh(complex, all, std::ref(surfaces_progress));
-  exports.stable_surfaces = data_sets.stable_surfaces(exports.mesh);
-  ProgressLine lines_progress("exporting unstable manifolds");
-  exports.unstable_lines = data_sets.unstable_lines(std::ref(lines_progress));
-  return exports;
-}
-
-template <typename Write>
-void write_file(const fs::path& path, const Write& write) {
-  OutputFile file(path.string());
-  write(file.stream());
-  file.commit();
-}
-
-void make_directory(const std::string& directory) {
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error) throw OutputError(fmt::format("{}: cannot be made: {}", directory, error.message()));
-}
-
-// Called before anything is computed. Throws OutputError if the path exists and is no directory.
-void check_export_directory(const std::string& directory) {
-  std::error_code ignored;
-  if (fs::exists(directory, ignored) && !fs::is_directory(directory, ignored)) {
-    throw OutputError(directory + ": cannot be written: Not a directory");
-  }
-}
-
-// Makes the directory if it does not exist. input_name is for messages.
-void write_export_files(const std::string& directory, const std::string& input_name, const FlowComplex& complex) {
-  Exports exports;
-  try {
-    exports = exports_of(complex);
-  } catch (const InvalidInput& error) {
-    throw InvalidInput(fmt::format("{}: {}", input_name, error.what()));
-  }
-  make_directory(directory);
-  const fs::path folder(directory);
-  const std::string comment = made_by_text("flowcert-export", 1, complex.points());
-  const std::pair<const char*, const PolyData*> data_sets[] = {{"critical_points.vtp", &exports.critical_points},
-                                                               {"unstable_lines.vtp", &exports.unstable_lines},
-                                                               {"stable_surfaces.vtp", &exports.stable_surfaces}};
-  for (const auto& [name, data] : data_sets) {
-    write_file(folder / name, [&comment, poly = data](std::ostream& out) { write_vtp(out, *poly, comment); });
-  }
-  write_file(folder / "stable_surfaces.ply", [&](std::ostream& out) { write_ply(out, exports.mesh, comment); });
-}
-
-// ---- The command ----
 
 struct ComputeOptions {
   std::string input;
@@ -106,19 +39,46 @@ struct ComputeOptions {
   bool skeletons = false;
   std::string centers = "exact";
   std::string export_directory;
+  std::vector<std::string> only;  // "critical", "surfaces", "lines"; all of them if there is none
+  std::string clip;               // a number, "none", or empty: as usual
   unsigned threads = 1;
   U2Choice u2;
 };
 
-bool wants(const ComputeOptions& options, const char* manifold) {
-  return !options.export_directory.empty() ||
-         std::find(options.manifolds.begin(), options.manifolds.end(), manifold) != options.manifolds.end();
+bool has_word(const std::vector<std::string>& words, const char* word) { return std::ranges::count(words, word) > 0; }
+
+bool exports(const ComputeOptions& options, const char* what) {
+  return !options.export_directory.empty() && (options.only.empty() || has_word(options.only, what));
+}
+
+// How large the box is at which lines to infinity end; nothing for none.
+std::optional<Rational> clip_factor(const std::string& text) {
+  if (text.empty()) return ExportChoice{}.clip;
+  if (text == "none") return std::nullopt;
+  Rational factor = 0;
+  try {
+    factor = io::parse_rational(text);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format("--clip: {}", error.what()));
+  }
+  if (factor < 1) throw InvalidInput("--clip: neither a number from 1 nor none: " + io::in_quotes(text));
+  return factor;
+}
+
+ExportChoice export_choice(const ComputeOptions& options) {
+  if (!options.clip.empty() && !exports(options, "lines"))
+    throw InvalidInput("--clip: needs lines, which --only omits");
+  return {.directory = options.export_directory,
+          .critical = exports(options, "critical"),
+          .surfaces = exports(options, "surfaces"),
+          .lines = exports(options, "lines"),
+          .clip = clip_factor(options.clip)};
 }
 
 WantedManifolds wanted_manifolds(const ComputeOptions& options) {
   WantedManifolds wanted;
-  wanted.u2 = wants(options, "u2");
-  wanted.s2 = wants(options, "s2");
+  wanted.u2 = has_word(options.manifolds, "u2") || exports(options, "lines");
+  wanted.s2 = has_word(options.manifolds, "s2") || exports(options, "surfaces");
   wanted.options = {.flow = options.u2.flow.options(), .share = !options.u2.alone, .threads = options.threads};
   if (options.polylines && !wanted.u2) throw InvalidInput("--polylines: needs --manifolds u2");
   if (options.u2.alone && !wanted.u2) throw InvalidInput("--alone: needs --manifolds u2");
@@ -148,13 +108,14 @@ void compute(const ComputeOptions& options) {
   const WantedManifolds wanted = wanted_manifolds(options);
   const bool is_streamed = options.output == kStandardStream;
   if (is_streamed && options.json) throw InvalidInput("-o - and --json would both write to standard output");
-  if (!options.export_directory.empty()) check_export_directory(options.export_directory);
+  std::optional<ExportFiles> files;
+  if (!options.export_directory.empty()) files.emplace(export_choice(options), display_name(options.input));
   const Input input = read_input(options.input);
-  const Measured measured = measure(input.points, options.runs, wanted);
+  const PartMade made = [&files](const FlowComplex& complex, FlowComplexPart part) {
+    if (files) files->write_after(complex, part);
+  };
+  const Measured measured = measure(input.points, options.runs, wanted, made);
   if (!options.output.empty()) write_records(options, measured);
-  if (!options.export_directory.empty()) {
-    write_export_files(options.export_directory, display_name(options.input), *measured.last);
-  }
   if (options.json) {
     print_compute_summary(input, measured, options.u2);
   } else if (!is_streamed) {
@@ -191,6 +152,26 @@ void add_manifold_options(CLI::App& command, ComputeOptions& options, CLI::Optio
       ->needs(output);
 }
 
+void add_export_options(CLI::App& command, ComputeOptions& options) {
+  CLI::Option* directory =
+      command
+          .add_option("--export", options.export_directory,
+                      "Write critical points, S2 and U2 into this directory, as VTP and PLY files for viewers; "
+                      "computes what they need")
+          ->check(complaint_about_path);
+  command
+      .add_option("--only", options.only,
+                  "Of the files of --export only these, separated by commas: critical, surfaces, lines")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"critical", "surfaces", "lines"}))
+      ->needs(directory);
+  command
+      .add_option("--clip", options.clip,
+                  "Where exported lines to infinity end: at a box so many times as large as that of the input (3, "
+                  "without this), or none, to leave out what has no end")
+      ->needs(directory);
+}
+
 }  // namespace
 
 void add_compute_command(CLI::App& app, int& status) {
@@ -216,11 +197,7 @@ void add_compute_command(CLI::App& app, int& status) {
       ->needs(output);
   command->add_option("--runs", options->runs, "Measure this many times and print medians; 5 for a ratio to quote")
       ->check(CLI::Range(1, 1000));
-  command
-      ->add_option("--export", options->export_directory,
-                   "Write critical points, U2 and S2 into this directory, as VTP and PLY files for viewers; "
-                   "computes u2 and s2")
-      ->check(complaint_about_path);
+  add_export_options(*command, *options);
   add_manifold_options(*command, *options, output);
   add_threads_option(*command, options->threads);
   command->footer(

@@ -30,13 +30,16 @@ struct Times {
   std::vector<double> delaunay, critical, u2, s2, all;
 };
 
-FlowComplex run_once(const PointSet& points, const WantedManifolds& wanted, unsigned run, unsigned runs, Times& times) {
+FlowComplex run_once(const PointSet& points, const WantedManifolds& wanted, unsigned run, unsigned runs, Times& times,
+                     const PartMade& made) {
   FlowComplex complex(points, wanted.options,
                       part_progress(runs == 1 ? "" : fmt::format(", run {} of {}", run + 1, runs)));
   const auto seconds_to_make = [&](FlowComplexPart part) {
     const Clock::time_point start = Clock::now();
     complex.make(part);
-    return seconds_between(start, Clock::now());
+    const double seconds = seconds_between(start, Clock::now());
+    if (made && run + 1 == runs) made(complex, part);
+    return seconds;
   };
   times.delaunay.push_back(seconds_to_make(FlowComplexPart::kTriangulation));
   times.critical.push_back(seconds_to_make(FlowComplexPart::kStationary));
@@ -47,12 +50,12 @@ FlowComplex run_once(const PointSet& points, const WantedManifolds& wanted, unsi
 
 }  // namespace
 
-Measured measure(const PointSet& points, unsigned runs, const WantedManifolds& wanted) {
+Measured measure(const PointSet& points, unsigned runs, const WantedManifolds& wanted, const PartMade& made) {
   Measured result;
   Times times;
   for (unsigned run = 0; run < runs; ++run) {
     result.last.reset();
-    result.last.emplace(run_once(points, wanted, run, runs, times));
+    result.last.emplace(run_once(points, wanted, run, runs, times, made));
     times.all.push_back(times.critical.back() + (wanted.u2 ? times.u2.back() : 0) + (wanted.s2 ? times.s2.back() : 0));
   }
   result.has = wanted;

@@ -1,6 +1,7 @@
 // What `flowcert compute` computes, with its times.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "cli/layer.h"
@@ -34,8 +35,12 @@ struct Measured {
   std::optional<DelaunayRatios> ratios;
 };
 
+// Is told what the last run has just made. It may take its time, which is not measured.
+using PartMade = std::function<void(const FlowComplex& complex, FlowComplexPart part)>;
+
 // Computes everything `runs` times. Each run makes the triangulation, the critical points and the wanted manifolds in
 // turn, so that all parts see the same state of the machine.
-[[nodiscard]] Measured measure(const PointSet& points, unsigned runs, const WantedManifolds& wanted);
+[[nodiscard]] Measured measure(const PointSet& points, unsigned runs, const WantedManifolds& wanted,
+                               const PartMade& made = {});
 
 }  // namespace flowcert::cli

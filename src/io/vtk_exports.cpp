@@ -9,6 +9,8 @@
 #include <limits>
 
 #include "geometry/bounded_sphere.h"
+#include "io/byte_writer.h"
+#include "io/clipped_orbits.h"
 #include "io/number_text.h"
 
 namespace flowcert {
@@ -70,14 +72,17 @@ struct Line {
 
 class LineSet {
  public:
+  // has_clipped_end: the orbit's last point is where it leaves the box.
   void append(std::size_t saddle, std::int8_t side, std::optional<std::size_t> limit,
-              const std::vector<RoundedSphere>& orbit) {
+              const std::vector<RoundedSphere>& orbit, bool has_clipped_end) {
     const auto count = static_cast<std::int64_t>(orbit.size());
     lines_.push_back({.saddle = saddle, .side = side, .limit = limit, .first = size(), .count = count});
     for (const RoundedSphere& point : orbit) {
       positions_.push_back(finite(point.center));
       squared_distances_.push_back(finite(point.squared_radius));
+      is_clipped_.push_back(0);
     }
+    is_clipped_.back() = has_clipped_end ? 1 : 0;
   }
 
   // Lines of one point come first, because the format has vertices before lines.
@@ -87,6 +92,7 @@ class LineSet {
   }
   [[nodiscard]] std::vector<Point> take_positions() { return std::move(positions_); }
   [[nodiscard]] Values take_squared_distances() { return std::move(squared_distances_); }
+  [[nodiscard]] Flags take_is_clipped() { return std::move(is_clipped_); }
 
  private:
   [[nodiscard]] std::int64_t size() const { return static_cast<std::int64_t>(positions_.size()); }
@@ -94,6 +100,7 @@ class LineSet {
   std::vector<Line> lines_;
   std::vector<Point> positions_;
   Values squared_distances_;
+  Flags is_clipped_;
 };
 
 // The squared distance at one stationary point less that at another one.
@@ -113,6 +120,7 @@ const char* type_name(std::int8_t) { return "Int8"; }
 const char* type_name(std::int64_t) { return "Int64"; }
 const char* type_name(double) { return "Float64"; }
 
+// The XML first says where each array begins in the appended data, and the arrays follow. They must outlive this.
 class Document {
  public:
   explicit Document(std::ostream& out) : out_(out) {}
@@ -120,15 +128,24 @@ class Document {
   void text(const std::string& line) { out_ << line << '\n'; }
 
   template <typename Number>
-  void array(const std::string& name, int components, const std::vector<Number>& values) {
-    text(fmt::format(R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}"/>)",
-                     type_name(Number{}), name, components, appended_.size()));
-    append_little_endian(appended_, std::uint64_t{values.size() * sizeof(Number)});
-    for (const Number value : values) append_little_endian(appended_, value);
+  void array(const std::string& name, const std::vector<Number>& values) {
+    place(name, type_name(Number{}), 1, values.size() * sizeof(Number));
+    appended_.emplace_back([&values](ByteWriter& bytes) {
+      for (const Number value : values) bytes.append(value);
+    });
   }
 
   void array(const VtpArray& array_of_any) {
-    std::visit([&](const auto& values) { array(array_of_any.name, 1, values); }, array_of_any.values);
+    std::visit([&](const auto& values) { array(array_of_any.name, values); }, array_of_any.values);
+  }
+
+  void points(const std::vector<Point>& points) {
+    place("Points", type_name(double{}), 3, 3 * points.size() * sizeof(double));
+    appended_.emplace_back([&points](ByteWriter& bytes) {
+      for (const Point& point : points) {
+        for (const double coordinate : {point.x, point.y, point.z}) bytes.append(coordinate);
+      }
+    });
   }
 
   void section(const char* name, const std::vector<VtpArray>& arrays) {
@@ -139,61 +156,61 @@ class Document {
 
   void cells(const char* name, const VtpCells& cells) {
     text(fmt::format("<{}>", name));
-    array("connectivity", 1, cells.connectivity);
-    array("offsets", 1, cells.offsets);
+    array("connectivity", cells.connectivity);
+    array("offsets", cells.offsets);
     text(fmt::format("</{}>", name));
   }
 
   void appended_data() {
     out_ << R"(<AppendedData encoding="raw">)"
-         << "\n_" << appended_ << '\n';
-    text("</AppendedData>");
+         << "\n_";
+    {
+      ByteWriter bytes(out_);
+      for (std::size_t k = 0; k < appended_.size(); ++k) {
+        bytes.append(sizes_[k]);
+        appended_[k](bytes);
+      }
+    }
+    text("\n</AppendedData>");
   }
 
  private:
-  std::ostream& out_;
-  std::string appended_;
-};
+  void place(const std::string& name, const char* type, int components, std::size_t size) {
+    text(fmt::format(R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}"/>)", type,
+                     name, components, offset_));
+    sizes_.push_back(size);
+    offset_ += sizeof(std::uint64_t) + size;
+  }
 
-std::vector<double> coordinates_of(const std::vector<Point>& points) {
-  std::vector<double> coordinates;
-  coordinates.reserve(3 * points.size());
-  for (const Point& point : points) coordinates.insert(coordinates.end(), {point.x, point.y, point.z});
-  return coordinates;
-}
+  std::ostream& out_;
+  std::size_t offset_ = 0;
+  std::vector<std::uint64_t> sizes_;
+  std::vector<std::function<void(ByteWriter&)>> appended_;
+};
 
 }  // namespace
 
 // ---- Data sets ----
 
-VtkExports::VtkExports(const FlowComplex& complex, const ExportProgress& progress) : complex_(complex) {
-  const std::size_t size = complex.stationary().size();
-  centers_.reserve(size);
-  squared_values_.reserve(size);
-  for (std::size_t record = 0; record < size; ++record) {
-    const RoundedSphere sphere = complex.rounded_sphere(record);
-    centers_.push_back(finite(sphere.center));
-    squared_values_.push_back(sphere.squared_radius);
-    if (progress) progress(record + 1, size);
-  }
-}
-
-PolyData VtkExports::critical_points() const {
+PolyData critical_point_data(const FlowComplex& complex, const ExportProgress& progress) {
+  const StationaryPoints& stationary = complex.stationary();
   PolyData data;
-  data.points = centers_;
   Flags dimensions, face_dimensions, are_regular, types;
   Ids ids;
   Values squared_distances;
-  for (std::size_t record = 0; record < complex_.stationary().size(); ++record) {
-    const StationaryIndex index = complex_.stationary().index(record);
+  for (std::size_t record = 0; record < stationary.size(); ++record) {
+    const StationaryIndex index = stationary.index(record);
+    const RoundedSphere sphere = complex.rounded_sphere(record);
     const auto id = static_cast<std::int64_t>(record);
+    data.points.push_back(finite(sphere.center));
     append_cell(data.vertices, id, 1);
     ids.push_back(id);
     dimensions.push_back(static_cast<std::int8_t>(index.hull_dimension));
     face_dimensions.push_back(static_cast<std::int8_t>(index.face_dimension));
     are_regular.push_back(index.is_critical() ? 0 : 1);
     types.push_back(index.is_critical() ? static_cast<std::int8_t>(index.face_dimension) : kRegularType);
-    squared_distances.push_back(finite(squared_values_[record]));
+    squared_distances.push_back(finite(sphere.squared_radius));
+    if (progress) progress(record + 1, stationary.size());
   }
   data.point_data.push_back({"CellDimension", std::move(dimensions)});
   data.point_data.push_back({"CellId", std::move(ids)});
@@ -204,35 +221,60 @@ PolyData VtkExports::critical_points() const {
   return data;
 }
 
-PolyData VtkExports::unstable_lines(const ExportProgress& progress) const {
-  const UnstableManifolds& u2 = complex_.unstable();
+namespace {
+
+// All orbits of U2, cut at the box if there is one.
+LineSet lines_of(const FlowComplex& complex, const std::optional<ClipBox>& box, const ExportProgress& progress) {
+  const UnstableManifolds& u2 = complex.unstable();
+  std::optional<ClippedOrbits> clipped;
+  if (box) clipped.emplace(complex, *box);
   LineSet set;
   for (std::size_t i = 0; i < u2.size(); ++i) {
-    const std::size_t saddle = u2.saddle(i);
     for (const std::int8_t side : {std::int8_t{0}, std::int8_t{1}}) {
       const auto number = static_cast<std::size_t>(side);
-      set.append(saddle, side, u2.limit(i, number), u2.rounded_orbit(i, number));
+      const std::optional<std::size_t> limit = u2.limit(i, number);
+      std::vector<RoundedSphere> orbit = u2.rounded_orbit(i, number);
+      const bool is_clipped = clipped && !limit;
+      if (is_clipped) clipped->clip(i, number, orbit);
+      set.append(u2.saddle(i), side, limit, orbit, is_clipped);
     }
     if (progress) progress(i + 1, u2.size());
   }
+  return set;
+}
+
+}  // namespace
+
+PolyData unstable_line_data(const FlowComplex& complex, const std::optional<ClipBox>& box,
+                            const ExportProgress& progress) {
+  LineSet set = lines_of(complex, box, progress);
   PolyData data;
   SeparatrixData separatrices;
   Ids destinations;
   Flags sides, to_infinity;
-  const std::size_t first_saddle = u2.size() > 0 ? u2.saddle(0) : 0;
+  // Many orbits end at one maximum.
+  constexpr double kUnknown = -1;
+  Values squared_values(complex.stationary().size(), kUnknown);
+  const auto squared_value = [&](std::size_t record) {
+    double& value = squared_values[record];
+    if (value == kUnknown) value = complex.rounded_sphere(record).squared_radius;
+    return finite(value);
+  };
+  const std::size_t first_saddle = complex.unstable().size() > 0 ? complex.unstable().saddle(0) : 0;
   for (const Line& line : set.take_lines()) {
     append_cell(line.count == 1 ? data.vertices : data.lines, line.first, line.count);
     constexpr double kUnbounded = std::numeric_limits<double>::infinity();
     // The critical points of index 2 are consecutive records.
-    separatrices.append(
-        static_cast<std::int64_t>(line.saddle), static_cast<std::int64_t>(2 * (line.saddle - first_saddle)) + line.side,
-        finite(squared_values_[line.saddle]), line.limit ? finite(squared_values_[*line.limit]) : kUnbounded,
-        line.limit ? rounded_difference(complex_, line.saddle, *line.limit) : kUnbounded);
+    separatrices.append(static_cast<std::int64_t>(line.saddle),
+                        static_cast<std::int64_t>(2 * (line.saddle - first_saddle)) + line.side,
+                        squared_value(line.saddle), line.limit ? squared_value(*line.limit) : kUnbounded,
+                        line.limit ? rounded_difference(complex, line.saddle, *line.limit) : kUnbounded);
     destinations.push_back(line.limit ? static_cast<std::int64_t>(*line.limit) : kInfinity);
     sides.push_back(line.side);
     to_infinity.push_back(line.limit ? 0 : 1);
   }
   data.points = set.take_positions();
+  if (box) data.point_data.push_back({"IsClipped", set.take_is_clipped()});
   data.point_data.push_back({"SquaredDistance", set.take_squared_distances()});
   data.cell_data = std::move(separatrices).arrays();
   data.cell_data.push_back({"DestinationId", std::move(destinations)});
@@ -241,15 +283,16 @@ PolyData VtkExports::unstable_lines(const ExportProgress& progress) const {
   return data;
 }
 
-PolyData VtkExports::stable_surfaces(const SurfaceMesh& mesh) const {
-  const StableManifolds& s2 = complex_.stable();
+PolyData stable_surface_data(const FlowComplex& complex, SurfaceMesh mesh) {
+  const StableManifolds& s2 = complex.stable();
   PolyData data;
-  data.points = mesh.vertices;
-  for (const auto& triangle : mesh.triangles) {
+  data.points = std::move(mesh.vertices);
+  for (const Triangle& triangle : mesh.triangles) {
     auto& connectivity = data.polygons.connectivity;
     connectivity.insert(connectivity.end(), triangle.begin(), triangle.end());
     data.polygons.offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
   }
+  mesh.triangles = {};
   Values squared_distances;
   for (const std::optional<double>& value : mesh.squared_distances) {
     if (!value) throw BeyondDoubles();
@@ -257,10 +300,13 @@ PolyData VtkExports::stable_surfaces(const SurfaceMesh& mesh) const {
   }
   SeparatrixData separatrices;
   Flags have_interval;
+  std::optional<std::size_t> latest;
+  double maximum = 0;
   for (const std::size_t set : mesh.set_of_triangle) {
     const std::size_t record = s2.record(set);
+    if (latest != set) maximum = finite(complex.rounded_sphere(record).squared_radius);
+    latest = set;
     // The minimum is 0, because every S2 reaches to its samples.
-    const double maximum = finite(squared_values_[record]);
     separatrices.append(static_cast<std::int64_t>(record), static_cast<std::int64_t>(set), 0, maximum, maximum);
     have_interval.push_back(s2.has_interval(set) ? 1 : 0);
   }
@@ -284,7 +330,7 @@ void write_vtp(std::ostream& out, const PolyData& data, const std::string& comme
   document.section("PointData", data.point_data);
   document.section("CellData", data.cell_data);
   document.text("<Points>");
-  document.array("Points", 3, coordinates_of(data.points));
+  document.points(data.points);
   document.text("</Points>");
   document.cells("Verts", data.vertices);
   document.cells("Lines", data.lines);

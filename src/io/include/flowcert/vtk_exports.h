@@ -2,17 +2,20 @@
 // its name in TTK's Morse-Smale complex if it means the same there (spec/formats/exports.md). Files are VTK's XML
 // PolyData, which ParaView and VTK open.
 //
-// Guarantees: coordinates and values are the doubles nearest to the exact ones, and files hold them to the bit.
-// Values of orbits that go to infinity may be infinite. Any other value beyond the doubles throws InvalidInput.
+// Guarantees: coordinates and values are the doubles nearest to the exact ones, and files hold them to the bit. The
+// points where orbits leave a clip box are rounded as spec/formats/exports.md says. Values of orbits that go to
+// infinity may be infinite. Any other value beyond the doubles throws InvalidInput.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "flowcert/clip_box.h"
 #include "flowcert/surface.h"
 
 namespace flowcert {
@@ -35,26 +38,17 @@ struct PolyData {
   std::vector<VtpArray> cell_data;  // vertices first, then lines, then polygons
 };
 
-// comment: of one line, without "--".
+// comment: of one line, without "--". The data is not copied.
 void write_vtp(std::ostream& out, const PolyData& data, const std::string& comment);
 
 using ExportProgress = std::function<void(std::size_t done, std::size_t total)>;
 
-class VtkExports {
- public:
-  // The complex must outlive it. O(stationary points).
-  VtkExports(const FlowComplex& complex, const ExportProgress& progress);
-  VtkExports(FlowComplex&&, const ExportProgress&) = delete;
-
-  [[nodiscard]] PolyData critical_points() const;
-  [[nodiscard]] PolyData unstable_lines(const ExportProgress& progress) const;
-  // mesh: of all critical points of index 2.
-  [[nodiscard]] PolyData stable_surfaces(const SurfaceMesh& mesh) const;
-
- private:
-  const FlowComplex& complex_;
-  std::vector<Point> centers_;
-  std::vector<double> squared_values_;  // by record; a value beyond the doubles is infinite
-};
+[[nodiscard]] PolyData critical_point_data(const FlowComplex& complex, const ExportProgress& progress = {});
+// With a box, orbits to infinity end where they leave it, and the point data IsClipped marks these ends. Without one
+// their last segment, which has no end, is left out.
+[[nodiscard]] PolyData unstable_line_data(const FlowComplex& complex, const std::optional<ClipBox>& box,
+                                          const ExportProgress& progress = {});
+// mesh: of any critical points of index 2.
+[[nodiscard]] PolyData stable_surface_data(const FlowComplex& complex, SurfaceMesh mesh);
 
 }  // namespace flowcert

@@ -1,0 +1,101 @@
+#include "cli/export_files.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "cli/progress.h"
+#include "flowcert/reproducibility.h"
+#include "flowcert/vtk_exports.h"
+#include "io/output_file.h"
+
+namespace flowcert::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void make_directory(const std::string& directory) {
+  std::error_code error;
+  fs::create_directories(directory, error);
+  if (error) throw OutputError(fmt::format("{}: cannot be made: {}", directory, error.message()));
+}
+
+}  // namespace
+
+ExportFiles::ExportFiles(ExportChoice choice, std::string input_name)
+    : choice_(std::move(choice)), input_name_(std::move(input_name)) {
+  std::error_code ignored;
+  if (fs::exists(choice_.directory, ignored) && !fs::is_directory(choice_.directory, ignored)) {
+    throw OutputError(choice_.directory + ": cannot be written: Not a directory");
+  }
+}
+
+void ExportFiles::write_after(const FlowComplex& complex, FlowComplexPart part) {
+  if (part == FlowComplexPart::kStationary && choice_.critical) write_critical_points(complex);
+  if (part == FlowComplexPart::kStable && choice_.surfaces) write_surfaces(complex);
+  if (part == FlowComplexPart::kUnstable && choice_.lines) write_lines(complex);
+}
+
+void ExportFiles::write_critical_points(const FlowComplex& complex) {
+  constexpr const char* kName = "critical_points.vtp";
+  attempt(kName, [&] {
+    ProgressLine progress("exporting critical points");
+    const PolyData data = critical_point_data(complex, std::ref(progress));
+    write_file(kName, complex, [&](std::ostream& out, const std::string& made_by) { write_vtp(out, data, made_by); });
+  });
+}
+
+void ExportFiles::write_surfaces(const FlowComplex& complex) {
+  constexpr const char *kMeshName = "stable_surfaces.ply", *kDataName = "stable_surfaces.vtp";
+  SurfaceMesh mesh;
+  attempt(kMeshName, [&] {
+    ProgressLine progress("exporting stable manifolds");
+    mesh = surface_mesh(complex, SurfaceSelection({}).sets(complex), std::ref(progress));
+    write_file(kMeshName, complex,
+               [&](std::ostream& out, const std::string& made_by) { write_ply(out, mesh, made_by); });
+  });
+  attempt(kDataName, [&] {
+    const PolyData data = stable_surface_data(complex, std::move(mesh));
+    write_file(kDataName, complex,
+               [&](std::ostream& out, const std::string& made_by) { write_vtp(out, data, made_by); });
+  });
+}
+
+void ExportFiles::write_lines(const FlowComplex& complex) {
+  constexpr const char* kName = "unstable_lines.vtp";
+  attempt(kName, [&] {
+    ProgressLine progress("exporting unstable manifolds");
+    std::optional<ClipBox> box;
+    if (choice_.clip && !complex.points().empty()) box.emplace(complex.points(), *choice_.clip);
+    const PolyData data = unstable_line_data(complex, box, std::ref(progress));
+    write_file(kName, complex, [&](std::ostream& out, const std::string& made_by) { write_vtp(out, data, made_by); });
+  });
+}
+
+void ExportFiles::write_file(const char* name, const FlowComplex& complex, const Write& write) {
+  make_directory(choice_.directory);
+  OutputFile file((fs::path(choice_.directory) / name).string());
+  write(file.stream(), made_by_text("flowcert-export", 1, complex.points()));
+  file.commit();
+  written_.emplace_back(name);
+}
+
+void ExportFiles::attempt(const char* name, const std::function<void()>& write) {
+  try {
+    write();
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format("{}: {}; {} is not written{}", input_name_, error.what(), name, what_stays()));
+  } catch (const OutputError& error) {
+    throw OutputError(error.what() + what_stays());
+  }
+}
+
+std::string ExportFiles::what_stays() const {
+  if (written_.empty()) return "";
+  return fmt::format("; written before: {}", fmt::join(written_, ", "));
+}
+
+}  // namespace flowcert::cli

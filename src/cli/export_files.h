@@ -1,0 +1,48 @@
+// The files of `compute --export DIR`, for viewers and mesh programs (spec/formats/exports.md).
+//
+// Guarantees: each file is written as soon as what it shows is made, and appears whole or not at all. What was made for
+// it is given back before the next one. If one cannot be written, those before it stay, and the error's line says so.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "cli/layer.h"
+#include "flowcert/flow_complex.h"
+
+namespace flowcert::cli {
+
+struct ExportChoice {
+  std::string directory;
+  bool critical = true, surfaces = true, lines = true;
+  std::optional<Rational> clip = 3;  // how large the box is at which lines to infinity end; nothing for none
+};
+
+class ExportFiles {
+ public:
+  // input_name is for messages. Throws OutputError if the directory exists and is none.
+  ExportFiles(ExportChoice choice, std::string input_name);
+
+  // Writes the files for which the complex needed this part. The directory is made before the first one.
+  void write_after(const FlowComplex& complex, FlowComplexPart part);
+
+ private:
+  using Write = std::function<void(std::ostream& out, const std::string& made_by)>;
+
+  void write_critical_points(const FlowComplex& complex);
+  void write_surfaces(const FlowComplex& complex);
+  void write_lines(const FlowComplex& complex);
+  void write_file(const char* name, const FlowComplex& complex, const Write& write);
+  // Runs what writes a file. An error says which file it was and which are there.
+  void attempt(const char* name, const std::function<void()>& write);
+  [[nodiscard]] std::string what_stays() const;
+
+  ExportChoice choice_;
+  std::string input_name_;
+  std::vector<std::string> written_;
+};
+
+}  // namespace flowcert::cli
