@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "cli/command.h"
 #include "cli/layer.h"
@@ -18,6 +22,7 @@
 #include "io/json_fields.h"
 #include "io/ordered_text.h"
 #include "io/output_file.h"
+#include "io/pair_lengths.h"
 
 namespace flowcert::cli {
 
@@ -105,6 +110,67 @@ void print_times(const PointSet& points, const PersistenceSeconds& seconds) {
   }
 }
 
+// ---- The longest pairs ----
+
+constexpr std::size_t kLongestPairs = 5;  // of each dimension
+
+// Those that last come first. Of equally long pairs, the first in the list come first.
+std::vector<PersistencePair> longest_pairs(const Persistence& persistence, int dimension) {
+  std::vector<PersistencePair> longest;
+  std::vector<io::PairEnds> ends;
+  for (const PersistencePair& pair : persistence.pairs()) {
+    if (pair.dimension != dimension) continue;
+    if (pair.death) {
+      ends.push_back({pair.birth, *pair.death});
+    } else if (longest.size() < kLongestPairs) {
+      longest.push_back(pair);
+    }
+  }
+  const io::ValueOrder order = io::length_order(persistence.squared_distances(), ends);
+  for (std::size_t k = order.size(); k > 0 && longest.size() < kLongestPairs; --k) {
+    const io::PairEnds& pair = ends[order.at(k - 1)];
+    longest.push_back({dimension, pair.birth, pair.death});
+  }
+  return longest;
+}
+
+// The first of a contact set, and how many there are beside these.
+std::string contact_text(const StationaryPoints& stationary, std::size_t record) {
+  constexpr std::size_t kShown = 4;
+  const auto contact = stationary.contact(record);
+  const auto shown = contact.first(std::min(kShown, contact.size()));
+  std::string text = fmt::format("{}", fmt::join(shown, " "));
+  if (contact.size() > kShown) text += fmt::format(" and {} more", contact.size() - kShown);
+  return text;
+}
+
+std::string value_text(const Rational& value) {
+  return fmt::format("{:.5g}", nearest_double(value).value_or(std::numeric_limits<double>::infinity()));
+}
+
+void print_longest_pairs(const FlowComplex& complex) {
+  const Persistence& persistence = complex.persistence();
+  const StationaryPoints& stationary = complex.stationary();
+  Table table("rrrll", {"dimension", "length", "birth", "born at", "dies at"});
+  for (int dimension = 0; dimension < 3; ++dimension) {
+    for (const PersistencePair& pair : longest_pairs(persistence, dimension)) {
+      const Rational birth = persistence.squared_value(pair.birth);
+      table.row(std::to_string(dimension));
+      table.cell(pair.death ? value_text(persistence.squared_value(*pair.death) - birth) : "inf");
+      table.cell(value_text(birth)).cell(contact_text(stationary, pair.birth));
+      table.cell(pair.death ? contact_text(stationary, *pair.death) : "never");
+    }
+  }
+  if (table.height() == 1) return;
+  print_wrapped(
+      fmt::format("\nthe {} longest pairs of each dimension, in squared distances, and the contact sets of both points",
+                  kLongestPairs),
+      2);
+  table.print();
+}
+
+// ---- What is printed ----
+
 void print_table(const std::string& name, const Input& input, const PersistenceRun& run, bool with_zero) {
   print_wrapped(fmt::format("{} ({})", name, input.file.format));
   print_row("points", with_commas(input.points.row_count()));
@@ -124,6 +190,7 @@ void print_table(const std::string& name, const Input& input, const PersistenceR
   print_row("ties broken, S2", with_commas(run.complex.stable().statistics().broken_ties),
             "boundaries left open by ties");
   print_times(input.points, run.seconds);
+  print_longest_pairs(run.complex);
 }
 
 Json seconds_field(const PersistenceSeconds& seconds) {
