@@ -3,7 +3,9 @@
 usage: vtk_exports_test.py FLOWCERT
 
 Every position and value has to be the double nearest to the exact one of the records of the same run, to the bit; arrays their
-names and types; counts those of the summary; and vertices of surfaces one iff their exact positions are.
+names and types; counts those of the summary; and vertices of surfaces one iff their exact positions are. Where orbits
+leave the box is computed again, in rationals. The two triangles at a manifold edge go along it in opposite directions,
+unless a search of all ways to turn the component finds none.
 """
 import json
 import math
@@ -148,12 +150,61 @@ def squared_distance(position, samples):
     return min(sum((Fraction(x) - y) ** 2 for x, y in zip(position, sample)) for sample in samples)
 
 
-def check_lines(poly_data, records, summary, samples, faults):
-    positions = points_of(poly_data, faults)
+def box_of(points, factor):
+    """The sides of the box, low and high of each axis, as doubles."""
+    lows, highs = ([choose(axis) for axis in zip(*points)] for choose in (min, max))
+    longest = max(high - low for low, high in zip(lows, highs))
+    sides = []
+    for low, high in zip(lows, highs):
+        half = factor * ((high - low) or longest) / 2
+        sides.append(tuple(Fraction(float((low + high) / 2 + way * half)) for way in (-1, 1)))
+    return sides
+
+
+def is_inside(position, box):
+    return all(low <= Fraction(x) <= high for x, (low, high) in zip(position, box))
+
+
+def normal_of(record, samples):
+    """To side 1 of a critical point of index 2."""
+    a, b, c = (samples[name] for name in record["contact"][:3])
+    u, v = ([y - x for x, y in zip(a, other)] for other in (b, c))
+    return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+
+
+def last_direction(record, side, samples):
+    """Of an orbit to infinity, as doubles: the largest coordinate is 1."""
+    segments = record["u2"][side]
+    if len(segments) == 1:
+        way = [(1 if side else -1) * x for x in normal_of(record, samples)]
+    else:
+        way = [Fraction(x) - Fraction(d) for x, d in zip(segments[-2]["end"], segments[-1]["driver"])]
+    largest = max(map(abs, way))
+    return [Fraction(float(x / largest)) for x in way]
+
+
+def clipped(record, side, exact, samples, box):
+    """The positions of an orbit to infinity that ends where it leaves the box."""
+    points = [rounded(p) for p in exact]
+    kept = next((k for k, p in enumerate(points) if not is_inside(p, box)), len(points))
+    start = [Fraction(x) for x in points[kept - 1]]
+    way = last_direction(record, side, samples) if kept == len(points) else \
+        [Fraction(x) - y for x, y in zip(points[kept], start)]
+    length = min(((high if w > 0 else low) - x) / w for x, w, (low, high) in zip(start, way, box) if w != 0)
+    end = tuple(float(x + length * w) + 0.0 for x, w in zip(start, way))
+    return points[:kept] + ([end] if end != points[kept - 1] else [])
+
+
+def check_lines(poly_data, records, summary, samples, factor, faults):
+    """factor: of the box; None where nothing is cut. Returns the places at which orbits are cut, in words."""
+    positions, seen = points_of(poly_data, faults), set()
     cells = cells_of(poly_data, len(positions), faults)
     faults.expect(len(cells) == summary["u2"]["orbits"] == 2 * summary["critical"][2], "count of orbits")
     arrays = arrays_of(poly_data.GetCellData(), LINE_ARRAYS, len(cells), faults)
-    distances = arrays_of(poly_data.GetPointData(), {"SquaredDistance": DOUBLE}, len(positions), faults)["SquaredDistance"]
+    box = box_of(samples, factor) if factor and samples else None
+    wanted = {"SquaredDistance": DOUBLE} if box is None else {"IsClipped": SIGNED_CHAR, "SquaredDistance": DOUBLE}
+    point_arrays = arrays_of(poly_data.GetPointData(), wanted, len(positions), faults)
+    distances = point_arrays["SquaredDistance"]
     faults.expect(sum(arrays["ToInfinity"]) == summary["u2"]["to_infinity"], "count of orbits to infinity")
     faults.expect(poly_data.GetNumberOfVerts() == sum(len(cell) == 1 for cell in cells), "count of orbits without a line")
     saddles = [k for k, record in enumerate(records) if record["index"] == 2]
@@ -171,9 +222,22 @@ def check_lines(poly_data, records, summary, samples, faults):
         check_function(arrays, k, record["squared_distance"],
                        None if limit is None else records[destination]["squared_distance"], what, faults)
         exact = [record["center"]] + [segment["end"] for segment in record["u2"][side] if segment["end"]]
-        faults.expect([bits(positions[id]) for id in cell] == [bits(rounded(p)) for p in exact], f"positions of {what}")
-        faults.expect([distances[id] for id in cell] == [nearest(squared_distance(p, samples)) for p in exact],
-                      f"distances of {what}")
+        is_cut = box is not None and limit is None
+        expected = clipped(record, side, exact, samples, box) if is_cut else [rounded(p) for p in exact]
+        faults.expect([bits(positions[id]) for id in cell] == [bits(p) for p in expected], f"positions of {what}")
+        whole = len(cell) - (1 if is_cut and len(cell) > 1 else 0)
+        squared = [nearest(squared_distance(p, samples)) for p in exact[:whole]]
+        squared += [nearest(squared_distance(positions[id], samples)) for id in cell[whole:]]
+        faults.expect([distances[id] for id in cell] == squared, f"distances of {what}")
+        if box is None:
+            continue
+        marks = [point_arrays["IsClipped"][id] for id in cell]
+        faults.expect(marks == [0] * (len(cell) - 1) + [int(is_cut)], f"marks of {what}")
+        faults.expect(all(is_inside(positions[id], box) for id in cell), f"{what} leaves the box")
+        if is_cut:
+            seen.add("cut in its last segment" if len(expected) > len(exact) else
+                     "cut before its last segment" if len(expected) > 1 else "cut where it starts")
+    return seen
 
 
 def exact_triangles(record, points):
@@ -214,12 +278,48 @@ def check_surfaces(poly_data, records, summary, points, faults):
     return positions, cells
 
 
+def check_orientation(cells, faults):
+    """Returns the number of components without orientation."""
+    uses = {}
+    for k, cell in enumerate(cells):
+        for a, b in zip(cell, cell[1:] + cell[:1]):
+            uses.setdefault(frozenset((a, b)), []).append((k, a < b))
+    neighbours = {}
+    for (first, *others) in uses.values():
+        for (k, up), (m, other_up) in ([(first, others[0]), (others[0], first)] if len(others) == 1 else []):
+            neighbours.setdefault(k, []).append((m, up == other_up))
+    turned, without = {}, 0
+    for start in range(len(cells)):
+        if start in turned:
+            continue
+        turned[start], todo, component, can = False, [start], [start], True
+        while todo:
+            k = todo.pop()
+            for m, is_other_way in neighbours.get(k, []):
+                if m not in turned:
+                    turned[m] = turned[k] != is_other_way
+                    todo.append(m)
+                    component.append(m)
+                can = can and turned[m] == (turned[k] != is_other_way)
+        without += not can
+        faults.expect(not can or not any(turned[k] for k in component), f"triangles from {start} on are not oriented")
+    return without
+
+
 def check_ply(poly_data, positions, cells, faults):
     """VTK keeps a PLY file's coordinates as floats."""
     faults.expect(poly_data.GetNumberOfPoints() == len(positions), "vertices of the PLY file")
     as_floats = [struct.unpack("<3f", struct.pack("<3f", *position)) for position in positions]
     faults.expect([poly_data.GetPoint(k) for k in range(poly_data.GetNumberOfPoints())] == as_floats, "PLY positions")
     faults.expect(cells_of(poly_data, len(positions), faults) == cells, "triangles of the PLY file")
+
+
+def lines_alone(flowcert, source, target, clip, faults):
+    run = subprocess.run([flowcert, "compute", source, "--export", target, "--only", "lines", "--clip", clip],
+                         capture_output=True, text=True, timeout=200)
+    faults.expect(run.returncode == 0, run.stderr)
+    faults.expect(os.listdir(target) == ["unstable_lines.vtp"], f"files {os.listdir(target)}")
+    return read(os.path.join(target, "unstable_lines.vtp"), vtkXMLPolyDataReader(), faults)
 
 
 def check_input(flowcert, folder, points, faults):
@@ -239,13 +339,19 @@ def check_input(flowcert, folder, points, faults):
               for name in names]
     samples = [tuple(map(Fraction, point)) for point in points]
     check_critical_points(opened[0], records, faults)
-    check_lines(opened[3], records, summary, samples, faults)
+    seen = check_lines(opened[3], records, summary, samples, 3, faults)
+    for clip, factor in (("none", None), ("1", 1), ("7/2", Fraction(7, 2))):
+        lines = lines_alone(flowcert, source, os.path.join(folder, clip.replace("/", "-")), clip, faults)
+        seen |= check_lines(lines, records, summary, samples, factor, faults)
     positions, cells = check_surfaces(opened[2], records, summary, samples, faults)
+    check_orientation(cells, faults)
     check_ply(opened[1], positions, cells, faults)
-    return {"regular": any(record["kind"] == "regular" for record in records),
+    return {**dict.fromkeys(seen, True),
+            "regular": any(record["kind"] == "regular" for record in records),
             "interval": any(record.get("stable", {}).get("has_interval") for record in records if record["index"] == 2),
             "infinity": summary["u2"]["to_infinity"] > 0,
-            "line to infinity": opened[3].GetNumberOfVerts() < summary["u2"]["to_infinity"],
+            "long line to infinity": any(limit is None and len(record["u2"][side]) > 1 for record in records
+                                         for side, limit in enumerate(record.get("limits", []))),
             "equal doubles": len(set(positions)) < len(positions)}
 
 
@@ -256,7 +362,8 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             seen.update(key for key, value in check_input(sys.argv[1], folder, points, faults).items() if value)
         faults.found[before:] = [f"{name}: {fault}" for fault in faults.found[before:]]
-    for key in ("regular", "interval", "infinity", "line to infinity", "equal doubles"):
+    for key in ("regular", "interval", "infinity", "long line to infinity", "equal doubles", "cut before its last segment",
+                "cut in its last segment"):
         faults.expect(seen[key] > 0, f"no input has {key}")
     for fault in faults.found[:20]:
         print(fault)
