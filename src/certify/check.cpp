@@ -37,6 +37,7 @@ void check_points(CheckRun& run) {
   auto next = claims.begin();
   std::vector<std::size_t> here;
   for (std::size_t record = 0; record < run.truth.size(); ++record) {
+    run.tell(3, record, run.truth.size());
     here.clear();
     for (; next != claims.end() && next->first == record; ++next) here.push_back(next->second);
     if (run.index(record).is_critical()) {
@@ -104,6 +105,10 @@ const std::array<double, 3>& CheckRun::center_in_doubles(std::size_t record) {
     centers_in_doubles_.push_back({as_double(center[0]), as_double(center[1]), as_double(center[2])});
   }
   return centers_in_doubles_[record];
+}
+
+void CheckRun::tell(int level, std::size_t done, std::size_t total) const {
+  if (options.progress) options.progress(level, done, total);
 }
 
 void CheckRun::leave_unjudged(const std::string& what) { add_once(report.not_judged, what); }

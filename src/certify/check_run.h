@@ -116,6 +116,8 @@ struct CheckRun {
   // The side, 0 or 1, of the index-2 point at which claimed point k is, for a side as claimed. They differ where a part
   // of the contact set is named that turns the other way (FC-CLAIM-02).
   [[nodiscard]] std::size_t true_side(std::size_t k, std::size_t claimed_side) const;
+  // Tells the progress of the check, if somebody asked for it.
+  void tell(int level, std::size_t done, std::size_t total) const;
   // Reports once that this is not judged, or not decided.
   void leave_unjudged(const std::string& what);
   void leave_undecided(const std::string& what);

@@ -170,6 +170,7 @@ void check_form(CheckRun& run) {
   check_input_of_claim(run);
   check_counts_of_claim(run);
   for (std::size_t k = 0; k < run.claim.points.size(); ++k) {
+    run.tell(1, k, run.claim.points.size());
     const ClaimedPoint& point = run.claim.points[k];
     if (!point.hull_dimension && !run.judges(point.index)) {
       check_unjudged_index(run, k);

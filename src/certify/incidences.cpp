@@ -361,6 +361,7 @@ bool check_incidences(CheckRun& run) {
   Incidences incidences(run);
   bool judged = false;
   for (std::size_t k = 0; k < run.placed.size(); ++k) {
+    run.tell(4, k, run.placed.size());
     if (check_point(run, incidences, k)) judged = true;
   }
   incidences.conclude_boundaries();

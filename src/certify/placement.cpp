@@ -260,6 +260,7 @@ std::optional<Placement> placement_of(CheckRun& run, const std::vector<PointId>&
 void place_points(CheckRun& run) {
   std::optional<ByPosition> by_position;
   for (std::size_t k = 0; k < run.placed.size(); ++k) {
+    run.tell(2, k, run.placed.size());
     PlacedPoint& placed = run.placed[k];
     if (!placed.is_well_formed) continue;
     if (!placed.names.empty()) {

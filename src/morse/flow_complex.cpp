@@ -111,10 +111,12 @@ void FlowComplex::make(FlowComplexPart part) const {
     case FlowComplexPart::kChains:
       make(FlowComplexPart::kUnstable);
       make(FlowComplexPart::kStable);
+      if (progress) progress(0, 1);
       all.chains.emplace(all.points, *all.stationary, *all.unstable, *all.stable, all.options.seed);
       break;
     case FlowComplexPart::kPersistence:
       make(FlowComplexPart::kChains);
+      if (progress) progress(0, 1);
       all.persistence.emplace(all.points, *all.stationary, *all.chains);
       break;
   }

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <stdexcept>
 
 #include "tests/cites.h"
 #include "tests/unit/hand_made_claims.h"
@@ -28,6 +30,29 @@ TEST(CheckTest, ReportsWhatItChecked) {
   EXPECT_EQ(Truly({}).check(Claimed()).verdict, Verdict::kConforms);
   const CheckReport form_alone = cube.check(Claimed(), {.highest_level = 1});
   EXPECT_EQ(form_alone.verdict, Verdict::kConforms);
+}
+
+TEST(CheckTest, TellsHowMuchOfEachLevelIsDone) {
+  CITES("FC-CLAIM-03");
+  const Truly truly(std::vector<Point>{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {1, 1, 5}});
+  int last_level = 0;
+  std::size_t last = 0;
+  std::set<int> levels;
+  CheckOptions options;
+  options.progress = [&](int level, std::size_t done, std::size_t total) {
+    EXPECT_GE(level, last_level);
+    EXPECT_TRUE(level > last_level || done > last);
+    EXPECT_LT(done, total);
+    last_level = level;
+    last = done;
+    levels.insert(level);
+  };
+  (void)truly.check(truly.whole_claim(), options);
+  EXPECT_EQ(levels, (std::set<int>{1, 2, 3, 4, 5}));
+  options.progress = [](int level, std::size_t, std::size_t) {
+    if (level == 3) throw std::runtime_error("stopped");
+  };
+  EXPECT_THROW((void)truly.check(truly.whole_claim(), options), std::runtime_error);
 }
 
 TEST(CheckTest, RefusesWhatIsMalformed) {

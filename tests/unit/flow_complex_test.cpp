@@ -189,6 +189,20 @@ TEST(FlowComplex, SignsAndCriticalPointsTellHowFarTheyAre) {
   }
 }
 
+// They tell nothing in between, so a bar would not show which of them is under way.
+TEST(FlowComplex, ChainsAndPersistenceTellThatTheyBegin) {
+  CITES("FC-CHAIN-02", "FC-PERS-01");
+  std::vector<std::pair<FlowComplexPart, std::size_t>> told;
+  const FlowComplex complex(pyramid(), {}, [&](FlowComplexPart part, std::size_t done, std::size_t) {
+    if (part >= FlowComplexPart::kChains) told.emplace_back(part, done);
+  });
+  (void)complex.persistence();
+  EXPECT_EQ(told, (std::vector<std::pair<FlowComplexPart, std::size_t>>{{FlowComplexPart::kChains, 0},
+                                                                        {FlowComplexPart::kChains, 1},
+                                                                        {FlowComplexPart::kPersistence, 0},
+                                                                        {FlowComplexPart::kPersistence, 1}}));
+}
+
 TEST(FlowComplex, APartThatWasStoppedIsMadeWhenItIsAskedForAgain) {
   CITES("FC-INV-01");
   bool stops = true;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -91,6 +92,8 @@ struct CheckOptions {
   int highest_level = kLevels;
   // Critical points of other indices are not judged, whatever is claimed of them (FC-CLAIM-12).
   ClaimedIndices indices = {true, true, true, true};
+  // Is told how much of a level is done, and may throw to stop. A level that has nothing to judge may not be told.
+  std::function<void(int level, std::size_t done, std::size_t total)> progress = {};
 };
 
 struct CheckReport {
