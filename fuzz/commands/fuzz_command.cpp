@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "cli/progress.h"
 #include "fuzz/campaign/worker_processes.h"
 #include "fuzz/commands/commands.h"
 #include "fuzz/commands/finding_pages.h"
@@ -47,10 +48,20 @@ int run_case(fuzz::Campaign& campaign, const FuzzOptions& options) {
   return print_case(campaign, one, options.json);
 }
 
+KnownFindings known_of(const FuzzOptions& options) {
+  const ProgressLine progress("reading findings");
+  return KnownFindings(options.known);
+}
+
+fuzz::Campaign campaign_begun(const FuzzOptions& options) {
+  const ProgressLine progress("reading the campaign");
+  return campaign_of(options);
+}
+
 int run_campaign(const FuzzOptions& options) {
   const Interruption interruption;
-  const KnownFindings known(options.known);
-  fuzz::Campaign campaign = campaign_of(options);
+  const KnownFindings known = known_of(options);
+  fuzz::Campaign campaign = campaign_begun(options);
   if (options.only) return run_case(campaign, options);
   const std::size_t before = campaign.tally().cases;
   const double seconds = work_on(campaign, campaign, options);
@@ -63,6 +74,11 @@ int run_campaign(const FuzzOptions& options) {
 
 // ---- Again
 
+auto disagreement_of(const property::Property& property, const property::Trial& trial) {
+  const ProgressLine progress(property.name);
+  return property::disagreement(property, trial);
+}
+
 // If the file names no property, all are tried.
 bool is_right_on(const fuzz::Counterexample& counterexample, const std::vector<property::Property>& properties,
                  bool is_for_peer, const std::string& path) {
@@ -70,7 +86,7 @@ bool is_right_on(const fuzz::Counterexample& counterexample, const std::vector<p
   for (const property::Property& property : properties) {
     const bool is_asked = is_for_peer || counterexample.property.empty() || counterexample.property == property.name;
     if (!is_asked) continue;
-    const auto found = property::disagreement(property, counterexample.trial);
+    const auto found = disagreement_of(property, counterexample.trial);
     is_right = is_right && !found;
     fmt::print("{}: {}: {}\n", path, property.name,
                found ? fmt::format("{} [{}]: {}", found->kind, found->clause, found->complaint) : "holds");
@@ -98,11 +114,12 @@ int replay(const FuzzCommandOptions& options) {
 
 // ---- Parts
 
-int merge(const FuzzCommandOptions& options) {
-  const KnownFindings known(options.known);
+fuzz::Campaign whole_of(const FuzzCommandOptions& options) {
+  ProgressLine progress("merging");
   std::vector<fuzz::Campaign> parts;
   for (const std::string& folder : options.merged) {
     parts.push_back(fuzz::Campaign::read(folder));
+    progress(parts.size(), 2 * options.merged.size());
   }
   fuzz::CampaignPlan plan = parts.front().plan();
   plan.shard = {};
@@ -120,7 +137,14 @@ int merge(const FuzzCommandOptions& options) {
     } catch (const std::invalid_argument& error) {
       throw InvalidInput(fmt::format("{}: {} than {}", options.merged[k], error.what(), options.merged.front()));
     }
+    progress(parts.size() + k + 1, 2 * parts.size());
   }
+  return whole;
+}
+
+int merge(const FuzzCommandOptions& options) {
+  const KnownFindings known = known_of(options);
+  fuzz::Campaign whole = whole_of(options);
   write_finding_pages(whole);
   const FuzzRun run{whole, known, std::nullopt};
   print_fuzz(run, options.json);
@@ -143,7 +167,8 @@ void add_merge_command(CLI::App& command, const std::shared_ptr<FuzzCommandOptio
   merge_command->add_option("--known", options->known, "Findings that are known, as for fuzz itself")
       ->type_name("FINDINGS");
   merge_command->add_flag("--json", options->json, "Print one JSON object");
-  merge_command->footer("Example:\n  flowcert fuzz merge part-1 part-2 --out whole");
+  merge_command->footer(
+      "Examples:\n  flowcert fuzz merge part-1 part-2\n  flowcert fuzz merge part-1 part-2 --out whole");
   merge_command->callback([options, &status] { status = merge(*options); });
 }
 

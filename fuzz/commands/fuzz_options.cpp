@@ -12,6 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "cli/progress.h"
 #include "cli/table.h"
 #include "flowcert/point_set.h"
 #include "fuzz/inputs/stable_configurations.h"
@@ -316,6 +317,7 @@ std::string against_option(const fuzz::CampaignPlan& plan) {
 
 void require_startable(const fuzz::CampaignPlan& plan) {
   if (plan.against.empty()) return;
+  const ProgressLine progress("trying the command");
   PeerOptions peer = peer_of(plan);
   peer.ignored.clear();
   peer.is_cancelled = [] { return Interruption::signal() != 0; };

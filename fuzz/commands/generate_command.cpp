@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <signal.h>
+#include <sys/stat.h>
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
@@ -15,6 +16,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "cli/progress.h"
 #include "fuzz/commands/commands.h"
 #include "fuzz/commands/fuzz_options.h"
 #include "fuzz/inputs/case_stream.h"
@@ -64,6 +66,12 @@ void put(const std::string& text) {
   throw OutputError(fmt::format("standard output cannot be written: {}", std::strerror(errno != 0 ? errno : EIO)));
 }
 
+// Into a pipe, the program that reads the cases shows how far it is.
+bool is_file(int stream) {
+  struct stat status {};
+  return ::fstat(stream, &status) == 0 && S_ISREG(status.st_mode);
+}
+
 std::string introduction(const AskedCases& cases, const std::string& id) {
   return fmt::format(
       "# flowcert generate: {}.\n"
@@ -90,8 +98,11 @@ void generate(const GenerateOptions& options) {
   const auto form = options.hexadecimal ? fuzz::NumberForm::kHexadecimal : fuzz::NumberForm::kDecimal;
   const std::size_t first = options.only.value_or(0);
   const std::size_t last = options.only.value_or(cases->size() - 1);
+  std::optional<ProgressLine> progress;
+  if (is_file(STDOUT_FILENO)) progress.emplace("drawing cases");
   for (std::size_t number = first; number <= last; ++number) {
     const AskedCase one = cases->numbered(number);
+    if (progress) (*progress)(number - first, last - first + 1);
     if (options.is_xyz) {
       put(fuzz::points_text(one.input, form));
       continue;

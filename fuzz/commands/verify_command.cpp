@@ -348,7 +348,7 @@ struct VerifyCommandOptions {
 };
 
 void take_all_answers(Verification& verification) {
-  ProgressLine progress("verifying");
+  ProgressLine progress("verifying", STDIN_FILENO);
   std::ios::sync_with_stdio(false);
   AnswerReader answers(std::cin);
   Answer answer;
@@ -409,7 +409,7 @@ void add_verify_command(CLI::App& app, int& status) {
       "Reads from standard input, for each case, in any order:\n"
       "  answer ID\n  ...the critical points, in a format that flowcert check reads...\n  end\n"
       "or a line `refused ID REASON`.\n\n"
-      "Example:\n  flowcert generate --level 1 --seed 7 | ./your-program | flowcert verify\n"
+      "Examples:\n  flowcert generate --level 1 --seed 7 | ./your-program | flowcert verify\n"
       "  flowcert generate --vectors | ./your-program | flowcert verify\n"
       "  flowcert generate --level 1 | ./your-diagrams | flowcert verify --persistence");
   command->callback([options, &status] { status = verify(*options); });

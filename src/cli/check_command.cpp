@@ -5,10 +5,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <limits>
 
 #include "cli/check_report.h"
+#include "cli/progress.h"
 #include "flowcert/claim.h"
+#include "flowcert/flow_complex.h"
 #include "io/output_file.h"
 
 namespace flowcert::cli {
@@ -25,11 +28,37 @@ struct CheckCommandOptions {
   unsigned threads = 1;
 };
 
-CheckReport report_of(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input,
-                      const Claim& claim) {
-  const std::unique_ptr<Truth> truth =
-      options.files.by_oracle ? oracle.of(input.file.rows) : fast_truth(input.points, options.threads);
-  return check(input.points, claim, *truth, options.check);
+// A line for each level, one after the other.
+class LevelProgress {
+ public:
+  void operator()(int level, std::size_t done, std::size_t total) {
+    if (level_ != level) {
+      line_.reset();
+      line_.emplace(fmt::format("checking level {}", level));
+      level_ = level;
+    }
+    (*line_)(done, total);
+  }
+
+ private:
+  int level_ = 0;
+  std::optional<ProgressLine> line_;
+};
+
+Claim claim_of(const std::string& path) {
+  const ProgressLine progress("reading the claim");
+  return read_claim(path);
+}
+
+CheckReport report_of(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input, Claim given) {
+  const ProgressLine progress("checking");
+  const Claim claim = std::move(given);  // a large one takes seconds to free, and is freed before the line
+  const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads}, part_progress());
+  const std::unique_ptr<Truth> truth = options.files.by_oracle ? oracle.of(input.file.rows) : fast_truth(complex);
+  LevelProgress levels;
+  CheckOptions how = options.check;
+  how.progress = std::ref(levels);
+  return check(input.points, claim, *truth, how);
 }
 
 int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
@@ -37,7 +66,7 @@ int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
   if (files.points == "-" && files.claim == "-") {
     throw InvalidInput("POINTS and CLAIM cannot both be standard input");
   }
-  const Claim claim = read_claim(files.claim);
+  Claim claim = claim_of(files.claim);
   const Input input = read_input(files.points);
   files.points = display_name(files.points);
   files.claim = display_name(files.claim);
@@ -45,7 +74,7 @@ int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
   files.claim_format = claim.format;
   files.tolerance = options.check.tolerance;
   files.highest_level = options.check.highest_level;
-  const CheckReport report = report_of(options, oracle, input, claim);
+  const CheckReport report = report_of(options, oracle, input, std::move(claim));
   if (!options.junit.empty()) {
     OutputFile file(options.junit);
     write_check_junit(file.stream(), files, report);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <locale>
 
+#include "cli/progress.h"
 #include "geometry/parallel_for.h"
 
 namespace flowcert::cli {
@@ -45,10 +46,21 @@ std::string with_commas(unsigned long long value) {
   return fmt::format(commas, "{:L}", value);
 }
 
-Input read_input(const std::string& path) {
+namespace {
+
+Input input_of(const std::string& path) {
+  const bool is_piped = path == kStandardStream;
+  const ProgressLine progress(is_piped ? "reading standard input" : "reading points", is_piped ? STDIN_FILENO : -1);
   Input input;
   input.file = read_points(path);
   input.points = PointSet(input.file.rows);
+  return input;
+}
+
+}  // namespace
+
+Input read_input(const std::string& path) {
+  Input input = input_of(path);
   if (input.file.single_precision) {
     fmt::print(stderr, "note: {}: the coordinates are single precision, and are taken exactly as such\n",
                display_name(path));

@@ -94,7 +94,7 @@ WrittenCenters written_centers(const std::string& name) {
 void write_records(const ComputeOptions& options, const Measured& measured) {
   std::optional<OutputFile> file;
   if (options.output != kStandardStream) file.emplace(options.output);
-  ProgressLine progress("writing exact records");
+  ProgressLine progress("writing exact records", file ? -1 : STDOUT_FILENO);
   const RecordsToWrite wanted = {.u2 = measured.has.u2,
                                  .polylines = options.polylines,
                                  .s2 = measured.has.s2,
@@ -176,8 +176,7 @@ void add_export_options(CLI::App& command, ComputeOptions& options) {
 
 void add_compute_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ComputeOptions>();
-  CLI::App* command =
-      app.add_subcommand("compute", "All critical points of the distance function, and what flows from them");
+  CLI::App* command = app.add_subcommand("compute", "All critical points, and what flows from them and to them");
   command
       ->add_option("INPUT", options->input, "Point file: XYZ/text, OFF, PLY or OBJ, also as .gz; - for standard input")
       ->required();
@@ -201,9 +200,8 @@ void add_compute_command(CLI::App& app, int& status) {
   add_manifold_options(*command, *options, output);
   add_threads_option(*command, options->threads);
   command->footer(
-      "Examples:\n  flowcert compute bunny.obj -o bunny.jsonl\n  flowcert compute bunny.obj --manifolds "
-      "u2,s2 "
-      "--stats\n  flowcert compute bunny.obj --export bunny-files");
+      "Examples:\n  flowcert compute bunny.obj\n  flowcert compute bunny.obj -o bunny.jsonl\n"
+      "  flowcert compute bunny.obj --manifolds u2,s2 --stats\n  flowcert compute bunny.obj --export bunny-files");
   command->callback([options, &status] {
     compute(*options);
     status = kRight;

@@ -51,6 +51,7 @@ FlowComplex run_once(const PointSet& points, const WantedManifolds& wanted, unsi
 }  // namespace
 
 Measured measure(const PointSet& points, unsigned runs, const WantedManifolds& wanted, const PartMade& made) {
+  const ProgressLine progress("computing");
   Measured result;
   Times times;
   for (unsigned run = 0; run < runs; ++run) {

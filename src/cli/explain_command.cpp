@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/progress.h"
 #include "cli/shortened_numbers.h"
 #include "cli/table.h"
 #include "cli/wrapped_text.h"
@@ -92,12 +93,17 @@ std::string complaint_about_id(const std::string& word) {
   return fmt::format("'{}' is no id", word);
 }
 
+Explanation explanation_of(const ExplainOptions& options, const Input& input, const RationalPoint& position) {
+  const ProgressLine progress("explaining");
+  return options.position.empty() ? explain_points(input.points, options.ids)
+                                  : explain_position(input.points, position);
+}
+
 int explain(const ExplainOptions& options) {
   const bool by_position = !options.position.empty();
   const RationalPoint position = by_position ? parse_rational_point(options.position) : RationalPoint{};
   const Input input = read_input(options.input);
-  const Explanation explanation =
-      by_position ? explain_position(input.points, position) : explain_points(input.points, options.ids);
+  const Explanation explanation = explanation_of(options, input, position);
   if (options.json) {
     print_json(explanation);
   } else {

@@ -77,6 +77,7 @@ void ExportFiles::write_lines(const FlowComplex& complex) {
 
 void ExportFiles::write_file(const char* name, const FlowComplex& complex, const Write& write) {
   make_directory(choice_.directory);
+  const ProgressLine progress(std::string("writing ") + name);
   OutputFile file((fs::path(choice_.directory) / name).string());
   write(file.stream(), made_by_text("flowcert-export", 1, complex.points()));
   file.commit();

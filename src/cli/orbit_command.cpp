@@ -93,6 +93,11 @@ RationalPoint parse_start(const std::string& text) {
   }
 }
 
+Orbit orbit_of(const FlowComplex& complex, const RationalPoint& start) {
+  const ProgressLine progress("following the orbit");
+  return complex.orbit(start);
+}
+
 void print_orbit(const OrbitOptions& options) {
   const RationalPoint start = parse_start(options.start);
   const Input input = read_input(options.input);
@@ -101,7 +106,7 @@ void print_orbit(const OrbitOptions& options) {
   }
   const FlowComplex complex(input.points, {.flow = options.flow.options(), .threads = options.threads},
                             part_progress());
-  const Orbit orbit = complex.orbit(start);
+  const Orbit orbit = orbit_of(complex, start);
   if (options.json) {
     print_json(orbit, input);
   } else {
@@ -123,7 +128,9 @@ void add_orbit_command(CLI::App& app, int& status) {
   command->add_flag("--json", options->json, "Print one JSON object, all exact; the table rounds long numbers");
   add_flow_options(*command, options->flow);
   add_threads_option(*command, options->threads);
-  command->footer("Example:\n  flowcert orbit bunny.obj --from -1/2,0.25,0x1p-3");
+  command->footer(
+      "Examples:\n  flowcert orbit bunny.obj --from -1/2,0.25,0x1p-3\n"
+      "  flowcert orbit bunny.obj --from 0.01,0.02,0.03 --json");
   command->callback([options, &status] {
     print_orbit(*options);
     status = kRight;

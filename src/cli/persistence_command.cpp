@@ -45,6 +45,7 @@ struct PersistenceRun {
   // break ties.
   PersistenceRun(const PointSet& points, std::uint64_t seed, unsigned threads)
       : complex(points, {.flow = {}, .share = true, .seed = seed, .threads = threads}, part_progress()) {
+    const ProgressLine progress("computing");
     using Clock = std::chrono::steady_clock;
     const auto make = [this](FlowComplexPart part, double& sum) {
       const Clock::time_point start = Clock::now();
@@ -239,20 +240,28 @@ void print_json(const Input& input, const PersistenceRun& run, const Persistence
   std::string text = json.dump();
   text.resize(text.size() - 2);
   std::fwrite(text.data(), 1, text.size(), stdout);
+  ProgressLine progress("writing pairs", STDOUT_FILENO);
   const auto make = [&](std::size_t first, std::size_t last, std::string& part) {
     for (std::size_t k = first; k < last; ++k) {
       if (k > 0) part += ',';
       part += pair_field(diagram, diagram.pairs()[k]).dump();
     }
   };
-  const auto write = [](const std::string& part, std::size_t) {
+  const auto write = [&](const std::string& part, std::size_t done) {
+    progress(done, diagram.pairs().size());
     return std::fwrite(part.data(), 1, part.size(), stdout) == part.size();
   };
   io::write_in_order(diagram.pairs().size(), io::kShortRecords, run.complex.threads(), make, write);
   fmt::print("]}}\n");
 }
 
+PersistenceDiagram diagram_of(const FlowComplex& complex, bool with_zero) {
+  const ProgressLine progress("pairs");
+  return {complex, with_zero};
+}
+
 std::string text_of(const PersistenceOptions& options, const PersistenceDiagram& diagram) {
+  const ProgressLine progress("pairs");
   try {
     return pers_text(diagram);
   } catch (const InvalidInput& error) {
@@ -261,6 +270,7 @@ std::string text_of(const PersistenceOptions& options, const PersistenceDiagram&
 }
 
 void write_file(const PersistenceOptions& options, const std::string& text) {
+  const ProgressLine progress("writing pairs");
   OutputFile file(options.output);
   file.stream() << text;
   file.commit();
@@ -272,7 +282,7 @@ void print_persistence(const PersistenceOptions& options) {
   }
   const Input input = read_input(options.input);
   const PersistenceRun run(input.points, options.seed, options.threads);
-  const PersistenceDiagram diagram(run.complex, options.with_zero);
+  const PersistenceDiagram diagram = diagram_of(run.complex, options.with_zero);
   const bool has_file = !options.output.empty() && options.output != kStandardStream;
   if (has_file) write_file(options, text_of(options, diagram));
   if (options.json) {
@@ -296,8 +306,7 @@ std::string complaint_about_seed(const std::string& text) {
 
 void add_persistence_command(CLI::App& app, int& status) {
   auto options = std::make_shared<PersistenceOptions>();
-  CLI::App* command = app.add_subcommand(
-      "persistence", "The persistence of the distance function, as its alpha complex has it; values are squared");
+  CLI::App* command = app.add_subcommand("persistence", "The persistence of the distance function; values are squared");
   command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
   command
       ->add_option("-o,--output", options->output,
@@ -309,7 +318,9 @@ void add_persistence_command(CLI::App& app, int& status) {
       ->add_option("--seed-ties", options->seed, "Break ties at random, reproducibly; births and deaths stay the same")
       ->check(complaint_about_seed);
   add_threads_option(*command, options->threads);
-  command->footer("Example:\n  flowcert persistence bunny.obj -o bunny.pers");
+  command->footer(
+      "The pairs are those of the alpha complex, as GUDHI has them.\n\n"
+      "Examples:\n  flowcert persistence bunny.obj -o bunny.pers\n  flowcert persistence bunny.obj --json >bunny.json");
   command->callback([options, &status] {
     print_persistence(*options);
     status = kRight;

@@ -1,39 +1,141 @@
-// A line is written over itself, at most ten times a second.
+// A thread draws the line, ten times a second, because the work may say nothing for minutes. It exists only while a
+// line does, and only for a terminal.
 #include "cli/progress.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
+#include <pthread.h>
+#include <sys/ioctl.h>
 
-#include <cstdio>
+#include <algorithm>
+#include <condition_variable>
+#include <csignal>
+#include <mutex>
+#include <string_view>
+#include <thread>
+#include <vector>
 
 namespace flowcert::cli {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr std::chrono::seconds kDelay{2};
 constexpr std::chrono::milliseconds kRedraw{100};
-constexpr std::size_t kWidth = 32;
+constexpr std::chrono::milliseconds kSteady{300};
+constexpr std::size_t kBarWidth = 32;
+constexpr std::size_t kUsualColumns = 80;
+
+std::size_t terminal_columns() {
+  winsize size{};
+  return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col : kUsualColumns;
+}
+
+// Past the C library's buffers, whose lock a child process would inherit locked.
+void put_on_screen(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+    if (written <= 0) return;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+// The lines that exist, and the thread that draws the innermost steady one.
+class Screen {
+ public:
+  static Screen& instance() {
+    static Screen screen;
+    return screen;
+  }
+
+  void add(const ProgressLine& line) {
+    const std::scoped_lock lock(mutex_);
+    lines_.push_back(&line);
+    if (lines_.size() == 1) start_drawing();
+  }
+
+  void remove(const ProgressLine& line) {
+    std::jthread finished;  // is joined at the end, without the lock
+    {
+      const std::scoped_lock lock(mutex_);
+      std::erase(lines_, &line);
+      if (drawn_ == &line) erase();
+      if (!lines_.empty()) return;
+      finished = std::move(drawing_);
+      finished.request_stop();
+    }
+    changed_.notify_all();
+  }
+
+ private:
+  // Signals go to the threads that work: OutputFile removes its temporary file in a handler.
+  void start_drawing() {
+    sigset_t all, before;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before);
+    drawing_ = std::jthread([this](const std::stop_token& stop) { draw_until(stop); });
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  }
+
+  void draw_until(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    while (!stop.stop_requested()) {
+      draw();
+      changed_.wait_for(lock, kRedraw);
+    }
+  }
+
+  void draw() {
+    const Clock::time_point now = Clock::now();
+    if (now - begin_ < kDelay) return;
+    const auto steady =
+        std::find_if(lines_.rbegin(), lines_.rend(), [now](const ProgressLine* line) { return line->is_steady(now); });
+    if (steady == lines_.rend()) return;
+    drawn_ = *steady;
+    put_on_screen("\r" + drawn_->text(now, terminal_columns() - 1) + "\033[K");
+  }
+
+  void erase() {
+    put_on_screen("\r\033[K");
+    drawn_ = nullptr;
+  }
+
+  const Clock::time_point begin_ = Clock::now();
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<const ProgressLine*> lines_;
+  const ProgressLine* drawn_ = nullptr;
+  std::jthread drawing_;
+};
 
 }  // namespace
 
-ProgressLine::ProgressLine(std::string what) : what_(std::move(what)), is_terminal_(::isatty(STDERR_FILENO) == 1) {}
-
-ProgressLine::~ProgressLine() {
-  if (is_drawn_) std::fputs("\r\033[K", stderr);
+ProgressLine::ProgressLine(std::string what, int stream)
+    : what_(std::move(what)), is_shown_(::isatty(STDERR_FILENO) == 1 && ::isatty(stream) == 0) {
+  if (is_shown_) Screen::instance().add(*this);
 }
 
-void ProgressLine::operator()(std::size_t done, std::size_t total) {
-  if (!is_terminal_ || total == 0) return;
-  const Clock::time_point now = Clock::now();
-  if (now - start_ < kDelay || now - last_drawn_ < kRedraw) return;
-  last_drawn_ = now;
-  is_drawn_ = true;
-  const std::size_t filled = kWidth * done / total;
+ProgressLine::~ProgressLine() {
+  if (is_shown_) Screen::instance().remove(*this);
+}
+
+bool ProgressLine::is_steady(Clock::time_point now) const { return now - start_ >= kSteady; }
+
+std::string ProgressLine::text(Clock::time_point now, std::size_t columns) const {
+  const std::size_t total = total_.load(std::memory_order_relaxed);
+  const std::size_t done = std::min(done_.load(std::memory_order_relaxed), total);
   const double seconds = std::chrono::duration<double>(now - start_).count();
-  const double left = done == 0 ? 0 : seconds * static_cast<double>(total - done) / static_cast<double>(done);
-  fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {:3} %  {:.0f} s left\033[K", what_, "", filled, "", kWidth - filled,
-             100 * done / total, left);
-  std::fflush(stderr);
+  std::string line;
+  if (done == 0) {
+    line = fmt::format("{}  {:.0f} s", what_, seconds);
+  } else {
+    const std::size_t filled = kBarWidth * done / total;
+    const double left = seconds * static_cast<double>(total - done) / static_cast<double>(done);
+    line = fmt::format("{} [{:#<{}}{:.<{}}] {:3} %  {:.0f} s left", what_, "", filled, "", kBarWidth - filled,
+                       100 * done / total, left);
+    if (line.size() > columns) line = fmt::format("{} {} %", what_, 100 * done / total);
+  }
+  return line.substr(0, columns);
 }
 
 }  // namespace flowcert::cli

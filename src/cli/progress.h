@@ -1,10 +1,16 @@
-// A progress bar on standard error. It is shown only on a terminal, and only for work that takes longer than two
-// seconds. It is erased when the work is done.
+// What a command is at, on standard error: a bar where it is known how much there is to do, else the seconds so far.
+//
+// Guarantees: nothing is written unless standard error is a terminal. Nothing is shown in the first two seconds of a
+// command. After them there is always the innermost line of those that exist, also while nobody tells how far the work
+// is. A line is erased when its work is done, by an exception as well. Telling takes no time to speak of.
 //
 // The code is our own. Debian's only C++ library for this is Boost's progress_display. That cannot be erased from
 // the screen, and knows neither terminals nor delays.
 #pragma once
 
+#include <unistd.h>
+
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <memory>
@@ -19,21 +25,29 @@ namespace flowcert::cli {
 
 class ProgressLine {
  public:
-  explicit ProgressLine(std::string what);
+  // `what` is ASCII. A line made while there is another one hides it. There is no line if `stream`, which the work
+  // reads or writes, is a terminal, too.
+  explicit ProgressLine(std::string what, int stream = -1);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  void operator()(std::size_t done, std::size_t total);
+  void operator()(std::size_t done, std::size_t total) {
+    done_.store(done, std::memory_order_relaxed);
+    total_.store(total, std::memory_order_relaxed);
+  }
+
+  // What is shown at this time, in so many columns at most.
+  [[nodiscard]] std::string text(std::chrono::steady_clock::time_point now, std::size_t columns) const;
+  // Whether it has been there so long that it does not flicker.
+  [[nodiscard]] bool is_steady(std::chrono::steady_clock::time_point now) const;
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   std::string what_;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_drawn_ = start_;
-  bool is_terminal_;
-  bool is_drawn_ = false;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::atomic<std::size_t> done_{0};
+  std::atomic<std::size_t> total_{0};
+  bool is_shown_;
 };
 
 // The progress of a flow complex while it is computed. Each of its parts has a line, one after the other.

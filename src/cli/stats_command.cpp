@@ -155,7 +155,8 @@ void add_stats_command(CLI::App& app, int& status) {
   command->add_flag("--alone", options->u2.alone, "Compute each orbit alone, as the paper did");
   add_flow_options(*command, options->u2.flow);
   add_threads_option(*command, options->threads);
-  command->footer("Example:\n  flowcert stats bunny.obj --kernel lazy --svg bunny-histograms");
+  command->footer(
+      "Examples:\n  flowcert stats bunny.obj\n  flowcert stats bunny.obj --kernel lazy --svg bunny-histograms");
   command->callback([options, &status] {
     show_statistics(*options);
     status = kRight;

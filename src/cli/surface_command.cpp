@@ -39,6 +39,7 @@ Write writer_for(const std::string& path) {
 
 void write_mesh(const std::string& path, const SurfaceMesh& mesh, const std::string& made_by) {
   const Write write = writer_for(path);
+  const ProgressLine progress("writing the surface", path == kStandardStream ? STDOUT_FILENO : -1);
   if (path == kStandardStream) {
     write(std::cout, mesh, made_by);
     std::cout.flush();
@@ -62,6 +63,16 @@ Counts counts_of(const FlowComplex& complex, const std::vector<std::size_t>& set
                    .edges = mesh.edges};
   for (const std::size_t set : sets) counts.with_interval += complex.stable().has_interval(set) ? 1 : 0;
   return counts;
+}
+
+SaddleRadii radii_of(const FlowComplex& complex) {
+  const ProgressLine progress("computing");
+  return SaddleRadii(complex);
+}
+
+SelectedSets selected_of(const FlowComplex& complex, const SurfaceSelection& selection, const SaddleRadii& radii) {
+  const ProgressLine progress("computing");
+  return selection.select(complex, radii);
 }
 
 SurfaceMesh mesh_of(const SurfaceOptions& options, const FlowComplex& complex, const std::vector<std::size_t>& sets) {
@@ -165,8 +176,8 @@ void write_surface(const SurfaceOptions& options) {
   if (is_streamed && options.json) throw InvalidInput("-o - and --json would both write to standard output");
   const Input input = read_input(options.input);
   const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads}, part_progress());
-  const SaddleRadii radii(complex);
-  const auto [sets, thresholds] = selection.select(complex, radii);
+  const SaddleRadii radii = radii_of(complex);
+  const auto [sets, thresholds] = selected_of(complex, selection, radii);
   const SurfaceMesh mesh = mesh_of(options, complex, sets);
   write_mesh(options.output, mesh, made_by_text("flowcert-surface", 1, input.points));
   if (is_streamed) return;
@@ -182,8 +193,7 @@ void write_surface(const SurfaceOptions& options) {
 
 void add_surface_command(CLI::App& app, int& status) {
   auto options = std::make_shared<SurfaceOptions>();
-  CLI::App* command =
-      app.add_subcommand("surface", "Stable manifolds of index-2 points as a surface: all of them, or those selected");
+  CLI::App* command = app.add_subcommand("surface", "Stable manifolds of index-2 points as a surface, all or selected");
   command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
   command
       ->add_option("--select", options->selections,
