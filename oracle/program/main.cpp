@@ -4,7 +4,8 @@
 //   certify INPUT RECORDS   judges claimed stationary points, drawn at random, by linear scans
 //   orbit INPUT --from X    the flow from one position, by linear scans over all points
 //
-// Exit status: 0 all right; 1 a claim is wrong; 2 unusable input or usage, with one line on standard error.
+// Exit status: 0 all right; 1 a claim is wrong; 2 unusable input or usage, with one line on standard error. Without a
+// command it prints what there is on standard output. Nothing was judged then, so the status is 2.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -21,6 +22,7 @@
 #include "oracle/program/answer_fields.h"
 #include "oracle/program/read_points.h"
 #include "oracle/program/read_records.h"
+#include "oracle/program/waiting_line.h"
 #include "oracle/stationary_points.h"
 
 namespace {
@@ -113,13 +115,23 @@ std::unique_ptr<oracle::PointSet> point_set(const std::vector<std::array<double,
   return std::make_unique<oracle::fast::PointSet>(rows);
 }
 
+oracle::Answer search(const std::vector<std::array<double, 3>>& rows) {
+  const oracle::WaitingLine line("searching all subsets");
+  return oracle::stationary_points(*point_set(rows));
+}
+
+oracle::Orbit follow(const oracle::PointSet& set, const oracle::Point& start) {
+  const oracle::WaitingLine line("following the orbit");
+  return oracle::orbit(set, start);
+}
+
 int run_stationary(const std::string& input, bool json, std::size_t limit) {
   const auto rows = oracle::read_point_file(input);
   if (rows.size() > limit) {
     throw oracle::UnusableInput(input + ": " + with_commas(rows.size()) +
                                 " points; the search over all subsets of four takes time n^5 (see --limit)");
   }
-  const oracle::Answer answer = oracle::stationary_points(*point_set(rows));
+  const oracle::Answer answer = search(rows);
   json ? print_json(answer) : print_text(answer);
   return 0;
 }
@@ -134,8 +146,14 @@ std::vector<std::size_t> draw(std::size_t size, std::size_t count, std::uint64_t
   return drawn;
 }
 
-int run_certify(const std::string& input, const std::string& records, std::size_t sample, std::uint64_t seed) {
-  const auto start = std::chrono::steady_clock::now();
+struct Certified {
+  std::size_t right = 0, drawn = 0, points = 0;
+};
+
+// Says what is wrong, line by line. Nothing is certified where the header is wrong.
+std::optional<Certified> certify_records(const std::string& input, const std::string& records, std::size_t sample,
+                                         std::uint64_t seed) {
+  oracle::WaitingLine line("certifying");
   const auto rows = oracle::read_point_file(input);
   const auto points = point_set(rows);
   const oracle::PointSet& set = *points;
@@ -143,25 +161,34 @@ int run_certify(const std::string& input, const std::string& records, std::size_
   if (!in) throw oracle::UnusableInput(records + ": cannot be opened");
   const oracle::RecordFile file = oracle::read_record_file(in, records);
   if (file.points != rows.size() || file.merged_duplicates != set.merged_duplicates) {
-    std::cout << records << ":1: FC-IN-03: the header claims " << file.points << " points and "
-              << file.merged_duplicates << " merged, the input has " << rows.size() << " and " << set.merged_duplicates
-              << '\n';
-    return kWrong;
+    line.say(records + ":1: FC-IN-03: the header claims " + std::to_string(file.points) + " points and " +
+             std::to_string(file.merged_duplicates) + " merged, the input has " + std::to_string(rows.size()) +
+             " and " + std::to_string(set.merged_duplicates));
+    return std::nullopt;
   }
   const auto drawn = draw(file.records.size(), sample, seed);
-  std::size_t right = 0;
+  Certified result{0, drawn.size(), set.points.size()};
+  std::size_t judged = 0;
   for (const std::size_t place : drawn) {
+    line.tell(judged++, drawn.size());
     const std::string where = records + ":" + std::to_string(place + 2) + ": ";
     const oracle::Record claimed = oracle::parse_record(file.records[place], where);
     const auto fault = claimed.fault ? claimed.fault : oracle::certify(set, claimed.claim);
-    if (!fault) ++right;
-    if (fault) std::cout << where << fault->clause << ": " << fault->explanation << '\n';
+    if (!fault) ++result.right;
+    if (fault) line.say(where + fault->clause + ": " + fault->explanation);
   }
+  return result;
+}
+
+int run_certify(const std::string& input, const std::string& records, std::size_t sample, std::uint64_t seed) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto result = certify_records(input, records, sample, seed);
+  if (!result) return kWrong;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  std::cout << "oracle: " << with_commas(right) << " of " << with_commas(drawn.size())
-            << " sampled stationary points certified by linear scan over " << with_commas(set.points.size())
+  std::cout << "oracle: " << with_commas(result->right) << " of " << with_commas(result->drawn)
+            << " sampled stationary points certified by linear scan over " << with_commas(result->points)
             << " points, exactly (" << std::lround(seconds.count()) << " s)\n";
-  return right == drawn.size() ? 0 : kWrong;
+  return result->right == result->drawn ? 0 : kWrong;
 }
 
 int run_orbit(const std::string& input, const std::string& from, bool json) {
@@ -169,18 +196,31 @@ int run_orbit(const std::string& input, const std::string& from, bool json) {
   const auto points = point_set(oracle::read_point_file(input));
   const oracle::PointSet& set = *points;
   if (set.points.empty()) throw oracle::UnusableInput(input + ": there are no points");
-  const oracle::Orbit path = oracle::orbit(set, start);
+  const oracle::Orbit path = follow(set, start);
   json ? print_json(set, start, path) : print_text(set, start, path);
   return 0;
 }
 
+// Help with its examples first.
+struct HelpFormatter : CLI::Formatter {
+  std::string make_usage(const CLI::App* app, std::string name) const override {
+    return CLI::Formatter::make_usage(app, std::move(name)) + "\n" + app->get_footer() + "\n";
+  }
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    const std::string help = CLI::Formatter::make_help(app, std::move(name), mode);
+    return help.substr(0, help.find_last_not_of('\n') + 1) + '\n';
+  }
+  std::string make_footer(const CLI::App*) const override { return ""; }
+};
+
 int run(int argc, char** argv) {
-  CLI::App app{"Exact reference for the flow of a point set's distance function and its stationary points"};
+  CLI::App app{"The exact reference: flow and stationary points by their definitions alone"};
+  app.name("flowcert-oracle");
+  app.formatter(std::make_shared<HelpFormatter>());
   app.require_subcommand(1);
   app.footer(
-      "Examples: flowcert-oracle stationary --json cube.xyz\n"
-      "          flowcert-oracle certify bunny.xyz bunny.jsonl --sample 200 --seed 1\n"
-      "          flowcert-oracle orbit bunny.xyz --from -1/2,0.25,0x1p-3");
+      "Examples:\n  flowcert-oracle stationary cube.xyz\n"
+      "  flowcert-oracle certify bunny.xyz bunny.jsonl --sample 200 --seed 1");
   std::string input, records, from;
   bool json = false;
   std::size_t limit = 100, sample = 200;
@@ -190,14 +230,18 @@ int run(int argc, char** argv) {
   list.add_option("INPUT", input, "XYZ file, or OBJ (.obj)")->required();
   list.add_flag("--json", json, "JSON Lines instead of text");
   list.add_option("--limit", limit, "Refuse inputs of more points")->capture_default_str();
-  list.footer("Example: flowcert-oracle stationary --json cube.xyz");
+  list.footer(
+      "Examples:\n  flowcert-oracle stationary cube.xyz\n"
+      "  flowcert-oracle stationary cube.xyz --json");
 
   CLI::App& judge = *app.add_subcommand("certify", "Judge claimed stationary points of an input of any size");
   judge.add_option("INPUT", input, "XYZ file, or OBJ (.obj)")->required();
   judge.add_option("RECORDS", records, "What 'flowcert compute -o' wrote for it")->required();
   judge.add_option("--sample", sample, "How many records to draw; all if there are fewer")->capture_default_str();
   judge.add_option("--seed", seed, "Seed of the draw")->capture_default_str();
-  judge.footer("Example: flowcert-oracle certify bunny.xyz bunny.jsonl --sample 200 --seed 1");
+  judge.footer(
+      "Examples:\n  flowcert-oracle certify bunny.xyz bunny.jsonl --sample 200 --seed 1\n"
+      "  flowcert-oracle certify cube.xyz cube.jsonl");
 
   CLI::App& flow = *app.add_subcommand("orbit", "Follow the flow from a position, segment by segment");
   flow.add_option("INPUT", input, "XYZ file, or OBJ (.obj)")->required();
@@ -205,8 +249,14 @@ int run(int argc, char** argv) {
                   "The position X,Y,Z: decimals (the nearest doubles), hex floats or fractions p/q (exact)")
       ->required();
   flow.add_flag("--json", json, "One JSON object, all exact, instead of a table");
-  flow.footer("Example: flowcert-oracle orbit bunny.xyz --from -1/2,0.25,0x1p-3");
+  flow.footer(
+      "Examples:\n  flowcert-oracle orbit bunny.xyz --from -1/2,0.25,0x1p-3\n"
+      "  flowcert-oracle orbit cube.xyz --from 1/3,1/4,1/5 --json");
 
+  if (argc <= 1) {
+    std::cout << app.help();
+    return kUnusable;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {  // --help

@@ -160,7 +160,7 @@ TEST(CertifyCommand, WhatCannotBeJudgedIsStatus2) {
   all.push_back(certify(tampered.input(), tampered.input() + ".none"));
   all.push_back(certify(tampered.input(), tampered.input()));
   all.push_back(flowcert_oracle({"certify", tampered.input()}));
-  all.push_back(flowcert_oracle({}));
+  all.push_back(flowcert_oracle({"--"}));
   for (const Finished& finished : all) {
     EXPECT_EQ(finished.status, 2) << finished.out << finished.err;
     EXPECT_EQ(lines_of(finished.err).size(), 1U) << finished.err;

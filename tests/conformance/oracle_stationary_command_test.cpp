@@ -87,7 +87,7 @@ TEST_F(OracleStationaryCommand, AskedForHelpSaysWhatThereIs) {
   }
   const Finished one = flowcert_oracle({"stationary", "--help"});
   EXPECT_EQ(one.status, 0);
-  for (const char* word : {"INPUT", "--json", "--limit", "Example:"}) {
+  for (const char* word : {"INPUT", "--json", "--limit", "Examples:"}) {
     EXPECT_NE(one.out.find(word), std::string::npos) << word;
   }
 }
