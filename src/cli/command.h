@@ -26,6 +26,8 @@ void add_compute_command(CLI::App& app, int& status);
 void add_explain_command(CLI::App& app, int& status);
 void add_orbit_command(CLI::App& app, int& status);
 void add_persistence_command(CLI::App& app, int& status);
+// Several: completion, manual and share-files. They say what the program offers at the time when they are called.
+void add_shell_commands(CLI::App& app, int& status);
 void add_stats_command(CLI::App& app, int& status);
 void add_surface_command(CLI::App& app, int& status);
 // In a program that was built without FLOWCERT_JUDGE, a name only.

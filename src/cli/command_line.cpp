@@ -9,9 +9,11 @@
 #include <boost/algorithm/string.hpp>
 #include <numeric>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <vector>
 
+#include "cli/described_command.h"
 #include "cli/wrapped_text.h"
 #include "io/number_text.h"
 
@@ -21,7 +23,8 @@ namespace flowcert::cli {
 
 namespace {
 
-constexpr std::size_t kNames = 26;  // columns
+constexpr std::size_t kNames = 26, kCommands = 15;  // columns
+constexpr std::size_t kFirstExamples = 2;
 
 // Where the lines go on that `line` is broken into: below its second column, if it has one, or below its first word.
 std::size_t indent_of(std::string_view line) {
@@ -31,12 +34,45 @@ std::size_t indent_of(std::string_view line) {
   return line.find_first_not_of(' ', gap);
 }
 
+std::string below_heading(const char* heading, std::span<const std::string> examples) {
+  if (examples.empty()) return "";
+  std::string text = fmt::format("{}:\n", heading);
+  for (const std::string& example : examples) {
+    text += fmt::format("  {}\n", boost::algorithm::replace_all_copy(example, "\n", "\n  "));
+  }
+  return text;
+}
+
+// Two examples come before the options, and further ones at the end.
 class HelpFormatter : public CLI::Formatter {
  public:
   HelpFormatter() { column_width(kNames); }
 
+  std::string make_usage(const CLI::App* app, std::string name) const override {
+    const std::vector<std::string> examples = footer_of(*app).examples;
+    const std::size_t first = std::min(kFirstExamples, examples.size());
+    return CLI::Formatter::make_usage(app, std::move(name)) + (first == 0 ? "" : "\n") +
+           below_heading("Examples", {examples.data(), first});
+  }
+
+  std::string make_footer(const CLI::App* app) const override {
+    const DescribedFooter footer = footer_of(*app);
+    const std::size_t first = std::min(kFirstExamples, footer.examples.size());
+    return footer.notes + (footer.notes.empty() ? "" : "\n\n") +
+           below_heading("More examples", std::span(footer.examples).subspan(first));
+  }
+
+  // Names of commands are short, so that each has one line.
+  std::string make_subcommand(const CLI::App* sub) const override {
+    std::ostringstream line;
+    CLI::detail::format_help(line, sub->get_name(), sub->get_description(), kCommands);
+    return line.str();
+  }
+
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
     std::string help = CLI::Formatter::make_help(app, std::move(name), mode);
+    help.erase(help.find_last_not_of('\n') + 1);
+    help += '\n';
     std::vector<std::string> lines;
     boost::algorithm::split(lines, help, [](char c) { return c == '\n'; });
     for (std::string& line : lines) line = wrapped(line, indent_of(line));

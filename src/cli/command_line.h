@@ -16,7 +16,8 @@ class ParseError;
 
 namespace flowcert::cli {
 
-// CLI11's help, broken at 80 columns. A program gives it to its App before it adds commands, which then have it too.
+// CLI11's help, broken at 80 columns, with two examples before the options (described_command.h). A program gives it to
+// its App before it adds commands, which then have it too.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> help_formatter();
 
 // What is wrong with a command line that `app` has refused, with the nearest command or option and whose help to see.

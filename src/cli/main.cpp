@@ -1,5 +1,6 @@
 // The program `flowcert`: parses the command line, and turns every failure into one line on standard error
-// and an exit status.
+// and an exit status. Without a command it prints an overview on standard output. Nothing was judged then, so the
+// status is not that of a right answer, and a script whose command is missing does not go on.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +10,7 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
+#include <initializer_list>
 #include <new>
 #include <span>
 #include <string>
@@ -17,6 +19,7 @@
 #include "cli/command.h"
 #include "cli/command_line.h"
 #include "cli/layer.h"
+#include "cli/overview.h"
 #include "flowcert/reproducibility.h"
 #include "fuzz/commands/commands.h"
 #include "io/output_file.h"
@@ -55,6 +58,29 @@ int exit_status_of(const CLI::App& app, const CLI::ParseError& error, std::span<
   return complain(complaint_about(app, error, words));
 }
 
+void put_in_group(CLI::App& app, const char* group, std::initializer_list<const char*> commands) {
+  for (const char* command : commands) app.get_subcommand(command)->group(group);
+}
+
+void add_commands(CLI::App& app, int& status) {
+  add_compute_command(app, status);
+  add_surface_command(app, status);
+  add_persistence_command(app, status);
+  add_stats_command(app, status);
+  add_view_command(app, status);
+  add_explain_command(app, status);
+  add_orbit_command(app, status);
+  add_check_command(app, status);
+  add_conformance_command(app, status);
+  add_generate_command(app, status);
+  add_verify_command(app, status);
+  add_fuzz_command(app, status);
+  add_shell_commands(app, status);
+  put_in_group(app, "Compute", {"compute", "surface", "persistence", "stats"});
+  put_in_group(app, "Look closely", {"view", "explain", "orbit"});
+  put_in_group(app, "Judge claims and programs", {"check", "conformance", "generate", "verify", "fuzz"});
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"The flow complex of a point set in three dimensions, exactly."};
   app.name("flowcert");
@@ -62,21 +88,14 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", version_text(), "Print what made this program, for reproducibility");
   app.require_subcommand(1);
   app.footer(
-      "Example:\n  flowcert compute bunny.obj\n\nExit status: 0 right, 1 a negative verdict, 2 unusable "
-      "input or usage.");
+      "Examples:\n  flowcert compute bunny.obj\n  flowcert surface bunny.obj --select largest-gaps=20 -o shape.ply\n\n"
+      "Exit status: 0 right, 1 a negative verdict, 2 unusable input or usage.");
   int status = kRight;
-  add_check_command(app, status);
-  add_compute_command(app, status);
-  add_conformance_command(app, status);
-  add_explain_command(app, status);
-  add_fuzz_command(app, status);
-  add_generate_command(app, status);
-  add_orbit_command(app, status);
-  add_persistence_command(app, status);
-  add_stats_command(app, status);
-  add_surface_command(app, status);
-  add_verify_command(app, status);
-  add_view_command(app, status);
+  add_commands(app, status);
+  if (argc <= 1) {
+    fmt::print("{}", overview(app));
+    return finish_output(kUnusable);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

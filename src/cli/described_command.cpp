@@ -1,0 +1,162 @@
+// CLI11 knows a value's type and its choices, but not which values are names of files. A table says that.
+#include "cli/described_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <boost/algorithm/string.hpp>
+#include <string_view>
+
+namespace flowcert::cli {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+// ---- Names of files ----
+
+struct FileValue {
+  const char* name;  // of an option or a positional argument, of a command that is named before it, or of any
+  Completed completed;
+  Words endings;
+};
+
+const std::vector<FileValue>& file_values() {
+  static const Words kPoints = {"xyz",    "txt",    "csv",    "pts",    "off",    "ply",    "obj",
+                                "xyz.gz", "txt.gz", "csv.gz", "pts.gz", "off.gz", "ply.gz", "obj.gz"};
+  static const Words kClaims = {"jsonl",    "json",    "csv",    "vtp",    "txt",
+                                "jsonl.gz", "json.gz", "csv.gz", "vtp.gz", "txt.gz"};
+  static const std::vector<FileValue> kValues = {{"INPUT", Completed::kFiles, kPoints},
+                                                 {"POINTS", Completed::kFiles, kPoints},
+                                                 {"CLAIM", Completed::kFiles, kClaims},
+                                                 {"--claim", Completed::kFiles, kClaims},
+                                                 {"compute --output", Completed::kFiles, {"jsonl"}},
+                                                 {"persistence --output", Completed::kFiles, {"pers"}},
+                                                 {"surface --output", Completed::kFiles, {"ply", "off"}},
+                                                 {"view --output", Completed::kFiles, {"html"}},
+                                                 {"--report", Completed::kFiles, {"html"}},
+                                                 {"--junit", Completed::kFiles, {"xml"}},
+                                                 {"--replay", Completed::kFiles, kPoints},
+                                                 {"--known", Completed::kFiles, {}},
+                                                 {"--export", Completed::kFolders, {}},
+                                                 {"--svg", Completed::kFolders, {}},
+                                                 {"--keep", Completed::kFolders, {}},
+                                                 {"--out", Completed::kFolders, {}},
+                                                 {"--resume", Completed::kFolders, {}},
+                                                 {"--corpus", Completed::kFolders, {}},
+                                                 {"--vectors", Completed::kFolders, {}},
+                                                 {"FOLDER", Completed::kFolders, {}},
+                                                 {"DIR", Completed::kFolders, {}}};
+  return kValues;
+}
+
+void take_file_value(DescribedOption& option, const std::string& command) {
+  const std::string& name = option.names.back();
+  for (const FileValue& value : file_values()) {
+    if (value.name != name && value.name != command + ' ' + name) continue;
+    option.completed = value.completed;
+    option.endings = value.endings;
+  }
+}
+
+// ---- Options ----
+
+// CLI11's "TEXT:{cascade,lazy,exact}" is a type and its choices; other checks come after a colon, too.
+void take_value(DescribedOption& option, const std::string& type) {
+  const std::size_t colon = type.find(':');
+  option.value = type.substr(0, colon);
+  if (colon == std::string::npos) return;
+  const std::size_t open = type.find('{', colon), close = type.find('}', colon);
+  if (open == std::string::npos || close == std::string::npos) return;
+  const std::string list = type.substr(open + 1, close - open - 1);
+  boost::algorithm::split(option.choices, list, [](char c) { return c == ','; });
+  option.completed = Completed::kChoices;
+}
+
+DescribedOption described_option(const CLI::Option& option, const std::string& command) {
+  DescribedOption result;
+  result.is_positional = option.get_positional();
+  if (result.is_positional) {
+    result.names = {option.get_name(true, false)};
+  } else {
+    for (const std::string& name : option.get_snames()) result.names.push_back('-' + name);
+    for (const std::string& name : option.get_lnames()) result.names.push_back("--" + name);
+  }
+  result.description = option.get_description();
+  result.is_required = option.get_required();
+  if (option.get_items_expected_max() == 0) return result;
+  result.default_value = option.get_default_str();
+  result.is_value_optional = option.get_items_expected_min() == 0;
+  result.is_list = option.get_delimiter() == ',';
+  const bool is_vector = option.get_expected_max() >= CLI::detail::expected_max_vector_size;
+  result.takes_many = is_vector && !result.is_list && (result.is_positional || option.get_allow_extra_args());
+  take_value(result, option.get_type_name());
+  take_file_value(result, command);
+  return result;
+}
+
+void add_options(std::vector<DescribedOption>& options, const CLI::App& app, const std::string& command) {
+  for (const CLI::Option* option : app.get_options()) {
+    const bool is_help_of_group = app.get_name().empty() && option == app.get_help_ptr();
+    if (!option->get_group().empty() && !is_help_of_group) options.push_back(described_option(*option, command));
+  }
+  // Option groups are commands without a name.
+  for (const CLI::App* group : app.get_subcommands([](const CLI::App* sub) { return sub->get_name().empty(); })) {
+    add_options(options, *group, command);
+  }
+}
+
+// ---- Commands ----
+
+bool is_shown(const CLI::App& command) { return !command.get_name().empty() && !command.get_group().empty(); }
+
+DescribedCommand described_below(const CLI::App& app, const std::string& before) {
+  DescribedCommand command;
+  command.name = before + app.get_name();
+  command.description = app.get_description();
+  command.group = app.get_group();
+  command.footer = footer_of(app);
+  add_options(command.options, app, app.get_name());
+  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (is_shown(*sub)) command.commands.push_back(described_below(*sub, command.name + ' '));
+  }
+  return command;
+}
+
+void add_with_all_below(const DescribedCommand& command, std::vector<const DescribedCommand*>& all) {
+  all.push_back(&command);
+  for (const DescribedCommand& sub : command.commands) add_with_all_below(sub, all);
+}
+
+}  // namespace
+
+DescribedFooter footer_of(const CLI::App& command) {
+  DescribedFooter footer;
+  std::vector<std::string> lines;
+  const std::string text = command.get_footer();
+  boost::algorithm::split(lines, text, [](char c) { return c == '\n'; });
+  bool is_example = false;
+  for (const std::string& line : lines) {
+    if (line == "Examples:" || line == "Example:") {
+      is_example = true;
+    } else if (is_example && line.starts_with("    ") && !footer.examples.empty()) {
+      footer.examples.back() += '\n' + line.substr(2);
+    } else if (is_example && line.starts_with("  ")) {
+      footer.examples.push_back(line.substr(2));
+    } else {
+      is_example = false;
+      footer.notes += line + '\n';
+    }
+  }
+  boost::algorithm::trim_if(footer.notes, [](char c) { return c == '\n'; });
+  return footer;
+}
+
+DescribedCommand described(const CLI::App& app) { return described_below(app, ""); }
+
+std::vector<const DescribedCommand*> with_all_below(const DescribedCommand& command) {
+  std::vector<const DescribedCommand*> all;
+  add_with_all_below(command, all);
+  return all;
+}
+
+}  // namespace flowcert::cli

@@ -1,0 +1,29 @@
+// Groups, lines and examples are those of --help. Commands that set up a shell are only there.
+#include "cli/overview.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/described_command.h"
+
+namespace flowcert::cli {
+
+std::string overview(const CLI::App& app) {
+  const DescribedCommand program = described(app);
+  std::size_t width = 0;
+  for (const DescribedCommand& command : program.commands) width = std::max(width, command.last_name().size());
+  std::string text = program.description + '\n';
+  std::string group;
+  for (const DescribedCommand& command : program.commands) {
+    if (command.group == kSetUpGroup) continue;
+    if (command.group != group) text += fmt::format("\n{}\n", command.group);
+    group = command.group;
+    text += fmt::format("  {:<{}}  {}\n", command.last_name(), width, command.description);
+  }
+  text += "\nBegin with\n";
+  for (const std::string& example : program.footer.examples) text += fmt::format("  {}\n", example);
+  return text + fmt::format("  {} COMMAND --help\n", program.name);
+}
+
+}  // namespace flowcert::cli
