@@ -35,7 +35,7 @@ void expect_error(const Finished& finished, const std::string& pattern, std::siz
 TEST(CommandLine, WrongUsageIsStatus2AndOneLine) {
   const Scratch scratch;
   const std::string input = scratch.file("a.xyz", kTriangle);
-  const Words usages[] = {{},
+  const Words usages[] = {{"--"},
                           {"bogus"},
                           {"--bogus"},
                           {"compute"},
@@ -62,7 +62,7 @@ TEST(CommandLine, WrongWordsAreNamedWithWhatIsNearest) {
   const Scratch scratch;
   const std::string input = scratch.file("a.xyz", kTriangle);
   const std::pair<Words, std::string> usages[] = {
-      {{}, "a command is required \\(see flowcert --help\\)"},
+      {{"--"}, "a command is required \\(see flowcert --help\\)"},
       {{"comput"}, "there is no command 'comput'; did you mean compute\\? \\(see flowcert --help\\)"},
       {{"chekc", input}, "there is no command 'chekc'; did you mean check\\? .*"},
       {{"help"}, "there is no command 'help'; did you mean --help\\? .*"},

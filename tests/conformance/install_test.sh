@@ -49,6 +49,12 @@ for header in "$root"/src/*/include/flowcert/*.h; do
   [ -f "$scratch/prefix/include/flowcert/$(basename "$header")" ] || fail "$header is not installed"
 done
 "$scratch/prefix/bin/flowcert" --version >"$scratch/version" || fail "the installed program does not run"
+for file in bash-completion/completions/flowcert zsh/site-functions/_flowcert fish/vendor_completions.d/flowcert.fish \
+  man/man1/flowcert.1 man/man1/flowcert-fuzz-merge.1; do
+  [ -s "$scratch/prefix/share/$file" ] || fail "share/$file is not installed"
+done
+"$scratch/prefix/bin/flowcert" completion bash | cmp - "$scratch/prefix/share/bash-completion/completions/flowcert" ||
+  fail "the installed completion is another program's"
 ! grep -rlF -e "$root" -e "$build" "$scratch/prefix/lib/"*/cmake "$scratch/prefix/lib/cmake" 2>/dev/null ||
   fail "the installed package refers to the tree that it was built in"
 

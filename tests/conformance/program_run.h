@@ -81,8 +81,9 @@ inline std::vector<std::string> lines_of(const std::string& text) {
 
 struct Streams {
   std::string standard_input = "/dev/null";
-  // If this is empty, the output is captured.
+  // If one of these is empty, the output is captured.
   std::string standard_output;
+  std::string standard_error = "";
 };
 
 // A program that runs. finish() waits for it.
@@ -94,7 +95,7 @@ class RunningProgram {
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, streams.standard_input.c_str(), O_RDONLY, 0);
     const std::string out = captures_output_ ? captured_.path("out") : streams.standard_output;
-    const std::string err = captured_.path("err");
+    const std::string err = streams.standard_error.empty() ? captured_.path("err") : streams.standard_error;
     ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
     ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
     posix_spawnattr_t attributes;
