@@ -86,5 +86,12 @@ expect folder fuzz merge folder ''
 # The second argument of surface does not exist, so options are what is left.
 expect "$(options_in_help surface | paste -sd,)" surface scan.xyz ''
 
+# An option that speaks of a file or a folder is in the table of described_command.cpp, except commands and a mere name:
+# those have no file to complete.
+# The script for fish has each option with what it says on one line.
+forgotten=$("$flowcert" completion fish | grep -iE -- '-x -d .*(file|folder|director)' |
+  grep -vE -- '-l ([a-z-]*against|out-name) ' || true)
+[ -z "$forgotten" ] || { echo "FAIL: no file is completed: $forgotten"; failures=$((failures + 1)); }
+
 [ "$failures" -eq 0 ] || exit 1
 echo "bash completes commands, options, values and files"

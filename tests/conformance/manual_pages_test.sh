@@ -25,9 +25,10 @@ names_in_help() {
 }
 options_in_help() { "$flowcert" "$@" --help | grep -oE '^ {2,4}(-[a-z],)?--[a-z-]+' | tr -d ' ' | tr , '\n' | sort -u; }
 
-printf '.TH A 1\n.SH NAME\na \\- b\n.TP\n\\fBno end\n.NOSUCH\n' >"${TMPDIR:-/tmp}/flowcert-page-$$"
-[ -n "$(complaints_about "${TMPDIR:-/tmp}/flowcert-page-$$")" ] || fail "the linter sees no fault in a faulty page"
-rm -f "${TMPDIR:-/tmp}/flowcert-page-$$"
+faulty=$(mktemp)
+printf '.TH A 1\n.SH NAME\na \\- b\n.TP\n\\fBno end\n.NOSUCH\n' >"$faulty"
+[ -n "$(complaints_about "$faulty")" ] || fail "the linter sees no fault in a faulty page"
+rm -f "$faulty"
 
 commands=$(names_in_help)
 [ "$(wc -w <<<"$commands")" -ge 13 ] || fail "--help has too few commands: $commands"
