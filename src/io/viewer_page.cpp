@@ -230,6 +230,18 @@ class LineForest {
   std::unordered_map<Key, std::uint32_t, boost::hash<Key>> vertex_of_;
 };
 
+// An orbit to infinity gets a last point out of view.
+std::vector<RoundedSphere> visible_orbit(const ViewerContent& content, std::size_t i, std::size_t side) {
+  const UnstableManifolds& u2 = content.complex.unstable();
+  std::vector<RoundedSphere> line = u2.rounded_orbit(i, side);
+  if (const auto way = u2.direction_to_infinity(i, side)) {
+    const double far = 32 * content.frame.unit();
+    const Point& last = line.back().center;
+    line.push_back({.center = {last.x + far * way->x, last.y + far * way->y, last.z + far * way->z}});
+  }
+  return line;
+}
+
 Json u2_field(const ViewerContent& content, const std::function<void(std::size_t, std::size_t)>& progress) {
   const UnstableManifolds& u2 = content.complex.unstable();
   Numbers records, starts, limits;
@@ -239,7 +251,7 @@ Json u2_field(const ViewerContent& content, const std::function<void(std::size_t
     records.push_back(content.selection.place[u2.saddle(i)]);
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
       const auto limit = u2.limit(i, side);
-      starts.push_back(forest.append(u2.rounded_orbit(i, side)));
+      starts.push_back(forest.append(visible_orbit(content, i, side)));
       limits.push_back(limit ? content.selection.place[*limit] : kNone);
     }
     if (progress) progress(++done, content.selection.sets.size());

@@ -256,6 +256,8 @@ class ViewTest(unittest.TestCase):
                 self.assertAlmostEqual(x * step, y, delta=step)
         for inner in line[:-1]:
             self.assertLessEqual(max(abs(x) * step for x in at[inner]), 3 + step)
+        if target is None:
+            self.assertGreater(max(abs(x) * step for x in at[line[-1]]), 3 - step)
 
     def test_a_large_complex_is_thinned_to_the_longest_pairs(self):
         text = INPUTS["scattered"]
