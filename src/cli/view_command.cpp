@@ -110,8 +110,7 @@ int view(ViewCommandOptions options) {
 
 void add_view_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ViewCommandOptions>();
-  CLI::App* command =
-      app.add_subcommand("view", "A page that shows the complex in a browser, and what is wrong with a claim");
+  CLI::App* command = app.add_subcommand("view", "The complex in a browser, with what is wrong with a claim");
   command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
   command
       ->add_option("-o,--output", options->output,
