@@ -1,0 +1,76 @@
+// The flow complex as Python holds it: what flowcert.FlowComplex asks for.
+//
+// Guarantees: everything that takes time is computed without Python's lock, and Ctrl-C stops it (released_lock.h).
+// Arrays of stationary points are made once. Places in their list are the ids of stationary points everywhere.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "arrays.h"
+#include "flowcert/flow_complex.h"
+
+namespace flowcert::python {
+
+// A stationary point in the array of all of them. NumPy reads it as it is.
+struct StationaryRecord {
+  std::int8_t index = 0;  // -1: regular
+  std::array<std::int8_t, 2> kind{};
+  std::array<double, 3> position{};
+  double squared_distance = 0;
+  std::array<std::int64_t, 2> contact_offsets{};
+};
+
+// A persistence pair in the array of them. Points are places in the list; -1: none.
+struct PairRecord {
+  std::int8_t dimension = 0;
+  double birth = 0;
+  double death = 0;
+  std::int64_t birth_point = 0;
+  std::int64_t death_point = 0;
+};
+
+class Complex {
+ public:
+  // Takes a copy of the points, and computes nothing yet. 0 threads: as many as the machine has cores.
+  Complex(const PointRows& rows, unsigned threads);
+
+  [[nodiscard]] const FlowComplex& flow_complex() const { return complex_; }
+  [[nodiscard]] std::size_t row_count() const { return complex_.points().row_count(); }
+  [[nodiscard]] std::size_t merged_duplicates() const { return complex_.points().merged_duplicates(); }
+  [[nodiscard]] unsigned threads() const { return complex_.threads(); }
+  // As they were given, with 0.0 for -0.0.
+  [[nodiscard]] pybind11::array points() const;
+
+  [[nodiscard]] std::array<std::size_t, 4> critical_counts() const;
+  // Of the kinds 1-2, 1-3 and 2-3.
+  [[nodiscard]] std::array<std::size_t, 3> regular_counts() const;
+  [[nodiscard]] long long euler_sum() const;
+  // The array of StationaryRecord, and that of all contact sets, one after the other.
+  [[nodiscard]] pybind11::tuple stationary_points() const;
+  // (position, squared distance), of pairs of ints.
+  [[nodiscard]] pybind11::tuple exact(std::size_t record) const;
+
+  // [(dimension, (birth, death)), ...]
+  [[nodiscard]] pybind11::list persistence(bool with_zero) const;
+  [[nodiscard]] pybind11::array pairs(bool with_zero) const;
+
+  // vertices, triangles, the stationary point of each triangle, the squared distance at each vertex
+  [[nodiscard]] pybind11::tuple surface(const std::vector<std::string>& selection) const;
+  // vertices, where each line begins, the saddle of each line, its limits, the squared distance at each vertex
+  [[nodiscard]] pybind11::tuple unstable_lines() const;
+  // (segments, limit)
+  [[nodiscard]] pybind11::tuple orbit(const std::array<std::string, 3>& start) const;
+
+ private:
+  FlowComplex complex_;
+};
+
+void add_complex(pybind11::module_& module);
+
+}  // namespace flowcert::python

@@ -1,0 +1,105 @@
+// Persistence pairs as GUDHI's Python has them. The list of a scan has a hundred thousand tuples, so it is made by
+// Python's own functions.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "complex.h"
+#include "flowcert/write_persistence.h"
+#include "geometry/bounded_sphere.h"
+#include "geometry/parallel_for.h"
+#include "released_lock.h"
+
+namespace flowcert::python {
+
+namespace py = pybind11;
+
+namespace {
+
+constexpr std::size_t kPairs = 512;
+constexpr double kLasts = HUGE_VAL;
+
+// The centre need not be rounded, which takes less time than FlowComplex::rounded_sphere().
+double squared_distance_at(const FlowComplex& complex, std::size_t record) {
+  const std::size_t dimension = complex.stationary().index(record).hull_dimension;
+  if (dimension == 0) return 0;
+  const auto contact = complex.stationary().contact(record);
+  const auto bounded = geometry::bounded_sphere(complex.points(), contact, dimension);
+  std::optional<double> nearest = geometry::decided_double(bounded.squared_radius);
+  if (!nearest) nearest = nearest_double(exact_squared_radius(complex.points(), contact));
+  if (!nearest) throw InvalidInput("a squared distance is beyond the largest double; exact() has it");
+  return *nearest;
+}
+
+std::vector<PairRecord> pairs_of(const FlowComplex& complex, bool with_zero) {
+  const ReleasedLock released;
+  const PersistenceDiagram diagram(complex, with_zero);
+  const std::vector<PersistencePair>& pairs = diagram.pairs();
+  std::vector<PairRecord> records(pairs.size());
+  geometry::parallel_for((pairs.size() + kPairs - 1) / kPairs, complex.threads(), [&](std::size_t part) {
+    stop_if_interrupted();
+    const std::size_t last = std::min((part + 1) * kPairs, pairs.size());
+    for (std::size_t k = part * kPairs; k < last; ++k) {
+      const auto& [dimension, birth, death] = pairs[k];
+      records[k] = {.dimension = static_cast<std::int8_t>(dimension),
+                    .birth = squared_distance_at(complex, birth),
+                    .death = death ? squared_distance_at(complex, *death) : kLasts,
+                    .birth_point = static_cast<std::int64_t>(birth),
+                    .death_point = death ? static_cast<std::int64_t>(*death) : -1};
+    }
+  });
+  return records;
+}
+
+// ---- Tuples ----
+
+py::object owned(PyObject* object) {
+  if (object == nullptr) throw py::error_already_set();
+  return py::reinterpret_steal<py::object>(object);
+}
+
+// Tuples of numbers alone are no part of a cycle. Python would find that out by itself, one collection later.
+PyObject* tuple_of(py::object first, py::object second) {
+  PyObject* const tuple = PyTuple_New(2);
+  if (tuple == nullptr) throw py::error_already_set();
+  PyTuple_SET_ITEM(tuple, 0, first.release().ptr());
+  PyTuple_SET_ITEM(tuple, 1, second.release().ptr());
+  PyObject_GC_UnTrack(tuple);
+  return tuple;
+}
+
+// Numbers one after the other, of which equal ones are one object: all births of dimension 0 are.
+class Numbers {
+ public:
+  [[nodiscard]] py::object of(double value) {
+    if (!last_ || value != value_) {
+      last_ = owned(PyFloat_FromDouble(value));
+      value_ = value;
+    }
+    return last_;
+  }
+
+ private:
+  py::object last_;
+  double value_ = 0;
+};
+
+}  // namespace
+
+py::list Complex::persistence(bool with_zero) const {
+  const std::vector<PairRecord> pairs = pairs_of(complex_, with_zero);
+  const py::object dimensions[] = {py::int_(0), py::int_(1), py::int_(2)};
+  Numbers births, deaths;
+  py::list list(pairs.size());
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto& [dimension, birth, death, birth_point, death_point] = pairs[k];
+    py::object interval = owned(tuple_of(births.of(birth), deaths.of(death)));
+    PyObject* const pair = tuple_of(dimensions[dimension], std::move(interval));
+    PyList_SET_ITEM(list.ptr(), static_cast<py::ssize_t>(k), pair);
+  }
+  return list;
+}
+
+py::array Complex::pairs(bool with_zero) const { return array_of(pairs_of(complex_, with_zero)); }
+
+}  // namespace flowcert::python

@@ -1,0 +1,52 @@
+"""The flow complex of points in three dimensions, exactly, on every input.
+
+The critical points of the distance function of a point set, and the flow between them, as Cazals, Parameswaran and
+Pion describe it (Robust construction of the three-dimensional flow complex, 2008). Every decision is exact, however
+degenerate the points are.
+
+    >>> import flowcert
+    >>> fc = flowcert.FlowComplex([[0, 0, 0], [6, 0, 0], [2, 4, 0]])
+    >>> fc.counts
+    (3, 3, 1, 0)
+    >>> fc.persistence()
+    [(0, (0.0, 5.0)), (0, (0.0, 8.0)), (0, (0.0, inf)), (1, (9.0, 10.0))]
+
+What there is:
+
+    FlowComplex(points)     critical points, persistence, surfaces, lines, orbits
+    check(points, claim)    whether critical points that you have computed are right, and which are not
+    read_points(path)       the points of a PLY, OBJ, OFF or text file
+    generate(family, seed)  degenerate inputs to test programs with
+    families()              the names of the families, with a line on each
+
+Lengths have the unit of the points, and squared distances its square. An input that cannot be used is a ValueError of
+one line. What takes long runs without Python's lock, on all cores, and Ctrl-C stops it.
+
+The package is free software under the GNU General Public License, version 3 or later, because CGAL's triangulations
+are.
+"""
+
+from ._check import CheckReport, Finding, check
+from ._core import made_by as __made_by__
+from ._core import version as __version__
+from ._flow_complex import FlowComplex
+from ._generate import families, generate
+from ._manifolds import Lines, Mesh, Surfaces
+from ._orbit import Limit, Orbit, Segment
+from ._read_points import read_points
+
+__all__ = [
+    "CheckReport",
+    "Finding",
+    "FlowComplex",
+    "Limit",
+    "Lines",
+    "Mesh",
+    "Orbit",
+    "Segment",
+    "Surfaces",
+    "check",
+    "families",
+    "generate",
+    "read_points",
+]

@@ -1,0 +1,254 @@
+"""The class that a user holds."""
+
+import operator
+from fractions import Fraction
+from html import escape
+from typing import Any, Dict, Iterable, List, Optional, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _check, _core, _exact
+from ._manifolds import Lines, Mesh, Surfaces
+from ._orbit import Orbit, Position, orbit_of
+from ._points import point_rows
+
+_KINDS = ((1, 2), (1, 3), (2, 3))
+_MOST_THREADS = 1024
+
+
+class FlowComplex:
+    """The flow complex of points: critical points, persistence, surfaces, lines and orbits, exactly.
+
+    FlowComplex(points, threads=None)
+
+    points: (n, 3), any number of rows, none as well; an array, or anything that NumPy makes one of. Repeated rows are
+    merged. Coordinates are taken as the doubles that they are. Other floats and integers are converted exactly, and a
+    number that is no double is refused, as are NaN and infinities (ValueError).
+
+    threads: how many compute; all cores without it. The results are the same to the bit for any number.
+
+    What is copied: the complex keeps the points in memory of its own, 32 bytes a row, so the array may change
+    afterwards. An array of doubles in C order is read where it is; for any other a converted copy is made first, and
+    given up at once. Arrays that are handed out are the library's own memory, not copies; they cannot be written to.
+
+    What is computed when: nothing at first. Each part is computed when it is first asked for, and kept. Meanwhile
+    other threads of Python run, and they may ask the same complex. Ctrl-C stops it soon, but for the chain complex
+    and the pairs, which come last.
+
+    Stationary points are named by their places in stationary_points, of which critical_points is the first part.
+    Points are named by their rows; a repeated one by the first of its rows.
+
+    >>> fc = FlowComplex([[0, 0, 0], [2, 0, 0], [0, 2, 0]])
+    >>> fc.critical_points["index"]
+    array([0, 0, 0, 1, 1], dtype=int8)
+    >>> fc.regular_points["kind"].tolist()  # of the right angle: indices 1 and 2 collide
+    [[1, 2]]
+    """
+
+    def __init__(self, points: ArrayLike, threads: Optional[int] = None) -> None:
+        if threads is not None:
+            threads = operator.index(threads)
+            if not 1 <= threads <= _MOST_THREADS:
+                raise ValueError(f"threads must be from 1 to {_MOST_THREADS}")
+        self._core = _core.Complex(point_rows(points), threads or 0)
+        self._stationary: Optional[Tuple[NDArray[Any], NDArray[np.int64]]] = None
+
+    # ---- Points
+
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """(n, 3): the points as they were given, repeated rows as well; a new array. -0.0 has become 0.0."""
+        return self._core.points()
+
+    @property
+    def merged_duplicates(self) -> int:
+        """How many rows repeat another."""
+        return self._core.merged_duplicates
+
+    @property
+    def threads(self) -> int:
+        """How many threads compute."""
+        return self._core.threads
+
+    # ---- Stationary points
+
+    @property
+    def stationary_points(self) -> NDArray[Any]:
+        """All stationary points: critical ones by index, then regular ones by kind. A structured array:
+
+        index             int8, 0 to 3, or -1 for a regular stationary point, which has none
+        kind              (2,) int8: (i, i) if it is critical of index i. A regular point is (1, 2), (1, 3) or (2, 3):
+                          a limit case, in which critical points of these indices (of 1, 2, 2, 3 for (1, 3)) collide
+        position          (3,) float64, in the unit of the points; the doubles nearest to the exact position
+        squared_distance  float64, to the nearest points; in the square of the unit
+        contact_offsets   (2,) int64: the nearest points are contacts[first:last]
+
+        A number that would overflow is infinite; exact() has it.
+        """
+        return self._lists()[0]
+
+    @property
+    def critical_points(self) -> NDArray[Any]:
+        """The critical points, by index, then by contact set: the first part of stationary_points.
+
+        >>> fc = FlowComplex([[0, 0, 0], [2, 0, 0]])
+        >>> fc.critical_points["position"].tolist()
+        [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, 0.0]]
+        >>> first, last = fc.critical_points["contact_offsets"][2]
+        >>> fc.contacts[first:last].tolist()
+        [0, 1]
+        """
+        return self.stationary_points[: sum(self.counts)]
+
+    @property
+    def regular_points(self) -> NDArray[Any]:
+        """The regular stationary points, the last part of stationary_points. Usually there are none."""
+        return self.stationary_points[sum(self.counts) :]
+
+    @property
+    def contacts(self) -> NDArray[np.int64]:
+        """Rows of the points: the contact sets of all stationary points, one after the other, each ascending.
+
+        contact_offsets says which part belongs to which stationary point.
+        """
+        return self._lists()[1]
+
+    @property
+    def counts(self) -> Tuple[int, int, int, int]:
+        """How many critical points of index 0, 1, 2 and 3 there are."""
+        return tuple(self._core.critical_counts())
+
+    @property
+    def regular_counts(self) -> Dict[Tuple[int, int], int]:
+        """How many regular stationary points of each kind there are."""
+        return dict(zip(_KINDS, self._core.regular_counts()))
+
+    @property
+    def euler_sum(self) -> int:
+        """The counts, added with alternating signs: 1, or 0 without points."""
+        return self._core.euler_sum()
+
+    def exact(self, i: int) -> Tuple[Position, Fraction]:
+        """The exact position (three Fractions) and squared distance (a Fraction) of stationary point i.
+
+        >>> FlowComplex([[0, 0, 0], [1, 0, 0]]).exact(2)
+        ((Fraction(1, 2), Fraction(0, 1), Fraction(0, 1)), Fraction(1, 4))
+        """
+        place = operator.index(i)
+        if place < 0:
+            raise ValueError(f"there is no stationary point {place}")
+        position, squared_distance = self._core.exact(place)
+        return _exact.fractions(position), _exact.fraction(squared_distance)
+
+    # ---- Persistence
+
+    def persistence(self, zero: bool = False) -> List[Tuple[int, Tuple[float, float]]]:
+        """The persistence pairs of the squared distance function, in GUDHI's form: [(dimension, (birth, death)), ...].
+
+        They are those of the alpha complex, exactly. Birth and death are squared distances (the square of the unit),
+        as GUDHI's alpha complex has them; the death of what lasts is math.inf. They come by dimension, then birth, then
+        death. gudhi.plot_persistence_diagram and its siblings take the list.
+
+        zero: the regular stationary points as well, as pairs of length zero.
+
+        >>> FlowComplex([[0, 0, 0], [2, 0, 0]]).persistence()
+        [(0, (0.0, 1.0)), (0, (0.0, inf))]
+        """
+        return self._core.persistence(bool(zero))
+
+    def persistence_pairs(self, zero: bool = False) -> NDArray[Any]:
+        """The same pairs in the same order as a structured array, with the points that make them:
+
+        dimension     int8, 0 to 2
+        birth, death  float64, squared distances; math.inf
+        birth_point   int64, a place in stationary_points
+        death_point   int64, a place in stationary_points; -1 where it lasts
+        """
+        return self._core.pairs(bool(zero))
+
+    # ---- What flows from and to saddles
+
+    def stable_surfaces(self) -> Surfaces:
+        """The stable manifolds of all critical points of index 2, as triangles: (vertices, faces, saddles,
+        squared_distances). They are disks that the saddles' Gabriel edges bound. Parts of dimension 3, which degenerate
+        inputs may have, are left out.
+        """
+        return Surfaces(*self._core.surface([]))
+
+    def surface(self, select: Union[str, Iterable[str], None] = None) -> Mesh:
+        """The stable manifolds of chosen critical points of index 2, as one surface: (vertices, faces).
+
+        select: an expression, or several that all have to hold, as `flowcert surface --select` takes them; all without
+        it. For example:
+
+        "index2-radius<R"   the circle through the nearest points has a radius below R, in the unit of the points
+        "persistence>X"     death minus birth of the point's pair is above X, in the square of the unit
+        "largest-gaps=N"    the N most persistent ones
+
+        The first one with R a few times the distance of neighbours reconstructs the shape that the points are samples
+        of.
+        """
+        expressions = [] if select is None else [select] if isinstance(select, str) else list(select)
+        if not all(isinstance(expression, str) for expression in expressions):
+            raise ValueError("select must be a str, or several")
+        return Mesh(*self._core.surface(expressions)[:2])
+
+    def unstable_lines(self) -> Lines:
+        """The unstable manifolds of all critical points of index 2, two lines each: (vertices, offsets, saddles,
+        limits, squared_distances).
+        """
+        return Lines(*self._core.unstable_lines())
+
+    def orbit(self, x: Iterable[Any]) -> Orbit:
+        """Where the flow takes the position x, segment by segment, exactly.
+
+        x: three numbers in the unit of the points; floats are taken as the doubles that they are, and Fractions as
+        they are.
+
+        >>> FlowComplex([[0, 0, 0], [2, 0, 0]]).orbit([0.5, 0, 0]).limit.position
+        (Fraction(1, 1), Fraction(0, 1), Fraction(0, 1))
+        """
+        try:
+            start = tuple(_exact.exact(value, "x") for value in x)
+        except TypeError:
+            raise ValueError("x must be three numbers") from None
+        if len(start) != 3:
+            raise ValueError(f"x must be three numbers, not {len(start)}")
+        return orbit_of(start, self._core.orbit([_exact.hexadecimal(value) for value in start]))
+
+    def check(self, claim: Any, **options: Any) -> "_check.CheckReport":
+        """Whether a claim about these points is right: flowcert.check(points, claim), which says more."""
+        return _check.check(self, claim, **options)
+
+    # ---- What Python asks
+
+    def _lists(self) -> Tuple[NDArray[Any], NDArray[np.int64]]:
+        if self._stationary is None:
+            self._stationary = self._core.stationary_points()
+        return self._stationary
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return type(self), (self.points, self.threads)
+
+    def __repr__(self) -> str:
+        return f"<flowcert.FlowComplex of {self._core.row_count:,} points>"
+
+    def _repr_html_(self) -> str:
+        """The counts as a table, for notebooks. Computes the critical points, if need be."""
+        names = ("minima: the points themselves", "saddles on Gabriel edges", "saddles on Delaunay facets", "maxima")
+        rows = [("points", self._core.row_count, ""), ("merged duplicates", self.merged_duplicates, "")]
+        rows += [
+            (f"critical points of index {index}", count, names[index]) for index, count in enumerate(self.counts)
+        ]
+        rows += [
+            (f"regular stationary points {face}-{hull}", count, "")
+            for (face, hull), count in self.regular_counts.items()
+        ]
+        rows.append(("Euler sum", self.euler_sum, ""))
+        cells = "".join(
+            f'<tr><th scope="row" style="text-align:left">{escape(name)}</th>'
+            f'<td style="text-align:right">{number:,}</td><td style="text-align:left">{escape(note)}</td></tr>'
+            for name, number, note in rows
+        )
+        return f"<table><caption>flowcert.FlowComplex</caption><tbody>{cells}</tbody></table>"

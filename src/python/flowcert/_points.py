@@ -1,0 +1,90 @@
+"""Anything that has n rows of three numbers, as the array that the library takes.
+
+No coordinate is ever rounded: what is no double is refused.
+"""
+
+import numbers
+
+import numpy as np
+
+_LARGEST_EXACT = 2**53  # every integer up to this one is a double
+
+
+def point_rows(points):
+    """The aligned (n, 3) array of doubles in C order; points itself where it is one."""
+    array = _as_array(points)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError(f"points must have the shape (n, 3), not {array.shape}")
+    return np.require(_float64(array), requirements=["C", "A"])
+
+
+def _as_array(points):
+    if np.ma.is_masked(points):
+        raise ValueError("points has masked values")
+    if hasattr(points, "__array__"):
+        return np.asarray(points)
+    # NumPy would round integers in a list that has floats as well.
+    return np.array(points, dtype=object)
+
+
+def _float64(array):
+    """The same numbers as doubles; the array itself where it has doubles."""
+    kind = array.dtype.kind
+    if kind == "f":
+        return _from_floats(array)
+    if kind in "iu":
+        return _from_integers(array)
+    if kind == "O":
+        return _from_objects(array)
+    raise ValueError(f"points must be real numbers, not of type {array.dtype}")
+
+
+def _from_floats(array):
+    if array.dtype.itemsize <= 8:
+        return array.astype(np.float64, copy=False)
+    with np.errstate(over="ignore"):  # a value beyond the doubles is refused below
+        rounded = array.astype(np.float64)
+    _refuse(array, (rounded != array) & ~np.isnan(array))
+    return rounded
+
+
+def _from_integers(array):
+    doubles = array.astype(np.float64)
+    if array.dtype.itemsize == 8 and array.size > 0 and np.abs(doubles).max() > _LARGEST_EXACT:
+        # An integer is a double iff no more than 53 bits are left without the zeros at its end.
+        magnitude = np.where(array < 0, ~array.astype(np.uint64) + np.uint64(1), array.astype(np.uint64))
+        lowest_bit = np.maximum(magnitude & (~magnitude + np.uint64(1)), np.uint64(1))
+        _refuse(array, magnitude // lowest_bit > np.uint64(_LARGEST_EXACT))
+    return doubles
+
+
+def _from_objects(array):
+    values = array.ravel().tolist()
+    if set(map(type, values)) != {float}:
+        values = [_double(value) for value in values]
+    return np.array(values, dtype=np.float64).reshape(array.shape)
+
+
+def _double(value):
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (numbers.Real, np.floating)):
+        raise ValueError(f"points must be real numbers, not {_shown(value)}")
+    try:
+        double = float(value)
+    except OverflowError:
+        raise ValueError(f"{_shown(value)} in points is beyond the largest double") from None
+    if double != value and double == double:
+        raise ValueError(f"{_shown(value)} in points is not exactly a double")
+    return double
+
+
+def _refuse(array, is_wrong):
+    if is_wrong.any():
+        raise ValueError(f"{_shown(array[is_wrong][0])} in points is not exactly a double")
+
+
+def _shown(value):
+    try:
+        text = str(value)
+    except ValueError:  # Python prints no integer of more than 4,300 digits
+        return "a long integer"
+    return text if len(text) <= 40 else f"{text[:20]}...{text[-10:]}"

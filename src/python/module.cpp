@@ -1,0 +1,32 @@
+// The module flowcert._core. What users see is in the package's Python files; this has what these ask.
+//
+// Guarantees: what the library calls invalid input is Python's ValueError, with the program's one line.
+#include <pybind11/pybind11.h>
+
+#include "check.h"
+#include "complex.h"
+#include "flowcert/reproducibility.h"
+#include "generators.h"
+#include "numbers.h"
+#include "point_files.h"
+
+PYBIND11_MODULE(_core, module) {
+  namespace python = flowcert::python;
+  module.doc() = "What the package flowcert asks of the library. Use flowcert itself.";
+  pybind11::register_local_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const flowcert::InvalidInput& error) {
+      PyErr_SetString(PyExc_ValueError, error.what());
+    }
+  });
+  const flowcert::Reproducibility made_by = flowcert::reproducibility();
+  module.attr("version") = made_by.version;
+  module.attr("made_by") = "flowcert " + made_by.version + " (commit " + made_by.commit + "; kernel: " + made_by.kernel +
+                           "; compiler: " + made_by.compiler + "; CGAL " + made_by.cgal + ")";
+  module.def("decimal_text", python::decimal_text, pybind11::arg("hexadecimal"), "A fraction in decimals.");
+  python::add_complex(module);
+  python::add_check(module);
+  python::add_generators(module);
+  python::add_point_files(module);
+}

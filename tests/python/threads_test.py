@@ -1,0 +1,151 @@
+"""Other threads run while the library computes, Ctrl-C stops it, and no memory is lost."""
+
+import pickle
+import subprocess
+import sys
+import threading
+import time
+
+import flowcert
+import numpy as np
+import pytest
+from conftest import sphere_sample
+
+POINTS = np.random.default_rng(1).uniform(size=(30_000, 3))
+
+
+def ticks_during(work):
+    """How often another thread runs meanwhile, and how many seconds the work takes."""
+    done = threading.Event()
+    ticks = []
+    ticking = threading.Thread(target=lambda: [ticks.append(time.perf_counter()) for _ in iter(done.is_set, True)
+                                               if not time.sleep(0.001)])  # fmt: skip
+    ticking.start()
+    start = time.perf_counter()
+    work()
+    end = time.perf_counter()
+    done.set()
+    ticking.join()
+    return sum(start < tick < end for tick in ticks), end - start
+
+
+@pytest.mark.parametrize(
+    "ask",
+    [
+        lambda fc: fc.persistence(),
+        lambda fc: fc.surface(),
+        lambda fc: fc.unstable_lines(),
+        lambda fc: fc.check(b"0 0 0\n0 1\n") if False else fc.counts,
+        lambda fc: flowcert.check(fc, [{"index": 3, "position": [0.5, 0.5, 0.5]}]),
+        lambda fc: fc.orbit([0.5, 0.5, 0.5]),
+    ],
+)
+def test_other_threads_run_meanwhile(ask):
+    fc = flowcert.FlowComplex(POINTS)
+    ticks, seconds = ticks_during(lambda: ask(fc))
+    assert seconds > 0.02  # or it says nothing
+    assert ticks >= 5
+
+
+def test_several_threads_may_ask_one_complex():
+    fc = flowcert.FlowComplex(sphere_sample(2000))
+    expected = flowcert.FlowComplex(sphere_sample(2000), threads=1)
+    answers = []
+
+    def ask(k):
+        answers.append(fc.persistence() if k % 2 else fc.stationary_points.tobytes())
+
+    threads = [threading.Thread(target=ask, args=(k,)) for k in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(answers) == 8
+    for answer in answers:
+        assert answer in (expected.persistence(), expected.stationary_points.tobytes())
+
+
+INTERRUPTED = """
+import _thread, os, signal, sys, threading, time
+import flowcert, numpy
+points = numpy.random.default_rng(1).uniform(size=(300_000, 3))
+fc = flowcert.FlowComplex(points, threads=int(sys.argv[1]))
+if sys.argv[2] == "surface":
+    fc.counts
+threading.Timer(float(sys.argv[3]), os.kill, (os.getpid(), signal.SIGINT)).start()
+start = time.perf_counter()
+try:
+    getattr(fc, sys.argv[2])()
+except KeyboardInterrupt:
+    print("interrupted after", time.perf_counter() - start)
+    small = flowcert.FlowComplex(points[:1000])
+    assert small.euler_sum == 1
+    if sys.argv[2] == "persistence":
+        assert fc.euler_sum == 1  # it can be asked again
+"""
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+@pytest.mark.parametrize("ask, after", [("persistence", 0.3), ("surface", 0.3)])
+def test_an_interrupt_stops_it_and_it_can_be_asked_again(threads, ask, after):
+    words = [sys.executable, "-c", INTERRUPTED, str(threads), ask, str(after)]
+    finished = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False, text=True)
+    assert finished.returncode == 0, finished.stderr
+    assert finished.stdout.startswith("interrupted after"), finished.stderr
+
+
+def resident_bytes():
+    with open("/proc/self/statm", encoding="ascii") as file:
+        return int(file.read().split()[1]) * 4096
+
+
+def use_everything(points):
+    fc = flowcert.FlowComplex(points, threads=2)
+    fc.persistence()
+    fc.persistence_pairs(zero=True)
+    fc.exact(len(fc.stationary_points) - 1)
+    fc.surface(select="largest-gaps=10")
+    fc.stable_surfaces()
+    fc.unstable_lines()
+    fc.orbit([0.1, 0.2, 0.3])
+    fc.check(fc.critical_points)
+    fc._repr_html_()
+    flowcert.generate("lattice-3", 5)
+    for wrong in (np.zeros((2, 2)), [[np.nan, 0, 0]]):
+        with pytest.raises(ValueError):
+            flowcert.FlowComplex(wrong)
+    with pytest.raises(ValueError):
+        fc.surface(select="colour=red")
+
+
+def test_no_memory_is_lost():
+    points = sphere_sample(1500)
+    for _ in range(15):
+        use_everything(points)
+    before = resident_bytes()
+    rounds = 40
+    for _ in range(rounds):
+        use_everything(points)
+    lost = (resident_bytes() - before) / rounds
+    one = flowcert.FlowComplex(points)
+    least = one.stationary_points.nbytes + len(one.persistence()) * 160  # what one round hands out is more than this
+    assert lost < least / 8, (lost, least)
+
+
+def test_references_are_counted():
+    fc = flowcert.FlowComplex(sphere_sample(50))
+    first = fc.persistence()
+    inf_before = sys.getrefcount(first)
+    zero = first[0][1][0]
+    count = sys.getrefcount(zero)
+    again = fc.persistence()
+    assert sys.getrefcount(zero) == count and sys.getrefcount(first) == inf_before
+    del again
+    births = sum(birth is zero for _, (birth, _) in first)
+    assert births == fc.counts[0] and sys.getrefcount(zero) >= births
+
+
+def test_a_complex_is_pickled_by_its_points():
+    fc = flowcert.FlowComplex(sphere_sample(30), threads=2)
+    other = pickle.loads(pickle.dumps(fc))
+    assert other.threads == 2 and other.persistence() == fc.persistence()
