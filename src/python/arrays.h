@@ -1,7 +1,6 @@
 // Vectors of the library as NumPy arrays, and rows of NumPy as points.
 //
-// Guarantees: nothing is copied. An array owns the vector that it was made of, and cannot be written to, because others
-// may have the same array. All of these need Python's lock.
+// Guarantees: nothing is copied. An array owns the vector that it was made of. All of these need Python's lock.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -22,9 +21,7 @@ template <class Number, class Item>
   const auto* const data = reinterpret_cast<const Number*>(owned->data());
   const pybind11::capsule owner(owned.get(), [](void* vector) { delete static_cast<std::vector<Item>*>(vector); });
   (void)owned.release();  // the capsule's now
-  pybind11::array array(pybind11::dtype::of<Number>(), std::move(shape), data, owner);
-  array.attr("setflags")(pybind11::arg("write") = false);
-  return array;
+  return pybind11::array(pybind11::dtype::of<Number>(), std::move(shape), data, owner);
 }
 
 template <class Number>
@@ -39,6 +36,12 @@ template <class Number, class Item>
   static_assert(sizeof(Item) % sizeof(Number) == 0);
   const auto size = static_cast<pybind11::ssize_t>(items.size());
   return array_of<Number>(std::move(items), {size, sizeof(Item) / sizeof(Number)});
+}
+
+// The same array, which cannot be written to any more: several have it.
+[[nodiscard]] inline pybind11::array shared(pybind11::array array) {
+  array.attr("setflags")(pybind11::arg("write") = false);
+  return array;
 }
 
 using PointRows = pybind11::array_t<double, pybind11::array::c_style>;

@@ -84,11 +84,13 @@ py::object limit_of(const PointSet& points, const std::optional<StationaryLimit>
 // ---- The class ----
 
 Complex::Complex(const PointRows& rows, unsigned threads)
-    : complex_([&rows] {
-        const auto points = points_of(rows);
-        const ReleasedLock released;
-        return PointSet(points);
-      }(), options_for(threads), [](FlowComplexPart, std::size_t, std::size_t) { stop_if_interrupted(); }) {}
+    : complex_(
+          [&rows] {
+            const auto points = points_of(rows);
+            const ReleasedLock released;
+            return PointSet(points);
+          }(),
+          options_for(threads), [](FlowComplexPart, std::size_t, std::size_t) { stop_if_interrupted(); }) {}
 
 py::array Complex::points() const {
   const PointSet& points = complex_.points();
@@ -121,7 +123,7 @@ py::tuple Complex::stationary_points() const {
     records = records_of(complex_);
     contacts = contacts_of(complex_.stationary());
   }
-  return py::make_tuple(array_of(std::move(records)), array_of(std::move(contacts)));
+  return py::make_tuple(shared(array_of(std::move(records))), shared(array_of(std::move(contacts))));
 }
 
 py::tuple Complex::exact(std::size_t record) const {

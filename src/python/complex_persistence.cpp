@@ -16,38 +16,67 @@ namespace py = pybind11;
 
 namespace {
 
-constexpr std::size_t kPairs = 512;
+// How many records a thread rounds before it takes others.
+constexpr std::size_t kRecords = 512;
 constexpr double kLasts = HUGE_VAL;
 
-// The centre need not be rounded, which takes less time than FlowComplex::rounded_sphere().
+// Infinite where it is beyond the doubles. The centre need not be rounded, which takes less time than
+// FlowComplex::rounded_sphere().
 double squared_distance_at(const FlowComplex& complex, std::size_t record) {
   const std::size_t dimension = complex.stationary().index(record).hull_dimension;
   if (dimension == 0) return 0;
   const auto contact = complex.stationary().contact(record);
   const auto bounded = geometry::bounded_sphere(complex.points(), contact, dimension);
-  std::optional<double> nearest = geometry::decided_double(bounded.squared_radius);
-  if (!nearest) nearest = nearest_double(exact_squared_radius(complex.points(), contact));
-  if (!nearest) throw InvalidInput("a squared distance is beyond the largest double; exact() has it");
-  return *nearest;
+  if (const auto nearest = geometry::decided_double(bounded.squared_radius)) return *nearest;
+  return nearest_double(exact_squared_radius(complex.points(), contact)).value_or(HUGE_VAL);
+}
+
+std::vector<double> squared_distances_of(const FlowComplex& complex, unsigned threads) {
+  std::vector<double> distances(complex.stationary().size());
+  geometry::parallel_for((distances.size() + kRecords - 1) / kRecords, threads, [&](std::size_t part) {
+    stop_if_interrupted();
+    const std::size_t last = std::min((part + 1) * kRecords, distances.size());
+    for (std::size_t record = part * kRecords; record < last; ++record) {
+      distances[record] = squared_distance_at(complex, record);
+    }
+  });
+  return distances;
+}
+
+// One thread makes the chain complex and the pairs. Meanwhile another one can round.
+std::vector<double> squared_distances_beside_pairs(const FlowComplex& complex) {
+  complex.make(FlowComplexPart::kUnstable);
+  complex.make(FlowComplexPart::kStable);
+  std::vector<double> distances;
+  geometry::parallel_for(2, complex.threads(), [&](std::size_t task) {
+    if (task == 0) {
+      complex.make(FlowComplexPart::kPersistence);
+    } else {
+      distances = squared_distances_of(complex, 1);
+    }
+  });
+  return distances;
 }
 
 std::vector<PairRecord> pairs_of(const FlowComplex& complex, bool with_zero) {
   const ReleasedLock released;
-  const PersistenceDiagram diagram(complex, with_zero);
-  const std::vector<PersistencePair>& pairs = diagram.pairs();
-  std::vector<PairRecord> records(pairs.size());
-  geometry::parallel_for((pairs.size() + kPairs - 1) / kPairs, complex.threads(), [&](std::size_t part) {
-    stop_if_interrupted();
-    const std::size_t last = std::min((part + 1) * kPairs, pairs.size());
-    for (std::size_t k = part * kPairs; k < last; ++k) {
-      const auto& [dimension, birth, death] = pairs[k];
-      records[k] = {.dimension = static_cast<std::int8_t>(dimension),
-                    .birth = squared_distance_at(complex, birth),
-                    .death = death ? squared_distance_at(complex, *death) : kLasts,
-                    .birth_point = static_cast<std::int64_t>(birth),
-                    .death_point = death ? static_cast<std::int64_t>(*death) : -1};
+  const std::vector<double> distances = squared_distances_beside_pairs(complex);
+  const auto distance_at = [&](std::size_t record) {
+    if (distances[record] == HUGE_VAL) {
+      throw InvalidInput("a squared distance is beyond the largest double; exact() has it");
     }
-  });
+    return distances[record];
+  };
+  const PersistenceDiagram diagram(complex, with_zero);
+  std::vector<PairRecord> records;
+  records.reserve(diagram.pairs().size());
+  for (const auto& [dimension, birth, death] : diagram.pairs()) {
+    records.push_back({.dimension = static_cast<std::int8_t>(dimension),
+                       .birth = distance_at(birth),
+                       .death = death ? distance_at(*death) : kLasts,
+                       .birth_point = static_cast<std::int64_t>(birth),
+                       .death_point = death ? static_cast<std::int64_t>(*death) : -1});
+  }
   return records;
 }
 

@@ -22,8 +22,9 @@ PYBIND11_MODULE(_core, module) {
   });
   const flowcert::Reproducibility made_by = flowcert::reproducibility();
   module.attr("version") = made_by.version;
-  module.attr("made_by") = "flowcert " + made_by.version + " (commit " + made_by.commit + "; kernel: " + made_by.kernel +
-                           "; compiler: " + made_by.compiler + "; CGAL " + made_by.cgal + ")";
+  module.attr("made_by") = "flowcert " + made_by.version + " (commit " + made_by.commit +
+                           "; kernel: " + made_by.kernel + "; compiler: " + made_by.compiler + "; CGAL " +
+                           made_by.cgal + ")";
   module.def("decimal_text", python::decimal_text, pybind11::arg("hexadecimal"), "A fraction in decimals.");
   python::add_complex(module);
   python::add_check(module);

@@ -18,9 +18,7 @@ py::array rows_of_file(const std::string& path) {
     const ReleasedLock released;
     file = read_points(path);
   }
-  py::array rows = rows_of<double>(std::move(file.rows));
-  rows.attr("setflags")(py::arg("write") = true);  // nobody else has it
-  return rows;
+  return rows_of<double>(std::move(file.rows));
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ ARROWS = {
     "src/io/claims": ["src/io"],
     "src/certify": ["src/io/claims"],
     "src/cli": ["src/certify"],
+    "src/python": ["src/certify"],
     "oracle": [],
     "oracle/fast": ["oracle"],
     "oracle/program": ["oracle/fast"],
@@ -44,13 +45,14 @@ ARROWS = {
     "tests/bench": ["tests/property"],
 }
 # The program's main file alone puts together what the other folders keep apart.
-COMPOSITION = {"src/cli/main.cpp": ["fuzz/commands"]}
+COMPOSITION = {"src/cli/main.cpp": ["fuzz/commands"], "src/python/generators.cpp": ["fuzz/inputs"]}
 
 PARTS = ("src", "oracle", "fuzz", "tests")
 # Sources, or folders of them, that a build with all tests may leave out.
 LEFT_OUT = {
     "fuzz/commands/mpi": "MPI is not everywhere; ./dev mpi builds it",
     "fuzz/targets/make_seeds.cpp": "it made fuzz/corpus, and no test runs it",
+    "src/python": "the Python package needs pybind11",
     "tests/bench": "benchmarks; ./dev bench builds them",
     "tests/rivals": "./dev rivals compiles it",
     "tests/conformance/mpi_campaign_test.cpp": "it tests what MPI builds",

@@ -31,13 +31,21 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     return name
 
 
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    for name, content in _information().items():
+        path = pathlib.Path(metadata_directory) / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_bytes(content)
+    return f"flowcert-{_version()}.dist-info"
+
+
 def build_sdist(sdist_directory, config_settings=None):
     raise RuntimeError("there is no sdist of flowcert: it is built from its repository, by pip install ./src/python")
 
 
 def _build(folder):
-    # A folder that is configured for more stays so. pip hides the packages of the environment, hence ON, not AUTO. A
-    # virtual environment may be gone the next time, but the Python behind it is there.
+    # A folder that is configured for more stays so. NumPy need not be there yet, hence ON, not AUTO. A virtual
+    # environment may be gone the next time, but the Python behind it is there.
     options = [f"-DPython_EXECUTABLE={os.path.realpath(sys.executable)}", "-DFLOWCERT_PYTHON=ON", "-DFLOWCERT_JUDGE=ON"]
     if not (folder / "CMakeCache.txt").exists():
         options += ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DFLOWCERT_TESTS=OFF"]
@@ -53,8 +61,10 @@ def _builds_for_this_python(folder):
 
 
 def _run(*command):
+    # pip hides the packages of Python from this program. CMake looks for them.
+    environment = {key: value for key, value in os.environ.items() if not key.startswith("PYTHON")}
     try:
-        subprocess.run([str(word) for word in command], check=True)
+        subprocess.run([str(word) for word in command], check=True, env=environment)
     except FileNotFoundError:
         raise SystemExit("flowcert is built with CMake and Ninja: ./dev build installs what is needed") from None
 

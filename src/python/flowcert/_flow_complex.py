@@ -30,7 +30,8 @@ class FlowComplex:
 
     What is copied: the complex keeps the points in memory of its own, 32 bytes a row, so the array may change
     afterwards. An array of doubles in C order is read where it is; for any other a converted copy is made first, and
-    given up at once. Arrays that are handed out are the library's own memory, not copies; they cannot be written to.
+    given up at once. Arrays that are handed out are no copies either. stationary_points and contacts are kept, so they
+    cannot be written to; all others are the caller's.
 
     What is computed when: nothing at first. Each part is computed when it is first asked for, and kept. Meanwhile
     other threads of Python run, and they may ask the same complex. Ctrl-C stops it soon, but for the chain complex

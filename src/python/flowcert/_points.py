@@ -3,6 +3,7 @@
 No coordinate is ever rounded: what is no double is refused.
 """
 
+import decimal
 import numbers
 
 import numpy as np
@@ -50,7 +51,7 @@ def _from_floats(array):
 
 def _from_integers(array):
     doubles = array.astype(np.float64)
-    if array.dtype.itemsize == 8 and array.size > 0 and np.abs(doubles).max() > _LARGEST_EXACT:
+    if array.dtype.itemsize == 8 and array.size > 0 and np.abs(doubles).max() >= _LARGEST_EXACT:
         # An integer is a double iff no more than 53 bits are left without the zeros at its end.
         magnitude = np.where(array < 0, ~array.astype(np.uint64) + np.uint64(1), array.astype(np.uint64))
         lowest_bit = np.maximum(magnitude & (~magnitude + np.uint64(1)), np.uint64(1))
@@ -66,7 +67,7 @@ def _from_objects(array):
 
 
 def _double(value):
-    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (numbers.Real, np.floating)):
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (numbers.Real, decimal.Decimal, np.floating)):
         raise ValueError(f"points must be real numbers, not {_shown(value)}")
     try:
         double = float(value)
