@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <span>
+#include <tuple>
 
 #include "flowcert/reproducibility.h"
 #include "io/ordered_text.h"
@@ -18,6 +20,26 @@ namespace {
 std::size_t critical_count(const StationaryPoints& stationary) {
   const auto& counts = stationary.critical_counts();
   return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+// Sorting is quick if what it compares lies together.
+struct RankedPair {
+  int dimension = 0;
+  std::uint32_t birth = 0, death = 0;  // ranks of the values
+  PersistencePair pair;
+};
+
+void sort_pairs(const SquaredDistances& values, std::vector<PersistencePair>& pairs) {
+  constexpr std::uint32_t kLast = 0xffffffffu;
+  std::vector<RankedPair> ranked;
+  ranked.reserve(pairs.size());
+  for (const PersistencePair& pair : pairs) {
+    ranked.push_back({pair.dimension, values.rank(pair.birth), pair.death ? values.rank(*pair.death) : kLast, pair});
+  }
+  std::ranges::sort(ranked, {}, [](const RankedPair& one) {
+    return std::tuple(one.dimension, one.birth, one.death, one.pair.birth);
+  });
+  std::ranges::transform(ranked, pairs.begin(), &RankedPair::pair);
 }
 
 std::string double_text(double value) {
@@ -34,7 +56,7 @@ std::string double_text(double value) {
 PersistenceDiagram::PersistenceDiagram(const FlowComplex& complex, bool with_zero)
     : complex_(complex), has_zero_(with_zero), pairs_(complex.persistence().pairs()) {
   if (with_zero) add_regular();
-  std::ranges::sort(pairs_, [this](const PersistencePair& a, const PersistencePair& b) { return is_before(a, b); });
+  sort_pairs(complex.persistence().squared_distances(), pairs_);
 }
 
 void PersistenceDiagram::add_regular() {
@@ -45,18 +67,6 @@ void PersistenceDiagram::add_regular() {
       pairs_.push_back({dimension, record, record});
     }
   }
-}
-
-// A strict order by values, then by records.
-bool PersistenceDiagram::is_before(const PersistencePair& a, const PersistencePair& b) const {
-  if (a.dimension != b.dimension) return a.dimension < b.dimension;
-  const SquaredDistances& values = complex_.persistence().squared_distances();
-  const std::uint32_t birth_a = values.rank(a.birth), birth_b = values.rank(b.birth);
-  if (birth_a != birth_b) return birth_a < birth_b;
-  if (!a.death || !b.death) return a.death.has_value();
-  const std::uint32_t death_a = values.rank(*a.death), death_b = values.rank(*b.death);
-  if (death_a != death_b) return death_a < death_b;
-  return a.birth < b.birth;
 }
 
 std::string pers_text(const PersistenceDiagram& diagram) {

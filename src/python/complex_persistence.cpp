@@ -22,22 +22,24 @@ constexpr double kLasts = HUGE_VAL;
 
 // Infinite where it is beyond the doubles. The centre need not be rounded, which takes less time than
 // FlowComplex::rounded_sphere().
-double squared_distance_at(const FlowComplex& complex, std::size_t record) {
-  const std::size_t dimension = complex.stationary().index(record).hull_dimension;
+double squared_distance_at(const PointSet& points, const StationaryPoints& stationary, std::size_t record) {
+  const std::size_t dimension = stationary.index(record).hull_dimension;
   if (dimension == 0) return 0;
-  const auto contact = complex.stationary().contact(record);
-  const auto bounded = geometry::bounded_sphere(complex.points(), contact, dimension);
+  const auto contact = stationary.contact(record);
+  const auto bounded = geometry::bounded_sphere(points, contact, dimension);
   if (const auto nearest = geometry::decided_double(bounded.squared_radius)) return *nearest;
-  return nearest_double(exact_squared_radius(complex.points(), contact)).value_or(HUGE_VAL);
+  return nearest_double(exact_squared_radius(points, contact)).value_or(HUGE_VAL);
 }
 
 std::vector<double> squared_distances_of(const FlowComplex& complex, unsigned threads) {
-  std::vector<double> distances(complex.stationary().size());
+  const PointSet& points = complex.points();
+  const StationaryPoints& stationary = complex.stationary();
+  std::vector<double> distances(stationary.size());
   geometry::parallel_for((distances.size() + kRecords - 1) / kRecords, threads, [&](std::size_t part) {
     stop_if_interrupted();
     const std::size_t last = std::min((part + 1) * kRecords, distances.size());
     for (std::size_t record = part * kRecords; record < last; ++record) {
-      distances[record] = squared_distance_at(complex, record);
+      distances[record] = squared_distance_at(points, stationary, record);
     }
   });
   return distances;

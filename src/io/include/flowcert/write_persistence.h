@@ -34,7 +34,6 @@ class PersistenceDiagram {
 
  private:
   void add_regular();
-  [[nodiscard]] bool is_before(const PersistencePair& a, const PersistencePair& b) const;
 
   const FlowComplex& complex_;
   bool has_zero_;
