@@ -258,9 +258,10 @@ def test_selections_are_the_programs():
 def test_any_number_of_threads_gives_the_same(points):
     one, four = flowcert.FlowComplex(points, threads=1), flowcert.FlowComplex(points, threads=4)
     assert one.stationary_points.tobytes() == four.stationary_points.tobytes()
+    if np.isfinite(one.stationary_points["squared_distance"]).all():
+        assert one.persistence() == four.persistence()
     if points is INPUTS["mixed-magnitudes"]:
-        return  # its pairs and lines are beyond the doubles
-    assert one.persistence() == four.persistence()
+        return  # its lines are beyond the doubles
     for a, b in zip((*one.unstable_lines(), *one.stable_surfaces()), (*four.unstable_lines(), *four.stable_surfaces())):
         assert np.array_equal(a, b)
 

@@ -139,7 +139,8 @@ def gudhi_pairs(points):
 def assert_like_gudhi(points):
     """By the bottleneck distance, since GUDHI rounds its values."""
     own, other = flowcert.FlowComplex(points).persistence(), gudhi_pairs(points)
-    assert [type(part) for pair in own for part in (pair, *pair, *pair[1])] == [tuple, int, tuple, float, float] * len(own)
+    types = [type(part) for pair in own for part in (pair, *pair, *pair[1])]
+    assert types == [tuple, int, tuple, float, float] * len(own)
     scale = max(value for _, interval in own for value in interval if value < math.inf) + 1e-300
     for dimension in range(3):
         diagrams = [[interval for d, interval in pairs if d == dimension] for pairs in (own, other)]

@@ -42,7 +42,8 @@ def test_pip_installs_it_without_a_network(python, tmp_path):
     program = "import flowcert; print(flowcert.__file__); print(flowcert.FlowComplex([[0, 0, 0], [2, 0, 0]]).counts)"
     file, counts = run(python, "-c", program).splitlines()
     assert pathlib.Path(file).is_relative_to(python.parents[1]) and counts == "(2, 1, 0, 0)"
-    said = dict(line.split(": ", 1) for line in run(python, "-m", "pip", "show", "flowcert").splitlines() if ": " in line)
+    lines = run(python, "-m", "pip", "show", "flowcert").splitlines()
+    said = dict(line.split(": ", 1) for line in lines if ": " in line)
     assert said["Version"] == flowcert.__version__ and said["License"] == "GPL-3.0-or-later"
     run(python, "-m", "pip", "uninstall", "--yes", "flowcert")
     assert not pathlib.Path(file).exists()
