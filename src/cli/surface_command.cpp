@@ -91,14 +91,14 @@ void print_edges(const TriangleEdges& edges) {
   print_row("edges of two triangles", with_commas(edges.manifold));
   print_row("edges of one", with_commas(edges.boundary), "boundary");
   print_row("edges of more than two", with_commas(edges.non_manifold), "not manifold");
-  print_row("components", with_commas(edges.components), "joined by edges of two triangles");
+  print_row("components", with_commas(edges.components), "joined by edges of two");
   print_row("components without orientation", with_commas(edges.without_orientation), "no consistent one is possible");
 }
 
 void print_thresholds(const SurfaceThresholds& thresholds, const SaddleRadii& radii) {
   const auto& spacing = radii.squared_spacing();
   if (!spacing) return;
-  print_row("spacing", fmt::format("{:.6g}", std::sqrt(double_of(*spacing))), "median distance to the nearest sample");
+  print_row("spacing", fmt::format("{:.6g}", std::sqrt(double_of(*spacing))), "median of nearest neighbours");
   if (const auto& square = thresholds.squared_radius_below) {
     print_row("radii below", fmt::format("{:.6g}", std::sqrt(double_of(*square))),
               fmt::format("{:.6g} x the spacing", std::sqrt(double_of(*square / *spacing))));

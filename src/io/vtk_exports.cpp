@@ -78,11 +78,11 @@ class LineSet {
     const auto count = static_cast<std::int64_t>(orbit.size());
     lines_.push_back({.saddle = saddle, .side = side, .limit = limit, .first = size(), .count = count});
     for (const RoundedSphere& point : orbit) {
+      const bool is_clipped = has_clipped_end && &point == &orbit.back();
       positions_.push_back(finite(point.center));
-      squared_distances_.push_back(finite(point.squared_radius));
-      is_clipped_.push_back(0);
+      squared_distances_.push_back(is_clipped ? point.squared_radius : finite(point.squared_radius));
+      is_clipped_.push_back(is_clipped ? 1 : 0);
     }
-    is_clipped_.back() = has_clipped_end ? 1 : 0;
   }
 
   // Lines of one point come first, because the format has vertices before lines.

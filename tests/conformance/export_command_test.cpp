@@ -28,6 +28,8 @@ constexpr char kCube[] = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1
 // An S2 with parts of dimension 3.
 constexpr char kInterval[] = "-2 0 0\n2 0 0\n0 -1 1\n0 -1 -1\n0 5 0\n";
 constexpr char kBeyondDoubles[] = "1e308 0 0\n-1e308 0 0\n0 1.5e308 0\n";
+// Nearly flat: orbits pass a Voronoi vertex that is beyond the doubles, and go to infinity.
+constexpr char kFarVertex[] = "0 0 0\n1 0 0\n0 1 0\n1.1 1 1e-310\n";
 
 std::string random_points(unsigned seed, int count) {
   std::mt19937 numbers(seed);
@@ -217,6 +219,14 @@ TEST(ExportCommand, RefusesWhatIsNoSelection) {
   refuses("persistence>nan", "nan");
   refuses("index2-radius<1 m", "'1m'");
   refuses("index2-radius<1e1000000", "exponent");
+  refuses("index2-radius<spacing", "not a number");
+  refuses("index2-radius<3spacing^2", "'3spacing^2'");
+  refuses("persistence>3spacing", "'3spacing'");
+  refuses("index2-radius<q1.5", "'q1.5'");
+  refuses("persistence>q-0.1", "no quantile from 0 to 1: 'q-0.1'");
+  refuses("index2-radius<q", "not a number");
+  refuses("index2-radius<automatic", "'automatic'");
+  refuses("largest-gaps=auto", "'auto'");
   refuses("largest-gaps=-1", "'-1'");
   refuses("largest-gaps=1.5", "'1.5'");
   refuses("", "''");
@@ -237,6 +247,107 @@ TEST(ExportCommand, WhatDoublesCannotSayLeavesNoFile) {
   EXPECT_EQ(surface(scratch, input, {})["selected"], 1);
 }
 
+std::set<std::string> files_in(const std::string& folder) {
+  std::set<std::string> names;
+  if (!fs::exists(folder)) return names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
+  return names;
+}
+
+TEST(ExportCommand, OnlyTheFilesThatAreAskedForAreMade) {
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", random_points(5, 40)), whole = scratch.path("whole");
+  ASSERT_EQ(flowcert({"compute", input, "--export", whole}).status, 0);
+  const std::set<std::string> all = {"critical_points.vtp", "stable_surfaces.ply", "stable_surfaces.vtp",
+                                     "unstable_lines.vtp"};
+  EXPECT_EQ(files_in(whole), all);
+  const std::pair<std::string, std::set<std::string>> choices[] = {
+      {"critical", {"critical_points.vtp"}},
+      {"surfaces", {"stable_surfaces.ply", "stable_surfaces.vtp"}},
+      {"lines", {"unstable_lines.vtp"}},
+      {"lines,critical", {"critical_points.vtp", "unstable_lines.vtp"}},
+      {"critical,surfaces,lines", all}};
+  for (const auto& [only, names] : choices) {
+    const std::string files = scratch.path(only);
+    const json summary = json_of({"compute", input, "--export", files, "--only", only, "--json"});
+    EXPECT_EQ(files_in(files), names);
+    for (const std::string& name : names) EXPECT_EQ(content_of(files + "/" + name), content_of(whole + "/" + name));
+    // Nothing else is computed.
+    EXPECT_EQ(summary.contains("u2"), names.contains("unstable_lines.vtp")) << only;
+    EXPECT_EQ(summary.contains("s2"), names.contains("stable_surfaces.vtp")) << only;
+  }
+  // What is computed for other reasons makes no file.
+  const json summary =
+      json_of({"compute", input, "--export", scratch.path("u2"), "--only", "critical", "--manifolds", "u2", "--json"});
+  EXPECT_TRUE(summary.contains("u2"));
+  EXPECT_EQ(files_in(scratch.path("u2")), std::set<std::string>{"critical_points.vtp"});
+}
+
+TEST(ExportCommand, AreTheSameForAnyNumberOfThreadsAndRuns) {
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", random_points(6, 60));
+  const std::string one = scratch.path("one"), three = scratch.path("three");
+  ASSERT_EQ(flowcert({"compute", input, "--export", one, "--threads", "1"}).status, 0);
+  ASSERT_EQ(flowcert({"compute", input, "--export", three, "--threads", "3", "--runs", "2"}).status, 0);
+  EXPECT_EQ(files_in(one), files_in(three));
+  for (const std::string& name : files_in(one)) {
+    EXPECT_EQ(content_of(one + "/" + name), content_of(three + "/" + name)) << name;
+  }
+}
+
+TEST(ExportCommand, WhatIsWrittenBeforeAnErrorStays) {
+  CITES("FC-NUM-02");
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", kFarVertex), files = scratch.path("files");
+  const std::set<std::string> before = {"critical_points.vtp", "stable_surfaces.ply", "stable_surfaces.vtp"};
+  expect_refused({"compute", input, "--export", files, "--clip", "none", "-o", scratch.path("records")},
+                 "unstable_lines.vtp is not written; written before: critical_points.vtp, stable_surfaces.ply, "
+                 "stable_surfaces.vtp");
+  EXPECT_EQ(files_in(files), before);
+  // In the box there is nothing that doubles cannot say.
+  EXPECT_EQ(flowcert({"compute", input, "--export", files}).status, 0);
+  EXPECT_EQ(files_in(files).size(), 4U);
+  // The file of an earlier run stays as well, when the new one cannot be made.
+  const std::string lines = content_of(files + "/unstable_lines.vtp");
+  expect_refused({"compute", input, "--export", files, "--only", "lines", "--clip", "none"}, "is not written\n");
+  EXPECT_EQ(content_of(files + "/unstable_lines.vtp"), lines);
+}
+
+TEST(ExportCommand, LinesEndAtTheBoxThatIsAskedFor) {
+  CITES("FC-FLOW-07");
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", random_points(7, 40));
+  const auto lines_of_clip = [&](const Words& clip) {
+    Words words = {"compute", input, "--export", scratch.path("files"), "--only", "lines"};
+    words.insert(words.end(), clip.begin(), clip.end());
+    EXPECT_EQ(flowcert(words).status, 0);
+    return content_of(scratch.path("files") + "/unstable_lines.vtp");
+  };
+  const std::string usual = lines_of_clip({});
+  EXPECT_EQ(lines_of_clip({"--clip", "3"}), usual);
+  EXPECT_EQ(lines_of_clip({"--clip", "6/2"}), usual);
+  EXPECT_NE(lines_of_clip({"--clip", "3.5"}), usual);
+  EXPECT_NE(usual.find("\"IsClipped\""), std::string::npos);
+  EXPECT_EQ(lines_of_clip({"--clip", "none"}).find("\"IsClipped\""), std::string::npos);
+}
+
+TEST(ExportCommand, RefusesWhatIsNoBoxAndWhatNobodyExports) {
+  CITES("FC-IN-05");
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", kCube), files = scratch.path("files");
+  const auto refuses = [&](Words words, const std::string& what) {
+    words.insert(words.begin(), {"compute", input, "--export", files});
+    expect_refused(words, what);
+  };
+  for (const char* clip : {"0.999", "-3", "1/2"}) refuses({"--clip", clip}, "neither a number from 1 nor none");
+  for (const char* clip : {"all", "nan", "1e400", "1/0"}) refuses({"--clip", clip}, "--clip: ");
+  refuses({"--clip", "2", "--only", "critical,surfaces"}, "--clip: needs lines");
+  refuses({"--only", "points"}, "points not in");
+  expect_refused({"compute", input, "--only", "lines"}, "--only requires --export");
+  expect_refused({"compute", input, "--clip", "2"}, "--clip requires --export");
+  EXPECT_EQ(scratch.names(), std::set<std::string>{"points.xyz"});
+}
+
 TEST(ExportCommand, AFolderThatCannotBeWrittenIsRefused) {
   CITES("FC-IN-05");
   const Scratch scratch;
@@ -247,6 +358,8 @@ TEST(ExportCommand, AFolderThatCannotBeWrittenIsRefused) {
   const fs::path files = scratch.path("files");
   fs::create_directories(files / "unstable_lines.vtp");
   expect_refused({"compute", input, "--export", files.string()}, "unstable_lines.vtp: cannot be written");
+  expect_refused({"compute", input, "--export", files.string()},
+                 "; written before: critical_points.vtp, stable_surfaces.ply, stable_surfaces.vtp");
   for (const auto& entry : fs::directory_iterator(files)) {
     EXPECT_EQ(entry.path().filename().string().find(".vtp."), std::string::npos) << entry.path();
   }

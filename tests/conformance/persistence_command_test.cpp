@@ -7,10 +7,15 @@
 #include <gudhi/read_persistence_from_file.h>
 
 #include <algorithm>
+#include <iomanip>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
 
+#include "flowcert/rational.h"
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
 
@@ -174,7 +179,7 @@ TEST(PersistenceFile, HasTheTextAndLeavesATable) {
   EXPECT_EQ(finished.err, "");
   EXPECT_EQ(content_of(output), persistence(path).out);
   const Words lines = lines_of(finished.out);
-  ASSERT_EQ(lines.size(), 15U) << finished.out;
+  ASSERT_EQ(lines.size(), 30U) << finished.out;
   EXPECT_EQ(lines[0], path + " (xyz)");
   EXPECT_EQ(lines[3], "pairs of dimension 0                           7   components; 1 lasts");
   EXPECT_EQ(lines[4], "pairs of dimension 1                           5   tunnels; 0 last");
@@ -185,6 +190,73 @@ TEST(PersistenceFile, HasTheTextAndLeavesATable) {
   const std::string again = scratch.path("again.pers");
   EXPECT_EQ(json_of(path, {"-o", again})["pairs"].size(), 14U);
   EXPECT_EQ(content_of(again), content_of(output));
+}
+
+// The lines below the title of the longest pairs, by words.
+std::vector<Words> longest_rows(const std::string& table) {
+  std::vector<Words> rows;
+  bool is_below = false;
+  for (const std::string& line : lines_of(table)) {
+    std::istringstream words(line);
+    Words row{std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()};
+    if (is_below) rows.push_back(row);
+    is_below = is_below || (!row.empty() && row[0] == "dimension");
+  }
+  return rows;
+}
+
+TEST(PersistenceTable, HasTheLongestPairsOfEachDimension) {
+  CITES("FC-PERS-01", "FC-PERS-02");
+  const Scratch scratch;
+  std::string points;
+  std::mt19937 numbers(11);
+  for (int k = 0; k < 180; ++k) points += std::to_string(numbers() % 1000) + (k % 3 == 2 ? "\n" : " ");
+  const std::string input = scratch.file("points.xyz", points);
+  const Finished finished = persistence(input, {"-o", scratch.path("out.pers")});
+  ASSERT_EQ(finished.status, 0) << finished.err;
+  const std::vector<Words> rows = longest_rows(finished.out);
+  const ordered_json answer = json_of(input);
+  std::size_t row = 0;
+  for (int dimension = 0; dimension < 3; ++dimension) {
+    std::vector<std::pair<Rational, const ordered_json*>> pairs;
+    for (const auto& pair : answer["pairs"]) {
+      if (pair["dimension"] != dimension || pair["death"].is_null()) continue;
+      const Rational birth(pair["birth"]["squared_distance"].get<std::string>()),
+          death(pair["death"]["squared_distance"].get<std::string>());
+      pairs.emplace_back(death - birth, &pair);
+    }
+    std::ranges::stable_sort(pairs, [](const auto& a, const auto& b) { return a.first > b.first; });
+    ASSERT_GE(pairs.size(), 5U);
+    if (dimension == 0) {
+      EXPECT_EQ(rows.at(row++), (Words{"0", "inf", "0", "0", "never"}));
+    }
+    for (std::size_t k = 0; k < (dimension == 0 ? 4U : 5U); ++k, ++row) {
+      Words expected{std::to_string(dimension)};
+      const auto& pair = *pairs[k].second;
+      for (const Rational& value : {pairs[k].first, Rational(pair["birth"]["squared_distance"].get<std::string>())}) {
+        std::ostringstream text;
+        text << std::setprecision(5) << nearest_double(value).value();
+        expected.push_back(text.str());
+      }
+      for (const char* end : {"birth", "death"}) {
+        for (const auto& name : pair[end]["contact"]) expected.push_back(std::to_string(name.get<int>()));
+      }
+      EXPECT_EQ(rows.at(row), expected);
+    }
+  }
+  EXPECT_EQ(rows.size(), row);
+}
+
+TEST(PersistenceTable, EqualPairsComeInTheirOrderAndLongContactSetsAreCut) {
+  CITES("FC-PERS-02");
+  const Scratch scratch;
+  const std::string input = scratch.file("cube.xyz", kCube);
+  const std::vector<Words> rows = longest_rows(persistence(input, {"-o", scratch.path("out.pers")}).out);
+  ASSERT_EQ(rows.size(), 11U);
+  EXPECT_EQ(rows[1], (Words{"0", "0.25", "0", "1", "0", "1"}));
+  EXPECT_EQ(rows[10], (Words{"2", "0.25", "0.5", "4", "5", "6", "7", "0", "1", "2", "3", "and", "4", "more"}));
+  const std::string none = scratch.file("none.off", "OFF\n0 0 0\n");
+  EXPECT_EQ(longest_rows(persistence(none, {"-o", scratch.path("out.pers")}).out).size(), 0U);
 }
 
 TEST(PersistenceJson, HasTheKeysOfTheFormatInTheirOrder) {

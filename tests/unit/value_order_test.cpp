@@ -1,0 +1,106 @@
+// The order of exact numbers by bounds in doubles: against sorted rationals.
+//
+// Guarantees: bounds are drawn that overlap often, are exact, or say nothing, and many numbers are equal, under one key
+// or several.
+#include "io/value_order.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <vector>
+
+#include "tests/cites.h"
+#include "tests/unit/portable_random.h"
+
+namespace flowcert {
+namespace {
+
+using io::ValueOrder;
+using io::ValueRange;
+
+struct Drawn {
+  std::vector<Rational> values;
+  std::vector<ValueRange> ranges;
+  std::vector<std::uint64_t> keys;
+};
+
+Drawn drawn(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  Drawn all;
+  std::map<std::pair<Rational, bool>, std::uint64_t> key_of;
+  const std::size_t count = random() % 60;
+  for (std::size_t i = 0; i < count; ++i) {
+    // Positive, often equal or nearly so.
+    const Rational value = Rational(static_cast<long>(1 + random() % 12)) +
+                           Rational(static_cast<long>(random() % 3)) / (Rational(1LL << 40) * 1048576);
+    const double nearest = nearest_double(value).value();
+    const double error = random() % 3 == 0 ? 4.0 : random() % 2 == 0 ? 1e-9 : 1e-15 * nearest;
+    all.values.push_back(value);
+    all.ranges.push_back({std::max(0.0, nearest - error), random() % 20 == 0 ? HUGE_VAL : nearest + error});
+    all.keys.push_back(key_of.try_emplace({value, random() % 4 == 0}, key_of.size()).first->second);
+  }
+  return all;
+}
+
+TEST(ValueOrder, IsThatOfTheExactNumbers) {
+  CITES("FC-NUM-01");
+  std::size_t equal = 0, gaps = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    const Drawn all = drawn(seed);
+    const std::size_t size = all.values.size();
+    const ValueOrder order(all.ranges, all.keys, [&](std::size_t i) { return all.values[i]; });
+    ASSERT_EQ(order.size(), size);
+    std::vector<std::size_t> expected(size);
+    std::iota(expected.rbegin(), expected.rend(), std::size_t{0});
+    std::ranges::stable_sort(expected, {}, [&](std::size_t i) { return all.values[i]; });
+    for (std::size_t k = 0; k < size; ++k) {
+      ASSERT_EQ(order.at(k), expected[k]) << "seed " << seed;
+      EXPECT_EQ(order.exact(k), all.values[expected[k]]);
+      equal += k > 0 && order.exact(k) == order.exact(k - 1) ? 1 : 0;
+    }
+    for (const Rational& bound : {Rational(0), Rational(5), Rational(13, 2), Rational(100)}) {
+      const auto less = std::ranges::count_if(all.values, [&](const Rational& value) { return value < bound; });
+      const auto not_greater = std::ranges::count_if(all.values, [&](const Rational& value) { return value <= bound; });
+      EXPECT_EQ(order.count_below(bound), static_cast<std::size_t>(less));
+      EXPECT_EQ(order.count_up_to(bound), static_cast<std::size_t>(not_greater));
+    }
+    if (size < 2) continue;
+    std::optional<std::size_t> widest;
+    for (std::size_t k = size / 3; k + 1 < size; ++k) {
+      const Rational ratio = order.exact(k + 1) / order.exact(k);
+      if (ratio > (widest ? Rational(order.exact(*widest + 1) / order.exact(*widest)) : Rational(1))) widest = k;
+    }
+    EXPECT_EQ(order.widest_gap(size / 3, size - 1), widest) << "seed " << seed;
+    gaps += widest ? 1 : 0;
+  }
+  EXPECT_GT(equal, 3000U);
+  EXPECT_GT(gaps, 300U);
+}
+
+TEST(ValueOrder, EqualNumbersHaveNoGap) {
+  const std::vector<ValueRange> ranges(5, ValueRange{1, 3});
+  const ValueOrder order(ranges, {0, 1, 2, 3, 4}, [](std::size_t) { return Rational(2); });
+  EXPECT_EQ(order.widest_gap(0, 4), std::nullopt);
+  EXPECT_EQ(order.at(0), 4U);
+  EXPECT_EQ(order.at(4), 0U);
+}
+
+// Of each key one is made, and none where the bounds decide.
+TEST(ValueOrder, MakesOnlyWhatItNeeds) {
+  std::vector<std::size_t> made;
+  const auto exact = [&made](std::size_t i) {
+    made.push_back(i);
+    return Rational(static_cast<long>(i));
+  };
+  const ValueOrder decided({{0, 0.5}, {1, 1.5}, {2, 2.5}}, {0, 1, 2}, exact);
+  EXPECT_TRUE(made.empty());
+  const ValueOrder open({{0, 2}, {0, 2}, {0, 2}, {5, 5}}, {7, 7, 8, 9}, exact);
+  EXPECT_EQ(made.size(), 2U);
+}
+
+}  // namespace
+}  // namespace flowcert
