@@ -8,7 +8,7 @@
 
 namespace flowcert::cli {
 
-// A line for each bin. The one that has the threshold is marked; a threshold beyond all bins is told of the nearest one.
+// A line for each bin. The one that has the threshold is marked, or the nearest one if none has it.
 void print_radius_bars(const SaddleRadii& radii, const std::optional<Rational>& squared_threshold);
 
 }  // namespace flowcert::cli

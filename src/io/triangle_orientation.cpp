@@ -1,9 +1,10 @@
-// Each triangle has two sides. A manifold edge joins each side of one of its triangles to the side of the other one that
-// goes along the edge in the opposite direction. A component has an orientation iff no triangle is joined to its own
-// other side.
+// Each triangle has two sides. A manifold edge joins each side of one of its triangles to the side of the other one
+// that goes along the edge in the opposite direction. A component has an orientation iff no triangle is joined to its
+// own other side.
 //
 // The code is our own. CGAL's orient_polygon_soup gives vertices of edges that are not manifold new copies, but here
-// two vertices are one iff their positions are equal. CGAL's orientation functions for meshes want no such edges at all.
+// two vertices are one iff their positions are equal. CGAL's orientation functions for meshes want no such edges at
+// all. Neither may be included in this layer.
 #include "flowcert/triangle_orientation.h"
 
 #include <algorithm>

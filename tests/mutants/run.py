@@ -55,6 +55,11 @@ LIKELY = {
     "src/morse/persistence": ["vectors_fast_test", "persistence_test"],
     "src/morse/chain": ["vectors_fast_test", "persistence_test"],
     "src/morse/": ["vectors_fast_test", "stable_sets_test", "chain_complex_test", "stable_agreement_test"],
+    "src/io/value_order": ["value_order_test", "surface_choice_test"],
+    "src/io/surface_selection": ["surface_choice_test"],
+    "src/io/saddle_radii": ["surface_choice_test"],
+    "src/io/triangle_orientation": ["oriented_surfaces_test"],
+    "src/io/clip": ["clip_box_test", "clipped_lines_test"],
     "oracle/exact_geometry": ["oracle_geometry_test"],
     "oracle/point_set": ["oracle_stationary_test", "oracle_stable_test"],
     "oracle/stationary_points": ["oracle_stationary_test"],
@@ -104,7 +109,9 @@ REACHED_BY = {
         "check_mutations_test", "check_test", "exchange_keys_test", "incidence_findings_test", "orbit_difference_test",
         "pair_claims_test", "pair_differences_test", "perturbed_claims_test", "place_findings_test",
         "stable_claims_test", "stable_findings_test"},
-    "io": OF_JUDGE | {"exchange_keys_test", "orbit_difference_test", "pair_claim_test", "read_claim_test"},
+    "io": OF_JUDGE | {
+        "clip_box_test", "clipped_lines_test", "exchange_keys_test", "orbit_difference_test", "oriented_surfaces_test",
+        "pair_claim_test", "read_claim_test", "surface_choice_test", "value_order_test"},
 }
 
 

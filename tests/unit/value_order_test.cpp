@@ -29,19 +29,19 @@ struct Drawn {
 };
 
 Drawn drawn(std::uint64_t seed) {
-  std::mt19937_64 random(seed);
+  flowcert_tests::PortableRandom random(seed);
   Drawn all;
   std::map<std::pair<Rational, bool>, std::uint64_t> key_of;
-  const std::size_t count = random() % 60;
+  const std::size_t count = random.below(60);
   for (std::size_t i = 0; i < count; ++i) {
     // Positive, often equal or nearly so.
-    const Rational value = Rational(static_cast<long>(1 + random() % 12)) +
-                           Rational(static_cast<long>(random() % 3)) / (Rational(1LL << 40) * 1048576);
+    const Rational value =
+        Rational(random.between(1, 12)) + Rational(random.between(0, 2)) / (Rational(1LL << 40) * 1048576);
     const double nearest = nearest_double(value).value();
-    const double error = random() % 3 == 0 ? 4.0 : random() % 2 == 0 ? 1e-9 : 1e-15 * nearest;
+    const double error = random.below(3) == 0 ? 4.0 : random.coin() ? 1e-9 : 1e-15 * nearest;
     all.values.push_back(value);
-    all.ranges.push_back({std::max(0.0, nearest - error), random() % 20 == 0 ? HUGE_VAL : nearest + error});
-    all.keys.push_back(key_of.try_emplace({value, random() % 4 == 0}, key_of.size()).first->second);
+    all.ranges.push_back({std::max(0.0, nearest - error), random.below(20) == 0 ? HUGE_VAL : nearest + error});
+    all.keys.push_back(key_of.try_emplace({value, random.below(4) == 0}, key_of.size()).first->second);
   }
   return all;
 }
