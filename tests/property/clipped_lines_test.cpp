@@ -76,7 +76,8 @@ void require_cut(const fuzz::Input& input, const FlowComplex& complex, const Rat
   const auto& whole_values = numbers<double>(whole.point_data, "SquaredDistance");
   require_none(input, all.size() == lines.size() ? "" : "another number of lines", "");
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    const auto& [places, to_infinity] = lines[k];
+    const std::vector<std::size_t>& places = lines[k].places;
+    const bool to_infinity = lines[k].to_infinity;
     const auto& before = all[k].places;
     const auto point = [&](std::size_t i) { return cut.points[places[i]]; };
     for (std::size_t i = 0; i < places.size(); ++i) {
