@@ -1,0 +1,189 @@
+// The flow complex of the page's data, in typed arrays; no object for a record, as there may be hundreds of thousands.
+// A *point* is a number: a sample's ordinal, or sample_count + place in the records. `none` stands for no point,
+// no pair, and infinity. What the first frame needs is decoded by load_first, the lines of U2 by load_lines.
+
+import { decode, decode_all } from './blobs.js';
+import { exact_sphere } from './exact_sphere.js';
+
+export const none = 0xffffffff;
+
+// Kinds of points: the index, or 4 for regular stationary.
+export const regular_kind = 4;
+
+export class Complex {
+  constructor(data) {
+    this.data = data;
+  }
+
+  async load_first() {
+    const { data } = this;
+    const [samples, sample_rows, records, pairs, s2] = await Promise.all([
+      decode(data.samples),
+      decode(data.sample_rows),
+      decode_all(data.records, [
+        'numbers',
+        'face',
+        'hull',
+        'positions',
+        'squared',
+        'contact_offsets',
+        'contacts',
+        'edges',
+      ]),
+      decode_all(data.pairs, ['dimension', 'birth', 'death', 'birth_sample']),
+      decode_all(data.s2, ['record', 'triangle_offsets', 'vertices', 'triangles', 'has_interval']),
+    ]);
+    Object.assign(this, { samples, sample_rows, records, pairs, s2 });
+    this.sample_count = sample_rows.length;
+    this.record_count = records.face.length;
+    this.point_count = this.sample_count + this.record_count;
+    this.pair_count = pairs.dimension.length;
+    this.set_count = s2.record.length;
+    this.lay_out_points();
+    this.join_pairs();
+    this.join_sets();
+  }
+
+  async load_lines() {
+    this.u2 = await decode_all(this.data.u2, ['record', 'starts', 'limits', 'vertices', 'next']);
+    this.line_of_point = new Uint32Array(this.point_count).fill(none);
+    this.u2.record.forEach((record, line) => (this.line_of_point[this.sample_count + record] = line));
+  }
+
+  lay_out_points() {
+    const { sample_count, records, samples } = this;
+    const { origin, unit } = this.data;
+    this.positions = new Float32Array(3 * this.point_count);
+    for (let i = 0; i < 3 * sample_count; ++i) this.positions[i] = samples[i] / unit - origin[i % 3] / unit;
+    this.positions.set(records.positions, 3 * sample_count);
+    this.squared = new Float64Array(this.point_count);
+    this.squared.set(records.squared, sample_count);
+    this.kind = new Uint8Array(this.point_count);
+    this.kind_counts = [sample_count, 0, 0, 0, 0];
+    for (let i = 0; i < this.record_count; ++i) {
+      const kind = records.face[i] === records.hull[i] ? records.face[i] : regular_kind;
+      this.kind[sample_count + i] = kind;
+      ++this.kind_counts[kind];
+    }
+    this.largest_squared = this.squared.reduce((most, value) => (value > most && value < Infinity ? value : most), 0);
+  }
+
+  join_pairs() {
+    const { pairs, sample_count, pair_count } = this;
+    this.birth = new Uint32Array(pair_count);
+    this.death = new Uint32Array(pair_count);
+    this.persistence = new Float64Array(pair_count);
+    this.pair_of = new Uint32Array(this.point_count).fill(none);
+    for (let i = 0; i < pair_count; ++i) {
+      const birth = pairs.birth_sample[i] !== none ? pairs.birth_sample[i] : sample_count + pairs.birth[i];
+      const death = pairs.death[i] === none ? none : sample_count + pairs.death[i];
+      this.birth[i] = birth;
+      this.death[i] = death;
+      this.pair_of[birth] = i;
+      if (death !== none) this.pair_of[death] = i;
+      this.persistence[i] = (death === none ? Infinity : this.squared[death]) - this.squared[birth];
+    }
+  }
+
+  join_sets() {
+    this.set_of_point = new Uint32Array(this.point_count).fill(none);
+    this.set_point = this.s2.record.map((record) => record + this.sample_count);
+    this.set_point.forEach((point, set) => (this.set_of_point[point] = set));
+    this.set_radius = Float64Array.from(this.set_point, (point) => Math.sqrt(this.squared[point]));
+    this.set_persistence = Float64Array.from(this.set_point, (point) => this.persistence_of(point));
+  }
+
+  persistence_of(point) {
+    return this.pair_of[point] === none ? 0 : this.persistence[this.pair_of[point]];
+  }
+
+  birth_squared(pair) {
+    return this.squared[this.birth[pair]];
+  }
+
+  death_squared(pair) {
+    return this.death[pair] === none ? Infinity : this.squared[this.death[pair]];
+  }
+
+  is_sample(point) {
+    return point < this.sample_count;
+  }
+
+  // The samples of C(x), ascending.
+  contacts(point) {
+    if (this.is_sample(point)) return Uint32Array.of(point);
+    const { contact_offsets, contacts } = this.records;
+    const record = point - this.sample_count;
+    return contacts.subarray(contact_offsets[record], contact_offsets[record + 1]);
+  }
+
+  rows(point) {
+    return Array.from(this.contacts(point), (sample) => this.sample_rows[sample]);
+  }
+
+  // The two samples whose midpoint the point is, or null.
+  edge(point) {
+    if (this.is_sample(point)) return null;
+    const record = point - this.sample_count;
+    const [a, b] = this.records.edges.subarray(2 * record, 2 * record + 2);
+    return a === none ? null : [a, b];
+  }
+
+  sample_position(sample) {
+    return Array.from(this.samples.subarray(3 * sample, 3 * sample + 3));
+  }
+
+  frame_position(point) {
+    return Array.from(this.positions.subarray(3 * point, 3 * point + 3));
+  }
+
+  frame_radius(point) {
+    return Math.sqrt(this.squared[point]) / this.data.unit;
+  }
+
+  // The exact position and squared distance, from the samples.
+  exact(point) {
+    return exact_sphere(Array.from(this.contacts(point), (sample) => this.sample_position(sample)));
+  }
+
+  // The number that the program prints as "record N"; of a sample none, as records begin with the samples in order.
+  number(point) {
+    return this.is_sample(point) ? point : this.records.numbers[point - this.sample_count];
+  }
+
+  // [limit on side 0, limit on side 1], points or none; null where there is no line.
+  limits(point) {
+    const line = this.u2 ? this.line_of_point[point] : none;
+    if (line === none) return null;
+    return [0, 1].map((side) => {
+      const record = this.u2.limits[2 * line + side];
+      return record === none ? none : record + this.sample_count;
+    });
+  }
+
+  // The index-2 points of which an orbit of U2 ends at the point, with the sides.
+  incoming(point) {
+    const found = [];
+    if (!this.u2 || this.is_sample(point)) return found;
+    const { limits, record } = this.u2;
+    for (let i = 0; i < limits.length; ++i)
+      if (limits[i] === point - this.sample_count)
+        found.push({ point: record[i >> 1] + this.sample_count, side: i & 1 });
+    return found;
+  }
+
+  // Index-1 points of which a sample is an end of S1.
+  edges_at(sample) {
+    const found = [];
+    const { edges } = this.records;
+    for (let i = 0; i < edges.length; ++i)
+      if (edges[i] === sample && this.kind[this.sample_count + (i >> 1)] === 1)
+        found.push(this.sample_count + (i >> 1));
+    return found;
+  }
+
+  triangles_of_set(set) {
+    const { triangle_offsets, triangles } = this.s2;
+    return triangles.subarray(3 * triangle_offsets[set], 3 * triangle_offsets[set + 1]);
+  }
+}

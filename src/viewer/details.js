@@ -1,0 +1,250 @@
+// What there is to know of the picked point: kind, exact position and squared distance, contact set, where its orbits
+// go and which come in, its persistence pair, and the clauses of the specification that make it what it is.
+// Other points that are named are buttons that pick them.
+
+import { none } from './complex.js';
+import { element, fill, glyph } from './element.js';
+import { nearest_double, rational_text } from './exact_sphere.js';
+import { clauses, count_text, digits_of, kind_name, point_name, short_number, shortened } from './words.js';
+
+const most_listed = 24;
+
+export class Details {
+  constructor(root, complex, actions) {
+    Object.assign(this, { root, complex, actions });
+  }
+
+  show(point) {
+    if (point === none) return this.show_nothing();
+    const { complex } = this;
+    fill(
+      this.root,
+      element(
+        'header',
+        { class: 'fact-head' },
+        glyph(complex.kind[point]),
+        element(
+          'div',
+          {},
+          element('h3', {}, kind_name(complex, point)),
+          element('p', { class: 'muted' }, this.where(point)),
+        ),
+        element(
+          'div',
+          { class: 'head-buttons' },
+          element(
+            'button',
+            { class: 'quiet', click: () => this.actions.approach(point), title: 'Bring it near' },
+            'Go to',
+          ),
+          element('button', { class: 'quiet', click: () => this.actions.pick(none), title: 'Escape' }, 'Close'),
+        ),
+      ),
+      this.exact_facts(point),
+      this.contact_facts(point),
+      this.flow_facts(point),
+      this.pair_facts(point),
+      this.clause_facts(point),
+    );
+  }
+
+  show_nothing() {
+    const { complex } = this;
+    const text =
+      complex.point_count === 0
+        ? 'This input has no point, so there is nothing to show: all counts are 0.'
+        : 'Pick a point or a surface in the scene, or a pair in the diagram. What it is, and why, is said here.';
+    fill(this.root, element('p', { class: 'empty' }, text));
+  }
+
+  where(point) {
+    const { complex } = this;
+    if (complex.is_sample(point)) return `row ${complex.sample_rows[point]} of the input, counted from 0`;
+    return `record ${count_text(complex.number(point))} of the list`;
+  }
+
+  exact_facts(point) {
+    const { center, squared } = this.complex.exact(point);
+    const rows = center.map((value, axis) => this.exact_row('xyz'[axis], value, 'input units'));
+    rows.push(this.exact_row('d²', squared, 'input units, squared'));
+    const radius = Math.sqrt(nearest_double(squared));
+    rows.push(
+      element(
+        'div',
+        { class: 'row' },
+        element('dt', {}, 'd'),
+        element('dd', {}, element('span', { class: 'value' }, `≈ ${short_number(radius)}`), unit('input units')),
+      ),
+    );
+    return section('Exact position and squared distance', element('dl', { class: 'exact' }, rows));
+  }
+
+  exact_row(name, value, units) {
+    const text = rational_text(value);
+    const short = shortened(text);
+    const decimal = nearest_double(value);
+    const copy = element(
+      'button',
+      {
+        class: 'copy',
+        title: `Copy the exact value of ${name}`,
+        'aria-label': `Copy the exact value of ${name}`,
+        click: () => this.actions.copy(text, `exact ${name}`),
+      },
+      'copy',
+    );
+    const digits =
+      short === text ? null : element('span', { class: 'muted' }, ` ${count_text(digits_of(text))} digits`);
+    const near = value.d === 1n && short === text ? null : element('span', { class: 'near' }, `≈ ${String(decimal)}`);
+    return element(
+      'div',
+      { class: 'row' },
+      element('dt', {}, name),
+      element(
+        'dd',
+        { 'data-exact': text },
+        element('span', { class: 'value' }, short),
+        digits,
+        near,
+        unit(units),
+        copy,
+      ),
+    );
+  }
+
+  contact_facts(point) {
+    const { complex } = this;
+    if (complex.is_sample(point)) return null;
+    const contacts = Array.from(complex.contacts(point));
+    const intro = `${contacts.length} samples at distance d, the rows of the input; the sphere through them is drawn.`;
+    return section(
+      'Contact set',
+      element('p', { class: 'muted' }, intro),
+      this.buttons(contacts, (sample) => String(complex.sample_rows[sample])),
+    );
+  }
+
+  buttons(points, name) {
+    const shown = points.slice(0, most_listed);
+    const rest = points.length - shown.length;
+    return element(
+      'div',
+      { class: 'chips' },
+      shown.map((point) => this.button(point, name(point))),
+      rest > 0 ? element('span', { class: 'muted' }, `and ${count_text(rest)} more`) : null,
+    );
+  }
+
+  button(point, text = point_name(this.complex, point)) {
+    if (point === none) return element('span', { class: 'chip still' }, '∞ infinity');
+    return element(
+      'button',
+      { class: 'chip', click: () => this.actions.pick(point) },
+      glyph(this.complex.kind[point]),
+      text,
+    );
+  }
+
+  flow_facts(point) {
+    const { complex } = this;
+    const parts = [];
+    const limits = complex.limits(point);
+    if (limits)
+      parts.push(
+        ...limits.map((limit, side) =>
+          element('div', { class: 'line' }, `U2, side ${side}: ends at `, this.button(limit)),
+        ),
+      );
+    else if (complex.set_of_point[point] !== none && complex.u2)
+      parts.push(element('p', { class: 'muted' }, 'Its lines of U2 are not in this page.'));
+    if (complex.set_of_point[point] !== none) parts.push(this.set_facts(complex.set_of_point[point]));
+    const edge = complex.kind[point] === 1 ? complex.edge(point) : null;
+    if (edge)
+      parts.push(
+        element(
+          'div',
+          { class: 'line' },
+          'S1, a Gabriel edge, from ',
+          edge.map((end) => this.button(end)),
+        ),
+      );
+    if (complex.is_sample(point)) parts.push(this.sample_flow(point));
+    else parts.push(this.incoming_facts(point));
+    return section('Where orbits go', parts);
+  }
+
+  set_facts(set) {
+    const { triangle_offsets, has_interval } = this.complex.s2;
+    const count = triangle_offsets[set + 1] - triangle_offsets[set];
+    const solid = has_interval[set] ? ' It also has parts of dimension 3, which no surface shows.' : '';
+    return element('p', { class: 'line' }, `S2, what flows here: ${count_text(count)} triangles.${solid}`);
+  }
+
+  sample_flow(point) {
+    const edges = this.complex.edges_at(point);
+    return element(
+      'div',
+      { class: 'line' },
+      'Orbits leave it in all directions. ',
+      edges.length > 0 ? `It is an end of S1 of ${count_text(edges.length)}: ` : 'It is an end of no S1.',
+      edges.length > 0 ? this.buttons(edges, (p) => `record ${this.complex.number(p)}`) : null,
+    );
+  }
+
+  incoming_facts(point) {
+    const incoming = this.complex.incoming(point);
+    if (incoming.length === 0) return null;
+    const side = new Map(incoming.map(({ point: from, side: s }) => [from, s]));
+    return element(
+      'div',
+      { class: 'line' },
+      `Orbits of U2 come in from ${count_text(side.size)} saddles of index 2: `,
+      this.buttons([...side.keys()], (from) => `record ${this.complex.number(from)}, side ${side.get(from)}`),
+    );
+  }
+
+  pair_facts(point) {
+    const { complex } = this;
+    const pair = complex.pair_of[point];
+    if (pair === none)
+      return section('Persistence', element('p', { class: 'muted' }, 'It is in no pair: only critical points are.'));
+    const length = complex.persistence[pair];
+    return section(
+      'Persistence pair',
+      element(
+        'div',
+        { class: 'line' },
+        `dimension ${complex.pairs.dimension[pair]}, born at `,
+        this.button(complex.birth[pair]),
+        ', dies at ',
+        this.button(complex.death[pair]),
+      ),
+      element(
+        'p',
+        { class: 'line' },
+        `d²: ${short_number(complex.birth_squared(pair))} to ${short_number(complex.death_squared(pair))}; length ` +
+          `${short_number(length)}, input units squared.`,
+      ),
+      element(
+        'button',
+        { class: 'quiet', click: () => this.actions.brush((i) => i === pair) },
+        'Show this pair alone',
+      ),
+    );
+  }
+
+  clause_facts(point) {
+    return section(
+      'Why',
+      clauses(this.complex, point).map(([id, text]) =>
+        element('p', { class: 'clause' }, element('b', {}, id), ' ', text),
+      ),
+    );
+  }
+}
+
+const unit = (text) => element('span', { class: 'unit' }, text);
+
+function section(title, ...parts) {
+  return element('section', { class: 'facts' }, element('h4', {}, title), parts);
+}

@@ -1,0 +1,221 @@
+// What `check` found wrong with a claim: findings by group, and the place of each in the scene, with the claimed and the
+// true sphere, the samples inside the claimed one, and the lines that differ.
+// All texts come from a claim and enter as text.
+
+import { BufferAttribute, BufferGeometry, Points } from 'three';
+import { element, fill } from './element.js';
+import { LineLayer } from './line_layer.js';
+import { paint_points, point_material } from './point_cloud.js';
+import { sphere_mark } from './sphere_mark.js';
+import { count_text } from './words.js';
+
+const groups = [
+  ['missed', ['missing', 'missed-by-cluster']],
+  [
+    'extra',
+    [
+      'not-cospherical',
+      'ball-not-empty',
+      'contact-incomplete',
+      'outside-hull',
+      'collision-as-critical',
+      'claimed-twice',
+      'extra',
+    ],
+  ],
+  ['wrong index', ['wrong-index']],
+  ['wrong position', ['wrong-position', 'rounding']],
+  ['wrong limits', ['wrong-incidence', 'wrong-polyline']],
+  ['wrong surface', ['wrong-surface']],
+];
+
+export const group_of = (finding) =>
+  finding.variation
+    ? 'permitted variations'
+    : (groups.find(([, reasons]) => reasons.includes(finding.reason))?.[0] ?? 'others');
+
+const most_listed = 200;
+
+export class Findings {
+  constructor(root, complex, state, scene, actions) {
+    Object.assign(this, { root, complex, state, scene, actions, claim: complex.data.claim });
+    this.items = [];
+    this.build();
+  }
+
+  build() {
+    const { claim } = this;
+    const wrong = claim.findings.filter((finding) => !finding.variation).length;
+    const head = element(
+      'header',
+      { class: 'fact-head' },
+      element(
+        'div',
+        {},
+        element('h3', {}, claim.name),
+        element('p', { class: 'muted' }, `verdict: ${claim.verdict}; tolerance ${claim.tolerance}`),
+        element(
+          'p',
+          {},
+          wrong === 0 ? 'Nothing is wrong with this claim.' : `${count_text(wrong)} of its statements are wrong.`,
+        ),
+      ),
+    );
+    const by_group = new Map([...groups.map(([name]) => [name, []]), ['others', []], ['permitted variations', []]]);
+    claim.findings.forEach((finding, i) => by_group.get(group_of(finding)).push(i));
+    const legend = element(
+      'p',
+      { class: 'legend' },
+      element('span', { class: 'swatch claimed' }),
+      'claimed, dashed ',
+      element('span', { class: 'swatch truth' }),
+      'true ',
+      element('span', { class: 'swatch inside' }),
+      'samples inside the claimed sphere',
+    );
+    this.facts = element('div', { class: 'finding-facts', 'aria-live': 'polite' });
+    fill(
+      this.root,
+      head,
+      legend,
+      this.facts,
+      [...by_group].filter(([, list]) => list.length > 0).map(([name, list]) => this.group(name, list)),
+      this.notes('Not judged', claim.not_judged),
+      this.notes('Not decided', claim.not_decided),
+    );
+  }
+
+  group(name, list) {
+    const rest = list.length - most_listed;
+    return element(
+      'details',
+      { class: 'group', open: list.length <= 60 },
+      element('summary', {}, name, element('span', { class: 'count' }, count_text(list.length))),
+      element(
+        'ul',
+        {},
+        list.slice(0, most_listed).map((i) => element('li', {}, this.item(i))),
+      ),
+      rest > 0 ? element('p', { class: 'muted' }, `and ${count_text(rest)} more`) : null,
+    );
+  }
+
+  item(i) {
+    const finding = this.claim.findings[i];
+    const rows = (finding.contact ?? []).map((sample) => this.complex.sample_rows[sample]);
+    const named = rows.length > 6 ? `${rows.slice(0, 6).join(' ')} …` : rows.join(' ');
+    const button = element(
+      'button',
+      { class: 'finding', click: () => this.actions.finding(i) },
+      element('b', {}, finding.reason),
+      element('span', {}, rows.length > 0 ? `rows ${named}` : 'the whole claim'),
+      element('span', { class: 'muted' }, finding.line === null ? '' : `line ${finding.line}`),
+    );
+    this.items[i] = button;
+    return button;
+  }
+
+  notes(title, texts) {
+    if (!texts || texts.length === 0) return null;
+    return element(
+      'section',
+      { class: 'facts' },
+      element('h4', {}, title),
+      element(
+        'ul',
+        {},
+        texts.map((text) => element('li', {}, text)),
+      ),
+    );
+  }
+
+  select(i) {
+    for (const button of this.items) if (button) button.removeAttribute('aria-current');
+    this.scene?.claims.clear();
+    this.scene?.redraw();
+    if (i < 0) return fill(this.facts);
+    this.items[i]?.setAttribute('aria-current', 'true');
+    const finding = this.claim.findings[i];
+    fill(this.facts, this.describe(finding));
+    if (this.scene) this.draw(finding);
+  }
+
+  describe(finding) {
+    const row = (name, text) => element('div', { class: 'row' }, element('dt', {}, name), element('dd', {}, text));
+    const inside = finding.spheres.flatMap((sphere) => (sphere.role === 'claimed' ? sphere.inside : []));
+    const rows = (samples) => samples.map((sample) => this.complex.sample_rows[sample]).join(' ');
+    return element(
+      'section',
+      { class: 'facts' },
+      element('h4', {}, `${group_of(finding)}: ${finding.reason}`),
+      element(
+        'dl',
+        { class: 'exact' },
+        row('clause', `${finding.clause}, level ${finding.level}`),
+        row('claimed', finding.claimed),
+        row('truth', finding.truth),
+        finding.line === null ? null : row('line', `${finding.line} of the claim`),
+        finding.contact.length > 0 ? row('contact', `rows ${rows(finding.contact)}`) : null,
+        inside.length > 0
+          ? row('inside', `rows ${rows(inside)} lie inside the claimed sphere, so it proves nothing`)
+          : null,
+      ),
+    );
+  }
+
+  draw(finding) {
+    const { scene } = this;
+    const { palette, complex } = scene;
+    const color = (role) => (role === 'claimed' ? palette.claimed : palette.truth);
+    const at = (sample) => complex.frame_position(sample);
+    for (const sphere of finding.spheres) {
+      scene.claims.add(sphere_mark(sphere.center, sphere.radius, color(sphere.role), sphere.role === 'claimed'));
+      if (sphere.on.length > 0) scene.mark_rings([], color(sphere.role), scene.claims, sphere.on.map(at));
+      if (sphere.role === 'claimed' && sphere.inside.length > 0) this.crosses(sphere.inside.map(at));
+    }
+    if (finding.spheres.length === 0 && finding.contact.length > 0)
+      scene.mark_rings([], palette.claimed, scene.claims, finding.contact.map(at));
+    for (const line of finding.lines) this.draw_line(line, color(line.role));
+    if (finding.position) scene.mark_rings([], palette.ink, scene.claims, [finding.position]);
+    scene.redraw();
+  }
+
+  draw_line({ positions, role }, color) {
+    const segments = [];
+    for (let i = 1; i < positions.length; ++i) segments.push(...positions[i - 1], ...positions[i]);
+    const layer = new LineLayer({ width: 3.5, dashed: role === 'claimed', on_top: true });
+    layer.paint(color);
+    layer.show(Float32Array.from(segments));
+    this.scene.claims.add(layer.object);
+  }
+
+  // Samples inside a claimed sphere: filled diamonds, in front of all.
+  crosses(positions) {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(Float32Array.from(positions.flat()), 3));
+    geometry.setAttribute('kind', new BufferAttribute(new Uint8Array(positions.length).fill(4), 1));
+    geometry.setAttribute('size', new BufferAttribute(new Float32Array(positions.length).fill(14), 1));
+    const material = point_material();
+    const { palette } = this.scene;
+    paint_points(material, { ...palette, kinds: palette.kinds.map(() => palette.ink) });
+    material.uniforms.pixel_ratio.value = this.scene.renderer.getPixelRatio();
+    material.depthTest = false;
+    const points = new Points(geometry, material);
+    points.frustumCulled = false;
+    points.renderOrder = 21;
+    this.scene.claims.add(points);
+  }
+
+  // Where to look, and from how far.
+  place(i) {
+    const finding = this.claim.findings[i];
+    const sphere = finding.spheres[0];
+    const position =
+      finding.position ??
+      sphere?.center ??
+      (finding.contact.length > 0 ? this.complex.frame_position(finding.contact[0]) : null);
+    return position
+      ? { position, distance: Math.min(8, 5 * Math.max(0.12, ...finding.spheres.map((s) => s.radius))) }
+      : null;
+  }
+}

@@ -1,0 +1,44 @@
+// The layers of the scene: a button for each, with its sign and how many there are; it is also the legend.
+// Layers of which there is nothing have no button.
+
+import { element, fill, glyph } from './element.js';
+import { count_text } from './words.js';
+
+const kinds = [
+  ['samples', 'samples', 0],
+  ['index1', 'index 1', 1],
+  ['index2', 'index 2', 2],
+  ['index3', 'index 3', 3],
+  ['regular', 'regular', 4],
+];
+
+export class LayersBar {
+  constructor(root, complex, state) {
+    const points = kinds.map(([name, text, kind]) => [name, text, complex.kind_counts[kind], glyph(kind)]);
+    const stroke = (name) => element('span', { class: `stroke ${name}`, 'aria-hidden': 'true' });
+    const lines = [
+      ['s1', 'S1 edges', complex.kind_counts[1]],
+      ['s2', 'S2 surfaces', complex.set_count],
+      ['u2', 'U2 lines', 2 * (complex.data.u2.record.count ?? 0)],
+    ].map(([name, text, count]) => [name, text, count, stroke(name)]);
+    this.buttons = new Map();
+    for (const [name, text, count, sign] of [...lines, ...points])
+      if (count > 0)
+        this.buttons.set(
+          name,
+          element(
+            'button',
+            { 'data-layer': name, click: () => state.set_layer(name, !state.layers[name]) },
+            sign,
+            text,
+            element('span', { class: 'count' }, count_text(count)),
+          ),
+        );
+    fill(root, [...this.buttons.values()]);
+    this.update(state);
+  }
+
+  update(state) {
+    for (const [name, button] of this.buttons) button.setAttribute('aria-pressed', String(state.layers[name]));
+  }
+}

@@ -1,0 +1,387 @@
+// The three-dimensional scene: camera, layers, marks of what is picked, and the picture of it all.
+// It draws only when something has changed. While it turns, or the slider moves, at most 100,000 triangles are drawn:
+// S2 as the polygons that they span, and these thinned by persistence where they are still too many. At rest it draws all that
+// `shown` says. `view` is what it draws now; `drawn()` tells the counts.
+
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Group,
+  PerspectiveCamera,
+  Points,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import { ClippedLines } from './clipped_lines.js';
+import { none } from './complex.js';
+import { LineLayer } from './line_layer.js';
+import { pick, pixel_of } from './picking.js';
+import { PointCloud, paint_points, point_material } from './point_cloud.js';
+import { counts_by_kind, fitting_sets, most, shown } from './shown.js';
+import { spanned_polygons } from './spanned_polygons.js';
+import { sphere_mark } from './sphere_mark.js';
+import { SurfaceMesh } from './surface_mesh.js';
+
+const rest_after = 160; // milliseconds
+
+export class ComplexScene {
+  constructor(canvas, complex, state, palette) {
+    Object.assign(this, { canvas, complex, state, palette });
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'high-performance' });
+    this.scene = new Scene();
+    this.camera = new PerspectiveCamera(32, 1, 0.01, 40);
+    this.controls = new OrbitControls(this.camera, canvas);
+    Object.assign(this.controls, { enableDamping: false, zoomToCursor: true, minDistance: 0.02, maxDistance: 20 });
+    this.controls.addEventListener('change', () => this.move());
+    this.make_layers();
+    this.reset_camera();
+    this.paint(palette);
+    this.frames = 0;
+    this.on_view = () => {};
+  }
+
+  make_layers() {
+    const { complex } = this;
+    this.cloud = new PointCloud(complex);
+    const vertices = new BufferAttribute(complex.s2.vertices, 3);
+    this.exact = new SurfaceMesh(vertices, complex.s2.triangle_offsets, complex.s2.triangles);
+    this.lines = {
+      s1: new LineLayer({ width: 2 }),
+      u2: new LineLayer({ width: 2 }),
+      path: new LineLayer({ width: 4 }),
+    };
+    this.marks = new Group();
+    this.claims = new Group();
+    this.picked_set = null;
+    this.scene.add(this.exact.object, this.cloud.object, this.marks, this.claims);
+    for (const layer of Object.values(this.lines)) this.scene.add(layer.object);
+  }
+
+  // Made when first needed: not where all triangles fit.
+  polygons() {
+    this.flat_parts ??= spanned_polygons(this.complex.s2);
+    return this.flat_parts;
+  }
+
+  flat_mesh() {
+    if (!this.flat) {
+      const { offsets, triangles } = this.polygons();
+      this.flat = new SurfaceMesh(this.exact.geometry.attributes.position, offsets, triangles);
+      this.flat.paint(this.palette.surface);
+      this.scene.add(this.flat.object);
+    }
+    return this.flat;
+  }
+
+  reset_camera() {
+    const direction = new Vector3(0.42, 0.3, 1).normalize();
+    this.controls.target.set(0, 0, 0);
+    this.camera.position.copy(direction.multiplyScalar(this.home_distance()));
+    this.controls.update();
+  }
+
+  // The ball around the box fits the narrower way.
+  home_distance() {
+    const radius = Math.max(0.4, this.bounding_radius());
+    const half = (Math.PI / 180) * (this.camera.fov / 2);
+    return (radius * 1.1) / Math.sin(Math.atan(Math.tan(half) * Math.min(1, this.camera.aspect)));
+  }
+
+  bounding_radius() {
+    if (this.radius_of_box === undefined) {
+      const { positions, sample_count } = this.complex;
+      let most_squared = 0;
+      for (let i = 0; i < 3 * sample_count; i += 3)
+        most_squared = Math.max(most_squared, positions[i] ** 2 + positions[i + 1] ** 2 + positions[i + 2] ** 2);
+      this.radius_of_box = Math.sqrt(most_squared);
+    }
+    return this.radius_of_box;
+  }
+
+  resize(width, height, pixel_ratio) {
+    const at_home = this.size === undefined;
+    this.size = { width, height };
+    this.renderer.setPixelRatio(pixel_ratio);
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / Math.max(1, height);
+    this.camera.updateProjectionMatrix();
+    this.cloud.material.uniforms.pixel_ratio.value = pixel_ratio;
+    if (at_home) this.reset_camera();
+    this.redraw();
+  }
+
+  paint(palette) {
+    this.palette = palette;
+    paint_points(this.cloud.material, palette);
+    this.exact.paint(palette.surface);
+    if (this.flat) this.flat.paint(palette.surface);
+    this.lines.s1.paint(palette.s1);
+    this.lines.u2.paint(palette.u2);
+    this.lines.path.paint(palette.highlight);
+    this.mark_picked();
+    this.redraw();
+  }
+
+  // Something other than the camera has changed: what is shown is computed anew.
+  refresh(moving = false) {
+    if (moving) this.wake();
+    this.view = null;
+    this.redraw();
+  }
+
+  move() {
+    this.wake();
+    this.redraw();
+  }
+
+  // The scene is moving until nothing has happened for a while.
+  wake() {
+    this.moving = true;
+    clearTimeout(this.rest_timer);
+    this.rest_timer = setTimeout(() => {
+      this.moving = false;
+      this.redraw();
+    }, rest_after);
+  }
+
+  redraw() {
+    if (this.waiting || !this.size) return;
+    this.waiting = true;
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      this.draw();
+    });
+  }
+
+  draw() {
+    if (!this.view) this.lay_out();
+    this.choose_surface();
+    this.renderer.render(this.scene, this.camera);
+    ++this.frames;
+  }
+
+  // Resolves when all that was given to the GPU is drawn.
+  async finished() {
+    const gl = this.renderer.getContext();
+    const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    while (gl.getSyncParameter(sync, gl.SYNC_STATUS) !== gl.SIGNALED && !gl.isContextLost())
+      await new Promise((resolve) => setTimeout(resolve, 4));
+    gl.deleteSync(sync);
+  }
+
+  lay_out() {
+    const { complex, state } = this;
+    this.view = shown(complex, state, () => this.polygons());
+    this.cloud.show(this.view.points);
+    this.lines.s1.show(this.edge_segments(this.view.edges));
+    this.lay_out_lines();
+    this.surface_is = null;
+    this.on_view(this.view);
+  }
+
+  lay_out_lines() {
+    if (!this.complex.u2) return;
+    this.clipped ??= new ClippedLines(this.complex.u2);
+    this.lines.u2.show(this.clipped.segments(this.lines_of(this.view.line_sets)));
+  }
+
+  lines_of(sets) {
+    return Array.from(sets, (set) => this.complex.line_of_point[this.complex.set_point[set]]);
+  }
+
+  edge_segments(points) {
+    const segments = new Float32Array(6 * points.length);
+    points.forEach((point, i) => {
+      this.complex
+        .edge(point)
+        .forEach((sample, end) =>
+          segments.set(this.complex.positions.subarray(3 * sample, 3 * sample + 3), 6 * i + 3 * end),
+        );
+    });
+    return segments;
+  }
+
+  // Exact triangles at rest, polygons where there are too many of them while the scene moves, or in a thin view.
+  choose_surface() {
+    const { view } = this;
+    const flat = view.flat || (this.moving && view.triangles > most.triangles);
+    const choice = flat ? 'flat' : 'exact';
+    if (this.surface_is === choice) return;
+    this.surface_is = choice;
+    if (flat) {
+      const sets = fitting_sets(this.complex, this.polygons().offsets, view.sets);
+      this.flat_mesh().show(sets);
+      this.exact.object.visible = false;
+    } else if (this.exact_for !== view) {
+      this.exact.show(view.sets);
+      this.exact_for = view;
+    }
+    this.exact.object.visible = !flat && this.exact.count > 0;
+    if (this.flat) this.flat.object.visible = flat && this.flat.count > 0;
+    const opacity = this.state.see_through ? 0.38 : 1;
+    this.exact.set_opacity(opacity);
+    if (this.flat) this.flat.set_opacity(opacity);
+  }
+
+  surface() {
+    return this.surface_is === 'flat' ? this.flat : this.exact;
+  }
+
+  // What is picked: its sphere, its contact set with radii, its S2, its lines, and a ring around the points.
+  mark_picked() {
+    this.marks.clear();
+    this.lines.path.show(new Float32Array(0));
+    const { complex, state, palette } = this;
+    const point = state.picked;
+    if (point === none || !this.size) return;
+    const center = complex.frame_position(point);
+    if (!complex.is_sample(point)) {
+      this.marks.add(sphere_mark(center, complex.frame_radius(point), palette.accent));
+      this.mark_contacts(point, center);
+    }
+    this.mark_set(point);
+    const pair = complex.pair_of[point];
+    const partners = pair === none ? [] : [complex.birth[pair], complex.death[pair]].filter((p) => p !== none);
+    this.mark_rings([...new Set([point, ...partners])]);
+  }
+
+  mark_contacts(point, center) {
+    const layer = new LineLayer({ width: 1.6, on_top: true });
+    const segments = [];
+    for (const sample of complex_first(this.complex.contacts(point), 500))
+      segments.push(...center, ...this.complex.positions.subarray(3 * sample, 3 * sample + 3));
+    layer.paint(this.palette.accent);
+    layer.show(Float32Array.from(segments));
+    this.marks.add(layer.object);
+    this.mark_rings(complex_first(this.complex.contacts(point), 500));
+  }
+
+  mark_set(point) {
+    const set = this.complex.set_of_point[point];
+    if (set !== none) {
+      const triangles = this.complex.triangles_of_set(set);
+      const mesh = new SurfaceMesh(
+        this.exact.geometry.attributes.position,
+        Uint32Array.of(0, triangles.length / 3),
+        triangles,
+      );
+      mesh.show([0]);
+      mesh.paint(this.palette.highlight);
+      Object.assign(mesh.material, { polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -4 });
+      this.marks.add(mesh.object);
+    }
+    const edge = this.complex.kind[point] === 1 ? this.edge_segments([point]) : null;
+    const line = this.complex.u2 ? this.complex.line_of_point[point] : none;
+    if (edge) this.lines.path.show(edge);
+    else if (line !== none) {
+      this.clipped ??= new ClippedLines(this.complex.u2);
+      this.lines.path.show(this.clipped.segments([line]));
+    }
+  }
+
+  mark_rings(points, color = this.palette.accent, group = this.marks, positions = null) {
+    const geometry = new BufferGeometry();
+    const all = positions ?? points.map((point) => this.complex.frame_position(point));
+    geometry.setAttribute('position', new BufferAttribute(Float32Array.from(all.flat()), 3));
+    geometry.setAttribute('kind', new BufferAttribute(new Uint8Array(all.length), 1));
+    geometry.setAttribute('size', new BufferAttribute(new Float32Array(all.length).fill(20), 1));
+    const material = point_material();
+    paint_points(material, { ...this.palette, kinds: [color, color, color, color, color] });
+    material.uniforms.ring.value = 1;
+    material.uniforms.pixel_ratio.value = this.renderer.getPixelRatio();
+    material.depthTest = false;
+    const rings = new Points(geometry, material);
+    rings.frustumCulled = false;
+    rings.renderOrder = 20;
+    group.add(rings);
+  }
+
+  pick_at(x, y) {
+    return pick(
+      this.complex,
+      this.camera,
+      this.size,
+      this.cloud.shown,
+      this.surface(),
+      !this.state.see_through,
+      x,
+      y,
+    );
+  }
+
+  pixel_of(point) {
+    return pixel_of(this.camera, this.size, this.complex.frame_position(point));
+  }
+
+  // Turns to a position of the frame, from the distance given.
+  look_at(position, distance, smooth) {
+    const from = { target: this.controls.target.clone(), eye: this.camera.position.clone() };
+    const to = new Vector3(...position);
+    const way = from.eye.clone().sub(from.target).normalize().multiplyScalar(distance);
+    const place = (t) => {
+      const s = t * t * (3 - 2 * t);
+      this.controls.target.lerpVectors(from.target, to, s);
+      this.camera.position.lerpVectors(from.eye, to.clone().add(way), s);
+      this.controls.update();
+      this.move();
+    };
+    cancelAnimationFrame(this.flight);
+    if (!smooth) return place(1);
+    const start = performance.now();
+    const step = () => {
+      const t = Math.min(1, (performance.now() - start) / 450);
+      place(t);
+      if (t < 1) this.flight = requestAnimationFrame(step);
+    };
+    step();
+  }
+
+  // Turns by angles around the target, or moves nearer by a factor.
+  turn(across, up, nearer = 1) {
+    const arm = this.camera.position.clone().sub(this.controls.target);
+    const right = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 0);
+    arm.applyAxisAngle(this.camera.up, across);
+    const polar = arm.angleTo(this.camera.up) - up;
+    if (polar > 0.02 && polar < Math.PI - 0.02) arm.applyAxisAngle(right.applyAxisAngle(this.camera.up, across), -up);
+    this.camera.position.copy(this.controls.target).add(arm.multiplyScalar(nearer));
+    this.controls.update();
+    this.move();
+  }
+
+  pan(x, y) {
+    const scale = this.camera.position.distanceTo(this.controls.target) * 0.1;
+    const shift = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 0).multiplyScalar(x * scale);
+    shift.add(new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 1).multiplyScalar(y * scale));
+    this.controls.target.add(shift);
+    this.camera.position.add(shift);
+    this.controls.update();
+    this.move();
+  }
+
+  drawn() {
+    const surface = this.surface();
+    return {
+      points: this.view.points.length,
+      by_kind: counts_by_kind(this.complex, this.view.points),
+      s1: this.view.edges.length,
+      s2_sets: surface.object.visible ? surface.sets.length : 0,
+      triangles: surface.object.visible ? surface.count : 0,
+      flat: this.surface_is === 'flat',
+      u2_lines: this.view.line_sets.length,
+      u2_segments: this.lines.u2.count,
+      moving: Boolean(this.moving),
+    };
+  }
+
+  // The canvas with the scene in it, drawn now, so that it can be copied.
+  picture() {
+    this.moving = false;
+    this.draw();
+    return this.canvas;
+  }
+}
+
+const complex_first = (items, count) => Array.from(items.subarray(0, count));

@@ -1,0 +1,77 @@
+// Triangles of some sets, shaded without normals: the fragment shader takes the slope of the depth.
+// The index buffer has room for all triangles and is filled anew when other sets are shown, so that a slider is live.
+// Triangles have no orientation, so both sides look the same.
+
+import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, ShaderMaterial, Vector3 } from 'three';
+import { components } from './palette.js';
+
+const vertex_shader = `
+varying vec3 seen;
+void main() {
+  vec4 p = modelViewMatrix * vec4(position, 1.0);
+  seen = p.xyz;
+  gl_Position = projectionMatrix * p;
+}`;
+
+const fragment_shader = `
+uniform vec3 color;
+uniform float opacity;
+varying vec3 seen;
+void main() {
+  vec3 n = normalize(cross(dFdx(seen), dFdy(seen)));
+  vec3 eye = normalize(-seen);
+  if (dot(n, eye) < 0.0) n = -n;
+  float key = max(0.0, dot(n, normalize(vec3(0.35, 0.75, 0.6))));
+  float fill = max(0.0, dot(n, normalize(vec3(-0.8, -0.1, 0.5))));
+  float rim = pow(1.0 - max(0.0, dot(n, eye)), 3.0);
+  vec3 lit = color * (0.34 + 0.62 * key) + color * vec3(0.10, 0.14, 0.22) * fill + vec3(0.10) * rim;
+  gl_FragColor = vec4(lit, opacity);
+}`;
+
+export class SurfaceMesh {
+  // offsets: of the triangles of each set; triangles: vertices of attribute `positions`.
+  constructor(positions, offsets, triangles) {
+    this.offsets = offsets;
+    this.triangles = triangles;
+    this.index = new BufferAttribute(new Uint32Array(triangles.length), 1);
+    this.geometry = new BufferGeometry();
+    this.geometry.setAttribute('position', positions);
+    this.geometry.setIndex(this.index);
+    this.material = new ShaderMaterial({
+      vertexShader: vertex_shader,
+      fragmentShader: fragment_shader,
+      side: DoubleSide,
+      uniforms: { color: { value: new Vector3() }, opacity: { value: 1 } },
+    });
+    this.object = new Mesh(this.geometry, this.material);
+    this.object.frustumCulled = false;
+    this.show(new Uint32Array(0));
+  }
+
+  paint(color) {
+    this.material.uniforms.color.value.set(...components(color));
+  }
+
+  set_opacity(opacity) {
+    this.material.uniforms.opacity.value = opacity;
+    this.material.transparent = opacity < 1;
+    this.material.depthWrite = opacity === 1;
+  }
+
+  show(sets) {
+    let place = 0;
+    const { offsets, triangles } = this;
+    const all = this.index.array;
+    for (const set of sets) {
+      const [from, to] = [3 * offsets[set], 3 * offsets[set + 1]];
+      for (let i = from; i < to; ++i) all[place++] = triangles[i];
+    }
+    this.sets = sets;
+    this.count = place / 3;
+    this.geometry.setDrawRange(0, place);
+    this.index.clearUpdateRanges();
+    this.index.addUpdateRange(0, place);
+    this.index.needsUpdate = true;
+    this.object.visible = place > 0;
+  }
+}
