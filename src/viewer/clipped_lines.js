@@ -1,61 +1,50 @@
 // The lines of U2 as segments, clipped to three times the input's box: orbits to infinity end where they leave it.
+// The data end each line at its first vertex outside; here it is cut.
 // Lines that meet share what follows, and each shared segment is drawn once.
 
 import { none } from './complex.js';
 
 const most = 3;
 
-// How far along the segment from a (inside) to b the box ends, 0 to 1; 1 if b is inside.
-function exit(vertices, a, b) {
-  let t = 1;
-  for (let axis = 0; axis < 3; ++axis) {
-    const from = vertices[3 * a + axis];
-    const to = vertices[3 * b + axis];
-    if (to > most) t = Math.min(t, (most - from) / (to - from));
-    else if (to < -most) t = Math.min(t, (-most - from) / (to - from));
-  }
-  return t;
-}
+// How far along the way from a coordinate inside to another one the box ends, 0 to 1; 1 if that is inside, too.
+const exit = (from, to) => (to > most ? (most - from) / (to - from) : to < -most ? (-most - from) / (to - from) : 1);
 
 export class ClippedLines {
   constructor(u2) {
     this.u2 = u2;
     this.seen = new Uint32Array(u2.next.length);
     this.turn = 0;
+    this.buffer = new Float32Array(6 * u2.next.length);
   }
 
-  // Calls visit(a, b, t) for each segment of the lines, t telling where it is cut.
-  walk(lines, visit, sides = [0, 1]) {
-    const { vertices, next, starts } = this.u2;
+  // Six coordinates for each segment of the lines, on the sides that are named.
+  segments(lines, sides = [0, 1]) {
+    const { starts } = this.u2;
     ++this.turn;
-    for (const line of lines)
-      for (const side of sides)
-        for (let a = starts[2 * line + side]; next[a] !== none && this.seen[a] !== this.turn; a = next[a]) {
-          this.seen[a] = this.turn;
-          const t = exit(vertices, a, next[a]);
-          visit(a, next[a], t);
-          if (t < 1) break;
-        }
+    this.place = 0;
+    for (const line of lines) for (const side of sides) this.follow(starts[2 * line + side]);
+    return this.buffer.slice(0, this.place);
   }
 
-  segments(lines, sides) {
-    const { vertices } = this.u2;
-    let count = 0;
-    this.walk(lines, () => ++count, sides);
-    const result = new Float32Array(6 * count);
-    let place = 0;
-    this.walk(
-      lines,
-      (a, b, t) => {
-        for (let axis = 0; axis < 3; ++axis) {
-          const [from, to] = [vertices[3 * a + axis], vertices[3 * b + axis]];
-          result[place + axis] = from;
-          result[place + 3 + axis] = t < 1 ? from + t * (to - from) : to;
-        }
-        place += 6;
-      },
-      sides,
-    );
-    return result;
+  follow(start) {
+    const { seen, turn, buffer } = this;
+    const { vertices, next } = this.u2;
+    let place = this.place;
+    for (let a = start; next[a] !== none && seen[a] !== turn; a = next[a]) {
+      seen[a] = turn;
+      const [i, j] = [3 * a, 3 * next[a]];
+      const [x, y, z] = [vertices[i], vertices[i + 1], vertices[i + 2]];
+      const [u, v, w] = [vertices[j], vertices[j + 1], vertices[j + 2]];
+      const t = Math.max(0, Math.min(exit(x, u), exit(y, v), exit(z, w)));
+      buffer[place] = x;
+      buffer[place + 1] = y;
+      buffer[place + 2] = z;
+      buffer[place + 3] = t < 1 ? x + t * (u - x) : u;
+      buffer[place + 4] = t < 1 ? y + t * (v - y) : v;
+      buffer[place + 5] = t < 1 ? z + t * (w - z) : w;
+      place += 6;
+      if (t < 1) break;
+    }
+    this.place = place;
   }
 }

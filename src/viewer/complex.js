@@ -4,6 +4,7 @@
 
 import { decode, decode_all } from './blobs.js';
 import { exact_sphere } from './exact_sphere.js';
+import { fill_records, line_vertices } from './plain_points.js';
 
 export const none = 0xffffffff;
 
@@ -45,7 +46,8 @@ export class Complex {
   }
 
   async load_lines() {
-    this.u2 = await decode_all(this.data.u2, ['record', 'starts', 'limits', 'vertices', 'next']);
+    this.u2 = await decode_all(this.data.u2, ['record', 'starts', 'limits', 'next', 'steps']);
+    this.u2.vertices = line_vertices({ ...this.u2, step: this.data.u2.step });
     this.line_of_point = new Uint32Array(this.point_count).fill(none);
     this.u2.record.forEach((record, line) => (this.line_of_point[this.sample_count + record] = line));
   }
@@ -54,10 +56,16 @@ export class Complex {
     const { sample_count, records, samples } = this;
     const { origin, unit } = this.data;
     this.positions = new Float32Array(3 * this.point_count);
-    for (let i = 0; i < 3 * sample_count; ++i) this.positions[i] = samples[i] / unit - origin[i % 3] / unit;
-    this.positions.set(records.positions, 3 * sample_count);
     this.squared = new Float64Array(this.point_count);
-    this.squared.set(records.squared, sample_count);
+    const framed = fill_records({
+      samples,
+      origin,
+      unit,
+      records,
+      positions: this.positions.subarray(3 * sample_count),
+      squared: this.squared.subarray(sample_count),
+    });
+    this.positions.set(framed);
     this.kind = new Uint8Array(this.point_count);
     this.kind_counts = [sample_count, 0, 0, 0, 0];
     for (let i = 0; i < this.record_count; ++i) {

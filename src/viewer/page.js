@@ -361,17 +361,18 @@ export class Page {
   }
 
   picture() {
-    const canvas = this.scene.picture();
     const caption = `${by_id('summary').textContent} · ${by_id('threshold-line').textContent}`;
     const style = getComputedStyle(document.documentElement);
     const color = (name) => style.getPropertyValue(name).trim();
-    return save_picture(canvas, {
-      name: this.complex.data.name,
-      caption,
-      paper: color('--desk'),
-      ink: color('--ink'),
-      muted: color('--muted'),
-    });
+    return this.scene.picture((canvas) =>
+      save_picture(canvas, {
+        name: this.complex.data.name,
+        caption,
+        paper: color('--desk'),
+        ink: color('--ink'),
+        muted: color('--muted'),
+      }),
+    );
   }
 
   set_theme(theme, redraw = true) {

@@ -3,22 +3,14 @@
 // S2 as the polygons that they span, and these thinned by persistence where they are still too many. At rest it draws all that
 // `shown` says. `view` is what it draws now; `drawn()` tells the counts.
 
-import {
-  BufferAttribute,
-  BufferGeometry,
-  Group,
-  PerspectiveCamera,
-  Points,
-  Scene,
-  Vector3,
-  WebGLRenderer,
-} from 'three';
+import { BufferAttribute, BufferGeometry, Group, PerspectiveCamera, Points, Scene, Vector3 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { ClippedLines } from './clipped_lines.js';
 import { none } from './complex.js';
 import { LineLayer } from './line_layer.js';
 import { pick, pixel_of } from './picking.js';
 import { PointCloud, paint_points, point_material } from './point_cloud.js';
+import { make_renderer } from './renderer.js';
 import { counts_by_kind, fitting_sets, most, shown } from './shown.js';
 import { spanned_polygons } from './spanned_polygons.js';
 import { sphere_mark } from './sphere_mark.js';
@@ -29,7 +21,7 @@ const rest_after = 160; // milliseconds
 export class ComplexScene {
   constructor(canvas, complex, state, palette) {
     Object.assign(this, { canvas, complex, state, palette });
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'high-performance' });
+    this.renderer = make_renderer(canvas, complex.s2.triangles.length > 3 * most.triangles);
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(32, 1, 0.01, 40);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -103,13 +95,17 @@ export class ComplexScene {
   resize(width, height, pixel_ratio) {
     const at_home = this.size === undefined;
     this.size = { width, height };
-    this.renderer.setPixelRatio(pixel_ratio);
-    this.renderer.setSize(width, height, false);
+    this.set_pixels(width, height, pixel_ratio);
     this.camera.aspect = width / Math.max(1, height);
     this.camera.updateProjectionMatrix();
-    this.cloud.material.uniforms.pixel_ratio.value = pixel_ratio;
     if (at_home) this.reset_camera();
     this.redraw();
+  }
+
+  set_pixels(width, height, pixel_ratio) {
+    this.renderer.setPixelRatio(pixel_ratio);
+    this.renderer.setSize(width, height, false);
+    this.cloud.material.uniforms.pixel_ratio.value = pixel_ratio;
   }
 
   paint(palette) {
@@ -376,11 +372,17 @@ export class ComplexScene {
     };
   }
 
-  // The canvas with the scene in it, drawn now, so that it can be copied.
-  picture() {
+  // Calls copy(canvas) with the scene in it, drawn now and at twice the pixels, and returns what that returns.
+  picture(copy) {
+    const { width, height } = this.size;
+    const ratio = this.renderer.getPixelRatio();
     this.moving = false;
+    this.set_pixels(width, height, 2 * ratio);
     this.draw();
-    return this.canvas;
+    const result = copy(this.canvas);
+    this.set_pixels(width, height, ratio);
+    this.draw();
+    return result;
   }
 }
 

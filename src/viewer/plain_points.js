@@ -1,0 +1,61 @@
+// Positions and squared distances of points that the page's data leave out, because they follow from two or three
+// samples: critical points of index 1 and 2 with contact sets of a simplex. In doubles, in the frame; what is exact
+// comes from exact_sphere.js.
+
+// The circumcentre of three points, relative to the first one.
+function center_from_first(ax, ay, az, bx, by, bz, to) {
+  const [aa, bb] = [ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz];
+  const [nx, ny, nz] = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
+  const below = 2 * (nx * nx + ny * ny + nz * nz) || 1;
+  const [wx, wy, wz] = [aa * bx - bb * ax, aa * by - bb * ay, aa * bz - bb * az];
+  to[0] = (wy * nz - wz * ny) / below;
+  to[1] = (wz * nx - wx * nz) / below;
+  to[2] = (wx * ny - wy * nx) / below;
+}
+
+// Fills positions (three floats each, in the frame) and squared (in input units squared) of all records; those that
+// are not plain are in the data, in order. Returns the samples in the frame.
+export function fill_records({ samples, origin, unit, records, positions, squared }) {
+  const { face, hull, contact_offsets, contacts } = records;
+  const framed = Float64Array.from(samples, (value, i) => value / unit - origin[i % 3] / unit);
+  const offset = [0, 0, 0];
+  let listed = 0;
+  for (let i = 0; i < face.length; ++i) {
+    const from = contact_offsets[i];
+    const plain =
+      face[i] === hull[i] && (face[i] === 1 || face[i] === 2) && contact_offsets[i + 1] - from === face[i] + 1;
+    if (!plain) {
+      for (let axis = 0; axis < 3; ++axis) positions[3 * i + axis] = records.positions[3 * listed + axis];
+      squared[i] = records.squared[listed++];
+      continue;
+    }
+    const [p, q, r] = [3 * contacts[from], 3 * contacts[from + 1], 3 * contacts[from + face[i]]];
+    const [ax, ay, az] = [framed[q] - framed[p], framed[q + 1] - framed[p + 1], framed[q + 2] - framed[p + 2]];
+    if (face[i] === 1) [offset[0], offset[1], offset[2]] = [ax / 2, ay / 2, az / 2];
+    else {
+      const [bx, by, bz] = [framed[r] - framed[p], framed[r + 1] - framed[p + 1], framed[r + 2] - framed[p + 2]];
+      center_from_first(ax, ay, az, bx, by, bz, offset);
+    }
+    for (let axis = 0; axis < 3; ++axis) positions[3 * i + axis] = framed[p + axis] + offset[axis];
+    const distance = Math.hypot(offset[0], offset[1], offset[2]) * unit;
+    squared[i] = distance * distance;
+  }
+  if (listed !== records.squared.length)
+    throw new Error('The data of this page are damaged: some records are left over.');
+  return framed;
+}
+
+// The vertices of U2, in the frame: each is its next one, or the origin, and so many steps further.
+export function line_vertices({ next, step, steps }) {
+  const places = new Float64Array(3 * next.length);
+  const vertices = new Float32Array(3 * next.length);
+  for (let i = 0; i < next.length; ++i)
+    for (let axis = 0; axis < 3; ++axis) {
+      const code = steps[3 * i + axis];
+      const way = code % 2 === 0 ? code / 2 : -(code + 1) / 2;
+      const at = (next[i] < i ? places[3 * next[i] + axis] : 0) + way;
+      places[3 * i + axis] = at;
+      vertices[3 * i + axis] = at * step;
+    }
+  return vertices;
+}
