@@ -76,6 +76,11 @@ export class FactsTable {
     this.draw();
   }
 
+  open() {
+    this.visible = true;
+    this.draw();
+  }
+
   // The points that the scene draws now.
   set_shown(points) {
     this.shown = points;

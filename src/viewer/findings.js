@@ -1,5 +1,5 @@
-// What `check` found wrong with a claim: findings by group, and the place of each in the scene, with the claimed and the
-// true sphere, the samples inside the claimed one, and the lines that differ.
+// What `check` found wrong with a claim: findings by group, and the place of each in the scene, with the claimed and
+// the true sphere, the samples inside the claimed one, and the lines that differ.
 // All texts come from a claim and enter as text.
 
 import { BufferAttribute, BufferGeometry, Points } from 'three';
@@ -37,15 +37,14 @@ export const group_of = (finding) =>
 const most_listed = 200;
 
 export class Findings {
-  constructor(root, complex, state, scene, actions) {
-    Object.assign(this, { root, complex, state, scene, actions, claim: complex.data.claim });
+  constructor(root, complex, scene, actions) {
+    Object.assign(this, { root, complex, scene, actions, claim: complex.data.claim });
     this.items = [];
     this.build();
   }
 
   build() {
     const { claim } = this;
-    const wrong = claim.findings.filter((finding) => !finding.variation).length;
     const head = element(
       'header',
       { class: 'fact-head' },
@@ -54,11 +53,7 @@ export class Findings {
         {},
         element('h3', {}, claim.name),
         element('p', { class: 'muted' }, `verdict: ${claim.verdict}; tolerance ${claim.tolerance}`),
-        element(
-          'p',
-          {},
-          wrong === 0 ? 'Nothing is wrong with this claim.' : `${count_text(wrong)} of its statements are wrong.`,
-        ),
+        element('p', {}, this.sum_up()),
       ),
     );
     const by_group = new Map([...groups.map(([name]) => [name, []]), ['others', []], ['permitted variations', []]]);
@@ -83,6 +78,14 @@ export class Findings {
       this.notes('Not judged', claim.not_judged),
       this.notes('Not decided', claim.not_decided),
     );
+  }
+
+  sum_up() {
+    const { findings, findings_count, verdict } = this.claim;
+    if (verdict.startsWith('cannot be read')) return 'Nothing of the claim could be judged.';
+    if (findings.length === 0) return 'Nothing is wrong with this claim.';
+    const listed = findings_count > findings.length ? `, ${count_text(findings.length)} of them listed` : '';
+    return `${count_text(findings_count)} ${findings_count === 1 ? 'finding' : 'findings'}${listed}.`;
   }
 
   group(name, list) {
@@ -176,8 +179,17 @@ export class Findings {
     if (finding.spheres.length === 0 && finding.contact.length > 0)
       scene.mark_rings([], palette.claimed, scene.claims, finding.contact.map(at));
     for (const line of finding.lines) this.draw_line(line, color(line.role));
+    if (group_of(finding) === 'wrong limits') this.draw_true_lines(finding.record);
     if (finding.position) scene.mark_rings([], palette.ink, scene.claims, [finding.position]);
     scene.redraw();
+  }
+
+  draw_true_lines(record) {
+    const segments = record === null ? [] : this.scene.line_segments(record + this.complex.sample_count);
+    const layer = new LineLayer({ width: 3.5, on_top: true });
+    layer.paint(this.scene.palette.truth);
+    layer.show(segments);
+    this.scene.claims.add(layer.object);
   }
 
   draw_line({ positions, role }, color) {
@@ -206,16 +218,20 @@ export class Findings {
     this.scene.claims.add(points);
   }
 
-  // Where to look, and from how far.
+  // Where to look, and from how far: all spheres are seen.
   place(i) {
-    const finding = this.claim.findings[i];
-    const sphere = finding.spheres[0];
-    const position =
-      finding.position ??
-      sphere?.center ??
-      (finding.contact.length > 0 ? this.complex.frame_position(finding.contact[0]) : null);
-    return position
-      ? { position, distance: Math.min(8, 5 * Math.max(0.12, ...finding.spheres.map((s) => s.radius))) }
-      : null;
+    const { position, spheres, contact } = this.claim.findings[i];
+    if (spheres.length > 0) return around(spheres);
+    const at = position ?? (contact.length > 0 ? this.complex.frame_position(contact[0]) : null);
+    return at ? { position: at, distance: 1.5 } : null;
   }
+}
+
+function around(spheres) {
+  const bound = (axis, sign) => Math.max(...spheres.map((s) => sign * s.center[axis] + s.radius));
+  const low = [0, 1, 2].map((axis) => -bound(axis, -1));
+  const high = [0, 1, 2].map((axis) => bound(axis, 1));
+  const half = Math.hypot(...high.map((value, axis) => value - low[axis])) / 2;
+  const position = high.map((value, axis) => (value + low[axis]) / 2);
+  return { position, distance: Math.min(12, Math.max(0.4, 3.1 * half)) };
 }

@@ -5,6 +5,8 @@
 import { can_decode } from './blobs.js';
 import { Complex } from './complex.js';
 import { Page } from './page.js';
+import { shown_name } from './statements.js';
+import { test_interface } from './test_interface.js';
 
 function say(text) {
   const message = document.getElementById('stage-message');
@@ -18,8 +20,7 @@ async function start() {
   if (data === null) return say('This is the page without data. The command flowcert view fills it.');
   if (data.format !== 'flowcert-view' || data.format_version !== 1)
     return say('The data of this page are of another version.');
-  document.title = `${data.name} · flow complex`;
-  document.getElementById('name').textContent = data.name;
+  document.title = `${shown_name(data.name)} · flow complex`;
   if (!can_decode())
     return say('This browser cannot decompress the data (DecompressionStream). One of 2023 or later can.');
   timings.parsed_ms = performance.now();
@@ -27,7 +28,7 @@ async function start() {
   await complex.load_first();
   timings.decoded_ms = performance.now();
   const page = new Page(complex, timings);
-  window.flowcert = page.test_interface();
+  window.flowcert = test_interface(page);
   await page.begin(location.hash.includes('full'));
 }
 

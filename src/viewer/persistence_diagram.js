@@ -119,8 +119,12 @@ export class PersistenceDiagram {
     return this.complex.pairs.dimension[pair];
   }
 
+  pixel_of(pair) {
+    return [this.x.pixel(this.birth[pair]), this.y.pixel(this.death[pair])];
+  }
+
   mark(context, pair, size, color, outline) {
-    const [x, y] = [this.x.pixel(this.birth[pair]), this.y.pixel(this.death[pair])];
+    const [x, y] = this.pixel_of(pair);
     context.fillStyle = color;
     context.beginPath();
     const dimension = this.dimension(pair);

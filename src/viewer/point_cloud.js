@@ -39,7 +39,8 @@ void main() {
   int kind = int(v_kind + 0.5);
   float d = ring > 0.5 ? abs(length(p) - 0.82) - 0.13 : shape(p, kind);
   if (d > 0.0) discard;
-  vec3 color = kind == 0 ? colors[0] : kind == 1 ? colors[1] : kind == 2 ? colors[2] : kind == 3 ? colors[3] : colors[4];
+  vec3 color = kind == 0 ? colors[0] : kind == 1 ? colors[1] : kind == 2 ? colors[2] : colors[3];
+  if (kind == 4) color = colors[4];
   gl_FragColor = vec4(ring < 0.5 && d > -0.16 && kind > 0 ? mix(color, outline, 0.75) : color, 1.0);
 }`;
 

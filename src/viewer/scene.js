@@ -1,7 +1,7 @@
 // The three-dimensional scene: camera, layers, marks of what is picked, and the picture of it all.
 // It draws only when something has changed. While it turns, or the slider moves, at most 100,000 triangles are drawn:
-// S2 as the polygons that they span, and these thinned by persistence where they are still too many. At rest it draws all that
-// `shown` says. `view` is what it draws now; `drawn()` tells the counts.
+// S2 as the polygons that they span, and these thinned by persistence where they are still too many.
+// At rest it draws all that `shown` says. `view` is what it draws now; `drawn()` tells the counts.
 
 import { BufferAttribute, BufferGeometry, Group, PerspectiveCamera, Points, Scene, Vector3 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
@@ -72,6 +72,7 @@ export class ComplexScene {
     this.controls.target.set(0, 0, 0);
     this.camera.position.copy(direction.multiplyScalar(this.home_distance()));
     this.controls.update();
+    this.redraw();
   }
 
   // The ball around the box fits the narrower way.
@@ -217,9 +218,29 @@ export class ComplexScene {
     }
     this.exact.object.visible = !flat && this.exact.count > 0;
     if (this.flat) this.flat.object.visible = flat && this.flat.count > 0;
-    const opacity = this.state.see_through ? 0.38 : 1;
+    this.set_opacity();
+  }
+
+  // What can be seen through steps back behind what is picked or found.
+  set_opacity() {
+    const { see_through, picked, finding } = this.state;
+    const opacity = !see_through ? 1 : picked !== none || finding >= 0 ? 0.16 : 0.38;
     this.exact.set_opacity(opacity);
     if (this.flat) this.flat.set_opacity(opacity);
+  }
+
+  repaint_surface() {
+    this.set_opacity();
+    this.redraw();
+  }
+
+  is_at_rest() {
+    return !this.moving && !this.waiting && Boolean(this.view) && this.surface_is !== null;
+  }
+
+  current_view() {
+    if (!this.view) this.lay_out();
+    return this.view;
   }
 
   surface() {
@@ -270,12 +291,15 @@ export class ComplexScene {
       this.marks.add(mesh.object);
     }
     const edge = this.complex.kind[point] === 1 ? this.edge_segments([point]) : null;
+    this.lines.path.show(edge ?? this.line_segments(point));
+  }
+
+  // The lines of U2 of a point; none before they are decoded.
+  line_segments(point) {
     const line = this.complex.u2 ? this.complex.line_of_point[point] : none;
-    if (edge) this.lines.path.show(edge);
-    else if (line !== none) {
-      this.clipped ??= new ClippedLines(this.complex.u2);
-      this.lines.path.show(this.clipped.segments([line]));
-    }
+    if (line === none) return new Float32Array(0);
+    this.clipped ??= new ClippedLines(this.complex.u2);
+    return this.clipped.segments([line]);
   }
 
   mark_rings(points, color = this.palette.accent, group = this.marks, positions = null) {

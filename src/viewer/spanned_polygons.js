@@ -1,7 +1,7 @@
 // Each S2 as the polygon that its boundary spans, cut into triangles: what is drawn in place of S2 where there are too
 // many triangles. Boundaries run along Gabriel edges, so neighbours still fit together without gaps.
-// An S2 of three segments is that polygon, and keeps its form. Where the boundary is not one closed walk (ties, parts of
-// dimension 3), the triangles of the S2 stay as they are.
+// An S2 of three segments is that polygon, and keeps its form.
+// Where the boundary is not one closed walk (ties, parts of dimension 3), the triangles of the S2 stay as they are.
 
 // The closed walk along the edges that lie on one triangle only, mod 2; null where it is not one cycle.
 function boundary_walk(triangles) {

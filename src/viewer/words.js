@@ -68,14 +68,16 @@ export function clauses(complex, point) {
     return [
       [
         'FC-CRIT-02',
-        `Critical: it lies in the relative interior of the hull of its contact set, which has dimension ${face}, the index.`,
+        'Critical: it lies in the relative interior of the hull of its contact set, ' +
+          `which has dimension ${face}, the index.`,
       ],
       sphere,
     ];
   return [
     [
       'FC-CRIT-03',
-      `Regular stationary: it lies inside a face of dimension ${face} (${hulls[face]}) of the hull of its contact set, ` +
+      `Regular stationary: it lies inside a face of dimension ${face} (${hulls[face]}) ` +
+        'of the hull of its contact set, ' +
         `which has dimension ${hull} (${hulls[hull]}). Critical points of neighbouring index collide here.`,
     ],
     sphere,

@@ -1,0 +1,54 @@
+// Sentences about the whole page: the summary below the name, what made it, and what the view leaves out.
+
+import { count_text } from './words.js';
+
+// A path is shown by its last part; other names as they are.
+export const shown_name = (name) =>
+  /^(\.{0,2}|[A-Za-z]:)[\\/]/.test(name) ? name.split(/[\\/]/).pop() || name : name;
+
+export function summary({ data, kind_counts }) {
+  const regular = kind_counts[4] > 0 ? `, ${count_text(kind_counts[4])} regular stationary` : '';
+  const merged = data.merged_duplicates > 0 ? ` (${count_text(data.merged_duplicates)} merged)` : '';
+  const critical = data.critical.map(count_text).join(' + ');
+  return `${count_text(data.points)} points${merged}; critical points of index 0 to 3: ${critical}${regular}`;
+}
+
+export function about_lines({ data }) {
+  const program = `flowcert ${data.version} (commit ${data.commit}; kernel: ${data.kernel}`;
+  return [
+    thinned_data(data),
+    `Input: ${data.name}, SHA-256 ${data.input_sha256}.`,
+    `Made by ${program}; compiler: ${data.compiler}; CGAL ${data.cgal}).`,
+    'Samples are the points of index 0. S1 is what flows to a point of index 1, a Gabriel edge; ' +
+      'S2 is what flows to one of index 2, a surface. ' +
+      'U2 are the two orbits that leave a point of index 2; those to infinity are cut at three times the box.',
+    'Positions in the scene are 32-bit floats. Those in the facts are exact, computed here from the samples.',
+    'The page needs no network and sends nothing. It is under the MIT license and contains three.js.',
+  ].filter(Boolean);
+}
+
+function thinned_data({ thinned }) {
+  if (!thinned) return null;
+  const [kept, of] = [count_text(thinned.kept), count_text(thinned.of)];
+  return `The program kept ${kept} of ${of} stationary points, those of the longest persistence pairs (view --most).`;
+}
+
+// What is said above the layers.
+export function notice_lines(data, view) {
+  const lines = [];
+  const out = view?.thinned;
+  if (out && view.flat) lines.push('Thinned view: each surface is drawn as the polygon that it spans.');
+  else if (out) lines.push('Thinned view.');
+  const parts = [
+    ['sets', 'surfaces'],
+    ['points', 'points'],
+    ['edges', 'edges'],
+    ['lines', 'pairs of U2 lines'],
+  ].filter(([name]) => out?.[name] > 0);
+  if (parts.length > 0) {
+    const counted = parts.map(([name, text]) => `${count_text(out[name])} ${text}`).join(', ');
+    lines.push(`Left out, as their persistence is shortest: ${counted}.`);
+  }
+  if (data.thinned) lines.push(thinned_data(data));
+  return lines;
+}
