@@ -160,7 +160,7 @@ export class Findings {
         finding.line === null ? null : row('line', `${finding.line} of the claim`),
         finding.contact.length > 0 ? row('contact', `rows ${rows(finding.contact)}`) : null,
         inside.length > 0
-          ? row('inside', `rows ${rows(inside)} lie inside the claimed sphere, so it proves nothing`)
+          ? row('inside', `${inside.length === 1 ? 'row' : 'rows'} ${rows(inside)} inside the claimed sphere`)
           : null,
       ),
     );

@@ -294,6 +294,12 @@ export class ComplexScene {
     this.lines.path.show(edge ?? this.line_segments(point));
   }
 
+  // The least and the largest coordinate of the lines of U2 that are drawn.
+  line_bounds() {
+    const all = this.clipped.segments(this.lines_of(this.view.line_sets));
+    return [all.reduce((a, b) => Math.min(a, b), 0), all.reduce((a, b) => Math.max(a, b), 0)];
+  }
+
   // The lines of U2 of a point; none before they are decoded.
   line_segments(point) {
     const line = this.complex.u2 ? this.complex.line_of_point[point] : none;

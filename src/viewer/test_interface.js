@@ -71,7 +71,9 @@ export function test_interface(page) {
       const [x, y] = page.diagram.pixel_of(pair);
       return [x + box('diagram').left, y + box('diagram').top];
     },
+    redraw_now: () => page.scene.draw(),
     line_ends: () => page.line_ends(),
+    line_bounds: () => page.scene.line_bounds(),
     finding: (i) => actions.finding(i),
     finding_groups: () => (complex.data.claim?.findings ?? []).map(group_of),
     claim_marks: () => page.scene.claims.children.length,

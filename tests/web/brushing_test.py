@@ -1,0 +1,147 @@
+"""Brushed pairs, picked pairs and thresholds, linked with the scene; expected sets come from persistence --json."""
+import math
+
+import pytest
+from selenium.webdriver.common.keys import Keys
+
+import inputs
+
+
+def expected(page, chosen):
+    """The points of pairs, and those of them that have an S2."""
+    ends = [end for pair in chosen for end in pair[1:] if end]
+    critical = {tuple(r["contact"]): r["index"] for r in page.records}
+    points = {name for _, name in ends}
+    return points, {name for name in points if critical[name] == 2}
+
+
+def shown(page, browser):
+    view = browser.ask("shown")
+    return {page.name(p) for p in view["points"]}, {page.name({"record": r}) for r in view["sets"]}
+
+
+def within(pair, rectangle):
+    birth, death = float(pair[1][0]), float(pair[2][0]) if pair[2] else math.inf
+    low_birth, high_birth, low_death, high_death = rectangle
+    return low_birth <= birth <= high_birth and low_death <= death <= high_death
+
+
+@pytest.mark.parametrize("name", ["cube", "octahedra", "pyramid", "half-octahedron", "bunny"])
+def test_a_rectangle_shows_exactly_its_pairs(opened, browser, name):
+    page = opened(name)
+    finite = sorted({float(p[2][0]) for p in page.pairs if p[2]})
+    births = sorted({float(p[1][0]) for p in page.pairs})
+    # Between values, so that rounding of squared distances does not matter.
+    cut = (finite[len(finite) // 2 - 1] + finite[len(finite) // 2]) / 2 if len(finite) > 1 else finite[0] * 2
+    top = births[-1] * 1.5 + 1
+    for rectangle in [(-1, top, -1, cut), (1e-300, top, cut, finite[-1] * 2), (-1, top, cut, 1e300)]:
+        browser.ask("brush_rectangle", *rectangle)
+        chosen = [p for p in page.pairs if within(p, rectangle)]
+        assert len(browser.ask("brushed")) == len(chosen)
+        if chosen:
+            assert shown(page, browser) == expected(page, chosen)
+
+
+def test_a_drag_brushes_what_is_under_it(opened, browser):
+    page = opened("octahedra")
+    pairs = browser.run("return Array.from({length: flowcert.counts().pairs.reduce((a, b) => a + b)}, (_, i) => i)")
+    at = {pair: browser.ask("diagram_pixel_of", pair) for pair in pairs}
+    place = next(at[pair] for pair in pairs if page.pairs[pair][0] == 1)
+    chosen = [p for pair, p in enumerate(page.pairs) if math.dist(at[pair], place) < 12]
+    assert 0 < len(chosen) < len(pairs)
+    browser.drag((place[0] - 12, place[1] - 12), (place[0] + 12, place[1] + 12))
+    browser.rest()
+    inside = [p for pair, p in enumerate(page.pairs)
+              if abs(at[pair][0] - place[0]) < 12 and abs(at[pair][1] - place[1]) < 12]
+    assert shown(page, browser) == expected(page, inside)
+    drawn = browser.ask("drawn")
+    assert drawn["points"] == len(expected(page, inside)[0])
+    assert drawn["s2_sets"] == len(expected(page, inside)[1])
+    browser.find("#clear-brush").click()
+    assert browser.ask("brushed") == []
+    assert browser.ask("drawn")["points"] == len(page.records)
+
+
+def test_brushed_pairs_of_a_big_input_are_drawn_exactly(opened, browser):
+    page = opened("bunny")
+    order = sorted(range(len(page.pairs)), reverse=True,
+                   key=lambda i: page.pairs[i][2][0] - page.pairs[i][1][0] if page.pairs[i][0] == 1 else 0)[:100]
+    browser.ask("brush_pairs", order)
+    browser.rest()
+    chosen = [page.pairs[i] for i in order]
+    assert shown(page, browser) == expected(page, chosen)
+    drawn = browser.ask("drawn")
+    assert not drawn["flat"] and drawn["s2_sets"] == 100 and drawn["points"] == 200
+
+
+@pytest.mark.parametrize("name", ["cube", "octahedra", "pyramid", "bunny"])
+def test_thresholds_select_what_surface_selects(opened, browser, name):
+    page = opened(name)
+    radii = sorted({math.sqrt(float(r["squared_distance_double"])) for r in page.records if r["index"] == 2})
+    for part in (0.1, 0.5, 0.9):
+        k = int(part * (len(radii) - 1))
+        radius = (radii[k] + radii[min(k + 1, len(radii) - 1)]) / 2
+        browser.ask("threshold", "radius", radius)
+        browser.ask("full_detail", True)
+        browser.rest()
+        selected = page.surface(f"index2-radius<{radius!r}")
+        assert (browser.ask("drawn")["s2_sets"], browser.ask("drawn")["triangles"]) == \
+               (selected["selected"], selected["triangles"])
+    lengths = sorted({float(p[2][0] - p[1][0]) for p in page.pairs if p[2] and p[0] > 0})
+    length = sum(lengths[len(lengths) // 2 - 1:][:2]) / 2 if len(lengths) > 1 else 0
+    browser.ask("threshold", "persistence", length)
+    browser.rest()
+    assert browser.ask("drawn")["s2_sets"] == page.surface(f"persistence>{length!r}")["selected"]
+
+
+def test_the_slider_is_live_and_has_a_keyboard(opened, browser):
+    opened("bunny")
+    browser.rest()
+    before = browser.ask("drawn")["s2_sets"]
+    frames = browser.ask("frames")
+    slider = browser.find("#threshold")
+    slider.send_keys(*[Keys.ARROW_LEFT] * 120)
+    browser.rest()
+    assert browser.ask("drawn")["s2_sets"] < before
+    assert browser.ask("frames") > frames + 2
+    assert "input units" in slider.get_attribute("aria-valuetext")
+    slider.send_keys(Keys.END)
+    browser.rest()
+    assert len(browser.ask("shown")["sets"]) == browser.ask("counts")["s2_sets"]
+
+
+def test_picking_a_point_picks_its_pair(opened, browser):
+    page = opened("cube")
+    for pair, (_, birth, death) in enumerate(page.pairs):
+        for _, name in filter(None, (birth, death)):
+            assert browser.ask("pair_of", page.places[name]) in range(len(page.pairs))
+        if death:
+            assert browser.ask("pair_of", page.places[birth[1]]) == browser.ask("pair_of", page.places[death[1]]) == pair
+
+
+def test_a_click_in_the_diagram_picks_the_pair(opened, browser):
+    page = opened("cube")
+    pair = next(i for i, p in enumerate(page.pairs) if p[0] == 2)
+    browser.click_at(*browser.ask("diagram_pixel_of", pair))
+    assert page.name(browser.ask("picked")) in {page.pairs[pair][1][1], page.pairs[pair][2][1]}
+    assert browser.ask("pair_of", browser.ask("picked")) == pair
+
+
+def test_a_drag_over_the_histogram_brushes_its_bars(opened, browser):
+    page = opened("octahedra")
+    box = browser.find("#histogram").rect
+    left, right = box["x"] + 46, box["x"] + box["width"] - 10
+    middle = box["y"] + box["height"] / 3
+    browser.drag((left + 0.9 * (right - left), middle), (right - 1, middle))
+    radii = {tuple(r["contact"]): r["squared_distance_double"] for r in page.records if r["index"] == 2}
+    largest = max(radii.values())
+    chosen = [p for p in page.pairs if any(end and radii.get(end[1]) == largest for end in p[1:])]
+    assert chosen and shown(page, browser) == expected(page, chosen)
+
+
+@pytest.mark.parametrize("name", inputs.SMALL)
+def test_every_critical_point_is_shown_by_its_pair_alone(opened, browser, name):
+    page = opened(name)
+    for pair in range(len(page.pairs)):
+        browser.ask("brush_pairs", [pair])
+        assert shown(page, browser) == expected(page, [page.pairs[pair]])

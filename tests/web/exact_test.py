@@ -1,0 +1,148 @@
+"""Facts of points are those that compute -o writes: positions and distances as fractions, contacts, limits, pairs."""
+import random
+
+import pytest
+
+import inputs
+
+
+def is_same(told, record):
+    return told["center"] == record["center"] and told["squared_distance"] == record["squared_distance"]
+
+
+@pytest.mark.parametrize("name", inputs.SMALL)
+def test_every_record_is_exact(opened, browser, name):
+    page = opened(name)
+    for record in page.records:
+        told = browser.ask("exact", page.places[tuple(record["contact"])])
+        assert is_same(told, record), record
+
+
+def test_records_of_a_scan_are_exact(opened, browser):
+    page = opened("bunny")
+    drawn = random.Random(19).sample(page.records, 600)
+    for record in drawn:
+        place = page.places[tuple(record["contact"])]
+        assert is_same(browser.ask("exact", place), record), record
+        near = browser.ask("squared", place)
+        assert abs(near - record["squared_distance_double"]) <= 1e-5 * record["squared_distance_double"]
+
+
+def facts(browser):
+    return [row.get_attribute("data-exact") for row in browser.find_all("#page-details dd[data-exact]")]
+
+
+@pytest.mark.parametrize("name", ["cube", "octahedra", "pyramid", "half-octahedron"])
+def test_a_click_shows_the_exact_position(opened, browser, name):
+    """Points that nothing hides, clicked with the mouse at the pixel where they are."""
+    page = opened(name)
+    browser.rest()
+    at = {tuple(r["contact"]): browser.ask("pixel_of", page.places[tuple(r["contact"])]) for r in page.records}
+    clicked = 0
+    for record in page.records:
+        x, y = at[tuple(record["contact"])]
+        others = [p for key, p in at.items() if key != tuple(record["contact"])]
+        is_apart = min((abs(x - a) + abs(y - b) for a, b in others), default=100) > 30
+        if not is_apart or browser.run("return document.elementFromPoint(...arguments).id", x, y) != "scene":
+            continue
+        browser.click_at(x, y)
+        assert page.name(browser.ask("picked")) == tuple(record["contact"])
+        assert facts(browser) == [*record["center"], record["squared_distance"]]
+        clicked += 1
+        if clicked == 8:
+            break
+    assert clicked >= 3
+
+
+def test_a_click_on_the_surface_of_a_scan_shows_its_point(opened, browser):
+    page = opened("bunny")
+    browser.rest()
+    box = browser.find("#scene").rect
+    browser.click_at(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    record = next(r for r in page.records if tuple(r["contact"]) == page.name(browser.ask("picked")))
+    assert record["index"] == 2
+    assert facts(browser) == [*record["center"], record["squared_distance"]]
+    browser.rest()
+
+
+def test_what_is_said_of_a_point(opened, browser):
+    page = opened("cube")
+    browser.ask("pick", page.places[tuple(range(8))])
+    text = browser.find("#page-details").text
+    for words in ("Maximum, index 3", "1/2", "3/4", "input units, squared", "FC-CRIT-02", "FC-CRIT-05",
+                  "come in from 6 saddles"):
+        assert words in text, words
+    chips = [chip.text for chip in browser.find_all("#page-details .chips")[0].find_elements("css selector", "button")]
+    assert chips == [str(row) for row in range(8)]
+
+
+def test_regular_stationary_points_have_their_clause(opened, browser):
+    page = opened("half-octahedron")
+    regular = next(r for r in page.records if r["kind"] == "regular")
+    browser.ask("pick", page.places[tuple(regular["contact"])])
+    text = browser.find("#page-details").text
+    assert "kind 1-3" in text and "FC-CRIT-03" in text and "It is in no pair" in text
+
+
+@pytest.mark.parametrize("name", ["cube", "pyramid", "octahedra"])
+def test_limits_by_side_are_those_of_the_program(opened, browser, name):
+    page = opened(name)
+    for record in [r for r in page.records if r["index"] == 2]:
+        browser.ask("pick", page.places[tuple(record["contact"])])
+        lines = [line.text for line in browser.find_all("#page-details .line") if line.text.startswith("U2, side")]
+        assert len(lines) == 2
+        for side, limit in enumerate(record["limits"]):
+            text = lines[side].replace("\n", " ")
+            assert text.startswith(f"U2, side {side}: ends at")
+            if limit is None:
+                assert "infinity" in text
+            else:
+                place = page.places[tuple(limit)]["record"]
+                number = browser.run("return arguments[0]", place) + page.summary["critical"][0]
+                assert f"record {number:d} " in text.replace(",", "")
+
+
+def test_long_fractions_are_shortened_and_copied_whole(opened, browser):
+    page = opened("tiny")
+    record = next(r for r in page.records if r["index"] == 2)
+    browser.ask("pick", page.places[tuple(record["contact"])])
+    shown = browser.find("#page-details dd[data-exact]")
+    value = shown.find_element("css selector", ".value").text
+    assert "…" in value and len(value) < 70 < len(record["center"][0])
+    assert facts(browser) == [*record["center"], record["squared_distance"]]
+    browser.run("window.copied = null; document.execCommand = () => (window.copied = getSelection().toString(), true);"
+                "Object.defineProperty(navigator, 'clipboard', {value: {writeText: t => (window.copied = t, "
+                "Promise.resolve())}})")
+    shown.find_element("css selector", ".copy").click()
+    assert browser.run("return window.copied") == record["center"][0]
+
+
+def test_the_table_has_the_same_facts(opened, browser):
+    page = opened("octahedra")
+    browser.find("#tab-table").click()
+    cells = []
+    while True:
+        rows = browser.run("return [...document.querySelectorAll('#page-table tbody tr')].map(row => "
+                           "[...row.children].map(cell => cell.textContent))")
+        if cells and rows[0] == cells[-len(rows)]:
+            break
+        cells += rows
+        before = browser.run("return document.querySelector('#page-table tbody').textContent")
+        browser.find('#page-table button[aria-label="Next page"]').click()
+        if browser.run("return document.querySelector('#page-table tbody').textContent") == before:
+            break
+    assert len(cells) == len(page.records)
+    for row, record in zip(cells, page.records):
+        index = record["index"]
+        assert row[1] == (str(index) if isinstance(index, int) else f"{index[0]}-{index[1]}")
+        assert [float(x) for x in row[2:5]] == record["center_double"]
+        assert row[6].split(" (")[0].replace(" …", "").split() == [str(c) for c in record["contact"][:8]]
+
+
+def test_rows_of_the_table_pick_points(opened, browser):
+    page = opened("cube")
+    browser.find("#tab-table").click()
+    browser.find('#page-table select option[value="3"]').click()
+    button = browser.find("#page-table tbody button")
+    button.click()
+    assert page.name(browser.ask("picked")) == tuple(range(8))

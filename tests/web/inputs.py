@@ -1,0 +1,37 @@
+"""The inputs of which pages are tested: degenerate ones that fit on a line, and the Stanford bunny."""
+import itertools
+
+BUNNY = "/usr/share/glmark2/models/bunny.obj"
+
+
+def rows(points):
+    return "".join(" ".join(map(str, point)) + "\n" for point in points)
+
+
+def octahedra():
+    """The corners of octahedra in a lattice of 2 by 2 by 2: ties and regular stationary points."""
+    steps = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
+    centers = itertools.product((0, 2), repeat=3)
+    return sorted({tuple(a + b for a, b in zip(c, step)) for c in centers for step in steps})
+
+
+TEXTS = {
+    "cube": rows(itertools.product((0, 1), repeat=3)),
+    "octahedra": rows(octahedra()),
+    "square": "0 0 0\n2 0 0\n2 2 0\n0 2 0\n",
+    "pyramid": "0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 1 3\n1.2 0.3 1.1\n",
+    "half-octahedron": "1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n",
+    "kind-2-3": "5 0 0\n-3 4 0\n-3 -4 0\n0 0 5\n",
+    "repeated": "1 1 1\n0 0 0\n1 1 1\n4 0 0\n0 4 0\n0 0 4\n",
+    "line": "0 0 0\n1 0 0\n3 0 0\n",
+    "tiny": "1e-300 0 0\n-1e-300 0 0\n0 1.5e-300 0\n0 1e-301 2e-300\n0 0 -7e-301\n",
+    "one": "1 2 3\n",
+    "none": "# no point\n",
+}
+SMALL = sorted(TEXTS)
+ALL = [*SMALL, "bunny"]
+
+
+def text(name):
+    """The text of an input, or None for the bunny, which is a file."""
+    return TEXTS.get(name)
