@@ -1,7 +1,7 @@
 // What is drawn, computed from the complex and the state: points, S1, S2 and U2.
 // Brushed pairs show exactly their points and the S2 of these, whatever the threshold is.
 // Otherwise the threshold decides: distance below it, or persistence above it.
-// The thinned view keeps at most `most` of each; what has the shortest persistence is left out first, and is counted.
+// The thinned view, unless pairs are brushed, keeps at most `most` of each; what has the shortest persistence is left out first, and is counted.
 
 import { none, regular_kind } from './complex.js';
 
@@ -85,7 +85,7 @@ export function shown(complex, state, polygons) {
   const lines = state.layers.u2 ? kept_sets(complex, keeps) : new Uint32Array(0);
   const result = { ...all, flat: false, line_sets: lines, thinned: null };
   const triangles = triangle_count(complex.s2.triangle_offsets, all.sets);
-  if (state.full) return { ...result, triangles };
+  if (state.full || state.brush) return { ...result, triangles };
   const weight = (point) => complex.persistence_of(point);
   result.points = heaviest(all.points, most.points, weight);
   result.edges = heaviest(all.edges, most.points, weight);

@@ -47,13 +47,11 @@ def test_a_drag_brushes_what_is_under_it(opened, browser):
     pairs = browser.run("return Array.from({length: flowcert.counts().pairs.reduce((a, b) => a + b)}, (_, i) => i)")
     at = {pair: browser.ask("diagram_pixel_of", pair) for pair in pairs}
     place = next(at[pair] for pair in pairs if page.pairs[pair][0] == 1)
-    chosen = [p for pair, p in enumerate(page.pairs) if math.dist(at[pair], place) < 12]
-    assert 0 < len(chosen) < len(pairs)
     browser.drag((place[0] - 12, place[1] - 12), (place[0] + 12, place[1] + 12))
     browser.rest()
     inside = [p for pair, p in enumerate(page.pairs)
               if abs(at[pair][0] - place[0]) < 12 and abs(at[pair][1] - place[1]) < 12]
-    assert shown(page, browser) == expected(page, inside)
+    assert 0 < len(inside) < len(pairs) and shown(page, browser) == expected(page, inside)
     drawn = browser.ask("drawn")
     assert drawn["points"] == len(expected(page, inside)[0])
     assert drawn["s2_sets"] == len(expected(page, inside)[1])
@@ -64,8 +62,8 @@ def test_a_drag_brushes_what_is_under_it(opened, browser):
 
 def test_brushed_pairs_of_a_big_input_are_drawn_exactly(opened, browser):
     page = opened("bunny")
-    order = sorted(range(len(page.pairs)), reverse=True,
-                   key=lambda i: page.pairs[i][2][0] - page.pairs[i][1][0] if page.pairs[i][0] == 1 else 0)[:100]
+    lengths = {i: float(death[0] - birth[0]) for i, (dimension, birth, death) in enumerate(page.pairs) if dimension == 1}
+    order = sorted(lengths, key=lengths.get, reverse=True)[:100]
     browser.ask("brush_pairs", order)
     browser.rest()
     chosen = [page.pairs[i] for i in order]
@@ -116,7 +114,8 @@ def test_picking_a_point_picks_its_pair(opened, browser):
         for _, name in filter(None, (birth, death)):
             assert browser.ask("pair_of", page.places[name]) in range(len(page.pairs))
         if death:
-            assert browser.ask("pair_of", page.places[birth[1]]) == browser.ask("pair_of", page.places[death[1]]) == pair
+            assert browser.ask("pair_of", page.places[birth[1]]) == pair
+            assert browser.ask("pair_of", page.places[death[1]]) == pair
 
 
 def test_a_click_in_the_diagram_picks_the_pair(opened, browser):

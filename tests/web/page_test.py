@@ -91,7 +91,8 @@ def test_something_is_drawn_where_there_are_points(opened, browser, name):
 
 def test_pictures_are_png_files(opened, browser):
     opened("cube")
-    browser.run("window.saved = []; HTMLAnchorElement.prototype.click = function () { saved.push([this.download, this.href]) }")
+    browser.run("window.saved = [];"
+                "HTMLAnchorElement.prototype.click = function () { saved.push([this.download, this.href]) }")
     told = browser.ask("save_picture")
     (name, address), = browser.run("return saved")
     assert name == "cube.xyz.png" and address.startswith("blob:")

@@ -110,9 +110,21 @@ class Page:
 
     @functools.cached_property
     def pairs(self):
-        """(dimension, birth, death) of each pair; an end is (squared distance, contact set), or None."""
+        """(dimension, birth, death) of each pair, in the page's order; an end is (squared distance, contact set), or
+        None. They are those of persistence --json."""
 
         def end(value):
             return value and (Fraction(value["squared_distance"]), tuple(value["contact"]))
 
-        return [(p["dimension"], end(p["birth"]), end(p["death"])) for p in self.persistence["pairs"]]
+        told = {(p["dimension"], end(p["birth"]), end(p["death"])) for p in self.persistence["pairs"]}
+        by_names = {(d, birth[1], death and death[1]): (d, birth, death) for d, birth, death in told}
+        assert len(by_names) == len(told) == self.data["pairs"]["dimension"]["count"]
+        return [by_names[key] for key in self.listed_pairs()]
+
+    def listed_pairs(self):
+        """The page's pairs: dimension, and two contact sets, or None."""
+        records, samples = self.names
+        columns = [numbers(self.data["pairs"][key]) for key in ("dimension", "birth", "birth_sample", "death")]
+        for dimension, birth, sample, death in zip(*columns):
+            begin = records[birth] if sample == NONE else samples[sample]
+            yield dimension, begin, None if death == NONE else records[death]
