@@ -7,7 +7,7 @@ import { Scale, fresh_context } from './plot.js';
 import { RectangleBrush } from './rectangle_brush.js';
 import { count_text, short_number } from './words.js';
 
-const margin = { left: 46, right: 10, top: 8, bottom: 32 };
+const margin = { left: 56, right: 10, top: 8, bottom: 32 };
 const bins = 56;
 
 export class Histogram {

@@ -7,7 +7,7 @@ import { Scale, fresh_context } from './plot.js';
 import { RectangleBrush } from './rectangle_brush.js';
 import { short_number } from './words.js';
 
-const margin = { left: 46, right: 10, top: 10, bottom: 36 };
+const margin = { left: 56, right: 10, top: 10, bottom: 36 };
 const strip = 16;
 const most_marks = 4000;
 

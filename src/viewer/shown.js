@@ -1,7 +1,8 @@
 // What is drawn, computed from the complex and the state: points, S1, S2 and U2.
 // Brushed pairs show exactly their points and the S2 of these, whatever the threshold is.
 // Otherwise the threshold decides: distance below it, or persistence above it.
-// The thinned view, unless pairs are brushed, keeps at most `most` of each; what has the shortest persistence is left out first, and is counted.
+// The thinned view, unless pairs are brushed, keeps at most `most` of each. What has the shortest persistence is left
+// out first, and is counted.
 
 import { none, regular_kind } from './complex.js';
 

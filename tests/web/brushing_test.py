@@ -62,7 +62,7 @@ def test_a_drag_brushes_what_is_under_it(opened, browser):
 
 def test_brushed_pairs_of_a_big_input_are_drawn_exactly(opened, browser):
     page = opened("bunny")
-    lengths = {i: float(death[0] - birth[0]) for i, (dimension, birth, death) in enumerate(page.pairs) if dimension == 1}
+    lengths = {i: float(p[2][0] - p[1][0]) for i, p in enumerate(page.pairs) if p[0] == 1}
     order = sorted(lengths, key=lengths.get, reverse=True)[:100]
     browser.ask("brush_pairs", order)
     browser.rest()
@@ -129,7 +129,7 @@ def test_a_click_in_the_diagram_picks_the_pair(opened, browser):
 def test_a_drag_over_the_histogram_brushes_its_bars(opened, browser):
     page = opened("octahedra")
     box = browser.find("#histogram").rect
-    left, right = box["x"] + 46, box["x"] + box["width"] - 10
+    left, right = box["x"] + 56, box["x"] + box["width"] - 10
     middle = box["y"] + box["height"] / 3
     browser.drag((left + 0.9 * (right - left), middle), (right - 1, middle))
     radii = {tuple(r["contact"]): r["squared_distance_double"] for r in page.records if r["index"] == 2}

@@ -28,6 +28,8 @@ TEXTS = {
     "one": "1 2 3\n",
     "none": "# no point\n",
 }
+# For the picture of a degenerate input: the eight corners of a cube, and points right above three of its sides.
+PICTURE = TEXTS["cube"] + "0.5 0.5 1.5\n1.5 0.5 0.5\n0.5 -0.5 0.5\n"
 SMALL = sorted(TEXTS)
 ALL = [*SMALL, "bunny"]
 

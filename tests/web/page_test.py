@@ -75,10 +75,10 @@ def is_blank(browser):
     return browser.run("""
       const canvas = document.getElementById('scene'), copy = document.createElement('canvas');
       flowcert.redraw_now();
-      copy.width = copy.height = 64;
+      Object.assign(copy, {width: canvas.width, height: canvas.height});
       const context = copy.getContext('2d', {willReadFrequently: true});
-      context.drawImage(canvas, 0, 0, 64, 64);
-      const data = context.getImageData(0, 0, 64, 64).data;
+      context.drawImage(canvas, 0, 0);
+      const data = context.getImageData(0, 0, copy.width, copy.height).data;
       return data.every((value, i) => i % 4 !== 3 || value === 0);""")
 
 

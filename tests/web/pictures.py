@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""The pictures of README.md, taken anew from pages that the program makes.
+
+usage: pictures.py FLOWCERT FOLDER
+
+Guarantees: the bunny's reconstruction, and a degenerate input with its highest maximum picked; PNG, at most 300 KB
+each.
+"""
+import pathlib
+import struct
+import sys
+import tempfile
+import zlib
+
+import browser as browsers
+import inputs
+from program import Program
+
+SIZE = (1000, 630)
+MOST = 300_000
+
+
+def compressed(png):
+    """The same picture, its data compressed as well as zlib can."""
+    head, at, data, tail = png[:8], 8, b"", b""
+    while at < len(png):
+        size, kind = struct.unpack_from(">I4s", png, at)
+        chunk = png[at:at + 12 + size]
+        if kind == b"IDAT":
+            data += chunk[8:-4]
+        elif data:
+            tail += chunk
+        else:
+            head += chunk
+        at += len(chunk)
+    body = b"IDAT" + zlib.compress(zlib.decompress(data), 9)
+    return head + struct.pack(">I", len(body) - 4) + body + struct.pack(">I", zlib.crc32(body)) + tail
+
+
+def take(browser, page, path, prepare=None):
+    browser.open(page.path)
+    if prepare:
+        prepare(page)
+    browser.rest()
+    path.write_bytes(compressed(browser.driver.get_screenshot_as_png()))
+    if path.stat().st_size > MOST:
+        sys.exit(f"{path}: {path.stat().st_size:,} bytes; at most {MOST:,}")
+    print(f"{path}: {path.stat().st_size:,} bytes")
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    folder = pathlib.Path(sys.argv[2])
+    folder.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as temporary, browsers.Browser() as browser:
+        browser.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": SIZE[0], "height": SIZE[1], "deviceScaleFactor": 1, "mobile": False})
+        program = Program(sys.argv[1], pathlib.Path(temporary))
+
+        def smooth(_):
+            browser.ask("full_detail", True)
+
+        def pick_highest(page):
+            browser.find("#tool-theme").click()
+            maxima = [r for r in page.records if r["index"] == 3]
+            highest = max(maxima, key=lambda r: r["squared_distance_double"])
+            browser.ask("pick", page.places[tuple(highest["contact"])])
+
+        take(browser, program.page("bunny", None), folder / "bunny.png", smooth)
+        take(browser, program.page("cube-with-tents", inputs.PICTURE), folder / "degenerate.png", pick_highest)
+
+
+if __name__ == "__main__":
+    main()
