@@ -59,7 +59,8 @@ def test_a_click_on_the_surface_of_a_scan_shows_its_point(opened, browser):
     browser.rest()
     box = browser.find("#scene").rect
     browser.click_at(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-    record = next(r for r in page.records if tuple(r["contact"]) == page.name(browser.ask("picked")))
+    picked = page.name(browser.ask("picked"))
+    record = next(r for r in page.records if tuple(r["contact"]) == picked)
     assert record["index"] == 2
     assert facts(browser) == [*record["center"], record["squared_distance"]]
     browser.rest()
