@@ -155,6 +155,7 @@ export class ComplexScene {
   draw() {
     if (!this.view) this.lay_out();
     this.choose_surface();
+    this.spare_while_moving();
     this.renderer.render(this.scene, this.camera);
     ++this.frames;
   }
@@ -219,6 +220,14 @@ export class ComplexScene {
     this.exact.object.visible = !flat && this.exact.count > 0;
     if (this.flat) this.flat.object.visible = flat && this.flat.count > 0;
     this.set_opacity();
+  }
+
+  // Very many lines and points are not drawn while the scene moves, so that it can be turned.
+  spare_while_moving() {
+    const fits = (count) => !this.moving || count <= most.triangles;
+    for (const layer of [this.lines.s1, this.lines.u2]) layer.object.visible = fits(layer.count);
+    const count = this.cloud.shown.length;
+    this.cloud.object.visible = count > 0 && fits(count);
   }
 
   // What can be seen through steps back behind what is picked or found.

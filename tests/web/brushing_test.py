@@ -101,7 +101,7 @@ def test_the_slider_is_live_and_has_a_keyboard(opened, browser):
     slider.send_keys(*[Keys.ARROW_LEFT] * 120)
     browser.rest()
     assert browser.ask("drawn")["s2_sets"] < before
-    assert browser.ask("frames") > frames + 2
+    assert browser.ask("frames") >= frames + 2
     assert "input units" in slider.get_attribute("aria-valuetext")
     slider.send_keys(Keys.END)
     browser.rest()

@@ -61,10 +61,10 @@ def test_while_it_turns_few_triangles_are_drawn(opened, browser):
     opened("bunny", "#full")
     browser.rest()
     assert browser.ask("drawn")["triangles"] == browser.ask("counts")["s2_triangles"]
-    moving = browser.driver.execute_async_script("""
-      const done = arguments[0];
+    moving = browser.run("""
       document.getElementById('scene').dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowLeft', bubbles: true}));
-      requestAnimationFrame(() => requestAnimationFrame(() => done(flowcert.drawn())));""")
+      flowcert.redraw_now();
+      return flowcert.drawn();""")
     assert moving["moving"] and 0 < moving["triangles"] <= 100_000
     browser.rest()
     assert browser.ask("drawn")["triangles"] == browser.ask("counts")["s2_triangles"]
