@@ -1,4 +1,4 @@
-// Spheres are those that prove what is said: the claimed one, with the samples inside, and the true one, which is empty.
+// Spheres prove what is said: the claimed one, with the samples inside, and the true one, which is empty.
 #include "flowcert/viewer_claim.h"
 
 #include <algorithm>

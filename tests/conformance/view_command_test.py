@@ -266,8 +266,8 @@ class ViewTest(unittest.TestCase):
         self.assertLess(len(thin.names), len(whole.names))
         self.assertEqual(thin.data["critical"], whole.data["critical"])
         listed = json.loads(run("persistence", "-", "--json", text=text))["pairs"]
-        lengths = {repr(p["death"]["contact"]) + repr(p["birth"]["contact"]):
-                   fractions.Fraction(p["death"]["squared_distance"]) - fractions.Fraction(p["birth"]["squared_distance"])
+        value = lambda end: fractions.Fraction(end["squared_distance"])
+        lengths = {repr(p["death"]["contact"]) + repr(p["birth"]["contact"]): value(p["death"]) - value(p["birth"])
                    for p in listed if p["dimension"] > 0}
         pairs = thin.data["pairs"]
         kept = [lengths[repr(thin.names[death]) + repr(thin.names[birth])]

@@ -39,7 +39,9 @@ def complaints(page, package, licences):
     head, script, _ = parts_of(page)
     comment, _, markup = head.partition("-->")
     for what, pattern in LOADS.items():
-        text = script if what.startswith("a script") else markup if not what.startswith("an address") else markup + script
+        text = script if what.startswith("a script") else markup
+        if what.startswith("an address"):
+            text = markup + script
         for found in pattern.finditer(text):
             yield f"{what}: {text[found.start():found.start() + 60]!r}"
     if REFRESH.search(markup) or "default-src 'none'" not in markup:
