@@ -3,13 +3,18 @@
 // A few thousand pairs are drawn as marks, more as pixels, so that 100,000 pairs are there at once.
 
 import { none } from './complex.js';
-import { Scale, fresh_context } from './plot.js';
+import { Scale, fitting_text, fresh_context } from './plot.js';
 import { RectangleBrush } from './rectangle_brush.js';
 import { short_number } from './words.js';
 
 const margin = { left: 56, right: 10, top: 10, bottom: 36 };
 const strip = 16;
 const most_marks = 4000;
+
+// What an axis shows, as far as there is room for it.
+function axis_text(context, what, width) {
+  return fitting_text(context, [`${what}: distance, input units`, `${what}, input units`, what], width);
+}
 
 // The colours of dimensions are those of the points that give birth to them.
 export class PersistenceDiagram {
@@ -94,11 +99,11 @@ export class PersistenceDiagram {
     }
     context.fillText('∞', margin.left - 6, y.infinite_at + 4);
     context.textAlign = 'center';
-    context.fillText('birth: distance, input units', (margin.left + width) / 2, height - 6);
+    context.fillText(axis_text(context, 'birth', width - margin.left), (margin.left + width) / 2, height - 6);
     context.save();
     context.translate(11, (height - margin.bottom) / 2);
     context.rotate(-Math.PI / 2);
-    context.fillText('death: distance, input units', 0, 0);
+    context.fillText(axis_text(context, 'death', height - margin.bottom), 0, 0);
     context.restore();
     context.strokeStyle = palette.muted;
     const least = Math.max(x.low, y.low);

@@ -64,6 +64,11 @@ function log_ticks(low, high, most) {
   return ticks.length > 1 ? ticks : even_ticks(low, high, most).filter((value) => value > 0);
 }
 
+// The first of the texts that is at most so wide, or else the last one.
+export function fitting_text(context, texts, width) {
+  return texts.find((text) => context.measureText(text).width <= width) ?? texts.at(-1);
+}
+
 // The canvas in pixels of the style sheet; returns its drawing context, empty.
 export function fresh_context(canvas, ratio, read = false) {
   const { clientWidth: width, clientHeight: height } = canvas;
