@@ -162,6 +162,21 @@ bool has_tie(const StableSet& stable) {
   return stable.has_vertex;
 }
 
+Rational volume(const PointSet& set, const StableSet& stable) {
+  Rational sum = 0;
+  for (const Sector& sector : stable.sectors) {
+    Point normal;
+    for (std::size_t i = 0; i < sector.polygon.size(); ++i) {
+      const Point& a = sector.polygon[i];
+      const Point& b = sector.polygon[(i + 1) % sector.polygon.size()];
+      normal = moved(normal, 1, cross(minus(a, sector.polygon[0]), minus(b, sector.polygon[0])));
+    }
+    const Point axis = minus(point_of(set, sector.samples[1]), point_of(set, sector.samples[0]));
+    sum += abs(dot(normal, axis)) / 6;
+  }
+  return sum;
+}
+
 bool contains(const PointSet& set, const StableSet& stable, const Point& x) {
   const std::vector<std::size_t> nearest = contact_set(set, x);
   for (const SkeletonPoint& w : stable.points) {

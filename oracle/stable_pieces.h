@@ -35,6 +35,9 @@ std::size_t segments_without_intervals(const StationaryPoint& z, const StableSet
 // Whether there is a Voronoi vertex or a regular back. If so, FC-STAB-07 leaves the boundary open.
 bool has_tie(const StableSet& stable);
 
+// FC-VOL-01. Half of the term of a sector is in the Voronoi cell of each of its two samples.
+Rational volume(const PointSet& set, const StableSet& stable);
+
 // Whether x is in the stable set.
 bool contains(const PointSet& set, const StableSet& stable, const Point& x);
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "oracle/orbit.h"
@@ -166,7 +165,6 @@ class Search {
 }  // namespace
 
 StableSet stable_set(const PointSet& set, const StationaryPoint& z) {
-  if (z.face_dimension == 3) throw std::invalid_argument("the stable set of a maximum is not built");
   Search search(set);
   search.add_point(z.center);
   return std::move(search).sorted();

@@ -86,8 +86,7 @@ struct StableSet {
   friend bool operator==(const StableSet&, const StableSet&) = default;
 };
 
-// For z of index 0 to 2, and regular stationary z of every kind. If the index is 0 or 1, `points` has only z. Throws
-// std::invalid_argument for index 3, whose stable sets are open and fill space together with the others.
+// For every stationary z. If the index is 0 or 1, `points` has only z.
 StableSet stable_set(const PointSet& set, const StationaryPoint& z);
 
 }  // namespace oracle

@@ -301,9 +301,32 @@ TEST(OracleStable, OfSamplesAndSaddlesOfIndexOne) {
   EXPECT_FALSE(saddle.has({4, 1, 0}));
 }
 
-TEST(OracleStable, IsBuiltOfNoMaximum) {
-  const Rows rows = {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}};
-  EXPECT_THROW(Example(rows, {0, 1, 2, 3}), std::invalid_argument);
+TEST(OracleStable, HasVolumes) {
+  CITES("FC-VOL-01");
+  const auto volume_of = [](const Rows& rows, const Names& contact) {
+    const Example example(rows, contact);
+    return volume(example.set, example.stable);
+  };
+  const Rows cube = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+  EXPECT_EQ(volume_of(cube, {0, 1, 2, 3, 4, 5, 6, 7}), 1);
+  EXPECT_EQ(volume_of(cube, {0, 1, 2, 3}), 0);
+  EXPECT_EQ(volume_of(cube, {0, 1}), 0);
+  EXPECT_EQ(volume_of(cube, {0}), 0);
+  const Rows octahedron = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  EXPECT_EQ(volume_of(octahedron, {0, 1, 2, 3, 4, 5}), ratio(4, 3));
+  const Rows half(octahedron.begin(), octahedron.end() - 1);
+  EXPECT_EQ(volume_of(half, {0, 1, 2, 3, 4}), ratio(2, 3));  // of kind 2-3
+  EXPECT_EQ(volume_of({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 3}}, {0, 1, 2, 3, 4}), 4);
+  // Of the hull's volume, 140, all flows to two maxima and a point of index 2.
+  const Rows with_sector = {{0, 5, 0}, {-3, 0, -2}, {3, 0, -2}, {0, 0, 12}, {0, -5, 0}};
+  Rational sum = 0;
+  for (const StationaryPoint& z : stationary_points(with_sector).stationary) {
+    const PointSet set(with_sector);
+    const Rational part = volume(set, stable_set(set, z));
+    EXPECT_EQ(part, z.face_dimension == 3 ? 45 : z.contact == Names({0, 3, 4}) ? 50 : 0);
+    sum += part;
+  }
+  EXPECT_EQ(sum, 140);
 }
 
 TEST(OracleStable, HasAWalkOnlyWhereItIsADisc) {

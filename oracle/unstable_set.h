@@ -1,0 +1,34 @@
+// Which ways lead out of a stationary point y, and where they end, from the definitions alone (FC-UNST-01 to 03).
+//
+// Directions from y form a circle, an arc, two directions, one, or none. They are split by where the orbits of the
+// points just beyond y end. A family of rays is followed through Voronoi facets. All of its places are linear
+// functions of one parameter, and one scan over all points finds where the rays leave a facet. Exact, for any finite
+// point set of any dimension.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "oracle/stationary_points.h"
+
+namespace oracle {
+
+// A vector, scaled so that its largest coordinate is 1 or -1.
+using Direction = Point;
+
+// One direction, or an open arc of them that turns counterclockwise, seen from the sample with the greater name. If
+// the arc is the whole circle, it has no ends.
+struct UnstableEntry {
+  bool is_arc = false;
+  std::optional<Direction> from, to;     // the same for one direction
+  std::optional<StationaryPoint> limit;  // nothing: infinity
+
+  friend bool operator==(const UnstableEntry&, const UnstableEntry&) = default;
+};
+
+// The λ-list of y (FC-UNST-02). Arcs and single directions take turns. A list of index 1 goes around the circle, and
+// begins with its least direction, in lexicographic order. For an index-2 point it has side 0 and then side 1. It is
+// empty for index 3. Throws std::invalid_argument for index 0, from which all directions lead.
+std::vector<UnstableEntry> lambda_list(const PointSet& set, const StationaryPoint& y);
+
+}  // namespace oracle
