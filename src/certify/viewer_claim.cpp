@@ -26,8 +26,7 @@ std::vector<std::size_t> ordinals_of(const PointSet& points, const std::vector<P
     if (row < points.row_count()) ordinals.push_back(points.ordinal_of_row(row));
   }
   std::ranges::sort(ordinals);
-  const auto repeated = std::ranges::unique(ordinals);
-  ordinals.erase(repeated.begin(), repeated.end());
+  ordinals.erase(std::unique(ordinals.begin(), ordinals.end()), ordinals.end());
   return ordinals;
 }
 
