@@ -75,10 +75,11 @@ Lines lines_of(const FlowComplex& complex) {
     stop_if_interrupted();
     const std::size_t count = std::min(at_a_time, u2.size() - first);
     geometry::parallel_for(count, complex.threads(), [&](std::size_t k) {
-      for (const std::size_t side : {0, 1}) orbits[k].at(side) = u2.rounded_orbit(first + k, side);
+      for (const std::size_t side : {std::size_t{0}, std::size_t{1}})
+        orbits[k].at(side) = u2.rounded_orbit(first + k, side);
     });
     for (std::size_t k = 0; k < count; ++k) {
-      for (const std::size_t side : {0, 1}) {
+      for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
         lines.append(u2.saddle(first + k), u2.limit(first + k, side), orbits[k].at(side));
       }
     }
