@@ -130,10 +130,10 @@ void require_answerable(const std::vector<CaseOutcome>& outcomes) {
 // Links in the page are relative to its folder, so that both folders can be moved together.
 ConformancePageContext page_context(const ConformanceCommandOptions& options) {
   if (options.run.keep.empty()) return {};
-  const fs::path folder = fs::absolute(options.report).parent_path();
-  const fs::path keep = options.run.keep;
+  const fs::path folder = fs::absolute(options.report).lexically_normal().parent_path();
+  const fs::path keep = fs::path(options.run.keep).lexically_normal();
   return {.kept_folder = keep.lexically_relative(folder).generic_string(),
-          .has_page = [keep](const std::string& id) { return fs::exists(keep / id / kPageName); }};
+          .is_kept = [keep](const std::string& name) { return fs::exists(keep / name); }};
 }
 
 int run_cases(const ConformanceCommandOptions& options, const Vectors& vectors,

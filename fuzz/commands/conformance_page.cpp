@@ -114,11 +114,12 @@ void write_case(std::ostream& out, const Json& one, const ConformancePageContext
   const std::string id = text_of(one.at("id"));
   out << fmt::format("<details id=\"case-{}\"><summary><code>{}</code>: <span class=\"bad\">{}</span></summary>\n", id,
                      id, text_of(one.at("outcome")));
-  if (!context.kept_folder.empty()) {
-    const std::string folder = link_to(context.kept_folder);
+  const std::string name = one.at("id");
+  if (!context.kept_folder.empty() && context.is_kept(name)) {
+    const std::string folder = link_to(context.kept_folder + '/' + name);
     out << "<p>";
-    if (context.has_page(one.at("id"))) out << fmt::format("<a href=\"{}/{}/page.html\">See it</a>, ", folder, id);
-    out << fmt::format("<a href=\"{}/{}/\">all files</a></p>\n", folder, id);
+    if (context.is_kept(name + "/page.html")) out << fmt::format("<a href=\"{}/page.html\">See it</a>, ", folder);
+    out << fmt::format("<a href=\"{}/\">all files</a></p>\n", folder);
   }
   out << fmt::format("<p>{}</p>\n<ul>\n", text_of(one.at("message")));
   for (const Json& finding : one.at("findings")) write_finding(out, finding);

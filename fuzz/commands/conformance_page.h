@@ -16,8 +16,8 @@ namespace flowcert::commands {
 struct ConformancePageContext {
   // Where --keep has left its folders, as seen from the page. Empty: there are none.
   std::string kept_folder;
-  // Whether a case, given by its id, has a page in its folder.
-  std::function<bool(const std::string& id)> has_page;
+  // Whether that has left this, "ID" or "ID/page.html".
+  std::function<bool(const std::string& name)> is_kept;
 };
 
 // report: as --json prints it.

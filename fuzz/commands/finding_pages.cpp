@@ -8,7 +8,6 @@
 
 #include "flowcert/viewer_claim.h"
 #include "fuzz/campaign/child_process.h"
-#include "fuzz/judge/limited_program.h"
 #include "fuzz/judge/peer_property.h"
 #include "io/output_file.h"
 
@@ -48,7 +47,6 @@ void write_page(const fuzz::Counterexample& counterexample, const std::filesyste
 
 void write_finding_pages(const fuzz::Campaign& campaign) {
   for (const auto& [key, counterexample] : campaign.counterexamples()) {
-    if (judge::Interruption::signal() != 0) return;
     const std::filesystem::path points = campaign.file_of(counterexample);
     if (points.empty() || fuzz::ends_process(counterexample)) continue;
     const std::filesystem::path page = std::filesystem::path(points).replace_extension(".html");

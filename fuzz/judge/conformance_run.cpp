@@ -83,7 +83,11 @@ class CaseRun {
 
   // ---- Running
 
-  Run run_claim() { return run(options_.command, options_.out_name, {}); }
+  Run run_claim() {
+    Run claim = run(options_.command, options_.out_name, {});
+    claim_folder_ = claim.folder;
+    return claim;
+  }
   Run run_orbit(const std::string& start) { return run(options_.orbit_command, kOrbitName, {{"{start}", start}}); }
   Run run_persistence() { return run(options_.persistence_command, kPersistenceName, {}); }
 
@@ -130,7 +134,7 @@ class CaseRun {
   // The points in a page and, if they were claimed, what is wrong with the critical points.
   void keep_page(const Run& run, const fs::path& folder) const {
     std::optional<ClaimText> claim;
-    if (run.answer_name == options_.out_name || run.answer == run.out()) {
+    if (run.folder == claim_folder_) {
       try {
         claim = {answer_bytes(run), run.answer_name};
       } catch (const InvalidInput&) {
@@ -264,6 +268,7 @@ class CaseRun {
   const std::function<bool()>& is_cancelled_;
   std::string points_;
   std::size_t runs_ = 0;
+  fs::path claim_folder_;  // of the run that was asked for the claim
   CaseOutcome result_;
 };
 

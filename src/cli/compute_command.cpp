@@ -39,8 +39,8 @@ struct ComputeOptions {
   bool skeletons = false;
   std::string centers = "exact";
   std::string export_directory;
-  std::vector<std::string> only;  // "critical", "surfaces", "lines"; all of them if there is none
-  std::string clip;               // a number, "none", or empty: as usual
+  std::vector<std::string> only;    // "critical", "surfaces", "lines"; all of them if there is none
+  std::optional<std::string> clip;  // a number or "none"
   unsigned threads = 1;
   U2Choice u2;
 };
@@ -53,7 +53,6 @@ bool exports(const ComputeOptions& options, const char* what) {
 
 // How large the box is at which lines to infinity end; nothing for none.
 std::optional<Rational> clip_factor(const std::string& text) {
-  if (text.empty()) return ExportChoice{}.clip;
   if (text == "none") return std::nullopt;
   Rational factor = 0;
   try {
@@ -66,13 +65,12 @@ std::optional<Rational> clip_factor(const std::string& text) {
 }
 
 ExportChoice export_choice(const ComputeOptions& options) {
-  if (!options.clip.empty() && !exports(options, "lines"))
-    throw InvalidInput("--clip: needs lines, which --only omits");
+  if (options.clip && !exports(options, "lines")) throw InvalidInput("--clip: needs lines, which --only omits");
   return {.directory = options.export_directory,
           .critical = exports(options, "critical"),
           .surfaces = exports(options, "surfaces"),
           .lines = exports(options, "lines"),
-          .clip = clip_factor(options.clip)};
+          .clip = options.clip ? clip_factor(*options.clip) : ExportChoice{}.clip};
 }
 
 WantedManifolds wanted_manifolds(const ComputeOptions& options) {

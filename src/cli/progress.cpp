@@ -11,6 +11,7 @@
 #include <csignal>
 #include <mutex>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -73,7 +74,11 @@ class Screen {
     sigset_t all, before;
     ::sigfillset(&all);
     ::pthread_sigmask(SIG_SETMASK, &all, &before);
-    drawing_ = std::jthread([this](const std::stop_token& stop) { draw_until(stop); });
+    try {
+      drawing_ = std::jthread([this](const std::stop_token& stop) { draw_until(stop); });
+    } catch (const std::system_error&) {
+      // There is no thread to be had. The work goes on without a line.
+    }
     ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
   }
 

@@ -3,6 +3,7 @@
 //
 // Guarantees: the page appears whole or not at all.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -53,30 +54,37 @@ JudgedClaim judged_claim(const ViewCommandOptions& options, const Claim& claim, 
       report.verdict};
 }
 
-void write_page(const std::string& path, const std::string& input_name, const FlowComplex& complex,
-                const ViewerOptions& content) {
+ViewerCounts write_page(const std::string& path, const std::string& input_name, const FlowComplex& complex,
+                        const ViewerOptions& content) {
   std::optional<OutputFile> file;
   if (path != kStandardStream) file.emplace(path);
-  ProgressLine progress("page");
+  ProgressLine progress("page", file ? -1 : STDOUT_FILENO);
+  ViewerCounts counts;
   try {
-    write_viewer_page(file ? file->stream() : std::cout, complex, content, std::ref(progress));
+    counts = write_viewer_page(file ? file->stream() : std::cout, complex, content, std::ref(progress));
   } catch (const InvalidInput& error) {
     throw InvalidInput(fmt::format("{}: {}", input_name, error.what()));
   }
   if (file) file->commit();
+  return counts;
 }
 
 void print_page_table(const std::string& page, const Input& input, const FlowComplex& complex,
-                      const ViewerOptions& content) {
+                      const ViewerOptions& content, const ViewerCounts& shown) {
   const auto& counts = complex.stationary().critical_counts();
   print_wrapped(fmt::format("{}: open it in a browser", on_one_line(page)));
+  // A pipe has no size.
+  std::error_code no_size;
+  const std::uintmax_t size = std::filesystem::file_size(page, no_size);
   constexpr double kMegabyte = 1e6;
-  print_row("size", fmt::format("{:.1f} MB", static_cast<double>(std::filesystem::file_size(page)) / kMegabyte));
+  if (!no_size) print_row("size", fmt::format("{:.1f} MB", static_cast<double>(size) / kMegabyte));
   print_row("points", with_commas(input.points.row_count()));
   for (std::size_t index = 0; index < counts.size(); ++index) {
-    const bool is_thinned = index > 0 && counts.at(index) > content.most_of_an_index;
-    print_row(fmt::format("critical points of index {}", index), with_commas(counts.at(index)),
-              is_thinned ? "thinned: those with the longest pairs are shown (--most)" : "");
+    print_row(fmt::format("critical points of index {}", index), with_commas(counts.at(index)));
+  }
+  if (shown.kept < shown.all) {
+    print_row("shown, from index 1 on", with_commas(shown.kept),
+              fmt::format("of {}: those of the longest pairs (--most)", with_commas(shown.all)));
   }
   if (content.claim) {
     print_row("findings", with_commas(content.claim->findings_count), "verdict: " + content.claim->verdict);
@@ -91,7 +99,13 @@ int view(ViewCommandOptions options) {
   if (!options.claim.empty()) claim = read_claim(options.claim);
   const Input input = read_input(options.input);
   if (claim) require_rows(*claim, input.points, display_name(options.claim));
-  if (options.output.empty()) options.output = page_beside(options.input);
+  if (options.output.empty()) {
+    options.output = page_beside(options.input);
+    std::error_code ignored;
+    if (std::filesystem::equivalent(options.output, options.input, ignored)) {
+      throw InvalidInput(fmt::format("{}: the page would replace these points; name it with -o", options.input));
+    }
+  }
   const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads}, part_progress());
   ViewerOptions content = {
       .name = display_name(options.input), .most_of_an_index = options.most, .claim = std::nullopt};
@@ -101,8 +115,8 @@ int view(ViewCommandOptions options) {
     content.claim = std::move(judged.claim);
     status = status_of(judged.verdict, options.is_strict);
   }
-  write_page(options.output, content.name, complex, content);
-  if (options.output != kStandardStream) print_page_table(options.output, input, complex, content);
+  const ViewerCounts shown = write_page(options.output, content.name, complex, content);
+  if (options.output != kStandardStream) print_page_table(options.output, input, complex, content, shown);
   return status;
 }
 
@@ -126,8 +140,8 @@ void add_view_command(CLI::App& app, int& status) {
   }
   command
       ->add_option("--most", options->most,
-                   "The page has at most so many critical points of each index from 1 on, those with the longest "
-                   "persistence pairs, and what these lead to")
+                   "If there are more critical points of an index from 1 on, keep so many pairs of dimension 0, and so "
+                   "many others: the longest, with their points and what these lead to")
       ->check(CLI::Range(std::size_t{1}, std::size_t{0xfffffff}))
       ->capture_default_str();
   add_threads_option(*command, options->threads);

@@ -1,4 +1,4 @@
-// The signal handlers know one file at a time. A command never writes more than one at once.
+// The signal handlers know all temporary files of the process, up to a number that no command reaches.
 #include "io/output_file.h"
 
 #include <fcntl.h>
@@ -22,8 +22,8 @@ namespace {
 
 constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 
-// A signal handler reads this, and may touch nothing that allocates. So it is a plain array. Empty means no file.
-char temporary_in_progress[4096] = {};
+// A signal handler reads these, and may touch nothing that allocates. So they are plain arrays. Empty means no file.
+char temporaries_in_progress[512][4096] = {};
 // Held while the temporary file is made, renamed or removed. A mutex may not be taken in a signal handler, this may.
 std::atomic<bool> temporary_is_held = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler uses it");
@@ -37,7 +37,9 @@ void hold_temporary() {
 // between here and the end.
 void remove_and_end(int signal_number) {
   hold_temporary();
-  if (temporary_in_progress[0] != '\0') ::unlink(temporary_in_progress);
+  for (const auto& temporary : temporaries_in_progress) {
+    if (temporary[0] != '\0') ::unlink(temporary);
+  }
   ::signal(signal_number, SIG_DFL);
   ::raise(signal_number);
 }
@@ -75,12 +77,18 @@ void set_handlers() {
 }
 
 void remember(const std::string& temporary) {
-  if (temporary.size() < sizeof(temporary_in_progress)) {
-    std::memcpy(temporary_in_progress, temporary.c_str(), temporary.size() + 1);
+  for (auto& place : temporaries_in_progress) {
+    if (place[0] != '\0' || temporary.size() >= sizeof(place)) continue;
+    std::memcpy(place, temporary.c_str(), temporary.size() + 1);
+    return;
   }
 }
 
-void forget() { temporary_in_progress[0] = '\0'; }
+void forget(const std::string& temporary) {
+  for (auto& place : temporaries_in_progress) {
+    if (temporary == place) place[0] = '\0';
+  }
+}
 
 // Returns a descriptor, or -1 with errno. Replaces the X's at the end of the name.
 int make_temporary(std::vector<char>& name) {
@@ -92,7 +100,7 @@ int make_temporary(std::vector<char>& name) {
 void remove_temporary(const std::string& temporary) {
   const HandlersHeld held;
   ::unlink(temporary.c_str());
-  forget();
+  forget(temporary);
 }
 
 }  // namespace
@@ -143,8 +151,8 @@ void OutputFile::commit() {
   if (temporary_.empty()) return;
   const HandlersHeld held;
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(std::strerror(errno));
+  forget(temporary_);
   temporary_.clear();
-  forget();
 }
 
 void OutputFile::fail(const std::string& what) const { throw OutputError(path_ + ": cannot be written: " + what); }

@@ -29,9 +29,10 @@ ViewerFrame::ViewerFrame(const PointSet& points) {
   }
   double half = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    // Halves are taken first, so that nothing overflows.
+    // Halves are taken first, so that nothing overflows. The half of the least double is 0, so that stays whole.
     origin_[axis] = low[axis] / 2 + high[axis] / 2;
-    half = std::max(half, high[axis] / 2 - low[axis] / 2);
+    const double side = high[axis] - low[axis];
+    half = std::max(half, !std::isfinite(side) ? high[axis] / 2 - low[axis] / 2 : side / 2 > 0 ? side / 2 : side);
   }
   if (half > 0) unit_ = half;
 }
@@ -39,7 +40,11 @@ ViewerFrame::ViewerFrame(const PointSet& points) {
 std::array<double, 3> ViewerFrame::placed(const Point& point) const {
   const std::array<double, 3> row = {point.x, point.y, point.z};
   std::array<double, 3> at{};
-  for (std::size_t axis = 0; axis < 3; ++axis) at[axis] = clamped((row[axis] / 2 - origin_[axis] / 2) / (unit_ / 2));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    // Halves do not overflow where the frame is large, and would underflow where it is small.
+    at[axis] =
+        clamped(unit_ > 1 ? (row[axis] / 2 - origin_[axis] / 2) / (unit_ / 2) : (row[axis] - origin_[axis]) / unit_);
+  }
   return at;
 }
 

@@ -155,13 +155,11 @@ Json s2_field(const ViewerContent& content, const std::function<void(std::size_t
 // that only look alike for a while are not led astray.
 class LineForest {
  public:
-  explicit LineForest(const ViewerContent& content) : content_(content) {}
-
   // Returns where the line starts.
-  std::uint32_t append(const std::vector<RoundedSphere>& line) {
+  std::uint32_t append(const std::vector<std::array<double, 3>>& line) {
     std::uint32_t next = kNone;
     for (std::size_t i = length_in_view(line); i-- > 0;) {
-      const Position at = i == 0 ? content_.frame.placed(line[0].center) : end_in_reach(line[i - 1], line[i]);
+      const Position at = i == 0 ? line[0] : end_in_reach(line[i - 1], line[i]);
       const Key key = {std::bit_cast<std::uint64_t>(at[0]), std::bit_cast<std::uint64_t>(at[1]),
                        std::bit_cast<std::uint64_t>(at[2]), next};
       const auto [found, is_new] = vertex_of_.try_emplace(key, static_cast<std::uint32_t>(next_.size()));
@@ -204,19 +202,17 @@ class LineForest {
   static constexpr double kBox = 3;  // the page clips lines here
 
   // A line that has left the hull of the samples never comes back, so what follows the box is not seen.
-  [[nodiscard]] std::size_t length_in_view(const std::vector<RoundedSphere>& line) const {
-    const auto is_outside = [&](const RoundedSphere& sphere) {
-      return std::ranges::any_of(content_.frame.placed(sphere.center), [](double x) { return std::abs(x) > kBox; });
+  [[nodiscard]] static std::size_t length_in_view(const std::vector<Position>& line) {
+    const auto is_outside = [](const Position& at) {
+      return std::ranges::any_of(at, [](double x) { return std::abs(x) > kBox; });
     };
     const auto first = std::ranges::find_if(line, is_outside);
     return first == line.end() ? line.size() : static_cast<std::size_t>(first - line.begin()) + 1;
   }
 
   // Where a segment ends, or a point on it, if it goes on far out of the box.
-  [[nodiscard]] Position end_in_reach(const RoundedSphere& from, const RoundedSphere& to) const {
+  [[nodiscard]] static Position end_in_reach(const Position& start, Position end) {
     constexpr double kReach = 64;
-    const Position start = content_.frame.placed(from.center);
-    Position end = content_.frame.placed(to.center);
     const double farthest = std::max({std::abs(end[0]), std::abs(end[1]), std::abs(end[2])});
     if (farthest <= kReach) return end;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -224,20 +220,20 @@ class LineForest {
     return end;
   }
 
-  const ViewerContent& content_;
   std::vector<Position> positions_;
   Numbers next_;
   std::unordered_map<Key, std::uint32_t, boost::hash<Key>> vertex_of_;
 };
 
-// An orbit to infinity gets a last point out of view.
-std::vector<RoundedSphere> visible_orbit(const ViewerContent& content, std::size_t i, std::size_t side) {
+// In the frame. An orbit to infinity gets a last point out of view.
+std::vector<std::array<double, 3>> visible_orbit(const ViewerContent& content, std::size_t i, std::size_t side) {
+  constexpr double kFar = 32;
   const UnstableManifolds& u2 = content.complex.unstable();
-  std::vector<RoundedSphere> line = u2.rounded_orbit(i, side);
+  std::vector<std::array<double, 3>> line;
+  for (const RoundedSphere& sphere : u2.rounded_orbit(i, side)) line.push_back(content.frame.placed(sphere.center));
   if (const auto way = u2.direction_to_infinity(i, side)) {
-    const double far = 32 * content.frame.unit();
-    const Point& last = line.back().center;
-    line.push_back({.center = {last.x + far * way->x, last.y + far * way->y, last.z + far * way->z}});
+    const auto [x, y, z] = line.back();
+    line.push_back({x + kFar * way->x, y + kFar * way->y, z + kFar * way->z});
   }
   return line;
 }
@@ -245,7 +241,7 @@ std::vector<RoundedSphere> visible_orbit(const ViewerContent& content, std::size
 Json u2_field(const ViewerContent& content, const std::function<void(std::size_t, std::size_t)>& progress) {
   const UnstableManifolds& u2 = content.complex.unstable();
   Numbers records, starts, limits;
-  LineForest forest(content);
+  LineForest forest;
   std::size_t done = 0;
   for (const std::size_t i : content.selection.sets) {
     records.push_back(content.selection.place[u2.saddle(i)]);
@@ -321,11 +317,9 @@ Json claim_field(const ViewerContent& content, const ViewerClaim& claim) {
 
 // ---- The page ----
 
-Json data_of(const FlowComplex& complex, const ViewerOptions& options,
+Json data_of(const FlowComplex& complex, const ViewerOptions& options, const ViewerSelection& selection,
              const std::function<void(std::size_t, std::size_t)>& progress) {
-  complex.make(FlowComplexPart::kPersistence);
   const ViewerFrame frame(complex.points());
-  const ViewerSelection selection = viewer_selection(complex, options.most_of_an_index);
   const ViewerContent content = {complex, frame, selection};
   Json data = header_fields("flowcert-view", 1, complex.points());
   add_counts(data, complex.points(), complex.stationary());
@@ -363,16 +357,19 @@ std::string text_for_script(const Json& data) {
 
 }  // namespace
 
-void write_viewer_page(std::ostream& out, const FlowComplex& complex, const ViewerOptions& options,
-                       const std::function<void(std::size_t, std::size_t)>& progress) {
+ViewerCounts write_viewer_page(std::ostream& out, const FlowComplex& complex, const ViewerOptions& options,
+                               const std::function<void(std::size_t, std::size_t)>& progress) {
   constexpr std::string_view kPlace = R"(<script type="application/json" id="flowcert-data">null</script>)";
   constexpr std::string_view kNull = "null</script>";
   const std::string_view page = viewer_template();
   const std::size_t at = page.find(kPlace);
   if (at == std::string_view::npos) throw std::logic_error("the viewer's page has no place for data");
   const std::size_t data_at = at + kPlace.size() - kNull.size();
-  const std::string data = text_for_script(data_of(complex, options, progress));
+  complex.make(FlowComplexPart::kPersistence);
+  const ViewerSelection selection = viewer_selection(complex, options.most_of_an_index);
+  const std::string data = text_for_script(data_of(complex, options, selection, progress));
   out << page.substr(0, data_at) << data << page.substr(data_at + std::string_view("null").size());
+  return {.kept = selection.records.size(), .all = selection.all_records};
 }
 
 }  // namespace flowcert

@@ -347,6 +347,37 @@ class ViewTest(unittest.TestCase):
             run("view", "-", "-o", page, "--claim", "-", text="0 0 0\n", status=2)
             self.assertEqual([p.name for p in pathlib.Path(folder).iterdir()], ["claim.csv"])
 
+    def test_points_are_not_replaced_by_their_page(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "points.html"
+            path.write_text(INPUTS["cube"])
+            done = subprocess.run([FLOWCERT, "view", path.name], cwd=folder, capture_output=True, check=False)
+            self.assertEqual((done.returncode, path.read_text()), (2, INPUTS["cube"]))
+            self.assertIn(b"the page would replace these points", done.stderr)
+
+    def test_a_page_may_go_where_nothing_has_a_size(self):
+        with tempfile.TemporaryDirectory() as folder:
+            claim = pathlib.Path(folder) / "claim.csv"
+            claim.write_text("index,x,y,z\n1,0,0,0\n")
+            self.assertIn("/dev/null: open it", run("view", "-", "-o", "/dev/null", text=INPUTS["cube"]))
+            run("view", "-", "-o", "/dev/null", "--claim", claim, text=INPUTS["cube"], status=1)
+
+    def test_extreme_frames(self):
+        # The least doubles, which have no halves, and the greatest, whose differences overflow.
+        for text in ("0 0 0\n1e-323 0 0\n5e-324 1e-323 0\n", "0 0 0\n5e-324 0 0\n0 5e-324 5e-324\n",
+                     "1.7e308 0 0\n-1.7e308 0 0\n0 1.7e308 -1.7e308\n1e308 1e308 1e308\n"):
+            data = view(text)
+            for at in triples(data["s2"]["vertices"]):
+                self.assertLessEqual(max(map(abs, at)), 1 + 1e-6)
+            self.assertTrue(all(n < 2 ** 31 for n in data["u2"]["steps"]))
+
+    def test_directions_to_infinity_do_not_depend_on_the_unit(self):
+        points = [(i * 37 % 101, i * 61 % 97, i * 53 % 89) for i in range(40)]
+        pages = [view("".join(f"{math.ldexp(x, k)!r} {math.ldexp(y, k)!r} {math.ldexp(z, k)!r}\n" for x, y, z in points))
+                 for k in (0, 1000, -900)]
+        for page in pages[1:]:
+            self.assertEqual(page["u2"], pages[0]["u2"])
+
     def test_no_points(self):
         data = view("# nothing\n")
         self.assertEqual((data["points"], data["samples"], data["records"]["contacts"]), (0, [], []))
@@ -378,6 +409,16 @@ class FindingPagesTest(unittest.TestCase):
             self.assertGreater(shown, 0)
             self.assertIn("&amp;&amp; printf 'index", page)
             self.assertNotIn("http", page.split("</style>")[1])
+
+    def test_a_wrong_orbit_s_page_has_the_claim_that_is_right(self):
+        with tempfile.TemporaryDirectory() as folder:
+            kept, report = pathlib.Path(folder) / "kept", pathlib.Path(folder) / "sub" / ".." / "report.html"
+            (pathlib.Path(folder) / "sub").mkdir()
+            run("conformance", "--against", f"{FLOWCERT} compute {{in}} -o -", "--orbits-against",
+                "echo '{}'; : {in} {start}", "--case", "orbits-0001", "--keep", kept, "--report", report, status=1)
+            data = data_of((kept / "orbits-0001" / "page.html").read_text())
+            self.assertIsNone(data["claim"])
+            self.assertIn('href="kept/orbits-0001/page.html"', report.read_text())
 
     def test_fuzz_writes_a_page_beside_each_finding(self):
         with tempfile.TemporaryDirectory() as folder:

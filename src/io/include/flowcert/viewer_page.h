@@ -58,14 +58,21 @@ struct ViewerClaim {
 
 struct ViewerOptions {
   std::string name;  // of the input
-  // A larger complex is thinned: of each index, the page has so many of the points with the longest persistence pairs.
+  // A complex with more critical points of an index from 1 on is thinned: of the pairs of dimension 0, and of all
+  // others, the page has so many, the longest, with their points and what these lead to.
   std::size_t most_of_an_index = 150000;
   std::optional<ViewerClaim> claim;
 };
 
+// Stationary points without those of index 0.
+struct ViewerCounts {
+  std::size_t kept = 0;
+  std::size_t all = 0;
+};
+
 // Writes the page. Makes all parts of the complex, and the surfaces once more. The time is that of the exports.
 // Throws InvalidInput for a surface with a coordinate beyond the doubles.
-void write_viewer_page(std::ostream& out, const FlowComplex& complex, const ViewerOptions& options,
-                       const std::function<void(std::size_t done, std::size_t total)>& progress = {});
+ViewerCounts write_viewer_page(std::ostream& out, const FlowComplex& complex, const ViewerOptions& options,
+                               const std::function<void(std::size_t done, std::size_t total)>& progress = {});
 
 }  // namespace flowcert
