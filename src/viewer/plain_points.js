@@ -17,7 +17,8 @@ function center_from_first(ax, ay, az, bx, by, bz, to) {
 // are not plain are in the data, in order. Returns the samples in the frame.
 export function fill_records({ samples, origin, unit, records, positions, squared }) {
   const { face, hull, contact_offsets, contacts } = records;
-  const framed = Float64Array.from(samples, (value, i) => value / unit - origin[i % 3] / unit);
+  // The difference is at most the unit, so it does not overflow, and far from 0 it keeps all digits.
+  const framed = Float64Array.from(samples, (value, i) => (value - origin[i % 3]) / unit);
   const offset = [0, 0, 0];
   let listed = 0;
   for (let i = 0; i < face.length; ++i) {
