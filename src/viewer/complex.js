@@ -1,10 +1,12 @@
 // The flow complex of the page's data, in typed arrays; no object for a record, as there may be hundreds of thousands.
 // A *point* is a number: a sample's ordinal, or sample_count + place in the records. `none` stands for no point,
-// no pair, and infinity. What the first frame needs is decoded by load_first, the lines of U2 by load_lines.
+// no pair, and infinity. Squared distances, radii and persistence are in the frame: `length_text` and `squared_text` are
+// of input units. What the first frame needs is decoded by load_first, the lines of U2 by load_lines.
 
 import { decode, decode_all } from './blobs.js';
 import { exact_sphere } from './exact_sphere.js';
 import { fill_records, line_vertices } from './plain_points.js';
+import { in_input_units, short_scaled } from './words.js';
 
 export const none = 0xffffffff;
 
@@ -14,6 +16,8 @@ export const regular_kind = 4;
 export class Complex {
   constructor(data) {
     this.data = data;
+    this.length_unit = in_input_units(data.unit, 1);
+    this.squared_unit = in_input_units(data.unit, 2);
   }
 
   async load_first() {
@@ -146,7 +150,16 @@ export class Complex {
   }
 
   frame_radius(point) {
-    return Math.sqrt(this.squared[point]) / this.data.unit;
+    return Math.sqrt(this.squared[point]);
+  }
+
+  // A length, or a squared length, of the frame, as text in input units.
+  length_text(length) {
+    return short_scaled(length, this.length_unit);
+  }
+
+  squared_text(squared) {
+    return short_scaled(squared, this.squared_unit);
   }
 
   // The exact position and squared distance, from the samples.

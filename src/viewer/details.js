@@ -4,8 +4,8 @@
 
 import { none } from './complex.js';
 import { element, fill, glyph } from './element.js';
-import { nearest_double, rational_text } from './exact_sphere.js';
-import { clauses, count_text, digits_of, kind_name, point_name, short_number, shortened } from './words.js';
+import { is_normal, nearest_double, rational_text } from './exact_sphere.js';
+import { clauses, count_text, digits_of, kind_name, point_name, shortened } from './words.js';
 
 const most_listed = 24;
 
@@ -65,24 +65,25 @@ export class Details {
 
   exact_facts(point) {
     const { center, squared } = this.complex.exact(point);
-    const rows = center.map((value, axis) => this.exact_row('xyz'[axis], value, 'input units'));
-    rows.push(this.exact_row('d²', squared, 'input units, squared'));
-    const radius = Math.sqrt(nearest_double(squared));
+    const near = (value) => String(nearest_double(value));
+    const rows = center.map((value, axis) => this.exact_row('xyz'[axis], value, near(value), 'input units'));
+    const near_squared = is_normal(squared) ? near(squared) : this.complex.squared_text(this.complex.squared[point]);
+    rows.push(this.exact_row('d²', squared, near_squared, 'input units, squared'));
+    const radius = this.complex.length_text(this.complex.frame_radius(point));
     rows.push(
       element(
         'div',
         { class: 'row' },
         element('dt', {}, 'd'),
-        element('dd', {}, element('span', { class: 'value' }, `≈ ${short_number(radius)}`), unit('input units')),
+        element('dd', {}, element('span', { class: 'value' }, `≈ ${radius}`), unit('input units')),
       ),
     );
     return section('Exact position and squared distance', element('dl', { class: 'exact' }, rows));
   }
 
-  exact_row(name, value, units) {
+  exact_row(name, value, decimal, units) {
     const text = rational_text(value);
     const short = shortened(text);
-    const decimal = nearest_double(value);
     const copy = element(
       'button',
       {
@@ -95,7 +96,7 @@ export class Details {
     );
     const digits =
       short === text ? null : element('span', { class: 'muted' }, ` ${count_text(digits_of(text))} digits`);
-    const near = value.d === 1n && short === text ? null : element('span', { class: 'near' }, `≈ ${String(decimal)}`);
+    const near = value.d === 1n && short === text ? null : element('span', { class: 'near' }, `≈ ${decimal}`);
     return element(
       'div',
       { class: 'row' },
@@ -222,8 +223,9 @@ export class Details {
       element(
         'p',
         { class: 'line' },
-        `d²: ${short_number(complex.birth_squared(pair))} to ${short_number(complex.death_squared(pair))}; length ` +
-          `${short_number(length)}, input units squared.`,
+        `d²: ${complex.squared_text(complex.birth_squared(pair))} to ` +
+          `${complex.squared_text(complex.death_squared(pair))}; length ${complex.squared_text(length)}, ` +
+          'input units squared.',
       ),
       element(
         'button',

@@ -59,6 +59,12 @@ export function nearest_double({ n, d }) {
   return n < 0n ? -value : value;
 }
 
+// Whether the nearest double has all its digits.
+export function is_normal(value) {
+  const size = Math.abs(nearest_double(value));
+  return value.n === 0n || (size >= 2 ** -1022 && size < Infinity);
+}
+
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const inner = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];

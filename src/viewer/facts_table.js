@@ -4,7 +4,7 @@
 
 import { none } from './complex.js';
 import { element, fill } from './element.js';
-import { nearest_double } from './exact_sphere.js';
+import { is_normal, nearest_double } from './exact_sphere.js';
 import { count_text, point_name, short_kind, short_number } from './words.js';
 
 const rows_a_page = 20;
@@ -149,7 +149,7 @@ export class FactsTable {
       [
         short_kind(complex, point),
         ...center.map((value) => String(nearest_double(value))),
-        short_number(nearest_double(squared)),
+        is_normal(squared) ? short_number(nearest_double(squared)) : complex.squared_text(complex.squared[point]),
         more,
         other,
       ].map((text) => element('td', {}, text)),

@@ -1,11 +1,12 @@
 // The histogram of radii of index-2 points, or of the persistence of their pairs, and the threshold in it.
 // Bars have a logarithmic height; those that the threshold keeps are in full colour. A drag over bars brushes the pairs
-// of these points. `value_at` and `part_of` join the slider below to the same axis.
+// of these points. `value_at` and `part_of` join the slider below to the same axis. Values are in the frame, and are
+// written in input units.
 
 import { none } from './complex.js';
 import { Scale, fresh_context } from './plot.js';
 import { RectangleBrush } from './rectangle_brush.js';
-import { count_text, short_number } from './words.js';
+import { count_text } from './words.js';
 
 const margin = { left: 56, right: 10, top: 8, bottom: 32 };
 const bins = 56;
@@ -87,7 +88,11 @@ export class Histogram {
       context.fillText(count_text(count), margin.left - 6, y + 4);
     }
     context.textAlign = 'center';
-    for (const tick of x.ticks(6)) context.fillText(short_number(tick), x.pixel(tick), bottom + 14);
+    const [unit, text] =
+      this.state.mode === 'radius'
+        ? [this.complex.length_unit, (value) => this.complex.length_text(value)]
+        : [this.complex.squared_unit, (value) => this.complex.squared_text(value)];
+    for (const tick of x.ticks(6, unit.factor)) context.fillText(text(tick), x.pixel(tick), bottom + 14);
     const name =
       this.state.mode === 'radius'
         ? 'distance of index-2 points, input units'

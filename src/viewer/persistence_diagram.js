@@ -1,11 +1,10 @@
-// The persistence diagram: each pair at its birth and death, as distances in input units; what lasts is in the strip
+// The persistence diagram: each pair at its birth and death, as distances, written in input units; what lasts is in the strip
 // at the top. Colour and shape tell the dimension. A rectangle brushes pairs, a click picks the nearest one.
 // A few thousand pairs are drawn as marks, more as pixels, so that 100,000 pairs are there at once.
 
 import { none } from './complex.js';
 import { Scale, fitting_text, fresh_context } from './plot.js';
 import { RectangleBrush } from './rectangle_brush.js';
-import { short_number } from './words.js';
 
 const margin = { left: 56, right: 10, top: 10, bottom: 36 };
 const strip = 16;
@@ -81,21 +80,22 @@ export class PersistenceDiagram {
   }
 
   draw_axes(context, width, height) {
-    const { palette, x, y } = this;
+    const { palette, x, y, complex } = this;
+    const { factor } = complex.length_unit;
     context.fillStyle = palette.muted;
     context.strokeStyle = palette.grid;
     context.lineWidth = 1;
     context.textAlign = 'center';
-    for (const tick of x.ticks(5)) {
+    for (const tick of x.ticks(5, factor)) {
       line(context, x.pixel(tick), margin.top, x.pixel(tick), height - margin.bottom);
       if (x.pixel(tick) > x.zero_at + 24 || !this.log)
-        context.fillText(short_number(tick), x.pixel(tick), height - margin.bottom + 14);
+        context.fillText(complex.length_text(tick), x.pixel(tick), height - margin.bottom + 14);
     }
     if (this.log) context.fillText('0', x.zero_at, height - margin.bottom + 14);
     context.textAlign = 'right';
-    for (const tick of y.ticks(5)) {
+    for (const tick of y.ticks(5, factor)) {
       line(context, margin.left, y.pixel(tick), width - margin.right, y.pixel(tick));
-      context.fillText(short_number(tick), margin.left - 5, y.pixel(tick) + 4);
+      context.fillText(complex.length_text(tick), margin.left - 5, y.pixel(tick) + 4);
     }
     context.fillText('∞', margin.left - 6, y.infinite_at + 4);
     context.textAlign = 'center';

@@ -1,6 +1,10 @@
 // Positions and squared distances of points that the page's data leave out, because they follow from two or three
-// samples: critical points of index 1 and 2 with contact sets of a simplex. In doubles, in the frame; what is exact
-// comes from exact_sphere.js.
+// samples: critical points of index 1 and 2 with contact sets of a simplex. In doubles, in the frame, as squares of
+// input units may be too large or too small for doubles; what is exact comes from exact_sphere.js.
+
+import { exact_sphere, nearest_double, parts_of_double } from './exact_sphere.js';
+
+const least_normal = 2 ** -1022;
 
 // The circumcentre of three points, relative to the first one.
 function center_from_first(ax, ay, az, bx, by, bz, to) {
@@ -13,8 +17,18 @@ function center_from_first(ax, ay, az, bx, by, bz, to) {
   to[2] = (wx * ny - wy * nx) / below;
 }
 
-// Fills positions (three floats each, in the frame) and squared (in input units squared) of all records; those that
-// are not plain are in the data, in order. Returns the samples in the frame.
+// A squared distance of the data, in the frame. The data's double is inf, 0 or inexact where coordinates are extreme.
+function framed_square(value, unit, contact_positions) {
+  if (value >= least_normal && value < Infinity) return value / unit / unit;
+  const { n, d } = exact_sphere(contact_positions()).squared;
+  const { mantissa, exponent } = parts_of_double(unit);
+  const below = d * mantissa * mantissa;
+  const power = BigInt(2 * Math.abs(exponent));
+  return nearest_double(exponent < 0 ? { n: n << power, d: below } : { n, d: below << power });
+}
+
+// Fills positions (three floats each) and squared distances of all records, in the frame; those that are not plain
+// are in the data, in order. Returns the samples in the frame.
 export function fill_records({ samples, origin, unit, records, positions, squared }) {
   const { face, hull, contact_offsets, contacts } = records;
   // The difference is at most the unit, so it does not overflow, and far from 0 it keeps all digits.
@@ -27,7 +41,11 @@ export function fill_records({ samples, origin, unit, records, positions, square
       face[i] === hull[i] && (face[i] === 1 || face[i] === 2) && contact_offsets[i + 1] - from === face[i] + 1;
     if (!plain) {
       for (let axis = 0; axis < 3; ++axis) positions[3 * i + axis] = records.positions[3 * listed + axis];
-      squared[i] = records.squared[listed++];
+      squared[i] = framed_square(records.squared[listed++], unit, () =>
+        Array.from(contacts.subarray(from, contact_offsets[i + 1]), (sample) =>
+          Array.from(samples.subarray(3 * sample, 3 * sample + 3)),
+        ),
+      );
       continue;
     }
     const [p, q, r] = [3 * contacts[from], 3 * contacts[from + 1], 3 * contacts[from + face[i]]];
@@ -38,8 +56,7 @@ export function fill_records({ samples, origin, unit, records, positions, square
       center_from_first(ax, ay, az, bx, by, bz, offset);
     }
     for (let axis = 0; axis < 3; ++axis) positions[3 * i + axis] = framed[p + axis] + offset[axis];
-    const distance = Math.hypot(offset[0], offset[1], offset[2]) * unit;
-    squared[i] = distance * distance;
+    squared[i] = offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2];
   }
   if (listed !== records.squared.length)
     throw new Error('The data of this page are damaged: some records are left over.');

@@ -37,8 +37,11 @@ export class Scale {
     return (pixel - this.from) / (this.to - this.from);
   }
 
-  ticks(most) {
-    return this.log ? log_ticks(this.low, this.high, most) : even_ticks(this.low, this.high, most);
+  // Values that are round numbers when they are multiplied by the factor.
+  ticks(most, factor) {
+    const [low, high] = [this.low * factor, this.high * factor];
+    const ticks = this.log ? log_ticks(low, high, most) : even_ticks(low, high, most);
+    return ticks.map((tick) => tick / factor);
   }
 }
 

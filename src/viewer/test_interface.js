@@ -1,6 +1,6 @@
 // What scripts and tests may call, as window.flowcert: counts, timings, what is drawn, and what a user can do.
 // Points are named {sample: n} or {record: n}, by their places in the data of spec/formats/view.md; pairs and triangles
-// by theirs. Squared distances are in input units.
+// by theirs. Distances, their squares and persistence are in the frame.
 
 import { none } from './complex.js';
 import { rational_text } from './exact_sphere.js';
@@ -61,7 +61,7 @@ export function test_interface(page) {
       const { center, squared } = complex.exact(point(what));
       return { center: center.map(rational_text), squared_distance: rational_text(squared) };
     },
-    squared: (what) => complex.squared[point(what)],
+    radius: (what) => complex.frame_radius(point(what)),
     pair_of: (what) => complex.pair_of[point(what)],
     pixel_of: (what) => {
       const [x, y] = page.scene.pixel_of(point(what));

@@ -2,7 +2,7 @@
 // At one end the slider keeps all: Infinity for radii, -1 for persistence.
 
 import { element, fill } from './element.js';
-import { count_text, short_number } from './words.js';
+import { count_text } from './words.js';
 
 const modes = [
   ['radius', 'Radius below'],
@@ -56,8 +56,8 @@ export class Threshold {
   limit_text() {
     const { mode, limit } = this.state;
     if (keeps_all(limit)) return 'all';
-    if (mode === 'radius') return `distance below ${short_number(limit)} input units`;
-    return `persistence above ${short_number(limit)} input units squared`;
+    if (mode === 'radius') return `distance below ${this.complex.length_text(limit)} input units`;
+    return `persistence above ${this.complex.squared_text(limit)} input units squared`;
   }
 
   kept_sets() {

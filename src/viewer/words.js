@@ -13,6 +13,21 @@ export function short_number(value) {
   return String(Number(value.toPrecision(4)));
 }
 
+// What a number of the frame is in input units, to a power: factor * 10^exponent, as squares may be no doubles.
+export function in_input_units(unit, power) {
+  const whole = unit ** power;
+  if (whole > 1e-290 && whole < 1e290) return { factor: whole, exponent: 0 };
+  const [digits, exponent] = unit.toExponential().split('e').map(Number);
+  return { factor: digits ** power, exponent: exponent * power };
+}
+
+export function short_scaled(value, { factor, exponent }) {
+  const size = value * factor;
+  if (exponent === 0 || size === 0 || size === Infinity) return short_number(size);
+  const [digits, power] = size.toExponential(2).split('e');
+  return `${digits}e${Number(power) + exponent}`;
+}
+
 // Long fractions are shortened in the middle of numerator and denominator.
 export function shortened(text, most = 28) {
   const digits = (part) =>

@@ -1,5 +1,7 @@
 """Brushed pairs, picked pairs and thresholds, linked with the scene; expected sets come from persistence --json."""
 import math
+from decimal import Context, Decimal
+from fractions import Fraction
 
 import pytest
 from selenium.webdriver.common.keys import Keys
@@ -21,7 +23,7 @@ def shown(page, browser):
 
 
 def within(pair, rectangle):
-    birth, death = float(pair[1][0]), float(pair[2][0]) if pair[2] else math.inf
+    birth, death = pair[1][0], pair[2][0] if pair[2] else math.inf
     low_birth, high_birth, low_death, high_death = rectangle
     return low_birth <= birth <= high_birth and low_death <= death <= high_death
 
@@ -34,8 +36,8 @@ def test_a_rectangle_shows_exactly_its_pairs(opened, browser, name):
     # Between values, so that rounding of squared distances does not matter.
     cut = (finite[len(finite) // 2 - 1] + finite[len(finite) // 2]) / 2 if len(finite) > 1 else finite[0] * 2
     top = births[-1] * 1.5 + 1
-    for rectangle in [(-1, top, -1, cut), (1e-300, top, cut, finite[-1] * 2), (-1, top, cut, 1e300)]:
-        browser.ask("brush_rectangle", *rectangle)
+    for rectangle in [(-1, top, -1, cut), (1e-200, top, cut, finite[-1] * 2), (-1, top, cut, 1e200)]:
+        browser.ask("brush_rectangle", *(side / page.data["unit"] ** 2 for side in rectangle))
         chosen = [p for p in page.pairs if within(p, rectangle)]
         assert len(browser.ask("brushed")) == len(chosen)
         if chosen:
@@ -72,24 +74,35 @@ def test_brushed_pairs_of_a_big_input_are_drawn_exactly(opened, browser):
     assert not drawn["flat"] and drawn["s2_sets"] == 100 and drawn["points"] == 200
 
 
-@pytest.mark.parametrize("name", ["cube", "octahedra", "pyramid", "bunny"])
+def between(values, part):
+    """A number between two that follow one another, or the only one."""
+    k = int(part * (len(values) - 1))
+    return (values[k] + values[min(k + 1, len(values) - 1)]) / 2
+
+
+def decimal(value):
+    """A fraction as text, to 30 digits."""
+    return str((Decimal(value.numerator) / Decimal(value.denominator)).normalize(Context(prec=30)))
+
+
+@pytest.mark.parametrize("name", ["cube", "octahedra", "pyramid", "far", "huge", "huge-cube", "tiny", "bunny"])
 def test_thresholds_select_what_surface_selects(opened, browser, name):
     page = opened(name)
-    radii = sorted({math.sqrt(float(r["squared_distance_double"])) for r in page.records if r["index"] == 2})
+    unit = Fraction(page.data["unit"])
+    framed = sorted({math.sqrt(Fraction(r["squared_distance"]) / unit**2) for r in page.records if r["index"] == 2})
+    browser.ask("full_detail", True)
     for part in (0.1, 0.5, 0.9):
-        k = int(part * (len(radii) - 1))
-        radius = (radii[k] + radii[min(k + 1, len(radii) - 1)]) / 2
+        radius = between(framed, part)
         browser.ask("threshold", "radius", radius)
-        browser.ask("full_detail", True)
         browser.rest()
-        selected = page.surface(f"index2-radius<{radius!r}")
+        selected = page.surface(f"index2-radius<{decimal(Fraction(radius) * unit)}")
         assert (browser.ask("drawn")["s2_sets"], browser.ask("drawn")["triangles"]) == \
                (selected["selected"], selected["triangles"])
-    lengths = sorted({float(p[2][0] - p[1][0]) for p in page.pairs if p[2] and p[0] > 0})
-    length = sum(lengths[len(lengths) // 2 - 1:][:2]) / 2 if len(lengths) > 1 else 0
-    browser.ask("threshold", "persistence", length)
+    lengths = sorted({p[2][0] - p[1][0] for p in page.pairs if p[2] and p[0] > 0})
+    length = between(lengths, 0.5) if len(lengths) > 1 else Fraction(0)
+    browser.ask("threshold", "persistence", float(length / unit**2))
     browser.rest()
-    assert browser.ask("drawn")["s2_sets"] == page.surface(f"persistence>{length!r}")["selected"]
+    assert browser.ask("drawn")["s2_sets"] == page.surface(f"persistence>{decimal(length)}")["selected"]
 
 
 def test_the_slider_is_live_and_has_a_keyboard(opened, browser):

@@ -1,9 +1,17 @@
 """Facts of points are those that compute -o writes: positions and distances as fractions, contacts, limits, pairs."""
+import math
 import random
+import re
+from fractions import Fraction
 
 import pytest
 
 import inputs
+
+
+def framed_radius(page, record):
+    """The distance of a record, in the unit of its page."""
+    return math.sqrt(Fraction(record["squared_distance"]) / Fraction(page.data["unit"]) ** 2)
 
 
 def is_same(told, record):
@@ -14,8 +22,9 @@ def is_same(told, record):
 def test_every_record_is_exact(opened, browser, name):
     page = opened(name)
     for record in page.records:
-        told = browser.ask("exact", page.places[tuple(record["contact"])])
-        assert is_same(told, record), record
+        place = page.places[tuple(record["contact"])]
+        assert is_same(browser.ask("exact", place), record), record
+        assert abs(browser.ask("radius", place) - framed_radius(page, record)) <= 1e-14, record
 
 
 def test_records_of_a_scan_are_exact(opened, browser):
@@ -24,8 +33,7 @@ def test_records_of_a_scan_are_exact(opened, browser):
     for record in drawn:
         place = page.places[tuple(record["contact"])]
         assert is_same(browser.ask("exact", place), record), record
-        near = browser.ask("squared", place)
-        assert abs(near - record["squared_distance_double"]) <= 1e-5 * record["squared_distance_double"]
+        assert abs(browser.ask("radius", place) - framed_radius(page, record)) <= 1e-12, record
 
 
 def facts(browser):
@@ -116,6 +124,20 @@ def test_long_fractions_are_shortened_and_copied_whole(opened, browser):
                 "Promise.resolve())}})")
     shown.find_element("css selector", ".copy").click()
     assert browser.run("return window.copied") == record["center"][0]
+
+
+@pytest.mark.parametrize("name", ["huge", "huge-cube", "tiny"])
+def test_distances_whose_squares_are_no_doubles_are_told(opened, browser, name):
+    page = opened(name)
+    for record in [r for r in page.records if r["index"] in (1, 2)]:
+        browser.ask("pick", page.places[tuple(record["contact"])])
+        text = browser.find("#page-details").text.replace("\n", " ")
+        exact = Fraction(record["squared_distance"])
+        power = math.log10(exact.numerator) - math.log10(exact.denominator)
+        for name_of_value, expected in (("d²", power), ("d", power / 2)):
+            near = re.search(rf" {name_of_value} [^≈]*≈ ([\d.]+)e(-?\d+)", text)
+            assert near, text
+            assert math.log10(float(near[1])) + int(near[2]) == pytest.approx(expected, abs=0.003), text
 
 
 def test_the_table_has_the_same_facts(opened, browser):

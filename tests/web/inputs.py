@@ -15,14 +15,24 @@ def octahedra():
     return sorted({tuple(a + b for a, b in zip(c, step)) for c in centers for step in steps})
 
 
+PYRAMID = "0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 1 3\n1.2 0.3 1.1\n"
+
+
+def shifted(text, offset, spacing):
+    return rows([offset + spacing * float(x) for x in line.split()] for line in text.splitlines())
+
+
 TEXTS = {
     "cube": rows(itertools.product((0, 1), repeat=3)),
     "octahedra": rows(octahedra()),
     "square": "0 0 0\n2 0 0\n2 2 0\n0 2 0\n",
-    "pyramid": "0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 1 3\n1.2 0.3 1.1\n",
+    "pyramid": PYRAMID,
+    "far": shifted("0 0 0\n8 0 0\n8 8 0\n0 8 0\n4 4 12\n5 1 4\n3 7 5\n", 1e15, 0.125),
+    "huge": shifted(PYRAMID, 0, 1e300),
     "half-octahedron": "1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n",
     "kind-2-3": "5 0 0\n-3 4 0\n-3 -4 0\n0 0 5\n",
     "repeated": "1 1 1\n0 0 0\n1 1 1\n4 0 0\n0 4 0\n0 0 4\n",
+    "huge-cube": shifted(rows(itertools.product((0, 1), repeat=3)), 0, 1e307),
     "line": "0 0 0\n1 0 0\n3 0 0\n",
     "tiny": "1e-300 0 0\n-1e-300 0 0\n0 1.5e-300 0\n0 1e-301 2e-300\n0 0 -7e-301\n",
     "one": "1 2 3\n",

@@ -204,7 +204,7 @@ def test_without_webgl_the_facts_are_there(made):
         assert "WebGL is not available" in browser.find("#stage-message").text
         browser.ask("pick", page.places[tuple(range(8))])
         assert "Maximum, index 3" in browser.find("#page-details").text
-        browser.ask("brush_rectangle", 0.4, 0.6, 0.7, 0.8)
+        browser.ask("brush_rectangle", 1.6, 2.4, 2.8, 3.2)  # the unit is 1/2
         assert len(browser.ask("brushed")) == 1
         browser.find("#tab-table").click()
         assert len(browser.find_all("#page-table tbody tr")) == 20
