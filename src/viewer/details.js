@@ -195,12 +195,14 @@ export class Details {
   incoming_facts(point) {
     const incoming = this.complex.incoming(point);
     if (incoming.length === 0) return null;
-    const side = new Map(incoming.map(({ point: from, side: s }) => [from, s]));
+    const sides = new Map();
+    for (const { point: from, side } of incoming) sides.set(from, [...(sides.get(from) ?? []), side]);
+    const named = (from) => (sides.get(from).length === 2 ? 'sides 0 and 1' : `side ${sides.get(from)[0]}`);
     return element(
       'div',
       { class: 'line' },
-      `Orbits of U2 come in from ${count_text(side.size)} saddles of index 2: `,
-      this.buttons([...side.keys()], (from) => `record ${this.complex.number(from)}, side ${side.get(from)}`),
+      `Orbits of U2 come in from ${count_text(sides.size)} saddles of index 2: `,
+      this.buttons([...sides.keys()], (from) => `record ${this.complex.number(from)}, ${named(from)}`),
     );
   }
 
