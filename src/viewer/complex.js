@@ -109,6 +109,11 @@ export class Complex {
     return this.pair_of[point] === none ? 0 : this.persistence[this.pair_of[point]];
   }
 
+  // A thinned page leaves out pairs; only regular stationary points have none.
+  lacks_pair(point) {
+    return this.pair_of[point] === none && this.kind[point] !== regular_kind;
+  }
+
   birth_squared(pair) {
     return this.squared[this.birth[pair]];
   }

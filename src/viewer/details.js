@@ -181,27 +181,36 @@ export class Details {
     return element('p', { class: 'line' }, `S2, what flows here: ${count_text(count)} triangles.${solid}`);
   }
 
+  // Behind a number of what a thinned page may lack.
+  in_this_page() {
+    return this.complex.data.thinned ? ' in this page' : '';
+  }
+
   sample_flow(point) {
     const edges = this.complex.edges_at(point);
+    const here = this.in_this_page();
+    const no_edge = here ? 'No S1 in this page ends at it.' : 'It is an end of no S1.';
     return element(
       'div',
       { class: 'line' },
       'Orbits leave it in all directions. ',
-      edges.length > 0 ? `It is an end of S1 of ${count_text(edges.length)}: ` : 'It is an end of no S1.',
+      edges.length > 0 ? `It is an end of S1 of ${count_text(edges.length)}${here}: ` : no_edge,
       edges.length > 0 ? this.buttons(edges, (p) => `record ${this.complex.number(p)}`) : null,
     );
   }
 
   incoming_facts(point) {
     const incoming = this.complex.incoming(point);
-    if (incoming.length === 0) return null;
+    const here = this.in_this_page();
+    if (incoming.length === 0)
+      return here && this.complex.u2 ? element('p', { class: 'muted' }, 'No orbit of U2 in this page ends here.') : null;
     const sides = new Map();
     for (const { point: from, side } of incoming) sides.set(from, [...(sides.get(from) ?? []), side]);
     const named = (from) => (sides.get(from).length === 2 ? 'sides 0 and 1' : `side ${sides.get(from)[0]}`);
     return element(
       'div',
       { class: 'line' },
-      `Orbits of U2 come in from ${count_text(sides.size)} saddles of index 2: `,
+      `Orbits of U2 come in from ${count_text(sides.size)} saddles of index 2${here}: `,
       this.buttons([...sides.keys()], (from) => `record ${this.complex.number(from)}, ${named(from)}`),
     );
   }
@@ -209,8 +218,12 @@ export class Details {
   pair_facts(point) {
     const { complex } = this;
     const pair = complex.pair_of[point];
-    if (pair === none)
-      return section('Persistence', element('p', { class: 'muted' }, 'It is in no pair: only critical points are.'));
+    if (pair === none) {
+      const text = complex.lacks_pair(point)
+        ? 'Its pair is not in this page.'
+        : 'It is in no pair: only critical points are.';
+      return section('Persistence', element('p', { class: 'muted' }, text));
+    }
     const length = complex.persistence[pair];
     return section(
       'Persistence pair',

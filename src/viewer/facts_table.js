@@ -24,7 +24,7 @@ export class FactsTable {
       'select',
       { 'aria-label': 'Which points', change: (event) => this.choose(event.target.value) },
       [
-        ['all', 'all points'],
+        ['all', this.complex.data.thinned ? 'all points of this page' : 'all points'],
         ['shown', 'points that are drawn'],
         ['0', 'samples (index 0)'],
         ['1', 'index 1'],
@@ -134,7 +134,9 @@ export class FactsTable {
     const pair = complex.pair_of[point];
     const other =
       pair === none
-        ? ''
+        ? complex.lacks_pair(point)
+          ? 'not in this page'
+          : ''
         : point_name(complex, complex.birth[pair] === point ? complex.death[pair] : complex.birth[pair]);
     const name = complex.is_sample(point) ? point_name(complex, point) : `record ${complex.number(point)}`;
     const more = rows.length > 8 ? `${rows.slice(0, 8).join(' ')} … (${rows.length})` : rows.join(' ');
