@@ -134,8 +134,7 @@ export class Findings {
 
   select(i) {
     for (const button of this.items) if (button) button.removeAttribute('aria-current');
-    this.scene?.claims.clear();
-    this.scene?.redraw();
+    this.scene?.clear_claims();
     if (i < 0) return fill(this.facts);
     this.items[i]?.setAttribute('aria-current', 'true');
     const finding = this.claim.findings[i];

@@ -7,6 +7,7 @@ import { BufferAttribute, BufferGeometry, Group, PerspectiveCamera, Points, Scen
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { ClippedLines } from './clipped_lines.js';
 import { none } from './complex.js';
+import { discard } from './discard.js';
 import { LineLayer } from './line_layer.js';
 import { pick, pixel_of } from './picking.js';
 import { PointCloud, paint_points, point_material } from './point_cloud.js';
@@ -256,9 +257,14 @@ export class ComplexScene {
     return this.surface_is === 'flat' ? this.flat : this.exact;
   }
 
+  clear_claims() {
+    discard(this.claims, null);
+    this.redraw();
+  }
+
   // What is picked: its sphere, its contact set with radii, its S2, its lines, and a ring around the points.
   mark_picked() {
-    this.marks.clear();
+    discard(this.marks, this.exact.geometry.attributes.position);
     this.lines.path.show(new Float32Array(0));
     const { complex, state, palette } = this;
     const point = state.picked;

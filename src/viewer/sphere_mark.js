@@ -40,6 +40,7 @@ function circles() {
 }
 
 const shell = new SphereGeometry(1, 48, 32);
+shell.userData.is_shared = true;
 
 export function sphere_mark(center, radius, color, dashed = false) {
   const group = new Group();

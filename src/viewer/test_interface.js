@@ -76,6 +76,7 @@ export function test_interface(page) {
     line_bounds: () => page.scene.line_bounds(),
     finding: (i) => actions.finding(i),
     finding_groups: () => (complex.data.claim?.findings ?? []).map(group_of),
+    geometries: () => page.scene.renderer.info.memory.geometries,
     claim_marks: () => page.scene.claims.children.length,
     save_picture: () => page.picture(),
   };
