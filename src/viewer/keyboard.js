@@ -53,6 +53,8 @@ export function listen_to_keys(canvas, actions) {
   });
   document.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey || event.target.matches('input, select, textarea')) return;
+    // A dialog closes itself.
+    if (event.target.closest('dialog')) return;
     if (event.key === 'Escape') actions.escape();
     else letters[event.key.toLowerCase()]?.();
   });

@@ -155,9 +155,12 @@ export class Page {
     listen_to_keys(canvas, actions);
     if (!scene) return;
     let down = null;
-    canvas.addEventListener('pointerdown', (event) => (down = [event.clientX, event.clientY]));
+    canvas.addEventListener('pointerdown', (event) => {
+      if (event.isPrimary) down = event.button === 0 ? [event.clientX, event.clientY] : null;
+    });
     canvas.addEventListener('pointerup', (event) => {
-      if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > 4) return;
+      if (!down || !event.isPrimary || event.button !== 0) return;
+      if (Math.hypot(event.clientX - down[0], event.clientY - down[1]) > 4) return;
       const box = canvas.getBoundingClientRect();
       actions.pick(scene.pick_at(event.clientX - box.left, event.clientY - box.top));
     });
