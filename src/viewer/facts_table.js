@@ -77,7 +77,6 @@ export class FactsTable {
   }
 
   open() {
-    this.visible = true;
     this.draw();
   }
 
@@ -85,7 +84,7 @@ export class FactsTable {
   set_shown(points) {
     this.shown = points;
     if (this.filter === 'shown') this.points = null;
-    if (this.visible) this.draw();
+    if (!this.root.hidden) this.draw();
   }
 
   list() {

@@ -152,13 +152,15 @@ export class Histogram {
 
   brush_range(rectangle) {
     if (!rectangle || !this.x) return this.actions.brush(null);
-    const [from, to] = [this.x.value(rectangle.left), this.x.value(rectangle.right)];
-    const { complex } = this;
+    const { complex, x } = this;
+    // The first bar has 0 as well, which a logarithmic axis has not.
+    const first = x.pixel(this.value_at(0.5 / bins));
+    const place = (value) => (value > 0 ? x.pixel(value) : first);
     const values = this.values();
     const inside = new Uint8Array(complex.pair_count);
     for (let set = 0; set < values.length; ++set) {
       const pair = complex.pair_of[complex.set_point[set]];
-      if (pair !== none && values[set] >= from && values[set] <= to) inside[pair] = 1;
+      if (pair !== none && place(values[set]) >= rectangle.left && place(values[set]) <= rectangle.right) inside[pair] = 1;
     }
     this.actions.brush((pair) => inside[pair] === 1, this);
   }
