@@ -1,7 +1,7 @@
 // The flow complex of the page's data, in typed arrays; no object for a record, as there may be hundreds of thousands.
 // A *point* is a number: a sample's ordinal, or sample_count + place in the records. `none` stands for no point,
-// no pair, and infinity. Squared distances, radii and persistence are in the frame: `length_text` and `squared_text` are
-// of input units. What the first frame needs is decoded by load_first, the lines of U2 by load_lines.
+// no pair, and infinity. Squared distances, radii and persistence are in the frame; `length_text` and `squared_text`
+// give them in input units. What the first frame needs is decoded by load_first, the lines of U2 by load_lines.
 
 import { decode, decode_all } from './blobs.js';
 import { exact_sphere } from './exact_sphere.js';

@@ -203,7 +203,9 @@ export class Details {
     const incoming = this.complex.incoming(point);
     const here = this.in_this_page();
     if (incoming.length === 0)
-      return here && this.complex.u2 ? element('p', { class: 'muted' }, 'No orbit of U2 in this page ends here.') : null;
+      return here && this.complex.u2
+        ? element('p', { class: 'muted' }, 'No orbit of U2 in this page ends here.')
+        : null;
     const sides = new Map();
     for (const { point: from, side } of incoming) sides.set(from, [...(sides.get(from) ?? []), side]);
     const named = (from) => (sides.get(from).length === 2 ? 'sides 0 and 1' : `side ${sides.get(from)[0]}`);

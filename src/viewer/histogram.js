@@ -160,7 +160,8 @@ export class Histogram {
     const inside = new Uint8Array(complex.pair_count);
     for (let set = 0; set < values.length; ++set) {
       const pair = complex.pair_of[complex.set_point[set]];
-      if (pair !== none && place(values[set]) >= rectangle.left && place(values[set]) <= rectangle.right) inside[pair] = 1;
+      const at = place(values[set]);
+      if (pair !== none && at >= rectangle.left && at <= rectangle.right) inside[pair] = 1;
     }
     this.actions.brush((pair) => inside[pair] === 1, this);
   }

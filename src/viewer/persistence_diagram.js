@@ -1,5 +1,5 @@
-// The persistence diagram: each pair at its birth and death, as distances, written in input units; what lasts is in the strip
-// at the top. Colour and shape tell the dimension. A rectangle brushes pairs, a click picks the nearest one.
+// The persistence diagram: each pair at its birth and death, as distances, written in input units; what lasts is in the
+// strip at the top. Colour and shape tell the dimension. A rectangle brushes pairs, a click picks the nearest one.
 // A few thousand pairs are drawn as marks, more as pixels, so that 100,000 pairs are there at once.
 
 import { none } from './complex.js';

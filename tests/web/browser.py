@@ -12,6 +12,7 @@ from selenium.webdriver.chrome.options import Options
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.actions.action_builder import ActionBuilder
+from selenium.webdriver.common.actions.mouse_button import MouseButton
 from selenium.webdriver.common.by import By
 
 DRIVER = "/usr/bin/chromedriver"
@@ -72,10 +73,10 @@ class Browser:
     def find_all(self, selector):
         return self.driver.find_elements(By.CSS_SELECTOR, selector)
 
-    def click_at(self, x, y):
+    def click_at(self, x, y, button=MouseButton.LEFT):
         actions = ActionBuilder(self.driver)
         actions.pointer_action.move_to_location(round(x), round(y))
-        actions.pointer_action.click()
+        actions.pointer_action.click(button=button)
         actions.perform()
 
     def drag(self, start, end):

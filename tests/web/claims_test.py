@@ -93,6 +93,21 @@ def test_escape_lets_go_of_a_finding(browser, claimed):
     assert browser.find(".finding-facts").text == ""
 
 
+def test_findings_leave_nothing_on_the_gpu(browser, claimed):
+    open_claim(browser, claimed)
+    browser.rest()
+    counts = []
+    for _ in range(2):
+        for i in range(len(browser.ask("finding_groups"))):
+            browser.ask("finding", i)
+            browser.ask("redraw_now")
+        counts.append(browser.ask("geometries"))
+        browser.keys("\ue00c")
+        browser.ask("redraw_now")
+        counts.append(browser.ask("geometries"))
+    assert counts[:2] == counts[2:] and counts[0] > counts[1]
+
+
 def test_a_right_claim_has_no_finding(browser, program, made):
     page = made("cube")
     claim, path = program.folder / "right.jsonl", program.folder / "right.html"

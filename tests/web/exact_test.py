@@ -111,6 +111,32 @@ def test_limits_by_side_are_those_of_the_program(opened, browser, name):
                 assert f"record {number:d} " in text.replace(",", "")
 
 
+def names_of_incoming(page, record):
+    """What the page says of the saddles of which orbits end at a record."""
+    samples = page.summary["critical"][0]
+    sides = {}
+    for saddle in page.records:
+        for side, limit in enumerate(saddle.get("limits") or []):
+            if limit == record["contact"]:
+                sides.setdefault(page.places[tuple(saddle["contact"])]["record"] + samples, []).append(side)
+    return {f"record {n}, {'sides 0 and 1' if len(s) == 2 else f'side {s[0]}'}" for n, s in sides.items()}, sides
+
+
+@pytest.mark.parametrize("name", ["cube", "both-sides"])
+def test_saddles_whose_orbits_come_in_are_told_with_their_sides(opened, browser, name):
+    page = opened(name)
+    double = 0
+    for record in page.records:
+        expected, sides = names_of_incoming(page, record)
+        if not expected:
+            continue
+        double += sum(len(of_saddle) == 2 for of_saddle in sides.values())
+        browser.ask("pick", page.places[tuple(record["contact"])])
+        told = {e.text.strip() for e in browser.find_all("#page-details button.chip") if "side" in e.text}
+        assert told == expected
+    assert (double > 0) == (name == "both-sides")
+
+
 def test_long_fractions_are_shortened_and_copied_whole(opened, browser):
     page = opened("tiny")
     record = max(page.records, key=lambda r: len(r["center"][0]))

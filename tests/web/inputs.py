@@ -22,6 +22,13 @@ def shifted(text, offset, spacing):
     return rows([offset + spacing * float(x) for x in line.split()] for line in text.splitlines())
 
 
+# A hollow ball and a triangle near its wall: both orbits of the triangle's saddle end at the maximum within.
+BALL_WITH_TRIANGLE = (
+    "3 0 10; -3 3 9; 0 -6 8; 4 5 8; -7 -2 7; 7 -4 6; -2 8 5; -4 -8 5; 9 3 4; -9 4 3; 4 -9 2; 3 10 2; "
+    "-9 -5 1; 10 -2 0; -6 8 0; -1 -10 -1; 7 7 -2; -9 1 -2; 7 -6 -3; -1 9 -4; -5 -7 -5; 8 1 -5; -6 4 -6; "
+    "2 -7 -7; 3 6 -8; -5 -2 -8; 4 -2 -9; -1 2 -10; 8 0 1; 8 0 -1; 6 0 0"
+)
+
 TEXTS = {
     "cube": rows(itertools.product((0, 1), repeat=3)),
     "octahedra": rows(octahedra()),
@@ -33,6 +40,7 @@ TEXTS = {
     "kind-2-3": "5 0 0\n-3 4 0\n-3 -4 0\n0 0 5\n",
     "repeated": "1 1 1\n0 0 0\n1 1 1\n4 0 0\n0 4 0\n0 0 4\n",
     "huge-cube": shifted(rows(itertools.product((0, 1), repeat=3)), 0, 1e307),
+    "both-sides": BALL_WITH_TRIANGLE.replace("; ", "\n") + "\n",
     "line": "0 0 0\n1 0 0\n3 0 0\n",
     "tiny": "1e-300 0 0\n-1e-300 0 0\n0 1.5e-300 0\n0 1e-301 2e-300\n0 0 -7e-301\n",
     "one": "1 2 3\n",

@@ -82,6 +82,15 @@ def test_letters_switch_views(opened, browser):
     assert not browser.find("#keys").is_displayed()
 
 
+def test_escape_closes_the_list_of_keys_alone(opened, browser):
+    page = opened("cube")
+    browser.ask("pick", page.places[(0, 1)])
+    browser.find("#scene").send_keys("?")
+    browser.keys(Keys.ESCAPE)
+    assert not browser.find("#keys").is_displayed()
+    assert page.name(browser.ask("picked")) == (0, 1)
+
+
 def test_tabs_are_tabs(opened, browser):
     opened("cube")
     browser.find("#tab-details").send_keys(Keys.ARROW_RIGHT)

@@ -3,6 +3,7 @@ import base64
 import re
 
 import pytest
+from selenium.webdriver.common.actions.mouse_button import MouseButton
 
 import browser as browsers
 import inputs
@@ -195,6 +196,61 @@ def test_touch_turns_the_scene_and_picks(browser, made):
     touch("touchEnd")
     assert browser.ask("camera") != before
     assert browser.ask("picked") == place
+
+
+def test_the_right_button_picks_nothing(opened, browser):
+    page = opened("cube")
+    browser.rest()
+    place = page.places[tuple(range(8))]
+    x, y = browser.ask("pixel_of", place)
+    browser.click_at(x, y, MouseButton.RIGHT)
+    assert browser.ask("picked") is None
+    browser.click_at(x, y)
+    assert browser.ask("picked") == place
+
+
+def test_marks_leave_nothing_on_the_gpu(opened, browser):
+    page = opened("cube")
+    browser.rest()
+
+    def pick_all():
+        for place in page.places.values():
+            browser.ask("pick", place)
+            browser.ask("redraw_now")
+        marked = browser.ask("geometries")
+        browser.ask("pick", None)
+        browser.ask("redraw_now")
+        browser.rest()
+        return marked, browser.ask("geometries")
+
+    first, second = pick_all(), pick_all()
+    assert first == second and first[0] > first[1] > 0
+    assert not is_blank(browser)
+
+
+def test_a_page_of_fewer_points_says_what_is_not_in_it(browser, program):
+    """Every critical point is in a pair, so a page with some of them says so, and never the contrary."""
+    page = program.page("thinned", inputs.text("octahedra"), ("--most", "3"))
+    browser.open(page.path)
+    assert page.data["thinned"]
+    paired = {end for pair in page.listed_pairs() for end in pair[1:] if end}
+    kinds = {tuple(r["contact"]): r["kind"] for r in page.records}
+    said = {"pair": 0, "edge": 0, "orbit": 0}
+    for name, place in page.places.items():
+        browser.ask("pick", place)
+        text = browser.find("#page-details").text
+        is_missing = name not in paired and kinds[name] == "critical"
+        assert ("Its pair is not in this page." in text) == is_missing
+        assert ("It is in no pair" in text) == (kinds[name] == "regular")
+        assert "an end of no S1" not in text
+        for end in re.findall(r"It is an end of S1 of \d+(.*?):|come in from \d+ saddles of index 2(.*?):", text):
+            assert "".join(end) == " in this page"
+        said["pair"] += is_missing
+        said["edge"] += "No S1 in this page ends at it." in text
+        said["orbit"] += "No orbit of U2 in this page ends here." in text
+    assert all(said.values()), said
+    browser.find("#tab-table").click()
+    assert "not in this page" in browser.find("#page-table").text
 
 
 def test_without_webgl_the_facts_are_there(made):
