@@ -7,7 +7,9 @@ BUILD_DIR gets three.js from npm, by package-lock.json; nothing else is written 
 With --check nothing is written, and the exit status is 1 where page.html is not what the command makes.
 The page has one classic script, in which `</script` does not occur, and three's whole licence in a comment.
 The same sources and the same esbuild make the same bytes.
+The comment has the SHA-256 of the sources, so that a page that is older than they are is found without npm.
 """
+import hashlib
 import json
 import os
 import pathlib
@@ -44,11 +46,22 @@ def bundled_script(modules):
     return script
 
 
+def sources_digest(source=SOURCE):
+    """SHA-256 of all that makes the page, this file too, but for three.js, whose version package-lock.json has."""
+    names = ["LICENSE", "bundle.py", "package-lock.json", "package.json", "page.css", "page_template.html"]
+    digest = hashlib.sha256()
+    for path in sorted([*(source / name for name in names), *source.glob("*.js")]):
+        content = path.read_bytes()
+        digest.update(f"{path.name} {len(content)}\n".encode() + content)
+    return digest.hexdigest()
+
+
 def page(build):
     modules = installed_three(build)
     parts = {
         "VERSION": json.loads((SOURCE / "package.json").read_text())["version"],
         "THREE_VERSION": json.loads((modules / "three" / "package.json").read_text())["version"],
+        "SOURCES": sources_digest(),
         "LICENSE": (SOURCE / "LICENSE").read_text(),
         "THREE_LICENSE": (modules / "three" / "LICENSE").read_text(),
         "STYLE": (SOURCE / "page.css").read_text(),

@@ -5,8 +5,9 @@ usage: viewer_page_test.py [ROOT]
        viewer_page_test.py --self-test
 
 Guarantees: no node and no browser is needed. The line of the data is there once; no element, style or script asks for
-anything; both licences are there, whole; versions are those of package.json. Exit status: 0, or 1 with each complaint.
+anything; both licences are there, whole; versions are those of package.json; the page is not older than its sources. Exit status: 0, or 1 with each complaint.
 """
+import importlib.util
 import json
 import pathlib
 import re
@@ -31,7 +32,16 @@ def parts_of(page):
     return page[:begin], page[begin:end], page[end:]
 
 
-def complaints(page, package, licences):
+def sources_digest(source):
+    """As the page's maker computes it."""
+    sys.dont_write_bytecode = True
+    spec = importlib.util.spec_from_file_location("bundle", source / "bundle.py")
+    bundle = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(bundle)
+    return bundle.sources_digest(source)
+
+
+def complaints(page, package, licences, digest):
     if page.count(DATA_LINE) != 1:
         yield "the line of the data must be there once"
     if page.count("</script") != 2 or not page.endswith("</script>\n</body>\n</html>\n"):
@@ -51,6 +61,8 @@ def complaints(page, package, licences):
     versions = (f"<!-- flowcert viewer {package['version']}, with three.js {package['dependencies']['three']}. ")
     if versions not in comment:
         yield f"the comment must begin with {versions!r}"
+    if f"\nSHA-256 of its sources: {digest}\n" not in comment:
+        yield "the page is not made of the sources that are here: run ./dev viewer"
     for licence in licences:
         if licence not in comment:
             yield f"a licence is missing: {licence.splitlines()[0]}"
@@ -61,7 +73,8 @@ def check(root):
     page = (source / "page.html").read_text(encoding="utf-8")
     package = json.loads((source / "package.json").read_text())
     lock = json.loads((source / "package-lock.json").read_text())
-    found = list(complaints(page, package, [(source / "LICENSE").read_text(), three_licence(source)]))
+    found = list(complaints(page, package, [(source / "LICENSE").read_text(), three_licence(source)],
+                            sources_digest(source)))
     if lock["packages"]["node_modules/three"]["version"] != package["dependencies"]["three"]:
         found.append("package-lock.json has another three.js than package.json")
     for complaint in found:
@@ -84,17 +97,18 @@ def three_licence(source):
 
 def self_test():
     package = {"version": "1.2.3", "dependencies": {"three": "0.1.0"}}
-    right = ("<!doctype html>\n<!-- flowcert viewer 1.2.3, with three.js 0.1.0. x\nOURS\nTHEIRS\n-->\n<html>\n"
+    right = ("<!doctype html>\n<!-- flowcert viewer 1.2.3, with three.js 0.1.0. x\nSHA-256 of its sources: abc\nOURS\nTHEIRS\n-->\n<html>\n"
              "<meta content=\"default-src 'none'\">" + DATA_LINE +
              '<script>\nx="http://www.w3.org/2000/svg"\n</script>\n</body>\n</html>\n')
     licences = ["OURS", "THEIRS"]
-    assert list(complaints(right, package, licences)) == [], list(complaints(right, package, licences))
+    assert list(complaints(right, package, licences, "abc")) == [], list(complaints(right, package, licences, "abc"))
+    assert list(complaints(right, package, licences, "abd"))
     for old, new in [(DATA_LINE, ""), (DATA_LINE, DATA_LINE * 2), ("<html>", "<html><img src='x'>"), ("0.1.0", "0.1.1"),
                      ("OURS", ""), ("THEIRS", "HEIRS"), ("<html>", "<style>@import 'x'</style>"), ("'none'", "*"),
                      ("<html>", "<style>a{b:url(x.png)}</style>"), ('x="', 'import("x");y="'), ('x="', 'y="</script>'),
                      ("<html>", '<link rel="icon" href="x">'), ('x="', 'y="https://example.org";x="')]:
         assert old in right
-        assert list(complaints(right.replace(old, new), package, licences)), (old, new)
+        assert list(complaints(right.replace(old, new), package, licences, "abc")), (old, new)
     print("finds what a page must not have, and what it must")
     return 0
 
