@@ -119,7 +119,7 @@ def names_of_incoming(page, record):
         for side, limit in enumerate(saddle.get("limits") or []):
             if limit == record["contact"]:
                 sides.setdefault(page.places[tuple(saddle["contact"])]["record"] + samples, []).append(side)
-    return {f"record {n}, {'sides 0 and 1' if len(s) == 2 else f'side {s[0]}'}" for n, s in sides.items()}, sides
+    return {f"record {n}, {'sides 0 and 1' if len(s) == 2 else f'side {s[0]}'}" for n, s in sides.items()}
 
 
 @pytest.mark.parametrize("name", ["cube", "both-sides"])
@@ -127,13 +127,13 @@ def test_saddles_whose_orbits_come_in_are_told_with_their_sides(opened, browser,
     page = opened(name)
     double = 0
     for record in page.records:
-        expected, sides = names_of_incoming(page, record)
+        expected = names_of_incoming(page, record)
         if not expected:
             continue
-        double += sum(len(of_saddle) == 2 for of_saddle in sides.values())
         browser.ask("pick", page.places[tuple(record["contact"])])
         told = {e.text.strip() for e in browser.find_all("#page-details button.chip") if "side" in e.text}
-        assert told == expected
+        assert told <= expected and len(told) == min(24, len(expected))  # so many are listed
+        double += sum("sides 0 and 1" in text for text in told)
     assert (double > 0) == (name == "both-sides")
 
 
