@@ -3,6 +3,8 @@
 // Guarantees: what the library calls invalid input is Python's ValueError, with the program's one line.
 #include <pybind11/pybind11.h>
 
+#include <string_view>
+
 #include "check.h"
 #include "complex.h"
 #include "flowcert/reproducibility.h"
@@ -17,7 +19,11 @@ PYBIND11_MODULE(_core, module) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const flowcert::InvalidInput& error) {
-      PyErr_SetString(PyExc_ValueError, error.what());
+      // A message may quote an input or a file's name, which may have other bytes than UTF-8.
+      const std::string_view what(error.what());
+      const auto message = pybind11::reinterpret_steal<pybind11::object>(
+          PyUnicode_DecodeUTF8(what.data(), static_cast<pybind11::ssize_t>(what.size()), "replace"));
+      if (message) PyErr_SetObject(PyExc_ValueError, message.ptr());
     }
   });
   const flowcert::Reproducibility made_by = flowcert::reproducibility();

@@ -258,6 +258,17 @@ def test_selections_are_the_programs():
 def test_any_number_of_threads_gives_the_same(points):
     one, four = flowcert.FlowComplex(points, threads=1), flowcert.FlowComplex(points, threads=4)
     assert one.stationary_points.tobytes() == four.stationary_points.tobytes()
+    for name, message in [
+        (b"missing\xe9.xyz", "missing\ufffd.xyz: cannot open: "),
+        ("caf\udce9.xyz", "caf\ufffd.xyz: cannot open: "),
+        ("bad\0.xyz", r"'bad\x00.xyz' is no name of a file"),
+    ]:
+        with pytest.raises(ValueError) as refused:
+            flowcert.read_points(name)
+        assert str(refused.value).startswith(message)
+    path = path.rename(tmp_path / "caf\udce9.xyz")  # a name that is no UTF-8
+    path.write_text("1 2 3\n")
+    assert flowcert.read_points(path).tolist() == [[1, 2, 3]]
     if np.isfinite(one.stationary_points["squared_distance"]).all():
         assert one.persistence() == four.persistence()
     if points is INPUTS["mixed-magnitudes"]:

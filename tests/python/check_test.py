@@ -153,9 +153,12 @@ def test_numbers_of_more_digits_than_python_prints():
         (b"{\n", "claim:1: "),
         ("no-such-file", "no-such-file"),
     ],
+        (b"\xff\xfe\n", "claim:1: not an index, 0 to 3: '\ufffd\ufffd'"),
 )
 def test_what_is_no_claim_is_refused(claim, message):
     with pytest.raises(ValueError) as refused:
+        ("no-such-caf\udce9", "no-such-caf\ufffd: cannot open"),
+        ("bad\0file", r"'bad\x00file' is no name of a file"),
         flowcert.check(TRIANGLE, claim)
     assert str(refused.value).startswith(message) and "\n" not in str(refused.value)
 

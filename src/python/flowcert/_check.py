@@ -12,6 +12,7 @@ import numpy as np
 
 from . import _core, _exact
 
+from ._read_points import file_name
 _HEADER = {"format": "flowcert-stationary-points", "format_version": 1}
 _KEYS = ("index", "contact", "position", "squared_distance", "samples", "limits")
 
@@ -160,7 +161,7 @@ def _report(answer, is_list):
 def _text_of(claim):
     """(text or path, whether it is a path, whether a list was written as text)"""
     if isinstance(claim, (str, os.PathLike)):
-        return os.fspath(claim), True, False
+        return file_name(claim), True, False
     if hasattr(claim, "read"):
         claim = claim.read()
         claim = claim.encode() if isinstance(claim, str) else claim
