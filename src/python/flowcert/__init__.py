@@ -45,6 +45,8 @@ __all__ = [
     "Orbit",
     "Segment",
     "Surfaces",
+    "__made_by__",
+    "__version__",
     "check",
     "families",
     "generate",

@@ -118,7 +118,8 @@ class FlowComplex:
     @property
     def counts(self) -> Tuple[int, int, int, int]:
         """How many critical points of index 0, 1, 2 and 3 there are."""
-        return tuple(self._core.critical_counts())
+        minima, one, two, maxima = self._core.critical_counts()
+        return minima, one, two, maxima
 
     @property
     def regular_counts(self) -> Dict[Tuple[int, int], int]:
