@@ -78,11 +78,10 @@ start = time.perf_counter()
 try:
     getattr(fc, sys.argv[2])()
 except KeyboardInterrupt:
-    print("interrupted after", time.perf_counter() - start)
-    small = flowcert.FlowComplex(points[:1000])
-    assert small.euler_sum == 1
-    if sys.argv[2] == "persistence":
-        assert fc.euler_sum == 1  # it can be asked again
+    interrupted = time.perf_counter() - start
+    start = time.perf_counter()
+    getattr(fc, sys.argv[2])()  # it can be asked again
+    print(interrupted, time.perf_counter() - start)
 """
 
 
@@ -92,7 +91,10 @@ def test_an_interrupt_stops_it_and_it_can_be_asked_again(threads, ask, after):
     words = [sys.executable, "-c", INTERRUPTED, str(threads), ask, str(after)]
     finished = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False, text=True)
     assert finished.returncode == 0, finished.stderr
-    assert finished.stdout.startswith("interrupted after"), finished.stderr
+    interrupted, uninterrupted = map(float, finished.stdout.split())  # nothing if it was not interrupted
+    # It stops soon after the signal, and not because it was done.
+    assert after <= interrupted < after + 2
+    assert interrupted - after < uninterrupted / 4
 
 
 def resident_bytes():
