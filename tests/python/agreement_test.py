@@ -112,11 +112,13 @@ def read_ply(path):
     return vertices, np.array(faces, dtype=int).reshape(-1, 3)
 
 
-@pytest.mark.parametrize("select", [None, "index2-radius<1", "largest-gaps=2", ["persistence>0.01", "index2-radius<3"]])
+@pytest.mark.parametrize("select", [None, "index2-radius<1", "largest-gaps=2", ["persistence>0.01", "index2-radius<3"],
+                                    "index2-radius<1.6spacing", "persistence>3spacing^2", "index2-radius<q0.9",
+                                    "persistence>q0.9", "index2-radius<auto", "persistence>auto"])  # fmt: skip
 def test_surface(points, xyz, tmp_path, select):
     options = [] if select is None else [select] if isinstance(select, str) else select
     words = [word for option in options for word in ("--select", option)]
-    flowcert_says("surface", xyz(points), "-o", tmp_path / "shape.ply", *words)
+    flowcert_says("surface", xyz(points), "-o", tmp_path / "shape.ply", "--json", *words)
     vertices, faces = flowcert.FlowComplex(points).surface(select=select)
     expected_vertices, expected_faces = read_ply(tmp_path / "shape.ply")
     assert np.array_equal(vertices, expected_vertices)

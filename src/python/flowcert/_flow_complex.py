@@ -188,8 +188,15 @@ class FlowComplex:
         "persistence>X"     death minus birth of the point's pair is above X, in the square of the unit
         "largest-gaps=N"    the N most persistent ones
 
-        The first one with R a few times the distance of neighbours reconstructs the shape that the points are samples
-        of.
+        R and X are decimals or fractions, as 0.1 and 1/3. Instead of R and X there may be:
+
+        "1.6spacing"        that many times the median distance of a point to its nearest other point (of R)
+        "3spacing^2"        that many times its square (of X)
+        "q0.9"              a quantile, from q0 to q1: below it are 90 % of all radii, or above it 10 % of the lengths
+        "auto"              the widest gap in the sorted radii or lengths: no number has to be chosen
+
+        "index2-radius<R" with R a few times the distance of neighbours reconstructs the shape that the points are
+        samples of. If they are dense, "auto" often finds such an R, but the surface may have holes.
         """
         expressions = [] if select is None else [select] if isinstance(select, str) else list(select)
         if not all(isinstance(expression, str) for expression in expressions):
