@@ -4,6 +4,7 @@ import json
 import math
 import struct
 from collections import Counter
+from decimal import Decimal
 from fractions import Fraction
 
 import flowcert
@@ -196,13 +197,22 @@ def test_orbit(name, start, xyz):
 def test_any_number_is_a_coordinate_of_a_start():
     fc = flowcert.FlowComplex(CUBE)
     expected = fc.orbit((Fraction(1, 2), Fraction(1, 4), Fraction(3)))
-    for start in ([0.5, 0.25, 3], np.array([0.5, 0.25, 3], dtype=np.float32), (np.float16(0.5), 0.25, np.int8(3))):
+    assert fc.orbit([np.longdouble(1) / 3, 0, 0]).start[0] == Fraction(*(np.longdouble(1) / 3).as_integer_ratio())
+    for start in (
+        [0.5, 0.25, 3],
+        np.array([0.5, 0.25, 3], dtype=np.float32),
+        (np.float16(0.5), 0.25, np.int8(3)),
+        (np.longdouble(0.5), Decimal("0.25"), Fraction(3)),
+    ):
         assert fc.orbit(start) == expected
     for start, message in [
         ([0, 0], "x must be three numbers, not 2"),
         (1, "x must be three numbers"),
         ([0, 0, math.nan], "x has a coordinate that is not a finite number"),
         ([0, -math.inf, 0], "x has a coordinate that is not a finite number"),
+        ([0, 0, Decimal("inf")], "x has a coordinate that is not a finite number"),
+        ([0, 0, Decimal("nan")], "x has a coordinate that is not a finite number"),
+        ([0, 0, np.longdouble("inf")], "x has a coordinate that is not a finite number"),
         ([0, 0, None], "x must be numbers, not None"),
         ("123", "x must be numbers; for '1' write Fraction('1') or a float"),
     ]:
@@ -248,18 +258,6 @@ def test_files_are_read_as_the_program_reads_them(tmp_path):
     assert str(refused.value).startswith(f"{path}:2: ")
     with pytest.raises(ValueError, match="no-such.ply"):
         flowcert.read_points(tmp_path / "no-such.ply")
-
-
-def test_selections_are_the_programs():
-    with pytest.raises(ValueError, match="radius<"):
-        flowcert.FlowComplex(CUBE).surface(select="radius<1")
-    with pytest.raises(ValueError, match="select must be a str"):
-        flowcert.FlowComplex(CUBE).surface(select=[1])
-
-
-def test_any_number_of_threads_gives_the_same(points):
-    one, four = flowcert.FlowComplex(points, threads=1), flowcert.FlowComplex(points, threads=4)
-    assert one.stationary_points.tobytes() == four.stationary_points.tobytes()
     for name, message in [
         (b"missing\xe9.xyz", "missing\ufffd.xyz: cannot open: "),
         ("caf\udce9.xyz", "caf\ufffd.xyz: cannot open: "),
@@ -271,6 +269,25 @@ def test_any_number_of_threads_gives_the_same(points):
     path = path.rename(tmp_path / "caf\udce9.xyz")  # a name that is no UTF-8
     path.write_text("1 2 3\n")
     assert flowcert.read_points(path).tolist() == [[1, 2, 3]]
+
+
+def test_selections_are_the_programs():
+    fc = flowcert.FlowComplex(CUBE)
+    for select, message in [
+        ("radius<1", "select: none of persistence>X, index2-radius<R and largest-gaps=N: 'radius<1'"),
+        (["largest-gaps=1", "x"], "select[1]: none of persistence>X, index2-radius<R and largest-gaps=N: 'x'"),
+        ("\udce9", "select: none of persistence>X, index2-radius<R and largest-gaps=N: '?'"),
+        ([1], "select must be a str, or several"),
+        (5, "select must be a str, or several"),
+    ]:
+        with pytest.raises(ValueError) as refused:
+            fc.surface(select=select)
+        assert str(refused.value) == message
+
+
+def test_any_number_of_threads_gives_the_same(points):
+    one, four = flowcert.FlowComplex(points, threads=1), flowcert.FlowComplex(points, threads=4)
+    assert one.stationary_points.tobytes() == four.stationary_points.tobytes()
     if np.isfinite(one.stationary_points["squared_distance"]).all():
         assert one.persistence() == four.persistence()
     if points is INPUTS["mixed-magnitudes"]:

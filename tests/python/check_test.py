@@ -95,6 +95,8 @@ def test_structured_arrays():
     assert "missing" in {finding.reason for finding in fc.check(fc.critical_points[1:]).findings}
     own = np.zeros(2, dtype=[("index", int), ("position", "f4", 3), ("label", "U8")])
     own["position"][1] = [2, 0, 0]
+    assert fc.check(np.array(fc.critical_points[0]), indices=[3]).claimed_counts == (1, 0, 0, 0)
+    assert fc.check(fc.critical_points[0], indices=[3]).claimed_counts == (1, 0, 0, 0)
     report = flowcert.check([[0, 0, 0], [2, 0, 0]], own)
     assert {finding.reason for finding in report.findings} == {"wrong-counts", "missing"}
     assert flowcert.check([[0, 0, 0], [2, 0, 0]], own, indices=[0]).verdict == "conforms"
@@ -149,22 +151,39 @@ def test_numbers_of_more_digits_than_python_prints():
         ([{"index": 0, "contact": [3]}], "claim[0]: there is no point 3; the ids are 0 to 2"),
         ([{"index": 0}], "claim[0]: "),
         ([{"index": 0, "position": [0, 0]}], "claim[0]: "),
+        ([{"index": 0, "position": [np.longdouble("1e4000"), 0, 0]}], "claim[0]: a position or squared distance must "),
         (b"0 0 0\n", "claim:1: "),
+        (b"\xff\xfe\n", "claim:1: not an index, 0 to 3: '\ufffd\ufffd'"),
         (b"{\n", "claim:1: "),
         ("no-such-file", "no-such-file"),
+        ("no-such-caf\udce9", "no-such-caf\ufffd: cannot open"),
+        ("bad\0file", r"'bad\x00file' is no name of a file"),
     ],
-        (b"\xff\xfe\n", "claim:1: not an index, 0 to 3: '\ufffd\ufffd'"),
 )
 def test_what_is_no_claim_is_refused(claim, message):
     with pytest.raises(ValueError) as refused:
-        ("no-such-caf\udce9", "no-such-caf\ufffd: cannot open"),
-        ("bad\0file", r"'bad\x00file' is no name of a file"),
         flowcert.check(TRIANGLE, claim)
     assert str(refused.value).startswith(message) and "\n" not in str(refused.value)
 
 
-@pytest.mark.parametrize("options", [{"tolerance": -1}, {"tolerance": 0.1}, {"tolerance": float("nan")}, {"levels": 0},
-                                     {"levels": 6}, {"indices": [4]}, {"indices": [-1]}], ids=str)  # fmt: skip
-def test_options_out_of_range_are_refused(options):
-    with pytest.raises(ValueError):
-        flowcert.check(TRIANGLE, [], **options)
+@pytest.mark.parametrize(
+    "name, values, message",
+    [
+        ("tolerance", [-1, 0.1, float("nan"), 10**400, None, [1], "a"], "tolerance must be from 0 to 0.001"),
+        ("levels", [0, 6, 10**20, 2.9, None, "2"], "levels must be an integer from 1 to 5"),
+        ("indices", [[4], [-1], [10**20], [1.5], [None], 5, None, "12"], "indices must be integers from 0 to 3"),
+        ("threads", [0, -5, 1025], "threads must be from 1 to 1024"),
+    ],
+)
+def test_options_out_of_range_are_refused(name, values, message):
+    for value in values:
+        with pytest.raises(ValueError) as refused:
+            flowcert.check(TRIANGLE, [], **{name: value})
+        assert str(refused.value) == message
+
+
+def test_a_complex_has_its_own_threads():
+    fc = flowcert.FlowComplex(TRIANGLE)
+    for threads in (1, -5):
+        with pytest.raises(ValueError, match="^threads must be given to the FlowComplex"):
+            fc.check([], threads=threads)

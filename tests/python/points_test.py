@@ -90,6 +90,7 @@ def test_the_least_and_the_largest_integers():
         ([[16**4000, 0, 0]], "a long integer in points is beyond the largest double"),
         ([[Fraction(1, 3), 0, 0]], "1/3 in points is not exactly a double"),
         ([["1", 0, 0]], "points must be real numbers, not 1"),
+        ([["1\n2", 0, 0]], "points must be real numbers, not 1 2"),
         ([[None, 0, 0]], "points must be real numbers, not None"),
         ([[True, 0, 0]], "points must be real numbers, not True"),
         ([[1j, 0, 0]], "points must be real numbers, not 1j"),

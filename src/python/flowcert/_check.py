@@ -1,6 +1,7 @@
 """Whether critical points that somebody has computed are right."""
 
 import json
+import operator
 import os
 import re
 from dataclasses import dataclass
@@ -11,8 +12,8 @@ from typing import Any, Dict, Iterable, Optional, Tuple
 import numpy as np
 
 from . import _core, _exact
-
 from ._read_points import file_name
+
 _HEADER = {"format": "flowcert-stationary-points", "format_version": 1}
 _KEYS = ("index", "contact", "position", "squared_distance", "samples", "limits")
 
@@ -111,14 +112,15 @@ def check(
     - A list of dicts, one for each critical point, with the keys index (0 to 3; for a regular stationary point its
       kind, a pair), contact (rows of the points), position (three numbers), squared_distance, samples, limits. Needed
       are index, and contact or position. Integers and Fractions are exact; floats are matched within the tolerance.
-    - A structured array with index, position and, if it has them, squared_distance and kind; as critical_points.
+    - A structured array with index, position and, if it has them, squared_distance and kind; as critical_points. Those
+      that have infinities, because a number overflowed, are refused; a list may have exact().
     - A str or a path: the name of a file, in any format that `flowcert check` reads.
     - bytes, or an open file: the content of such a file.
 
     tolerance: floats match within this part of the critical point's radius; 0 to 0.001.
     levels: those above this one are not checked; 1 to 5.
     indices: critical points of other indices are not judged.
-    threads: as in FlowComplex.
+    threads: as in FlowComplex; a FlowComplex has its own.
 
     A claim that is wrong is no error; the report says so. One that cannot be read is a ValueError.
 
@@ -128,13 +130,41 @@ def check(
     """
     from ._flow_complex import FlowComplex  # which has a method that calls this
 
+    options = _options(tolerance, levels, indices)
+    if isinstance(points, FlowComplex) and threads is not None:
+        raise ValueError("threads must be given to the FlowComplex, which has its own")
     complex = points if isinstance(points, FlowComplex) else FlowComplex(points, threads)
     text, is_path, is_list = _text_of(claim)
     try:
-        answer = _core.check(complex._core, text, is_path, float(tolerance), int(levels), [int(i) for i in indices])
+        answer = _core.check(complex._core, text, is_path, *options)
     except ValueError as error:
         raise ValueError(_with_record(str(error)) if is_list else str(error)) from None
     return _report(answer, is_list)
+
+
+def _options(tolerance, levels, indices):
+    """The same as numbers that the library takes, which says what range the tolerance has."""
+    try:
+        tolerance = float(tolerance)
+    except (OverflowError, TypeError, ValueError):
+        raise ValueError("tolerance must be from 0 to 0.001") from None
+    levels = _whole(levels, range(1, 6), "levels must be an integer from 1 to 5")
+    refusal = "indices must be integers from 0 to 3"
+    try:
+        indices = list(indices)
+    except TypeError:
+        raise ValueError(refusal) from None
+    return tolerance, levels, [_whole(index, range(4), refusal) for index in indices]
+
+
+def _whole(value, allowed, refusal):
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise ValueError(refusal) from None
+    if number not in allowed:
+        raise ValueError(refusal)
+    return number
 
 
 def _with_record(message):
@@ -167,8 +197,8 @@ def _text_of(claim):
         claim = claim.encode() if isinstance(claim, str) else claim
     if isinstance(claim, (bytes, bytearray, memoryview)):
         return bytes(claim), False, False
-    if isinstance(claim, np.ndarray) and claim.dtype.names:
-        records = map(_row, claim)
+    if isinstance(claim, (np.ndarray, np.void)) and claim.dtype.names:
+        records = map(_row, np.atleast_1d(claim))
     elif isinstance(claim, Iterable) and not isinstance(claim, (dict, np.ndarray)):
         records = claim
     else:
@@ -212,7 +242,7 @@ def _number(value, place):
         return [_number(each, place) for each in value]
     if isinstance(value, Rational) and not isinstance(value, bool):
         return _exact.decimal(Fraction(value))
-    if isinstance(value, Real) and not isinstance(value, bool) and abs(value) < float("inf"):
+    if isinstance(value, Real) and not isinstance(value, bool) and abs(float(value)) < float("inf"):
         return float(value)
     raise ValueError(f"claim[{place}]: a position or squared distance must be finite numbers, not {value!r}")
 

@@ -1,4 +1,4 @@
-from typing import Any, Dict, List, Sequence, Tuple, Union
+from typing import Any, Dict, List, Sequence, Tuple
 
 from numpy import float64, int32, int64
 from numpy.typing import NDArray
@@ -26,7 +26,7 @@ class Complex:
     def persistence(self, with_zero: bool) -> List[Tuple[int, Tuple[float, float]]]: ...
     def pairs(self, with_zero: bool) -> NDArray[Any]: ...
     def surface(
-        self, selection: Sequence[str]
+        self, selection: Sequence[bytes]
     ) -> Tuple[NDArray[float64], NDArray[int32], NDArray[int64], NDArray[float64]]: ...
     def unstable_lines(
         self,

@@ -1,6 +1,6 @@
 """Exact numbers between fractions.Fraction and the library."""
 
-import math
+from decimal import Decimal
 from fractions import Fraction
 
 import numpy as np
@@ -29,13 +29,15 @@ def decimal(value):
 
 def exact(value, name):
     """The number as a Fraction; name is what messages call it."""
-    if isinstance(value, np.generic):
+    if isinstance(value, np.generic) and not isinstance(value, np.longdouble):
         value = value.item()
-    if isinstance(value, float) and not math.isfinite(value):
-        raise ValueError(f"{name} has a coordinate that is not a finite number")
     if isinstance(value, str):
         raise ValueError(f"{name} must be numbers; for {value!r} write Fraction({value!r}) or a float")
     try:
-        return Fraction(value)
-    except (TypeError, ValueError):
-        raise ValueError(f"{name} must be numbers, not {value!r}") from None
+        # Fraction takes no long double, though it is exact.
+        return Fraction(*value.as_integer_ratio()) if isinstance(value, np.longdouble) else Fraction(value)
+    except (OverflowError, TypeError, ValueError):
+        if isinstance(value, (float, np.longdouble, Decimal)):
+            raise ValueError(f"{name} has a coordinate that is not a finite number") from None
+        shown = " ".join(repr(value).split())  # an array has several lines
+        raise ValueError(f"{name} must be numbers, not {shown}") from None

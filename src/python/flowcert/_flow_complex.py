@@ -1,6 +1,7 @@
 """The class that a user holds."""
 
 import operator
+import re
 from fractions import Fraction
 from html import escape
 from typing import Any, Dict, Iterable, List, Optional, Tuple, Union
@@ -11,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _check, _core, _exact
 from ._manifolds import Lines, Mesh, Surfaces
 from ._orbit import Orbit, Position, orbit_of
-from ._points import point_rows
+from ._points import point_rows, shown
 
 _KINDS = ((1, 2), (1, 3), (2, 3))
 _MOST_THREADS = 1024
@@ -138,8 +139,9 @@ class FlowComplex:
         ((Fraction(1, 2), Fraction(0, 1), Fraction(0, 1)), Fraction(1, 4))
         """
         place = operator.index(i)
-        if place < 0:
-            raise ValueError(f"there is no stationary point {place}")
+        if not 0 <= place < 2**63:
+            count = sum(self.counts) + sum(self.regular_counts.values())
+            raise ValueError(f"there is no stationary point {shown(place)}; there are {count}")
         position, squared_distance = self._core.exact(place)
         return _exact.fractions(position), _exact.fraction(squared_distance)
 
@@ -198,10 +200,17 @@ class FlowComplex:
         "index2-radius<R" with R a few times the distance of neighbours reconstructs the shape that the points are
         samples of. If they are dense, "auto" often finds such an R, but the surface may have holes.
         """
-        expressions = [] if select is None else [select] if isinstance(select, str) else list(select)
+        try:
+            expressions = [] if select is None else [select] if isinstance(select, str) else list(select)
+        except TypeError:
+            raise ValueError("select must be a str, or several") from None
         if not all(isinstance(expression, str) for expression in expressions):
             raise ValueError("select must be a str, or several")
-        return Mesh(*self._core.surface(expressions)[:2])
+        try:
+            mesh = self._core.surface([expression.encode(errors="replace") for expression in expressions])
+        except ValueError as error:
+            raise ValueError(_with_place(str(error), isinstance(select, str))) from None
+        return Mesh(*mesh[:2])
 
     def unstable_lines(self) -> Lines:
         """The unstable manifolds of all critical points of index 2, two lines each: (vertices, offsets, saddles,
@@ -261,3 +270,8 @@ class FlowComplex:
             for name, number, note in rows
         )
         return f"<table><caption>flowcert.FlowComplex</caption><tbody>{cells}</tbody></table>"
+
+
+def _with_place(message: str, is_one: bool) -> str:
+    """Places of expressions are those of Python's list, where the program has those of its options."""
+    return re.sub(r"^--select:(\d+):", lambda k: "select:" if is_one else f"select[{int(k[1]) - 1}]:", message)

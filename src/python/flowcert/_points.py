@@ -68,24 +68,24 @@ def _from_objects(array):
 
 def _double(value):
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (numbers.Real, decimal.Decimal, np.floating)):
-        raise ValueError(f"points must be real numbers, not {_shown(value)}")
+        raise ValueError(f"points must be real numbers, not {shown(value)}")
     try:
         double = float(value)
     except OverflowError:
-        raise ValueError(f"{_shown(value)} in points is beyond the largest double") from None
+        raise ValueError(f"{shown(value)} in points is beyond the largest double") from None
     if double != value and double == double:
-        raise ValueError(f"{_shown(value)} in points is not exactly a double")
+        raise ValueError(f"{shown(value)} in points is not exactly a double")
     return double
 
 
 def _refuse(array, is_wrong):
     if is_wrong.any():
-        raise ValueError(f"{_shown(array[is_wrong][0])} in points is not exactly a double")
+        raise ValueError(f"{shown(array[is_wrong][0])} in points is not exactly a double")
 
 
-def _shown(value):
+def shown(value):
     try:
-        text = str(value)
+        text = " ".join(str(value).split())  # of one line
     except ValueError:  # Python prints no integer of more than 4,300 digits
         return "a long integer"
     return text if len(text) <= 40 else f"{text[:20]}...{text[-10:]}"
