@@ -10,15 +10,13 @@
 
 #include "cli/command.h"
 #include "cli/histogram.h"
+#include "cli/rough_number.h"
 #include "cli/table.h"
 #include "cli/wrapped_text.h"
-#include "io/number_text.h"
 
 namespace flowcert::cli {
 
 namespace {
-
-std::string multiple_text(const Rational& multiple) { return fmt::format("{:.6g}", rounded(multiple)); }
 
 // The place of the bin that has a multiple of the spacing.
 std::size_t bin_of(const std::vector<RadiusBin>& bins, const Rational& square) {
@@ -32,8 +30,8 @@ std::size_t room_for_radius_bars(const std::vector<RadiusBin>& bins, std::size_t
   constexpr std::size_t kLongest = 60;
   std::size_t from = columns_of("from"), to = columns_of("to"), count = columns_of("count");
   for (const RadiusBin& bin : bins) {
-    from = std::max(from, multiple_text(bin.from).size());
-    to = std::max(to, multiple_text(bin.to).size());
+    from = std::max(from, rough_text(bin.from).size());
+    to = std::max(to, rough_text(bin.to).size());
     count = std::max(count, with_commas(bin.count).size());
   }
   return std::min(kLongest, kLineWidth - (from + to + count + mark + 10));
@@ -53,7 +51,7 @@ void print_radius_bars(const SaddleRadii& radii, const std::optional<Rational>& 
   if (squared_threshold) {
     const Rational square = *squared_threshold / radii.squared_spacing().value();
     marked = bin_of(bins, square);
-    mark = fmt::format("< {:.6g}", std::sqrt(rounded(square)));
+    mark = "< " + rough_root_text(square);
   }
   double top = 0;
   for (const RadiusBin& bin : bins) top = std::max(top, static_cast<double>(bin.count));
@@ -62,7 +60,7 @@ void print_radius_bars(const SaddleRadii& radii, const std::optional<Rational>& 
   for (std::size_t k = 0; k < bins.size(); ++k) {
     const double share = share_of_axis(static_cast<double>(bins[k].count), top, true);
     const auto marks = static_cast<std::size_t>(std::ceil(static_cast<double>(longest) * share));
-    table.row(multiple_text(bins[k].from)).cell(multiple_text(bins[k].to)).cell(bins[k].count);
+    table.row(rough_text(bins[k].from)).cell(rough_text(bins[k].to)).cell(bins[k].count);
     table.cell(std::string(marks, '#')).cell(k == marked ? mark : "");
   }
   table.print();

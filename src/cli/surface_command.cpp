@@ -11,6 +11,7 @@
 #include "cli/command.h"
 #include "cli/progress.h"
 #include "cli/radius_bars.h"
+#include "cli/rough_number.h"
 #include "cli/table.h"
 #include "flowcert/reproducibility.h"
 #include "flowcert/surface.h"
@@ -87,16 +88,6 @@ SurfaceMesh mesh_of(const SurfaceOptions& options, const FlowComplex& complex, c
 // The nearest double, or an infinity.
 double double_of(const Rational& value) { return nearest_double(value).value_or(HUGE_VAL); }
 
-// The root of a number whose double may be 0 or infinite. A power of 4 is taken out of it first.
-double root_of(const Rational& value) {
-  if (value == 0) return 0;
-  using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
-  const auto bits = [](const Integer& number) { return static_cast<int>(boost::multiprecision::msb(number)); };
-  const int half = (bits(numerator(value)) - bits(denominator(value))) / 2;
-  const Integer power = Integer(1) << 2 * std::abs(half);
-  return std::ldexp(std::sqrt(double_of(half < 0 ? Rational(value * power) : Rational(value / power))), half);
-}
-
 void print_edges(const TriangleEdges& edges) {
   print_row("edges of two triangles", with_commas(edges.manifold));
   print_row("edges of one", with_commas(edges.boundary), "boundary");
@@ -108,14 +99,12 @@ void print_edges(const TriangleEdges& edges) {
 void print_thresholds(const SurfaceThresholds& thresholds, const SaddleRadii& radii) {
   const auto& spacing = radii.squared_spacing();
   if (!spacing) return;
-  print_row("spacing", fmt::format("{:.6g}", root_of(*spacing)), "median of nearest neighbours");
+  print_row("spacing", rough_root_text(*spacing), "median of nearest neighbours");
   if (const auto& square = thresholds.squared_radius_below) {
-    print_row("radii below", fmt::format("{:.6g}", root_of(*square)),
-              fmt::format("{:.6g} x the spacing", root_of(*square / *spacing)));
+    print_row("radii below", rough_root_text(*square), rough_root_text(*square / *spacing) + " x the spacing");
   }
   if (const auto& length = thresholds.persistence_above) {
-    print_row("persistence above", fmt::format("{:.6g}", double_of(*length)),
-              fmt::format("{:.6g} x its square", double_of(*length / *spacing)));
+    print_row("persistence above", rough_text(*length), rough_text(*length / *spacing) + " x its square");
   }
 }
 

@@ -180,6 +180,23 @@ TEST(ExportCommand, OfEqualGapsTheFirstOfTheListAreTaken) {
   for (std::size_t k = 3; k < 12; ++k) EXPECT_TRUE(lines.at(k).ends_with(" 0")) << lines[k];
 }
 
+// The squares of these radii and spacings are beyond the doubles, or 0 as doubles.
+TEST(ExportCommand, TheTableHasRadiiWhoseSquaresAreBeyondDoubles) {
+  const Scratch scratch;
+  for (const auto& [unit, spacing] : {std::pair("e-170", "1e-170"), std::pair("e200", "1e+200")}) {
+    std::string points;
+    for (const char* row : {"0 0 0", "1U 0 0", "0 1U 0", "0 0 1U", "0.9U 0.9U 0.9U"}) {
+      for (const char* c = row; *c != '\0'; ++c) points += *c == 'U' ? std::string(unit) : std::string(1, *c);
+      points += '\n';
+    }
+    const Finished table = flowcert(
+        {"surface", scratch.file("points.xyz", points), "--select", "index2-radius<q0.9", "-o", scratch.path("s.ply")});
+    EXPECT_EQ(table.status, 0) << table.err;
+    EXPECT_NE(table.out.find(std::string(spacing) + "   median of nearest neighbours"), std::string::npos) << table.out;
+    EXPECT_EQ(table.out.find("inf"), std::string::npos) << table.out;
+  }
+}
+
 TEST(ExportCommand, TheTableTellsWhatNoSurfaceShows) {
   CITES("FC-STAB-06");
   const Scratch scratch;
