@@ -14,7 +14,7 @@ namespace flowcert::cli {
 
 namespace {
 
-// Of lines of the source. Escaped text is somewhat wider.
+// Lines of the source are so wide. Escaped text is somewhat wider.
 constexpr std::size_t kSourceWidth = 72;
 constexpr char kExitStatus[] =
     "0 if all is right, 1 for a negative verdict, 2 for unusable input or usage, with one line on standard error.";

@@ -134,7 +134,7 @@ std::size_t SaddleRadii::count_below(const Rational& squared_bound) const {
 std::optional<std::size_t> SaddleRadii::widest_gap() const {
   if (size() < 2) return std::nullopt;
   const std::size_t median = (size() - 1) / 2;
-  // Of squares.
+  // The numbers in the order are squares.
   constexpr int kRange = kWidestGapRange * kWidestGapRange;
   const std::size_t end = parts_->order.count_up_to(kRange * squared_radius(median));
   return parts_->order.widest_gap(median, std::min(end, size() - 1));

@@ -145,7 +145,7 @@ SelectedSets SurfaceSelection::select(const FlowComplex& complex, const SaddleRa
       const std::optional<Rational> value = length_of(bound, lengths, radii);
       if (value) length = length ? std::max(*length, *value) : *value;
     }
-    // Of equal lengths the first in the list is at the last place.
+    // Equal lengths stand in descending order of the list, so that the first of them counts as the longest.
     std::size_t too_short = length ? order.count_up_to(*length) : 0;
     if (largest_gaps_) too_short = std::max(too_short, order.size() - std::min(*largest_gaps_, order.size()));
     for (std::size_t k = 0; k < too_short; ++k) is_chosen[order.at(k)] = false;

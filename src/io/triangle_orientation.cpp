@@ -101,7 +101,7 @@ TriangleEdges orient(std::span<Triangle> triangles, std::size_t vertices) {
     ++(uses.size() == 1 ? edges.boundary : uses.size() == 2 ? edges.manifold : edges.non_manifold);
     if (uses.size() == 2) sides.join(uses[0], uses[1]);
   });
-  // Of a component's two sets of sides, the one that has its first triangle as it is is taken.
+  // A component has two sets of sides. The set with its first triangle as it is is taken.
   std::vector<bool> is_taken(2 * triangles.size(), false);
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     const std::uint32_t as_it_is = sides.set_of(t, false), turned = sides.set_of(t, true);

@@ -110,7 +110,7 @@ class UnstableManifolds::Parts::Worker {
 
  private:
   [[nodiscard]] bool is_reversed(std::size_t record, PolygonRef polygon) const;
-  // Of the plane through the saddle's contact points, as limit() tells the sides apart.
+  // The normal of the plane through the saddle's contact points points to side 1.
   [[nodiscard]] Vector3<Rational> normal_of(std::size_t saddle) const;
   [[nodiscard]] Point last_direction_from(CellIndex vertex);
   // If the polygon is reversed, side 0 of the manifold is end 1 of the Voronoi edge.

@@ -48,7 +48,7 @@ class Complex {
   [[nodiscard]] pybind11::array points() const;
 
   [[nodiscard]] std::array<std::size_t, 4> critical_counts() const;
-  // Of the kinds 1-2, 1-3 and 2-3.
+  // Regular stationary points of the kinds 1-2, 1-3 and 2-3.
   [[nodiscard]] std::array<std::size_t, 3> regular_counts() const;
   [[nodiscard]] long long euler_sum() const;
   // The array of StationaryRecord, and that of all contact sets, one after the other.

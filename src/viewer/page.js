@@ -202,7 +202,7 @@ export class Page {
     else this.brush(null);
   }
 
-  // Of a pair, the end that has a surface, or else its birth.
+  // The end of a pair that has a surface, or else its birth.
   end_of_pair(pair) {
     const { birth, death, set_of_point } = this.complex;
     return [death[pair], birth[pair]].find((point) => point !== none && set_of_point[point] !== none) ?? birth[pair];

@@ -1,6 +1,6 @@
 // The colours of the page: Okabe and Ito's, which people with any sort of colour blindness can tell apart.
 // Kinds of points also differ in shape, so that no statement is made by colour alone.
-// Of each theme: the surface, its highlight, and the lines.
+// Each theme has colours of the surface, its highlight, and the lines.
 
 export const kind_names = ['samples', 'index 1', 'index 2', 'index 3', 'regular stationary'];
 

@@ -52,7 +52,7 @@ export function pick(complex, camera, size, points, mesh, opaque, x, y, reach = 
     const dy = ((1 - (m[1] * px + m[5] * py + m[9] * pz + m[13]) / w) / 2) * size.height - y;
     const off = dx * dx + dy * dy;
     if (off > reach * reach || w > wall) continue;
-    // Of points that are about as near to the pixel, the one in front.
+    // Points in front win over those behind that are about as near to the pixel.
     const cost = off + 30 * w;
     if (cost < least) [best, least] = [point, cost];
   }

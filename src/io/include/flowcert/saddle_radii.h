@@ -28,7 +28,7 @@ class SaddleRadii {
   SaddleRadii& operator=(SaddleRadii&&) noexcept;
 
   [[nodiscard]] std::size_t size() const;
-  // Of the point at a place, from 0 in ascending order. Of equal radii the later one in the list comes first.
+  // Places count from 0, in ascending order. If radii are equal, the later point in the list comes first.
   [[nodiscard]] Rational squared_radius(std::size_t place) const;
   // Its number in StableManifolds.
   [[nodiscard]] std::size_t number(std::size_t place) const;
