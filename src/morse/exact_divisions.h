@@ -1,0 +1,56 @@
+// The exact places of the points of a division.
+//
+// Guarantees: exact. A chain of crossings is followed in a loop, so that no length of it exhausts the stack. What was
+// computed is kept until drop().
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "flowcert/rational.h"
+#include "morse/division_parameter.h"
+#include "morse/limit_partition.h"
+
+namespace flowcert::morse {
+
+class ExactDivisions {
+ public:
+  // Both must outlive it.
+  ExactDivisions(const Diagram& diagram, const LimitPartition& partition) : diagram_(diagram), partition_(partition) {}
+
+  // The parameter of a crossing or a centre for its own polygon (division_parameter.h): of a crossing for p0, p1 of
+  // its facet and its apex.
+  [[nodiscard]] const Rational& parameter(PointOfDivision number);
+  // The position, or the vector that points to an end at infinity.
+  [[nodiscard]] RationalPoint position(PointOfDivision number);
+  void drop() { parameters_.clear(); }
+
+ private:
+  [[nodiscard]] Vector3<Rational> at(VertexIndex v) const;
+  [[nodiscard]] Rational crossing(const DivisionPoint& point);
+
+  const Diagram& diagram_;
+  const LimitPartition& partition_;
+  std::unordered_map<PointOfDivision, Rational> parameters_;
+  std::vector<PointOfDivision> pending_;
+};
+
+// By what a parameter for the samples `from` is multiplied to be that for `to`, samples of the same polygon.
+template <class Number, class At>
+[[nodiscard]] Number parameter_ratio(const At& at, const std::array<VertexIndex, 3>& from,
+                                     const std::array<VertexIndex, 3>& to) {
+  std::size_t first = 3, shared = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (from[i] == to[0]) first = i;
+    shared += std::ranges::count(to, from[i]) > 0 ? 1u : 0u;
+  }
+  if (shared == 3) return Number(from[(first + 1) % 3] == to[1] ? 1 : -1);
+  const auto normal = [&](const std::array<VertexIndex, 3>& v) {
+    const Vector3<Number> origin = at(v[0]);
+    return cross(at(v[1]) - origin, at(v[2]) - origin);
+  };
+  const Vector3<Number> n = normal(from);
+  return Number(dot(n, normal(to))) / Number(dot(n, n));
+}
+
+}  // namespace flowcert::morse

@@ -1,0 +1,117 @@
+#include "flowcert/flow_limits.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "geometry/contract.h"
+#include "morse/exact_divisions.h"
+#include "morse/limit_partition.h"
+#include "morse/polygon_turn.h"
+
+namespace flowcert {
+
+using namespace morse;
+
+struct FlowLimits::Parts {
+  Parts(const VoronoiDiagram& voronoi, const StationaryPoints& list, const FlowOptions& options)
+      : diagram(voronoi), stationary(list), partition(voronoi, list, options) {}
+
+  void make_lists();
+  void turn_by_names(std::size_t record, std::vector<Division>& list) const;
+  [[nodiscard]] std::span<const Division> entries(std::size_t i) const {
+    FLOWCERT_REQUIRES(i < records.size());
+    return std::span(divisions).subspan(first[i], first[i + 1] - first[i]);
+  }
+  [[nodiscard]] PointId name(VertexIndex v) const {
+    return diagram.points().name(diagram.faces().delaunay().ordinals[v]);
+  }
+
+  const VoronoiDiagram& diagram;
+  const StationaryPoints& stationary;
+  LimitPartition partition;
+  std::vector<std::uint32_t> records;
+  std::vector<std::size_t> first{0};
+  std::vector<Division> divisions;
+};
+
+// The partition's order is by VertexIndex and corners, the specification's by names.
+void FlowLimits::Parts::turn_by_names(std::size_t record, std::vector<Division>& list) const {
+  const StationaryIndex index = stationary.index(record);
+  if (index.face_dimension == 1) {
+    const auto [v0, v1] = partition.facet_of(record);
+    if (name(v0) < name(v1)) return;
+    // A cycle still begins with a point.
+    const bool is_cycle = index.is_critical() && list.size() > 1;
+    std::reverse(list.begin() + (is_cycle ? 1 : 0), list.end());
+    return;
+  }
+  if (!index.is_critical()) return;
+  std::array<VertexIndex, 3> samples{};
+  const auto contact = stationary.contact(record);
+  for (std::size_t i = 0; i < 3; ++i) samples[i] = partition.vertex_named(contact[i]);
+  if (!has_turn(diagram.faces(), edge_of_record(stationary, record), samples)) std::swap(list.front(), list.back());
+}
+
+void FlowLimits::Parts::make_lists() {
+  std::vector<Division> list;
+  for (std::size_t record = 0; record < stationary.size(); ++record) {
+    const unsigned face = stationary.index(record).face_dimension;
+    if (face != 1 && face != 2) continue;
+    partition.directions(record, list);
+    turn_by_names(record, list);
+    records.push_back(static_cast<std::uint32_t>(record));
+    divisions.insert(divisions.end(), list.begin(), list.end());
+    first.push_back(divisions.size());
+  }
+}
+
+FlowLimits::FlowLimits(const VoronoiDiagram& diagram, const StationaryPoints& stationary, FlowOptions options)
+    : parts_(std::make_unique<Parts>(diagram, stationary, options)) {
+  parts_->make_lists();
+}
+FlowLimits::~FlowLimits() = default;
+FlowLimits::FlowLimits(FlowLimits&&) noexcept = default;
+FlowLimits& FlowLimits::operator=(FlowLimits&&) noexcept = default;
+
+std::size_t FlowLimits::size() const { return parts_->records.size(); }
+std::size_t FlowLimits::record(std::size_t i) const { return parts_->records[i]; }
+std::size_t FlowLimits::arc_count(std::size_t i) const {
+  return static_cast<std::size_t>(std::ranges::count_if(parts_->entries(i), &Division::is_arc));
+}
+std::size_t FlowLimits::direction_count(std::size_t i) const { return parts_->entries(i).size() - arc_count(i); }
+
+std::vector<FlowLimits::Entry> FlowLimits::entries(std::size_t i) const {
+  std::vector<Entry> entries;
+  for (const Division& division : parts_->entries(i)) entries.push_back({division.limit, division.is_arc()});
+  return entries;
+}
+
+LambdaList FlowLimits::list(std::size_t i) const {
+  const Parts& all = *parts_;
+  const auto limit_of = [](const Division& division) {
+    return division.limit == kInfinityLimit ? std::nullopt : std::optional<std::size_t>(division.limit);
+  };
+  ExactDivisions exact(all.diagram.faces(), all.partition);
+  LambdaList list;
+  for (const Division& division : all.entries(i)) {
+    if (division.is_arc()) {
+      list.arcs.push_back(limit_of(division));
+      continue;
+    }
+    const bool is_vector = all.partition.point(division.point).kind == DivisionPoint::Kind::kEnd;
+    list.directions.push_back({limit_of(division), exact.position(division.point), is_vector});
+  }
+  if (all.stationary.index(record(i)) == StationaryIndex{1, 1} && !list.directions.empty()) {
+    const auto first = std::ranges::min_element(list.directions, {}, &LambdaList::Direction::exit);
+    const auto count = first - list.directions.begin();
+    std::ranges::rotate(list.directions, first);
+    std::ranges::rotate(list.arcs, list.arcs.begin() + count);
+  }
+  return list;
+}
+
+std::size_t FlowLimits::point_count() const { return parts_->partition.point_count(); }
+const LimitPartition& FlowLimits::partition() const { return parts_->partition; }
+
+}  // namespace flowcert

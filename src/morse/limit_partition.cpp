@@ -1,0 +1,389 @@
+// Faces are finished in the order in which they ask for one another, over a stack of tasks.
+#include "morse/limit_partition.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "flow/drivers.h"
+#include "geometry/contract.h"
+#include "morse/polygon_turn.h"
+
+namespace flowcert::morse {
+
+LimitPartition::LimitPartition(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
+                               const FlowOptions& options)
+    : stationary_(stationary),
+      points_of_input_(diagram.points()),
+      vertex_of_(vertices_by_ordinal(diagram.faces().delaunay())),
+      gabriel_(points_of_input_, stationary, vertex_of_),
+      faces_(diagram),
+      flow_(make_flow_operator(faces_, options)),
+      walk_(faces_, *flow_, gabriel_) {
+  if (faces_.dimension() < 2) return;
+  note_records();
+  divide_all_edges();
+  walk_.clear();
+  fronts_ = {};
+}
+
+void LimitPartition::note_records() {
+  const std::size_t cells = faces_.delaunay().finite_count;
+  of_vertex_.assign(cells, kUnset);
+  of_edge_.assign(4 * cells, kNotDivided);
+  record_of_edge_.assign(4 * cells, kInfinityLimit);
+  point_of_vertex_.assign(cells, kNoDivision);
+  for (std::size_t record = 0; record < stationary_.size(); ++record) {
+    if (stationary_.index(record).hull_dimension < 2) continue;
+    const Place place = place_of_record(stationary_, record);
+    if (place.kind == Place::Kind::kVertex) {
+      of_vertex_[place.vertex] = static_cast<Limit>(record);
+    } else {
+      record_of_edge_[RingPiece::pack(place.edge)] = static_cast<std::uint32_t>(record);
+    }
+  }
+}
+
+// ---- The order of work ----
+
+void LimitPartition::divide_all_edges() {
+  const VoronoiComplex* spatial = faces_.diagram().spatial();
+  for (CellIndex cell = 0; cell < faces_.delaunay().finite_count; ++cell) {
+    for (std::uint32_t i = spatial != nullptr ? 0 : 3; i < 4; ++i) {
+      const FacetRef facet{cell, i};
+      if (spatial != nullptr && spatial->role(facet) == VoronoiComplex::FacetRole::kInterior) continue;
+      if (faces_.polygon(facet) != facet) continue;
+      while (!request_edge(facet)) finish_tasks();
+    }
+    if (spatial != nullptr && spatial->cluster(cell) == cell) {
+      while (!request_vertex(cell)) finish_tasks();
+    }
+  }
+}
+
+// A task that is not finished has asked for others, which come first.
+void LimitPartition::finish_tasks() {
+  while (!tasks_.empty()) {
+    const Task task = tasks_.back();
+    const std::size_t count = tasks_.size();
+    const bool is_finished = task.is_vertex ? finish_vertex(task.cell) : finish_facet(task.facet, task.cell);
+    if (is_finished) {
+      tasks_.pop_back();
+    } else if (tasks_.size() == count) {
+      throw std::logic_error("a Voronoi vertex that the facet of its driver does not reach");
+    }
+  }
+}
+
+bool LimitPartition::request_vertex(CellIndex cluster) {
+  if (of_vertex_[cluster] != kUnset) return true;
+  tasks_.push_back({true, {0, 0}, cluster});
+  return false;
+}
+
+bool LimitPartition::request_edge(PolygonRef polygon) {
+  if (of_edge_[RingPiece::pack(polygon)] != kNotDivided) return true;
+  const PolygonDriver driver = faces_.driver(polygon);
+  if (driver.shape != Sign::kNegative) return divide_along(polygon);
+  tasks_.push_back({false, driver.side, faces_.diagram().cell_of_side(polygon, driver.side)});
+  return false;
+}
+
+bool LimitPartition::finish_vertex(CellIndex cluster) {
+  if (of_vertex_[cluster] != kUnset) return true;
+  const VertexFlow flow = vertex_flow(faces_.diagram(), cluster);
+  if (flow.way == VertexFlow::Way::kStays) throw std::logic_error("a stationary point that is not listed");
+  if (flow.way == VertexFlow::Way::kAlongEdge) {
+    const CellIndex next = faces_.end(flow.edge, faces_.end(flow.edge, 0) == cluster ? 1 : 0);
+    if (next != kNoCell && !request_vertex(next)) return false;
+    of_vertex_[cluster] = next == kNoCell ? kInfinityLimit : of_vertex_[next];
+    return true;
+  }
+  if (!is_divided(flow.facet, cluster)) tasks_.push_back({false, flow.facet, cluster});
+  return false;
+}
+
+bool LimitPartition::is_divided(FacetName facet, CellIndex hint) {
+  const FacetRing ring = faces_.ring(facet, hint);
+  const ObtuseChain chain = obtuse_chain(faces_.diagram(), facet, ring, tally_);
+  return chain.count == 0 || of_edge_[ring.pieces[chain.first].packed] != kNotDivided;
+}
+
+bool LimitPartition::finish_facet(FacetName facet, CellIndex hint) {
+  const FacetRing ring = faces_.ring(facet, hint);
+  const ObtuseChain chain = obtuse_chain(faces_.diagram(), facet, ring, tally_);
+  if (chain.count == 0 || of_edge_[ring.pieces[chain.first].packed] != kNotDivided) return true;
+  const Run run = far_run(ring, chain);
+  if (!is_ready(ring, run)) return false;
+  make_fan(ring, run);
+  divide_near_side(ring, chain);
+  return true;
+}
+
+// Asks for all that is missing.
+bool LimitPartition::is_ready(const FacetRing& ring, Run run) {
+  bool ready = true;
+  for (std::uint32_t i = 0; i < run.count; ++i) {
+    const RingPiece& piece = ring.pieces[(run.first + i) % ring.size()];
+    if (i > 0 && piece.vertex != kNoCell && !request_vertex(piece.vertex)) ready = false;
+    if (piece.is_finite() && !request_edge(piece.polygon())) ready = false;
+  }
+  return ready;
+}
+
+// ---- Edges ----
+
+Limit LimitPartition::limit_at_end(PolygonRef polygon, std::size_t end) const {
+  const CellIndex cluster = faces_.end(polygon, end);
+  return cluster == kNoCell ? kInfinityLimit : of_vertex_[cluster];
+}
+
+// The polygon contains its centre, and the edge runs away from that. If the centre lies on neither side of end 0, or
+// beyond it, all of the edge runs to end 1.
+bool LimitPartition::divide_along(PolygonRef polygon) {
+  const std::uint32_t record = record_of_edge_[RingPiece::pack(polygon)];
+  const bool has_center = record != kInfinityLimit;
+  const bool starts_at_0 =
+      !has_center && faces_.end(polygon, 0) != kNoCell && side_at(faces_.diagram(), polygon, 0) != Sign::kPositive;
+  bool is_ready = true;
+  for (std::size_t end = 0; end < 2; ++end) {
+    if (!has_center && end != (starts_at_0 ? 1u : 0u)) continue;
+    const CellIndex cluster = faces_.end(polygon, end);
+    if (cluster != kNoCell && !request_vertex(cluster)) is_ready = false;
+  }
+  if (!is_ready) return false;
+  slice_.clear();
+  if (has_center) {
+    slice_.push_back({limit_at_end(polygon, 0)});
+    slice_.push_back({record, add({DivisionPoint::Kind::kCenter, RingPiece::pack(polygon)})});
+    fronts_.resize(points_.size());
+    fronts_.back() = walk_.at_center(faces_.corners(polygon), polygon);
+    slice_.push_back({limit_at_end(polygon, 1)});
+  } else {
+    slice_.push_back({limit_at_end(polygon, starts_at_0 ? 1 : 0)});
+  }
+  store(polygon, false);
+  return true;
+}
+
+void LimitPartition::store(PolygonRef polygon, bool is_reversed) {
+  if (is_reversed) std::ranges::reverse(slice_);
+  of_edge_[RingPiece::pack(polygon)] = static_cast<std::uint32_t>(divisions_.size());
+  divisions_.push_back({static_cast<Limit>(slice_.size())});
+  divisions_.insert(divisions_.end(), slice_.begin(), slice_.end());
+}
+
+// The rays of the fan meet the near side clockwise, and so against the ring's order.
+void LimitPartition::divide_near_side(const FacetRing& ring, const ObtuseChain& chain) {
+  const std::size_t n = ring.size();
+  std::size_t left = chain.count;  // pieces that are not divided yet; the last one is at hand
+  const auto at_hand = [&] { return (chain.first + left - 1) % n; };
+  const auto close_piece = [&] {
+    store(ring.pieces[at_hand()].polygon(), is_forward(ring, at_hand()));
+    slice_.clear();
+    --left;
+  };
+  slice_.clear();
+  Limit arc = kInfinityLimit;
+  for (const FanEntry& entry : fan_) {
+    if (entry.point == kNoDivision) {
+      arc = entry.limit;
+      slice_.push_back({arc});
+      continue;
+    }
+    const BackwardWalk::Back back = walk_.step(front_of(ring, entry), ring.facet);
+    const Place place = walk_.place(back.front);
+    bool is_vertex = false;
+    while (!is_vertex && !(place.kind == Place::Kind::kEdge && place.edge == ring.pieces[at_hand()].polygon())) {
+      const CellIndex cluster = ring.pieces[at_hand()].vertex;
+      is_vertex = place.kind == Place::Kind::kVertex && place.vertex == cluster;
+      of_vertex_[cluster] = is_vertex ? entry.limit : arc;
+      close_piece();
+      if (!is_vertex) slice_.push_back({arc});
+    }
+    if (is_vertex) continue;
+    const PointOfDivision far = point_of(ring, entry);
+    DivisionPoint point{DivisionPoint::Kind::kCrossing, far, ring.facet, ring.pieces[at_hand()].apex};
+    const bool is_element = entry.point == kAtElement;
+    point.far_apex = ring.pieces[is_element ? ring.before(entry.piece) : entry.piece].apex;
+    point.other = ring.pieces[entry.piece].apex;
+    slice_.push_back({entry.limit, add(point)});
+    fronts_.resize(points_.size());
+    fronts_.back() = back.front;
+  }
+  while (left > 1) {
+    of_vertex_[ring.pieces[at_hand()].vertex] = arc;
+    close_piece();
+    slice_.push_back({arc});
+  }
+  close_piece();
+}
+
+// ---- Fans ----
+
+// The pieces that rays from the midpoint leave through. Pieces with a right angle lie on rays, at both ends.
+LimitPartition::Run LimitPartition::far_run(const FacetRing& ring, const ObtuseChain& chain) const {
+  const auto n = static_cast<std::uint32_t>(ring.size());
+  if (chain.count == 0) {
+    if (chain.right_count == 0) return {0, n};
+    return {(chain.right + 1) % n, n - chain.right_count};
+  }
+  Run run{(chain.first + chain.count) % n, n - chain.count};
+  if (chain.right_count == 0) return run;
+  const auto is_right = [&](std::uint32_t k) {
+    const RingPiece& piece = ring.pieces[k % n];
+    if (!piece.is_finite()) return false;
+    const PolygonSides sides = faces_.sides(piece.polygon());
+    return std::ranges::any_of(sides, [&](const PolygonSide& side) {
+      return FacetName{side.v0, side.v1} == ring.facet && side.angle == Sign::kZero;
+    });
+  };
+  if (is_right(run.first)) run = {(run.first + 1) % n, run.count - 1};
+  if (run.count > 0 && is_right(run.first + run.count - 1)) --run.count;
+  return run;
+}
+
+void LimitPartition::append_arc(Limit limit) {
+  if (!fan_.empty()) {
+    FanEntry& last = fan_.back();
+    if (last.point == kNoDivision) {
+      // Far out on a Voronoi edge, everything flows to infinity.
+      FLOWCERT_REQUIRES(last.limit == limit);
+      return;
+    }
+    if (fan_.size() > 1 && last.limit == limit && fan_[fan_.size() - 2].limit == limit) {
+      fan_.pop_back();
+      return;
+    }
+  }
+  fan_.push_back({limit, kNoDivision, 0});
+}
+
+void LimitPartition::append_element(const FacetRing& ring, std::uint32_t piece) {
+  const CellIndex cluster = ring.pieces[piece].vertex;
+  if (cluster != kNoCell) fan_.push_back({of_vertex_[cluster], kAtElement, piece});
+}
+
+void LimitPartition::append_edge(const FacetRing& ring, std::uint32_t piece) {
+  if (!ring.pieces[piece].is_finite()) return append_arc(kInfinityLimit);
+  const std::span<const Division> divisions = edge(ring.pieces[piece].polygon());
+  const bool is_forward_here = divisions.size() == 1 || is_forward(ring, piece);
+  for (std::size_t i = 0; i < divisions.size(); ++i) {
+    const Division& next = divisions[is_forward_here ? i : divisions.size() - 1 - i];
+    if (next.is_arc()) {
+      append_arc(next.limit);
+    } else {
+      fan_.push_back({next.limit, next.point, piece});
+    }
+  }
+}
+
+void LimitPartition::make_fan(const FacetRing& ring, Run run) {
+  fan_.clear();
+  for (std::uint32_t i = 0; i < run.count; ++i) {
+    const auto piece = static_cast<std::uint32_t>((run.first + i) % ring.size());
+    if (i > 0) append_element(ring, piece);
+    append_edge(ring, piece);
+  }
+}
+
+// The fan goes all the way around. It begins with a point then, unless there is none.
+void LimitPartition::close_fan(const FacetRing& ring) {
+  append_element(ring, 0);
+  const std::size_t size = fan_.size();
+  const bool ends_with_point = fan_.back().point != kNoDivision;
+  const bool is_kept =
+      ends_with_point && !(fan_.back().limit == fan_.front().limit && fan_[size - 2].limit == fan_.front().limit);
+  if (is_kept) {
+    std::ranges::rotate(fan_, fan_.end() - 1);
+    return;
+  }
+  if (ends_with_point) fan_.pop_back();
+  if (fan_.size() > 1) fan_.erase(fan_.begin());
+}
+
+FrontNumber LimitPartition::front_of(const FacetRing& ring, const FanEntry& entry) {
+  if (entry.point == kAtElement) return walk_.at_vertex(ring.pieces[entry.piece].vertex);
+  return fronts_[entry.point];
+}
+
+PointOfDivision LimitPartition::point_at_vertex(CellIndex cluster) {
+  PointOfDivision& point = point_of_vertex_[cluster];
+  if (point == kNoDivision) point = add({DivisionPoint::Kind::kVertex, cluster});
+  return point;
+}
+
+PointOfDivision LimitPartition::point_of(const FacetRing& ring, const FanEntry& entry) {
+  return entry.point == kAtElement ? point_at_vertex(ring.pieces[entry.piece].vertex) : entry.point;
+}
+
+// Whether the ring goes along the piece's Voronoi edge from end 0 to end 1. It goes along (p1-p0) x (apex-p0).
+bool LimitPartition::is_forward(const FacetRing& ring, std::size_t piece) const {
+  const RingPiece& at = ring.pieces[piece];
+  return has_turn(faces_.diagram(), at.polygon(), {ring.facet.v0, ring.facet.v1, at.apex});
+}
+
+// ---- Directions ----
+
+FacetName LimitPartition::facet_of(std::size_t record) const {
+  const StationaryIndex index = stationary_.index(record);
+  FLOWCERT_REQUIRES(index.face_dimension == 1);
+  if (index.is_critical()) {
+    const auto contact = stationary_.contact(record);
+    return facet_name(vertex_named(contact[0]), vertex_named(contact[1]));
+  }
+  const auto right_side = [&](PolygonRef polygon) {
+    const PolygonSides sides = faces_.sides(polygon);
+    const auto side = std::ranges::find(sides, Sign::kZero, &PolygonSide::angle);
+    return FacetName{side->v0, side->v1};
+  };
+  if (index.hull_dimension == 2) return right_side(edge_of_record(stationary_, record));
+  return right_side(polygons_through(faces_.diagram(), cell_of_record(stationary_, record)).front());
+}
+
+Division LimitPartition::direction_to_end(PolygonRef polygon, std::size_t end) {
+  const CellIndex cluster = faces_.end(polygon, end);
+  if (cluster != kNoCell) return {of_vertex_[cluster], point_at_vertex(cluster)};
+  return {kInfinityLimit,
+          add({DivisionPoint::Kind::kEnd, RingPiece::pack(polygon), {0, 0}, static_cast<VertexIndex>(end)})};
+}
+
+void LimitPartition::directions_of_face_2(std::size_t record, std::vector<Division>& list) {
+  if (stationary_.index(record).is_critical()) {
+    const PolygonRef polygon = edge_of_record(stationary_, record);
+    list.push_back(direction_to_end(polygon, 0));
+    list.push_back(direction_to_end(polygon, 1));
+    return;
+  }
+  const CellIndex cluster = cell_of_record(stationary_, record);
+  const PolygonRef polygon = polygons_through(faces_.diagram(), cluster).front();
+  list.push_back(direction_to_end(polygon, faces_.end(polygon, 0) == cluster ? 1 : 0));
+}
+
+void LimitPartition::directions(std::size_t record, std::vector<Division>& list) {
+  list.clear();
+  const StationaryIndex index = stationary_.index(record);
+  FLOWCERT_REQUIRES(index.face_dimension == 1 || index.face_dimension == 2);
+  if (index.face_dimension == 2) return directions_of_face_2(record, list);
+  const FacetRing ring = faces_.ring(facet_of(record), cell_of_record(stationary_, record));
+  if (ring.size() == 0) {
+    list.push_back({kInfinityLimit});
+    return;
+  }
+  const ObtuseChain chain = obtuse_chain(faces_.diagram(), ring.facet, ring, tally_);
+  make_fan(ring, far_run(ring, chain));
+  if (index.is_critical()) close_fan(ring);
+  // The midpoint lies on one piece with a right angle, or between two. The ring goes on along the last one.
+  const auto towards = [&](std::size_t piece, bool is_ahead) {
+    return direction_to_end(ring.pieces[piece].polygon(), is_forward(ring, piece) == is_ahead ? 1 : 0);
+  };
+  if (!index.is_critical()) list.push_back(towards(chain.right, true));
+  for (const FanEntry& entry : fan_) {
+    list.push_back({entry.limit, entry.point == kNoDivision ? kNoDivision : point_of(ring, entry)});
+  }
+  if (!index.is_critical()) {
+    list.push_back(towards(chain.right_count == 2 ? ring.before(chain.right) : chain.right, false));
+  }
+}
+
+}  // namespace flowcert::morse

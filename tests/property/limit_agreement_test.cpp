@@ -1,0 +1,168 @@
+// λ-lists of the fast implementation against the oracle's (FC-UNST-01, 02), on all families.
+//
+// Guarantees: lists are compared exactly, directions as rational vectors and limits by contact sets. The oracle follows
+// families of rays forward, by scans over all points. The fast implementation divides each Voronoi facet once, and
+// hands the parts back. The test fails too when too few lists had ties.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "flowcert/flow_limits.h"
+#include "fuzz/inputs/stable_configurations.h"
+#include "fuzz/properties/stable_pieces.h"
+#include "fuzz/properties/subject.h"
+#include "oracle/unstable_set.h"
+#include "tests/cites.h"
+#include "tests/property/orbit_subject.h"
+#include "tests/property/property_parameters.h"
+
+namespace flowcert::property {
+namespace {
+
+constexpr int kInputsPerFamily = 80;
+constexpr int kInputsMadeForThis = 400;     // of each of the families for stable sets
+constexpr std::size_t kListsByOracle = 40;  // at most so many of an input
+
+struct Totals {
+  std::size_t lists = 0, arcs = 0, directions = 0, isolated_in_one_limit = 0, regular = 0;
+};
+
+// The direction, scaled so that its largest coordinate is 1 or -1, and the limit's contact set. Infinity has none.
+struct Entry {
+  oracle::Direction direction;
+  Ids limit;
+  friend bool operator==(const Entry&, const Entry&) = default;
+};
+struct List {
+  std::vector<Entry> directions;
+  std::vector<Ids> arcs;
+  friend bool operator==(const List&, const List&) = default;
+};
+
+oracle::Direction scaled(const oracle::Point& vector) {
+  oracle::Rational largest = 0;
+  for (const oracle::Rational& x : vector) largest = std::max(largest, oracle::Rational(abs(x)));
+  return {vector[0] / largest, vector[1] / largest, vector[2] / largest};
+}
+
+Ids contact_of(const std::optional<oracle::StationaryPoint>& limit) {
+  return limit ? Ids(limit->contact.begin(), limit->contact.end()) : Ids{};
+}
+
+List list_of(const std::vector<oracle::UnstableEntry>& entries) {
+  List list;
+  for (const oracle::UnstableEntry& entry : entries) {
+    if (entry.is_arc) {
+      list.arcs.push_back(contact_of(entry.limit));
+    } else {
+      list.directions.push_back({*entry.from, contact_of(entry.limit)});
+    }
+  }
+  return list;
+}
+
+List list_of(const StationaryPoints& stationary, const RationalPoint& y, const LambdaList& fast) {
+  const auto limit = [&](const std::optional<std::size_t>& record) {
+    return record ? ids(stationary.contact(*record)) : Ids{};
+  };
+  List list;
+  for (const LambdaList::Direction& direction : fast.directions) {
+    oracle::Point vector;
+    for (std::size_t k = 0; k < 3; ++k) vector[k] = direction.is_vector ? direction.exit[k] : direction.exit[k] - y[k];
+    list.directions.push_back({scaled(vector), limit(direction.limit)});
+  }
+  for (const auto& arc : fast.arcs) list.arcs.push_back(limit(arc));
+  return list;
+}
+
+// The oracle's cycle begins with the least direction, which need not have the least exit.
+void begin_with_least(List& list) {
+  const auto first = std::ranges::min_element(list.directions, {}, &Entry::direction) - list.directions.begin();
+  std::ranges::rotate(list.directions, list.directions.begin() + first);
+  std::ranges::rotate(list.arcs, list.arcs.begin() + first);
+}
+
+std::string in_words(const List& list) {
+  std::string text;
+  for (std::size_t i = 0; i < std::max(list.directions.size(), list.arcs.size()); ++i) {
+    if (i < list.directions.size()) {
+      const auto& [u, limit] = list.directions[i];
+      text += "(" + u[0].str() + "," + u[1].str() + "," + u[2].str() + ")->" + text_of(limit) + " ";
+    }
+    if (i < list.arcs.size()) text += "arc->" + text_of(list.arcs[i]) + " ";
+  }
+  return text + "\n";
+}
+
+void require_right_lists(const Subject& subject, Totals& totals) {
+  const StationaryPoints& stationary = subject.complex.stationary();
+  const FlowLimits cascade(subject.complex.diagram(), stationary);
+  const FlowLimits exact(subject.complex.diagram(), stationary, {ConstructionKernel::kExact, FacetSearch::kLinear});
+  const std::size_t step = 1 + cascade.size() / kListsByOracle;
+  for (std::size_t i = 0; i < cascade.size(); i += step) {
+    const auto z = oracle_point(subject.complex.points(), stationary, cascade.record(i));
+    const RationalPoint y = subject.complex.sphere(cascade.record(i)).center;
+    const StationaryIndex index = stationary.index(cascade.record(i));
+    const LambdaList fast = cascade.list(i);
+    List mine = list_of(stationary, y, fast);
+    RC_ASSERT(list_of(stationary, y, exact.list(i)) == mine);
+    const List its = list_of(oracle::lambda_list(subject.set, z));
+    if (index == StationaryIndex{1, 1} && !mine.directions.empty()) begin_with_least(mine);
+    require_none(subject.input,
+                 mine == its ? "" : "another λ-list of " + text_of(ids(stationary.contact(cascade.record(i)))),
+                 "the fast implementation's:\n" + in_words(mine) + "the oracle's:\n" + in_words(its));
+    ++totals.lists;
+    totals.arcs += mine.arcs.size();
+    totals.directions += mine.directions.size();
+    totals.regular += index.is_critical() ? 0 : 1;
+    for (std::size_t k = 1; k < mine.arcs.size(); ++k) totals.isolated_in_one_limit += mine.arcs[k] == mine.arcs[k - 1];
+  }
+}
+
+void add(Totals& sum, const Totals& part) {
+  sum.lists += part.lists;
+  sum.arcs += part.arcs;
+  sum.directions += part.directions;
+  sum.isolated_in_one_limit += part.isolated_in_one_limit;
+  sum.regular += part.regular;
+}
+
+void print_row(const std::string& name, const Totals& totals) {
+  std::printf("%-24s %6zu λ-lists, %5zu of regular points; %6zu arcs, %6zu directions, %4zu amid one limit\n",
+              name.c_str(), totals.lists, totals.regular, totals.arcs, totals.directions, totals.isolated_in_one_limit);
+}
+
+TEST(LimitAgreement, ListsAreTheOracles) {
+  CITES("FC-UNST-01", "FC-UNST-02");
+  Totals all;
+  bool agreed = true;
+  const auto run = [&](const std::vector<fuzz::Family>& families, int inputs) {
+    for (const fuzz::Family& family : families) {
+      Totals totals;
+      const rc::Gen<fuzz::Input> generator = family.generate();
+      agreed = expect_holds("λ-lists, " + family.name, parameters_of_run(inputs),
+                            [&] {
+                              const fuzz::Input input = *generator;
+                              require_right_lists(Subject(input), totals);
+                            }) &&
+               agreed;
+      print_row(family.name, totals);
+      add(all, totals);
+    }
+  };
+  run(fuzz::families(), kInputsPerFamily);
+  run(fuzz::stable_families(), kInputsMadeForThis);
+  print_row("all", all);
+  if (agreed && scale_of_run() >= 1) {
+    EXPECT_GE(all.lists, 20000U);
+    EXPECT_GE(all.regular, 1500U);
+    EXPECT_GE(all.isolated_in_one_limit, 100U);
+  }
+}
+
+}  // namespace
+}  // namespace flowcert::property
