@@ -1,0 +1,34 @@
+// The connections graph: which stationary points flow to which, along how many orbits and in how many families (spec
+// clauses FC-CONN).
+//
+// Guarantees: exact, on every input.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "flowcert/flow_limits.h"
+#include "flowcert/stable_manifolds.h"
+
+namespace flowcert {
+
+// What leads from one stationary point to another one, or to infinity.
+struct Connection {
+  static constexpr std::uint32_t kInfinity = 0xffffffffu;
+
+  std::uint32_t from, to;      // places in the list of stationary points
+  std::uint32_t orbits = 0;    // single directions of the λ-list
+  std::uint32_t families = 0;  // arcs of it
+
+  friend bool operator==(const Connection&, const Connection&) = default;
+};
+
+// Sorted by from, and then by to; infinity comes last.
+[[nodiscard]] std::vector<Connection> connections(const FlowLimits& limits);
+
+// Whether the input is Morse-Smale (FC-CONN-03).
+[[nodiscard]] bool is_morse_smale(const StationaryPoints& stationary, const FlowLimits& limits,
+                                  const StableManifolds& stable);
+
+}  // namespace flowcert

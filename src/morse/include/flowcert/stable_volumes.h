@@ -1,0 +1,49 @@
+// The volumes of stable sets (spec clauses FC-VOL-01, 02).
+//
+// Guarantees: each double is the nearest one to the exact volume, ties to even. Doubled doubles with proven bounds
+// decide most of them, exact numbers the others. Exact volumes are made on demand.
+//
+// A stable set meets each Voronoi edge in arcs. An arc from a to b on the edge of a polygon f stands for all that is
+// between it and f: the signed volumes area(f) |b-a| / 3 of these joins add up to that of the stable set.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "flowcert/flow_limits.h"
+#include "flowcert/rational.h"
+
+namespace flowcert {
+
+// Const access is safe from several threads.
+class StableVolumes {
+ public:
+  // All must outlive this. O(cells and points of division), and what exact numbers take where doubles do not suffice.
+  StableVolumes(const VoronoiDiagram& diagram, const StationaryPoints& stationary, const FlowLimits& limits);
+  StableVolumes(const VoronoiDiagram&, StationaryPoints&&, const FlowLimits&) = delete;
+  ~StableVolumes();
+  StableVolumes(StableVolumes&&) noexcept;
+  StableVolumes& operator=(StableVolumes&&) noexcept;
+
+  // By place in the list of stationary points. An infinity where it would overflow. 0 where the set has no part of
+  // dimension 3.
+  [[nodiscard]] double nearest(std::size_t record) const;
+  // The time grows with the number of arcs and with the digits of their ends, which many crossings make long.
+  [[nodiscard]] Rational exact(std::size_t record) const;
+  // What lies in the Voronoi cells of which samples: names, ascending, with the parts of the volume that are not 0.
+  [[nodiscard]] std::vector<std::pair<PointId, Rational>> shares(std::size_t record) const;
+
+  // The volume of the convex hull of all points, exactly. All of it that no stable set has flows to infinity.
+  [[nodiscard]] const Rational& hull() const;
+
+  // How many volumes took exact numbers.
+  [[nodiscard]] std::size_t decided_exactly() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace flowcert
