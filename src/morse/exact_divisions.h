@@ -4,6 +4,8 @@
 // computed is kept until drop().
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <unordered_map>
 #include <vector>
 
@@ -35,16 +37,23 @@ class ExactDivisions {
   std::vector<PointOfDivision> pending_;
 };
 
-// By what a parameter for the samples `from` is multiplied to be that for `to`, samples of the same polygon.
-template <class Number, class At>
-[[nodiscard]] Number parameter_ratio(const At& at, const std::array<VertexIndex, 3>& from,
-                                     const std::array<VertexIndex, 3>& to) {
+// Three samples of a polygon, and the same three in another order: 1 if both go around it in the same sense, -1 if not.
+// 0 if they are not the same samples.
+[[nodiscard]] inline int turn_of_same(const std::array<VertexIndex, 3>& from, const std::array<VertexIndex, 3>& to) {
   std::size_t first = 3, shared = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     if (from[i] == to[0]) first = i;
     shared += std::ranges::count(to, from[i]) > 0 ? 1u : 0u;
   }
-  if (shared == 3) return Number(from[(first + 1) % 3] == to[1] ? 1 : -1);
+  if (shared < 3) return 0;
+  return from[(first + 1) % 3] == to[1] ? 1 : -1;
+}
+
+// By what a parameter for the samples `from` is multiplied to be that for `to`, samples of the same polygon.
+template <class Number, class At>
+[[nodiscard]] Number parameter_ratio(const At& at, const std::array<VertexIndex, 3>& from,
+                                     const std::array<VertexIndex, 3>& to) {
+  if (const int turn = turn_of_same(from, to); turn != 0) return Number(turn);
   const auto normal = [&](const std::array<VertexIndex, 3>& v) {
     const Vector3<Number> origin = at(v[0]);
     return cross(at(v[1]) - origin, at(v[2]) - origin);

@@ -1,0 +1,136 @@
+#include "morse/bounded_divisions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "morse/exact_divisions.h"
+
+namespace flowcert::morse {
+
+namespace {
+
+using Kind = DivisionPoint::Kind;
+
+constexpr double kShare = 64 * DoubleDouble::kRoundoff;
+constexpr double kRoundoff = 8 * DoubleDouble::kRoundoff;
+constexpr double kUnderflow = 0x1p-1000;
+constexpr double kSlack = 1 + 0x1p-30;
+
+double size(const DoubleDouble& x) { return std::fabs(x.high()); }
+
+double length_of(const Vector3<DoubleDouble>& v) {
+  return std::sqrt(v.x.high() * v.x.high() + v.y.high() * v.y.high() + v.z.high() * v.z.high()) * kSlack;
+}
+
+BoundedNumber product(const BoundedNumber& x, const BoundedNumber& y) {
+  const DoubleDouble value = x.value * y.value;
+  const double error = size(x.value) * y.error + size(y.value) * x.error + x.error * y.error + kRoundoff * size(value);
+  return {value, error * kSlack + kUnderflow};
+}
+BoundedNumber difference(const BoundedNumber& x, const BoundedNumber& y) {
+  const DoubleDouble value = x.value - y.value;
+  return {value, (x.error + y.error + kRoundoff * (size(x.value) + size(y.value))) * kSlack + kUnderflow};
+}
+BoundedNumber sum(const BoundedNumber& x, const BoundedNumber& y) { return difference(x, {-y.value, y.error}); }
+BoundedNumber doubled(const BoundedNumber& x) { return {x.value + x.value, 2 * x.error}; }
+BoundedNumber quotient(const BoundedNumber& x, const BoundedNumber& y) {
+  const double least = size(y.value) - y.error;
+  if (!(least > y.error)) return {};
+  const DoubleDouble value = x.value / y.value;
+  const double error = (x.error + size(value) * y.error) / least + kRoundoff * size(value);
+  return {value, error * kSlack + kUnderflow};
+}
+
+// The terms of an ApexPair with their bounds.
+struct BoundedPair {
+  BoundedPair(const Vector3<DoubleDouble>& e, const Vector3<DoubleDouble>& d, const Vector3<DoubleDouble>& d_other)
+      : pair(e, d, d_other), length_e(length_of(e)), length_d(length_of(d)), length_other(length_of(d_other)) {}
+
+  [[nodiscard]] BoundedNumber length() const { return {pair.length, kShare * length_e * length_e + kUnderflow}; }
+  [[nodiscard]] BoundedNumber height() const {
+    return {pair.height, kShare * length_d * (length_d + length_e) + kUnderflow};
+  }
+  [[nodiscard]] BoundedNumber height_other() const {
+    return {pair.height_other, kShare * length_other * (length_other + length_e) + kUnderflow};
+  }
+  [[nodiscard]] BoundedNumber det() const {
+    return {pair.det, kShare * length_e * length_d * length_other + kUnderflow};
+  }
+  [[nodiscard]] BoundedNumber gram() const {
+    return {pair.gram, kShare * length_e * length_e * length_d * length_other + kUnderflow};
+  }
+
+  ApexPair<DoubleDouble> pair;
+  double length_e, length_d, length_other;
+};
+
+// vertex_parameter()
+BoundedNumber bounded_vertex(const BoundedPair& pair, const Vector3<DoubleDouble>& d) {
+  const DoubleDouble square = pair.pair.length * dot(d, d) - pair.pair.along * pair.pair.along;
+  const double sizes = pair.length_e * pair.length_d;
+  const BoundedNumber squares{square, kShare * sizes * sizes + kUnderflow};
+  return quotient(difference(product(squares, pair.height_other()), product(pair.height(), pair.gram())),
+                  doubled(pair.det()));
+}
+
+// crossed_parameter()
+BoundedNumber bounded_crossing(const BoundedPair& pair, const BoundedNumber& r) {
+  const BoundedNumber twice = doubled(r);
+  const BoundedNumber den = sum(product(pair.height(), pair.gram()), product(twice, pair.det()));
+  const BoundedNumber away = product(product(pair.height(), pair.length()), pair.det());
+  return quotient(product(pair.height_other(), difference(product(twice, pair.gram()), away)), doubled(den));
+}
+
+}  // namespace
+
+BoundedDivisions::BoundedDivisions(const Diagram& diagram, const LimitPartition& partition)
+    : diagram_(diagram), partition_(partition) {
+  double largest = 0;
+  for (const Point& p : diagram.delaunay().points) {
+    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  }
+  // Numbers near the ends of the exponents cannot be scaled; exact ones decide then.
+  unit_ = largest > 0 ? std::clamp(std::ilogb(largest), -960, 960) : 0;
+  scale_ = std::ldexp(1.0, -unit_);
+  parameters_.reserve(partition.point_count());
+  for (PointOfDivision number = 0; number < partition.point_count(); ++number) {
+    const DivisionPoint& point = partition.point(number);
+    parameters_.push_back(point.kind == Kind::kCrossing ? crossing(point) : BoundedNumber{0, 0});
+  }
+}
+
+BoundedDivisions::Vector BoundedDivisions::between(VertexIndex from, VertexIndex to) const {
+  const Point &p = diagram_.point(from), &q = diagram_.point(to);
+  const auto scaled = [this](double a, double b) { return DoubleDouble::sum(a * scale_, -(b * scale_)); };
+  return {scaled(q.x, p.x), scaled(q.y, p.y), scaled(q.z, p.z)};
+}
+
+// A point comes from points with lesser numbers.
+BoundedNumber BoundedDivisions::crossing(const DivisionPoint& point) const {
+  const VertexIndex v0 = point.facet.v0;
+  const Vector e = between(v0, point.facet.v1), d = between(v0, point.far_apex);
+  BoundedNumber r{0, 0};
+  const DivisionPoint& from = partition_.point(point.from);
+  if (from.kind == Kind::kVertex) {
+    r = bounded_vertex(BoundedPair(e, d, between(v0, point.other)), d);
+  } else if (from.kind == Kind::kCrossing) {
+    const int turn = turn_of_same({from.facet.v0, from.facet.v1, from.apex}, {v0, point.facet.v1, point.far_apex});
+    // Polygons with more than three samples are left to exact numbers.
+    if (turn == 0) return {};
+    r = parameters_[point.from];
+    if (turn < 0) r.value = -r.value;
+  }
+  return bounded_crossing(BoundedPair(e, d, between(v0, point.apex)), r);
+}
+
+BoundedNumber BoundedDivisions::parameter_of_sphere(VertexIndex a, VertexIndex b, VertexIndex c, VertexIndex w) const {
+  const Vector e = between(a, b), d = between(a, c);
+  return bounded_vertex(BoundedPair(e, d, between(a, w)), d);
+}
+
+BoundedNumber BoundedDivisions::determinant(const std::array<VertexIndex, 4>& v) const {
+  const Vector a = between(v[0], v[1]), b = between(v[0], v[2]), c = between(v[0], v[3]);
+  return {dot(a, cross(b, c)), kShare * length_of(a) * length_of(b) * length_of(c) + kUnderflow};
+}
+
+}  // namespace flowcert::morse

@@ -1,0 +1,50 @@
+// The parameters of points of a division, in doubled doubles with bounds (division_parameter.h).
+//
+// Guarantees: a number differs from its value by no more than its bound. Where nothing is known, the bound is infinite.
+// Lengths are in a unit that is a power of two, in which all differences of coordinates are at most 4. So nothing
+// overflows, and what underflows is less than 2^-1000, which every bound includes.
+//
+// With δ the roundoff of doubled doubles, a sum of three products has an error of at most 2 δ times the product of
+// the lengths of the two vectors, since each product has one of δ/2 and each sum less. The terms of ApexPair have at
+// most two such factors more. So their errors are below 32 δ times the products of lengths that bound them; twice that
+// is taken, for the lengths are rounded. Errors of given numbers pass through products and quotients as usual.
+#pragma once
+
+#include <vector>
+
+#include "geometry/bounded_number.h"
+#include "morse/division_parameter.h"
+#include "morse/limit_partition.h"
+
+namespace flowcert::morse {
+
+using geometry::BoundedNumber;
+using geometry::DoubleDouble;
+
+class BoundedDivisions {
+ public:
+  // Both must outlive it. All points are computed at once.
+  BoundedDivisions(const Diagram& diagram, const LimitPartition& partition);
+
+  // All numbers are in units: lengths are divided by 2^unit().
+  [[nodiscard]] int unit() const { return unit_; }
+  // The parameter of a crossing or a centre for its own samples (ExactDivisions).
+  [[nodiscard]] const BoundedNumber& parameter(PointOfDivision point) const { return parameters_[point]; }
+  // The parameter of the circumcentre of a, b, c and w, for a, b and c.
+  [[nodiscard]] BoundedNumber parameter_of_sphere(VertexIndex a, VertexIndex b, VertexIndex c, VertexIndex w) const;
+  // Six times the volume of a tetrahedron, positive if its vertices have positive orientation.
+  [[nodiscard]] BoundedNumber determinant(const std::array<VertexIndex, 4>& vertices) const;
+
+ private:
+  using Vector = Vector3<DoubleDouble>;
+  [[nodiscard]] Vector between(VertexIndex from, VertexIndex to) const;
+  [[nodiscard]] BoundedNumber crossing(const DivisionPoint& point) const;
+
+  const Diagram& diagram_;
+  const LimitPartition& partition_;
+  int unit_ = 0;
+  double scale_ = 1;
+  std::vector<BoundedNumber> parameters_;
+};
+
+}  // namespace flowcert::morse

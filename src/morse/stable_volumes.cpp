@@ -1,0 +1,350 @@
+// A volume is a sum of terms, one for each end of an arc. At a Voronoi vertex a term is the signed volume of the pyramid
+// from there over a facet of the cell. If all four belong to one set, they add up to the cell.
+#include "flowcert/stable_volumes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "geometry/contract.h"
+#include "morse/bounded_divisions.h"
+#include "morse/exact_divisions.h"
+#include "morse/limit_partition.h"
+#include "morse/polygon_turn.h"
+
+namespace flowcert {
+
+using namespace morse;
+
+namespace {
+
+using Vector = Vector3<Rational>;
+
+// Sums of neighbours first, so that long numbers are few.
+Rational total(std::span<const Rational> terms) {
+  if (terms.empty()) return 0;
+  if (terms.size() == 1) return terms.front();
+  const std::size_t half = terms.size() / 2;
+  return total(terms.first(half)) + total(terms.subspan(half));
+}
+
+}  // namespace
+
+struct StableVolumes::Parts {
+  // Where an arc ends, and so what is added to a volume.
+  struct VolumeTerm {
+    enum class Kind : std::uint32_t {
+      kCell,    // all of the cell `face`
+      kVertex,  // the pyramid over the facet `face`, 4 cell + index, from the Voronoi vertex of the cell
+      kAfter,   // at the point of a division of the Voronoi edge `face`: the arc comes after it, towards end 1
+      kBefore,  // the arc comes before it
+    };
+    Limit limit;
+    Kind kind;
+    std::uint32_t face;
+    PointOfDivision point = kNoDivision;
+  };
+
+  Parts(const VoronoiDiagram& voronoi, const StationaryPoints& list, const FlowLimits& all)
+      : diagram(voronoi.faces()),
+        points(voronoi.points()),
+        partition(all.partition()),
+        first(list.size() + 1, 0),
+        doubles(list.size(), 0) {}
+
+  void gather_terms();
+  void gather_cell(CellIndex cell, std::vector<VolumeTerm>& found) const;
+  void gather_points(PolygonRef polygon, std::vector<VolumeTerm>& found) const;
+  void round_all();
+  void compute_hull();
+
+  [[nodiscard]] std::span<const VolumeTerm> terms_of(std::size_t record) const {
+    FLOWCERT_REQUIRES(record + 1 < first.size());
+    return std::span(terms).subspan(first[record], first[record + 1] - first[record]);
+  }
+  [[nodiscard]] BoundedNumber bounded(const BoundedDivisions& divisions, const VolumeTerm& term) const;
+  [[nodiscard]] std::optional<double> rounded(const BoundedDivisions& divisions, std::size_t record) const;
+  [[nodiscard]] Vector at(VertexIndex v) const {
+    const Point& p = diagram.point(v);
+    return {Rational(p.x), Rational(p.y), Rational(p.z)};
+  }
+  [[nodiscard]] Rational determinant(CellIndex cell) const;
+  [[nodiscard]] Rational pyramid(std::uint32_t face) const;
+  [[nodiscard]] Rational exact(const VolumeTerm& term);
+  [[nodiscard]] Rational exact(std::size_t record);
+  void add_shares(const std::array<VertexIndex, 3>& triangle, const Rational& volume,
+                  std::vector<std::pair<PointId, Rational>>& shares) const;
+  void add_shares(const VolumeTerm& term, std::vector<std::pair<PointId, Rational>>& shares);
+  [[nodiscard]] std::vector<FacetRef> triangles_of(PolygonRef polygon) const;
+
+  const Diagram& diagram;
+  const PointSet& points;
+  const LimitPartition& partition;
+  std::vector<VolumeTerm> terms;   // by record
+  std::vector<std::size_t> first;  // of a record's
+  std::vector<double> doubles;
+  Rational hull = 0;
+  std::size_t decided_exactly = 0;
+  std::mutex mutex;  // of what follows
+  std::optional<ExactDivisions> divisions;
+};
+
+// ---- Terms ----
+
+// The limits next to the cell's Voronoi vertex, on the edges of its four facets.
+void StableVolumes::Parts::gather_cell(CellIndex cell, std::vector<VolumeTerm>& found) const {
+  std::array<Limit, 4> limits{};
+  bool is_one = true;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const FacetRef facet{cell, i};
+    limits[i] = kInfinityLimit;
+    if (diagram.complex().role(facet) == VoronoiComplex::FacetRole::kInterior) {
+      is_one = false;
+      continue;
+    }
+    const PolygonRef polygon = diagram.polygon(facet);
+    const std::span<const Division> edge = partition.edge(polygon);
+    // All facets of a polygon are given from the same cluster's side, which is that of end 0.
+    const bool is_end_0 = diagram.end(polygon, 0) == diagram.complex().cluster(cell);
+    limits[i] = (is_end_0 ? edge.front() : edge.back()).limit;
+    is_one = is_one && limits[i] == limits[0];
+  }
+  if (is_one) {
+    if (limits[0] != kInfinityLimit) found.push_back({limits[0], VolumeTerm::Kind::kCell, cell});
+    return;
+  }
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    if (limits[i] != kInfinityLimit) found.push_back({limits[i], VolumeTerm::Kind::kVertex, 4 * cell + i});
+  }
+}
+
+void StableVolumes::Parts::gather_points(PolygonRef polygon, std::vector<VolumeTerm>& found) const {
+  const std::span<const Division> edge = partition.edge(polygon);
+  for (std::size_t i = 1; i + 1 < edge.size(); i += 2) {
+    // The centre has the parameter 0.
+    if (partition.point(edge[i].point).kind != DivisionPoint::Kind::kCrossing) continue;
+    const auto add = [&](Limit limit, VolumeTerm::Kind kind) {
+      if (limit != kInfinityLimit) found.push_back({limit, kind, RingPiece::pack(polygon), edge[i].point});
+    };
+    add(edge[i - 1].limit, VolumeTerm::Kind::kBefore);
+    add(edge[i + 1].limit, VolumeTerm::Kind::kAfter);
+  }
+}
+
+// Sorted by record, stably.
+void StableVolumes::Parts::gather_terms() {
+  std::vector<VolumeTerm> found;
+  for (CellIndex cell = 0; cell < diagram.delaunay().finite_count; ++cell) {
+    gather_cell(cell, found);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const FacetRef facet{cell, i};
+      const bool is_name =
+          diagram.complex().role(facet) != VoronoiComplex::FacetRole::kInterior && diagram.polygon(facet) == facet;
+      if (is_name) gather_points(facet, found);
+    }
+  }
+  for (const VolumeTerm& term : found) ++first[term.limit + 1];
+  for (std::size_t record = 1; record < first.size(); ++record) first[record] += first[record - 1];
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  terms.resize(found.size());
+  for (const VolumeTerm& term : found) terms[next[term.limit]++] = term;
+}
+
+// ---- In doubles ----
+
+// Six times the term.
+BoundedNumber StableVolumes::Parts::bounded(const BoundedDivisions& divisions_, const VolumeTerm& term) const {
+  switch (term.kind) {
+    case VolumeTerm::Kind::kCell:
+      return divisions_.determinant(diagram.delaunay().vertices(term.face));
+    case VolumeTerm::Kind::kVertex: {
+      const auto [a, b, c] = diagram.corners({term.face / 4, term.face % 4});
+      BoundedNumber r =
+          divisions_.parameter_of_sphere(a, b, c, diagram.delaunay().vertices(term.face / 4)[term.face % 4]);
+      r.value = -r.value;
+      return r;
+    }
+    case VolumeTerm::Kind::kAfter:
+    case VolumeTerm::Kind::kBefore:
+      break;
+  }
+  const PolygonRef polygon{term.face / 4, term.face % 4};
+  const DivisionPoint& point = partition.point(term.point);
+  const int turn = turn_of_same({point.facet.v0, point.facet.v1, point.apex}, diagram.corners(polygon));
+  // Polygons with more than three samples are left to exact numbers.
+  if (turn == 0 || diagram.complex().role(polygon) != VoronoiComplex::FacetRole::kWhole) return {};
+  BoundedNumber r = divisions_.parameter(term.point);
+  if ((turn < 0) == (term.kind == VolumeTerm::Kind::kBefore)) r.value = -r.value;
+  return r;
+}
+
+std::optional<double> StableVolumes::Parts::rounded(const BoundedDivisions& divisions_, std::size_t record) const {
+  BoundedNumber sum{0, 0};
+  for (const VolumeTerm& term : terms_of(record)) {
+    const BoundedNumber next = bounded(divisions_, term);
+    if (!(next.error < HUGE_VAL)) return std::nullopt;
+    sum = sum - BoundedNumber{-next.value, next.error};
+  }
+  const DoubleDouble sixth = sum.value / DoubleDouble(6);
+  const double rounding = 2 * DoubleDouble::kRoundoff * std::fabs(sixth.high());
+  const auto in_units = decided_double({sixth, (sum.error / 6 + rounding) * (1 + 0x1p-40)});
+  if (!in_units) return std::nullopt;
+  const double volume = std::ldexp(*in_units, 3 * divisions_.unit());
+  const bool is_normal = std::isnormal(volume) && std::ldexp(volume, -3 * divisions_.unit()) == *in_units;
+  return is_normal ? std::optional(volume) : std::nullopt;
+}
+
+void StableVolumes::Parts::round_all() {
+  const BoundedDivisions bounded_divisions(diagram, partition);
+  for (std::size_t record = 0; record < doubles.size(); ++record) {
+    if (terms_of(record).empty()) continue;
+    if (const auto volume = rounded(bounded_divisions, record)) {
+      doubles[record] = *volume;
+    } else {
+      ++decided_exactly;
+      doubles[record] = nearest_double(exact(record)).value_or(HUGE_VAL);
+    }
+  }
+}
+
+// ---- Exactly ----
+
+Rational StableVolumes::Parts::determinant(CellIndex cell) const {
+  const auto& v = diagram.delaunay().vertices(cell);
+  const Vector origin = at(v[0]);
+  return dot(at(v[1]) - origin, cross(at(v[2]) - origin, at(v[3]) - origin));
+}
+
+// Six times the signed volume over a facet of a cell, from the cell's Voronoi vertex.
+Rational StableVolumes::Parts::pyramid(std::uint32_t face) const {
+  const auto [a, b, c] = diagram.corners({face / 4, face % 4});
+  const Vector p0 = at(a), e = at(b) - p0, d = at(c) - p0;
+  const Vector apex = at(diagram.delaunay().vertices(face / 4)[face % 4]) - p0;
+  const auto r = vertex_parameter(ApexPair<Rational>(e, d, apex), d);
+  return -(r.num / r.den);
+}
+
+// The facets of a polygon, which name it together.
+std::vector<FacetRef> StableVolumes::Parts::triangles_of(PolygonRef polygon) const {
+  if (diagram.complex().role(polygon) == VoronoiComplex::FacetRole::kWhole) return {polygon};
+  const auto pieces = diagram.complex().large_polygon(diagram.complex().large_polygon_of(polygon));
+  return {pieces.begin(), pieces.end()};
+}
+
+Rational StableVolumes::Parts::exact(const VolumeTerm& term) {
+  if (term.kind == VolumeTerm::Kind::kCell) return determinant(term.face);
+  if (term.kind == VolumeTerm::Kind::kVertex) return pyramid(term.face);
+  const DivisionPoint& point = partition.point(term.point);
+  Rational ratio = 0;
+  for (const FacetRef triangle : triangles_of({term.face / 4, term.face % 4})) {
+    ratio += parameter_ratio<Rational>([this](VertexIndex v) { return at(v); },
+                                       {point.facet.v0, point.facet.v1, point.apex}, diagram.corners(triangle));
+  }
+  const Rational r = divisions->parameter(term.point) * ratio;
+  return term.kind == VolumeTerm::Kind::kBefore ? r : Rational(-r);
+}
+
+Rational StableVolumes::Parts::exact(std::size_t record) {
+  const std::scoped_lock lock(mutex);
+  if (!divisions) divisions.emplace(diagram, partition);
+  std::vector<Rational> values;
+  for (const VolumeTerm& term : terms_of(record)) values.push_back(exact(term));
+  return total(values) / 6;
+}
+
+void StableVolumes::Parts::compute_hull() {
+  Rational sum = 0;
+  const Vector origin = at(0);
+  for (CellIndex cell = 0; cell < diagram.delaunay().finite_count; ++cell) {
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      if (diagram.delaunay().is_finite(diagram.delaunay().neighbors(cell)[i])) continue;
+      const auto [a, b, c] = diagram.corners({cell, i});
+      sum += dot(at(a) - origin, cross(at(b) - origin, at(c) - origin));
+    }
+  }
+  hull = sum / 6;
+}
+
+// ---- Shares ----
+
+// The join of an arc with a triangle is cut along the planes through the arc. A part with the side p q belongs half to
+// p and half to q. By the barycentric coordinates w of the circle's centre, the triangle's sides have w of the opposite
+// corner. So p has (1 - w_p) / 2.
+void StableVolumes::Parts::add_shares(const std::array<VertexIndex, 3>& triangle, const Rational& volume,
+                                      std::vector<std::pair<PointId, Rational>>& shares) const {
+  std::array<Rational, 3> weights;
+  Rational sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector p = at(triangle[i]), q = at(triangle[(i + 1) % 3]), r = at(triangle[(i + 2) % 3]);
+    weights[i] = dot(r - q, r - q) * dot(q - p, r - p);
+    sum += weights[i];
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const PointId name = points.name(diagram.delaunay().ordinals[triangle[i]]);
+    shares.emplace_back(name, volume * (sum - weights[i]) / (2 * sum));
+  }
+}
+
+void StableVolumes::Parts::add_shares(const VolumeTerm& term, std::vector<std::pair<PointId, Rational>>& shares) {
+  if (term.kind == VolumeTerm::Kind::kCell) {
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      add_shares(diagram.corners({term.face, i}), pyramid(4 * term.face + i), shares);
+    }
+    return;
+  }
+  if (term.kind == VolumeTerm::Kind::kVertex) {
+    return add_shares(diagram.corners({term.face / 4, term.face % 4}), pyramid(term.face), shares);
+  }
+  const DivisionPoint& point = partition.point(term.point);
+  const Rational r = divisions->parameter(term.point) * (term.kind == VolumeTerm::Kind::kBefore ? 1 : -1);
+  for (const FacetRef triangle : triangles_of({term.face / 4, term.face % 4})) {
+    const Rational ratio =
+        parameter_ratio<Rational>([this](VertexIndex v) { return at(v); }, {point.facet.v0, point.facet.v1, point.apex},
+                                  diagram.corners(triangle));
+    add_shares(diagram.corners(triangle), r * ratio, shares);
+  }
+}
+
+// ---- The class ----
+
+StableVolumes::StableVolumes(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
+                             const FlowLimits& limits)
+    : parts_(std::make_unique<Parts>(diagram, stationary, limits)) {
+  if (diagram.dimension() < 3) return;
+  parts_->gather_terms();
+  parts_->round_all();
+  parts_->compute_hull();
+}
+StableVolumes::~StableVolumes() = default;
+StableVolumes::StableVolumes(StableVolumes&&) noexcept = default;
+StableVolumes& StableVolumes::operator=(StableVolumes&&) noexcept = default;
+
+double StableVolumes::nearest(std::size_t record) const { return parts_->doubles[record]; }
+Rational StableVolumes::exact(std::size_t record) const { return parts_->exact(record); }
+
+std::vector<std::pair<PointId, Rational>> StableVolumes::shares(std::size_t record) const {
+  Parts& all = *parts_;
+  const std::scoped_lock lock(all.mutex);
+  if (!all.divisions) all.divisions.emplace(all.diagram, all.partition);
+  std::vector<std::pair<PointId, Rational>> parts;
+  for (const Parts::VolumeTerm& term : all.terms_of(record)) all.add_shares(term, parts);
+  std::ranges::stable_sort(parts, {}, [](const auto& part) { return part.first; });
+  std::vector<std::pair<PointId, Rational>> shares;
+  for (std::size_t i = 0, next = 0; i < parts.size(); i = next) {
+    std::vector<Rational> values;
+    for (next = i; next < parts.size() && parts[next].first == parts[i].first; ++next) {
+      values.push_back(parts[next].second);
+    }
+    const Rational sum = total(values) / 6;
+    if (sum != 0) shares.emplace_back(parts[i].first, sum);
+  }
+  return shares;
+}
+
+const Rational& StableVolumes::hull() const { return parts_->hull; }
+std::size_t StableVolumes::decided_exactly() const { return parts_->decided_exactly; }
+
+}  // namespace flowcert
