@@ -1,0 +1,120 @@
+// Volumes of stable sets by the fast implementation against the oracle's (FC-VOL-01), on all families.
+//
+// Guarantees: volumes are compared as rationals. The oracle adds up sectors of Voronoi facets that it found by
+// searching against the flow. The fast implementation adds up arcs of Voronoi edges, which it found by dividing
+// facets. The double is compared with the one nearest to the rational.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "flowcert/stable_volumes.h"
+#include "fuzz/inputs/stable_configurations.h"
+#include "fuzz/properties/stable_pieces.h"
+#include "fuzz/properties/subject.h"
+#include "oracle/stable_pieces.h"
+#include "tests/cites.h"
+#include "tests/property/orbit_subject.h"
+#include "tests/property/property_parameters.h"
+
+namespace flowcert::property {
+namespace {
+
+constexpr int kInputsPerFamily = 80;
+constexpr int kInputsMadeForThis = 200;    // of each of the families for stable sets
+constexpr std::size_t kSetsByOracle = 30;  // at most so many of an input
+
+struct Totals {
+  std::size_t inputs = 0, sets = 0, positive = 0, not_of_maxima = 0, rounded = 0, whole_hulls = 0;
+};
+
+std::string name_of(const StationaryPoints& stationary, std::size_t record) {
+  return "the volume of " + text_of(ids(stationary.contact(record)));
+}
+
+void require_right_volumes(const Subject& subject, Totals& totals) {
+  const StationaryPoints& stationary = subject.complex.stationary();
+  const FlowLimits limits(subject.complex.diagram(), stationary);
+  const StableVolumes volumes(subject.complex.diagram(), stationary, limits);
+  Rational sum = 0;
+  std::size_t candidates = 0;
+  for (std::size_t i = 0; i < stationary.size(); ++i) candidates += stationary.index(i).hull_dimension > 1 ? 1 : 0;
+  const std::size_t step = 1 + candidates / kSetsByOracle;
+  for (std::size_t i = 0, k = 0; i < stationary.size(); ++i) {
+    const Rational fast = volumes.exact(i);
+    sum += fast;
+    require_none(subject.input, fast >= 0 ? "" : name_of(stationary, i) + " is negative", "");
+    const auto nearest = nearest_double(fast);
+    const bool is_nearest = volumes.nearest(i) == nearest.value_or(HUGE_VAL);
+    require_none(subject.input, is_nearest ? "" : name_of(stationary, i) + " is rounded to another double", "");
+    totals.rounded += nearest && Rational(*nearest) != fast ? 1 : 0;
+    Rational shared = 0;
+    for (const auto& [name, share] : volumes.shares(i)) shared += share;
+    require_none(subject.input, shared == fast ? "" : name_of(stationary, i) + " is not the sum of its shares", "");
+    if (stationary.index(i).hull_dimension < 2) {
+      require_none(subject.input, fast == 0 ? "" : name_of(stationary, i) + " is positive", "");
+      continue;
+    }
+    if (k++ % step != 0) continue;
+    const auto z = oracle_point(subject.complex.points(), stationary, i);
+    const oracle::Rational its = oracle::volume(subject.set, oracle::stable_set(subject.set, z));
+    require_none(subject.input, its == fast ? "" : name_of(stationary, i) + " is another one",
+                 "the fast implementation's: " + fast.str() + "\nthe oracle's: " + its.str() + "\n");
+    ++totals.sets;
+    totals.positive += fast > 0 ? 1 : 0;
+    totals.not_of_maxima += fast > 0 && stationary.index(i) != StationaryIndex{3, 3} ? 1 : 0;
+  }
+  require_none(subject.input, sum <= volumes.hull() ? "" : "the volumes are more than that of the hull", "");
+  totals.whole_hulls += sum > 0 && sum == volumes.hull() ? 1 : 0;
+  ++totals.inputs;
+}
+
+void add(Totals& sum, const Totals& part) {
+  sum.inputs += part.inputs;
+  sum.sets += part.sets;
+  sum.positive += part.positive;
+  sum.not_of_maxima += part.not_of_maxima;
+  sum.rounded += part.rounded;
+  sum.whole_hulls += part.whole_hulls;
+}
+
+void print_row(const std::string& name, const Totals& totals) {
+  std::printf("%-24s %5zu inputs, %6zu sets, %5zu of positive volume, %4zu no maximum's; %4zu no doubles, %4zu hulls\n",
+              name.c_str(), totals.inputs, totals.sets, totals.positive, totals.not_of_maxima, totals.rounded,
+              totals.whole_hulls);
+}
+
+TEST(VolumeAgreement, VolumesAreTheOracles) {
+  CITES("FC-VOL-01");
+  Totals all;
+  bool agreed = true;
+  const auto run = [&](const std::vector<fuzz::Family>& families, int inputs) {
+    for (const fuzz::Family& family : families) {
+      Totals totals;
+      const rc::Gen<fuzz::Input> generator = family.generate();
+      agreed = expect_holds("volumes, " + family.name, parameters_of_run(inputs),
+                            [&] {
+                              const fuzz::Input input = *generator;
+                              require_right_volumes(Subject(input), totals);
+                            }) &&
+               agreed;
+      print_row(family.name, totals);
+      add(all, totals);
+    }
+  };
+  run(fuzz::families(), kInputsPerFamily);
+  run(fuzz::stable_families(), kInputsMadeForThis);
+  print_row("all", all);
+  if (agreed && scale_of_run() >= 1) {
+    EXPECT_GE(all.inputs, 3400U);
+    EXPECT_GE(all.positive, 1800U);
+    EXPECT_GE(all.not_of_maxima, 600U);
+    EXPECT_GE(all.rounded, 1000U);
+    EXPECT_GE(all.whole_hulls, 200U);
+  }
+}
+
+}  // namespace
+}  // namespace flowcert::property
