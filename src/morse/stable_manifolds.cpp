@@ -154,6 +154,8 @@ class StableManifolds::Parts::Worker {
   void record_segment(const Task& task, const BackwardWalk::Back& back, StableSet& geometry);
   void record_intervals(StableSet& geometry, Set& set);
   void record_sectors(const Arc& arc, StableSet& geometry, Set& set);
+  [[nodiscard]] std::vector<RationalPoint> corners_of(const SectorParts& parts, FacetName facet);
+  [[nodiscard]] RationalPoint position(FrontNumber front) { return flow_->exact(walk_.location(front)); }
   PointId name(VertexIndex v) const { return all_.points.name(faces_.delaunay().ordinals[v]); }
 
   const Parts& all_;
@@ -270,14 +272,16 @@ void StableManifolds::Parts::Worker::record_intervals(StableSet& geometry, Set& 
     const std::size_t far = faces_.end(polygon, 0) == cluster ? 1 : 0;
     const CellIndex other = faces_.end(polygon, far);
     const Sign beyond = other == kNoCell ? Sign::kPositive : side_at(faces_.diagram(), polygon, far);
+    const FrontNumber front = walk_.at_vertex(cluster);
     BackwardInterval interval;
     interval.polygon = recorder_.contact(Place::on_edge(polygon));
-    interval.front = flow_->exact({Place::at_vertex(cluster), kNoPoint});
+    interval.front = position(front);
     interval.back_is_stationary = beyond != Sign::kNegative;
-    interval.back = interval.back_is_stationary ? exact_sphere(all_.points, interval.polygon).center
-                                                : flow_->exact({Place::at_vertex(other), kNoPoint});
-    if (!interval.back_is_stationary) push_vertex(other, walk_.at_vertex(other), set);
-    record_sectors({polygon, interval.front, interval.back}, geometry, set);
+    const FrontNumber back =
+        interval.back_is_stationary ? walk_.at_center(faces_.corners(polygon), polygon) : walk_.at_vertex(other);
+    interval.back = position(back);
+    if (!interval.back_is_stationary) push_vertex(other, back, set);
+    record_sectors({polygon, far == 1 ? front : back, far == 1 ? back : front}, geometry, set);
     geometry.intervals.push_back(std::move(interval));
     follow(set, &geometry);
   }
@@ -286,18 +290,33 @@ void StableManifolds::Parts::Worker::record_intervals(StableSet& geometry, Set& 
 void StableManifolds::Parts::Worker::record_sectors(const Arc& arc, StableSet& geometry, Set& set) {
   std::vector<Arc> arcs{arc};
   while (!arcs.empty()) {
-    const Arc next = std::move(arcs.back());
+    const Arc next = arcs.back();
     arcs.pop_back();
     for (const PolygonSide& side : faces_.sides(next.polygon)) {
       if (side.angle != Sign::kPositive) continue;
-      SectorParts parts = sector_of(faces_, *flow_, {side.v0, side.v1}, next);
+      const SectorParts parts = sector_of(faces_, walk_, {side.v0, side.v1}, next);
       for (const CellIndex cluster : parts.vertices) push_vertex(cluster, walk_.at_vertex(cluster), set);
-      std::ranges::move(parts.arcs, std::back_inserter(arcs));
-      BackwardSector sector{{name(side.v0), name(side.v1)}, std::move(parts.corners)};
+      arcs.insert(arcs.end(), parts.arcs.begin(), parts.arcs.end());
+      BackwardSector sector{{name(side.v0), name(side.v1)}, corners_of(parts, {side.v0, side.v1})};
       std::ranges::sort(sector.samples);
       geometry.sectors.push_back(std::move(sector));
     }
   }
+}
+
+std::vector<RationalPoint> StableManifolds::Parts::Worker::corners_of(const SectorParts& parts, FacetName facet) {
+  std::vector<RationalPoint> corners;
+  for (const FrontNumber front : parts.corners) corners.push_back(position(front));
+  if (parts.has_midpoint) {
+    const Point &p = faces_.point(facet.v0), &q = faces_.point(facet.v1);
+    corners.push_back({(Rational(p.x) + Rational(q.x)) / 2, (Rational(p.y) + Rational(q.y)) / 2,
+                       (Rational(p.z) + Rational(q.z)) / 2});
+  }
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+  std::ranges::rotate(corners, std::ranges::min_element(corners));
+  if (corners.size() > 2 && corners.back() < corners[1]) std::reverse(corners.begin() + 1, corners.end());
+  return corners;
 }
 
 StableSet StableManifolds::Parts::Worker::geometry(std::size_t record) {

@@ -1,81 +1,67 @@
+// Going around a sector: along the arc counterclockwise, and back along the near side of the facet, in the order of
+// its ring.
 #include "morse/stable_sector.h"
 
-#include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "flow/drivers.h"
-#include "flow/kernels/steering.h"
+#include "morse/polygon_turn.h"
 
 namespace flowcert::morse {
 
 namespace {
 
-using Vector = Vector3<Rational>;
-
-Vector vector(const Point& p) { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
-Vector vector(const RationalPoint& p) { return {p[0], p[1], p[2]}; }
-RationalPoint point(const Vector& v) { return {v.x, v.y, v.z}; }
-
-// The plane of a facet: its Delaunay edge p0p1 with the midpoint m.
-struct FacetPlane {
-  FacetPlane(const Point& p0_, const Point& p1_) : p0(vector(p0_)), p1(vector(p1_)), m(Rational(1, 2) * (p0 + p1)) {}
-
-  // Twice the area spanned with m, counterclockwise seen from p1, times |p0p1|.
-  [[nodiscard]] Rational turn(const Vector& a, const Vector& b) const { return dot(cross(a - m, b - m), p1 - p0); }
-
-  Vector p0, p1, m;
+// Where a ray comes from: a place on the near side. Piece k of the chain begins at element k.
+struct NearPlace {
+  FrontNumber front;
+  bool is_element;
+  std::size_t k;
 };
 
-void make_canonical(std::vector<RationalPoint>& corners) {
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
-  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-  if (corners.size() > 2 && corners.back() < corners[1]) std::reverse(corners.begin() + 1, corners.end());
+NearPlace near_place(BackwardWalk& walk, const FacetRing& ring, const ObtuseChain& chain, FrontNumber front) {
+  const FrontNumber back = walk.step(front, ring.facet).front;
+  const Place& place = walk.place(back);
+  for (std::size_t k = 0; k < chain.count; ++k) {
+    const RingPiece& piece = ring.pieces[(chain.first + k) % ring.size()];
+    if (place.kind == Place::Kind::kVertex && piece.vertex == place.vertex) return {back, true, k};
+    if (place.kind == Place::Kind::kEdge && piece.polygon() == place.edge) return {back, false, k};
+  }
+  throw std::logic_error("a ray that comes from no place of the near side");
 }
 
 }  // namespace
 
-SectorParts sector_of(VoronoiFaces& faces, FlowOperator& flow, FacetName facet, const Arc& arc) {
-  const FacetPlane plane(faces.point(facet.v0), faces.point(facet.v1));
+SectorParts sector_of(VoronoiFaces& faces, BackwardWalk& walk, FacetName facet, const Arc& arc) {
   const FacetRing ring = faces.ring(facet, arc.polygon.cell);
   FilterTally tally;
   const ObtuseChain chain = obtuse_chain(faces.diagram(), facet, ring, tally);
-  Vector a = vector(arc.a), b = vector(arc.b);
-  if (plane.turn(a, b) < 0) std::swap(a, b);
+  const auto is_forward = [&](const RingPiece& piece) {
+    return has_turn(faces.diagram(), piece.polygon(), {facet.v0, facet.v1, piece.apex});
+  };
+  FrontNumber a = arc.a, b = arc.b;
+  if (!is_forward(ring.pieces[faces.rings().piece_of(ring, arc.polygon)])) std::swap(a, b);
   SectorParts parts;
-  parts.corners = {point(a), point(b)};
-  if (chain.count == 0) {
-    parts.corners.push_back(point(plane.m));
-    make_canonical(parts.corners);
-    return parts;
-  }
-  // Goes from b back to a. Rays from m meet the near side clockwise, in the ring's order.
-  const std::size_t n = ring.pieces.size();
-  const auto piece = [&](std::size_t k) -> const RingPiece& { return ring.pieces[(chain.first + k) % n]; };
-  const auto inner = [&](std::size_t k) { return ring.pieces[(chain.first + k + 1) % n].vertex; };
-  std::size_t k = 0;
-  while (k + 1 < chain.count && plane.turn(b, vector(flow.exact({Place::at_vertex(inner(k)), kNoPoint}))) >= 0) {
-    ++k;
-  }
-  Vector from = crossing(b, plane.p0, plane.p1, vector(faces.point(piece(k).apex)));
-  parts.corners.push_back(point(from));
-  for (; k < chain.count; ++k) {
-    const bool is_last = k + 1 == chain.count;
-    const Vector next = is_last ? a : vector(flow.exact({Place::at_vertex(inner(k)), kNoPoint}));
-    if (!is_last && plane.turn(a, next) > 0) {
-      parts.arcs.push_back({piece(k).polygon(), point(from), point(next)});
-      parts.vertices.push_back(inner(k));
-      parts.corners.push_back(point(next));
-      from = next;
-      continue;
+  parts.corners = {a, b};
+  parts.has_midpoint = chain.count == 0;
+  if (parts.has_midpoint) return parts;
+  const NearPlace from_b = near_place(walk, ring, chain, b), to_a = near_place(walk, ring, chain, a);
+  parts.corners.push_back(from_b.front);
+  FrontNumber from = from_b.front;
+  for (std::size_t k = from_b.k;; ++k) {
+    const RingPiece& piece = ring.pieces[(chain.first + k) % ring.size()];
+    const bool is_last = k + (to_a.is_element ? 1 : 0) == to_a.k;
+    FrontNumber next = to_a.front;
+    if (!is_last) {
+      parts.vertices.push_back(ring.pieces[(chain.first + k + 1) % ring.size()].vertex);
+      next = walk.at_vertex(parts.vertices.back());
     }
-    const Vector end = crossing(a, plane.p0, plane.p1, vector(faces.point(piece(k).apex)));
-    parts.arcs.push_back({piece(k).polygon(), point(from), point(end)});
-    parts.corners.push_back(point(end));
-    break;
+    const bool is_along = is_forward(piece);
+    parts.arcs.push_back({piece.polygon(), is_along ? from : next, is_along ? next : from});
+    parts.corners.push_back(next);
+    if (is_last) return parts;
+    from = next;
   }
-  make_canonical(parts.corners);
-  return parts;
 }
 
 }  // namespace flowcert::morse

@@ -1,33 +1,33 @@
 // Parts of stable sets of dimension 3: what flows into an arc of a Voronoi edge, facet by facet (spec clause
 // FC-STAB-05).
 //
-// Guarantees: exact, in rationals throughout, and not by the operator's kernel, because such parts come from ties alone
-// and are few.
+// Guarantees: exact. The signs are the flow operator's, with its filters; no point is constructed but those that it
+// asks for.
 #pragma once
 
 #include <vector>
 
-#include "flow/flow_operator.h"
-#include "morse/layer.h"
+#include "morse/backward_walk.h"
 
 namespace flowcert::morse {
 
-// An open arc of a Voronoi edge.
+// An open arc of a Voronoi edge, from a to b, in the sense from end 0 to end 1.
 struct Arc {
   PolygonRef polygon;
-  RationalPoint a, b;
+  FrontNumber a, b;
 };
 
 struct SectorParts {
-  // The corners of the sector's closure in cyclic order. The lexicographically least is first, the lesser of its
-  // neighbours second.
-  std::vector<RationalPoint> corners;
+  // The corners of the sector's closure in cyclic order. If the facet contains its midpoint, that is one more. Two
+  // neighbours may be at one place.
+  std::vector<FrontNumber> corners;
+  bool has_midpoint = false;
   // The sector's rays enter the facet through these.
   std::vector<Arc> arcs;
   std::vector<CellIndex> vertices;
 };
 
 // The sector in a facet that leads to the arc (h > 0 at the arc's polygon).
-[[nodiscard]] SectorParts sector_of(VoronoiFaces& faces, FlowOperator& flow, FacetName facet, const Arc& arc);
+[[nodiscard]] SectorParts sector_of(VoronoiFaces& faces, BackwardWalk& walk, FacetName facet, const Arc& arc);
 
 }  // namespace flowcert::morse
