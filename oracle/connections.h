@@ -1,0 +1,32 @@
+// Which stationary points lead to which, from the λ-lists alone (FC-CONN-01 to 03).
+//
+// The orbits that leave a stationary point y end at stationary points or at infinity. The graph counts in how many ways
+// they end at each of these. Exact, for any finite point set of any dimension.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "oracle/unstable_set.h"
+
+namespace oracle {
+
+// All that leads from one stationary point to another one, or to infinity. One of the two numbers is positive.
+struct Connection {
+  StationaryPoint from;
+  std::optional<StationaryPoint> to;  // nothing: infinity
+  std::size_t directions = 0;         // those beside no arc of their own limit: single orbits
+  std::size_t arcs = 0;               // families of orbits
+
+  friend bool operator==(const Connection&, const Connection&) = default;
+};
+
+// Those of all stationary points that are not samples (FC-CONN-01, 02). They are in the order of FC-OUT-02 by `from`,
+// then by `to`, and infinity is last.
+std::vector<Connection> connections(const PointSet& set);
+
+// FC-CONN-03.
+bool is_morse_smale(const PointSet& set);
+
+}  // namespace oracle
