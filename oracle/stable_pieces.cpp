@@ -36,24 +36,6 @@ bool in_some_cone(const PointSet& set, const std::vector<std::size_t>& nearest, 
   return false;
 }
 
-// Like in_cone(), but the base is the interior of a sector, and `other` is the mirror image of the apex. Take the
-// planes through the apex and the polygon's sides. Inside the cone, x is strictly on one side of all of them. The
-// same holds in the opposite cone, which the height excludes.
-bool in_sector_cone(const Point& apex, const Point& other, const std::vector<Point>& polygon, const Point& x) {
-  const Point axis = minus(other, apex);
-  const Rational height = dot(axis, minus(x, apex));
-  if (height <= 0 || 2 * height > dot(axis, axis)) return false;
-  std::size_t left = 0, right = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point a = minus(polygon[i], apex);
-    const Point b = minus(polygon[(i + 1) % polygon.size()], apex);
-    const int side = dot(cross(a, b), minus(x, apex)).sign();
-    if (side > 0) ++left;
-    if (side < 0) ++right;
-  }
-  return left == polygon.size() || right == polygon.size();
-}
-
 // The corners of a convex polygon in cyclic order, from the first towards the lesser of its neighbours. b comes next
 // after a if all other corners are on the left of the line from a to b.
 std::vector<std::size_t> in_cyclic_order(const PointSet& set, const std::vector<std::size_t>& names) {
@@ -93,6 +75,18 @@ void append_walk(const PointSet& set, const StableSet& stable, const Point& fron
   for (std::size_t i = 1; i < ring.size(); ++i) {
     append_walk(set, stable, segment->back, ring[i - 1], ring[i], walk);
   }
+}
+
+// The volume of the two cones over a sector (FC-VOL-01).
+Rational term_of(const PointSet& set, const Sector& sector) {
+  Point normal;
+  for (std::size_t i = 0; i < sector.polygon.size(); ++i) {
+    const Point& a = sector.polygon[i];
+    const Point& b = sector.polygon[(i + 1) % sector.polygon.size()];
+    normal = moved(normal, 1, cross(minus(a, sector.polygon[0]), minus(b, sector.polygon[0])));
+  }
+  const Point axis = minus(point_of(set, sector.samples[1]), point_of(set, sector.samples[0]));
+  return abs(dot(normal, axis)) / 6;
 }
 
 }  // namespace
@@ -164,17 +158,32 @@ bool has_tie(const StableSet& stable) {
 
 Rational volume(const PointSet& set, const StableSet& stable) {
   Rational sum = 0;
-  for (const Sector& sector : stable.sectors) {
-    Point normal;
-    for (std::size_t i = 0; i < sector.polygon.size(); ++i) {
-      const Point& a = sector.polygon[i];
-      const Point& b = sector.polygon[(i + 1) % sector.polygon.size()];
-      normal = moved(normal, 1, cross(minus(a, sector.polygon[0]), minus(b, sector.polygon[0])));
-    }
-    const Point axis = minus(point_of(set, sector.samples[1]), point_of(set, sector.samples[0]));
-    sum += abs(dot(normal, axis)) / 6;
-  }
+  for (const Sector& sector : stable.sectors) sum += term_of(set, sector);
   return sum;
+}
+
+std::vector<Rational> shares(const PointSet& set, const StableSet& stable) {
+  std::vector<Rational> result(set.points.size(), 0);
+  for (const Sector& sector : stable.sectors) {
+    const Rational half = term_of(set, sector) / 2;
+    for (const std::size_t p : sector.samples) result[places_of(set, {p}).front()] += half;
+  }
+  return result;
+}
+
+// Take the planes through the apex and the sector's sides. Inside the cone, x is strictly on one side of all of them.
+// The same holds in the opposite cone, which the height excludes.
+bool in_cone_over_sector(const Point& apex, const Point& other, const std::vector<Point>& rays, const Point& x) {
+  const Point axis = minus(other, apex);
+  const Rational height = dot(axis, minus(x, apex));
+  if (height <= 0 || 2 * height > dot(axis, axis)) return false;
+  std::size_t left = 0, right = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const int side = dot(cross(rays[i], rays[(i + 1) % rays.size()]), minus(x, apex)).sign();
+    if (side > 0) ++left;
+    if (side < 0) ++right;
+  }
+  return left == rays.size() || right == rays.size();
 }
 
 bool contains(const PointSet& set, const StableSet& stable, const Point& x) {
@@ -190,7 +199,12 @@ bool contains(const PointSet& set, const StableSet& stable, const Point& x) {
   }
   for (const Sector& s : stable.sectors) {
     const Point &p0 = point_of(set, s.samples[0]), &p1 = point_of(set, s.samples[1]);
-    if (in_sector_cone(p0, p1, s.polygon, x) || in_sector_cone(p1, p0, s.polygon, x)) return true;
+    std::vector<Point> from_p0, from_p1;
+    for (const Point& corner : s.polygon) {
+      from_p0.push_back(minus(corner, p0));
+      from_p1.push_back(minus(corner, p1));
+    }
+    if (in_cone_over_sector(p0, p1, from_p0, x) || in_cone_over_sector(p1, p0, from_p1, x)) return true;
   }
   return false;
 }

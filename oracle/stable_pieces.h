@@ -35,8 +35,15 @@ std::size_t segments_without_intervals(const StationaryPoint& z, const StableSet
 // Whether there is a Voronoi vertex or a regular back. If so, FC-STAB-07 leaves the boundary open.
 bool has_tie(const StableSet& stable);
 
-// FC-VOL-01. Half of the term of a sector is in the Voronoi cell of each of its two samples.
+// FC-VOL-01.
 Rational volume(const PointSet& set, const StableSet& stable);
+
+// FC-VOL-02: how much of that is in the Voronoi cell of each sample, in the order of set.points.
+std::vector<Rational> shares(const PointSet& set, const StableSet& stable);
+
+// Whether x is in the cone over a sector. `apex` is one of the two samples, and `other` is its mirror image. The rays
+// go from the apex to the sector's corners, in cyclic order.
+bool in_cone_over_sector(const Point& apex, const Point& other, const std::vector<Point>& rays, const Point& x);
 
 // Whether x is in the stable set.
 bool contains(const PointSet& set, const StableSet& stable, const Point& x);

@@ -47,12 +47,6 @@ Limit limit_of(const PointSet& set, const Point& x) { return orbit(set, x).limit
 
 Point scaled(const Point& x, const Rational& by) { return {x[0] * by, x[1] * by, x[2] * by}; }
 
-Direction direction_of(const Point& vector) {
-  Rational largest = 0;
-  for (const Rational& x : vector) largest = std::max(largest, Rational(abs(x)));
-  return scaled(vector, 1 / largest);
-}
-
 Point midpoint(const Point& a, const Point& b) { return moved(a, Rational(1, 2), minus(b, a)); }
 
 Rational middle(const Rational& a, const Rational& b) { return (a + b) / 2; }
@@ -195,7 +189,7 @@ Limit limit_along(const PointSet& set, const StationaryPoint& y, const Point& u)
 }
 
 UnstableEntry single(const PointSet& set, const StationaryPoint& y, const Point& u) {
-  const Direction direction = direction_of(u);
+  const Direction direction = as_direction(u);
   return {false, direction, direction, limit_along(set, y, u)};
 }
 
@@ -239,7 +233,7 @@ void add_quarter(const PointSet& set, const StationaryPoint& y, const Places& fa
   const auto& [from, to] = *part;
   add(list, single(set, y, u(from)));
   for (const Part& found : parts_of_fan(set, {face[0], face[1]}, {u, {0, 0}}, from, to)) {
-    add(list, {found.from != found.to, direction_of(u(found.from)), direction_of(u(found.to)), found.limit});
+    add(list, {found.from != found.to, as_direction(u(found.from)), as_direction(u(found.to)), found.limit});
   }
   add(list, single(set, y, u(to)));
 }
@@ -295,6 +289,12 @@ std::vector<UnstableEntry> list_of_edge(const PointSet& set, const StationaryPoi
 }
 
 }  // namespace
+
+Direction as_direction(const Point& vector) {
+  Rational largest = 0;
+  for (const Rational& x : vector) largest = std::max(largest, Rational(abs(x)));
+  return scaled(vector, 1 / largest);
+}
 
 std::vector<UnstableEntry> lambda_list(const PointSet& set, const StationaryPoint& y) {
   if (y.face_dimension == 0) throw std::invalid_argument("all directions lead away from a sample");

@@ -16,6 +16,9 @@ namespace oracle {
 // A vector, scaled so that its largest coordinate is 1 or -1.
 using Direction = Point;
 
+// The vector must not be zero.
+Direction as_direction(const Point& vector);
+
 // One direction, or an open arc of them that turns counterclockwise, seen from the sample with the greater name. If
 // the arc is the whole circle, it has no ends.
 struct UnstableEntry {
