@@ -1,15 +1,34 @@
-// Equal limits of one λ-list are counted together.
+// Equal limits of one λ-list are counted together. A direction beside an arc of its own limit belongs to that family.
 #include "flowcert/connections.h"
 
 #include <algorithm>
 
 namespace flowcert {
 
+namespace {
+
+using Entry = FlowLimits::Entry;
+
+// Leaves out directions that are ends of arcs of their own limit. Only cycles have an arc at the end.
+std::vector<Entry> isolated_and_arcs(const std::vector<Entry>& list) {
+  std::vector<Entry> kept;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const auto is_end_of = [&](const Entry& other) { return other.is_arc && other.limit == list[i].limit; };
+    const bool has_before = i > 0 || list.back().is_arc;
+    const bool is_end = !list[i].is_arc && ((has_before && is_end_of(list[i == 0 ? list.size() - 1 : i - 1])) ||
+                                            (i + 1 < list.size() && is_end_of(list[i + 1])));
+    if (!is_end) kept.push_back(list[i]);
+  }
+  return kept;
+}
+
+}  // namespace
+
 std::vector<Connection> connections(const FlowLimits& limits) {
   std::vector<Connection> all;
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    std::vector<FlowLimits::Entry> entries = limits.entries(i);
-    std::ranges::sort(entries, {}, &FlowLimits::Entry::limit);
+    std::vector<Entry> entries = isolated_and_arcs(limits.entries(i));
+    std::ranges::sort(entries, {}, &Entry::limit);
     const auto from = static_cast<std::uint32_t>(limits.record(i));
     for (const auto& [limit, is_arc] : entries) {
       const bool is_new = all.empty() || all.back().from != from || all.back().to != limit;

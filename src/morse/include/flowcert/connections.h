@@ -18,8 +18,8 @@ struct Connection {
   static constexpr std::uint32_t kInfinity = 0xffffffffu;
 
   std::uint32_t from, to;      // places in the list of stationary points
-  std::uint32_t orbits = 0;    // single directions of the λ-list
-  std::uint32_t families = 0;  // arcs of it
+  std::uint32_t orbits = 0;    // single directions of the λ-list, beside no arc of their own limit
+  std::uint32_t families = 0;  // arcs of it, with those of their ends that have their limit
 
   friend bool operator==(const Connection&, const Connection&) = default;
 };

@@ -1,0 +1,107 @@
+// The connections graph of the fast implementation against the oracle's (FC-CONN-01 to 03), on all families.
+//
+// Guarantees: all edges of the graph are compared, with both numbers, and whether the input is Morse-Smale. The oracle
+// makes all λ-lists by scans over all points.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "flowcert/connections.h"
+#include "fuzz/inputs/stable_configurations.h"
+#include "fuzz/properties/stable_pieces.h"
+#include "fuzz/properties/subject.h"
+#include "oracle/connections.h"
+#include "tests/cites.h"
+#include "tests/property/orbit_subject.h"
+#include "tests/property/property_parameters.h"
+
+namespace flowcert::property {
+namespace {
+
+constexpr int kInputsPerFamily = 12;
+
+struct Totals {
+  std::size_t inputs = 0, edges = 0, morse_smale = 0, between_saddles = 0;
+};
+
+// Contact sets, which differ for all stationary points of one input, and the two numbers. Infinity has none.
+using Edge = std::tuple<Ids, Ids, std::size_t, std::size_t>;
+
+std::vector<Edge> edges_of(const StationaryPoints& stationary, const std::vector<Connection>& connections) {
+  std::vector<Edge> edges;
+  for (const Connection& edge : connections) {
+    const bool is_finite = edge.to != Connection::kInfinity;
+    edges.emplace_back(ids(stationary.contact(edge.from)), is_finite ? ids(stationary.contact(edge.to)) : Ids{},
+                       edge.orbits, edge.families);
+  }
+  return edges;
+}
+
+std::vector<Edge> edges_of(const std::vector<oracle::Connection>& connections) {
+  std::vector<Edge> edges;
+  for (const oracle::Connection& edge : connections) {
+    edges.emplace_back(edge.from.contact, edge.to ? edge.to->contact : Ids{}, edge.directions, edge.arcs);
+  }
+  return edges;
+}
+
+std::string in_words(const std::vector<Edge>& edges) {
+  std::string text;
+  for (const auto& [from, to, orbits, families] : edges) {
+    text += text_of(from) + " -> " + (to.empty() ? "infinity" : text_of(to)) + ": " + std::to_string(orbits) +
+            " orbits, " + std::to_string(families) + " families\n";
+  }
+  return text;
+}
+
+void require_right_graph(const Subject& subject, Totals& totals) {
+  const StationaryPoints& stationary = subject.complex.stationary();
+  const FlowLimits limits(subject.complex.diagram(), stationary);
+  const std::vector<Connection> connected = connections(limits);
+  const std::vector<Edge> fast = edges_of(stationary, connected), its = edges_of(oracle::connections(subject.set));
+  require_none(subject.input, fast == its ? "" : "another graph",
+               "the fast implementation's:\n" + in_words(fast) + "the oracle's:\n" + in_words(its));
+  const bool is_right = is_morse_smale(stationary, limits, subject.complex.stable());
+  require_none(subject.input,
+               is_right == oracle::is_morse_smale(subject.set) ? "" : "only one of them says that it is Morse-Smale",
+               "");
+  ++totals.inputs;
+  totals.edges += fast.size();
+  totals.morse_smale += is_right ? 1 : 0;
+  for (const Connection& edge : connected) {
+    const bool is_finite = edge.to != Connection::kInfinity;
+    totals.between_saddles += is_finite && stationary.index(edge.from) == StationaryIndex{2, 2} &&
+                              stationary.index(edge.to) == StationaryIndex{2, 2};
+  }
+}
+
+TEST(ConnectionAgreement, GraphsAreTheOracles) {
+  CITES("FC-CONN-01", "FC-CONN-02", "FC-CONN-03");
+  Totals totals;
+  bool agreed = true;
+  for (const fuzz::Family& family : fuzz::families_and_stable_ones()) {
+    const rc::Gen<fuzz::Input> generator = family.generate();
+    agreed = expect_holds("connections, " + family.name, parameters_of_run(kInputsPerFamily),
+                          [&] {
+                            const fuzz::Input input = *generator;
+                            require_right_graph(Subject(input), totals);
+                          }) &&
+             agreed;
+  }
+  std::printf("%zu inputs, %zu of them Morse-Smale; %zu edges, %zu from index 2 to index 2\n", totals.inputs,
+              totals.morse_smale, totals.edges, totals.between_saddles);
+  if (agreed && scale_of_run() >= 1) {
+    EXPECT_GE(totals.inputs, 450U);
+    EXPECT_GE(totals.morse_smale, 100U);
+    EXPECT_LE(totals.morse_smale, totals.inputs - 100);
+    EXPECT_GE(totals.between_saddles, 5U);
+  }
+}
+
+}  // namespace
+}  // namespace flowcert::property
