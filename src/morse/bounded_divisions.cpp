@@ -128,6 +128,50 @@ BoundedNumber BoundedDivisions::parameter_of_sphere(VertexIndex a, VertexIndex b
   return bounded_vertex(BoundedPair(e, d, between(a, w)), d);
 }
 
+std::optional<double> BoundedDivisions::in_input(const BoundedNumber& number) const {
+  const auto in_units = decided_double(number);
+  if (!in_units) return std::nullopt;
+  const double value = std::ldexp(*in_units, unit_);
+  const bool is_exact = value == 0 || (std::isnormal(value) && std::ldexp(value, -unit_) == *in_units);
+  return is_exact ? std::optional(value) : std::nullopt;
+}
+
+// offset_of_parameter()
+std::optional<Point> BoundedDivisions::rounded_crossing(const DivisionPoint& point, const BoundedNumber& r) const {
+  const Vector e = between(point.facet.v0, point.facet.v1), d = between(point.facet.v0, point.apex), n = cross(e, d);
+  const double length_e = length_of(e), length_d = length_of(d), area = length_e * length_d;
+  const BoundedNumber square{dot(n, n), kShare * area * area + kUnderflow};
+  const BoundedNumber height{dot(d, d) - dot(e, d), kShare * length_d * (length_d + length_e) + kUnderflow};
+  const BoundedNumber across = quotient(height, doubled(square)), along = quotient(r, square);
+  const Vector out = cross(n, e);
+  const auto coordinate = [&](double origin, const DoubleDouble& e_i, const DoubleDouble& out_i,
+                              const DoubleDouble& n_i) {
+    const BoundedNumber middle{DoubleDouble(origin * scale_) + e_i * DoubleDouble(0.5),
+                               kRoundoff * (std::fabs(origin * scale_) + length_e) + kUnderflow};
+    const BoundedNumber far = product(across, {out_i, kShare * area * length_e + kUnderflow});
+    return in_input(sum(middle, sum(far, product(along, {n_i, kShare * area + kUnderflow}))));
+  };
+  const Point& p0 = diagram_.point(point.facet.v0);
+  const auto x = coordinate(p0.x, e.x, out.x, n.x), y = coordinate(p0.y, e.y, out.y, n.y),
+             z = coordinate(p0.z, e.z, out.z, n.z);
+  return x && y && z ? std::optional(Point{*x, *y, *z}) : std::nullopt;
+}
+
+std::optional<Point> BoundedDivisions::rounded(PointOfDivision number) const {
+  const DivisionPoint& point = partition_.point(number);
+  if (point.kind == Kind::kCrossing) return rounded_crossing(point, parameters_[number]);
+  std::array<const Point*, 4> samples{};
+  std::size_t count = 0;
+  const auto add = [&](VertexIndex v) { samples[count++] = &diagram_.point(v); };
+  if (point.kind == Kind::kVertex) {
+    std::ranges::for_each(diagram_.delaunay().vertices(point.from), add);
+  } else {
+    std::ranges::for_each(diagram_.corners({point.from / 4, point.from % 4}), add);
+  }
+  const auto sphere = decided_sphere(geometry::bounded_sphere(std::span(samples).first(count)));
+  return sphere ? std::optional(sphere->center) : std::nullopt;
+}
+
 BoundedNumber BoundedDivisions::determinant(const std::array<VertexIndex, 4>& v) const {
   const Vector a = between(v[0], v[1]), b = between(v[0], v[2]), c = between(v[0], v[3]);
   return {dot(a, cross(b, c)), kShare * length_of(a) * length_of(b) * length_of(c) + kUnderflow};

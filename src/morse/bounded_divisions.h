@@ -10,9 +10,11 @@
 // is taken, for the lengths are rounded. Errors of given numbers pass through products and quotients as usual.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
-#include "geometry/bounded_number.h"
+#include "geometry/bounded_sphere.h"
 #include "morse/division_parameter.h"
 #include "morse/limit_partition.h"
 
@@ -32,6 +34,8 @@ class BoundedDivisions {
   [[nodiscard]] const BoundedNumber& parameter(PointOfDivision point) const { return parameters_[point]; }
   // The parameter of the circumcentre of a, b, c and w, for a, b and c.
   [[nodiscard]] BoundedNumber parameter_of_sphere(VertexIndex a, VertexIndex b, VertexIndex c, VertexIndex w) const;
+  // The doubles nearest to the position of a point that is not an end at infinity. Nothing if the bounds leave one open.
+  [[nodiscard]] std::optional<Point> rounded(PointOfDivision number) const;
   // Six times the volume of a tetrahedron, positive if its vertices have positive orientation.
   [[nodiscard]] BoundedNumber determinant(const std::array<VertexIndex, 4>& vertices) const;
 
@@ -39,6 +43,9 @@ class BoundedDivisions {
   using Vector = Vector3<DoubleDouble>;
   [[nodiscard]] Vector between(VertexIndex from, VertexIndex to) const;
   [[nodiscard]] BoundedNumber crossing(const DivisionPoint& point) const;
+  [[nodiscard]] std::optional<Point> rounded_crossing(const DivisionPoint& point, const BoundedNumber& r) const;
+  // A number in units, where that is exact.
+  [[nodiscard]] std::optional<double> in_input(const BoundedNumber& number) const;
 
   const Diagram& diagram_;
   const LimitPartition& partition_;

@@ -26,6 +26,7 @@ class ExactDivisions {
   // The position, or the vector that points to an end at infinity.
   [[nodiscard]] RationalPoint position(PointOfDivision number);
   void drop() { parameters_.clear(); }
+  [[nodiscard]] std::size_t kept() const { return parameters_.size(); }
 
  private:
   [[nodiscard]] Vector3<Rational> at(VertexIndex v) const;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 #include "geometry/contract.h"
-#include "morse/exact_divisions.h"
+#include "morse/division_positions.h"
 #include "morse/limit_partition.h"
 #include "morse/polygon_turn.h"
 
@@ -27,12 +29,21 @@ struct FlowLimits::Parts {
     return diagram.points().name(diagram.faces().delaunay().ordinals[v]);
   }
 
+  // Both are for who holds the mutex.
+  [[nodiscard]] std::size_t first_direction(std::size_t i);
+  [[nodiscard]] DivisionPositions& positions() {
+    if (!made_positions) made_positions.emplace(diagram.faces(), partition);
+    return *made_positions;
+  }
+
   const VoronoiDiagram& diagram;
   const StationaryPoints& stationary;
   LimitPartition partition;
   std::vector<std::uint32_t> records;
   std::vector<std::size_t> first{0};
   std::vector<Division> divisions;
+  std::mutex mutex;
+  std::optional<DivisionPositions> made_positions;
 };
 
 // The partition's order is by VertexIndex and corners, the specification's by names.
@@ -87,28 +98,58 @@ std::vector<FlowLimits::Entry> FlowLimits::entries(std::size_t i) const {
   return entries;
 }
 
-LambdaList FlowLimits::list(std::size_t i) const {
-  const Parts& all = *parts_;
-  const auto limit_of = [](const Division& division) {
-    return division.limit == kInfinityLimit ? std::nullopt : std::optional<std::size_t>(division.limit);
-  };
-  ExactDivisions exact(all.diagram.faces(), all.partition);
-  LambdaList list;
-  for (const Division& division : all.entries(i)) {
+namespace {
+
+std::optional<std::size_t> limit_of(const Division& division) {
+  return division.limit == kInfinityLimit ? std::nullopt : std::optional<std::size_t>(division.limit);
+}
+
+// The entries with positions by `position_of`, from the one with the place `first` among the directions.
+template <class List, class PositionOf>
+List list_of(std::span<const Division> entries, const LimitPartition& partition, std::size_t first,
+             const PositionOf& position_of) {
+  List list;
+  for (const Division& division : entries) {
     if (division.is_arc()) {
       list.arcs.push_back(limit_of(division));
       continue;
     }
-    const bool is_vector = all.partition.point(division.point).kind == DivisionPoint::Kind::kEnd;
-    list.directions.push_back({limit_of(division), exact.position(division.point), is_vector});
+    const bool is_vector = partition.point(division.point).kind == DivisionPoint::Kind::kEnd;
+    list.directions.push_back({limit_of(division), position_of(division.point), is_vector});
   }
-  if (all.stationary.index(record(i)) == StationaryIndex{1, 1} && !list.directions.empty()) {
-    const auto first = std::ranges::min_element(list.directions, {}, &LambdaList::Direction::exit);
-    const auto count = first - list.directions.begin();
-    std::ranges::rotate(list.directions, first);
-    std::ranges::rotate(list.arcs, list.arcs.begin() + count);
+  if (first > 0) {
+    std::ranges::rotate(list.directions, list.directions.begin() + static_cast<std::ptrdiff_t>(first));
+    std::ranges::rotate(list.arcs, list.arcs.begin() + static_cast<std::ptrdiff_t>(first));
   }
   return list;
+}
+
+}  // namespace
+
+// Among the directions of a cycle, the one whose exit is the least. Other lists begin with their first one.
+std::size_t FlowLimits::Parts::first_direction(std::size_t i) {
+  if (stationary.index(records[i]) != StationaryIndex{1, 1}) return 0;
+  std::vector<PointOfDivision> exits;
+  for (const Division& division : entries(i)) {
+    if (!division.is_arc()) exits.push_back(division.point);
+  }
+  return exits.empty() ? 0 : positions().least(exits);
+}
+
+LambdaList FlowLimits::list(std::size_t i) const {
+  Parts& all = *parts_;
+  const std::scoped_lock lock(all.mutex);
+  const std::size_t first = all.first_direction(i);
+  return list_of<LambdaList>(all.entries(i), all.partition, first,
+                             [&](PointOfDivision point) { return all.positions().exact(point); });
+}
+
+RoundedLambdaList FlowLimits::rounded_list(std::size_t i) const {
+  Parts& all = *parts_;
+  const std::scoped_lock lock(all.mutex);
+  const std::size_t first = all.first_direction(i);
+  return list_of<RoundedLambdaList>(all.entries(i), all.partition, first,
+                                    [&](PointOfDivision point) { return all.positions().rounded(point); });
 }
 
 std::size_t FlowLimits::point_count() const { return parts_->partition.point_count(); }

@@ -21,7 +21,7 @@ using namespace morse;
 
 namespace {
 
-using Vector = Vector3<Rational>;
+using RationalVector = Vector3<Rational>;
 
 // Sums of neighbours first, so that long numbers are few.
 Rational total(std::span<const Rational> terms) {
@@ -67,7 +67,7 @@ struct StableVolumes::Parts {
   }
   [[nodiscard]] BoundedNumber bounded(const BoundedDivisions& divisions, const VolumeTerm& term) const;
   [[nodiscard]] std::optional<double> rounded(const BoundedDivisions& divisions, std::size_t record) const;
-  [[nodiscard]] Vector at(VertexIndex v) const {
+  [[nodiscard]] RationalVector at(VertexIndex v) const {
     const Point& p = diagram.point(v);
     return {Rational(p.x), Rational(p.y), Rational(p.z)};
   }
@@ -214,15 +214,15 @@ void StableVolumes::Parts::round_all() {
 
 Rational StableVolumes::Parts::determinant(CellIndex cell) const {
   const auto& v = diagram.delaunay().vertices(cell);
-  const Vector origin = at(v[0]);
+  const RationalVector origin = at(v[0]);
   return dot(at(v[1]) - origin, cross(at(v[2]) - origin, at(v[3]) - origin));
 }
 
 // Six times the signed volume over a facet of a cell, from the cell's Voronoi vertex.
 Rational StableVolumes::Parts::pyramid(std::uint32_t face) const {
   const auto [a, b, c] = diagram.corners({face / 4, face % 4});
-  const Vector p0 = at(a), e = at(b) - p0, d = at(c) - p0;
-  const Vector apex = at(diagram.delaunay().vertices(face / 4)[face % 4]) - p0;
+  const RationalVector p0 = at(a), e = at(b) - p0, d = at(c) - p0;
+  const RationalVector apex = at(diagram.delaunay().vertices(face / 4)[face % 4]) - p0;
   const auto r = vertex_parameter(ApexPair<Rational>(e, d, apex), d);
   return -(r.num / r.den);
 }
@@ -257,7 +257,7 @@ Rational StableVolumes::Parts::exact(std::size_t record) {
 
 void StableVolumes::Parts::compute_hull() {
   Rational sum = 0;
-  const Vector origin = at(0);
+  const RationalVector origin = at(0);
   for (CellIndex cell = 0; cell < diagram.delaunay().finite_count; ++cell) {
     for (std::uint32_t i = 0; i < 4; ++i) {
       if (diagram.delaunay().is_finite(diagram.delaunay().neighbors(cell)[i])) continue;
@@ -278,7 +278,7 @@ void StableVolumes::Parts::add_shares(const std::array<VertexIndex, 3>& triangle
   std::array<Rational, 3> weights;
   Rational sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vector p = at(triangle[i]), q = at(triangle[(i + 1) % 3]), r = at(triangle[(i + 2) % 3]);
+    const RationalVector p = at(triangle[i]), q = at(triangle[(i + 1) % 3]), r = at(triangle[(i + 2) % 3]);
     weights[i] = dot(r - q, r - q) * dot(q - p, r - p);
     sum += weights[i];
   }

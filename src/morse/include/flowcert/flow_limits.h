@@ -36,6 +36,17 @@ struct LambdaList {
   std::vector<std::optional<std::size_t>> arcs;
 };
 
+// A LambdaList in doubles.
+struct RoundedLambdaList {
+  struct Direction {
+    std::optional<std::size_t> limit;
+    Point exit;
+    bool is_vector = false;
+  };
+  std::vector<Direction> directions;
+  std::vector<std::optional<std::size_t>> arcs;
+};
+
 // Const access is safe from several threads.
 class FlowLimits {
  public:
@@ -63,6 +74,9 @@ class FlowLimits {
   [[nodiscard]] std::vector<Entry> entries(std::size_t i) const;
   // The list with exact positions.
   [[nodiscard]] LambdaList list(std::size_t i) const;
+  // The same, where each position is the nearest doubles. A vector is scaled so that its largest coordinate is 1 or -1.
+  // A coordinate that would overflow is an infinity.
+  [[nodiscard]] RoundedLambdaList rounded_list(std::size_t i) const;
 
   // Points that separate limits on Voronoi edges.
   [[nodiscard]] std::size_t point_count() const;

@@ -1,0 +1,60 @@
+#include "morse/division_positions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace flowcert::morse {
+
+namespace {
+
+// So many exact parameters are kept. A long one takes about a kilobyte.
+constexpr std::size_t kMostKept = 100'000;
+
+double nearest_or_infinity(const Rational& value) {
+  const auto nearest = nearest_double(value);
+  return nearest ? *nearest : value > 0 ? HUGE_VAL : -HUGE_VAL;
+}
+
+}  // namespace
+
+RationalPoint DivisionPositions::exact(PointOfDivision point) {
+  if (exact_.kept() > kMostKept) exact_.drop();
+  return exact_.position(point);
+}
+
+Point DivisionPositions::rounded(PointOfDivision point) {
+  RationalPoint position;
+  if (partition_.point(point).kind == DivisionPoint::Kind::kEnd) {
+    position = exact(point);
+    Rational largest = 0;
+    for (const Rational& x : position) largest = std::max(largest, Rational(abs(x)));
+    for (Rational& x : position) x /= largest;
+  } else {
+    if (!bounded_) bounded_.emplace(diagram_, partition_);
+    if (const auto decided = bounded_->rounded(point)) return *decided;
+    position = exact(point);
+  }
+  return {nearest_or_infinity(position[0]), nearest_or_infinity(position[1]), nearest_or_infinity(position[2])};
+}
+
+// Rounding keeps the order of numbers, or makes them equal.
+std::size_t DivisionPositions::least(std::span<const PointOfDivision> points) {
+  std::vector<double> x;
+  for (const PointOfDivision point : points) x.push_back(rounded(point).x);
+  const double least_x = *std::ranges::min_element(x);
+  std::size_t best = points.size();
+  RationalPoint position;
+  const bool is_only = std::ranges::count(x, least_x) == 1;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (x[i] != least_x) continue;
+    if (is_only) return i;
+    RationalPoint other = exact(points[i]);
+    if (best < points.size() && !(other < position)) continue;
+    best = i;
+    position = std::move(other);
+  }
+  return best;
+}
+
+}  // namespace flowcert::morse
