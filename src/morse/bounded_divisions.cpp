@@ -159,7 +159,10 @@ std::optional<Point> BoundedDivisions::rounded_crossing(const DivisionPoint& poi
 
 std::optional<Point> BoundedDivisions::rounded(PointOfDivision number) const {
   const DivisionPoint& point = partition_.point(number);
-  if (point.kind == Kind::kCrossing) return rounded_crossing(point, parameters_[number]);
+  return point.kind == Kind::kCrossing ? rounded_crossing(point, parameters_[number]) : rounded_face(point);
+}
+
+std::optional<Point> BoundedDivisions::rounded_face(const DivisionPoint& point) const {
   std::array<const Point*, 4> samples{};
   std::size_t count = 0;
   const auto add = [&](VertexIndex v) { samples[count++] = &diagram_.point(v); };

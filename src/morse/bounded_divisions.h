@@ -36,6 +36,8 @@ class BoundedDivisions {
   [[nodiscard]] BoundedNumber parameter_of_sphere(VertexIndex a, VertexIndex b, VertexIndex c, VertexIndex w) const;
   // The doubles nearest to the position of a point that is not an end at infinity. Nothing if the bounds leave one open.
   [[nodiscard]] std::optional<Point> rounded(PointOfDivision number) const;
+  // The same for a Voronoi vertex or the centre of a polygon.
+  [[nodiscard]] std::optional<Point> rounded_face(const DivisionPoint& point) const;
   // Six times the volume of a tetrahedron, positive if its vertices have positive orientation.
   [[nodiscard]] BoundedNumber determinant(const std::array<VertexIndex, 4>& vertices) const;
 

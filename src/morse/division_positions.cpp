@@ -16,6 +16,10 @@ double nearest_or_infinity(const Rational& value) {
   return nearest ? *nearest : value > 0 ? HUGE_VAL : -HUGE_VAL;
 }
 
+Point nearest_point(const RationalPoint& x) {
+  return {nearest_or_infinity(x[0]), nearest_or_infinity(x[1]), nearest_or_infinity(x[2])};
+}
+
 }  // namespace
 
 RationalPoint DivisionPositions::exact(PointOfDivision point) {
@@ -23,19 +27,28 @@ RationalPoint DivisionPositions::exact(PointOfDivision point) {
   return exact_.position(point);
 }
 
+BoundedDivisions& DivisionPositions::bounded() {
+  if (!bounded_) bounded_.emplace(diagram_, partition_);
+  return *bounded_;
+}
+
 Point DivisionPositions::rounded(PointOfDivision point) {
-  RationalPoint position;
-  if (partition_.point(point).kind == DivisionPoint::Kind::kEnd) {
-    position = exact(point);
-    Rational largest = 0;
-    for (const Rational& x : position) largest = std::max(largest, Rational(abs(x)));
-    for (Rational& x : position) x /= largest;
-  } else {
-    if (!bounded_) bounded_.emplace(diagram_, partition_);
-    if (const auto decided = bounded_->rounded(point)) return *decided;
-    position = exact(point);
+  const DivisionPoint& place = partition_.point(point);
+  if (place.kind != DivisionPoint::Kind::kCrossing) return rounded_face(place);
+  const auto decided = bounded().rounded(point);
+  return decided ? *decided : nearest_point(exact(point));
+}
+
+Point DivisionPositions::rounded_face(const DivisionPoint& point) {
+  if (point.kind != DivisionPoint::Kind::kEnd) {
+    const auto decided = bounded().rounded_face(point);
+    return decided ? *decided : nearest_point(exact_face(point));
   }
-  return {nearest_or_infinity(position[0]), nearest_or_infinity(position[1]), nearest_or_infinity(position[2])};
+  RationalPoint position = exact_face(point);
+  Rational largest = 0;
+  for (const Rational& x : position) largest = std::max(largest, Rational(abs(x)));
+  for (Rational& x : position) x /= largest;
+  return nearest_point(position);
 }
 
 // Rounding keeps the order of numbers, or makes them equal.

@@ -54,24 +54,18 @@ const Rational& ExactDivisions::parameter(PointOfDivision number) {
 
 RationalPoint ExactDivisions::position(PointOfDivision number) {
   const DivisionPoint& point = partition_.point(number);
-  const auto polygon = [&] { return diagram_.corners({point.from / 4, point.from % 4}); };
-  switch (point.kind) {
-    case Kind::kVertex: {
-      const auto& v = diagram_.delaunay().vertices(point.from);
-      return as_point(circumcenter(at(v[0]), at(v[1]), at(v[2]), at(v[3])));
-    }
-    case Kind::kCenter: {
-      const auto [a, b, c] = polygon();
-      return as_point(circumcenter(at(a), at(b), at(c)));
-    }
-    case Kind::kCrossing: {
-      const Vector3<Rational> p0 = at(point.facet.v0);
-      return as_point(p0 + offset_of_parameter(at(point.facet.v1) - p0, at(point.apex) - p0, parameter(number)));
-    }
-    case Kind::kEnd:
-      break;
+  if (point.kind != Kind::kCrossing) return position_of_face(point);
+  const Vector3<Rational> p0 = at(point.facet.v0);
+  return as_point(p0 + offset_of_parameter(at(point.facet.v1) - p0, at(point.apex) - p0, parameter(number)));
+}
+
+RationalPoint ExactDivisions::position_of_face(const DivisionPoint& point) const {
+  if (point.kind == Kind::kVertex) {
+    const auto& v = diagram_.delaunay().vertices(point.from);
+    return as_point(circumcenter(at(v[0]), at(v[1]), at(v[2]), at(v[3])));
   }
-  const auto [a, b, c] = polygon();
+  const auto [a, b, c] = diagram_.corners({point.from / 4, point.from % 4});
+  if (point.kind == Kind::kCenter) return as_point(circumcenter(at(a), at(b), at(c)));
   const Vector3<Rational> outward = cross(at(b) - at(a), at(c) - at(a));
   return as_point(Rational(point.apex == 1 ? 1 : -1) * outward);
 }

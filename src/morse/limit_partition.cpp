@@ -113,7 +113,7 @@ bool LimitPartition::finish_facet(FacetName facet, CellIndex hint) {
   const FacetRing ring = faces_.ring(facet, hint);
   const ObtuseChain chain = obtuse_chain(faces_.diagram(), facet, ring, tally_);
   if (chain.count == 0 || of_edge_[ring.pieces[chain.first].packed] != kNotDivided) return true;
-  const Run run = far_run(ring, chain);
+  const PieceRun run = far_run(faces_.diagram(), ring, chain);
   if (!is_ready(ring, run)) return false;
   make_fan(ring, run);
   divide_near_side(ring, chain);
@@ -121,7 +121,7 @@ bool LimitPartition::finish_facet(FacetName facet, CellIndex hint) {
 }
 
 // Asks for all that is missing.
-bool LimitPartition::is_ready(const FacetRing& ring, Run run) {
+bool LimitPartition::is_ready(const FacetRing& ring, PieceRun run) {
   bool ready = true;
   for (std::uint32_t i = 0; i < run.count; ++i) {
     const RingPiece& piece = ring.pieces[(run.first + i) % ring.size()];
@@ -198,6 +198,7 @@ void LimitPartition::divide_near_side(const FacetRing& ring, const ObtuseChain& 
       const CellIndex cluster = ring.pieces[at_hand()].vertex;
       is_vertex = place.kind == Place::Kind::kVertex && place.vertex == cluster;
       of_vertex_[cluster] = is_vertex ? entry.limit : arc;
+      if (is_vertex) behind_vertex_.emplace(cluster, point_of(ring, entry));
       close_piece();
       if (!is_vertex) slice_.push_back({arc});
     }
@@ -221,19 +222,18 @@ void LimitPartition::divide_near_side(const FacetRing& ring, const ObtuseChain& 
 
 // ---- Fans ----
 
-// The pieces that rays from the midpoint leave through. Pieces with a right angle lie on rays, at both ends.
-LimitPartition::Run LimitPartition::far_run(const FacetRing& ring, const ObtuseChain& chain) const {
+PieceRun far_run(const Diagram& diagram, const FacetRing& ring, const ObtuseChain& chain) {
   const auto n = static_cast<std::uint32_t>(ring.size());
   if (chain.count == 0) {
     if (chain.right_count == 0) return {0, n};
     return {(chain.right + 1) % n, n - chain.right_count};
   }
-  Run run{(chain.first + chain.count) % n, n - chain.count};
+  PieceRun run{(chain.first + chain.count) % n, n - chain.count};
   if (chain.right_count == 0) return run;
   const auto is_right = [&](std::uint32_t k) {
     const RingPiece& piece = ring.pieces[k % n];
     if (!piece.is_finite()) return false;
-    const PolygonSides sides = faces_.sides(piece.polygon());
+    const PolygonSides sides = diagram.sides(piece.polygon());
     return std::ranges::any_of(sides, [&](const PolygonSide& side) {
       return FacetName{side.v0, side.v1} == ring.facet && side.angle == Sign::kZero;
     });
@@ -278,7 +278,7 @@ void LimitPartition::append_edge(const FacetRing& ring, std::uint32_t piece) {
   }
 }
 
-void LimitPartition::make_fan(const FacetRing& ring, Run run) {
+void LimitPartition::make_fan(const FacetRing& ring, PieceRun run) {
   fan_.clear();
   for (std::uint32_t i = 0; i < run.count; ++i) {
     const auto piece = static_cast<std::uint32_t>((run.first + i) % ring.size());
@@ -371,7 +371,7 @@ void LimitPartition::directions(std::size_t record, std::vector<Division>& list)
     return;
   }
   const ObtuseChain chain = obtuse_chain(faces_.diagram(), ring.facet, ring, tally_);
-  make_fan(ring, far_run(ring, chain));
+  make_fan(ring, far_run(faces_.diagram(), ring, chain));
   if (index.is_critical()) close_fan(ring);
   // The midpoint lies on one piece with a right angle, or between two. The ring goes on along the last one.
   const auto towards = [&](std::size_t piece, bool is_ahead) {

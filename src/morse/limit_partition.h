@@ -12,7 +12,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "morse/backward_walk.h"
@@ -51,6 +53,13 @@ struct DivisionPoint {
   VertexIndex apex = 0, far_apex = 0, other = 0;
 };
 
+// A run of pieces of a ring. Rays from the midpoint cross them counterclockwise.
+struct PieceRun {
+  std::uint32_t first = 0, count = 0;
+};
+// The pieces that rays from the midpoint leave the facet through. Pieces with a right angle lie on rays, at both ends.
+[[nodiscard]] PieceRun far_run(const Diagram& diagram, const FacetRing& ring, const ObtuseChain& chain);
+
 class LimitPartition {
  public:
   // All must outlive it. It divides everything at once.
@@ -65,6 +74,13 @@ class LimitPartition {
   }
   [[nodiscard]] const DivisionPoint& point(PointOfDivision number) const { return points_[number]; }
   [[nodiscard]] std::size_t point_count() const { return points_.size(); }
+
+  // The Voronoi vertex is on the near side of the facet of its driver. If a ray to a point of the facet's division goes
+  // through it, this is that point; otherwise nothing.
+  [[nodiscard]] std::optional<PointOfDivision> point_behind(CellIndex cluster) const {
+    const auto found = behind_vertex_.find(cluster);
+    return found == behind_vertex_.end() ? std::nullopt : std::optional(found->second);
+  }
 
   // The directions of a record with a face of dimension 1 or 2 (FC-UNST-01), counterclockwise seen from the sample
   // with the greater VertexIndex. For a critical point of index 1 they go around: after the last one, which is an arc,
@@ -86,10 +102,6 @@ class LimitPartition {
   static constexpr PointOfDivision kAtElement = 0xfffffffeu;
   static constexpr Limit kUnset = 0xfffffffeu;
   static constexpr std::uint32_t kNotDivided = 0xffffffffu;
-  // A run of pieces of a ring. Rays from the midpoint cross them counterclockwise.
-  struct Run {
-    std::uint32_t first = 0, count = 0;
-  };
   struct Task {
     bool is_vertex;
     FacetName facet;
@@ -102,7 +114,7 @@ class LimitPartition {
   [[nodiscard]] bool is_divided(FacetName facet, CellIndex hint);
   bool finish_vertex(CellIndex cluster);
   bool finish_facet(FacetName facet, CellIndex hint);
-  bool is_ready(const FacetRing& ring, Run run);
+  bool is_ready(const FacetRing& ring, PieceRun run);
   bool request_edge(PolygonRef polygon);
   bool request_vertex(CellIndex cluster);
   bool divide_along(PolygonRef polygon);
@@ -110,8 +122,7 @@ class LimitPartition {
   // The divisions of slice_.
   void store(PolygonRef polygon, bool is_reversed);
 
-  [[nodiscard]] Run far_run(const FacetRing& ring, const ObtuseChain& chain) const;
-  void make_fan(const FacetRing& ring, Run run);
+  void make_fan(const FacetRing& ring, PieceRun run);
   void append_edge(const FacetRing& ring, std::uint32_t piece);
   void append_element(const FacetRing& ring, std::uint32_t piece);
   void append_arc(Limit limit);
@@ -144,6 +155,7 @@ class LimitPartition {
   std::vector<FrontNumber> fronts_;               // by point, until all edges are divided
   std::vector<std::uint32_t> record_of_edge_;     // of the stationary point inside, by packed polygon
   std::vector<PointOfDivision> point_of_vertex_;  // by cluster, where one was needed
+  std::unordered_map<CellIndex, PointOfDivision> behind_vertex_;
   // Of the task at hand.
   std::vector<Task> tasks_;
   std::vector<FanEntry> fan_;

@@ -1,0 +1,23 @@
+// The regions of one Voronoi facet, as corners of the diagram's faces.
+//
+// Guarantees: exact, by the division of the facet's edges alone. Nothing is constructed.
+#pragma once
+
+#include <vector>
+
+#include "flow/drivers.h"
+#include "flowcert/stable_regions.h"
+#include "morse/limit_partition.h"
+
+namespace flowcert::morse {
+
+struct FacetRegion {
+  Limit limit;
+  std::vector<RegionCorner> corners;  // counterclockwise seen from v1
+};
+
+// The regions of the facet of a ring, counterclockwise.
+[[nodiscard]] std::vector<FacetRegion> regions_of(const Diagram& diagram, const LimitPartition& partition,
+                                                  const FacetRing& ring);
+
+}  // namespace flowcert::morse

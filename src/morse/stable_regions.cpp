@@ -1,0 +1,110 @@
+#include "flowcert/stable_regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "morse/division_positions.h"
+#include "morse/facet_regions.h"
+
+namespace flowcert {
+
+using namespace morse;
+
+struct StableRegions::Parts {
+  Parts(const VoronoiDiagram& voronoi, const FlowLimits& all)
+      : diagram(voronoi.faces()),
+        points(voronoi.points()),
+        partition(all.partition()),
+        faces(voronoi),
+        positions(diagram, partition) {}
+
+  void visit_ring(const FacetRing& ring, const Visit& visit) const;
+  // A corner at a Voronoi vertex or at infinity.
+  [[nodiscard]] DivisionPoint place(const RegionCorner& corner) const;
+  [[nodiscard]] RationalPoint midpoint(const StableRegion& region) const;
+
+  const Diagram& diagram;
+  const PointSet& points;
+  const LimitPartition& partition;
+  VoronoiFaces faces;
+  DivisionPositions positions;
+};
+
+void StableRegions::Parts::visit_ring(const FacetRing& ring, const Visit& visit) const {
+  StableRegion region;
+  for (std::size_t i = 0; i < 2; ++i) {
+    region.samples[i] = points.name(diagram.delaunay().ordinals[i == 0 ? ring.facet.v0 : ring.facet.v1]);
+  }
+  std::ranges::sort(region.samples);
+  for (FacetRegion& found : regions_of(diagram, partition, ring)) {
+    region.limit = found.limit == kInfinityLimit ? std::nullopt : std::optional<std::size_t>(found.limit);
+    region.corners = std::move(found.corners);
+    visit(region);
+  }
+}
+
+StableRegions::StableRegions(const VoronoiDiagram& diagram, const StationaryPoints&, const FlowLimits& limits)
+    : parts_(std::make_unique<Parts>(diagram, limits)) {}
+StableRegions::~StableRegions() = default;
+StableRegions::StableRegions(StableRegions&&) noexcept = default;
+StableRegions& StableRegions::operator=(StableRegions&&) noexcept = default;
+
+// Each facet is visited from the first polygon that has its Delaunay edge.
+void StableRegions::visit(const Visit& visit) {
+  Parts& all = *parts_;
+  const VoronoiComplex* spatial = all.diagram.spatial();
+  const CellIndex count = all.diagram.delaunay().finite_count;
+  if (all.diagram.dimension() == 1) {
+    for (CellIndex edge = 0; edge < count; ++edge) {
+      const auto& v = all.diagram.delaunay().vertices(edge);
+      all.visit_ring({kNoRing, facet_name(v[0], v[1]), {}}, visit);
+    }
+  }
+  if (all.diagram.dimension() < 2) return;
+  std::vector<bool> is_visited;
+  for (CellIndex cell = 0; cell < count; ++cell) {
+    for (std::uint32_t i = spatial != nullptr ? 0 : 3; i < 4; ++i) {
+      const PolygonRef polygon{cell, i};
+      if (spatial != nullptr && spatial->role(polygon) == VoronoiComplex::FacetRole::kInterior) continue;
+      if (all.diagram.polygon(polygon) != polygon) continue;
+      for (const PolygonSide& side : all.diagram.sides(polygon)) {
+        const FacetName facet{side.v0, side.v1};
+        const FacetRing ring = all.faces.ring(facet, all.diagram.cell_of_side(polygon, facet));
+        if (ring.id >= is_visited.size()) is_visited.resize(2 * std::size_t{ring.id} + 1, false);
+        if (!is_visited[ring.id]) all.visit_ring(ring, visit);
+        is_visited[ring.id] = true;
+      }
+    }
+  }
+}
+
+RationalPoint StableRegions::Parts::midpoint(const StableRegion& region) const {
+  const auto sample = [this](PointId name) -> const Point& { return points.points()[points.ordinal_of_row(name)]; };
+  const Point &p = sample(region.samples[0]), &q = sample(region.samples[1]);
+  return {(Rational(p.x) + Rational(q.x)) / 2, (Rational(p.y) + Rational(q.y)) / 2,
+          (Rational(p.z) + Rational(q.z)) / 2};
+}
+
+DivisionPoint StableRegions::Parts::place(const RegionCorner& corner) const {
+  if (corner.kind == RegionCorner::Kind::kVertex) return {DivisionPoint::Kind::kVertex, corner.number};
+  return {DivisionPoint::Kind::kEnd, corner.number, {0, 0}, corner.end};
+}
+
+RationalPoint StableRegions::exact(const StableRegion& region, const RegionCorner& corner) {
+  Parts& all = *parts_;
+  if (corner.kind == RegionCorner::Kind::kMidpoint) return all.midpoint(region);
+  if (corner.kind == RegionCorner::Kind::kDivision) return all.positions.exact(corner.number);
+  return all.positions.exact_face(all.place(corner));
+}
+
+Point StableRegions::rounded(const StableRegion& region, const RegionCorner& corner) {
+  Parts& all = *parts_;
+  if (corner.kind == RegionCorner::Kind::kDivision) return all.positions.rounded(corner.number);
+  if (corner.kind != RegionCorner::Kind::kMidpoint) return all.positions.rounded_face(all.place(corner));
+  const RationalPoint m = all.midpoint(region);
+  const auto nearest = [](const Rational& x) { return nearest_double(x).value_or(x > 0 ? HUGE_VAL : -HUGE_VAL); };
+  return {nearest(m[0]), nearest(m[1]), nearest(m[2])};
+}
+
+}  // namespace flowcert
