@@ -101,5 +101,31 @@ TEST(OracleConnections, MorseSmaleSets) {
   EXPECT_FALSE(is_morse_smale(PointSet(kChain)));
 }
 
+// A backward segment of the triangle 0, 1, 4 comes to the centre (0,1,0) of the sphere of the points 0 to 3. The
+// triangles 0, 2, 3 and 1, 2, 3 lead there. The ways along their Voronoi edges come from further Voronoi vertices,
+// because the last three points are near. These intervals alone keep the set from being Morse-Smale.
+TEST(OracleConnections, AnIntervalAloneIsNotMorseSmale) {
+  CITES("FC-CONN-03");
+  const PointSet set({{-2, 0, 0},
+                      {2, 0, 0},
+                      {0, -1, 1},
+                      {0, -1, -1},
+                      {0, 5, 0},
+                      {-0.625, -1.5, 0},
+                      {0.625, -1.5, 0},
+                      {0, -1.3125, 0}});
+  for (const StationaryPoint& z : stationary_points(set).stationary) {
+    EXPECT_TRUE(z.is_critical());
+    if (z.face_dimension < 2) continue;
+    EXPECT_EQ(z.contact, (Names{0, 1, 4}));
+    for (const Orbit& o : unstable_orbits(set, z)) EXPECT_FALSE(o.limit);
+  }
+  EXPECT_FALSE(is_morse_smale(set));
+  // Families of index-1 points lead to this triangle.
+  EXPECT_TRUE(std::ranges::any_of(connections(set), [](const Connection& c) {
+    return c.arcs > 0 && c.to && c.to->contact == Names{0, 1, 4};
+  }));
+}
+
 }  // namespace
 }  // namespace oracle
