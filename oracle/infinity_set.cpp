@@ -84,17 +84,20 @@ void add_edge(const PointSet& set, const Places& edge, BackwardSearch& search) {
   }
 }
 
-// The polygon whose first three samples these are leads along its axis, if it contains its centre.
+// The polygon whose first three samples these are leads along its axis, if it contains its centre. No sample is beyond
+// its plane.
 void add_polygon(const PointSet& set, const Places& triple, BackwardSearch& search) {
   const std::vector<Point> corners = select(set.points, triple);
-  const auto centre = circumcentre(corners);
-  if (!centre) return;
-  const Point normal = as_direction(cross(minus(corners[1], corners[0]), minus(corners[2], corners[0])));
-  for (const Point& r : {normal, opposite(normal)}) {
-    const Places contact = far_contact(set, centre->center, r);
+  const Point normal = cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]));
+  if (normal == Point{}) return;
+  for (const Point& r : {as_direction(normal), as_direction(opposite(normal))}) {
+    const auto is_beyond = [&](const Point& q) { return dot(r, minus(q, corners[0])) > 0; };
+    if (std::any_of(set.points.begin(), set.points.end(), is_beyond)) continue;
+    const Point centre = circumcentre(corners)->center;
+    const Places contact = far_contact(set, centre, r);
     const std::vector<Point> polygon = select(set.points, contact);
-    if (spanning_subset(polygon) != corners || !face_dimension(polygon, centre->center)) continue;
-    search.add_way({r, true}, {contact, centre->center});
+    if (spanning_subset(polygon) != corners || !face_dimension(polygon, centre)) continue;
+    search.add_way({r, true}, {contact, centre});
   }
 }
 
