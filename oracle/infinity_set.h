@@ -68,7 +68,8 @@ struct UnboundedSector {
   }
 };
 
-// Each list is ascending. `bounded` has all pieces without an end at infinity.
+// Each list is ascending. `bounded` has all pieces without an end at infinity. In the facets of a bounded Voronoi cell
+// there are no others, so that shares() of `bounded` are right for its sample (FC-VOL-02).
 struct InfinitySet {
   StableSet bounded;
   std::vector<UnboundedSegment> segments;
