@@ -65,7 +65,7 @@ void for_each_drawn(std::uint64_t seeds, bool is_enclosed, const Visit& visit) {
     SCOPED_TRACE(family.name + ", seed " + std::to_string(seed) + (is_enclosed ? ", enclosed" : ""));
     rc::Random random(seed);
     Rows rows = flowcert::fuzz::draw(family, seed, size).rows;
-    rows.resize(std::min<std::size_t>(rows.size(), is_enclosed ? 5 : scale < 1 ? 7 : 9));
+    rows.resize(std::min<std::size_t>(rows.size(), is_enclosed ? 5 : scale < 1 ? 6 : 8));
     if (is_enclosed) enclose(rows);
     if (!rows.empty()) visit(Subject(rows), random);
   };
@@ -153,7 +153,7 @@ TEST(OracleInfinityFamilies, ItsPiecesFlowThereAndNothingNearThemIsMissing) {
     add_kinds(subject.infinity, count);
     const std::vector<Piece> pieces = pieces_of(subject.infinity);
     // Some of the pieces, spread over the list.
-    for (std::size_t i = below(random, 9); i < pieces.size(); i += 9) {
+    for (std::size_t i = below(random, 13); i < pieces.size(); i += 13) {
       const Piece& piece = pieces[i];
       const Point x = inside(piece.corners, random);
       EXPECT_EQ(contact_set(subject.set, x), piece.apexes);
@@ -171,7 +171,7 @@ TEST(OracleInfinityFamilies, ItsPiecesFlowThereAndNothingNearThemIsMissing) {
               count.dimensions[1], count.dimensions[2], count.dimensions[3]);
   const double scale = flowcert::property::scale_of_run();
   for (const auto& [kind, number] : count.kinds) std::printf("%8zu  %s\n", number, kind.c_str());
-  EXPECT_GT(count.pieces, 200 * scale);
+  EXPECT_GT(count.pieces, 150 * scale);
   if (scale >= 1) {
     for (const char* kind :
          {"ray from 0", "ray from 1", "ray from 2", "ray on an edge 0", "ray on an edge 1", "ray on an edge 2",
@@ -415,7 +415,7 @@ TEST(OracleInfinityFamilies, SectorsOfAllSetsTileEachFacetAndFillEachCellAndTheH
   EXPECT_GT(count.cells, 50 * scale);
   EXPECT_GT(count.not_full, 10 * scale);
   if (scale >= 1) {
-    EXPECT_GT(count.full, 10U);
+    EXPECT_GT(count.full, 5U);
   }
 }
 
