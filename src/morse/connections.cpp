@@ -24,34 +24,42 @@ std::vector<Entry> isolated_and_arcs(const std::vector<Entry>& list) {
 
 }  // namespace
 
-std::vector<Connection> connections(const FlowLimits& limits) {
+std::vector<Connection> connections_of(const FlowLimits& limits, std::size_t i) {
+  std::vector<Entry> entries = isolated_and_arcs(limits.entries(i));
+  std::ranges::sort(entries, {}, &Entry::limit);
+  const auto from = static_cast<std::uint32_t>(limits.record(i));
   std::vector<Connection> all;
-  for (std::size_t i = 0; i < limits.size(); ++i) {
-    std::vector<Entry> entries = isolated_and_arcs(limits.entries(i));
-    std::ranges::sort(entries, {}, &Entry::limit);
-    const auto from = static_cast<std::uint32_t>(limits.record(i));
-    for (const auto& [limit, is_arc] : entries) {
-      const bool is_new = all.empty() || all.back().from != from || all.back().to != limit;
-      if (is_new) all.push_back({from, limit});
-      ++(is_arc ? all.back().families : all.back().orbits);
-    }
+  for (const auto& [limit, is_arc] : entries) {
+    if (all.empty() || all.back().to != limit) all.push_back({from, limit});
+    ++(is_arc ? all.back().families : all.back().orbits);
   }
   return all;
 }
 
-bool is_morse_smale(const StationaryPoints& stationary, const FlowLimits& limits, const StableManifolds& stable) {
-  if (stationary.regular_counts() != RegularCounts{}) return false;
-  for (std::size_t i = 0; i < stable.size(); ++i) {
-    if (stable.has_interval(i)) return false;
-  }
+std::vector<Connection> connections(const FlowLimits& limits) {
+  std::vector<Connection> all;
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    if (stationary.index(limits.record(i)).face_dimension != 2) continue;
+    const std::vector<Connection> some = connections_of(limits, i);
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+std::size_t orbits_that_end_elsewhere(const StationaryPoints& stationary, const FlowLimits& limits) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    if (stationary.index(limits.record(i)) != StationaryIndex{2, 2}) continue;
     for (const auto& [limit, is_arc] : limits.entries(i)) {
-      const bool is_right = limit == FlowLimits::Entry::kInfinity || stationary.index(limit) == StationaryIndex{3, 3};
-      if (!is_right) return false;
+      const bool is_usual = limit == Entry::kInfinity || stationary.index(limit) == StationaryIndex{3, 3};
+      if (!is_usual) ++count;
     }
   }
-  return true;
+  return count;
+}
+
+bool is_morse_smale(const StationaryPoints& stationary, const FlowLimits& limits, const StableManifolds& stable) {
+  return stationary.regular_counts() == RegularCounts{} && stable.statistics().with_interval == 0 &&
+         orbits_that_end_elsewhere(stationary, limits) == 0;
 }
 
 }  // namespace flowcert

@@ -24,8 +24,13 @@ struct Connection {
   friend bool operator==(const Connection&, const Connection&) = default;
 };
 
-// Sorted by from, and then by to; infinity comes last.
+// Of the i-th list alone, sorted by to; infinity comes last.
+[[nodiscard]] std::vector<Connection> connections_of(const FlowLimits& limits, std::size_t i);
+// Of all lists, in their order.
 [[nodiscard]] std::vector<Connection> connections(const FlowLimits& limits);
+
+// Orbits of U2 that end neither at a maximum nor at infinity.
+[[nodiscard]] std::size_t orbits_that_end_elsewhere(const StationaryPoints& stationary, const FlowLimits& limits);
 
 // Whether the input is Morse-Smale (FC-CONN-03).
 [[nodiscard]] bool is_morse_smale(const StationaryPoints& stationary, const FlowLimits& limits,

@@ -23,7 +23,8 @@ class LimitPartition;
 struct LambdaList {
   struct Direction {
     std::optional<std::size_t> limit;  // a place in the list of stationary points; nothing for infinity
-    // Where the ray of the direction leaves the closed Voronoi face. If it never does, this is a vector along it.
+    // Where the ray of the direction leaves the closed Voronoi face. If it never does, this is a vector along it, whose
+    // greatest coordinate is 1 or -1. No cycle has such a direction.
     RationalPoint exit;
     bool is_vector = false;
   };
@@ -74,8 +75,7 @@ class FlowLimits {
   [[nodiscard]] std::vector<Entry> entries(std::size_t i) const;
   // The list with exact positions.
   [[nodiscard]] LambdaList list(std::size_t i) const;
-  // The same, where each position is the nearest doubles. A vector is scaled so that its largest coordinate is 1 or -1.
-  // A coordinate that would overflow is an infinity.
+  // The same, where each position is the nearest doubles. A coordinate that would overflow is an infinity.
   [[nodiscard]] RoundedLambdaList rounded_list(std::size_t i) const;
 
   // Points that separate limits on Voronoi edges.
