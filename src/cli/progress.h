@@ -87,9 +87,13 @@ class PartProgress {
       case FlowComplexPart::kChains:
         return "chain complex";
       case FlowComplexPart::kPersistence:
+        return "persistence";
+      case FlowComplexPart::kLimits:
+        return "limits of all directions";
+      case FlowComplexPart::kVolumes:
         break;
     }
-    return "persistence";
+    return "volumes";
   }
 
   std::string what_of_;

@@ -20,7 +20,7 @@ using namespace morse;
 
 namespace {
 
-// The others are not interrupted, and tell when they are made.
+// The others are not interrupted, and this file tells when they are made.
 bool tells_by_itself(FlowComplexPart part) {
   return part == FlowComplexPart::kTriangulation || part == FlowComplexPart::kUnstable ||
          part == FlowComplexPart::kStable;
@@ -60,6 +60,8 @@ struct FlowComplex::Parts {
   std::optional<StableManifolds> stable;
   std::optional<ChainComplex> chains;
   std::optional<Persistence> persistence;
+  std::optional<FlowLimits> limits;
+  std::optional<StableVolumes> volumes;
 
   WorkerPool<Flow> flows;
 };
@@ -119,6 +121,16 @@ void FlowComplex::make(FlowComplexPart part) const {
       if (progress) progress(0, 1);
       all.persistence.emplace(all.points, *all.stationary, *all.chains);
       break;
+    case FlowComplexPart::kLimits:
+      make(FlowComplexPart::kStationary);
+      if (progress) progress(0, 1);
+      all.limits.emplace(*all.diagram, *all.stationary, all.options.flow);
+      break;
+    case FlowComplexPart::kVolumes:
+      make(FlowComplexPart::kLimits);
+      if (progress) progress(0, 1);
+      all.volumes.emplace(*all.diagram, *all.stationary, *all.limits);
+      break;
   }
   if (progress && !tells_by_itself(part)) progress(1, 1);
   all.is_made[number].store(true, std::memory_order_release);
@@ -160,6 +172,16 @@ const ChainComplex& FlowComplex::chains() const {
 const Persistence& FlowComplex::persistence() const {
   make(FlowComplexPart::kPersistence);
   return *parts_->persistence;
+}
+
+const FlowLimits& FlowComplex::limits() const {
+  make(FlowComplexPart::kLimits);
+  return *parts_->limits;
+}
+
+const StableVolumes& FlowComplex::volumes() const {
+  make(FlowComplexPart::kVolumes);
+  return *parts_->volumes;
 }
 
 ExactSphere FlowComplex::sphere(std::size_t record) const {

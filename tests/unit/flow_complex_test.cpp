@@ -67,6 +67,10 @@ std::string account_of(const FlowComplex& complex) {
   for (std::size_t i = 0; i < complex.stable().size(); ++i) {
     for (const BackwardSegment& segment : complex.stable().set(i).segments) text += text_of(segment.back) + '\n';
   }
+  for (std::size_t i = 0; i < complex.limits().size(); ++i) {
+    for (const FlowLimits::Entry& entry : complex.limits().entries(i)) text += std::to_string(entry.limit) + ' ';
+  }
+  for (std::size_t i = 0; i < complex.stationary().size(); ++i) text += to_text(complex.volumes().exact(i)) + '\n';
   for (const RationalPoint& start : starts_for(complex)) {
     text += text_of(complex.orbit(start)) + type_text(complex.step(start).type) + '\n';
   }
@@ -190,17 +194,22 @@ TEST(FlowComplex, SignsAndCriticalPointsTellHowFarTheyAre) {
 }
 
 // They tell nothing in between, so a bar would not show which of them is under way.
-TEST(FlowComplex, ChainsAndPersistenceTellThatTheyBegin) {
+TEST(FlowComplex, PartsWithoutStagesTellThatTheyBegin) {
   CITES("FC-CHAIN-02", "FC-PERS-01");
   std::vector<std::pair<FlowComplexPart, std::size_t>> told;
   const FlowComplex complex(pyramid(), {}, [&](FlowComplexPart part, std::size_t done, std::size_t) {
     if (part >= FlowComplexPart::kChains) told.emplace_back(part, done);
   });
   (void)complex.persistence();
+  (void)complex.volumes();
   EXPECT_EQ(told, (std::vector<std::pair<FlowComplexPart, std::size_t>>{{FlowComplexPart::kChains, 0},
                                                                         {FlowComplexPart::kChains, 1},
                                                                         {FlowComplexPart::kPersistence, 0},
-                                                                        {FlowComplexPart::kPersistence, 1}}));
+                                                                        {FlowComplexPart::kPersistence, 1},
+                                                                        {FlowComplexPart::kLimits, 0},
+                                                                        {FlowComplexPart::kLimits, 1},
+                                                                        {FlowComplexPart::kVolumes, 0},
+                                                                        {FlowComplexPart::kVolumes, 1}}));
 }
 
 TEST(FlowComplex, APartThatWasStoppedIsMadeWhenItIsAskedForAgain) {

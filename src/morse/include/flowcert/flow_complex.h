@@ -15,6 +15,7 @@
 #include "flowcert/exact_sphere.h"
 #include "flowcert/persistence.h"
 #include "flowcert/rounded_sphere.h"
+#include "flowcert/stable_volumes.h"
 
 namespace flowcert {
 
@@ -39,15 +40,17 @@ enum class FlowComplexPart : std::uint8_t {
   kStable,
   kChains,
   kPersistence,
+  kLimits,
+  kVolumes,
 };
-inline constexpr std::size_t kFlowComplexParts = 7;
+inline constexpr std::size_t kFlowComplexParts = 9;
 
 class FlowComplex {
  public:
-  // Each part tells at last that all of it is done. Chains and persistence also tell that they begin. All other parts
-  // tell now and then how much is done, from any of the threads that make them, one at a time. Two threads call it at
-  // once if they make different parts. It may throw to stop; the part is then made when it is asked for again. It must
-  // not ask the complex for anything.
+  // Each part tells at last that all of it is done. Chains, persistence, limits and volumes also tell that they begin.
+  // All other parts tell now and then how much is done, from any of the threads that make them, one at a time. Two
+  // threads call it at once if they make different parts. It may throw to stop; the part is then made when it is asked
+  // for again. It must not ask the complex for anything.
   using Progress = std::function<void(FlowComplexPart part, std::size_t done, std::size_t total)>;
 
   // Computes nothing yet. The second one throws InvalidInput as PointSet does. A thread must compute with doubles as
@@ -73,6 +76,8 @@ class FlowComplex {
   [[nodiscard]] const StableManifolds& stable() const;
   [[nodiscard]] const ChainComplex& chains() const;
   [[nodiscard]] const Persistence& persistence() const;
+  [[nodiscard]] const FlowLimits& limits() const;
+  [[nodiscard]] const StableVolumes& volumes() const;
 
   // Centre and squared radius of a stationary point, by its place in the list.
   [[nodiscard]] ExactSphere sphere(std::size_t record) const;
