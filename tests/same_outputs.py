@@ -35,7 +35,7 @@ TIMES = (
     rb'("(?:seconds|ratio_to_delaunay)":)(?:null|\{[^}]*\})',
     rb'("peak_memory_bytes":)[0-9]+',
     rb"(?m)^(Delaunay triangulation|critical points|unstable manifolds U2|stable manifolds S2|"
-    rb"chain complex and pairs|all after the triangulation) +[0-9.]+ (?:ms|s)(?: +[0-9.]+ x the triangulation)?$",
+    rb"limits of all directions|volumes|chain complex and pairs|all after the triangulation) +[0-9.]+ (?:ms|s)(?: +[0-9.]+ x the triangulation)?$",
     rb"(?m)^(peak memory) [^\n]*$",
 )
 TALLIES = (

@@ -1,4 +1,4 @@
-// `flowcert compute`: all stationary points of an input and, if wanted, the manifolds U2 and S2. It writes a table
+// `flowcert compute`: all stationary points of an input and, if wanted, all that flows. It writes a table
 // for people or one JSON object for programs (spec/formats/summary.md). It can also write a file of exact records
 // (stationary_points.md) and files for viewers (exports.md).
 //
@@ -34,10 +34,11 @@ struct ComputeOptions {
   std::string output;
   bool json = false;
   unsigned runs = 1;
-  std::vector<std::string> manifolds;  // "u2", "s2"
+  std::vector<std::string> manifolds;  // "u2", "s2", "all"
   bool polylines = false;
   bool skeletons = false;
   std::string centers = "exact";
+  std::string volumes;  // "double", "exact", or none
   std::string export_directory;
   std::vector<std::string> only;    // "critical", "surfaces", "lines"; all of them if there is none
   std::optional<std::string> clip;  // a number or "none"
@@ -75,12 +76,14 @@ ExportChoice export_choice(const ComputeOptions& options) {
 
 WantedManifolds wanted_manifolds(const ComputeOptions& options) {
   WantedManifolds wanted;
-  wanted.u2 = has_word(options.manifolds, "u2") || exports(options, "lines");
-  wanted.s2 = has_word(options.manifolds, "s2") || exports(options, "surfaces");
+  wanted.all = has_word(options.manifolds, "all");
+  wanted.u2 = wanted.all || has_word(options.manifolds, "u2") || exports(options, "lines");
+  wanted.s2 = wanted.all || has_word(options.manifolds, "s2") || exports(options, "surfaces");
   wanted.options = {.flow = options.u2.flow.options(), .share = !options.u2.alone, .threads = options.threads};
   if (options.polylines && !wanted.u2) throw InvalidInput("--polylines: needs --manifolds u2");
   if (options.u2.alone && !wanted.u2) throw InvalidInput("--alone: needs --manifolds u2");
   if (options.skeletons && !wanted.s2) throw InvalidInput("--skeletons: needs --manifolds s2");
+  if (!options.volumes.empty() && !wanted.all) throw InvalidInput("--volumes: needs --manifolds all");
   return wanted;
 }
 
@@ -93,11 +96,14 @@ void write_records(const ComputeOptions& options, const Measured& measured) {
   std::optional<OutputFile> file;
   if (options.output != kStandardStream) file.emplace(options.output);
   ProgressLine progress("writing exact records", file ? -1 : STDOUT_FILENO);
-  const RecordsToWrite wanted = {.u2 = measured.has.u2,
-                                 .polylines = options.polylines,
-                                 .s2 = measured.has.s2,
-                                 .skeletons = options.skeletons,
-                                 .centers = written_centers(options.centers)};
+  const RecordsToWrite wanted = {
+      .u2 = measured.has.u2,
+      .polylines = options.polylines,
+      .s2 = measured.has.s2,
+      .skeletons = options.skeletons,
+      .centers = written_centers(options.centers),
+      .all = measured.has.all,
+      .volumes = options.volumes == "exact" ? WrittenVolumes::kExact : WrittenVolumes::kDouble};
   write_stationary_points(file ? file->stream() : std::cout, *measured.last, wanted, std::ref(progress));
   if (file) file->commit();
 }
@@ -127,9 +133,9 @@ void add_manifold_options(CLI::App& command, ComputeOptions& options, CLI::Optio
       command
           .add_option("--manifolds", options.manifolds,
                       "Compute these as well, separated by commas: u2 and s2, the unstable and stable manifolds of "
-                      "all critical points of index 2")
+                      "all critical points of index 2; all: these, the limits of all directions, and volumes")
           ->delimiter(',')
-          ->check(CLI::IsMember({"u2", "s2"}));
+          ->check(CLI::IsMember({"u2", "s2", "all"}));
   command
       .add_flag("--stats", options.u2.with_statistics,
                 "Print lengths, types and exact sizes of what flows, as the paper's tables do")
@@ -139,6 +145,14 @@ void add_manifold_options(CLI::App& command, ComputeOptions& options, CLI::Optio
                 "Compute each orbit alone; without this, orbits share what follows a common Voronoi vertex")
       ->needs(manifolds);
   for (CLI::Option* option : add_flow_options(command, options.u2.flow)) option->needs(manifolds);
+  command
+      .add_option("--volumes", options.volumes,
+                  "What the file of -o says of volumes, with --manifolds all: double (the nearest doubles) or exact "
+                  "(also the exact numbers, and what of them lies in which Voronoi cell)")
+      ->check(CLI::IsMember({"double", "exact"}))
+      ->default_str("double")
+      ->needs(manifolds)
+      ->needs(output);
   command
       .add_flag("--polylines", options.polylines, "Write each U2 to the file of -o, as exact polylines: a large file")
       ->needs(manifolds)
@@ -199,7 +213,9 @@ void add_compute_command(CLI::App& app, int& status) {
   add_threads_option(*command, options->threads);
   command->footer(
       "Examples:\n  flowcert compute bunny.obj\n  flowcert compute bunny.obj -o bunny.jsonl\n"
-      "  flowcert compute bunny.obj --manifolds u2,s2 --stats\n  flowcert compute bunny.obj --export bunny-files");
+      "  flowcert compute bunny.obj --manifolds u2,s2 --stats\n"
+      "  flowcert compute bunny.obj --manifolds all --volumes exact -o bunny.jsonl\n"
+      "  flowcert compute bunny.obj --export bunny-files");
   command->callback([options, &status] {
     compute(*options);
     status = kRight;

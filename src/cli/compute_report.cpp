@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "cli/histogram.h"
+#include "cli/whole_complex_report.h"
 #include "flowcert/orbit.h"
 
 namespace flowcert::cli {
@@ -267,6 +268,10 @@ void print_times(const Measured& measured) {
   if (measured.has.s2) {
     print_row("stable manifolds S2", seconds_text(measured.s2_seconds), multiple_text(measured, &DelaunayRatios::s2));
   }
+  if (!measured.has.all) return;
+  print_row("limits of all directions", seconds_text(measured.limits_seconds),
+            multiple_text(measured, &DelaunayRatios::limits));
+  print_row("volumes", seconds_text(measured.volumes_seconds), multiple_text(measured, &DelaunayRatios::volumes));
 }
 
 Json seconds_field(const Measured& measured) {
@@ -275,6 +280,8 @@ Json seconds_field(const Measured& measured) {
   seconds["critical"] = measured.critical_seconds;
   if (measured.has.u2) seconds["u2"] = measured.u2_seconds;
   if (measured.has.s2) seconds["s2"] = measured.s2_seconds;
+  if (measured.has.all) seconds["limits"] = measured.limits_seconds;
+  if (measured.has.all) seconds["volumes"] = measured.volumes_seconds;
   return seconds;
 }
 
@@ -286,6 +293,8 @@ Json ratios_field(const Measured& measured) {
   ratios["critical"] = ratio(&DelaunayRatios::critical);
   if (measured.has.u2) ratios["u2"] = ratio(&DelaunayRatios::u2);
   if (measured.has.s2) ratios["s2"] = ratio(&DelaunayRatios::s2);
+  if (measured.has.all) ratios["limits"] = ratio(&DelaunayRatios::limits);
+  if (measured.has.all) ratios["volumes"] = ratio(&DelaunayRatios::volumes);
   ratios["all"] = ratio(&DelaunayRatios::all);
   return ratios;
 }
@@ -299,6 +308,7 @@ void print_compute_table(const std::string& name, const Input& input, const Meas
   print_counts(input.points, complex.stationary());
   if (measured.has.u2) print_u2_rows(complex.unstable().statistics());
   if (measured.has.s2) print_s2_rows(complex.stationary(), complex.stable());
+  if (measured.has.all) print_whole_complex_rows(complex);
   print_times(measured);
   for (std::size_t k = 0; k < kPredicateCount; ++k) {
     const FilterCount& count = complex.filter_tally().counts[k];
@@ -327,6 +337,7 @@ Json compute_summary(const Input& input, const Measured& measured, const U2Choic
   }
   if (measured.has.u2) summary["u2"] = u2_field(choice, complex.unstable().statistics());
   if (measured.has.s2) summary["s2"] = s2_field(choice, complex.stationary(), complex.stable());
+  if (measured.has.all) summary["whole_complex"] = whole_complex_field(complex);
   summary["peak_memory_bytes"] = peak_memory();
   return summary;
 }

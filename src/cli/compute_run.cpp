@@ -27,7 +27,7 @@ double median(std::vector<double> values) {
 
 // In seconds, with an entry for each run.
 struct Times {
-  std::vector<double> delaunay, critical, u2, s2, all;
+  std::vector<double> delaunay, critical, u2, s2, limits, volumes, all;
 };
 
 FlowComplex run_once(const PointSet& points, const WantedManifolds& wanted, unsigned run, unsigned runs, Times& times,
@@ -45,6 +45,10 @@ FlowComplex run_once(const PointSet& points, const WantedManifolds& wanted, unsi
   times.critical.push_back(seconds_to_make(FlowComplexPart::kStationary));
   if (wanted.s2) times.s2.push_back(seconds_to_make(FlowComplexPart::kStable));
   if (wanted.u2) times.u2.push_back(seconds_to_make(FlowComplexPart::kUnstable));
+  if (wanted.all) {
+    times.limits.push_back(seconds_to_make(FlowComplexPart::kLimits));
+    times.volumes.push_back(seconds_to_make(FlowComplexPart::kVolumes));
+  }
   return complex;
 }
 
@@ -57,7 +61,8 @@ Measured measure(const PointSet& points, unsigned runs, const WantedManifolds& w
   for (unsigned run = 0; run < runs; ++run) {
     result.last.reset();
     result.last.emplace(run_once(points, wanted, run, runs, times, made));
-    times.all.push_back(times.critical.back() + (wanted.u2 ? times.u2.back() : 0) + (wanted.s2 ? times.s2.back() : 0));
+    times.all.push_back(times.critical.back() + (wanted.u2 ? times.u2.back() : 0) + (wanted.s2 ? times.s2.back() : 0) +
+                        (wanted.all ? times.limits.back() + times.volumes.back() : 0));
   }
   result.has = wanted;
   result.runs = runs;
@@ -65,10 +70,14 @@ Measured measure(const PointSet& points, unsigned runs, const WantedManifolds& w
   result.critical_seconds = median(times.critical);
   if (wanted.u2) result.u2_seconds = median(times.u2);
   if (wanted.s2) result.s2_seconds = median(times.s2);
+  if (wanted.all) result.limits_seconds = median(times.limits);
+  if (wanted.all) result.volumes_seconds = median(times.volumes);
   if (points.size() >= 4 && result.delaunay_seconds > 0) {
     result.ratios = {.critical = result.critical_seconds / result.delaunay_seconds,
                      .u2 = result.u2_seconds / result.delaunay_seconds,
                      .s2 = result.s2_seconds / result.delaunay_seconds,
+                     .limits = result.limits_seconds / result.delaunay_seconds,
+                     .volumes = result.volumes_seconds / result.delaunay_seconds,
                      .all = median(times.all) / result.delaunay_seconds};
   }
   return result;

@@ -12,6 +12,7 @@ namespace flowcert::cli {
 struct WantedManifolds {
   bool u2 = false;
   bool s2 = false;
+  bool all = false;  // then u2 and s2, too
   FlowComplexOptions options;
 };
 
@@ -20,6 +21,8 @@ struct DelaunayRatios {
   double critical = 0;
   double u2 = 0;
   double s2 = 0;
+  double limits = 0;
+  double volumes = 0;
   double all = 0;
 };
 
@@ -31,6 +34,8 @@ struct Measured {
   double critical_seconds = 0;
   double u2_seconds = 0;
   double s2_seconds = 0;
+  double limits_seconds = 0;
+  double volumes_seconds = 0;
   // None for fewer than 4 points, or no measurable time.
   std::optional<DelaunayRatios> ratios;
 };

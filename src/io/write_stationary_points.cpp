@@ -6,9 +6,11 @@
 
 #include <iterator>
 
+#include "flowcert/connections.h"
 #include "flowcert/stable_manifolds.h"
 #include "geometry/bounded_sphere.h"
 #include "io/json_fields.h"
+#include "io/lambda_fields.h"
 #include "io/ordered_text.h"
 
 namespace flowcert {
@@ -41,6 +43,10 @@ class RecordWriter {
       const StableManifolds& s2 = complex.stable();
       next_s2_ = first_from(first, s2.size(), [&s2](std::size_t k) { return s2.record(k); });
     }
+    if (wanted.all) {
+      const FlowLimits& limits = complex.limits();
+      next_list_ = first_from(first, limits.size(), [&limits](std::size_t k) { return limits.record(k); });
+    }
   }
 
   void add_line(std::size_t i) {
@@ -58,6 +64,10 @@ class RecordWriter {
     if ((wanted_.u2 || wanted_.s2) && index == StationaryIndex{1, 1}) more["samples"] = stationary_.contact(i);
     if (wanted_.u2) add_u2(i, more);
     if (wanted_.s2) add_s2(i, more);
+    if (wanted_.all) {
+      add_limits(i, more);
+      add_volume(i, more);
+    }
     if (more.is_null()) {
       text_ += '}';
     } else {
@@ -133,10 +143,33 @@ class RecordWriter {
     ++next_s2_;
   }
 
+  void add_limits(std::size_t i, Json& fields) {
+    const FlowLimits& limits = complex_.limits();
+    if (next_list_ == limits.size() || limits.record(next_list_) != i) return;
+    const bool is_exact = wanted_.centers == WrittenCenters::kExact,
+               has_positions = wanted_.centers != WrittenCenters::kNone;
+    fields["lambda"] = is_exact ? lambda_field(stationary_, limits.list(next_list_))
+                                : lambda_field(stationary_, limits.rounded_list(next_list_), has_positions);
+    fields["connections"] = connections_field(stationary_, connections_of(limits, next_list_));
+    ++next_list_;
+  }
+
+  void add_volume(std::size_t i, Json& fields) const {
+    const StableVolumes& volumes = complex_.volumes();
+    const bool is_exact = wanted_.volumes == WrittenVolumes::kExact;
+    if (is_exact) fields["volume"] = to_text(volumes.exact(i));
+    fields["volume_double"] = double_field(volumes.nearest(i));
+    // A positive volume may be nearest to 0.
+    const auto shares = is_exact ? volumes.shares(i) : std::vector<std::pair<PointId, Rational>>{};
+    if (shares.empty()) return;
+    Json& field = fields["shares"] = Json::array();
+    for (const auto& [sample, share] : shares) field.push_back(Json::array({sample, to_text(share)}));
+  }
+
   const FlowComplex& complex_;
   const StationaryPoints& stationary_;
   RecordsToWrite wanted_;
-  std::size_t next_u2_ = 0, next_s2_ = 0;
+  std::size_t next_u2_ = 0, next_s2_ = 0, next_list_ = 0;
   std::string& text_;
 };
 
@@ -150,6 +183,11 @@ void write_stationary_points(std::ostream& out, const FlowComplex& complex, cons
   header["classes"] = complex.points().repeated_classes();
   if (wanted.centers == WrittenCenters::kDouble) header["centers"] = "double";
   if (wanted.centers == WrittenCenters::kNone) header["centers"] = "none";
+  if (wanted.all) {
+    header["morse_smale"] = is_morse_smale(complex.stationary(), complex.limits(), complex.stable());
+    header["hull_volume"] = to_text(complex.volumes().hull());
+    header["volumes"] = wanted.volumes == WrittenVolumes::kExact ? "exact" : "double";
+  }
   out << header.dump() << '\n';
   const auto make = [&](std::size_t first, std::size_t last, std::string& text) {
     RecordWriter writer(complex, wanted, first, text);
@@ -160,7 +198,8 @@ void write_stationary_points(std::ostream& out, const FlowComplex& complex, cons
     if (progress) progress(done, count);
     return bool(out);
   };
-  const bool are_long = wanted.polylines || wanted.skeletons;
+  const bool are_exact = wanted.centers == WrittenCenters::kExact || wanted.volumes == WrittenVolumes::kExact;
+  const bool are_long = wanted.polylines || wanted.skeletons || (wanted.all && are_exact);
   write_in_order(count, are_long ? kLongRecords : kShortRecords, complex.threads(), make, write);
   if (progress) progress(count, count);
 }

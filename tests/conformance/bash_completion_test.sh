@@ -64,8 +64,8 @@ expect cascade,exact,lazy compute scan.xyz --kernel ''
 expect lazy compute --kernel l
 expect lazy compute --kernel = l
 expect cascade,exact,lazy compute --kernel =
-expect s2,u2 compute --manifolds ''
-expect u2,s2 compute --manifolds u2,
+expect all,s2,u2 compute --manifolds ''
+expect 'u2,all,u2,s2' compute --manifolds u2,
 expect '' compute --manifolds u2,u
 expect bash,fish,zsh completion ''
 # No file is offered where a number is asked for, and an option that wants a value has it.

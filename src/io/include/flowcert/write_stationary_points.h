@@ -16,19 +16,25 @@ namespace flowcert {
 // doubles alone, or nothing.
 enum class WrittenCenters : std::uint8_t { kExact, kDouble, kNone };
 
+// What a record says of a volume: the nearest double, or also the exact number.
+enum class WrittenVolumes : std::uint8_t { kDouble, kExact };
+
 // u2 adds the samples of index-1 points and the limits of index-2 points. polylines adds the orbits of index-2 points
 // as exact polylines. s2 adds the size and boundary of stable sets. skeletons adds their exact skeletons.
+// all adds λ-lists, connections and volumes.
 struct RecordsToWrite {
   bool u2 = false;
   bool polylines = false;
   bool s2 = false;
   bool skeletons = false;
   WrittenCenters centers = WrittenCenters::kExact;
+  bool all = false;
+  WrittenVolumes volumes = WrittenVolumes::kDouble;
 };
 
 // progress, if given, is told now and then how many records are written. The stream's state tells whether all was
-// written. Each record takes a few microseconds for its rationals. Polylines and skeletons take the time for all
-// their exact coordinates.
+// written. Each record takes a few microseconds for its rationals. Polylines, skeletons, λ-lists and
+// exact volumes take the time for all their exact numbers.
 void write_stationary_points(std::ostream& out, const FlowComplex& complex, const RecordsToWrite& wanted = {},
                              const std::function<void(std::size_t done, std::size_t total)>& progress = {});
 
