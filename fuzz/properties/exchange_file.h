@@ -1,4 +1,4 @@
-// What `compute --manifolds u2,s2 --polylines --skeletons -o` writes of some rows, in memory.
+// What `compute -o` writes of some rows, in memory.
 //
 // Guarantees: to the byte.
 #pragma once
@@ -12,11 +12,16 @@
 
 namespace flowcert::property {
 
-inline std::string exchange_file(const std::vector<Point>& rows) {
+inline std::string exchange_file(const std::vector<Point>& rows, const RecordsToWrite& wanted) {
   const FlowComplex complex{std::span(rows)};
   std::ostringstream out;
-  write_stationary_points(out, complex, {.u2 = true, .polylines = true, .s2 = true, .skeletons = true});
+  write_stationary_points(out, complex, wanted);
   return out.str();
+}
+
+// With --manifolds u2,s2 --polylines --skeletons.
+inline std::string exchange_file(const std::vector<Point>& rows) {
+  return exchange_file(rows, {.u2 = true, .polylines = true, .s2 = true, .skeletons = true});
 }
 
 }  // namespace flowcert::property

@@ -25,6 +25,12 @@ const std::set<std::string> kOfTheProgram = {"version", "commit", "kernel", "com
 // Their keys are changed one by one.
 const std::set<std::string> kObjects = {"regular_stationary", "stable", "skeleton", "surface"};
 
+// Those of the whole complex are written, but not judged.
+const std::set<std::string> kNotJudged = {"morse_smale", "hull_volume", "volumes",       "lambda",
+                                          "connections", "volume",      "volume_double", "shares"};
+
+bool is_judged(const std::string& key) { return !kNotJudged.contains(key.substr(0, key.find('.'))); }
+
 // All keys of a schema's object, with those of the objects in it: "skeleton.segments.front".
 void add_keys(const Json& schema, const Json& root, const std::string& around, std::set<std::string>& keys) {
   if (schema.contains("$ref")) {
@@ -162,7 +168,7 @@ TEST(ExchangeKeys, NoneGoesUnread) {
   for (const ExchangeFile& file : files) ASSERT_EQ(file.outcome(), "conforms");
   for (const char* definition : {"header", "record"}) {
     for (const std::string& key : keys_of(definition)) {
-      if (kOfTheProgram.contains(key) || kObjects.contains(key)) continue;
+      if (kOfTheProgram.contains(key) || kObjects.contains(key) || !is_judged(key)) continue;
       std::set<std::string> outcomes;
       for (const ExchangeFile& file : files) {
         for (const std::string& one : file.outcomes(key, definition == std::string("header"))) outcomes.insert(one);

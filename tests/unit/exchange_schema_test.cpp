@@ -22,15 +22,64 @@ class ExchangeSchema {
   flowcert_tests::JsonSchema schema_{FLOWCERT_EXCHANGE_SCHEMA};
 };
 
+std::vector<std::vector<Point>> inputs() {
+  return {rows_of_many_kinds(),
+          {},
+          {{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}},
+          {{1e308, 0, 0}, {-1e308, 1e-300, 0}, {0, 3, 1e300}, {0, -1e308, 5}}};
+}
+
 TEST(ExchangeSchema, TakesWhatComputeWrites) {
   CITES("FC-OUT-01", "FC-NUM-02");
   const ExchangeSchema schema;
-  for (const std::vector<Point>& rows :
-       {rows_of_many_kinds(), std::vector<Point>{}, std::vector<Point>{{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}},
-        std::vector<Point>{{1e308, 0, 0}, {-1e308, 1e-300, 0}, {0, 3, 1e300}, {0, -1e308, 5}}}) {
+  for (const std::vector<Point>& rows : inputs()) {
     std::istringstream lines(property::exchange_file(rows));
     std::string line;
     while (std::getline(lines, line)) EXPECT_TRUE(schema.accepts(line)) << line;
+  }
+}
+
+TEST(ExchangeSchema, TakesTheWholeComplex) {
+  CITES("FC-UNST-02", "FC-VOL-01", "FC-NUM-02");
+  const ExchangeSchema schema;
+  for (const std::vector<Point>& rows : inputs()) {
+    for (const auto centers : {WrittenCenters::kExact, WrittenCenters::kDouble, WrittenCenters::kNone}) {
+      for (const auto volumes : {WrittenVolumes::kDouble, WrittenVolumes::kExact}) {
+        std::istringstream lines(property::exchange_file(
+            rows, {.u2 = true, .s2 = true, .centers = centers, .all = true, .volumes = volumes}));
+        std::string line;
+        while (std::getline(lines, line)) EXPECT_TRUE(schema.accepts(line)) << line;
+      }
+    }
+  }
+}
+
+TEST(ExchangeSchema, SaysWhatTheWholeComplexMayHave) {
+  CITES("FC-UNST-02", "FC-VOL-01");
+  const ExchangeSchema schema;
+  for (const char* record :
+       {R"({"index":1,"contact":[1],"lambda":{"directions":[],"arcs":[null]},"connections":[]})",
+        R"({"index":[1,3],"contact":[1],"lambda":{"directions":[{"limit":[0]},{"limit":null}],"arcs":[[0,1]]}})",
+        R"({"index":2,"contact":[1],"lambda":{"directions":[{"vector":["1","0","-1/2"],"limit":null}],"arcs":[]}})",
+        R"({"index":2,"contact":[1],"lambda":{"directions":[{"exit_double":[1,2,null],"limit":null}],"arcs":[]}})",
+        R"({"index":2,"contact":[1],"connections":[{"to":null,"orbits":1,"families":0}]})",
+        R"({"index":3,"contact":[1],"volume":"1/3","volume_double":null,"shares":[[0,"1/6"],[7,"1/6"]]})"}) {
+    EXPECT_TRUE(schema.accepts(record)) << record;
+  }
+  for (
+      const char* record :
+      {R"({"index":0,"contact":[1],"lambda":{"directions":[],"arcs":[null]}})",
+       R"({"index":3,"contact":[1],"connections":[]})", R"({"index":1,"contact":[1],"lambda":{"directions":[]}})",
+       R"({"index":1,"contact":[1],"lambda":{"directions":[{}],"arcs":[null]}})",
+       R"({"index":1,"contact":[1],"lambda":{"directions":[{"exit":[1,2],"limit":null}],"arcs":[null]}})",
+       R"({"index":2,"contact":[1],"lambda":{"directions":[{"exit":[1,2,3],"vector":[1,0,0],"limit":[0]}],"arcs":[]}})",
+       R"({"index":1,"contact":[1],"connections":[{"orbits":1,"families":0}]})",
+       R"({"index":1,"contact":[1],"connections":[{"to":null,"orbits":-1,"families":0}]})",
+       R"({"index":3,"contact":[1],"volume":"-1"})", R"({"index":3,"contact":[1],"volume_double":-1})",
+       R"({"index":3,"contact":[1],"shares":[[0]]})", R"({"index":1,"contact":[1],"shares":[[0,"1"]]})",
+       R"({"format":"flowcert-stationary-points","format_version":1,"volumes":"none"})",
+       R"({"format":"flowcert-stationary-points","format_version":1,"morse_smale":1})"}) {
+    EXPECT_FALSE(schema.accepts(record)) << record;
   }
 }
 
