@@ -44,6 +44,19 @@ void require_rows_of_stable(const ClaimedPoint& point, const PointSet& points, c
   for (const ClaimedSector& sector : point.skeleton->sectors) require_ids(sector.samples, points, place);
 }
 
+void require_rows_of_directions(const ClaimedPoint& point, const PointSet& points, const LinePlace& place) {
+  if (point.lambda) {
+    for (const ClaimedDirection& one : point.lambda->directions) require_ids(one.limit.contact, points, place);
+    for (const ClaimedTarget& limit : point.lambda->arcs) require_ids(limit.contact, points, place);
+  }
+  if (point.connections) {
+    for (const ClaimedConnection& one : *point.connections) require_ids(one.to.contact, points, place);
+  }
+  if (point.shares) {
+    for (const ClaimedShare& share : *point.shares) require_ids({share.sample}, points, place);
+  }
+}
+
 }  // namespace
 
 Claim read_claim_from(std::string_view bytes, const std::string& name) {
@@ -62,6 +75,7 @@ void require_rows(const Claim& claim, const PointSet& points, const std::string&
     require_ids(point.contact, points, place);
     if (point.samples) require_ids(*point.samples, points, place);
     require_rows_of_stable(point, points, place);
+    require_rows_of_directions(point, points, place);
     if (!point.successors) continue;
     for (const ClaimedTarget& target : *point.successors) require_ids(target.contact, points, place);
   }

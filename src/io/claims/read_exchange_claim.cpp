@@ -1,14 +1,10 @@
 // The exchange format: the JSON Lines that `flowcert compute -o` writes, a header and one record for each point
 // (spec/formats/stationary_points.md; spec/schemas/exchange.schema.json).
 //
-// Guarantees: a known key has a right value, or the file is refused. InvalidInput names the place of anything that is
-// not JSON (RFC 8259), nests deeper than a claim can, has a key twice in one object, or has a number out of a
-// double's range. Memory is bounded by a multiple of the text, recursion by the depth.
+// Guarantees: a known key has a right value, or the file is refused. InvalidInput names the place.
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -17,219 +13,13 @@
 
 #include "flowcert/claim.h"
 #include "io/claims/claim_formats.h"
+#include "io/claims/exchange_value.h"
 #include "io/line_reader.h"
 #include "io/number_text.h"
 
 namespace flowcert::io {
 
-// ---- JSON ----
-// One value in memory. Numbers stay text, because a claim's decimals must not become doubles.
-
 namespace {
-
-enum class JsonKind { kNull, kBoolean, kNumber, kString, kArray, kObject };
-
-struct JsonTree {
-  JsonKind kind = JsonKind::kNull;
-  std::string text;               // a number as written, or the value of a string
-  std::vector<JsonTree> items;    // the items of an array, or the keys and values of an object in turn
-  mutable bool is_known = false;  // of a key: somebody has asked for it
-
-  [[nodiscard]] bool is(JsonKind other) const { return kind == other; }
-  // The value of an object's key; null if the object does not have the key.
-  [[nodiscard]] const JsonTree* find(std::string_view key) const {
-    for (std::size_t k = 0; k + 1 < items.size(); k += 2) {
-      if (items[k].text != key) continue;
-      items[k].is_known = true;
-      return &items[k + 1];
-    }
-    return nullptr;
-  }
-
-  // The keys that nobody has asked for, each with those of the objects around it: "skeleton.colour".
-  void add_unknown_keys(const std::string& around, std::set<std::string>& keys) const {
-    if (is(JsonKind::kArray)) {
-      for (const JsonTree& item : items) item.add_unknown_keys(around, keys);
-    }
-    if (!is(JsonKind::kObject)) return;
-    for (std::size_t k = 0; k + 1 < items.size(); k += 2) {
-      const std::string name = around.empty() ? items[k].text : around + "." + items[k].text;
-      if (!items[k].is_known) {
-        keys.insert(name);
-      } else {
-        items[k + 1].add_unknown_keys(name, keys);
-      }
-    }
-  }
-};
-
-// Our own records nest at most six deep: object, skeleton, sectors, sector, corners, position.
-constexpr std::size_t kDeepest = 16;
-
-// nlohmann's parser calls this for each event. The parser's own trees are not used: they keep numbers as doubles,
-// take the last of two equal keys, and allow any depth.
-class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
- public:
-  explicit TreeBuilder(const LinePlace& place) : place_(place) {}
-
-  [[nodiscard]] JsonTree take() { return std::move(root_); }
-
-  bool null() override { return add(JsonKind::kNull, {}); }
-  bool boolean(bool value) override { return add(JsonKind::kBoolean, value ? "true" : "false"); }
-  bool number_integer(std::int64_t value) override { return add(JsonKind::kNumber, std::to_string(value)); }
-  bool number_unsigned(std::uint64_t value) override { return add(JsonKind::kNumber, std::to_string(value)); }
-  bool number_float(double /*value*/, const std::string& text) override { return add(JsonKind::kNumber, text); }
-  bool string(std::string& value) override { return add(JsonKind::kString, std::move(value)); }
-  bool binary(nlohmann::json::binary_t& /*value*/) override { return false; }  // never called for text
-  bool start_array(std::size_t /*size*/) override { return open(JsonKind::kArray); }
-  bool start_object(std::size_t /*size*/) override { return open(JsonKind::kObject); }
-  bool key(std::string& key) override { return add(JsonKind::kString, std::move(key)); }
-  bool end_array() override { return close(); }
-  bool end_object() override {
-    reject_repeated_keys();
-    return close();
-  }
-  bool parse_error(std::size_t position, const std::string& last_token,
-                   const nlohmann::json::exception& error) override {
-    constexpr int kNumberOverflow = 406;
-    if (error.id == kNumberOverflow) place_.reject("out of range of a double: " + in_quotes(last_token));
-    place_.reject("not JSON, in column " + std::to_string(position));
-  }
-
- private:
-  // The pointers in open_ stay valid, because the items of a container grow only while none of them is open.
-  bool add(JsonKind kind, std::string text) {
-    JsonTree value{.kind = kind, .text = std::move(text), .items = {}, .is_known = false};
-    if (open_.empty()) {
-      root_ = std::move(value);
-    } else {
-      open_.back()->items.push_back(std::move(value));
-    }
-    return true;
-  }
-  bool open(JsonKind kind) {
-    if (open_.size() == kDeepest) place_.reject("nested deeper than " + std::to_string(kDeepest) + " levels");
-    add(kind, {});
-    open_.push_back(open_.empty() ? &root_ : &open_.back()->items.back());
-    return true;
-  }
-  bool close() {
-    open_.pop_back();
-    return true;
-  }
-  void reject_repeated_keys() const {
-    std::vector<std::string_view> keys;
-    const std::vector<JsonTree>& items = open_.back()->items;
-    for (std::size_t k = 0; k < items.size(); k += 2) keys.emplace_back(items[k].text);
-    std::sort(keys.begin(), keys.end());
-    const auto repeated = std::adjacent_find(keys.begin(), keys.end());
-    if (repeated != keys.end()) place_.reject("a key twice: " + in_quotes(*repeated));
-  }
-
-  LinePlace place_;
-  JsonTree root_;
-  std::vector<JsonTree*> open_;
-};
-
-JsonTree parse_json(std::string_view text, const LinePlace& place) {
-  TreeBuilder builder(place);
-  nlohmann::json::sax_parse(text, &builder);
-  return builder.take();
-}
-
-// ---- A value ----
-// A value of a line of the exchange format, and what messages call it.
-//
-// Guarantees: a value that is not as asked for is refused, with its name and place. Rationals in strings are exact;
-// numbers of JSON are decimals.
-class ExchangeValue {
- public:
-  ExchangeValue(const JsonTree& tree, std::string_view name, const LinePlace& place)
-      : tree_(&tree), name_(name), place_(place) {}
-
-  [[noreturn]] void reject(const std::string& what) const {
-    place_.reject("the value of " + in_quotes(name_) + " is not " + what);
-  }
-  [[nodiscard]] bool is(JsonKind kind) const { return tree_->is(kind); }
-  [[nodiscard]] bool is_null() const { return is(JsonKind::kNull); }
-  [[nodiscard]] const LinePlace& place() const { return place_; }
-
-  [[nodiscard]] const std::string& text() const {
-    if (!is(JsonKind::kString)) reject("a string");
-    return tree_->text;
-  }
-  [[nodiscard]] bool is_true() const { return tree_->text == "true"; }
-  // The number as it is written.
-  [[nodiscard]] const std::string& number_text() const {
-    if (!is(JsonKind::kNumber)) reject("a number");
-    return tree_->text;
-  }
-
-  // The size of an array. Its parts have the array's name in messages.
-  [[nodiscard]] std::size_t size() const {
-    if (!is(JsonKind::kArray)) reject("an array");
-    return tree_->items.size();
-  }
-  void expect_size(std::size_t size) const {
-    if (this->size() != size) reject("an array of " + std::to_string(size));
-  }
-  [[nodiscard]] ExchangeValue operator[](std::size_t k) const { return {tree_->items[k], name_, place_}; }
-
-  // The value of an object's key, if it has one.
-  [[nodiscard]] std::optional<ExchangeValue> find(std::string_view key) const {
-    if (!is(JsonKind::kObject)) reject("an object");
-    const JsonTree* const found = tree_->find(key);
-    return found == nullptr ? std::nullopt : std::optional<ExchangeValue>(ExchangeValue(*found, key, place_));
-  }
-  [[nodiscard]] ExchangeValue get(std::string_view key) const {
-    const std::optional<ExchangeValue> found = find(key);
-    if (!found) place_.reject("no key " + in_quotes(key));
-    return *found;
-  }
-
- private:
-  const JsonTree* tree_;
-  std::string_view name_;
-  LinePlace place_;
-};
-
-// The list of the results of `each` for the parts of an array.
-template <class Each>
-auto list_of(const ExchangeValue& value, Each each) {
-  std::vector<decltype(each(value))> list;
-  const std::size_t size = value.size();
-  list.reserve(size);
-  for (std::size_t k = 0; k < size; ++k) list.push_back(each(value[k]));
-  return list;
-}
-
-inline bool bool_of(const ExchangeValue& value) {
-  if (!value.is(JsonKind::kBoolean)) value.reject("true or false");
-  return value.is_true();
-}
-
-inline ClaimedNumber number_of(const ExchangeValue& value) {
-  if (value.is(JsonKind::kString)) return claimed_number(value.text(), PlainInteger::kExact, value.place());
-  if (!value.is(JsonKind::kNumber)) value.reject("a rational in a string, or a number");
-  return claimed_number(value.number_text(), PlainInteger::kDecimal, value.place());
-}
-
-inline ClaimedNumber distance_of(const ExchangeValue& value) {
-  ClaimedNumber number = number_of(value);
-  if (number.value < 0) value.reject("0 or more");
-  return number;
-}
-
-inline ClaimedPosition position_of(const ExchangeValue& value) {
-  value.expect_size(3);
-  return {number_of(value[0]), number_of(value[1]), number_of(value[2])};
-}
-
-inline std::size_t count_of(const ExchangeValue& value) { return claimed_count(value.number_text(), value.place()); }
-
-inline std::vector<PointId> ids_of(const ExchangeValue& value) {
-  return list_of(value, [](const ExchangeValue& id) { return claimed_id(id.number_text(), id.place()); });
-}
 
 // ---- Stable sets ----
 // The keys of a record that describe its stable set (spec/formats/stationary_points.md). A value that is not as the
@@ -375,6 +165,11 @@ Claim claim_of_header(const ExchangeValue& header) {
     constexpr std::array kForms = {"exact", "double", "none"};
     if (std::ranges::find(kForms, value->text()) == kForms.end()) value->reject("'exact', 'double' or 'none'");
   }
+  if (const auto value = header.find("volumes")) {
+    if (value->text() != "exact" && value->text() != "double") value->reject("'exact' or 'double'");
+  }
+  if (const auto value = header.find("morse_smale")) claim.morse_smale = bool_of(*value);
+  if (const auto value = header.find("hull_volume")) claim.hull_volume = distance_of(*value);
   return claim;
 }
 
@@ -404,18 +199,22 @@ std::array<std::optional<ClaimedNumber>, 3> doubles_of(const ExchangeValue& valu
   return {number_or_null(value[0]), number_or_null(value[1]), number_or_null(value[2])};
 }
 
+// A position, or else the three doubles of another key, which may be null.
+std::optional<ClaimedPosition> position_or_doubles(const std::optional<ExchangeValue>& exact,
+                                                   const std::optional<ExchangeValue>& near) {
+  if (exact) return position_of(*exact);
+  if (!near || near->is_null()) return std::nullopt;
+  near->expect_size(3);
+  const bool has_null = (*near)[0].is_null() || (*near)[1].is_null() || (*near)[2].is_null();
+  return has_null ? std::nullopt : std::optional(position_of(*near));
+}
+
 // Takes center, or else center_double, and squared_distance in the same way. A double is null if none is near. Beside
 // the exact value it is kept apart.
 void read_sphere(const ExchangeValue& record, ClaimedPoint& point) {
-  if (const auto center = record.find("center")) {
-    point.center = position_of(*center);
-    if (const auto near = record.find("center_double"); near && !near->is_null()) {
-      point.rounded_center = doubles_of(*near);
-    }
-  } else if (const auto near = record.find("center_double"); near && !near->is_null()) {
-    near->expect_size(3);
-    if (!(*near)[0].is_null() && !(*near)[1].is_null() && !(*near)[2].is_null()) point.center = position_of(*near);
-  }
+  const auto center = record.find("center"), near_center = record.find("center_double");
+  point.center = position_or_doubles(center, near_center);
+  if (center && near_center && !near_center->is_null()) point.rounded_center = doubles_of(*near_center);
   if (const auto distance = record.find("squared_distance")) {
     point.squared_distance = distance_of(*distance);
     if (const auto near = record.find("squared_distance_double")) {
@@ -467,6 +266,63 @@ void read_flow(const ExchangeValue& record, ClaimedPoint& point) {
   }
 }
 
+// Reads keys that only critical points of index 1 and 2 and regular stationary points may have.
+ClaimedDirection direction_of(const ExchangeValue& value) {
+  ClaimedDirection direction;
+  direction.limit = limit_of(value.get("limit"));
+  const auto exit = value.find("exit"), near_exit = value.find("exit_double");
+  const auto vector = value.find("vector"), near_vector = value.find("vector_double");
+  direction.is_vector = vector || near_vector;
+  if (direction.is_vector && (exit || near_exit)) value.reject("a direction: it has an exit and a vector");
+  const auto& exact = direction.is_vector ? vector : exit;
+  const auto& near = direction.is_vector ? near_vector : near_exit;
+  direction.exit = position_or_doubles(exact, near);
+  if (exact && near && !near->is_null()) direction.rounded_exit = doubles_of(*near);
+  const auto is_zero = [](const ClaimedNumber& coordinate) { return coordinate.value == 0; };
+  if (direction.is_vector && direction.exit && std::ranges::all_of(*direction.exit, is_zero)) {
+    value.reject("a direction: the vector is zero");
+  }
+  return direction;
+}
+
+ClaimedLambdaList lambda_of(const ExchangeValue& value) {
+  return {list_of(value.get("directions"), direction_of), list_of(value.get("arcs"), limit_of)};
+}
+
+ClaimedConnection connection_of(const ExchangeValue& value) {
+  ClaimedConnection connection{limit_of(value.get("to")), std::nullopt, std::nullopt};
+  if (const auto count = value.find("orbits")) connection.orbits = count_of(*count);
+  if (const auto count = value.find("families")) connection.families = count_of(*count);
+  return connection;
+}
+
+void read_directions(const ExchangeValue& record, ClaimedPoint& point) {
+  for (const char* key : {"lambda", "connections"}) {
+    const auto value = record.find(key);
+    if (!value) continue;
+    if (!point.hull_dimension && point.index != 1 && point.index != 2) {
+      record.place().reject("a key of critical points of index 1 and 2 and of regular stationary points only: " +
+                            in_quotes(key));
+    }
+    if (key == std::string_view("lambda")) point.lambda = lambda_of(*value);
+    if (key == std::string_view("connections")) point.connections = list_of(*value, connection_of);
+  }
+}
+
+ClaimedShare share_of(const ExchangeValue& value) {
+  value.expect_size(2);
+  return {claimed_id(value[0].number_text(), value.place()), distance_of(value[1])};
+}
+
+// In the same way as squared_distance.
+void read_volume(const ExchangeValue& record, ClaimedPoint& point) {
+  const auto exact = record.find("volume"), near = record.find("volume_double");
+  if (exact) point.volume = distance_of(*exact);
+  if (near && !near->is_null()) (exact ? point.rounded_volume : point.volume) = distance_of(*near);
+  point.has_rounded_volume = exact && near;
+  if (const auto shares = record.find("shares")) point.shares = list_of(*shares, share_of);
+}
+
 // Reads keys that only critical points of index 2 and regular stationary points may have.
 void read_stable(const ExchangeValue& record, ClaimedPoint& point) {
   for (const char* key : {"stable", "skeleton", "surface"}) {
@@ -497,6 +353,8 @@ ClaimedPoint point_of(const ExchangeValue& record) {
   if (point.contact.empty() && !point.center) record.place().reject("neither 'contact' nor 'center'");
   read_flow(record, point);
   read_stable(record, point);
+  read_directions(record, point);
+  read_volume(record, point);
   return point;
 }
 

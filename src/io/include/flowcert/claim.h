@@ -74,6 +74,29 @@ struct ClaimedStable {
   std::optional<std::vector<PointId>> walk;                   // closed; the first sample is not repeated
 };
 
+// Where the directions of a stationary point are claimed to lead (FC-UNST-02).
+struct ClaimedDirection {
+  ClaimedTarget limit;
+  // Where the ray leaves the closed Voronoi face, or a vector along it if it never does; none: not claimed.
+  std::optional<ClaimedPosition> exit;
+  bool is_vector = false;
+  // The doubles beside `exit`. One that has no value says that no double is near.
+  std::optional<std::array<std::optional<ClaimedNumber>, 3>> rounded_exit;
+};
+struct ClaimedLambdaList {
+  std::vector<ClaimedDirection> directions;
+  std::vector<ClaimedTarget> arcs;
+};
+struct ClaimedConnection {
+  ClaimedTarget to;
+  std::optional<std::size_t> orbits, families;
+};
+// The part of a stable set's volume in the Voronoi cell of a sample (FC-VOL-02).
+struct ClaimedShare {
+  PointId sample = 0;
+  ClaimedNumber volume;
+};
+
 // One critical (or regular stationary) point of a claim.
 struct ClaimedPoint {
   std::size_t line = 0;  // of the file, 1-based; in a VTP file, the point's ordinal, 1-based
@@ -99,6 +122,15 @@ struct ClaimedPoint {
   std::optional<ClaimedStable> stable;
   std::optional<ClaimedSkeleton> skeleton;
   std::optional<ClaimedSurface> surface;
+  // For an index-1 or index-2 point or a regular one.
+  std::optional<ClaimedLambdaList> lambda;
+  std::optional<std::vector<ClaimedConnection>> connections;
+  // Of the stable set; not negative.
+  std::optional<ClaimedNumber> volume;
+  // The double beside `volume`. Without a value it says that no double is near.
+  std::optional<ClaimedNumber> rounded_volume;
+  bool has_rounded_volume = false;
+  std::optional<std::vector<ClaimedShare>> shares;
 };
 
 // Whether the critical points of each index are claimed.
@@ -117,6 +149,8 @@ struct Claim {
   std::optional<std::vector<std::vector<PointId>>> classes;  // of repeated rows
   std::optional<std::array<std::size_t, 4>> critical_counts;
   std::optional<std::array<std::size_t, 3>> regular_counts;  // of kinds 1-2, 1-3, 2-3
+  std::optional<bool> morse_smale;
+  std::optional<ClaimedNumber> hull_volume;  // not negative
   // Keys that the format does not know, "skeleton.colour", ascending.
   std::vector<std::string> unknown_keys;
 };

@@ -1,0 +1,89 @@
+// Memory is bounded by a multiple of the text, recursion by the depth.
+#include "io/claims/exchange_value.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace flowcert::io {
+
+namespace {
+
+// Our own records nest at most six deep: object, skeleton, sectors, sector, corners, position.
+constexpr std::size_t kDeepest = 16;
+
+// nlohmann's parser calls this for each event. The parser's own trees are not used: they keep numbers as doubles,
+// take the last of two equal keys, and allow any depth.
+class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  explicit TreeBuilder(const LinePlace& place) : place_(place) {}
+
+  [[nodiscard]] JsonTree take() { return std::move(root_); }
+
+  bool null() override { return add(JsonKind::kNull, {}); }
+  bool boolean(bool value) override { return add(JsonKind::kBoolean, value ? "true" : "false"); }
+  bool number_integer(std::int64_t value) override { return add(JsonKind::kNumber, std::to_string(value)); }
+  bool number_unsigned(std::uint64_t value) override { return add(JsonKind::kNumber, std::to_string(value)); }
+  bool number_float(double /*value*/, const std::string& text) override { return add(JsonKind::kNumber, text); }
+  bool string(std::string& value) override { return add(JsonKind::kString, std::move(value)); }
+  bool binary(nlohmann::json::binary_t& /*value*/) override { return false; }  // never called for text
+  bool start_array(std::size_t /*size*/) override { return open(JsonKind::kArray); }
+  bool start_object(std::size_t /*size*/) override { return open(JsonKind::kObject); }
+  bool key(std::string& key) override { return add(JsonKind::kString, std::move(key)); }
+  bool end_array() override { return close(); }
+  bool end_object() override {
+    reject_repeated_keys();
+    return close();
+  }
+  bool parse_error(std::size_t position, const std::string& last_token,
+                   const nlohmann::json::exception& error) override {
+    constexpr int kNumberOverflow = 406;
+    if (error.id == kNumberOverflow) place_.reject("out of range of a double: " + in_quotes(last_token));
+    place_.reject("not JSON, in column " + std::to_string(position));
+  }
+
+ private:
+  // The pointers in open_ stay valid, because the items of a container grow only while none of them is open.
+  bool add(JsonKind kind, std::string text) {
+    JsonTree value{.kind = kind, .text = std::move(text), .items = {}, .is_known = false};
+    if (open_.empty()) {
+      root_ = std::move(value);
+    } else {
+      open_.back()->items.push_back(std::move(value));
+    }
+    return true;
+  }
+  bool open(JsonKind kind) {
+    if (open_.size() == kDeepest) place_.reject("nested deeper than " + std::to_string(kDeepest) + " levels");
+    add(kind, {});
+    open_.push_back(open_.empty() ? &root_ : &open_.back()->items.back());
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+  void reject_repeated_keys() const {
+    std::vector<std::string_view> keys;
+    const std::vector<JsonTree>& items = open_.back()->items;
+    for (std::size_t k = 0; k < items.size(); k += 2) keys.emplace_back(items[k].text);
+    std::sort(keys.begin(), keys.end());
+    const auto repeated = std::adjacent_find(keys.begin(), keys.end());
+    if (repeated != keys.end()) place_.reject("a key twice: " + in_quotes(*repeated));
+  }
+
+  LinePlace place_;
+  JsonTree root_;
+  std::vector<JsonTree*> open_;
+};
+
+}  // namespace
+
+JsonTree parse_json(std::string_view text, const LinePlace& place) {
+  TreeBuilder builder(place);
+  nlohmann::json::sax_parse(text, &builder);
+  return builder.take();
+}
+
+}  // namespace flowcert::io
