@@ -4,15 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <utility>
 
+#include "fuzz/judge/hull_volume.h"
 #include "geometry/contract.h"
 #include "oracle/fast/point_set.h"
 #include "oracle/orbit.h"
 #include "oracle/persistence.h"
 #include "oracle/stable_pieces.h"
+#include "oracle/unstable_set.h"
 
 namespace flowcert::judge {
 
@@ -121,7 +124,95 @@ class OracleTruth final : public Truth {
   }
   [[nodiscard]] StableSet stable_set(std::size_t i) override { return stable_set_of(set_, stable(i)); }
 
+  [[nodiscard]] LambdaList lambda_list(std::size_t i) override {
+    LambdaList list;
+    for (const oracle::UnstableEntry& entry : lambda(i)) {
+      const auto limit = record_of(entry.limit);
+      if (entry.is_arc) {
+        list.arcs.push_back(limit);
+        continue;
+      }
+      const auto exit = exit_of(answer_.stationary[i], *entry.from);
+      list.directions.push_back({limit, exit.value_or(*entry.from), !exit});
+    }
+    return list;
+  }
+  [[nodiscard]] std::vector<FlowLimits::Entry> lambda_entries(std::size_t i) override {
+    std::vector<FlowLimits::Entry> entries;
+    for (const oracle::UnstableEntry& entry : lambda(i)) {
+      const auto limit = record_of(entry.limit);
+      entries.push_back({limit ? static_cast<std::uint32_t>(*limit) : FlowLimits::Entry::kInfinity, entry.is_arc});
+    }
+    return entries;
+  }
+  [[nodiscard]] std::vector<Connection> connections(std::size_t i) override {
+    std::map<std::uint32_t, Connection> by_limit;
+    for (const FlowLimits::Entry& entry : lambda_entries(i)) {
+      Connection& one =
+          by_limit.try_emplace(entry.limit, Connection{static_cast<std::uint32_t>(i), entry.limit}).first->second;
+      ++(entry.is_arc ? one.families : one.orbits);
+    }
+    std::vector<Connection> all;
+    for (const auto& [limit, one] : by_limit) all.push_back(one);
+    return all;
+  }
+  // By the second sentence of FC-CONN-03.
+  [[nodiscard]] bool is_morse_smale() override {
+    for (std::size_t i = 0; i < size(); ++i) {
+      const StationaryIndex from = index(i);
+      if (!from.is_critical()) return false;
+      if (from.face_dimension != 1 && from.face_dimension != 2) continue;
+      for (const FlowLimits::Entry& entry : lambda_entries(i)) {
+        const bool is_at_top =
+            entry.limit == FlowLimits::Entry::kInfinity || index(entry.limit) == StationaryIndex{3, 3};
+        const bool is_right = entry.is_arc || from.face_dimension == 2
+                                  ? is_at_top
+                                  : !is_at_top && index(entry.limit) == StationaryIndex{2, 2};
+        if (!is_right) return false;
+      }
+    }
+    return true;
+  }
+
+  [[nodiscard]] Rational volume(std::size_t i) override {
+    return has_volume(i) ? oracle::volume(set_, stable(i)) : Rational(0);
+  }
+  [[nodiscard]] double nearest_volume(std::size_t i) override {
+    return nearest_double(volume(i)).value_or(std::numeric_limits<double>::infinity());
+  }
+  [[nodiscard]] std::vector<std::pair<PointId, Rational>> shares(std::size_t i) override {
+    std::vector<std::pair<PointId, Rational>> shares;
+    if (!has_volume(i)) return shares;
+    const std::vector<Rational> all = oracle::shares(set_, stable(i));
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (all[k] != 0) shares.emplace_back(static_cast<PointId>(set_.names[k]), all[k]);
+    }
+    return shares;
+  }
+  [[nodiscard]] Rational hull_volume() override { return oracle_hull_volume(set_.points); }
+
  private:
+  [[nodiscard]] bool has_volume(std::size_t i) const { return index(i).hull_dimension >= 2; }
+
+  [[nodiscard]] std::optional<std::size_t> record_of(const std::optional<oracle::StationaryPoint>& limit) const {
+    return limit ? std::optional(record_at_.at(limit->center)) : std::nullopt;
+  }
+
+  const std::vector<oracle::UnstableEntry>& lambda(std::size_t i) {
+    const auto known = lambda_.find(i);
+    if (known != lambda_.end()) return known->second;
+    return lambda_.emplace(i, oracle::lambda_list(set_, answer_.stationary[i])).first->second;
+  }
+
+  // Where the ray along u leaves the closed Voronoi face of y's directions.
+  [[nodiscard]] std::optional<oracle::Point> exit_of(const oracle::StationaryPoint& y, const oracle::Point& u) const {
+    const oracle::Places contact = oracle::places_of(set_, y.contact);
+    const auto along = [&](std::size_t k) { return oracle::dot(set_.points[k], u); };
+    const std::size_t p = *std::ranges::max_element(contact, {}, along);
+    const std::optional<Rational> time = set_.first_meeting(p, y.center, u);
+    return time ? std::optional(oracle::moved(y.center, *time, u)) : std::nullopt;
+  }
+
   const oracle::StableSet& stable(std::size_t i) {
     const auto known = stable_.find(i);
     if (known != stable_.end()) return known->second;
@@ -177,6 +268,7 @@ class OracleTruth final : public Truth {
   std::map<oracle::Point, std::size_t> record_at_;
   std::map<oracle::Point, oracle::FlowSegment> step_from_;
   std::map<std::size_t, oracle::StableSet> stable_;
+  std::map<std::size_t, std::vector<oracle::UnstableEntry>> lambda_;
 };
 
 }  // namespace
@@ -237,6 +329,16 @@ class VectorTruth final : public Truth {
     return {case_.stable[i]->segments, case_.stable[i]->has_vertex, case_.stable[i]->has_interval};
   }
   [[nodiscard]] StableSet stable_set(std::size_t i) override { return oracle_->stable_set(i); }
+  [[nodiscard]] LambdaList lambda_list(std::size_t i) override { return oracle_->lambda_list(i); }
+  [[nodiscard]] std::vector<FlowLimits::Entry> lambda_entries(std::size_t i) override {
+    return oracle_->lambda_entries(i);
+  }
+  [[nodiscard]] std::vector<Connection> connections(std::size_t i) override { return oracle_->connections(i); }
+  [[nodiscard]] bool is_morse_smale() override { return oracle_->is_morse_smale(); }
+  [[nodiscard]] Rational volume(std::size_t i) override { return oracle_->volume(i); }
+  [[nodiscard]] double nearest_volume(std::size_t i) override { return oracle_->nearest_volume(i); }
+  [[nodiscard]] std::vector<std::pair<PointId, Rational>> shares(std::size_t i) override { return oracle_->shares(i); }
+  [[nodiscard]] Rational hull_volume() override { return oracle_->hull_volume(); }
 
  private:
   const VectorCase& case_;

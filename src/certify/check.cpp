@@ -2,6 +2,7 @@
 #include "flowcert/check.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <tuple>
 
@@ -93,6 +94,11 @@ void CheckRun::vary(int level, FindingReason reason, const std::string& clause, 
   report.findings.back().is_variation = true;
 }
 
+void CheckRun::find_whole(int level, FindingReason reason, const std::string& clause, const std::string& claimed,
+                          const std::string& truth_text) {
+  report.findings.push_back({level, reason, false, clause, std::nullopt, {}, claimed, truth_text});
+}
+
 std::size_t CheckRun::true_side(std::size_t k, std::size_t claimed_side) const {
   const Placement& place = placed[k].place.value();
   const bool is_turned = place.fit == Fit::kPart && !turn_alike(points, placed[k].names, truth.contact(place.record));
@@ -135,8 +141,9 @@ CheckReport check(const PointSet& points, const Claim& claim, Truth& truth, cons
   }
   if (options.highest_level >= 4 && check_incidences(run)) run.report.conforms[3] = true;
   if (options.highest_level >= 5) {
-    const bool has_polylines = check_polylines(run), has_surfaces = check_surfaces(run);
-    if (has_polylines || has_surfaces) run.report.conforms[4] = true;
+    const std::array has_judged = {check_polylines(run), check_surfaces(run), check_lambda_lists(run),
+                                   check_volumes(run)};
+    if (std::ranges::count(has_judged, true) > 0) run.report.conforms[4] = true;
   }
   conclude(run.report, options.highest_level);
   return std::move(run.report);
@@ -197,6 +204,12 @@ const char* reason_text(FindingReason reason) {
       return "wrong-polyline";
     case FindingReason::kWrongSurface:
       return "wrong-surface";
+    case FindingReason::kWrongLambdaList:
+      return "wrong-lambda-list";
+    case FindingReason::kWrongConnections:
+      return "wrong-connections";
+    case FindingReason::kWrongVolume:
+      return "wrong-volume";
     case FindingReason::kSpanningPart:
       return "spanning-part";
     case FindingReason::kTieBreak:

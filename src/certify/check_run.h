@@ -116,6 +116,9 @@ struct CheckRun {
   // The side, 0 or 1, of the index-2 point at which claimed point k is, for a side as claimed. They differ where a part
   // of the contact set is named that turns the other way (FC-CLAIM-02).
   [[nodiscard]] std::size_t true_side(std::size_t k, std::size_t claimed_side) const;
+  // Reports something wrong with the claim as a whole.
+  void find_whole(int level, FindingReason reason, const std::string& clause, const std::string& claimed,
+                  const std::string& truth_text);
   // Tells the progress of the check, if somebody asked for it.
   void tell(int level, std::size_t done, std::size_t total) const;
   // Reports once that this is not judged, or not decided.
@@ -146,9 +149,12 @@ void check_values(CheckRun& run, std::size_t claimed_point);
 // Level 3: a critical point that nobody claims, and the Euler sum.
 void check_missing(CheckRun& run, std::size_t record);
 void check_euler_sum(CheckRun& run);
-// Levels 4 and 5. True if there was something to judge.
+// Levels 4 and 5. True if there was something to judge. The functions of level 5 are called in this order.
+inline constexpr std::size_t kPartsOfLevel5 = 4;
 bool check_incidences(CheckRun& run);
 bool check_polylines(CheckRun& run);
 bool check_surfaces(CheckRun& run);
+bool check_lambda_lists(CheckRun& run);
+bool check_volumes(CheckRun& run);
 
 }  // namespace flowcert::certify

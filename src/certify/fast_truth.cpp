@@ -1,4 +1,5 @@
 // The truth by the fast implementation (flowcert/check.h).
+#include <algorithm>
 #include <optional>
 
 #include "certify/layer.h"
@@ -54,6 +55,26 @@ class FastTruth final : public Truth {
   }
   [[nodiscard]] StableSet stable_set(std::size_t i) override { return complex_.stable().set(number_of(i)); }
 
+  [[nodiscard]] LambdaList lambda_list(std::size_t i) override { return complex_.limits().list(number_of_list(i)); }
+  [[nodiscard]] std::vector<FlowLimits::Entry> lambda_entries(std::size_t i) override {
+    return complex_.limits().entries(number_of_list(i));
+  }
+  [[nodiscard]] std::vector<Connection> connections(std::size_t i) override {
+    if (!connections_) connections_ = flowcert::connections(complex_.limits());
+    const auto [first, last] = std::ranges::equal_range(*connections_, i, {}, &Connection::from);
+    return {first, last};
+  }
+  [[nodiscard]] bool is_morse_smale() override {
+    return flowcert::is_morse_smale(complex_.stationary(), complex_.limits(), complex_.stable());
+  }
+
+  [[nodiscard]] Rational volume(std::size_t i) override { return complex_.volumes().exact(i); }
+  [[nodiscard]] double nearest_volume(std::size_t i) override { return complex_.volumes().nearest(i); }
+  [[nodiscard]] std::vector<std::pair<PointId, Rational>> shares(std::size_t i) override {
+    return complex_.volumes().shares(i);
+  }
+  [[nodiscard]] Rational hull_volume() override { return complex_.volumes().hull(); }
+
  private:
   static std::vector<TrueSegment> true_segments(Orbit orbit) {
     std::vector<TrueSegment> line;
@@ -69,9 +90,20 @@ class FastTruth final : public Truth {
     return i < last ? i - first : last - first + i - finder_.range({3, 3}).second;
   }
 
+  // The number in FlowLimits, which has its records in ascending order.
+  [[nodiscard]] std::size_t number_of_list(std::size_t i) {
+    if (list_records_.empty()) {
+      for (std::size_t k = 0; k < complex_.limits().size(); ++k) list_records_.push_back(complex_.limits().record(k));
+    }
+    return static_cast<std::size_t>(std::ranges::lower_bound(list_records_, i) - list_records_.begin());
+  }
+
   std::optional<FlowComplex> own_;
   const FlowComplex& complex_;
   RecordFinder finder_;
+  // Both are made when they are first asked for.
+  std::vector<std::size_t> list_records_;
+  std::optional<std::vector<Connection>> connections_;
 };
 
 }  // namespace

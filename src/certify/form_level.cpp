@@ -13,11 +13,6 @@ namespace {
 
 constexpr char kClaimClause[] = "FC-CLAIM-01";
 
-void find_whole(CheckRun& run, FindingReason reason, const std::string& clause, const std::string& claimed,
-                const std::string& truth) {
-  run.report.findings.push_back({1, reason, false, clause, std::nullopt, {}, claimed, truth});
-}
-
 template <std::size_t N>
 std::string counts_text(const std::array<std::size_t, N>& counts) {
   std::string text;
@@ -29,19 +24,19 @@ void check_input_of_claim(CheckRun& run) {
   const PointSet& points = run.points;
   const auto number = [&](const std::optional<std::size_t>& claimed, std::size_t truth, const char* what) {
     if (!claimed || *claimed == truth) return;
-    find_whole(run, FindingReason::kWrongCounts, "FC-IN-03", std::to_string(*claimed) + " " + what,
-               std::to_string(truth));
+    run.find_whole(1, FindingReason::kWrongCounts, "FC-IN-03", std::to_string(*claimed) + " " + what,
+                   std::to_string(truth));
   };
   number(run.claim.point_count, points.row_count(), "points");
   number(run.claim.merged_duplicates, points.merged_duplicates(), "merged duplicates");
   if (run.claim.classes && *run.claim.classes != points.repeated_classes()) {
-    find_whole(run, FindingReason::kMalformed, "FC-IN-03", "other classes of repeated points",
-               std::to_string(points.repeated_classes().size()) + " classes of more than one row");
+    run.find_whole(1, FindingReason::kMalformed, "FC-IN-03", "other classes of repeated points",
+                   std::to_string(points.repeated_classes().size()) + " classes of more than one row");
   }
   const auto& digest = run.claim.input_sha256;
   if (digest && *digest != coordinates_sha256(run.points)) {
-    find_whole(run, FindingReason::kMalformed, kClaimClause, "a claim about the input with SHA-256 " + *digest,
-               "the input's is " + coordinates_sha256(run.points));
+    run.find_whole(1, FindingReason::kMalformed, kClaimClause, "a claim about the input with SHA-256 " + *digest,
+                   "the input's is " + coordinates_sha256(run.points));
   }
 }
 
@@ -62,8 +57,8 @@ void check_counts_of_claim(CheckRun& run) {
       if (!run.report.indices.at(k)) claimed->at(k) = listed.at(k);
     }
     if (!claimed || *claimed == listed) return;
-    find_whole(run, FindingReason::kWrongCounts, kClaimClause, counts_text(*claimed) + " " + what,
-               "the claim itself lists " + counts_text(listed));
+    run.find_whole(1, FindingReason::kWrongCounts, kClaimClause, counts_text(*claimed) + " " + what,
+                   "the claim itself lists " + counts_text(listed));
   };
   compare(run.claim.critical_counts, run.report.claimed_counts, "critical points");
   compare(run.claim.regular_counts, regular, "regular stationary points of kinds 1-2, 1-3, 2-3");
@@ -108,6 +103,28 @@ std::string complaint_about_successors(const PointSet& points, const ClaimedPoin
   return "";
 }
 
+std::string complaint_about_directions(const PointSet& points, const ClaimedPoint& point) {
+  std::vector<ClaimedTarget> limits;
+  if (point.lambda) {
+    limits = point.lambda->arcs;
+    for (const ClaimedDirection& direction : point.lambda->directions) limits.push_back(direction.limit);
+  }
+  if (point.connections) {
+    for (const ClaimedConnection& connection : *point.connections) limits.push_back(connection.to);
+  }
+  for (const ClaimedTarget& limit : limits) {
+    if (!limit.is_infinity && limit.contact.empty()) return "a limit without a contact set";
+    const std::string complaint = complaint_about_ids(points, limit.contact);
+    if (!complaint.empty()) return "of a limit: " + complaint;
+  }
+  std::vector<PointId> samples;
+  if (point.shares) {
+    for (const ClaimedShare& share : *point.shares) samples.push_back(share.sample);
+  }
+  const std::string complaint = complaint_about_ids(points, samples);
+  return complaint.empty() ? "" : "of the shares: " + complaint;
+}
+
 // What is wrong with the ids of a stable set. The ids of a walk may repeat.
 std::string complaint_about_stable(const PointSet& points, const ClaimedPoint& point) {
   std::vector<std::vector<PointId>> lists;
@@ -145,6 +162,7 @@ std::string complaint_about(const PointSet& points, const ClaimedPoint& point) {
   if (complaint.empty()) complaint = complaint_about_ids(points, point.contact);
   if (complaint.empty()) complaint = complaint_about_successors(points, point);
   if (complaint.empty()) complaint = complaint_about_stable(points, point);
+  if (complaint.empty()) complaint = complaint_about_directions(points, point);
   return complaint;
 }
 

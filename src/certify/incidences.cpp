@@ -45,17 +45,21 @@ class Incidences {
   void conclude_boundaries() { boundaries_.conclude(); }
 
   // For an index-1 critical point: the index-2 points from which a connecting orbit comes down to it. If a tie leaves
-  // open where the connecting orbits of an index-2 point end, that point may be named or not. Returns false if there is
-  // no such saddle, and infinity alone is claimed: that is not judged.
-  bool check_saddles_above(std::size_t k) {
+  // open where the connecting orbits of an index-2 point end, that point may be named or not. If there is no such
+  // saddle, infinity may be named where its λ-list leads there.
+  void check_saddles_above(std::size_t k) {
     const std::size_t record = run_.placed[k].place->record;
     std::set<std::size_t> missing = saddles_above(record), seen;
     const bool is_without_saddle = missing.empty();
     std::string wrong;
+    bool infinity_is_named = false;
     std::optional<FindingReason> varies;  // the last of its reasons in the order of the list
     const auto vary = [&varies](FindingReason reason) { varies = varies ? std::max(*varies, reason) : reason; };
     for (const ClaimedTarget& target : *run_.claim.points[k].successors) {
-      if (target.is_infinity && is_without_saddle) continue;
+      if (target.is_infinity && is_without_saddle) {
+        infinity_is_named = true;
+        continue;
+      }
       const NamedTarget there = named(target);
       if (there.limit && !seen.insert(*there.limit).second) continue;
       if (there.limit && there.fit != Fit::kOther && missing.erase(*there.limit) > 0) {
@@ -77,11 +81,7 @@ class Incidences {
     } else if (varies) {
       vary_saddles(k, *varies);
     }
-    const auto& targets = *run_.claim.points[k].successors;
-    if (!is_without_saddle || !std::ranges::all_of(targets, &ClaimedTarget::is_infinity)) return true;
-    // What leaves such a point may end at infinity, at regular stationary points, at maxima, or at several of these.
-    if (!targets.empty()) run_.leave_unjudged("what lies above index-1 points without index-2 points above them");
-    return targets.empty();
+    if (infinity_is_named) check_infinity_above(k, record);
   }
 
   // For an index-2 critical point: where its two orbits end.
@@ -172,6 +172,22 @@ class Incidences {
     if (!place) return {false, std::nullopt, Fit::kOther};
     const bool is_made = place->fit != Fit::kWhole && run_.is_made(place->record, names, std::nullopt);
     return {true, place->record, is_made ? Fit::kMade : place->fit};
+  }
+
+  // For an index-1 critical point without a saddle above it: whether a direction or an arc of its λ-list leads to
+  // infinity, or a perturbation can let one go on to there.
+  void check_infinity_above(std::size_t k, std::size_t record) {
+    std::set<Limit> limits;
+    for (const FlowLimits::Entry& entry : run_.truth.lambda_entries(record)) {
+      limits.insert(entry.limit == FlowLimits::Entry::kInfinity ? Limit() : Limit(entry.limit));
+    }
+    if (limits.contains(std::nullopt)) return;
+    if (std::ranges::any_of(limits, [this](const Limit& limit) { return may_end(std::nullopt, limit); })) {
+      run_.vary(4, kPerturbation, "FC-CLAIM-07", k, "nothing that leaves it ends at infinity");
+    } else {
+      run_.find(4, FindingReason::kWrongIncidence, "FC-CLAIM-06", k, "nothing that leaves it ends at infinity");
+    }
+    run_.report.findings.back().claimed += ", up to infinity";
   }
 
   // Found for all edges at the first call, because only the saddles' stable sets tell them.
@@ -348,7 +364,7 @@ bool check_point(CheckRun& run, Incidences& incidences, std::size_t k) {
   }
   if (has_boundary) incidences.check_boundary(k);
   if (!has_successors) return has_samples || has_boundary;
-  if (point.index == 1) return incidences.check_saddles_above(k) || has_samples || has_boundary;
+  if (point.index == 1) incidences.check_saddles_above(k);
   if (point.index == 0) incidences.check_edges(k);
   if (point.index == 2) incidences.check_limits(k);
   if (point.index == 3) incidences.check_nothing_above(k);

@@ -253,7 +253,7 @@ bool check_polylines(CheckRun& run) {
   Polylines polylines(run);
   bool judged = false;
   for (std::size_t k = 0; k < run.placed.size(); ++k) {
-    run.tell(5, k, 2 * run.placed.size());
+    run.tell(5, k, kPartsOfLevel5 * run.placed.size());
     const ClaimedPoint& point = run.claim.points[k];
     if (!point.u2 || !run.placed[k].is_right) continue;
     if (run.perturbed.contains(run.placed[k].place->record)) {

@@ -404,7 +404,7 @@ bool check_surfaces(CheckRun& run) {
   Surfaces surfaces(run, boundaries);
   bool judged = false;
   for (std::size_t k = 0; k < run.placed.size(); ++k) {
-    run.tell(5, run.placed.size() + k, 2 * run.placed.size());
+    run.tell(5, run.placed.size() + k, kPartsOfLevel5 * run.placed.size());
     const ClaimedPoint& point = run.claim.points[k];
     if (!is_told(point) || !run.placed[k].is_right) continue;
     if (run.perturbed.contains(run.placed[k].place->record)) {

@@ -12,9 +12,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "flowcert/claim.h"
+#include "flowcert/connections.h"
+#include "flowcert/flow_limits.h"
 #include "flowcert/point_set.h"
 #include "flowcert/rational.h"
 #include "flowcert/stable_manifolds.h"
@@ -53,7 +56,10 @@ enum class FindingReason {
   kWrongCounts,  // header counts, Euler sum
   kWrongIncidence,
   kWrongPolyline,
-  kWrongSurface,  // a skeleton, a boundary walk, or triangles
+  kWrongSurface,      // a skeleton, a boundary walk, or triangles
+  kWrongLambdaList,   // limits of directions, or where their rays leave the Voronoi face
+  kWrongConnections,  // numbers of orbits and families, or whether the input is Morse-Smale
+  kWrongVolume,       // of a stable set, a share of it, or of the convex hull
   // Permitted variations; kAmbiguous is one too.
   kSpanningPart,          // an affinely independent spanning part of the contact set
   kTieBreak,              // a boundary that another way to break ties gives (FC-CLAIM-09)
@@ -101,7 +107,7 @@ struct CheckReport {
   // [0] to [4] are for levels 1 to 5. A value is false iff a finding of its level is no variation. There is no value
   // if nothing is claimed at that level, or the level is not checked.
   std::array<std::optional<bool>, kLevels> conforms;
-  // All claimed positions and radii are exact and were judged exactly, and none was needed to find out which point is
+  // All claimed positions, radii and volumes are exact and were judged exactly, and none was needed to find out which point is
   // claimed. Otherwise the claim is graded approximate.
   bool is_exact = true;
   // Sorted by level, then line (findings without a line last), then contact.
@@ -157,6 +163,21 @@ class Truth {
   // Both are for an index-2 critical point or a regular stationary point.
   [[nodiscard]] virtual StableSummary stable_summary(std::size_t i) = 0;
   [[nodiscard]] virtual StableSet stable_set(std::size_t i) = 0;
+
+  // All three are for a stationary point whose face has dimension 1 or 2. Arcs and directions of the second one are in
+  // the order of some λ-list. The third one is sorted by `to`; infinity comes last.
+  [[nodiscard]] virtual LambdaList lambda_list(std::size_t i) = 0;
+  [[nodiscard]] virtual std::vector<FlowLimits::Entry> lambda_entries(std::size_t i) = 0;
+  [[nodiscard]] virtual std::vector<Connection> connections(std::size_t i) = 0;
+  [[nodiscard]] virtual bool is_morse_smale() = 0;
+
+  // Of the stable set of any stationary point (FC-VOL-01, 02): the volume, exactly; the nearest double, or an infinity
+  // where it would overflow; the shares that are not 0, by names of samples, ascending.
+  [[nodiscard]] virtual Rational volume(std::size_t i) = 0;
+  [[nodiscard]] virtual double nearest_volume(std::size_t i) = 0;
+  [[nodiscard]] virtual std::vector<std::pair<PointId, Rational>> shares(std::size_t i) = 0;
+  // Of the convex hull of all points.
+  [[nodiscard]] virtual Rational hull_volume() = 0;
 };
 
 // The truth by the fast implementation, of points or of a complex that must outlive it. This takes as long as computing

@@ -1,0 +1,307 @@
+// Level 5 for what leaves stationary points: λ-lists (FC-CLAIM-13), connections, and whether the input is Morse-Smale
+// (FC-CLAIM-14). No perturbation excuses a difference.
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "certify/check_run.h"
+#include "certify/claimed_geometry.h"
+#include "certify/finding_words.h"
+#include "geometry/rational_point.h"
+
+namespace flowcert::certify {
+
+namespace {
+
+// A limit of directions: a place in the list of stationary points, or nothing for infinity.
+using DirectionLimit = std::optional<std::size_t>;
+
+// A limit as it is claimed. What names no stationary point rightly is never equal to a true one.
+struct NamedLimit {
+  bool is_known = false;
+  bool is_part = false;  // it is named by a part of its contact set (FC-CLAIM-02)
+  DirectionLimit limit;
+
+  [[nodiscard]] bool is(const DirectionLimit& truth) const { return is_known && limit == truth; }
+};
+
+// The labels of a list: directions, and arcs between them.
+template <typename Limit>
+struct Labels {
+  std::vector<Limit> directions, arcs;
+};
+
+constexpr std::size_t kMostLimitsShown = 12;
+
+// Scaled so that its greatest coordinate, without the sign, is 1. The vector must not be zero.
+RationalPoint scaled_vector(const RationalPoint& v) {
+  const Rational greatest = std::max({Rational(abs(v[0])), Rational(abs(v[1])), Rational(abs(v[2]))});
+  return {v[0] / greatest, v[1] / greatest, v[2] / greatest};
+}
+
+// A vector may have any length. In decimals, the scaled vectors may differ by the tolerance in each coordinate.
+ValueMatch match_vector(const ClaimedPosition& claimed, const RationalPoint& truth, double tolerance) {
+  const RationalPoint a = scaled_vector(values_of(claimed)), b = scaled_vector(truth);
+  if (a == b) return is_exact(claimed) ? ValueMatch::kEqual : ValueMatch::kWithin;
+  Rational most = 0;
+  bool is_near = !is_exact(claimed);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Rational off = abs(Rational(a[axis] - b[axis]));
+    is_near = is_near && (off <= Rational(tolerance) || rounds_alike(a[axis], b[axis]));
+    most = std::max(most, off);
+  }
+  if (is_near) return ValueMatch::kWithin;
+  return most <= Rational(kRoundingPart) ? ValueMatch::kRounding : ValueMatch::kOff;
+}
+
+class LambdaLists {
+ public:
+  explicit LambdaLists(CheckRun& run) : run_(run) {}
+
+  void check_list(std::size_t k) {
+    const std::size_t record = run_.placed[k].place->record;
+    const ClaimedLambdaList& claimed = *run_.claim.points[k].lambda;
+    LambdaList truth = run_.truth.lambda_list(record);
+    // The sides of an index-2 point can be told by another part of its contact set.
+    if (truth.directions.size() == 2 && truth.arcs.empty() && run_.true_side(k, 0) == 1) {
+      std::swap(truth.directions[0], truth.directions[1]);
+    }
+    Labels<NamedLimit> labels;
+    for (const ClaimedDirection& one : claimed.directions) labels.directions.push_back(named(one.limit));
+    for (const ClaimedTarget& arc : claimed.arcs) labels.arcs.push_back(named(arc));
+    const std::vector<std::size_t> turns = right_turns(labels, truth, is_cycle(record));
+    if (turns.empty()) {
+      find(k, FindingReason::kWrongLambdaList, "FC-UNST-02", text_of_claimed(claimed), text_of_true(truth));
+      return;
+    }
+    check_exits(k, claimed, truth, turns);
+    if (std::ranges::any_of(labels.directions, &NamedLimit::is_part) ||
+        std::ranges::any_of(labels.arcs, &NamedLimit::is_part)) {
+      run_.vary(5, FindingReason::kSpanningPart, "FC-CLAIM-02", k, text_of_true(truth));
+    }
+  }
+
+  void check_connections(std::size_t k) {
+    std::map<DirectionLimit, Connection> missing;
+    for (const Connection& one : run_.truth.connections(run_.placed[k].place->record)) {
+      missing.emplace(one.to == Connection::kInfinity ? DirectionLimit() : DirectionLimit(one.to), one);
+    }
+    bool has_part = false;
+    for (const ClaimedConnection& claimed : *run_.claim.points[k].connections) {
+      const NamedLimit to = named(claimed.to);
+      const auto truth = to.is_known ? missing.find(to.limit) : missing.end();
+      if (truth == missing.end()) {
+        find_connection(k, "a connection to " + text_of(claimed.to), "there is none, or it is claimed already");
+        continue;
+      }
+      check_numbers(k, claimed, truth->second);
+      missing.erase(truth);
+      has_part = has_part || to.is_part;
+    }
+    for (const auto& [to, connection] : missing) {
+      find_connection(k, "no connection to " + text_of(to), numbers_text(connection.orbits, connection.families));
+    }
+    if (has_part) run_.vary(5, FindingReason::kSpanningPart, "FC-CLAIM-02", k, "parts of contact sets are named");
+  }
+
+  // Whether a perturbation makes other points of the point, or of one to which its directions lead.
+  [[nodiscard]] bool is_perturbed(std::size_t k) {
+    const std::size_t record = run_.placed[k].place->record;
+    if (run_.perturbed.empty()) return false;
+    return run_.perturbed.contains(record) ||
+           std::ranges::any_of(run_.truth.lambda_entries(record), [this](const FlowLimits::Entry& entry) {
+             return entry.limit != FlowLimits::Entry::kInfinity && run_.perturbed.contains(entry.limit);
+           });
+  }
+
+ private:
+  void find(std::size_t k, FindingReason reason, const std::string& clause, const std::string& claimed,
+            const std::string& truth) {
+    run_.find(5, reason, clause, k, truth);
+    run_.report.findings.back().claimed += ", " + claimed;
+  }
+  void find_connection(std::size_t k, const std::string& claimed, const std::string& truth) {
+    find(k, FindingReason::kWrongConnections, "FC-CONN-01", claimed, truth);
+  }
+
+  [[nodiscard]] bool is_cycle(std::size_t record) const { return run_.index(record) == StationaryIndex{1, 1}; }
+
+  NamedLimit named(const ClaimedTarget& target) {
+    if (target.is_infinity) return {true, false, std::nullopt};
+    const auto place = placement_of(run_, class_names(run_.points, target.contact));
+    if (!place || place->fit == Fit::kOther) return {};
+    return {true, place->fit == Fit::kPart, place->record};
+  }
+
+  // By how many places the claimed list may be turned so that its limits are the true ones.
+  static std::vector<std::size_t> right_turns(const Labels<NamedLimit>& claimed, const LambdaList& truth,
+                                              bool is_cycle) {
+    const std::size_t n = truth.directions.size(), arcs = truth.arcs.size();
+    if (claimed.directions.size() != n || claimed.arcs.size() != arcs) return {};
+    std::vector<std::size_t> turns;
+    for (std::size_t turn = 0; turn < (is_cycle ? std::max<std::size_t>(n, 1) : 1); ++turn) {
+      bool is_right = true;
+      for (std::size_t i = 0; i < n && is_right; ++i) {
+        is_right = claimed.directions[(i + turn) % n].is(truth.directions[i].limit);
+      }
+      for (std::size_t i = 0; i < arcs && is_right; ++i) is_right = claimed.arcs[(i + turn) % arcs].is(truth.arcs[i]);
+      if (is_right) turns.push_back(turn);
+    }
+    return turns;
+  }
+
+  // Turns the list so that as many exits as possible are right, and reports the first one that is wrong then.
+  void check_exits(std::size_t k, const ClaimedLambdaList& claimed, const LambdaList& truth,
+                   const std::vector<std::size_t>& turns) {
+    const std::size_t n = truth.directions.size();
+    const ValueScale scale(run_.truth.sphere(run_.placed[k].place->record), run_.options.tolerance);
+    std::vector<std::size_t> fewest;  // wrong exits
+    std::size_t best_turn = 0;
+    bool by_rounding = false;
+    for (std::size_t t = 0; t < turns.size() && (t == 0 || !fewest.empty()); ++t) {
+      std::vector<std::size_t> wrong;
+      bool rounding = true;
+      for (std::size_t i = 0; i < n; ++i) {
+        const ValueMatch match = matched(claimed.directions[(i + turns[t]) % n], truth.directions[i], scale);
+        if (!is_wrong(match)) continue;
+        wrong.push_back(i);
+        rounding = rounding && match == ValueMatch::kRounding;
+      }
+      if (t > 0 && wrong.size() >= fewest.size()) continue;
+      fewest = wrong;
+      best_turn = turns[t];
+      by_rounding = rounding;
+    }
+    if (fewest.empty()) return;
+    const std::size_t first = fewest.front();
+    find(k, by_rounding ? FindingReason::kRounding : FindingReason::kWrongLambdaList, "FC-UNST-02",
+         text_of(claimed.directions[(first + best_turn) % n]),
+         text_of(truth.directions[first]) + " (in all " + std::to_string(fewest.size()) + " such directions)");
+  }
+
+  ValueMatch matched(const ClaimedDirection& claimed, const LambdaList::Direction& truth, const ValueScale& scale) {
+    if (!claimed.exit) return ValueMatch::kEqual;
+    run_.report.is_exact = run_.report.is_exact && is_exact(*claimed.exit);
+    if (claimed.is_vector != truth.is_vector) return ValueMatch::kOff;
+    const ValueMatch match = claimed.is_vector ? match_vector(*claimed.exit, truth.exit, run_.options.tolerance)
+                                               : match_position(*claimed.exit, truth.exit, scale);
+    return claimed.rounded_exit ? std::max(match, matched_doubles(claimed, truth, scale)) : match;
+  }
+
+  // The doubles beside exact coordinates. There is none exactly where no double is near.
+  ValueMatch matched_doubles(const ClaimedDirection& claimed, const LambdaList::Direction& truth,
+                             const ValueScale& scale) {
+    const ClaimedNumber zero{0, true};
+    if (claimed.is_vector) {
+      ClaimedPosition all = {zero, zero, zero};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!(*claimed.rounded_exit)[axis]) return ValueMatch::kOff;
+        all[axis] = *(*claimed.rounded_exit)[axis];
+      }
+      const bool is_zero = std::ranges::all_of(all, [](const ClaimedNumber& x) { return x.value == 0; });
+      return is_zero ? ValueMatch::kOff : match_vector(all, truth.exit, run_.options.tolerance);
+    }
+    ValueMatch worst = ValueMatch::kEqual;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::optional<ClaimedNumber>& one = (*claimed.rounded_exit)[axis];
+      if (one.has_value() != nearest_double(truth.exit[axis]).has_value()) return ValueMatch::kOff;
+      if (one) worst = std::max(worst, match_position({*one, zero, zero}, {truth.exit[axis], 0, 0}, scale));
+    }
+    return worst;
+  }
+
+  void check_numbers(std::size_t k, const ClaimedConnection& claimed, const Connection& truth) {
+    const bool is_right = claimed.orbits.value_or(truth.orbits) == truth.orbits &&
+                          claimed.families.value_or(truth.families) == truth.families;
+    if (is_right) return;
+    find_connection(k,
+                    "to " + text_of(claimed.to) + " " +
+                        numbers_text(claimed.orbits.value_or(truth.orbits), claimed.families.value_or(truth.families)),
+                    numbers_text(truth.orbits, truth.families));
+  }
+
+  static std::string numbers_text(std::size_t orbits, std::size_t families) {
+    return std::to_string(orbits) + " orbits and " + std::to_string(families) + " families";
+  }
+
+  static std::string text_of(const ClaimedTarget& target) {
+    return target.is_infinity ? "infinity" : names_text(target.contact);
+  }
+  [[nodiscard]] std::string text_of(const DirectionLimit& limit) const {
+    return limit ? names_text(run_.truth.contact(*limit)) : "infinity";
+  }
+  static std::string text_of(const ClaimedDirection& direction) {
+    if (!direction.exit) return "a direction to " + text_of(direction.limit);
+    return "a direction to " + text_of(direction.limit) + (direction.is_vector ? ", along " : ", leaving at ") +
+           position_text(*direction.exit);
+  }
+  [[nodiscard]] std::string text_of(const LambdaList::Direction& direction) const {
+    return (direction.is_vector ? "it leads along " : "it leaves at ") + position_text(direction.exit);
+  }
+
+  // Directions and arcs in turn; arcs are in parentheses.
+  static std::string list_text(const Labels<std::string>& labels) {
+    std::string text;
+    const std::size_t count = std::max(labels.directions.size(), labels.arcs.size());
+    const auto add = [&text](const std::string& one) { text.append(text.empty() ? "" : ", ").append(one); };
+    for (std::size_t i = 0; i < std::min(count, kMostLimitsShown); ++i) {
+      if (i < labels.directions.size()) add(labels.directions[i]);
+      if (i < labels.arcs.size()) add("(" + labels.arcs[i] + ")");
+    }
+    if (count > kMostLimitsShown) text += ", ...";
+    return std::to_string(labels.directions.size()) + " directions and " + std::to_string(labels.arcs.size()) +
+           " arcs: " + (text.empty() ? "none" : text);
+  }
+  static std::string text_of_claimed(const ClaimedLambdaList& list) {
+    Labels<std::string> labels;
+    for (const ClaimedDirection& one : list.directions) labels.directions.push_back(text_of(one.limit));
+    for (const ClaimedTarget& arc : list.arcs) labels.arcs.push_back(text_of(arc));
+    return list_text(labels);
+  }
+  [[nodiscard]] std::string text_of_true(const LambdaList& list) const {
+    Labels<std::string> labels;
+    for (const LambdaList::Direction& one : list.directions) labels.directions.push_back(text_of(one.limit));
+    for (const DirectionLimit& arc : list.arcs) labels.arcs.push_back(text_of(arc));
+    return list_text(labels);
+  }
+
+  CheckRun& run_;
+};
+
+void check_morse_smale(CheckRun& run) {
+  const bool truth = run.truth.is_morse_smale();
+  if (*run.claim.morse_smale == truth) return;
+  run.find_whole(5, FindingReason::kWrongConnections, "FC-CONN-03",
+                 *run.claim.morse_smale ? "a Morse-Smale input" : "an input that is not Morse-Smale",
+                 truth ? "it is Morse-Smale" : "it is not");
+}
+
+}  // namespace
+
+bool check_lambda_lists(CheckRun& run) {
+  LambdaLists lists(run);
+  bool judged = run.claim.morse_smale.has_value();
+  if (judged) check_morse_smale(run);
+  for (std::size_t k = 0; k < run.placed.size(); ++k) {
+    run.tell(5, 2 * run.placed.size() + k, kPartsOfLevel5 * run.placed.size());
+    const ClaimedPoint& point = run.claim.points[k];
+    if ((!point.lambda && !point.connections) || !run.placed[k].is_right) continue;
+    if (!run.judges(2) || !run.judges(3)) {
+      run.leave_unjudged("λ-lists and connections, which lead to points of other indices (FC-CLAIM-12)");
+      continue;
+    }
+    if (lists.is_perturbed(k)) {
+      run.leave_unjudged(
+          "λ-lists and connections of, or to, the points that a perturbation makes of stationary points");
+      continue;
+    }
+    if (point.lambda) lists.check_list(k);
+    if (point.connections) lists.check_connections(k);
+    judged = true;
+  }
+  return judged;
+}
+
+}  // namespace flowcert::certify
