@@ -1,4 +1,4 @@
-// Claims made of the truth: all that can be claimed of stable sets, of polylines, of incidences.
+// Claims made of the truth: all that can be claimed of stable sets, polylines, incidences, directions and volumes.
 //
 // Guarantees: exact, and so right. Point k is record k. The points' lines follow each other from a first one on.
 #pragma once
@@ -123,6 +123,48 @@ inline Claim true_claim(const PointSet& points, Truth& truth) {
     point.successors_by_side = true;
   }
   return claim;
+}
+
+inline ClaimedTarget target_of(const Truth& truth, const std::optional<std::size_t>& limit) {
+  return limit ? ClaimedTarget{false, contact_of(truth, *limit)} : ClaimedTarget{true, {}};
+}
+
+inline std::optional<ClaimedNumber> rounded_number(const Rational& value) {
+  const std::optional<double> nearest = nearest_double(value);
+  return nearest ? std::optional(ClaimedNumber{Rational(*nearest), false}) : std::nullopt;
+}
+
+inline ClaimedLambdaList lambda_of(const Truth& truth, const LambdaList& list) {
+  ClaimedLambdaList claimed;
+  for (const LambdaList::Direction& one : list.directions) {
+    claimed.directions.push_back({target_of(truth, one.limit), exactly(one.exit), one.is_vector, {}});
+    auto& rounded = claimed.directions.back().rounded_exit.emplace();
+    for (std::size_t axis = 0; axis < 3; ++axis) rounded.at(axis) = rounded_number(one.exit.at(axis));
+  }
+  for (const auto& arc : list.arcs) claimed.arcs.push_back(target_of(truth, arc));
+  return claimed;
+}
+
+// Adds all that can be claimed of directions, connections and volumes. Point k must be record k.
+inline void add_directions_and_volumes(Claim& claim, Truth& truth) {
+  claim.morse_smale = truth.is_morse_smale();
+  claim.hull_volume = number(truth.hull_volume());
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    ClaimedPoint& point = claim.points[i];
+    point.volume = number(truth.volume(i));
+    point.rounded_volume = rounded_number(truth.volume(i));
+    point.has_rounded_volume = true;
+    if (point.volume->value > 0) point.shares.emplace();
+    for (const auto& [name, share] : truth.shares(i)) point.shares->push_back({name, number(share)});
+    const std::uint8_t face_dimension = truth.index(i).face_dimension;
+    if (face_dimension != 1 && face_dimension != 2) continue;
+    point.lambda = lambda_of(truth, truth.lambda_list(i));
+    point.connections.emplace();
+    for (const Connection& one : truth.connections(i)) {
+      const auto to = one.to == Connection::kInfinity ? std::optional<std::size_t>() : one.to;
+      point.connections->push_back({target_of(truth, to), one.orbits, one.families});
+    }
+  }
 }
 
 }  // namespace flowcert

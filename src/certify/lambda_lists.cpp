@@ -213,17 +213,13 @@ class LambdaLists {
   }
 
   void check_numbers(std::size_t k, const ClaimedConnection& claimed, const Connection& truth) {
-    const bool is_right = claimed.orbits.value_or(truth.orbits) == truth.orbits &&
-                          claimed.families.value_or(truth.families) == truth.families;
-    if (is_right) return;
-    find_connection(k,
-                    "to " + text_of(claimed.to) + " " +
-                        numbers_text(claimed.orbits.value_or(truth.orbits), claimed.families.value_or(truth.families)),
+    if (claimed.orbits == truth.orbits && claimed.families == truth.families) return;
+    find_connection(k, "to " + text_of(claimed.to) + " " + numbers_text(claimed.orbits, claimed.families),
                     numbers_text(truth.orbits, truth.families));
   }
 
   static std::string numbers_text(std::size_t orbits, std::size_t families) {
-    return std::to_string(orbits) + " orbits and " + std::to_string(families) + " families";
+    return "orbits: " + std::to_string(orbits) + ", families: " + std::to_string(families);
   }
 
   static std::string text_of(const ClaimedTarget& target) {

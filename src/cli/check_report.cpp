@@ -24,11 +24,12 @@ namespace {
 constexpr std::size_t kFindingIndent = 4;
 constexpr std::array<const char*, kLevels> kLevelNames = {"well formed", "what is claimed is critical",
                                                           "nothing is missing, nothing twice, indices", "incidences",
-                                                          "polylines and surfaces"};
+                                                          "manifolds and connections"};
 
 // For the table, which has to fit into a line.
-constexpr std::array<const char*, kLevels> kShortLevelNames = {
-    "well formed", "what is claimed is critical", "none missing, none twice", "incidences", "polylines and surfaces"};
+constexpr std::array<const char*, kLevels> kShortLevelNames = {"well formed", "what is claimed is critical",
+                                                               "none missing, none twice", "incidences",
+                                                               "manifolds and connections"};
 
 const char* truth_text(const CheckedFiles& files) { return files.by_oracle ? "oracle" : "fast implementation"; }
 const char* grade_text(const CheckReport& report) { return report.is_exact ? "exact" : "approximate"; }

@@ -65,6 +65,7 @@ TEST(ExchangeSchema, SaysWhatTheWholeComplexMayHave) {
         R"({"index":2,"contact":[1],"connections":[{"to":null,"orbits":1,"families":0}]})",
         R"({"index":3,"contact":[1],"volume":"1/3","volume_double":null,"shares":[[0,"1/6"],[7,"1/6"]]})"}) {
     EXPECT_TRUE(schema.accepts(record)) << record;
+    EXPECT_EQ(claim_refusal(kHeader + record), "accepted, 1 points") << record;
   }
   for (
       const char* record :
@@ -80,6 +81,8 @@ TEST(ExchangeSchema, SaysWhatTheWholeComplexMayHave) {
        R"({"format":"flowcert-stationary-points","format_version":1,"volumes":"none"})",
        R"({"format":"flowcert-stationary-points","format_version":1,"morse_smale":1})"}) {
     EXPECT_FALSE(schema.accepts(record)) << record;
+    const std::string refusal = claim_refusal(kHeader + record);
+    EXPECT_EQ(refusal.find("accepted"), std::string::npos) << record;
   }
 }
 

@@ -290,10 +290,7 @@ ClaimedLambdaList lambda_of(const ExchangeValue& value) {
 }
 
 ClaimedConnection connection_of(const ExchangeValue& value) {
-  ClaimedConnection connection{limit_of(value.get("to")), std::nullopt, std::nullopt};
-  if (const auto count = value.find("orbits")) connection.orbits = count_of(*count);
-  if (const auto count = value.find("families")) connection.families = count_of(*count);
-  return connection;
+  return {limit_of(value.get("to")), count_of(value.get("orbits")), count_of(value.get("families"))};
 }
 
 void read_directions(const ExchangeValue& record, ClaimedPoint& point) {
@@ -320,7 +317,12 @@ void read_volume(const ExchangeValue& record, ClaimedPoint& point) {
   if (exact) point.volume = distance_of(*exact);
   if (near && !near->is_null()) (exact ? point.rounded_volume : point.volume) = distance_of(*near);
   point.has_rounded_volume = exact && near;
-  if (const auto shares = record.find("shares")) point.shares = list_of(*shares, share_of);
+  const auto shares = record.find("shares");
+  if (!shares) return;
+  if (!point.hull_dimension && point.index < 2) {
+    record.place().reject("a key of critical points of index 2 and 3 and of regular stationary points only: 'shares'");
+  }
+  point.shares = list_of(*shares, share_of);
 }
 
 // Reads keys that only critical points of index 2 and regular stationary points may have.

@@ -89,7 +89,7 @@ struct ClaimedLambdaList {
 };
 struct ClaimedConnection {
   ClaimedTarget to;
-  std::optional<std::size_t> orbits, families;
+  std::size_t orbits = 0, families = 0;
 };
 // The part of a stable set's volume in the Voronoi cell of a sample (FC-VOL-02).
 struct ClaimedShare {
