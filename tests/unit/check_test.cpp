@@ -268,26 +268,68 @@ TEST(CheckTest, JudgesIncidences) {
   }
 }
 
+// The verdict on a claim that has infinity above an edge without saddles above it.
+CheckReport infinity_above(const Truly& points, const Ids& contact) {
+  Claimed edge = points.claim_without({contact}).add(1, contact);
+  edge.last().successors.emplace();
+  const CheckReport nothing = points.check(edge);
+  EXPECT_EQ(nothing.verdict, Verdict::kConforms);
+  EXPECT_EQ(nothing.conforms[3], true);
+  EXPECT_TRUE(nothing.not_judged.empty());
+  edge.last().successors = {{kInfinity}};
+  return points.check(edge);
+}
+
 // What leaves the edge of the second input ends at infinity, and at regular stationary points of both kinds.
-TEST(CheckTest, WhatLiesAboveAnEdgeWithoutSaddlesIsNotJudged) {
-  CITES("FC-CLAIM-06");
+TEST(CheckTest, InfinityIsAboveAnEdgeWhoseListLeadsThere) {
+  CITES("FC-CLAIM-06", "FC-UNST-02");
   const Truly pair({{0, 0, 0}, {1, 0, 0}}), five({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {2, 1, 1}});
   for (const auto& [points, contact] : {std::pair(&pair, Ids{0, 1}), std::pair(&five, Ids{1, 2})}) {
-    Claimed edge = points->claim_without({contact}).add(1, contact);
-    edge.last().successors.emplace();
-    const CheckReport nothing = points->check(edge);
-    EXPECT_EQ(nothing.verdict, Verdict::kConforms);
-    EXPECT_EQ(nothing.conforms[3], true);
-    EXPECT_TRUE(nothing.not_judged.empty());
-    edge.last().successors = {{kInfinity}};
-    const CheckReport infinity = points->check(edge);
-    EXPECT_EQ(infinity.verdict, Verdict::kConforms);
-    EXPECT_EQ(infinity.conforms[3], std::nullopt);
-    EXPECT_EQ(infinity.not_judged.size(), 1U);
+    const CheckReport report = infinity_above(*points, contact);
+    EXPECT_EQ(report.verdict, Verdict::kConforms);
+    EXPECT_EQ(report.conforms[3], true);
+    EXPECT_TRUE(report.not_judged.empty());
   }
   Claimed wrong = five.claim_without({{1, 2}}).add(1, {1, 2});
   wrong.last().successors = {{kInfinity, to({0, 1})}};
   expect_finding(five.check(wrong), 4, FindingReason::kWrongIncidence, "FC-CHAIN-01", wrong.last().line);
+}
+
+// All that leaves the edge 6 7 ends at regular stationary points.
+TEST(CheckTest, APerturbationCanLeadFromAnEdgeToInfinity) {
+  CITES("FC-CLAIM-06", "FC-CLAIM-07");
+  const Truly points({{0, 2, 1}, {2, 0, 2}, {1, 0, 0}, {1, 2, 2}, {0, 0, 2}, {0, 2, 2}, {1, 0, 2}, {1, 1, 1}});
+  const CheckReport report = infinity_above(points, {6, 7});
+  EXPECT_EQ(report.verdict, Verdict::kPerturbed);
+  expect_finding(report, 4, FindingReason::kSymbolicPerturbation, "FC-CLAIM-07", report.findings.back().line);
+}
+
+// The Voronoi cell of point 0 is a body that stands on one facet alone: the midpoint of 0 1 is the only point of its
+// surface where the distance has a minimum, and all that leaves the midpoint ends at one maximum.
+TEST(CheckTest, InfinityIsNotAboveAnEdgeWhoseListLeadsElsewhere) {
+  CITES("FC-CLAIM-06", "FC-CONN-01");
+  const Truly points({{0, 0, 0},
+                      {0, 0, -200},
+                      {306, 19, -328},
+                      {-33, 312, -303},
+                      {-321, 3, -292},
+                      {47, -311, -302},
+                      {752, 622, 22},
+                      {-677, 673, -35},
+                      {-647, -712, 39},
+                      {706, -672, 9},
+                      {1513, -14, 1375},
+                      {102, 1457, 1526},
+                      {-1382, -190, 1535},
+                      {159, -1478, 1539}});
+  const LambdaList list = points.truth->lambda_list(points.record_of({0, 1}));
+  EXPECT_TRUE(list.directions.empty());
+  ASSERT_EQ(list.arcs.size(), 1U);
+  EXPECT_EQ(list.arcs[0], points.record_of({0, 10, 11, 12}));
+  EXPECT_EQ(
+      text(infinity_above(points, {0, 1})),
+      "fails\n4 wrong-incidence FC-CLAIM-06: index 1, contact set 0 1, up to infinity; nothing that leaves it ends "
+      "at infinity");
 }
 
 TEST(CheckTest, SeveralRowsOfAClassStandForItOnce) {

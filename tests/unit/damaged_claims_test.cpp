@@ -20,6 +20,10 @@ struct Seed {
 
 std::vector<Seed> seeds() {
   return {{"exchange", property::exchange_file({{0, 0, 1}, {1, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}}), false},
+          {"whole complex",
+           property::exchange_file({{0, 0, 1}, {1, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}},
+                                   {.all = true, .volumes = WrittenVolumes::kExact}),
+           false},
           {"csv", csv_file(), false},
           {"giesen-kuehne", giesen_kuehne_file(), false},
           {"vtp ascii", vtp_file({}), true},

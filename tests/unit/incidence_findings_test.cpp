@@ -370,6 +370,16 @@ class Undecided final : public Truth {
   }
   [[nodiscard]] StableSummary stable_summary(std::size_t i) override { return truth_.stable_summary(i); }
   [[nodiscard]] StableSet stable_set(std::size_t i) override { return truth_.stable_set(i); }
+  [[nodiscard]] LambdaList lambda_list(std::size_t i) override { return truth_.lambda_list(i); }
+  [[nodiscard]] std::vector<FlowLimits::Entry> lambda_entries(std::size_t i) override {
+    return truth_.lambda_entries(i);
+  }
+  [[nodiscard]] std::vector<Connection> connections(std::size_t i) override { return truth_.connections(i); }
+  [[nodiscard]] bool is_morse_smale() override { return truth_.is_morse_smale(); }
+  [[nodiscard]] Rational volume(std::size_t i) override { return truth_.volume(i); }
+  [[nodiscard]] double nearest_volume(std::size_t i) override { return truth_.nearest_volume(i); }
+  [[nodiscard]] std::vector<std::pair<PointId, Rational>> shares(std::size_t i) override { return truth_.shares(i); }
+  [[nodiscard]] Rational hull_volume() override { return truth_.hull_volume(); }
 
  private:
   Truth& truth_;

@@ -30,6 +30,7 @@ const std::vector<Point> kDangling = {{0, 0, 0}, {-10, 0, 0}, {-11, 30, 0}, {-11
 // How often each sort of answer was compared.
 struct Tally {
   std::size_t limits = 0, infinity = 0, boundaries = 0, ties = 0, intervals = 0, stationary_backs = 0, sectors = 0;
+  std::size_t arcs = 0, exits = 0, vectors = 0, volumes = 0, solids = 0, morse_smale = 0, others = 0;
   std::size_t twice = 0;  // two orbits of one index-2 point end in one index-1 point, and there is no tie
   std::array<std::size_t, 4> backs{};
 };
@@ -110,6 +111,47 @@ void expect_same_stable_set(std::size_t i, Truth& fast, Truth& oracle, Tally& ta
   for (const BackwardInterval& interval : set.intervals) tally.stationary_backs += interval.back_is_stationary ? 1 : 0;
 }
 
+std::string words_of(const std::optional<std::size_t>& limit) { return limit ? std::to_string(*limit) : "infinity"; }
+
+// Each direction with the arc after it. A cycle begins with the least of these.
+Words words_of(const LambdaList& list, bool is_cycle) {
+  Words words;
+  for (std::size_t k = 0; k < std::max(list.directions.size(), list.arcs.size()); ++k) {
+    std::string& one = words.emplace_back();
+    if (k < list.directions.size()) {
+      const LambdaList::Direction& direction = list.directions[k];
+      one = words_of(direction.exit) + (direction.is_vector ? " for ever to " : " to ") + words_of(direction.limit);
+    }
+    if (k < list.arcs.size()) one += ", then " + words_of(list.arcs[k]);
+  }
+  if (is_cycle) std::ranges::rotate(words, std::ranges::min_element(words));
+  return words;
+}
+
+void expect_same_directions(std::size_t i, Truth& fast, Truth& oracle, Tally& tally) {
+  const bool is_cycle = fast.index(i) == StationaryIndex{1, 1};
+  const LambdaList list = oracle.lambda_list(i);
+  EXPECT_EQ(words_of(list, is_cycle), words_of(fast.lambda_list(i), is_cycle));
+  EXPECT_EQ(oracle.connections(i), fast.connections(i));
+  tally.arcs += list.arcs.size();
+  for (const LambdaList::Direction& one : list.directions) ++(one.is_vector ? tally.vectors : tally.exits);
+  const auto limits = [i](Truth& truth) {
+    std::vector<std::pair<std::uint32_t, bool>> sorted;
+    for (const FlowLimits::Entry& entry : truth.lambda_entries(i)) sorted.emplace_back(entry.limit, entry.is_arc);
+    std::ranges::sort(sorted);
+    return sorted;
+  };
+  EXPECT_EQ(limits(oracle), limits(fast));
+}
+
+void expect_same_volume(std::size_t i, Truth& fast, Truth& oracle, Tally& tally) {
+  const Rational volume = oracle.volume(i);
+  EXPECT_EQ(volume, fast.volume(i));
+  EXPECT_EQ(oracle.nearest_volume(i), fast.nearest_volume(i));
+  EXPECT_EQ(oracle.shares(i), fast.shares(i));
+  tally.volumes += volume > 0 ? 1 : 0;
+}
+
 void expect_same(const std::vector<Point>& rows, Tally& tally) {
   const PointSet points(rows);
   const auto fast = fast_truth(points), oracle = oracle_truth(rows);
@@ -131,11 +173,18 @@ void expect_same(const std::vector<Point>& rows, Tally& tally) {
     }
     if (index == StationaryIndex{2, 2}) expect_same_saddle(i, *fast, *oracle, tally);
     if (index == StationaryIndex{2, 2} || !index.is_critical()) expect_same_stable_set(i, *fast, *oracle, tally);
+    if (index.face_dimension == 1 || index.face_dimension == 2) expect_same_directions(i, *fast, *oracle, tally);
+    expect_same_volume(i, *fast, *oracle, tally);
   }
+  EXPECT_EQ(oracle->hull_volume(), fast->hull_volume());
+  tally.solids += oracle->hull_volume() > 0 ? 1 : 0;
+  EXPECT_EQ(oracle->is_morse_smale(), fast->is_morse_smale());
+  ++(oracle->is_morse_smale() ? tally.morse_smale : tally.others);
 }
 
 TEST(OracleTruth, IsThatOfTheFastImplementation) {
-  CITES("FC-CRIT-02", "FC-FLOW-07", "FC-FLOW-08", "FC-STAB-04", "FC-STAB-05", "FC-CHAIN-01");
+  CITES("FC-CRIT-02", "FC-FLOW-07", "FC-FLOW-08", "FC-STAB-04", "FC-STAB-05", "FC-CHAIN-01", "FC-UNST-02", "FC-CONN-01",
+        "FC-CONN-03", "FC-VOL-01", "FC-VOL-02");
   Tally tally;
   for (const fuzz::Family& family : fuzz::families_and_stable_ones()) {
     for (const std::uint64_t seed : {3U, 4U, 5U}) {
@@ -148,7 +197,8 @@ TEST(OracleTruth, IsThatOfTheFastImplementation) {
   expect_same(kDangling, tally);
   for (const std::size_t count :
        {tally.limits, tally.infinity, tally.boundaries, tally.ties, tally.intervals, tally.stationary_backs,
-        tally.sectors, tally.backs[0], tally.backs[1], tally.backs[2], tally.backs[3]}) {
+        tally.sectors, tally.backs[0], tally.backs[1], tally.backs[2], tally.backs[3], tally.arcs, tally.exits,
+        tally.vectors, tally.volumes, tally.solids, tally.morse_smale, tally.others}) {
     EXPECT_GE(count, 5U);
   }
   EXPECT_LT(tally.stationary_backs, tally.intervals);

@@ -217,6 +217,45 @@ TEST(ReadExchange, ErrorsInARecord) {
   EXPECT_EQ(record_refusal("{\"index\":2,\"contact\":[1],\"u2\":[[],[{\"type\":\"E-E-V\"}]]}"), "a:2: no key 'end'");
 }
 
+TEST(ReadExchange, ErrorsInTheWholeComplex) {
+  CITES("FC-OUT-01", "FC-NUM-02", "FC-UNST-02");
+  const auto saddle = [](const std::string& keys) {
+    return record_refusal("{\"index\":2,\"contact\":[1]," + keys + "}");
+  };
+  const auto direction = [&](const std::string& keys) {
+    return saddle("\"lambda\":{\"directions\":[{" + keys + "}],\"arcs\":[]}");
+  };
+  EXPECT_EQ(direction(R"("limit":null)"), "accepted, 1 points");
+  EXPECT_EQ(direction(R"("exit":[0,0,0])"), "a:2: no key 'limit'");
+  EXPECT_EQ(direction(R"("limit":null,"exit":[0,0])"), "a:2: the value of 'exit' is not an array of 3");
+  EXPECT_EQ(direction(R"("limit":null,"exit_double":[0,0])"), "a:2: the value of 'exit_double' is not an array of 3");
+  EXPECT_EQ(direction(R"("limit":null,"exit":[0,0,0],"vector_double":[1,0,0])"),
+            "a:2: the value of 'directions' is not a direction: it has an exit and a vector");
+  EXPECT_EQ(direction(R"("limit":null,"vector":["0","0","0"])"),
+            "a:2: the value of 'directions' is not a direction: the vector is zero");
+  EXPECT_EQ(saddle(R"("lambda":{"directions":[]})"), "a:2: no key 'arcs'");
+  EXPECT_EQ(saddle(R"("lambda":{"directions":[],"arcs":[1]})"), "a:2: the value of 'arcs' is not an array");
+  EXPECT_EQ(saddle(R"("connections":[{"to":null,"orbits":1}])"), "a:2: no key 'families'");
+  EXPECT_EQ(saddle(R"("connections":[{"to":null,"orbits":1,"families":-1}])"), "a:2: not a count: '-1'");
+  EXPECT_EQ(saddle(R"("volume":"-1/6")"), "a:2: the value of 'volume' is not 0 or more");
+  EXPECT_EQ(saddle(R"("volume_double":-1)"), "a:2: the value of 'volume_double' is not 0 or more");
+  EXPECT_EQ(saddle(R"("shares":[[0]])"), "a:2: the value of 'shares' is not an array of 2");
+  EXPECT_EQ(saddle(R"("shares":[[0,"-1"]])"), "a:2: the value of 'shares' is not 0 or more");
+  for (const char* key : {"lambda", "connections"}) {
+    EXPECT_EQ(record_refusal("{\"index\":3,\"contact\":[1],\"" + std::string(key) + "\":[]}"),
+              "a:2: a key of critical points of index 1 and 2 and of regular stationary points only: '" +
+                  std::string(key) + "'");
+  }
+  EXPECT_EQ(record_refusal(R"({"index":1,"contact":[1],"shares":[]})"),
+            "a:2: a key of critical points of index 2 and 3 and of regular stationary points only: 'shares'");
+  const auto header = [](const std::string& keys) {
+    return claim_refusal(R"({"format":"flowcert-stationary-points","format_version":1,)" + keys + "}");
+  };
+  EXPECT_EQ(header(R"("morse_smale":1)"), "a:1: the value of 'morse_smale' is not true or false");
+  EXPECT_EQ(header(R"("hull_volume":"-1")"), "a:1: the value of 'hull_volume' is not 0 or more");
+  EXPECT_EQ(header(R"("volumes":"none")"), "a:1: the value of 'volumes' is not 'exact' or 'double'");
+}
+
 // ---- CSV ----
 
 TEST(ReadCsvClaim, Variants) {
@@ -498,6 +537,9 @@ TEST(ReadClaim, NamesRowsOfTheInput) {
         saddle + "\"skeleton\":{\"segments\":[{\"samples\":[0,1]," + piece + ",\"front_contact\":[0,1,#]}]}}",
         saddle + "\"skeleton\":{\"segments\":[{\"samples\":[0,1]," + piece + ",\"back_contact\":[0,#]}]}}",
         saddle + "\"skeleton\":{\"segments\":[],\"intervals\":[{\"polygon\":[0,1,#]," + piece + "}]}}",
+        saddle + "\"lambda\":{\"directions\":[{\"limit\":[0,#]}],\"arcs\":[]}}",
+        saddle + "\"lambda\":{\"directions\":[],\"arcs\":[[0,#]]}}",
+        saddle + "\"connections\":[{\"to\":[0,#],\"orbits\":1,\"families\":0}]}", saddle + "\"shares\":[[#,\"1/6\"]]}",
         saddle + "\"skeleton\":{\"segments\":[],\"sectors\":[{\"samples\":[0,#],"
                  "\"corners\":[[0,0,0],[1,0,0],[0,1,0]]}]}}"}) {
     EXPECT_EQ(complaint(record, "3"), "accepted") << record;
