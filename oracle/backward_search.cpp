@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "oracle/corners.h"
 #include "oracle/orbit.h"
 
 namespace oracle {
@@ -59,57 +60,6 @@ Point way_back_from_infinity(const PointSet& set, const Point& r, const Lead& le
     if (height < 0) time = std::max(time, Rational((squared_distance(q, lead.centre) - radius) / (2 * height)));
   }
   return moved(lead.centre, time, r);
-}
-
-// The direction from m to a corner.
-Point way_to(const Corner& corner, const Point& m) {
-  return corner.at_infinity ? corner.position : minus(corner.position, m);
-}
-
-// Whether two corners are on one line through m.
-bool in_line(const Corner& a, const Point& m, const Corner& b) { return cross(way_to(a, m), way_to(b, m)) == Point{}; }
-
-// A point between two corners. At most one of them is at infinity.
-Point between(const Corner& a, const Corner& b) {
-  if (b.at_infinity) return moved(a.position, 1, b.position);
-  if (a.at_infinity) return moved(b.position, 1, a.position);
-  return moved(a.position, Rational(1, 2), minus(b.position, a.position));
-}
-
-// In homogeneous coordinates a corner is a vector with a weight, which is 0 at infinity. This is the corner at
-// (1 - time) a + time b.
-Corner mixed(const Corner& a, const Corner& b, const Rational& time) {
-  const Point sum = moved(a.position, time, minus(b.position, a.position));
-  const Rational weight = (a.at_infinity ? Rational(0) : Rational(1 - time)) + (b.at_infinity ? Rational(0) : time);
-  if (weight == 0) return {as_direction(sum), true};
-  return {{sum[0] / weight, sum[1] / weight, sum[2] / weight}, false};
-}
-
-// By how much more a corner is away from q than from p, squared. At infinity, how fast that grows. This is linear in
-// homogeneous coordinates.
-Rational lead_of(const Corner& x, const Point& p, const Point& q) {
-  if (x.at_infinity) return 2 * dot(x.position, minus(p, q));
-  return squared_distance(x.position, q) - squared_distance(x.position, p);
-}
-
-// The part of a convex polygon that is not nearer to q than to p.
-std::vector<Corner> clipped(const std::vector<Corner>& polygon, const Point& p, const Point& q) {
-  std::vector<Corner> result;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Corner& a = polygon[i];
-    const Corner& b = polygon[(i + 1) % polygon.size()];
-    const Rational at_a = lead_of(a, p, q), at_b = lead_of(b, p, q);
-    if (at_a >= 0) result.push_back(a);
-    if ((at_a > 0 && at_b < 0) || (at_a < 0 && at_b > 0)) result.push_back(mixed(a, b, at_a / (at_a - at_b)));
-  }
-  return result;
-}
-
-// The same polygon, from the least corner towards the lesser of its neighbours.
-std::vector<Corner> canonical(std::vector<Corner> polygon) {
-  std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
-  if (polygon.back() < polygon[1]) std::reverse(polygon.begin() + 1, polygon.end());
-  return polygon;
 }
 
 template <typename T>

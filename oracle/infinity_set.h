@@ -10,22 +10,10 @@
 #include <tuple>
 #include <vector>
 
+#include "oracle/corners.h"
 #include "oracle/stable_set.h"
-#include "oracle/unstable_set.h"
 
 namespace oracle {
-
-// A point, or an end at infinity: then `position` is the Direction in which it lies. Points come before ends at
-// infinity, and both are ordered by coordinates.
-struct Corner {
-  Point position;
-  bool at_infinity = false;
-
-  friend bool operator==(const Corner&, const Corner&) = default;
-  friend bool operator<(const Corner& a, const Corner& b) {
-    return std::tie(a.at_infinity, a.position) < std::tie(b.at_infinity, b.position);
-  }
-};
 
 // The open ray from `back` in the direction `front`. It flows to infinity, away from the midpoint of the samples.
 struct UnboundedSegment {

@@ -75,20 +75,6 @@ std::optional<Rational> time_at(const Family& family, const Point& z, const Rati
   return from + (to - from) * a / (a - b);
 }
 
-// The samples of the edge at which the polygon is obtuse (FC-SIGN-01), by places.
-std::array<std::size_t, 2> obtuse_edge(const PointSet& set, const Places& polygon) {
-  for (const std::size_t a : polygon) {
-    for (const std::size_t b : polygon) {
-      const bool is_obtuse = a < b && std::all_of(polygon.begin(), polygon.end(), [&](std::size_t q) {
-                               return q == a || q == b ||
-                                      dot(minus(set.points[q], set.points[a]), minus(set.points[q], set.points[b])) < 0;
-                             });
-      if (is_obtuse) return {a, b};
-    }
-  }
-  throw std::logic_error("a polygon without its centre is obtuse at an edge");
-}
-
 // The rays that have come to the Voronoi edge of a polygon. If the polygon contains its centre z, that is the driver
 // of all of them but z itself: they run along the edge, away from z.
 Parts parts_on_edge(const PointSet& set, const Places& polygon, const Family& family, const Rational& from,
@@ -165,21 +151,6 @@ Parts parts_of_fan(const PointSet& set, const std::array<std::size_t, 2>& sample
 }
 
 // ---- The directions of a stationary point ----
-
-// The points of C(y) on the face of conv C(y) that has y in its relative interior. No affinely independent set with y
-// in its relative interior has a point outside of that face, and each point of the face is in such a set.
-Places face_of(const PointSet& set, const StationaryPoint& y) {
-  const Places contact = places_of(set, y.contact);
-  Places face;
-  for_each_subset(contact.size(), 4, [&](const Places& subset) {
-    const Places places = select(contact, subset);
-    if (inner_circumcentre(select(set.points, places)) != std::optional(y.center)) return;
-    face.insert(face.end(), places.begin(), places.end());
-  });
-  std::sort(face.begin(), face.end());
-  face.erase(std::unique(face.begin(), face.end()), face.end());
-  return face;
-}
 
 // The limit of y + e u for all small e > 0.
 Limit limit_along(const PointSet& set, const StationaryPoint& y, const Point& u) {
@@ -289,6 +260,34 @@ std::vector<UnstableEntry> list_of_edge(const PointSet& set, const StationaryPoi
 }
 
 }  // namespace
+
+std::array<std::size_t, 2> obtuse_edge(const PointSet& set, const Places& polygon) {
+  for (const std::size_t a : polygon) {
+    for (const std::size_t b : polygon) {
+      const bool is_obtuse = a < b && std::all_of(polygon.begin(), polygon.end(), [&](std::size_t q) {
+                               return q == a || q == b ||
+                                      dot(minus(set.points[q], set.points[a]), minus(set.points[q], set.points[b])) < 0;
+                             });
+      if (is_obtuse) return {a, b};
+    }
+  }
+  throw std::logic_error("a polygon without its centre is obtuse at an edge");
+}
+
+// No affinely independent set with y in its relative interior has a point outside of that face, and each point of the
+// face is in such a set.
+Places face_of(const PointSet& set, const StationaryPoint& y) {
+  const Places contact = places_of(set, y.contact);
+  Places face;
+  for_each_subset(contact.size(), 4, [&](const Places& subset) {
+    const Places places = select(contact, subset);
+    if (inner_circumcentre(select(set.points, places)) != std::optional(y.center)) return;
+    face.insert(face.end(), places.begin(), places.end());
+  });
+  std::sort(face.begin(), face.end());
+  face.erase(std::unique(face.begin(), face.end()), face.end());
+  return face;
+}
 
 Direction as_direction(const Point& vector) {
   Rational largest = 0;

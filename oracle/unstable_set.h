@@ -6,6 +6,7 @@
 // point set of any dimension.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -28,6 +29,12 @@ struct UnstableEntry {
 
   friend bool operator==(const UnstableEntry&, const UnstableEntry&) = default;
 };
+
+// The points of C(y) on the face of conv C(y) that has y in its relative interior: F of FC-UNST-01.
+Places face_of(const PointSet& set, const StationaryPoint& y);
+
+// The edge at which a polygon is obtuse (FC-SIGN-01), by places. Throws std::logic_error if there is none.
+std::array<std::size_t, 2> obtuse_edge(const PointSet& set, const Places& polygon);
 
 // The λ-list of y (FC-UNST-02). Arcs and single directions take turns. A list of index 1 goes around the circle, and
 // begins with its least direction, in lexicographic order. For an index-2 point it has side 0 and then side 1. It is
