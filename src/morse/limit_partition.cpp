@@ -8,6 +8,7 @@
 #include "flow/drivers.h"
 #include "geometry/contract.h"
 #include "morse/polygon_turn.h"
+#include "morse/record_facet.h"
 
 namespace flowcert::morse {
 
@@ -326,19 +327,7 @@ bool LimitPartition::is_forward(const FacetRing& ring, std::size_t piece) const 
 // ---- Directions ----
 
 FacetName LimitPartition::facet_of(std::size_t record) const {
-  const StationaryIndex index = stationary_.index(record);
-  FLOWCERT_REQUIRES(index.face_dimension == 1);
-  if (index.is_critical()) {
-    const auto contact = stationary_.contact(record);
-    return facet_name(vertex_named(contact[0]), vertex_named(contact[1]));
-  }
-  const auto right_side = [&](PolygonRef polygon) {
-    const PolygonSides sides = faces_.sides(polygon);
-    const auto side = std::ranges::find(sides, Sign::kZero, &PolygonSide::angle);
-    return FacetName{side->v0, side->v1};
-  };
-  if (index.hull_dimension == 2) return right_side(edge_of_record(stationary_, record));
-  return right_side(polygons_through(faces_.diagram(), cell_of_record(stationary_, record)).front());
+  return facet_of_record(faces_.diagram(), points_of_input_, vertex_of_, stationary_, record);
 }
 
 Division LimitPartition::direction_to_end(PolygonRef polygon, std::size_t end) {

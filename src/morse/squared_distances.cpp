@@ -21,7 +21,7 @@ using namespace morse;
 namespace {
 
 using Approximation = SquaredDistances::Approximation;
-using Vector = Vector3<double>;
+using RoundedVector = Vector3<double>;
 
 // A value that is known less well than this is computed exactly.
 constexpr double kLargestError = 0x1p-20;
@@ -34,7 +34,7 @@ std::optional<Approximation> with_relative_error(double value, double error) {
 bool is_in_range(double norm) { return norm >= kSmallestNorm && norm <= kLargestNorm; }
 
 // |a|^2 / 4. A square has a relative error of at most 5.1 u.
-std::optional<Approximation> of_edge(const Vector& a) {
+std::optional<Approximation> of_edge(const RoundedVector& a) {
   const double square = dot(a, a);
   if (!is_in_range(std::sqrt(square))) return std::nullopt;
   return with_relative_error(square / 4, 8 * kUnitRoundoff);
@@ -42,18 +42,18 @@ std::optional<Approximation> of_edge(const Vector& a) {
 
 // |a|^2 |b|^2 |b-a|^2 / (4 |a x b|^2). The cross product has an error of 5.7 u |a||b|, so its square has a relative
 // one of 12 u S with S = |a||b| / |a x b|, and of a few u more. The three squares and the operations add 24 u.
-std::optional<Approximation> of_circle(const Vector& a, const Vector& b, const Vector& c) {
+std::optional<Approximation> of_circle(const RoundedVector& a, const RoundedVector& b, const RoundedVector& c) {
   const double aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
   if (!is_in_range(std::sqrt(std::min({aa, bb, cc}))) || !is_in_range(std::sqrt(std::max({aa, bb, cc})))) {
     return std::nullopt;
   }
-  const Vector n = cross(a, b);
+  const RoundedVector n = cross(a, b);
   const double nn = dot(n, n);
   return with_relative_error(aa * bb * cc / (4 * nn), 40 * kUnitRoundoff * std::sqrt(aa * bb / nn));
 }
 
 // |N|^2 / (4 det^2), with the circumsphere's numerator N (error 13.8 u T) and determinant (9.8 u |a||b||c|).
-std::optional<Approximation> of_sphere(const Vector& a, const Vector& b, const Vector& c) {
+std::optional<Approximation> of_sphere(const RoundedVector& a, const RoundedVector& b, const RoundedVector& c) {
   const double na = std::sqrt(dot(a, a)), nb = std::sqrt(dot(b, b)), nc = std::sqrt(dot(c, c));
   if (!is_in_range(std::min({na, nb, nc})) || !is_in_range(std::max({na, nb, nc}))) return std::nullopt;
   const auto sphere = circumsphere(a, b, c);

@@ -1,0 +1,156 @@
+// Unstable sets of dimension 2 of the fast implementation against the oracle's (FC-UNST-04 to 06), on all families.
+//
+// Guarantees: sets are compared exactly, part by part, for the cascade kernel and the exact one. The oracle follows
+// intervals and points, and cuts regions by the bisectors of all points. The fast implementation finds the exits of
+// single rays by the signs of the flow. The test fails too when too few sets had parts that are rare.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "flowcert/unstable_surfaces.h"
+#include "fuzz/inputs/stable_configurations.h"
+#include "fuzz/properties/stable_pieces.h"
+#include "fuzz/properties/subject.h"
+#include "oracle/unstable_surface.h"
+#include "tests/cites.h"
+#include "tests/property/orbit_subject.h"
+#include "tests/property/property_parameters.h"
+
+namespace flowcert::property {
+namespace {
+
+constexpr int kInputsPerFamily = 24;
+constexpr int kInputsMadeForThis = 60;     // of each of the families for stable sets
+constexpr std::size_t kSetsByOracle = 12;  // at most so many of an input
+
+struct Totals {
+  std::size_t sets = 0, regular = 0, vertices = 0, traces = 0, points = 0, runs = 0, sheets = 0, unbounded = 0;
+  std::size_t segments = 0, cut = 0;
+};
+
+oracle::Corner corner_of(const SurfaceCorner& corner) { return {corner.position, corner.at_infinity}; }
+
+std::vector<oracle::EdgePart> edge_parts_of(const std::vector<UnstableInterval>& intervals) {
+  std::vector<oracle::EdgePart> parts;
+  for (const UnstableInterval& i : intervals) parts.push_back({ids(i.polygon), corner_of(i.from), corner_of(i.to)});
+  return parts;
+}
+
+// The fast implementation's set in the oracle's form, in its own order.
+oracle::UnstableSurface oracle_form(const UnstableSurface& fast) {
+  oracle::UnstableSurface set{fast.vertices, edge_parts_of(fast.traces), edge_parts_of(fast.runs), {}, {}};
+  for (const UnstableSheet& sheet : fast.sheets) {
+    set.sheets.push_back({{sheet.samples[0], sheet.samples[1]}, {}});
+    for (const SurfaceCorner& corner : sheet.corners) set.sheets.back().corners.push_back(corner_of(corner));
+  }
+  for (const UnstableSegment& segment : fast.segments) {
+    set.segments.push_back({{segment.samples[0], segment.samples[1]}, segment.start, corner_of(segment.end)});
+  }
+  return set;
+}
+
+std::string in_words(const oracle::Corner& corner) {
+  return (corner.at_infinity ? "to " : "") + ("(" + text_of(RationalPoint(corner.position)) + ")");
+}
+
+std::string in_words(const oracle::UnstableSurface& set) {
+  std::string text;
+  for (const auto& x : set.vertices) text += "vertex (" + text_of(RationalPoint(x)) + ")\n";
+  const auto add = [&](const std::string& name, const std::vector<oracle::EdgePart>& parts) {
+    for (const auto& part : parts) {
+      text += name + " " + text_of(Ids(part.polygon)) + " " + in_words(part.from) + " " + in_words(part.to) + "\n";
+    }
+  };
+  add("trace", set.traces);
+  add("run", set.runs);
+  for (const auto& sheet : set.sheets) {
+    text += "sheet " + text_of(Ids(sheet.samples.begin(), sheet.samples.end()));
+    for (const auto& corner : sheet.corners) text += " " + in_words(corner);
+    text += "\n";
+  }
+  for (const auto& s : set.segments) {
+    text += "segment " + text_of(Ids(s.samples.begin(), s.samples.end())) + " " + in_words(oracle::Corner{s.start}) +
+            " " + in_words(s.end) + "\n";
+  }
+  return text;
+}
+
+void count(const oracle::UnstableSurface& set, bool is_critical, Totals& totals) {
+  ++totals.sets;
+  totals.regular += is_critical ? 0 : 1;
+  totals.vertices += set.vertices.size();
+  totals.traces += set.traces.size();
+  for (const auto& trace : set.traces) totals.points += trace.from == trace.to;
+  totals.runs += set.runs.size();
+  totals.sheets += set.sheets.size();
+  for (const auto& sheet : set.sheets) totals.unbounded += !sheet.corners.empty() && sheet.corners.back().at_infinity;
+  totals.segments += set.segments.size();
+  for (std::size_t k = 1; k < set.traces.size(); ++k) totals.cut += set.traces[k].polygon == set.traces[k - 1].polygon;
+}
+
+void require_right_sets(const Subject& subject, Totals& totals) {
+  const StationaryPoints& stationary = subject.complex.stationary();
+  const UnstableSurfaces cascade(subject.complex.diagram(), stationary);
+  const UnstableSurfaces exact(subject.complex.diagram(), stationary,
+                               {ConstructionKernel::kExact, FacetSearch::kLinear});
+  const std::size_t step = 1 + cascade.size() / kSetsByOracle;
+  for (std::size_t i = 0; i < cascade.size(); i += step) {
+    const auto y = oracle_point(subject.complex.points(), stationary, cascade.record(i));
+    const UnstableSurface fast = cascade.set(i);
+    const oracle::UnstableSurface mine = oracle_form(fast), its = oracle::unstable_surface(subject.set, y);
+    require_none(subject.input, mine == its ? "" : "another unstable set of " + text_of(Ids(y.contact)),
+                 "the fast implementation's:\n" + in_words(mine) + "the oracle's:\n" + in_words(its));
+    RC_ASSERT(oracle_form(exact.set(i)) == mine);
+    RC_ASSERT(cascade.size_of(i) == (UnstableSurfaceSize{fast.vertices.size(), fast.traces.size(), fast.runs.size(),
+                                                         fast.sheets.size(), fast.segments.size()}));
+    count(mine, y.is_critical(), totals);
+  }
+}
+
+void add(Totals& sum, const Totals& part) {
+  sum.sets += part.sets, sum.regular += part.regular, sum.vertices += part.vertices, sum.traces += part.traces;
+  sum.points += part.points, sum.runs += part.runs, sum.sheets += part.sheets, sum.unbounded += part.unbounded;
+  sum.segments += part.segments, sum.cut += part.cut;
+}
+
+void print_row(const std::string& name, const Totals& t) {
+  std::printf("%-24s %5zu sets, %4zu regular; %6zu vertices, %6zu traces (%4zu points, %4zu beside another), ",
+              name.c_str(), t.sets, t.regular, t.vertices, t.traces, t.points, t.cut);
+  std::printf("%5zu runs, %6zu sheets (%5zu unbounded), %4zu segments\n", t.runs, t.sheets, t.unbounded, t.segments);
+}
+
+TEST(UnstableSurfaceAgreement, SetsAreTheOracles) {
+  CITES("FC-UNST-04", "FC-UNST-05", "FC-UNST-06");
+  Totals all;
+  bool agreed = true;
+  const auto run = [&](const std::vector<fuzz::Family>& families, int inputs) {
+    for (const fuzz::Family& family : families) {
+      Totals totals;
+      const rc::Gen<fuzz::Input> generator = family.generate();
+      agreed = expect_holds("unstable sets, " + family.name, parameters_of_run(inputs),
+                            [&] {
+                              const fuzz::Input input = *generator;
+                              require_right_sets(Subject(input), totals);
+                            }) &&
+               agreed;
+      print_row(family.name, totals);
+      add(all, totals);
+    }
+  };
+  run(fuzz::families(), kInputsPerFamily);
+  run(fuzz::stable_families(), kInputsMadeForThis);
+  print_row("all", all);
+  if (agreed && scale_of_run() >= 1) {
+    EXPECT_GE(all.sets, 5000U);
+    EXPECT_GE(all.regular, 400U);
+    EXPECT_GE(all.runs, 1000U);
+    EXPECT_GE(all.segments, 300U);
+    EXPECT_GE(all.unbounded, 3000U);
+  }
+}
+
+}  // namespace
+}  // namespace flowcert::property
