@@ -61,8 +61,8 @@ class FastTruth final : public Truth {
   }
   [[nodiscard]] std::vector<Connection> connections(std::size_t i) override {
     if (!connections_) connections_ = flowcert::connections(complex_.limits());
-    const auto [first, last] = std::ranges::equal_range(*connections_, i, {}, &Connection::from);
-    return {first, last};
+    const auto first = std::ranges::lower_bound(*connections_, i, {}, &Connection::from);
+    return {first, std::ranges::upper_bound(*connections_, i, {}, &Connection::from)};
   }
   [[nodiscard]] bool is_morse_smale() override {
     return flowcert::is_morse_smale(complex_.stationary(), complex_.limits(), complex_.stable());

@@ -285,12 +285,12 @@ bool check_lambda_lists(CheckRun& run) {
     const ClaimedPoint& point = run.claim.points[k];
     if ((!point.lambda && !point.connections) || !run.placed[k].is_right) continue;
     if (!run.judges(2) || !run.judges(3)) {
-      run.leave_unjudged("λ-lists and connections, which lead to points of other indices (FC-CLAIM-12)");
+      run.leave_unjudged("lambda-lists and connections, which lead to points of other indices (FC-CLAIM-12)");
       continue;
     }
     if (lists.is_perturbed(k)) {
       run.leave_unjudged(
-          "λ-lists and connections of, or to, the points that a perturbation makes of stationary points");
+          "lambda-lists and connections of, or to, the points that a perturbation makes of stationary points");
       continue;
     }
     if (point.lambda) lists.check_list(k);

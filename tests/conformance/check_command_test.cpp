@@ -208,6 +208,46 @@ TEST(CheckCommand, OurOwnStableSetsConformExactly) {
   }
 }
 
+TEST(CheckCommand, OurOwnWholeComplexesConform) {
+  CITES("FC-CLAIM-13", "FC-CLAIM-14", "FC-CLAIM-15");
+  const std::string chain = "0 0 0\n1 0 0\n1 1 0\n1 1 1\n2 1 1\n";
+  for (const std::string& points :
+       {std::string(kCube), chain, std::string("0 0 0\n1 0 0\n"), lattice_points(1, 12, 3)}) {
+    SCOPED_TRACE(points);
+    for (const Words& more : {Words{"--volumes", "exact"}, {"--centers", "double"}, {"--centers", "none"}}) {
+      Words wanted = {"--manifolds", "all"};
+      wanted.insert(wanted.end(), more.begin(), more.end());
+      const Checked own(points, wanted);
+      for (const Words& by : {Words{}, {"--oracle"}}) {
+        const json report = own.as_json(by);
+        EXPECT_EQ(report["verdict"], "conforms");
+        EXPECT_EQ(report["grade"], more[1] == "exact" ? "exact" : "approximate");
+        EXPECT_EQ(report["findings"], json::array());
+        EXPECT_EQ(levels(report)[4], true);
+      }
+    }
+  }
+  const Checked own(chain, Words{"--manifolds", "all", "--volumes", "exact"});
+  for (const auto& [right, wrong, reason] :
+       {std::array{R"("volume":"1/6")", R"("volume":"1/5")", "wrong-volume"},
+        {R"("orbits":0,"families":1)", R"("orbits":1,"families":1)", "wrong-connections"},
+        {R"("morse_smale":false)", R"("morse_smale":true)", "wrong-connections"},
+        {R"(],null]},"connections")", R"(],[0,1]]},"connections")", "wrong-lambda-list"}}) {
+    std::string claim = content_of(own.claim());
+    const std::size_t place = claim.find(right);
+    ASSERT_NE(place, std::string::npos) << right << " in\n" << claim;
+    claim.replace(place, std::string(right).size(), wrong);
+    for (const Words& by : {Words{}, {"--oracle"}}) {
+      const Checked changed(chain, claim);
+      const json report = changed.as_json(by);
+      ASSERT_EQ(report["findings"].size(), 1U) << report;
+      EXPECT_EQ(report["findings"][0]["reason"], reason);
+      EXPECT_EQ(report["findings"][0]["level"], 5);
+      EXPECT_EQ(changed.run(by).status, 1);
+    }
+  }
+}
+
 TEST(CheckCommand, JudgesAnotherImplementationWhereItIsDetermined) {
   CITES("FC-CLAIM-04", "FC-CLAIM-05", "FC-CLAIM-06");
   const Checked other(kCollisions, kCollisionsClaimed);

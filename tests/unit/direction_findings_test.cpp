@@ -261,7 +261,7 @@ TEST(DirectionFindings, WhatAPerturbationMakesIsNotJudged) {
   const auto has = [&](const std::string& what) {
     return std::ranges::find(report.not_judged, what) != report.not_judged.end();
   };
-  EXPECT_TRUE(has("λ-lists and connections of, or to, the points that a perturbation makes of stationary points"));
+  EXPECT_TRUE(has("lambda-lists and connections of, or to, the points that a perturbation makes of stationary points"));
   EXPECT_TRUE(has("volumes of the points that a perturbation makes of stationary points"));
   EXPECT_TRUE(std::ranges::none_of(report.findings, [](const Finding& finding) { return finding.level == 5; }));
 }
@@ -275,7 +275,7 @@ TEST(DirectionFindings, OtherIndicesAreNotJudged) {
   const CheckReport report = points.check(claimed, {.indices = {true, true, true, false}});
   EXPECT_EQ(report.verdict, Verdict::kConforms);
   EXPECT_EQ(std::ranges::count(report.not_judged,
-                               "λ-lists and connections, which lead to points of other indices (FC-CLAIM-12)"),
+                               "lambda-lists and connections, which lead to points of other indices (FC-CLAIM-12)"),
             1);
 }
 

@@ -124,7 +124,7 @@ Words words_of(const LambdaList& list, bool is_cycle) {
     }
     if (k < list.arcs.size()) one += ", then " + words_of(list.arcs[k]);
   }
-  if (is_cycle) std::ranges::rotate(words, std::ranges::min_element(words));
+  if (is_cycle) std::rotate(words.begin(), std::ranges::min_element(words), words.end());
   return words;
 }
 
