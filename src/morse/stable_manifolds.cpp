@@ -518,9 +518,11 @@ const char* back_kind_text(BackKind kind) {
   return kTexts.at(static_cast<std::size_t>(kind));
 }
 
-StableSet StableManifolds::set(std::size_t i) const {
+StableSet StableManifolds::set(std::size_t i) const { return set_of_record(record(i)); }
+StableSet StableManifolds::set_of_record(std::size_t record) const {
+  if (parts_->stationary.index(record).hull_dimension < 2) return {};
   const auto make = [this] { return std::make_unique<Parts::Worker>(*parts_); };
-  return parts_->workers.with(make, [&](Parts::Worker& worker) { return worker.geometry(record(i)); });
+  return parts_->workers.with(make, [&](Parts::Worker& worker) { return worker.geometry(record); });
 }
 RoundedSegments StableManifolds::rounded_segments(std::size_t i) const {
   const auto make = [this] { return std::make_unique<Parts::Worker>(*parts_); };

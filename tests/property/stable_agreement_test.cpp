@@ -94,6 +94,24 @@ void require_right_sets(const Subject& subject, Totals& totals) {
   }
 }
 
+// The stable sets of maxima, of dimension 3 all over.
+void require_right_maxima(const Subject& subject, Totals& totals) {
+  const StationaryPoints& stationary = subject.complex.stationary();
+  const StableManifolds exact(subject.complex.diagram(), stationary,
+                              {{ConstructionKernel::kExact, FacetSearch::kLinear}});
+  for (std::size_t record = 0; record < stationary.size(); ++record) {
+    if (stationary.index(record) != StationaryIndex{3, 3}) continue;
+    const Pieces fast = pieces_of(subject.complex.stable().set_of_record(record));
+    const auto z = oracle_point(subject.complex.points(), stationary, record);
+    const std::string name = "the stable set of the maximum " + text_of(z.contact);
+    require_same_pieces(subject, name, fast, pieces_of(subject.set, oracle::stable_set(subject.set, z)));
+    require_same_pieces(subject, name + ", by the exact kernel", pieces_of(exact.set_of_record(record)), fast);
+    ++totals.sets;
+    totals.with_sector_cut += std::any_of(fast.sectors.begin(), fast.sectors.end(),
+                                          [](const SectorKey& s) { return std::get<1>(s).size() > 3; });
+  }
+}
+
 void add(Totals& sum, const Totals& part) {
   sum.sets += part.sets;
   sum.with_vertex += part.with_vertex;
@@ -139,6 +157,26 @@ TEST(StableAgreement, SetsAreTheOracles) {
     EXPECT_GE(all.with_interval, 1000U);
     EXPECT_GE(all.with_sector_cut, 200U);
     EXPECT_GE(all.regular_ends, 1000U);
+  }
+}
+
+TEST(StableAgreement, SetsOfMaximaAreTheOracles) {
+  CITES("FC-STAB-03", "FC-STAB-05");
+  Totals totals;
+  bool agreed = true;
+  for (const fuzz::Family& family : fuzz::families_and_stable_ones()) {
+    const rc::Gen<fuzz::Input> generator = family.generate();
+    agreed = expect_holds("stable sets of maxima, " + family.name, parameters_of_run(kInputsPerFamily),
+                          [&] {
+                            const fuzz::Input input = *generator;
+                            require_right_maxima(Subject(input), totals);
+                          }) &&
+             agreed;
+  }
+  print_row("maxima", totals);
+  if (agreed && scale_of_run() >= 1) {
+    EXPECT_GE(totals.sets, 500U);
+    EXPECT_GE(totals.with_sector_cut, 200U);
   }
 }
 

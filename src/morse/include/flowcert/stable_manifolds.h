@@ -125,6 +125,8 @@ class StableManifolds {
 
   // The skeleton, with exact coordinates. This flows once more.
   [[nodiscard]] StableSet set(std::size_t i) const;
+  // The same for any stationary point, by its place in the list: for maxima, too. Index 0 and 1 have no pieces.
+  [[nodiscard]] StableSet set_of_record(std::size_t record) const;
   // Its backward segments, in the nearest doubles. This takes much less time.
   [[nodiscard]] RoundedSegments rounded_segments(std::size_t i) const;
 
