@@ -36,7 +36,7 @@ bool is_lesser_interval(const UnstableInterval& a, const UnstableInterval& b) {
 void make_canonical(std::vector<SurfaceCorner>& corners) {
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
-  std::ranges::rotate(corners, std::ranges::min_element(corners, is_lesser_corner));
+  std::rotate(corners.begin(), std::ranges::min_element(corners, is_lesser_corner), corners.end());
   if (corners.size() > 2 && is_lesser_corner(corners.back(), corners[1])) {
     std::reverse(corners.begin() + 1, corners.end());
   }
