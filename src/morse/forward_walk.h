@@ -72,7 +72,7 @@ class ForwardWalk {
     std::vector<RingPiece> pieces;
     ObtuseChain chain;
   };
-  // Where a ray leaves a facet: at element k of the ring, which is place 2 k, or inside piece k, which is place 2 k + 1.
+  // Where a ray leaves a facet: at element k of the ring, which is place 2 k, or inside piece k, at place 2 k + 1.
   struct Exit {
     std::size_t place;
     SurfaceEnd end;
