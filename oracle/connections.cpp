@@ -41,19 +41,21 @@ std::vector<Connection> connections_from(const std::vector<StationaryPoint>& all
 
 }  // namespace
 
-std::vector<Connection> connections(const PointSet& set) {
-  const std::vector<StationaryPoint> points = stationary_points(set).stationary;
-  std::vector<Connection> all;
-  for (const StationaryPoint& y : points) {
+std::vector<Connection> connections(const PointSet& set) { return connections(set, stationary_points(set).stationary); }
+
+std::vector<Connection> connections(const PointSet& set, const std::vector<StationaryPoint>& all) {
+  std::vector<Connection> graph;
+  for (const StationaryPoint& y : all) {
     if (y.face_dimension == 0) continue;
-    const std::vector<Connection> from_y = connections_from(points, y, lambda_list(set, y));
-    all.insert(all.end(), from_y.begin(), from_y.end());
+    const std::vector<Connection> from_y = connections_from(all, y, lambda_list(set, y));
+    graph.insert(graph.end(), from_y.begin(), from_y.end());
   }
-  return all;
+  return graph;
 }
 
-bool is_morse_smale(const PointSet& set) {
-  const std::vector<StationaryPoint> all = stationary_points(set).stationary;
+bool is_morse_smale(const PointSet& set) { return is_morse_smale(set, stationary_points(set).stationary); }
+
+bool is_morse_smale(const PointSet& set, const std::vector<StationaryPoint>& all) {
   return std::all_of(all.begin(), all.end(), [&](const StationaryPoint& z) {
     if (!z.is_critical()) return false;
     if (z.face_dimension != 2) return true;

@@ -25,8 +25,11 @@ struct Connection {
 // Those of all stationary points that are not samples (FC-CONN-01, 02). They are in the order of FC-OUT-02 by `from`,
 // then by `to`, and infinity is last.
 std::vector<Connection> connections(const PointSet& set);
+// The same, if `all` has the stationary points in the order of FC-OUT-02.
+std::vector<Connection> connections(const PointSet& set, const std::vector<StationaryPoint>& all);
 
 // FC-CONN-03.
 bool is_morse_smale(const PointSet& set);
+bool is_morse_smale(const PointSet& set, const std::vector<StationaryPoint>& all);
 
 }  // namespace oracle

@@ -1,6 +1,7 @@
 // A value that does not exist is null.
 #include "oracle/program/answer_fields.h"
 
+#include <algorithm>
 #include <set>
 
 #include "oracle/stable_pieces.h"
@@ -102,6 +103,23 @@ Json sector_field(const Sector& sector) {
   return field;
 }
 
+// Null for infinity.
+Json contact_field(const std::optional<StationaryPoint>& limit) {
+  if (!limit) return nullptr;
+  return limit->contact;
+}
+
+// Where the ray of a direction u of y leaves the closed Voronoi face of y's directions. Nothing iff it never does.
+std::optional<Point> exit_along(const PointSet& set, const StationaryPoint& y, const Direction& u) {
+  const Places contact = places_of(set, y.contact);
+  const std::size_t p = *std::max_element(contact.begin(), contact.end(), [&](std::size_t a, std::size_t b) {
+    return dot(set.points[a], u) < dot(set.points[b], u);
+  });
+  const std::optional<Rational> time = set.first_meeting(p, y.center, u);
+  if (!time) return std::nullopt;
+  return moved(y.center, *time, u);
+}
+
 }  // namespace
 
 Json position_field(const Point& x) {
@@ -157,6 +175,52 @@ Json skeleton_field(const PointSet& set, const StableSet& stable) {
     field["intervals"].push_back(interval_field(set, interval));
   }
   for (const Sector& sector : stable.sectors) field["sectors"].push_back(sector_field(sector));
+  return field;
+}
+
+// A cyclic list begins with the least exit in lexicographic order. The oracle's begins with the least direction.
+Json lambda_field(const PointSet& set, const StationaryPoint& y, const std::vector<UnstableEntry>& list) {
+  std::vector<Json> directions, arcs;
+  std::vector<Point> ends;  // of the directions
+  for (const UnstableEntry& entry : list) {
+    if (entry.is_arc) {
+      arcs.push_back(contact_field(entry.limit));
+      continue;
+    }
+    const std::optional<Point> exit = exit_along(set, y, *entry.from);
+    ends.push_back(exit.value_or(*entry.from));
+    Json& direction = directions.emplace_back();
+    direction[exit ? "exit" : "vector"] = position_field(ends.back());
+    direction["limit"] = contact_field(entry.limit);
+  }
+  if (y.hull_dimension == 1 && !ends.empty()) {
+    const auto first = std::min_element(ends.begin(), ends.end()) - ends.begin();
+    std::rotate(directions.begin(), directions.begin() + first, directions.end());
+    std::rotate(arcs.begin(), arcs.begin() + first, arcs.end());
+  }
+  Json field;
+  field["directions"] = directions;
+  field["arcs"] = arcs;
+  return field;
+}
+
+Json connections_field(const StationaryPoint& y, const std::vector<Connection>& all) {
+  Json field = Json::array();
+  for (const Connection& connection : all) {
+    if (connection.from != y) continue;
+    Json& one = field.emplace_back();
+    one["to"] = contact_field(connection.to);
+    one["orbits"] = connection.directions;
+    one["families"] = connection.arcs;
+  }
+  return field;
+}
+
+Json shares_field(const PointSet& set, const std::vector<Rational>& shares) {
+  Json field = Json::array();
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    if (shares[k] != 0) field.push_back(Json::array({set.names[k], shares[k].str()}));
+  }
   return field;
 }
 

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "oracle/connections.h"
 #include "oracle/orbit.h"
 #include "oracle/persistence.h"
 #include "oracle/stable_set.h"
@@ -24,6 +25,12 @@ Json orbit_field(const PointSet& set, const Point& start, const Orbit& path);
 Json stable_field(const PointSet& set, const StationaryPoint& z, const StableSet& stable);
 // segments, intervals, sectors.
 Json skeleton_field(const PointSet& set, const StableSet& stable);
+// directions, arcs. `list` is the λ-list of y.
+Json lambda_field(const PointSet& set, const StationaryPoint& y, const std::vector<UnstableEntry>& list);
+// An array of to, orbits, families, of those connections that lead from y.
+Json connections_field(const StationaryPoint& y, const std::vector<Connection>& all);
+// An array of pairs: a sample, and its share, if that is not 0. `shares` has one for each point of the set.
+Json shares_field(const PointSet& set, const std::vector<Rational>& shares);
 // An array of dimension, birth, death.
 Json persistence_field(const std::vector<PersistencePair>& pairs);
 // merged_duplicates, critical, regular_stationary.
