@@ -46,6 +46,13 @@ TEST(MakeVectors, WritesStableSetsAndPersistencePairs) {
   expect_files_of_the_spec(folder, {"flags.json", "persistence.json", "stable-manifolds.json"});
 }
 
+TEST(MakeVectors, WritesTheWholeComplex) {
+  CITES("FC-UNST-02", "FC-CONN-01", "FC-CONN-03", "FC-VOL-01", "FC-VOL-02");
+  const Scratch folder;
+  EXPECT_EQ(make_vectors({folder.path(""), "connections", "lambda-lists", "volumes"}).status, 0);
+  expect_files_of_the_spec(folder, {"flags.json", "connections.json", "lambda-lists.json", "volumes.json"});
+}
+
 TEST(MakeVectors, TellsHowManyCasesThereAre) {
   CITES("FC-IN-01", "FC-IN-05");
   const Scratch folder;

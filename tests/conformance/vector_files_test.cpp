@@ -102,6 +102,49 @@ TEST(VectorFiles, TheSchemaNoticesDamagesOfStableSetsAndPairs) {
   }
 }
 
+// The damages are in the right triangle: three samples, two points of index 1, and one of kind 1-2.
+TEST(VectorFiles, TheSchemaNoticesDamagesOfTheWholeComplex) {
+  CITES("FC-UNST-02", "FC-CONN-01", "FC-CONN-03", "FC-VOL-01");
+  const auto damaged = [](const std::string& group, const std::string& id, const std::string& damage) {
+    nlohmann::json file = nlohmann::json::parse(vectors_text(group));
+    std::erase_if(file["cases"].get_ref<nlohmann::json::array_t&>(),
+                  [&](const nlohmann::json& one) { return one["id"] != id; });
+    EXPECT_EQ(violations(file), "");
+    return violations(file.patch(nlohmann::json::parse(damage)));
+  };
+  const std::string last = "/cases/0/expected/stationary/5/";
+  for (const auto& [path, change] :
+       std::map<std::string, std::string>{{"lambda/directions", R"("op":"remove")"},
+                                          {"lambda/arcs", R"("op":"remove")"},
+                                          {"lambda/arcs/0", R"("op":"replace","value":[])"},
+                                          {"lambda/more", R"("op":"add","value":1)"},
+                                          {"lambda/directions/0/limit", R"("op":"remove")"},
+                                          {"lambda/directions/0/vector", R"("op":"remove")"},
+                                          {"lambda/directions/0/vector/1", R"("op":"replace","value":"-0")"},
+                                          {"lambda/directions/0/exit", R"("op":"add","value":["0","0","0"])"}}) {
+    EXPECT_NE(damaged("lambda-lists", "lambda-lists-0007", R"([{"path":")" + last + path + "\"," + change + "}]"), "")
+        << path;
+  }
+  for (const auto& [path, change] :
+       std::map<std::string, std::string>{{last + "connections/0/to", R"("op":"remove")"},
+                                          {last + "connections/0/orbits", R"("op":"replace","value":-1)"},
+                                          {last + "connections/0/families", R"("op":"remove")"},
+                                          {last + "connections", R"("op":"replace","value":[])"},
+                                          {"/cases/0/expected/morse_smale", R"("op":"replace","value":"no")"}}) {
+    EXPECT_NE(damaged("connections", "connections-0007", R"([{"path":")" + path + "\"," + change + "}]"), "") << path;
+  }
+  for (const auto& [path, change] :
+       std::map<std::string, std::string>{{"volume", R"("op":"replace","value":"-1")"},
+                                          {"volume", R"("op":"remove")"},
+                                          {"shares", R"("op":"replace","value":[])"},
+                                          {"shares/0", R"("op":"replace","value":[0])"},
+                                          {"shares/0/1", R"("op":"replace","value":"0")"}}) {
+    const std::string octahedron = "/cases/0/expected/stationary/26/";
+    EXPECT_NE(damaged("volumes", "volumes-0013", R"([{"path":")" + octahedron + path + "\"," + change + "}]"), "")
+        << path;
+  }
+}
+
 std::set<std::string> clauses_of_the_spec() {
   static const std::regex heading(R"(\*\*(FC-[A-Z]+-[0-9]{2})\*\* \()");
   const std::string spec = text_of_file(spec_folder() / "flow_complex.md") + text_of_file(spec_folder() / "claims.md");
@@ -138,6 +181,9 @@ TEST(VectorFiles, NameWhatThereIs) {
   EXPECT_GE(ids.size(), 300U);
   EXPECT_GE(group_named("stable-manifolds")["cases"].size(), 60U);
   EXPECT_GE(group_named("persistence")["cases"].size(), 60U);
+  for (const char* group : {"lambda-lists", "connections", "volumes"}) {
+    EXPECT_GE(group_named(group)["cases"].size(), 40U) << group;
+  }
   EXPECT_EQ(flags.size(), group_named("flags")["flags"].size()) << "a case has a flag that is not defined";
   for (const auto& [flag, cases] : flags) EXPECT_GT(cases, 0U) << flag << " is no case's flag";
 }
@@ -238,6 +284,52 @@ TEST(VectorFiles, AreConsistent) {
       EXPECT_TRUE(pair["death"].is_null() || is_sayable(pair["death"])) << one["id"];
     }
   }
+}
+
+// Volumes that are known without a computation.
+TEST(VectorFiles, SharesAddUpToVolumesAndSomeAreKnown) {
+  CITES("FC-VOL-01", "FC-VOL-02");
+  const std::map<std::string, std::vector<std::string>> known = {
+      {"volumes-0012", {"1"}},   {"volumes-0013", {"4/3"}},        {"volumes-0014", {"4"}},
+      {"volumes-0015", {"2/3"}}, {"volumes-0016", {"1/6", "1/6"}}, {"volumes-0017", {"50", "45", "45"}}};
+  std::size_t found = 0;
+  for (const Json& one : group_named("volumes")["cases"]) {
+    std::vector<std::string> positive;
+    for (const Json& x : one["expected"]["stationary"]) {
+      const oracle::Rational volume = oracle::parse_rational(x["volume"])->value;
+      oracle::Rational sum = 0;
+      for (const Json& share : x.value("shares", Json::array())) sum += oracle::parse_rational(share[1])->value;
+      EXPECT_EQ(sum, volume) << one["id"];
+      if (volume != 0) positive.push_back(x["volume"]);
+    }
+    const auto expected = known.find(one["id"]);
+    if (expected == known.end()) continue;
+    EXPECT_EQ(positive, expected->second) << one["id"];
+    ++found;
+  }
+  EXPECT_EQ(found, known.size());
+}
+
+// Both groups have these inputs under the same numbers. A connection is one iff its end is a limit of the list.
+TEST(VectorFiles, ConnectionsLeadToTheLimitsOfLists) {
+  CITES("FC-CONN-01", "FC-UNST-02");
+  const Json& lists = group_named("lambda-lists")["cases"];
+  std::size_t compared = 0;
+  for (std::size_t k = 0; k < lists.size(); ++k) {
+    const Json& other = group_named("connections")["cases"][k];
+    if (lists[k]["points"] != other["points"]) continue;
+    for (std::size_t i = 0; i < other["expected"]["stationary"].size(); ++i) {
+      const Json& record = lists[k]["expected"]["stationary"][i];
+      if (!record.contains("lambda")) continue;
+      std::set<std::string> limits, ends;
+      for (const Json& direction : record["lambda"]["directions"]) limits.insert(direction["limit"].dump());
+      for (const Json& limit : record["lambda"]["arcs"]) limits.insert(limit.dump());
+      for (const Json& one : other["expected"]["stationary"][i]["connections"]) ends.insert(one["to"].dump());
+      EXPECT_EQ(ends, limits) << other["id"] << record;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 200U);
 }
 
 // The tool makes the files from its own table. (TheOraclePasses has what is expected of larger inputs.)

@@ -8,9 +8,11 @@
 #include <map>
 #include <set>
 
+#include "flowcert/connections.h"
 #include "flowcert/flow_complex.h"
 #include "flowcert/read_points.h"
 #include "io/json_fields.h"
+#include "io/lambda_fields.h"
 #include "io/number_text.h"
 #include "oracle/program/read_records.h"
 #include "tests/cites.h"
@@ -137,6 +139,36 @@ Json in_order(const Json& pairs) {
   return sorted;
 }
 
+// Without the doubles.
+Json fast_lambda(const FlowComplex& complex, std::size_t i) {
+  Json field = lambda_field(complex.stationary(), complex.limits().list(i));
+  for (Json& direction : field["directions"]) {
+    direction.erase("exit_double");
+    direction.erase("vector_double");
+  }
+  return field;
+}
+
+void add_fast_lists(const FlowComplex& complex, const Json& expected, Json& records) {
+  const FlowLimits& limits = complex.limits();
+  const bool has_lambda = any_has(expected, "lambda"), has_connections = any_has(expected, "connections");
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    Json& record = records[limits.record(i)];
+    if (has_lambda) record["lambda"] = fast_lambda(complex, i);
+    if (has_connections) record["connections"] = connections_field(complex.stationary(), connections_of(limits, i));
+  }
+}
+
+void add_fast_volumes(const FlowComplex& complex, Json& records) {
+  const StableVolumes& volumes = complex.volumes();
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    records[i]["volume"] = to_text(volumes.exact(i));
+    for (const auto& [sample, share] : volumes.shares(i)) {
+      records[i]["shares"].push_back(Json::array({sample, to_text(share)}));
+    }
+  }
+}
+
 Json fast_answer(const Json& one, ConstructionKernel kernel) {
   const FlowComplex complex(fast_points(one), {.flow = {kernel, FacetSearch::kBinary}});
   Json answer;
@@ -146,6 +178,13 @@ Json fast_answer(const Json& one, ConstructionKernel kernel) {
   const Json& expected = one["expected"]["stationary"];
   if (any_has(expected, "limits")) add_fast_limits(complex, answer["stationary"]);
   if (any_has(expected, "stable")) add_fast_stable_sets(complex, expected, answer["stationary"]);
+  if (any_has(expected, "lambda") || any_has(expected, "connections")) {
+    add_fast_lists(complex, expected, answer["stationary"]);
+  }
+  if (any_has(expected, "volume")) add_fast_volumes(complex, answer["stationary"]);
+  if (has(one, "morse_smale")) {
+    answer["morse_smale"] = is_morse_smale(complex.stationary(), complex.limits(), complex.stable());
+  }
   if (has(one, "persistence")) answer["persistence"] = in_order(fast_persistence(complex.persistence()));
   if (!has(one, "orbits")) return answer;
   answer["orbits"] = Json::array();
@@ -164,20 +203,22 @@ void expect_all_cases(const char* name, ConstructionKernel kernel) {
 TEST(Vectors, TheFastImplementationPassesUnderTheLazyKernel) {
   CITES("FC-IN-02", "FC-IN-03", "FC-IN-04", "FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-04", "FC-CRIT-05", "FC-NUM-01",
         "FC-OUT-01", "FC-OUT-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-03", "FC-FLOW-05", "FC-FLOW-07", "FC-STAB-01",
-        "FC-STAB-04", "FC-STAB-05", "FC-STAB-06", "FC-STAB-07", "FC-PERS-01", "FC-PERS-05");
+        "FC-STAB-04", "FC-STAB-05", "FC-STAB-06", "FC-STAB-07", "FC-PERS-01", "FC-PERS-05", "FC-UNST-01", "FC-UNST-02",
+        "FC-CONN-01", "FC-CONN-03", "FC-VOL-01", "FC-VOL-02");
   expect_all_cases("lazy", ConstructionKernel::kLazy);
 }
 
 TEST(Vectors, TheFastImplementationPassesUnderTheCascadeKernel) {
   CITES("FC-IN-02", "FC-IN-03", "FC-IN-04", "FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-04", "FC-CRIT-05", "FC-NUM-01",
         "FC-OUT-01", "FC-OUT-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-03", "FC-FLOW-05", "FC-FLOW-07", "FC-STAB-01",
-        "FC-STAB-04", "FC-STAB-05", "FC-STAB-06", "FC-STAB-07", "FC-PERS-01", "FC-PERS-05");
+        "FC-STAB-04", "FC-STAB-05", "FC-STAB-06", "FC-STAB-07", "FC-PERS-01", "FC-PERS-05", "FC-UNST-01", "FC-UNST-02",
+        "FC-CONN-01", "FC-CONN-03", "FC-VOL-01", "FC-VOL-02");
   expect_all_cases("cascade", ConstructionKernel::kCascade);
 }
 
 // It also disagrees where it has not the very same thing to compare with, as for the walk.
 TEST(Vectors, TheFastImplementationDisagreesWithWhatIsWrong) {
-  CITES("FC-STAB-04", "FC-STAB-07", "FC-PERS-01");
+  CITES("FC-STAB-04", "FC-STAB-07", "FC-PERS-01", "FC-UNST-02", "FC-CONN-01", "FC-CONN-03", "FC-VOL-01", "FC-VOL-02");
   const std::map<std::string, std::vector<const char*>> wrong = {
       {"stable-manifolds-0005",
        {R"([{"op":"replace","path":"/stationary/6/stable/walk","value":[0,1,2,1]}])",
@@ -194,7 +235,20 @@ TEST(Vectors, TheFastImplementationDisagreesWithWhatIsWrong) {
       {"persistence-0005",
        {R"([{"op":"replace","path":"/persistence/0/death","value":null}])",
         R"([{"op":"replace","path":"/persistence/3/birth","value":"1/3"}])",
-        R"([{"op":"remove","path":"/persistence/2"}])"}}};
+        R"([{"op":"remove","path":"/persistence/2"}])"}},
+      {"lambda-lists-0017",
+       {R"([{"op":"replace","path":"/stationary/5/lambda/directions/0/limit","value":null}])",
+        R"([{"op":"replace","path":"/stationary/5/lambda/directions/0/exit/0","value":"1/3"}])",
+        R"([{"op":"remove","path":"/stationary/5/lambda/arcs/0"}])"}},
+      {"connections-0017",
+       {R"([{"op":"replace","path":"/morse_smale","value":true}])",
+        R"([{"op":"replace","path":"/stationary/5/connections/0/families","value":7}])",
+        R"([{"op":"remove","path":"/stationary/5/connections/0"}])"}},
+      {"volumes-0017",
+       {R"([{"op":"replace","path":"/stationary/1/volume","value":"1/3"}])",
+        R"([{"op":"replace","path":"/stationary/17/volume","value":"49"}])",
+        R"([{"op":"remove","path":"/stationary/17/shares/0"}])",
+        R"([{"op":"replace","path":"/stationary/17/shares/0/1","value":"1/3"}])"}}};
   for (const Json& one : all_cases()) {
     const auto changes = wrong.find(one["id"]);
     if (changes == wrong.end()) continue;

@@ -199,6 +199,52 @@ bool has_equal_pairs(const Findings& found) {
   return std::adjacent_find(found.persistence.begin(), found.persistence.end()) != found.persistence.end();
 }
 
+// ---- Of λ-lists, connections and volumes
+
+bool some_entry(const Findings& found, bool (*holds)(const UnstableEntry&)) {
+  for (const auto& place_and_list : found.lambda) {
+    for (const UnstableEntry& entry : place_and_list.second) {
+      if (holds(entry)) return true;
+    }
+  }
+  return false;
+}
+
+bool is_whole_circle(const UnstableEntry& entry) { return entry.is_arc && !entry.from; }
+bool is_arc_to_infinity(const UnstableEntry& entry) { return entry.is_arc && !entry.limit; }
+bool is_arc_to_no_maximum(const UnstableEntry& entry) {
+  return entry.is_arc && entry.limit && !is_maximum(*entry.limit);
+}
+
+// A list that goes around a circle is left out, because there each arc may have its ends.
+bool has_closed_arc(const Findings& found) {
+  for (const auto& [place, list] : found.lambda) {
+    if (!is_regular(found.answer.stationary[place])) continue;
+    for (std::size_t k = 1; k < list.size(); ++k) {
+      if (list[k].is_arc != list[k - 1].is_arc && list[k].limit == list[k - 1].limit) return true;
+    }
+  }
+  return false;
+}
+
+bool some_connection(const Findings& found, bool (*holds)(const Connection&)) {
+  return std::any_of(found.connections.begin(), found.connections.end(), holds);
+}
+
+bool leads_between_saddles(const Connection& one) {
+  return one.from.is_critical() && one.from.hull_dimension == 2 && one.to && one.to->is_critical() &&
+         one.to->hull_dimension == 2;
+}
+bool leads_to_regular(const Connection& one) { return one.to && is_regular(*one.to); }
+bool leads_there_twice(const Connection& one) { return one.directions + one.arcs >= 2; }
+
+bool some_volume(const Findings& found, bool (*holds)(const StationaryPoint&)) {
+  for (std::size_t i = 0; i < found.volumes.size(); ++i) {
+    if (found.volumes[i].volume != 0 && holds(found.answer.stationary[i])) return true;
+  }
+  return false;
+}
+
 // ---- The table
 
 constexpr Flag kFlags[] = {
@@ -307,6 +353,29 @@ constexpr Flag kFlags[] = {
      [](const Findings& found) { return some_pair(found, 2); }},
     {"equal-pairs", "Two listed persistence pairs of the same dimension, birth and death.", "FC-PERS-01 FC-PERS-04",
      has_equal_pairs},
+    // ---- Of λ-lists, connections and volumes
+    {"whole-circle", "A listed λ-list that is one arc: all directions have one limit.", "FC-UNST-02",
+     [](const Findings& found) { return some_entry(found, is_whole_circle); }},
+    {"arc-to-infinity", "A listed λ-list with an arc that leads to infinity.", "FC-UNST-02",
+     [](const Findings& found) { return some_entry(found, is_arc_to_infinity); }},
+    {"arc-to-no-maximum", "A listed λ-list with an arc that leads to a critical point of index 2 or a regular one.",
+     "FC-UNST-02 FC-UNST-03", [](const Findings& found) { return some_entry(found, is_arc_to_no_maximum); }},
+    {"end-of-arc", "A listed λ-list of kind 1-2 or 1-3 with a direction beside an arc of its own limit.",
+     "FC-UNST-01 FC-UNST-02", has_closed_arc},
+    {"morse-smale", "The case says that the input is Morse-Smale.", "FC-CONN-03",
+     [](const Findings& found) { return found.morse_smale.value_or(false); }},
+    {"saddle-to-saddle", "A listed connection from a critical point of index 2 to another one.", "FC-CONN-01",
+     [](const Findings& found) { return some_connection(found, leads_between_saddles); }},
+    {"connection-to-regular", "A listed connection to a regular stationary point.", "FC-CONN-01 FC-CONN-03",
+     [](const Findings& found) { return some_connection(found, leads_to_regular); }},
+    {"double-connection", "A listed connection in two ways or more, from one point to the same point or to infinity.",
+     "FC-CONN-01 FC-CONN-02", [](const Findings& found) { return some_connection(found, leads_there_twice); }},
+    {"maximum-volume", "A listed volume of a maximum.", "FC-VOL-01 FC-VOL-02",
+     [](const Findings& found) { return some_volume(found, is_maximum); }},
+    {"saddle-volume", "A listed volume of a critical point of index 2 that is positive.", "FC-VOL-01 FC-STAB-05",
+     [](const Findings& found) { return some_volume(found, is_saddle); }},
+    {"regular-volume", "A listed volume of a regular stationary point that is positive.", "FC-VOL-01 FC-STAB-05",
+     [](const Findings& found) { return some_volume(found, is_regular); }},
 };
 
 }  // namespace

@@ -5,10 +5,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "oracle/connections.h"
 #include "oracle/orbit.h"
 #include "oracle/persistence.h"
 #include "oracle/stable_set.h"
@@ -16,6 +18,12 @@
 #include "tests/vectors/shapes.h"
 
 namespace oracle::vectors {
+
+// Of a stable set: FC-VOL-01, and FC-VOL-02 in the order of the set's points.
+struct VolumeAndShares {
+  Rational volume;
+  std::vector<Rational> shares;
+};
 
 // What the oracle found out for one case.
 struct Findings {
@@ -28,6 +36,11 @@ struct Findings {
   // The stable sets of points that are critical of index 2 or regular, by place in the list, if asked for.
   std::map<std::size_t, StableSet> stable;
   std::vector<PersistencePair> persistence;  // ascending; if asked for
+  // λ-lists by place in the list, where there are any, if asked for.
+  std::map<std::size_t, std::vector<UnstableEntry>> lambda = {};
+  std::vector<Connection> connections = {};  // if asked for, and then also:
+  std::optional<bool> morse_smale = {};
+  std::vector<VolumeAndShares> volumes = {};  // by place in the list, if asked for
 };
 
 struct Flag {

@@ -1,5 +1,5 @@
 // The table of recipes: ids, the groups that are about stationary points, and what has to be refused. The other groups
-// are in flow_recipes.cpp.
+// are in flow_recipes.cpp and whole_complex_recipes.cpp.
 #include "tests/vectors/recipes.h"
 
 #include <algorithm>
@@ -308,6 +308,9 @@ void GroupWriter::given(std::size_t number, const std::string& comment, const ch
   recipe.limits = limits_;
   recipe.stable = stable_;
   recipe.persistence = persistence_;
+  recipe.lambda = lambda_;
+  recipe.connections = connections_;
+  recipe.volumes = volumes_;
   recipe.own_starts = own_starts_;
 }
 
@@ -347,6 +350,7 @@ const std::vector<Group>& groups() {
     add_stationary_groups(table);
     add_orbit_groups(table);
     add_homology_groups(table);
+    add_whole_complex_groups(table);
     add_invalid_groups(table);
     require_different_ids(table);
     return table;

@@ -25,6 +25,9 @@ struct Recipe {
   bool limits = false;         // asks for the limits of U2
   bool stable = false;         // asks for the stable sets of index-2 and regular stationary points
   bool persistence = false;    // asks for the persistence pairs
+  bool lambda = false;         // asks for λ-lists
+  bool connections = false;    // asks for the connections, and whether the input is Morse-Smale
+  bool volumes = false;        // asks for volumes of stable sets, and shares
   std::vector<Point> starts;   // asks for the orbits from here,
   std::size_t own_starts = 0;  // and from so many starts of starts.h
 };
@@ -53,10 +56,11 @@ const std::vector<Group>& groups();
 // Throws std::logic_error for an id that is given twice.
 void require_different_ids(const std::vector<Group>& table);
 
-// The parts of the table. recipes.cpp and flow_recipes.cpp add them.
+// The parts of the table. recipes.cpp, flow_recipes.cpp and whole_complex_recipes.cpp add them.
 void add_stationary_groups(std::vector<Group>& table);
 void add_orbit_groups(std::vector<Group>& table);
 void add_homology_groups(std::vector<Group>& table);
+void add_whole_complex_groups(std::vector<Group>& table);
 void add_invalid_groups(std::vector<Group>& table);
 
 // For example "cospherical-clusters-0007".
@@ -84,6 +88,9 @@ class GroupWriter {
   void with_limits() { limits_ = true; }
   void with_stable_sets() { stable_ = true; }
   void with_persistence() { persistence_ = true; }
+  void with_lambda_lists() { lambda_ = true; }
+  void with_connections() { connections_ = true; }
+  void with_volumes() { volumes_ = true; }
   void with_own_starts(std::size_t count) { own_starts_ = count; }
 
   [[nodiscard]] const Group& group() const { return group_; }
@@ -93,6 +100,9 @@ class GroupWriter {
   bool limits_ = false;
   bool stable_ = false;
   bool persistence_ = false;
+  bool lambda_ = false;
+  bool connections_ = false;
+  bool volumes_ = false;
   std::size_t own_starts_ = 0;
 };
 

@@ -5,6 +5,7 @@
 
 #include "oracle/fast/point_set.h"
 #include "oracle/program/read_points.h"
+#include "oracle/stable_pieces.h"
 #include "tests/vectors/flags.h"
 #include "tests/vectors/starts.h"
 
@@ -43,14 +44,28 @@ std::uint64_t seed_of(const std::string& id) {
 // Whether the point has a stable set whose skeleton is worth telling.
 bool has_stable_field(const StationaryPoint& x) { return is_saddle(x) || x.face_dimension != x.hull_dimension; }
 
+// Whether finitely many arcs and directions lead out of the point.
+bool has_directions(const StationaryPoint& x) { return x.face_dimension == 1 || x.face_dimension == 2; }
+
 Findings findings_of(const Recipe& recipe, const Answer& answer, const std::vector<Point>& starts) {
   Findings found{recipe.points, PointSet(recipe.points), answer, {}, starts, {}, {}, {}};
-  for (const StationaryPoint& x : answer.stationary) {
+  const std::vector<StationaryPoint>& all = answer.stationary;
+  for (const StationaryPoint& x : all) {
     if (recipe.limits && is_saddle(x)) found.unstable.push_back(unstable_orbits(found.set, x));
   }
-  for (std::size_t i = 0; recipe.stable && i < answer.stationary.size(); ++i) {
-    if (!has_stable_field(answer.stationary[i])) continue;
-    found.stable.emplace(i, stable_set(found.set, answer.stationary[i]));
+  for (std::size_t i = 0; recipe.stable && i < all.size(); ++i) {
+    if (has_stable_field(all[i])) found.stable.emplace(i, stable_set(found.set, all[i]));
+  }
+  for (std::size_t i = 0; recipe.lambda && i < all.size(); ++i) {
+    if (has_directions(all[i])) found.lambda.emplace(i, lambda_list(found.set, all[i]));
+  }
+  if (recipe.connections) {
+    found.connections = connections(found.set, all);
+    found.morse_smale = is_morse_smale(found.set, all);
+  }
+  for (std::size_t i = 0; recipe.volumes && i < all.size(); ++i) {
+    const StableSet set = stable_set(found.set, all[i]);
+    found.volumes.push_back({volume(found.set, set), shares(found.set, set)});
   }
   if (recipe.persistence) found.persistence = persistence_pairs(found.set);
   for (const Point& start : starts) found.orbits.push_back(orbit(found.set, start));
@@ -61,6 +76,19 @@ Findings findings_of(const Recipe& recipe, const Answer& answer, const std::vect
 Json limit_contact(const Orbit& path) {
   if (!path.limit) return nullptr;
   return path.limit->contact;
+}
+
+// What --manifolds all says of the point at this place, as far as it is asked for.
+void add_whole_complex(const Recipe& recipe, const Findings& found, std::size_t place, Json& record) {
+  const StationaryPoint& x = found.answer.stationary[place];
+  if (const auto list = found.lambda.find(place); list != found.lambda.end()) {
+    record["lambda"] = lambda_field(found.set, x, list->second);
+  }
+  if (recipe.connections && has_directions(x)) record["connections"] = connections_field(x, found.connections);
+  if (!recipe.volumes) return;
+  const auto& [all, parts] = found.volumes[place];
+  record["volume"] = all.str();
+  if (all != 0) record["shares"] = shares_field(found.set, parts);
 }
 
 Json stationary_field(const Recipe& recipe, const Findings& found) {
@@ -78,6 +106,7 @@ Json stationary_field(const Recipe& recipe, const Findings& found) {
       record["stable"] = stable_field(found.set, x, stable->second);
       record["skeleton"] = skeleton_field(found.set, stable->second);
     }
+    add_whole_complex(recipe, found, records.size(), record);
     records.push_back(record);
   }
   return records;
@@ -191,6 +220,7 @@ Json case_of(const Group& group, const Recipe& recipe, const Answer& answer, con
   made["result"] = alternatives.empty() ? "determined" : "acceptable";
   Json expected = counts_field(found.answer);
   expected["stationary"] = stationary_field(recipe, found);
+  if (found.morse_smale) expected["morse_smale"] = *found.morse_smale;
   if (recipe.persistence) expected["persistence"] = persistence_field(found.persistence);
   if (!found.starts.empty()) expected["orbits"] = Json::array();
   for (std::size_t k = 0; k < found.starts.size(); ++k) {

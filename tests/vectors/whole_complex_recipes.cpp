@@ -1,0 +1,111 @@
+// The groups of recipes about the whole complex: λ-lists, connections, and volumes of stable sets. Their inputs are
+// small, because the oracle follows each ray by scans over all points, and exact ends of rays have many digits.
+#include "tests/vectors/recipes.h"
+
+namespace oracle::vectors {
+
+namespace {
+
+const Rows kTetrahedron = {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}};
+const Rows kRightTriangle = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
+const Rows kSquarePyramid = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 3}};
+const Rows kHalfOctahedron = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
+const Rows kKind23 = {{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}};
+const Rows kKind13 = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+const Rows kPentagonPyramid = {{5, 0, 0}, {3, 4, 0}, {-4, 3, 0}, {-4, -3, 0}, {0, -5, 0}, {0, 0, 7}};
+const Rows kPrism = {{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {5, 0, 6}, {-3, 4, 6}, {-3, -4, 6}};
+// Two regular stationary points of kind 1-3, each with the volume 1/6.
+const Rows kChain = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {2, 1, 1}};
+// The orbit from {0,1,2} ends at {0,3,4}, whose stable set has the volume 50 of the hull's 140.
+const Rows kSaddleToSaddle = {{0, 5, 0}, {-3, 0, -2}, {3, 0, -2}, {0, 0, 12}, {0, -5, 0}};
+// Two orbits from {0,1} to {4,5,6} meet before they come there.
+const Rows kTwoOrbits = {{0, 0, 0}, {-10, 0, 0}, {-11, 30, 0}, {-11, -30, 0}, {69, 90, 0}, {69, -90, 0}, {300, 0, 0}};
+
+// The cases that all three groups begin with.
+void add_named(GroupWriter& cases) {
+  cases.given(1, "no point", "", {});
+  cases.given(2, "one point, twice", "", {{1, 2, 3}, {1, 2, 3}});
+  cases.given(3, "two points", "", {{0, 0, 0}, {1, 0, 0}});
+  cases.given(4, "four points of a line", "", {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {5, 5, 5}});
+  cases.given(5, "an acute triangle", "", {{0, 0, 0}, {4, 0, 0}, {1, 3, 0}});
+  cases.given(6, "an obtuse triangle below an acute one", "", {{0, 0, 0}, {8, 0, 0}, {4, 7, 0}, {4, -2, 0}});
+  cases.given(7, "a right triangle: kind 1-2", "right-angle", kRightTriangle);
+  cases.given(8, "a square", "cocircular", grid(2, 2, 1));
+  cases.given(9, "a square of 9 points", "lattice cocircular", grid(3, 3, 1));
+  cases.given(10, "a regular tetrahedron", "", kTetrahedron);
+  cases.given(11, "a tetrahedron without a maximum: its circumcentre is outside", "",
+              {{0, 0, 0}, {6, 0, 0}, {2, 5, 0}, {2, 2, 1}});
+  cases.given(12, "the cube", "cospherical cocircular", grid(2, 2, 2));
+  cases.given(13, "the octahedron", "cospherical", sphere(1));
+  cases.given(14, "a square pyramid whose apex is as high as 3/2 of an edge", "", kSquarePyramid);
+  cases.given(15, "half of the octahedron: kind 2-3", "cospherical", kHalfOctahedron);
+  cases.given(16, "a chain of unit steps: two tetrahedra of volume 1/6, both of kind 1-3", "right-angle", kChain);
+  cases.given(17, "an orbit from index 2 to index 2, whose stable set has dimension 3", "right-angle", kSaddleToSaddle);
+  cases.given(18, "two orbits from one point to another that meet on their way", "", kTwoOrbits);
+  cases.given(19, "the centre of a sphere inside one of four triangles: kind 2-3", "", kKind23);
+  cases.given(20, "an edge through the centre of a sphere: kind 1-3", "right-angle", kKind13);
+  cases.given(21, "the octahedron and its centre", "right-angle", joined(sphere(1), {{0, 0, 0}}));
+  cases.given(22, "two cubes with a common face", "lattice cospherical", grid(2, 2, 3));
+  cases.given(23, "the cuboctahedron", "cospherical cocircular", sphere(2));
+  cases.given(24, "a pyramid over a pentagon of a circle", "cocircular", kPentagonPyramid);
+  cases.given(25, "a prism over a triangle", "cospherical cocircular", kPrism);
+  cases.given(26, "two tetrahedra, one a thousand times as large", "",
+              joined(scaled(kTetrahedron, 10), shifted(kTetrahedron, {300, 200, 100})));
+  cases.given(27, "the octahedron of subnormals", "cospherical extreme-scale", scaled(sphere(1), -1074));
+  cases.given(28, "the octahedron next to overflow", "cospherical extreme-scale", scaled(sphere(1), 1023));
+  cases.given(29, "a regular tetrahedron at 2^-200, another at 2^200", "extreme-scale",
+              joined(scaled(kTetrahedron, -200), shifted(scaled(kTetrahedron, 200), {0x1p+202, 0, 0})));
+  cases.threefold(30, "a right triangle, upright", {{0, 0, 0}, {0, 3, 0}, {0, 0, 4}}, 0, 1);
+  cases.threefold(33, "half of the octahedron", scaled(kHalfOctahedron, 1), 4, 2);
+  cases.threefold(36, "a cube of edge 2", scaled(grid(2, 2, 2), 1), 7, 2);
+}
+
+// Inputs of many families. Each group takes other ones of them.
+void add_drawn(GroupWriter& cases, std::uint64_t seed) {
+  std::size_t next = 39;
+  for (const char* family :
+       {"general-position",    "lattice-2",        "lattice-3",         "lattice-4",         "duplicates",
+        "signed-permutations", "integer-sphere",   "sphere-and-others", "box-corners",       "two-circles",
+        "coplanar-lattice",    "coplanar-circles", "collinear",         "right-angle-12",    "right-angle-23",
+        "right-angle-13",      "right-angles",     "sphere-scan",       "torus-scan",        "sheet-scan",
+        "long-cascade",        "half-shell",       "high-degree-facet", "right-angle-chain", "through-vertex",
+        "rounded-sphere",      "rounded-rotation", "rounded-to-float",  "one-ulp-off",       "far-away",
+        "far-away-rounded",    "extreme-scale",    "two-scales",        "mixed-magnitudes"}) {
+    cases.drawn(next++, family, 100, {seed});
+  }
+}
+
+Group lambda_lists() {
+  GroupWriter cases("lambda-lists", "Where the directions of stationary points lead", "FC-UNST-01 FC-UNST-02");
+  cases.with_lambda_lists();
+  add_named(cases);
+  add_drawn(cases, 31);
+  return cases.group();
+}
+
+Group volumes() {
+  GroupWriter cases("volumes", "Volumes of stable sets, and what Voronoi cells have of them", "FC-VOL-01 FC-VOL-02");
+  cases.with_volumes();
+  add_named(cases);
+  add_drawn(cases, 32);
+  return cases.group();
+}
+
+Group connections() {
+  GroupWriter cases("connections", "Which stationary points lead to which, and whether the input is Morse-Smale",
+                    "FC-CONN-01 FC-CONN-02 FC-CONN-03");
+  cases.with_connections();
+  add_named(cases);
+  add_drawn(cases, 33);
+  return cases.group();
+}
+
+}  // namespace
+
+void add_whole_complex_groups(std::vector<Group>& table) {
+  table.push_back(lambda_lists());
+  table.push_back(volumes());
+  table.push_back(connections());
+}
+
+}  // namespace oracle::vectors
