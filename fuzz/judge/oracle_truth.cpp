@@ -63,6 +63,14 @@ StableSet stable_set_of(const oracle::PointSet& points, const oracle::StableSet&
   return result;
 }
 
+// Such a direction belongs to the arc (FC-CONN-01).
+bool is_beside_arc_of_its_limit(const std::vector<FlowLimits::Entry>& entries, std::size_t k, bool is_cycle) {
+  const auto is_such_arc = [&](std::size_t i) { return entries[i].is_arc && entries[i].limit == entries[k].limit; };
+  const std::size_t last = entries.size() - 1;
+  return ((k > 0 || is_cycle) && is_such_arc(k > 0 ? k - 1 : last)) ||
+         ((k < last || is_cycle) && is_such_arc(k < last ? k + 1 : 0));
+}
+
 class OracleTruth final : public Truth {
  public:
   OracleTruth(const std::vector<std::array<double, 3>>& rows, oracle::Answer answer)
@@ -147,7 +155,10 @@ class OracleTruth final : public Truth {
   }
   [[nodiscard]] std::vector<Connection> connections(std::size_t i) override {
     std::map<std::uint32_t, Connection> by_limit;
-    for (const FlowLimits::Entry& entry : lambda_entries(i)) {
+    const std::vector<FlowLimits::Entry> entries = lambda_entries(i);
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+      const FlowLimits::Entry& entry = entries[k];
+      if (!entry.is_arc && is_beside_arc_of_its_limit(entries, k, index(i) == StationaryIndex{1, 1})) continue;
       Connection& one =
           by_limit.try_emplace(entry.limit, Connection{static_cast<std::uint32_t>(i), entry.limit}).first->second;
       ++(entry.is_arc ? one.families : one.orbits);
