@@ -65,6 +65,26 @@ TEST_F(ConformanceCommand, OurOwnProgramIsRightOnAllCases) {
   }
 }
 
+TEST_F(ConformanceCommand, AsksForTheWholeComplex) {
+  CITES("FC-UNST-02", "FC-CONN-01", "FC-VOL-01", "FC-CLAIM-13", "FC-CLAIM-14", "FC-CLAIM-15");
+  const std::string compute = std::string(FLOWCERT_PROGRAM) + " compute {in} -o {out} --manifolds all --volumes exact";
+  const Words groups = {"--group", "lambda-lists", "--group", "connections", "--group", "volumes", "--jobs", "2"};
+  const auto report_of = [&](const std::string& command, Words words) {
+    words.insert(words.begin(), {"--against", command, "--time-limit", "120"});
+    return as_json(words, FLOWCERT_VECTORS);
+  };
+  const json report = report_of(compute, groups);
+  EXPECT_EQ(report["verdict"], "conforms");
+  EXPECT_EQ(report["judged"]["5"], report["cases"].size());
+  EXPECT_GE(report["cases"].size(), 120U);
+  const auto reason_of = [&](const std::string& edit, const std::string& id) {
+    return report_of(compute + " && sed -i -E '" + edit + "' {out}", {"--case", id})["reasons"][0]["reason"];
+  };
+  EXPECT_EQ(reason_of(R"(s/"families":1/"families":2/)", "connections-0012"), "wrong-connections");
+  EXPECT_EQ(reason_of(R"(s/"volume":"4\/3"/"volume":"5\/3"/)", "volumes-0013"), "wrong-volume");
+  EXPECT_EQ(reason_of(R"(s/"arcs":\[null/"arcs":[[0]/)", "lambda-lists-0012"), "wrong-lambda-list");
+}
+
 TEST_F(ConformanceCommand, GivesThePointsInOtherForms) {
   CITES("FC-IN-02", "FC-IN-04");
   const Words magnitudes = {"--group", "magnitudes", "--flag", "subnormal", "--flag", "near-overflow"};
