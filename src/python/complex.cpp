@@ -126,15 +126,17 @@ py::tuple Complex::stationary_points() const {
   return py::make_tuple(shared(array_of(std::move(records))), shared(array_of(std::move(contacts))));
 }
 
+void Complex::require_record(std::size_t record) const {
+  const std::size_t count = complex_.stationary().size();
+  if (record < count) return;
+  throw InvalidInput("there is no stationary point " + std::to_string(record) + "; there are " + std::to_string(count));
+}
+
 py::tuple Complex::exact(std::size_t record) const {
   ExactSphere sphere;
   {
     const ReleasedLock released;
-    const std::size_t count = complex_.stationary().size();
-    if (record >= count) {
-      throw InvalidInput("there is no stationary point " + std::to_string(record) + "; there are " +
-                         std::to_string(count));
-    }
+    require_record(record);
     sphere = complex_.sphere(record);
   }
   return py::make_tuple(ratios_of(sphere.center), ratio_of(sphere.squared_radius));
@@ -156,6 +158,7 @@ py::tuple Complex::orbit(const std::array<std::string, 3>& start) const {
 void add_complex(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(StationaryRecord, index, kind, position, squared_distance, contact_offsets);
   PYBIND11_NUMPY_DTYPE(PairRecord, dimension, birth, death, birth_point, death_point);
+  PYBIND11_NUMPY_DTYPE(ConnectionRecord, from, to, orbits, families);
   py::class_<Complex>(module, "Complex", "What FlowComplex asks; see flowcert.FlowComplex.")
       .def(py::init<const PointRows&, unsigned>(), py::arg("rows"), py::arg("threads"))
       .def_property_readonly("row_count", &Complex::row_count)
@@ -171,7 +174,14 @@ void add_complex(py::module_& module) {
       .def("pairs", &Complex::pairs, py::arg("with_zero"))
       .def("surface", &Complex::surface, py::arg("selection"))
       .def("unstable_lines", &Complex::unstable_lines)
-      .def("orbit", &Complex::orbit, py::arg("start"));
+      .def("orbit", &Complex::orbit, py::arg("start"))
+      .def("volumes", &Complex::volumes)
+      .def("volume", &Complex::volume, py::arg("record"))
+      .def("hull_volume", &Complex::hull_volume)
+      .def("shares", &Complex::shares, py::arg("record"))
+      .def("lambda_list", &Complex::lambda_list, py::arg("record"), py::arg("exact"))
+      .def("connections", &Complex::connections)
+      .def("is_morse_smale", &Complex::is_morse_smale);
 }
 
 }  // namespace flowcert::python

@@ -35,6 +35,14 @@ struct PairRecord {
   std::int64_t death_point = 0;
 };
 
+// What leads from one stationary point to another one, in the array of all that does. Points are places in the list.
+struct ConnectionRecord {
+  std::int64_t from = 0;
+  std::int64_t to = 0;  // -1: infinity
+  std::int64_t orbits = 0;
+  std::int64_t families = 0;
+};
+
 class Complex {
  public:
   // Takes a copy of the points, and computes nothing yet. 0 threads: as many as the machine has cores.
@@ -67,7 +75,23 @@ class Complex {
   // (segments, limit)
   [[nodiscard]] pybind11::tuple orbit(const std::array<std::string, 3>& start) const;
 
+  // The nearest doubles, for all stationary points.
+  [[nodiscard]] pybind11::array volumes() const;
+  // Pairs of ints.
+  [[nodiscard]] pybind11::tuple volume(std::size_t record) const;
+  [[nodiscard]] pybind11::tuple hull_volume() const;
+  // [(row, pair of ints), ...]
+  [[nodiscard]] pybind11::list shares(std::size_t record) const;
+  // ([(limit, exit, is_vector), ...], [limit, ...]); limits are places or None. An exit is three pairs of ints, or three
+  // doubles. None if the point has no such list.
+  [[nodiscard]] pybind11::object lambda_list(std::size_t record, bool exact) const;
+  [[nodiscard]] pybind11::array connections() const;
+  [[nodiscard]] bool is_morse_smale() const;
+
  private:
+  // Throws InvalidInput if there is no such stationary point.
+  void require_record(std::size_t record) const;
+
   FlowComplex complex_;
 };
 

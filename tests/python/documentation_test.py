@@ -59,11 +59,14 @@ def test_arrays_have_shapes_and_units_in_their_docstrings():
     for cls in (flowcert.Mesh, flowcert.Surfaces, flowcert.Lines):
         for field in cls._fields:
             assert re.search(rf"^\s*{field}\s+\(.*\) (float|int)\d+", cls.__doc__, re.MULTILINE), (cls, field)
-    for cls in (flowcert.Segment, flowcert.Limit, flowcert.Orbit, flowcert.Finding, flowcert.CheckReport):
+    classes = ("Segment", "Limit", "Orbit", "Direction", "LambdaList", "Finding", "CheckReport")
+    for cls in (getattr(flowcert, name) for name in classes):
         for field in cls.__dataclass_fields__:
             assert re.search(rf"^\s*([a-z_]+, )?{field}[ ,]", cls.__doc__, re.MULTILINE), (cls, field)
     fields = flowcert.FlowComplex(CUBE).stationary_points.dtype.names
     assert all(re.search(rf"^ +{field} ", flowcert.FlowComplex.stationary_points.__doc__, re.M) for field in fields)
+    fields = flowcert.FlowComplex(CUBE).connections.dtype.names
+    assert all(re.search(rf"^ +{field} ", flowcert.FlowComplex.connections.__doc__, re.M) for field in fields)
     pair_fields = flowcert.FlowComplex(CUBE).persistence_pairs().dtype.names
     assert all(field in flowcert.FlowComplex.persistence_pairs.__doc__ for field in pair_fields)
 

@@ -38,8 +38,11 @@ def ticks_during(work):
         lambda fc: fc.counts,
         lambda fc: fc.check([], levels=2),
         lambda fc: fc.orbit([0.5, 0.5, 0.5]),
+        lambda fc: fc.volumes,
+        lambda fc: fc.connections,
+        lambda fc: fc.is_morse_smale,
     ],
-    ids=["persistence", "surface", "lines", "counts", "check", "orbit"],
+    ids=["persistence", "surface", "lines", "counts", "check", "orbit", "volumes", "connections", "is_morse_smale"],
 )
 def test_other_threads_run_meanwhile(ask):
     fc = flowcert.FlowComplex(POINTS)
@@ -111,6 +114,14 @@ def use_everything(points):
     fc.stable_surfaces()
     fc.unstable_lines()
     fc.orbit([0.1, 0.2, 0.3])
+    place = int(fc.volumes.argmax())
+    fc.volume(place)
+    fc.shares(place)
+    fc.hull_volume
+    for exact in (False, True):
+        fc.lambda_list(fc.counts[0], exact=exact)
+    fc.connections
+    fc.is_morse_smale
     fc.check(fc.critical_points)
     fc._repr_html_()
     flowcert.generate("lattice-3", 5)

@@ -13,14 +13,14 @@ degenerate the points are.
 
 What there is:
 
-    FlowComplex(points)     critical points, persistence, surfaces, lines, orbits
+    FlowComplex(points)     critical points, persistence, surfaces, lines, orbits, volumes, connections
     check(points, claim)    whether critical points that you have computed are right, and which are not
     read_points(path)       the points of a PLY, OBJ, OFF or text file
     generate(family, seed)  degenerate inputs to test programs with
     families()              the names of the families, with a line on each
 
-Lengths have the unit of the points, and squared distances its square. An input that cannot be used is a ValueError of
-one line. What takes long runs without Python's lock, on all cores, and Ctrl-C stops it.
+Lengths have the unit of the points, squared distances its square, and volumes its cube. An input that cannot be used
+is a ValueError of one line. What takes long runs without Python's lock, on all cores, and Ctrl-C stops it.
 
 The package is free software under the GNU General Public License, version 3 or later, because CGAL's triangulations
 are.
@@ -31,14 +31,17 @@ from ._core import made_by as __made_by__
 from ._core import version as __version__
 from ._flow_complex import FlowComplex
 from ._generate import families, generate
+from ._limits import Direction, LambdaList
 from ._manifolds import Lines, Mesh, Surfaces
 from ._orbit import Limit, Orbit, Segment
 from ._read_points import read_points
 
 __all__ = [
     "CheckReport",
+    "Direction",
     "Finding",
     "FlowComplex",
+    "LambdaList",
     "Limit",
     "Lines",
     "Mesh",

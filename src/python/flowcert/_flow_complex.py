@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _check, _core, _exact
+from ._limits import LambdaList, lambda_list_of
 from ._manifolds import Lines, Mesh, Surfaces
 from ._orbit import Orbit, Position, orbit_of
 from ._points import point_rows, shown
@@ -19,7 +20,7 @@ _MOST_THREADS = 1024
 
 
 class FlowComplex:
-    """The flow complex of points: critical points, persistence, surfaces, lines and orbits, exactly.
+    """The flow complex of points: critical points, persistence, surfaces, lines, orbits and cells, exactly.
 
     FlowComplex(points, threads=None)
 
@@ -35,8 +36,8 @@ class FlowComplex:
     cannot be written to; all others are the caller's.
 
     What is computed when: nothing at first. Each part is computed when it is first asked for, and kept. Meanwhile
-    other threads of Python run, and they may ask the same complex. Ctrl-C stops it soon, but for the chain complex
-    and the pairs, which come last.
+    other threads of Python run, and they may ask the same complex. Ctrl-C stops it soon, but for the chain complex,
+    the pairs, volumes and λ-lists.
 
     Stationary points are named by their places in stationary_points, of which critical_points is the first part.
     Points are named by their rows; a repeated one by the first of its rows.
@@ -138,11 +139,7 @@ class FlowComplex:
         >>> FlowComplex([[0, 0, 0], [1, 0, 0]]).exact(2)
         ((Fraction(1, 2), Fraction(0, 1), Fraction(0, 1)), Fraction(1, 4))
         """
-        place = operator.index(i)
-        if not 0 <= place < 2**63:
-            count = sum(self.counts) + sum(self.regular_counts.values())
-            raise ValueError(f"there is no stationary point {shown(place)}; there are {count}")
-        position, squared_distance = self._core.exact(place)
+        position, squared_distance = self._core.exact(self._place(i))
         return _exact.fractions(position), _exact.fraction(squared_distance)
 
     # ---- Persistence
@@ -235,9 +232,99 @@ class FlowComplex:
             raise ValueError(f"x must be three numbers, not {len(start)}")
         return orbit_of(start, self._core.orbit([_exact.hexadecimal(value) for value in start]))
 
+    # ---- The whole complex: cells and their volumes, connections
+
+    @property
+    def volumes(self) -> NDArray[np.float64]:
+        """The volumes of the stable manifolds of all stationary points, in the cube of the unit: the nearest doubles.
+
+        (k,) float64, in the order of stationary_points; a new array. It is 0 where the manifold has no part of
+        dimension 3, as for minima and nearly all saddles. A number that would overflow is infinite; volume() has it.
+
+        >>> fc = FlowComplex([[0, 5, 0], [-3, 0, -2], [3, 0, -2], [0, 0, 12], [0, -5, 0]])
+        >>> [(fc.stationary_points["index"][i], fc.volumes[i]) for i in fc.volumes.nonzero()[0]]
+        [(2, 50.0), (3, 45.0), (3, 45.0)]
+        """
+        return self._core.volumes()
+
+    def volume(self, i: int) -> Fraction:
+        """The exact volume of the stable manifold of stationary point i, in the cube of the unit.
+
+        It takes time where a scan's numbers become long.
+
+        >>> fc = FlowComplex([[0, 0, 0], [1, 0, 0], [1, 1, 0], [1, 1, 1], [2, 1, 1]])
+        >>> [fc.volume(i) for i in fc.volumes.nonzero()[0]]
+        [Fraction(1, 6), Fraction(1, 6)]
+        """
+        return _exact.fraction(self._core.volume(self._place(i)))
+
+    def shares(self, i: int) -> Dict[int, Fraction]:
+        """How much of volume(i) lies in the Voronoi cells of which points: {row: volume}, by ascending row.
+
+        The volumes are positive, and add up to volume(i).
+
+        >>> fc = FlowComplex([[0, 0, 0], [2, 0, 0], [0, 2, 0], [2, 2, 0], [1, 1, 3]])
+        >>> [shares] = [fc.shares(i) for i in fc.volumes.nonzero()[0]]
+        >>> {row: str(volume) for row, volume in shares.items()}
+        {0: '599/720', 1: '599/720', 2: '599/720', 3: '599/720', 4: '121/180'}
+        """
+        return {row: _exact.fraction(volume) for row, volume in self._core.shares(self._place(i))}
+
+    @property
+    def hull_volume(self) -> Fraction:
+        """The exact volume of the convex hull of the points, in the cube of the unit.
+
+        What the volumes of all stationary points leave of it flows to infinity.
+        """
+        return _exact.fraction(self._core.hull_volume())
+
+    def lambda_list(self, i: int, exact: bool = False) -> LambdaList:
+        """Where the directions of stationary point i lead: of a regular one, or of a saddle, of index 1 or 2.
+
+        exact: positions are Fractions instead of the nearest doubles.
+
+        >>> fc = FlowComplex([[0, 0, 0], [6, 0, 0], [2, 4, 0]])
+        >>> fc.lambda_list(3).arcs, fc.lambda_list(3).directions
+        ((None,), (Direction(limit=6, exit=(3.0, 1.0, 0.0), is_vector=False),))
+        """
+        place = self._place(i)
+        answer = self._core.lambda_list(place, bool(exact))
+        if answer is None:
+            raise ValueError(f"stationary point {place} has no list of limits; saddles and regular points have one")
+        return lambda_list_of(answer, exact)
+
+    @property
+    def connections(self) -> NDArray[Any]:
+        """Which stationary points lead to which others, or to infinity. A structured array, by from, then to:
+
+        from      int64, a place in stationary_points, of a saddle or of a regular point
+        to        int64, a place in stationary_points; -1 for infinity, which comes last
+        orbits    int64, how many isolated directions lead there: single ones beside no arc of their own limit
+        families  int64, how many arcs of directions do
+
+        >>> FlowComplex([[0, 0, 0], [6, 0, 0], [2, 4, 0]]).connections.tolist()[:3]
+        [(3, 6, 1, 0), (3, -1, 0, 1), (4, 6, 1, 0)]
+        """
+        return self._core.connections()
+
+    @property
+    def is_morse_smale(self) -> bool:
+        """Whether no stationary point is regular, no index-2 point has a stable manifold with a part of dimension 3,
+        and everything that flows from index-2 points ends at maxima or at infinity.
+        """
+        return self._core.is_morse_smale()
+
     def check(self, claim: Any, **options: Any) -> "_check.CheckReport":
         """Whether a claim about these points is right: flowcert.check(points, claim), which says more."""
         return _check.check(self, claim, **options)
+
+    def _place(self, i: int) -> int:
+        """As the library takes it, which says the rest of what is wrong."""
+        place = operator.index(i)
+        if not 0 <= place < 2**63:
+            count = sum(self.counts) + sum(self.regular_counts.values())
+            raise ValueError(f"there is no stationary point {shown(place)}; there are {count}")
+        return place
 
     # ---- What Python asks
 
