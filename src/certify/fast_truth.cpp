@@ -53,7 +53,7 @@ class FastTruth final : public Truth {
     const std::size_t k = number_of(i);
     return {complex_.stable().segment_count(k), complex_.stable().has_vertex(k), complex_.stable().has_interval(k)};
   }
-  [[nodiscard]] StableSet stable_set(std::size_t i) override { return complex_.stable().set(number_of(i)); }
+  [[nodiscard]] StableSet stable_set(std::size_t i) override { return complex_.stable().set_of_record(i); }
 
   [[nodiscard]] LambdaList lambda_list(std::size_t i) override { return complex_.limits().list(number_of_list(i)); }
   [[nodiscard]] std::vector<FlowLimits::Entry> lambda_entries(std::size_t i) override {

@@ -27,9 +27,11 @@ constexpr std::size_t kLongestList = 60;  // characters
 template <typename Each>
 using Triangle = std::array<Each, 3>;
 
-// For each segment: whether it is reached from z without passing a Voronoi vertex.
+// For each segment: whether a claim must have it. It must if it is reached from z without passing a Voronoi vertex, or
+// if z is a maximum.
 std::vector<bool> determined_segments(const StableSet& set, const RationalPoint& z, StationaryIndex index) {
-  std::vector<bool> determined(set.segments.size(), false);
+  const bool is_maximum = index == StationaryIndex{3, 3};
+  std::vector<bool> determined(set.segments.size(), is_maximum);
   if (index.hull_dimension == 3) return determined;
   std::multimap<RationalPoint, std::size_t> by_front;
   for (std::size_t i = 0; i < set.segments.size(); ++i) by_front.emplace(set.segments[i].front, i);
@@ -261,12 +263,13 @@ class Surfaces {
       }
       return worse(matched(piece.front, truth.front, scale), matched(piece.back, truth.back, scale));
     };
-    const auto never = [](std::size_t) { return false; };
+    const bool is_maximum = run_.index(run_.placed[k].place->record) == StationaryIndex{3, 3};
+    const auto owed = [&](std::size_t) { return is_maximum; };
     judge(k,
           compare(
               claimed.intervals, set.intervals.size(), interval, [](const ClaimedInterval&) { return false; },
               [](const ClaimedInterval& piece) { return "an interval of " + names_text(piece.polygon); }),
-          "interval", never);
+          "interval", owed);
     const auto sector = [&](const ClaimedSector& piece, std::size_t i) {
       const BackwardSector& truth = set.sectors[i];
       if (!std::ranges::equal(names(piece.samples), truth.samples)) return ValueMatch::kOff;
@@ -276,7 +279,7 @@ class Surfaces {
           compare(
               claimed.sectors, set.sectors.size(), sector, [](const ClaimedSector&) { return false; },
               [](const ClaimedSector& piece) { return "a sector of " + names_text(piece.samples); }),
-          "sector", never);
+          "sector", owed);
     return segments;
   }
 

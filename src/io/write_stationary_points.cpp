@@ -129,6 +129,9 @@ class RecordWriter {
 
   void add_s2(std::size_t i, Json& fields) {
     const StableManifolds& s2 = complex_.stable();
+    if (wanted_.all && wanted_.skeletons && stationary_.index(i) == StationaryIndex{3, 3}) {
+      fields["skeleton"] = skeleton_field(s2.set_of_record(i));
+    }
     if (next_s2_ == s2.size() || s2.record(next_s2_) != i) return;
     fields["stable"] = stable_field(stationary_, s2, next_s2_);
     if (wanted_.skeletons) {

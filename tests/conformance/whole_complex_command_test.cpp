@@ -293,9 +293,42 @@ TEST(WholeComplex, RecordsHaveAllKeysOfBothManifoldsAndTheirOwn) {
            {"lambda", "connections", "volume", "volume_double", "shares", "morse_smale", "hull_volume", "volumes"}) {
         record.erase(key);
       }
+      if (record.contains("index") && record["index"] == 3) record.erase("skeleton");
       without += record.dump() + '\n';
     }
     EXPECT_EQ(without, file_of(scratch, points, others));
+  }
+}
+
+// The two sectors beside each of the twelve edges are triangles, with a corner in the middle of the cube.
+TEST(WholeComplex, MaximaHaveSkeletonsThatAreJudged) {
+  CITES("FC-STAB-05", "FC-CLAIM-10");
+  const Scratch scratch;
+  const std::string text = file_of(scratch, kCube, {"--manifolds", "all", "--skeletons", "--volumes", "exact"});
+  std::vector<std::string> lines = lines_of(text);
+  json record;
+  std::size_t at = 0;
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    const json next = json::parse(lines[k]);
+    if (next["index"] == 3) at = k, record = next;
+  }
+  const json& skeleton = record["skeleton"];
+  EXPECT_EQ(skeleton["segments"].size(), 12U);
+  EXPECT_EQ(skeleton["intervals"].size(), 6U);
+  EXPECT_EQ(skeleton["sectors"].size(), 24U);
+  EXPECT_FALSE(skeleton.contains("orbits"));
+  const auto check = [&](const json& changed) {
+    lines[at] = changed.dump();
+    std::string file;
+    for (const std::string& line : lines) file += line + "\n";
+    return flowcert({"check", scratch.file("cube.xyz", kCube), scratch.file("claim.jsonl", file)});
+  };
+  EXPECT_EQ(check(record).status, 0);
+  for (const char* part : {"segments", "intervals", "sectors"}) {
+    json less = record;
+    less["skeleton"][part].erase(3);
+    const Finished finished = check(less);
+    EXPECT_EQ(finished.status, 1) << part << finished.out;
   }
 }
 

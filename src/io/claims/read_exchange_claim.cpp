@@ -325,14 +325,15 @@ void read_volume(const ExchangeValue& record, ClaimedPoint& point) {
   point.shares = list_of(*shares, share_of);
 }
 
-// Reads keys that only critical points of index 2 and regular stationary points may have.
+// Reads keys that only critical points of index 2 and regular stationary points may have. Maxima may have a skeleton.
 void read_stable(const ExchangeValue& record, ClaimedPoint& point) {
   for (const char* key : {"stable", "skeleton", "surface"}) {
     const auto value = record.find(key);
     if (!value) continue;
-    if (!point.hull_dimension && point.index != 2) {
-      record.place().reject("a key of critical points of index 2 and of regular stationary points only: " +
-                            in_quotes(key));
+    const bool is_skeleton = key == std::string_view("skeleton");
+    if (!point.hull_dimension && point.index != 2 && !(is_skeleton && point.index == 3)) {
+      record.place().reject("a key of critical points of index 2 " + std::string(is_skeleton ? "and 3 " : "") +
+                            "and of regular stationary points only: " + in_quotes(key));
     }
     if (key == std::string_view("stable")) point.stable = stable_of(*value);
     if (key == std::string_view("skeleton")) point.skeleton = skeleton_of(*value);
