@@ -30,6 +30,7 @@ struct ViewCommandOptions {
   std::string claim;
   CheckOptions check;
   bool is_strict = false;
+  bool has_cells = false;
   std::size_t most = ViewerOptions{}.most_of_an_index;
   unsigned threads = 1;
 };
@@ -107,8 +108,10 @@ int view(ViewCommandOptions options) {
     }
   }
   const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads}, part_progress());
-  ViewerOptions content = {
-      .name = display_name(options.input), .most_of_an_index = options.most, .claim = std::nullopt};
+  ViewerOptions content = {.name = display_name(options.input),
+                           .most_of_an_index = options.most,
+                           .has_cells = options.has_cells,
+                           .claim = std::nullopt};
   int status = kRight;
   if (claim) {
     JudgedClaim judged = judged_claim(options, *claim, complex);
@@ -144,6 +147,8 @@ void add_view_command(CLI::App& app, int& status) {
                    "many others: the longest, with their points and what these lead to")
       ->check(CLI::Range(std::size_t{1}, std::size_t{0xfffffff}))
       ->capture_default_str();
+  command->add_flag("--cells", options->has_cells,
+                    "Also say how large stable sets are, and where all directions from saddles lead");
   add_threads_option(*command, options->threads);
   command->footer("Examples:\n  flowcert view bunny.obj\n  flowcert view bunny.obj --claim claim.csv -o wrong.html");
   command->callback([options, &status] { status = view(*options); });

@@ -13,6 +13,7 @@
 #include "flowcert/surface.h"
 #include "io/json_fields.h"
 #include "io/viewer_blob.h"
+#include "io/viewer_cells.h"
 #include "io/viewer_frame.h"
 #include "io/viewer_selection.h"
 #include "io/viewer_template.h"
@@ -336,6 +337,7 @@ Json data_of(const FlowComplex& complex, const ViewerOptions& options, const Vie
   data["pairs"] = pairs_field(content);
   data["s2"] = s2_field(content, progress);
   data["u2"] = u2_field(content, progress);
+  if (options.has_cells) data["cells"] = viewer_cells_field(complex, selection);
   data["claim"] = options.claim ? claim_field(content, *options.claim) : Json(nullptr);
   return data;
 }

@@ -1,7 +1,8 @@
 // The flow complex of the page's data, in typed arrays; no object for a record, as there may be hundreds of thousands.
 // A *point* is a number: a sample's ordinal, or sample_count + place in the records. `none` stands for no point,
 // no pair, and infinity. Squared distances, radii and persistence are in the frame; `length_text` and `squared_text`
-// give them in input units. What the first frame needs is decoded by load_first, the lines of U2 by load_lines.
+// give them in input units. What the first frame needs is decoded by load_first, the lines of U2 by load_lines, with
+// volumes and connections, if the page has them.
 
 import { decode, decode_all } from './blobs.js';
 import { exact_sphere } from './exact_sphere.js';
@@ -50,7 +51,11 @@ export class Complex {
   }
 
   async load_lines() {
-    this.u2 = await decode_all(this.data.u2, ['record', 'starts', 'limits', 'next', 'steps']);
+    const { data } = this;
+    [this.u2, this.cells] = await Promise.all([
+      decode_all(data.u2, ['record', 'starts', 'limits', 'next', 'steps']),
+      data.cells ? decode_all(data.cells, ['volumes', 'offsets', 'to', 'orbits', 'families']) : null,
+    ]);
     this.u2.vertices = line_vertices({ ...this.u2, step: this.data.u2.step });
     this.line_of_point = new Uint32Array(this.point_count).fill(none);
     this.u2.record.forEach((record, line) => (this.line_of_point[this.sample_count + record] = line));
@@ -185,6 +190,36 @@ export class Complex {
       const record = this.u2.limits[2 * line + side];
       return record === none ? none : record + this.sample_count;
     });
+  }
+
+  // The point with a number of the program's list; none if the page has left it out.
+  point_of_number(number) {
+    if (number < this.sample_count) return number;
+    const { numbers } = this.records;
+    let [first, last] = [0, numbers.length];
+    while (first < last) {
+      const middle = (first + last) >> 1;
+      if (numbers[middle] < number) first = middle + 1;
+      else last = middle;
+    }
+    return numbers[first] === number ? this.sample_count + first : none;
+  }
+
+  // The volume of what flows to the point, in input units; null where the page does not say it.
+  volume(point) {
+    if (!this.cells) return null;
+    return this.is_sample(point) ? 0 : this.cells.volumes[point - this.sample_count];
+  }
+
+  // [{number, orbits, families}]: where the point's directions lead, by numbers of the program's list, or none.
+  connections(point) {
+    if (!this.cells || this.is_sample(point)) return [];
+    const { offsets, to, orbits, families } = this.cells;
+    const found = [];
+    const record = point - this.sample_count;
+    for (let i = offsets[record]; i < offsets[record + 1]; ++i)
+      found.push({ number: to[i], orbits: orbits[i], families: families[i] });
+    return found;
   }
 
   // The index-2 points of which an orbit of U2 ends at the point, with the sides.

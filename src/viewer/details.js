@@ -1,5 +1,6 @@
 // What there is to know of the picked point: kind, exact position and squared distance, contact set, where its orbits
-// go and which come in, its persistence pair, and the clauses of the specification that make it what it is.
+// go and which come in, its persistence pair, and the clauses of the specification that make it what it is. Pages with
+// cells also have the volume of what flows there, and where all directions lead.
 // Other points that are named are buttons that pick them.
 
 import { none } from './complex.js';
@@ -43,6 +44,8 @@ export class Details {
       this.exact_facts(point),
       this.contact_facts(point),
       this.flow_facts(point),
+      this.volume_facts(point),
+      this.connection_facts(point),
       this.pair_facts(point),
       this.clause_facts(point),
     );
@@ -217,6 +220,49 @@ export class Details {
     );
   }
 
+  volume_facts(point) {
+    const volume = this.complex.volume(point);
+    if (!volume) return null;
+    const value = volume === Infinity ? 'beyond the largest double' : `≈ ${volume}`;
+    const row = element(
+      'div',
+      { class: 'row' },
+      element('dt', {}, 'V'),
+      element(
+        'dd',
+        { 'data-volume': String(volume) },
+        element('span', { class: 'value' }, value),
+        volume === Infinity ? null : unit('input units, cubed'),
+      ),
+    );
+    return section('Volume of what flows here', element('dl', { class: 'exact' }, row));
+  }
+
+  connection_facts(point) {
+    const connections = this.complex.connections(point);
+    if (connections.length === 0) return null;
+    const shown = connections.slice(0, most_listed);
+    const rest = connections.length - shown.length;
+    return section(
+      'Where all directions lead',
+      shown.map(({ number, orbits, families }) =>
+        element(
+          'div',
+          { class: 'line', 'data-to': number === none ? 'infinity' : String(number) },
+          this.limit_button(number),
+          ` ${ways_text(orbits, families)}`,
+        ),
+      ),
+      rest > 0 ? element('p', { class: 'muted' }, `and ${count_text(rest)} more`) : null,
+    );
+  }
+
+  limit_button(number) {
+    const point = number === none ? none : this.complex.point_of_number(number);
+    if (point !== none || number === none) return this.button(point);
+    return element('span', { class: 'chip still' }, `record ${count_text(number)}, not in this page`);
+  }
+
   pair_facts(point) {
     const { complex } = this;
     const pair = complex.pair_of[point];
@@ -260,6 +306,14 @@ export class Details {
       ),
     );
   }
+}
+
+// "1 orbit, 2 families of orbits"
+function ways_text(orbits, families) {
+  const parts = [];
+  if (orbits > 0) parts.push(orbits === 1 ? '1 orbit' : `${count_text(orbits)} orbits`);
+  if (families > 0) parts.push(families === 1 ? '1 family of orbits' : `${count_text(families)} families of orbits`);
+  return parts.join(', ');
 }
 
 const unit = (text) => element('span', { class: 'unit' }, text);

@@ -36,6 +36,8 @@ INPUTS = {
     "line": "0 0 0\n1 0 0\n3 0 0\n",
     "repeated": "1 1 1\n0 0 0\n1 1 1\n4 0 0\n0 4 0\n0 0 4\n",
     "one": "1 2 3\n",
+    "flows-to-a-saddle": "0 5 0\n-3 0 -2\n3 0 -2\n0 0 12\n0 -5 0\n",
+    "kind-1-3": "0 0 0\n1 0 0\n1 1 0\n1 1 1\n2 1 1\n",
     "huge": "1e300 0 0\n-1e300 0 0\n0 1.5e300 0\n0 1 2e300\n0 0 -7e299\n",
     "tiny": "1e-300 0 0\n-1e-300 0 0\n0 1.5e-300 0\n0 1e-301 2e-300\n0 0 -7e-301\n",
     "scattered": "".join(f"{i * 37 % 101} {i * 61 % 97} {i * 53 % 89}\n" for i in range(60)),
@@ -258,6 +260,45 @@ class ViewTest(unittest.TestCase):
             self.assertLessEqual(max(abs(x) * step for x in at[inner]), 3 + step)
         if target is None:
             self.assertGreater(max(abs(x) * step for x in at[line[-1]]), 3 - step)
+
+    def test_cells(self):
+        def check(text, page, _2, _3):
+            self.assertNotIn("cells", page.data)
+            data = view(text, "--cells")
+            cells = data.pop("cells")
+            self.assertEqual(data, page.data)
+            self.check_cells(cells, page, text)
+
+        self.on_each_input(check)
+
+    def check_cells(self, cells, page, text):
+        lines = run("compute", "-", "--manifolds", "all", "-o", "-", text=text).splitlines()
+        records = [json.loads(line) for line in lines[1:]]
+        shown = [records[number] for number in page.data["records"]["numbers"]]
+        self.assertEqual(cells["volumes"], [math.inf if r["volume_double"] is None else r["volume_double"]
+                                            for r in shown])
+        self.assertEqual(len(cells["offsets"]), len(shown) + 1)
+        ways = [[{"to": None if to == NONE else records[to]["contact"], "orbits": orbits, "families": families}
+                 for to, orbits, families in connections]
+                for connections in slices(cells["offsets"], list(zip(cells["to"], cells["orbits"], cells["families"])))]
+        self.assertEqual(ways, [r.get("connections", []) for r in shown])
+
+    def test_known_volumes_and_connections(self):
+        page = Page(view(INPUTS["flows-to-a-saddle"], "--cells"))
+        cells = page.data["cells"]
+        volumes = {tuple(name): volume for name, volume in zip(page.names, cells["volumes"]) if volume > 0}
+        self.assertEqual(sorted(volumes.values()), [45, 45, 50])
+        self.assertEqual(volumes[0, 3, 4], 50)
+        place = page.names.index([0, 1, 2])
+        to = cells["to"][cells["offsets"][place]: cells["offsets"][place + 1]]
+        self.assertIn(page.data["records"]["numbers"][page.names.index([0, 3, 4])], to)
+
+    def test_cells_of_a_thinned_complex_name_what_it_left_out(self):
+        text = INPUTS["scattered"]
+        thin = Page(view(text, "--cells", "--most", "3"))
+        self.check_cells(thin.data["cells"], thin, text)
+        numbers_here = {*thin.data["records"]["numbers"], NONE}
+        self.assertTrue(any(to not in numbers_here for to in thin.data["cells"]["to"]))
 
     def test_a_large_complex_is_thinned_to_the_longest_pairs(self):
         text = INPUTS["scattered"]

@@ -61,6 +61,8 @@ struct ViewerOptions {
   // A complex with more critical points of an index from 1 on is thinned: of the pairs of dimension 0, and of all
   // others, the page has so many, the longest, with their points and what these lead to.
   std::size_t most_of_an_index = 150000;
+  // Also volumes of stable sets, and where all directions lead.
+  bool has_cells = false;
   std::optional<ViewerClaim> claim;
 };
 
