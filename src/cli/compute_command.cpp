@@ -40,7 +40,7 @@ struct ComputeOptions {
   std::string centers = "exact";
   std::string volumes;  // "double", "exact", or none
   std::string export_directory;
-  std::vector<std::string> only;    // "critical", "surfaces", "lines"; all of them if there is none
+  std::vector<std::string> only;    // names of exported files; all of them if there is none
   std::optional<std::string> clip;  // a number or "none"
   unsigned threads = 1;
   U2Choice u2;
@@ -71,6 +71,8 @@ ExportChoice export_choice(const ComputeOptions& options) {
           .critical = exports(options, "critical"),
           .surfaces = exports(options, "surfaces"),
           .lines = exports(options, "lines"),
+          .cells = has_word(options.manifolds, "all") && exports(options, "cells"),
+          .fans = has_word(options.manifolds, "all") && exports(options, "fans"),
           .clip = options.clip ? clip_factor(*options.clip) : ExportChoice{}.clip};
 }
 
@@ -83,6 +85,11 @@ WantedManifolds wanted_manifolds(const ComputeOptions& options) {
   if (options.polylines && !wanted.u2) throw InvalidInput("--polylines: needs --manifolds u2");
   if (options.u2.alone && !wanted.u2) throw InvalidInput("--alone: needs --manifolds u2");
   if (options.skeletons && !wanted.s2) throw InvalidInput("--skeletons: needs --manifolds s2");
+  for (const char* file : {"cells", "fans"}) {
+    if (has_word(options.only, file) && !wanted.all) {
+      throw InvalidInput(fmt::format("--only: {} needs --manifolds all", file));
+    }
+  }
   if (!options.volumes.empty() && !wanted.all) throw InvalidInput("--volumes: needs --manifolds all");
   return wanted;
 }
@@ -169,13 +176,14 @@ void add_export_options(CLI::App& command, ComputeOptions& options) {
       command
           .add_option("--export", options.export_directory,
                       "Write critical points, S2 and U2 into this directory, as VTP and PLY files for viewers; "
-                      "computes what they need")
+                      "computes what they need; with --manifolds all also U1, and S3 as VTU")
           ->check(complaint_about_path);
   command
       .add_option("--only", options.only,
-                  "Of the files of --export only these, separated by commas: critical, surfaces, lines")
+                  "Of the files of --export only these, separated by commas: critical, surfaces, lines; "
+                  "with --manifolds all also fans and cells")
       ->delimiter(',')
-      ->check(CLI::IsMember({"critical", "surfaces", "lines"}))
+      ->check(CLI::IsMember({"critical", "surfaces", "lines", "fans", "cells"}))
       ->needs(directory);
   command
       .add_option("--clip", options.clip,

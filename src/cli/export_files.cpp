@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/progress.h"
+#include "flowcert/region_exports.h"
 #include "flowcert/reproducibility.h"
 #include "flowcert/vtk_exports.h"
 #include "io/output_file.h"
@@ -37,6 +38,8 @@ void ExportFiles::write_after(const FlowComplex& complex, FlowComplexPart part) 
   if (part == FlowComplexPart::kStationary && choice_.critical) write_critical_points(complex);
   if (part == FlowComplexPart::kStable && choice_.surfaces) write_surfaces(complex);
   if (part == FlowComplexPart::kUnstable && choice_.lines) write_lines(complex);
+  if (part == FlowComplexPart::kLimits && choice_.fans) write_fans(complex);
+  if (part == FlowComplexPart::kVolumes && choice_.cells) write_cells(complex);
 }
 
 void ExportFiles::write_critical_points(const FlowComplex& complex) {
@@ -72,6 +75,24 @@ void ExportFiles::write_lines(const FlowComplex& complex) {
     if (choice_.clip && !complex.points().empty()) box.emplace(complex.points(), *choice_.clip);
     const PolyData data = unstable_line_data(complex, box, std::ref(progress));
     write_file(kName, complex, [&](std::ostream& out, const std::string& made_by) { write_vtp(out, data, made_by); });
+  });
+}
+
+void ExportFiles::write_fans(const FlowComplex& complex) {
+  constexpr const char* kName = "unstable_fans.vtp";
+  attempt(kName, [&] {
+    const ProgressLine progress("exporting unstable manifolds of index-1 points");
+    const PolyData data = unstable_fan_data(complex);
+    write_file(kName, complex, [&](std::ostream& out, const std::string& made_by) { write_vtp(out, data, made_by); });
+  });
+}
+
+void ExportFiles::write_cells(const FlowComplex& complex) {
+  constexpr const char* kName = "stable_cells.vtu";
+  attempt(kName, [&] {
+    const ProgressLine progress("exporting stable sets of dimension 3");
+    const UnstructuredGrid data = stable_cell_data(complex);
+    write_file(kName, complex, [&](std::ostream& out, const std::string& made_by) { write_vtu(out, data, made_by); });
   });
 }
 

@@ -18,6 +18,7 @@ namespace flowcert::cli {
 struct ExportChoice {
   std::string directory;
   bool critical = true, surfaces = true, lines = true;
+  bool cells = false, fans = false;  // they need limits and volumes
   std::optional<Rational> clip = 3;  // how large the box is at which lines to infinity end; nothing for none
 };
 
@@ -35,6 +36,8 @@ class ExportFiles {
   void write_critical_points(const FlowComplex& complex);
   void write_surfaces(const FlowComplex& complex);
   void write_lines(const FlowComplex& complex);
+  void write_fans(const FlowComplex& complex);
+  void write_cells(const FlowComplex& complex);
   void write_file(const char* name, const FlowComplex& complex, const Write& write);
   // Runs what writes a file. An error says which file it was and which are there.
   void attempt(const char* name, const std::function<void()>& write);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 #include "geometry/bounded_sphere.h"
 #include "io/byte_writer.h"
@@ -119,6 +120,7 @@ double rounded_difference(const FlowComplex& complex, std::size_t low, std::size
 const char* type_name(std::int8_t) { return "Int8"; }
 const char* type_name(std::int64_t) { return "Int64"; }
 const char* type_name(double) { return "Float64"; }
+const char* type_name(UnstructuredGrid::Shape) { return "UInt8"; }
 
 // The XML first says where each array begins in the appended data, and the arrays follow. They must outlive this.
 class Document {
@@ -128,15 +130,22 @@ class Document {
   void text(const std::string& line) { out_ << line << '\n'; }
 
   template <typename Number>
-  void array(const std::string& name, const std::vector<Number>& values) {
-    place(name, type_name(Number{}), 1, values.size() * sizeof(Number));
+  void array(const std::string& name, const std::vector<Number>& values, int components = 1) {
+    place(name, type_name(Number{}), components, values.size() * sizeof(Number));
     appended_.emplace_back([&values](ByteWriter& bytes) {
-      for (const Number value : values) bytes.append(value);
+      for (const Number value : values) {
+        if constexpr (std::is_enum_v<Number>) {
+          bytes.append(static_cast<std::uint8_t>(value));
+        } else {
+          bytes.append(value);
+        }
+      }
     });
   }
 
   void array(const VtpArray& array_of_any) {
-    std::visit([&](const auto& values) { array(array_of_any.name, values); }, array_of_any.values);
+    std::visit([&](const auto& values) { array(array_of_any.name, values, array_of_any.components); },
+               array_of_any.values);
   }
 
   void points(const std::vector<Point>& points) {
@@ -154,10 +163,12 @@ class Document {
     text(fmt::format("</{}>", name));
   }
 
-  void cells(const char* name, const VtpCells& cells) {
+  // Only those of a grid have shapes.
+  void cells(const char* name, const VtpCells& cells, const std::vector<UnstructuredGrid::Shape>* shapes = nullptr) {
     text(fmt::format("<{}>", name));
     array("connectivity", cells.connectivity);
     array("offsets", cells.offsets);
+    if (shapes != nullptr) array("types", *shapes);
     text(fmt::format("</{}>", name));
   }
 
@@ -318,11 +329,20 @@ PolyData stable_surface_data(const FlowComplex& complex, SurfaceMesh mesh) {
 
 // ---- Writing ----
 
+namespace {
+
+void begin_document(Document& document, const char* type, const std::string& comment) {
+  document.text(R"(<?xml version="1.0"?>)");
+  document.text(
+      fmt::format(R"(<VTKFile type="{}" version="1.0" byte_order="LittleEndian" header_type="UInt64">)", type));
+  document.text(fmt::format("<!-- {} -->", comment));
+}
+
+}  // namespace
+
 void write_vtp(std::ostream& out, const PolyData& data, const std::string& comment) {
   Document document(out);
-  document.text(R"(<?xml version="1.0"?>)");
-  document.text(R"(<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">)");
-  document.text(fmt::format("<!-- {} -->", comment));
+  begin_document(document, "PolyData", comment);
   document.text("<PolyData>");
   document.text(fmt::format(
       R"(<Piece NumberOfPoints="{}" NumberOfVerts="{}" NumberOfLines="{}" NumberOfStrips="0" NumberOfPolys="{}">)",
@@ -337,6 +357,23 @@ void write_vtp(std::ostream& out, const PolyData& data, const std::string& comme
   document.cells("Polys", data.polygons);
   document.text("</Piece>");
   document.text("</PolyData>");
+  document.appended_data();
+  document.text("</VTKFile>");
+}
+
+void write_vtu(std::ostream& out, const UnstructuredGrid& data, const std::string& comment) {
+  Document document(out);
+  begin_document(document, "UnstructuredGrid", comment);
+  document.text("<UnstructuredGrid>");
+  document.text(
+      fmt::format(R"(<Piece NumberOfPoints="{}" NumberOfCells="{}">)", data.points.size(), data.shapes.size()));
+  document.section("CellData", data.cell_data);
+  document.text("<Points>");
+  document.points(data.points);
+  document.text("</Points>");
+  document.cells("Cells", data.cells, &data.shapes);
+  document.text("</Piece>");
+  document.text("</UnstructuredGrid>");
   document.appended_data();
   document.text("</VTKFile>");
 }

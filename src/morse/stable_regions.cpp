@@ -36,10 +36,12 @@ void StableRegions::Parts::visit_ring(const FacetRing& ring, const Visit& visit)
   for (std::size_t i = 0; i < 2; ++i) {
     region.samples[i] = points.name(diagram.delaunay().ordinals[i == 0 ? ring.facet.v0 : ring.facet.v1]);
   }
-  std::ranges::sort(region.samples);
+  const bool is_turned = region.samples[0] > region.samples[1];
+  if (is_turned) std::swap(region.samples[0], region.samples[1]);
   for (FacetRegion& found : regions_of(diagram, partition, ring)) {
     region.limit = found.limit == kInfinityLimit ? std::nullopt : std::optional<std::size_t>(found.limit);
     region.corners = std::move(found.corners);
+    if (is_turned) std::ranges::reverse(region.corners);
     visit(region);
   }
 }

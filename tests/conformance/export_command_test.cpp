@@ -300,6 +300,38 @@ TEST(ExportCommand, OnlyTheFilesThatAreAskedForAreMade) {
   EXPECT_EQ(files_in(scratch.path("u2")), std::set<std::string>{"critical_points.vtp"});
 }
 
+TEST(ExportCommand, TheWholeComplexHasFansAndCells) {
+  CITES("FC-UNST-02", "FC-VOL-01");
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", kCube), whole = scratch.path("whole"),
+                    some = scratch.path("some");
+  ASSERT_EQ(flowcert({"compute", input, "--manifolds", "all", "--export", whole, "--threads", "3"}).status, 0);
+  ASSERT_EQ(flowcert({"compute", input, "--export", some}).status, 0);
+  std::set<std::string> names = files_in(some);
+  EXPECT_EQ(names.size(), 4U);
+  for (const std::string& name : names) EXPECT_EQ(content_of(some + "/" + name), content_of(whole + "/" + name));
+  names.insert({"stable_cells.vtu", "unstable_fans.vtp"});
+  EXPECT_EQ(files_in(whole), names);
+  // Each of the twelve edges has a facet of two triangles that flow to the centre, with a pyramid on each side. The rest
+  // of the facet flows to infinity. Points: samples, midpoints, centres of squares, and the centre.
+  const auto says = [&](const std::string& name, const std::string& what) {
+    EXPECT_NE(content_of(whole + "/" + name).find(what), std::string::npos) << name << ": " << what;
+  };
+  says("stable_cells.vtu", "<Piece NumberOfPoints=\"27\" NumberOfCells=\"48\">");
+  says("unstable_fans.vtp",
+       "<Piece NumberOfPoints=\"19\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
+       "NumberOfPolys=\"24\">");
+  for (const auto& [only, name] : {std::pair("cells", "stable_cells.vtu"), std::pair("fans", "unstable_fans.vtp")}) {
+    const std::string files = scratch.path(only);
+    ASSERT_EQ(flowcert({"compute", input, "--manifolds", "all", "--export", files, "--only", only}).status, 0);
+    EXPECT_EQ(files_in(files), std::set<std::string>{name});
+    EXPECT_EQ(content_of(files + "/" + name), content_of(whole + "/" + name));
+    expect_refused({"compute", input, "--export", scratch.path("none"), "--only", only},
+                   "--only: " + std::string(only) + " needs --manifolds all");
+  }
+  EXPECT_FALSE(fs::exists(scratch.path("none")));
+}
+
 TEST(ExportCommand, AreTheSameForAnyNumberOfThreadsAndRuns) {
   const Scratch scratch;
   const std::string input = scratch.file("points.xyz", random_points(6, 60));

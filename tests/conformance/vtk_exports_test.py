@@ -4,7 +4,8 @@ usage: vtk_exports_test.py FLOWCERT
 
 Every position and value has to be the double nearest to the exact one of the records of the same run, to the bit; arrays their
 names and types; counts those of the summary; and vertices of surfaces one iff their exact positions are. Where orbits
-leave the box is computed again, in rationals. The two triangles at a manifold edge go along it in opposite directions,
+leave the box is computed again, in rationals. The cells of each stable set have its volume, by VTK's own sums, and fans the
+limits of λ-lists. The two triangles at a manifold edge go along it in opposite directions,
 unless a search of all ways to turn the component finds none.
 """
 import json
@@ -20,7 +21,8 @@ from fractions import Fraction
 
 from vtkmodules import vtkCommonCore as core
 from vtkmodules.vtkIOPLY import vtkPLYReader
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 
 SIGNED_CHAR, INT64, DOUBLE = "Int8", "Int64", "Float64"
 POINT_ARRAYS = {"CellDimension": SIGNED_CHAR, "CellId": INT64, "CriticalType": SIGNED_CHAR, "FaceDimension": SIGNED_CHAR,
@@ -314,6 +316,79 @@ def check_ply(poly_data, positions, cells, faults):
     faults.expect(cells_of(poly_data, len(positions), faults) == cells, "triangles of the PLY file")
 
 
+def signed_volume(corners):
+    """Of a tetrahedron, or of a pyramid over a quadrangle. Positive in VTK's orientation."""
+    *base, apex = corners
+    total = 0.0
+    for second, third in zip(base[1:], base[2:]):
+        a, b, c = ([x - y for x, y in zip(corner, base[0])] for corner in (second, third, apex))
+        total += (c[0] * (a[1] * b[2] - a[2] * b[1]) + c[1] * (a[2] * b[0] - a[0] * b[2]) +
+                  c[2] * (a[0] * b[1] - a[1] * b[0])) / 6
+    return total
+
+
+def check_cells(grid, records, points, is_exact, faults):
+    """Returns whether there is a pyramid over a quadrangle."""
+    positions = points_of(grid, faults)
+    cells = cells_of(grid, len(positions), faults)
+    wanted = {"maximum": INT64, "sample": INT64, "volume": DOUBLE}
+    arrays = arrays_of(grid.GetCellData(), wanted, len(cells), faults)
+    measured = vtkCellSizeFilter()
+    measured.SetInputData(grid)
+    measured.Update()
+    sizes = measured.GetOutput().GetCellData().GetArray("Volume")
+    by_vtk, by_corners = Counter(), Counter()
+    for k, cell in enumerate(cells):
+        kind = {4: 10, 5: 14}.get(len(cell))  # VTK_TETRA, VTK_PYRAMID
+        faults.expect(grid.GetCellType(k) == kind, f"type of cell {k}")
+        record, sample = int(arrays["maximum"][k]), int(arrays["sample"][k])
+        faults.expect(arrays["volume"][k] == records[record]["volume_double"], f"volume of cell {k}")
+        faults.expect(bits(positions[cell[-1]]) == bits(rounded(points[sample])), f"apex of cell {k}")
+        volume = signed_volume([positions[id] for id in cell])
+        faults.expect(volume > 0 or not is_exact, f"cell {k} has volume {volume}")
+        by_corners[record] += volume
+        by_vtk[record] += sizes.GetTuple1(k)
+    for record, fields in enumerate(records):
+        volume = fields["volume_double"]
+        faults.expect((volume > 0) == (record in by_vtk), f"set of record {record}")
+        for total in (by_vtk[record], by_corners[record]) if is_exact else ():
+            faults.expect(abs(total - volume) <= 1e-9 * volume, f"volume of record {record}: {total}, not {volume}")
+    faults.expect(not is_exact or len(set(positions)) == len(positions), "points of cells are not shared")
+    return any(len(cell) == 5 for cell in cells)
+
+
+def check_fans(poly_data, records, is_exact, faults):
+    positions = points_of(poly_data, faults)
+    cells = cells_of(poly_data, len(positions), faults)
+    data = poly_data.GetCellData()
+    faults.expect(data.GetNumberOfArrays() == 3 and poly_data.GetNumberOfPolys() == len(cells), "fans")
+    limits, samples, sources = (data.GetArray(name) for name in ("limit", "samples", "source"))
+    faults.expect(samples.GetNumberOfComponents() == 2, "samples of fans")
+    for k, cell in enumerate(cells):
+        record, limit = records[int(sources.GetTuple1(k))], int(limits.GetTuple1(k))
+        faults.expect(set(samples.GetTuple2(k)) <= set(record["contact"]), f"samples of fan {k}")
+        faults.expect(len(cell) == 3 and bits(rounded(record["center"])) in [bits(positions[id]) for id in cell],
+                      f"source of fan {k}")
+        # An arc between two directions is in the λ-list.
+        faults.expect((None if limit < 0 else records[limit]["contact"]) in record["lambda"]["arcs"], f"limit of fan {k}")
+    faults.expect(not is_exact or len(set(positions)) == len(positions), "points of fans are not shared")
+    return len(cells) > 0
+
+
+def check_whole_complex(flowcert, source, folder, points, is_exact, faults):
+    target, output = os.path.join(folder, "whole"), os.path.join(folder, "whole.jsonl")
+    run = subprocess.run([flowcert, "compute", source, "--export", target, "-o", output, "--manifolds", "all",
+                          "--only", "fans,cells"], capture_output=True, text=True, timeout=200)
+    faults.expect(run.returncode == 0, run.stderr)
+    faults.expect(sorted(os.listdir(target)) == ["stable_cells.vtu", "unstable_fans.vtp"], f"files {os.listdir(target)}")
+    with open(output, encoding="utf-8") as file:
+        records = [json.loads(line) for line in file][1:]
+    grid = read(os.path.join(target, "stable_cells.vtu"), vtkXMLUnstructuredGridReader(), faults)
+    fans = read(os.path.join(target, "unstable_fans.vtp"), vtkXMLPolyDataReader(), faults)
+    return {"pyramid": check_cells(grid, records, points, is_exact, faults),
+            "fan": check_fans(fans, records, is_exact, faults)}
+
+
 def lines_alone(flowcert, source, target, clip, faults):
     run = subprocess.run([flowcert, "compute", source, "--export", target, "--only", "lines", "--clip", clip],
                          capture_output=True, text=True, timeout=200)
@@ -322,8 +397,8 @@ def lines_alone(flowcert, source, target, clip, faults):
     return read(os.path.join(target, "unstable_lines.vtp"), vtkXMLPolyDataReader(), faults)
 
 
-def check_input(flowcert, folder, points, faults):
-    """Returns, by name, which of the things that matter the input had."""
+def check_input(flowcert, folder, points, is_exact, faults):
+    """Returns, by name, which of the things that matter the input had. is_exact: doubles tell volumes and places."""
     source, target, output = (os.path.join(folder, name) for name in ("points.off", "files", "records.jsonl"))
     with open(source, "w", encoding="ascii") as file:
         file.writelines([f"OFF\n{len(points)} 0 0\n"] + ["%r %r %r\n" % point for point in points])
@@ -347,6 +422,7 @@ def check_input(flowcert, folder, points, faults):
     check_orientation(cells, faults)
     check_ply(opened[1], positions, cells, faults)
     return {**dict.fromkeys(seen, True),
+            **check_whole_complex(flowcert, source, folder, samples, is_exact, faults),
             "regular": any(record["kind"] == "regular" for record in records),
             "interval": any(record.get("stable", {}).get("has_interval") for record in records if record["index"] == 2),
             "infinity": summary["u2"]["to_infinity"] > 0,
@@ -360,10 +436,10 @@ def main():
     for name, points in INPUTS.items():
         before = len(faults.found)
         with tempfile.TemporaryDirectory() as folder:
-            seen.update(key for key, value in check_input(sys.argv[1], folder, points, faults).items() if value)
+            seen.update(key for key, value in check_input(sys.argv[1], folder, points, name not in ("far", "subnormal"), faults).items() if value)
         faults.found[before:] = [f"{name}: {fault}" for fault in faults.found[before:]]
     for key in ("regular", "interval", "infinity", "long line to infinity", "equal doubles", "cut before its last segment",
-                "cut in its last segment"):
+                "cut in its last segment", "pyramid", "fan"):
         faults.expect(seen[key] > 0, f"no input has {key}")
     for fault in faults.found[:20]:
         print(fault)

@@ -1,6 +1,6 @@
 // The flow complex as data sets for viewers: stationary points, the orbits of U2, and the surfaces S2. An array has
 // its name in TTK's Morse-Smale complex if it means the same there (spec/formats/exports.md). Files are VTK's XML
-// PolyData, which ParaView and VTK open.
+// PolyData and UnstructuredGrid, which ParaView and VTK open.
 //
 // Guarantees: coordinates and values are the doubles nearest to the exact ones, and files hold them to the bit. The
 // points where orbits leave a clip box are rounded as spec/formats/exports.md says. Values of orbits that go to
@@ -20,10 +20,11 @@
 
 namespace flowcert {
 
-// One number for each point or cell.
+// One number, or several, for each point or cell.
 struct VtpArray {
   std::string name;
   std::variant<std::vector<std::int8_t>, std::vector<std::int64_t>, std::vector<double>> values;
+  int components = 1;
 };
 
 struct VtpCells {
@@ -38,8 +39,18 @@ struct PolyData {
   std::vector<VtpArray> cell_data;  // vertices first, then lines, then polygons
 };
 
+// Cells of dimension 3.
+struct UnstructuredGrid {
+  enum class Shape : std::uint8_t { kTetrahedron = 10, kPyramid = 14 };  // VTK's numbers
+  std::vector<Point> points;
+  VtpCells cells;
+  std::vector<Shape> shapes;
+  std::vector<VtpArray> cell_data;
+};
+
 // comment: of one line, without "--". The data is not copied.
 void write_vtp(std::ostream& out, const PolyData& data, const std::string& comment);
+void write_vtu(std::ostream& out, const UnstructuredGrid& data, const std::string& comment);
 
 using ExportProgress = std::function<void(std::size_t done, std::size_t total)>;
 

@@ -37,7 +37,8 @@ struct RegionCorner {
 struct StableRegion {
   std::array<PointId, 2> samples;    // names, ascending
   std::optional<std::size_t> limit;  // a place in the list of stationary points; nothing for infinity
-  // In cyclic order. Corners at infinity are neighbours, one or two of them. A whole plane has no corner.
+  // Counterclockwise seen from samples[1]. Corners at infinity are neighbours, one or two of them. A whole plane has no
+  // corner.
   std::vector<RegionCorner> corners;
 };
 
