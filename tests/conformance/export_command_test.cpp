@@ -312,8 +312,8 @@ TEST(ExportCommand, TheWholeComplexHasFansAndCells) {
   for (const std::string& name : names) EXPECT_EQ(content_of(some + "/" + name), content_of(whole + "/" + name));
   names.insert({"stable_cells.vtu", "unstable_fans.vtp"});
   EXPECT_EQ(files_in(whole), names);
-  // Each of the twelve edges has a facet of two triangles that flow to the centre, with a pyramid on each side. The rest
-  // of the facet flows to infinity. Points: samples, midpoints, centres of squares, and the centre.
+  // Each of the twelve edges has a facet of two triangles that flow to the centre, with a pyramid on each side. The
+  // rest of the facet flows to infinity. Points: samples, midpoints, centres of squares, and the centre.
   const auto says = [&](const std::string& name, const std::string& what) {
     EXPECT_NE(content_of(whole + "/" + name).find(what), std::string::npos) << name << ": " << what;
   };
