@@ -163,7 +163,7 @@ UnstructuredGrid stable_cell_data(const FlowComplex& complex) {
     corners.clear();
     for (const RegionCorner& corner : region.corners) corners.push_back(numbers.of(region, corner));
     const auto limit = static_cast<std::int64_t>(*region.limit);
-    for (const std::size_t side : {1, 0}) {
+    for (const std::size_t side : {1U, 0U}) {
       const PointId sample = region.samples[side];
       cells.append_pyramid(corners, numbers.of_sample(sample), limit, static_cast<std::int64_t>(sample));
       std::ranges::reverse(corners);

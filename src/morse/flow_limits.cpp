@@ -126,8 +126,9 @@ List list_of(std::span<const Division> entries, const LimitPartition& partition,
     list.directions.push_back({limit_of(division), position_of(division.point), is_vector});
   }
   if (first > 0) {
-    std::ranges::rotate(list.directions, list.directions.begin() + static_cast<std::ptrdiff_t>(first));
-    std::ranges::rotate(list.arcs, list.arcs.begin() + static_cast<std::ptrdiff_t>(first));
+    std::rotate(list.directions.begin(), list.directions.begin() + static_cast<std::ptrdiff_t>(first),
+                list.directions.end());
+    std::rotate(list.arcs.begin(), list.arcs.begin() + static_cast<std::ptrdiff_t>(first), list.arcs.end());
   }
   return list;
 }

@@ -296,7 +296,7 @@ void LimitPartition::close_fan(const FacetRing& ring) {
   const bool is_kept =
       ends_with_point && !(fan_.back().limit == fan_.front().limit && fan_[size - 2].limit == fan_.front().limit);
   if (is_kept) {
-    std::ranges::rotate(fan_, fan_.end() - 1);
+    std::rotate(fan_.begin(), fan_.end() - 1, fan_.end());
     return;
   }
   if (ends_with_point) fan_.pop_back();

@@ -314,7 +314,7 @@ std::vector<RationalPoint> StableManifolds::Parts::Worker::corners_of(const Sect
   }
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
-  std::ranges::rotate(corners, std::ranges::min_element(corners));
+  std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
   if (corners.size() > 2 && corners.back() < corners[1]) std::reverse(corners.begin() + 1, corners.end());
   return corners;
 }

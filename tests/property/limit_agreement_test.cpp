@@ -83,8 +83,8 @@ List list_of(const StationaryPoints& stationary, const RationalPoint& y, const L
 // The oracle's cycle begins with the least direction, which need not have the least exit.
 void begin_with_least(List& list) {
   const auto first = std::ranges::min_element(list.directions, {}, &Entry::direction) - list.directions.begin();
-  std::ranges::rotate(list.directions, list.directions.begin() + first);
-  std::ranges::rotate(list.arcs, list.arcs.begin() + first);
+  std::rotate(list.directions.begin(), list.directions.begin() + first, list.directions.end());
+  std::rotate(list.arcs.begin(), list.arcs.begin() + first, list.arcs.end());
 }
 
 std::string in_words(const List& list) {
