@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/bounded_arithmetic.h"
 #include "morse/exact_divisions.h"
 
 namespace flowcert::morse {
@@ -11,34 +12,19 @@ namespace {
 
 using Kind = DivisionPoint::Kind;
 
-constexpr double kShare = 64 * DoubleDouble::kRoundoff;
-constexpr double kRoundoff = 8 * DoubleDouble::kRoundoff;
-constexpr double kUnderflow = 0x1p-1000;
-constexpr double kSlack = 1 + 0x1p-30;
+using geometry::difference;
+using geometry::doubled;
+using geometry::product;
+using geometry::quotient;
+using geometry::sum;
 
-double size(const DoubleDouble& x) { return std::fabs(x.high()); }
+constexpr double kShare = 64 * DoubleDouble::kRoundoff;
+constexpr double kRoundoff = geometry::kBoundedRoundoff;
+constexpr double kUnderflow = geometry::kBoundedUnderflow;
+constexpr double kSlack = 1 + 0x1p-30;
 
 double length_of(const Vector3<DoubleDouble>& v) {
   return std::sqrt(v.x.high() * v.x.high() + v.y.high() * v.y.high() + v.z.high() * v.z.high()) * kSlack;
-}
-
-BoundedNumber product(const BoundedNumber& x, const BoundedNumber& y) {
-  const DoubleDouble value = x.value * y.value;
-  const double error = size(x.value) * y.error + size(y.value) * x.error + x.error * y.error + kRoundoff * size(value);
-  return {value, error * kSlack + kUnderflow};
-}
-BoundedNumber difference(const BoundedNumber& x, const BoundedNumber& y) {
-  const DoubleDouble value = x.value - y.value;
-  return {value, (x.error + y.error + kRoundoff * (size(x.value) + size(y.value))) * kSlack + kUnderflow};
-}
-BoundedNumber sum(const BoundedNumber& x, const BoundedNumber& y) { return difference(x, {-y.value, y.error}); }
-BoundedNumber doubled(const BoundedNumber& x) { return {x.value + x.value, 2 * x.error}; }
-BoundedNumber quotient(const BoundedNumber& x, const BoundedNumber& y) {
-  const double least = size(y.value) - y.error;
-  if (!(least > y.error)) return {};
-  const DoubleDouble value = x.value / y.value;
-  const double error = (x.error + size(value) * y.error) / least + kRoundoff * size(value);
-  return {value, error * kSlack + kUnderflow};
 }
 
 // The terms of an ApexPair with their bounds.

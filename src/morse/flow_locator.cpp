@@ -1,0 +1,251 @@
+#include "flowcert/flow_locator.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "geometry/bounded_vector.h"
+#include "morse/bounded_divisions.h"
+#include "morse/first_exit.h"
+#include "morse/limit_partition.h"
+#include "morse/neighborhoods.h"
+#include "morse/polygon_turn.h"
+#include "morse/record_finder.h"
+
+namespace flowcert {
+
+using namespace morse;
+using geometry::BoundedVector;
+
+namespace {
+
+namespace index = boost::geometry::index;
+using SpatialPoint = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
+using SpatialEntry = std::pair<SpatialPoint, VertexIndex>;
+using SampleTree = index::rtree<SpatialEntry, index::quadratic<16>>;
+
+SpatialPoint spatial(const Point& p) { return {p.x, p.y, p.z}; }
+
+}  // namespace
+
+// What all locators of one diagram share, and does not change.
+struct FlowLocator::Map {
+  Map(const VoronoiDiagram& diagram, const StationaryPoints& list, const FlowLimits& limits)
+      : voronoi(diagram), faces(diagram.faces()), stationary(list), partition(limits.partition()) {
+    if (faces.dimension() < 3) return;
+    neighborhoods.emplace(faces);
+    divisions.emplace(faces, partition);
+    one_in_units = Rational(std::ldexp(1.0, -divisions->unit()));
+    std::vector<SpatialEntry> entries;
+    const std::vector<Point>& points = faces.delaunay().points;
+    for (VertexIndex v = 0; v < points.size(); ++v) entries.emplace_back(spatial(points[v]), v);
+    tree = SampleTree(entries);
+  }
+
+  // In units (BoundedDivisions::unit). A scaled number that underflows is covered by every bound.
+  [[nodiscard]] BoundedVector between(VertexIndex from, const Point& to) const;
+  [[nodiscard]] BoundedVector between(VertexIndex from, VertexIndex to) const { return between(from, faces.point(to)); }
+  [[nodiscard]] std::optional<BoundedVector> offset(VertexIndex from, const RationalPoint& x) const;
+  [[nodiscard]] VertexIndex nearby(const Point& x) const;
+  [[nodiscard]] PointId name(VertexIndex v) const { return voronoi.points().name(faces.delaunay().ordinals[v]); }
+
+  const VoronoiDiagram& voronoi;
+  const Diagram& faces;
+  const StationaryPoints& stationary;
+  const LimitPartition& partition;
+  // Dimension 3 only.
+  std::optional<Neighborhoods> neighborhoods;
+  std::optional<BoundedDivisions> divisions;
+  Rational one_in_units;
+  SampleTree tree;
+};
+
+struct FlowLocator::Parts {
+  Parts(std::shared_ptr<const Map> all, FlowOptions how)
+      : map(std::move(all)), options(how), finder(map->stationary), faces(map->voronoi), flow(map->voronoi, how) {}
+
+  // The three return kOpenLimit where bounds do not decide. u is x - p, and g is a vector from the midpoint.
+  static constexpr Limit kOpenLimit = 0xfffffffeu;
+  [[nodiscard]] Limit limit_in_cell(VertexIndex p, const BoundedVector& u);
+  [[nodiscard]] Limit limit_in_facet(VertexIndex p, const Neighbor& q, const BoundedVector& g);
+  [[nodiscard]] Limit limit_on_edge(FacetName facet, const RingPiece& piece, const BoundedNumber& parameter) const;
+  [[nodiscard]] FlowPlace follow(const RationalPoint& x);
+  [[nodiscard]] FlowPlace place(VertexIndex p, Limit limit) const;
+
+  std::shared_ptr<const Map> map;
+  FlowOptions options;
+  RecordFinder finder;
+  VoronoiFaces faces;
+  Flow flow;
+  std::vector<Wall> walls;
+  std::vector<std::size_t> pieces;  // of the walls of a facet
+  std::size_t followed = 0;
+};
+
+BoundedVector FlowLocator::Map::between(VertexIndex from, const Point& to) const {
+  const Point& p = faces.point(from);
+  const auto scaled = [this](double a, double b) {
+    return BoundedNumber{DoubleDouble::sum(std::ldexp(a, -divisions->unit()), -std::ldexp(b, -divisions->unit())),
+                         geometry::kBoundedUnderflow};
+  };
+  return {scaled(to.x, p.x), scaled(to.y, p.y), scaled(to.z, p.z)};
+}
+
+// In units each coordinate is a double and a remainder, whose nearest double has an error of its own.
+std::optional<BoundedVector> FlowLocator::Map::offset(VertexIndex from, const RationalPoint& x) const {
+  const Point& p = faces.point(from);
+  const std::array<double, 3> origin{p.x, p.y, p.z};
+  BoundedVector all;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Rational in_units = x[i] * one_in_units;
+    const auto high = nearest_double(in_units);
+    if (!high) return std::nullopt;
+    const double low = nearest_double(in_units - Rational(*high)).value_or(0);
+    const BoundedNumber to_high{DoubleDouble::sum(*high, -std::ldexp(origin[i], -divisions->unit())),
+                                geometry::kBoundedUnderflow};
+    all[i] = sum(to_high, {low, std::fabs(low) * 0x1p-52 + geometry::kBoundedUnderflow});
+  }
+  return all;
+}
+
+// Doubles find it, and nothing depends on whether it is the nearest one.
+VertexIndex FlowLocator::Map::nearby(const Point& x) const {
+  return tree.qbegin(index::nearest(spatial(x), 1))->second;
+}
+
+// z = p + t u is in the cell while 2 t <u, q-p> <= |q-p|^2 for all neighbours q. p is the only nearest sample of x, where
+// t is 1, iff the first exit is later.
+Limit FlowLocator::Parts::limit_in_cell(VertexIndex p, const BoundedVector& u) {
+  const std::span<const Neighbor> around = map->neighborhoods->of(p);
+  walls.clear();
+  for (const Neighbor& q : around) {
+    const BoundedVector d = map->between(p, q.vertex);
+    walls.push_back({dot(d, d), doubled(dot(u, d))});
+  }
+  Exit exit{};
+  const ExitKind kind = first_exit(walls, exit);
+  if (kind == ExitKind::kNowhere) return kInfinityLimit;
+  if (kind == ExitKind::kOpen) return kOpenLimit;
+  if (geometry::decided_sign(difference(exit.parameter, {1, 0})) != Sign::kPositive) return kOpenLimit;
+  const Neighbor& q = around[exit.wall];
+  return limit_in_facet(p, q, combined(exit.parameter, u, halved(map->between(p, q.vertex))));
+}
+
+// z = m + s g is in the facet while 2 s <g, w-m> <= <w-p, w-q> for the samples w of all its Voronoi edges.
+Limit FlowLocator::Parts::limit_in_facet(VertexIndex p, const Neighbor& q, const BoundedVector& g) {
+  const FacetName facet = voronoi::facet_name(p, q.vertex);
+  const FacetRing ring = faces.ring(facet, q.cell);
+  const BoundedVector half = halved(map->between(facet.v0, facet.v1));
+  walls.clear();
+  pieces.clear();
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const RingPiece& piece = ring.pieces[k];
+    if (!piece.is_finite()) continue;
+    const BoundedVector d = map->between(facet.v0, piece.apex);
+    BoundedVector from_m;
+    for (std::size_t i = 0; i < 3; ++i) from_m[i] = difference(d[i], half[i]);
+    // <w-p, w-q> = |w-m|^2 - |q-p|^2 / 4
+    walls.push_back({difference(dot(from_m, from_m), dot(half, half)), doubled(dot(g, from_m))});
+    pieces.push_back(k);
+  }
+  Exit exit{};
+  const ExitKind kind = first_exit(walls, exit);
+  if (kind == ExitKind::kNowhere) return kInfinityLimit;
+  if (kind == ExitKind::kOpen) return kOpenLimit;
+  const RingPiece& piece = ring.pieces[pieces[exit.wall]];
+  // The normal is orthogonal to p1-p0, so m may stand for p0 in the parameter (division_parameter.h).
+  const BoundedVector normal = cross(map->between(facet.v0, facet.v1), map->between(facet.v0, piece.apex));
+  return limit_on_edge(facet, piece, product(exit.parameter, dot(g, normal)));
+}
+
+Limit FlowLocator::Parts::limit_on_edge(FacetName facet, const RingPiece& piece, const BoundedNumber& parameter) const {
+  const std::span<const Division> all = map->partition.edge(piece.polygon());
+  if (all.size() == 1) return all.front().limit;
+  const std::array<VertexIndex, 3> samples{facet.v0, facet.v1, piece.apex};
+  const bool is_forward = has_turn(map->faces, piece.polygon(), samples);
+  // The side of the division point 2 k + 1 that the parameter is on, towards end 1 positive.
+  const auto side = [&](std::size_t k) -> std::optional<Sign> {
+    const PointOfDivision number = all[2 * k + 1].point;
+    const DivisionPoint& point = map->partition.point(number);
+    BoundedNumber there{0, 0};
+    if (point.kind == DivisionPoint::Kind::kCrossing) {
+      const int turn = turn_of_same({point.facet.v0, point.facet.v1, point.apex}, samples);
+      if (turn == 0) return std::nullopt;
+      there = map->divisions->parameter(number);
+      if (turn < 0) there.value = -there.value;
+    }
+    const BoundedNumber beyond = is_forward ? difference(parameter, there) : difference(there, parameter);
+    return geometry::decided_sign(beyond);
+  };
+  std::size_t first = 0, last = all.size() / 2;  // division points that the parameter may lie before
+  while (first < last) {
+    const std::size_t middle = (first + last) / 2;
+    const auto sign = side(middle);
+    if (!sign) return kOpenLimit;
+    (*sign == Sign::kPositive ? first : last) = *sign == Sign::kPositive ? middle + 1 : middle;
+  }
+  return all[2 * first].limit;
+}
+
+FlowPlace FlowLocator::Parts::follow(const RationalPoint& x) {
+  ++followed;
+  FlowPlace place;
+  if (const auto limit = flow.limit(x)) {
+    place.limit = finder.find(limit->index, limit->contact);
+    if (!place.limit) throw std::logic_error("a stationary point that is not listed");
+  }
+  for (const VertexIndex v : faces.contact(faces.locate(x))) {
+    place.nearest.push_back(map->name(v));
+  }
+  std::ranges::sort(place.nearest);
+  return place;
+}
+
+FlowPlace FlowLocator::Parts::place(VertexIndex p, Limit limit) const {
+  FlowPlace place{std::nullopt, {map->name(p)}};
+  if (limit != kInfinityLimit) place.limit = limit;
+  return place;
+}
+
+FlowLocator::FlowLocator(const VoronoiDiagram& diagram, const StationaryPoints& stationary, const FlowLimits& limits,
+                         FlowOptions options)
+    : parts_(std::make_unique<Parts>(std::make_shared<const Map>(diagram, stationary, limits), options)) {}
+FlowLocator::FlowLocator(const FlowLocator& other)
+    : parts_(std::make_unique<Parts>(other.parts_->map, other.parts_->options)) {}
+FlowLocator::~FlowLocator() = default;
+FlowLocator::FlowLocator(FlowLocator&&) noexcept = default;
+FlowLocator& FlowLocator::operator=(FlowLocator&&) noexcept = default;
+
+FlowPlace FlowLocator::locate(const RationalPoint& x) {
+  Parts& all = *parts_;
+  if (!all.map->divisions) return all.follow(x);
+  const auto rounded = [](const Rational& value) { return nearest_double(value).value_or(HUGE_VAL); };
+  const Point about{rounded(x[0]), rounded(x[1]), rounded(x[2])};
+  if (!std::isfinite(about.x) || !std::isfinite(about.y) || !std::isfinite(about.z)) return all.follow(x);
+  const VertexIndex p = all.map->nearby(about);
+  const auto u = all.map->offset(p, x);
+  const Limit limit = u ? all.limit_in_cell(p, *u) : Parts::kOpenLimit;
+  return limit == Parts::kOpenLimit ? all.follow(x) : all.place(p, limit);
+}
+
+FlowPlace FlowLocator::locate(const Point& x) {
+  Parts& all = *parts_;
+  if (!std::isfinite(x.x) || !std::isfinite(x.y) || !std::isfinite(x.z)) {
+    throw InvalidInput("a position must be finite");
+  }
+  if (all.map->divisions) {
+    const VertexIndex p = all.map->nearby(x);
+    const Limit limit = all.limit_in_cell(p, all.map->between(p, x));
+    if (limit != Parts::kOpenLimit) return all.place(p, limit);
+  }
+  return all.follow({Rational(x.x), Rational(x.y), Rational(x.z)});
+}
+
+std::size_t FlowLocator::followed() const { return parts_->followed; }
+
+}  // namespace flowcert
