@@ -9,6 +9,7 @@
 #include "geometry/contract.h"
 #include "morse/polygon_turn.h"
 #include "morse/record_facet.h"
+#include "voronoi/each_polygon.h"
 
 namespace flowcert::morse {
 
@@ -48,17 +49,14 @@ void LimitPartition::note_records() {
 // ---- The order of work ----
 
 void LimitPartition::divide_all_edges() {
-  const VoronoiComplex* spatial = faces_.diagram().spatial();
+  for_each_polygon(faces_.diagram(), [this](PolygonRef polygon) {
+    while (!request_edge(polygon)) finish_tasks();
+  });
+  if (faces_.dimension() < 3) return;
+  // Some Voronoi vertices are at the ends of no edge whose division needed them.
   for (CellIndex cell = 0; cell < faces_.delaunay().finite_count; ++cell) {
-    for (std::uint32_t i = spatial != nullptr ? 0 : 3; i < 4; ++i) {
-      const FacetRef facet{cell, i};
-      if (spatial != nullptr && spatial->role(facet) == VoronoiComplex::FacetRole::kInterior) continue;
-      if (faces_.polygon(facet) != facet) continue;
-      while (!request_edge(facet)) finish_tasks();
-    }
-    if (spatial != nullptr && spatial->cluster(cell) == cell) {
-      while (!request_vertex(cell)) finish_tasks();
-    }
+    if (faces_.complex().cluster(cell) != cell) continue;
+    while (!request_vertex(cell)) finish_tasks();
   }
 }
 

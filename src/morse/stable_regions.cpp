@@ -6,6 +6,7 @@
 
 #include "morse/division_positions.h"
 #include "morse/facet_regions.h"
+#include "voronoi/each_polygon.h"
 
 namespace flowcert {
 
@@ -55,30 +56,22 @@ StableRegions& StableRegions::operator=(StableRegions&&) noexcept = default;
 // Each facet is visited from the first polygon that has its Delaunay edge.
 void StableRegions::visit(const Visit& visit) {
   Parts& all = *parts_;
-  const VoronoiComplex* spatial = all.diagram.spatial();
-  const CellIndex count = all.diagram.delaunay().finite_count;
   if (all.diagram.dimension() == 1) {
-    for (CellIndex edge = 0; edge < count; ++edge) {
+    for (CellIndex edge = 0; edge < all.diagram.delaunay().finite_count; ++edge) {
       const auto& v = all.diagram.delaunay().vertices(edge);
       all.visit_ring({kNoRing, facet_name(v[0], v[1]), {}}, visit);
     }
   }
-  if (all.diagram.dimension() < 2) return;
   std::vector<bool> is_visited;
-  for (CellIndex cell = 0; cell < count; ++cell) {
-    for (std::uint32_t i = spatial != nullptr ? 0 : 3; i < 4; ++i) {
-      const PolygonRef polygon{cell, i};
-      if (spatial != nullptr && spatial->role(polygon) == VoronoiComplex::FacetRole::kInterior) continue;
-      if (all.diagram.polygon(polygon) != polygon) continue;
-      for (const PolygonSide& side : all.diagram.sides(polygon)) {
-        const FacetName facet{side.v0, side.v1};
-        const FacetRing ring = all.faces.ring(facet, all.diagram.cell_of_side(polygon, facet));
-        if (ring.id >= is_visited.size()) is_visited.resize(2 * std::size_t{ring.id} + 1, false);
-        if (!is_visited[ring.id]) all.visit_ring(ring, visit);
-        is_visited[ring.id] = true;
-      }
+  for_each_polygon(all.diagram, [&](PolygonRef polygon) {
+    for (const PolygonSide& side : all.diagram.sides(polygon)) {
+      const FacetName facet{side.v0, side.v1};
+      const FacetRing ring = all.faces.ring(facet, all.diagram.cell_of_side(polygon, facet));
+      if (ring.id >= is_visited.size()) is_visited.resize(2 * std::size_t{ring.id} + 1, false);
+      if (!is_visited[ring.id]) all.visit_ring(ring, visit);
+      is_visited[ring.id] = true;
     }
-  }
+  });
 }
 
 RationalPoint StableRegions::Parts::midpoint(const StableRegion& region) const {

@@ -14,6 +14,7 @@
 #include "morse/exact_divisions.h"
 #include "morse/limit_partition.h"
 #include "morse/polygon_turn.h"
+#include "voronoi/each_polygon.h"
 
 namespace flowcert {
 
@@ -137,15 +138,8 @@ void StableVolumes::Parts::gather_points(PolygonRef polygon, std::vector<VolumeT
 // Sorted by record, stably.
 void StableVolumes::Parts::gather_terms() {
   std::vector<VolumeTerm> found;
-  for (CellIndex cell = 0; cell < diagram.delaunay().finite_count; ++cell) {
-    gather_cell(cell, found);
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      const FacetRef facet{cell, i};
-      const bool is_name =
-          diagram.complex().role(facet) != VoronoiComplex::FacetRole::kInterior && diagram.polygon(facet) == facet;
-      if (is_name) gather_points(facet, found);
-    }
-  }
+  for (CellIndex cell = 0; cell < diagram.delaunay().finite_count; ++cell) gather_cell(cell, found);
+  for_each_polygon(diagram, [&](PolygonRef polygon) { gather_points(polygon, found); });
   for (const VolumeTerm& term : found) ++first[term.limit + 1];
   for (std::size_t record = 1; record < first.size(); ++record) first[record] += first[record - 1];
   std::vector<std::size_t> next(first.begin(), first.end() - 1);

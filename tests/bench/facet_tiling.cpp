@@ -24,6 +24,7 @@
 #include "morse/exact_divisions.h"
 #include "morse/facet_regions.h"
 #include "morse/polygon_turn.h"
+#include "voronoi/each_polygon.h"
 
 namespace {
 
@@ -178,23 +179,22 @@ class Sums {
         arcs_(complex.stationary().size(), Number(0)) {}
 
   [[nodiscard]] Outcome run() {
-    std::vector<bool> is_visited;
     for (CellIndex cell = 0; cell < diagram_.delaunay().finite_count; ++cell) {
       for (std::uint32_t i = 0; i < 4; ++i) {
-        const PolygonRef polygon{cell, i};
-        if (diagram_.complex().role(polygon) == VoronoiComplex::FacetRole::kInterior) continue;
-        add_end(polygon);
-        if (diagram_.polygon(polygon) != polygon) continue;
-        add_points(polygon);
-        for (const PolygonSide& side : diagram_.sides(polygon)) {
-          const FacetName facet{side.v0, side.v1};
-          const FacetRing ring = faces_.ring(facet, diagram_.cell_of_side(polygon, facet));
-          if (ring.id >= is_visited.size()) is_visited.resize(2 * std::size_t{ring.id} + 1, false);
-          if (!is_visited[ring.id]) add_facet(ring);
-          is_visited[ring.id] = true;
-        }
+        if (diagram_.complex().role({cell, i}) != VoronoiComplex::FacetRole::kInterior) add_end({cell, i});
       }
     }
+    std::vector<bool> is_visited;
+    for_each_polygon(diagram_, [&](PolygonRef polygon) {
+      add_points(polygon);
+      for (const PolygonSide& side : diagram_.sides(polygon)) {
+        const FacetName facet{side.v0, side.v1};
+        const FacetRing ring = faces_.ring(facet, diagram_.cell_of_side(polygon, facet));
+        if (ring.id >= is_visited.size()) is_visited.resize(2 * std::size_t{ring.id} + 1, false);
+        if (!is_visited[ring.id]) add_facet(ring);
+        is_visited[ring.id] = true;
+      }
+    });
     for (std::size_t record = 0; record < arcs_.size(); ++record) {
       outcome_.sets += regions_[record] == Number(0) ? 0 : 1;
       outcome_.other_volumes += regions_[record] == arcs_[record] ? 0 : 1;
