@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/bounded_arithmetic.h"
-#include "morse/exact_divisions.h"
+#include "morse/polygon_turn.h"
 
 namespace flowcert::morse {
 

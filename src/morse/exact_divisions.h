@@ -4,7 +4,6 @@
 // computed is kept until drop().
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <unordered_map>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "flowcert/rational.h"
 #include "morse/division_parameter.h"
 #include "morse/limit_partition.h"
+#include "morse/polygon_turn.h"
 
 namespace flowcert::morse {
 
@@ -39,18 +39,6 @@ class ExactDivisions {
   std::unordered_map<PointOfDivision, Rational> parameters_;
   std::vector<PointOfDivision> pending_;
 };
-
-// Three samples of a polygon, and the same three in another order: 1 if both go around it in the same sense, -1 if not.
-// 0 if they are not the same samples.
-[[nodiscard]] inline int turn_of_same(const std::array<VertexIndex, 3>& from, const std::array<VertexIndex, 3>& to) {
-  std::size_t first = 3, shared = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (from[i] == to[0]) first = i;
-    shared += std::ranges::count(to, from[i]) > 0 ? 1u : 0u;
-  }
-  if (shared < 3) return 0;
-  return from[(first + 1) % 3] == to[1] ? 1 : -1;
-}
 
 // By what a parameter for the samples `from` is multiplied to be that for `to`, samples of the same polygon.
 template <class Number, class At>

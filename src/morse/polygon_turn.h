@@ -13,15 +13,22 @@
 
 namespace flowcert::morse {
 
+// Three samples of a polygon, and the same three in another order: 1 if both go around it in the same sense, -1 if not.
+// 0 if they are not the same samples.
+[[nodiscard]] inline int turn_of_same(const std::array<VertexIndex, 3>& from, const std::array<VertexIndex, 3>& to) {
+  std::size_t first = 3, shared = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (from[i] == to[0]) first = i;
+    shared += std::ranges::count(to, from[i]) > 0 ? 1u : 0u;
+  }
+  if (shared < 3) return 0;
+  return from[(first + 1) % 3] == to[1] ? 1 : -1;
+}
+
 // Whether (b-a) x (c-a) points to end 1 of the polygon's Voronoi edge. The samples are not collinear.
 [[nodiscard]] inline bool has_turn(const Diagram& diagram, PolygonRef polygon, const std::array<VertexIndex, 3>& abc) {
   const std::array<VertexIndex, 3> corners = diagram.corners(polygon);
-  std::size_t first = 0, shared = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (corners[i] == abc[0]) first = i;
-    shared += std::ranges::count(abc, corners[i]) > 0 ? 1u : 0u;
-  }
-  if (shared == 3) return corners[(first + 1) % 3] == abc[1];
+  if (const int turn = turn_of_same(corners, abc); turn != 0) return turn > 0;
   // Only polygons with more than three samples come here.
   using Vector = Vector3<Rational>;
   const auto at = [&](VertexIndex v) {
