@@ -1,0 +1,114 @@
+// Makes one skeleton at a time, against the flow: of a stationary point (spec clauses FC-STAB-03 to 05).
+//
+// Guarantees: exact, on every input. A walk counts segments, and constructs only the points that its signs need. The
+// geometry of a skeleton, exact or in doubles, is made when it is asked for. It is not for two threads at once.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <unordered_set>
+#include <vector>
+
+#include "flow/drivers.h"
+#include "flow/flow_operator.h"
+#include "flow/segment_record.h"
+#include "flowcert/stable_manifolds.h"
+#include "morse/backward_walk.h"
+#include "morse/chain_boundary.h"
+#include "morse/layer.h"
+#include "morse/record_finder.h"
+#include "morse/stable_sector.h"
+
+namespace flowcert::morse {
+
+// What all walks over one diagram share. All that it refers to must outlive them.
+struct SkeletonSource {
+  const VoronoiDiagram& diagram;
+  const PointSet& points;
+  const StationaryPoints& stationary;
+  const std::vector<VertexIndex>& vertex_of;  // by ordinal in the point set
+  const GabrielEdges& gabriel;
+};
+
+struct SkeletonSize {
+  std::uint32_t segments = 0;
+  bool has_vertex = false, has_interval = false;
+};
+
+class SkeletonWalk {
+ public:
+  SkeletonWalk(const SkeletonSource& source, const FlowOptions& options)
+      : source_(source),
+        faces_(source.diagram),
+        flow_(make_flow_operator(faces_, options)),
+        recorder_(source.points, faces_.diagram(), *flow_),
+        walk_(faces_, *flow_, source.gabriel) {}
+
+  // Walks the segments of a record's skeleton that lie before its intervals.
+  const SkeletonSize& walk(std::size_t record);
+  [[nodiscard]] StableSet set(std::size_t record);
+  [[nodiscard]] RoundedSegments rounded_segments(std::size_t record);
+
+  // Of the latest walk: its critical backs and the lengths of the orbits to them, and how many backs are regular.
+  [[nodiscard]] std::vector<std::uint32_t>& ends() { return ends_; }
+  [[nodiscard]] const std::vector<std::uint32_t>& lengths() const { return lengths_; }
+  [[nodiscard]] std::size_t regular_backs() const { return regular_backs_; }
+  // The boundary of a record's set where ties are broken.
+  [[nodiscard]] std::vector<std::uint32_t> tie_broken_ends(std::size_t record, TieBreaking& ties);
+
+  [[nodiscard]] const KernelTally& tally() const { return flow_->tally(); }
+  [[nodiscard]] std::size_t depth() const;
+
+ private:
+  struct Task {
+    FrontNumber front;
+    FacetName facet;
+  };
+  struct Traced {
+    Task task;
+    BackwardWalk::Back back;
+  };
+  struct Source {
+    CellIndex cluster;
+    PolygonRef polygon;
+  };
+
+  void clear();
+  FrontNumber start(std::size_t record);
+  void begin(std::size_t record);
+  void push_sources(FrontNumber front);
+  void push_sides(FrontNumber front, PolygonRef polygon);
+  void push_vertex(CellIndex cluster, FrontNumber front);
+  void follow();
+
+  [[nodiscard]] RoundedSegments rounded_trace();
+  void sort_by_exact_fronts(RoundedSegments& rounded);
+  void record_segment(const Task& task, const BackwardWalk::Back& back);
+  void record_intervals();
+  void record_sectors(const Arc& arc);
+  [[nodiscard]] std::vector<RationalPoint> corners_of(const SectorParts& parts, FacetName facet);
+  [[nodiscard]] RationalPoint position(FrontNumber front) { return flow_->exact(walk_.location(front)); }
+  [[nodiscard]] std::array<PointId, 2> names(FacetName facet) const;
+
+  SkeletonSource source_;
+  VoronoiFaces faces_;
+  std::unique_ptr<FlowOperator> flow_;
+  SegmentRecorder recorder_;
+  BackwardWalk walk_;
+  // Of one skeleton.
+  SkeletonSize size_;
+  std::vector<Task> tasks_;
+  std::unordered_set<CellIndex> visited_;  // Voronoi vertices
+  std::vector<std::uint32_t> ends_;
+  std::vector<std::uint32_t> lengths_;
+  std::size_t regular_backs_ = 0;
+  std::vector<Source> sources_of_intervals_;
+  bool is_recorded_ = false, is_traced_ = false;
+  StableSet found_;            // if it is recorded
+  std::vector<Traced> trace_;  // all segments, if it is traced
+};
+
+}  // namespace flowcert::morse
