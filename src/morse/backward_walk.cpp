@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "geometry/rational_point.h"
+
 namespace flowcert::morse {
 
 FrontNumber BackwardWalk::add(const Front& front) {
@@ -15,6 +17,23 @@ FrontNumber BackwardWalk::at_vertex(CellIndex cluster) {
   return add(front);
 }
 
+FrontNumber BackwardWalk::at_infinity(const RationalPoint& direction, CellIndex hint) {
+  Front front;
+  front.place.edge.cell = hint;
+  front.direction = directions_.size();
+  directions_.push_back(direction);
+  return add(front);
+}
+
+FrontNumber BackwardWalk::on_ray(FrontNumber front, FacetName facet) {
+  const RationalPoint p = exact_position(faces_.point(facet.v0)), q = exact_position(faces_.point(facet.v1));
+  RationalPoint x = direction(front);
+  for (std::size_t k = 0; k < 3; ++k) x[k] += (p[k] + q[k]) / 2;
+  Front on_it = fronts_[front];
+  on_it.point = flow_.add(x);
+  return add(on_it);
+}
+
 FrontNumber BackwardWalk::at_center(const std::array<VertexIndex, 3>& samples, PolygonRef edge) {
   Front front;
   front.place = Place::on_edge(edge);
@@ -24,6 +43,7 @@ FrontNumber BackwardWalk::at_center(const std::array<VertexIndex, 3>& samples, P
 
 void BackwardWalk::clear() {
   fronts_.clear();
+  directions_.clear();
   flow_.drop_from(0);
 }
 
@@ -48,6 +68,7 @@ Location BackwardWalk::location(FrontNumber front) {
 
 BackwardWalk::Back BackwardWalk::step(FrontNumber front, FacetName facet) {
   if (const auto record = gabriel_.find(facet)) return {record, false, 0};
+  if (is_at_infinity(front)) front = on_ray(front, facet);
   const Place& from = fronts_[front].place;
   const CellIndex hint = from.kind == Place::Kind::kVertex ? from.vertex : from.edge.cell;
   const bool needs_point = !flow_.has_one_back(facet, hint);

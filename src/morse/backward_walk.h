@@ -25,6 +25,8 @@ class BackwardWalk {
 
   // Fronts, which stay until clear().
   [[nodiscard]] FrontNumber at_vertex(CellIndex cluster);
+  // An end at infinity. The hint is a cell that may have the Delaunay edges of the facets that it is asked for.
+  [[nodiscard]] FrontNumber at_infinity(const RationalPoint& direction, CellIndex hint);
   // The centre of the circle through three samples of a polygon, which lies inside its Voronoi edge.
   [[nodiscard]] FrontNumber at_center(const std::array<VertexIndex, 3>& samples, PolygonRef edge);
   void clear();
@@ -38,8 +40,16 @@ class BackwardWalk {
   [[nodiscard]] Back step(FrontNumber front, FacetName facet);
 
   [[nodiscard]] const Place& place(FrontNumber front) const { return fronts_[front].place; }
+  [[nodiscard]] bool is_at_infinity(FrontNumber front) const {
+    return fronts_[front].place.kind == Place::Kind::kInfinity;
+  }
+  // Of a front at infinity.
+  [[nodiscard]] const RationalPoint& direction(FrontNumber front) const {
+    return directions_[fronts_[front].direction];
+  }
   // How many segments lie between it and the front that the walk began with.
   [[nodiscard]] std::uint32_t depth(FrontNumber front) const { return fronts_[front].depth; }
+  // Not of a front at infinity.
   [[nodiscard]] Location location(FrontNumber front);
 
  private:
@@ -53,17 +63,21 @@ class BackwardWalk {
     FrontNumber before = kNone;
     FacetName facet{0, 0};
     VertexIndex apex = kInfiniteVertex;
+    std::size_t direction = 0;  // of a front at infinity
   };
 
   [[nodiscard]] bool is_constructed(const Front& front) const {
     return front.point != kNoPoint || front.place.kind == Place::Kind::kVertex;
   }
   FrontNumber add(const Front& front);
+  // A point on the ray from the facet's midpoint to a front at infinity.
+  FrontNumber on_ray(FrontNumber front, FacetName facet);
 
   VoronoiFaces& faces_;
   FlowOperator& flow_;
   const GabrielEdges& gabriel_;
   std::vector<Front> fronts_;
+  std::vector<RationalPoint> directions_;
   std::vector<FrontNumber> pending_;
 };
 

@@ -35,7 +35,9 @@ void SkeletonWalk::push_vertex(CellIndex cluster, FrontNumber front) {
   const VertexSources sources = vertex_sources(faces_.diagram(), cluster);
   for (const FacetName edge : sources.edges) tasks_.push_back({front, edge});
   size_.has_interval = size_.has_interval || !sources.polygons.empty();
-  for (const PolygonRef polygon : sources.polygons) sources_of_intervals_.push_back({cluster, polygon});
+  for (const PolygonRef polygon : sources.polygons) {
+    sources_of_intervals_.push_back({cluster, polygon, faces_.end(polygon, 0) == cluster ? 0u : 1u});
+  }
 }
 
 void SkeletonWalk::push_sources(FrontNumber front) {
@@ -112,44 +114,70 @@ std::array<PointId, 2> SkeletonWalk::names(FacetName facet) const {
   return names;
 }
 
+// The samples of the segment are set.
+template <class Segment>
+void SkeletonWalk::record_back(const BackwardWalk::Back& back, Segment& segment) {
+  if (back.critical) {
+    segment.back_contact = {segment.samples.begin(), segment.samples.end()};
+    segment.back = exact_sphere(source_.points, segment.samples).center;
+    return;
+  }
+  const Location at = walk_.location(back.front);
+  const bool is_edge = at.place.kind == Place::Kind::kEdge;
+  segment.back_kind = back.is_regular ? BackKind::kRegular : is_edge ? BackKind::kEdge : BackKind::kVertex;
+  segment.back = flow_->exact(at);
+  segment.back_contact = recorder_.contact(at.place);
+}
+
 void SkeletonWalk::record_segment(const Task& task, const BackwardWalk::Back& back) {
+  if (walk_.is_at_infinity(task.front)) return record_unbounded_segment(task, back);
   BackwardSegment segment;
   segment.samples = names(task.facet);
   const Location front = walk_.location(task.front);
   segment.front = flow_->exact(front);
   segment.front_contact = recorder_.contact(front.place);
-  if (back.critical) {
-    segment.back_contact = {segment.samples.begin(), segment.samples.end()};
-    segment.back = exact_sphere(source_.points, segment.samples).center;
-  } else {
-    const Location at = walk_.location(back.front);
-    const bool is_edge = at.place.kind == Place::Kind::kEdge;
-    segment.back_kind = back.is_regular ? BackKind::kRegular : is_edge ? BackKind::kEdge : BackKind::kVertex;
-    segment.back = flow_->exact(at);
-    segment.back_contact = recorder_.contact(at.place);
-  }
+  record_back(back, segment);
+  found_.bounded.segments.push_back(std::move(segment));
+}
+
+void SkeletonWalk::record_unbounded_segment(const Task& task, const BackwardWalk::Back& back) {
+  UnboundedSegment segment;
+  segment.samples = names(task.facet);
+  segment.vector = walk_.direction(task.front);
+  record_back(back, segment);
   found_.segments.push_back(std::move(segment));
+}
+
+FrontNumber SkeletonWalk::front_of(const Source& source) {
+  if (source.cluster != kNoCell) return walk_.at_vertex(source.cluster);
+  return walk_.at_infinity(direction_of_end(faces_.diagram(), source.polygon, source.end), source.polygon.cell);
+}
+
+void SkeletonWalk::record_interval(FrontNumber front, PolygonRef polygon, FrontNumber back, bool back_is_stationary) {
+  const std::vector<PointId> contact = recorder_.contact(Place::on_edge(polygon));
+  if (walk_.is_at_infinity(front)) {
+    found_.intervals.push_back({contact, walk_.direction(front), position(back), back_is_stationary});
+  } else {
+    found_.bounded.intervals.push_back({contact, position(front), position(back), back_is_stationary});
+  }
 }
 
 // One interval may lead to a Voronoi vertex that adds segments and more intervals.
 void SkeletonWalk::record_intervals() {
   while (!sources_of_intervals_.empty()) {
-    const auto [cluster, polygon] = sources_of_intervals_.back();
+    const Source source = sources_of_intervals_.back();
     sources_of_intervals_.pop_back();
-    const std::size_t far = faces_.end(polygon, 0) == cluster ? 1 : 0;
+    const PolygonRef polygon = source.polygon;
+    const std::size_t far = 1 - source.end;
     const CellIndex other = faces_.end(polygon, far);
     const Sign beyond = other == kNoCell ? Sign::kPositive : side_at(faces_.diagram(), polygon, far);
-    const FrontNumber front = walk_.at_vertex(cluster);
-    BackwardInterval interval;
-    interval.polygon = recorder_.contact(Place::on_edge(polygon));
-    interval.front = position(front);
-    interval.back_is_stationary = beyond != Sign::kNegative;
+    const FrontNumber front = front_of(source);
+    const bool back_is_stationary = beyond != Sign::kNegative;
     const FrontNumber back =
-        interval.back_is_stationary ? walk_.at_center(faces_.corners(polygon), polygon) : walk_.at_vertex(other);
-    interval.back = position(back);
-    if (!interval.back_is_stationary) push_vertex(other, back);
+        back_is_stationary ? walk_.at_center(faces_.corners(polygon), polygon) : walk_.at_vertex(other);
+    if (!back_is_stationary) push_vertex(other, back);
     record_sectors({polygon, far == 1 ? front : back, far == 1 ? back : front});
-    found_.intervals.push_back(std::move(interval));
+    record_interval(front, polygon, back, back_is_stationary);
     follow();
   }
 }
@@ -161,28 +189,61 @@ void SkeletonWalk::record_sectors(const Arc& arc) {
     arcs.pop_back();
     for (const PolygonSide& side : faces_.sides(next.polygon)) {
       if (side.angle != Sign::kPositive) continue;
-      const SectorParts parts = sector_of(faces_, walk_, {side.v0, side.v1}, next);
-      for (const CellIndex cluster : parts.vertices) push_vertex(cluster, walk_.at_vertex(cluster));
-      arcs.insert(arcs.end(), parts.arcs.begin(), parts.arcs.end());
       const FacetName facet{side.v0, side.v1};
-      found_.sectors.push_back({names(facet), corners_of(parts, facet)});
+      record_sector(facet, sector_of(faces_, walk_, facet, next), arcs);
     }
   }
 }
 
-std::vector<RationalPoint> SkeletonWalk::corners_of(const SectorParts& parts, FacetName facet) {
-  std::vector<RationalPoint> corners;
-  for (const FrontNumber front : parts.corners) corners.push_back(position(front));
-  if (parts.has_midpoint) {
-    const Point &p = faces_.point(facet.v0), &q = faces_.point(facet.v1);
-    corners.push_back({(Rational(p.x) + Rational(q.x)) / 2, (Rational(p.y) + Rational(q.y)) / 2,
-                       (Rational(p.z) + Rational(q.z)) / 2});
+void SkeletonWalk::record_sector(FacetName facet, const SectorParts& parts, std::vector<Arc>& arcs) {
+  for (const CellIndex cluster : parts.vertices) push_vertex(cluster, walk_.at_vertex(cluster));
+  arcs.insert(arcs.end(), parts.arcs.begin(), parts.arcs.end());
+  std::vector<SectorCorner> corners = corners_of(parts, facet);
+  if (std::ranges::any_of(corners, &SectorCorner::is_vector)) {
+    found_.sectors.push_back({names(facet), std::move(corners)});
+    return;
   }
+  BackwardSector sector{names(facet), {}};
+  for (SectorCorner& corner : corners) sector.corners.push_back(std::move(corner.position));
+  found_.bounded.sectors.push_back(std::move(sector));
+}
+
+std::vector<SectorCorner> SkeletonWalk::corners_of(const SectorParts& parts, FacetName facet) {
+  std::vector<SectorCorner> corners;
+  for (const FrontNumber front : parts.corners) {
+    const bool is_vector = walk_.is_at_infinity(front);
+    corners.push_back({is_vector, is_vector ? walk_.direction(front) : position(front)});
+  }
+  if (parts.has_midpoint) corners.push_back({false, exact_sphere(source_.points, names(facet)).center});
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
-  std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
   if (corners.size() > 2 && corners.back() < corners[1]) std::reverse(corners.begin() + 1, corners.end());
   return corners;
+}
+
+void SkeletonWalk::record_unbounded_facet(const UnboundedFacet& unbounded) {
+  for (const RationalPoint& ray : unbounded.rays) {
+    tasks_.push_back({walk_.at_infinity(ray, unbounded.hint), unbounded.facet});
+  }
+  for (const auto& [from, to] : unbounded.arcs) {
+    const FrontNumber a = walk_.at_infinity(from, unbounded.hint), b = walk_.at_infinity(to, unbounded.hint);
+    std::vector<Arc> arcs;
+    const SectorParts parts = sector_at_infinity(faces_, walk_, unbounded.facet, a, b, unbounded.hint);
+    record_sector(unbounded.facet, parts, arcs);
+    for (const Arc& arc : arcs) record_sectors(arc);
+  }
+}
+
+void SkeletonWalk::sort_found() {
+  auto& [segments, intervals, sectors] = found_.bounded;
+  std::ranges::sort(segments, {}, [](const BackwardSegment& x) { return std::tie(x.samples, x.front); });
+  std::ranges::sort(intervals, {}, [](const BackwardInterval& x) { return std::tie(x.polygon, x.front); });
+  std::ranges::sort(sectors, {}, [](const BackwardSector& x) { return std::tie(x.samples, x.corners); });
+  const auto less = [](const auto& key) { return [key](const auto& x, const auto& y) { return key(x) < key(y); }; };
+  std::ranges::sort(found_.segments, less([](const UnboundedSegment& x) { return std::tie(x.samples, x.vector); }));
+  std::ranges::sort(found_.intervals, less([](const UnboundedInterval& x) { return std::tie(x.polygon, x.vector); }));
+  std::ranges::sort(found_.sectors, less([](const UnboundedSector& x) { return std::tie(x.samples, x.corners); }));
 }
 
 StableSet SkeletonWalk::set(std::size_t record) {
@@ -190,11 +251,23 @@ StableSet SkeletonWalk::set(std::size_t record) {
   is_recorded_ = true;
   begin(record);
   record_intervals();
-  StableSet set = std::move(found_);
+  sort_found();
+  StableSet set = std::move(found_.bounded);
   clear();
-  std::ranges::sort(set.segments, {}, [](const BackwardSegment& x) { return std::tie(x.samples, x.front); });
-  std::ranges::sort(set.intervals, {}, [](const BackwardInterval& x) { return std::tie(x.polygon, x.front); });
-  std::ranges::sort(set.sectors, {}, [](const BackwardSector& x) { return std::tie(x.samples, x.corners); });
+  return set;
+}
+
+InfinitySet SkeletonWalk::set_of_infinity() {
+  clear();
+  is_recorded_ = true;
+  const UnboundedFaces unbounded = unbounded_faces(faces_);
+  for (const UnboundedFacet& facet : unbounded.facets) record_unbounded_facet(facet);
+  for (const UnboundedEdge& edge : unbounded.edges) sources_of_intervals_.push_back({kNoCell, edge.polygon, edge.end});
+  follow();
+  record_intervals();
+  sort_found();
+  InfinitySet set = std::move(found_);
+  clear();
   return set;
 }
 

@@ -1,4 +1,5 @@
-// Makes one skeleton at a time, against the flow: of a stationary point (spec clauses FC-STAB-03 to 05).
+// Makes one skeleton at a time, against the flow: of a stationary point, or of infinity (spec clauses FC-STAB-03 to 05,
+// 08).
 //
 // Guarantees: exact, on every input. A walk counts segments, and constructs only the points that its signs need. The
 // geometry of a skeleton, exact or in doubles, is made when it is asked for. It is not for two threads at once.
@@ -21,6 +22,7 @@
 #include "morse/layer.h"
 #include "morse/record_finder.h"
 #include "morse/stable_sector.h"
+#include "morse/unbounded_faces.h"
 
 namespace flowcert::morse {
 
@@ -50,6 +52,7 @@ class SkeletonWalk {
   // Walks the segments of a record's skeleton that lie before its intervals.
   const SkeletonSize& walk(std::size_t record);
   [[nodiscard]] StableSet set(std::size_t record);
+  [[nodiscard]] InfinitySet set_of_infinity();
   [[nodiscard]] RoundedSegments rounded_segments(std::size_t record);
 
   // Of the latest walk: its critical backs and the lengths of the orbits to them, and how many backs are regular.
@@ -71,9 +74,11 @@ class SkeletonWalk {
     Task task;
     BackwardWalk::Back back;
   };
+  // A polygon that leads to the Voronoi vertex, or to infinity, at an end of its Voronoi edge.
   struct Source {
-    CellIndex cluster;
+    CellIndex cluster;  // kNoCell: infinity
     PolygonRef polygon;
+    std::size_t end;
   };
 
   void clear();
@@ -83,13 +88,22 @@ class SkeletonWalk {
   void push_sides(FrontNumber front, PolygonRef polygon);
   void push_vertex(CellIndex cluster, FrontNumber front);
   void follow();
+  [[nodiscard]] FrontNumber front_of(const Source& source);
 
   [[nodiscard]] RoundedSegments rounded_trace();
   void sort_by_exact_fronts(RoundedSegments& rounded);
+  template <class Segment>
+  void record_back(const BackwardWalk::Back& back, Segment& segment);
   void record_segment(const Task& task, const BackwardWalk::Back& back);
+  void record_unbounded_segment(const Task& task, const BackwardWalk::Back& back);
+  void record_interval(FrontNumber front, PolygonRef polygon, FrontNumber back, bool back_is_stationary);
   void record_intervals();
+  void record_unbounded_facet(const UnboundedFacet& facet);
   void record_sectors(const Arc& arc);
-  [[nodiscard]] std::vector<RationalPoint> corners_of(const SectorParts& parts, FacetName facet);
+  // Adds the arcs through which the sector's rays enter its facet.
+  void record_sector(FacetName facet, const SectorParts& parts, std::vector<Arc>& arcs);
+  [[nodiscard]] std::vector<SectorCorner> corners_of(const SectorParts& parts, FacetName facet);
+  void sort_found();
   [[nodiscard]] RationalPoint position(FrontNumber front) { return flow_->exact(walk_.location(front)); }
   [[nodiscard]] std::array<PointId, 2> names(FacetName facet) const;
 
@@ -107,7 +121,7 @@ class SkeletonWalk {
   std::size_t regular_backs_ = 0;
   std::vector<Source> sources_of_intervals_;
   bool is_recorded_ = false, is_traced_ = false;
-  StableSet found_;            // if it is recorded
+  InfinitySet found_;          // if it is recorded
   std::vector<Traced> trace_;  // all segments, if it is traced
 };
 

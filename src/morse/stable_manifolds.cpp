@@ -214,6 +214,10 @@ StableSet StableManifolds::set_of_record(std::size_t record) const {
   const auto make = [this] { return parts_->make_walk(); };
   return parts_->workers.with(make, [&](SkeletonWalk& worker) { return worker.set(record); });
 }
+InfinitySet StableManifolds::set_of_infinity() const {
+  const auto make = [this] { return parts_->make_walk(); };
+  return parts_->workers.with(make, [](SkeletonWalk& worker) { return worker.set_of_infinity(); });
+}
 RoundedSegments StableManifolds::rounded_segments(std::size_t i) const {
   const auto make = [this] { return parts_->make_walk(); };
   return parts_->workers.with(make, [&](SkeletonWalk& worker) { return worker.rounded_segments(record(i)); });

@@ -11,12 +11,13 @@
 
 namespace flowcert::morse {
 
-// An open arc of a Voronoi edge, from a to b, in the sense from end 0 to end 1.
+// An open arc of a Voronoi edge, from a to b, in the sense from end 0 to end 1. A front may be at infinity.
 struct Arc {
   PolygonRef polygon;
   FrontNumber a, b;
 };
 
+// The part of a facet between the rays from its midpoint to two directions, or to the ends of an arc.
 struct SectorParts {
   // The corners of the sector's closure in cyclic order. If the facet contains its midpoint, that is one more. Two
   // neighbours may be at one place.
@@ -29,5 +30,8 @@ struct SectorParts {
 
 // The sector in a facet that leads to the arc (h > 0 at the arc's polygon).
 [[nodiscard]] SectorParts sector_of(VoronoiFaces& faces, BackwardWalk& walk, FacetName facet, const Arc& arc);
+// The sector in a facet between two fronts at infinity, from a to b counterclockwise seen from v1.
+[[nodiscard]] SectorParts sector_at_infinity(VoronoiFaces& faces, BackwardWalk& walk, FacetName facet, FrontNumber a,
+                                             FrontNumber b, CellIndex hint);
 
 }  // namespace flowcert::morse

@@ -59,6 +59,46 @@ struct StableSet {
   std::vector<BackwardSector> sectors;
 };
 
+// ---- What flows to infinity (FC-STAB-08) ----
+// An end at infinity is a vector that points there. Its largest coordinate is 1 or -1.
+
+// The open ray from `back` in the direction `vector`. It flows to infinity.
+struct UnboundedSegment {
+  std::array<PointId, 2> samples;  // ascending
+  RationalPoint vector, back;
+  std::vector<PointId> back_contact;
+  BackKind back_kind = BackKind::kCritical;
+};
+// The open ray from `back` on an unbounded Voronoi edge. It flows to infinity.
+struct UnboundedInterval {
+  std::vector<PointId> polygon;
+  RationalPoint vector, back;
+  bool back_is_stationary = false;
+};
+struct SectorCorner {
+  bool is_vector = false;
+  RationalPoint position;
+
+  friend bool operator==(const SectorCorner&, const SectorCorner&) = default;
+  friend bool operator<(const SectorCorner& a, const SectorCorner& b) {
+    return a.is_vector != b.is_vector ? b.is_vector : a.position < b.position;
+  }
+};
+// One corner is at infinity, or two neighbours are. The corners come in the order of a BackwardSector's; those at
+// infinity are greater than the others.
+struct UnboundedSector {
+  std::array<PointId, 2> samples;
+  std::vector<SectorCorner> corners;
+};
+// The skeleton of the set of all points that flow to infinity. Each list is sorted by samples or polygon, then
+// vectors or corners. If the directions of a sector are a half circle or more, it is cut into quarters of a circle.
+struct InfinitySet {
+  StableSet bounded;  // the pieces that have no end at infinity
+  std::vector<UnboundedSegment> segments;
+  std::vector<UnboundedInterval> intervals;
+  std::vector<UnboundedSector> sectors;
+};
+
 // The backward segments of a stable set in doubles. They come in the order of StableSet::segments.
 struct RoundedSegments {
   struct Position {
@@ -127,6 +167,8 @@ class StableManifolds {
   [[nodiscard]] StableSet set(std::size_t i) const;
   // The same for any stationary point, by its place in the list: for maxima, too. Index 0 and 1 have no pieces.
   [[nodiscard]] StableSet set_of_record(std::size_t record) const;
+  // The skeleton of infinity.
+  [[nodiscard]] InfinitySet set_of_infinity() const;
   // Its backward segments, in the nearest doubles. This takes much less time.
   [[nodiscard]] RoundedSegments rounded_segments(std::size_t i) const;
 

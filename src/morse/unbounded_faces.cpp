@@ -1,0 +1,156 @@
+// All unbounded facets are beside unbounded Voronoi edges, unless the samples are on one line.
+#include "morse/unbounded_faces.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "geometry/vector3.h"
+#include "morse/polygon_turn.h"
+
+namespace flowcert::morse {
+
+namespace {
+
+using RationalVector = Vector3<Rational>;
+
+RationalVector position_of(const Diagram& diagram, VertexIndex v) {
+  const Point& p = diagram.point(v);
+  return {Rational(p.x), Rational(p.y), Rational(p.z)};
+}
+
+// So that it depends on the direction alone.
+RationalPoint as_direction(const RationalVector& vector) {
+  const Rational largest = std::max({Rational(abs(vector.x)), Rational(abs(vector.y)), Rational(abs(vector.z))});
+  return {vector.x / largest, vector.y / largest, vector.z / largest};
+}
+
+RationalPoint opposite(const RationalPoint& direction) { return {-direction[0], -direction[1], -direction[2]}; }
+
+// A quarter turn around v1 - v0, counterclockwise seen from v1.
+RationalPoint turned(const RationalVector& axis, const RationalPoint& direction) {
+  return as_direction(cross(axis, RationalVector{direction[0], direction[1], direction[2]}));
+}
+
+class UnboundedSearch {
+ public:
+  explicit UnboundedSearch(VoronoiFaces& faces) : faces_(faces), diagram_(faces.diagram()) {}
+
+  UnboundedFaces found() && {
+    if (diagram_.dimension() == 1) add_planes();
+    if (diagram_.dimension() >= 2) add_edges();
+    return std::move(found_);
+  }
+
+ private:
+  // The samples lie on a line, so that all directions from a midpoint lead to infinity.
+  void add_planes() {
+    for (CellIndex edge = 0; edge < faces_.delaunay().finite_count; ++edge) {
+      const auto& v = faces_.delaunay().vertices(edge);
+      UnboundedFacet facet{facet_name(v[0], v[1]), edge, {}, {}};
+      const RationalVector axis = axis_of(facet.facet);
+      const RationalVector across = axis.x != 0 || axis.y != 0 ? RationalVector{0, 0, 1} : RationalVector{1, 0, 0};
+      facet.rays.push_back(as_direction(cross(axis, across)));
+      for (std::size_t k = 0; k < 3; ++k) facet.rays.push_back(turned(axis, facet.rays.back()));
+      for (std::size_t k = 0; k < 4; ++k) facet.arcs.push_back({facet.rays[k], facet.rays[(k + 1) % 4]});
+      found_.facets.push_back(std::move(facet));
+    }
+  }
+
+  void add_edges() {
+    const bool is_spatial = diagram_.spatial() != nullptr;
+    for (CellIndex cell = 0; cell < faces_.delaunay().finite_count; ++cell) {
+      for (std::uint32_t i = is_spatial ? 0 : 3; i < 4; ++i) {
+        const PolygonRef polygon{cell, i};
+        const bool is_inside = is_spatial && faces_.delaunay().is_finite(faces_.delaunay().neighbors(cell)[i]);
+        if (!is_inside && faces_.polygon(polygon) == polygon) add_edge(polygon);
+      }
+    }
+  }
+
+  void add_edge(PolygonRef polygon) {
+    const bool leads = faces_.driver(polygon).shape != Sign::kNegative;
+    for (std::size_t end = 0; end < 2; ++end) {
+      if (leads && faces_.end(polygon, end) == kNoCell) found_.edges.push_back({polygon, end});
+    }
+    for (const PolygonSide& side : faces_.sides(polygon)) {
+      const FacetName facet{side.v0, side.v1};
+      const FacetRing ring = faces_.ring(facet, diagram_.cell_of_side(polygon, facet));
+      if (ring.id >= is_seen_.size()) is_seen_.resize(2 * std::size_t{ring.id} + 1, false);
+      if (!is_seen_[ring.id]) add_facet(ring, polygon.cell);
+      is_seen_[ring.id] = true;
+    }
+  }
+
+  void add_facet(const FacetRing& ring, CellIndex hint) {
+    UnboundedFacet facet{ring.facet, hint, {}, {}};
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      if (!ring.pieces[k].is_finite()) add_piece(ring, k, facet);
+    }
+    if (!facet.rays.empty() || !facet.arcs.empty()) found_.facets.push_back(std::move(facet));
+  }
+
+  // Piece k is at infinity, and the pieces beside it are Voronoi edges. Its ends are one direction, or the ends of an
+  // arc, or, in a half plane, opposite.
+  void add_piece(const FacetRing& ring, std::size_t k, UnboundedFacet& facet) const {
+    const std::size_t n = ring.size();
+    const RationalPoint from = direction_of_element(diagram_, ring, k),
+                        to = direction_of_element(diagram_, ring, (k + 1) % n);
+    const bool is_from_free = is_acute(ring, ring.before(k)), is_to_free = is_acute(ring, (k + 1) % n);
+    if (from == to) {
+      if (is_from_free && is_to_free) facet.rays.push_back(from);
+      return;
+    }
+    if (is_from_free) facet.rays.push_back(from);
+    if (is_to_free) facet.rays.push_back(to);
+    if (to != opposite(from)) {
+      facet.arcs.push_back({from, to});
+      return;
+    }
+    const RationalPoint middle = turned(axis_of(ring.facet), from);
+    facet.rays.push_back(middle);
+    facet.arcs.push_back({from, middle});
+    facet.arcs.push_back({middle, to});
+  }
+
+  // Whether the polygon of piece k is acute at the facet's edge. Then the midpoint is on the inner side of the Voronoi
+  // edge, and the ray from there along the edge stays on that side.
+  [[nodiscard]] bool is_acute(const FacetRing& ring, std::size_t k) const {
+    const PolygonSides sides = faces_.sides(ring.pieces[k].polygon());
+    const auto side = std::ranges::find_if(sides, [&](const PolygonSide& one) {
+      return FacetName{one.v0, one.v1} == ring.facet;
+    });
+    return side->angle == Sign::kPositive;
+  }
+
+  [[nodiscard]] RationalVector axis_of(FacetName facet) const {
+    return position_of(diagram_, facet.v1) - position_of(diagram_, facet.v0);
+  }
+
+  VoronoiFaces& faces_;
+  const Diagram& diagram_;
+  std::vector<bool> is_seen_;  // by ring
+  UnboundedFaces found_;
+};
+
+}  // namespace
+
+UnboundedFaces unbounded_faces(VoronoiFaces& faces) { return UnboundedSearch(faces).found(); }
+
+RationalPoint direction_of_end(const Diagram& diagram, PolygonRef polygon, std::size_t end) {
+  const auto [a, b, c] = diagram.corners(polygon);
+  const RationalVector origin = position_of(diagram, a);
+  const RationalVector normal = cross(position_of(diagram, b) - origin, position_of(diagram, c) - origin);
+  return as_direction(Rational(end == 1 ? 1 : -1) * normal);
+}
+
+// A Voronoi edge before the element goes there, and one behind it comes from there.
+RationalPoint direction_of_element(const Diagram& diagram, const FacetRing& ring, std::size_t element) {
+  const std::size_t before = ring.before(element);
+  const bool is_far_end = ring.pieces[before].is_finite();
+  const RingPiece& piece = ring.pieces[is_far_end ? before : element];
+  const bool is_forward = has_turn(diagram, piece.polygon(), {ring.facet.v0, ring.facet.v1, piece.apex});
+  return direction_of_end(diagram, piece.polygon(), is_forward == is_far_end ? 1 : 0);
+}
+
+}  // namespace flowcert::morse
