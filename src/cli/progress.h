@@ -91,9 +91,11 @@ class PartProgress {
       case FlowComplexPart::kLimits:
         return "limits of all directions";
       case FlowComplexPart::kVolumes:
+        return "volumes";
+      case FlowComplexPart::kUnstableSurfaces:
         break;
     }
-    return "volumes";
+    return "unstable sets of dimension 2";
   }
 
   std::string what_of_;

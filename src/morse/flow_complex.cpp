@@ -62,6 +62,7 @@ struct FlowComplex::Parts {
   std::optional<Persistence> persistence;
   std::optional<FlowLimits> limits;
   std::optional<StableVolumes> volumes;
+  std::optional<UnstableSurfaces> unstable_surfaces;
 
   WorkerPool<Flow> flows;
 };
@@ -131,6 +132,11 @@ void FlowComplex::make(FlowComplexPart part) const {
       if (progress) progress(0, 1);
       all.volumes.emplace(*all.diagram, *all.stationary, *all.limits);
       break;
+    case FlowComplexPart::kUnstableSurfaces:
+      make(FlowComplexPart::kStationary);
+      if (progress) progress(0, 1);
+      all.unstable_surfaces.emplace(*all.diagram, *all.stationary, all.options.flow);
+      break;
   }
   if (progress && !tells_by_itself(part)) progress(1, 1);
   all.is_made[number].store(true, std::memory_order_release);
@@ -182,6 +188,11 @@ const FlowLimits& FlowComplex::limits() const {
 const StableVolumes& FlowComplex::volumes() const {
   make(FlowComplexPart::kVolumes);
   return *parts_->volumes;
+}
+
+const UnstableSurfaces& FlowComplex::unstable_surfaces() const {
+  make(FlowComplexPart::kUnstableSurfaces);
+  return *parts_->unstable_surfaces;
 }
 
 ExactSphere FlowComplex::sphere(std::size_t record) const {

@@ -71,6 +71,9 @@ std::string account_of(const FlowComplex& complex) {
     for (const FlowLimits::Entry& entry : complex.limits().entries(i)) text += std::to_string(entry.limit) + ' ';
   }
   for (std::size_t i = 0; i < complex.stationary().size(); ++i) text += to_text(complex.volumes().exact(i)) + '\n';
+  for (std::size_t i = 0; i < complex.unstable_surfaces().size(); ++i) {
+    for (const RationalPoint& vertex : complex.unstable_surfaces().set(i).vertices) text += text_of(vertex) + '\n';
+  }
   for (const RationalPoint& start : starts_for(complex)) {
     text += text_of(complex.orbit(start)) + type_text(complex.step(start).type) + '\n';
   }
@@ -202,6 +205,7 @@ TEST(FlowComplex, PartsWithoutStagesTellThatTheyBegin) {
   });
   (void)complex.persistence();
   (void)complex.volumes();
+  (void)complex.unstable_surfaces();
   EXPECT_EQ(told, (std::vector<std::pair<FlowComplexPart, std::size_t>>{{FlowComplexPart::kChains, 0},
                                                                         {FlowComplexPart::kChains, 1},
                                                                         {FlowComplexPart::kPersistence, 0},
@@ -209,7 +213,9 @@ TEST(FlowComplex, PartsWithoutStagesTellThatTheyBegin) {
                                                                         {FlowComplexPart::kLimits, 0},
                                                                         {FlowComplexPart::kLimits, 1},
                                                                         {FlowComplexPart::kVolumes, 0},
-                                                                        {FlowComplexPart::kVolumes, 1}}));
+                                                                        {FlowComplexPart::kVolumes, 1},
+                                                                        {FlowComplexPart::kUnstableSurfaces, 0},
+                                                                        {FlowComplexPart::kUnstableSurfaces, 1}}));
 }
 
 TEST(FlowComplex, APartThatWasStoppedIsMadeWhenItIsAskedForAgain) {

@@ -16,6 +16,7 @@
 #include "flowcert/persistence.h"
 #include "flowcert/rounded_sphere.h"
 #include "flowcert/stable_volumes.h"
+#include "flowcert/unstable_surfaces.h"
 
 namespace flowcert {
 
@@ -42,12 +43,13 @@ enum class FlowComplexPart : std::uint8_t {
   kPersistence,
   kLimits,
   kVolumes,
+  kUnstableSurfaces,
 };
-inline constexpr std::size_t kFlowComplexParts = 9;
+inline constexpr std::size_t kFlowComplexParts = 10;
 
 class FlowComplex {
  public:
-  // Each part tells at last that all of it is done. Chains, persistence, limits and volumes also tell that they begin.
+  // Each part tells at last that all of it is done. Chains and the parts after them also tell that they begin.
   // All other parts tell now and then how much is done, from any of the threads that make them, one at a time. Two
   // threads call it at once if they make different parts. It may throw to stop; the part is then made when it is asked
   // for again. It must not ask the complex for anything.
@@ -78,6 +80,8 @@ class FlowComplex {
   [[nodiscard]] const Persistence& persistence() const;
   [[nodiscard]] const FlowLimits& limits() const;
   [[nodiscard]] const StableVolumes& volumes() const;
+  // Made at once, because each of the sets is made when it is asked for.
+  [[nodiscard]] const UnstableSurfaces& unstable_surfaces() const;
 
   // Centre and squared radius of a stationary point, by its place in the list.
   [[nodiscard]] ExactSphere sphere(std::size_t record) const;
