@@ -37,6 +37,7 @@ struct ComputeOptions {
   std::vector<std::string> manifolds;  // "u2", "s2", "all"
   bool polylines = false;
   bool skeletons = false;
+  bool sheets = false;
   std::string centers = "exact";
   std::string volumes;  // "double", "exact", or none
   std::string export_directory;
@@ -85,6 +86,7 @@ WantedManifolds wanted_manifolds(const ComputeOptions& options) {
   if (options.polylines && !wanted.u2) throw InvalidInput("--polylines: needs --manifolds u2");
   if (options.u2.alone && !wanted.u2) throw InvalidInput("--alone: needs --manifolds u2");
   if (options.skeletons && !wanted.s2) throw InvalidInput("--skeletons: needs --manifolds s2");
+  if (options.sheets && !wanted.all) throw InvalidInput("--sheets: needs --manifolds all");
   for (const char* file : {"cells", "fans"}) {
     if (has_word(options.only, file) && !wanted.all) {
       throw InvalidInput(fmt::format("--only: {} needs --manifolds all", file));
@@ -110,7 +112,8 @@ void write_records(const ComputeOptions& options, const Measured& measured) {
       .skeletons = options.skeletons,
       .centers = written_centers(options.centers),
       .all = measured.has.all,
-      .volumes = options.volumes == "exact" ? WrittenVolumes::kExact : WrittenVolumes::kDouble};
+      .volumes = options.volumes == "exact" ? WrittenVolumes::kExact : WrittenVolumes::kDouble,
+      .sheets = options.sheets};
   write_stationary_points(file ? file->stream() : std::cout, *measured.last, wanted, std::ref(progress));
   if (file) file->commit();
 }
@@ -167,6 +170,12 @@ void add_manifold_options(CLI::App& command, ComputeOptions& options, CLI::Optio
   command
       .add_flag("--skeletons", options.skeletons,
                 "Write each S2, and the stable sets of regular stationary points, to the file of -o, exactly")
+      ->needs(manifolds)
+      ->needs(output);
+  command
+      .add_flag("--sheets", options.sheets,
+                "Write each U1, and the unstable sets of regular stationary points of the kinds 1-2 and 1-3, to the "
+                "file of -o, exactly, with --manifolds all: a very large file")
       ->needs(manifolds)
       ->needs(output);
 }

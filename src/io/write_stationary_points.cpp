@@ -12,6 +12,7 @@
 #include "io/json_fields.h"
 #include "io/lambda_fields.h"
 #include "io/ordered_text.h"
+#include "io/unstable_surface_field.h"
 
 namespace flowcert {
 
@@ -47,6 +48,10 @@ class RecordWriter {
       const FlowLimits& limits = complex.limits();
       next_list_ = first_from(first, limits.size(), [&limits](std::size_t k) { return limits.record(k); });
     }
+    if (wanted.sheets) {
+      const UnstableSurfaces& u1 = complex.unstable_surfaces();
+      next_u1_ = first_from(first, u1.size(), [&u1](std::size_t k) { return u1.record(k); });
+    }
   }
 
   void add_line(std::size_t i) {
@@ -68,6 +73,7 @@ class RecordWriter {
       add_limits(i, more);
       add_volume(i, more);
     }
+    if (wanted_.sheets) add_u1(i, more);
     if (more.is_null()) {
       text_ += '}';
     } else {
@@ -169,10 +175,17 @@ class RecordWriter {
     for (const auto& [sample, share] : shares) field.push_back(Json::array({sample, to_text(share)}));
   }
 
+  void add_u1(std::size_t i, Json& fields) {
+    const UnstableSurfaces& u1 = complex_.unstable_surfaces();
+    if (next_u1_ == u1.size() || u1.record(next_u1_) != i) return;
+    fields["u1"] = unstable_surface_field(u1.set(next_u1_));
+    ++next_u1_;
+  }
+
   const FlowComplex& complex_;
   const StationaryPoints& stationary_;
   RecordsToWrite wanted_;
-  std::size_t next_u2_ = 0, next_s2_ = 0, next_list_ = 0;
+  std::size_t next_u2_ = 0, next_s2_ = 0, next_list_ = 0, next_u1_ = 0;
   std::string& text_;
 };
 
@@ -203,7 +216,8 @@ void write_stationary_points(std::ostream& out, const FlowComplex& complex, cons
   };
   const bool are_exact = wanted.centers == WrittenCenters::kExact || wanted.volumes == WrittenVolumes::kExact;
   const bool are_long = wanted.polylines || wanted.skeletons || (wanted.all && are_exact);
-  write_in_order(count, are_long ? kLongRecords : kShortRecords, complex.threads(), make, write);
+  const std::size_t records = wanted.sheets ? 1 : are_long ? kLongRecords : kShortRecords;
+  write_in_order(count, records, complex.threads(), make, write);
   if (progress) progress(count, count);
 }
 

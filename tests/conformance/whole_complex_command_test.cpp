@@ -4,76 +4,22 @@
 // Guarantees: the expected numbers are worked out by hand, or are the oracle's.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
-#include "oracle/program/read_records.h"
 #include "oracle/stable_pieces.h"
 #include "oracle/unstable_set.h"
 #include "tests/cites.h"
 #include "tests/conformance/lattice_points.h"
-#include "tests/conformance/program_run.h"
+#include "tests/conformance/written_complex.h"
 
 namespace flowcert::conformance {
 namespace {
 
-using nlohmann::json;
 using Names = std::set<std::string>;
-
-constexpr char kCube[] = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n";
-constexpr char kOctahedron[] = "1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n";
-// Its base is a square whose centre is the circumcentre of all: a regular stationary point of kind 2-3.
-constexpr char kHalfOctahedron[] = "1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n";
-constexpr char kPyramid[] = "0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 1 3\n";
-// Regular stationary points of kinds 1-2 and 1-3.
-constexpr char kChain[] = "0 0 0\n1 0 0\n1 1 0\n1 1 1\n2 1 1\n";
-// An orbit of U2 of {0,1,2} ends at {0,3,4}, which has index 2.
-constexpr char kSaddleToSaddle[] = "0 5 0\n-3 0 -2\n3 0 -2\n0 0 12\n0 -5 0\n";
-
-struct Written {
-  json header;
-  std::vector<json> records;
-
-  // The record with these samples as contact set.
-  [[nodiscard]] const json& of(const std::vector<std::size_t>& contact) const {
-    for (const json& record : records) {
-      if (record["contact"] == contact) return record;
-    }
-    throw std::runtime_error("no such record");
-  }
-};
-
-std::string file_of(const Scratch& scratch, const std::string& points, const std::vector<std::string>& options) {
-  const std::string output = scratch.path("records.jsonl");
-  std::vector<std::string> words = {"compute", scratch.file("points.xyz", points), "-o", output};
-  words.insert(words.end(), options.begin(), options.end());
-  const Finished finished = flowcert(words);
-  EXPECT_EQ(finished.status, 0) << finished.err;
-  return content_of(output);
-}
-
-Written written(const std::string& points, std::vector<std::string> options = {"--volumes", "exact"}) {
-  const Scratch scratch;
-  options.insert(options.end(), {"--manifolds", "all"});
-  Written result;
-  for (const std::string& line : lines_of(file_of(scratch, points, options))) {
-    (result.header.is_null() ? result.header : result.records.emplace_back()) = json::parse(line);
-  }
-  return result;
-}
 
 Names keys_of(const json& object) {
   Names keys;
   for (const auto& item : object.items()) keys.insert(item.key());
   return keys;
 }
-
-oracle::Rational rational(const json& text) {
-  const auto read = oracle::parse_rational(text.get<std::string>());
-  EXPECT_TRUE(read && read->canonical) << text;
-  return read ? read->value : 0;
-}
-
-oracle::Point position(const json& field) { return {rational(field[0]), rational(field[1]), rational(field[2])}; }
 
 // By contact sets, of those that are positive.
 std::map<json, std::string> volumes_of(const Written& file) {
@@ -252,10 +198,7 @@ TEST(WholeComplex, ListsAndVolumesAreTheOracles) {
   for (const std::string& points :
        {std::string(kCube), std::string(kChain), std::string(kHalfOctahedron), std::string(kSaddleToSaddle),
         lattice_points(1, 9, 3), lattice_points(2, 10, 4), lattice_points(3, 11, 6), lattice_points(4, 12, 30)}) {
-    std::vector<std::array<double, 3>> rows;
-    std::istringstream text(points);
-    for (std::array<double, 3> row{}; text >> row[0] >> row[1] >> row[2];) rows.push_back(row);
-    const oracle::PointSet set(rows);
+    const oracle::PointSet set(rows_of(points));
     const oracle::Answer truth = oracle::stationary_points(set);
     const Written file = written(points);
     ASSERT_EQ(file.records.size(), truth.stationary.size());

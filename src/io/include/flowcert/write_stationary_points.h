@@ -21,7 +21,7 @@ enum class WrittenVolumes : std::uint8_t { kDouble, kExact };
 
 // u2 adds the samples of index-1 points and the limits of index-2 points. polylines adds the orbits of index-2 points
 // as exact polylines. s2 adds the size and boundary of stable sets. skeletons adds their exact skeletons.
-// all adds λ-lists, connections and volumes.
+// all adds λ-lists, connections and volumes. sheets adds the unstable sets of dimension 2, exactly.
 struct RecordsToWrite {
   bool u2 = false;
   bool polylines = false;
@@ -30,11 +30,12 @@ struct RecordsToWrite {
   WrittenCenters centers = WrittenCenters::kExact;
   bool all = false;
   WrittenVolumes volumes = WrittenVolumes::kDouble;
+  bool sheets = false;
 };
 
 // progress, if given, is told now and then how many records are written. The stream's state tells whether all was
-// written. Each record takes a few microseconds for its rationals. Polylines, skeletons, λ-lists and
-// exact volumes take the time for all their exact numbers.
+// written. Each record takes a few microseconds for its rationals. Polylines, skeletons, λ-lists,
+// exact volumes and sheets take the time for all their exact numbers. Each thread has one unstable set in memory.
 void write_stationary_points(std::ostream& out, const FlowComplex& complex, const RecordsToWrite& wanted = {},
                              const std::function<void(std::size_t done, std::size_t total)>& progress = {});
 
