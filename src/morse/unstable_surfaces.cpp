@@ -8,10 +8,10 @@
 #include "flow/segment_record.h"
 #include "flow/worker_pool.h"
 #include "geometry/contract.h"
-#include "geometry/rational_point.h"
 #include "morse/forward_walk.h"
 #include "morse/record_face.h"
 #include "morse/record_facet.h"
+#include "morse/surface_corners.h"
 
 namespace flowcert {
 
@@ -21,11 +21,6 @@ namespace {
 
 auto corner_key(const SurfaceCorner& corner) { return std::tie(corner.at_infinity, corner.position); }
 bool is_lesser_corner(const SurfaceCorner& a, const SurfaceCorner& b) { return corner_key(a) < corner_key(b); }
-
-SurfaceCorner corner_at_infinity(const Vector3<Rational>& vector) {
-  const Rational largest = std::max({Rational(abs(vector.x)), Rational(abs(vector.y)), Rational(abs(vector.z))});
-  return {{vector.x / largest, vector.y / largest, vector.z / largest}, true};
-}
 
 bool is_lesser_interval(const UnstableInterval& a, const UnstableInterval& b) {
   if (a.polygon != b.polygon) return a.polygon < b.polygon;
@@ -40,6 +35,18 @@ void make_canonical(std::vector<SurfaceCorner>& corners) {
   if (corners.size() > 2 && is_lesser_corner(corners.back(), corners[1])) {
     std::reverse(corners.begin() + 1, corners.end());
   }
+}
+
+// A sheet keeps its sense.
+void make_canonical(RoundedUnstableSurface::Part& part) {
+  std::vector<std::uint32_t>& corners = part.corners;
+  if (part.kind != RoundedUnstableSurface::Kind::kSheet) {
+    if (corners.front() > corners.back()) std::ranges::reverse(corners);
+    return;
+  }
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+  std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
 }
 
 }  // namespace
@@ -70,7 +77,8 @@ class UnstableSurfaces::Parts::Worker {
         faces_(all.diagram),
         flow_(make_flow_operator(faces_, all.options)),
         recorder_(all.diagram.points(), faces_.diagram(), *flow_),
-        walk_(faces_, *flow_) {}
+        walk_(faces_, *flow_),
+        corners_(faces_, *flow_) {}
 
   [[nodiscard]] SurfaceParts parts(std::size_t record) {
     const FacetName facet =
@@ -78,49 +86,34 @@ class UnstableSurfaces::Parts::Worker {
     return walk_.walk(facet, cell_of_record(all_.stationary, record));
   }
   [[nodiscard]] UnstableSurface surface(std::size_t record);
+  [[nodiscard]] RoundedUnstableSurface rounded_surface(std::size_t record);
 
  private:
-  [[nodiscard]] Vector3<Rational> at(VertexIndex v) const {
-    const Point& p = faces_.point(v);
-    return {Rational(p.x), Rational(p.y), Rational(p.z)};
-  }
+  using RoundedParts = std::vector<RoundedUnstableSurface::Part>;
+  using Corners = std::vector<std::uint32_t>;  // by number
+
   [[nodiscard]] std::array<PointId, 2> names(FacetName facet) const {
     const auto name = [this](VertexIndex v) { return all_.diagram.points().name(faces_.delaunay().ordinals[v]); };
     return {std::min(name(facet.v0), name(facet.v1)), std::max(name(facet.v0), name(facet.v1))};
   }
-  [[nodiscard]] SurfaceCorner corner(const SurfaceEnd& end);
-  [[nodiscard]] SurfaceCorner corner(PolygonRef polygon, const TraceEnd& end);
   void add_intervals(PolygonRef polygon, const std::vector<TracePart>& parts, std::vector<UnstableInterval>& to);
+  void add_rounded(const EdgeParts& edge, RoundedParts& to);
+  void add_rounded(const SheetParts& sheet, bool is_root, RoundedParts& to);
+  // If P does not span space. Counterclockwise seen from v1.
+  [[nodiscard]] std::vector<Corners> whole_facet(FacetName facet);
 
   const Parts& all_;
   VoronoiFaces faces_;
   std::unique_ptr<FlowOperator> flow_;
   SegmentRecorder recorder_;
   ForwardWalk walk_;
+  SurfaceCorners corners_;
 };
-
-SurfaceCorner UnstableSurfaces::Parts::Worker::corner(const SurfaceEnd& end) {
-  if (end.kind == SurfaceEnd::Kind::kPoint) return {flow_->exact(end.at)};
-  const Vector3<Rational> p0 = at(end.facet.v0), p1 = at(end.facet.v1);
-  if (end.kind == SurfaceEnd::Kind::kAlong) {
-    return corner_at_infinity(Rational(end.sign) * cross(p1 - p0, at(end.apex) - p0));
-  }
-  const RationalPoint x = flow_->exact(end.at);
-  return corner_at_infinity(Rational(2) * Vector3<Rational>{x[0], x[1], x[2]} - p0 - p1);
-}
-
-SurfaceCorner UnstableSurfaces::Parts::Worker::corner(PolygonRef polygon, const TraceEnd& end) {
-  if (end.kind == TraceEnd::Kind::kPoint) return {flow_->exact(end.at)};
-  const Location at_end = flow_->end_of_edge(polygon, end.is_end(1) ? 1 : 0);
-  if (at_end.place.kind == Place::Kind::kVertex) return {flow_->exact(at_end)};
-  const auto [a, b, c] = faces_.corners(polygon);
-  return corner_at_infinity(Rational(end.is_end(1) ? 1 : -1) * cross(at(b) - at(a), at(c) - at(a)));
-}
 
 void UnstableSurfaces::Parts::Worker::add_intervals(PolygonRef polygon, const std::vector<TracePart>& parts,
                                                     std::vector<UnstableInterval>& to) {
   for (const TracePart& part : parts) {
-    SurfaceCorner a = corner(polygon, part.from), b = corner(polygon, part.to);
+    SurfaceCorner a = corners_.exact(polygon, part.from), b = corners_.exact(polygon, part.to);
     if (is_lesser_corner(b, a)) std::swap(a, b);
     to.push_back({recorder_.contact(Place::on_edge(polygon)), std::move(a), std::move(b)});
   }
@@ -138,11 +131,11 @@ UnstableSurface UnstableSurfaces::Parts::Worker::surface(std::size_t record) {
   }
   for (const SheetParts& sheet : found.sheets) {
     UnstableSheet& made = surface.sheets.emplace_back(UnstableSheet{names(sheet.facet), {}});
-    for (const SurfaceEnd& end : sheet.corners) made.corners.push_back(corner(end));
+    for (const SurfaceEnd& end : sheet.corners) made.corners.push_back(corners_.exact(end));
     if (!made.corners.empty()) make_canonical(made.corners);
   }
   for (const SegmentParts& segment : found.segments) {
-    surface.segments.push_back({names(segment.facet), flow_->exact(segment.start), corner(segment.end)});
+    surface.segments.push_back({names(segment.facet), flow_->exact(segment.start), corners_.exact(segment.end)});
   }
   std::ranges::sort(surface.vertices);
   std::ranges::sort(surface.traces, is_lesser_interval);
@@ -152,6 +145,102 @@ UnstableSurface UnstableSurfaces::Parts::Worker::surface(std::size_t record) {
     return std::ranges::lexicographical_compare(a.corners, b.corners, is_lesser_corner);
   });
   std::ranges::sort(surface.segments, {}, [](const UnstableSegment& s) { return std::tie(s.samples, s.start); });
+  return surface;
+}
+
+// ---- Rounded ----
+
+void UnstableSurfaces::Parts::Worker::add_rounded(const EdgeParts& edge, RoundedParts& to) {
+  using Kind = RoundedUnstableSurface::Kind;
+  std::vector<PointId> samples = recorder_.contact(Place::on_edge(edge.polygon));
+  samples.resize(3);
+  const auto add = [&](Kind kind, const TracePart& part) {
+    Corners corners = {corners_.number(edge.polygon, part.from), corners_.number(edge.polygon, part.to)};
+    if (corners[0] == corners[1]) corners.pop_back();
+    if (faces_.dimension() == 2)
+      corners.insert(corners.begin() + 1, corners_.number(corners_.middle_of_line(edge.polygon)));
+    to.push_back({kind, samples, std::move(corners)});
+  };
+  for (const TracePart& part : edge.traces) add(Kind::kTrace, part);
+  for (const TracePart& part : edge.runs) add(Kind::kRun, part);
+}
+
+// Where P spans a plane, the facet is between two lines, or beyond one of them.
+std::vector<UnstableSurfaces::Parts::Worker::Corners> UnstableSurfaces::Parts::Worker::whole_facet(FacetName facet) {
+  const auto at = [this](VertexIndex v) {
+    const Point& p = faces_.point(v);
+    return Vector3<Rational>{Rational(p.x), Rational(p.y), Rational(p.z)};
+  };
+  const auto vector = [](const RationalPoint& x) { return Vector3<Rational>{x[0], x[1], x[2]}; };
+  const auto direction = [this](const Rational& sign, const Vector3<Rational>& u) {
+    const Rational largest = std::max({Rational(abs(u.x)), Rational(abs(u.y)), Rational(abs(u.z))}) * sign;
+    return corners_.number(SurfaceCorner{{u.x / largest, u.y / largest, u.z / largest}, true});
+  };
+  const Vector3<Rational> p0 = at(facet.v0), p1 = at(facet.v1), along = p1 - p0;
+  if (faces_.dimension() == 1) {
+    const Vector3<Rational> sum = p0 + p1;
+    const std::uint32_t m = corners_.number(SurfaceCorner{{sum.x / 2, sum.y / 2, sum.z / 2}});
+    Vector3<Rational> u{0, along.z, -along.y};
+    if (u.y == 0 && u.z == 0) u = {-along.z, 0, along.x};
+    const Vector3<Rational> v = cross(along, u);
+    return {{m, direction(1, u), direction(1, v), direction(-1, u)},
+            {m, direction(-1, u), direction(-1, v), direction(1, u)}};
+  }
+  std::vector<RingPiece> lines;
+  for (const RingPiece& piece : faces_.ring(facet).pieces) {
+    if (piece.is_finite()) lines.push_back(piece);
+  }
+  const SurfaceCorner first = corners_.middle_of_line(lines.front().polygon());
+  const Vector3<Rational> normal = cross(along, at(lines.front().apex) - p0);
+  Vector3<Rational> across = cross(along, normal);
+  std::uint32_t beyond = 0;
+  if (lines.size() == 1) {
+    if (dot(across, at(lines.front().apex) - p0) > 0) across = Rational(-1) * across;
+    beyond = direction(1, across);
+  } else {
+    SurfaceCorner second = corners_.middle_of_line(lines.back().polygon());
+    across = vector(second.position) - vector(first.position);
+    beyond = corners_.number(std::move(second));
+  }
+  const Rational turn = dot(cross(normal, across), along) > 0 ? 1 : -1;
+  return {{corners_.number(first), direction(turn, normal), beyond, direction(-turn, normal)}};
+}
+
+void UnstableSurfaces::Parts::Worker::add_rounded(const SheetParts& sheet, bool is_root, RoundedParts& to) {
+  const std::array<PointId, 2> samples = names(sheet.facet);
+  std::vector<Corners> regions(1);
+  if (sheet.corners.empty()) regions = whole_facet(sheet.facet);
+  for (const SurfaceEnd& end : sheet.corners) regions.front().push_back(corners_.number(end));
+  // The walk goes around any sheet but its first one clockwise, seen from v1.
+  const bool is_clockwise = !sheet.corners.empty() && !is_root;
+  const bool is_seen_from_v0 = all_.diagram.points().name(faces_.delaunay().ordinals[sheet.facet.v0]) == samples[1];
+  for (Corners& corners : regions) {
+    if (is_clockwise != is_seen_from_v0) std::ranges::reverse(corners);
+    to.push_back({RoundedUnstableSurface::Kind::kSheet, {samples[0], samples[1]}, std::move(corners)});
+  }
+}
+
+RoundedUnstableSurface UnstableSurfaces::Parts::Worker::rounded_surface(std::size_t record) {
+  using Part = RoundedUnstableSurface::Part;
+  const SurfaceParts found = parts(record);
+  corners_.clear();
+  RoundedUnstableSurface surface;
+  for (const EdgeParts& edge : found.edges) add_rounded(edge, surface.parts);
+  for (const SegmentParts& segment : found.segments) {
+    const std::array<PointId, 2> samples = names(segment.facet);
+    surface.parts.push_back({RoundedUnstableSurface::Kind::kSegment,
+                             {samples[0], samples[1]},
+                             {corners_.number(segment.start), corners_.number(segment.end)}});
+  }
+  for (const SheetParts& sheet : found.sheets) add_rounded(sheet, &sheet == found.sheets.data(), surface.parts);
+  const std::vector<std::uint32_t> number = corners_.sort();
+  for (Part& part : surface.parts) {
+    for (std::uint32_t& corner : part.corners) corner = number[corner];
+    make_canonical(part);
+  }
+  std::ranges::sort(surface.parts, {},
+                    [](const Part& part) { return std::tie(part.kind, part.samples, part.corners); });
+  surface.corners = corners_.rounded();
   return surface;
 }
 
@@ -171,6 +260,11 @@ std::size_t UnstableSurfaces::record(std::size_t i) const {
 UnstableSurface UnstableSurfaces::set(std::size_t i) const {
   const auto make = [this] { return std::make_unique<Parts::Worker>(*parts_); };
   return parts_->workers.with(make, [&](Parts::Worker& worker) { return worker.surface(record(i)); });
+}
+
+RoundedUnstableSurface UnstableSurfaces::rounded_set(std::size_t i) const {
+  const auto make = [this] { return std::make_unique<Parts::Worker>(*parts_); };
+  return parts_->workers.with(make, [&](Parts::Worker& worker) { return worker.rounded_surface(record(i)); });
 }
 
 UnstableSurfaceSize UnstableSurfaces::size_of(std::size_t i) const {

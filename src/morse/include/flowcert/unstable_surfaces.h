@@ -2,7 +2,7 @@
 // sets of dimension 2.
 //
 // Guarantees: exact, on every input. A part that several families of rays cover counts once. A set is made when it is
-// asked for. nearest_double() rounds its coordinates. Source: spec section 12 (clauses FC-UNST-04 to 06).
+// asked for. nearest_double() rounds its coordinates, and rounded_set() makes them so. Source: spec section 12 (clauses FC-UNST-04 to 06).
 #pragma once
 
 #include <array>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "flowcert/orbit.h"
+#include "flowcert/rounded_unstable_surface.h"
 #include "flowcert/stationary_points.h"
 
 namespace flowcert {
@@ -75,6 +76,8 @@ class UnstableSurfaces {
   // Its set. The time is in proportion to the Voronoi edges that it meets, the sizes of the facets that it enters, and
   // the intervals that come to one edge; and to the lengths of the numbers.
   [[nodiscard]] UnstableSurface set(std::size_t i) const;
+  // The same in the nearest doubles, without vertices. It takes less time, because few exact coordinates are made.
+  [[nodiscard]] RoundedUnstableSurface rounded_set(std::size_t i) const;
   // The size of set(i). That takes much less time, because no coordinates are made.
   [[nodiscard]] UnstableSurfaceSize size_of(std::size_t i) const;
 

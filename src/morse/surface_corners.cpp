@@ -1,0 +1,130 @@
+#include "morse/surface_corners.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace flowcert::morse {
+
+namespace {
+
+std::array<double, 3> coordinates(const Point& x) { return {x.x, x.y, x.z}; }
+
+Point nearest_point(const RationalPoint& x) {
+  const auto nearest = [](const Rational& c) { return nearest_double(c).value_or(c > 0 ? HUGE_VAL : -HUGE_VAL); };
+  return {nearest(x[0]), nearest(x[1]), nearest(x[2])};
+}
+
+SurfaceCorner corner_at_infinity(const Vector3<Rational>& vector) {
+  const Rational largest = std::max({Rational(abs(vector.x)), Rational(abs(vector.y)), Rational(abs(vector.z))});
+  return {{vector.x / largest, vector.y / largest, vector.z / largest}, true};
+}
+
+}  // namespace
+
+// ---- Exactly ----
+
+Vector3<Rational> SurfaceCorners::sample(VertexIndex v) const {
+  const Point& p = faces_.point(v);
+  return {Rational(p.x), Rational(p.y), Rational(p.z)};
+}
+
+SurfaceCorner SurfaceCorners::exact(const SurfaceEnd& end) {
+  if (end.kind == SurfaceEnd::Kind::kPoint) return {flow_.exact(end.at)};
+  const Vector3<Rational> p0 = sample(end.facet.v0), p1 = sample(end.facet.v1);
+  if (end.kind == SurfaceEnd::Kind::kAlong) {
+    return corner_at_infinity(Rational(end.sign) * cross(p1 - p0, sample(end.apex) - p0));
+  }
+  const RationalPoint x = flow_.exact(end.at);
+  return corner_at_infinity(Rational(2) * Vector3<Rational>{x[0], x[1], x[2]} - p0 - p1);
+}
+
+SurfaceCorner SurfaceCorners::exact(PolygonRef polygon, const TraceEnd& end) {
+  if (end.kind == TraceEnd::Kind::kPoint) return {flow_.exact(end.at)};
+  const Location at_end = flow_.end_of_edge(polygon, end.is_end(1) ? 1 : 0);
+  if (at_end.place.kind == Place::Kind::kVertex) return {flow_.exact(at_end)};
+  const auto [a, b, c] = faces_.corners(polygon);
+  return corner_at_infinity(Rational(end.is_end(1) ? 1 : -1) * cross(sample(b) - sample(a), sample(c) - sample(a)));
+}
+
+SurfaceCorner SurfaceCorners::middle_of_line(PolygonRef polygon) {
+  return {flow_.exact({Place::on_edge(polygon), flow_.add_center(faces_.corners(polygon))})};
+}
+
+// ---- By number ----
+
+void SurfaceCorners::clear() {
+  corners_.clear();
+  known_.clear();
+  for (auto& each : by_position_) each.clear();
+}
+
+std::uint32_t SurfaceCorners::number(const SurfaceEnd& end) {
+  return end.kind == SurfaceEnd::Kind::kPoint ? number(end.at) : number(exact(end));
+}
+
+std::uint32_t SurfaceCorners::number(PolygonRef polygon, const TraceEnd& end) {
+  if (end.kind == TraceEnd::Kind::kPoint) return number(end.at);
+  const CellIndex cluster = faces_.end(polygon, end.is_end(1) ? 1 : 0);
+  return cluster != kNoCell ? number(Location{Place::at_vertex(cluster), kNoPoint}) : number(exact(polygon, end));
+}
+
+std::uint32_t SurfaceCorners::number(const Location& at) {
+  const bool is_vertex = at.place.kind == Place::Kind::kVertex;
+  const std::uint64_t key = is_vertex ? std::uint64_t{1} << 32 | at.place.vertex : std::uint64_t{at.point};
+  if (const auto known = known_.find(key); known != known_.end()) return known->second;
+  return known_[key] = number_of({flow_.rounded(at).center, false, at, std::nullopt});
+}
+
+std::uint32_t SurfaceCorners::number(SurfaceCorner corner) {
+  const Point rounded = nearest_point(corner.position);
+  return number_of({rounded, corner.at_infinity, {}, std::move(corner.position)});
+}
+
+std::uint32_t SurfaceCorners::number_of(Numbered corner) {
+  auto& numbers = by_position_[corner.at_infinity ? 1 : 0];
+  const auto [first, last] = numbers.equal_range(coordinates(corner.rounded));
+  for (auto each = first; each != last; ++each) {
+    if (exact_of(corners_[each->second]) == exact_of(corner)) return each->second;
+  }
+  const auto next = static_cast<std::uint32_t>(corners_.size());
+  numbers.emplace(coordinates(corner.rounded), next);
+  corners_.push_back(std::move(corner));
+  return next;
+}
+
+const RationalPoint& SurfaceCorners::exact_of(Numbered& corner) {
+  if (!corner.exact) corner.exact = flow_.exact(corner.at);
+  return *corner.exact;
+}
+
+std::vector<std::uint32_t> SurfaceCorners::sort() {
+  std::vector<std::uint32_t> order(corners_.size()), number_of_old(corners_.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::sort(order, [&](std::uint32_t i, std::uint32_t j) {
+    Numbered &a = corners_[i], &b = corners_[j];
+    if (a.at_infinity != b.at_infinity) return b.at_infinity;
+    if (coordinates(a.rounded) != coordinates(b.rounded)) return coordinates(a.rounded) < coordinates(b.rounded);
+    return i != j && exact_of(a) < exact_of(b);
+  });
+  std::vector<Numbered> sorted;
+  for (const std::uint32_t old : order) {
+    number_of_old[old] = static_cast<std::uint32_t>(sorted.size());
+    sorted.push_back(std::move(corners_[old]));
+  }
+  corners_ = std::move(sorted);
+  return number_of_old;
+}
+
+std::vector<RoundedUnstableSurface::Corner> SurfaceCorners::rounded() {
+  std::vector<RoundedUnstableSurface::Corner> result;
+  for (Numbered& corner : corners_) {
+    const auto& [x, y, z] = corner.rounded;
+    result.push_back({corner.rounded, corner.at_infinity, std::nullopt});
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) result.back().exact = exact_of(corner);
+  }
+  return result;
+}
+
+}  // namespace flowcert::morse
