@@ -1,18 +1,13 @@
-// Values that several cells share are rounded once. In a file, the arrays are raw bytes after the XML, each after its
-// length. The XML says where each begins. The writer is our own, because VTK would be a dependency of 190 MB for a list
-// of arrays. Tests read the files with VTK itself.
+// Values that several cells share are rounded once.
 #include "flowcert/vtk_exports.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
-#include <type_traits>
 
 #include "geometry/bounded_sphere.h"
-#include "io/byte_writer.h"
 #include "io/clipped_orbits.h"
 #include "io/number_text.h"
+#include "io/vtk_document.h"
 
 namespace flowcert {
 
@@ -114,90 +109,6 @@ double rounded_difference(const FlowComplex& complex, std::size_t low, std::size
   if (const auto nearest = decided_double(squared_radius(high) - squared_radius(low))) return *nearest;
   return rounded(complex.sphere(high).squared_radius - complex.sphere(low).squared_radius);
 }
-
-// ---- Files ----
-
-const char* type_name(std::int8_t) { return "Int8"; }
-const char* type_name(std::int64_t) { return "Int64"; }
-const char* type_name(double) { return "Float64"; }
-const char* type_name(UnstructuredGrid::Shape) { return "UInt8"; }
-
-// The XML first says where each array begins in the appended data, and the arrays follow. They must outlive this.
-class Document {
- public:
-  explicit Document(std::ostream& out) : out_(out) {}
-
-  void text(const std::string& line) { out_ << line << '\n'; }
-
-  template <typename Number>
-  void array(const std::string& name, const std::vector<Number>& values, int components = 1) {
-    place(name, type_name(Number{}), components, values.size() * sizeof(Number));
-    appended_.emplace_back([&values](ByteWriter& bytes) {
-      for (const Number value : values) {
-        if constexpr (std::is_enum_v<Number>) {
-          bytes.append(static_cast<std::uint8_t>(value));
-        } else {
-          bytes.append(value);
-        }
-      }
-    });
-  }
-
-  void array(const VtpArray& array_of_any) {
-    std::visit([&](const auto& values) { array(array_of_any.name, values, array_of_any.components); },
-               array_of_any.values);
-  }
-
-  void points(const std::vector<Point>& points) {
-    place("Points", type_name(double{}), 3, 3 * points.size() * sizeof(double));
-    appended_.emplace_back([&points](ByteWriter& bytes) {
-      for (const Point& point : points) {
-        for (const double coordinate : {point.x, point.y, point.z}) bytes.append(coordinate);
-      }
-    });
-  }
-
-  void section(const char* name, const std::vector<VtpArray>& arrays) {
-    text(fmt::format("<{}>", name));
-    for (const VtpArray& each : arrays) array(each);
-    text(fmt::format("</{}>", name));
-  }
-
-  // Only those of a grid have shapes.
-  void cells(const char* name, const VtpCells& cells, const std::vector<UnstructuredGrid::Shape>* shapes = nullptr) {
-    text(fmt::format("<{}>", name));
-    array("connectivity", cells.connectivity);
-    array("offsets", cells.offsets);
-    if (shapes != nullptr) array("types", *shapes);
-    text(fmt::format("</{}>", name));
-  }
-
-  void appended_data() {
-    out_ << R"(<AppendedData encoding="raw">)"
-         << "\n_";
-    {
-      ByteWriter bytes(out_);
-      for (std::size_t k = 0; k < appended_.size(); ++k) {
-        bytes.append(sizes_[k]);
-        appended_[k](bytes);
-      }
-    }
-    text("\n</AppendedData>");
-  }
-
- private:
-  void place(const std::string& name, const char* type, int components, std::size_t size) {
-    text(fmt::format(R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}"/>)", type,
-                     name, components, offset_));
-    sizes_.push_back(size);
-    offset_ += sizeof(std::uint64_t) + size;
-  }
-
-  std::ostream& out_;
-  std::size_t offset_ = 0;
-  std::vector<std::uint64_t> sizes_;
-  std::vector<std::function<void(ByteWriter&)>> appended_;
-};
 
 }  // namespace
 
@@ -329,53 +240,28 @@ PolyData stable_surface_data(const FlowComplex& complex, SurfaceMesh mesh) {
 
 // ---- Writing ----
 
-namespace {
-
-void begin_document(Document& document, const char* type, const std::string& comment) {
-  document.text(R"(<?xml version="1.0"?>)");
-  document.text(
-      fmt::format(R"(<VTKFile type="{}" version="1.0" byte_order="LittleEndian" header_type="UInt64">)", type));
-  document.text(fmt::format("<!-- {} -->", comment));
-}
-
-}  // namespace
-
 void write_vtp(std::ostream& out, const PolyData& data, const std::string& comment) {
-  Document document(out);
-  begin_document(document, "PolyData", comment);
-  document.text("<PolyData>");
-  document.text(fmt::format(
-      R"(<Piece NumberOfPoints="{}" NumberOfVerts="{}" NumberOfLines="{}" NumberOfStrips="0" NumberOfPolys="{}">)",
-      data.points.size(), data.vertices.offsets.size(), data.lines.offsets.size(), data.polygons.offsets.size()));
+  VtkDocument document(out, "PolyData", comment);
+  document.piece({.points = data.points.size(),
+                  .vertices = data.vertices.offsets.size(),
+                  .lines = data.lines.offsets.size(),
+                  .polygons = data.polygons.offsets.size()});
   document.section("PointData", data.point_data);
   document.section("CellData", data.cell_data);
-  document.text("<Points>");
   document.points(data.points);
-  document.text("</Points>");
   document.cells("Verts", data.vertices);
   document.cells("Lines", data.lines);
   document.cells("Polys", data.polygons);
-  document.text("</Piece>");
-  document.text("</PolyData>");
-  document.appended_data();
-  document.text("</VTKFile>");
+  document.end();
 }
 
 void write_vtu(std::ostream& out, const UnstructuredGrid& data, const std::string& comment) {
-  Document document(out);
-  begin_document(document, "UnstructuredGrid", comment);
-  document.text("<UnstructuredGrid>");
-  document.text(
-      fmt::format(R"(<Piece NumberOfPoints="{}" NumberOfCells="{}">)", data.points.size(), data.shapes.size()));
+  VtkDocument document(out, "UnstructuredGrid", comment);
+  document.piece(data.points.size(), data.shapes.size());
   document.section("CellData", data.cell_data);
-  document.text("<Points>");
   document.points(data.points);
-  document.text("</Points>");
   document.cells("Cells", data.cells, &data.shapes);
-  document.text("</Piece>");
-  document.text("</UnstructuredGrid>");
-  document.appended_data();
-  document.text("</VTKFile>");
+  document.end();
 }
 
 }  // namespace flowcert
