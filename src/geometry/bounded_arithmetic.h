@@ -6,10 +6,9 @@
 #pragma once
 
 #include <cmath>
-#include <optional>
 
-#include "flowcert/rational.h"
 #include "geometry/bounded_number.h"
+#include "geometry/vector3.h"
 
 namespace flowcert::geometry {
 
@@ -20,33 +19,24 @@ inline constexpr double kBoundedSlack = 1 + 0x1p-30;
 
 [[nodiscard]] inline double magnitude(const DoubleDouble& x) { return std::fabs(x.high()); }
 
-[[nodiscard]] inline BoundedNumber product(const BoundedNumber& x, const BoundedNumber& y) {
+[[nodiscard]] inline BoundedNumber operator*(const BoundedNumber& x, const BoundedNumber& y) {
   const DoubleDouble value = x.value * y.value;
   const double error = magnitude(x.value) * y.error + magnitude(y.value) * x.error + x.error * y.error +
                        kBoundedRoundoff * magnitude(value);
   return {value, error * kBoundedSlack + kBoundedUnderflow};
 }
-[[nodiscard]] inline BoundedNumber difference(const BoundedNumber& x, const BoundedNumber& y) {
-  const DoubleDouble value = x.value - y.value;
-  return {value, (x.error + y.error + kBoundedRoundoff * (magnitude(x.value) + magnitude(y.value))) * kBoundedSlack +
-                     kBoundedUnderflow};
+[[nodiscard]] inline BoundedNumber operator+(const BoundedNumber& x, const BoundedNumber& y) {
+  return x - BoundedNumber{-y.value, y.error};
 }
-[[nodiscard]] inline BoundedNumber sum(const BoundedNumber& x, const BoundedNumber& y) {
-  return difference(x, {-y.value, y.error});
-}
-[[nodiscard]] inline BoundedNumber doubled(const BoundedNumber& x) { return {x.value + x.value, 2 * x.error}; }
-[[nodiscard]] inline BoundedNumber quotient(const BoundedNumber& x, const BoundedNumber& y) {
+[[nodiscard]] inline BoundedNumber operator/(const BoundedNumber& x, const BoundedNumber& y) {
   const double least = magnitude(y.value) - y.error;
   if (!(least > y.error)) return {};
   const DoubleDouble value = x.value / y.value;
   const double error = (x.error + magnitude(value) * y.error) / least + kBoundedRoundoff * magnitude(value);
   return {value, error * kBoundedSlack + kBoundedUnderflow};
 }
+[[nodiscard]] inline BoundedNumber doubled(const BoundedNumber& x) { return {x.value + x.value, 2 * x.error}; }
 
-// Nothing if the bound leaves the sign open.
-[[nodiscard]] inline std::optional<Sign> decided_sign(const BoundedNumber& x) {
-  if (!(magnitude(x.value) > 2 * x.error)) return std::nullopt;
-  return x.value.high() > 0 ? Sign::kPositive : Sign::kNegative;
-}
+[[nodiscard]] inline MaybeSign decided_sign(const BoundedNumber& x) { return sign_beyond(x.value.high(), 2 * x.error); }
 
 }  // namespace flowcert::geometry

@@ -12,11 +12,7 @@ namespace {
 
 using Kind = DivisionPoint::Kind;
 
-using geometry::difference;
 using geometry::doubled;
-using geometry::product;
-using geometry::quotient;
-using geometry::sum;
 
 constexpr double kShare = 64 * DoubleDouble::kRoundoff;
 constexpr double kRoundoff = geometry::kBoundedRoundoff;
@@ -55,16 +51,15 @@ BoundedNumber bounded_vertex(const BoundedPair& pair, const Vector3<DoubleDouble
   const DoubleDouble square = pair.pair.length * dot(d, d) - pair.pair.along * pair.pair.along;
   const double sizes = pair.length_e * pair.length_d;
   const BoundedNumber squares{square, kShare * sizes * sizes + kUnderflow};
-  return quotient(difference(product(squares, pair.height_other()), product(pair.height(), pair.gram())),
-                  doubled(pair.det()));
+  return (squares * pair.height_other() - pair.height() * pair.gram()) / doubled(pair.det());
 }
 
 // crossed_parameter()
 BoundedNumber bounded_crossing(const BoundedPair& pair, const BoundedNumber& r) {
   const BoundedNumber twice = doubled(r);
-  const BoundedNumber den = sum(product(pair.height(), pair.gram()), product(twice, pair.det()));
-  const BoundedNumber away = product(product(pair.height(), pair.length()), pair.det());
-  return quotient(product(pair.height_other(), difference(product(twice, pair.gram()), away)), doubled(den));
+  const BoundedNumber den = pair.height() * pair.gram() + twice * pair.det();
+  const BoundedNumber away = pair.height() * pair.length() * pair.det();
+  return pair.height_other() * (twice * pair.gram() - away) / doubled(den);
 }
 
 }  // namespace
@@ -128,14 +123,14 @@ std::optional<Point> BoundedDivisions::rounded_crossing(const DivisionPoint& poi
   const double length_e = length_of(e), length_d = length_of(d), area = length_e * length_d;
   const BoundedNumber square{dot(n, n), kShare * area * area + kUnderflow};
   const BoundedNumber height{dot(d, d) - dot(e, d), kShare * length_d * (length_d + length_e) + kUnderflow};
-  const BoundedNumber across = quotient(height, doubled(square)), along = quotient(r, square);
+  const BoundedNumber across = height / doubled(square), along = r / square;
   const Vector out = cross(n, e);
   const auto coordinate = [&](double origin, const DoubleDouble& e_i, const DoubleDouble& out_i,
                               const DoubleDouble& n_i) {
     const BoundedNumber middle{DoubleDouble(origin * scale_) + e_i * DoubleDouble(0.5),
                                kRoundoff * (std::fabs(origin * scale_) + length_e) + kUnderflow};
-    const BoundedNumber far = product(across, {out_i, kShare * area * length_e + kUnderflow});
-    return in_input(sum(middle, sum(far, product(along, {n_i, kShare * area + kUnderflow}))));
+    const BoundedNumber far = across * BoundedNumber{out_i, kShare * area * length_e + kUnderflow};
+    return in_input(middle + (far + along * BoundedNumber{n_i, kShare * area + kUnderflow}));
   };
   const Point& p0 = diagram_.point(point.facet.v0);
   const auto x = coordinate(p0.x, e.x, out.x, n.x), y = coordinate(p0.y, e.y, out.y, n.y),

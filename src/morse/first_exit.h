@@ -13,6 +13,7 @@
 namespace flowcert::morse {
 
 using geometry::BoundedNumber;
+using geometry::Sign;
 
 // A plane that a ray may leave a convex set through: at the parameter room / speed, if the speed is positive.
 struct Wall {
@@ -48,10 +49,10 @@ enum class ExitKind : std::uint8_t { kThroughWall, kNowhere, kOpen };
   if (decided_sign(first.room) != Sign::kPositive) return ExitKind::kOpen;
   for (std::size_t k = 0; k < walls.size(); ++k) {
     if (k == best) continue;
-    const BoundedNumber lead = difference(product(walls[k].room, first.speed), product(first.room, walls[k].speed));
+    const BoundedNumber lead = walls[k].room * first.speed - first.room * walls[k].speed;
     if (decided_sign(lead) != Sign::kPositive) return ExitKind::kOpen;
   }
-  exit = {best, quotient(first.room, first.speed)};
+  exit = {best, first.room / first.speed};
   return ExitKind::kThroughWall;
 }
 

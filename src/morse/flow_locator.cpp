@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "geometry/bounded_vector.h"
+#include "geometry/bounded_arithmetic.h"
 #include "morse/bounded_divisions.h"
 #include "morse/first_exit.h"
 #include "morse/limit_partition.h"
@@ -20,7 +20,7 @@
 namespace flowcert {
 
 using namespace morse;
-using geometry::BoundedVector;
+using BoundedVector = Vector3<BoundedNumber>;
 
 namespace {
 
@@ -28,6 +28,8 @@ namespace index = boost::geometry::index;
 using SpatialPoint = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
 using SpatialEntry = std::pair<SpatialPoint, VertexIndex>;
 using SampleTree = index::rtree<SpatialEntry, index::quadratic<16>>;
+
+constexpr BoundedNumber kHalf{0.5, 0};
 
 SpatialPoint spatial(const Point& p) { return {p.x, p.y, p.z}; }
 
@@ -99,18 +101,19 @@ BoundedVector FlowLocator::Map::between(VertexIndex from, const Point& to) const
 // In units each coordinate is a double and a remainder, whose nearest double has an error of its own.
 std::optional<BoundedVector> FlowLocator::Map::offset(VertexIndex from, const RationalPoint& x) const {
   const Point& p = faces.point(from);
-  const std::array<double, 3> origin{p.x, p.y, p.z};
-  BoundedVector all;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Rational in_units = x[i] * one_in_units;
+  bool is_finite = true;
+  const auto from_origin = [&](const Rational& coordinate, double origin) {
+    const Rational in_units = coordinate * one_in_units;
     const auto high = nearest_double(in_units);
-    if (!high) return std::nullopt;
+    is_finite = is_finite && high.has_value();
+    if (!high) return BoundedNumber{};
     const double low = nearest_double(in_units - Rational(*high)).value_or(0);
-    const BoundedNumber to_high{DoubleDouble::sum(*high, -std::ldexp(origin[i], -divisions->unit())),
+    const BoundedNumber to_high{DoubleDouble::sum(*high, -std::ldexp(origin, -divisions->unit())),
                                 geometry::kBoundedUnderflow};
-    all[i] = sum(to_high, {low, std::fabs(low) * 0x1p-52 + geometry::kBoundedUnderflow});
-  }
-  return all;
+    return to_high + BoundedNumber{low, std::fabs(low) * 0x1p-52 + geometry::kBoundedUnderflow};
+  };
+  const BoundedVector all{from_origin(x[0], p.x), from_origin(x[1], p.y), from_origin(x[2], p.z)};
+  return is_finite ? std::optional(all) : std::nullopt;
 }
 
 // Doubles find it, and nothing depends on whether it is the nearest one.
@@ -131,26 +134,24 @@ Limit FlowLocator::Parts::limit_in_cell(VertexIndex p, const BoundedVector& u) {
   const ExitKind kind = first_exit(walls, exit);
   if (kind == ExitKind::kNowhere) return kInfinityLimit;
   if (kind == ExitKind::kOpen) return kOpenLimit;
-  if (geometry::decided_sign(difference(exit.parameter, {1, 0})) != Sign::kPositive) return kOpenLimit;
+  if (geometry::decided_sign(exit.parameter - BoundedNumber{1, 0}) != Sign::kPositive) return kOpenLimit;
   const Neighbor& q = around[exit.wall];
-  return limit_in_facet(p, q, combined(exit.parameter, u, halved(map->between(p, q.vertex))));
+  return limit_in_facet(p, q, exit.parameter * u - kHalf * map->between(p, q.vertex));
 }
 
 // z = m + s g is in the facet while 2 s <g, w-m> <= <w-p, w-q> for the samples w of all its Voronoi edges.
 Limit FlowLocator::Parts::limit_in_facet(VertexIndex p, const Neighbor& q, const BoundedVector& g) {
   const FacetName facet = voronoi::facet_name(p, q.vertex);
   const FacetRing ring = faces.ring(facet, q.cell);
-  const BoundedVector half = halved(map->between(facet.v0, facet.v1));
+  const BoundedVector half = kHalf * map->between(facet.v0, facet.v1);
   walls.clear();
   pieces.clear();
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const RingPiece& piece = ring.pieces[k];
     if (!piece.is_finite()) continue;
-    const BoundedVector d = map->between(facet.v0, piece.apex);
-    BoundedVector from_m;
-    for (std::size_t i = 0; i < 3; ++i) from_m[i] = difference(d[i], half[i]);
+    const BoundedVector from_m = map->between(facet.v0, piece.apex) - half;
     // <w-p, w-q> = |w-m|^2 - |q-p|^2 / 4
-    walls.push_back({difference(dot(from_m, from_m), dot(half, half)), doubled(dot(g, from_m))});
+    walls.push_back({dot(from_m, from_m) - dot(half, half), doubled(dot(g, from_m))});
     pieces.push_back(k);
   }
   Exit exit{};
@@ -160,7 +161,7 @@ Limit FlowLocator::Parts::limit_in_facet(VertexIndex p, const Neighbor& q, const
   const RingPiece& piece = ring.pieces[pieces[exit.wall]];
   // The normal is orthogonal to p1-p0, so m may stand for p0 in the parameter (division_parameter.h).
   const BoundedVector normal = cross(map->between(facet.v0, facet.v1), map->between(facet.v0, piece.apex));
-  return limit_on_edge(facet, piece, product(exit.parameter, dot(g, normal)));
+  return limit_on_edge(facet, piece, exit.parameter * dot(g, normal));
 }
 
 Limit FlowLocator::Parts::limit_on_edge(FacetName facet, const RingPiece& piece, const BoundedNumber& parameter) const {
@@ -169,7 +170,7 @@ Limit FlowLocator::Parts::limit_on_edge(FacetName facet, const RingPiece& piece,
   const std::array<VertexIndex, 3> samples{facet.v0, facet.v1, piece.apex};
   const bool is_forward = has_turn(map->faces, piece.polygon(), samples);
   // The side of the division point 2 k + 1 that the parameter is on, towards end 1 positive.
-  const auto side = [&](std::size_t k) -> std::optional<Sign> {
+  const auto side = [&](std::size_t k) -> MaybeSign {
     const PointOfDivision number = all[2 * k + 1].point;
     const DivisionPoint& point = map->partition.point(number);
     BoundedNumber there{0, 0};
@@ -179,7 +180,7 @@ Limit FlowLocator::Parts::limit_on_edge(FacetName facet, const RingPiece& piece,
       there = map->divisions->parameter(number);
       if (turn < 0) there.value = -there.value;
     }
-    const BoundedNumber beyond = is_forward ? difference(parameter, there) : difference(there, parameter);
+    const BoundedNumber beyond = is_forward ? parameter - there : there - parameter;
     return geometry::decided_sign(beyond);
   };
   std::size_t first = 0, last = all.size() / 2;  // division points that the parameter may lie before
