@@ -24,6 +24,7 @@ inline constexpr int kUnusable = 2;
 // or OutputError.
 void add_compute_command(CLI::App& app, int& status);
 void add_explain_command(CLI::App& app, int& status);
+void add_locate_command(CLI::App& app, int& status);
 void add_orbit_command(CLI::App& app, int& status);
 void add_persistence_command(CLI::App& app, int& status);
 // Several: completion, manual and share-files. They say what the program offers at the time when they are called.

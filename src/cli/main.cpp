@@ -70,6 +70,7 @@ void add_commands(CLI::App& app, int& status) {
   add_view_command(app, status);
   add_explain_command(app, status);
   add_orbit_command(app, status);
+  add_locate_command(app, status);
   add_check_command(app, status);
   add_conformance_command(app, status);
   add_generate_command(app, status);
@@ -77,7 +78,7 @@ void add_commands(CLI::App& app, int& status) {
   add_fuzz_command(app, status);
   add_shell_commands(app, status);
   put_in_group(app, "Compute", {"compute", "surface", "persistence", "stats"});
-  put_in_group(app, "Look closely", {"view", "explain", "orbit"});
+  put_in_group(app, "Look closely", {"view", "explain", "orbit", "locate"});
   put_in_group(app, "Judge claims and programs", {"check", "conformance", "generate", "verify", "fuzz"});
 }
 

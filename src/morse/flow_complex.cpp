@@ -64,7 +64,20 @@ struct FlowComplex::Parts {
   std::optional<StableVolumes> volumes;
   std::optional<UnstableSurfaces> unstable_surfaces;
 
+  // All locators are copies of one, which share what does not change.
+  auto with_locator(const FlowLimits& by_limits, const auto& use) {
+    const auto make = [&] {
+      const std::scoped_lock lock(making_locator);
+      if (!locator) locator.emplace(*diagram, *stationary, by_limits, options.flow);
+      return std::make_unique<FlowLocator>(*locator);
+    };
+    return locators.with(make, use);
+  }
+
   WorkerPool<Flow> flows;
+  std::mutex making_locator;
+  std::optional<FlowLocator> locator;
+  WorkerPool<FlowLocator> locators;
 };
 
 FlowComplex::FlowComplex(PointSet points, FlowComplexOptions options, Progress progress)
@@ -219,6 +232,14 @@ std::optional<StationaryLimit> FlowComplex::limit(const RationalPoint& start) co
 
 Orbit FlowComplex::orbit(const RationalPoint& start) const {
   return parts_->with_flow(diagram(), [&](Flow& flow) { return flow.orbit(start); });
+}
+
+FlowPlace FlowComplex::locate(const RationalPoint& x) const {
+  return parts_->with_locator(limits(), [&](FlowLocator& locator) { return locator.locate(x); });
+}
+
+FlowPlace FlowComplex::locate(const Point& x) const {
+  return parts_->with_locator(limits(), [&](FlowLocator& locator) { return locator.locate(x); });
 }
 
 FlowSegment FlowComplex::step(const RationalPoint& start) const {

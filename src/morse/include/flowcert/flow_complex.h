@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "flowcert/exact_sphere.h"
+#include "flowcert/flow_locator.h"
 #include "flowcert/persistence.h"
 #include "flowcert/rounded_sphere.h"
 #include "flowcert/stable_volumes.h"
@@ -95,6 +96,10 @@ class FlowComplex {
   [[nodiscard]] Orbit orbit(const RationalPoint& start) const;
   // The end of that orbit alone, which takes less time (Flow::limit).
   [[nodiscard]] std::optional<StationaryLimit> limit(const RationalPoint& start) const;
+  // The same end, as a place in the list, and the nearest samples (FlowLocator::locate). The first call makes the
+  // limits, which takes longer than a few calls of limit(); every further call takes microseconds.
+  [[nodiscard]] FlowPlace locate(const RationalPoint& x) const;
+  [[nodiscard]] FlowPlace locate(const Point& x) const;
   // The first segment of that orbit (Flow::step).
   [[nodiscard]] FlowSegment step(const RationalPoint& start) const;
 

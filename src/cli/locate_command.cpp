@@ -1,0 +1,165 @@
+// `flowcert locate`: where the flow takes each of many positions, and the samples nearest to each. The output is one
+// line a position, as text or as JSON (spec/formats/locate.md).
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "cli/progress.h"
+#include "cli/table.h"
+#include "flowcert/flow_complex.h"
+#include "flowcert/reproducibility.h"
+#include "io/json_fields.h"
+#include "io/ordered_text.h"
+#include "io/output_file.h"
+
+namespace flowcert::cli {
+
+namespace {
+
+struct LocateOptions {
+  std::string input;
+  std::string positions;
+  std::string output;
+  bool json = false;
+  unsigned threads = 1;
+};
+
+class PlaceWriter {
+ public:
+  PlaceWriter(const FlowComplex& complex, bool json) : complex_(complex), json_(json) {}
+
+  [[nodiscard]] std::string head() const {
+    if (json_) return header_fields("flowcert-locate", 1, complex_.points()).dump() + '\n';
+    return fmt::format("# {}\n# limit's index or kind, its contact set, nearest samples\n",
+                       made_by_text("flowcert-locate", 1, complex_.points()));
+  }
+  void append(const Point& x, std::string& text) const {
+    const FlowPlace place = complex_.locate(x);
+    if (json_) {
+      text += json_of(place).dump() + '\n';
+    } else {
+      append_line(place, text);
+    }
+  }
+
+ private:
+  [[nodiscard]] Json json_of(const FlowPlace& place) const {
+    Json json;
+    const StationaryPoints& stationary = complex_.stationary();
+    if (place.limit) {
+      const StationaryIndex index = stationary.index(*place.limit);
+      json["kind"] = index.is_critical() ? "critical" : "regular";
+      json["index"] = index_field(index);
+      json["contact"] = stationary.contact(*place.limit);
+    } else {
+      json["kind"] = "infinity";
+      json["index"] = nullptr;
+      json["contact"] = nullptr;
+    }
+    json["nearest"] = place.nearest;
+    return json;
+  }
+  void append_line(const FlowPlace& place, std::string& text) const {
+    const StationaryPoints& stationary = complex_.stationary();
+    auto out = std::back_inserter(text);
+    if (place.limit) {
+      const StationaryIndex index = stationary.index(*place.limit);
+      fmt::format_to(out, "{}", index.face_dimension);
+      if (!index.is_critical()) fmt::format_to(out, "-{}", index.hull_dimension);
+      fmt::format_to(out, " {} ", fmt::join(stationary.contact(*place.limit), ","));
+    } else {
+      fmt::format_to(out, "infinity - ");
+    }
+    fmt::format_to(out, "{}\n", fmt::join(place.nearest, ","));
+  }
+
+  const FlowComplex& complex_;
+  bool json_;
+};
+
+// Calls write(text) with the head and with every line, in order.
+template <class Write>
+void write_places(const FlowComplex& complex, const std::vector<Point>& positions, bool json, int stream,
+                  const Write& write) {
+  complex.make(FlowComplexPart::kLimits);
+  const PlaceWriter writer(complex, json);
+  ProgressLine progress("locating positions", stream);
+  if (!write(writer.head())) return;
+  const auto make = [&](std::size_t first, std::size_t last, std::string& text) {
+    for (std::size_t k = first; k < last; ++k) writer.append(positions[k], text);
+  };
+  const auto take = [&](const std::string& text, std::size_t done) {
+    progress(done, positions.size());
+    return write(text);
+  };
+  io::write_in_order(positions.size(), io::kShortRecords, complex.threads(), make, take);
+}
+
+void print_summary(const std::string& name, std::size_t positions, const Input& input, double seconds) {
+  print_wrapped(fmt::format("{} ({})", name, input.file.format));
+  print_row("points", with_commas(input.points.row_count()));
+  print_row("merged duplicates", with_commas(input.points.merged_duplicates()));
+  print_row("positions", with_commas(positions));
+  print_row("time for them", seconds_text(seconds), "after all limits were made");
+}
+
+void locate_all(const LocateOptions& options) {
+  if (options.input == kStandardStream && options.positions == kStandardStream) {
+    throw InvalidInput("INPUT and --points cannot both be standard input");
+  }
+  const Input input = read_input(options.input);
+  if (input.points.empty()) throw InvalidInput(display_name(options.input) + ": there are no points");
+  const std::vector<Point> positions = read_points(options.positions).rows;
+  FlowComplexOptions how;
+  how.threads = options.threads;
+  const FlowComplex complex(input.points, how, part_progress());
+  if (options.output.empty() || options.output == kStandardStream) {
+    write_places(complex, positions, options.json, STDOUT_FILENO, [](const std::string& text) {
+      return std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    });
+    return;
+  }
+  OutputFile file(options.output);
+  complex.make(FlowComplexPart::kLimits);
+  const auto start = std::chrono::steady_clock::now();
+  write_places(complex, positions, options.json, -1, [&](const std::string& text) {
+    file.stream() << text;
+    return file.stream().good();
+  });
+  file.commit();
+  print_summary(display_name(options.input), positions.size(), input,
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+}
+
+}  // namespace
+
+void add_locate_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<LocateOptions>();
+  CLI::App* command = app.add_subcommand("locate", "Where the flow takes many positions; their nearest samples");
+  command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
+  command->add_option("--points", options->positions, "The positions: a point file, or - for standard input")
+      ->type_name("FILE")
+      ->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "Write the lines to this file, and print a summary; -: to standard output")
+      ->check(complaint_about_path);
+  command->add_flag("--json", options->json, "JSON Lines: a header, and an object for each position");
+  add_threads_option(*command, options->threads);
+  command->footer(
+      "Examples:\n  flowcert locate bunny.obj --points probes.xyz\n"
+      "  flowcert locate bunny.obj --points probes.xyz --json -o places.jsonl");
+  command->callback([options, &status] {
+    locate_all(*options);
+    status = kRight;
+  });
+}
+
+}  // namespace flowcert::cli
