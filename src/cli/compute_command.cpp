@@ -74,6 +74,7 @@ ExportChoice export_choice(const ComputeOptions& options) {
           .lines = exports(options, "lines"),
           .cells = has_word(options.manifolds, "all") && exports(options, "cells"),
           .fans = has_word(options.manifolds, "all") && exports(options, "fans"),
+          .sheets = has_word(options.manifolds, "all") && exports(options, "sheets"),
           .clip = options.clip ? clip_factor(*options.clip) : ExportChoice{}.clip};
 }
 
@@ -87,7 +88,7 @@ WantedManifolds wanted_manifolds(const ComputeOptions& options) {
   if (options.u2.alone && !wanted.u2) throw InvalidInput("--alone: needs --manifolds u2");
   if (options.skeletons && !wanted.s2) throw InvalidInput("--skeletons: needs --manifolds s2");
   if (options.sheets && !wanted.all) throw InvalidInput("--sheets: needs --manifolds all");
-  for (const char* file : {"cells", "fans"}) {
+  for (const char* file : {"cells", "fans", "sheets"}) {
     if (has_word(options.only, file) && !wanted.all) {
       throw InvalidInput(fmt::format("--only: {} needs --manifolds all", file));
     }
@@ -192,7 +193,7 @@ void add_export_options(CLI::App& command, ComputeOptions& options) {
                   "Of the files of --export only these, separated by commas: critical, surfaces, lines; "
                   "with --manifolds all also fans and cells")
       ->delimiter(',')
-      ->check(CLI::IsMember({"critical", "surfaces", "lines", "fans", "cells"}))
+      ->check(CLI::IsMember({"critical", "surfaces", "lines", "fans", "cells", "sheets"}))
       ->needs(directory);
   command
       .add_option("--clip", options.clip,

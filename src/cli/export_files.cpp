@@ -9,6 +9,7 @@
 #include "cli/progress.h"
 #include "flowcert/region_exports.h"
 #include "flowcert/reproducibility.h"
+#include "flowcert/unstable_surface_export.h"
 #include "flowcert/vtk_exports.h"
 #include "io/output_file.h"
 
@@ -40,6 +41,7 @@ void ExportFiles::write_after(const FlowComplex& complex, FlowComplexPart part) 
   if (part == FlowComplexPart::kUnstable && choice_.lines) write_lines(complex);
   if (part == FlowComplexPart::kLimits && choice_.fans) write_fans(complex);
   if (part == FlowComplexPart::kVolumes && choice_.cells) write_cells(complex);
+  if (part == FlowComplexPart::kVolumes && choice_.sheets) write_sheets(complex);
 }
 
 void ExportFiles::write_critical_points(const FlowComplex& complex) {
@@ -71,9 +73,7 @@ void ExportFiles::write_lines(const FlowComplex& complex) {
   constexpr const char* kName = "unstable_lines.vtp";
   attempt(kName, [&] {
     ProgressLine progress("exporting unstable manifolds");
-    std::optional<ClipBox> box;
-    if (choice_.clip && !complex.points().empty()) box.emplace(complex.points(), *choice_.clip);
-    const PolyData data = unstable_line_data(complex, box, std::ref(progress));
+    const PolyData data = unstable_line_data(complex, box(complex), std::ref(progress));
     write_file(kName, complex, [&](std::ostream& out, const std::string& made_by) { write_vtp(out, data, made_by); });
   });
 }
@@ -94,6 +94,27 @@ void ExportFiles::write_cells(const FlowComplex& complex) {
     const UnstructuredGrid data = stable_cell_data(complex);
     write_file(kName, complex, [&](std::ostream& out, const std::string& made_by) { write_vtu(out, data, made_by); });
   });
+}
+
+void ExportFiles::write_sheets(const FlowComplex& complex) {
+  constexpr const char *kDataName = "unstable_surfaces.vtp", *kMeshName = "unstable_surfaces.ply";
+  std::optional<UnstableSurfaceExport> surfaces;
+  attempt(kDataName, [&] {
+    make_directory(choice_.directory);
+    ProgressLine progress("exporting unstable manifolds of index-1 points");
+    surfaces.emplace(complex, box(complex), choice_.directory, std::ref(progress));
+    write_file(kDataName, complex,
+               [&](std::ostream& out, const std::string& made_by) { surfaces->write_vtp(out, made_by); });
+  });
+  attempt(kMeshName, [&] {
+    write_file(kMeshName, complex,
+               [&](std::ostream& out, const std::string& made_by) { surfaces->write_ply(out, made_by); });
+  });
+}
+
+std::optional<ClipBox> ExportFiles::box(const FlowComplex& complex) const {
+  if (!choice_.clip || complex.points().empty()) return std::nullopt;
+  return ClipBox(complex.points(), *choice_.clip);
 }
 
 void ExportFiles::write_file(const char* name, const FlowComplex& complex, const Write& write) {

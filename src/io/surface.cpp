@@ -18,6 +18,7 @@
 
 #include "io/byte_writer.h"
 #include "io/number_text.h"
+#include "io/ply_header.h"
 
 namespace flowcert {
 
@@ -98,11 +99,7 @@ SurfaceMesh surface_mesh(const FlowComplex& complex, std::span<const std::size_t
 }
 
 void write_ply(std::ostream& out, const SurfaceMesh& mesh, const std::string& comment) {
-  out << fmt::format(
-      "ply\nformat binary_little_endian 1.0\ncomment {}\nelement vertex {}\nproperty double x\n"
-      "property double y\nproperty double z\nelement face {}\nproperty list uchar int vertex_indices\n"
-      "end_header\n",
-      comment, mesh.vertices.size(), mesh.triangles.size());
+  out << ply_header(comment, mesh.vertices.size(), mesh.triangles.size());
   ByteWriter bytes(out);
   for (const Point& point : mesh.vertices) {
     for (const double coordinate : {point.x, point.y, point.z}) bytes.append(coordinate);

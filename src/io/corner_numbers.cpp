@@ -1,0 +1,67 @@
+#include "io/corner_numbers.h"
+
+#include "io/number_text.h"
+
+namespace flowcert::io {
+
+namespace {
+
+std::array<double, 3> coordinates_of(const Point& point) { return {point.x, point.y, point.z}; }
+
+}  // namespace
+
+CornerNumbers::CornerNumbers(const FlowComplex& complex, StableRegions& regions)
+    : complex_(complex), regions_(regions) {
+  const StationaryPoints& stationary = complex.stationary();
+  for (std::size_t record = 0; record < stationary.size(); ++record) {
+    const StationaryIndex index = stationary.index(record);
+    if (index.is_critical() || index.face_dimension != 1) continue;
+    regular_.emplace(coordinates_of(complex.rounded_sphere(record).center), Regular{record, kNone});
+  }
+}
+
+std::int64_t CornerNumbers::of(const StableRegion& region, const RegionCorner& corner) {
+  std::int64_t& number = known(region, corner);
+  if (number == kNone) number = number_of_new(region, corner);
+  return number;
+}
+
+std::int64_t CornerNumbers::of_sample(PointId name) {
+  const auto [found, is_new] = samples_.try_emplace(name, kNone);
+  if (is_new) found->second = append(complex_.points()[complex_.points().ordinal_of_row(name)]);
+  return found->second;
+}
+
+std::int64_t CornerNumbers::of_cut(const Point& position) {
+  const auto [found, is_new] = cuts_.try_emplace(coordinates_of(position), kNone);
+  if (is_new) found->second = append(position);
+  return found->second;
+}
+
+// The regions of a facet come one after the other, so that one midpoint is enough.
+std::int64_t& CornerNumbers::known(const StableRegion& region, const RegionCorner& corner) {
+  if (corner.kind == RegionCorner::Kind::kVertex) return vertices_.try_emplace(corner.number, kNone).first->second;
+  if (corner.kind == RegionCorner::Kind::kDivision) return divisions_.try_emplace(corner.number, kNone).first->second;
+  if (samples_of_midpoint_ != region.samples) midpoint_ = kNone;
+  samples_of_midpoint_ = region.samples;
+  return midpoint_;
+}
+
+std::int64_t CornerNumbers::number_of_new(const StableRegion& region, const RegionCorner& corner) {
+  const Point position = finite(regions_.rounded(region, corner));
+  const auto [from, to] = regular_.equal_range(coordinates_of(position));
+  for (auto each = from; each != to; ++each) {
+    Regular& regular = each->second;
+    if (complex_.sphere(regular.record).center != regions_.exact(region, corner)) continue;
+    if (regular.number == kNone) regular.number = append(position);
+    return regular.number;
+  }
+  return append(position);
+}
+
+std::int64_t CornerNumbers::append(const Point& position) {
+  points_.push_back(position);
+  return static_cast<std::int64_t>(points_.size()) - 1;
+}
+
+}  // namespace flowcert::io

@@ -1,0 +1,39 @@
+// All unstable sets of dimension 2 as files for viewers: VTP with all of their parts, PLY with triangles
+// (spec/formats/exports.md).
+//
+// Guarantees: coordinates are the doubles nearest to the exact ones. In a set, points are one iff their exact positions
+// are equal, but for those at which the box cuts. What is written does not depend on the number of threads. It takes
+// memory for some sets at once: all of them wait in files without names.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <string>
+
+#include "flowcert/flow_complex.h"
+#include "flowcert/vtk_exports.h"
+
+namespace flowcert {
+
+class UnstableSurfaceExport {
+ public:
+  // Makes all sets. The folder must exist. Without a box, parts that reach to infinity are left out. Throws InvalidInput
+  // where a coordinate is beyond the doubles, and what io/output_file.h throws where the folder cannot be written.
+  UnstableSurfaceExport(const FlowComplex& complex, const std::optional<ClipBox>& box, const std::string& folder,
+                        const ExportProgress& progress = {});
+  ~UnstableSurfaceExport();
+  UnstableSurfaceExport(UnstableSurfaceExport&&) noexcept;
+  UnstableSurfaceExport& operator=(UnstableSurfaceExport&&) noexcept;
+
+  // comment: of one line, without "--".
+  void write_vtp(std::ostream& out, const std::string& comment) const;
+  // Throws InvalidInput where there are more points or triangles than its numbers can say.
+  void write_ply(std::ostream& out, const std::string& comment) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace flowcert
