@@ -67,14 +67,20 @@ std::optional<Rational> clip_factor(const std::string& text) {
 }
 
 ExportChoice export_choice(const ComputeOptions& options) {
-  if (options.clip && !exports(options, "lines")) throw InvalidInput("--clip: needs lines, which --only omits");
+  const bool has_all = has_word(options.manifolds, "all");
+  const bool infinity = has_word(options.only, "infinity"), sheets = has_word(options.only, "sheets");
+  const bool is_clipped = exports(options, "lines") || infinity || sheets;
+  if (options.clip && !is_clipped) {
+    throw InvalidInput("--clip: needs lines, infinity or sheets, which --only omits");
+  }
   return {.directory = options.export_directory,
           .critical = exports(options, "critical"),
           .surfaces = exports(options, "surfaces"),
           .lines = exports(options, "lines"),
-          .cells = has_word(options.manifolds, "all") && exports(options, "cells"),
-          .fans = has_word(options.manifolds, "all") && exports(options, "fans"),
-          .sheets = has_word(options.manifolds, "all") && exports(options, "sheets"),
+          .cells = has_all && exports(options, "cells"),
+          .fans = has_all && exports(options, "fans"),
+          .infinity = infinity,
+          .sheets = sheets,
           .clip = options.clip ? clip_factor(*options.clip) : ExportChoice{}.clip};
 }
 
@@ -88,7 +94,7 @@ WantedManifolds wanted_manifolds(const ComputeOptions& options) {
   if (options.u2.alone && !wanted.u2) throw InvalidInput("--alone: needs --manifolds u2");
   if (options.skeletons && !wanted.s2) throw InvalidInput("--skeletons: needs --manifolds s2");
   if (options.sheets && !wanted.all) throw InvalidInput("--sheets: needs --manifolds all");
-  for (const char* file : {"cells", "fans", "sheets"}) {
+  for (const char* file : {"cells", "fans", "infinity", "sheets"}) {
     if (has_word(options.only, file) && !wanted.all) {
       throw InvalidInput(fmt::format("--only: {} needs --manifolds all", file));
     }
@@ -186,19 +192,21 @@ void add_export_options(CLI::App& command, ComputeOptions& options) {
       command
           .add_option("--export", options.export_directory,
                       "Write critical points, S2 and U2 into this directory, as VTP and PLY files for viewers; "
-                      "computes what they need; with --manifolds all also U1, and S3 as VTU")
+                      "computes what they need; with --manifolds all also fans of U1, and S3 as VTU")
           ->check(complaint_about_path);
   command
       .add_option("--only", options.only,
                   "Of the files of --export only these, separated by commas: critical, surfaces, lines; "
-                  "with --manifolds all also fans and cells")
+                  "with --manifolds all also fans and cells, "
+                  "and what is written only if it is named here: infinity (what flows there, in the box of --clip) and "
+                  "sheets (all of U1: a large file)")
       ->delimiter(',')
-      ->check(CLI::IsMember({"critical", "surfaces", "lines", "fans", "cells", "sheets"}))
+      ->check(CLI::IsMember({"critical", "surfaces", "lines", "fans", "cells", "infinity", "sheets"}))
       ->needs(directory);
   command
       .add_option("--clip", options.clip,
-                  "Where exported lines to infinity end: at a box so many times as large as that of the input (3, "
-                  "without this), or none, to leave out what has no end")
+                  "Where exported lines, sheets and cells to infinity end: at a box so many times as large as that of "
+                  "the input (3, without this), or none, to leave out what has no end")
       ->needs(directory);
 }
 

@@ -41,6 +41,7 @@ void ExportFiles::write_after(const FlowComplex& complex, FlowComplexPart part) 
   if (part == FlowComplexPart::kUnstable && choice_.lines) write_lines(complex);
   if (part == FlowComplexPart::kLimits && choice_.fans) write_fans(complex);
   if (part == FlowComplexPart::kVolumes && choice_.cells) write_cells(complex);
+  if (part == FlowComplexPart::kVolumes && choice_.infinity) write_infinity(complex);
   if (part == FlowComplexPart::kVolumes && choice_.sheets) write_sheets(complex);
 }
 
@@ -92,6 +93,15 @@ void ExportFiles::write_cells(const FlowComplex& complex) {
   attempt(kName, [&] {
     const ProgressLine progress("exporting stable sets of dimension 3");
     const UnstructuredGrid data = stable_cell_data(complex);
+    write_file(kName, complex, [&](std::ostream& out, const std::string& made_by) { write_vtu(out, data, made_by); });
+  });
+}
+
+void ExportFiles::write_infinity(const FlowComplex& complex) {
+  constexpr const char* kName = "infinity_cells.vtu";
+  attempt(kName, [&] {
+    const ProgressLine progress("exporting the stable set of infinity");
+    const UnstructuredGrid data = infinity_cell_data(complex, box(complex));
     write_file(kName, complex, [&](std::ostream& out, const std::string& made_by) { write_vtu(out, data, made_by); });
   });
 }

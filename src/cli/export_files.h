@@ -19,8 +19,8 @@ namespace flowcert::cli {
 struct ExportChoice {
   std::string directory;
   bool critical = true, surfaces = true, lines = true;
-  bool cells = false, fans = false, sheets = false;  // they need limits and volumes
-  std::optional<Rational> clip = 3;                  // how large the box is at which files end; nothing for none
+  bool cells = false, fans = false, infinity = false, sheets = false;  // they need limits and volumes
+  std::optional<Rational> clip = 3;  // how large the box is at which files end; nothing for none
 };
 
 class ExportFiles {
@@ -39,6 +39,7 @@ class ExportFiles {
   void write_lines(const FlowComplex& complex);
   void write_fans(const FlowComplex& complex);
   void write_cells(const FlowComplex& complex);
+  void write_infinity(const FlowComplex& complex);
   void write_sheets(const FlowComplex& complex);
   [[nodiscard]] std::optional<ClipBox> box(const FlowComplex& complex) const;
   void write_file(const char* name, const FlowComplex& complex, const Write& write);

@@ -5,6 +5,9 @@
 // InvalidInput. Points are one iff their exact positions are equal. Cells have VTK's orientation, by exact positions.
 #pragma once
 
+#include <optional>
+
+#include "flowcert/clip_box.h"
 #include "flowcert/flow_complex.h"
 #include "flowcert/vtk_exports.h"
 
@@ -12,6 +15,9 @@ namespace flowcert {
 
 // Makes limits and volumes.
 [[nodiscard]] UnstructuredGrid stable_cell_data(const FlowComplex& complex);
+// The stable set of infinity in the box; without a box, those of its cells that are bounded. Points where the box cuts
+// are one iff their doubles are equal. No cells if the points do not span space. Makes limits.
+[[nodiscard]] UnstructuredGrid infinity_cell_data(const FlowComplex& complex, const std::optional<ClipBox>& box);
 // Makes limits. Regions that reach to infinity are left out.
 [[nodiscard]] PolyData unstable_fan_data(const FlowComplex& complex);
 
