@@ -2,13 +2,15 @@
 //
 // Guarantees: sets are compared exactly, part by part, for the cascade kernel and the exact one. The oracle follows
 // intervals and points, and cuts regions by the bisectors of all points. The fast implementation finds the exits of
-// single rays by the signs of the flow. The test fails too when too few sets had parts that are rare.
+// single rays by the signs of the flow. The sets in doubles have the same parts, where P spans space. The test fails
+// too when too few sets had parts that are rare.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "flowcert/unstable_surfaces.h"
@@ -29,7 +31,7 @@ constexpr std::size_t kSetsByOracle = 12;  // at most so many of an input
 
 struct Totals {
   std::size_t sets = 0, regular = 0, vertices = 0, traces = 0, points = 0, runs = 0, sheets = 0, unbounded = 0;
-  std::size_t segments = 0, shared = 0;
+  std::size_t segments = 0, shared = 0, in_doubles = 0;
 };
 
 oracle::Corner corner_of(const SurfaceCorner& corner) { return {corner.position, corner.at_infinity}; }
@@ -114,6 +116,112 @@ void count(const oracle::PointSet& points, const oracle::UnstableSurface& set, b
   for (const auto& trace : set.traces) totals.shared += sheets_into(points, set, trace) > 1;
 }
 
+// ---- In doubles ----
+
+using RoundedPart = std::tuple<RoundedUnstableSurface::Kind, std::vector<PointId>, std::vector<SurfaceCorner>>;
+
+// Nearest doubles; what would overflow stays exact.
+SurfaceCorner rounded(SurfaceCorner corner) {
+  for (Rational& x : corner.position) {
+    if (const auto nearest = nearest_double(x)) x = Rational(*nearest);
+  }
+  return corner;
+}
+
+// Counterclockwise seen from the second sample, from the least corner on. Corners at infinity are vectors.
+std::vector<SurfaceCorner> turned(const PointSet& points, const UnstableSheet& sheet) {
+  const auto sample = [&](std::size_t k) {
+    const Point& p = points[points.ordinal_of_row(sheet.samples[k])];
+    return std::array<Rational, 3>{Rational(p.x), Rational(p.y), Rational(p.z)};
+  };
+  const auto minus = [](const RationalPoint& u, const RationalPoint& v) {
+    return RationalPoint{u[0] - v[0], u[1] - v[1], u[2] - v[2]};
+  };
+  const RationalPoint way = minus(sample(1), sample(0)), origin = sheet.corners.front().position;
+  const auto from_origin = [&](const SurfaceCorner& c) {
+    return c.at_infinity ? c.position : minus(c.position, origin);
+  };
+  Rational turn = 0;
+  for (std::size_t k = 1; k + 1 < sheet.corners.size(); ++k) {
+    const RationalPoint u = from_origin(sheet.corners[k]), v = from_origin(sheet.corners[k + 1]);
+    turn += way[0] * (u[1] * v[2] - u[2] * v[1]) + way[1] * (u[2] * v[0] - u[0] * v[2]) +
+            way[2] * (u[0] * v[1] - u[1] * v[0]);
+  }
+  RC_ASSERT(turn != 0);
+  std::vector<SurfaceCorner> corners = sheet.corners;
+  if (turn < 0) std::reverse(corners.begin() + 1, corners.end());
+  return corners;
+}
+
+std::vector<RoundedPart> parts_in_doubles(const PointSet& points, const UnstableSurface& set) {
+  using Kind = RoundedUnstableSurface::Kind;
+  std::vector<RoundedPart> parts;
+  const auto add_edge = [&](Kind kind, const UnstableInterval& part) {
+    const std::vector<PointId> samples(part.polygon.begin(), part.polygon.begin() + 3);
+    parts.push_back({kind, samples, {part.from, part.to}});
+    if (part.from == part.to) std::get<2>(parts.back()).pop_back();
+  };
+  for (const auto& part : set.traces) add_edge(Kind::kTrace, part);
+  for (const auto& part : set.runs) add_edge(Kind::kRun, part);
+  for (const auto& [samples, start, end] : set.segments) {
+    parts.push_back({Kind::kSegment, {samples[0], samples[1]}, {{start}, end}});
+  }
+  for (const auto& sheet : set.sheets) {
+    parts.push_back({Kind::kSheet, {sheet.samples[0], sheet.samples[1]}, turned(points, sheet)});
+  }
+  return parts;
+}
+
+// Corners in an order of their own: of lines both ways are one, and a sheet begins anywhere.
+void make_comparable(std::vector<RoundedPart>& parts) {
+  const auto is_less = [](const SurfaceCorner& a, const SurfaceCorner& b) {
+    return std::tie(a.at_infinity, a.position) < std::tie(b.at_infinity, b.position);
+  };
+  for (auto& [kind, samples, corners] : parts) {
+    for (SurfaceCorner& corner : corners) corner = rounded(std::move(corner));
+    if (kind != RoundedUnstableSurface::Kind::kSheet) {
+      std::ranges::sort(corners, is_less);
+      continue;
+    }
+    std::vector<SurfaceCorner> least = corners;
+    for (std::size_t k = 1; k < corners.size(); ++k) {
+      std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+      if (std::ranges::lexicographical_compare(corners, least, is_less)) least = corners;
+    }
+    corners = least;
+  }
+  std::ranges::sort(parts, [&](const RoundedPart& a, const RoundedPart& b) {
+    const auto key = [](const RoundedPart& part) { return std::tie(std::get<0>(part), std::get<1>(part)); };
+    if (key(a) != key(b)) return key(a) < key(b);
+    return std::ranges::lexicographical_compare(std::get<2>(a), std::get<2>(b), is_less);
+  });
+}
+
+// The set in doubles has the same parts, with corners that are one iff they are exactly equal.
+void require_same_in_doubles(const PointSet& points, const UnstableSurface& set, const RoundedUnstableSurface& fast) {
+  std::vector<RoundedPart> exact = parts_in_doubles(points, set), mine;
+  std::vector<SurfaceCorner> corners;
+  for (const auto& [kind, samples, places] : exact) corners.insert(corners.end(), places.begin(), places.end());
+  const auto is_less = [](const SurfaceCorner& a, const SurfaceCorner& b) {
+    return std::tie(a.at_infinity, a.position) < std::tie(b.at_infinity, b.position);
+  };
+  std::ranges::sort(corners, is_less);
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  RC_ASSERT(corners.size() == fast.corners.size());
+  for (const auto& [kind, samples, numbers] : fast.parts) {
+    mine.push_back({kind, samples, {}});
+    for (const std::uint32_t number : numbers) {
+      const auto& [position, at_infinity, beyond] = fast.corners[number];
+      const RationalPoint x =
+          beyond ? *beyond : RationalPoint{Rational(position.x), Rational(position.y), Rational(position.z)};
+      std::get<2>(mine.back()).push_back({x, at_infinity});
+    }
+  }
+  make_comparable(exact);
+  make_comparable(mine);
+  RC_ASSERT(exact == mine);
+}
+
 void require_right_sets(const Subject& subject, Totals& totals) {
   const StationaryPoints& stationary = subject.complex.stationary();
   const UnstableSurfaces cascade(subject.complex.diagram(), stationary);
@@ -129,6 +237,10 @@ void require_right_sets(const Subject& subject, Totals& totals) {
     RC_ASSERT(oracle_form(exact.set(i)) == mine);
     RC_ASSERT(cascade.size_of(i) == (UnstableSurfaceSize{fast.vertices.size(), fast.traces.size(), fast.runs.size(),
                                                          fast.sheets.size(), fast.segments.size()}));
+    if (subject.complex.diagram().dimension() == 3) {
+      require_same_in_doubles(subject.complex.points(), fast, cascade.rounded_set(i));
+      ++totals.in_doubles;
+    }
     count(subject.set, mine, y.is_critical(), totals);
   }
 }
@@ -137,6 +249,7 @@ void add(Totals& sum, const Totals& part) {
   sum.sets += part.sets, sum.regular += part.regular, sum.vertices += part.vertices, sum.traces += part.traces;
   sum.points += part.points, sum.runs += part.runs, sum.sheets += part.sheets, sum.unbounded += part.unbounded;
   sum.segments += part.segments, sum.shared += part.shared;
+  sum.in_doubles += part.in_doubles;
 }
 
 void print_row(const std::string& name, const Totals& t) {
@@ -173,6 +286,7 @@ TEST(UnstableSurfaceAgreement, SetsAreTheOracles) {
     EXPECT_GE(all.segments, 300U);
     EXPECT_GE(all.unbounded, 3000U);
     EXPECT_GE(all.shared, 500U);
+    EXPECT_GE(all.in_doubles, 3000U);
   }
 }
 
