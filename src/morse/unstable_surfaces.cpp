@@ -99,7 +99,7 @@ class UnstableSurfaces::Parts::Worker {
   void add_intervals(PolygonRef polygon, const std::vector<TracePart>& parts, std::vector<UnstableInterval>& to);
   void add_rounded(const EdgeParts& edge, RoundedParts& to);
   void add_rounded(const SheetParts& sheet, bool is_root, RoundedParts& to);
-  // If P does not span space. Counterclockwise seen from v1.
+  // If P does not span space: parts of which no two directions are opposite. Counterclockwise seen from v1.
   [[nodiscard]] std::vector<Corners> whole_facet(FacetName facet);
 
   const Parts& all_;
@@ -165,7 +165,7 @@ void UnstableSurfaces::Parts::Worker::add_rounded(const EdgeParts& edge, Rounded
   for (const TracePart& part : edge.runs) add(Kind::kRun, part);
 }
 
-// Where P spans a plane, the facet is between two lines, or beyond one of them.
+// Where P spans a plane, the facet is between two lines, or beyond one of them. It is cut in two, across the lines.
 std::vector<UnstableSurfaces::Parts::Worker::Corners> UnstableSurfaces::Parts::Worker::whole_facet(FacetName facet) {
   const auto at = [this](VertexIndex v) {
     const Point& p = faces_.point(v);
@@ -183,8 +183,8 @@ std::vector<UnstableSurfaces::Parts::Worker::Corners> UnstableSurfaces::Parts::W
     Vector3<Rational> u{0, along.z, -along.y};
     if (u.y == 0 && u.z == 0) u = {-along.z, 0, along.x};
     const Vector3<Rational> v = cross(along, u);
-    return {{m, direction(1, u), direction(1, v), direction(-1, u)},
-            {m, direction(-1, u), direction(-1, v), direction(1, u)}};
+    const std::uint32_t right = direction(1, u), up = direction(1, v), left = direction(-1, u), down = direction(-1, v);
+    return {{m, right, up}, {m, up, left}, {m, left, down}, {m, down, right}};
   }
   std::vector<RingPiece> lines;
   for (const RingPiece& piece : faces_.ring(facet).pieces) {
@@ -203,7 +203,8 @@ std::vector<UnstableSurfaces::Parts::Worker::Corners> UnstableSurfaces::Parts::W
     beyond = corners_.number(std::move(second));
   }
   const Rational turn = dot(cross(normal, across), along) > 0 ? 1 : -1;
-  return {{corners_.number(first), direction(turn, normal), beyond, direction(-turn, normal)}};
+  const std::uint32_t near = corners_.number(first);
+  return {{near, direction(turn, normal), beyond}, {near, beyond, direction(-turn, normal)}};
 }
 
 void UnstableSurfaces::Parts::Worker::add_rounded(const SheetParts& sheet, bool is_root, RoundedParts& to) {
