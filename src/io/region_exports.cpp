@@ -48,7 +48,7 @@ std::map<Samples, std::size_t> records_of_facets(const FlowComplex& complex) {
 }  // namespace
 
 UnstructuredGrid stable_cell_data(const FlowComplex& complex) {
-  StableRegions regions(complex.diagram(), complex.stationary(), complex.limits());
+  StableRegions regions(complex.diagram(), complex.limits());
   CornerNumbers numbers(complex, regions);
   PyramidSet cells;
   std::vector<std::int64_t> corners, limits, samples;
@@ -77,7 +77,7 @@ UnstructuredGrid stable_cell_data(const FlowComplex& complex) {
 }
 
 PolyData unstable_fan_data(const FlowComplex& complex) {
-  StableRegions regions(complex.diagram(), complex.stationary(), complex.limits());
+  StableRegions regions(complex.diagram(), complex.limits());
   CornerNumbers numbers(complex, regions);
   const std::map<Samples, std::size_t> records = records_of_facets(complex);
   PolyData data;

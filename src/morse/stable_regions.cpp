@@ -47,7 +47,7 @@ void StableRegions::Parts::visit_ring(const FacetRing& ring, const Visit& visit)
   }
 }
 
-StableRegions::StableRegions(const VoronoiDiagram& diagram, const StationaryPoints&, const FlowLimits& limits)
+StableRegions::StableRegions(const VoronoiDiagram& diagram, const FlowLimits& limits)
     : parts_(std::make_unique<Parts>(diagram, limits)) {}
 StableRegions::~StableRegions() = default;
 StableRegions::StableRegions(StableRegions&&) noexcept = default;

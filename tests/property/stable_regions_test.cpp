@@ -134,7 +134,7 @@ void require_right_regions(const Subject& subject, Totals& totals) {
   const PointSet& points = subject.complex.points();
   const FlowLimits limits(subject.complex.diagram(), stationary);
   const StableVolumes volumes(subject.complex.diagram(), stationary, limits);
-  StableRegions made(subject.complex.diagram(), stationary, limits);
+  StableRegions made(subject.complex.diagram(), limits);
   const Facets facets = facets_of(made);
   const auto sample = [&](PointId name) {
     const auto& p = points.points()[points.ordinal_of_row(name)];

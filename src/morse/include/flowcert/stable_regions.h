@@ -45,9 +45,8 @@ struct StableRegion {
 // Not for two threads at once.
 class StableRegions {
  public:
-  // All must outlive this.
-  StableRegions(const VoronoiDiagram& diagram, const StationaryPoints& stationary, const FlowLimits& limits);
-  StableRegions(const VoronoiDiagram&, StationaryPoints&&, const FlowLimits&) = delete;
+  // Both must outlive this.
+  StableRegions(const VoronoiDiagram& diagram, const FlowLimits& limits);
   ~StableRegions();
   StableRegions(StableRegions&&) noexcept;
   StableRegions& operator=(StableRegions&&) noexcept;
