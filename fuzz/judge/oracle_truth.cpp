@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <stdexcept>
 #include <utility>
 
+#include "flowcert/rounded_sphere.h"
 #include "fuzz/judge/hull_volume.h"
 #include "geometry/contract.h"
 #include "oracle/fast/point_set.h"
@@ -188,9 +188,7 @@ class OracleTruth final : public Truth {
   [[nodiscard]] Rational volume(std::size_t i) override {
     return has_volume(i) ? oracle::volume(set_, stable(i)) : Rational(0);
   }
-  [[nodiscard]] double nearest_volume(std::size_t i) override {
-    return nearest_double(volume(i)).value_or(std::numeric_limits<double>::infinity());
-  }
+  [[nodiscard]] double nearest_volume(std::size_t i) override { return nearest_or_infinity(volume(i)); }
   [[nodiscard]] std::vector<std::pair<PointId, Rational>> shares(std::size_t i) override {
     std::vector<std::pair<PointId, Rational>> shares;
     if (!has_volume(i)) return shares;

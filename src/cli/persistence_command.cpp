@@ -9,7 +9,6 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,6 +18,7 @@
 #include "cli/progress.h"
 #include "cli/table.h"
 #include "flowcert/flow_complex.h"
+#include "flowcert/rounded_sphere.h"
 #include "io/json_fields.h"
 #include "io/ordered_text.h"
 #include "io/output_file.h"
@@ -145,9 +145,7 @@ std::string contact_text(const StationaryPoints& stationary, std::size_t record)
   return text;
 }
 
-std::string value_text(const Rational& value) {
-  return fmt::format("{:.5g}", nearest_double(value).value_or(std::numeric_limits<double>::infinity()));
-}
+std::string value_text(const Rational& value) { return fmt::format("{:.5g}", nearest_or_infinity(value)); }
 
 void print_longest_pairs(const FlowComplex& complex) {
   const Persistence& persistence = complex.persistence();

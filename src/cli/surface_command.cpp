@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -14,6 +13,7 @@
 #include "cli/rough_number.h"
 #include "cli/table.h"
 #include "flowcert/reproducibility.h"
+#include "flowcert/rounded_sphere.h"
 #include "flowcert/surface.h"
 #include "io/json_fields.h"
 #include "io/output_file.h"
@@ -85,9 +85,6 @@ SurfaceMesh mesh_of(const SurfaceOptions& options, const FlowComplex& complex, c
   }
 }
 
-// The nearest double, or an infinity.
-double double_of(const Rational& value) { return nearest_double(value).value_or(HUGE_VAL); }
-
 void print_edges(const TriangleEdges& edges) {
   print_row("edges of two triangles", with_commas(edges.manifold));
   print_row("edges of one", with_commas(edges.boundary), "boundary");
@@ -125,7 +122,7 @@ void print_table(const SurfaceOptions& options, const Input& input, const Counts
 // An exact number with its nearest double; null for none.
 void add_exact(Json& object, const std::string& key, const std::optional<Rational>& value) {
   object[key] = value ? Json(to_text(*value)) : Json(nullptr);
-  object[key + "_double"] = value ? io::double_field(double_of(*value)) : Json(nullptr);
+  object[key + "_double"] = value ? io::double_field(nearest_or_infinity(*value)) : Json(nullptr);
 }
 
 Json edges_field(const TriangleEdges& edges) {
@@ -142,8 +139,8 @@ Json radii_field(const SaddleRadii& radii) {
   Json field = Json::array();
   for (const RadiusBin& bin : radius_histogram(radii)) {
     Json entry;
-    entry["from"] = double_of(bin.from);
-    entry["to"] = double_of(bin.to);
+    entry["from"] = nearest_or_infinity(bin.from);
+    entry["to"] = nearest_or_infinity(bin.to);
     entry["count"] = bin.count;
     field.push_back(std::move(entry));
   }

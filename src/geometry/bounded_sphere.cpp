@@ -129,10 +129,16 @@ std::optional<RoundedSphere> decided_sphere(const BoundedSphere& sphere) {
 
 namespace flowcert {
 
+double nearest_or_infinity(const Rational& value) {
+  return nearest_double(value).value_or(value < 0 ? -HUGE_VAL : HUGE_VAL);
+}
+
+Point rounded_point(const RationalPoint& x) {
+  return {nearest_or_infinity(x[0]), nearest_or_infinity(x[1]), nearest_or_infinity(x[2])};
+}
+
 RoundedSphere rounded_sphere(const ExactSphere& sphere) {
-  const auto rounded = [](const Rational& x) { return nearest_double(x).value_or(x < 0 ? -HUGE_VAL : HUGE_VAL); };
-  return {{rounded(sphere.center[0]), rounded(sphere.center[1]), rounded(sphere.center[2])},
-          rounded(sphere.squared_radius)};
+  return {rounded_point(sphere.center), nearest_or_infinity(sphere.squared_radius)};
 }
 
 RoundedSphere rounded_sphere(const PointSet& points, std::span<const PointId> contact, std::size_t hull_dimension) {

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flowcert/rounded_sphere.h"
 #include "geometry/filter_bounds.h"
 
 namespace flowcert::geometry {
 
-DistanceOrder::DistanceOrder(const RationalPoint& x) : x_(x) {
-  const auto rounded = [](const Rational& value) { return nearest_double(value).value_or(HUGE_VAL); };
-  rounded_ = {rounded(x[0]), rounded(x[1]), rounded(x[2])};
+DistanceOrder::DistanceOrder(const RationalPoint& x) : x_(x), rounded_(rounded_point(x)) {
   largest_ = std::max({std::abs(rounded_.x), std::abs(rounded_.y), std::abs(rounded_.z)});
 }
 

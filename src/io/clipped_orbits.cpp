@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flowcert/rounded_sphere.h"
 #include "geometry/contract.h"
 #include "geometry/rational_point.h"
 
@@ -25,7 +26,7 @@ RoundedSphere ClippedOrbits::cut(const Point& from, const RationalPoint& directi
   const RationalPoint exact_end = geometry::exact_position(end);
   const auto nearest = faces_.contact(faces_.locate(exact_end));
   const Rational squared = geometry::squared_distance(exact_end, faces_.point(nearest.front()));
-  return {end, nearest_double(squared).value_or(HUGE_VAL)};
+  return {end, nearest_or_infinity(squared)};
 }
 
 RoundedSphere ClippedOrbits::known_cut(const Key& key) {

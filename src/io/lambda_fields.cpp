@@ -1,7 +1,7 @@
 // Limits are named by their contact sets, as everywhere.
 #include "io/lambda_fields.h"
 
-#include <limits>
+#include "flowcert/rounded_sphere.h"
 
 namespace flowcert::io {
 
@@ -14,13 +14,6 @@ Json contact_of_limit(const StationaryPoints& stationary, const std::optional<st
 // Zeros have no sign.
 Json doubles_field(const Point& position) {
   return Json::array({double_field(position.x + 0.0), double_field(position.y + 0.0), double_field(position.z + 0.0)});
-}
-
-Point nearest_doubles(const RationalPoint& position) {
-  const auto nearest = [](const Rational& x) {
-    return nearest_double(x).value_or(std::numeric_limits<double>::infinity());
-  };
-  return {nearest(position[0]), nearest(position[1]), nearest(position[2])};
 }
 
 const char* exact_key(bool is_vector) { return is_vector ? "vector" : "exit"; }
@@ -46,7 +39,7 @@ Json lambda_field(const StationaryPoints& stationary, const LambdaList& list) {
   return list_field(stationary, list, [](const LambdaList::Direction& direction) {
     Json field;
     field[exact_key(direction.is_vector)] = center_field(direction.exit);
-    field[double_key(direction.is_vector)] = doubles_field(nearest_doubles(direction.exit));
+    field[double_key(direction.is_vector)] = doubles_field(rounded_point(direction.exit));
     return field;
   });
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flowcert/rational.h"
+#include "flowcert/rounded_sphere.h"
 
 namespace flowcert::io {
 
@@ -48,12 +48,7 @@ std::array<double, 3> ViewerFrame::placed(const Point& point) const {
   return at;
 }
 
-std::array<double, 3> ViewerFrame::placed(const RationalPoint& point) const {
-  const auto rounded = [](const Rational& value) {
-    return nearest_double(value).value_or(value > 0 ? HUGE_VAL : -HUGE_VAL);
-  };
-  return placed(Point{rounded(point[0]), rounded(point[1]), rounded(point[2])});
-}
+std::array<double, 3> ViewerFrame::placed(const RationalPoint& point) const { return placed(rounded_point(point)); }
 
 double ViewerFrame::scaled(double length) const { return clamped(length / unit_); }
 

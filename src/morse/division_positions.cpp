@@ -1,8 +1,9 @@
 #include "morse/division_positions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
+
+#include "flowcert/rounded_sphere.h"
 
 namespace flowcert::morse {
 
@@ -10,15 +11,6 @@ namespace {
 
 // So many exact parameters are kept. A long one takes about a kilobyte.
 constexpr std::size_t kMostKept = 100'000;
-
-double nearest_or_infinity(const Rational& value) {
-  const auto nearest = nearest_double(value);
-  return nearest ? *nearest : value > 0 ? HUGE_VAL : -HUGE_VAL;
-}
-
-Point nearest_point(const RationalPoint& x) {
-  return {nearest_or_infinity(x[0]), nearest_or_infinity(x[1]), nearest_or_infinity(x[2])};
-}
 
 }  // namespace
 
@@ -36,19 +28,19 @@ Point DivisionPositions::rounded(PointOfDivision point) {
   const DivisionPoint& place = partition_.point(point);
   if (place.kind != DivisionPoint::Kind::kCrossing) return rounded_face(place);
   const auto decided = bounded().rounded(point);
-  return decided ? *decided : nearest_point(exact(point));
+  return decided ? *decided : rounded_point(exact(point));
 }
 
 Point DivisionPositions::rounded_face(const DivisionPoint& point) {
   if (point.kind != DivisionPoint::Kind::kEnd) {
     const auto decided = bounded().rounded_face(point);
-    return decided ? *decided : nearest_point(exact_face(point));
+    return decided ? *decided : rounded_point(exact_face(point));
   }
   RationalPoint position = exact_face(point);
   Rational largest = 0;
   for (const Rational& x : position) largest = std::max(largest, Rational(abs(x)));
   for (Rational& x : position) x /= largest;
-  return nearest_point(position);
+  return rounded_point(position);
 }
 
 // Rounding keeps the order of numbers, or makes them equal.

@@ -1,9 +1,9 @@
 #include "flowcert/stable_regions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "flowcert/rounded_sphere.h"
 #include "morse/division_positions.h"
 #include "morse/facet_regions.h"
 #include "voronoi/each_polygon.h"
@@ -97,9 +97,7 @@ Point StableRegions::rounded(const StableRegion& region, const RegionCorner& cor
   Parts& all = *parts_;
   if (corner.kind == RegionCorner::Kind::kDivision) return all.positions.rounded(corner.number);
   if (corner.kind != RegionCorner::Kind::kMidpoint) return all.positions.rounded_face(all.place(corner));
-  const RationalPoint m = all.midpoint(region);
-  const auto nearest = [](const Rational& x) { return nearest_double(x).value_or(x > 0 ? HUGE_VAL : -HUGE_VAL); };
-  return {nearest(m[0]), nearest(m[1]), nearest(m[2])};
+  return rounded_point(all.midpoint(region));
 }
 
 }  // namespace flowcert

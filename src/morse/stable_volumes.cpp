@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "flowcert/rounded_sphere.h"
 #include "geometry/contract.h"
 #include "morse/bounded_divisions.h"
 #include "morse/exact_divisions.h"
@@ -199,7 +200,7 @@ void StableVolumes::Parts::round_all() {
       doubles[record] = *volume;
     } else {
       ++decided_exactly;
-      doubles[record] = nearest_double(exact(record)).value_or(HUGE_VAL);
+      doubles[record] = nearest_or_infinity(exact(record));
     }
   }
 }

@@ -28,7 +28,7 @@ double squared_distance_at(const PointSet& points, const StationaryPoints& stati
   const auto contact = stationary.contact(record);
   const auto bounded = geometry::bounded_sphere(points, contact, dimension);
   if (const auto nearest = geometry::decided_double(bounded.squared_radius)) return *nearest;
-  return nearest_double(exact_squared_radius(points, contact)).value_or(HUGE_VAL);
+  return nearest_or_infinity(exact_squared_radius(points, contact));
 }
 
 std::vector<double> squared_distances_of(const FlowComplex& complex, unsigned threads) {

@@ -7,12 +7,12 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
 
 #include "flowcert/flow_limits.h"
+#include "flowcert/rounded_sphere.h"
 #include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/properties/stable_pieces.h"
 #include "fuzz/properties/subject.h"
@@ -99,10 +99,6 @@ std::string in_words(const List& list) {
   return text + "\n";
 }
 
-double nearest_or_infinity(const Rational& value) {
-  return nearest_double(value).value_or(value > 0 ? HUGE_VAL : -HUGE_VAL);
-}
-
 // Vectors are scaled before.
 bool rounds_to(const LambdaList& list, const RoundedLambdaList& rounded) {
   if (list.arcs != rounded.arcs || list.directions.size() != rounded.directions.size()) return false;
@@ -110,8 +106,7 @@ bool rounds_to(const LambdaList& list, const RoundedLambdaList& rounded) {
     const auto& [limit, exit, is_vector] = list.directions[k];
     const auto& [its_limit, its_exit, its_is_vector] = rounded.directions[k];
     const RationalPoint exact = is_vector ? scaled(exit) : exit;
-    const bool is_same = nearest_or_infinity(exact[0]) == its_exit.x && nearest_or_infinity(exact[1]) == its_exit.y &&
-                         nearest_or_infinity(exact[2]) == its_exit.z;
+    const bool is_same = rounded_point(exact) == its_exit;
     if (!is_same || limit != its_limit || is_vector != its_is_vector) return false;
   }
   return true;

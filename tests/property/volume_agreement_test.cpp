@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -48,7 +47,7 @@ void require_right_volumes(const Subject& subject, Totals& totals) {
     sum += fast;
     require_none(subject.input, fast >= 0 ? "" : name_of(stationary, i) + " is negative", "");
     const auto nearest = nearest_double(fast);
-    const bool is_nearest = volumes.nearest(i) == nearest.value_or(HUGE_VAL);
+    const bool is_nearest = volumes.nearest(i) == nearest_or_infinity(fast);
     require_none(subject.input, is_nearest ? "" : name_of(stationary, i) + " is rounded to another double", "");
     totals.rounded += nearest && Rational(*nearest) != fast ? 1 : 0;
     Rational shared = 0;

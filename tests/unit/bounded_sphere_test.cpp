@@ -220,5 +220,11 @@ TEST(BoundedSphere, OverflowIsAnInfinity) {
   EXPECT_EQ(exact_squared_radius(points, std::vector<PointId>{0, 1}), Rational(1.7e308) * Rational(1.7e308));
 }
 
+TEST(RoundedPoint, OverflowsToAnInfinityOfItsSign) {
+  CITES("FC-NUM-02");
+  const Rational large = 2 * Rational(1.7e308);
+  EXPECT_EQ(rounded_point({large, -large, Rational(1) / 3}), (Point{HUGE_VAL, -HUGE_VAL, 1.0 / 3}));
+}
+
 }  // namespace
 }  // namespace flowcert::geometry

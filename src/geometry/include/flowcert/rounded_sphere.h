@@ -1,7 +1,7 @@
-// The doubles nearest to the centre and the squared radius of a sphere.
+// The doubles nearest to exact numbers, and to the centre and the squared radius of a sphere.
 //
-// Guarantees: each is the double nearest to the exact number, ties to even, or an infinity where that would overflow.
-// Doubled doubles with proven bounds decide most of them, exact numbers the others.
+// Guarantees: each is the double nearest to the exact number, ties to even, or an infinity of its sign where that would
+// overflow. Doubled doubles with proven bounds decide most of those of spheres, exact numbers the others.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,9 @@
 #include "flowcert/exact_sphere.h"
 
 namespace flowcert {
+
+[[nodiscard]] double nearest_or_infinity(const Rational& value);
+[[nodiscard]] Point rounded_point(const RationalPoint& x);
 
 struct RoundedSphere {
   Point center;
