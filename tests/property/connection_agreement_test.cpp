@@ -12,13 +12,11 @@
 #include <vector>
 
 #include "flowcert/connections.h"
-#include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/properties/stable_pieces.h"
-#include "fuzz/properties/subject.h"
 #include "oracle/connections.h"
 #include "tests/cites.h"
+#include "tests/property/family_run.h"
 #include "tests/property/orbit_subject.h"
-#include "tests/property/property_parameters.h"
 
 namespace flowcert::property {
 namespace {
@@ -27,6 +25,17 @@ constexpr int kInputsPerFamily = 12;
 
 struct Totals {
   std::size_t inputs = 0, edges = 0, morse_smale = 0, between_saddles = 0;
+
+  void add(const Totals& part) {
+    inputs += part.inputs;
+    edges += part.edges;
+    morse_smale += part.morse_smale;
+    between_saddles += part.between_saddles;
+  }
+  void print_row(const std::string& name) const {
+    std::printf("%-24s %zu inputs, %zu of them Morse-Smale; %zu edges, %zu from index 2 to index 2\n", name.c_str(),
+                inputs, morse_smale, edges, between_saddles);
+  }
 };
 
 // Contact sets, which differ for all stationary points of one input, and the two numbers. Infinity has none.
@@ -82,24 +91,14 @@ void require_right_graph(const Subject& subject, Totals& totals) {
 
 TEST(ConnectionAgreement, GraphsAreTheOracles) {
   CITES("FC-CONN-01", "FC-CONN-02", "FC-CONN-03");
-  Totals totals;
-  bool agreed = true;
-  for (const fuzz::Family& family : fuzz::families_and_stable_ones()) {
-    const rc::Gen<fuzz::Input> generator = family.generate();
-    agreed = expect_holds("connections, " + family.name, parameters_of_run(kInputsPerFamily),
-                          [&] {
-                            const fuzz::Input input = *generator;
-                            require_right_graph(Subject(input), totals);
-                          }) &&
-             agreed;
-  }
-  std::printf("%zu inputs, %zu of them Morse-Smale; %zu edges, %zu from index 2 to index 2\n", totals.inputs,
-              totals.morse_smale, totals.edges, totals.between_saddles);
+  Totals all;
+  const bool agreed =
+      expect_in_all_families("connections", {kInputsPerFamily, kInputsPerFamily}, require_right_graph, all);
   if (agreed && scale_of_run() >= 1) {
-    EXPECT_GE(totals.inputs, 450U);
-    EXPECT_GE(totals.morse_smale, 100U);
-    EXPECT_LE(totals.morse_smale, totals.inputs - 100);
-    EXPECT_GE(totals.between_saddles, 5U);
+    EXPECT_GE(all.inputs, 450U);
+    EXPECT_GE(all.morse_smale, 100U);
+    EXPECT_LE(all.morse_smale, all.inputs - 100);
+    EXPECT_GE(all.between_saddles, 5U);
   }
 }
 

@@ -13,13 +13,11 @@
 
 #include "flowcert/flow_limits.h"
 #include "flowcert/rounded_sphere.h"
-#include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/properties/stable_pieces.h"
-#include "fuzz/properties/subject.h"
 #include "oracle/unstable_set.h"
 #include "tests/cites.h"
+#include "tests/property/family_run.h"
 #include "tests/property/orbit_subject.h"
-#include "tests/property/property_parameters.h"
 
 namespace flowcert::property {
 namespace {
@@ -30,6 +28,18 @@ constexpr std::size_t kListsByOracle = 16;  // at most so many of an input
 
 struct Totals {
   std::size_t lists = 0, arcs = 0, directions = 0, isolated_in_one_limit = 0, regular = 0;
+
+  void add(const Totals& part) {
+    lists += part.lists;
+    arcs += part.arcs;
+    directions += part.directions;
+    isolated_in_one_limit += part.isolated_in_one_limit;
+    regular += part.regular;
+  }
+  void print_row(const std::string& name) const {
+    std::printf("%-24s %6zu λ-lists, %5zu of regular points; %6zu arcs, %6zu directions, %4zu amid one limit\n",
+                name.c_str(), lists, regular, arcs, directions, isolated_in_one_limit);
+  }
 };
 
 // The direction, scaled so that its largest coordinate is 1 or -1, and the limit's contact set. Infinity has none.
@@ -138,40 +148,11 @@ void require_right_lists(const Subject& subject, Totals& totals) {
   }
 }
 
-void add(Totals& sum, const Totals& part) {
-  sum.lists += part.lists;
-  sum.arcs += part.arcs;
-  sum.directions += part.directions;
-  sum.isolated_in_one_limit += part.isolated_in_one_limit;
-  sum.regular += part.regular;
-}
-
-void print_row(const std::string& name, const Totals& totals) {
-  std::printf("%-24s %6zu λ-lists, %5zu of regular points; %6zu arcs, %6zu directions, %4zu amid one limit\n",
-              name.c_str(), totals.lists, totals.regular, totals.arcs, totals.directions, totals.isolated_in_one_limit);
-}
-
 TEST(LimitAgreement, ListsAreTheOracles) {
   CITES("FC-UNST-01", "FC-UNST-02");
   Totals all;
-  bool agreed = true;
-  const auto run = [&](const std::vector<fuzz::Family>& families, int inputs) {
-    for (const fuzz::Family& family : families) {
-      Totals totals;
-      const rc::Gen<fuzz::Input> generator = family.generate();
-      agreed = expect_holds("λ-lists, " + family.name, parameters_of_run(inputs),
-                            [&] {
-                              const fuzz::Input input = *generator;
-                              require_right_lists(Subject(input), totals);
-                            }) &&
-               agreed;
-      print_row(family.name, totals);
-      add(all, totals);
-    }
-  };
-  run(fuzz::families(), kInputsPerFamily);
-  run(fuzz::stable_families(), kInputsMadeForThis);
-  print_row("all", all);
+  const bool agreed =
+      expect_in_all_families("λ-lists", {kInputsPerFamily, kInputsMadeForThis}, require_right_lists, all);
   if (agreed && scale_of_run() >= 1) {
     EXPECT_GE(all.lists, 8000U);
     EXPECT_GE(all.regular, 700U);

@@ -14,11 +14,10 @@
 #include <vector>
 
 #include "flowcert/stable_manifolds.h"
-#include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/properties/stable_pieces.h"
-#include "fuzz/properties/subject.h"
 #include "oracle/stable_set.h"
 #include "tests/cites.h"
+#include "tests/property/family_run.h"
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
 #include "tests/property/stable_skeleton.h"
@@ -32,6 +31,20 @@ constexpr std::size_t kSetsByOracle = 40;  // at most so many of an input
 
 struct Totals {
   std::size_t sets = 0, with_vertex = 0, with_interval = 0, with_sector_cut = 0, regular_ends = 0;
+
+  void add(const Totals& part) {
+    sets += part.sets;
+    with_vertex += part.with_vertex;
+    with_interval += part.with_interval;
+    with_sector_cut += part.with_sector_cut;
+    regular_ends += part.regular_ends;
+  }
+  void print_row(const std::string& name) const {
+    std::printf(
+        "%-24s %6zu sets; with a Voronoi vertex %5zu, with intervals %5zu, with sectors cut off %3zu, with "
+        "regular ends %5zu\n",
+        name.c_str(), sets, with_vertex, with_interval, with_sector_cut, regular_ends);
+  }
 };
 
 void require_same_pieces(const Subject& subject, const std::string& what, const Pieces& a, const Pieces& b) {
@@ -112,45 +125,11 @@ void require_right_maxima(const Subject& subject, Totals& totals) {
   }
 }
 
-void add(Totals& sum, const Totals& part) {
-  sum.sets += part.sets;
-  sum.with_vertex += part.with_vertex;
-  sum.with_interval += part.with_interval;
-  sum.with_sector_cut += part.with_sector_cut;
-  sum.regular_ends += part.regular_ends;
-}
-
-void print_row(const std::string& name, const Totals& totals) {
-  std::printf(
-      "%-24s %6zu sets; with a Voronoi vertex %5zu, with intervals %5zu, with sectors cut off %3zu, with "
-      "regular ends %5zu\n",
-      name.c_str(), totals.sets, totals.with_vertex, totals.with_interval, totals.with_sector_cut, totals.regular_ends);
-}
-
-// Returns whether all agreed. Prints each family's totals, and adds them to `all`.
-bool sets_agree(const std::vector<fuzz::Family>& families, int inputs, Totals& all) {
-  bool agreed = true;
-  for (const fuzz::Family& family : families) {
-    Totals totals;
-    const rc::Gen<fuzz::Input> generator = family.generate();
-    agreed = expect_holds("stable sets, " + family.name, parameters_of_run(inputs),
-                          [&] {
-                            const fuzz::Input input = *generator;
-                            require_right_sets(Subject(input), totals);
-                          }) &&
-             agreed;
-    print_row(family.name, totals);
-    add(all, totals);
-  }
-  return agreed;
-}
-
 TEST(StableAgreement, SetsAreTheOracles) {
   CITES("FC-STAB-01", "FC-STAB-03", "FC-STAB-04", "FC-STAB-05", "FC-STAB-06", "FC-STAB-07");
   Totals all;
-  bool agreed = sets_agree(fuzz::families(), kInputsPerFamily, all);
-  agreed = sets_agree(fuzz::stable_families(), kInputsMadeForThis, all) && agreed;
-  print_row("all", all);
+  const bool agreed =
+      expect_in_all_families("stable sets", {kInputsPerFamily, kInputsMadeForThis}, require_right_sets, all);
   if (agreed && scale_of_run() >= 1) {
     EXPECT_GE(all.sets, 10000U);
     EXPECT_GE(all.with_vertex, 1500U);
@@ -162,21 +141,12 @@ TEST(StableAgreement, SetsAreTheOracles) {
 
 TEST(StableAgreement, SetsOfMaximaAreTheOracles) {
   CITES("FC-STAB-03", "FC-STAB-05");
-  Totals totals;
-  bool agreed = true;
-  for (const fuzz::Family& family : fuzz::families_and_stable_ones()) {
-    const rc::Gen<fuzz::Input> generator = family.generate();
-    agreed = expect_holds("stable sets of maxima, " + family.name, parameters_of_run(kInputsPerFamily),
-                          [&] {
-                            const fuzz::Input input = *generator;
-                            require_right_maxima(Subject(input), totals);
-                          }) &&
-             agreed;
-  }
-  print_row("maxima", totals);
+  Totals all;
+  const bool agreed =
+      expect_in_all_families("stable sets of maxima", {kInputsPerFamily, kInputsPerFamily}, require_right_maxima, all);
   if (agreed && scale_of_run() >= 1) {
-    EXPECT_GE(totals.sets, 500U);
-    EXPECT_GE(totals.with_sector_cut, 200U);
+    EXPECT_GE(all.sets, 500U);
+    EXPECT_GE(all.with_sector_cut, 200U);
   }
 }
 

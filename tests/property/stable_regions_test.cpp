@@ -15,13 +15,11 @@
 #include <vector>
 
 #include "flowcert/stable_volumes.h"
-#include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/properties/stable_pieces.h"
-#include "fuzz/properties/subject.h"
 #include "oracle/exact_geometry.h"
 #include "tests/cites.h"
+#include "tests/property/family_run.h"
 #include "tests/property/orbit_subject.h"
-#include "tests/property/property_parameters.h"
 
 namespace flowcert::property {
 namespace {
@@ -31,6 +29,18 @@ constexpr std::size_t kPoints = 12;  // at most so many of an input are followed
 
 struct Totals {
   std::size_t inputs = 0, facets = 0, bounded = 0, regions = 0, points = 0;
+
+  void add(const Totals& part) {
+    inputs += part.inputs;
+    facets += part.facets;
+    bounded += part.bounded;
+    regions += part.regions;
+    points += part.points;
+  }
+  void print_row(const std::string& name) const {
+    std::printf("%-24s %zu inputs, %zu facets, %zu of them bounded, %zu regions, %zu points followed\n", name.c_str(),
+                inputs, facets, bounded, regions, points);
+  }
 };
 
 using oracle::Point;
@@ -172,24 +182,14 @@ void require_right_regions(const Subject& subject, Totals& totals) {
 
 TEST(StableRegions, TileFacetsAndFlowToTheirLimits) {
   CITES("FC-STAB-05", "FC-VOL-01", "FC-VOL-02");
-  Totals totals;
-  bool agreed = true;
-  for (const fuzz::Family& family : fuzz::families_and_stable_ones()) {
-    const rc::Gen<fuzz::Input> generator = family.generate();
-    agreed = expect_holds("regions, " + family.name, parameters_of_run(kInputsPerFamily),
-                          [&] {
-                            const fuzz::Input input = *generator;
-                            require_right_regions(Subject(input), totals);
-                          }) &&
-             agreed;
-  }
-  std::printf("%zu inputs, %zu facets, %zu of them bounded, %zu regions, %zu points followed\n", totals.inputs,
-              totals.facets, totals.bounded, totals.regions, totals.points);
+  Totals all;
+  const bool agreed =
+      expect_in_all_families("regions", {kInputsPerFamily, kInputsPerFamily}, require_right_regions, all);
   if (agreed && scale_of_run() >= 1) {
-    EXPECT_GE(totals.inputs, 3500U);
-    EXPECT_GE(totals.bounded, 4000U);
-    EXPECT_GE(totals.regions, totals.facets + 20000);
-    EXPECT_GE(totals.points, 20000U);
+    EXPECT_GE(all.inputs, 3500U);
+    EXPECT_GE(all.bounded, 4000U);
+    EXPECT_GE(all.regions, all.facets + 20000);
+    EXPECT_GE(all.points, 20000U);
   }
 }
 

@@ -14,13 +14,11 @@
 #include <vector>
 
 #include "flowcert/unstable_surfaces.h"
-#include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/properties/stable_pieces.h"
-#include "fuzz/properties/subject.h"
 #include "oracle/unstable_surface.h"
 #include "tests/cites.h"
+#include "tests/property/family_run.h"
 #include "tests/property/orbit_subject.h"
-#include "tests/property/property_parameters.h"
 
 namespace flowcert::property {
 namespace {
@@ -32,6 +30,17 @@ constexpr std::size_t kSetsByOracle = 12;  // at most so many of an input
 struct Totals {
   std::size_t sets = 0, regular = 0, vertices = 0, traces = 0, points = 0, runs = 0, sheets = 0, unbounded = 0;
   std::size_t segments = 0, shared = 0, in_doubles = 0;
+
+  void add(const Totals& part) {
+    sets += part.sets, regular += part.regular, vertices += part.vertices, traces += part.traces;
+    points += part.points, runs += part.runs, sheets += part.sheets, unbounded += part.unbounded;
+    segments += part.segments, shared += part.shared, in_doubles += part.in_doubles;
+  }
+  void print_row(const std::string& name) const {
+    std::printf("%-24s %5zu sets, %4zu regular; %6zu vertices, %6zu traces (%4zu points, %4zu of two facets), ",
+                name.c_str(), sets, regular, vertices, traces, points, shared);
+    std::printf("%5zu runs, %6zu sheets (%5zu unbounded), %4zu segments\n", runs, sheets, unbounded, segments);
+  }
 };
 
 oracle::Corner corner_of(const SurfaceCorner& corner) { return {corner.position, corner.at_infinity}; }
@@ -245,40 +254,11 @@ void require_right_sets(const Subject& subject, Totals& totals) {
   }
 }
 
-void add(Totals& sum, const Totals& part) {
-  sum.sets += part.sets, sum.regular += part.regular, sum.vertices += part.vertices, sum.traces += part.traces;
-  sum.points += part.points, sum.runs += part.runs, sum.sheets += part.sheets, sum.unbounded += part.unbounded;
-  sum.segments += part.segments, sum.shared += part.shared;
-  sum.in_doubles += part.in_doubles;
-}
-
-void print_row(const std::string& name, const Totals& t) {
-  std::printf("%-24s %5zu sets, %4zu regular; %6zu vertices, %6zu traces (%4zu points, %4zu of two facets), ",
-              name.c_str(), t.sets, t.regular, t.vertices, t.traces, t.points, t.shared);
-  std::printf("%5zu runs, %6zu sheets (%5zu unbounded), %4zu segments\n", t.runs, t.sheets, t.unbounded, t.segments);
-}
-
 TEST(UnstableSurfaceAgreement, SetsAreTheOracles) {
   CITES("FC-UNST-04", "FC-UNST-05", "FC-UNST-06");
   Totals all;
-  bool agreed = true;
-  const auto run = [&](const std::vector<fuzz::Family>& families, int inputs) {
-    for (const fuzz::Family& family : families) {
-      Totals totals;
-      const rc::Gen<fuzz::Input> generator = family.generate();
-      agreed = expect_holds("unstable sets, " + family.name, parameters_of_run(inputs),
-                            [&] {
-                              const fuzz::Input input = *generator;
-                              require_right_sets(Subject(input), totals);
-                            }) &&
-               agreed;
-      print_row(family.name, totals);
-      add(all, totals);
-    }
-  };
-  run(fuzz::families(), kInputsPerFamily);
-  run(fuzz::stable_families(), kInputsMadeForThis);
-  print_row("all", all);
+  const bool agreed =
+      expect_in_all_families("unstable sets", {kInputsPerFamily, kInputsMadeForThis}, require_right_sets, all);
   if (agreed && scale_of_run() >= 1) {
     EXPECT_GE(all.sets, 5000U);
     EXPECT_GE(all.regular, 400U);

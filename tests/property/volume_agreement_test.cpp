@@ -11,13 +11,11 @@
 #include <vector>
 
 #include "flowcert/stable_volumes.h"
-#include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/properties/stable_pieces.h"
-#include "fuzz/properties/subject.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
+#include "tests/property/family_run.h"
 #include "tests/property/orbit_subject.h"
-#include "tests/property/property_parameters.h"
 
 namespace flowcert::property {
 namespace {
@@ -28,6 +26,20 @@ constexpr std::size_t kSetsByOracle = 30;  // at most so many of an input
 
 struct Totals {
   std::size_t inputs = 0, sets = 0, positive = 0, not_of_maxima = 0, rounded = 0, whole_hulls = 0;
+
+  void add(const Totals& part) {
+    inputs += part.inputs;
+    sets += part.sets;
+    positive += part.positive;
+    not_of_maxima += part.not_of_maxima;
+    rounded += part.rounded;
+    whole_hulls += part.whole_hulls;
+  }
+  void print_row(const std::string& name) const {
+    std::printf(
+        "%-24s %5zu inputs, %6zu sets, %5zu of positive volume, %4zu no maximum's; %4zu no doubles, %4zu hulls\n",
+        name.c_str(), inputs, sets, positive, not_of_maxima, rounded, whole_hulls);
+  }
 };
 
 std::string name_of(const StationaryPoints& stationary, std::size_t record) {
@@ -71,42 +83,11 @@ void require_right_volumes(const Subject& subject, Totals& totals) {
   ++totals.inputs;
 }
 
-void add(Totals& sum, const Totals& part) {
-  sum.inputs += part.inputs;
-  sum.sets += part.sets;
-  sum.positive += part.positive;
-  sum.not_of_maxima += part.not_of_maxima;
-  sum.rounded += part.rounded;
-  sum.whole_hulls += part.whole_hulls;
-}
-
-void print_row(const std::string& name, const Totals& totals) {
-  std::printf("%-24s %5zu inputs, %6zu sets, %5zu of positive volume, %4zu no maximum's; %4zu no doubles, %4zu hulls\n",
-              name.c_str(), totals.inputs, totals.sets, totals.positive, totals.not_of_maxima, totals.rounded,
-              totals.whole_hulls);
-}
-
 TEST(VolumeAgreement, VolumesAreTheOracles) {
   CITES("FC-VOL-01");
   Totals all;
-  bool agreed = true;
-  const auto run = [&](const std::vector<fuzz::Family>& families, int inputs) {
-    for (const fuzz::Family& family : families) {
-      Totals totals;
-      const rc::Gen<fuzz::Input> generator = family.generate();
-      agreed = expect_holds("volumes, " + family.name, parameters_of_run(inputs),
-                            [&] {
-                              const fuzz::Input input = *generator;
-                              require_right_volumes(Subject(input), totals);
-                            }) &&
-               agreed;
-      print_row(family.name, totals);
-      add(all, totals);
-    }
-  };
-  run(fuzz::families(), kInputsPerFamily);
-  run(fuzz::stable_families(), kInputsMadeForThis);
-  print_row("all", all);
+  const bool agreed =
+      expect_in_all_families("volumes", {kInputsPerFamily, kInputsMadeForThis}, require_right_volumes, all);
   if (agreed && scale_of_run() >= 1) {
     EXPECT_GE(all.inputs, 3400U);
     EXPECT_GE(all.positive, 1800U);
