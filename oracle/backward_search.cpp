@@ -50,8 +50,8 @@ Point way_back(const PointSet& set, const Point& y, const Lead& lead) {
   return meeting && *meeting < 1 ? moved(y, *meeting, way) : lead.centre;
 }
 
-// The same from the end at infinity of the ray c + t r. A sample q outside of K is as near as those of K where
-// 2 t <r, q - c> = |q - c|^2 - |p - c|^2. Behind the greatest such t, all of them are farther.
+// The end of the way back from the end at infinity of the ray c + t r. A sample q outside of K is as near as those of K
+// where 2 t <r, q - c> = |q - c|^2 - |p - c|^2. Behind the greatest such t, all of them are farther.
 Point way_back_from_infinity(const PointSet& set, const Point& r, const Lead& lead) {
   const Rational radius = squared_distance(set.points[lead.face.front()], lead.centre);
   Rational time = 0;

@@ -22,10 +22,10 @@ struct Connection {
   friend bool operator==(const Connection&, const Connection&) = default;
 };
 
-// Those of all stationary points that are not samples (FC-CONN-01, 02). They are in the order of FC-OUT-02 by `from`,
-// then by `to`, and infinity is last.
+// All connections from stationary points that are not samples (FC-CONN-01, 02). They are in the order of FC-OUT-02 by
+// `from`, then by `to`, and infinity is last. The second function is for callers that know the stationary points: `all`
+// has them in the order of FC-OUT-02.
 std::vector<Connection> connections(const PointSet& set);
-// The same, if `all` has the stationary points in the order of FC-OUT-02.
 std::vector<Connection> connections(const PointSet& set, const std::vector<StationaryPoint>& all);
 
 // FC-CONN-03.

@@ -35,7 +35,7 @@ Point between(const Corner& a, const Corner& b);
 // The part of a convex polygon that is not nearer to q than to p.
 std::vector<Corner> clipped(const std::vector<Corner>& polygon, const Point& p, const Point& q);
 
-// The same polygon, from the least corner towards the lesser of its neighbours.
+// The corners of a polygon, from the least one towards the lesser of its neighbours.
 std::vector<Corner> canonical(std::vector<Corner> polygon);
 
 }  // namespace oracle

@@ -107,7 +107,8 @@ bool in_cone_over_ray(const Point& apex, const Point& back, const Direction& fro
   return weights && (*weights)[0] > 0 && (*weights)[0] <= 1 && (*weights)[1] > 0;
 }
 
-// The same for an apex that is one of these samples, and nearest to x. `nearest` is C(x), by names.
+// Whether x is on such a segment for one of these apexes, which are samples, that is nearest to x. `nearest` is C(x),
+// by names.
 bool in_some_cone_over_ray(const PointSet& set, const std::vector<std::size_t>& nearest,
                            std::span<const std::size_t> apexes, const Point& back, const Direction& front,
                            const Point& x) {

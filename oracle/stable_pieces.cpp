@@ -172,7 +172,7 @@ std::vector<Rational> shares(const PointSet& set, const StableSet& stable) {
 }
 
 // Take the planes through the apex and the sector's sides. Inside the cone, x is strictly on one side of all of them.
-// The same holds in the opposite cone, which the height excludes.
+// Points of the opposite cone are so, too; the height excludes them.
 bool in_cone_over_sector(const Point& apex, const Point& other, const std::vector<Point>& rays, const Point& x) {
   const Point axis = minus(other, apex);
   const Rational height = dot(axis, minus(x, apex));

@@ -9,8 +9,8 @@
 
 namespace flowcert::commands {
 
-// Findings that end their process have no page, because its page would end as well. A campaign that was stopped gets its
-// pages, too.
+// Findings that end their process have no page, because its page would end as well. A campaign that was stopped gets
+// its pages, too.
 void write_finding_pages(const fuzz::Campaign& campaign);
 
 }  // namespace flowcert::commands

@@ -16,7 +16,7 @@ namespace flowcert::io {
 // With doubles alone, or without positions.
 [[nodiscard]] Json lambda_field(const StationaryPoints& stationary, const RoundedLambdaList& list, bool has_positions);
 
-// Those of one point.
+// The connections of one point.
 [[nodiscard]] Json connections_field(const StationaryPoints& stationary, const std::vector<Connection>& connections);
 
 }  // namespace flowcert::io

@@ -34,9 +34,10 @@ class BoundedDivisions {
   [[nodiscard]] const BoundedNumber& parameter(PointOfDivision point) const { return parameters_[point]; }
   // The parameter of the circumcentre of a, b, c and w, for a, b and c.
   [[nodiscard]] BoundedNumber parameter_of_sphere(VertexIndex a, VertexIndex b, VertexIndex c, VertexIndex w) const;
-  // The doubles nearest to the position of a point that is not an end at infinity. Nothing if the bounds leave one open.
+  // The doubles nearest to the position of a point that is not an end at infinity.
+  // Nothing if the bounds leave one open.
   [[nodiscard]] std::optional<Point> rounded(PointOfDivision number) const;
-  // The same for a Voronoi vertex or the centre of a polygon.
+  // The doubles nearest to a Voronoi vertex or to the centre of a polygon, or nothing.
   [[nodiscard]] std::optional<Point> rounded_face(const DivisionPoint& point) const;
   // Six times the volume of a tetrahedron, positive if its vertices have positive orientation.
   [[nodiscard]] BoundedNumber determinant(const std::array<VertexIndex, 4>& vertices) const;

@@ -23,7 +23,7 @@ class DivisionPositions {
   [[nodiscard]] RationalPoint exact(PointOfDivision point);
   // A vector is scaled so that its largest coordinate is 1 or -1. A coordinate that would overflow is an infinity.
   [[nodiscard]] Point rounded(PointOfDivision point);
-  // The same for a point that is no crossing. It need not be one of the partition.
+  // The position of a point that is no crossing. It need not be one of the partition.
   [[nodiscard]] RationalPoint exact_face(const DivisionPoint& point) const { return exact_.position_of_face(point); }
   [[nodiscard]] Point rounded_face(const DivisionPoint& point);
   // The place of the point that comes first in lexicographic order. There must be points, and no ends at infinity.

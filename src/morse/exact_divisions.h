@@ -25,7 +25,7 @@ class ExactDivisions {
   [[nodiscard]] const Rational& parameter(PointOfDivision number);
   // The position, or the vector that points to an end at infinity.
   [[nodiscard]] RationalPoint position(PointOfDivision number);
-  // The same for a point that is no crossing. It need not be one of the partition.
+  // The position of a point that is no crossing. It need not be one of the partition.
   [[nodiscard]] RationalPoint position_of_face(const DivisionPoint& point) const;
   void drop() { parameters_.clear(); }
   [[nodiscard]] std::size_t kept() const { return parameters_.size(); }

@@ -1,4 +1,5 @@
-// How Voronoi edges, and the rays of Voronoi facets, divide by where they flow to (spec clauses FC-UNST-02, FC-STAB-03).
+// How Voronoi edges, and the rays of Voronoi facets, divide by where they flow to (spec clauses FC-UNST-02 and
+// FC-STAB-03).
 //
 // Guarantees: exact. Each Voronoi edge, and each fan of rays from the midpoint of a Delaunay edge, is a list of open
 // arcs with a limit each, and of the points between them. A point between two arcs of its own limit is left out. A

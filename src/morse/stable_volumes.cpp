@@ -1,5 +1,5 @@
-// A volume is a sum of terms, one for each end of an arc. At a Voronoi vertex a term is the signed volume of the pyramid
-// from there over a facet of the cell. If all four belong to one set, they add up to the cell.
+// A volume is a sum of terms, one for each end of an arc. At a Voronoi vertex a term is the signed volume of the
+// pyramid from there over a facet of the cell. If all four belong to one set, they add up to the cell.
 #include "flowcert/stable_volumes.h"
 
 #include <algorithm>

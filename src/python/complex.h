@@ -82,8 +82,8 @@ class Complex {
   [[nodiscard]] pybind11::tuple hull_volume() const;
   // [(row, pair of ints), ...]
   [[nodiscard]] pybind11::list shares(std::size_t record) const;
-  // ([(limit, exit, is_vector), ...], [limit, ...]); limits are places or None. An exit is three pairs of ints, or three
-  // doubles. None if the point has no such list.
+  // ([(limit, exit, is_vector), ...], [limit, ...]); limits are places or None. An exit is three pairs of ints, or
+  // three doubles. None if the point has no such list.
   [[nodiscard]] pybind11::object lambda_list(std::size_t record, bool exact) const;
   [[nodiscard]] pybind11::array connections() const;
   [[nodiscard]] bool is_morse_smale() const;

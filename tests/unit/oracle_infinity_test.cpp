@@ -1,5 +1,5 @@
-// What flows to infinity, by the oracle, worked out by hand: of sets of all dimensions, with pieces that have one corner
-// at infinity or two, and what leads to these. And which shares of a stable set are in which Voronoi cells.
+// What flows to infinity, by the oracle, worked out by hand: of sets of all dimensions, with pieces that have one
+// corner at infinity or two, and what leads to these. And which shares of a stable set are in which Voronoi cells.
 #include <gtest/gtest.h>
 
 #include <algorithm>

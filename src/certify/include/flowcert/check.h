@@ -107,8 +107,8 @@ struct CheckReport {
   // [0] to [4] are for levels 1 to 5. A value is false iff a finding of its level is no variation. There is no value
   // if nothing is claimed at that level, or the level is not checked.
   std::array<std::optional<bool>, kLevels> conforms;
-  // All claimed positions, radii and volumes are exact and were judged exactly, and none was needed to find out which point is
-  // claimed. Otherwise the claim is graded approximate.
+  // All claimed positions, radii and volumes are exact and were judged exactly, and none was needed to find out which
+  // point is claimed. Otherwise the claim is graded approximate.
   bool is_exact = true;
   // Sorted by level, then line (findings without a line last), then contact.
   std::vector<Finding> findings;
@@ -191,7 +191,7 @@ std::unique_ptr<Truth> fast_truth(FlowComplex&&) = delete;
 // std::runtime_error where this thread does not compute with doubles as IEEE 754 says.
 [[nodiscard]] CheckReport check(const PointSet& points, const Claim& claim, Truth& truth,
                                 const CheckOptions& options = {});
-// The same, with fast_truth().
+// Judges by fast_truth(points).
 [[nodiscard]] CheckReport check(const PointSet& points, const Claim& claim, const CheckOptions& options = {});
 
 }  // namespace flowcert

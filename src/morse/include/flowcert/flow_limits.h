@@ -75,7 +75,7 @@ class FlowLimits {
   [[nodiscard]] std::vector<Entry> entries(std::size_t i) const;
   // The list with exact positions.
   [[nodiscard]] LambdaList list(std::size_t i) const;
-  // The same, where each position is the nearest doubles. A coordinate that would overflow is an infinity.
+  // The list with the doubles nearest to its positions. A coordinate that would overflow is an infinity.
   [[nodiscard]] RoundedLambdaList rounded_list(std::size_t i) const;
 
   // Points that separate limits on Voronoi edges.

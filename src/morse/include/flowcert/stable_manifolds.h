@@ -165,7 +165,7 @@ class StableManifolds {
 
   // The skeleton, with exact coordinates. This flows once more.
   [[nodiscard]] StableSet set(std::size_t i) const;
-  // The same for any stationary point, by its place in the list: for maxima, too. Index 0 and 1 have no pieces.
+  // The skeleton of any stationary point, by its place in the list: of maxima, too. Index 0 and 1 have no pieces.
   [[nodiscard]] StableSet set_of_record(std::size_t record) const;
   // The skeleton of infinity.
   [[nodiscard]] InfinitySet set_of_infinity() const;

@@ -2,9 +2,9 @@
 // FC-UNST-02).
 //
 // Guarantees: exact. The regions of a facet tile it. A region stands for the two pyramids over it with the facet's
-// samples as apexes. Those with one limit tile the part of its stable set that has dimension 3. Regions are convex. In a
-// facet that contains its midpoint, each is a triangle with a corner there. In another one, sectors of FC-STAB-05 that
-// lie side by side, and have one limit, are one region.
+// samples as apexes. The pyramids with one limit tile the part of its stable set that has dimension 3. Regions are
+// convex. In a facet that contains its midpoint, each is a triangle with a corner there. In another one, sectors of
+// FC-STAB-05 that lie side by side, and have one limit, are one region.
 #pragma once
 
 #include <array>
