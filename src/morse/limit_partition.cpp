@@ -64,13 +64,9 @@ void LimitPartition::divide_all_edges() {
 void LimitPartition::finish_tasks() {
   while (!tasks_.empty()) {
     const Task task = tasks_.back();
-    const std::size_t count = tasks_.size();
-    const bool is_finished = task.is_vertex ? finish_vertex(task.cell) : finish_facet(task.facet, task.cell);
-    if (is_finished) {
-      tasks_.pop_back();
-    } else if (tasks_.size() == count) {
-      throw std::logic_error("a Voronoi vertex that the facet of its driver does not reach");
-    }
+    tasks_.back().is_second_try = true;
+    const bool is_finished = task.is_vertex ? finish_vertex(task) : finish_facet(task.facet, task.cell);
+    if (is_finished) tasks_.pop_back();
   }
 }
 
@@ -88,7 +84,8 @@ bool LimitPartition::request_edge(PolygonRef polygon) {
   return false;
 }
 
-bool LimitPartition::finish_vertex(CellIndex cluster) {
+bool LimitPartition::finish_vertex(const Task& task) {
+  const CellIndex cluster = task.cell;
   if (of_vertex_[cluster] != kUnset) return true;
   const VertexFlow flow = vertex_flow(faces_.diagram(), cluster);
   if (flow.way == VertexFlow::Way::kStays) throw std::logic_error("a stationary point that is not listed");
@@ -98,14 +95,10 @@ bool LimitPartition::finish_vertex(CellIndex cluster) {
     of_vertex_[cluster] = next == kNoCell ? kInfinityLimit : of_vertex_[next];
     return true;
   }
-  if (!is_divided(flow.facet, cluster)) tasks_.push_back({false, flow.facet, cluster});
+  // The division of that facet knows all vertices of its near side.
+  if (task.is_second_try) throw std::logic_error("a Voronoi vertex that the facet of its driver does not reach");
+  tasks_.push_back({false, flow.facet, cluster});
   return false;
-}
-
-bool LimitPartition::is_divided(FacetName facet, CellIndex hint) {
-  const FacetRing ring = faces_.ring(facet, hint);
-  const ObtuseChain chain = obtuse_chain(faces_.diagram(), facet, ring, tally_);
-  return chain.count == 0 || of_edge_[ring.pieces[chain.first].packed] != kNotDivided;
 }
 
 bool LimitPartition::finish_facet(FacetName facet, CellIndex hint) {

@@ -107,13 +107,13 @@ class LimitPartition {
     bool is_vertex;
     FacetName facet;
     CellIndex cell;  // the Voronoi vertex, or a hint for the facet
+    bool is_second_try = false;
   };
 
   void note_records();
   void divide_all_edges();
   void finish_tasks();
-  [[nodiscard]] bool is_divided(FacetName facet, CellIndex hint);
-  bool finish_vertex(CellIndex cluster);
+  bool finish_vertex(const Task& task);
   bool finish_facet(FacetName facet, CellIndex hint);
   bool is_ready(const FacetRing& ring, PieceRun run);
   bool request_edge(PolygonRef polygon);
