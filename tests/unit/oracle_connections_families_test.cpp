@@ -9,13 +9,11 @@
 #include <map>
 #include <string>
 
-#include "fuzz/inputs/families.h"
-#include "fuzz/inputs/stable_configurations.h"
 #include "oracle/connections.h"
 #include "oracle/orbit.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
-#include "tests/property/property_parameters.h"
+#include "tests/unit/drawn_sets.h"
 
 namespace oracle {
 namespace {
@@ -190,18 +188,10 @@ bool has_limits_of_morse_smale(const Subject& subject) {
 
 template <typename Visit>
 void for_each_drawn(const Visit& visit) {
-  const double scale = flowcert::property::scale_of_run();
-  const std::uint64_t seeds = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(4 * scale));
-  const auto visit_drawn = [&](const flowcert::fuzz::Family& family, std::uint64_t seed, int size) {
-    SCOPED_TRACE(family.name + ", seed " + std::to_string(seed));
-    Rows rows = flowcert::fuzz::draw(family, seed, size).rows;
-    rows.resize(std::min<std::size_t>(rows.size(), scale < 1 ? 7 : 10));
-    visit(Subject(rows));
-  };
-  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-    for (const auto& family : flowcert::fuzz::families()) visit_drawn(family, seed, 12 + static_cast<int>(8 * seed));
-    for (const auto& family : flowcert::fuzz::stable_families()) visit_drawn(family, seed, 100);
-  }
+  const std::uint64_t seeds = flowcert_tests::scaled_seeds(4);
+  const std::size_t most = flowcert::property::scale_of_run() < 1 ? 7 : 10;
+  flowcert_tests::for_each_drawn_set({seeds, seeds, most},
+                                     [&](const Rows& rows, std::uint64_t) { visit(Subject(rows)); });
 }
 
 TEST(OracleConnectionsFamilies, HoldsToItsLawsInAllFamilies) {

@@ -11,13 +11,11 @@
 #include <set>
 #include <string>
 
-#include "fuzz/inputs/families.h"
-#include "fuzz/inputs/stable_configurations.h"
 #include "oracle/infinity_set.h"
 #include "oracle/orbit.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
-#include "tests/property/property_parameters.h"
+#include "tests/unit/drawn_sets.h"
 
 namespace oracle {
 namespace {
@@ -60,20 +58,15 @@ void enclose(Rows& rows) {
 
 template <typename Visit>
 void for_each_drawn(std::uint64_t seeds, bool is_enclosed, const Visit& visit) {
-  const double scale = flowcert::property::scale_of_run();
-  const auto visit_drawn = [&](const flowcert::fuzz::Family& family, std::uint64_t seed, int size) {
-    SCOPED_TRACE(family.name + ", seed " + std::to_string(seed) + (is_enclosed ? ", enclosed" : ""));
+  SCOPED_TRACE(is_enclosed ? "enclosed" : "as drawn");
+  const std::uint64_t scaled = flowcert_tests::scaled_seeds(seeds);
+  const std::size_t most = is_enclosed ? 5 : flowcert::property::scale_of_run() < 1 ? 6 : 8;
+  constexpr int kGrowth = 16;
+  flowcert_tests::for_each_drawn_set({scaled, scaled, most, kGrowth}, [&](Rows rows, std::uint64_t seed) {
     rc::Random random(seed);
-    Rows rows = flowcert::fuzz::draw(family, seed, size).rows;
-    rows.resize(std::min<std::size_t>(rows.size(), is_enclosed ? 5 : scale < 1 ? 6 : 8));
     if (is_enclosed) enclose(rows);
     if (!rows.empty()) visit(Subject(rows), random);
-  };
-  const auto scaled_seeds = static_cast<std::uint64_t>(static_cast<double>(seeds) * scale);
-  for (std::uint64_t seed = 0; seed < std::max<std::uint64_t>(1, scaled_seeds); ++seed) {
-    for (const auto& family : flowcert::fuzz::families()) visit_drawn(family, seed, 12 + static_cast<int>(16 * seed));
-    for (const auto& family : flowcert::fuzz::stable_families()) visit_drawn(family, seed, 100);
-  }
+  });
 }
 
 std::size_t below(rc::Random& random, std::size_t bound) { return static_cast<std::size_t>(random.next() % bound); }

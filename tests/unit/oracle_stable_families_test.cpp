@@ -10,12 +10,10 @@
 #include <set>
 #include <string>
 
-#include "fuzz/inputs/families.h"
-#include "fuzz/inputs/stable_configurations.h"
 #include "oracle/orbit.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
-#include "tests/property/property_parameters.h"
+#include "tests/unit/drawn_sets.h"
 
 namespace oracle {
 namespace {
@@ -53,19 +51,10 @@ std::size_t most_rows_of_run() { return flowcert::property::scale_of_run() < 1 ?
 template <typename Visit>
 void for_each_subject(std::uint64_t seeds, std::uint64_t made, const Visit& visit,
                       std::size_t most_rows = most_rows_of_run()) {
-  const auto visit_drawn = [&](const flowcert::fuzz::Family& family, std::uint64_t seed, int size) {
-    SCOPED_TRACE(family.name + ", seed " + std::to_string(seed));
+  flowcert_tests::for_each_drawn_set({seeds, made, most_rows}, [&](const Rows& rows, std::uint64_t seed) {
     rc::Random random(seed);
-    Rows rows = flowcert::fuzz::draw(family, seed, size).rows;
-    if (rows.size() > most_rows) rows.resize(most_rows);
     if (!rows.empty()) visit(Subject(rows), random);
-  };
-  for (const flowcert::fuzz::Family& family : flowcert::fuzz::families()) {
-    for (std::uint64_t seed = 0; seed < seeds; ++seed) visit_drawn(family, seed, 12 + static_cast<int>(8 * seed));
-  }
-  for (const flowcert::fuzz::Family& family : flowcert::fuzz::stable_families()) {
-    for (std::uint64_t seed = 0; seed < made; ++seed) visit_drawn(family, seed, 100);
-  }
+  });
 }
 
 // A random point in the relative interior of the points' convex hull.

@@ -9,13 +9,11 @@
 #include <map>
 #include <string>
 
-#include "fuzz/inputs/families.h"
-#include "fuzz/inputs/stable_configurations.h"
 #include "oracle/orbit.h"
 #include "oracle/stable_set.h"
 #include "oracle/unstable_set.h"
 #include "tests/cites.h"
-#include "tests/property/property_parameters.h"
+#include "tests/unit/drawn_sets.h"
 
 namespace oracle {
 namespace {
@@ -256,23 +254,10 @@ TEST(OracleUnstableFamilies, ListsAreWhatTheSearchAgainstTheFlowFinds) {
   CITES("FC-UNST-01", "FC-UNST-02", "FC-UNST-03");
   const double scale = flowcert::property::scale_of_run();
   Count count;
-  const auto try_drawn = [&](const flowcert::fuzz::Family& family, std::uint64_t seed, int size) {
-    SCOPED_TRACE(family.name + ", seed " + std::to_string(seed));
-    Rows rows = flowcert::fuzz::draw(family, seed, size).rows;
-    const std::size_t most = scale < 1 ? 7 : 10;
-    if (rows.size() > most) rows.resize(most);
+  const std::uint64_t seeds = flowcert_tests::scaled_seeds(5);
+  flowcert_tests::for_each_drawn_set({seeds, seeds, scale < 1 ? 7U : 10U}, [&](const Rows& rows, std::uint64_t) {
     if (!rows.empty()) expect_agreement(Subject(rows), count);
-  };
-  for (const auto& family : flowcert::fuzz::families()) {
-    for (std::uint64_t seed = 0; seed < std::max<std::uint64_t>(1, static_cast<std::uint64_t>(5 * scale)); ++seed) {
-      try_drawn(family, seed, 12 + static_cast<int>(8 * seed));
-    }
-  }
-  for (const auto& family : flowcert::fuzz::stable_families()) {
-    for (std::uint64_t seed = 0; seed < std::max<std::uint64_t>(1, static_cast<std::uint64_t>(5 * scale)); ++seed) {
-      try_drawn(family, seed, 100);
-    }
-  }
+  });
   EXPECT_GT(count.directions, 100 * scale);
   EXPECT_GT(count.arcs, 100 * scale);
   EXPECT_GT(count.lists, 100 * scale);

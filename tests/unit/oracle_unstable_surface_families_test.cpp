@@ -10,13 +10,11 @@
 #include <random>
 #include <string>
 
-#include "fuzz/inputs/families.h"
-#include "fuzz/inputs/stable_configurations.h"
 #include "oracle/backward_search.h"
 #include "oracle/orbit.h"
 #include "oracle/unstable_surface.h"
 #include "tests/cites.h"
-#include "tests/property/property_parameters.h"
+#include "tests/unit/drawn_sets.h"
 
 namespace oracle {
 namespace {
@@ -154,20 +152,10 @@ TEST(OracleUnstableSurfaceFamilies, PointsAreInASetIffTheSearchAgainstTheFlowCom
   CITES("FC-UNST-04", "FC-UNST-05", "FC-UNST-06");
   const double scale = flowcert::property::scale_of_run();
   Count count;
-  const auto try_drawn = [&](const flowcert::fuzz::Family& family, std::uint64_t seed, int size) {
-    SCOPED_TRACE(family.name + ", seed " + std::to_string(seed));
-    Rows rows = flowcert::fuzz::draw(family, seed, size).rows;
-    const std::size_t most = scale < 1 ? 7 : 10;
-    if (rows.size() > most) rows.resize(most);
+  const std::uint64_t seeds = flowcert_tests::scaled_seeds(3);
+  flowcert_tests::for_each_drawn_set({seeds, seeds, scale < 1 ? 7U : 10U}, [&](const Rows& rows, std::uint64_t seed) {
     if (!rows.empty()) expect_agreement(rows, static_cast<unsigned>(seed), count);
-  };
-  const auto seeds = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(3 * scale));
-  for (const auto& family : flowcert::fuzz::families()) {
-    for (std::uint64_t seed = 0; seed < seeds; ++seed) try_drawn(family, seed, 12 + static_cast<int>(8 * seed));
-  }
-  for (const auto& family : flowcert::fuzz::stable_families()) {
-    for (std::uint64_t seed = 0; seed < seeds; ++seed) try_drawn(family, seed, 100);
-  }
+  });
   EXPECT_GT(count.sets, 300 * scale);
   EXPECT_GT(count.runs, 50 * scale);
   EXPECT_GT(count.segments, 15 * scale);

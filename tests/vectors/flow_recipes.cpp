@@ -9,40 +9,21 @@ namespace oracle::vectors {
 
 namespace {
 
-const Rows kAcute = {{0, 0, 0}, {4, 0, 0}, {1, 3, 0}};
-const Rows kObtuseBelow = {{0, 0, 0}, {8, 0, 0}, {4, 7, 0}, {4, -2, 0}};
-const Rows kRightTriangle = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
-const Rows kTetrahedron = {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}};
-const Rows kKind23 = {{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}};
-const Rows kKind13 = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-const Rows kUnmergedFaces = {{0, 0, 1}, {1, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}};
-const Rows kSquareAndPoint = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 3}};
-const Rows kPyramid = {{5, 0, 0}, {3, 4, 0}, {-4, 3, 0}, {-4, -3, 0}, {0, -5, 0}, {0, 0, 7}};
-const Rows kPrism = {{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {5, 0, 6}, {-3, 4, 6}, {-3, -4, 6}};
 const Rows kKite = {{0, 0, 0}, {25, 0, 0}, {9, 12, 0}, {9, -12, 0}};
-// The boundary of the maximum's boundary is zero for some ways of breaking its ties, and not for others.
-const Rows kTieInTheComplex = {{0, 5, 0}, {-3, 0, -2}, {3, 0, -2}, {0, 0, 12}, {0, -5, 0}};
 // A path of FC-CHAIN-02 goes on from one Voronoi vertex to the next.
 const Rows kThroughTwoVertices = {{-1, 2, 1}, {2, 2, -1}, {0, -1, 0}, {-1, 0, 1}, {2, 0, 0}, {-1, 0, 0}};
 const Rows kThroughTwoMore = {{-2, -2, 1}, {-3, 0, 1}, {-1, 2, 2}, {-2, -1, 2}, {1, 2, -1}, {-1, -2, 2}, {0, -3, 0}};
 
 // The cases that both groups begin with.
 void add_by_hand(GroupWriter& cases) {
-  cases.given(1, "no point", "", {});
-  cases.given(2, "one point, twice", "", {{1, 2, 3}, {1, 2, 3}});
-  cases.given(3, "two points", "", {{0, 0, 0}, {1, 0, 0}});
-  cases.given(4, "four points of a line", "", {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {5, 5, 5}});
-  cases.given(5, "an acute triangle", "", kAcute);
-  cases.given(6, "an obtuse triangle below an acute one", "", kObtuseBelow);
-  cases.given(7, "a right triangle: kind 1-2", "right-angle", kRightTriangle);
-  cases.given(8, "a square", "cocircular", grid(2, 2, 1));
+  add_first_cases(cases);
   cases.given(9, "a kite with two right angles", "cocircular right-angle", kKite);
   cases.given(10, "a regular tetrahedron", "", kTetrahedron);
   cases.given(11, "the centre of a sphere inside one of four triangles: kind 2-3", "", kKind23);
   cases.given(12, "an edge through the centre of a sphere: kind 1-3", "right-angle", kKind13);
   cases.given(13, "a square and a point above its centre", "", kSquareAndPoint);
   cases.given(14, "the faces of a cospherical cluster, to be merged", "cospherical right-angle", kUnmergedFaces);
-  cases.given(15, "a pyramid over a pentagon of a circle", "cocircular", kPyramid);
+  cases.given(15, "a pyramid over a pentagon of a circle", "cocircular", kPentagonPyramid);
   cases.given(16, "a prism over a triangle", "cospherical cocircular", kPrism);
   cases.given(17, "the octahedron", "cospherical", sphere(1));
   cases.given(18, "the octahedron and its centre", "right-angle", joined(sphere(1), {{0, 0, 0}}));
@@ -171,12 +152,12 @@ Group unstable_manifolds() {
   GroupWriter cases("unstable-manifolds", "Where the two orbits of U2 of each critical point of index 2 end",
                     "FC-CRIT-02 FC-FLOW-05 FC-FLOW-07 FC-FLOW-08");
   cases.with_limits();
-  cases.given(1, "an acute triangle: both orbits go to infinity", "", {{0, 0, 0}, {4, 0, 0}, {1, 3, 0}});
-  cases.given(2, "a regular tetrahedron", "", {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}});
+  cases.given(1, "an acute triangle: both orbits go to infinity", "", kAcuteTriangle);
+  cases.given(2, "a regular tetrahedron", "", kTetrahedron);
   cases.given(3, "two cubes with a common face", "lattice cospherical", grid(2, 2, 3));
   cases.given(4, "the octahedron", "cospherical", sphere(1));
-  cases.given(5, "four points with a maximum of kind 2-3", "", {{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}});
-  cases.given(6, "a square and a point above its centre", "", {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 3}});
+  cases.given(5, "four points with a maximum of kind 2-3", "", kKind23);
+  cases.given(6, "a square and a point above its centre", "", kSquareAndPoint);
   cases.drawn(7, "general-position", 100, seeds(4));
   cases.drawn(11, "lattice-3", 100, seeds(4));
   cases.drawn(15, "box-corners", 100, seeds(3));
@@ -205,12 +186,11 @@ Group unstable_manifolds() {
 
 // Adds the orbits that tests/unit works out by hand, and others whose comment says where they go.
 void add_orbits_by_hand(GroupWriter& cases) {
-  const Rows tetrahedron = {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}};
   cases.given(1, "one point: its orbits go to infinity, or stay", "", {{0, 0, 0}});
   cases.start_from(positions({"0 0 0", "1/3 0 -1/2"}));
   cases.given(2, "two points: from a cell, from the facet, from the saddle", "", {{0, 0, 0}, {1, 0, 0}});
   cases.start_from(positions({"1/4 0 0", "1/4 1 0", "1/2 1/3 0", "1/2 0 0", "-1 0 0"}));
-  cases.given(3, "a regular tetrahedron: straight to the maximum, and onto facet, edge and vertex", "", tetrahedron);
+  cases.given(3, "a regular tetrahedron: straight to the maximum, and onto facet, edge and vertex", "", kTetrahedron);
   cases.start_from(positions({"1/8 1/8 1/8", "1/8 1/8 0", "1/3 1/4 1/8", "1/2 1/2 1/2"}));
   cases.given(4, "a right triangle: along the line over the middle of the hypotenuse", "right-angle",
               {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}});
@@ -221,7 +201,7 @@ void add_orbits_by_hand(GroupWriter& cases) {
   cases.given(6, "a boundary degenerate flow: a right angle sends it along the edge", "right-angle",
               {{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 3}});
   cases.start_from(positions({"0 0 1", "0 0 1/2", "0 0 0", "0 0 4/3"}));
-  cases.given(7, "a square and a point above its centre", "", {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 3}});
+  cases.given(7, "a square and a point above its centre", "", kSquareAndPoint);
   cases.start_from(positions({"1/2 1/4 1/2", "1 1 1/2", "1 1 -1", "1 1/2 1"}));
   cases.given(8, "the cube: centre, faces, edges, corners, and outside", "cospherical", grid(2, 2, 2));
   cases.start_from(positions(

@@ -76,18 +76,10 @@ const char* aims_of(const std::string& family) {
   throw std::logic_error("what does the family " + family + " aim at?");
 }
 
-const Rows kTetrahedron = {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}};
-const Rows kRightTriangle = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
-const Rows kKind23 = {{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}};
-const Rows kKind13 = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-const Rows kUnmergedFaces = {{0, 0, 1}, {1, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}};
-const Rows kSquareAndPoint = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 3}};
-const Rows kPrism = {{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {5, 0, 6}, {-3, 4, 6}, {-3, -4, 6}};
-
 Group critical_points() {
   GroupWriter cases("critical-points", "Critical points of all indices", "FC-CRIT-02 FC-CRIT-05 FC-INV-01");
   cases.given(1, "two points", "", {{0, 0, 0}, {1, 0, 0}});
-  cases.given(2, "an acute triangle", "", {{0, 0, 0}, {4, 0, 0}, {1, 3, 0}});
+  cases.given(2, "an acute triangle", "", kAcuteTriangle);
   cases.given(3, "an obtuse triangle", "", {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}});
   cases.given(4, "a regular tetrahedron", "", kTetrahedron);
   cases.given(5, "a tetrahedron without a maximum: its circumcentre is outside", "",
@@ -123,7 +115,7 @@ Group regular_stationary_points() {
   cases.given(4, "counting the faces of any one triangulation strictly gives a wrong Euler sum",
               "cospherical right-angle", kUnmergedFaces);
   cases.given(5, "right angles and cocircular points in several places, none of them stationary", "right-angle",
-              {{0, 5, 0}, {-3, 0, -2}, {3, 0, -2}, {0, 0, 12}, {0, -5, 0}});
+              kTieInTheComplex);
   cases.given(6, "a Voronoi vertex driven by the midpoint of the first and the last point", "right-angle",
               {{1, 2, 2}, {0, 2, 1}, {1, 2, 0}, {0, 1, 0}});
   cases.given(7, "half of the cuboctahedron: a square through the centre of the sphere", "cospherical",
@@ -321,6 +313,17 @@ void GroupWriter::threefold(std::size_t first, const std::string& comment, const
   given(first, comment, "exact-of-three", points);
   given(first + 1, comment + ", a coordinate one ulp up", "one-ulp", nudged(points, row, axis, 1));
   given(first + 2, comment + ", a coordinate one ulp down", "one-ulp", nudged(points, row, axis, -1));
+}
+
+void add_first_cases(GroupWriter& cases) {
+  cases.given(1, "no point", "", {});
+  cases.given(2, "one point, twice", "", {{1, 2, 3}, {1, 2, 3}});
+  cases.given(3, "two points", "", {{0, 0, 0}, {1, 0, 0}});
+  cases.given(4, "four points of a line", "", {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {5, 5, 5}});
+  cases.given(5, "an acute triangle", "", kAcuteTriangle);
+  cases.given(6, "an obtuse triangle below an acute one", "", {{0, 0, 0}, {8, 0, 0}, {4, 7, 0}, {4, -2, 0}});
+  cases.given(7, "a right triangle: kind 1-2", "right-angle", kRightTriangle);
+  cases.given(8, "a square", "cocircular", grid(2, 2, 1));
 }
 
 void add_stationary_groups(std::vector<Group>& table) {

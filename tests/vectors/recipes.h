@@ -106,4 +106,7 @@ class GroupWriter {
   std::size_t own_starts_ = 0;
 };
 
+// Adds the cases 1 to 8 that several groups begin with.
+void add_first_cases(GroupWriter& cases);
+
 }  // namespace oracle::vectors

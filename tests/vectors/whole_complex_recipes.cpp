@@ -6,41 +6,26 @@ namespace oracle::vectors {
 
 namespace {
 
-const Rows kTetrahedron = {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}};
-const Rows kRightTriangle = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
-const Rows kSquarePyramid = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 3}};
 const Rows kHalfOctahedron = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
-const Rows kKind23 = {{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}};
-const Rows kKind13 = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-const Rows kPentagonPyramid = {{5, 0, 0}, {3, 4, 0}, {-4, 3, 0}, {-4, -3, 0}, {0, -5, 0}, {0, 0, 7}};
-const Rows kPrism = {{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {5, 0, 6}, {-3, 4, 6}, {-3, -4, 6}};
 // Two regular stationary points of kind 1-3, each with the volume 1/6.
 const Rows kChain = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {2, 1, 1}};
-// The orbit from {0,1,2} ends at {0,3,4}, whose stable set has the volume 50 of the hull's 140.
-const Rows kSaddleToSaddle = {{0, 5, 0}, {-3, 0, -2}, {3, 0, -2}, {0, 0, 12}, {0, -5, 0}};
 // Two orbits from {0,1} to {4,5,6} meet before they come there.
 const Rows kTwoOrbits = {{0, 0, 0}, {-10, 0, 0}, {-11, 30, 0}, {-11, -30, 0}, {69, 90, 0}, {69, -90, 0}, {300, 0, 0}};
 
 // The cases that all three groups begin with.
 void add_named(GroupWriter& cases) {
-  cases.given(1, "no point", "", {});
-  cases.given(2, "one point, twice", "", {{1, 2, 3}, {1, 2, 3}});
-  cases.given(3, "two points", "", {{0, 0, 0}, {1, 0, 0}});
-  cases.given(4, "four points of a line", "", {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {5, 5, 5}});
-  cases.given(5, "an acute triangle", "", {{0, 0, 0}, {4, 0, 0}, {1, 3, 0}});
-  cases.given(6, "an obtuse triangle below an acute one", "", {{0, 0, 0}, {8, 0, 0}, {4, 7, 0}, {4, -2, 0}});
-  cases.given(7, "a right triangle: kind 1-2", "right-angle", kRightTriangle);
-  cases.given(8, "a square", "cocircular", grid(2, 2, 1));
+  add_first_cases(cases);
   cases.given(9, "a square of 9 points", "lattice cocircular", grid(3, 3, 1));
   cases.given(10, "a regular tetrahedron", "", kTetrahedron);
   cases.given(11, "a tetrahedron without a maximum: its circumcentre is outside", "",
               {{0, 0, 0}, {6, 0, 0}, {2, 5, 0}, {2, 2, 1}});
   cases.given(12, "the cube", "cospherical cocircular", grid(2, 2, 2));
   cases.given(13, "the octahedron", "cospherical", sphere(1));
-  cases.given(14, "a square pyramid whose apex is as high as 3/2 of an edge", "", kSquarePyramid);
+  cases.given(14, "a square pyramid whose apex is as high as 3/2 of an edge", "", kSquareAndPoint);
   cases.given(15, "half of the octahedron: kind 2-3", "cospherical", kHalfOctahedron);
   cases.given(16, "a chain of unit steps: two tetrahedra of volume 1/6, both of kind 1-3", "right-angle", kChain);
-  cases.given(17, "an orbit from index 2 to index 2, whose stable set has dimension 3", "right-angle", kSaddleToSaddle);
+  cases.given(17, "an orbit from index 2 to index 2, whose stable set has dimension 3", "right-angle",
+              kTieInTheComplex);
   cases.given(18, "two orbits from one point to another that meet on their way", "", kTwoOrbits);
   cases.given(19, "the centre of a sphere inside one of four triangles: kind 2-3", "", kKind23);
   cases.given(20, "an edge through the centre of a sphere: kind 1-3", "right-angle", kKind13);
