@@ -1,6 +1,9 @@
 // The account; see account_of_parts.h for what it guarantees.
 #include "fuzz/properties/account_of_parts.h"
 
+#include <bit>
+#include <cstdint>
+
 #include "flowcert/persistence.h"
 #include "flowcert/stable_manifolds.h"
 #include "flowcert/unstable_manifolds.h"
@@ -58,6 +61,8 @@ std::string account_of_parts(const FlowComplex& complex) {
   for (const PersistencePair& pair : complex.persistence().pairs()) {
     add(pair.birth), add(pair.death.value_or(points.size()));
   }
+  for (std::size_t i = 0; i < points.size(); ++i) add(std::bit_cast<std::uint64_t>(complex.volumes().nearest(i)));
+  add(complex.volumes().decided_exactly());
   return text;
 }
 

@@ -23,7 +23,7 @@ namespace {
 // The others are not interrupted, and this file tells when they are made.
 bool tells_by_itself(FlowComplexPart part) {
   return part == FlowComplexPart::kTriangulation || part == FlowComplexPart::kUnstable ||
-         part == FlowComplexPart::kStable;
+         part == FlowComplexPart::kStable || part == FlowComplexPart::kLimits || part == FlowComplexPart::kVolumes;
 }
 
 }  // namespace
@@ -137,13 +137,11 @@ void FlowComplex::make(FlowComplexPart part) const {
       break;
     case FlowComplexPart::kLimits:
       make(FlowComplexPart::kStationary);
-      if (progress) progress(0, 1);
-      all.limits.emplace(*all.diagram, *all.stationary, all.options.flow);
+      all.limits.emplace(*all.diagram, *all.stationary, all.options.flow, progress);
       break;
     case FlowComplexPart::kVolumes:
       make(FlowComplexPart::kLimits);
-      if (progress) progress(0, 1);
-      all.volumes.emplace(*all.diagram, *all.stationary, *all.limits);
+      all.volumes.emplace(*all.diagram, *all.stationary, *all.limits, all.options.threads, progress);
       break;
     case FlowComplexPart::kUnstableSurfaces:
       make(FlowComplexPart::kStationary);

@@ -10,16 +10,36 @@
 #include "morse/division_positions.h"
 #include "morse/limit_partition.h"
 #include "morse/polygon_turn.h"
+#include "voronoi/each_polygon.h"
 
 namespace flowcert {
 
 using namespace morse;
 
-struct FlowLimits::Parts {
-  Parts(const VoronoiDiagram& voronoi, const StationaryPoints& list, const FlowOptions& options)
-      : diagram(voronoi), stationary(list), partition(voronoi, list, options) {}
+namespace {
 
-  void make_lists();
+constexpr std::size_t kListsBetweenTellings = 1024;
+
+}  // namespace
+
+struct FlowLimits::Parts {
+  Parts(const VoronoiDiagram& voronoi, const StationaryPoints& list, const FlowOptions& options,
+        const Progress& progress)
+      : diagram(voronoi),
+        stationary(list),
+        edges(progress ? edges_of(voronoi) : 0),
+        partition(voronoi, list, options, progress_of_edges(progress)) {}
+
+  [[nodiscard]] static std::size_t edges_of(const VoronoiDiagram& voronoi) {
+    std::size_t count = 0;
+    for_each_polygon(voronoi.faces(), [&count](PolygonRef) { ++count; });
+    return count;
+  }
+  [[nodiscard]] LimitPartition::Progress progress_of_edges(const Progress& progress) const {
+    if (!progress) return {};
+    return [this, &progress](std::size_t divided) { progress(divided, edges + stationary.size()); };
+  }
+  void make_lists(const Progress& progress);
   void turn_by_names(std::size_t record, std::vector<Division>& list) const;
   [[nodiscard]] std::span<const Division> entries(std::size_t i) const {
     FLOWCERT_REQUIRES(i < records.size());
@@ -38,6 +58,7 @@ struct FlowLimits::Parts {
 
   const VoronoiDiagram& diagram;
   const StationaryPoints& stationary;
+  std::size_t edges;  // for the progress alone
   LimitPartition partition;
   std::vector<std::uint32_t> records;
   std::vector<std::size_t> first{0};
@@ -64,9 +85,11 @@ void FlowLimits::Parts::turn_by_names(std::size_t record, std::vector<Division>&
   if (!has_turn(diagram.faces(), edge_of_record(stationary, record), samples)) std::swap(list.front(), list.back());
 }
 
-void FlowLimits::Parts::make_lists() {
+void FlowLimits::Parts::make_lists(const Progress& progress) {
+  const std::size_t total = edges + stationary.size();
   std::vector<Division> list;
   for (std::size_t record = 0; record < stationary.size(); ++record) {
+    if (progress && record % kListsBetweenTellings == 0) progress(edges + record, total);
     const unsigned face = stationary.index(record).face_dimension;
     if (face != 1 && face != 2) continue;
     partition.directions(record, list);
@@ -75,11 +98,13 @@ void FlowLimits::Parts::make_lists() {
     divisions.insert(divisions.end(), list.begin(), list.end());
     first.push_back(divisions.size());
   }
+  if (progress) progress(total, total);
 }
 
-FlowLimits::FlowLimits(const VoronoiDiagram& diagram, const StationaryPoints& stationary, FlowOptions options)
-    : parts_(std::make_unique<Parts>(diagram, stationary, options)) {
-  parts_->make_lists();
+FlowLimits::FlowLimits(const VoronoiDiagram& diagram, const StationaryPoints& stationary, FlowOptions options,
+                       const Progress& progress)
+    : parts_(std::make_unique<Parts>(diagram, stationary, options, progress)) {
+  parts_->make_lists(progress);
 }
 FlowLimits::~FlowLimits() = default;
 FlowLimits::FlowLimits(FlowLimits&&) noexcept = default;

@@ -13,8 +13,14 @@
 
 namespace flowcert::morse {
 
+namespace {
+
+constexpr std::size_t kEdgesBetweenTellings = 1024;
+
+}  // namespace
+
 LimitPartition::LimitPartition(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
-                               const FlowOptions& options)
+                               const FlowOptions& options, const Progress& progress)
     : stationary_(stationary),
       points_of_input_(diagram.points()),
       vertex_of_(vertices_by_ordinal(diagram.faces().delaunay())),
@@ -24,7 +30,7 @@ LimitPartition::LimitPartition(const VoronoiDiagram& diagram, const StationaryPo
       walk_(faces_, *flow_, gabriel_) {
   if (faces_.dimension() < 2) return;
   note_records();
-  divide_all_edges();
+  divide_all_edges(progress);
   walk_.clear();
   fronts_ = {};
 }
@@ -48,21 +54,26 @@ void LimitPartition::note_records() {
 
 // ---- The order of work ----
 
-void LimitPartition::divide_all_edges() {
-  for_each_polygon(faces_.diagram(), [this](PolygonRef polygon) {
-    while (!request_edge(polygon)) finish_tasks();
+void LimitPartition::divide_all_edges(const Progress& progress) {
+  for_each_polygon(faces_.diagram(), [&](PolygonRef polygon) {
+    while (!request_edge(polygon)) finish_tasks(progress);
   });
   if (faces_.dimension() < 3) return;
   // Some Voronoi vertices are at the ends of no edge whose division needed them.
   for (CellIndex cell = 0; cell < faces_.delaunay().finite_count; ++cell) {
     if (faces_.complex().cluster(cell) != cell) continue;
-    while (!request_vertex(cell)) finish_tasks();
+    while (!request_vertex(cell)) finish_tasks(progress);
   }
 }
 
-// A task that is not finished has asked for others, which come first.
-void LimitPartition::finish_tasks() {
+// A task that is not finished has asked for others, which come first. The first edge may ask for all the others, so
+// progress is told here.
+void LimitPartition::finish_tasks(const Progress& progress) {
   while (!tasks_.empty()) {
+    if (progress && divided_ >= told_) {
+      progress(divided_);
+      told_ = divided_ + kEdgesBetweenTellings;
+    }
     const Task task = tasks_.back();
     tasks_.back().is_second_try = true;
     const bool is_finished = task.is_vertex ? finish_vertex(task) : finish_facet(task.facet, task.cell);
@@ -160,6 +171,7 @@ bool LimitPartition::divide_along(PolygonRef polygon) {
 
 void LimitPartition::store(PolygonRef polygon, bool is_reversed) {
   if (is_reversed) std::ranges::reverse(slice_);
+  ++divided_;
   of_edge_[RingPiece::pack(polygon)] = static_cast<std::uint32_t>(divisions_.size());
   divisions_.push_back({static_cast<Limit>(slice_.size())});
   divisions_.insert(divisions_.end(), slice_.begin(), slice_.end());

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -63,8 +64,12 @@ struct PieceRun {
 
 class LimitPartition {
  public:
-  // All must outlive it. It divides everything at once.
-  LimitPartition(const VoronoiDiagram& diagram, const StationaryPoints& stationary, const FlowOptions& options);
+  // Told now and then how many Voronoi edges are divided. It may throw to stop.
+  using Progress = std::function<void(std::size_t divided)>;
+
+  // The diagram and the list must outlive it. It divides everything at once.
+  LimitPartition(const VoronoiDiagram& diagram, const StationaryPoints& stationary, const FlowOptions& options,
+                 const Progress& progress = {});
 
   // Dimension 3 only.
   [[nodiscard]] Limit limit_of_vertex(CellIndex cluster) const { return of_vertex_[cluster]; }
@@ -111,8 +116,8 @@ class LimitPartition {
   };
 
   void note_records();
-  void divide_all_edges();
-  void finish_tasks();
+  void divide_all_edges(const Progress& progress);
+  void finish_tasks(const Progress& progress);
   bool finish_vertex(const Task& task);
   bool finish_facet(FacetName facet, CellIndex hint);
   bool is_ready(const FacetRing& ring, PieceRun run);
@@ -161,6 +166,7 @@ class LimitPartition {
   std::vector<Task> tasks_;
   std::vector<FanEntry> fan_;
   std::vector<Division> slice_;
+  std::size_t divided_ = 0, told_ = 0;  // edges
 };
 
 }  // namespace flowcert::morse

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <optional>
@@ -11,6 +12,7 @@
 
 #include "flowcert/rounded_sphere.h"
 #include "geometry/contract.h"
+#include "geometry/portions.h"
 #include "morse/bounded_divisions.h"
 #include "morse/exact_divisions.h"
 #include "morse/limit_partition.h"
@@ -24,6 +26,9 @@ using namespace morse;
 namespace {
 
 using RationalVector = Vector3<Rational>;
+
+// Few, because the exact volumes of a portion can take long.
+constexpr std::size_t kVolumesAtATime = geometry::portion_size(32);
 
 // Sums of neighbours first, so that long numbers are few.
 Rational total(std::span<const Rational> terms) {
@@ -60,7 +65,7 @@ struct StableVolumes::Parts {
   void gather_terms();
   void gather_cell(CellIndex cell, std::vector<VolumeTerm>& found) const;
   void gather_points(PolygonRef polygon, std::vector<VolumeTerm>& found) const;
-  void round_all();
+  void round_all(unsigned threads, const Progress& progress);
   void compute_hull();
 
   [[nodiscard]] std::span<const VolumeTerm> terms_of(std::size_t record) const {
@@ -89,7 +94,7 @@ struct StableVolumes::Parts {
   std::vector<std::size_t> first;  // of a record's
   std::vector<double> doubles;
   Rational hull = 0;
-  std::size_t decided_exactly = 0;
+  std::atomic<std::size_t> decided_exactly = 0;
   std::mutex mutex;  // of what follows
   std::optional<ExactDivisions> divisions;
 };
@@ -192,17 +197,19 @@ std::optional<double> StableVolumes::Parts::rounded(const BoundedDivisions& divi
   return is_normal ? std::optional(volume) : std::nullopt;
 }
 
-void StableVolumes::Parts::round_all() {
+void StableVolumes::Parts::round_all(unsigned threads, const Progress& progress) {
   const BoundedDivisions bounded_divisions(diagram, partition);
-  for (std::size_t record = 0; record < doubles.size(); ++record) {
-    if (terms_of(record).empty()) continue;
+  geometry::Portions::Progress tell;
+  if (progress) tell = [&](std::size_t begun) { progress(begun, doubles.size()); };
+  geometry::in_portions(threads, doubles.size(), kVolumesAtATime, tell, [&](std::size_t, std::size_t record) {
+    if (terms_of(record).empty()) return;
     if (const auto volume = rounded(bounded_divisions, record)) {
       doubles[record] = *volume;
     } else {
       ++decided_exactly;
       doubles[record] = nearest_or_infinity(exact(record));
     }
-  }
+  });
 }
 
 // ---- Exactly ----
@@ -306,12 +313,14 @@ void StableVolumes::Parts::add_shares(const VolumeTerm& term, std::vector<std::p
 // ---- The class ----
 
 StableVolumes::StableVolumes(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
-                             const FlowLimits& limits)
+                             const FlowLimits& limits, unsigned threads, const Progress& progress)
     : parts_(std::make_unique<Parts>(diagram, stationary, limits)) {
-  if (diagram.dimension() < 3) return;
-  parts_->gather_terms();
-  parts_->round_all();
-  parts_->compute_hull();
+  if (diagram.dimension() == 3) {
+    parts_->gather_terms();
+    parts_->round_all(threads, progress);
+    parts_->compute_hull();
+  }
+  if (progress) progress(stationary.size(), stationary.size());
 }
 StableVolumes::~StableVolumes() = default;
 StableVolumes::StableVolumes(StableVolumes&&) noexcept = default;

@@ -129,6 +129,14 @@ TEST(Progress, OfPersistence) {
   expect_shown_and_gone(seen, " s");
 }
 
+TEST(Progress, OfTheWholeComplex) {
+  const Scratch scratch;
+  const Seen seen = long_run(8000, 2, [&](std::size_t count) {
+    return Words{FLOWCERT_PROGRAM, "compute", scratch.file("a.xyz", random_points(count)), "--manifolds", "all"};
+  });
+  expect_shown_and_gone(seen, " s");
+}
+
 TEST(Progress, OfACheck) {
   const Scratch scratch;
   const Seen seen = long_run(4000, 2, [&](std::size_t count) {

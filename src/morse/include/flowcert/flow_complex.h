@@ -50,7 +50,7 @@ inline constexpr std::size_t kFlowComplexParts = 10;
 
 class FlowComplex {
  public:
-  // Each part tells at last that all of it is done. Chains and the parts after them also tell that they begin.
+  // Each part tells at last that all of it is done. Chains, persistence and unstable surfaces also tell that they begin.
   // All other parts tell now and then how much is done, from any of the threads that make them, one at a time. Two
   // threads call it at once if they make different parts. It may throw to stop; the part is then made when it is asked
   // for again. It must not ask the complex for anything.

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -51,11 +52,15 @@ struct RoundedLambdaList {
 // Const access is safe from several threads.
 class FlowLimits {
  public:
+  // It is told now and then how many Voronoi edges and stationary points are done, and may throw to stop.
+  using Progress = std::function<void(std::size_t done, std::size_t total)>;
+
   // stationary is the list of the same diagram. Both must outlive this. The time is in proportion to the faces and to
-  // the points that separate limits on them.
-  FlowLimits(const VoronoiDiagram& diagram, const StationaryPoints& stationary, FlowOptions options = {});
-  FlowLimits(const VoronoiDiagram&, StationaryPoints&&, FlowOptions = {}) = delete;
-  FlowLimits(VoronoiDiagram&&, const StationaryPoints&, FlowOptions = {}) = delete;
+  // the points that separate limits on them. One thread makes it, because each face waits for those that it flows to.
+  FlowLimits(const VoronoiDiagram& diagram, const StationaryPoints& stationary, FlowOptions options = {},
+             const Progress& progress = {});
+  FlowLimits(const VoronoiDiagram&, StationaryPoints&&, FlowOptions = {}, const Progress& = {}) = delete;
+  FlowLimits(VoronoiDiagram&&, const StationaryPoints&, FlowOptions = {}, const Progress& = {}) = delete;
   ~FlowLimits();
   FlowLimits(FlowLimits&&) noexcept;
   FlowLimits& operator=(FlowLimits&&) noexcept;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -20,9 +21,15 @@ namespace flowcert {
 // Const access is safe from several threads.
 class StableVolumes {
  public:
-  // All must outlive this. O(cells and points of division), and what exact numbers take where doubles do not suffice.
-  StableVolumes(const VoronoiDiagram& diagram, const StationaryPoints& stationary, const FlowLimits& limits);
-  StableVolumes(const VoronoiDiagram&, StationaryPoints&&, const FlowLimits&) = delete;
+  // It is told now and then how many stationary points are done, by one thread at a time, and may throw to stop.
+  using Progress = std::function<void(std::size_t done, std::size_t total)>;
+
+  // The first three must outlive this. O(cells and points of division), and what exact numbers take where doubles do
+  // not suffice. So many threads round, at least 1; one at a time computes exactly.
+  StableVolumes(const VoronoiDiagram& diagram, const StationaryPoints& stationary, const FlowLimits& limits,
+                unsigned threads = 1, const Progress& progress = {});
+  StableVolumes(const VoronoiDiagram&, StationaryPoints&&, const FlowLimits&, unsigned = 1,
+                const Progress& = {}) = delete;
   ~StableVolumes();
   StableVolumes(StableVolumes&&) noexcept;
   StableVolumes& operator=(StableVolumes&&) noexcept;
