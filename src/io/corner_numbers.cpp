@@ -1,5 +1,7 @@
 #include "io/corner_numbers.h"
 
+#include <utility>
+
 #include "io/number_text.h"
 
 namespace flowcert::io {
@@ -48,7 +50,7 @@ std::int64_t& CornerNumbers::known(const StableRegion& region, const RegionCorne
 }
 
 std::int64_t CornerNumbers::number_of_new(const StableRegion& region, const RegionCorner& corner) {
-  const Point position = finite(regions_.rounded(region, corner));
+  const Point position = regions_.rounded(region, corner);
   const auto [from, to] = regular_.equal_range(coordinates_of(position));
   for (auto each = from; each != to; ++each) {
     Regular& regular = each->second;
@@ -57,6 +59,11 @@ std::int64_t CornerNumbers::number_of_new(const StableRegion& region, const Regi
     return regular.number;
   }
   return append(position);
+}
+
+std::vector<Point> CornerNumbers::take_points() {
+  for (Point& point : points_) point = finite(point);
+  return std::move(points_);
 }
 
 std::int64_t CornerNumbers::append(const Point& position) {

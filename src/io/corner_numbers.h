@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <map>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "flowcert/flow_complex.h"
@@ -23,12 +22,15 @@ class CornerNumbers {
   // Both must outlive it.
   CornerNumbers(const FlowComplex& complex, StableRegions& regions);
 
-  // The regions of a facet must come one after the other. Throws BeyondDoubles.
+  // The regions of a facet must come one after the other.
   [[nodiscard]] std::int64_t of(const StableRegion& region, const RegionCorner& corner);
   [[nodiscard]] std::int64_t of_sample(PointId name);
   // Where a box cuts. One for equal doubles, apart from the corners.
   [[nodiscard]] std::int64_t of_cut(const Point& position);
-  [[nodiscard]] std::vector<Point> take_points() { return std::move(points_); }
+  // A coordinate that would overflow is an infinity.
+  [[nodiscard]] const Point& position(std::int64_t number) const { return points_[static_cast<std::size_t>(number)]; }
+  // Throws BeyondDoubles for a coordinate that would overflow.
+  [[nodiscard]] std::vector<Point> take_points();
 
  private:
   using Coordinates = std::array<double, 3>;
