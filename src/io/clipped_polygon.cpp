@@ -2,6 +2,7 @@
 #include "io/clipped_polygon.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include "geometry/rational_point.h"
@@ -24,6 +25,26 @@ ProjectiveCorner crossing(const ProjectiveCorner& a, const Rational& height_of_a
   for (std::size_t k = 0; k < 3; ++k) at.x[k] = u * a.x[k] + v * b.x[k];
   at.w = u * a.w + v * b.w;
   return at;
+}
+
+bool are_opposite(const ProjectiveCorner& a, const ProjectiveCorner& b) {
+  const auto is_negative = [](const Rational& x, const Rational& y) { return x == -y; };
+  return a.w == 0 && b.w == 0 && std::ranges::equal(a.x, b.x, is_negative);
+}
+
+// A half plane that is cut along its border has opposite ends there. A point of the cut gets between them: it lies on
+// the way from a corner inside to one outside.
+void part_opposite_ends(const std::vector<ProjectiveCorner>& corners, const std::vector<Rational>& heights,
+                        std::vector<ProjectiveCorner>& kept) {
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    if (!are_opposite(kept[k], kept[(k + 1) % kept.size()])) continue;
+    std::size_t inner = 0, outer = 0;
+    while (heights[inner].sign() <= 0 || corners[inner].w == 0) ++inner;
+    while (heights[outer].sign() >= 0) ++outer;
+    kept.insert(kept.begin() + static_cast<std::ptrdiff_t>(k) + 1,
+                crossing(corners[inner], heights[inner], corners[outer], heights[outer]));
+    return;
+  }
 }
 
 }  // namespace
@@ -62,11 +83,17 @@ std::vector<ProjectiveCorner> cut(const std::vector<ProjectiveCorner>& corners, 
     if (heights[k].sign() * heights[next].sign() >= 0) continue;
     kept.push_back(crossing(corners[k], heights[k], corners[next], heights[next]));
   }
+  if (outline == Outline::kClosed) part_opposite_ends(corners, heights, kept);
   return kept;
 }
 
 std::vector<ProjectiveCorner> clipped(std::vector<ProjectiveCorner> corners, Outline outline, const ClipBox& box) {
-  for (const HalfSpace& side : half_spaces(box)) {
+  return clipped(std::move(corners), outline, half_spaces(box));
+}
+
+std::vector<ProjectiveCorner> clipped(std::vector<ProjectiveCorner> corners, Outline outline,
+                                      const std::vector<HalfSpace>& half_spaces) {
+  for (const HalfSpace& side : half_spaces) {
     if (corners.empty()) return corners;
     corners = cut(corners, outline, side);
   }

@@ -32,10 +32,14 @@ struct HalfSpace {
 
 enum class Outline : bool { kOpen, kClosed };
 
-// What is in a half space. A polygon must not have two opposite directions. Empty if it only touches the half space.
+// What is in a half space. Two neighbours at infinity must not be opposite, and will not be. Empty if it only touches
+// the half space.
 [[nodiscard]] std::vector<ProjectiveCorner> cut(const std::vector<ProjectiveCorner>& corners, Outline outline,
                                                 const HalfSpace& half_space);
-// What is in the box: finite corners, with w = 1. Neighbours are different.
+// What is in all half spaces, whose intersection is bounded: finite corners, with w = 1. Neighbours are different.
+[[nodiscard]] std::vector<ProjectiveCorner> clipped(std::vector<ProjectiveCorner> corners, Outline outline,
+                                                    const std::vector<HalfSpace>& half_spaces);
+// What is in the box.
 [[nodiscard]] std::vector<ProjectiveCorner> clipped(std::vector<ProjectiveCorner> corners, Outline outline,
                                                     const ClipBox& box);
 
