@@ -32,6 +32,8 @@ struct ViewCommandOptions {
   bool is_strict = false;
   bool has_cells = false;
   std::size_t most = ViewerOptions{}.most_of_an_index;
+  std::size_t most_cells = ViewerOptions{}.most_cells;
+  std::size_t most_surfaces = ViewerOptions{}.most_surfaces;
   unsigned threads = 1;
 };
 
@@ -83,9 +85,17 @@ void print_page_table(const std::string& page, const Input& input, const FlowCom
   for (std::size_t index = 0; index < counts.size(); ++index) {
     print_row(fmt::format("critical points of index {}", index), with_commas(counts.at(index)));
   }
-  if (shown.kept < shown.all) {
-    print_row("shown, from index 1 on", with_commas(shown.kept),
-              fmt::format("of {}: those of the longest pairs (--most)", with_commas(shown.all)));
+  const auto of_all = [](const ViewerCounts::Part& part, const char* chosen) {
+    return part.kept < part.all ? fmt::format("of {}: {}", with_commas(part.all), chosen) : "";
+  };
+  if (shown.records.kept < shown.records.all) {
+    print_row("shown, from index 1 on", with_commas(shown.records.kept),
+              of_all(shown.records, "those of the longest pairs (--most)"));
+  }
+  if (content.has_cells) {
+    print_row("cells S3 drawn", with_commas(shown.cells.kept), of_all(shown.cells, "the largest (--most-cells)"));
+    print_row("surfaces U1 drawn", with_commas(shown.surfaces.kept),
+              of_all(shown.surfaces, "those of the longest pairs (--most-u1)"));
   }
   if (content.claim) {
     print_row("findings", with_commas(content.claim->findings_count), "verdict: " + content.claim->verdict);
@@ -111,6 +121,8 @@ int view(ViewCommandOptions options) {
   ViewerOptions content = {.name = display_name(options.input),
                            .most_of_an_index = options.most,
                            .has_cells = options.has_cells,
+                           .most_cells = options.most_cells,
+                           .most_surfaces = options.most_surfaces,
                            .claim = std::nullopt};
   int status = kRight;
   if (claim) {
@@ -127,6 +139,7 @@ int view(ViewCommandOptions options) {
 
 void add_view_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ViewCommandOptions>();
+  constexpr std::size_t kMost = 0xfffffff;
   CLI::App* command = app.add_subcommand("view", "The complex in a browser, with what is wrong with a claim");
   command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
   command
@@ -145,10 +158,22 @@ void add_view_command(CLI::App& app, int& status) {
       ->add_option("--most", options->most,
                    "If there are more critical points of an index from 1 on, keep so many pairs of dimension 0, and so "
                    "many others: the longest, with their points and what these lead to")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{0xfffffff}))
+      ->check(CLI::Range(std::size_t{1}, kMost))
       ->capture_default_str();
-  command->add_flag("--cells", options->has_cells,
-                    "Also say how large stable sets are, and where all directions from saddles lead");
+  CLI::Option* cells = command->add_flag(
+      "--cells", options->has_cells,
+      "Also say how large stable sets are, and where all directions from saddles lead; the picked point's cell S3, or "
+      "its surface U1, is drawn");
+  command->add_option("--most-cells", options->most_cells, "Draw at most so many cells S3, the largest")
+      ->check(CLI::Range(std::size_t{0}, kMost))
+      ->capture_default_str()
+      ->needs(cells);
+  command
+      ->add_option("--most-u1", options->most_surfaces,
+                   "Draw at most so many surfaces U1: of regular stationary points, and of the longest pairs")
+      ->check(CLI::Range(std::size_t{0}, kMost))
+      ->capture_default_str()
+      ->needs(cells);
   add_threads_option(*command, options->threads);
   command->footer("Examples:\n  flowcert view bunny.obj\n  flowcert view bunny.obj --claim claim.csv -o wrong.html");
   command->callback([options, &status] { status = view(*options); });

@@ -15,6 +15,9 @@ namespace flowcert::io {
 
 class ViewerFrame {
  public:
+  // What is unbounded is cut at the box [-kClip, kClip]^3.
+  static constexpr double kClip = 3;
+
   explicit ViewerFrame(const PointSet& points);
 
   [[nodiscard]] const std::array<double, 3>& origin() const { return origin_; }

@@ -200,12 +200,10 @@ class LineForest {
   using Key = std::array<std::uint64_t, 4>;
   using Position = std::array<double, 3>;
 
-  static constexpr double kBox = 3;  // the page clips lines here
-
   // A line that has left the hull of the samples never comes back, so what follows the box is not seen.
   [[nodiscard]] static std::size_t length_in_view(const std::vector<Position>& line) {
     const auto is_outside = [](const Position& at) {
-      return std::ranges::any_of(at, [](double x) { return std::abs(x) > kBox; });
+      return std::ranges::any_of(at, [](double x) { return std::abs(x) > ViewerFrame::kClip; });
     };
     const auto first = std::ranges::find_if(line, is_outside);
     return first == line.end() ? line.size() : static_cast<std::size_t>(first - line.begin()) + 1;
@@ -337,7 +335,7 @@ Json data_of(const FlowComplex& complex, const ViewerOptions& options, const Vie
   data["pairs"] = pairs_field(content);
   data["s2"] = s2_field(content, progress);
   data["u2"] = u2_field(content, progress);
-  if (options.has_cells) data["cells"] = viewer_cells_field(complex, selection);
+  if (options.has_cells) data["cells"] = viewer_cells_field(complex, frame, selection);
   data["claim"] = options.claim ? claim_field(content, *options.claim) : Json(nullptr);
   return data;
 }
@@ -368,10 +366,13 @@ ViewerCounts write_viewer_page(std::ostream& out, const FlowComplex& complex, co
   if (at == std::string_view::npos) throw std::logic_error("the viewer's page has no place for data");
   const std::size_t data_at = at + kPlace.size() - kNull.size();
   complex.make(FlowComplexPart::kPersistence);
-  const ViewerSelection selection = viewer_selection(complex, options.most_of_an_index);
+  ViewerSelection selection = viewer_selection(complex, options.most_of_an_index);
+  if (options.has_cells) choose_cells(complex, options.most_cells, options.most_surfaces, selection);
   const std::string data = text_for_script(data_of(complex, options, selection, progress));
   out << page.substr(0, data_at) << data << page.substr(data_at + std::string_view("null").size());
-  return {.kept = selection.records.size(), .all = selection.all_records};
+  return {.records = {selection.records.size(), selection.all_records},
+          .cells = {selection.cells.size(), selection.all_cells},
+          .surfaces = {selection.surfaces.size(), selection.all_surfaces}};
 }
 
 }  // namespace flowcert

@@ -41,7 +41,52 @@ void keep_limits(const FlowComplex& complex, std::vector<bool>& is_kept) {
   }
 }
 
+// Stationary points with a stable set of dimension 3. A volume can be too small for a double.
+std::vector<bool> have_cells(const FlowComplex& complex) {
+  const StationaryPoints& stationary = complex.stationary();
+  std::vector<bool> has_cell(stationary.size());
+  for (std::size_t i = 0; i < stationary.size(); ++i) {
+    has_cell[i] = stationary.index(i).is_critical() && stationary.index(i).face_dimension == 3;
+  }
+  const StableManifolds& stable = complex.stable();
+  for (std::size_t set = 0; set < stable.size(); ++set) {
+    if (stable.has_interval(set)) has_cell[stable.record(set)] = true;
+  }
+  return has_cell;
+}
+
+// So many of the records, those with the greatest values, ascending.
+template <typename Value>
+std::vector<std::size_t> greatest(std::vector<std::size_t> records, std::size_t most, const Value& value) {
+  std::ranges::stable_sort(records, [&](std::size_t a, std::size_t b) { return value(a) > value(b); });
+  if (records.size() > most) records.resize(most);
+  std::ranges::sort(records);
+  return records;
+}
+
 }  // namespace
+
+void choose_cells(const FlowComplex& complex, std::size_t most_cells, std::size_t most_surfaces,
+                  ViewerSelection& selection) {
+  const std::vector<bool> has_cell = have_cells(complex);
+  selection.all_cells = static_cast<std::size_t>(std::ranges::count(has_cell, true));
+  const auto has_surface = [&](std::size_t record) { return complex.stationary().index(record).face_dimension == 1; };
+  for (std::size_t i = 0; i < has_cell.size(); ++i) selection.all_surfaces += has_surface(i) ? 1 : 0;
+  std::vector<std::size_t> cells, surfaces;
+  for (const std::size_t record : selection.records) {
+    if (has_cell[record]) cells.push_back(record);
+    if (has_surface(record)) surfaces.push_back(record);
+  }
+  selection.cells =
+      greatest(std::move(cells), most_cells, [&](std::size_t record) { return complex.volumes().nearest(record); });
+  // Regular stationary points are in no pair.
+  std::vector<double> length(complex.stationary().size(), std::numeric_limits<double>::infinity());
+  for (const PersistencePair* pair : selection.pairs) {
+    length[pair->birth] = length_of(complex, *pair);
+    if (pair->death) length[*pair->death] = length[pair->birth];
+  }
+  selection.surfaces = greatest(std::move(surfaces), most_surfaces, [&](std::size_t record) { return length[record]; });
+}
 
 ViewerSelection viewer_selection(const FlowComplex& complex, std::size_t most) {
   const StationaryPoints& stationary = complex.stationary();

@@ -8,6 +8,7 @@ triangles are compared exactly. Positions are compared within the rounding that 
 where something differs.
 """
 import base64
+import collections
 import fractions
 import json
 import math
@@ -85,6 +86,19 @@ def view(text, *options, status=0):
 
 def triples(flat):
     return [tuple(flat[i: i + 3]) for i in range(0, len(flat), 3)]
+
+
+def determinant(a, b, c):
+    return sum(a[i] * (b[(i + 1) % 3] * c[(i + 2) % 3] - b[(i + 2) % 3] * c[(i + 1) % 3]) for i in range(3))
+
+
+def polygon_area(corners):
+    twice = [0.0, 0.0, 0.0]
+    for b, c in zip(corners[1:], corners[2:]):
+        u, v = ([x - y for x, y in zip(end, corners[0])] for end in (b, c))
+        for i in range(3):
+            twice[i] += u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3]
+    return math.hypot(*twice) / 2
 
 
 def slices(offsets, flat):
@@ -282,6 +296,139 @@ class ViewTest(unittest.TestCase):
                  for to, orbits, families in connections]
                 for connections in slices(cells["offsets"], list(zip(cells["to"], cells["orbits"], cells["families"])))]
         self.assertEqual(ways, [r.get("connections", []) for r in shown])
+
+    # Triangles around each cell that is drawn, seen from outside, by its place in the records.
+    def triangles_around(self, page):
+        cells = page.data["cells"]
+        faces = slices(cells["faces"]["triangle_offsets"], triples(cells["faces"]["triangles"]))
+        between = cells["faces"]["between"]
+        numbers_of_drawn = {page.data["records"]["numbers"][place]: place for place in cells["drawn"]}
+        around = {place: [] for place in cells["drawn"]}
+        for a, b, triangles in zip(between[::2], between[1::2], faces, strict=True):
+            self.assertLess(a, b)
+            self.assertTrue(a in numbers_of_drawn or b in numbers_of_drawn)
+            if a in numbers_of_drawn:
+                around[numbers_of_drawn[a]] += triangles
+            if b in numbers_of_drawn:
+                around[numbers_of_drawn[b]] += [(y, x, z) for x, y, z in triangles]
+        return around
+
+    def check_faces(self, page):
+        around = self.triangles_around(page)
+        vertices = triples(page.data["cells"]["faces"]["vertices"])
+        for place, triangles in around.items():
+            passed = collections.Counter(edge for x, y, z in triangles for edge in ((x, y), (y, z), (z, x)))
+            self.assertTrue(triangles)
+            for (x, y), times in passed.items():
+                self.assertEqual(passed[y, x], times)
+            # The vertices are floats of the frame, so that each coordinate is wrong by at most 2^-25.
+            exactly = [[fractions.Fraction(x) for x in vertex] for vertex in vertices]
+            six = sum(determinant(*(exactly[corner] for corner in triangle)) for triangle in triangles)
+            volume = page.data["cells"]["volumes"][place]
+            unit = page.data["unit"]
+            if 1e-90 < unit < 1e90:
+                self.assertAlmostEqual(float(six / 6), volume / unit ** 3, delta=len(triangles) * 2 ** -24)
+        return around
+
+    def test_cells_are_closed_around_their_volumes(self):
+        drawn = 0
+
+        def check(text, _1, _2, records):
+            nonlocal drawn
+            page = Page(view(text, "--cells"))
+            cells = page.data["cells"]
+            maxima = {k for k, index in enumerate(page.indices) if index == 3}
+            self.assertEqual(cells["of"], len(cells["drawn"]))
+            self.assertLessEqual(maxima, set(cells["drawn"]))
+            self.assertLessEqual({k for k, volume in enumerate(cells["volumes"]) if volume > 0}, set(cells["drawn"]))
+            drawn += len(self.check_faces(page))
+
+        self.on_each_input(check)
+        self.assertGreater(drawn, 40)
+
+    def test_as_many_cells_and_surfaces_as_are_asked_for(self):
+        text = INPUTS["scattered"]
+        whole = Page(view(text, "--cells"))
+        some = Page(view(text, "--cells", "--most-cells", "5", "--most-u1", "7"))
+        none = Page(view(text, "--cells", "--most-cells", "0", "--most-u1", "0"))
+        volumes = whole.data["cells"]["volumes"]
+        self.assertEqual(sorted((volumes[k] for k in some.data["cells"]["drawn"]), reverse=True),
+                         sorted(volumes, reverse=True)[:5])
+        around, of_all = self.check_faces(some), self.check_faces(whole)
+        for place, triangles in around.items():
+            self.assertEqual(len(triangles), len(of_all[place]))
+        lengths = {}
+        for pair in json.loads(run("persistence", "-", "--json", text=text))["pairs"]:
+            ends = [end for end in (pair["birth"], pair["death"]) if end]
+            values = [fractions.Fraction(end["squared_distance"]) for end in ends]
+            for end in ends:
+                lengths[tuple(end["contact"])] = values[1] - values[0] if len(ends) == 2 else math.inf
+        lengths = {k: lengths[tuple(name)] for k, name in enumerate(whole.names) if whole.indices[k] == 1}
+        chosen = some.data["cells"]["u1"]["record"]
+        self.assertEqual(len(chosen), 7)
+        self.assertGreaterEqual(min(lengths[k] for k in chosen), sorted(lengths.values())[-7])
+        for page in (some, none):
+            self.assertEqual(page.data["cells"]["of"], whole.data["cells"]["of"])
+            self.assertEqual(page.data["cells"]["u1"]["of"], whole.indices.count(1))
+        self.assertEqual((none.data["cells"]["drawn"], none.data["cells"]["u1"]["record"]), ([], []))
+        self.assertEqual((none.data["cells"]["faces"]["triangles"], none.data["cells"]["u1"]["corners"]), ([], []))
+
+    def surfaces_of(self, page):
+        """[(place in the records, sheets, lines)], in positions of the frame."""
+        u1 = page.data["cells"]["u1"]
+        at = triples(u1["vertices"])
+        sheets = [[at[k] for k in corners] for corners in slices(u1["corner_offsets"], u1["corners"])]
+        lines = [(at[a], at[b]) for a, b in zip(u1["lines"][::2], u1["lines"][1::2], strict=True)]
+        return list(zip(u1["record"], slices(u1["sheet_offsets"], sheets), slices(u1["line_offsets"], lines),
+                        strict=True))
+
+    # How many samples are nearest to the point.
+    @staticmethod
+    def nearest_count(page, point):
+        distances = [math.dist(point, page.framed(sample)) for sample in page.samples]
+        return sum(distance < min(distances) + 1e-5 for distance in distances)
+
+    def test_unstable_surfaces_are_on_voronoi_facets(self):
+        seen = collections.Counter()
+
+        def check(text, _1, _2, _3):
+            page = Page(view(text, "--cells"))
+            surfaces = self.surfaces_of(page)
+            of_dimension_2 = [k for k, face in enumerate(page.data["records"]["face"]) if face == 1]
+            self.assertEqual([place for place, _, _ in surfaces], of_dimension_2)
+            self.assertEqual(page.data["cells"]["u1"]["of"], len(of_dimension_2))
+            for _, sheets, lines in surfaces:
+                self.assertTrue(sheets)
+                for corners in [*sheets, *lines]:
+                    self.assertLessEqual(max(abs(x) for corner in corners for x in corner), 3 + 1e-6)
+                    middle = [sum(xs) / len(corners) for xs in zip(*corners)]
+                    self.assertGreaterEqual(self.nearest_count(page, middle), 2)
+                for corners in sheets:
+                    self.assertGreaterEqual(len(corners), 3)
+                    self.assertTrue(all(self.nearest_count(page, corner) >= 2 for corner in corners))
+                    seen["sheets"] += 1
+                    seen["at the box"] += any(abs(x) > 3 - 1e-6 for corner in corners for x in corner)
+                seen["lines"] += len(lines)
+
+        self.on_each_input(check)
+        self.assertGreater(seen["sheets"], 300)
+        self.assertGreater(seen["at the box"], 100)
+        self.assertGreater(seen["lines"], 20)
+
+    # Areas in the frame. What lies behind the centre flows to it.
+    def test_known_unstable_surfaces(self):
+        for text, areas in ((INPUTS["cube"], [9]), ("0 0 0\n1 0 0\n3 0 0\n", [36]),
+                            ("0 0 0\n2 0 0\n2 2 0\n0 2 0\n", [18]), ("0 0 0\n2 0 0\n1 3 0\n", None)):
+            page = Page(view(text, "--cells"))
+            for place, sheets, lines in self.surfaces_of(page):
+                area = sum(polygon_area(corners) for corners in sheets)
+                if areas:
+                    self.assertAlmostEqual(area, areas[0], delta=1e-5)
+                    self.assertEqual(lines, [])
+                else:
+                    # A triangle's three half planes, each from its centre on.
+                    self.assertGreater(area, 9)
+                    self.assertEqual(page.indices[place], 1)
 
     def test_known_volumes_and_connections(self):
         page = Page(view(INPUTS["flows-to-a-saddle"], "--cells"))

@@ -61,15 +61,21 @@ struct ViewerOptions {
   // A complex with more critical points of an index from 1 on is thinned: of the pairs of dimension 0, and of all
   // others, the page has so many, the longest, with their points and what these lead to.
   std::size_t most_of_an_index = 150000;
-  // Also volumes of stable sets, and where all directions lead.
+  // Also volumes of stable sets, where all directions lead, and to draw: so many cells S3, the largest, and so many
+  // unstable sets U1, of regular stationary points and of the longest pairs.
   bool has_cells = false;
+  std::size_t most_cells = 2000;
+  std::size_t most_surfaces = 1000;
   std::optional<ViewerClaim> claim;
 };
 
-// Stationary points without those of index 0.
 struct ViewerCounts {
-  std::size_t kept = 0;
-  std::size_t all = 0;
+  struct Part {
+    std::size_t kept = 0;
+    std::size_t all = 0;
+  };
+  Part records;          // stationary points without those of index 0
+  Part cells, surfaces;  // S3 and U1 that are drawn
 };
 
 // Writes the page. Makes all parts of the complex, and the surfaces once more. The time is that of the exports.
