@@ -2,9 +2,10 @@
 // A *point* is a number: a sample's ordinal, or sample_count + place in the records. `none` stands for no point,
 // no pair, and infinity. Squared distances, radii and persistence are in the frame; `length_text` and `squared_text`
 // give them in input units. What the first frame needs is decoded by load_first, the lines of U2 by load_lines, with
-// volumes and connections, if the page has them.
+// volumes, connections, cells and U1 (cells.js), if the page has them.
 
 import { decode, decode_all } from './blobs.js';
+import { load_cells } from './cells.js';
 import { exact_sphere } from './exact_sphere.js';
 import { fill_records, line_vertices } from './plain_points.js';
 import { in_input_units, short_scaled } from './words.js';
@@ -19,6 +20,7 @@ export class Complex {
     this.data = data;
     this.length_unit = in_input_units(data.unit, 1);
     this.squared_unit = in_input_units(data.unit, 2);
+    this.cells = null;
   }
 
   async load_first() {
@@ -54,7 +56,7 @@ export class Complex {
     const { data } = this;
     [this.u2, this.cells] = await Promise.all([
       decode_all(data.u2, ['record', 'starts', 'limits', 'next', 'steps']),
-      data.cells ? decode_all(data.cells, ['volumes', 'offsets', 'to', 'orbits', 'families']) : null,
+      data.cells ? load_cells(data.cells) : null,
     ]);
     this.u2.vertices = line_vertices({ ...this.u2, step: this.data.u2.step });
     this.line_of_point = new Uint32Array(this.point_count).fill(none);
@@ -213,13 +215,18 @@ export class Complex {
 
   // [{number, orbits, families}]: where the point's directions lead, by numbers of the program's list, or none.
   connections(point) {
-    if (!this.cells || this.is_sample(point)) return [];
-    const { offsets, to, orbits, families } = this.cells;
-    const found = [];
-    const record = point - this.sample_count;
-    for (let i = offsets[record]; i < offsets[record + 1]; ++i)
-      found.push({ number: to[i], orbits: orbits[i], families: families[i] });
-    return found;
+    return this.cells && !this.is_sample(point) ? this.cells.connections(point - this.sample_count) : [];
+  }
+
+  // The faces around the point's cell, or null where the page does not draw it.
+  cell(point) {
+    if (!this.cells?.is_drawn.has(point - this.sample_count)) return null;
+    return this.cells.faces_of.get(this.number(point));
+  }
+
+  // {sheets, lines} of the point's U1, or null where the page does not draw it.
+  unstable_surface(point) {
+    return this.cells && !this.is_sample(point) ? this.cells.surface(point - this.sample_count) : null;
   }
 
   // The index-2 points of which an orbit of U2 ends at the point, with the sides.

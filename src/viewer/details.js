@@ -1,8 +1,9 @@
 // What there is to know of the picked point: kind, exact position and squared distance, contact set, where its orbits
 // go and which come in, its persistence pair, and the clauses of the specification that make it what it is. Pages with
-// cells also have the volume of what flows there, and where all directions lead.
+// cells also have the volume of what flows there, and where all directions lead (cell_facts.js).
 // Other points that are named are buttons that pick them.
 
+import { neighbour_table, surface_line, volume_row } from './cell_facts.js';
 import { none } from './complex.js';
 import { element, fill, glyph } from './element.js';
 import { is_normal, nearest_double, rational_text } from './exact_sphere.js';
@@ -172,6 +173,7 @@ export class Details {
           edge.map((end) => this.button(end)),
         ),
       );
+    parts.push(surface_line(complex, point));
     if (complex.is_sample(point)) parts.push(this.sample_flow(point));
     else parts.push(this.incoming_facts(point));
     return section('Where orbits go', parts);
@@ -221,21 +223,10 @@ export class Details {
   }
 
   volume_facts(point) {
-    const volume = this.complex.volume(point);
-    if (!volume) return null;
-    const value = volume === Infinity ? 'beyond the largest double' : `≈ ${volume}`;
-    const row = element(
-      'div',
-      { class: 'row' },
-      element('dt', {}, 'V'),
-      element(
-        'dd',
-        { 'data-volume': String(volume) },
-        element('span', { class: 'value' }, value),
-        volume === Infinity ? null : unit('input units, cubed'),
-      ),
-    );
-    return section('Volume of what flows here', element('dl', { class: 'exact' }, row));
+    const row = volume_row(this.complex, point);
+    if (!row) return null;
+    const table = neighbour_table(this.complex, point, (number) => this.limit_button(number));
+    return section('Volume of what flows here', row, table);
   }
 
   connection_facts(point) {

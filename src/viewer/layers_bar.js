@@ -12,6 +12,15 @@ const kinds = [
   ['regular', 'regular', 4],
 ];
 
+// What is drawn of the picked point alone.
+const of_picked = (cells) =>
+  cells
+    ? [
+        ['s3', 'S3 cells', cells.drawn.count, cells.of],
+        ['u1', 'U1 surfaces', cells.u1.record.count, cells.u1.of],
+      ]
+    : [];
+
 export class LayersBar {
   constructor(root, complex, state) {
     const points = kinds.map(([name, text, kind]) => [name, text, complex.kind_counts[kind], glyph(kind)]);
@@ -20,18 +29,23 @@ export class LayersBar {
       ['s1', 'S1 edges', complex.kind_counts[1]],
       ['s2', 'S2 surfaces', complex.set_count],
       ['u2', 'U2 lines', 2 * (complex.data.u2.record.count ?? 0)],
-    ].map(([name, text, count]) => [name, text, count, stroke(name)]);
+      ...of_picked(complex.data.cells),
+    ].map(([name, text, count, of]) => [name, text, count, stroke(name), of]);
     this.buttons = new Map();
-    for (const [name, text, count, sign] of [...lines, ...points])
+    for (const [name, text, count, sign, of] of [...lines, ...points])
       if (count > 0)
         this.buttons.set(
           name,
           element(
             'button',
-            { 'data-layer': name, click: () => state.set_layer(name, !state.layers[name]) },
+            {
+              'data-layer': name,
+              title: of === undefined ? null : 'Drawn for the picked point',
+              click: () => state.set_layer(name, !state.layers[name]),
+            },
             sign,
             text,
-            element('span', { class: 'count' }, count_text(count)),
+            element('span', { class: 'count' }, of > count ? `${count_text(count)} of ${count_text(of)}` : count_text(count)),
           ),
         );
     fill(root, [...this.buttons.values()]);

@@ -25,8 +25,9 @@ import { count_text, point_name } from './words.js';
 const by_id = (id) => document.getElementById(id);
 const calm = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
 const night = () => matchMedia('(prefers-color-scheme: dark)');
-const layer_names = ['samples', 'index1', 'index2', 'index3', 'regular', 's1', 's2', 'u2'];
-const crowded_layers = ['regular', 's2'];
+const of_picked = ['s3', 'u1'];
+const layer_names = ['samples', 'index1', 'index2', 'index3', 'regular', 's1', 's2', 'u2', ...of_picked];
+const crowded_layers = ['regular', 's2', ...of_picked];
 const crowd = 600; // surfaces
 
 const layers = (names) => Object.fromEntries(layer_names.map((name) => [name, names.includes(name)]));
@@ -258,7 +259,7 @@ export class Page {
     const root = document.documentElement;
     root.dataset.theme = theme;
     this.palette.kinds.forEach((color, kind) => root.style.setProperty(`--kind${kind}`, color));
-    for (const name of ['surface', 's1', 'u2', 'claimed', 'truth'])
+    for (const name of ['surface', 's1', 's3', 'u1', 'u2', 'claimed', 'truth'])
       root.style.setProperty(`--${name}`, this.palette[name]);
     if (!redraw) return;
     by_id('tool-theme').setAttribute('aria-pressed', String(theme === 'dark'));
@@ -283,7 +284,10 @@ export class Page {
 
   changed(values) {
     const has = (...names) => names.some((name) => name in values);
-    if (has('layers')) this.layers.update(this.state);
+    if (has('layers')) {
+      this.layers.update(this.state);
+      this.scene?.mark_picked();
+    }
     if (has('picked')) this.picked_changed();
     if (has('finding')) this.finding_changed();
     if (has('mode', 'limit')) this.threshold.update();
@@ -291,7 +295,7 @@ export class Page {
     if (has('full')) by_id('tool-full')?.setAttribute('aria-pressed', String(this.state.full));
     if (has('see_through')) by_id('tool-through')?.setAttribute('aria-pressed', String(this.state.see_through));
     if (has('layers', 'limit', 'mode', 'brush', 'full')) this.scene?.refresh(has('limit', 'brush'));
-    if (has('see_through', 'picked', 'finding')) this.scene?.repaint_surface();
+    if (has('see_through', 'picked', 'finding', 'layers')) this.scene?.repaint_surface();
     if (has('picked', 'brush')) this.diagram.overlay();
     if (has('picked', 'limit', 'mode', 'brush')) this.draw_histogram();
   }

@@ -1,6 +1,6 @@
 // The colours of the page: Okabe and Ito's, which people with any sort of colour blindness can tell apart.
 // Kinds of points also differ in shape, so that no statement is made by colour alone.
-// Each theme has colours of the surface, its highlight, and the lines.
+// Each theme has colours of the surface, its highlight, and the lines. Cells and U1 have those of their points.
 
 export const kind_names = ['samples', 'index 1', 'index 2', 'index 3', 'regular stationary'];
 
@@ -10,6 +10,8 @@ const light = {
   surface: '#d8c6a4',
   highlight: '#e69f00',
   s1: '#3f8fc4',
+  s3: '#c04d00',
+  u1: '#0072b2',
   u2: '#00805d',
   claimed: '#c04d00',
   truth: '#00805d',
@@ -25,6 +27,8 @@ const dark = {
   surface: '#b9ae9b',
   highlight: '#f5b83d',
   s1: '#56b4e9',
+  s3: '#f07a32',
+  u1: '#56b4e9',
   u2: '#2cc79b',
   claimed: '#f07a32',
   truth: '#2cc79b',

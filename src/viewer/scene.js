@@ -15,9 +15,10 @@ import { make_renderer } from './renderer.js';
 import { counts_by_kind, fitting_sets, most, shown } from './shown.js';
 import { spanned_polygons } from './spanned_polygons.js';
 import { sphere_mark } from './sphere_mark.js';
-import { SurfaceMesh } from './surface_mesh.js';
+import { SurfaceMesh, mesh_of_positions } from './surface_mesh.js';
 
 const rest_after = 160; // milliseconds
+const nothing_marked = { cell: 0, surface: 0, lines: 0 };
 
 export class ComplexScene {
   constructor(canvas, complex, state, palette) {
@@ -47,7 +48,7 @@ export class ComplexScene {
     };
     this.marks = new Group();
     this.claims = new Group();
-    this.picked_set = null;
+    this.marked = nothing_marked;
     this.scene.add(this.exact.object, this.cloud.object, this.marks, this.claims);
     for (const layer of Object.values(this.lines)) this.scene.add(layer.object);
   }
@@ -231,10 +232,11 @@ export class ComplexScene {
     this.cloud.object.visible = count > 0 && fits(count);
   }
 
-  // What can be seen through steps back behind what is picked or found.
+  // What can be seen through steps back behind what is picked or found. A cell or a surface U1 is inside of all else.
   set_opacity() {
     const { see_through, picked, finding } = this.state;
-    const opacity = !see_through ? 1 : picked !== none || finding >= 0 ? 0.16 : 0.38;
+    const is_behind = this.marked.cell > 0 || this.marked.surface > 0;
+    const opacity = is_behind ? 0.16 : !see_through ? 1 : picked !== none || finding >= 0 ? 0.16 : 0.38;
     this.exact.set_opacity(opacity);
     if (this.flat) this.flat.set_opacity(opacity);
   }
@@ -262,10 +264,12 @@ export class ComplexScene {
     this.redraw();
   }
 
-  // What is picked: its sphere, its contact set with radii, its S2, its lines, and a ring around the points.
+  // What is picked: its sphere, its contact set with radii, its S2, its cell S3 or its U1, its lines, and a ring around
+  // the points.
   mark_picked() {
     discard(this.marks, this.exact.geometry.attributes.position);
     this.lines.path.show(new Float32Array(0));
+    this.marked = { ...nothing_marked };
     const { complex, state, palette } = this;
     const point = state.picked;
     if (point === none || !this.size) return;
@@ -274,7 +278,9 @@ export class ComplexScene {
       this.marks.add(sphere_mark(center, complex.frame_radius(point), palette.accent));
       this.mark_contacts(point, center);
     }
+    this.mark_cell(point);
     this.mark_set(point);
+    this.mark_surface(point);
     const pair = complex.pair_of[point];
     const partners = pair === none ? [] : [complex.birth[pair], complex.death[pair]].filter((p) => p !== none);
     this.mark_rings([...new Set([point, ...partners])]);
@@ -302,11 +308,44 @@ export class ComplexScene {
       );
       mesh.show([0]);
       mesh.paint(this.palette.highlight);
+      if (this.marked.cell > 0) mesh.set_opacity(0.6);
       Object.assign(mesh.material, { polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -4 });
       this.marks.add(mesh.object);
     }
     const edge = this.complex.kind[point] === 1 ? this.edge_segments([point]) : null;
     this.lines.path.show(edge ?? this.line_segments(point));
+  }
+
+  // The faces around the cell S3.
+  mark_cell(point) {
+    const faces = this.state.layers.s3 ? this.complex.cell(point) : null;
+    if (faces) this.marked.cell = this.mark_triangles(this.complex.cells.triangles(faces.map(({ face }) => face)), 's3');
+  }
+
+  // The sheets of U1 with their outlines, and the lines along which it has dimension 1.
+  mark_surface(point) {
+    const surface = this.state.layers.u1 ? this.complex.unstable_surface(point) : null;
+    if (!surface) return;
+    this.marked.surface = this.mark_triangles(surface.sheets, 'u1');
+    this.marked.lines = surface.lines.length / 6;
+    for (const [segments, width] of [
+      [surface.outlines, 1],
+      [surface.lines, 3],
+    ]) {
+      const layer = new LineLayer({ width });
+      layer.paint(this.palette.u1);
+      layer.show(segments);
+      this.marks.add(layer.object);
+    }
+  }
+
+  mark_triangles(positions, color) {
+    if (positions.length === 0) return 0;
+    const mesh = mesh_of_positions(positions);
+    mesh.paint(this.palette[color]);
+    mesh.set_opacity(0.45);
+    this.marks.add(mesh.object);
+    return mesh.count;
   }
 
   // The least and the largest coordinate of the lines of U2 that are drawn.

@@ -1,5 +1,6 @@
 // Sentences about the whole page: the summary below the name, what made it, and what the view leaves out.
 
+import { drawn_cells, drawn_surfaces } from './cell_facts.js';
 import { count_text } from './words.js';
 
 // A path is shown by its last part; other names as they are.
@@ -13,7 +14,17 @@ export function summary({ data, kind_counts }) {
   return `${count_text(data.points)} points${merged}; critical points of index 0 to 3: ${critical}${regular}`;
 }
 
-export function about_lines({ data }) {
+function cells_line(complex) {
+  if (!complex.data.cells) return null;
+  return (
+    'S3 is what flows to a maximum, a cell; U1 is what flows from a point of index 1, a surface. ' +
+    'They are drawn for the picked point; U1 is cut at three times the box. ' +
+    `The page has ${drawn_cells(complex)}, and ${drawn_surfaces(complex)}.`
+  );
+}
+
+export function about_lines(complex) {
+  const { data } = complex;
   const program = `flowcert ${data.version} (commit ${data.commit}; kernel: ${data.kernel}`;
   return [
     thinned_data(data),
@@ -22,6 +33,7 @@ export function about_lines({ data }) {
     'Samples are the points of index 0. S1 is what flows to a point of index 1, a Gabriel edge; ' +
       'S2 is what flows to one of index 2, a surface. ' +
       'U2 are the two orbits that leave a point of index 2; those to infinity are cut at three times the box.',
+    cells_line(complex),
     'Positions in the scene are 32-bit floats. Those in the facts are exact, computed here from the samples.',
     'The page needs no network and sends nothing. It is under the MIT license and contains three.js.',
   ].filter(Boolean);

@@ -28,6 +28,15 @@ void main() {
   gl_FragColor = vec4(lit, opacity);
 }`;
 
+// A mesh of triangles that are given by their positions, nine numbers each.
+export function mesh_of_positions(positions) {
+  const count = positions.length / 9;
+  const all = Uint32Array.from({ length: 3 * count }, (_, i) => i);
+  const mesh = new SurfaceMesh(new BufferAttribute(positions, 3), Uint32Array.of(0, count), all);
+  mesh.show([0]);
+  return mesh;
+}
+
 export class SurfaceMesh {
   // offsets: of the triangles of each set; triangles: vertices of attribute `positions`.
   constructor(positions, offsets, triangles) {

@@ -1,4 +1,5 @@
-"""Pages with cells say the volumes and connections that compute --manifolds all writes; other pages say nothing of it."""
+"""Pages with cells say the volumes and connections that compute --manifolds all writes, and draw the cell or the surface
+U1 of the picked point. Other pages say nothing of it."""
 import json
 import math
 import re
@@ -6,6 +7,7 @@ import re
 import pytest
 
 import inputs
+from program import numbers
 
 TEXTS = {name: inputs.text(name) for name in ("cube", "octahedra", "half-octahedron", "both-sides", "line", "huge")}
 TEXTS["flows-to-a-saddle"] = "0 5 0\n-3 0 -2\n3 0 -2\n0 0 12\n0 -5 0\n"
@@ -74,6 +76,107 @@ def test_a_limit_is_picked_by_a_click(with_cells, browser):
     number = number_of([0, 3, 4], records)
     browser.find(f'#page-details [data-to="{number}"] button').click()
     assert page.name(browser.ask("picked")) == (0, 3, 4)
+
+
+def around(page, place):
+    """Triangles of a cell, and its neighbours, by the page's data."""
+    faces = page.data["cells"]["faces"]
+    between, offsets = numbers(faces["between"]), numbers(faces["triangle_offsets"])
+    number = numbers(page.data["records"]["numbers"])[place]
+    mine = [i for i in range(len(offsets) - 1) if number in between[2 * i:2 * i + 2]]
+    beyond = [between[2 * i] + between[2 * i + 1] - number for i in mine]
+    return sum(offsets[i + 1] - offsets[i] for i in mine), beyond
+
+
+@pytest.mark.parametrize("name", [name for name in TEXTS if name != "line"])
+def test_a_picked_maximum_has_its_cell_drawn(with_cells, browser, name):
+    page, records = with_cells(name)
+    drawn = numbers(page.data["cells"]["drawn"])
+    assert {i for i, contact in enumerate(page.names[0]) if [r for r in records if r["contact"] == list(contact)
+                                                            and r["index"] == 3]} <= set(drawn)
+    for place in drawn:
+        browser.ask("pick", {"record": place})
+        count, beyond = around(page, place)
+        assert browser.run("return flowcert.marked().cell") == count >= 4
+        rows = browser.find_all("#page-details .neighbours tr")
+        assert len(rows) == min(24, len(beyond))
+        if len(beyond) == 1:
+            assert "infinity" in rows[0].text
+    browser.ask("pick", {"sample": 0})
+    assert browser.run("return flowcert.marked()") == {"cell": 0, "surface": 0, "lines": 0}
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_a_picked_saddle_of_index_1_has_its_surface_drawn(with_cells, browser, name):
+    page, _ = with_cells(name)
+    u1 = page.data["cells"]["u1"]
+    sheets, corners, lines = (numbers(u1[key]) for key in ("sheet_offsets", "corner_offsets", "line_offsets"))
+    places = numbers(u1["record"])
+    assert places
+    for k, place in enumerate(places):
+        browser.ask("pick", {"record": place})
+        drawn = browser.run("return flowcert.marked()")
+        # A sheet of n corners is n - 2 triangles.
+        count = corners[sheets[k + 1]] - corners[sheets[k]] - 2 * (sheets[k + 1] - sheets[k])
+        assert drawn["surface"] == count > 0
+        assert drawn["lines"] == lines[k + 1] - lines[k]
+        told = browser.find("#page-details [data-sheets]").get_attribute("data-sheets")
+        assert int(told) == sheets[k + 1] - sheets[k]
+
+
+def test_layers_of_the_picked_point_are_turned_off(with_cells, browser):
+    page, _ = with_cells("cube")
+    maximum = {"record": numbers(page.data["cells"]["drawn"])[0]}
+    saddle = {"record": numbers(page.data["cells"]["u1"]["record"])[0]}
+    for layer, point, part in (("s3", maximum, "cell"), ("u1", saddle, "surface")):
+        button = browser.find(f'[data-layer="{layer}"]')
+        browser.ask("pick", point)
+        assert browser.run("return flowcert.marked()")[part] > 0
+        button.click()
+        assert browser.run("return flowcert.marked()")[part] == 0
+        button.click()
+        assert browser.run("return flowcert.marked()")[part] > 0
+
+
+# How many pixels of the scene are far more red than blue.
+RED = """
+flowcert.redraw_now();
+const scene = document.getElementById('scene');
+const gl = scene.getContext('webgl2');
+const pixels = new Uint8Array(4 * scene.width * scene.height);
+gl.readPixels(0, 0, scene.width, scene.height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+let count = 0;
+for (let i = 0; i < pixels.length; i += 4) count += pixels[i] > 1.6 * pixels[i + 2] && pixels[i + 3] > 60;
+return count;
+"""
+
+
+def test_a_cell_is_seen(with_cells, browser):
+    page, _ = with_cells("cube")
+    for layer in ("s1", "s2", "u2", "samples", "index1", "index2", "index3"):
+        browser.ask("set_layer", layer, False)
+    browser.ask("pick", {"record": numbers(page.data["cells"]["drawn"])[0]})
+    browser.rest()
+    with_cell = browser.run(RED)
+    browser.ask("set_layer", "s3", False)
+    browser.rest()
+    assert with_cell > 10000 > 100 > browser.run(RED)
+
+
+def test_a_page_says_how_many_are_drawn(with_cells, browser):
+    page, _ = with_cells("octahedra", "--most-cells", "2", "--most-u1", "5")
+    assert browser.find('[data-layer="s3"] .count').text == f"2 of {page.data['cells']['of']}"
+    assert browser.find('[data-layer="u1"] .count').text == f"5 of {page.data['cells']['u1']['of']}"
+    drawn = set(numbers(page.data["cells"]["drawn"]))
+    volumes = numbers(page.data["cells"]["volumes"])
+    other = next(i for i, volume in enumerate(volumes) if volume > 0 and i not in drawn)
+    browser.ask("pick", {"record": other})
+    assert browser.run("return flowcert.marked().cell") == 0
+    assert "not in this page, which has 2 of" in browser.find("#page-details").text
+    edges = set(numbers(page.data["cells"]["u1"]["record"]))
+    other = next(i for i, name in enumerate(page.names[0]) if len(name) == 2 and i not in edges)
+    browser.ask("pick", {"record": other})
+    assert "Its U1 is not in this page, which has 5 of" in browser.find("#page-details").text
 
 
 def test_limits_that_the_page_has_left_out_are_named(with_cells, browser):
