@@ -1,0 +1,292 @@
+// At each value from the highest index-2 point down, shallow components give their maxima to others. It is asked of the
+// merge tree which components there are, and of the flow what is above the two sides of an index-2 point.
+#include "oracle/pockets.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "oracle/merge_tree.h"
+#include "oracle/peaks_above.h"
+#include "oracle/stable_pieces.h"
+
+namespace oracle {
+
+namespace {
+
+// What all steps ask of. Leaves are those of the merge tree: maxima, and infinity.
+struct Landscape {
+  Landscape(const PointSet& points, const std::vector<StationaryPoint>& list)
+      : set(points),
+        all(list),
+        tree(superlevel_tree(set, all)),
+        maxima(maxima_places(all)),
+        above(peaks_above(set, all)) {}
+
+  std::size_t infinity() const { return maxima.size(); }
+  const Rational& value(std::size_t leaf) const { return all[maxima[leaf]].squared_distance; }
+  bool is_index_2(std::size_t place) const { return all[place].is_critical() && all[place].hull_dimension == 2; }
+
+  // Whether the leaf is in {d^2 > a}.
+  bool is_above(std::size_t leaf, const Rational& a) const { return leaf == infinity() || value(leaf) > a; }
+
+  // The component of {d^2 > a} that has the leaf, by its leaves.
+  Peaks component(std::size_t leaf, const Rational& a) const {
+    Peaks found = {leaf};
+    for (std::size_t other = 0; other <= infinity(); ++other) {
+      if (other != leaf && joining_value(tree, leaf, other).value() > a) found.insert(other);
+    }
+    return found;
+  }
+
+  const PointSet& set;
+  const std::vector<StationaryPoint>& all;
+  MergeTree tree;
+  std::vector<std::size_t> maxima;
+  PeaksAbove above;
+};
+
+// An index-2 point with different components of {d^2 > its value} at its sides.
+struct Gate {
+  std::size_t point = 0;
+  std::array<Peaks, 2> sides;       // the leaves above each side
+  std::array<Peaks, 2> components;  // the component at each side
+};
+
+std::vector<Gate> gates_at(const Landscape& land, const Rational& value) {
+  std::vector<Gate> gates;
+  for (std::size_t point = 0; point < land.all.size(); ++point) {
+    if (!land.is_index_2(point) || land.all[point].squared_distance != value) continue;
+    Gate gate{point, land.above.of_sides[point], {}};
+    for (const std::size_t side : {0, 1}) gate.components[side] = land.component(*gate.sides[side].begin(), value);
+    if (gate.components[0] != gate.components[1]) gates.push_back(gate);
+  }
+  return gates;
+}
+
+// FC-POCK-02, step by step.
+class Merging {
+ public:
+  Merging(const Landscape& land, const Rational& persistence) : land_(land), persistence_(persistence) {
+    for (std::size_t leaf = 0; leaf <= land.infinity(); ++leaf) pocket_of_.push_back(leaf);
+    std::set<Rational, std::greater<>> levels;
+    for (std::size_t k = 0; k < land.all.size(); ++k) {
+      if (land.is_index_2(k)) levels.insert(land.all[k].squared_distance);
+    }
+    for (const Rational& level : levels) merge_at(level);
+  }
+
+  // A number for each leaf, the same for those of one pocket.
+  const std::vector<std::size_t>& pocket_of() const { return pocket_of_; }
+
+ private:
+  bool is_shallow(const Peaks& component, const Rational& level) const {
+    return std::all_of(component.begin(), component.end(), [&](std::size_t leaf) {
+      return leaf != land_.infinity() && land_.value(leaf) <= level + persistence_;
+    });
+  }
+
+  void join(std::size_t one, std::size_t other) {
+    std::replace(pocket_of_.begin(), pocket_of_.end(), std::max(one, other), std::min(one, other));
+  }
+
+  // All of a shallow component is one pocket already. First these join each other, and then, each group of them at
+  // once, what is not shallow.
+  void merge_at(const Rational& level) {
+    const std::vector<Gate> gates = gates_at(land_, level);
+    for (const Gate& gate : gates) {
+      if (!is_shallow(gate.components[0], level) || !is_shallow(gate.components[1], level)) continue;
+      join(pocket_of_[*gate.components[0].begin()], pocket_of_[*gate.components[1].begin()]);
+    }
+    std::map<std::size_t, Peaks> beyond;  // by the shallow pocket: the pockets that are not, behind gates
+    for (const Gate& gate : gates) {
+      for (const std::size_t side : {0, 1}) {
+        if (!is_shallow(gate.components[side], level) || is_shallow(gate.components[1 - side], level)) continue;
+        Peaks& found = beyond[pocket_of_[*gate.components[side].begin()]];
+        for (const std::size_t leaf : gate.sides[1 - side]) found.insert(pocket_of_[leaf]);
+      }
+    }
+    const std::vector<std::size_t> before = pocket_of_;
+    for (const auto& [shallow, others] : beyond) {
+      if (others.size() > 1) continue;
+      for (std::size_t leaf = 0; leaf < before.size(); ++leaf) {
+        if (before[leaf] == shallow) pocket_of_[leaf] = *others.begin();
+      }
+    }
+  }
+
+  const Landscape& land_;
+  const Rational& persistence_;
+  std::vector<std::size_t> pocket_of_;
+};
+
+// The pockets of some leaves.
+Peaks pockets_of(const std::vector<std::size_t>& number_of, const Peaks& leaves) {
+  Peaks found;
+  for (const std::size_t leaf : leaves) found.insert(number_of[leaf]);
+  return found;
+}
+
+// All components of {d^2 > value} that one can go to from the one with the leaf, over gates of that value, without
+// coming through the one with infinity. The last gates are those that lead from one of these to the one with infinity.
+std::vector<std::size_t> last_gates(const Landscape& land, std::size_t leaf, const Rational& value) {
+  const std::vector<Gate> gates = gates_at(land, value);
+  const Peaks outer = land.component(land.infinity(), value);
+  std::set<Peaks> reached = {land.component(leaf, value)};
+  for (std::size_t before = 0; before != reached.size();) {
+    before = reached.size();
+    for (const Gate& gate : gates) {
+      if (gate.components[0] == outer || gate.components[1] == outer) continue;
+      for (const std::size_t side : {0, 1}) {
+        if (reached.count(gate.components[side]) > 0) reached.insert(gate.components[1 - side]);
+      }
+    }
+  }
+  std::vector<std::size_t> last;
+  for (const Gate& gate : gates) {
+    for (const std::size_t side : {0, 1}) {
+      if (gate.components[side] == outer && reached.count(gate.components[1 - side]) > 0) last.push_back(gate.point);
+    }
+  }
+  return last;
+}
+
+std::vector<std::size_t> united(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) {
+  std::vector<std::size_t> both;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  return both;
+}
+
+// The widest of some paths, with the gates of all that are as wide.
+void widen(std::optional<WidestPath>& widest, const WidestPath& path) {
+  if (!widest || widest->value < path.value) {
+    widest = path;
+  } else if (widest->value == path.value) {
+    widest->gates = united(widest->gates, path.gates);
+  }
+}
+
+class Description {
+ public:
+  Description(const Landscape& land, const std::vector<std::size_t>& number_of) : land_(land), number_of_(number_of) {}
+
+  Pocket pocket(std::size_t number) const {
+    Pocket result;
+    std::vector<std::size_t> peak_leaves;
+    for (std::size_t leaf = 0; leaf < land_.infinity(); ++leaf) {
+      if (number_of_[leaf] != number) continue;
+      result.maxima.push_back(land_.maxima[leaf]);
+      if (!peak_leaves.empty() && land_.value(peak_leaves[0]) < land_.value(leaf)) peak_leaves.clear();
+      if (peak_leaves.empty() || land_.value(peak_leaves[0]) == land_.value(leaf)) peak_leaves.push_back(leaf);
+    }
+    result.peaks = select(land_.maxima, peak_leaves);
+    add_cell(number, result);
+    add_mouths(number, land_.value(peak_leaves[0]), result);
+    std::optional<WidestPath> widest;
+    for (const std::size_t leaf : peak_leaves) {
+      const Rational value = joining_value(land_.tree, leaf, land_.infinity()).value();
+      widen(widest, {value, last_gates(land_, leaf, value)});
+    }
+    result.to_infinity = widest.value();
+    return result;
+  }
+
+ private:
+  void add_cell(std::size_t number, Pocket& pocket) const {
+    for (std::size_t place = 0; place < land_.all.size(); ++place) {
+      if (pockets_of(number_of_, land_.above.of[place]) != Peaks{number}) continue;
+      pocket.cell.push_back(place);
+      pocket.volume += volume(land_.set, stable_set(land_.set, land_.all[place]));
+    }
+  }
+
+  void add_mouths(std::size_t number, const Rational& height, Pocket& pocket) const {
+    std::optional<Rational> highest;
+    Peaks neighbours;
+    for (std::size_t place = 0; place < land_.all.size(); ++place) {
+      const Peaks beside = pockets_of(number_of_, land_.above.of[place]);
+      if (!land_.is_index_2(place) || beside.count(number) == 0 || beside.size() < 2) continue;
+      pocket.mouths.push_back(place);
+      neighbours.insert(beside.begin(), beside.end());
+      const Rational& value = land_.all[place].squared_distance;
+      highest = highest ? std::max(*highest, value) : value;
+    }
+    neighbours.erase(number);
+    pocket.neighbours.assign(neighbours.begin(), neighbours.end());
+    pocket.depth = height - highest.value();
+  }
+
+  const Landscape& land_;
+  const std::vector<std::size_t>& number_of_;
+};
+
+// Pockets get numbers in the order of their first leaves, and the outside gets the last one.
+std::vector<std::size_t> numbered(const std::vector<std::size_t>& pocket_of) {
+  std::map<std::size_t, std::size_t> number_of;
+  for (const std::size_t pocket : pocket_of) {
+    if (pocket != pocket_of.back()) number_of.try_emplace(pocket, number_of.size());
+  }
+  number_of.emplace(pocket_of.back(), number_of.size());
+  std::vector<std::size_t> numbers;
+  for (const std::size_t pocket : pocket_of) numbers.push_back(number_of.at(pocket));
+  return numbers;
+}
+
+}  // namespace
+
+Pockets pockets(const PointSet& set, const std::vector<StationaryPoint>& all, const Rational& persistence) {
+  if (set.points.empty()) return {};
+  const Landscape land(set, all);
+  const std::vector<std::size_t> numbers = numbered(Merging(land, persistence).pocket_of());
+  Pockets result;
+  const Description description(land, numbers);
+  for (std::size_t number = 0; number < numbers.back(); ++number) result.pockets.push_back(description.pocket(number));
+  for (std::size_t leaf = 0; leaf < land.infinity(); ++leaf) {
+    if (numbers[leaf] == numbers.back()) result.outside.push_back(land.maxima[leaf]);
+  }
+  return result;
+}
+
+std::vector<std::size_t> pockets_above(const PointSet& set, const std::vector<StationaryPoint>& all,
+                                       const Pockets& pockets, const std::optional<StationaryPoint>& limit) {
+  const std::vector<std::size_t> maxima = maxima_places(all);
+  std::vector<std::size_t> number_of(maxima.size() + 1, pockets.pockets.size());
+  for (std::size_t leaf = 0; leaf < maxima.size(); ++leaf) {
+    for (std::size_t number = 0; number < pockets.pockets.size(); ++number) {
+      const std::vector<std::size_t>& own = pockets.pockets[number].maxima;
+      if (std::binary_search(own.begin(), own.end(), maxima[leaf])) number_of[leaf] = number;
+    }
+  }
+  Peaks leaves = {maxima.size()};
+  if (limit) {
+    const auto place = std::find(all.begin(), all.end(), *limit) - all.begin();
+    leaves = peaks_above(set, all).of[static_cast<std::size_t>(place)];
+  }
+  const Peaks found = pockets_of(number_of, leaves);
+  return {found.begin(), found.end()};
+}
+
+Passage passage(const std::vector<StationaryPoint>& all, const Pocket& pocket, const Rational& squared_radius) {
+  if (pocket.to_infinity.value < squared_radius) return Passage::kCavity;
+  const auto passable = std::count_if(pocket.mouths.begin(), pocket.mouths.end(),
+                                      [&](std::size_t place) { return all[place].squared_distance >= squared_radius; });
+  return passable > 1 ? Passage::kChannel : Passage::kPocket;
+}
+
+std::optional<WidestPath> widest_path(const Pockets& pockets) {
+  std::optional<WidestPath> widest;
+  for (const Pocket& pocket : pockets.pockets) widen(widest, pocket.to_infinity);
+  return widest;
+}
+
+std::vector<std::size_t> largest_balls(const std::vector<StationaryPoint>& all, const Pockets& pockets) {
+  std::vector<std::size_t> largest;
+  for (const Pocket& pocket : pockets.pockets) {
+    const Rational& value = all[pocket.peaks[0]].squared_distance;
+    if (!largest.empty() && all[largest[0]].squared_distance < value) largest.clear();
+    if (largest.empty() || all[largest[0]].squared_distance == value) largest = united(largest, pocket.peaks);
+  }
+  return largest;
+}
+
+}  // namespace oracle
