@@ -102,6 +102,18 @@ std::vector<Triangle> triangles(const PointSet& set, const StableSet& stable) {
   return result;
 }
 
+std::vector<Rational> squared_areas(const PointSet& set, const StableSet& stable) {
+  std::vector<Rational> squares;
+  for (const BackwardSegment& segment : stable.segments) {
+    for (const std::size_t name : segment.samples) {
+      const Point p = point_of(set, name);
+      const Point normal = cross(minus(segment.front, p), minus(segment.back, p));
+      squares.push_back(dot(normal, normal) / 4);
+    }
+  }
+  return squares;
+}
+
 std::vector<std::size_t> boundary_walk(const PointSet& set, const StationaryPoint& z, const StableSet& stable) {
   if (z.hull_dimension != 2 || stable.has_vertex) {
     throw std::invalid_argument("only a disc without Voronoi vertices has a boundary walk");

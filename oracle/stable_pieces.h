@@ -32,6 +32,10 @@ std::vector<std::array<std::size_t, 2>> boundary_edges(const StableSet& stable);
 // The number of segments that are reached from z along segments alone. No interval adds these.
 std::size_t segments_without_intervals(const StationaryPoint& z, const StableSet& stable);
 
+// The squares of the areas of the triangles that the segments stand for, two for each segment. They may be of any
+// stable set, and sectors do not count (FC-POCK-04).
+std::vector<Rational> squared_areas(const PointSet& set, const StableSet& stable);
+
 // Whether there is a Voronoi vertex or a regular back. If so, FC-STAB-07 leaves the boundary open.
 bool has_tie(const StableSet& stable);
 

@@ -1,0 +1,21 @@
+// Whether a double stands for a difference, or a sum, of square roots of rationals (FC-POCK-11).
+//
+// No root is rounded: differences are decided by squaring, and sums by integer roots on both sides. Exact.
+#pragma once
+
+#include <vector>
+
+#include "oracle/exact_geometry.h"
+
+namespace oracle {
+
+// The sign of sqrt(a) - sqrt(b) - x. a and b are not negative.
+int compare_root_difference(const Rational& a, const Rational& b, const Rational& x);
+
+// Whether x is the double nearest to sqrt(a) - sqrt(b); of two that are equally near, either is.
+bool is_nearest_root_difference(double x, const Rational& a, const Rational& b);
+
+// Whether x is the sum of the roots of these numbers, which are not negative, but for a share of 2^-40 of it.
+bool is_root_sum(double x, const std::vector<Rational>& squares);
+
+}  // namespace oracle
