@@ -156,6 +156,25 @@ std::optional<Point> BoundedDivisions::rounded_face(const DivisionPoint& point) 
   return sphere ? std::optional(sphere->center) : std::nullopt;
 }
 
+std::array<BoundedNumber, 3> BoundedDivisions::parts_of_corners(const BoundedNumber& number,
+                                                                const std::array<VertexIndex, 3>& triangle) const {
+  const auto bounded_dot = [](const Vector& u, const Vector& v) {
+    return BoundedNumber{dot(u, v), kShare * length_of(u) * length_of(v) + kUnderflow};
+  };
+  std::array<BoundedNumber, 3> weights;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const VertexIndex p = triangle[i], q = triangle[(i + 1) % 3], r = triangle[(i + 2) % 3];
+    const Vector opposite = between(q, r);
+    weights[i] = product(bounded_dot(opposite, opposite), bounded_dot(between(p, q), between(p, r)));
+  }
+  const BoundedNumber all = doubled(sum(weights[0], sum(weights[1], weights[2])));
+  std::array<BoundedNumber, 3> parts;
+  for (std::size_t i = 0; i < 3; ++i) {
+    parts[i] = product(number, quotient(sum(weights[(i + 1) % 3], weights[(i + 2) % 3]), all));
+  }
+  return parts;
+}
+
 BoundedNumber BoundedDivisions::determinant(const std::array<VertexIndex, 4>& v) const {
   const Vector a = between(v[0], v[1]), b = between(v[0], v[2]), c = between(v[0], v[3]);
   return {dot(a, cross(b, c)), kShare * length_of(a) * length_of(b) * length_of(c) + kUnderflow};

@@ -74,6 +74,13 @@ struct StableVolumes::Parts {
   }
   [[nodiscard]] BoundedNumber bounded(const BoundedDivisions& divisions, const VolumeTerm& term) const;
   [[nodiscard]] std::optional<double> rounded(const BoundedDivisions& divisions, std::size_t record) const;
+  // A sum of terms, as a volume.
+  [[nodiscard]] static std::optional<double> rounded_sixth(const BoundedDivisions& divisions, const BoundedNumber& sum);
+  [[nodiscard]] const BoundedDivisions& shared_bounds();
+  void add_rounded_shares(const BoundedDivisions& divisions, const VolumeTerm& term,
+                          std::vector<std::pair<PointId, BoundedNumber>>& shares) const;
+  // Nothing if the bounds leave one open.
+  [[nodiscard]] std::optional<std::vector<std::pair<PointId, double>>> rounded_shares(std::size_t record);
   [[nodiscard]] RationalVector at(VertexIndex v) const {
     const Point& p = diagram.point(v);
     return {Rational(p.x), Rational(p.y), Rational(p.z)};
@@ -97,6 +104,7 @@ struct StableVolumes::Parts {
   std::atomic<std::size_t> decided_exactly = 0;
   std::mutex mutex;  // of what follows
   std::optional<ExactDivisions> divisions;
+  std::optional<BoundedDivisions> bounds;  // constant once it is made
 };
 
 // ---- Terms ----
@@ -188,6 +196,11 @@ std::optional<double> StableVolumes::Parts::rounded(const BoundedDivisions& divi
     if (!(next.error < HUGE_VAL)) return std::nullopt;
     sum = sum - BoundedNumber{-next.value, next.error};
   }
+  return rounded_sixth(divisions_, sum);
+}
+
+std::optional<double> StableVolumes::Parts::rounded_sixth(const BoundedDivisions& divisions_,
+                                                          const BoundedNumber& sum) {
   const DoubleDouble sixth = sum.value / DoubleDouble(6);
   const double rounding = 2 * DoubleDouble::kRoundoff * std::fabs(sixth.high());
   const auto in_units = decided_double({sixth, (sum.error / 6 + rounding) * (1 + 0x1p-40)});
@@ -310,6 +323,50 @@ void StableVolumes::Parts::add_shares(const VolumeTerm& term, std::vector<std::p
   }
 }
 
+const BoundedDivisions& StableVolumes::Parts::shared_bounds() {
+  const std::scoped_lock lock(mutex);
+  if (!bounds) bounds.emplace(diagram, partition);
+  return *bounds;
+}
+
+void StableVolumes::Parts::add_rounded_shares(const BoundedDivisions& divisions_, const VolumeTerm& term,
+                                              std::vector<std::pair<PointId, BoundedNumber>>& shares) const {
+  const auto add = [&](const VolumeTerm& over_triangle, const std::array<VertexIndex, 3>& triangle) {
+    const auto parts = divisions_.parts_of_corners(bounded(divisions_, over_triangle), triangle);
+    for (std::size_t i = 0; i < 3; ++i) {
+      shares.emplace_back(points.name(diagram.delaunay().ordinals[triangle[i]]), parts[i]);
+    }
+  };
+  if (term.kind != VolumeTerm::Kind::kCell) return add(term, diagram.corners({term.face / 4, term.face % 4}));
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    add({term.limit, VolumeTerm::Kind::kVertex, 4 * term.face + i}, diagram.corners({term.face, i}));
+  }
+}
+
+std::optional<std::vector<std::pair<PointId, double>>> StableVolumes::Parts::rounded_shares(std::size_t record) {
+  const BoundedDivisions& shared = shared_bounds();
+  std::vector<std::pair<PointId, BoundedNumber>> parts;
+  for (const VolumeTerm& term : terms_of(record)) {
+    // A term of a large polygon is that of several triangles, and is left to exact numbers.
+    if (!(bounded(shared, term).error < HUGE_VAL)) return std::nullopt;
+    add_rounded_shares(shared, term, parts);
+  }
+  std::ranges::stable_sort(parts, {}, [](const auto& part) { return part.first; });
+  std::vector<std::pair<PointId, double>> shares;
+  for (std::size_t i = 0, next = 0; i < parts.size(); i = next) {
+    BoundedNumber sum{0, 0};
+    for (next = i; next < parts.size() && parts[next].first == parts[i].first; ++next) {
+      const BoundedNumber& part = parts[next].second;
+      if (!(part.error < HUGE_VAL)) return std::nullopt;
+      sum = sum - BoundedNumber{-part.value, part.error};
+    }
+    const auto share = rounded_sixth(shared, sum);
+    if (!share) return std::nullopt;
+    shares.emplace_back(parts[i].first, *share);
+  }
+  return shares;
+}
+
 // ---- The class ----
 
 StableVolumes::StableVolumes(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
@@ -346,6 +403,15 @@ std::vector<std::pair<PointId, Rational>> StableVolumes::shares(std::size_t reco
     if (sum != 0) shares.emplace_back(parts[i].first, sum);
   }
   return shares;
+}
+
+std::vector<std::pair<PointId, double>> StableVolumes::rounded_shares(std::size_t record) const {
+  if (auto decided = parts_->rounded_shares(record)) return std::move(*decided);
+  std::vector<std::pair<PointId, double>> rounded;
+  for (const auto& [sample, share] : shares(record)) {
+    rounded.emplace_back(sample, nearest_double(share).value_or(HUGE_VAL));
+  }
+  return rounded;
 }
 
 const Rational& StableVolumes::hull() const { return parts_->hull; }
