@@ -178,7 +178,7 @@ void add_complex(py::module_& module) {
       .def("volumes", &Complex::volumes)
       .def("volume", &Complex::volume, py::arg("record"))
       .def("hull_volume", &Complex::hull_volume)
-      .def("shares", &Complex::shares, py::arg("record"))
+      .def("shares", &Complex::shares, py::arg("record"), py::arg("exact"))
       .def("lambda_list", &Complex::lambda_list, py::arg("record"), py::arg("exact"))
       .def("connections", &Complex::connections)
       .def("is_morse_smale", &Complex::is_morse_smale);

@@ -81,7 +81,7 @@ class Complex {
   [[nodiscard]] pybind11::tuple volume(std::size_t record) const;
   [[nodiscard]] pybind11::tuple hull_volume() const;
   // [(row, pair of ints), ...]
-  [[nodiscard]] pybind11::list shares(std::size_t record) const;
+  [[nodiscard]] pybind11::list shares(std::size_t record, bool exact) const;
   // ([(limit, exit, is_vector), ...], [limit, ...]); limits are places or None. An exit is three pairs of ints, or
   // three doubles. None if the point has no such list.
   [[nodiscard]] pybind11::object lambda_list(std::size_t record, bool exact) const;

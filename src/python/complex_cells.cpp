@@ -87,15 +87,18 @@ py::tuple Complex::hull_volume() const {
   return ratio_of(volume);
 }
 
-py::list Complex::shares(std::size_t record) const {
+py::list Complex::shares(std::size_t record, bool exact) const {
   std::vector<std::pair<PointId, Rational>> shares;
+  std::vector<std::pair<PointId, double>> rounded;
   {
     const ReleasedLock released;
     require_record(record);
-    shares = complex_.volumes().shares(record);
+    if (exact) shares = complex_.volumes().shares(record);
+    if (!exact) rounded = complex_.volumes().rounded_shares(record);
   }
   py::list list;
   for (const auto& [row, share] : shares) list.append(py::make_tuple(row, ratio_of(share)));
+  for (const auto& [row, share] : rounded) list.append(py::make_tuple(row, share));
   return list;
 }
 

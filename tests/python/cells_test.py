@@ -119,6 +119,7 @@ def test_numbers_beyond_the_doubles():
     assert fc.volumes[maximum] == math.inf
     assert fc.volume(maximum) == fc.hull_volume == 2**1200
     assert sum(fc.shares(maximum).values()) == 2**1200
+    assert set(fc.shares(maximum, exact=False).values()) == {math.inf}
 
 
 @pytest.mark.parametrize("ask", ["volume", "shares", "lambda_list"])
@@ -158,7 +159,9 @@ def test_all_of_it_is_what_the_program_writes(name, xyz):
         assert fc.volume(i) == Fraction(record["volume"])
         overflows = record["volume_double"] is None
         assert fc.volumes[i] == (math.inf if overflows else record["volume_double"])
-        assert list(fc.shares(i).items()) == [(row, Fraction(share)) for row, share in record.get("shares", [])]
+        shares = fc.shares(i)
+        assert list(shares.items()) == [(row, Fraction(share)) for row, share in record.get("shares", [])]
+        assert fc.shares(i, exact=False) == {row: nearest(share) for row, share in shares.items()}
         if "lambda" not in record:
             with pytest.raises(ValueError, match=f"^stationary point {i} has no list of limits"):
                 fc.lambda_list(i)
