@@ -66,6 +66,28 @@ inline ClaimedSurface surface_of(const PointSet& points, const StableSet& set) {
   return surface;
 }
 
+inline ClaimedInfinity infinity_of(const InfinitySet& set) {
+  ClaimedInfinity infinity;
+  infinity.bounded = skeleton_of(set.bounded);
+  for (const UnboundedSegment& s : set.segments) {
+    infinity.segments.push_back({{s.samples[0], s.samples[1]},
+                                 exactly(s.vector),
+                                 exactly(s.back),
+                                 s.back_contact,
+                                 back_kind_text(s.back_kind)});
+  }
+  for (const UnboundedInterval& i : set.intervals) {
+    infinity.intervals.push_back({i.polygon, exactly(i.vector), exactly(i.back), i.back_is_stationary});
+  }
+  for (const UnboundedSector& s : set.sectors) {
+    infinity.sectors.push_back({{s.samples[0], s.samples[1]}, {}});
+    for (const SectorCorner& corner : s.corners) {
+      infinity.sectors.back().corners.push_back({corner.is_vector, exactly(corner.position)});
+    }
+  }
+  return infinity;
+}
+
 // A claim of all stationary points by their contact sets, with all that can be claimed of stable sets. Point
 // k is record k.
 inline Claim stable_claim(const PointSet& points, Truth& truth, std::size_t first_line) {

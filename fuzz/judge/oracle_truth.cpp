@@ -12,6 +12,7 @@
 #include "fuzz/judge/hull_volume.h"
 #include "geometry/contract.h"
 #include "oracle/fast/point_set.h"
+#include "oracle/infinity_set.h"
 #include "oracle/orbit.h"
 #include "oracle/persistence.h"
 #include "oracle/stable_pieces.h"
@@ -36,15 +37,23 @@ std::vector<PointId> names_of(const auto& names) {
   return result;
 }
 
-BackwardSegment segment_of(const oracle::BackwardSegment& segment) {
+std::array<PointId, 2> names_of_pair(const std::array<std::size_t, 2>& samples) {
+  return {static_cast<PointId>(samples[0]), static_cast<PointId>(samples[1])};
+}
+
+BackKind back_kind_of(oracle::BackKind kind) {
   static constexpr std::array kKinds = {BackKind::kCritical, BackKind::kRegular, BackKind::kEdge,
                                         BackKind::kVertex};  // as the oracle's are ordered
-  return {{static_cast<PointId>(segment.samples[0]), static_cast<PointId>(segment.samples[1])},
+  return kKinds.at(static_cast<std::size_t>(kind));
+}
+
+BackwardSegment segment_of(const oracle::BackwardSegment& segment) {
+  return {names_of_pair(segment.samples),
           segment.front,
           segment.back,
           names_of(segment.front_contact),
           names_of(segment.back_contact),
-          kKinds.at(static_cast<std::size_t>(segment.back_kind))};
+          back_kind_of(segment.back_kind)};
 }
 
 // Intervals that sectors come through are left out, because the sectors' corners tell them.
@@ -57,8 +66,27 @@ StableSet stable_set_of(const oracle::PointSet& points, const oracle::StableSet&
         {names_of(interval.polygon), interval.front, interval.back, !oracle::flow_segment(points, interval.back)});
   }
   for (const auto& sector : set.sectors) {
-    result.sectors.push_back(
-        {{static_cast<PointId>(sector.samples[0]), static_cast<PointId>(sector.samples[1])}, sector.polygon});
+    result.sectors.push_back({names_of_pair(sector.samples), sector.polygon});
+  }
+  return result;
+}
+
+InfinitySet infinity_set_of(const oracle::PointSet& points, const oracle::InfinitySet& set) {
+  InfinitySet result{stable_set_of(points, set.bounded), {}, {}, {}};
+  for (const auto& segment : set.segments) {
+    result.segments.push_back({names_of_pair(segment.samples), segment.front, segment.back,
+                               names_of(segment.back_contact), back_kind_of(segment.back_kind)});
+  }
+  for (const auto& interval : set.intervals) {
+    if (interval.kind == oracle::IntervalKind::kCrossed) continue;
+    result.intervals.push_back(
+        {names_of(interval.polygon), interval.front, interval.back, !oracle::flow_segment(points, interval.back)});
+  }
+  for (const auto& sector : set.sectors) {
+    result.sectors.push_back({names_of_pair(sector.samples), {}});
+    for (const oracle::Corner& corner : sector.corners) {
+      result.sectors.back().corners.push_back({corner.at_infinity, corner.position});
+    }
   }
   return result;
 }
@@ -131,6 +159,9 @@ class OracleTruth final : public Truth {
     return {oracle::segments_without_intervals(answer_.stationary[i], set), set.has_vertex, !set.intervals.empty()};
   }
   [[nodiscard]] StableSet stable_set(std::size_t i) override { return stable_set_of(set_, stable(i)); }
+  [[nodiscard]] InfinitySet set_of_infinity() override {
+    return infinity_set_of(set_, oracle::stable_set_of_infinity(set_));
+  }
 
   [[nodiscard]] LambdaList lambda_list(std::size_t i) override {
     LambdaList list;
@@ -197,6 +228,13 @@ class OracleTruth final : public Truth {
       if (all[k] != 0) shares.emplace_back(static_cast<PointId>(set_.names[k]), all[k]);
     }
     return shares;
+  }
+  [[nodiscard]] std::vector<std::pair<PointId, double>> nearest_shares(std::size_t i) override {
+    std::vector<std::pair<PointId, double>> rounded;
+    for (const auto& [name, share] : shares(i)) {
+      rounded.emplace_back(name, nearest_double(share).value_or(std::numeric_limits<double>::infinity()));
+    }
+    return rounded;
   }
   [[nodiscard]] Rational hull_volume() override { return oracle_hull_volume(set_.points); }
 
@@ -338,6 +376,7 @@ class VectorTruth final : public Truth {
     return {case_.stable[i]->segments, case_.stable[i]->has_vertex, case_.stable[i]->has_interval};
   }
   [[nodiscard]] StableSet stable_set(std::size_t i) override { return oracle_->stable_set(i); }
+  [[nodiscard]] InfinitySet set_of_infinity() override { return oracle_->set_of_infinity(); }
   [[nodiscard]] LambdaList lambda_list(std::size_t i) override { return oracle_->lambda_list(i); }
   [[nodiscard]] std::vector<FlowLimits::Entry> lambda_entries(std::size_t i) override {
     return oracle_->lambda_entries(i);
@@ -347,6 +386,9 @@ class VectorTruth final : public Truth {
   [[nodiscard]] Rational volume(std::size_t i) override { return oracle_->volume(i); }
   [[nodiscard]] double nearest_volume(std::size_t i) override { return oracle_->nearest_volume(i); }
   [[nodiscard]] std::vector<std::pair<PointId, Rational>> shares(std::size_t i) override { return oracle_->shares(i); }
+  [[nodiscard]] std::vector<std::pair<PointId, double>> nearest_shares(std::size_t i) override {
+    return oracle_->nearest_shares(i);
+  }
   [[nodiscard]] Rational hull_volume() override { return oracle_->hull_volume(); }
 
  private:

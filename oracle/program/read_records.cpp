@@ -164,12 +164,21 @@ Record parse_record(const std::string& line, const std::string& where) {
   });
 }
 
+// The line of what flows to infinity is no record of a point.
+bool is_of_infinity(const std::string& line) {
+  if (line.find("\"infinity\"") == std::string::npos) return false;
+  const json record = json::parse(line, nullptr, false);
+  return record.is_object() && record.contains("kind") && record["kind"] == "infinity";
+}
+
 RecordFile read_record_file(std::istream& in, const std::string& name) {
   std::string line;
   if (!std::getline(in, line)) throw UnusableInput(name + ": empty or unreadable");
   std::size_t announced = 0;
   RecordFile file = located(name + ":1: ", [&] { return parse_header(line, announced); });
-  while (std::getline(in, line)) file.records.push_back(line);
+  while (std::getline(in, line)) {
+    if (!is_of_infinity(line)) file.records.push_back(line);
+  }
   if (file.records.size() != announced) {
     throw UnusableInput(name + ": the header announces " + std::to_string(announced) + " records, the file has " +
                         std::to_string(file.records.size()));

@@ -156,5 +156,6 @@ bool check_polylines(CheckRun& run);
 bool check_surfaces(CheckRun& run);
 bool check_lambda_lists(CheckRun& run);
 bool check_volumes(CheckRun& run);
+bool check_infinity(CheckRun& run);
 
 }  // namespace flowcert::certify

@@ -97,6 +97,12 @@ bool matches_at_once(const ClaimedPosition& claimed, const RationalPoint& truth)
   return true;
 }
 
+// Scaled so that its greatest coordinate, without the sign, is 1. The vector must not be zero.
+RationalPoint scaled_vector(const RationalPoint& v) {
+  const Rational greatest = std::max({Rational(abs(v[0])), Rational(abs(v[1])), Rational(abs(v[2]))});
+  return {v[0] / greatest, v[1] / greatest, v[2] / greatest};
+}
+
 ValueMatch wrong(bool by_rounding) { return by_rounding ? ValueMatch::kRounding : ValueMatch::kOff; }
 
 }  // namespace
@@ -148,6 +154,20 @@ ValueMatch match_position(const ClaimedPosition& claimed, const RationalPoint& t
   }
   if (off_exactly == 0 && off_by_decimals <= scale.squared_allowance()) return ValueMatch::kWithin;
   return wrong(is_rounding(off_exactly + off_by_decimals, 0, scale.rounding_length()));
+}
+
+ValueMatch match_vector(const ClaimedPosition& claimed, const RationalPoint& truth, double tolerance) {
+  const RationalPoint a = scaled_vector(values_of(claimed)), b = scaled_vector(truth);
+  if (a == b) return is_exact(claimed) ? ValueMatch::kEqual : ValueMatch::kWithin;
+  Rational most = 0;
+  bool is_near = !is_exact(claimed);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Rational off = abs(Rational(a[axis] - b[axis]));
+    is_near = is_near && (off <= Rational(tolerance) || rounds_alike(a[axis], b[axis]));
+    most = std::max(most, off);
+  }
+  if (is_near) return ValueMatch::kWithin;
+  return most <= Rational(kRoundingPart) ? ValueMatch::kRounding : ValueMatch::kOff;
 }
 
 ValueMatch match_distance(const ClaimedNumber& claimed, const Rational& squared_radius, const ValueScale& scale) {

@@ -63,6 +63,9 @@ class ValueScale {
 
 [[nodiscard]] ValueMatch match_position(const ClaimedPosition& claimed, const RationalPoint& truth,
                                         const ValueScale& scale);
+// A vector may have any length but 0. In decimals, the vectors, scaled so that their greatest coordinate without the sign
+// is 1, may differ by the tolerance in each coordinate.
+[[nodiscard]] ValueMatch match_vector(const ClaimedPosition& claimed, const RationalPoint& truth, double tolerance);
 [[nodiscard]] ValueMatch match_distance(const ClaimedNumber& claimed, const Rational& squared_radius,
                                         const ValueScale& scale);
 [[nodiscard]] ValueMatch match_squared_distance(const ClaimedNumber& claimed, const Rational& squared_radius,

@@ -54,6 +54,7 @@ class FastTruth final : public Truth {
     return {complex_.stable().segment_count(k), complex_.stable().has_vertex(k), complex_.stable().has_interval(k)};
   }
   [[nodiscard]] StableSet stable_set(std::size_t i) override { return complex_.stable().set_of_record(i); }
+  [[nodiscard]] InfinitySet set_of_infinity() override { return complex_.stable().set_of_infinity(); }
 
   [[nodiscard]] LambdaList lambda_list(std::size_t i) override { return complex_.limits().list(number_of_list(i)); }
   [[nodiscard]] std::vector<FlowLimits::Entry> lambda_entries(std::size_t i) override {
@@ -72,6 +73,9 @@ class FastTruth final : public Truth {
   [[nodiscard]] double nearest_volume(std::size_t i) override { return complex_.volumes().nearest(i); }
   [[nodiscard]] std::vector<std::pair<PointId, Rational>> shares(std::size_t i) override {
     return complex_.volumes().shares(i);
+  }
+  [[nodiscard]] std::vector<std::pair<PointId, double>> nearest_shares(std::size_t i) override {
+    return complex_.volumes().rounded_shares(i);
   }
   [[nodiscard]] Rational hull_volume() override { return complex_.volumes().hull(); }
 

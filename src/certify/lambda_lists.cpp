@@ -35,27 +35,6 @@ struct Labels {
 
 constexpr std::size_t kMostLimitsShown = 12;
 
-// Scaled so that its greatest coordinate, without the sign, is 1. The vector must not be zero.
-RationalPoint scaled_vector(const RationalPoint& v) {
-  const Rational greatest = std::max({Rational(abs(v[0])), Rational(abs(v[1])), Rational(abs(v[2]))});
-  return {v[0] / greatest, v[1] / greatest, v[2] / greatest};
-}
-
-// A vector may have any length. In decimals, the scaled vectors may differ by the tolerance in each coordinate.
-ValueMatch match_vector(const ClaimedPosition& claimed, const RationalPoint& truth, double tolerance) {
-  const RationalPoint a = scaled_vector(values_of(claimed)), b = scaled_vector(truth);
-  if (a == b) return is_exact(claimed) ? ValueMatch::kEqual : ValueMatch::kWithin;
-  Rational most = 0;
-  bool is_near = !is_exact(claimed);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Rational off = abs(Rational(a[axis] - b[axis]));
-    is_near = is_near && (off <= Rational(tolerance) || rounds_alike(a[axis], b[axis]));
-    most = std::max(most, off);
-  }
-  if (is_near) return ValueMatch::kWithin;
-  return most <= Rational(kRoundingPart) ? ValueMatch::kRounding : ValueMatch::kOff;
-}
-
 class LambdaLists {
  public:
   explicit LambdaLists(CheckRun& run) : run_(run) {}

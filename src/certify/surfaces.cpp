@@ -13,6 +13,7 @@
 #include "certify/check_run.h"
 #include "certify/claimed_geometry.h"
 #include "certify/finding_words.h"
+#include "certify/piece_comparison.h"
 #include "geometry/rational_point.h"
 
 namespace flowcert::certify {
@@ -47,15 +48,6 @@ std::vector<bool> determined_segments(const StableSet& set, const RationalPoint&
   }
   return determined;
 }
-
-// Which claimed pieces are true ones, and which true pieces are claimed.
-struct Comparison {
-  std::vector<bool> is_claimed;                     // by true piece
-  std::vector<std::optional<std::size_t>> partner;  // the true piece, by claimed piece
-  std::vector<std::string> strange;                 // claimed pieces that are not true
-  bool is_rounding = true;                          // each strange piece is near a true one
-  bool is_beyond = true;                            // each strange piece may lie beyond a regular back
-};
 
 // The largest squared distance of a regular back from its samples; none if no back is regular.
 std::optional<Rational> value_of_regular_backs(const PointSet& points, const StableSet& set) {
@@ -174,38 +166,6 @@ class Surfaces {
     return match_position(claimed, truth, scale);
   }
 
-  // matches(claimed, i): how well a claimed piece matches true piece i.
-  template <typename Claimed, typename Matches, typename Beyond, typename Text>
-  static Comparison compare(const std::vector<Claimed>& claimed, std::size_t true_count, const Matches& matches,
-                            const Beyond& is_beyond, const Text& text) {
-    Comparison result{std::vector<bool>(true_count, false), {}, {}};
-    std::size_t guess = 0;  // claims are mostly in the order of the truth
-    for (const Claimed& piece : claimed) {
-      ValueMatch best = ValueMatch::kOff;
-      result.partner.emplace_back();
-      for (std::size_t step = 0; step < true_count; ++step) {
-        const std::size_t i = (guess + step) % true_count;
-        if (result.is_claimed[i]) continue;
-        const ValueMatch match = matches(piece, i);
-        best = std::min(best, match);
-        if (is_wrong(match)) continue;
-        result.is_claimed[i] = true;
-        result.partner.back() = i;
-        guess = i + 1;
-        break;
-      }
-      if (!is_wrong(best)) continue;
-      result.strange.push_back(text(piece));
-      result.is_rounding = result.is_rounding && best == ValueMatch::kRounding;
-      bool is_again = false;
-      for (std::size_t i = 0; i < true_count; ++i) {
-        is_again = is_again || (result.is_claimed[i] && !is_wrong(matches(piece, i)));
-      }
-      result.is_beyond = result.is_beyond && !is_again && is_beyond(piece);
-    }
-    return result;
-  }
-
   // is_determined(i): whether a claim must have true piece i.
   template <typename Determined>
   void judge(std::size_t k, const Comparison& found, const std::string& what, const Determined& is_determined) {
@@ -247,7 +207,7 @@ class Surfaces {
       if (!same) return ValueMatch::kOff;
       return worse(matched(piece.front, truth.front, scale), matched(piece.back, truth.back, scale));
     };
-    Comparison segments = compare(
+    Comparison segments = compare_pieces(
         claimed.segments, set.segments.size(), segment,
         [&](const ClaimedBackwardSegment& piece) { return regular && may_be_added(piece, *regular); },
         [](const ClaimedBackwardSegment& piece) {
@@ -266,17 +226,17 @@ class Surfaces {
     const bool is_maximum = run_.index(run_.placed[k].place->record) == StationaryIndex{3, 3};
     const auto owed = [&](std::size_t) { return is_maximum; };
     judge(k,
-          compare(
+          compare_pieces(
               claimed.intervals, set.intervals.size(), interval, [](const ClaimedInterval&) { return false; },
               [](const ClaimedInterval& piece) { return "an interval of " + names_text(piece.polygon); }),
           "interval", owed);
     const auto sector = [&](const ClaimedSector& piece, std::size_t i) {
       const BackwardSector& truth = set.sectors[i];
       if (!std::ranges::equal(names(piece.samples), truth.samples)) return ValueMatch::kOff;
-      return match_ring(piece.corners, truth.corners, scale);
+      return match_corners(piece.corners, truth.corners, scale);
     };
     judge(k,
-          compare(
+          compare_pieces(
               claimed.sectors, set.sectors.size(), sector, [](const ClaimedSector&) { return false; },
               [](const ClaimedSector& piece) { return "a sector of " + names_text(piece.samples); }),
           "sector", owed);
@@ -340,21 +300,11 @@ class Surfaces {
     return sides[1];
   }
 
-  // The claimed ring may begin at any corner and go either way around.
-  ValueMatch match_ring(std::span<const ClaimedPosition> claimed, std::span<const RationalPoint> truth,
-                        const ValueScale& scale) {
-    const std::size_t n = truth.size();
-    if (claimed.size() != n) return ValueMatch::kOff;
-    ValueMatch best = ValueMatch::kOff;
-    for (std::size_t turn = 0; turn < 2 * n && is_wrong(best); ++turn) {
-      ValueMatch worst = ValueMatch::kEqual;
-      for (std::size_t i = 0; i < n && worst != ValueMatch::kOff; ++i) {
-        const std::size_t at = turn < n ? (i + turn) % n : (2 * n + turn - i) % n;
-        worst = std::max(worst, matched(claimed[i], truth[at], scale));
-      }
-      best = std::min(best, worst);
-    }
-    return best;
+  ValueMatch match_corners(std::span<const ClaimedPosition> claimed, std::span<const RationalPoint> truth,
+                           const ValueScale& scale) {
+    return match_ring(claimed, truth, [&](const ClaimedPosition& corner, const RationalPoint& other) {
+      return matched(corner, other, scale);
+    });
   }
 
   void check_surface(std::size_t k, const ClaimedSurface& claimed, const StableSet& set, const ValueScale& scale,
@@ -375,10 +325,10 @@ class Surfaces {
     };
     const std::optional<Rational> regular = value_of_regular_backs(run_.points, set);
     judge(k,
-          compare(
+          compare_pieces(
               claimed.triangles, truth.size(),
               [&](const std::array<std::size_t, 3>& triangle, std::size_t i) {
-                return match_ring(corners(triangle), truth[i], scale);
+                return match_corners(corners(triangle), truth[i], scale);
               },
               [&](const std::array<std::size_t, 3>& triangle) {
                 return regular && least_reach(corners(triangle)) <= *regular;

@@ -51,18 +51,20 @@ class ClaimedVolumes {
   }
 
   void check_shares(std::size_t k) {
+    if (has_surely_right_shares(k)) return;
     const auto truth = run_.truth.shares(run_.placed[k].place->record);
     std::map<PointId, Rational> missing(truth.begin(), truth.end());
     for (const ClaimedShare& share : *run_.claim.points[k].shares) {
-      run_.report.is_exact = run_.report.is_exact && share.volume.is_exact;
+      run_.report.is_exact = run_.report.is_exact && share.volume && share.volume->is_exact;
       const PointId name = run_.points.name(run_.points.ordinal_of_row(share.sample));
       const auto true_share = missing.find(name);
       const Rational right = true_share == missing.end() ? Rational(0) : true_share->second;
-      const ValueMatch match = match_volume(share.volume, right, run_.options.tolerance);
+      const ValueMatch match = match_share(share, right);
       if (true_share != missing.end()) missing.erase(true_share);
       if (!is_wrong(match)) continue;
       return find(k, reason_of(match), "FC-VOL-02",
-                  "a share of " + number_text(share.volume) + " in the cell of " + std::to_string(share.sample),
+                  "a share of " + (share.volume ? number_text(*share.volume) : "no double") + " in the cell of " +
+                      std::to_string(share.sample),
                   right == 0 ? "there is none, or it is claimed already" : "it is " + number_text(right));
     }
     if (missing.empty()) return;
@@ -82,6 +84,26 @@ class ClaimedVolumes {
   }
 
  private:
+  // Whether all shares are decimals that are right for every share whose nearest double is the true one's.
+  bool has_surely_right_shares(std::size_t k) {
+    const auto nearest = run_.truth.nearest_shares(run_.placed[k].place->record);
+    std::map<PointId, double> missing(nearest.begin(), nearest.end());
+    for (const ClaimedShare& share : *run_.claim.points[k].shares) {
+      const auto truth = missing.find(run_.points.name(run_.points.ordinal_of_row(share.sample)));
+      if (!share.volume || truth == missing.end()) return false;
+      if (!is_surely_right(*share.volume, truth->second, run_.options.tolerance)) return false;
+      missing.erase(truth);
+    }
+    if (!missing.empty()) return false;
+    run_.report.is_exact = run_.report.is_exact && nearest.empty();
+    return true;
+  }
+
+  [[nodiscard]] ValueMatch match_share(const ClaimedShare& share, const Rational& truth) const {
+    if (share.volume) return match_volume(*share.volume, truth, run_.options.tolerance);
+    return nearest_double(truth) ? ValueMatch::kOff : ValueMatch::kWithin;
+  }
+
   static FindingReason reason_of(ValueMatch match) {
     return match == ValueMatch::kRounding ? FindingReason::kRounding : FindingReason::kWrongVolume;
   }

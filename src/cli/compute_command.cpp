@@ -39,7 +39,7 @@ struct ComputeOptions {
   bool skeletons = false;
   bool sheets = false;
   std::string centers = "exact";
-  std::string volumes;  // "double", "exact", or none
+  std::string volumes;  // "double", "shares", "exact", or none
   std::string export_directory;
   std::vector<std::string> only;    // names of exported files; all of them if there is none
   std::optional<std::string> clip;  // a number or "none"
@@ -108,19 +108,23 @@ WrittenCenters written_centers(const std::string& name) {
   return name == "none" ? WrittenCenters::kNone : WrittenCenters::kExact;
 }
 
+WrittenVolumes written_volumes(const std::string& name) {
+  if (name == "exact") return WrittenVolumes::kExact;
+  return name == "shares" ? WrittenVolumes::kShares : WrittenVolumes::kDouble;
+}
+
 void write_records(const ComputeOptions& options, const Measured& measured) {
   std::optional<OutputFile> file;
   if (options.output != kStandardStream) file.emplace(options.output);
   ProgressLine progress("writing exact records", file ? -1 : STDOUT_FILENO);
-  const RecordsToWrite wanted = {
-      .u2 = measured.has.u2,
-      .polylines = options.polylines,
-      .s2 = measured.has.s2,
-      .skeletons = options.skeletons,
-      .centers = written_centers(options.centers),
-      .all = measured.has.all,
-      .volumes = options.volumes == "exact" ? WrittenVolumes::kExact : WrittenVolumes::kDouble,
-      .sheets = options.sheets};
+  const RecordsToWrite wanted = {.u2 = measured.has.u2,
+                                 .polylines = options.polylines,
+                                 .s2 = measured.has.s2,
+                                 .skeletons = options.skeletons,
+                                 .centers = written_centers(options.centers),
+                                 .all = measured.has.all,
+                                 .volumes = written_volumes(options.volumes),
+                                 .sheets = options.sheets};
   write_stationary_points(file ? file->stream() : std::cout, *measured.last, wanted, std::ref(progress));
   if (file) file->commit();
 }
@@ -164,9 +168,9 @@ void add_manifold_options(CLI::App& command, ComputeOptions& options, CLI::Optio
   for (CLI::Option* option : add_flow_options(command, options.u2.flow)) option->needs(manifolds);
   command
       .add_option("--volumes", options.volumes,
-                  "What the file of -o says of volumes, with --manifolds all: double (the nearest doubles) or exact "
-                  "(also the exact numbers, and what of them lies in which Voronoi cell)")
-      ->check(CLI::IsMember({"double", "exact"}))
+                  "What the file of -o says of volumes, with --manifolds all: double (the nearest doubles), shares "
+                  "(also the doubles of what lies in which Voronoi cell) or exact (also the exact numbers of both)")
+      ->check(CLI::IsMember({"double", "shares", "exact"}))
       ->default_str("double")
       ->needs(manifolds)
       ->needs(output);
@@ -176,7 +180,8 @@ void add_manifold_options(CLI::App& command, ComputeOptions& options, CLI::Optio
       ->needs(output);
   command
       .add_flag("--skeletons", options.skeletons,
-                "Write each S2, and the stable sets of regular stationary points, to the file of -o, exactly")
+                "Write each S2, and the stable sets of regular stationary points, to the file of -o, exactly; with "
+                "--manifolds all also each S3, and what flows to infinity")
       ->needs(manifolds)
       ->needs(output);
   command

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <iterator>
 
 #include "flowcert/connections.h"
@@ -169,10 +170,19 @@ class RecordWriter {
     if (is_exact) fields["volume"] = to_text(volumes.exact(i));
     fields["volume_double"] = double_field(volumes.nearest(i));
     // A positive volume may be nearest to 0.
-    const auto shares = is_exact ? volumes.shares(i) : std::vector<std::pair<PointId, Rational>>{};
+    if (is_exact) {
+      add_shares(
+          volumes.shares(i), "shares", [](const Rational& share) { return Json(to_text(share)); }, fields);
+    } else if (wanted_.volumes == WrittenVolumes::kShares) {
+      add_shares(volumes.rounded_shares(i), "shares_double", double_field, fields);
+    }
+  }
+  template <class Share, class Field>
+  static void add_shares(const std::vector<std::pair<PointId, Share>>& shares, const char* key, const Field& field_of,
+                         Json& fields) {
     if (shares.empty()) return;
-    Json& field = fields["shares"] = Json::array();
-    for (const auto& [sample, share] : shares) field.push_back(Json::array({sample, to_text(share)}));
+    Json& field = fields[key] = Json::array();
+    for (const auto& [sample, share] : shares) field.push_back(Json::array({sample, field_of(share)}));
   }
 
   void add_u1(std::size_t i, Json& fields) {
@@ -202,7 +212,8 @@ void write_stationary_points(std::ostream& out, const FlowComplex& complex, cons
   if (wanted.all) {
     header["morse_smale"] = is_morse_smale(complex.stationary(), complex.limits(), complex.stable());
     header["hull_volume"] = to_text(complex.volumes().hull());
-    header["volumes"] = wanted.volumes == WrittenVolumes::kExact ? "exact" : "double";
+    constexpr std::array kForms = {"double", "shares", "exact"};  // as they are listed
+    header["volumes"] = kForms.at(static_cast<std::size_t>(wanted.volumes));
   }
   out << header.dump() << '\n';
   const auto make = [&](std::size_t first, std::size_t last, std::string& text) {
@@ -218,6 +229,10 @@ void write_stationary_points(std::ostream& out, const FlowComplex& complex, cons
   const bool are_long = wanted.polylines || wanted.skeletons || (wanted.all && are_exact);
   const std::size_t records = wanted.sheets ? 1 : are_long ? kLongRecords : kShortRecords;
   write_in_order(count, records, complex.threads(), make, write);
+  if (wanted.all && wanted.skeletons) {
+    write_skeleton(out << R"({"kind":"infinity","skeleton":)", complex.stable().set_of_infinity());
+    out << "}\n";
+  }
   if (progress) progress(count, count);
 }
 

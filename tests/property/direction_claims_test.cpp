@@ -71,9 +71,7 @@ bool are_equal(const ClaimedLambdaList& a, const ClaimedLambdaList& b);
 bool are_equal(const ClaimedConnection& a, const ClaimedConnection& b) {
   return are_equal(a.to, b.to) && a.orbits == b.orbits && a.families == b.families;
 }
-bool are_equal(const ClaimedShare& a, const ClaimedShare& b) {
-  return a.sample == b.sample && are_equal(a.volume, b.volume);
-}
+bool are_equal(const ClaimedShare& a, const ClaimedShare& b);
 template <typename Part>
 bool are_equal(const std::optional<Part>& a, const std::optional<Part>& b) {
   return a.has_value() == b.has_value() && (!a || are_equal(*a, *b));
@@ -85,6 +83,9 @@ bool are_equal(const std::vector<Part>& a, const std::vector<Part>& b) {
 template <typename Part, std::size_t N>
 bool are_equal(const std::array<Part, N>& a, const std::array<Part, N>& b) {
   return std::ranges::equal(a, b, [](const Part& x, const Part& y) { return are_equal(x, y); });
+}
+bool are_equal(const ClaimedShare& a, const ClaimedShare& b) {
+  return a.sample == b.sample && are_equal(a.volume, b.volume);
 }
 bool are_equal(const ClaimedDirection& a, const ClaimedDirection& b) {
   return are_equal(a.limit, b.limit) && a.is_vector == b.is_vector && are_equal(a.exit, b.exit) &&
@@ -138,7 +139,8 @@ TEST(DirectionClaims, WhatIsWrittenReadsBackEqualAndConforms) {
           static_cast<std::size_t>(std::ranges::count(point.lambda->directions, true, &ClaimedDirection::is_vector));
     }
     for (const auto centers : {WrittenCenters::kDouble, WrittenCenters::kNone}) {
-      const std::string text = written(subject, {.u2 = true, .s2 = true, .centers = centers, .all = true});
+      const std::string text = written(
+          subject, {.u2 = true, .s2 = true, .centers = centers, .all = true, .volumes = WrittenVolumes::kShares});
       const CheckReport doubles = check(subject.points, read_claim_from(text, "claim"), *subject.truth);
       require(subject, doubles.verdict == Verdict::kConforms, "what is written in doubles", doubles);
     }
@@ -182,7 +184,7 @@ Claim in_decimals(Claim claim) {
     round(*point.volume);
     point.has_rounded_volume = false;
     if (point.shares) {
-      for (ClaimedShare& share : *point.shares) round(share.volume);
+      for (ClaimedShare& share : *point.shares) round(*share.volume);
     }
     if (!point.lambda) continue;
     for (ClaimedDirection& one : point.lambda->directions) {
@@ -318,8 +320,8 @@ bool larger_double(const Claim&, ClaimedPoint& point) {
 bool swapped_shares(const Claim&, ClaimedPoint& point) {
   // Two shares of one volume are often the case, so the second one is looked for.
   ClaimedShare& a = some_of(*point.shares);
-  const auto b =
-      std::ranges::find_if(*point.shares, [&](const ClaimedShare& one) { return one.volume.value != a.volume.value; });
+  const auto b = std::ranges::find_if(*point.shares,
+                                      [&](const ClaimedShare& one) { return one.volume->value != a.volume->value; });
   if (b == point.shares->end()) return false;
   std::swap(a.volume, b->volume);
   return true;

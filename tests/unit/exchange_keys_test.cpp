@@ -88,26 +88,28 @@ void visit(Json& value, const std::string& path, const std::function<void(Json&)
 
 class ExchangeFile {
  public:
-  explicit ExchangeFile(const std::vector<Point>& rows) : points_(rows), truth_(fast_truth(points_)) {
-    std::istringstream text(property::exchange_file(rows, {.u2 = true,
-                                                           .polylines = true,
-                                                           .s2 = true,
-                                                           .skeletons = true,
-                                                           .all = true,
-                                                           .volumes = WrittenVolumes::kExact}));
+  ExchangeFile(const std::vector<Point>& rows, WrittenVolumes volumes) : points_(rows), truth_(fast_truth(points_)) {
+    std::istringstream text(property::exchange_file(
+        rows, {.u2 = true, .polylines = true, .s2 = true, .skeletons = true, .all = true, .volumes = volumes}));
     for (std::string line; std::getline(text, line);) lines_.push_back(Json::parse(line));
     lines_[0]["indices"] = {0, 1, 2, 3};
     // compute writes no surfaces.
     for (Json& line : lines_) {
-      if (!line.contains("skeleton") || !line["skeleton"]["intervals"].empty()) continue;
+      if (!line.contains("index") || !line.contains("skeleton") || !line["skeleton"]["intervals"].empty()) continue;
       line["surface"] = surface_of(line["skeleton"]["segments"]);
     }
   }
 
+  [[nodiscard]] std::string definition_of(std::size_t k) const {
+    if (k == 0) return "header";
+    return lines_[k]["kind"] == "infinity" ? "infinity" : "record";
+  }
+
   // What comes of it if one value that the path leads to is changed; empty if nothing does.
-  [[nodiscard]] std::vector<std::string> outcomes(const std::string& path, bool of_header) const {
+  [[nodiscard]] std::vector<std::string> outcomes(const std::string& path, const std::string& definition) const {
     std::vector<std::string> result;
-    for (std::size_t k = of_header ? 0 : 1; k < (of_header ? 1 : lines_.size()); ++k) {
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      if (definition != definition_of(k)) continue;
       std::size_t count = 0;
       Json line = lines_[k];
       visit(line, path, [&](Json&) { ++count; });
@@ -163,14 +165,15 @@ const std::vector<Point> kCrowded = {{-118, -3, 155},   {2, -3, -205},  {194, -3
 
 TEST(ExchangeKeys, NoneGoesUnread) {
   CITES("FC-CLAIM-01", "FC-OUT-01");
-  const std::array<ExchangeFile, 2> files = {ExchangeFile(rows_of_many_kinds()), ExchangeFile(kCrowded)};
+  const std::array<ExchangeFile, 2> files = {ExchangeFile(rows_of_many_kinds(), WrittenVolumes::kExact),
+                                             ExchangeFile(kCrowded, WrittenVolumes::kShares)};
   for (const ExchangeFile& file : files) ASSERT_EQ(file.outcome(), "conforms");
-  for (const char* definition : {"header", "record"}) {
+  for (const char* definition : {"header", "record", "infinity"}) {
     for (const std::string& key : keys_of(definition)) {
       if (kOfTheProgram.contains(key) || kObjects.contains(key)) continue;
       std::set<std::string> outcomes;
       for (const ExchangeFile& file : files) {
-        for (const std::string& one : file.outcomes(key, definition == std::string("header"))) outcomes.insert(one);
+        for (const std::string& one : file.outcomes(key, definition)) outcomes.insert(one);
       }
       // A part of a contact set can name it.
       if (key == "contact" || key.ends_with("limit") || key.ends_with("arcs") || key.ends_with("to"))

@@ -44,7 +44,7 @@ TEST(ExchangeSchema, TakesTheWholeComplex) {
   const ExchangeSchema schema;
   for (const std::vector<Point>& rows : inputs()) {
     for (const auto centers : {WrittenCenters::kExact, WrittenCenters::kDouble, WrittenCenters::kNone}) {
-      for (const auto volumes : {WrittenVolumes::kDouble, WrittenVolumes::kExact}) {
+      for (const auto volumes : {WrittenVolumes::kDouble, WrittenVolumes::kShares, WrittenVolumes::kExact}) {
         std::istringstream lines(property::exchange_file(
             rows, {.u2 = true, .s2 = true, .centers = centers, .all = true, .volumes = volumes}));
         std::string line;
@@ -63,7 +63,8 @@ TEST(ExchangeSchema, SaysWhatTheWholeComplexMayHave) {
         R"({"index":2,"contact":[1],"lambda":{"directions":[{"vector":["1","0","-1/2"],"limit":null}],"arcs":[]}})",
         R"({"index":2,"contact":[1],"lambda":{"directions":[{"exit_double":[1,2,null],"limit":null}],"arcs":[]}})",
         R"({"index":2,"contact":[1],"connections":[{"to":null,"orbits":1,"families":0}]})",
-        R"({"index":3,"contact":[1],"volume":"1/3","volume_double":null,"shares":[[0,"1/6"],[7,"1/6"]]})"}) {
+        R"({"index":3,"contact":[1],"volume":"1/3","volume_double":null,"shares":[[0,"1/6"],[7,"1/6"]]})",
+        R"({"index":3,"contact":[1],"shares_double":[[0,0.5],[7,null]]})"}) {
     EXPECT_TRUE(schema.accepts(record)) << record;
     EXPECT_EQ(claim_refusal(kHeader + record), "accepted, 1 points") << record;
   }
@@ -77,13 +78,58 @@ TEST(ExchangeSchema, SaysWhatTheWholeComplexMayHave) {
        R"({"index":1,"contact":[1],"connections":[{"orbits":1,"families":0}]})",
        R"({"index":1,"contact":[1],"connections":[{"to":null,"orbits":-1,"families":0}]})",
        R"({"index":3,"contact":[1],"volume":"-1"})", R"({"index":3,"contact":[1],"volume_double":-1})",
-       R"({"index":3,"contact":[1],"shares":[[0]]})", R"({"index":1,"contact":[1],"shares":[[0,"1"]]})",
+       R"({"index":3,"contact":[1],"shares":[[0,null]]})", R"({"index":1,"contact":[1],"shares_double":[]})",
+       R"({"index":3,"contact":[1],"shares":[],"shares_double":[]})", R"({"index":3,"contact":[1],"shares":[[0]]})",
+       R"({"index":1,"contact":[1],"shares":[[0,"1"]]})",
        R"({"format":"flowcert-stationary-points","format_version":1,"volumes":"none"})",
        R"({"format":"flowcert-stationary-points","format_version":1,"morse_smale":1})"}) {
     EXPECT_FALSE(schema.accepts(record)) << record;
     const std::string refusal = claim_refusal(kHeader + record);
     EXPECT_EQ(refusal.find("accepted"), std::string::npos) << record;
   }
+}
+
+TEST(ExchangeSchema, TakesWhatFlowsToInfinity) {
+  CITES("FC-STAB-08", "FC-NUM-02");
+  const ExchangeSchema schema;
+  std::size_t count = 0;
+  for (const std::vector<Point>& rows : inputs()) {
+    std::istringstream lines(property::exchange_file(rows, {.u2 = true, .s2 = true, .skeletons = true, .all = true}));
+    std::string line;
+    while (std::getline(lines, line)) {
+      EXPECT_TRUE(schema.accepts(line)) << line;
+      count += line.starts_with(R"({"kind":"infinity","skeleton":{"segments":[)") ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(count, inputs().size());
+  const std::string empty = R"({"kind":"infinity","skeleton":{"segments":[]}})";
+  EXPECT_TRUE(schema.accepts(empty));
+  EXPECT_EQ(claim_refusal(kHeader + empty), "accepted, 0 points");
+  EXPECT_EQ(claim_refusal(kHeader + empty + "\n" + empty), "a:3: a second line of infinity");
+  const auto with = [](const std::string& list, const std::string& pieces) {
+    return R"({"kind":"infinity","skeleton":{"segments":[],")" + list + "\":[" + pieces + "]}}";
+  };
+  for (const std::string& line :
+       {with("unbounded_segments", R"({"samples":[0,1],"vector":[0,0,"1"],"back":["1/2",0,0],"back_kind":"edge"})"),
+        with("unbounded_intervals", R"({"polygon":[0,1,2],"vector":[0,0,1],"back":[0,0,0]})"),
+        with("unbounded_sectors", R"({"samples":[0,1],"corners":[[0,0,0],[1,0,0],{"vector":[0,0,1]}]})")}) {
+    EXPECT_TRUE(schema.accepts(line)) << line;
+    EXPECT_EQ(claim_refusal(kHeader + line), "accepted, 0 points") << line;
+  }
+  for (const std::string& line :
+       {std::string(R"({"kind":"infinity"})"), std::string(R"({"kind":"infinity","skeleton":{}})"),
+        with("unbounded_segments", R"({"samples":[0,1],"vector":[0,0,"1"]})"),
+        with("unbounded_segments", R"({"samples":[0,1],"front":[0,0,1],"back":[0,0,0]})"),
+        with("unbounded_segments", R"({"samples":[0],"vector":[0,0,1],"back":[0,0,0]})"),
+        with("unbounded_intervals", R"({"polygon":[0,1,2],"vector":[0,0],"back":[0,0,0]})"),
+        with("unbounded_sectors", R"({"samples":[0,1],"corners":[[0,0,0],{"vector":[0,0,1]}]})"),
+        with("unbounded_sectors", R"({"samples":[0,1],"corners":[[0,0,0],[1,0,0],{"back":[0,0,1]}]})")}) {
+    EXPECT_FALSE(schema.accepts(line)) << line;
+    EXPECT_EQ(claim_refusal(kHeader + line).find("accepted"), std::string::npos) << line;
+  }
+  EXPECT_NE(claim_refusal(kHeader + with("unbounded_segments", R"({"samples":[0,1],"vector":[0,0,0],"back":[0,0,0]})"))
+                .find("the vector is zero"),
+            std::string::npos);
 }
 
 TEST(ExchangeSchema, SaysWhatTheReaderSays) {

@@ -370,6 +370,7 @@ class Undecided final : public Truth {
   }
   [[nodiscard]] StableSummary stable_summary(std::size_t i) override { return truth_.stable_summary(i); }
   [[nodiscard]] StableSet stable_set(std::size_t i) override { return truth_.stable_set(i); }
+  [[nodiscard]] InfinitySet set_of_infinity() override { return truth_.set_of_infinity(); }
   [[nodiscard]] LambdaList lambda_list(std::size_t i) override { return truth_.lambda_list(i); }
   [[nodiscard]] std::vector<FlowLimits::Entry> lambda_entries(std::size_t i) override {
     return truth_.lambda_entries(i);
@@ -379,6 +380,9 @@ class Undecided final : public Truth {
   [[nodiscard]] Rational volume(std::size_t i) override { return truth_.volume(i); }
   [[nodiscard]] double nearest_volume(std::size_t i) override { return truth_.nearest_volume(i); }
   [[nodiscard]] std::vector<std::pair<PointId, Rational>> shares(std::size_t i) override { return truth_.shares(i); }
+  [[nodiscard]] std::vector<std::pair<PointId, double>> nearest_shares(std::size_t i) override {
+    return truth_.nearest_shares(i);
+  }
   [[nodiscard]] Rational hull_volume() override { return truth_.hull_volume(); }
 
  private:

@@ -25,6 +25,16 @@ void require_ids(const std::vector<PointId>& ids, const PointSet& points, const 
   }
 }
 
+void require_rows_of_skeleton(const ClaimedSkeleton& skeleton, const PointSet& points, const LinePlace& place) {
+  for (const ClaimedBackwardSegment& segment : skeleton.segments) {
+    require_ids(segment.samples, points, place);
+    if (segment.front_contact) require_ids(*segment.front_contact, points, place);
+    if (segment.back_contact) require_ids(*segment.back_contact, points, place);
+  }
+  for (const ClaimedInterval& interval : skeleton.intervals) require_ids(interval.polygon, points, place);
+  for (const ClaimedSector& sector : skeleton.sectors) require_ids(sector.samples, points, place);
+}
+
 void require_rows_of_stable(const ClaimedPoint& point, const PointSet& points, const LinePlace& place) {
   if (point.stable) {
     if (point.stable->walk) require_ids(*point.stable->walk, points, place);
@@ -32,16 +42,17 @@ void require_rows_of_stable(const ClaimedPoint& point, const PointSet& points, c
       for (const auto& contact : *point.stable->boundary) require_ids(contact, points, place);
     }
   }
-  if (!point.skeleton) return;
-  for (const ClaimedBackwardSegment& segment : point.skeleton->segments) {
+  if (point.skeleton) require_rows_of_skeleton(*point.skeleton, points, place);
+}
+
+void require_rows_of_infinity(const ClaimedInfinity& infinity, const PointSet& points, const LinePlace& place) {
+  require_rows_of_skeleton(infinity.bounded, points, place);
+  for (const ClaimedUnboundedSegment& segment : infinity.segments) {
     require_ids(segment.samples, points, place);
-    if (segment.front_contact) require_ids(*segment.front_contact, points, place);
     if (segment.back_contact) require_ids(*segment.back_contact, points, place);
   }
-  for (const ClaimedInterval& interval : point.skeleton->intervals) {
-    require_ids(interval.polygon, points, place);
-  }
-  for (const ClaimedSector& sector : point.skeleton->sectors) require_ids(sector.samples, points, place);
+  for (const ClaimedUnboundedInterval& interval : infinity.intervals) require_ids(interval.polygon, points, place);
+  for (const ClaimedUnboundedSector& sector : infinity.sectors) require_ids(sector.samples, points, place);
 }
 
 void require_rows_of_directions(const ClaimedPoint& point, const PointSet& points, const LinePlace& place) {
@@ -70,6 +81,7 @@ Claim read_claim_from(std::string_view bytes, const std::string& name) {
 }
 
 void require_rows(const Claim& claim, const PointSet& points, const std::string& name) {
+  if (claim.infinity) require_rows_of_infinity(*claim.infinity, points, {.file = name, .line = claim.infinity->line});
   for (const ClaimedPoint& point : claim.points) {
     const LinePlace place{.file = name, .line = point.line};
     require_ids(point.contact, points, place);

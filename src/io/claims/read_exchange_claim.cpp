@@ -36,6 +36,12 @@ std::vector<ClaimedPosition> corners_of(const ExchangeValue& value) {
   return corners;
 }
 
+std::string back_kind_of(const ExchangeValue& value) {
+  constexpr std::array kKinds = {"critical", "regular", "edge", "vertex"};
+  if (std::ranges::find(kKinds, value.text()) == kKinds.end()) value.reject("a kind of back");
+  return value.text();
+}
+
 ClaimedBackwardSegment segment_of(const ExchangeValue& value) {
   ClaimedBackwardSegment segment;
   segment.samples = pair_of_ids(value.get("samples"));
@@ -43,11 +49,7 @@ ClaimedBackwardSegment segment_of(const ExchangeValue& value) {
   segment.back = position_of(value.get("back"));
   if (const auto contact = value.find("front_contact")) segment.front_contact = ids_of(*contact);
   if (const auto contact = value.find("back_contact")) segment.back_contact = ids_of(*contact);
-  if (const auto kind = value.find("back_kind")) {
-    constexpr std::array kKinds = {"critical", "regular", "edge", "vertex"};
-    segment.back_kind = kind->text();
-    if (std::ranges::find(kKinds, segment.back_kind) == kKinds.end()) kind->reject("a kind of back");
-  }
+  if (const auto kind = value.find("back_kind")) segment.back_kind = back_kind_of(*kind);
   return segment;
 }
 
@@ -93,6 +95,40 @@ ClaimedSkeleton skeleton_of(const ExchangeValue& value) {
     }
   }
   return skeleton;
+}
+
+ClaimedPosition vector_of(const ExchangeValue& value) {
+  ClaimedPosition vector = position_of(value);
+  const auto is_zero = [](const ClaimedNumber& coordinate) { return coordinate.value == 0; };
+  if (std::ranges::all_of(vector, is_zero)) value.reject("a direction: the vector is zero");
+  return vector;
+}
+
+ClaimedUnboundedSegment unbounded_segment_of(const ExchangeValue& value) {
+  ClaimedUnboundedSegment segment;
+  segment.samples = pair_of_ids(value.get("samples"));
+  segment.vector = vector_of(value.get("vector"));
+  segment.back = position_of(value.get("back"));
+  if (const auto contact = value.find("back_contact")) segment.back_contact = ids_of(*contact);
+  if (const auto kind = value.find("back_kind")) segment.back_kind = back_kind_of(*kind);
+  return segment;
+}
+
+ClaimedUnboundedInterval unbounded_interval_of(const ExchangeValue& value) {
+  const auto stationary = value.find("back_is_stationary");
+  return {ids_of(value.get("polygon")), vector_of(value.get("vector")), position_of(value.get("back")),
+          stationary ? std::optional(bool_of(*stationary)) : std::nullopt};
+}
+
+ClaimedCorner corner_of(const ExchangeValue& value) {
+  if (value.is(JsonKind::kArray)) return {false, position_of(value)};
+  return {true, vector_of(value.get("vector"))};
+}
+
+ClaimedUnboundedSector unbounded_sector_of(const ExchangeValue& value) {
+  ClaimedUnboundedSector sector{pair_of_ids(value.get("samples")), list_of(value.get("corners"), corner_of)};
+  if (sector.corners.size() < 3) value.get("corners").reject("three or more corners");
+  return sector;
 }
 
 ClaimedSurface surface_of(const ExchangeValue& value) {
@@ -166,7 +202,8 @@ Claim claim_of_header(const ExchangeValue& header) {
     if (std::ranges::find(kForms, value->text()) == kForms.end()) value->reject("'exact', 'double' or 'none'");
   }
   if (const auto value = header.find("volumes")) {
-    if (value->text() != "exact" && value->text() != "double") value->reject("'exact' or 'double'");
+    constexpr std::array kForms = {"exact", "shares", "double"};
+    if (std::ranges::find(kForms, value->text()) == kForms.end()) value->reject("'exact', 'shares' or 'double'");
   }
   if (const auto value = header.find("morse_smale")) claim.morse_smale = bool_of(*value);
   if (const auto value = header.find("hull_volume")) claim.hull_volume = distance_of(*value);
@@ -310,6 +347,11 @@ ClaimedShare share_of(const ExchangeValue& value) {
   value.expect_size(2);
   return {claimed_id(value[0].number_text(), value.place()), distance_of(value[1])};
 }
+ClaimedShare rounded_share_of(const ExchangeValue& value) {
+  value.expect_size(2);
+  if (!value[1].is_null()) return share_of(value);
+  return {claimed_id(value[0].number_text(), value.place()), std::nullopt};
+}
 
 // In the same way as squared_distance.
 void read_volume(const ExchangeValue& record, ClaimedPoint& point) {
@@ -317,12 +359,14 @@ void read_volume(const ExchangeValue& record, ClaimedPoint& point) {
   if (exact) point.volume = distance_of(*exact);
   if (near && !near->is_null()) (exact ? point.rounded_volume : point.volume) = distance_of(*near);
   point.has_rounded_volume = exact && near;
-  const auto shares = record.find("shares");
-  if (!shares) return;
+  const auto shares = record.find("shares"), near_shares = record.find("shares_double");
+  if (!shares && !near_shares) return;
   if (!point.hull_dimension && point.index < 2) {
-    record.place().reject("a key of critical points of index 2 and 3 and of regular stationary points only: 'shares'");
+    record.place().reject("a key of critical points of index 2 and 3 and of regular stationary points only: " +
+                          std::string(shares ? "'shares'" : "'shares_double'"));
   }
-  point.shares = list_of(*shares, share_of);
+  if (shares && near_shares) record.place().reject("both 'shares' and 'shares_double'");
+  point.shares = shares ? list_of(*shares, share_of) : list_of(*near_shares, rounded_share_of);
 }
 
 // Reads keys that only critical points of index 2 and regular stationary points may have. Maxima may have a skeleton.
@@ -361,6 +405,23 @@ ClaimedPoint point_of(const ExchangeValue& record) {
   return point;
 }
 
+bool is_of_infinity(const ExchangeValue& record) {
+  const auto kind = record.find("kind");
+  return kind && kind->is(JsonKind::kString) && kind->text() == "infinity";
+}
+
+ClaimedInfinity infinity_of(const ExchangeValue& record) {
+  ClaimedInfinity infinity;
+  infinity.line = record.place().line;
+  const ExchangeValue skeleton = record.get("skeleton");
+  infinity.bounded = skeleton_of(skeleton);
+  if (infinity.bounded.orbits) skeleton.reject("that of infinity, which has no orbits");
+  if (const auto all = skeleton.find("unbounded_segments")) infinity.segments = list_of(*all, unbounded_segment_of);
+  if (const auto all = skeleton.find("unbounded_intervals")) infinity.intervals = list_of(*all, unbounded_interval_of);
+  if (const auto all = skeleton.find("unbounded_sectors")) infinity.sectors = list_of(*all, unbounded_sector_of);
+  return infinity;
+}
+
 bool recognises_exchange(std::string_view bytes) {
   const auto* const first = std::find_if_not(bytes.begin(), bytes.end(), is_blank);
   return first != bytes.end() && *first == '{';
@@ -376,7 +437,13 @@ Claim read_exchange(std::string_view text, std::string_view file) {
   header.add_unknown_keys("", unknown);
   while (lines.next_filled(line)) {
     const JsonTree record = parse_json(line, lines.place());
-    claim.points.push_back(point_of({record, "record", lines.place()}));
+    const ExchangeValue value(record, "record", lines.place());
+    if (is_of_infinity(value)) {
+      if (claim.infinity) lines.place().reject("a second line of infinity");
+      claim.infinity = infinity_of(value);
+    } else {
+      claim.points.push_back(point_of(value));
+    }
     record.add_unknown_keys("", unknown);
   }
   claim.unknown_keys.assign(unknown.begin(), unknown.end());

@@ -163,6 +163,7 @@ class Truth {
   // Both are for an index-2 critical point or a regular stationary point.
   [[nodiscard]] virtual StableSummary stable_summary(std::size_t i) = 0;
   [[nodiscard]] virtual StableSet stable_set(std::size_t i) = 0;
+  [[nodiscard]] virtual InfinitySet set_of_infinity() = 0;
 
   // All three are for a stationary point whose face has dimension 1 or 2. Arcs and directions of the second one are in
   // the order of some λ-list. The third one is sorted by `to`; infinity comes last.
@@ -176,6 +177,8 @@ class Truth {
   [[nodiscard]] virtual Rational volume(std::size_t i) = 0;
   [[nodiscard]] virtual double nearest_volume(std::size_t i) = 0;
   [[nodiscard]] virtual std::vector<std::pair<PointId, Rational>> shares(std::size_t i) = 0;
+  // The same samples, with the nearest doubles.
+  [[nodiscard]] virtual std::vector<std::pair<PointId, double>> nearest_shares(std::size_t i) = 0;
   // Of the convex hull of all points.
   [[nodiscard]] virtual Rational hull_volume() = 0;
 };

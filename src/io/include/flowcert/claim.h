@@ -63,6 +63,33 @@ struct ClaimedSkeleton {
   // Connecting orbits, each a chain of places in `segments`, which exist.
   std::optional<std::vector<std::vector<std::size_t>>> orbits;
 };
+// The pieces of the set of infinity that have ends there (FC-STAB-08). A vector may have any length but 0.
+struct ClaimedUnboundedSegment {
+  std::vector<PointId> samples;
+  ClaimedPosition vector, back;
+  std::optional<std::vector<PointId>> back_contact;
+  std::string back_kind;  // as claimed; empty where not claimed
+};
+struct ClaimedUnboundedInterval {
+  std::vector<PointId> polygon;
+  ClaimedPosition vector, back;
+  std::optional<bool> back_is_stationary;
+};
+struct ClaimedCorner {
+  bool is_vector = false;
+  ClaimedPosition position;
+};
+struct ClaimedUnboundedSector {
+  std::vector<PointId> samples;
+  std::vector<ClaimedCorner> corners;  // in cyclic order
+};
+struct ClaimedInfinity {
+  std::size_t line = 0;     // of the file, 1-based
+  ClaimedSkeleton bounded;  // without orbits
+  std::vector<ClaimedUnboundedSegment> segments;
+  std::vector<ClaimedUnboundedInterval> intervals;
+  std::vector<ClaimedUnboundedSector> sectors;
+};
 struct ClaimedSurface {
   std::vector<ClaimedPosition> vertices;
   std::vector<std::array<std::size_t, 3>> triangles;  // of vertices, which exist
@@ -94,7 +121,7 @@ struct ClaimedConnection {
 // The part of a stable set's volume in the Voronoi cell of a sample (FC-VOL-02).
 struct ClaimedShare {
   PointId sample = 0;
-  ClaimedNumber volume;
+  std::optional<ClaimedNumber> volume;  // none: no double is near
 };
 
 // One critical (or regular stationary) point of a claim.
@@ -151,6 +178,7 @@ struct Claim {
   std::optional<std::array<std::size_t, 3>> regular_counts;  // of kinds 1-2, 1-3, 2-3
   std::optional<bool> morse_smale;
   std::optional<ClaimedNumber> hull_volume;  // not negative
+  std::optional<ClaimedInfinity> infinity;   // what flows there
   // Keys that the format does not know, "skeleton.colour", ascending.
   std::vector<std::string> unknown_keys;
 };

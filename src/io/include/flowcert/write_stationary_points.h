@@ -16,12 +16,13 @@ namespace flowcert {
 // doubles alone, or nothing.
 enum class WrittenCenters : std::uint8_t { kExact, kDouble, kNone };
 
-// What a record says of a volume: the nearest double, or also the exact number.
-enum class WrittenVolumes : std::uint8_t { kDouble, kExact };
+// What a record says of a volume: the nearest double; also the doubles nearest to its shares; or also the exact numbers.
+enum class WrittenVolumes : std::uint8_t { kDouble, kShares, kExact };
 
 // u2 adds the samples of index-1 points and the limits of index-2 points. polylines adds the orbits of index-2 points
 // as exact polylines. s2 adds the size and boundary of stable sets. skeletons adds their exact skeletons.
-// all adds λ-lists, connections and volumes. sheets adds the unstable sets of dimension 2, exactly.
+// all adds λ-lists, connections and volumes. sheets adds the unstable sets of dimension 2, exactly. all and skeletons add
+// a last line with the skeleton of infinity.
 struct RecordsToWrite {
   bool u2 = false;
   bool polylines = false;

@@ -1,0 +1,270 @@
+// Claims of what flows to infinity, on every family of inputs: right ones, and right ones with one thing made wrong.
+//
+// Guarantees: what compute writes of it reads back equal, and conforms exactly. Vectors of other lengths, decimals and
+// corners in another order conform, too. Each mutant fails on level 5, in its line. The test fails too when some kind
+// of mutant was hardly ever made.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "flowcert/write_stationary_points.h"
+#include "fuzz/inputs/input.h"
+#include "fuzz/inputs/stable_configurations.h"
+#include "tests/cites.h"
+#include "tests/property/claim_properties.h"
+
+namespace flowcert::property {
+namespace {
+
+constexpr int kInputsPerFamily = 15;
+
+Claim claim_of(const ClaimSubject& subject) {
+  Claim claim;
+  claim.format = "exchange";
+  claim.indices = ClaimedIndices{};
+  claim.infinity = infinity_of(subject.truth->set_of_infinity());
+  claim.infinity->line = kFirstLine;
+  return claim;
+}
+
+// ---- What is written reads back.
+
+std::string words_of(const ClaimedPosition& x) {
+  std::string words;
+  for (const ClaimedNumber& number : x) words += number.value.str() + (number.is_exact ? " " : "~ ");
+  return words;
+}
+std::string words_of(const std::vector<PointId>& ids) {
+  std::string words;
+  for (const PointId id : ids) words += std::to_string(id) + ' ';
+  return words;
+}
+std::string words_of(const std::optional<std::vector<PointId>>& ids) { return ids ? words_of(*ids) : "no ids"; }
+std::string words_of(const std::optional<bool>& flag) { return !flag ? "none" : *flag ? "true" : "false"; }
+
+// All that is claimed of infinity, piece by piece.
+std::vector<std::string> words_of(const ClaimedInfinity& infinity) {
+  std::vector<std::string> all;
+  for (const auto& s : infinity.bounded.segments) {
+    all.push_back("segment " + words_of(s.samples) + words_of(s.front) + words_of(s.back) + words_of(s.front_contact) +
+                  words_of(s.back_contact) + s.back_kind);
+  }
+  for (const auto& i : infinity.bounded.intervals) {
+    all.push_back("interval " + words_of(i.polygon) + words_of(i.front) + words_of(i.back) +
+                  words_of(i.back_is_stationary));
+  }
+  for (const auto& s : infinity.bounded.sectors) {
+    all.push_back("sector " + words_of(s.samples));
+    for (const ClaimedPosition& corner : s.corners) all.back() += ", " + words_of(corner);
+  }
+  for (const auto& s : infinity.segments) {
+    all.push_back("unbounded segment " + words_of(s.samples) + words_of(s.vector) + words_of(s.back) +
+                  words_of(s.back_contact) + s.back_kind);
+  }
+  for (const auto& i : infinity.intervals) {
+    all.push_back("unbounded interval " + words_of(i.polygon) + words_of(i.vector) + words_of(i.back) +
+                  words_of(i.back_is_stationary));
+  }
+  for (const auto& s : infinity.sectors) {
+    all.push_back("unbounded sector " + words_of(s.samples));
+    for (const auto& [is_vector, x] : s.corners) all.back() += (is_vector ? ", along " : ", ") + words_of(x);
+  }
+  return all;
+}
+
+TEST(InfinityClaims, WhatIsWrittenReadsBackEqualAndConforms) {
+  CITES("FC-STAB-08", "FC-OUT-01", "FC-CLAIM-16");
+  std::size_t pieces = 0;
+  on_all_families<ClaimSubject>(fuzz::families_and_stable_ones(), kInputsPerFamily, [&](const ClaimSubject& subject) {
+    std::ostringstream out;
+    write_stationary_points(out, subject.complex, {.u2 = true, .s2 = true, .skeletons = true, .all = true});
+    const Claim read = read_claim_from(out.str(), "claim");
+    const CheckReport report = check(subject.points, read, *subject.truth);
+    const auto expected = words_of(*claim_of(subject).infinity);
+    require(subject, read.infinity && words_of(*read.infinity) == expected, "read back", report);
+    require(subject, read.infinity->line == read.points.size() + 2, "another line", report);
+    require(subject, report.verdict == Verdict::kConforms && report.not_judged.empty(), "what is written", report);
+    const CheckReport alone = check(subject.points, claim_of(subject), *subject.truth);
+    require(subject, alone.verdict == Verdict::kConforms && alone.is_exact && alone.conforms[4], "alone", alone);
+    pieces += expected.size();
+  });
+  std::printf("%zu pieces\n", pieces);
+  if (scale_of_run() >= 1) {
+    EXPECT_GT(pieces, 20000U);
+  }
+}
+
+// ---- Claims that vary where they may.
+
+// Calls use(position, is_vector) for all positions and vectors.
+template <typename Use>
+void for_all_positions(ClaimedInfinity& infinity, const Use& use) {
+  for (auto& s : infinity.bounded.segments) use(s.front, false), use(s.back, false);
+  for (auto& i : infinity.bounded.intervals) use(i.front, false), use(i.back, false);
+  for (auto& s : infinity.bounded.sectors) {
+    for (ClaimedPosition& corner : s.corners) use(corner, false);
+  }
+  for (auto& s : infinity.segments) use(s.vector, true), use(s.back, false);
+  for (auto& i : infinity.intervals) use(i.vector, true), use(i.back, false);
+  for (auto& s : infinity.sectors) {
+    for (ClaimedCorner& corner : s.corners) use(corner.position, corner.is_vector);
+  }
+}
+
+Claim in_another_order(Claim claim) {
+  ClaimedInfinity& infinity = *claim.infinity;
+  for_all_positions(infinity, [](ClaimedPosition& x, bool is_vector) {
+    if (!is_vector) return;
+    for (ClaimedNumber& coordinate : x) coordinate.value *= 7;
+  });
+  const auto turn = [](auto& corners) {
+    std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(below(corners.size())), corners.end());
+    if (below(2) == 0) std::reverse(corners.begin(), corners.end());
+  };
+  for (auto& sector : infinity.bounded.sectors) turn(sector.corners);
+  for (auto& sector : infinity.sectors) turn(sector.corners);
+  std::reverse(infinity.segments.begin(), infinity.segments.end());
+  std::reverse(infinity.bounded.segments.begin(), infinity.bounded.segments.end());
+  return claim;
+}
+
+Claim in_decimals(Claim claim) {
+  for_all_positions(*claim.infinity, [](ClaimedPosition& x, bool) {
+    for (ClaimedNumber& number : x) {
+      if (const auto nearest = nearest_double(number.value)) number = {Rational(*nearest), false};
+    }
+  });
+  return claim;
+}
+
+TEST(InfinityClaims, RightClaimsConform) {
+  CITES("FC-CLAIM-16");
+  on_all_families<ClaimSubject>(fuzz::families_and_stable_ones(), kInputsPerFamily, [&](const ClaimSubject& subject) {
+    const Claim claim = claim_of(subject);
+    const CheckReport turned = check(subject.points, in_another_order(claim), *subject.truth);
+    require(subject, turned.verdict == Verdict::kConforms && turned.is_exact, "in another order", turned);
+    const CheckReport decimals = check(subject.points, in_decimals(claim), *subject.truth, {.tolerance = 0});
+    require(subject, decimals.verdict == Verdict::kConforms, "the nearest doubles", decimals);
+    require(subject, decimals.is_exact == words_of(*claim.infinity).empty(), "decimals that are graded exact",
+            decimals);
+  });
+}
+
+// ---- Mutants.
+
+// Changes the claim, or returns false where there is nothing to change.
+using Mutation = std::function<bool(ClaimedInfinity&)>;
+
+template <typename Piece>
+bool left_out(std::vector<Piece>& pieces) {
+  if (pieces.empty()) return false;
+  pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(below(pieces.size())));
+  return true;
+}
+template <typename Piece>
+bool twice(std::vector<Piece>& pieces) {
+  if (pieces.empty()) return false;
+  const Piece again = pieces[below(pieces.size())];
+  pieces.push_back(again);
+  return true;
+}
+
+bool moved_position(ClaimedInfinity& infinity) {
+  std::vector<ClaimedPosition*> all;
+  for_all_positions(infinity, [&](ClaimedPosition& x, bool is_vector) {
+    if (!is_vector) all.push_back(&x);
+  });
+  if (all.empty()) return false;
+  Rational& x = all[below(all.size())]->at(below(3)).value;
+  x += x == 0 ? Rational(1) : Rational(x / 1000000);
+  return true;
+}
+
+bool turned_vector(ClaimedInfinity& infinity) {
+  std::vector<ClaimedPosition*> all;
+  for_all_positions(infinity, [&](ClaimedPosition& x, bool is_vector) {
+    if (is_vector) all.push_back(&x);
+  });
+  if (all.empty()) return false;
+  ClaimedPosition& vector = *all[below(all.size())];
+  const std::size_t axis = below(3);
+  // One coordinate alone is moved, so that another one must not be zero.
+  if (vector.at((axis + 1) % 3).value == 0 && vector.at((axis + 2) % 3).value == 0) return false;
+  vector.at(axis).value += 1;
+  return true;
+}
+
+const std::map<std::string, Mutation>& mutations() {
+  static const std::map<std::string, Mutation> all = {
+      {"a segment left out", [](ClaimedInfinity& x) { return left_out(x.bounded.segments); }},
+      {"an interval left out", [](ClaimedInfinity& x) { return left_out(x.bounded.intervals); }},
+      {"a sector left out", [](ClaimedInfinity& x) { return left_out(x.bounded.sectors); }},
+      {"an unbounded segment left out", [](ClaimedInfinity& x) { return left_out(x.segments); }},
+      {"an unbounded interval left out", [](ClaimedInfinity& x) { return left_out(x.intervals); }},
+      {"an unbounded sector left out", [](ClaimedInfinity& x) { return left_out(x.sectors); }},
+      {"an unbounded segment twice", [](ClaimedInfinity& x) { return twice(x.segments); }},
+      {"an unbounded interval twice", [](ClaimedInfinity& x) { return twice(x.intervals); }},
+      {"an unbounded sector twice", [](ClaimedInfinity& x) { return twice(x.sectors); }},
+      {"a position moved", moved_position},
+      {"a vector turned", turned_vector},
+      {"another kind of back",
+       [](ClaimedInfinity& x) {
+         if (x.segments.empty()) return false;
+         std::string& kind = x.segments[below(x.segments.size())].back_kind;
+         kind = kind == "edge" ? "critical" : "edge";
+         return true;
+       }},
+      {"another contact set at the back",
+       [](ClaimedInfinity& x) {
+         if (x.segments.empty()) return false;
+         x.segments[below(x.segments.size())].back_contact->pop_back();
+         return true;
+       }},
+      {"an interval from elsewhere",
+       [](ClaimedInfinity& x) {
+         if (x.intervals.empty()) return false;
+         auto& flag = x.intervals[below(x.intervals.size())].back_is_stationary;
+         flag = !*flag;
+         return true;
+       }},
+      {"a vector for a position", [](ClaimedInfinity& x) {
+         if (x.sectors.empty()) return false;
+         bool& is_vector = x.sectors[below(x.sectors.size())].corners.front().is_vector;
+         is_vector = !is_vector;
+         return true;
+       }}};
+  return all;
+}
+
+TEST(InfinityClaims, MutantsFail) {
+  CITES("FC-CLAIM-16");
+  std::map<std::string, std::size_t> made;
+  on_all_families<ClaimSubject>(fuzz::families_and_stable_ones(), kInputsPerFamily, [&](const ClaimSubject& subject) {
+    for (const auto& [name, mutation] : mutations()) {
+      Claim claim = claim_of(subject);
+      if (!mutation(*claim.infinity)) continue;
+      const CheckReport report = check(subject.points, claim, *subject.truth);
+      const bool is_found = report.verdict == Verdict::kFails && report.findings.size() == 1 &&
+                            report.findings[0].level == 5 && report.findings[0].line == kFirstLine;
+      require(subject, is_found, name, report);
+      ++made[name];
+    }
+  });
+  for (const auto& [name, mutation] : mutations()) {
+    std::printf("%6zu  %s\n", made[name], name.c_str());
+    if (scale_of_run() >= 1) {
+      EXPECT_GE(made[name], 100U) << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace flowcert::property
