@@ -57,13 +57,17 @@ BackwardSegment segment_of(const oracle::BackwardSegment& segment) {
 }
 
 // Intervals that sectors come through are left out, because the sectors' corners tell them.
+bool is_crossed(oracle::IntervalKind kind) { return kind == oracle::IntervalKind::kCrossed; }
+
+bool is_stationary(const oracle::PointSet& points, const oracle::Point& x) { return !oracle::flow_segment(points, x); }
+
 StableSet stable_set_of(const oracle::PointSet& points, const oracle::StableSet& set) {
   StableSet result;
   for (const auto& segment : set.segments) result.segments.push_back(segment_of(segment));
   for (const auto& interval : set.intervals) {
-    if (interval.kind == oracle::IntervalKind::kCrossed) continue;
+    if (is_crossed(interval.kind)) continue;
     result.intervals.push_back(
-        {names_of(interval.polygon), interval.front, interval.back, !oracle::flow_segment(points, interval.back)});
+        {names_of(interval.polygon), interval.front, interval.back, is_stationary(points, interval.back)});
   }
   for (const auto& sector : set.sectors) {
     result.sectors.push_back({names_of_pair(sector.samples), sector.polygon});
@@ -78,9 +82,9 @@ InfinitySet infinity_set_of(const oracle::PointSet& points, const oracle::Infini
                                names_of(segment.back_contact), back_kind_of(segment.back_kind)});
   }
   for (const auto& interval : set.intervals) {
-    if (interval.kind == oracle::IntervalKind::kCrossed) continue;
+    if (is_crossed(interval.kind)) continue;
     result.intervals.push_back(
-        {names_of(interval.polygon), interval.front, interval.back, !oracle::flow_segment(points, interval.back)});
+        {names_of(interval.polygon), interval.front, interval.back, is_stationary(points, interval.back)});
   }
   for (const auto& sector : set.sectors) {
     result.sectors.push_back({names_of_pair(sector.samples), {}});
