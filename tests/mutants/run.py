@@ -106,9 +106,9 @@ REACHED_BY = {
         "stable_metamorphic_test", "stationary_agreement_test", "unstable_agreement_test"},
     "judge": OF_JUDGE,
     "certify": OF_JUDGE | {
-        "check_mutations_test", "check_test", "exchange_keys_test", "incidence_findings_test", "orbit_difference_test",
-        "pair_claims_test", "pair_differences_test", "perturbed_claims_test", "place_findings_test",
-        "stable_claims_test", "stable_findings_test"},
+        "check_mutations_test", "check_test", "exchange_keys_test", "incidence_findings_test", "infinity_claims_test",
+        "orbit_difference_test", "pair_claims_test", "pair_differences_test", "perturbed_claims_test",
+        "place_findings_test", "stable_claims_test", "stable_findings_test"},
     "io": OF_JUDGE | {
         "clip_box_test", "clipped_lines_test", "exchange_keys_test", "orbit_difference_test", "oriented_surfaces_test",
         "pair_claim_test", "read_claim_test", "surface_choice_test", "value_order_test"},
