@@ -12,15 +12,15 @@ namespace flowcert::morse {
 
 namespace {
 
-using RationalVector = Vector3<Rational>;
+using ExactVector = Vector3<Rational>;
 
-RationalVector position_of(const Diagram& diagram, VertexIndex v) {
+ExactVector position_of(const Diagram& diagram, VertexIndex v) {
   const Point& p = diagram.point(v);
   return {Rational(p.x), Rational(p.y), Rational(p.z)};
 }
 
 // So that it depends on the direction alone.
-RationalPoint as_direction(const RationalVector& vector) {
+RationalPoint as_direction(const ExactVector& vector) {
   const Rational largest = std::max({Rational(abs(vector.x)), Rational(abs(vector.y)), Rational(abs(vector.z))});
   return {vector.x / largest, vector.y / largest, vector.z / largest};
 }
@@ -28,8 +28,8 @@ RationalPoint as_direction(const RationalVector& vector) {
 RationalPoint opposite(const RationalPoint& direction) { return {-direction[0], -direction[1], -direction[2]}; }
 
 // A quarter turn around v1 - v0, counterclockwise seen from v1.
-RationalPoint turned(const RationalVector& axis, const RationalPoint& direction) {
-  return as_direction(cross(axis, RationalVector{direction[0], direction[1], direction[2]}));
+RationalPoint turned(const ExactVector& axis, const RationalPoint& direction) {
+  return as_direction(cross(axis, ExactVector{direction[0], direction[1], direction[2]}));
 }
 
 class UnboundedSearch {
@@ -48,8 +48,8 @@ class UnboundedSearch {
     for (CellIndex edge = 0; edge < faces_.delaunay().finite_count; ++edge) {
       const auto& v = faces_.delaunay().vertices(edge);
       UnboundedFacet facet{facet_name(v[0], v[1]), edge, {}, {}};
-      const RationalVector axis = axis_of(facet.facet);
-      const RationalVector across = axis.x != 0 || axis.y != 0 ? RationalVector{0, 0, 1} : RationalVector{1, 0, 0};
+      const ExactVector axis = axis_of(facet.facet);
+      const ExactVector across = axis.x != 0 || axis.y != 0 ? ExactVector{0, 0, 1} : ExactVector{1, 0, 0};
       facet.rays.push_back(as_direction(cross(axis, across)));
       for (std::size_t k = 0; k < 3; ++k) facet.rays.push_back(turned(axis, facet.rays.back()));
       for (std::size_t k = 0; k < 4; ++k) facet.arcs.push_back({facet.rays[k], facet.rays[(k + 1) % 4]});
@@ -123,7 +123,7 @@ class UnboundedSearch {
     return side->angle == Sign::kPositive;
   }
 
-  [[nodiscard]] RationalVector axis_of(FacetName facet) const {
+  [[nodiscard]] ExactVector axis_of(FacetName facet) const {
     return position_of(diagram_, facet.v1) - position_of(diagram_, facet.v0);
   }
 
@@ -139,8 +139,8 @@ UnboundedFaces unbounded_faces(VoronoiFaces& faces) { return UnboundedSearch(fac
 
 RationalPoint direction_of_end(const Diagram& diagram, PolygonRef polygon, std::size_t end) {
   const auto [a, b, c] = diagram.corners(polygon);
-  const RationalVector origin = position_of(diagram, a);
-  const RationalVector normal = cross(position_of(diagram, b) - origin, position_of(diagram, c) - origin);
+  const ExactVector origin = position_of(diagram, a);
+  const ExactVector normal = cross(position_of(diagram, b) - origin, position_of(diagram, c) - origin);
   return as_direction(Rational(end == 1 ? 1 : -1) * normal);
 }
 
