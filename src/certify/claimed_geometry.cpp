@@ -157,6 +157,8 @@ ValueMatch match_position(const ClaimedPosition& claimed, const RationalPoint& t
 }
 
 ValueMatch match_vector(const ClaimedPosition& claimed, const RationalPoint& truth, double tolerance) {
+  const auto is_zero = [](const ClaimedNumber& coordinate) { return coordinate.value == 0; };
+  if (std::ranges::all_of(claimed, is_zero)) return ValueMatch::kOff;
   const RationalPoint a = scaled_vector(values_of(claimed)), b = scaled_vector(truth);
   if (a == b) return is_exact(claimed) ? ValueMatch::kEqual : ValueMatch::kWithin;
   Rational most = 0;
