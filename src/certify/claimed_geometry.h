@@ -63,8 +63,8 @@ class ValueScale {
 
 [[nodiscard]] ValueMatch match_position(const ClaimedPosition& claimed, const RationalPoint& truth,
                                         const ValueScale& scale);
-// A vector may have any length; one of length 0 matches nothing. In decimals, the vectors may differ by the tolerance in
-// each coordinate, scaled so that the greatest coordinate without the sign is 1.
+// A vector may have any length; one of length 0 matches nothing. In decimals, the vectors may differ by the tolerance
+// in each coordinate, scaled so that the greatest coordinate without the sign is 1.
 [[nodiscard]] ValueMatch match_vector(const ClaimedPosition& claimed, const RationalPoint& truth, double tolerance);
 [[nodiscard]] ValueMatch match_distance(const ClaimedNumber& claimed, const Rational& squared_radius,
                                         const ValueScale& scale);
