@@ -39,7 +39,7 @@ class BoundedDivisions {
   [[nodiscard]] std::optional<Point> rounded(PointOfDivision number) const;
   // The doubles nearest to a Voronoi vertex or to the centre of a polygon, or nothing.
   [[nodiscard]] std::optional<Point> rounded_face(const DivisionPoint& point) const;
-  // What of a number over a triangle belongs to each of its corners (StableVolumes): (1 - w) / 2 times the number, where
+  // What of a number over a triangle belongs to each of its corners (StableVolumes): (1 - w) / 2 times the number. Here
   // w is the corner's barycentric weight of the circle's centre.
   [[nodiscard]] std::array<BoundedNumber, 3> parts_of_corners(const BoundedNumber& number,
                                                               const std::array<VertexIndex, 3>& triangle) const;

@@ -1,8 +1,8 @@
 // Volumes of stable sets, and their shares, by the fast implementation against the oracle's (FC-VOL-01, 02), on all
 // families.
 //
-// Guarantees: volumes and shares are compared as rationals. The oracle adds up sectors of Voronoi facets that it found by
-// searching against the flow. The fast implementation adds up arcs of Voronoi edges, which it found by dividing
+// Guarantees: volumes and shares are compared as rationals. The oracle adds up sectors of Voronoi facets that it found
+// by searching against the flow. The fast implementation adds up arcs of Voronoi edges, which it found by dividing
 // facets. The double is compared with the one nearest to the rational.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -16,7 +16,7 @@ namespace flowcert {
 // doubles alone, or nothing.
 enum class WrittenCenters : std::uint8_t { kExact, kDouble, kNone };
 
-// What a record says of a volume: the nearest double; also the doubles nearest to its shares; or also the exact numbers.
+// What a record says of a volume: the nearest double; also the doubles nearest to its shares; or also exact numbers.
 enum class WrittenVolumes : std::uint8_t { kDouble, kShares, kExact };
 
 // u2 adds the samples of index-1 points and the limits of index-2 points. polylines adds the orbits of index-2 points

@@ -41,8 +41,8 @@ class StableVolumes {
   [[nodiscard]] Rational exact(std::size_t record) const;
   // What lies in the Voronoi cells of which samples: names, ascending, with the parts of the volume that are not 0.
   [[nodiscard]] std::vector<std::pair<PointId, Rational>> shares(std::size_t record) const;
-  // The same samples, with the double nearest to each part. Parts with proven bounds spare most of the exact numbers. An
-  // infinity where it would overflow; 0 where it is below the doubles.
+  // The same samples, with the double nearest to each part. Proven bounds spare most of the exact numbers. An infinity
+  // where it would overflow; 0 where it is below the doubles.
   [[nodiscard]] std::vector<std::pair<PointId, double>> rounded_shares(std::size_t record) const;
 
   // The volume of the convex hull of all points, exactly. All of it that no stable set has flows to infinity.
