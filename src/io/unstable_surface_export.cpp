@@ -77,8 +77,11 @@ class PictureMaker {
       corners.push_back(at_infinity ? corner_at_infinity(x, each) : finite_corner(x, each));
     }
     const Outline outline = part.kind == Kind::kSheet ? Outline::kClosed : Outline::kOpen;
+    corners = clipped(std::move(corners), outline, *box_);
+    // The middle of a whole line is no end of it.
+    if (outline == Outline::kOpen && corners.size() > 2) corners.erase(corners.begin() + 1, corners.end() - 1);
     std::vector<std::uint32_t> points;
-    for (const ProjectiveCorner& corner : clipped(std::move(corners), outline, *box_)) {
+    for (const ProjectiveCorner& corner : corners) {
       const std::uint32_t next = corner.number != kNone ? number(corner.number) : number_of_cut(rounded(corner.x));
       if (points.empty() || points.back() != next) points.push_back(next);
     }
