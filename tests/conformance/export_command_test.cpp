@@ -332,6 +332,63 @@ TEST(ExportCommand, TheWholeComplexHasFansAndCells) {
   EXPECT_FALSE(fs::exists(scratch.path("none")));
 }
 
+TEST(ExportCommand, UnstableSetsAndInfinityAreWrittenIfTheyAreNamed) {
+  CITES("FC-UNST-04", "FC-STAB-08");
+  const Scratch scratch;
+  const std::string input = scratch.file("points.xyz", kCube);
+  const std::set<std::string> sheets = {"unstable_surfaces.ply", "unstable_surfaces.vtp"};
+  const auto files_of = [&](const std::string& only, const std::string& clip) {
+    const std::string files = scratch.path(only + clip);
+    EXPECT_EQ(
+        flowcert({"compute", input, "--manifolds", "all", "--export", files, "--only", only, "--clip", clip}).status,
+        0);
+    return files;
+  };
+  const auto says = [&](const std::string& file, const std::string& what) {
+    EXPECT_NE(content_of(file).find(what), std::string::npos) << file << ": " << what;
+  };
+  // The facets of the twelve edges are quarters of planes. In the box each is a square with two traces, and three of its
+  // corners are cut: the fourth one is the cube's centre.
+  const std::string cut = files_of("sheets", "3"), whole = files_of("sheets", "none");
+  EXPECT_EQ(files_in(cut), sheets);
+  says(cut + "/unstable_surfaces.vtp",
+       "<Piece NumberOfPoints=\"48\" NumberOfVerts=\"0\" NumberOfLines=\"24\" NumberOfStrips=\"0\" "
+       "NumberOfPolys=\"12\">");
+  says(cut + "/unstable_surfaces.ply", "element vertex 48\n");
+  says(cut + "/unstable_surfaces.ply", "element face 24\n");
+  says(whole + "/unstable_surfaces.vtp", "NumberOfPoints=\"0\"");
+  // Around the cube: from each sample to the sides of the box.
+  EXPECT_EQ(files_in(files_of("infinity", "2")), std::set<std::string>{"infinity_cells.vtu"});
+  says(files_of("infinity", "1") + "/infinity_cells.vtu", "NumberOfCells=\"0\"");
+  for (const std::string only : {"sheets", "infinity"}) {
+    expect_refused({"compute", input, "--export", scratch.path("none"), "--only", only},
+                   "--only: " + only + " needs --manifolds all");
+  }
+  expect_refused(
+      {"compute", input, "--manifolds", "all", "--export", scratch.path("none"), "--only", "cells", "--clip", "2"},
+      "--clip: needs lines, infinity or sheets");
+  EXPECT_FALSE(fs::exists(scratch.path("none")));
+}
+
+TEST(ExportCommand, UnstableSetsAreTheSameForAnyNumberOfThreads) {
+  const Scratch scratch;
+  // Enough for bytes that wait on disk.
+  const std::string input = scratch.file("points.xyz", random_points(8, 400));
+  const auto files_of = [&](const char* threads) {
+    const std::string files = scratch.path(threads);
+    EXPECT_EQ(flowcert({"compute", input, "--manifolds", "all", "--export", files, "--only", "sheets,infinity",
+                        "--threads", threads})
+                  .status,
+              0);
+    return files;
+  };
+  const std::string one = files_of("1"), three = files_of("3");
+  EXPECT_EQ(files_in(one).size(), 3U);
+  for (const std::string& name : files_in(one)) {
+    EXPECT_TRUE(content_of(one + "/" + name) == content_of(three + "/" + name)) << name;
+  }
+}
+
 TEST(ExportCommand, AreTheSameForAnyNumberOfThreadsAndRuns) {
   const Scratch scratch;
   const std::string input = scratch.file("points.xyz", random_points(6, 60));

@@ -75,7 +75,7 @@ class Corners:
 
     @functools.cache
     def candidates(self, id):
-        """Samples of which one could be nearest: all, but for those that doubles tell to be much farther than another."""
+        """Samples of which one could be nearest: all but those that are much farther, in doubles, than another."""
         squares = [math.dist(self.positions[id], q) ** 2 for q in self.as_doubles]
         least = min(squares)
         return [k for k, square in enumerate(squares) if not square > 1.001 * least + 1e-6 * self.scale]
@@ -115,6 +115,10 @@ def is_near(total, wanted):
     return abs(total - wanted) <= 1e-9 * abs(wanted)
 
 
+def marks_of(box):
+    return {} if box is None else {"IsClipped": SIGNED_CHAR}
+
+
 def check_sheets(poly_data, ply, fans, records, samples, box, is_exact, faults):
     """Returns the sorts of parts that there are, and the area of all sheets."""
     positions = points_of(poly_data, faults)
@@ -123,8 +127,9 @@ def check_sheets(poly_data, ply, fans, records, samples, box, is_exact, faults):
     names = sorted(data.GetArrayName(k) for k in range(data.GetNumberOfArrays()))
     faults.expect(names == ["kind", "samples", "source"], f"arrays {names}")
     kinds, sources, triples = (data.GetArray(name) for name in ("kind", "source", "samples"))
-    faults.expect(kinds.GetDataType() == core.VTK_SIGNED_CHAR and triples.GetNumberOfComponents() == 3, "types of arrays")
-    marks = arrays_of(poly_data.GetPointData(), {} if box is None else {"IsClipped": SIGNED_CHAR}, len(positions), faults)
+    is_right = kinds.GetDataType() == core.VTK_SIGNED_CHAR and triples.GetNumberOfComponents() == 3
+    faults.expect(is_right, "types of arrays")
+    marks = arrays_of(poly_data.GetPointData(), marks_of(box), len(positions), faults)
     is_clipped = marks.get("IsClipped", [0] * len(positions))
     corners = Corners(samples, box, positions, is_clipped)
     areas, seen = sizes_of(poly_data, "Area"), Counter()
@@ -137,7 +142,8 @@ def check_sheets(poly_data, ply, fans, records, samples, box, is_exact, faults):
         faults.expect((named[2] == -1) == (kind in (SEGMENT, SHEET)), f"samples of {what}")
         named = [name for name in named if name >= 0]
         faults.expect(named == sorted(set(named)) and len(named) >= 2, f"samples of {what}")
-        faults.expect((record["index"][0] if record["kind"] == "regular" else record["index"]) == 1, f"source of {what}")
+        index = record["index"][0] if record["kind"] == "regular" else record["index"]
+        faults.expect(index == 1, f"source of {what}")
         faults.expect(all(corners.is_on(id, tuple(named)) for id in cell), f"{what} is not on the face of {named}")
         faults.expect((len(cell) >= 3) == (kind == SHEET) and (len(cell) > 1 or kind == TRACE), f"corners of {what}")
         if kind != SHEET:
@@ -185,7 +191,7 @@ def check_fans(fans, roots, facet_areas, box, faults):
 def check_infinity(grid, records, samples, box, dimension, is_exact, faults):
     positions = points_of(grid, faults)
     cells = cells_of(grid, len(positions), faults)
-    wanted = {"maximum": INT64, "sample": INT64, "volume": DOUBLE, **({} if box is None else {"IsClipped": SIGNED_CHAR})}
+    wanted = {"maximum": INT64, "sample": INT64, "volume": DOUBLE, **marks_of(box)}
     arrays = arrays_of(grid.GetCellData(), wanted, len(cells), faults)
     faults.expect(set(arrays["maximum"]) <= {-1} and set(arrays["volume"]) <= {math.inf}, "limits of cells to infinity")
     signed = 0.0
@@ -218,8 +224,9 @@ def check_input(flowcert, folder, points, is_exact, faults):
     samples, seen, areas = [tuple(map(Fraction, point)) for point in points], set(), {}
     for clip, factor in CLIPS.items():
         target, output = os.path.join(folder, clip), os.path.join(folder, "records.jsonl")
-        run = subprocess.run([flowcert, "compute", source, "--export", target, "-o", output, "--manifolds", "all", "--json",
-                              "--only", "fans,infinity,sheets", "--clip", clip], capture_output=True, text=True, timeout=200)
+        run = subprocess.run([flowcert, "compute", source, "--manifolds", "all", "--json", "-o", output,
+                              "--export", target, "--only", "fans,infinity,sheets", "--clip", clip],
+                             capture_output=True, text=True, timeout=200)
         faults.expect(run.returncode == 0, run.stderr)
         names = ["infinity_cells.vtu", "unstable_fans.vtp", "unstable_surfaces.ply", "unstable_surfaces.vtp"]
         faults.expect(sorted(os.listdir(target)) == names, f"files {os.listdir(target)}")
