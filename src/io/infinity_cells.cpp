@@ -1,6 +1,6 @@
 // In the Voronoi cell of a sample, what flows to infinity are the pyramids over the regions of its facets with that
-// limit, and the cone of points that never leave the cell (FC-STAB-08). The sample is in the box. So what the box leaves
-// of a pyramid or of a cone are pyramids again: over what it leaves of the base, and over parts of its own sides.
+// limit, and the cone of points that never leave the cell (FC-STAB-08). The sample is in the box. So what the box
+// leaves of a pyramid or a cone are pyramids again: over what it leaves of the base, and over parts of its own sides.
 #include <algorithm>
 #include <array>
 #include <cmath>

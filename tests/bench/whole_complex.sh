@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The time of λ-lists and of all stable sets with their volumes against CGAL's Delaunay triangulation: medians of five
 # runs, one thread. Volumes need the limits, so the column "S3" is the sum of both. Then whether the regions of all
-# Voronoi facets tile them, and volumes add up, modulo three primes. The inputs: the Stanford bunny of glmark2-data, and
+# Voronoi facets tile them, and volumes add up, modulo three primes. Last the bunny's exports: seconds of the whole run,
+# peak memory, and the size of the files; `none` computes alone. The inputs: the Stanford bunny of glmark2-data, and
 # every .xyz file of a folder, if one is given. usage: whole_complex.sh PROGRAM FACET_TILING [FOLDER]
 set -euo pipefail
 program=$1
@@ -26,4 +27,23 @@ done
 for input in "${inputs[@]}"; do
   printf '\n%s\n' "$(basename "$input")"
   "$tiling" "$input"
+done
+
+files=$(mktemp -d)
+trap 'rm -rf "$files"' EXIT
+printf '\n%-18s %10s %10s %10s\n' export seconds 'MiB' 'files[MB]'
+for only in none fans cells infinity sheets; do
+  words=()
+  [ "$only" = none ] || words=(--export "$files/$only" --only "$only")
+  begun=$EPOCHREALTIME
+  peak=$("$program" compute --manifolds all --threads 1 --json "${words[@]}" "${inputs[0]}" | python3 -c '
+import json, sys
+print(json.load(sys.stdin)["peak_memory_bytes"] / 2**20)')
+  ended=$EPOCHREALTIME
+  size=0
+  [ "$only" = none ] || size=$(du -sb "$files/$only" | cut -f 1)
+  python3 -c 'import sys; print("%-18s %10.1f %10.0f %10.0f" % (sys.argv[1], float(sys.argv[2]) - float(sys.argv[3]),
+                                                   float(sys.argv[4]), int(sys.argv[5]) / 1e6))' \
+    "$only" "$ended" "$begun" "$peak" "$size"
+  rm -rf "${files:?}/$only"
 done

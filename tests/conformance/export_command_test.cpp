@@ -347,8 +347,8 @@ TEST(ExportCommand, UnstableSetsAndInfinityAreWrittenIfTheyAreNamed) {
   const auto says = [&](const std::string& file, const std::string& what) {
     EXPECT_NE(content_of(file).find(what), std::string::npos) << file << ": " << what;
   };
-  // The facets of the twelve edges are quarters of planes. In the box each is a square with two traces, and three of its
-  // corners are cut: the fourth one is the cube's centre.
+  // The facets of the twelve edges are quarters of planes. In the box each is a square with two traces. The box cuts
+  // three of its corners, and the fourth one is the cube's centre.
   const std::string cut = files_of("sheets", "3"), whole = files_of("sheets", "none");
   EXPECT_EQ(files_in(cut), sheets);
   says(cut + "/unstable_surfaces.vtp",

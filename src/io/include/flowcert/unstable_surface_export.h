@@ -18,8 +18,8 @@ namespace flowcert {
 
 class UnstableSurfaceExport {
  public:
-  // Makes all sets. The folder must exist. Without a box, parts that reach to infinity are left out. Throws InvalidInput
-  // where a coordinate is beyond the doubles, and what io/output_file.h throws where the folder cannot be written.
+  // Makes all sets. The folder must exist. Without a box, parts that reach to infinity are left out. It throws
+  // InvalidInput where a coordinate is beyond the doubles, and OutputError where the folder cannot be written.
   UnstableSurfaceExport(const FlowComplex& complex, const std::optional<ClipBox>& box, const std::string& folder,
                         const ExportProgress& progress = {});
   ~UnstableSurfaceExport();

@@ -23,13 +23,13 @@ struct RoundedUnstableSurface {
     Kind kind;
     // Of a segment's or a sheet's facet both samples; of a trace's or a run's polygon the first three: ascending.
     std::vector<PointId> samples;
-    // Numbers of corners. A sheet goes counterclockwise, seen from samples[1], from its least number on. One or two of
-    // its corners are at infinity; two are neighbours, and not opposite. Any other part goes from the lesser number to the greater one. A
-    // trace that is a point has one corner, and a trace that is a whole line has its middle between both.
+    // Numbers of corners. A sheet goes counterclockwise, seen from samples[1], from its least number on. At most two of
+    // its corners are at infinity; two are neighbours, and not opposite. Any other part goes from the lesser number to
+    // the greater one. A trace that is a point has one corner, and one that is a whole line has its middle, too.
     std::vector<std::uint32_t> corners;
   };
 
-  // Two are one iff their exact positions are equal, or their exact directions. Those at infinity come last. Their order
+  // Two are one iff their exact positions are equal, or their exact directions. Those at infinity come last. The order
   // is lexicographic in the doubles, and then in the exact numbers.
   std::vector<Corner> corners;
   // By kind, samples and corners. If P does not span space, a sheet is a whole facet, and two parts here, or four of a
