@@ -146,6 +146,7 @@ void BackwardSearch::add_sector(const Corner& front, const Corner& back, const L
     found_.sectors.push_back({samples_of(set_, edge), corners});
   } else {
     std::vector<Point> polygon;
+    polygon.reserve(corners.size());
     for (const Corner& corner : corners) polygon.push_back(corner.position);
     found_.bounded.sectors.push_back({samples_of(set_, edge), polygon});
   }

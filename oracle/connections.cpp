@@ -35,6 +35,7 @@ std::vector<Connection> connections_from(const std::vector<StationaryPoint>& all
     ++(isolated ? sum.directions : sum.arcs);
   }
   std::vector<Connection> connections;
+  connections.reserve(by_place.size());
   for (const auto& [place, connection] : by_place) connections.push_back(connection);
   return connections;
 }

@@ -152,13 +152,12 @@ LineSet lines_of(const FlowComplex& complex, const std::optional<ClipBox>& box, 
   if (box) clipped.emplace(complex, *box);
   LineSet set;
   for (std::size_t i = 0; i < u2.size(); ++i) {
-    for (const std::int8_t side : {std::int8_t{0}, std::int8_t{1}}) {
-      const auto number = static_cast<std::size_t>(side);
-      const std::optional<std::size_t> limit = u2.limit(i, number);
-      std::vector<RoundedSphere> orbit = u2.rounded_orbit(i, number);
+    for (const std::size_t side : {0U, 1U}) {
+      const std::optional<std::size_t> limit = u2.limit(i, side);
+      std::vector<RoundedSphere> orbit = u2.rounded_orbit(i, side);
       const bool is_clipped = clipped && !limit;
-      if (is_clipped) clipped->clip(i, number, orbit);
-      set.append(u2.saddle(i), side, limit, orbit, is_clipped);
+      if (is_clipped) clipped->clip(i, side, orbit);
+      set.append(u2.saddle(i), static_cast<std::int8_t>(side), limit, orbit, is_clipped);
     }
     if (progress) progress(i + 1, u2.size());
   }
