@@ -199,6 +199,7 @@ class OracleTruth final : public Truth {
       ++(entry.is_arc ? one.families : one.orbits);
     }
     std::vector<Connection> all;
+    all.reserve(by_limit.size());
     for (const auto& [limit, one] : by_limit) all.push_back(one);
     return all;
   }

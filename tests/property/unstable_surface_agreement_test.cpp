@@ -47,6 +47,7 @@ oracle::Corner corner_of(const SurfaceCorner& corner) { return {corner.position,
 
 std::vector<oracle::EdgePart> edge_parts_of(const std::vector<UnstableInterval>& intervals) {
   std::vector<oracle::EdgePart> parts;
+  parts.reserve(intervals.size());
   for (const UnstableInterval& i : intervals) parts.push_back({ids(i.polygon), corner_of(i.from), corner_of(i.to)});
   return parts;
 }

@@ -219,6 +219,7 @@ std::vector<HullPlane> hull_planes(const std::vector<Point>& points) {
     normals.emplace(on_plane, normal);
   });
   std::vector<HullPlane> planes;
+  planes.reserve(normals.size());
   for (const auto& [on_plane, normal] : normals) planes.push_back({normal, on_plane});
   return planes;
 }
