@@ -68,13 +68,29 @@ std::string in_words(const std::vector<Edge>& edges) {
   return text;
 }
 
+// How many orbits from critical points of index 2 come neither to maxima nor to infinity.
+std::size_t orbits_that_end_elsewhere(const std::vector<oracle::Connection>& connections) {
+  std::size_t count = 0;
+  for (const oracle::Connection& edge : connections) {
+    const bool is_saddle = edge.from.is_critical() && edge.from.face_dimension == 2;
+    const bool is_usual = !edge.to || (edge.to->is_critical() && edge.to->face_dimension == 3);
+    if (is_saddle && !is_usual) count += edge.directions;
+  }
+  return count;
+}
+
 void require_right_graph(const Subject& subject, Totals& totals) {
   const StationaryPoints& stationary = subject.complex.stationary();
   const FlowLimits limits(subject.complex.diagram(), stationary);
   const std::vector<Connection> connected = connections(limits);
-  const std::vector<Edge> fast = edges_of(stationary, connected), its = edges_of(oracle::connections(subject.set));
+  const std::vector<oracle::Connection> by_oracle = oracle::connections(subject.set);
+  const std::vector<Edge> fast = edges_of(stationary, connected), its = edges_of(by_oracle);
   require_none(subject.input, fast == its ? "" : "another graph",
                "the fast implementation's:\n" + in_words(fast) + "the oracle's:\n" + in_words(its));
+  const std::size_t elsewhere = flowcert::orbits_that_end_elsewhere(stationary, limits);
+  require_none(subject.input,
+               elsewhere == orbits_that_end_elsewhere(by_oracle) ? "" : "another number of orbits that end elsewhere",
+               std::to_string(elsewhere));
   const bool is_right = is_morse_smale(stationary, limits, subject.complex.stable());
   require_none(subject.input,
                is_right == oracle::is_morse_smale(subject.set) ? "" : "only one of them says that it is Morse-Smale",
