@@ -53,6 +53,15 @@ LIKELY = {
     "src/flow/successor_forest": ["vectors_fast_test", "unstable_agreement_test"],
     "src/morse/unstable_manifolds": ["vectors_fast_test", "unstable_agreement_test"],
     "src/morse/persistence": ["vectors_fast_test", "persistence_test"],
+    "src/morse/bounded_divisions": ["bounded_divisions_test"],
+    "src/morse/connections": ["connection_agreement_test"],
+    "src/morse/facet_regions": ["stable_regions_test"],
+    "src/morse/forward_walk": ["unstable_surface_agreement_test"],
+    "src/morse/limit_partition": ["limit_agreement_test", "volume_agreement_test"],
+    "src/morse/polygon_turn": ["limit_agreement_test", "volume_agreement_test"],
+    "src/morse/stable_volumes": ["volume_agreement_test"],
+    "src/morse/trace_set": ["unstable_surface_agreement_test"],
+    "src/morse/unstable_surfaces": ["unstable_surface_agreement_test"],
     "src/morse/chain": ["vectors_fast_test", "persistence_test"],
     "src/morse/": ["vectors_fast_test", "stable_sets_test", "chain_complex_test", "stable_agreement_test"],
     "src/io/value_order": ["value_order_test", "surface_choice_test"],
@@ -101,9 +110,10 @@ BLIND = {
 # The other way round where few tests reach a folder: no other test can kill its mutants.
 REACHED_BY = {
     "oracle": OF_ORACLE | OF_JUDGE | {
-        "cech_persistence_test", "invariants_test", "metamorphic_test", "orbit_agreement_test", "orbit_cascades_test",
-        "orbit_invariants_test", "persistence_test", "stable_agreement_test", "stable_invariants_test",
-        "stable_metamorphic_test", "stationary_agreement_test", "unstable_agreement_test"},
+        "cech_persistence_test", "connection_agreement_test", "invariants_test", "limit_agreement_test",
+        "metamorphic_test", "orbit_agreement_test", "orbit_cascades_test", "orbit_invariants_test", "persistence_test",
+        "stable_agreement_test", "stable_invariants_test", "stable_metamorphic_test", "stationary_agreement_test",
+        "unstable_agreement_test", "unstable_surface_agreement_test", "volume_agreement_test"},
     "judge": OF_JUDGE,
     "certify": OF_JUDGE | {
         "check_mutations_test", "check_test", "exchange_keys_test", "incidence_findings_test", "infinity_claims_test",

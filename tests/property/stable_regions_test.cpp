@@ -193,5 +193,22 @@ TEST(StableRegions, TileFacetsAndFlowToTheirLimits) {
   }
 }
 
+// In the first inputs, the near side of a facet ends at a right angle, whose edge lies on a ray. In the others, a regular
+// point separates two regions that flow to infinity. Random inputs seldom have these.
+TEST(StableRegions, OfRareFacets) {
+  CITES("FC-STAB-05", "FC-VOL-02");
+  const std::vector<fuzz::Input> inputs = {
+      {{{0, 3, 1}, {3, 2, 0}, {2, 1, 0}, {1, 3, 0}, {1, 3, 3}, {1, 2, 0}}},
+      {{{0, 0, 1}, {0, 4, 0}, {1, 1, 0}, {1, 2, 1}, {1, 0, 3}, {3, 1, 0}}},
+      {{{0, 3, 0}, {5, 3, 1}, {0, 2, 0}, {2, 4, 2}, {5, 3, 0}}},
+      {{{5, 2, 0}, {4, 1, 0}, {0, 1, 0}, {1, 0, 1}, {4, 4, 2}}},
+  };
+  Totals totals;
+  for (const fuzz::Input& input : inputs) {
+    expect_holds("regions", parameters_of_run(1), [&] { require_right_regions(Subject(input), totals); });
+  }
+  EXPECT_EQ(totals.inputs, inputs.size());
+}
+
 }  // namespace
 }  // namespace flowcert::property
