@@ -165,12 +165,12 @@ std::array<BoundedNumber, 3> BoundedDivisions::parts_of_corners(const BoundedNum
   for (std::size_t i = 0; i < 3; ++i) {
     const VertexIndex p = triangle[i], q = triangle[(i + 1) % 3], r = triangle[(i + 2) % 3];
     const Vector opposite = between(q, r);
-    weights[i] = product(bounded_dot(opposite, opposite), bounded_dot(between(p, q), between(p, r)));
+    weights[i] = bounded_dot(opposite, opposite) * bounded_dot(between(p, q), between(p, r));
   }
-  const BoundedNumber all = doubled(sum(weights[0], sum(weights[1], weights[2])));
+  const BoundedNumber all = doubled(weights[0] + (weights[1] + weights[2]));
   std::array<BoundedNumber, 3> parts;
   for (std::size_t i = 0; i < 3; ++i) {
-    parts[i] = product(number, quotient(sum(weights[(i + 1) % 3], weights[(i + 2) % 3]), all));
+    parts[i] = number * ((weights[(i + 1) % 3] + weights[(i + 2) % 3]) / all);
   }
   return parts;
 }
