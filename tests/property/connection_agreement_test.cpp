@@ -43,6 +43,7 @@ using Edge = std::tuple<Ids, Ids, std::size_t, std::size_t>;
 
 std::vector<Edge> edges_of(const StationaryPoints& stationary, const std::vector<Connection>& connections) {
   std::vector<Edge> edges;
+  edges.reserve(connections.size());
   for (const Connection& edge : connections) {
     const bool is_finite = edge.to != Connection::kInfinity;
     edges.emplace_back(ids(stationary.contact(edge.from)), is_finite ? ids(stationary.contact(edge.to)) : Ids{},
@@ -53,6 +54,7 @@ std::vector<Edge> edges_of(const StationaryPoints& stationary, const std::vector
 
 std::vector<Edge> edges_of(const std::vector<oracle::Connection>& connections) {
   std::vector<Edge> edges;
+  edges.reserve(connections.size());
   for (const oracle::Connection& edge : connections) {
     edges.emplace_back(edge.from.contact, edge.to ? edge.to->contact : Ids{}, edge.directions, edge.arcs);
   }
