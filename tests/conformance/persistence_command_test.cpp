@@ -286,7 +286,7 @@ TEST(PersistenceJson, HasTheKeysOfTheFormatInTheirOrder) {
   EXPECT_EQ(
       last["death"],
       ordered_json::parse(R"({"contact": [0, 1, 2, 3], "squared_distance": "3/4", "squared_distance_double": 0.75})"));
-  EXPECT_EQ(json["pairs"][3]["birth"]["contact"], ordered_json({0}));
+  EXPECT_EQ(json["pairs"][3]["birth"]["contact"], ordered_json::array({0}));
   EXPECT_TRUE(json["pairs"][3]["death"].is_null());
 }
 

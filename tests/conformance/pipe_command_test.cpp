@@ -151,7 +151,7 @@ TEST(Verify, ReportsToPeople) {
   // An example of each reason is always there.
   const Finished less = pipe.verify({"--most", "0"});
   EXPECT_EQ(less.status, 1);
-  for (const std::size_t number : {3, 12, 40}) EXPECT_TRUE(contains(less.out, ids[number]));
+  for (const std::size_t number : {3U, 12U, 40U}) EXPECT_TRUE(contains(less.out, ids[number]));
   EXPECT_FALSE(contains(less.out, ids[41]));
   EXPECT_TRUE(contains(less.out, "\n(3 of 4 failing cases are shown; --most N shows N)\n")) << less.out;
   const json reasons = pipe.as_json()["reasons"];

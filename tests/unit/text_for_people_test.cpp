@@ -128,7 +128,7 @@ TEST(Tables, ColumnsOfZerosAreLeftOut) {
 
 TEST(Tables, WideOnesAreTwo) {
   const std::string wide(30, '1');
-  for (const std::size_t length : {16, 17}) {
+  for (const std::size_t length : {16U, 17U}) {
     const std::string name(length, 'n');
     Table table("lrr", {"name", "first", "second"});
     table.row(name).cell(wide).cell(std::string(28, '2'));
