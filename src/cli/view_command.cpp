@@ -95,7 +95,7 @@ void print_page_table(const std::string& page, const Input& input, const FlowCom
   if (content.has_cells) {
     print_row("cells S3 drawn", with_commas(shown.cells.kept), of_all(shown.cells, "the largest (--most-cells)"));
     print_row("surfaces U1 drawn", with_commas(shown.surfaces.kept),
-              of_all(shown.surfaces, "those of the longest pairs (--most-u1)"));
+              of_all(shown.surfaces, "those of the longest pairs (--most-unstable)"));
   }
   if (content.claim) {
     print_row("findings", with_commas(content.claim->findings_count), "verdict: " + content.claim->verdict);
@@ -169,7 +169,7 @@ void add_view_command(CLI::App& app, int& status) {
       ->capture_default_str()
       ->needs(cells);
   command
-      ->add_option("--most-u1", options->most_surfaces,
+      ->add_option("--most-unstable", options->most_surfaces,
                    "Draw at most so many surfaces U1: of regular stationary points, and of the longest pairs")
       ->check(CLI::Range(std::size_t{0}, kMost))
       ->capture_default_str()

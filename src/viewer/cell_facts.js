@@ -44,7 +44,7 @@ export function neighbour_table(complex, point, button) {
     element(
       'table',
       { class: 'neighbours' },
-      element('caption', {}, 'The cells that its cell S3 shares a face with, by the area of the face, input units squared'),
+      element('caption', {}, "Cells that its cell S3 shares a face with, by the face's area (input units, squared)"),
       element(
         'tbody',
         {},
@@ -88,6 +88,6 @@ export function drawn_cells({ data }) {
 
 export function drawn_surfaces({ data }) {
   const { record, of } = data.cells.u1;
-  const chosen = record.count < of ? ', of regular points and of the longest pairs (view --most-u1)' : '';
+  const chosen = record.count < of ? ', of regular points and of the longest pairs (view --most-unstable)' : '';
   return `${part_text(record.count, of)} surfaces${chosen}`;
 }

@@ -1,6 +1,6 @@
 // What a page with cells has of the whole complex: volumes, connections, the faces of cells S3, and the surfaces U1.
-// Faces are stored once, and each cell is made of those that it has a side of. What is drawn is given as positions, nine
-// for a triangle and six for a line, so that nothing is shared with other layers.
+// Faces are stored once, and each cell is made of those that it has a side of. What is drawn is given as positions,
+// nine for a triangle and six for a line, so that nothing is shared with other layers.
 
 import { decode_all } from './blobs.js';
 import { none } from './complex.js';

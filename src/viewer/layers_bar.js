@@ -45,7 +45,7 @@ export class LayersBar {
             },
             sign,
             text,
-            element('span', { class: 'count' }, of > count ? `${count_text(count)} of ${count_text(of)}` : count_text(count)),
+            element('span', { class: 'count' }, count_text(count), of > count ? ` of ${count_text(of)}` : null),
           ),
         );
     fill(root, [...this.buttons.values()]);

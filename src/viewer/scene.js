@@ -319,7 +319,9 @@ export class ComplexScene {
   // The faces around the cell S3.
   mark_cell(point) {
     const faces = this.state.layers.s3 ? this.complex.cell(point) : null;
-    if (faces) this.marked.cell = this.mark_triangles(this.complex.cells.triangles(faces.map(({ face }) => face)), 's3');
+    if (!faces) return;
+    const triangles = this.complex.cells.triangles(faces.map(({ face }) => face));
+    this.marked.cell = this.mark_triangles(triangles, 's3');
   }
 
   // The sheets of U1 with their outlines, and the lines along which it has dimension 1.

@@ -349,8 +349,8 @@ class ViewTest(unittest.TestCase):
     def test_as_many_cells_and_surfaces_as_are_asked_for(self):
         text = INPUTS["scattered"]
         whole = Page(view(text, "--cells"))
-        some = Page(view(text, "--cells", "--most-cells", "5", "--most-u1", "7"))
-        none = Page(view(text, "--cells", "--most-cells", "0", "--most-u1", "0"))
+        some = Page(view(text, "--cells", "--most-cells", "5", "--most-unstable", "7"))
+        none = Page(view(text, "--cells", "--most-cells", "0", "--most-unstable", "0"))
         volumes = whole.data["cells"]["volumes"]
         self.assertEqual(sorted((volumes[k] for k in some.data["cells"]["drawn"]), reverse=True),
                          sorted(volumes, reverse=True)[:5])

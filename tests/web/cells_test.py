@@ -1,5 +1,5 @@
-"""Pages with cells say the volumes and connections that compute --manifolds all writes, and draw the cell or the surface
-U1 of the picked point. Other pages say nothing of it."""
+"""Pages with cells say the volumes and connections that compute --manifolds all writes, and draw the cell or the
+surface U1 of the picked point. Other pages say nothing of it."""
 import json
 import math
 import re
@@ -164,7 +164,7 @@ def test_a_cell_is_seen(with_cells, browser):
 
 
 def test_a_page_says_how_many_are_drawn(with_cells, browser):
-    page, _ = with_cells("octahedra", "--most-cells", "2", "--most-u1", "5")
+    page, _ = with_cells("octahedra", "--most-cells", "2", "--most-unstable", "5")
     assert browser.find('[data-layer="s3"] .count').text == f"2 of {page.data['cells']['of']}"
     assert browser.find('[data-layer="u1"] .count').text == f"5 of {page.data['cells']['u1']['of']}"
     drawn = set(numbers(page.data["cells"]["drawn"]))
