@@ -167,6 +167,38 @@ inline ClaimedLambdaList lambda_of(const Truth& truth, const LambdaList& list) {
   return claimed;
 }
 
+inline ClaimedCorner corner_of(const SurfaceCorner& corner) { return {exactly(corner.position), corner.at_infinity}; }
+
+inline std::vector<ClaimedUnstableInterval> intervals_of(const std::vector<UnstableInterval>& intervals) {
+  std::vector<ClaimedUnstableInterval> claimed;
+  for (const UnstableInterval& one : intervals)
+    claimed.push_back({one.polygon, corner_of(one.from), corner_of(one.to)});
+  return claimed;
+}
+
+inline ClaimedUnstableSurface unstable_surface_of(const UnstableSurface& surface) {
+  ClaimedUnstableSurface claimed;
+  for (const RationalPoint& vertex : surface.vertices) claimed.vertices.push_back(exactly(vertex));
+  claimed.traces = intervals_of(surface.traces);
+  claimed.runs = intervals_of(surface.runs);
+  for (const UnstableSheet& sheet : surface.sheets) {
+    claimed.sheets.push_back({{sheet.samples.begin(), sheet.samples.end()}, {}});
+    for (const SurfaceCorner& corner : sheet.corners) claimed.sheets.back().corners.push_back(corner_of(corner));
+  }
+  for (const UnstableSegment& segment : surface.segments) {
+    claimed.segments.push_back(
+        {{segment.samples.begin(), segment.samples.end()}, exactly(segment.start), corner_of(segment.end)});
+  }
+  return claimed;
+}
+
+// Adds all that can be claimed of unstable sets of dimension 2. Point k must be record k.
+inline void add_unstable_sets(Claim& claim, Truth& truth) {
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (truth.index(i).face_dimension == 1) claim.points[i].u1 = unstable_surface_of(truth.unstable_surface(i));
+  }
+}
+
 // Adds all that can be claimed of directions, connections and volumes. Point k must be record k.
 inline void add_directions_and_volumes(Claim& claim, Truth& truth) {
   claim.morse_smale = truth.is_morse_smale();

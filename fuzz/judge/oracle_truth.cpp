@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -17,6 +19,7 @@
 #include "oracle/persistence.h"
 #include "oracle/stable_pieces.h"
 #include "oracle/unstable_set.h"
+#include "oracle/unstable_surface.h"
 
 namespace flowcert::judge {
 
@@ -93,6 +96,33 @@ InfinitySet infinity_set_of(const oracle::PointSet& points, const oracle::Infini
     }
   }
   return result;
+}
+
+SurfaceCorner corner_of(const oracle::Corner& corner) { return {corner.position, corner.at_infinity}; }
+
+std::vector<UnstableInterval> intervals_of(const std::vector<oracle::EdgePart>& parts) {
+  std::vector<UnstableInterval> intervals;
+  for (const oracle::EdgePart& part : parts) {
+    intervals.push_back({names_of(part.polygon), corner_of(part.from), corner_of(part.to)});
+  }
+  return intervals;
+}
+
+std::array<PointId, 2> pair_of(const std::array<std::size_t, 2>& samples) {
+  return {static_cast<PointId>(samples[0]), static_cast<PointId>(samples[1])};
+}
+
+UnstableSurface unstable_surface_of(const oracle::UnstableSurface& set) {
+  UnstableSurface surface{
+      {set.vertices.begin(), set.vertices.end()}, intervals_of(set.traces), intervals_of(set.runs), {}, {}};
+  for (const oracle::UnstableSheet& sheet : set.sheets) {
+    UnstableSheet& made = surface.sheets.emplace_back(UnstableSheet{pair_of(sheet.samples), {}});
+    std::ranges::transform(sheet.corners, std::back_inserter(made.corners), corner_of);
+  }
+  for (const oracle::UnstableSegment& segment : set.segments) {
+    surface.segments.push_back({pair_of(segment.samples), segment.start, corner_of(segment.end)});
+  }
+  return surface;
 }
 
 // Such a direction belongs to the arc (FC-CONN-01).
@@ -242,6 +272,10 @@ class OracleTruth final : public Truth {
     return rounded;
   }
   [[nodiscard]] Rational hull_volume() override { return oracle_hull_volume(set_.points); }
+
+  [[nodiscard]] UnstableSurface unstable_surface(std::size_t i) override {
+    return unstable_surface_of(oracle::unstable_surface(set_, answer_.stationary[i]));
+  }
 
  private:
   [[nodiscard]] bool has_volume(std::size_t i) const { return index(i).hull_dimension >= 2; }
@@ -395,6 +429,7 @@ class VectorTruth final : public Truth {
     return oracle_->nearest_shares(i);
   }
   [[nodiscard]] Rational hull_volume() override { return oracle_->hull_volume(); }
+  [[nodiscard]] UnstableSurface unstable_surface(std::size_t i) override { return oracle_->unstable_surface(i); }
 
  private:
   const VectorCase& case_;

@@ -141,8 +141,8 @@ CheckReport check(const PointSet& points, const Claim& claim, Truth& truth, cons
   }
   if (options.highest_level >= 4 && check_incidences(run)) run.report.conforms[3] = true;
   if (options.highest_level >= 5) {
-    const std::array has_judged = {check_polylines(run), check_surfaces(run), check_lambda_lists(run),
-                                   check_volumes(run), check_infinity(run)};
+    const std::array has_judged = {check_polylines(run), check_surfaces(run),      check_lambda_lists(run),
+                                   check_volumes(run),   check_unstable_sets(run), check_infinity(run)};
     if (std::ranges::count(has_judged, true) > 0) run.report.conforms[4] = true;
   }
   conclude(run.report, options.highest_level);
@@ -210,6 +210,8 @@ const char* reason_text(FindingReason reason) {
       return "wrong-connections";
     case FindingReason::kWrongVolume:
       return "wrong-volume";
+    case FindingReason::kWrongUnstableSet:
+      return "wrong-unstable-set";
     case FindingReason::kSpanningPart:
       return "spanning-part";
     case FindingReason::kTieBreak:

@@ -150,12 +150,13 @@ void check_values(CheckRun& run, std::size_t claimed_point);
 void check_missing(CheckRun& run, std::size_t record);
 void check_euler_sum(CheckRun& run);
 // Levels 4 and 5. True if there was something to judge. The functions of level 5 are called in this order.
-inline constexpr std::size_t kPartsOfLevel5 = 4;
+inline constexpr std::size_t kPartsOfLevel5 = 5;
 bool check_incidences(CheckRun& run);
 bool check_polylines(CheckRun& run);
 bool check_surfaces(CheckRun& run);
 bool check_lambda_lists(CheckRun& run);
 bool check_volumes(CheckRun& run);
 bool check_infinity(CheckRun& run);
+bool check_unstable_sets(CheckRun& run);
 
 }  // namespace flowcert::certify

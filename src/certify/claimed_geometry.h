@@ -3,6 +3,8 @@
 // Guarantees: all names are class names (PointSet::name), ascending.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>

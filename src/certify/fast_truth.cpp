@@ -1,6 +1,7 @@
 // The truth by the fast implementation (flowcert/check.h).
 #include <algorithm>
 #include <optional>
+#include <ranges>
 
 #include "certify/layer.h"
 #include "flowcert/check.h"
@@ -78,6 +79,12 @@ class FastTruth final : public Truth {
     return complex_.volumes().rounded_shares(i);
   }
   [[nodiscard]] Rational hull_volume() override { return complex_.volumes().hull(); }
+
+  [[nodiscard]] UnstableSurface unstable_surface(std::size_t i) override {
+    const UnstableSurfaces& sets = complex_.unstable_surfaces();
+    const auto all = std::views::iota(std::size_t{0}, sets.size());
+    return sets.set(*std::ranges::lower_bound(all, i, {}, [&sets](std::size_t k) { return sets.record(k); }));
+  }
 
  private:
   static std::vector<TrueSegment> true_segments(Orbit orbit) {

@@ -156,6 +156,37 @@ std::string complaint_about_stable(const PointSet& points, const ClaimedPoint& p
   return "";
 }
 
+bool is_zero_corner(const ClaimedCorner& corner) {
+  return corner.at_infinity && std::ranges::all_of(corner.position, [](const auto& x) { return x.value == 0; });
+}
+
+// What is wrong with the ids and vectors of an unstable set.
+std::string complaint_about_unstable(const PointSet& points, const ClaimedPoint& point) {
+  if (!point.u1) return "";
+  std::vector<std::vector<PointId>> lists;
+  std::vector<ClaimedCorner> corners;
+  for (const auto* intervals : {&point.u1->traces, &point.u1->runs}) {
+    for (const ClaimedUnstableInterval& interval : *intervals) {
+      lists.push_back(interval.polygon);
+      corners.insert(corners.end(), {interval.from, interval.to});
+    }
+  }
+  for (const ClaimedUnstableSheet& sheet : point.u1->sheets) {
+    lists.push_back(sheet.samples);
+    corners.insert(corners.end(), sheet.corners.begin(), sheet.corners.end());
+  }
+  for (const ClaimedUnstableSegment& segment : point.u1->segments) {
+    lists.push_back(segment.samples);
+    corners.push_back(segment.end);
+  }
+  for (const std::vector<PointId>& ids : lists) {
+    if (ids.empty()) return "of an unstable set: a contact set without points";
+    const std::string complaint = complaint_about_ids(points, ids);
+    if (!complaint.empty()) return "of an unstable set: " + complaint;
+  }
+  return std::ranges::any_of(corners, is_zero_corner) ? "of an unstable set: a vector that is zero" : "";
+}
+
 std::string complaint_about(const PointSet& points, const ClaimedPoint& point) {
   if (point.contact.empty() && !point.center) return "neither a contact set nor a position";
   std::string complaint = complaint_about_index(point);
@@ -163,6 +194,7 @@ std::string complaint_about(const PointSet& points, const ClaimedPoint& point) {
   if (complaint.empty()) complaint = complaint_about_successors(points, point);
   if (complaint.empty()) complaint = complaint_about_stable(points, point);
   if (complaint.empty()) complaint = complaint_about_directions(points, point);
+  if (complaint.empty()) complaint = complaint_about_unstable(points, point);
   return complaint;
 }
 

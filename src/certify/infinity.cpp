@@ -125,9 +125,9 @@ class InfinityPieces {
   ValueMatch match(const ClaimedUnboundedSector& claimed, const UnboundedSector& truth) {
     if (!has_names(claimed, truth)) return ValueMatch::kOff;
     return match_ring(claimed.corners, truth.corners, [&](const ClaimedCorner& corner, const SectorCorner& other) {
-      if (corner.is_vector != other.is_vector) return ValueMatch::kOff;
-      return corner.is_vector ? match_direction(corner.position, other.position)
-                              : match(corner.position, other.position, truth.samples[0]);
+      if (corner.at_infinity != other.is_vector) return ValueMatch::kOff;
+      return corner.at_infinity ? match_direction(corner.position, other.position)
+                                : match(corner.position, other.position, truth.samples[0]);
     });
   }
 

@@ -113,7 +113,7 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
       fmt::format("Let the oracle say what is true, not the fast implementation: up to {} points", oracle.most_points));
   command->footer(
       "Levels: 1 well formed; 2 every claimed critical point is one; 3 none is missing, none twice, indices, "
-      "Euler sum; 4 incidences; 5 polylines, surfaces, lambda-lists, connections and volumes.\n"
+      "Euler sum; 4 incidences; 5 polylines, surfaces, lambda-lists, connections, volumes and unstable sets.\n"
       "Verdicts: conforms; conforms where determined (permitted variations are listed); perturbed (some of it is what "
       "a perturbation of the points makes); fails.\n\n"
       "Examples:\n  flowcert check bunny.obj claim.jsonl\n  flowcert check bunny.obj claim.csv --tolerance "

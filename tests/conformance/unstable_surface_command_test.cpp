@@ -94,6 +94,29 @@ TEST(Sheets, AreAddedToWhatIsThere) {
   EXPECT_EQ(without, file({}));
 }
 
+TEST(Sheets, AreJudged) {
+  CITES("FC-CLAIM-17", "FC-UNST-04");
+  const Scratch scratch;
+  const std::string points = lattice_points(3, 9, 4),
+                    text = file_of(scratch, points, {"--manifolds", "all", "--sheets"});
+  const auto check = [&](const std::string& claim, const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"check", scratch.file("p.xyz", points), scratch.file("claim.jsonl", claim)};
+    words.insert(words.end(), more.begin(), more.end());
+    return flowcert(words);
+  };
+  for (const std::vector<std::string>& truth : {std::vector<std::string>{}, std::vector<std::string>{"--oracle"}}) {
+    EXPECT_EQ(check(text, truth).status, 0);
+    std::string wrong = text;
+    const std::size_t at = wrong.find("\"sheets\":[{\"samples\":[");
+    ASSERT_NE(at, std::string::npos);
+    wrong.replace(wrong.find("\"samples\"", at), std::string("\"samples\"").size(), "\"samples\":[7,8],\"others\"");
+    const Finished finished = check(wrong, truth);
+    EXPECT_EQ(finished.status, 1);
+    EXPECT_NE(finished.out.find("wrong-unstable-set"), std::string::npos) << finished.out;
+    EXPECT_NE(finished.out.find("FC-UNST-04"), std::string::npos) << finished.out;
+  }
+}
+
 TEST(Sheets, NeedAllManifoldsAndAFile) {
   CITES("FC-UNST-04");
   const Scratch scratch;

@@ -115,7 +115,7 @@ void for_all_positions(ClaimedInfinity& infinity, const Use& use) {
   for (auto& s : infinity.segments) use(s.vector, true), use(s.back, false);
   for (auto& i : infinity.intervals) use(i.vector, true), use(i.back, false);
   for (auto& s : infinity.sectors) {
-    for (ClaimedCorner& corner : s.corners) use(corner.position, corner.is_vector);
+    for (ClaimedCorner& corner : s.corners) use(corner.position, corner.at_infinity);
   }
 }
 
@@ -237,8 +237,8 @@ const std::map<std::string, Mutation>& mutations() {
        }},
       {"a vector for a position", [](ClaimedInfinity& x) {
          if (x.sectors.empty()) return false;
-         bool& is_vector = x.sectors[below(x.sectors.size())].corners.front().is_vector;
-         is_vector = !is_vector;
+         bool& at_infinity = x.sectors[below(x.sectors.size())].corners.front().at_infinity;
+         at_infinity = !at_infinity;
          return true;
        }}};
   return all;

@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 const std::set<std::string> kOfTheProgram = {"version", "commit", "kernel", "compiler", "cgal", "centers", "volumes"};
 
 // Their keys are changed one by one.
-const std::set<std::string> kObjects = {"regular_stationary", "stable", "skeleton", "surface", "lambda"};
+const std::set<std::string> kObjects = {"regular_stationary", "stable", "skeleton", "surface", "lambda", "u1"};
 
 // All keys of a schema's object, with those of the objects in it: "skeleton.segments.front".
 void add_keys(const Json& schema, const Json& root, const std::string& around, std::set<std::string>& keys) {
@@ -86,17 +86,25 @@ void visit(Json& value, const std::string& path, const std::function<void(Json&)
   visit(value[key], path.substr(dot + 1), each);
 }
 
+constexpr RecordsToWrite all_but_sheets(WrittenVolumes volumes) {
+  return {.u2 = true, .polylines = true, .s2 = true, .skeletons = true, .all = true, .volumes = volumes};
+}
+
 class ExchangeFile {
  public:
-  ExchangeFile(const std::vector<Point>& rows, WrittenVolumes volumes) : points_(rows), truth_(fast_truth(points_)) {
-    std::istringstream text(property::exchange_file(
-        rows, {.u2 = true, .polylines = true, .s2 = true, .skeletons = true, .all = true, .volumes = volumes}));
+  ExchangeFile(const std::vector<Point>& rows, const RecordsToWrite& wanted)
+      : points_(rows), truth_(fast_truth(points_)) {
+    std::istringstream text(property::exchange_file(rows, wanted));
     for (std::string line; std::getline(text, line);) lines_.push_back(Json::parse(line));
     lines_[0]["indices"] = {0, 1, 2, 3};
     // compute writes no surfaces.
     for (Json& line : lines_) {
       if (!line.contains("index") || !line.contains("skeleton") || !line["skeleton"]["intervals"].empty()) continue;
       line["surface"] = surface_of(line["skeleton"]["segments"]);
+    }
+    bool is_second = false;
+    for (Json& line : lines_) {
+      if (line.contains("u1")) swap_ends(line["u1"], is_second);
     }
   }
 
@@ -140,6 +148,16 @@ class ExchangeFile {
   [[nodiscard]] std::string outcome() const { return outcome(lines_); }
 
  private:
+  // compute writes the lesser end first, which is never at infinity alone. Every second interval begins there.
+  static void swap_ends(Json& u1, bool& is_second) {
+    for (const char* part : {"traces", "runs"}) {
+      for (Json& interval : u1[part]) {
+        if (is_second) std::swap(interval["from"], interval["to"]);
+        is_second = !is_second;
+      }
+    }
+  }
+
   [[nodiscard]] Json surface_of(const Json& segments) const {
     Json surface = {{"vertices", Json::array()}, {"triangles", Json::array()}};
     for (const Json& segment : segments) {
@@ -163,10 +181,14 @@ class ExchangeFile {
 const std::vector<Point> kCrowded = {{-118, -3, 155},   {2, -3, -205},  {194, -3, -61}, {-70, -163, 91},
                                      {-134, -153, -57}, {-208, 57, 25}, {170, -83, 71}, {30, 147, -159}};
 
+// Parts of unstable sets of all sorts, also at infinity.
+const std::vector<Point> kManyRays = {{-3, -1, -1}, {3, 3, -2}, {0, 2, -2}, {3, -2, 0}, {2, 1, -2}, {0, 1, 0}};
+
 TEST(ExchangeKeys, NoneGoesUnread) {
   CITES("FC-CLAIM-01", "FC-OUT-01");
-  const std::array<ExchangeFile, 2> files = {ExchangeFile(rows_of_many_kinds(), WrittenVolumes::kExact),
-                                             ExchangeFile(kCrowded, WrittenVolumes::kShares)};
+  const std::array<ExchangeFile, 3> files = {ExchangeFile(rows_of_many_kinds(), all_but_sheets(WrittenVolumes::kExact)),
+                                             ExchangeFile(kCrowded, all_but_sheets(WrittenVolumes::kShares)),
+                                             ExchangeFile(kManyRays, {.sheets = true})};
   for (const ExchangeFile& file : files) ASSERT_EQ(file.outcome(), "conforms");
   for (const char* definition : {"header", "record", "infinity"}) {
     for (const std::string& key : keys_of(definition)) {

@@ -46,7 +46,7 @@ TEST(ExchangeSchema, TakesTheWholeComplex) {
     for (const auto centers : {WrittenCenters::kExact, WrittenCenters::kDouble, WrittenCenters::kNone}) {
       for (const auto volumes : {WrittenVolumes::kDouble, WrittenVolumes::kShares, WrittenVolumes::kExact}) {
         std::istringstream lines(property::exchange_file(
-            rows, {.u2 = true, .s2 = true, .centers = centers, .all = true, .volumes = volumes}));
+            rows, {.u2 = true, .s2 = true, .centers = centers, .all = true, .volumes = volumes, .sheets = true}));
         std::string line;
         while (std::getline(lines, line)) EXPECT_TRUE(schema.accepts(line)) << line;
       }
@@ -130,6 +130,41 @@ TEST(ExchangeSchema, TakesWhatFlowsToInfinity) {
   EXPECT_NE(claim_refusal(kHeader + with("unbounded_segments", R"({"samples":[0,1],"vector":[0,0,0],"back":[0,0,0]})"))
                 .find("the vector is zero"),
             std::string::npos);
+}
+
+TEST(ExchangeSchema, SaysWhatAnUnstableSetMayHave) {
+  CITES("FC-UNST-04", "FC-CLAIM-17");
+  const ExchangeSchema schema;
+  const auto record = [](const std::string& index, const std::string& traces, const std::string& sheets,
+                         const std::string& segments) {
+    return R"({"index":)" + index + R"(,"contact":[1],"u1":{"vertices":[["0","1/2",3]],"traces":[)" + traces +
+           R"(],"runs":[],"sheets":[)" + sheets + R"(],"segments":[)" + segments + "]}}";
+  };
+  const std::string trace = R"({"polygon":[0,1,2],"from":["0","1","2"],"to":{"vector":["0","0","-7/2"]}})",
+                    sheet = R"({"samples":[0,1],"corners":[[0,0,0],{"vector":[1,0,0]},{"vector":["0","1","0"]}]})",
+                    segment = R"({"samples":[0,1],"start":[0,0,0],"end":["1","1","1"]})";
+  for (const std::string& right :
+       {record("1", trace, sheet, segment), record("[1,2]", "", sheet, ""), record("[1,3]", "", "", segment),
+        record("1", "", R"({"samples":[0,1],"corners":[]})", "")}) {
+    EXPECT_TRUE(schema.accepts(right)) << right;
+    EXPECT_EQ(claim_refusal(kHeader + right), "accepted, 1 points") << right;
+  }
+  for (const std::string& wrong :
+       {record("2", trace, sheet, segment), record("0", "", "", ""), record("[2,3]", "", "", ""),
+        record("1", R"({"polygon":[0,1,2],"from":["0","1","2"]})", "", ""),
+        record("1", R"({"polygon":[0,1,2],"from":["0","1","2"],"to":null})", "", ""),
+        record("1", R"({"polygon":[0,1,2],"from":["0","1","2"],"to":{}})", "", ""),
+        record("1", "", R"({"samples":[0,1],"corners":[[0,0,0],[0,0,1]]})", ""),
+        record("1", "", R"({"samples":[0,1,2],"corners":[]})", ""), record("1", "", R"({"samples":[0,1]})", ""),
+        record("1", "", "", R"({"samples":[0,1],"start":{"vector":["0","1","0"]},"end":["1","1","1"]})"),
+        record("1", "", "", R"({"samples":[0,1],"start":[0,0,0]})"),
+        std::string(R"({"index":1,"contact":[1],"u1":{"vertices":[],"traces":[],"runs":[],"sheets":[]}})")}) {
+    EXPECT_FALSE(schema.accepts(wrong)) << wrong;
+    EXPECT_EQ(claim_refusal(kHeader + wrong).find("accepted"), std::string::npos) << wrong;
+  }
+  // This much a schema cannot say.
+  const std::string zero = R"({"polygon":[0,1,2],"from":["0","1","2"],"to":{"vector":["0",0,"-0"]}})";
+  EXPECT_TRUE(claim_refusal(kHeader + record("1", zero, "", "")).ends_with("is not a direction: the vector is zero"));
 }
 
 TEST(ExchangeSchema, SaysWhatTheReaderSays) {

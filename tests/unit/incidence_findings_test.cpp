@@ -384,6 +384,7 @@ class Undecided final : public Truth {
     return truth_.nearest_shares(i);
   }
   [[nodiscard]] Rational hull_volume() override { return truth_.hull_volume(); }
+  [[nodiscard]] UnstableSurface unstable_surface(std::size_t i) override { return truth_.unstable_surface(i); }
 
  private:
   Truth& truth_;

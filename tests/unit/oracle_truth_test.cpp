@@ -31,6 +31,7 @@ const std::vector<Point> kDangling = {{0, 0, 0}, {-10, 0, 0}, {-11, 30, 0}, {-11
 struct Tally {
   std::size_t limits = 0, infinity = 0, boundaries = 0, ties = 0, intervals = 0, stationary_backs = 0, sectors = 0;
   std::size_t arcs = 0, exits = 0, vectors = 0, volumes = 0, solids = 0, morse_smale = 0, others = 0;
+  std::size_t traces = 0, runs = 0, sheets = 0, single_rays = 0;
   std::size_t twice = 0;  // two orbits of one index-2 point end in one index-1 point, and there is no tie
   std::array<std::size_t, 4> backs{};
 };
@@ -167,6 +168,15 @@ void expect_same_directions(std::size_t i, Truth& fast, Truth& oracle, Tally& ta
   EXPECT_EQ(limits(oracle), limits(fast));
 }
 
+void expect_same_unstable_set(std::size_t i, Truth& fast, Truth& oracle, Tally& tally) {
+  const UnstableSurface set = oracle.unstable_surface(i);
+  EXPECT_TRUE(set == fast.unstable_surface(i)) << words_of(fast.contact(i));
+  tally.traces += set.traces.size();
+  tally.runs += set.runs.size();
+  tally.sheets += set.sheets.size();
+  tally.single_rays += set.segments.size();
+}
+
 void expect_same_volume(std::size_t i, Truth& fast, Truth& oracle, Tally& tally) {
   const Rational volume = oracle.volume(i);
   EXPECT_EQ(volume, fast.volume(i));
@@ -197,6 +207,7 @@ void expect_same(const std::vector<Point>& rows, Tally& tally) {
     if (index == StationaryIndex{2, 2}) expect_same_saddle(i, *fast, *oracle, tally);
     if (index == StationaryIndex{2, 2} || !index.is_critical()) expect_same_stable_set(i, *fast, *oracle, tally);
     if (index.face_dimension == 1 || index.face_dimension == 2) expect_same_directions(i, *fast, *oracle, tally);
+    if (index.face_dimension == 1) expect_same_unstable_set(i, *fast, *oracle, tally);
     expect_same_volume(i, *fast, *oracle, tally);
   }
   expect_same_infinity(*fast, *oracle);
@@ -208,7 +219,7 @@ void expect_same(const std::vector<Point>& rows, Tally& tally) {
 
 TEST(OracleTruth, IsThatOfTheFastImplementation) {
   CITES("FC-CRIT-02", "FC-FLOW-07", "FC-FLOW-08", "FC-STAB-04", "FC-STAB-05", "FC-CHAIN-01", "FC-UNST-02", "FC-CONN-01",
-        "FC-CONN-03", "FC-VOL-01", "FC-VOL-02", "FC-STAB-08");
+        "FC-CONN-03", "FC-VOL-01", "FC-VOL-02", "FC-STAB-08", "FC-UNST-04");
   Tally tally;
   for (const fuzz::Family& family : fuzz::families_and_stable_ones()) {
     for (const std::uint64_t seed : {3U, 4U, 5U}) {
@@ -220,9 +231,10 @@ TEST(OracleTruth, IsThatOfTheFastImplementation) {
   }
   expect_same(kDangling, tally);
   for (const std::size_t count :
-       {tally.limits, tally.infinity, tally.boundaries, tally.ties, tally.intervals, tally.stationary_backs,
-        tally.sectors, tally.backs[0], tally.backs[1], tally.backs[2], tally.backs[3], tally.arcs, tally.exits,
-        tally.vectors, tally.volumes, tally.solids, tally.morse_smale, tally.others}) {
+       {tally.limits,  tally.infinity, tally.boundaries, tally.ties,       tally.intervals,   tally.stationary_backs,
+        tally.sectors, tally.backs[0], tally.backs[1],   tally.backs[2],   tally.backs[3],    tally.arcs,
+        tally.exits,   tally.vectors,  tally.volumes,    tally.solids,     tally.morse_smale, tally.others,
+        tally.traces,  tally.runs,     tally.sheets,     tally.single_rays}) {
     EXPECT_GE(count, 5U);
   }
   EXPECT_LT(tally.stationary_backs, tally.intervals);

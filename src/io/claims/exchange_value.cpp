@@ -10,7 +10,7 @@ namespace flowcert::io {
 
 namespace {
 
-// Our own records nest at most six deep: object, skeleton, sectors, sector, corners, position.
+// Our own records nest at most eight deep: object, u1, sheets, sheet, corners, corner, vector, position.
 constexpr std::size_t kDeepest = 16;
 
 // nlohmann's parser calls this for each event. The parser's own trees are not used: they keep numbers as doubles,

@@ -68,6 +68,15 @@ void require_rows_of_directions(const ClaimedPoint& point, const PointSet& point
   }
 }
 
+void require_rows_of_unstable(const ClaimedPoint& point, const PointSet& points, const LinePlace& place) {
+  if (!point.u1) return;
+  for (const auto* intervals : {&point.u1->traces, &point.u1->runs}) {
+    for (const ClaimedUnstableInterval& interval : *intervals) require_ids(interval.polygon, points, place);
+  }
+  for (const ClaimedUnstableSheet& sheet : point.u1->sheets) require_ids(sheet.samples, points, place);
+  for (const ClaimedUnstableSegment& segment : point.u1->segments) require_ids(segment.samples, points, place);
+}
+
 }  // namespace
 
 Claim read_claim_from(std::string_view bytes, const std::string& name) {
@@ -88,6 +97,7 @@ void require_rows(const Claim& claim, const PointSet& points, const std::string&
     if (point.samples) require_ids(*point.samples, points, place);
     require_rows_of_stable(point, points, place);
     require_rows_of_directions(point, points, place);
+    require_rows_of_unstable(point, points, place);
     if (!point.successors) continue;
     for (const ClaimedTarget& target : *point.successors) require_ids(target.contact, points, place);
   }

@@ -97,11 +97,20 @@ ClaimedSkeleton skeleton_of(const ExchangeValue& value) {
   return skeleton;
 }
 
+bool is_zero_vector(const ClaimedPosition& vector) {
+  return std::ranges::all_of(vector, [](const ClaimedNumber& coordinate) { return coordinate.value == 0; });
+}
+
 ClaimedPosition vector_of(const ExchangeValue& value) {
   ClaimedPosition vector = position_of(value);
-  const auto is_zero = [](const ClaimedNumber& coordinate) { return coordinate.value == 0; };
-  if (std::ranges::all_of(vector, is_zero)) value.reject("a direction: the vector is zero");
+  if (is_zero_vector(vector)) value.reject("a direction: the vector is zero");
   return vector;
+}
+
+// A position, or an object with a vector where it is at infinity.
+ClaimedCorner corner_of(const ExchangeValue& value) {
+  if (!value.is(JsonKind::kObject)) return {position_of(value), false};
+  return {vector_of(value.get("vector")), true};
 }
 
 ClaimedUnboundedSegment unbounded_segment_of(const ExchangeValue& value) {
@@ -118,11 +127,6 @@ ClaimedUnboundedInterval unbounded_interval_of(const ExchangeValue& value) {
   const auto stationary = value.find("back_is_stationary");
   return {ids_of(value.get("polygon")), vector_of(value.get("vector")), position_of(value.get("back")),
           stationary ? std::optional(bool_of(*stationary)) : std::nullopt};
-}
-
-ClaimedCorner corner_of(const ExchangeValue& value) {
-  if (value.is(JsonKind::kArray)) return {false, position_of(value)};
-  return {true, vector_of(value.get("vector"))};
 }
 
 ClaimedUnboundedSector unbounded_sector_of(const ExchangeValue& value) {
@@ -303,7 +307,6 @@ void read_flow(const ExchangeValue& record, ClaimedPoint& point) {
   }
 }
 
-// Reads keys that only critical points of index 1 and 2 and regular stationary points may have.
 ClaimedDirection direction_of(const ExchangeValue& value) {
   ClaimedDirection direction;
   direction.limit = limit_of(value.get("limit"));
@@ -315,8 +318,7 @@ ClaimedDirection direction_of(const ExchangeValue& value) {
   const auto& near = direction.is_vector ? near_vector : near_exit;
   direction.exit = position_or_doubles(exact, near);
   if (exact && near && !near->is_null()) direction.rounded_exit = doubles_of(*near);
-  const auto is_zero = [](const ClaimedNumber& coordinate) { return coordinate.value == 0; };
-  if (direction.is_vector && direction.exit && std::ranges::all_of(*direction.exit, is_zero)) {
+  if (direction.is_vector && direction.exit && is_zero_vector(*direction.exit)) {
     value.reject("a direction: the vector is zero");
   }
   return direction;
@@ -330,6 +332,7 @@ ClaimedConnection connection_of(const ExchangeValue& value) {
   return {limit_of(value.get("to")), count_of(value.get("orbits")), count_of(value.get("families"))};
 }
 
+// Reads keys that only critical points of index 1 and 2 and regular stationary points may have.
 void read_directions(const ExchangeValue& record, ClaimedPoint& point) {
   for (const char* key : {"lambda", "connections"}) {
     const auto value = record.find(key);
@@ -369,6 +372,32 @@ void read_volume(const ExchangeValue& record, ClaimedPoint& point) {
   point.shares = shares ? list_of(*shares, share_of) : list_of(*near_shares, rounded_share_of);
 }
 
+ClaimedUnstableInterval unstable_interval_of(const ExchangeValue& value) {
+  return {ids_of(value.get("polygon")), corner_of(value.get("from")), corner_of(value.get("to"))};
+}
+
+ClaimedUnstableSheet unstable_sheet_of(const ExchangeValue& value) {
+  ClaimedUnstableSheet sheet{pair_of_ids(value.get("samples")), list_of(value.get("corners"), corner_of)};
+  if (!sheet.corners.empty() && sheet.corners.size() < 3) value.get("corners").reject("no corner, or three or more");
+  return sheet;
+}
+
+ClaimedUnstableSegment unstable_segment_of(const ExchangeValue& value) {
+  return {pair_of_ids(value.get("samples")), position_of(value.get("start")), corner_of(value.get("end"))};
+}
+
+// Reads a key that only points of index 1, and regular ones whose kind begins with 1, may have.
+void read_unstable(const ExchangeValue& record, ClaimedPoint& point) {
+  const auto u1 = record.find("u1");
+  if (!u1) return;
+  if (point.index != 1) record.place().reject("a key of points of the index or kind 1, 1-2 and 1-3 only: 'u1'");
+  point.u1 = {.vertices = list_of(u1->get("vertices"), position_of),
+              .traces = list_of(u1->get("traces"), unstable_interval_of),
+              .runs = list_of(u1->get("runs"), unstable_interval_of),
+              .sheets = list_of(u1->get("sheets"), unstable_sheet_of),
+              .segments = list_of(u1->get("segments"), unstable_segment_of)};
+}
+
 // Reads keys that only critical points of index 2 and regular stationary points may have. Maxima may have a skeleton.
 void read_stable(const ExchangeValue& record, ClaimedPoint& point) {
   for (const char* key : {"stable", "skeleton", "surface"}) {
@@ -402,6 +431,7 @@ ClaimedPoint point_of(const ExchangeValue& record) {
   read_stable(record, point);
   read_directions(record, point);
   read_volume(record, point);
+  read_unstable(record, point);
   return point;
 }
 

@@ -22,6 +22,7 @@
 #include "flowcert/rational.h"
 #include "flowcert/stable_manifolds.h"
 #include "flowcert/stationary_points.h"
+#include "flowcert/unstable_surfaces.h"
 
 namespace flowcert {
 
@@ -60,6 +61,7 @@ enum class FindingReason {
   kWrongLambdaList,   // limits of directions, or where their rays leave the Voronoi face
   kWrongConnections,  // numbers of orbits and families, or whether the input is Morse-Smale
   kWrongVolume,       // of a stable set, a share of it, or of the convex hull
+  kWrongUnstableSet,  // a part of an unstable set of dimension 2
   // Permitted variations; kAmbiguous is one too.
   kSpanningPart,          // an affinely independent spanning part of the contact set
   kTieBreak,              // a boundary that another way to break ties gives (FC-CLAIM-09)
@@ -181,6 +183,9 @@ class Truth {
   [[nodiscard]] virtual std::vector<std::pair<PointId, double>> nearest_shares(std::size_t i) = 0;
   // Of the convex hull of all points.
   [[nodiscard]] virtual Rational hull_volume() = 0;
+
+  // For a stationary point whose face has dimension 1 (FC-UNST-04). All lists are sorted, as in UnstableSurface.
+  [[nodiscard]] virtual UnstableSurface unstable_surface(std::size_t i) = 0;
 };
 
 // The truth by the fast implementation, of points or of a complex that must outlive it. This takes as long as computing

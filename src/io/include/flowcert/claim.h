@@ -76,8 +76,8 @@ struct ClaimedUnboundedInterval {
   std::optional<bool> back_is_stationary;
 };
 struct ClaimedCorner {
-  bool is_vector = false;
-  ClaimedPosition position;
+  ClaimedPosition position;  // or a vector to infinity, of any length but 0
+  bool at_infinity = false;
 };
 struct ClaimedUnboundedSector {
   std::vector<PointId> samples;
@@ -124,6 +124,27 @@ struct ClaimedShare {
   std::optional<ClaimedNumber> volume;  // none: no double is near
 };
 
+// The claimed parts of an unstable set of dimension 2 (FC-UNST-04), as in flowcert/unstable_surfaces.h.
+struct ClaimedUnstableInterval {
+  std::vector<PointId> polygon;
+  ClaimedCorner from, to;
+};
+struct ClaimedUnstableSheet {
+  std::vector<PointId> samples;
+  std::vector<ClaimedCorner> corners;  // in cyclic order; none if the sheet is the whole facet
+};
+struct ClaimedUnstableSegment {
+  std::vector<PointId> samples;
+  ClaimedPosition start;
+  ClaimedCorner end;
+};
+struct ClaimedUnstableSurface {
+  std::vector<ClaimedPosition> vertices;
+  std::vector<ClaimedUnstableInterval> traces, runs;
+  std::vector<ClaimedUnstableSheet> sheets;
+  std::vector<ClaimedUnstableSegment> segments;
+};
+
 // One critical (or regular stationary) point of a claim.
 struct ClaimedPoint {
   std::size_t line = 0;  // of the file, 1-based; in a VTP file, the point's ordinal, 1-based
@@ -158,6 +179,8 @@ struct ClaimedPoint {
   std::optional<ClaimedNumber> rounded_volume;
   bool has_rounded_volume = false;
   std::optional<std::vector<ClaimedShare>> shares;
+  // For an index-1 point or a regular one whose kind begins with 1.
+  std::optional<ClaimedUnstableSurface> u1;
 };
 
 // Whether the critical points of each index are claimed.

@@ -30,6 +30,8 @@ struct SurfaceCorner {
 struct UnstableInterval {
   std::vector<PointId> polygon;  // ascending
   SurfaceCorner from, to;
+
+  friend bool operator==(const UnstableInterval&, const UnstableInterval&) = default;
 };
 // What lies in the Voronoi facet of two samples of the convex region with these corners, sides included. They are in
 // cyclic order, the least one first and the lesser of its neighbours second. If P does not span space, there are none,
@@ -37,12 +39,16 @@ struct UnstableInterval {
 struct UnstableSheet {
   std::array<PointId, 2> samples;  // ascending
   std::vector<SurfaceCorner> corners;
+
+  friend bool operator==(const UnstableSheet&, const UnstableSheet&) = default;
 };
 // The open segment in which a single ray crosses the Voronoi facet of two samples.
 struct UnstableSegment {
   std::array<PointId, 2> samples;  // ascending
   RationalPoint start;
   SurfaceCorner end;
+
+  friend bool operator==(const UnstableSegment&, const UnstableSegment&) = default;
 };
 // Each list is sorted: by position, by polygon and ends, by samples and corners or start.
 struct UnstableSurface {
@@ -51,6 +57,8 @@ struct UnstableSurface {
   std::vector<UnstableInterval> runs;    // without their ends
   std::vector<UnstableSheet> sheets;
   std::vector<UnstableSegment> segments;
+
+  friend bool operator==(const UnstableSurface&, const UnstableSurface&) = default;
 };
 // How many parts of each sort a set has.
 struct UnstableSurfaceSize {
