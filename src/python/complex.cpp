@@ -181,6 +181,7 @@ void add_complex(py::module_& module) {
       .def("shares", &Complex::shares, py::arg("record"), py::arg("exact"))
       .def("lambda_list", &Complex::lambda_list, py::arg("record"), py::arg("exact"))
       .def("connections", &Complex::connections)
+      .def("unstable_surface", &Complex::unstable_surface, py::arg("record"), py::arg("exact"))
       .def("is_morse_smale", &Complex::is_morse_smale);
 }
 

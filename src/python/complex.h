@@ -86,6 +86,10 @@ class Complex {
   // three doubles. None if the point has no such list.
   [[nodiscard]] pybind11::object lambda_list(std::size_t record, bool exact) const;
   [[nodiscard]] pybind11::array connections() const;
+  // (vertices, traces, runs, sheets, segments), lists. A position is three pairs of ints, or three doubles. A corner is
+  // (position, is_vector). A trace or run is (polygon, (corner, corner)), a sheet (samples, corners), a segment
+  // (samples, start, corner). None if the point has no such set.
+  [[nodiscard]] pybind11::object unstable_surface(std::size_t record, bool exact) const;
   [[nodiscard]] bool is_morse_smale() const;
 
  private:

@@ -1,7 +1,9 @@
-// The whole complex for Python: volumes of stable sets, where the directions of stationary points lead, connections.
+// The whole complex for Python: volumes of stable sets, where the directions of stationary points lead, connections, and
+// unstable sets of dimension 2.
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -16,18 +18,19 @@ namespace py = pybind11;
 
 namespace {
 
-// The place of a stationary point's list among all lists, which come in the order of the points.
-std::optional<std::size_t> list_of_record(const FlowLimits& limits, std::size_t record) {
-  std::size_t first = 0, last = limits.size();
+// The place of what belongs to a stationary point among all of its kind, which come in the order of the points.
+template <class Parts>
+std::optional<std::size_t> place_of_record(const Parts& parts, std::size_t record) {
+  std::size_t first = 0, last = parts.size();
   while (first < last) {
     const std::size_t middle = first + (last - first) / 2;
-    if (limits.record(middle) < record) {
+    if (parts.record(middle) < record) {
       first = middle + 1;
     } else {
       last = middle;
     }
   }
-  return first < limits.size() && limits.record(first) == record ? std::optional(first) : std::nullopt;
+  return first < parts.size() && parts.record(first) == record ? std::optional(first) : std::nullopt;
 }
 
 py::tuple exit_of(const RationalPoint& exit) { return ratios_of(exit); }
@@ -54,6 +57,41 @@ std::vector<ConnectionRecord> records_of_connections(const FlowLimits& limits) {
   }
   return records;
 }
+
+// ---- Unstable sets ----
+
+double double_of(const Rational& x) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return nearest_double(x).value_or(x < 0 ? -kInfinity : kInfinity) + 0.0;  // zeros have no sign
+}
+
+// Makes tuples of positions and of what has some.
+struct SurfaceTuples {
+  bool exact;
+
+  [[nodiscard]] py::tuple position(const RationalPoint& x) const {
+    return exact ? ratios_of(x) : py::make_tuple(double_of(x[0]), double_of(x[1]), double_of(x[2]));
+  }
+  [[nodiscard]] py::tuple of(const RationalPoint& x) const { return position(x); }
+  [[nodiscard]] py::tuple of(const SurfaceCorner& corner) const {
+    return py::make_tuple(position(corner.position), corner.at_infinity);
+  }
+  [[nodiscard]] py::tuple of(const UnstableInterval& interval) const {
+    return py::make_tuple(interval.polygon, py::make_tuple(of(interval.from), of(interval.to)));
+  }
+  [[nodiscard]] py::tuple of(const UnstableSheet& sheet) const {
+    return py::make_tuple(sheet.samples, list(sheet.corners));
+  }
+  [[nodiscard]] py::tuple of(const UnstableSegment& segment) const {
+    return py::make_tuple(segment.samples, position(segment.start), of(segment.end));
+  }
+  template <class Part>
+  [[nodiscard]] py::list list(const std::vector<Part>& parts) const {
+    py::list made;
+    for (const Part& part : parts) made.append(of(part));
+    return made;
+  }
+};
 
 }  // namespace
 
@@ -109,7 +147,7 @@ py::object Complex::lambda_list(std::size_t record, bool exact) const {
     const ReleasedLock released;
     require_record(record);
     const FlowLimits& limits = complex_.limits();
-    const std::optional<std::size_t> place = list_of_record(limits, record);
+    const std::optional<std::size_t> place = place_of_record(limits, record);
     if (place && exact) list = limits.list(*place);
     if (place && !exact) rounded = limits.rounded_list(*place);
   }
@@ -125,6 +163,20 @@ py::array Complex::connections() const {
     records = records_of_connections(complex_.limits());
   }
   return array_of(std::move(records));
+}
+
+py::object Complex::unstable_surface(std::size_t record, bool exact) const {
+  std::optional<UnstableSurface> surface;
+  {
+    const ReleasedLock released;
+    require_record(record);
+    const UnstableSurfaces& surfaces = complex_.unstable_surfaces();
+    if (const auto place = place_of_record(surfaces, record)) surface = surfaces.set(*place);
+  }
+  if (!surface) return py::none();
+  const SurfaceTuples tuples{exact};
+  return py::make_tuple(tuples.list(surface->vertices), tuples.list(surface->traces), tuples.list(surface->runs),
+                        tuples.list(surface->sheets), tuples.list(surface->segments));
 }
 
 bool Complex::is_morse_smale() const {

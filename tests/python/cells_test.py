@@ -1,4 +1,6 @@
-"""Volumes, λ-lists and connections: known values, what the program writes on all families, and what is refused."""
+"""Volumes, λ-lists, connections and unstable surfaces: known values, what the program writes on all families, and what
+is refused.
+"""
 
 import math
 from collections import Counter
@@ -122,7 +124,7 @@ def test_numbers_beyond_the_doubles():
     assert set(fc.shares(maximum, exact=False).values()) == {math.inf}
 
 
-@pytest.mark.parametrize("ask", ["volume", "shares", "lambda_list"])
+@pytest.mark.parametrize("ask", ["volume", "shares", "lambda_list", "unstable_surface"])
 def test_places(ask):
     fc = flowcert.FlowComplex(CUBE[:2])
     for i in (3, -1, 2**63 - 1, 2**64, -(10**30)):
@@ -193,6 +195,88 @@ def connections_of(record, records):
     for connection in record.get("connections", []):
         to = connection["to"]
         yield None if to is None else place[tuple(to)], connection["orbits"], connection["families"]
+
+
+def written_corner(corner):
+    is_vector = isinstance(corner, dict)
+    return flowcert.SurfaceCorner(tuple(map(Fraction, corner["vector"] if is_vector else corner)), is_vector)
+
+
+def written_intervals(intervals):
+    return tuple(flowcert.UnstableInterval(tuple(one["polygon"]),
+                                           (written_corner(one["from"]), written_corner(one["to"])))
+                 for one in intervals)  # fmt: skip
+
+
+def written_surface(u1):
+    return flowcert.UnstableSurface(
+        tuple(tuple(map(Fraction, vertex)) for vertex in u1["vertices"]),
+        written_intervals(u1["traces"]),
+        written_intervals(u1["runs"]),
+        tuple(
+            flowcert.UnstableSheet(tuple(sheet["samples"]), tuple(map(written_corner, sheet["corners"])))
+            for sheet in u1["sheets"]
+        ),
+        tuple(
+            flowcert.UnstableSegment(tuple(one["samples"]), tuple(map(Fraction, one["start"])),
+                                     written_corner(one["end"]))
+            for one in u1["segments"]
+        ),  # fmt: skip
+    )
+
+
+def rounded_corner(corner):
+    return flowcert.SurfaceCorner(tuple(map(nearest, corner.position)), corner.is_vector)
+
+
+def rounded_intervals(intervals):
+    return tuple(flowcert.UnstableInterval(one.polygon, tuple(map(rounded_corner, one.ends))) for one in intervals)
+
+
+def rounded_surface(surface):
+    return flowcert.UnstableSurface(
+        tuple(tuple(map(nearest, vertex)) for vertex in surface.vertices),
+        rounded_intervals(surface.traces),
+        rounded_intervals(surface.runs),
+        tuple(
+            flowcert.UnstableSheet(sheet.samples, tuple(map(rounded_corner, sheet.corners)))
+            for sheet in surface.sheets
+        ),
+        tuple(
+            flowcert.UnstableSegment(one.samples, tuple(map(nearest, one.start)), rounded_corner(one.end))
+            for one in surface.segments
+        ),
+    )
+
+
+@pytest.mark.parametrize("name", ["cube", "five", "chain", *flowcert.families()])
+def test_unstable_surfaces_are_what_the_program_writes(name, xyz):
+    given = {"cube": CUBE, "five": FIVE, "chain": CHAIN}
+    points = given[name] if name in given else flowcert.generate(name, seed=6, level=2)[:40]
+    fc = flowcert.FlowComplex(points)
+    _, *records = json_lines(flowcert_says("compute", xyz(points), "--manifolds", "all", "--sheets", "-o", "-"))
+    for i, record in enumerate(records):
+        if "u1" not in record:
+            with pytest.raises(ValueError, match=f"^stationary point {i} has no unstable surface; those of index 1"):
+                fc.unstable_surface(i)
+            continue
+        exact = fc.unstable_surface(i, exact=True)
+        assert exact == written_surface(record["u1"])
+        assert fc.unstable_surface(np.int64(i)) == rounded_surface(exact)
+
+
+def test_an_unstable_surface_of_a_cube():
+    fc = flowcert.FlowComplex(CUBE)
+    surface = fc.unstable_surface(8, exact=True)
+    half = Fraction(1, 2)
+    assert surface.vertices == ((half, half, half),) and surface.runs == surface.segments == ()
+    assert [trace.ends[0] for trace in surface.traces] == [flowcert.SurfaceCorner((half, half, half), False)] * 2
+    [sheet] = surface.sheets
+    assert sheet.samples == tuple(contact(fc, 8)) and [corner.is_vector for corner in sheet.corners] == [0, 1, 1]
+    assert all(type(x) is Fraction for corner in sheet.corners for x in corner.position)
+    rounded = fc.unstable_surface(8)
+    assert rounded == rounded_surface(surface)
+    assert all(type(x) is float and math.copysign(1, x or 1.0) == 1 for x in rounded.vertices[0])
 
 
 # ---- What must hold

@@ -59,7 +59,8 @@ def test_arrays_have_shapes_and_units_in_their_docstrings():
     for cls in (flowcert.Mesh, flowcert.Surfaces, flowcert.Lines):
         for field in cls._fields:
             assert re.search(rf"^\s*{field}\s+\(.*\) (float|int)\d+", cls.__doc__, re.MULTILINE), (cls, field)
-    classes = ("Segment", "Limit", "Orbit", "Direction", "LambdaList", "Finding", "CheckReport")
+    classes = ("Segment", "Limit", "Orbit", "Direction", "LambdaList", "Finding", "CheckReport", "SurfaceCorner",
+               "UnstableInterval", "UnstableSheet", "UnstableSegment", "UnstableSurface")  # fmt: skip
     for cls in (getattr(flowcert, name) for name in classes):
         for field in cls.__dataclass_fields__:
             assert re.search(rf"^\s*([a-z_]+, )?{field}[ ,]", cls.__doc__, re.MULTILINE), (cls, field)

@@ -121,6 +121,7 @@ def use_everything(points):
     fc.hull_volume
     for exact in (False, True):
         fc.lambda_list(fc.counts[0], exact=exact)
+        fc.unstable_surface(fc.counts[0], exact=exact)
     fc.connections
     fc.is_morse_smale
     fc.check(fc.critical_points)

@@ -35,6 +35,7 @@ from ._limits import Direction, LambdaList
 from ._manifolds import Lines, Mesh, Surfaces
 from ._orbit import Limit, Orbit, Segment
 from ._read_points import read_points
+from ._unstable import SurfaceCorner, UnstableInterval, UnstableSegment, UnstableSheet, UnstableSurface
 
 __all__ = [
     "CheckReport",
@@ -47,7 +48,12 @@ __all__ = [
     "Mesh",
     "Orbit",
     "Segment",
+    "SurfaceCorner",
     "Surfaces",
+    "UnstableInterval",
+    "UnstableSegment",
+    "UnstableSheet",
+    "UnstableSurface",
     "__made_by__",
     "__version__",
     "check",

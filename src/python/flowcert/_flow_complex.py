@@ -14,6 +14,7 @@ from ._limits import LambdaList, lambda_list_of
 from ._manifolds import Lines, Mesh, Surfaces
 from ._orbit import Orbit, Position, orbit_of
 from ._points import point_rows, shown
+from ._unstable import UnstableSurface, unstable_surface_of
 
 _KINDS = ((1, 2), (1, 3), (2, 3))
 _MOST_THREADS = 1024
@@ -37,7 +38,7 @@ class FlowComplex:
 
     What is computed when: nothing at first. Each part is computed when it is first asked for, and kept. Meanwhile
     other threads of Python run, and they may ask the same complex. Ctrl-C stops it soon, but for the chain complex,
-    the pairs, volumes and λ-lists.
+    the pairs, volumes, λ-lists and unstable surfaces.
 
     Stationary points are named by their places in stationary_points, of which critical_points is the first part.
     Points are named by their rows; a repeated one by the first of its rows.
@@ -298,6 +299,27 @@ class FlowComplex:
         if answer is None:
             raise ValueError(f"stationary point {place} has no list of limits; saddles and regular points have one")
         return lambda_list_of(answer, exact)
+
+    def unstable_surface(self, i: int, exact: bool = False) -> UnstableSurface:
+        """All that flows from stationary point i, as a set: of an index-1 point, or a regular one of kind (1, 2) or
+        (1, 3). It has dimension 2, and can be large.
+
+        exact: positions are Fractions instead of the nearest doubles.
+
+        >>> fc = FlowComplex([[-4, 0, 0], [4, 0, 0], [0, 1, 0]])
+        >>> [sheet.samples for sheet in fc.unstable_surface(3).sheets]
+        [(0, 1), (0, 2)]
+        >>> [[corner.position for corner in trace.ends] for trace in fc.unstable_surface(3).traces]
+        [[(0.0, 0.0, -1.0), (0.0, 0.0, 1.0)]]
+        """
+        place = self._place(i)
+        answer = self._core.unstable_surface(place, bool(exact))
+        if answer is None:
+            raise ValueError(
+                f"stationary point {place} has no unstable surface; those of index 1, and of the kinds 1-2 and 1-3, "
+                "have one"
+            )
+        return unstable_surface_of(answer, exact)
 
     @property
     def connections(self) -> NDArray[Any]:
