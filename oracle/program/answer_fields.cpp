@@ -120,6 +120,38 @@ std::optional<Point> exit_along(const PointSet& set, const StationaryPoint& y, c
   return moved(y.center, *time, u);
 }
 
+// A position, or an object with a vector where it is at infinity.
+Json corner_field(const Corner& corner) {
+  if (!corner.at_infinity) return position_field(corner.position);
+  Json field;
+  field["vector"] = position_field(corner.position);
+  return field;
+}
+
+Json edge_part_field(const EdgePart& part) {
+  Json field;
+  field["polygon"] = part.polygon;
+  field["from"] = corner_field(part.from);
+  field["to"] = corner_field(part.to);
+  return field;
+}
+
+Json sheet_field(const UnstableSheet& sheet) {
+  Json field;
+  field["samples"] = sheet.samples;
+  field["corners"] = Json::array();
+  for (const Corner& corner : sheet.corners) field["corners"].push_back(corner_field(corner));
+  return field;
+}
+
+Json ray_field(const UnstableSegment& segment) {
+  Json field;
+  field["samples"] = segment.samples;
+  field["start"] = position_field(segment.start);
+  field["end"] = corner_field(segment.end);
+  return field;
+}
+
 }  // namespace
 
 Json position_field(const Point& x) {
@@ -201,6 +233,17 @@ Json lambda_field(const PointSet& set, const StationaryPoint& y, const std::vect
   Json field;
   field["directions"] = directions;
   field["arcs"] = arcs;
+  return field;
+}
+
+Json unstable_surface_field(const UnstableSurface& surface) {
+  Json field;
+  for (const char* key : {"vertices", "traces", "runs", "sheets", "segments"}) field[key] = Json::array();
+  for (const Point& vertex : surface.vertices) field["vertices"].push_back(position_field(vertex));
+  for (const EdgePart& trace : surface.traces) field["traces"].push_back(edge_part_field(trace));
+  for (const EdgePart& run : surface.runs) field["runs"].push_back(edge_part_field(run));
+  for (const UnstableSheet& sheet : surface.sheets) field["sheets"].push_back(sheet_field(sheet));
+  for (const UnstableSegment& segment : surface.segments) field["segments"].push_back(ray_field(segment));
   return field;
 }
 

@@ -11,6 +11,7 @@
 #include "oracle/persistence.h"
 #include "oracle/stable_set.h"
 #include "oracle/stationary_points.h"
+#include "oracle/unstable_surface.h"
 
 namespace oracle {
 
@@ -29,6 +30,8 @@ Json skeleton_field(const PointSet& set, const StableSet& stable);
 Json lambda_field(const PointSet& set, const StationaryPoint& y, const std::vector<UnstableEntry>& list);
 // An array of to, orbits, families, of those connections that lead from y.
 Json connections_field(const StationaryPoint& y, const std::vector<Connection>& all);
+// vertices, traces, runs, sheets, segments.
+Json unstable_surface_field(const UnstableSurface& surface);
 // An array of pairs: a sample, and its share, if that is not 0. `shares` has one for each point of the set.
 Json shares_field(const PointSet& set, const std::vector<Rational>& shares);
 // An array of dimension, birth, death.

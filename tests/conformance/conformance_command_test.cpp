@@ -66,7 +66,7 @@ TEST_F(ConformanceCommand, OurOwnProgramIsRightOnAllCases) {
 }
 
 TEST_F(ConformanceCommand, AsksForTheWholeComplex) {
-  CITES("FC-UNST-02", "FC-CONN-01", "FC-VOL-01", "FC-CLAIM-13", "FC-CLAIM-14", "FC-CLAIM-15");
+  CITES("FC-UNST-02", "FC-CONN-01", "FC-VOL-01", "FC-CLAIM-13", "FC-CLAIM-14", "FC-CLAIM-15", "FC-CLAIM-16");
   const std::string compute = std::string(FLOWCERT_PROGRAM) + " compute {in} -o {out} --manifolds all --volumes exact";
   const Words groups = {"--group", "lambda-lists", "--group", "connections", "--group", "volumes", "--jobs", "2"};
   const auto report_of = [&](const std::string& command, Words words) {
@@ -77,12 +77,20 @@ TEST_F(ConformanceCommand, AsksForTheWholeComplex) {
   EXPECT_EQ(report["verdict"], "conforms");
   EXPECT_EQ(report["judged"]["5"], report["cases"].size());
   EXPECT_GE(report["cases"].size(), 120U);
+  const std::string with_sheets = compute + " --sheets";
+  const json sheets = report_of(with_sheets, {"--group", "unstable-surfaces", "--jobs", "2"});
+  EXPECT_EQ(sheets["verdict"], "conforms");
+  EXPECT_EQ(sheets["judged"]["5"], sheets["cases"].size());
+  EXPECT_GE(sheets["cases"].size(), 40U);
   const auto reason_of = [&](const std::string& edit, const std::string& id) {
-    return report_of(compute + " && sed -i -E '" + edit + "' {out}", {"--case", id})["reasons"][0]["reason"];
+    return report_of(with_sheets + " && sed -i -E '" + edit + "' {out}", {"--case", id})["reasons"][0]["reason"];
   };
   EXPECT_EQ(reason_of(R"(s/"families":1/"families":2/)", "connections-0012"), "wrong-connections");
   EXPECT_EQ(reason_of(R"(s/"volume":"4\/3"/"volume":"5\/3"/)", "volumes-0013"), "wrong-volume");
   EXPECT_EQ(reason_of(R"(s/"arcs":\[null/"arcs":[[0]/)", "lambda-lists-0012"), "wrong-lambda-list");
+  EXPECT_EQ(reason_of(R"(s/"runs":\[\]/"runs":[{"polygon":[0,1,2,3],"from":[0,0,0],"to":[1,1,1]}]/)",
+                      "unstable-surfaces-0012"),
+            "wrong-unstable-set");
 }
 
 TEST_F(ConformanceCommand, GivesThePointsInOtherForms) {

@@ -53,6 +53,13 @@ TEST(MakeVectors, WritesTheWholeComplex) {
   expect_files_of_the_spec(folder, {"flags.json", "connections.json", "lambda-lists.json", "volumes.json"});
 }
 
+TEST(MakeVectors, WritesUnstableSets) {
+  CITES("FC-UNST-04", "FC-UNST-05", "FC-UNST-06");
+  const Scratch folder;
+  EXPECT_EQ(make_vectors({folder.path(""), "unstable-surfaces"}).status, 0);
+  expect_files_of_the_spec(folder, {"flags.json", "unstable-surfaces.json"});
+}
+
 TEST(MakeVectors, TellsHowManyCasesThereAre) {
   CITES("FC-IN-01", "FC-IN-05");
   const Scratch folder;

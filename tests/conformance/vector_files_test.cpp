@@ -145,6 +145,31 @@ TEST(VectorFiles, TheSchemaNoticesDamagesOfTheWholeComplex) {
   }
 }
 
+// The damages are in an edge of the cube.
+TEST(VectorFiles, TheSchemaNoticesDamagesOfUnstableSets) {
+  CITES("FC-UNST-04");
+  nlohmann::json file = nlohmann::json::parse(vectors_text("unstable-surfaces"));
+  std::erase_if(file["cases"].get_ref<nlohmann::json::array_t&>(),
+                [](const nlohmann::json& one) { return one["id"] != "unstable-surfaces-0012"; });
+  ASSERT_EQ(violations(file), "");
+  const std::string edge = "/cases/0/expected/stationary/8/u1/";
+  for (const auto& [path, change] : std::vector<std::pair<std::string, std::string>>{
+           {"vertices", R"("op":"remove")"},
+           {"runs", R"("op":"remove")"},
+           {"sheets", R"("op":"replace","value":[])"},
+           {"sheets/0/corners/0", R"("op":"remove")"},
+           {"sheets/0/corners/1/vector/0", R"("op":"replace","value":"-0")"},
+           {"sheets/0/samples/0", R"("op":"remove")"},
+           {"traces/0/polygon", R"("op":"replace","value":[0,1])"},
+           {"traces/0/to", R"("op":"replace","value":null)"},
+           {"traces/0/to/vector", R"("op":"remove")"},
+           {"segments/0", R"("op":"add","value":{"samples":[0,1],"start":["0","0","0"]})"},
+           {"more", R"("op":"add","value":1)"}}) {
+    EXPECT_NE(violations(file.patch(nlohmann::json::parse(R"([{"path":")" + edge + path + "\"," + change + "}]"))), "")
+        << path;
+  }
+}
+
 std::set<std::string> clauses_of_the_spec() {
   static const std::regex heading(R"(\*\*(FC-[A-Z]+-[0-9]{2})\*\* \()");
   const std::string spec = text_of_file(spec_folder() / "flow_complex.md") + text_of_file(spec_folder() / "claims.md");
@@ -181,7 +206,7 @@ TEST(VectorFiles, NameWhatThereIs) {
   EXPECT_GE(ids.size(), 300U);
   EXPECT_GE(group_named("stable-manifolds")["cases"].size(), 60U);
   EXPECT_GE(group_named("persistence")["cases"].size(), 60U);
-  for (const char* group : {"lambda-lists", "connections", "volumes"}) {
+  for (const char* group : {"lambda-lists", "connections", "volumes", "unstable-surfaces"}) {
     EXPECT_GE(group_named(group)["cases"].size(), 40U) << group;
   }
   EXPECT_EQ(flags.size(), group_named("flags")["flags"].size()) << "a case has a flag that is not defined";

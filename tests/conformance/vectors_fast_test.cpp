@@ -14,6 +14,7 @@
 #include "io/json_fields.h"
 #include "io/lambda_fields.h"
 #include "io/number_text.h"
+#include "io/unstable_surface_field.h"
 #include "oracle/program/read_records.h"
 #include "tests/cites.h"
 #include "tests/conformance/vector_files.h"
@@ -169,6 +170,13 @@ void add_fast_volumes(const FlowComplex& complex, Json& records) {
   }
 }
 
+void add_fast_surfaces(const FlowComplex& complex, Json& records) {
+  const UnstableSurfaces& surfaces = complex.unstable_surfaces();
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    records[surfaces.record(i)]["u1"] = unstable_surface_field(surfaces.set(i));
+  }
+}
+
 Json fast_answer(const Json& one, ConstructionKernel kernel) {
   const FlowComplex complex(fast_points(one), {.flow = {kernel, FacetSearch::kBinary}});
   Json answer;
@@ -182,6 +190,7 @@ Json fast_answer(const Json& one, ConstructionKernel kernel) {
     add_fast_lists(complex, expected, answer["stationary"]);
   }
   if (any_has(expected, "volume")) add_fast_volumes(complex, answer["stationary"]);
+  if (any_has(expected, "u1")) add_fast_surfaces(complex, answer["stationary"]);
   if (has(one, "morse_smale")) {
     answer["morse_smale"] = is_morse_smale(complex.stationary(), complex.limits(), complex.stable());
   }
@@ -204,7 +213,7 @@ TEST(Vectors, TheFastImplementationPassesUnderTheLazyKernel) {
   CITES("FC-IN-02", "FC-IN-03", "FC-IN-04", "FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-04", "FC-CRIT-05", "FC-NUM-01",
         "FC-OUT-01", "FC-OUT-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-03", "FC-FLOW-05", "FC-FLOW-07", "FC-STAB-01",
         "FC-STAB-04", "FC-STAB-05", "FC-STAB-06", "FC-STAB-07", "FC-PERS-01", "FC-PERS-05", "FC-UNST-01", "FC-UNST-02",
-        "FC-CONN-01", "FC-CONN-03", "FC-VOL-01", "FC-VOL-02");
+        "FC-CONN-01", "FC-CONN-03", "FC-VOL-01", "FC-VOL-02", "FC-UNST-04", "FC-UNST-05", "FC-UNST-06");
   expect_all_cases("lazy", ConstructionKernel::kLazy);
 }
 
@@ -212,13 +221,14 @@ TEST(Vectors, TheFastImplementationPassesUnderTheCascadeKernel) {
   CITES("FC-IN-02", "FC-IN-03", "FC-IN-04", "FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-04", "FC-CRIT-05", "FC-NUM-01",
         "FC-OUT-01", "FC-OUT-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-03", "FC-FLOW-05", "FC-FLOW-07", "FC-STAB-01",
         "FC-STAB-04", "FC-STAB-05", "FC-STAB-06", "FC-STAB-07", "FC-PERS-01", "FC-PERS-05", "FC-UNST-01", "FC-UNST-02",
-        "FC-CONN-01", "FC-CONN-03", "FC-VOL-01", "FC-VOL-02");
+        "FC-CONN-01", "FC-CONN-03", "FC-VOL-01", "FC-VOL-02", "FC-UNST-04", "FC-UNST-05", "FC-UNST-06");
   expect_all_cases("cascade", ConstructionKernel::kCascade);
 }
 
 // It also disagrees where it has not the very same thing to compare with, as for the walk.
 TEST(Vectors, TheFastImplementationDisagreesWithWhatIsWrong) {
-  CITES("FC-STAB-04", "FC-STAB-07", "FC-PERS-01", "FC-UNST-02", "FC-CONN-01", "FC-CONN-03", "FC-VOL-01", "FC-VOL-02");
+  CITES("FC-STAB-04", "FC-STAB-07", "FC-PERS-01", "FC-UNST-02", "FC-CONN-01", "FC-CONN-03", "FC-VOL-01", "FC-VOL-02",
+        "FC-UNST-04");
   const std::map<std::string, std::vector<const char*>> wrong = {
       {"stable-manifolds-0005",
        {R"([{"op":"replace","path":"/stationary/6/stable/walk","value":[0,1,2,1]}])",
@@ -248,7 +258,12 @@ TEST(Vectors, TheFastImplementationDisagreesWithWhatIsWrong) {
        {R"([{"op":"replace","path":"/stationary/1/volume","value":"1/3"}])",
         R"([{"op":"replace","path":"/stationary/17/volume","value":"49"}])",
         R"([{"op":"remove","path":"/stationary/17/shares/0"}])",
-        R"([{"op":"replace","path":"/stationary/17/shares/0/1","value":"1/3"}])"}}};
+        R"([{"op":"replace","path":"/stationary/17/shares/0/1","value":"1/3"}])"}},
+      {"unstable-surfaces-0012",
+       {R"([{"op":"replace","path":"/stationary/8/u1/vertices/0/0","value":"1/3"}])",
+        R"([{"op":"remove","path":"/stationary/8/u1/traces/0"}])",
+        R"([{"op":"replace","path":"/stationary/8/u1/traces/0/to","value":["0","0","-1"]}])",
+        R"([{"op":"replace","path":"/stationary/8/u1/sheets/0/samples/1","value":2}])"}}};
   for (const Json& one : all_cases()) {
     const auto changes = wrong.find(one["id"]);
     if (changes == wrong.end()) continue;

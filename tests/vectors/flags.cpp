@@ -245,6 +245,28 @@ bool some_volume(const Findings& found, bool (*holds)(const StationaryPoint&)) {
   return false;
 }
 
+// ---- Of unstable sets
+
+template <class Part>
+bool some_part(const Findings& found, std::vector<Part> UnstableSurface::*parts, bool (*holds)(const Part&)) {
+  return std::any_of(found.surfaces.begin(), found.surfaces.end(), [&](const auto& place_and_surface) {
+    const std::vector<Part>& all = place_and_surface.second.*parts;
+    return std::any_of(all.begin(), all.end(), holds);
+  });
+}
+
+bool is_any_run(const EdgePart&) { return true; }
+bool is_any_ray(const UnstableSegment&) { return true; }
+bool is_single_point(const EdgePart& trace) { return trace.from == trace.to; }
+bool has_corner_at_infinity(const UnstableSheet& sheet) {
+  return std::any_of(sheet.corners.begin(), sheet.corners.end(),
+                     [](const Corner& corner) { return corner.at_infinity; });
+}
+bool has_two_sheets(const Findings& found) {
+  return std::any_of(found.surfaces.begin(), found.surfaces.end(),
+                     [](const auto& place_and_surface) { return place_and_surface.second.sheets.size() >= 2; });
+}
+
 // ---- The table
 
 constexpr Flag kFlags[] = {
@@ -376,6 +398,16 @@ constexpr Flag kFlags[] = {
      [](const Findings& found) { return some_volume(found, is_saddle); }},
     {"regular-volume", "A listed volume of a regular stationary point that is positive.", "FC-VOL-01 FC-STAB-05",
      [](const Findings& found) { return some_volume(found, is_regular); }},
+    // ---- Of unstable sets
+    {"fan", "A listed unstable set with two sheets or more.", "FC-UNST-04 FC-UNST-05", has_two_sheets},
+    {"unbounded-sheet", "A listed sheet with a corner at infinity.", "FC-UNST-04",
+     [](const Findings& found) { return some_part(found, &UnstableSurface::sheets, has_corner_at_infinity); }},
+    {"run", "A listed run.", "FC-UNST-04 FC-UNST-05",
+     [](const Findings& found) { return some_part(found, &UnstableSurface::runs, is_any_run); }},
+    {"single-ray", "A listed segment: a single ray that crosses a facet.", "FC-UNST-04 FC-UNST-05",
+     [](const Findings& found) { return some_part(found, &UnstableSurface::segments, is_any_ray); }},
+    {"trace-of-a-point", "A listed trace that is one point.", "FC-UNST-04 FC-UNST-05",
+     [](const Findings& found) { return some_part(found, &UnstableSurface::traces, is_single_point); }},
 };
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "oracle/persistence.h"
 #include "oracle/stable_set.h"
 #include "oracle/stationary_points.h"
+#include "oracle/unstable_surface.h"
 #include "tests/vectors/shapes.h"
 
 namespace oracle::vectors {
@@ -41,6 +42,8 @@ struct Findings {
   std::vector<Connection> connections = {};  // if asked for, and then also:
   std::optional<bool> morse_smale = {};
   std::vector<VolumeAndShares> volumes = {};  // by place in the list, if asked for
+  // The unstable sets of points with dim F = 1, by place in the list, if asked for.
+  std::map<std::size_t, UnstableSurface> surfaces = {};
 };
 
 struct Flag {

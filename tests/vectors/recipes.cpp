@@ -303,6 +303,7 @@ void GroupWriter::given(std::size_t number, const std::string& comment, const ch
   recipe.lambda = lambda_;
   recipe.connections = connections_;
   recipe.volumes = volumes_;
+  recipe.surfaces = surfaces_;
   recipe.own_starts = own_starts_;
 }
 

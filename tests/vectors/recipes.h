@@ -28,6 +28,7 @@ struct Recipe {
   bool lambda = false;         // asks for λ-lists
   bool connections = false;    // asks for the connections, and whether the input is Morse-Smale
   bool volumes = false;        // asks for volumes of stable sets, and shares
+  bool surfaces = false;       // asks for unstable sets of dimension 2
   std::vector<Point> starts;   // asks for the orbits from here,
   std::size_t own_starts = 0;  // and from so many starts of starts.h
 };
@@ -91,6 +92,7 @@ class GroupWriter {
   void with_lambda_lists() { lambda_ = true; }
   void with_connections() { connections_ = true; }
   void with_volumes() { volumes_ = true; }
+  void with_unstable_surfaces() { surfaces_ = true; }
   void with_own_starts(std::size_t count) { own_starts_ = count; }
 
   [[nodiscard]] const Group& group() const { return group_; }
@@ -103,6 +105,7 @@ class GroupWriter {
   bool lambda_ = false;
   bool connections_ = false;
   bool volumes_ = false;
+  bool surfaces_ = false;
   std::size_t own_starts_ = 0;
 };
 

@@ -67,6 +67,9 @@ Findings findings_of(const Recipe& recipe, const Answer& answer, const std::vect
     const StableSet set = stable_set(found.set, all[i]);
     found.volumes.push_back({volume(found.set, set), shares(found.set, set)});
   }
+  for (std::size_t i = 0; recipe.surfaces && i < all.size(); ++i) {
+    if (all[i].face_dimension == 1) found.surfaces.emplace(i, unstable_surface(found.set, all[i]));
+  }
   if (recipe.persistence) found.persistence = persistence_pairs(found.set);
   for (const Point& start : starts) found.orbits.push_back(orbit(found.set, start));
   return found;
@@ -85,6 +88,9 @@ void add_whole_complex(const Recipe& recipe, const Findings& found, std::size_t 
     record["lambda"] = lambda_field(found.set, x, list->second);
   }
   if (recipe.connections && has_directions(x)) record["connections"] = connections_field(x, found.connections);
+  if (const auto surface = found.surfaces.find(place); surface != found.surfaces.end()) {
+    record["u1"] = unstable_surface_field(surface->second);
+  }
   if (!recipe.volumes) return;
   const auto& [all, parts] = found.volumes[place];
   record["volume"] = all.str();

@@ -1,5 +1,6 @@
-// The groups of recipes about the whole complex: λ-lists, connections, and volumes of stable sets. Their inputs are
-// small, because the oracle follows each ray by scans over all points, and exact ends of rays have many digits.
+// The groups of recipes about the whole complex: λ-lists, connections, volumes of stable sets, and unstable sets. Their
+// inputs are small, because the oracle follows each ray by scans over all points, and exact ends of rays have many
+// digits.
 #include "tests/vectors/recipes.h"
 
 namespace oracle::vectors {
@@ -12,7 +13,7 @@ const Rows kChain = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {2, 1, 1}};
 // Two orbits from {0,1} to {4,5,6} meet before they come there.
 const Rows kTwoOrbits = {{0, 0, 0}, {-10, 0, 0}, {-11, 30, 0}, {-11, -30, 0}, {69, 90, 0}, {69, -90, 0}, {300, 0, 0}};
 
-// The cases that all three groups begin with.
+// The cases that all groups begin with.
 void add_named(GroupWriter& cases) {
   add_first_cases(cases);
   cases.given(9, "a square of 9 points", "lattice cocircular", grid(3, 3, 1));
@@ -46,7 +47,7 @@ void add_named(GroupWriter& cases) {
 }
 
 // Inputs of many families. Each group takes other ones of them.
-void add_drawn(GroupWriter& cases, std::uint64_t seed) {
+void add_drawn(GroupWriter& cases, std::uint64_t seed, int size = 100) {
   std::size_t next = 39;
   for (const char* family :
        {"general-position",    "lattice-2",        "lattice-3",         "lattice-4",         "duplicates",
@@ -56,7 +57,7 @@ void add_drawn(GroupWriter& cases, std::uint64_t seed) {
         "long-cascade",        "half-shell",       "high-degree-facet", "right-angle-chain", "through-vertex",
         "rounded-sphere",      "rounded-rotation", "rounded-to-float",  "one-ulp-off",       "far-away",
         "far-away-rounded",    "extreme-scale",    "two-scales",        "mixed-magnitudes"}) {
-    cases.drawn(next++, family, 100, {seed});
+    cases.drawn(next++, family, size, {seed});
   }
 }
 
@@ -85,12 +86,28 @@ Group connections() {
   return cases.group();
 }
 
+// The triangle is obtuse at the edge of 0 and 1. The trace on its Voronoi edge fans out in the facet of 0 and 1.
+const Rows kBeyondObtuse = {{-4, 0, 0}, {4, 0, 0}, {0, 1, 0}, {0, 0, 40}};
+
+// A set has more parts than all other answers have numbers, so drawn inputs are smaller.
+Group unstable_surfaces() {
+  GroupWriter cases("unstable-surfaces", "What flows from edges, as sets", "FC-UNST-04 FC-UNST-05 FC-UNST-06");
+  cases.with_unstable_surfaces();
+  add_named(cases);
+  add_drawn(cases, 34, 30);
+  cases.given(73, "a sheet that fans out beyond an obtuse triangle", "", kBeyondObtuse);
+  cases.given(74, "obtuse triangles in a row, in a plane", "",
+              {{-4, 0, 0}, {4, 0, 0}, {0, 1, 0}, {3, 2, 0}, {-3, 2, 0}, {0, -9, 0}});
+  return cases.group();
+}
+
 }  // namespace
 
 void add_whole_complex_groups(std::vector<Group>& table) {
   table.push_back(lambda_lists());
   table.push_back(volumes());
   table.push_back(connections());
+  table.push_back(unstable_surfaces());
 }
 
 }  // namespace oracle::vectors
