@@ -1,7 +1,6 @@
 // The truth by the fast implementation (flowcert/check.h).
 #include <algorithm>
 #include <optional>
-#include <ranges>
 
 #include "certify/layer.h"
 #include "flowcert/check.h"
@@ -82,8 +81,7 @@ class FastTruth final : public Truth {
 
   [[nodiscard]] UnstableSurface unstable_surface(std::size_t i) override {
     const UnstableSurfaces& sets = complex_.unstable_surfaces();
-    const auto all = std::views::iota(std::size_t{0}, sets.size());
-    return sets.set(*std::ranges::lower_bound(all, i, {}, [&sets](std::size_t k) { return sets.record(k); }));
+    return sets.set(number_in(sets, set_records_, i));
   }
 
  private:
@@ -101,19 +99,21 @@ class FastTruth final : public Truth {
     return i < last ? i - first : last - first + i - finder_.range({3, 3}).second;
   }
 
-  // The number in FlowLimits, which has its records in ascending order.
-  [[nodiscard]] std::size_t number_of_list(std::size_t i) {
-    if (list_records_.empty()) {
-      for (std::size_t k = 0; k < complex_.limits().size(); ++k) list_records_.push_back(complex_.limits().record(k));
+  // The number in a part that has its records in ascending order. They are listed at the first call.
+  template <class Part>
+  [[nodiscard]] static std::size_t number_in(const Part& part, std::vector<std::size_t>& records, std::size_t i) {
+    if (records.empty()) {
+      for (std::size_t k = 0; k < part.size(); ++k) records.push_back(part.record(k));
     }
-    return static_cast<std::size_t>(std::ranges::lower_bound(list_records_, i) - list_records_.begin());
+    return static_cast<std::size_t>(std::ranges::lower_bound(records, i) - records.begin());
   }
+  [[nodiscard]] std::size_t number_of_list(std::size_t i) { return number_in(complex_.limits(), list_records_, i); }
 
   std::optional<FlowComplex> own_;
   const FlowComplex& complex_;
   RecordFinder finder_;
-  // Both are made when they are first asked for.
-  std::vector<std::size_t> list_records_;
+  // All are made when they are first asked for.
+  std::vector<std::size_t> list_records_, set_records_;
   std::optional<std::vector<Connection>> connections_;
 };
 

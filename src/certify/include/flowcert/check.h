@@ -109,8 +109,8 @@ struct CheckReport {
   // [0] to [4] are for levels 1 to 5. A value is false iff a finding of its level is no variation. There is no value
   // if nothing is claimed at that level, or the level is not checked.
   std::array<std::optional<bool>, kLevels> conforms;
-  // All claimed positions, radii and volumes are exact and were judged exactly, and none was needed to find out which
-  // point is claimed. Otherwise the claim is graded approximate.
+  // All claimed positions, vectors, radii and volumes are exact and were judged exactly, and none was needed to find
+  // out which point is claimed. Otherwise the claim is graded approximate.
   bool is_exact = true;
   // Sorted by level, then line (findings without a line last), then contact.
   std::vector<Finding> findings;
