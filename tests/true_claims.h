@@ -82,7 +82,7 @@ inline ClaimedInfinity infinity_of(const InfinitySet& set) {
   for (const UnboundedSector& s : set.sectors) {
     infinity.sectors.push_back({{s.samples[0], s.samples[1]}, {}});
     for (const SectorCorner& corner : s.corners) {
-      infinity.sectors.back().corners.push_back({corner.is_vector, exactly(corner.position)});
+      infinity.sectors.back().corners.push_back({exactly(corner.position), corner.is_vector});
     }
   }
   return infinity;

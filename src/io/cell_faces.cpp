@@ -1,6 +1,6 @@
-// A cell consists of pyramids over the regions of facets. Each side of a pyramid, with the sample as a corner, is a side
-// of just one other pyramid with this sample: over the next region of the facet, or, if it stands on a Voronoi edge,
-// over a region of the next facet around that. So sides meet two by two, and those of two cells are the faces.
+// A cell consists of pyramids over the regions of facets. Each side of a pyramid, with the sample as a corner, is a
+// side of just one other pyramid with this sample: over the next region of the facet, or, if it stands on a Voronoi
+// edge, over a region of the next facet around that. So sides meet two by two, and those of two cells are the faces.
 #include "io/cell_faces.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ class FaceMaker {
  public:
   FaceMaker(const FlowComplex& complex, const std::vector<bool>& is_wanted)
       : is_wanted_(is_wanted),
-        regions_(complex.diagram(), complex.stationary(), complex.limits()),
+        regions_(complex.diagram(), complex.limits()),
         numbers_(complex, regions_) {}
 
   [[nodiscard]] CellFaces made() && {

@@ -1,8 +1,8 @@
 // The faces between the cells S3: what separates the parts of dimension 3 of stable sets.
 //
-// Guarantees: exact, but for the positions, which are the nearest doubles. The triangles between one cell and all others
-// are closed: each edge is passed as often one way as the other way. No two triangles have the same corners, and two
-// corners are one iff they are exactly equal.
+// Guarantees: exact, but for the positions, which are the nearest doubles. The triangles between one cell and all
+// others are closed: each edge is passed as often one way as the other way. No two triangles have the same corners,
+// and two corners are one iff they are exactly equal.
 #pragma once
 
 #include <array>

@@ -59,7 +59,7 @@ class InfinityCells {
   InfinityCells(const FlowComplex& complex, const std::optional<ClipBox>& box)
       : complex_(complex),
         box_(box),
-        regions_(complex.diagram(), complex.stationary(), complex.limits()),
+        regions_(complex.diagram(), complex.limits()),
         numbers_(complex, regions_) {
     if (!box) return;
     sides_ = sides_of(*box);

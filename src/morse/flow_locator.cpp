@@ -121,8 +121,8 @@ VertexIndex FlowLocator::Map::nearby(const Point& x) const {
   return tree.qbegin(index::nearest(spatial(x), 1))->second;
 }
 
-// z = p + t u is in the cell while 2 t <u, q-p> <= |q-p|^2 for all neighbours q. p is the only nearest sample of x, where
-// t is 1, iff the first exit is later.
+// z = p + t u is in the cell while 2 t <u, q-p> <= |q-p|^2 for all neighbours q. p is the only nearest sample of x,
+// where t is 1, iff the first exit is later.
 Limit FlowLocator::Parts::limit_in_cell(VertexIndex p, const BoundedVector& u) {
   const std::span<const Neighbor> around = map->neighborhoods->of(p);
   walls.clear();

@@ -1,5 +1,5 @@
-// The whole complex for Python: volumes of stable sets, where the directions of stationary points lead, connections, and
-// unstable sets of dimension 2.
+// The whole complex for Python: volumes of stable sets, where the directions of stationary points lead, connections,
+// and unstable sets of dimension 2.
 #include <pybind11/stl.h>
 
 #include <algorithm>

@@ -75,7 +75,7 @@ std::vector<std::string> words_of(const ClaimedInfinity& infinity) {
   }
   for (const auto& s : infinity.sectors) {
     all.push_back("unbounded sector " + words_of(s.samples));
-    for (const auto& [is_vector, x] : s.corners) all.back() += (is_vector ? ", along " : ", ") + words_of(x);
+    for (const auto& [x, at_infinity] : s.corners) all.back() += (at_infinity ? ", along " : ", ") + words_of(x);
   }
   return all;
 }

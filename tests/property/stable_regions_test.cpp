@@ -193,8 +193,8 @@ TEST(StableRegions, TileFacetsAndFlowToTheirLimits) {
   }
 }
 
-// In the first inputs, the near side of a facet ends at a right angle, whose edge lies on a ray. In the others, a regular
-// point separates two regions that flow to infinity. Random inputs seldom have these.
+// In the first inputs, the near side of a facet ends at a right angle, whose edge lies on a ray. In the others, a
+// regular point separates two regions that flow to infinity. Random inputs seldom have these.
 TEST(StableRegions, OfRareFacets) {
   CITES("FC-STAB-05", "FC-VOL-02");
   const std::vector<fuzz::Input> inputs = {

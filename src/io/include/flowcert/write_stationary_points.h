@@ -21,8 +21,8 @@ enum class WrittenVolumes : std::uint8_t { kDouble, kShares, kExact };
 
 // u2 adds the samples of index-1 points and the limits of index-2 points. polylines adds the orbits of index-2 points
 // as exact polylines. s2 adds the size and boundary of stable sets. skeletons adds their exact skeletons.
-// all adds λ-lists, connections and volumes. sheets adds the unstable sets of dimension 2, exactly. all and skeletons add
-// a last line with the skeleton of infinity.
+// all adds λ-lists, connections and volumes. sheets adds the unstable sets of dimension 2, exactly. all and skeletons
+// add a last line with the skeleton of infinity.
 struct RecordsToWrite {
   bool u2 = false;
   bool polylines = false;

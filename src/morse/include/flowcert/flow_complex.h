@@ -50,10 +50,10 @@ inline constexpr std::size_t kFlowComplexParts = 10;
 
 class FlowComplex {
  public:
-  // Each part tells at last that all of it is done. Chains, persistence and unstable surfaces also tell that they begin.
-  // All other parts tell now and then how much is done, from any of the threads that make them, one at a time. Two
-  // threads call it at once if they make different parts. It may throw to stop; the part is then made when it is asked
-  // for again. It must not ask the complex for anything.
+  // Each part tells at last that all of it is done. Chains, persistence and unstable surfaces also tell that they
+  // begin. All other parts tell now and then how much is done, from any of the threads that make them, one at a time.
+  // Two threads call it at once if they make different parts. It may throw to stop; the part is then made when it is
+  // asked for again. It must not ask the complex for anything.
   using Progress = std::function<void(FlowComplexPart part, std::size_t done, std::size_t total)>;
 
   // Computes nothing yet. The second one throws InvalidInput as PointSet does. A thread must compute with doubles as
