@@ -30,6 +30,8 @@ const std::vector<FileValue>& file_values() {
                                                  {"CLAIM", Completed::kFiles, kClaims},
                                                  {"--claim", Completed::kFiles, kClaims},
                                                  {"compute --output", Completed::kFiles, {"jsonl"}},
+                                                 {"locate --points", Completed::kFiles, kPoints},
+                                                 {"locate --output", Completed::kFiles, {"txt", "jsonl"}},
                                                  {"persistence --output", Completed::kFiles, {"pers"}},
                                                  {"surface --output", Completed::kFiles, {"ply", "off"}},
                                                  {"view --output", Completed::kFiles, {"html"}},

@@ -1,4 +1,5 @@
-// Groups, lines and examples are those of --help. Commands that set up a shell are only there.
+// Groups, lines and examples are those of --help. Commands that set up a shell are only there. All fits 24 lines,
+// without blank ones.
 #include "cli/overview.h"
 
 #include <fmt/format.h>
@@ -17,11 +18,11 @@ std::string overview(const CLI::App& app) {
   std::string group;
   for (const DescribedCommand& command : program.commands) {
     if (command.group == kSetUpGroup) continue;
-    if (command.group != group) text += fmt::format("\n{}\n", command.group);
+    if (command.group != group) text += command.group + '\n';
     group = command.group;
     text += fmt::format("  {:<{}}  {}\n", command.last_name(), width, command.description);
   }
-  text += "\nBegin with\n";
+  text += "Begin with\n";
   for (const std::string& example : program.footer.examples) text += fmt::format("  {}\n", example);
   return text + fmt::format("  {} COMMAND --help\n", program.name);
 }

@@ -78,7 +78,7 @@ TEST(LocateCommand, WritesAFileAndASummary) {
 
 TEST(LocateCommand, RefusesWhatItCannotUse) {
   const Scratch scratch;
-  const std::string cube = scratch.file("cube.xyz", kCube), empty = scratch.file("empty.xyz", "");
+  const std::string cube = scratch.file("cube.xyz", kCube), empty = scratch.file("empty.xyz", "# nothing\n");
   const auto refuses = [](const Words& words, const std::string& reason) {
     const Finished done = flowcert(words);
     EXPECT_EQ(done.status, 2);

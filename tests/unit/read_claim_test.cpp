@@ -253,7 +253,7 @@ TEST(ReadExchange, ErrorsInTheWholeComplex) {
   };
   EXPECT_EQ(header(R"("morse_smale":1)"), "a:1: the value of 'morse_smale' is not true or false");
   EXPECT_EQ(header(R"("hull_volume":"-1")"), "a:1: the value of 'hull_volume' is not 0 or more");
-  EXPECT_EQ(header(R"("volumes":"none")"), "a:1: the value of 'volumes' is not 'exact' or 'double'");
+  EXPECT_EQ(header(R"("volumes":"none")"), "a:1: the value of 'volumes' is not 'exact', 'shares' or 'double'");
 }
 
 // ---- CSV ----
