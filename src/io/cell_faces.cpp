@@ -27,9 +27,7 @@ struct OpenSide {
 class FaceMaker {
  public:
   FaceMaker(const FlowComplex& complex, const std::vector<bool>& is_wanted)
-      : is_wanted_(is_wanted),
-        regions_(complex.diagram(), complex.limits()),
-        numbers_(complex, regions_) {}
+      : is_wanted_(is_wanted), regions_(complex.diagram(), complex.limits()), numbers_(complex, regions_) {}
 
   [[nodiscard]] CellFaces made() && {
     regions_.visit([this](const StableRegion& region) { add(region); });

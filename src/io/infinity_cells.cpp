@@ -57,10 +57,7 @@ HalfSpace half_space_through(const RationalPoint& p, const ExactVector& normal) 
 class InfinityCells {
  public:
   InfinityCells(const FlowComplex& complex, const std::optional<ClipBox>& box)
-      : complex_(complex),
-        box_(box),
-        regions_(complex.diagram(), complex.limits()),
-        numbers_(complex, regions_) {
+      : complex_(complex), box_(box), regions_(complex.diagram(), complex.limits()), numbers_(complex, regions_) {
     if (!box) return;
     sides_ = sides_of(*box);
     half_spaces_ = half_spaces(*box);
