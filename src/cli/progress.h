@@ -93,9 +93,11 @@ class PartProgress {
       case FlowComplexPart::kVolumes:
         return "volumes";
       case FlowComplexPart::kUnstableSurfaces:
+        return "unstable sets of dimension 2";
+      case FlowComplexPart::kMergeTrees:
         break;
     }
-    return "unstable sets of dimension 2";
+    return "merge trees";
   }
 
   std::string what_of_;

@@ -63,6 +63,7 @@ struct FlowComplex::Parts {
   std::optional<FlowLimits> limits;
   std::optional<StableVolumes> volumes;
   std::optional<UnstableSurfaces> unstable_surfaces;
+  std::optional<MergeTrees> merge_trees;
 
   // All locators are copies of one, which share what does not change.
   auto with_locator(const FlowLimits& by_limits, const auto& use) {
@@ -148,6 +149,11 @@ void FlowComplex::make(FlowComplexPart part) const {
       if (progress) progress(0, 1);
       all.unstable_surfaces.emplace(*all.diagram, *all.stationary, all.options.flow);
       break;
+    case FlowComplexPart::kMergeTrees:
+      make(FlowComplexPart::kLimits);
+      if (progress) progress(0, 1);
+      all.merge_trees.emplace(all.points, *all.stationary, *all.limits);
+      break;
   }
   if (progress && !tells_by_itself(part)) progress(1, 1);
   all.is_made[number].store(true, std::memory_order_release);
@@ -204,6 +210,11 @@ const StableVolumes& FlowComplex::volumes() const {
 const UnstableSurfaces& FlowComplex::unstable_surfaces() const {
   make(FlowComplexPart::kUnstableSurfaces);
   return *parts_->unstable_surfaces;
+}
+
+const MergeTrees& FlowComplex::merge_trees() const {
+  make(FlowComplexPart::kMergeTrees);
+  return *parts_->merge_trees;
 }
 
 ExactSphere FlowComplex::sphere(std::size_t record) const {

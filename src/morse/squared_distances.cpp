@@ -97,6 +97,16 @@ Rational SquaredDistances::exact(std::size_t record) const {
   return exact_squared_radius(*points_, stationary_->contact(record));
 }
 
+bool SquaredDistances::is_at_least(std::size_t record, const Rational& number) const {
+  const auto& [value, error] = approximate_[record];
+  const double near = number.convert_to<double>();
+  // The number is cut to a double, and the difference is rounded.
+  const double all_errors = error + 0x1p-50 * (value + std::fabs(near)) + 0x1p-1000;
+  if (value - near > all_errors) return true;
+  if (near - value > all_errors) return false;
+  return exact(record) >= number;
+}
+
 SquaredDistances::SquaredDistances(const PointSet& points, const StationaryPoints& stationary)
     : points_(&points), stationary_(&stationary), rank_(stationary.size()) {
   approximate_.reserve(stationary.size());

@@ -41,6 +41,8 @@ Rational total(std::span<const Rational> terms) {
 }  // namespace
 
 struct StableVolumes::Parts {
+  using Records = std::span<const std::uint32_t>;
+
   // Where an arc ends, and so what is added to a volume.
   struct VolumeTerm {
     enum class Kind : std::uint32_t {
@@ -73,7 +75,8 @@ struct StableVolumes::Parts {
     return std::span(terms).subspan(first[record], first[record + 1] - first[record]);
   }
   [[nodiscard]] BoundedNumber bounded(const BoundedDivisions& divisions, const VolumeTerm& term) const;
-  [[nodiscard]] std::optional<double> rounded(const BoundedDivisions& divisions, std::size_t record) const;
+  // Of some records together.
+  [[nodiscard]] std::optional<double> rounded(const BoundedDivisions& divisions, Records records) const;
   // A sum of terms, as a volume.
   [[nodiscard]] static std::optional<double> rounded_sixth(const BoundedDivisions& divisions, const BoundedNumber& sum);
   [[nodiscard]] const BoundedDivisions& shared_bounds();
@@ -88,7 +91,7 @@ struct StableVolumes::Parts {
   [[nodiscard]] Rational determinant(CellIndex cell) const;
   [[nodiscard]] Rational pyramid(std::uint32_t face) const;
   [[nodiscard]] Rational exact(const VolumeTerm& term);
-  [[nodiscard]] Rational exact(std::size_t record);
+  [[nodiscard]] Rational exact(Records records);
   void add_shares(const std::array<VertexIndex, 3>& triangle, const Rational& volume,
                   std::vector<std::pair<PointId, Rational>>& shares) const;
   void add_shares(const VolumeTerm& term, std::vector<std::pair<PointId, Rational>>& shares);
@@ -189,12 +192,14 @@ BoundedNumber StableVolumes::Parts::bounded(const BoundedDivisions& divisions_, 
   return r;
 }
 
-std::optional<double> StableVolumes::Parts::rounded(const BoundedDivisions& divisions_, std::size_t record) const {
+std::optional<double> StableVolumes::Parts::rounded(const BoundedDivisions& divisions_, Records records) const {
   BoundedNumber sum{0, 0};
-  for (const VolumeTerm& term : terms_of(record)) {
-    const BoundedNumber next = bounded(divisions_, term);
-    if (!(next.error < HUGE_VAL)) return std::nullopt;
-    sum = sum - BoundedNumber{-next.value, next.error};
+  for (const std::uint32_t record : records) {
+    for (const VolumeTerm& term : terms_of(record)) {
+      const BoundedNumber next = bounded(divisions_, term);
+      if (!(next.error < HUGE_VAL)) return std::nullopt;
+      sum = sum - BoundedNumber{-next.value, next.error};
+    }
   }
   return rounded_sixth(divisions_, sum);
 }
@@ -216,11 +221,12 @@ void StableVolumes::Parts::round_all(unsigned threads, const Progress& progress)
   if (progress) tell = [&](std::size_t begun) { progress(begun, doubles.size()); };
   geometry::in_portions(threads, doubles.size(), kVolumesAtATime, tell, [&](std::size_t, std::size_t record) {
     if (terms_of(record).empty()) return;
-    if (const auto volume = rounded(bounded_divisions, record)) {
+    const std::array one = {static_cast<std::uint32_t>(record)};
+    if (const auto volume = rounded(bounded_divisions, one)) {
       doubles[record] = *volume;
     } else {
       ++decided_exactly;
-      doubles[record] = nearest_or_infinity(exact(record));
+      doubles[record] = nearest_or_infinity(exact(one));
     }
   });
 }
@@ -262,11 +268,13 @@ Rational StableVolumes::Parts::exact(const VolumeTerm& term) {
   return term.kind == VolumeTerm::Kind::kBefore ? r : Rational(-r);
 }
 
-Rational StableVolumes::Parts::exact(std::size_t record) {
+Rational StableVolumes::Parts::exact(Records records) {
   const std::scoped_lock lock(mutex);
   if (!divisions) divisions.emplace(diagram, partition);
   std::vector<Rational> values;
-  for (const VolumeTerm& term : terms_of(record)) values.push_back(exact(term));
+  for (const std::uint32_t record : records) {
+    for (const VolumeTerm& term : terms_of(record)) values.push_back(exact(term));
+  }
   return total(values) / 6;
 }
 
@@ -384,7 +392,17 @@ StableVolumes::StableVolumes(StableVolumes&&) noexcept = default;
 StableVolumes& StableVolumes::operator=(StableVolumes&&) noexcept = default;
 
 double StableVolumes::nearest(std::size_t record) const { return parts_->doubles[record]; }
-Rational StableVolumes::exact(std::size_t record) const { return parts_->exact(record); }
+Rational StableVolumes::exact(std::size_t record) const {
+  return exact_sum(std::array{static_cast<std::uint32_t>(record)});
+}
+
+double StableVolumes::nearest_sum(std::span<const std::uint32_t> records) const {
+  if (records.size() == 1) return nearest(records.front());
+  const std::optional<double> sum = parts_->rounded(parts_->shared_bounds(), records);
+  // Bounds do not tell a sum without terms from what is below the doubles.
+  return sum ? *sum : nearest_or_infinity(exact_sum(records));
+}
+Rational StableVolumes::exact_sum(std::span<const std::uint32_t> records) const { return parts_->exact(records); }
 
 std::vector<std::pair<PointId, Rational>> StableVolumes::shares(std::size_t record) const {
   Parts& all = *parts_;

@@ -14,6 +14,7 @@
 
 #include "flowcert/exact_sphere.h"
 #include "flowcert/flow_locator.h"
+#include "flowcert/merge_trees.h"
 #include "flowcert/persistence.h"
 #include "flowcert/rounded_sphere.h"
 #include "flowcert/stable_volumes.h"
@@ -45,12 +46,13 @@ enum class FlowComplexPart : std::uint8_t {
   kLimits,
   kVolumes,
   kUnstableSurfaces,
+  kMergeTrees,
 };
-inline constexpr std::size_t kFlowComplexParts = 10;
+inline constexpr std::size_t kFlowComplexParts = 11;
 
 class FlowComplex {
  public:
-  // Each part tells at last that all of it is done. Chains, persistence and unstable surfaces also tell that they
+  // Each part tells at last that all of it is done. Chains, persistence, unstable surfaces and merge trees also tell that they
   // begin. All other parts tell now and then how much is done, from any of the threads that make them, one at a time.
   // Two threads call it at once if they make different parts. It may throw to stop; the part is then made when it is
   // asked for again. It must not ask the complex for anything.
@@ -83,6 +85,8 @@ class FlowComplex {
   [[nodiscard]] const StableVolumes& volumes() const;
   // Made at once, because each of the sets is made when it is asked for.
   [[nodiscard]] const UnstableSurfaces& unstable_surfaces() const;
+  // What Pockets are made of.
+  [[nodiscard]] const MergeTrees& merge_trees() const;
 
   // Centre and squared radius of a stationary point, by its place in the list.
   [[nodiscard]] ExactSphere sphere(std::size_t record) const;

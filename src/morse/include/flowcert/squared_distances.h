@@ -27,6 +27,9 @@ class SquaredDistances {
   // The number of different values that are less.
   [[nodiscard]] std::uint32_t rank(std::size_t record) const { return rank_[record]; }
 
+  // Whether the value is at least this number.
+  [[nodiscard]] bool is_at_least(std::size_t record, const Rational& number) const;
+
   // |value - exact| <= error. The error is 0 where the value is exact.
   struct Approximation {
     double value = 0, error = 0;

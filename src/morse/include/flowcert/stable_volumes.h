@@ -8,8 +8,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -39,6 +41,9 @@ class StableVolumes {
   [[nodiscard]] double nearest(std::size_t record) const;
   // The time grows with the number of arcs and with the digits of their ends, which many crossings make long.
   [[nodiscard]] Rational exact(std::size_t record) const;
+  // Of several stable sets together: the double nearest to the sum, and the sum.
+  [[nodiscard]] double nearest_sum(std::span<const std::uint32_t> records) const;
+  [[nodiscard]] Rational exact_sum(std::span<const std::uint32_t> records) const;
   // What lies in the Voronoi cells of which samples: names, ascending, with the parts of the volume that are not 0.
   [[nodiscard]] std::vector<std::pair<PointId, Rational>> shares(std::size_t record) const;
   // The same samples, with the double nearest to each part. Proven bounds spare most of the exact numbers. An infinity

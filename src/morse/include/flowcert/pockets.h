@@ -1,0 +1,87 @@
+// Pockets: the stable sets of maxima, merged by persistence, and what leads out of them (spec clauses FC-POCK-01 to 09).
+//
+// Guarantees: exact, on every input. Infinity counts as a maximum without end, and its pocket is the outside. Neither
+// ids nor the order of the input decide. Stationary points are told by their places in the list. Source: spec section
+// 15.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "flowcert/merge_trees.h"
+#include "flowcert/rational.h"
+
+namespace flowcert {
+
+// A widest path to infinity. Its least squared distance is that of its gates.
+struct WidestPath {
+  std::vector<std::uint32_t> gates;  // where such paths come to the outside (FC-POCK-07): one at least, ascending
+
+  friend bool operator==(const WidestPath&, const WidestPath&) = default;
+};
+
+struct Pocket {
+  std::vector<std::uint32_t> maxima;      // ascending, here and below
+  std::vector<std::uint32_t> peaks;       // the highest of them: the pocket's position
+  std::vector<std::uint32_t> cell;        // the stationary points whose stable sets make the pocket (FC-POCK-03)
+  std::vector<std::uint32_t> mouths;      // one at least (FC-POCK-04)
+  std::vector<std::uint32_t> neighbours;  // pockets, by number; the outside has the number of pockets
+  std::uint32_t highest_mouth = 0;        // the first of those that are highest
+  WidestPath to_infinity;
+
+  friend bool operator==(const Pocket&, const Pocket&) = default;
+};
+
+// What a pocket is for a probe (FC-POCK-06).
+enum class Passage : std::uint8_t { kCavity, kPocket, kChannel };
+// "cavity", "pocket", "channel"
+[[nodiscard]] const char* passage_text(Passage passage);
+
+// Const access is safe from several threads.
+class Pockets {
+ public:
+  // The trees must outlive this. Throws std::invalid_argument for a negative persistence, which is a difference of
+  // squared distances. O(n log n), but for the sets of maxima above one point (MergeTrees).
+  Pockets(const MergeTrees& trees, const Rational& persistence);
+
+  [[nodiscard]] std::size_t size() const { return pockets_.size(); }
+  // They come in the order of their first maxima.
+  [[nodiscard]] const Pocket& operator[](std::size_t number) const { return pockets_[number]; }
+  // The maxima that belong to the outside, ascending.
+  [[nodiscard]] const std::vector<std::uint32_t>& outside() const { return outside_; }
+  [[nodiscard]] const Rational& persistence() const { return persistence_; }
+
+  // The numbers of the pockets above a stationary point, ascending; the outside has the number size(). What flows to
+  // the point is in a pocket iff it is the only one. There is none above a sample.
+  [[nodiscard]] std::vector<std::uint32_t> above(std::size_t record) const;
+
+  // The squared distance at the peaks less that at the highest mouth, which is positive.
+  [[nodiscard]] Rational depth(const Pocket& pocket) const;
+  // The double nearest to the same difference of distances, which are not squared.
+  [[nodiscard]] double depth_of_radii(const Pocket& pocket) const;
+  // The radius is not negative, and what is equal passes.
+  [[nodiscard]] Passage passage(const Pocket& pocket, const Rational& squared_radius) const;
+
+  // Of the whole. Nothing iff there is no pocket.
+  [[nodiscard]] std::optional<WidestPath> widest_path() const;
+  // The maxima of the largest balls (FC-POCK-08), ascending. Empty iff there is no pocket.
+  [[nodiscard]] std::vector<std::uint32_t> largest_balls() const;
+
+  // Distances are compared here, too.
+  [[nodiscard]] const SquaredDistances& squared_distances() const { return trees_->squared_distances(); }
+
+ private:
+  void add_peaks();
+  void add_cells_and_mouths();
+
+  const MergeTrees* trees_;
+  Rational persistence_;
+  std::vector<std::uint32_t> number_of_;  // by leaf of the tree of pockets
+  std::vector<Pocket> pockets_;
+  std::vector<std::uint32_t> outside_;
+};
+
+}  // namespace flowcert

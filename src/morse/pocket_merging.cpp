@@ -1,0 +1,142 @@
+// Two union-find structures grow while the value falls: the components of what is above it, which always come together,
+// and the pockets, which may stay apart.
+#include "morse/pocket_merging.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/pending/disjoint_sets.hpp>
+#include <map>
+#include <set>
+
+namespace flowcert::morse {
+
+namespace {
+
+// Sets of leaves that know their highest one.
+class LeafSets {
+ public:
+  explicit LeafSets(std::size_t leaves) : depth_(leaves), parent_(leaves), sets_(depth_.data(), parent_.data()) {
+    for (std::uint32_t leaf = 0; leaf < leaves; ++leaf) sets_.make_set(leaf);
+  }
+  std::uint32_t find(std::uint32_t leaf) { return sets_.find_set(leaf); }
+  void join(std::uint32_t one, std::uint32_t other) { sets_.union_set(one, other); }
+
+ private:
+  std::vector<std::uint32_t> depth_, parent_;
+  boost::disjoint_sets<std::uint32_t*, std::uint32_t*> sets_;
+};
+
+class PocketMerging {
+ public:
+  PocketMerging(const MergeTrees& trees, const Rational& persistence)
+      : trees_(trees),
+        persistence_(persistence),
+        components_(trees.pockets().leaves),
+        pockets_(trees.pockets().leaves),
+        highest_(trees.pockets().leaves) {
+    for (std::uint32_t leaf = 0; leaf < highest_.size(); ++leaf) highest_[leaf] = leaf;
+    const auto saddles = trees.saddles_down();
+    for (std::size_t first = 0; first < saddles.size();) {
+      std::size_t last = first;
+      while (last < saddles.size() && rank(saddles[last]) == rank(saddles[first])) ++last;
+      merge_at(saddles.subspan(first, last - first));
+      first = last;
+    }
+  }
+
+  std::vector<std::uint32_t> numbers() {
+    const auto leaves = static_cast<std::uint32_t>(highest_.size());
+    constexpr std::uint32_t kNone = MergeTree::kNone;
+    std::vector<std::uint32_t> number_of(leaves, kNone), result(leaves);
+    const std::uint32_t outside = pockets_.find(leaves - 1);
+    std::uint32_t count = 0;
+    for (std::uint32_t leaf = 0; leaf < leaves; ++leaf) {
+      std::uint32_t& number = number_of[pockets_.find(leaf)];
+      if (pockets_.find(leaf) != outside && number == kNone) number = count++;
+    }
+    number_of[outside] = count;
+    for (std::uint32_t leaf = 0; leaf < leaves; ++leaf) result[leaf] = number_of[pockets_.find(leaf)];
+    return result;
+  }
+
+ private:
+  // An index-2 point with different components of what is above it at its sides.
+  struct Gate {
+    std::array<std::span<const std::uint32_t>, 2> sides;
+    std::array<bool, 2> is_shallow;
+  };
+
+  [[nodiscard]] std::uint32_t rank(std::uint32_t record) const { return trees_.squared_distances().rank(record); }
+
+  // Whether all maxima of a component have at most the saddle's value and the persistence more.
+  bool is_shallow(std::uint32_t leaf, std::uint32_t saddle) {
+    const std::uint32_t highest = highest_[components_.find(leaf)];
+    if (highest == trees_.maxima()) return false;
+    const auto record = trees_.record_of(highest);
+    const auto& a = trees_.squared_distances().approximation(record);
+    const auto& b = trees_.squared_distances().approximation(saddle);
+    const double bound = persistence_.convert_to<double>();
+    const double difference = a.value - b.value;
+    // The roundings are within this share of what is rounded, or below the doubles.
+    const double error = a.error + b.error + 0x1p-50 * (a.value + b.value + bound) + 0x1p-1000;
+    if (difference + error < bound) return true;
+    if (difference - error > bound) return false;
+    return trees_.squared_distances().exact(record) - trees_.squared_distances().exact(saddle) <= persistence_;
+  }
+
+  void merge_at(std::span<const std::uint32_t> saddles) {
+    std::vector<Gate> gates;
+    for (const std::uint32_t saddle : saddles) {
+      Gate gate{trees_.peaks_above_sides(saddle), {}};
+      const std::uint32_t one = gate.sides[0].front(), other = gate.sides[1].front();
+      if (components_.find(one) == components_.find(other)) continue;
+      gate.is_shallow = {is_shallow(one, saddle), is_shallow(other, saddle)};
+      gates.push_back(gate);
+    }
+    // All of a shallow component is one pocket already.
+    for (const Gate& gate : gates) {
+      if (gate.is_shallow[0] && gate.is_shallow[1]) pockets_.join(gate.sides[0].front(), gate.sides[1].front());
+    }
+    join_what_is_not_shallow(gates);
+    for (const Gate& gate : gates) join_components(gate.sides[0].front(), gate.sides[1].front());
+  }
+
+  // All merging of one value is done at once, so that what is beyond is found before any of it is merged.
+  void join_what_is_not_shallow(const std::vector<Gate>& gates) {
+    std::map<std::uint32_t, std::set<std::uint32_t>> beyond;  // by the shallow pocket
+    for (const Gate& gate : gates) {
+      if (gate.is_shallow[0] == gate.is_shallow[1]) continue;
+      const std::size_t shallow = gate.is_shallow[0] ? 0 : 1;
+      std::set<std::uint32_t>& found = beyond[pockets_.find(gate.sides[shallow].front())];
+      for (const std::uint32_t leaf : gate.sides[1 - shallow]) found.insert(pockets_.find(leaf));
+    }
+    for (const auto& [pocket, others] : beyond) {
+      if (others.size() == 1) pockets_.join(pocket, *others.begin());
+    }
+  }
+
+  void join_components(std::uint32_t one, std::uint32_t other) {
+    const std::uint32_t a = highest_[components_.find(one)], b = highest_[components_.find(other)];
+    components_.join(one, other);
+    const auto is_lower = [this](std::uint32_t x, std::uint32_t y) {
+      if (x == trees_.maxima() || y == trees_.maxima()) return y == trees_.maxima();
+      return trees_.squared_distances().rank(trees_.record_of(x)) <
+             trees_.squared_distances().rank(trees_.record_of(y));
+    };
+    highest_[components_.find(one)] = is_lower(a, b) ? b : a;
+  }
+
+  const MergeTrees& trees_;
+  const Rational& persistence_;
+  LeafSets components_, pockets_;
+  std::vector<std::uint32_t> highest_;  // by the representative of a component: its highest leaf
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> pocket_numbers(const MergeTrees& trees, const Rational& persistence) {
+  if (trees.pockets().leaves == 0) return {};
+  return PocketMerging(trees, persistence).numbers();
+}
+
+}  // namespace flowcert::morse

@@ -1,0 +1,207 @@
+// Which pockets are above a stationary point is read from the leaves above it. The widest paths are read from the merge
+// tree, from its last node down.
+#include "flowcert/pockets.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <stdexcept>
+
+#include "geometry/difference_of_roots.h"
+#include "morse/layer.h"
+#include "morse/pocket_merging.h"
+
+namespace flowcert {
+
+using namespace morse;
+
+namespace {
+
+constexpr std::uint32_t kNoPart = MergeTree::kNone;
+
+void sort_without_repetition(std::vector<std::uint32_t>& numbers) {
+  std::ranges::sort(numbers);
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+// Where parts of the tree of pockets come to infinity, and through which gates.
+class WaysOut {
+ public:
+  explicit WaysOut(const MergeTrees& trees) : trees_(trees), tree_(trees.pockets()), parent_(tree_.parents()) {
+    const std::size_t parts = tree_.leaves + tree_.nodes.size();
+    has_infinity_.resize(parts, false);
+    for (auto part = static_cast<std::uint32_t>(tree_.leaves - 1); part != kNoPart; part = parent_[part]) {
+      has_infinity_[part] = true;
+    }
+    below_infinity_.resize(parts, kNoPart);
+    for (std::size_t part = parts; part-- > 0;) {
+      if (has_infinity_[part]) continue;
+      const std::uint32_t parent = parent_[part];
+      below_infinity_[part] = has_infinity_[parent] ? static_cast<std::uint32_t>(part) : below_infinity_[parent];
+    }
+  }
+
+  // The node in which a maximum joins infinity.
+  [[nodiscard]] const MergeNode& node(std::uint32_t leaf) const {
+    return tree_.nodes[parent_[below_infinity_[leaf]] - tree_.leaves];
+  }
+
+  // The part with the maximum goes through gates of the node to other parts, but not through the one with infinity.
+  // The last gates lead from there to that one.
+  [[nodiscard]] const std::vector<std::uint32_t>& last_gates(std::uint32_t leaf) {
+    const std::uint32_t start = below_infinity_[leaf];
+    const auto [found, is_new] = gates_of_.try_emplace(start);
+    if (is_new) found->second = gates_from(start, tree_.nodes[parent_[start] - tree_.leaves]);
+    return found->second;
+  }
+
+ private:
+  // What joined infinity before the node is in its part with infinity.
+  [[nodiscard]] std::uint32_t part_of(std::uint32_t leaf, const MergeNode& node) const {
+    const std::uint32_t part = below_infinity_[leaf];
+    if (part != kNoPart && std::ranges::binary_search(node.parts, part)) return part;
+    return *std::ranges::find_if(node.parts, [this](std::uint32_t other) { return has_infinity_[other]; });
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> gates_from(std::uint32_t start, const MergeNode& node) const {
+    std::vector<std::array<std::uint32_t, 2>> sides;
+    for (const std::uint32_t gate : node.points) {
+      const auto peaks = trees_.peaks_above_sides(gate);
+      sides.push_back({part_of(peaks[0].front(), node), part_of(peaks[1].front(), node)});
+    }
+    std::vector<std::uint32_t> reached = {start}, gates;
+    for (std::size_t next = 0; next < reached.size(); ++next) {
+      for (std::size_t k = 0; k < sides.size(); ++k) {
+        for (const std::size_t side : {0U, 1U}) {
+          if (sides[k][side] != reached[next]) continue;
+          const std::uint32_t other = sides[k][1 - side];
+          if (has_infinity_[other]) {
+            gates.push_back(node.points[k]);
+          } else if (std::ranges::find(reached, other) == reached.end()) {
+            reached.push_back(other);
+          }
+        }
+      }
+    }
+    sort_without_repetition(gates);
+    return gates;
+  }
+
+  const MergeTrees& trees_;
+  const MergeTree& tree_;
+  std::vector<std::uint32_t> parent_;
+  std::vector<bool> has_infinity_;             // by part
+  std::vector<std::uint32_t> below_infinity_;  // by part: the latest part with it that is without infinity
+  std::map<std::uint32_t, std::vector<std::uint32_t>> gates_of_;
+};
+
+// Takes a path that is wider than all before, or adds the gates of one that is as wide.
+void widen(std::vector<std::uint32_t>& gates, const std::vector<std::uint32_t>& others,
+           const SquaredDistances& distances) {
+  if (!gates.empty() && distances.rank(gates.front()) > distances.rank(others.front())) return;
+  if (!gates.empty() && distances.rank(gates.front()) < distances.rank(others.front())) gates.clear();
+  gates.insert(gates.end(), others.begin(), others.end());
+  sort_without_repetition(gates);
+}
+
+}  // namespace
+
+const char* passage_text(Passage passage) {
+  switch (passage) {
+    case Passage::kCavity:
+      return "cavity";
+    case Passage::kPocket:
+      return "pocket";
+    default:
+      return "channel";
+  }
+}
+
+Pockets::Pockets(const MergeTrees& trees, const Rational& persistence) : trees_(&trees), persistence_(persistence) {
+  if (persistence < 0) throw std::invalid_argument("a persistence is not negative");
+  number_of_ = pocket_numbers(trees, persistence);
+  if (number_of_.empty()) return;
+  pockets_.resize(number_of_.back());
+  for (std::uint32_t leaf = 0; leaf < trees.maxima(); ++leaf) {
+    const auto record = static_cast<std::uint32_t>(trees.record_of(leaf));
+    (number_of_[leaf] < pockets_.size() ? pockets_[number_of_[leaf]].maxima : outside_).push_back(record);
+  }
+  add_peaks();
+  add_cells_and_mouths();
+  if (pockets_.empty()) return;
+  WaysOut ways(trees);
+  for (Pocket& pocket : pockets_) {
+    for (const std::uint32_t peak : pocket.peaks) {
+      widen(pocket.to_infinity.gates, ways.last_gates(static_cast<std::uint32_t>(peak - trees.record_of(0))),
+            squared_distances());
+    }
+  }
+}
+
+void Pockets::add_peaks() {
+  for (Pocket& pocket : pockets_) {
+    std::uint32_t highest = 0;
+    for (const std::uint32_t record : pocket.maxima) highest = std::max(highest, squared_distances().rank(record));
+    for (const std::uint32_t record : pocket.maxima) {
+      if (squared_distances().rank(record) == highest) pocket.peaks.push_back(record);
+    }
+  }
+}
+
+void Pockets::add_cells_and_mouths() {
+  const StationaryPoints& stationary = trees_->stationary();
+  for (std::uint32_t record = 0; record < stationary.size(); ++record) {
+    if (stationary.index(record).hull_dimension == 0) continue;
+    const std::vector<std::uint32_t> beside = above(record);
+    if (beside.size() == 1 && beside.front() < size()) pockets_[beside.front()].cell.push_back(record);
+    if (beside.size() < 2 || stationary.index(record) != StationaryIndex{2, 2}) continue;
+    for (const std::uint32_t number : beside) {
+      if (number == size()) continue;
+      Pocket& pocket = pockets_[number];
+      const auto rank = squared_distances().rank(record);
+      if (pocket.mouths.empty() || squared_distances().rank(pocket.highest_mouth) < rank) pocket.highest_mouth = record;
+      pocket.mouths.push_back(record);
+      for (const std::uint32_t other : beside) {
+        if (other != number) pocket.neighbours.push_back(other);
+      }
+    }
+  }
+  for (Pocket& pocket : pockets_) sort_without_repetition(pocket.neighbours);
+}
+
+std::vector<std::uint32_t> Pockets::above(std::size_t record) const {
+  std::vector<std::uint32_t> numbers;
+  for (const std::uint32_t leaf : trees_->peaks_above(record)) numbers.push_back(number_of_[leaf]);
+  sort_without_repetition(numbers);
+  return numbers;
+}
+
+Rational Pockets::depth(const Pocket& pocket) const {
+  return squared_distances().exact(pocket.peaks.front()) - squared_distances().exact(pocket.highest_mouth);
+}
+
+double Pockets::depth_of_radii(const Pocket& pocket) const {
+  return geometry::nearest_difference_of_roots(squared_distances().exact(pocket.peaks.front()),
+                                               squared_distances().exact(pocket.highest_mouth));
+}
+
+Passage Pockets::passage(const Pocket& pocket, const Rational& squared_radius) const {
+  const auto is_open = [&](std::uint32_t record) { return squared_distances().is_at_least(record, squared_radius); };
+  if (!is_open(pocket.to_infinity.gates.front())) return Passage::kCavity;
+  return std::ranges::count_if(pocket.mouths, is_open) > 1 ? Passage::kChannel : Passage::kPocket;
+}
+
+std::optional<WidestPath> Pockets::widest_path() const {
+  if (pockets_.empty()) return std::nullopt;
+  WidestPath widest;
+  for (const Pocket& pocket : pockets_) widen(widest.gates, pocket.to_infinity.gates, squared_distances());
+  return widest;
+}
+
+std::vector<std::uint32_t> Pockets::largest_balls() const {
+  std::vector<std::uint32_t> largest;
+  for (const Pocket& pocket : pockets_) widen(largest, pocket.peaks, squared_distances());
+  return largest;
+}
+
+}  // namespace flowcert

@@ -1,0 +1,65 @@
+#include "flowcert/surface_area.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "geometry/difference_of_roots.h"
+#include "geometry/vector3.h"
+#include "morse/layer.h"
+
+namespace flowcert {
+
+using namespace morse;
+
+namespace {
+
+// A little less than 2^-40, for the roundings of the error itself.
+constexpr double kShare = 0x1p-40 * (1 - 0x1p-10);
+
+// Nothing if the bound is too large, or something is out of the range of doubles.
+std::optional<double> rounded_area(const PointSet& points, const RoundedSegments& rounded) {
+  double sum = 0, error = 0;
+  for (const RoundedSegments::Segment& segment : rounded.segments) {
+    const Point& p = points[points.ordinal_of_row(segment.samples[0])];
+    const Point& front = rounded.positions[segment.front].sphere.center;
+    const Point& back = rounded.positions[segment.back].sphere.center;
+    const Vector3<double> u = vector_between(p, front), v = vector_between(p, back);
+    double greatest = 0;
+    for (const Point& x : {p, front, back}) {
+      greatest = std::max({greatest, std::fabs(x.x), std::fabs(x.y), std::fabs(x.z)});
+    }
+    const double length_u = std::sqrt(dot(u, u)), length_v = std::sqrt(dot(v, v));
+    const Vector3<double> normal = cross(u, v);
+    sum += std::sqrt(dot(normal, normal));
+    // A corner is rounded by at most 2^-53 of each coordinate, and its distance to the sample by 2^-52 of itself.
+    const double of_corner = 0x1p-52 * greatest;
+    error += of_corner * (length_u + length_v + of_corner) + 0x1p-49 * length_u * length_v;
+  }
+  // Squares of small numbers leave the range of doubles.
+  const bool is_decided = error < kShare * sum && sum > 1e-140 && sum < 1e140;
+  return is_decided ? std::optional(sum) : std::nullopt;
+}
+
+double exact_area(const PointSet& points, const StableSet& set) {
+  double sum = 0;
+  for (const BackwardSegment& segment : set.segments) {
+    const Point& p = points[points.ordinal_of_row(segment.samples[0])];
+    const auto from_sample = [&](const RationalPoint& x) {
+      return Vector3<Rational>{x[0] - Rational(p.x), x[1] - Rational(p.y), x[2] - Rational(p.z)};
+    };
+    const Vector3<Rational> normal = cross(from_sample(segment.front), from_sample(segment.back));
+    sum += geometry::nearest_difference_of_roots(dot(normal, normal), 0);
+  }
+  return sum;
+}
+
+}  // namespace
+
+double surface_area(const PointSet& points, const StableManifolds& stable, std::size_t i) {
+  if (stable.segment_count(i) == 0) return 0;
+  const auto rounded = rounded_area(points, stable.rounded_segments(i));
+  return rounded ? *rounded : exact_area(points, stable.set(i));
+}
+
+}  // namespace flowcert

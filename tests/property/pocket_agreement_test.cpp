@@ -1,0 +1,288 @@
+// Merge trees and pockets by the fast implementation against the oracle's (FC-TREE, FC-POCK), on all families.
+//
+// Guarantees: trees, pockets, depths, volumes, widest paths, and what each is for a probe are compared exactly, at
+// persistences at which something changes. Doubles beside roots are judged exactly. The oracle makes its tree from
+// Voronoi vertices and their edges; the fast implementation from where the flow leads. The test fails too when too few
+// inputs had several pockets, merged ones, or some that stayed apart.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "flowcert/pockets.h"
+#include "flowcert/surface_area.h"
+#include "oracle/merge_tree.h"
+#include "oracle/peaks_above.h"
+#include "oracle/pockets.h"
+#include "oracle/roots.h"
+#include "oracle/stable_pieces.h"
+#include "tests/cites.h"
+#include "tests/property/family_run.h"
+#include "tests/property/orbit_subject.h"
+
+namespace flowcert::property {
+namespace {
+
+constexpr int kInputsPerFamily = 28;
+constexpr int kInputsMadeForThis = 30;  // of each of the families for stable sets
+constexpr std::size_t kMostRows = 10;   // the oracle's time grows with a high power of them
+constexpr std::uint64_t kInputsOfChambers = 120;
+
+struct Totals {
+  std::size_t inputs = 0, pockets = 0, merged = 0, apart = 0, outside = 0, gates = 0, areas = 0;
+
+  void add(const Totals& part) {
+    inputs += part.inputs;
+    pockets += part.pockets;
+    merged += part.merged;
+    apart += part.apart;
+    outside += part.outside;
+    gates += part.gates;
+    areas += part.areas;
+  }
+  void print_row(const std::string& name) const {
+    std::printf(
+        "%-24s %5zu inputs, %5zu pockets, %4zu of several maxima, %4zu apart; %4zu maxima outside, %5zu gates, "
+        "%5zu areas\n",
+        name.c_str(), inputs, pockets, merged, apart, outside, gates, areas);
+  }
+};
+
+// Both implementations list stationary points in one order, so that places are compared as they are.
+struct Landscape {
+  explicit Landscape(const Subject& all)
+      : subject(all),
+        stationary(oracle::stationary_points(all.set).stationary),
+        above(oracle::peaks_above(all.set, stationary)),
+        trees(all.complex.merge_trees()) {}
+
+  [[nodiscard]] const oracle::Rational& value(std::size_t record) const { return stationary[record].squared_distance; }
+  void require(bool is_right, const std::string& what) const { require_none(subject.input, is_right ? "" : what, ""); }
+
+  const Subject& subject;
+  std::vector<oracle::StationaryPoint> stationary;
+  oracle::PeaksAbove above;
+  const MergeTrees& trees;
+};
+
+using Places = std::vector<std::size_t>;
+Places places_of(const std::vector<std::uint32_t>& records) { return {records.begin(), records.end()}; }
+
+void require_same_tree(const Landscape& land, const MergeTree& fast, const oracle::MergeTree& truth,
+                       const std::string& what) {
+  land.require(fast.leaves == truth.leaves, "other leaves in the tree of " + what);
+  land.require(fast.nodes.size() == truth.nodes.size(), "another number of nodes in the tree of " + what);
+  for (std::size_t k = 0; k < truth.nodes.size(); ++k) {
+    const std::string where = "node " + std::to_string(k) + " in the tree of " + what;
+    land.require(places_of(fast.nodes[k].parts) == truth.nodes[k].parts, "other parts of " + where);
+    land.require(places_of(fast.nodes[k].points) == truth.nodes[k].points, "other points of " + where);
+    land.require(land.value(fast.nodes[k].points.front()) == truth.nodes[k].value, "another value of " + where);
+  }
+}
+
+// 0, and lengths of pairs: that of a part is its greatest value less the node's.
+std::vector<Rational> persistences(const Landscape& land, const oracle::MergeTree& tree) {
+  const Places maxima = oracle::maxima_places(land.stationary);
+  std::set<Rational> lengths;
+  for (const oracle::MergeNode& node : tree.nodes) {
+    for (const std::size_t part : node.parts) {
+      Rational greatest = 0;
+      for (const std::size_t leaf : oracle::leaves_of(tree, part)) {
+        if (leaf < maxima.size()) greatest = std::max(greatest, land.value(maxima[leaf]));
+      }
+      if (greatest > 0) lengths.insert(greatest - node.value);
+    }
+  }
+  const std::vector<Rational> sorted(lengths.begin(), lengths.end());
+  std::vector<Rational> all = {0};
+  if (sorted.size() > 1) all.push_back(sorted[sorted.size() / 2 - 1]);
+  if (!sorted.empty()) all.push_back(sorted[sorted.size() - 1 - sorted.size() / 4]);
+  return all;
+}
+
+// Radii at which something passes just so, or just not.
+std::vector<Rational> squared_probes(const Landscape& land, const oracle::Pocket& truth) {
+  std::set<Rational> values = {0, truth.to_infinity.value, truth.to_infinity.value + Rational(1, 1000)};
+  for (const std::size_t mouth : truth.mouths) values.insert(land.value(mouth));
+  return {values.begin(), values.end()};
+}
+
+void require_same_pocket(const Landscape& land, const Pockets& pockets, const Pocket& fast,
+                         const oracle::Pocket& truth) {
+  land.require(places_of(fast.maxima) == truth.maxima, "other maxima of a pocket");
+  land.require(places_of(fast.peaks) == truth.peaks, "other peaks of a pocket");
+  land.require(places_of(fast.cell) == truth.cell, "another cell of a pocket");
+  land.require(places_of(fast.mouths) == truth.mouths, "other mouths of a pocket");
+  land.require(places_of(fast.neighbours) == truth.neighbours, "other neighbours of a pocket");
+  land.require(places_of(fast.to_infinity.gates) == truth.to_infinity.gates, "other gates of the widest path");
+  land.require(land.value(fast.to_infinity.gates.front()) == truth.to_infinity.value, "another widest path");
+  land.require(pockets.depth(fast) == truth.depth, "another depth of a pocket");
+  const StableVolumes& volumes = land.subject.complex.volumes();
+  land.require(volumes.exact_sum(fast.cell) == truth.volume, "another volume of a pocket");
+  land.require(volumes.nearest_sum(fast.cell) == nearest_or_infinity(truth.volume), "a volume rounded otherwise");
+  land.require(oracle::is_nearest_root_difference(pockets.depth_of_radii(fast), land.value(truth.peaks.front()),
+                                                  land.value(fast.highest_mouth)),
+               "another depth as a difference of radii");
+  for (const Rational& squared_radius : squared_probes(land, truth)) {
+    const auto expected = oracle::passage(land.stationary, truth, squared_radius);
+    land.require(static_cast<int>(pockets.passage(fast, squared_radius)) == static_cast<int>(expected),
+                 "something else for a probe with the squared radius " + squared_radius.str());
+  }
+}
+
+// FC-POCK-03, of all stationary points but samples.
+void require_same_above(const Landscape& land, const Pockets& pockets, const oracle::Pockets& truth) {
+  const Places maxima = oracle::maxima_places(land.stationary);
+  Places number_of(maxima.size() + 1, truth.pockets.size());
+  for (std::size_t number = 0; number < truth.pockets.size(); ++number) {
+    for (const std::size_t maximum : truth.pockets[number].maxima) {
+      number_of[static_cast<std::size_t>(std::ranges::find(maxima, maximum) - maxima.begin())] = number;
+    }
+  }
+  for (std::size_t record = 0; record < land.stationary.size(); ++record) {
+    std::set<std::size_t> above;
+    for (const std::size_t leaf : land.above.of[record]) above.insert(number_of[leaf]);
+    land.require(places_of(pockets.above(record)) == Places(above.begin(), above.end()),
+                 "other pockets above a stationary point");
+  }
+}
+
+void require_same_pockets(const Landscape& land, const Rational& persistence, Totals& totals) {
+  const Pockets pockets(land.trees, persistence);
+  const oracle::Pockets truth = oracle::pockets(land.subject.set, land.stationary, persistence);
+  land.require(pockets.size() == truth.pockets.size(), "another number of pockets");
+  land.require(places_of(pockets.outside()) == truth.outside, "other maxima outside");
+  for (std::size_t k = 0; k < pockets.size(); ++k) {
+    require_same_pocket(land, pockets, pockets[k], truth.pockets[k]);
+    totals.merged += pockets[k].maxima.size() > 1 ? 1 : 0;
+    totals.apart += pockets.depth(pockets[k]) <= persistence ? 1 : 0;
+    totals.gates += pockets[k].to_infinity.gates.size();
+  }
+  require_same_above(land, pockets, truth);
+  const auto widest = oracle::widest_path(truth);
+  land.require(pockets.widest_path().has_value() == widest.has_value(), "a widest path, or none");
+  land.require(!widest || places_of(pockets.widest_path()->gates) == widest->gates, "other gates of the whole");
+  land.require(places_of(pockets.largest_balls()) == oracle::largest_balls(land.stationary, truth),
+               "other largest balls");
+  totals.pockets += pockets.size();
+  totals.outside += pockets.outside().size();
+}
+
+// FC-POCK-11, also for areas at both ends of the doubles.
+bool is_right_area(double area, const std::vector<oracle::Rational>& squares) {
+  oracle::Rational greatest = 0;
+  for (const oracle::Rational& square : squares) greatest = std::max(greatest, square);
+  const oracle::Rational count = 1 + squares.size();
+  if (std::isinf(area)) return greatest * count * count > oracle::Rational(0x1p1023) * oracle::Rational(0x1p1023);
+  // All of them together are less than 2^-1060.
+  const oracle::Rational tiny = oracle::Rational(0x1p-1060) / count;
+  if (area < 0x1p-1060 && greatest < tiny * tiny) return true;
+  return oracle::is_root_sum(area, squares);
+}
+
+void require_right_areas(const Landscape& land, Totals& totals) {
+  const StableManifolds& stable = land.subject.complex.stable();
+  for (std::size_t i = 0; i < stable.size(); ++i) {
+    const auto set = oracle::stable_set(land.subject.set, land.stationary[stable.record(i)]);
+    const double area = surface_area(land.subject.complex.points(), stable, i);
+    land.require(is_right_area(area, oracle::squared_areas(land.subject.set, set)), "another area of an S2");
+    ++totals.areas;
+  }
+}
+
+void require_right_landscape(const Subject& subject, Totals& totals) {
+  ++totals.inputs;
+  if (subject.complex.points().empty()) {
+    RC_ASSERT(subject.complex.merge_trees().pockets().leaves == 0U);
+    RC_ASSERT(Pockets(subject.complex.merge_trees(), 0).size() == 0U);
+    return;
+  }
+  const Landscape land(subject);
+  const oracle::MergeTree tree = oracle::superlevel_tree(subject.set, land.stationary);
+  require_same_tree(land, land.trees.pockets(), tree, "pockets");
+  require_same_tree(land, land.trees.components(), oracle::sublevel_tree(subject.set, land.stationary), "components");
+  for (const Rational& persistence : persistences(land, tree)) require_same_pockets(land, persistence, totals);
+  require_right_areas(land, totals);
+}
+
+// Triangles and squares around the axis z, of three sizes, some of them turned or moved, and often closed at the ends: chambers with
+// mouths between them, of few values. Each has a maximum or several.
+std::vector<fuzz::Row> chambers(std::uint64_t seed) {
+  rc::Random random(seed);
+  const auto below = [&](std::uint64_t count) { return static_cast<int>(random.next() % count); };
+  std::vector<fuzz::Row> rows;
+  double z = 0;
+  for (int ring = 0; ring < 4; ++ring, z += 1 + below(3)) {
+    const double half = 1 + below(3), moved = below(4) == 0 ? 0.5 : 0;
+    if (below(3) == 0) {
+      for (const auto& [x, y] : {std::pair(half, 0.0), std::pair(-half, half), std::pair(-half, -half)})
+        rows.push_back({x + moved, y, z});
+    } else {
+      const bool is_turned = below(4) == 0;
+      for (const double a : {-half, half}) {
+        for (const double b : {-half, half})
+          rows.push_back({(is_turned ? a + b : a) + moved, is_turned ? a - b : b, z});
+      }
+    }
+  }
+  if (below(3) > 0) rows.push_back({0, 0, -1.0 - below(2)});
+  if (below(3) > 0) rows.push_back({0, 0, z});
+  return rows;
+}
+
+// A cell of the face-centred lattice with some corners left out or added. Its shallow holes lead to several others at once.
+std::vector<fuzz::Row> face_centred(std::uint64_t seed) {
+  rc::Random random(seed);
+  std::vector<fuzz::Row> rows = {{2, 2, 0}, {2, 2, 4}, {2, 0, 2}, {2, 4, 2}, {0, 2, 2}, {4, 2, 2}};
+  const auto dropped = random.next() % 12;
+  for (std::uint64_t corner = 0; corner < 8; ++corner) {
+    if (corner == dropped) continue;
+    rows.push_back({corner % 2 * 4.0, corner / 2 % 2 * 4.0, corner / 4 * 4.0});
+  }
+  if (random.next() % 3 == 0) rows.push_back({2, 2, 6});
+  return rows;
+}
+
+bool expect_in_chambers(Totals& all) {
+  Totals totals;
+  const auto inputs = static_cast<std::uint64_t>(static_cast<double>(kInputsOfChambers) * scale_of_run());
+  bool is_right = true;
+  for (std::uint64_t seed = 0; seed < inputs; ++seed) {
+    const fuzz::Input input{seed % 6 == 0 ? face_centred(seed) : chambers(seed)};
+    is_right = expect_holds("pockets, chambers", parameters_of_run(1),
+                            [&] { require_right_landscape(Subject(input), totals); }) &&
+               is_right;
+  }
+  totals.print_row("chambers");
+  all.add(totals);
+  return is_right;
+}
+
+TEST(PocketAgreement, TreesAndPocketsAreTheOracles) {
+  CITES("FC-TREE-01", "FC-TREE-02", "FC-TREE-03", "FC-TREE-06", "FC-TREE-07", "FC-POCK-01", "FC-POCK-02", "FC-POCK-03",
+        "FC-POCK-04", "FC-POCK-05", "FC-POCK-06", "FC-POCK-07", "FC-POCK-08", "FC-POCK-11");
+  Totals all;
+  const auto of_few_rows = [](const Subject& drawn, Totals& totals) {
+    if (drawn.input.rows.size() <= kMostRows) return require_right_landscape(drawn, totals);
+    fuzz::Input cut = drawn.input;
+    cut.rows.resize(kMostRows);
+    require_right_landscape(Subject(cut), totals);
+  };
+  const bool in_chambers = expect_in_chambers(all);
+  const bool in_families = expect_in_all_families("pockets", {kInputsPerFamily, kInputsMadeForThis}, of_few_rows, all);
+  if (in_chambers && in_families && scale_of_run() >= 1) {
+    EXPECT_GE(all.inputs, 1000U);
+    EXPECT_GE(all.pockets, 800U);
+    EXPECT_GE(all.merged, 80U);
+    EXPECT_GE(all.apart, 40U);
+    EXPECT_GE(all.outside, 500U);
+  }
+}
+
+}  // namespace
+}  // namespace flowcert::property
