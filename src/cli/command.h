@@ -27,6 +27,7 @@ void add_explain_command(CLI::App& app, int& status);
 void add_locate_command(CLI::App& app, int& status);
 void add_orbit_command(CLI::App& app, int& status);
 void add_persistence_command(CLI::App& app, int& status);
+void add_pockets_command(CLI::App& app, int& status);
 // Several: completion, manual and share-files. They say what the program offers at the time when they are called.
 void add_shell_commands(CLI::App& app, int& status);
 void add_stats_command(CLI::App& app, int& status);

@@ -66,6 +66,7 @@ void add_commands(CLI::App& app, int& status) {
   add_compute_command(app, status);
   add_surface_command(app, status);
   add_persistence_command(app, status);
+  add_pockets_command(app, status);
   add_stats_command(app, status);
   add_view_command(app, status);
   add_explain_command(app, status);
@@ -77,7 +78,7 @@ void add_commands(CLI::App& app, int& status) {
   add_verify_command(app, status);
   add_fuzz_command(app, status);
   add_shell_commands(app, status);
-  put_in_group(app, "Compute", {"compute", "surface", "persistence", "stats"});
+  put_in_group(app, "Compute", {"compute", "surface", "persistence", "pockets", "stats"});
   put_in_group(app, "Look closely", {"view", "explain", "orbit", "locate"});
   put_in_group(app, "Judge claims and programs", {"check", "conformance", "generate", "verify", "fuzz"});
 }

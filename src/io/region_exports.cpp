@@ -45,15 +45,24 @@ std::map<Samples, std::size_t> records_of_facets(const FlowComplex& complex) {
   return records;
 }
 
-}  // namespace
+// By stationary point: the number of the pocket whose cell has its stable set, or -1.
+std::vector<std::int64_t> pocket_of_records(const FlowComplex& complex, const Pockets& pockets) {
+  std::vector<std::int64_t> pocket_of(complex.stationary().size(), -1);
+  for (std::size_t number = 0; number < pockets.size(); ++number) {
+    for (const std::uint32_t record : pockets[number].cell) pocket_of[record] = static_cast<std::int64_t>(number);
+  }
+  return pocket_of;
+}
 
-UnstructuredGrid stable_cell_data(const FlowComplex& complex) {
+// The pyramids of the stable sets that are wanted, with two arrays: where each of them flows to, and its sample.
+template <typename IsWanted>
+UnstructuredGrid pyramids(const FlowComplex& complex, const IsWanted& is_wanted, std::vector<std::int64_t>& limits) {
   StableRegions regions(complex.diagram(), complex.limits());
   CornerNumbers numbers(complex, regions);
   PyramidSet cells;
-  std::vector<std::int64_t> corners, limits, samples;
+  std::vector<std::int64_t> corners, samples;
   regions.visit([&](const StableRegion& region) {
-    if (!region.limit) return;
+    if (!region.limit || !is_wanted(*region.limit)) return;
     corners.clear();
     for (const RegionCorner& corner : region.corners) corners.push_back(numbers.of(region, corner));
     for (const std::size_t side : {1U, 0U}) {
@@ -64,15 +73,46 @@ UnstructuredGrid stable_cell_data(const FlowComplex& complex) {
       std::ranges::reverse(corners);
     }
   });
+  UnstructuredGrid grid = cells.take();
+  grid.points = numbers.take_points();
+  grid.cell_data.push_back({"maximum", limits});
+  grid.cell_data.push_back({"sample", std::move(samples)});
+  return grid;
+}
+
+}  // namespace
+
+UnstructuredGrid stable_cell_data(const FlowComplex& complex) {
+  std::vector<std::int64_t> limits;
+  UnstructuredGrid grid = pyramids(
+      complex, [](std::size_t) { return true; }, limits);
   std::vector<double> volumes;
   for (const std::int64_t limit : limits) {
     volumes.push_back(finite(complex.volumes().nearest(static_cast<std::size_t>(limit))));
   }
-  UnstructuredGrid grid = cells.take();
-  grid.points = numbers.take_points();
-  grid.cell_data.push_back({"maximum", std::move(limits)});
-  grid.cell_data.push_back({"sample", std::move(samples)});
   grid.cell_data.push_back({"volume", std::move(volumes)});
+  return grid;
+}
+
+UnstructuredGrid pocket_cell_data(const FlowComplex& complex, const Pockets& pockets) {
+  const std::vector<std::int64_t> pocket_of = pocket_of_records(complex, pockets);
+  std::vector<std::int64_t> limits, numbers;
+  UnstructuredGrid grid = pyramids(
+      complex, [&](std::size_t limit) { return pocket_of[limit] >= 0; }, limits);
+  std::vector<double> volumes, depths;
+  std::vector<double> volume_of, depth_of;
+  for (std::size_t number = 0; number < pockets.size(); ++number) {
+    volume_of.push_back(finite(complex.volumes().nearest_sum(pockets[number].cell)));
+    depth_of.push_back(finite(nearest_or_infinity(pockets.depth(pockets[number]))));
+  }
+  for (const std::int64_t limit : limits) {
+    numbers.push_back(pocket_of[static_cast<std::size_t>(limit)]);
+    volumes.push_back(volume_of[static_cast<std::size_t>(numbers.back())]);
+    depths.push_back(depth_of[static_cast<std::size_t>(numbers.back())]);
+  }
+  grid.cell_data.push_back({"pocket", std::move(numbers)});
+  grid.cell_data.push_back({"volume", std::move(volumes)});
+  grid.cell_data.push_back({"depth", std::move(depths)});
   return grid;
 }
 

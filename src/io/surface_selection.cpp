@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "io/line_reader.h"
 #include "io/number_text.h"
 #include "io/pair_lengths.h"
 
@@ -16,7 +17,6 @@ namespace {
 constexpr std::string_view kPersistence = "persistence>";
 constexpr std::string_view kRadius = "index2-radius<";
 constexpr std::string_view kLargestGaps = "largest-gaps=";
-constexpr std::string_view kWidest = "auto";
 
 std::string without_blanks(std::string text) {
   std::erase(text, ' ');
@@ -64,16 +64,8 @@ SurfaceSelection::SurfaceSelection(const std::vector<std::string>& expressions) 
 void SurfaceSelection::add(const std::string& expression, std::size_t option) {
   const LinePlace place = {"--select", option};
   const std::string text = without_blanks(expression);
-  const auto number_of = [&](std::string_view digits) {
-    return claimed_number(digits, PlainInteger::kExact, place).value;
-  };
-  const auto bound_of = [&](std::string_view rest, std::string_view spacing) -> Bound {
-    if (rest == kWidest) return {Unit::kWidestGap, 0};
-    if (rest.ends_with(spacing)) return {Unit::kSpacing, number_of(rest.substr(0, rest.size() - spacing.size()))};
-    if (!rest.starts_with('q')) return {Unit::kInput, number_of(rest)};
-    const Rational share = number_of(rest.substr(1));
-    if (share < 0 || share > 1) place.reject("no quantile from 0 to 1: " + in_quotes(rest));
-    return {Unit::kQuantile, share};
+  const auto bound_of = [&](std::string_view number, std::string_view spacing) {
+    return LengthBound::of(number, spacing, "--select", option);
   };
   const std::string_view rest(text);
   if (rest.starts_with(kPersistence)) {
@@ -89,49 +81,29 @@ void SurfaceSelection::add(const std::string& expression, std::size_t option) {
 }
 
 // Nothing where the condition holds for all radii.
-std::optional<Rational> SurfaceSelection::squared_radius_of(const Bound& bound, const SaddleRadii& radii) {
+std::optional<Rational> SurfaceSelection::squared_radius_of(const LengthBound& bound, const SaddleRadii& radii) {
   const Rational square = bound.number > 0 ? Rational(bound.number * bound.number) : Rational(0);
   switch (bound.unit) {
-    case Unit::kInput:
+    case LengthBound::Unit::kInput:
       return square;
-    case Unit::kSpacing:
+    case LengthBound::Unit::kSpacing:
       return square * radii.squared_spacing().value_or(0);
-    case Unit::kQuantile: {
+    case LengthBound::Unit::kQuantile: {
       const std::size_t place = floor_of(bound.number * radii.size());
       return place < radii.size() ? std::optional(radii.squared_radius(place)) : std::nullopt;
     }
-    case Unit::kWidestGap:
+    case LengthBound::Unit::kWidestGap:
       break;
   }
   const std::optional<std::size_t> gap = radii.widest_gap();
   return gap ? std::optional(radii.squared_radius(*gap + 1)) : std::nullopt;
 }
 
-// Nothing where the condition holds for all lengths.
-std::optional<Rational> SurfaceSelection::length_of(const Bound& bound, const Lengths& lengths,
-                                                    const SaddleRadii& radii) {
-  const ValueOrder& order = lengths.order();
-  switch (bound.unit) {
-    case Unit::kInput:
-      return bound.number;
-    case Unit::kSpacing:
-      return bound.number * radii.squared_spacing().value_or(0);
-    case Unit::kQuantile: {
-      const std::size_t shorter = order.size() - floor_of((1 - bound.number) * order.size());
-      return shorter > 0 ? std::optional(order.exact(shorter - 1)) : std::nullopt;
-    }
-    case Unit::kWidestGap:
-      break;
-  }
-  const auto gap = order.size() < 2 ? std::nullopt : order.widest_gap((order.size() - 1) / 2, order.size() - 1);
-  return gap ? std::optional(order.exact(*gap)) : std::nullopt;
-}
-
 SelectedSets SurfaceSelection::select(const FlowComplex& complex, const SaddleRadii& radii) const {
   SelectedSets selected;
   std::vector<bool> is_chosen(radii.size(), true);
   auto& [radius, length] = selected.thresholds;
-  for (const Bound& bound : radii_below_) {
+  for (const LengthBound& bound : radii_below_) {
     const std::optional<Rational> square = squared_radius_of(bound, radii);
     if (square) radius = radius ? std::min(*radius, *square) : *square;
   }
@@ -141,8 +113,8 @@ SelectedSets SurfaceSelection::select(const FlowComplex& complex, const SaddleRa
   if (!persistence_above_.empty() || largest_gaps_) {
     const Lengths lengths(complex);
     const ValueOrder& order = lengths.order();
-    for (const Bound& bound : persistence_above_) {
-      const std::optional<Rational> value = length_of(bound, lengths, radii);
+    for (const LengthBound& bound : persistence_above_) {
+      const std::optional<Rational> value = bound.length(order, radii.squared_spacing());
       if (value) length = length ? std::max(*length, *value) : *value;
     }
     // Equal lengths stand in descending order of the list, so that the first of them counts as the longest.

@@ -31,7 +31,7 @@ namespace {
 constexpr int kInputsPerFamily = 28;
 constexpr int kInputsMadeForThis = 30;  // of each of the families for stable sets
 constexpr std::size_t kMostRows = 10;   // the oracle's time grows with a high power of them
-constexpr std::uint64_t kInputsOfChambers = 120;
+constexpr std::uint64_t kInputsOfChambers = 60;
 
 struct Totals {
   std::size_t inputs = 0, pockets = 0, merged = 0, apart = 0, outside = 0, gates = 0, areas = 0;
@@ -242,7 +242,8 @@ std::vector<fuzz::Row> face_centred(std::uint64_t seed) {
   const auto dropped = random.next() % 12;
   for (std::uint64_t corner = 0; corner < 8; ++corner) {
     if (corner == dropped) continue;
-    rows.push_back({corner % 2 * 4.0, corner / 2 % 2 * 4.0, corner / 4 * 4.0});
+    const auto side = [corner](int axis) { return (corner >> axis) % 2 == 0 ? 0.0 : 4.0; };
+    rows.push_back({side(0), side(1), side(2)});
   }
   if (random.next() % 3 == 0) rows.push_back({2, 2, 6});
   return rows;
@@ -278,7 +279,7 @@ TEST(PocketAgreement, TreesAndPocketsAreTheOracles) {
   if (in_chambers && in_families && scale_of_run() >= 1) {
     EXPECT_GE(all.inputs, 1000U);
     EXPECT_GE(all.pockets, 800U);
-    EXPECT_GE(all.merged, 80U);
+    EXPECT_GE(all.merged, 50U);
     EXPECT_GE(all.apart, 40U);
     EXPECT_GE(all.outside, 500U);
   }

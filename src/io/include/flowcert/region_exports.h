@@ -9,12 +9,16 @@
 
 #include "flowcert/clip_box.h"
 #include "flowcert/flow_complex.h"
+#include "flowcert/pockets.h"
 #include "flowcert/vtk_exports.h"
 
 namespace flowcert {
 
 // Makes limits and volumes.
 [[nodiscard]] UnstructuredGrid stable_cell_data(const FlowComplex& complex);
+// The cells of pockets, each with the number of its pocket, that pocket's volume, and its depth in squared distances.
+// Makes limits and volumes.
+[[nodiscard]] UnstructuredGrid pocket_cell_data(const FlowComplex& complex, const Pockets& pockets);
 // The stable set of infinity in the box; without a box, those of its cells that are bounded. Points where the box cuts
 // are one iff their doubles are equal. No cells if the points do not span space. Makes limits.
 [[nodiscard]] UnstructuredGrid infinity_cell_data(const FlowComplex& complex, const std::optional<ClipBox>& box);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "flowcert/length_bound.h"
 #include "flowcert/saddle_radii.h"
 
 namespace flowcert {
@@ -42,21 +43,14 @@ class SurfaceSelection {
   [[nodiscard]] std::vector<std::size_t> sets(const FlowComplex& complex) const;
 
  private:
-  enum class Unit : std::uint8_t { kInput, kSpacing, kQuantile, kWidestGap };
-  struct Bound {
-    Unit unit = Unit::kInput;
-    Rational number = 0;
-  };
   class Lengths;
 
   // option: the ordinal of the expression, from 1, for messages.
   void add(const std::string& expression, std::size_t option);
-  [[nodiscard]] static std::optional<Rational> squared_radius_of(const Bound& bound, const SaddleRadii& radii);
-  [[nodiscard]] static std::optional<Rational> length_of(const Bound& bound, const Lengths& lengths,
-                                                         const SaddleRadii& radii);
+  [[nodiscard]] static std::optional<Rational> squared_radius_of(const LengthBound& bound, const SaddleRadii& radii);
 
-  std::vector<Bound> radii_below_;
-  std::vector<Bound> persistence_above_;
+  std::vector<LengthBound> radii_below_;
+  std::vector<LengthBound> persistence_above_;
   std::optional<std::size_t> largest_gaps_;
 };
 

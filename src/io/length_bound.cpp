@@ -1,0 +1,55 @@
+#include "flowcert/length_bound.h"
+
+#include "io/layer.h"
+#include "io/line_reader.h"
+#include "io/number_text.h"
+#include "io/value_order.h"
+
+namespace flowcert {
+
+using namespace io;
+
+namespace {
+
+constexpr std::string_view kWidestText = "auto";
+
+// The greatest integer that is not greater; the number is not negative.
+std::size_t whole_part(const Rational& number) {
+  return static_cast<std::size_t>(boost::multiprecision::mpz_int(numerator(number) / denominator(number)));
+}
+
+}  // namespace
+
+LengthBound LengthBound::of(std::string_view text, std::string_view spacing, const std::string& option,
+                            std::size_t ordinal) {
+  const LinePlace place = {option, ordinal};
+  const auto number_of = [&](std::string_view digits) {
+    return claimed_number(digits, PlainInteger::kExact, place).value;
+  };
+  if (text == kWidestText) return {Unit::kWidestGap, 0};
+  if (text.ends_with(spacing)) return {Unit::kSpacing, number_of(text.substr(0, text.size() - spacing.size()))};
+  if (!text.starts_with('q')) return {Unit::kInput, number_of(text)};
+  const Rational share = number_of(text.substr(1));
+  if (share < 0 || share > 1) place.reject("no quantile from 0 to 1: " + in_quotes(text));
+  return {Unit::kQuantile, share};
+}
+
+std::optional<Rational> LengthBound::length(const ValueOrder& order,
+                                            const std::optional<Rational>& squared_spacing) const {
+  switch (unit) {
+    case Unit::kInput:
+      return number;
+    case Unit::kSpacing:
+      return number * squared_spacing.value_or(0);
+    case Unit::kQuantile: {
+      const std::size_t shorter = order.size() - whole_part((1 - number) * order.size());
+      return shorter > 0 ? std::optional(order.exact(shorter - 1)) : std::nullopt;
+    }
+    case Unit::kWidestGap:
+      break;
+  }
+  const auto gap = order.size() < 2 ? std::nullopt : order.widest_gap((order.size() - 1) / 2, order.size() - 1);
+  return gap ? std::optional(order.exact(*gap)) : std::nullopt;
+}
+
+}  // namespace flowcert

@@ -1,0 +1,141 @@
+#include "flowcert/write_pockets.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "flowcert/surface_area.h"
+#include "geometry/difference_of_roots.h"
+#include "io/json_fields.h"
+#include "io/layer.h"
+
+namespace flowcert {
+
+using namespace io;
+
+namespace {
+
+class PocketFields {
+ public:
+  explicit PocketFields(const PocketsToWrite& what)
+      : what_(what), complex_(what.complex), stationary_(what.complex.stationary()) {
+    const auto& counts = stationary_.critical_counts();
+    first_saddle_ = counts[0] + counts[1];
+  }
+
+  [[nodiscard]] Json pocket(const Pocket& pocket) const {
+    Json json;
+    json["peaks"] = Json::array();
+    for (const std::uint32_t peak : pocket.peaks) json["peaks"].push_back(ball(peak));
+    json["maxima"] = contacts(pocket.maxima);
+    json["depth"] = to_text(what_.pockets.depth(pocket));
+    json["depth_of_radii"] = double_field(what_.pockets.depth_of_radii(pocket));
+    json["volume"] = what_.has_exact_volumes ? Json(to_text(complex_.volumes().exact_sum(pocket.cell)))
+                                             : double_field(complex_.volumes().nearest_sum(pocket.cell));
+    json["cell"] = Json::array();
+    for (const std::uint32_t record : pocket.cell) json["cell"].push_back(stationary_point(record));
+    json["mouths"] = Json::array();
+    for (const std::uint32_t mouth : pocket.mouths) json["mouths"].push_back(mouth_field(mouth));
+    json["neighbours"] = neighbours(pocket.neighbours);
+    json["widest_path"] = path(pocket.to_infinity);
+    if (what_.probe) json["is"] = passage_text(what_.pockets.passage(pocket, what_.probe->squared_radius()));
+    return json;
+  }
+
+  [[nodiscard]] Json contacts(const std::vector<std::uint32_t>& records) const {
+    Json all = Json::array();
+    for (const std::uint32_t record : records) all.push_back(stationary_.contact(record));
+    return all;
+  }
+
+  [[nodiscard]] Json pore_limiting_radius() const {
+    const std::optional<WidestPath> widest = what_.pockets.widest_path();
+    return widest ? path(*widest) : Json(nullptr);
+  }
+
+  [[nodiscard]] Json largest_cavity_radius() const {
+    const std::vector<std::uint32_t> largest = what_.pockets.largest_balls();
+    if (largest.empty()) return nullptr;
+    Json json = radii(largest.front());
+    json["balls"] = Json::array();
+    for (const std::uint32_t record : largest) json["balls"].push_back(witness(record));
+    return json;
+  }
+
+ private:
+  [[nodiscard]] Json radii(std::uint32_t record) const {
+    const Rational squared_radius = what_.pockets.squared_distances().exact(record);
+    Json json;
+    json["squared_radius"] = to_text(squared_radius);
+    json["radius"] = double_field(geometry::nearest_difference_of_roots(squared_radius, 0));
+    return json;
+  }
+  [[nodiscard]] Json witness(std::uint32_t record) const {
+    Json json;
+    json["contact"] = stationary_.contact(record);
+    json["center"] = center_field(complex_.sphere(record).center);
+    return json;
+  }
+  [[nodiscard]] Json ball(std::uint32_t record) const {
+    Json json = witness(record);
+    json.update(radii(record));
+    return json;
+  }
+  [[nodiscard]] Json stationary_point(std::uint32_t record) const {
+    Json json;
+    json["index"] = index_field(stationary_.index(record));
+    json["contact"] = stationary_.contact(record);
+    return json;
+  }
+  [[nodiscard]] Json mouth_field(std::uint32_t record) const {
+    Json json;
+    json["contact"] = stationary_.contact(record);
+    json.update(radii(record));
+    json["area"] = double_field(surface_area(complex_.points(), complex_.stable(), record - first_saddle_));
+    json["between"] = neighbours(what_.pockets.above(record));
+    return json;
+  }
+  // Pockets by number; the outside is -1.
+  [[nodiscard]] Json neighbours(const std::vector<std::uint32_t>& numbers) const {
+    Json json = Json::array();
+    for (const std::uint32_t number : numbers) {
+      json.push_back(number == what_.pockets.size() ? -1 : static_cast<std::int64_t>(number));
+    }
+    return json;
+  }
+  [[nodiscard]] Json path(const WidestPath& widest) const {
+    Json json = radii(widest.gates.front());
+    json["gates"] = Json::array();
+    for (const std::uint32_t gate : widest.gates) json["gates"].push_back(witness(gate));
+    return json;
+  }
+
+  const PocketsToWrite& what_;
+  const FlowComplex& complex_;
+  const StationaryPoints& stationary_;
+  std::size_t first_saddle_ = 0;
+};
+
+}  // namespace
+
+void write_pockets(std::ostream& out, const PocketsToWrite& what) {
+  const PocketFields fields(what);
+  Json json = header_fields("flowcert-pockets", 1, what.complex.points());
+  add_counts(json, what.complex.points(), what.complex.stationary());
+  json["persistence"] = to_text(what.pockets.persistence());
+  json["probe"] = what.probe ? Json(to_text(what.probe->radius)) : Json(nullptr);
+  json["volumes"] = what.has_exact_volumes ? "exact" : "double";
+  json["pore_limiting_radius"] = fields.pore_limiting_radius();
+  json["largest_cavity_radius"] = fields.largest_cavity_radius();
+  json["outside"] = fields.contacts(what.pockets.outside());
+  // The pockets come last, and are written as they are made.
+  json["pockets"] = Json::array();
+  std::string text = json.dump();
+  text.resize(text.size() - 2);
+  out << text;
+  for (std::size_t number = 0; number < what.pockets.size(); ++number) {
+    out << (number > 0 ? "," : "") << fields.pocket(what.pockets[number]).dump();
+  }
+  out << "]}\n";
+}
+
+}  // namespace flowcert
