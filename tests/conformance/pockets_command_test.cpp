@@ -1,0 +1,227 @@
+// `flowcert pockets` as a user calls it: the table, the JSON and the trees of spec/formats/pockets.md, files, and what it
+// refuses. Known radii of lattices and hollow spheres are in it.
+//
+// Guarantees: what is expected was worked out by hand, but for the hollow spheres, whose holes are what they were made
+// with.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "flowcert/rational.h"
+#include "tests/cites.h"
+#include "tests/conformance/program_run.h"
+
+namespace flowcert::conformance {
+namespace {
+
+using nlohmann::ordered_json;
+using Words = std::vector<std::string>;
+
+constexpr char kOctahedron[] = "1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n";
+
+ordered_json pockets_of(const std::string& points, const Words& options = {}) {
+  const Scratch scratch;
+  Words words = {"pockets", scratch.file("points.xyz", points), "--json"};
+  words.insert(words.end(), options.begin(), options.end());
+  const Finished done = flowcert(words);
+  EXPECT_EQ(done.status, 0) << done.err;
+  return ordered_json::parse(done.out);
+}
+
+std::size_t count_of(const ordered_json& json, const std::string& what) {
+  std::size_t count = 0;
+  for (const ordered_json& pocket : json["pockets"]) count += pocket["is"] == what ? 1 : 0;
+  return count;
+}
+
+TEST(PocketsCommand, TellsAllOfAnOctahedron) {
+  CITES("FC-POCK-03", "FC-POCK-04", "FC-POCK-05", "FC-POCK-06", "FC-POCK-07", "FC-POCK-08", "FC-POCK-11", "FC-NUM-02");
+  const ordered_json json = pockets_of(kOctahedron, {"--volumes", "exact", "--probe", "3/4"});
+  EXPECT_EQ(json["format"], "flowcert-pockets");
+  EXPECT_EQ(json["probe"], "3/4");
+  EXPECT_EQ(json["pore_limiting_radius"]["squared_radius"], "2/3");
+  EXPECT_EQ(json["pore_limiting_radius"]["gates"].size(), 8U);
+  EXPECT_EQ(json["largest_cavity_radius"]["squared_radius"], "1");
+  ASSERT_EQ(json["pockets"].size(), 1U);
+  const ordered_json& pocket = json["pockets"][0];
+  EXPECT_EQ(pocket["depth"], "1/3");
+  EXPECT_EQ(pocket["depth_of_radii"], 1 - std::sqrt(2.0 / 3));
+  EXPECT_EQ(pocket["volume"], "4/3");
+  EXPECT_EQ(pocket["neighbours"], (ordered_json{-1}));
+  EXPECT_EQ(pocket["is"], "channel");
+  ASSERT_EQ(pocket["mouths"].size(), 8U);
+  for (const ordered_json& mouth : pocket["mouths"]) {
+    EXPECT_NEAR(mouth["area"].get<double>(), std::sqrt(3.0) / 2, 1e-12);
+    EXPECT_EQ(mouth["between"], (ordered_json{0, -1}));
+  }
+}
+
+// All points of a lattice in a box of so many cells. Between the points of a cell there may be one more, or those of
+// its faces.
+std::string cubic_lattice(int cells) {
+  std::string rows;
+  for (int x = 0; x <= cells; ++x) {
+    for (int y = 0; y <= cells; ++y) {
+      for (int z = 0; z <= cells; ++z) rows += fmt::format("{} {} {}\n", x, y, z);
+    }
+  }
+  return rows;
+}
+std::string face_centred_lattice(int cells) {
+  std::string rows;
+  for (int x = 0; x <= 2 * cells; ++x) {
+    for (int y = 0; y <= 2 * cells; ++y) {
+      for (int z = 0; z <= 2 * cells; ++z) {
+        if ((x + y + z) % 2 == 0) rows += fmt::format("{} {} {}\n", x, y, z);
+      }
+    }
+  }
+  return rows;
+}
+
+TEST(PocketsCommand, KnowsTheRadiiOfLattices) {
+  CITES("FC-POCK-02", "FC-POCK-07", "FC-POCK-08");
+  const ordered_json cubic = pockets_of(cubic_lattice(4));
+  EXPECT_EQ(cubic["pockets"].size(), 64U);
+  EXPECT_EQ(cubic["pore_limiting_radius"]["squared_radius"], "1/2");
+  EXPECT_EQ(cubic["largest_cavity_radius"]["squared_radius"], "3/4");
+  EXPECT_EQ(cubic["largest_cavity_radius"]["balls"].size(), 64U);
+  // The edge of the cell is 2, so that octahedral holes have the radius 1, and tetrahedral ones the root of 3/4.
+  const ordered_json face_centred = pockets_of(face_centred_lattice(3), {"--volumes", "exact"});
+  EXPECT_EQ(face_centred["pore_limiting_radius"]["squared_radius"], "2/3");
+  EXPECT_EQ(face_centred["largest_cavity_radius"]["squared_radius"], "1");
+  std::set<std::string> volumes;
+  for (const ordered_json& pocket : face_centred["pockets"]) {
+    volumes.insert(pocket["peaks"][0]["squared_radius"].get<std::string>() + ": " +
+                   pocket["volume"].get<std::string>());
+  }
+  EXPECT_TRUE(volumes.contains("1: 4/3"));
+  EXPECT_TRUE(volumes.contains("3/4: 1/3"));
+}
+
+// Points of a sphere of radius 10, but for those nearer than 4 to one of the directions.
+std::string hollow_sphere(const std::vector<std::array<double, 3>>& holes) {
+  constexpr int kPoints = 1200;
+  std::string rows;
+  for (int k = 0; k < kPoints; ++k) {
+    const double z = 1 - (2 * k + 1.0) / kPoints, turn = k * M_PI * (3 - std::sqrt(5.0));
+    const double r = std::sqrt(1 - z * z);
+    const std::array<double, 3> x = {10 * r * std::cos(turn), 10 * r * std::sin(turn), 10 * z};
+    bool is_open = false;
+    for (const auto& hole : holes) {
+      is_open = is_open || std::hypot(x[0] - hole[0], x[1] - hole[1], x[2] - hole[2]) < 4;
+    }
+    if (!is_open) rows += fmt::format("{} {} {}\n", x[0], x[1], x[2]);
+  }
+  return rows;
+}
+
+TEST(PocketsCommand, TellsCavitiesPocketsAndChannels) {
+  CITES("FC-POCK-02", "FC-POCK-06", "FC-POCK-07");
+  struct Case {
+    std::vector<std::array<double, 3>> holes;
+    const char* is;
+  };
+  for (const Case& one :
+       {Case{{}, "cavity"}, Case{{{0, 0, 10}}, "pocket"}, Case{{{0, 0, 10}, {0, -10, 0}}, "channel"}}) {
+    const ordered_json json = pockets_of(hollow_sphere(one.holes), {"--persistence", "5", "--probe", "2"});
+    ASSERT_EQ(json["pockets"].size(), 1U) << one.is;
+    EXPECT_EQ(count_of(json, one.is), 1U) << one.is;
+    EXPECT_NEAR(json["largest_cavity_radius"]["radius"].get<double>(), 10, 0.2);
+    const double widest = json["pore_limiting_radius"]["radius"];
+    EXPECT_LT(widest, one.holes.empty() ? 1 : 4.6);
+    EXPECT_GT(widest, one.holes.empty() ? 0.2 : 3.8);
+  }
+}
+
+TEST(PocketsCommand, TellsTheSameOfMovedPoints) {
+  CITES("FC-POCK-10");
+  // The same points in the reverse order, turned by a right angle, moved, and twice as large.
+  std::string rows, images;
+  std::uint64_t state = 7;
+  for (int k = 0; k < 200; ++k) {
+    std::array<int, 3> x{};
+    for (int& c : x) c = static_cast<int>((state = state * 6364136223846793005U + 1442695040888963407U) >> 60U);
+    rows += fmt::format("{} {} {}\n", x[0], x[1], x[2]);
+    images = fmt::format("{} {} {}\n", 2 * x[1] + 5, -2 * x[0] + 1, 2 * x[2]) + images;
+  }
+  const ordered_json one = pockets_of(rows, {"--persistence", "3/2", "--probe", "1.5"});
+  const ordered_json other = pockets_of(images, {"--persistence", "6", "--probe", "3"});
+  EXPECT_GT(one["pockets"].size(), 3U);
+  EXPECT_EQ(one["pockets"].size(), other["pockets"].size());
+  const auto facts = [](const ordered_json& json, int scale) {
+    std::multiset<std::string> all;
+    for (const ordered_json& pocket : json["pockets"]) {
+      all.insert(fmt::format("{} {} {} {} {}", Rational(scale * Rational(pocket["depth"].get<std::string>())).str(),
+                             pocket["maxima"].size(), pocket["mouths"].size(), pocket["widest_path"]["gates"].size(),
+                             pocket["is"].get<std::string>()));
+    }
+    return all;
+  };
+  EXPECT_EQ(facts(one, 4), facts(other, 1));
+}
+
+TEST(PocketsCommand, PrintsTrees) {
+  CITES("FC-TREE-02", "FC-TREE-06", "FC-TREE-07");
+  const Scratch scratch;
+  const std::string points = scratch.file("points.xyz", kOctahedron);
+  EXPECT_EQ(flowcert({"pockets", points, "--tree", "pockets"}).out,
+            "(0-1-2-3-4-5:0.3333333333333333,infinity)0-2-4;\n");
+  EXPECT_EQ(flowcert({"pockets", points, "--tree", "components"}).out, "(0:0.5,1:0.5,2:0.5,3:0.5,4:0.5,5:0.5)0-2;\n");
+  const ordered_json tree = ordered_json::parse(flowcert({"pockets", points, "--tree", "pockets", "--json"}).out);
+  EXPECT_EQ(tree["format"], "flowcert-merge-tree");
+  EXPECT_EQ(tree["leaves"].size(), 2U);
+  EXPECT_TRUE(tree["leaves"][1]["contact"].is_null());
+  EXPECT_EQ(tree["nodes"][0]["squared_distance"], "2/3");
+  EXPECT_EQ(tree["nodes"][0]["parts"], (ordered_json{0, 1}));
+  EXPECT_EQ(tree["nodes"][0]["joined_by"].size(), 8U);
+  const std::string line = scratch.file("line.xyz", "0 0 0\n1 0 0\n3 0 0\n");
+  EXPECT_EQ(flowcert({"pockets", line, "--tree", "components"}).out, "(2:1,(0:0.25,1:0.25)0-1:0.75)1-2;\n");
+  EXPECT_EQ(flowcert({"pockets", line, "--tree", "pockets"}).out, "infinity;\n");
+  EXPECT_EQ(flowcert({"pockets", scratch.file("none.xyz", "# none\n"), "--tree", "pockets"}).out, ";\n");
+}
+
+TEST(PocketsCommand, WritesFiles) {
+  CITES("FC-POCK-03");
+  const Scratch scratch;
+  const std::string points = scratch.file("points.xyz", cubic_lattice(2)), folder = scratch.path("out");
+  const Finished done = flowcert({"pockets", points, "--export", folder, "--probe", "0.7"});
+  EXPECT_EQ(done.status, 0) << done.err;
+  EXPECT_NE(done.out.find("all pockets, from the deepest one"), std::string::npos) << done.out;
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) names.insert(entry.path().filename());
+  EXPECT_EQ(names, (std::set<std::string>{"components_tree.json", "components_tree.nwk", "pocket_0.ply", "pocket_1.ply",
+                                          "pocket_2.ply", "pocket_3.ply", "pocket_4.ply", "pocket_5.ply",
+                                          "pocket_6.ply", "pocket_7.ply", "pockets.json", "pockets.vtu",
+                                          "pockets_tree.json", "pockets_tree.nwk"}));
+  EXPECT_NE(content_of(folder + "/pocket_3.ply").find("element face 12\n"), std::string::npos);
+  EXPECT_EQ(ordered_json::parse(content_of(folder + "/pockets.json"))["pockets"].size(), 8U);
+}
+
+TEST(PocketsCommand, RefusesWhatItCannotUse) {
+  CITES("FC-POCK-02");
+  const Scratch scratch;
+  const std::string points = scratch.file("points.xyz", kOctahedron), file = scratch.file("file", "");
+  const auto refuses = [&](Words words, const std::string& reason) {
+    words.insert(words.begin(), {"pockets", points});
+    const Finished done = flowcert(words);
+    EXPECT_EQ(done.status, 2);
+    EXPECT_TRUE(done.out.empty()) << done.out;
+    EXPECT_NE(done.err.find(reason), std::string::npos) << done.err;
+  };
+  refuses({"--persistence", "-1"}, "--persistence: not 0 or more");
+  refuses({"--persistence", "many"}, "not a number: 'many'");
+  refuses({"--probe", "-1/2"}, "--probe: not 0 or more");
+  refuses({"--probe", "nan"}, "not a finite number");
+  refuses({"--tree", "maxima"}, "maxima");
+  refuses({"--tree", "pockets", "--export", file}, "excludes");
+  refuses({"--export", file}, "cannot be made");
+}
+
+}  // namespace
+}  // namespace flowcert::conformance
