@@ -199,7 +199,7 @@ TEST(PocketsCommand, WritesFiles) {
                                           "pocket_2.ply", "pocket_3.ply", "pocket_4.ply", "pocket_5.ply",
                                           "pocket_6.ply", "pocket_7.ply", "pockets.json", "pockets.vtu",
                                           "pockets_tree.json", "pockets_tree.nwk"}));
-  EXPECT_NE(content_of(folder + "/pocket_3.ply").find("element face 12\n"), std::string::npos);
+  EXPECT_NE(content_of(folder + "/pocket_3.ply").find("element face 48\n"), std::string::npos);
   EXPECT_EQ(ordered_json::parse(content_of(folder + "/pockets.json"))["pockets"].size(), 8U);
 }
 
