@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -19,12 +18,11 @@
 #include "cli/progress.h"
 #include "cli/table.h"
 #include "flowcert/flow_complex.h"
-#include "flowcert/length_bound.h"
+#include "flowcert/pocket_persistence.h"
 #include "flowcert/pocket_surfaces.h"
 #include "flowcert/region_exports.h"
 #include "flowcert/reproducibility.h"
 #include "flowcert/rounded_sphere.h"
-#include "flowcert/saddle_radii.h"
 #include "flowcert/write_pockets.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
@@ -50,37 +48,6 @@ struct PocketsOptions {
 
 // ---- What is computed ----
 
-// The persistence pairs of the maxima, by FC-TREE-05: in each node all parts but the highest one end.
-std::vector<io::PairEnds> pairs_of_maxima(const MergeTrees& trees) {
-  const MergeTree& tree = trees.pockets();
-  const auto rank = [&](std::uint32_t leaf) { return trees.squared_distances().rank(trees.record_of(leaf)); };
-  const auto infinity = static_cast<std::uint32_t>(trees.maxima());
-  std::vector<std::uint32_t> highest(tree.leaves + tree.nodes.size());
-  std::iota(highest.begin(), highest.end(), 0U);
-  std::vector<io::PairEnds> pairs;
-  for (std::size_t k = 0; k < tree.nodes.size(); ++k) {
-    std::uint32_t& top = highest[tree.leaves + k];
-    top = highest[tree.nodes[k].parts.front()];
-    for (const std::uint32_t part : tree.nodes[k].parts) {
-      const std::uint32_t leaf = highest[part];
-      if (top != infinity && (leaf == infinity || rank(leaf) > rank(top))) top = leaf;
-    }
-    for (const std::uint32_t part : tree.nodes[k].parts) {
-      if (highest[part] != top) pairs.push_back({tree.nodes[k].points.front(), trees.record_of(highest[part])});
-    }
-  }
-  return pairs;
-}
-
-Rational persistence_of(const FlowComplex& complex, const std::string& text) {
-  const LengthBound bound = LengthBound::of(text, "spacing^2", "--persistence", 1);
-  if (bound.number < 0) throw InvalidInput("--persistence: not 0 or more: " + text);
-  if (bound.unit == LengthBound::Unit::kInput) return bound.number;
-  const MergeTrees& trees = complex.merge_trees();
-  const io::ValueOrder lengths = io::length_order(trees.squared_distances(), pairs_of_maxima(trees));
-  return bound.length(lengths, squared_spacing(complex)).value_or(0);
-}
-
 std::optional<Probe> probe_of(const std::string& text) {
   if (text.empty()) return std::nullopt;
   const Rational radius = io::claimed_number(text, io::PlainInteger::kExact, {"--probe", 1}).value;
@@ -103,7 +70,7 @@ struct PocketsRun {
     complex.make(FlowComplexPart::kTriangulation);
     delaunay_seconds = lap();
     complex.make(FlowComplexPart::kMergeTrees);
-    pockets.emplace(complex.merge_trees(), persistence_of(complex, options.persistence));
+    pockets.emplace(complex.merge_trees(), pocket_persistence(complex, options.persistence, "--persistence"));
     complex.make(FlowComplexPart::kVolumes);
     complex.make(FlowComplexPart::kStable);
     other_seconds = lap();

@@ -182,7 +182,9 @@ void add_complex(py::module_& module) {
       .def("lambda_list", &Complex::lambda_list, py::arg("record"), py::arg("exact"))
       .def("connections", &Complex::connections)
       .def("unstable_surface", &Complex::unstable_surface, py::arg("record"), py::arg("exact"))
-      .def("is_morse_smale", &Complex::is_morse_smale);
+      .def("is_morse_smale", &Complex::is_morse_smale)
+      .def("pockets", &Complex::pockets, py::arg("persistence"), py::arg("probe"))
+      .def("locate", &Complex::locate, py::arg("rows"));
 }
 
 }  // namespace flowcert::python

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -91,6 +92,12 @@ class Complex {
   // (samples, start, corner). None if the point has no such set.
   [[nodiscard]] pybind11::object unstable_surface(std::size_t record, bool exact) const;
   [[nodiscard]] bool is_morse_smale() const;
+
+  // (pockets, outside, gates, largest_balls, persistence), as Pockets has them (flowcert/_pockets.py). persistence is
+  // a bound as commands take it, and the probe hexadecimal.
+  [[nodiscard]] pybind11::tuple pockets(const std::string& persistence, const std::optional<std::string>& probe) const;
+  // (limits, nearest, tied), arrays. -1 is infinity.
+  [[nodiscard]] pybind11::tuple locate(const PointRows& rows) const;
 
  private:
   // Throws InvalidInput if there is no such stationary point.

@@ -34,6 +34,7 @@ from ._generate import families, generate
 from ._limits import Direction, LambdaList
 from ._manifolds import Lines, Mesh, Surfaces
 from ._orbit import Limit, Orbit, Segment
+from ._pockets import Places, Pocket, Pockets
 from ._read_points import read_points
 from ._unstable import SurfaceCorner, UnstableInterval, UnstableSegment, UnstableSheet, UnstableSurface
 
@@ -47,6 +48,9 @@ __all__ = [
     "Lines",
     "Mesh",
     "Orbit",
+    "Places",
+    "Pocket",
+    "Pockets",
     "Segment",
     "SurfaceCorner",
     "Surfaces",

@@ -13,6 +13,7 @@ from . import _check, _core, _exact
 from ._limits import LambdaList, lambda_list_of
 from ._manifolds import Lines, Mesh, Surfaces
 from ._orbit import Orbit, Position, orbit_of
+from ._pockets import Places, Pockets, pockets_of
 from ._points import point_rows, shown
 from ._unstable import UnstableSurface, unstable_surface_of
 
@@ -232,6 +233,44 @@ class FlowComplex:
         if len(start) != 3:
             raise ValueError(f"x must be three numbers, not {len(start)}")
         return orbit_of(start, self._core.orbit([_exact.hexadecimal(value) for value in start]))
+
+    def locate(self, x: ArrayLike) -> Places:
+        """Where the flow takes many positions, and their nearest points: (limits, nearest, tied).
+
+        x: (n, 3), as the points of a FlowComplex. The first call prepares what all of them need.
+
+        >>> fc = FlowComplex([[0, 0, 0], [2, 0, 0], [0, 2, 0], [2, 2, 0], [1, 1, 3]])
+        >>> limits, nearest, tied = fc.locate([[0.5, 1, 0.5], [9, 9, 9], [1, 0, 0]])
+        >>> limits.tolist(), nearest.tolist(), tied.tolist()
+        ([18, -1, 5], [0, 4, 0], [True, False, True])
+        """
+        return Places(*self._core.locate(point_rows(x)))
+
+    def pockets(self, persistence: Any = 0, probe: Any = None) -> Pockets:
+        """Pockets: what flows to the same maxima, merged by persistence, with their mouths. Distances are measured to
+        the points, which have no radii.
+
+        persistence: maxima are merged that are not deeper, in squared distances. A number; or a str, as `flowcert
+        pockets --persistence` takes it: "3spacing^2", "q0.9" or "auto".
+        probe: a radius. If it is given, each pocket has a kind: "cavity" if no path to infinity keeps this distance
+        from all points, "channel" if several of its mouths are as wide, and "pocket" if one is.
+
+        >>> fc = FlowComplex([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]])
+        >>> [pocket] = fc.pockets(probe=0.8).pockets
+        >>> pocket.volume, pocket.squared_depth, len(pocket.mouths), pocket.kind
+        (1.3333333333333333, Fraction(1, 3), 8, 'channel')
+        >>> len(fc.pockets(persistence=Fraction(1, 3)).pockets)
+        0
+        """
+        text = persistence
+        if not isinstance(persistence, str):
+            text = _exact.decimal(_exact.exact(persistence, "persistence"))
+        radius = None if probe is None else _exact.exact(probe, "probe")
+        if radius is not None and radius < 0:
+            raise ValueError("probe: not 0 or more")
+        return pockets_of(
+            self._core.pockets(text.encode(errors="replace"), None if radius is None else _exact.hexadecimal(radius))
+        )
 
     # ---- The whole complex: cells and their volumes, connections
 

@@ -1,0 +1,50 @@
+#include "flowcert/pocket_persistence.h"
+
+#include <numeric>
+#include <vector>
+
+#include "flowcert/length_bound.h"
+#include "flowcert/saddle_radii.h"
+#include "io/layer.h"
+#include "io/pair_lengths.h"
+
+namespace flowcert {
+
+using namespace io;
+
+namespace {
+
+// In each node all parts but the highest one end.
+std::vector<PairEnds> pairs_of_maxima(const MergeTrees& trees) {
+  const MergeTree& tree = trees.pockets();
+  const auto rank = [&](std::uint32_t leaf) { return trees.squared_distances().rank(trees.record_of(leaf)); };
+  const auto infinity = static_cast<std::uint32_t>(trees.maxima());
+  std::vector<std::uint32_t> highest(tree.leaves + tree.nodes.size());
+  std::iota(highest.begin(), highest.end(), 0U);
+  std::vector<PairEnds> pairs;
+  for (std::size_t k = 0; k < tree.nodes.size(); ++k) {
+    std::uint32_t& top = highest[tree.leaves + k];
+    top = highest[tree.nodes[k].parts.front()];
+    for (const std::uint32_t part : tree.nodes[k].parts) {
+      const std::uint32_t leaf = highest[part];
+      if (top != infinity && (leaf == infinity || rank(leaf) > rank(top))) top = leaf;
+    }
+    for (const std::uint32_t part : tree.nodes[k].parts) {
+      if (highest[part] != top) pairs.push_back({tree.nodes[k].points.front(), trees.record_of(highest[part])});
+    }
+  }
+  return pairs;
+}
+
+}  // namespace
+
+Rational pocket_persistence(const FlowComplex& complex, const std::string& text, const std::string& option) {
+  const LengthBound bound = LengthBound::of(text, "spacing^2", option, 1);
+  if (bound.number < 0) throw InvalidInput(option + ": not 0 or more: " + text);
+  if (bound.unit == LengthBound::Unit::kInput) return bound.number;
+  const MergeTrees& trees = complex.merge_trees();
+  const ValueOrder lengths = length_order(trees.squared_distances(), pairs_of_maxima(trees));
+  return bound.length(lengths, squared_spacing(complex)).value_or(0);
+}
+
+}  // namespace flowcert
