@@ -19,6 +19,7 @@ namespace flowcert::cli {
 namespace {
 
 struct CheckCommandOptions {
+  std::vector<std::string> chains;
   CheckedFiles files;
   CheckOptions check;
   std::string junit;
@@ -67,7 +68,7 @@ int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
     throw InvalidInput("POINTS and CLAIM cannot both be standard input");
   }
   Claim claim = claim_of(files.claim);
-  const Input input = read_input(files.points);
+  const Input input = read_input(files.points, options.chains);
   files.points = display_name(files.points);
   files.claim = display_name(files.claim);
   require_rows(claim, input.points, files.claim);
@@ -93,7 +94,7 @@ int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
 void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
   auto options = std::make_shared<CheckCommandOptions>();
   CLI::App* command = app.add_subcommand("check", "Whether a claimed flow complex is right, and where it is not");
-  command->add_option("POINTS", options->files.points, "Point file, or - for standard input")->required();
+  add_input_options(*command, options->files.points, options->chains, "Point file, or - for standard input", "POINTS");
   command
       ->add_option("CLAIM", options->files.claim,
                    "What an implementation claims of it: JSON Lines as compute -o writes them, CSV, VTP, or the "

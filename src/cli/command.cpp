@@ -48,19 +48,29 @@ std::string with_commas(unsigned long long value) {
 
 namespace {
 
-Input input_of(const std::string& path) {
+Input input_of(const std::string& path, const std::vector<std::string>& chains) {
   const bool is_piped = path == kStandardStream;
   const ProgressLine progress(is_piped ? "reading standard input" : "reading points", is_piped ? STDIN_FILENO : -1);
   Input input;
-  input.file = read_points(path);
+  input.file = read_points(path, chains);
   input.points = PointSet(input.file.rows);
   return input;
 }
 
 }  // namespace
 
-Input read_input(const std::string& path) {
-  Input input = input_of(path);
+void add_input_options(CLI::App& command, std::string& path, std::vector<std::string>& chains,
+                       const std::string& description, const char* name) {
+  command.add_option(name, path, description)->required();
+  command
+      .add_option("--chains", chains,
+                  "Of a molecule, PDB or mmCIF, only the atoms of these chains, A,B. Atoms are points: their radii are "
+                  "ignored, and distances are those to their centres")
+      ->delimiter(',');
+}
+
+Input read_input(const std::string& path, const std::vector<std::string>& chains) {
+  Input input = input_of(path, chains);
   if (input.file.single_precision) {
     fmt::print(stderr, "note: {}: the coordinates are single precision, and are taken exactly as such\n",
                display_name(path));
@@ -76,6 +86,14 @@ Input read_input(const std::string& path) {
   if (const std::size_t line = input.file.line_of_further_columns; line > 0) {
     fmt::print(stderr, "note: {}:{}: more than three columns; those after the third are ignored\n", display_name(path),
                line);
+  }
+  if (const std::size_t models = input.file.other_models; models > 0) {
+    fmt::print(stderr, "note: {}: only the first model is read; {} other{} left out\n", display_name(path),
+               with_commas(models), models == 1 ? " is" : "s are");
+  }
+  if (const std::size_t places = input.file.other_locations; places > 0) {
+    fmt::print(stderr, "note: {}: of an atom with alternate locations the first is read; {} other{} left out\n",
+               display_name(path), with_commas(places), places == 1 ? " is" : "s are");
   }
   if (const std::size_t merged = input.points.merged_duplicates(); merged > 0) {
     fmt::print(stderr, "warning: {}: {} repeated point{} merged\n", display_name(path), with_commas(merged),

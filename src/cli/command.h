@@ -41,7 +41,12 @@ struct Input {
   PointFile file;
   PointSet points;
 };
-[[nodiscard]] Input read_input(const std::string& path);
+[[nodiscard]] Input read_input(const std::string& path, const std::vector<std::string>& chains = {});
+
+// The argument INPUT and the option --chains.
+void add_input_options(CLI::App& command, std::string& path, std::vector<std::string>& chains,
+                       const std::string& description = "Point file, or - for standard input",
+                       const char* name = "INPUT");
 
 // The options --kernel and --search, which say how orbits are computed, not what they are.
 struct FlowChoice {

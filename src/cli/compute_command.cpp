@@ -31,6 +31,7 @@ namespace {
 
 struct ComputeOptions {
   std::string input;
+  std::vector<std::string> chains;
   std::string output;
   bool json = false;
   unsigned runs = 1;
@@ -135,7 +136,7 @@ void compute(const ComputeOptions& options) {
   if (is_streamed && options.json) throw InvalidInput("-o - and --json would both write to standard output");
   std::optional<ExportFiles> files;
   if (!options.export_directory.empty()) files.emplace(export_choice(options), display_name(options.input));
-  const Input input = read_input(options.input);
+  const Input input = read_input(options.input, options.chains);
   const PartMade made = [&files](const FlowComplex& complex, FlowComplexPart part) {
     if (files) files->write_after(complex, part);
   };
@@ -220,9 +221,9 @@ void add_export_options(CLI::App& command, ComputeOptions& options) {
 void add_compute_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ComputeOptions>();
   CLI::App* command = app.add_subcommand("compute", "All critical points, and what flows from them and to them");
-  command
-      ->add_option("INPUT", options->input, "Point file: XYZ/text, OFF, PLY or OBJ, also as .gz; - for standard input")
-      ->required();
+  add_input_options(*command, options->input, options->chains,
+                    "Point file: XYZ/text, OFF, PLY or OBJ; or a molecule: PDB or mmCIF; also as .gz; - for standard "
+                    "input");
   command->add_flag("--json", options->json, "Print one JSON object instead of the table");
   CLI::Option* output =
       command

@@ -21,8 +21,9 @@ struct FileValue {
 };
 
 const std::vector<FileValue>& file_values() {
-  static const Words kPoints = {"xyz",    "txt",    "csv",    "pts",    "off",    "ply",    "obj",
-                                "xyz.gz", "txt.gz", "csv.gz", "pts.gz", "off.gz", "ply.gz", "obj.gz"};
+  static const Words kPoints = {"xyz",    "txt",    "csv",    "pts",    "off",    "ply",     "obj",    "pdb",
+                                "ent",    "cif",    "mmcif",  "xyz.gz", "txt.gz", "csv.gz",  "pts.gz", "off.gz",
+                                "ply.gz", "obj.gz", "pdb.gz", "ent.gz", "cif.gz", "mmcif.gz"};
   static const Words kClaims = {"jsonl",    "json",    "csv",    "vtp",    "txt",
                                 "jsonl.gz", "json.gz", "csv.gz", "vtp.gz", "txt.gz"};
   static const std::vector<FileValue> kValues = {{"INPUT", Completed::kFiles, kPoints},

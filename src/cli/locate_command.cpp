@@ -25,6 +25,7 @@ namespace {
 
 struct LocateOptions {
   std::string input;
+  std::vector<std::string> chains;
   std::string positions;
   std::string output;
   bool json = false;
@@ -114,7 +115,7 @@ void locate_all(const LocateOptions& options) {
   if (options.input == kStandardStream && options.positions == kStandardStream) {
     throw InvalidInput("INPUT and --points cannot both be standard input");
   }
-  const Input input = read_input(options.input);
+  const Input input = read_input(options.input, options.chains);
   if (input.points.empty()) throw InvalidInput(display_name(options.input) + ": there are no points");
   const std::vector<Point> positions = read_points(options.positions).rows;
   FlowComplexOptions how;
@@ -143,7 +144,7 @@ void locate_all(const LocateOptions& options) {
 void add_locate_command(CLI::App& app, int& status) {
   auto options = std::make_shared<LocateOptions>();
   CLI::App* command = app.add_subcommand("locate", "Where the flow takes many positions; their nearest samples");
-  command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
+  add_input_options(*command, options->input, options->chains);
   command->add_option("--points", options->positions, "The positions: a point file, or - for standard input")
       ->type_name("FILE")
       ->required();

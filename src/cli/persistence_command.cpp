@@ -68,6 +68,7 @@ struct PersistenceRun {
 
 struct PersistenceOptions {
   std::string input;
+  std::vector<std::string> chains;
   std::string output;
   bool json = false;
   bool with_zero = false;
@@ -278,7 +279,7 @@ void print_persistence(const PersistenceOptions& options) {
   if (options.output == kStandardStream && options.json) {
     throw InvalidInput("-o - and --json would both write to standard output");
   }
-  const Input input = read_input(options.input);
+  const Input input = read_input(options.input, options.chains);
   const PersistenceRun run(input.points, options.seed, options.threads);
   const PersistenceDiagram diagram = diagram_of(run.complex, options.with_zero);
   const bool has_file = !options.output.empty() && options.output != kStandardStream;
@@ -305,7 +306,7 @@ std::string complaint_about_seed(const std::string& text) {
 void add_persistence_command(CLI::App& app, int& status) {
   auto options = std::make_shared<PersistenceOptions>();
   CLI::App* command = app.add_subcommand("persistence", "The persistence of the distance function; values are squared");
-  command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
+  add_input_options(*command, options->input, options->chains);
   command
       ->add_option("-o,--output", options->output,
                    "Write the pairs to this file, in GUDHI's .pers format, and print a table; -: to standard output")

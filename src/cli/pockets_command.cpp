@@ -36,6 +36,7 @@ namespace fs = std::filesystem;
 
 struct PocketsOptions {
   std::string input;
+  std::vector<std::string> chains;
   std::string persistence = "0";
   std::string probe;
   std::string volumes = "double";
@@ -213,7 +214,7 @@ void print_tree(const PocketsOptions& options, const Input& input) {
 
 void run_pockets(const PocketsOptions& options) {
   const std::optional<Probe> probe = probe_of(options.probe);
-  const Input input = read_input(options.input);
+  const Input input = read_input(options.input, options.chains);
   if (!options.tree.empty()) return print_tree(options, input);
   const PocketsRun run(input, options);
   if (!options.directory.empty()) {
@@ -237,7 +238,7 @@ void run_pockets(const PocketsOptions& options) {
 void add_pockets_command(CLI::App& app, int& status) {
   auto options = std::make_shared<PocketsOptions>();
   CLI::App* command = app.add_subcommand("pockets", "Cavities, pockets and channels between points; merge trees");
-  command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
+  add_input_options(*command, options->input, options->chains);
   command
       ->add_option("--persistence", options->persistence,
                    "Merge what is not deeper than this, a difference of squared distances: a number, Xspacing^2, qX "

@@ -24,6 +24,7 @@ namespace {
 
 struct SurfaceOptions {
   std::string input;
+  std::vector<std::string> chains;
   std::string output;
   std::vector<std::string> selections;
   bool json = false;
@@ -170,7 +171,7 @@ void write_surface(const SurfaceOptions& options) {
   (void)writer_for(options.output);
   const bool is_streamed = options.output == kStandardStream;
   if (is_streamed && options.json) throw InvalidInput("-o - and --json would both write to standard output");
-  const Input input = read_input(options.input);
+  const Input input = read_input(options.input, options.chains);
   const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads}, part_progress());
   const SaddleRadii radii = radii_of(complex);
   const auto [sets, thresholds] = selected_of(complex, selection, radii);
@@ -190,7 +191,7 @@ void write_surface(const SurfaceOptions& options) {
 void add_surface_command(CLI::App& app, int& status) {
   auto options = std::make_shared<SurfaceOptions>();
   CLI::App* command = app.add_subcommand("surface", "Stable manifolds of index-2 points as a surface, all or selected");
-  command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
+  add_input_options(*command, options->input, options->chains);
   command
       ->add_option("--select", options->selections,
                    "Only those with index2-radius<R, persistence>X (a difference of squared distances), or "

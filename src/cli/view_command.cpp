@@ -26,6 +26,7 @@ namespace {
 
 struct ViewCommandOptions {
   std::string input;
+  std::vector<std::string> chains;
   std::string output;
   std::string claim;
   CheckOptions check;
@@ -108,7 +109,7 @@ int view(ViewCommandOptions options) {
   }
   std::optional<Claim> claim;
   if (!options.claim.empty()) claim = read_claim(options.claim);
-  const Input input = read_input(options.input);
+  const Input input = read_input(options.input, options.chains);
   if (claim) require_rows(*claim, input.points, display_name(options.claim));
   if (options.output.empty()) {
     options.output = page_beside(options.input);
@@ -141,7 +142,7 @@ void add_view_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ViewCommandOptions>();
   constexpr std::size_t kMost = 0xfffffff;
   CLI::App* command = app.add_subcommand("view", "The complex in a browser, with what is wrong with a claim");
-  command->add_option("INPUT", options->input, "Point file, or - for standard input")->required();
+  add_input_options(*command, options->input, options->chains);
   command
       ->add_option("-o,--output", options->output,
                    "Write the page to this file; -: to standard output; without this, INPUT's name with .html, in the "

@@ -89,9 +89,15 @@ class Fields {
 [[nodiscard]] PointFile read_off(std::string_view text, std::string_view file);
 [[nodiscard]] PointFile read_ply(std::string_view bytes, std::string_view file);
 [[nodiscard]] PointFile read_obj(std::string_view text, std::string_view file);
+// Only the atoms of these chains; of all if none is named.
+[[nodiscard]] PointFile read_pdb(std::string_view text, std::string_view file, const std::vector<std::string>& chains);
+[[nodiscard]] PointFile read_mmcif(std::string_view text, std::string_view file,
+                                   const std::vector<std::string>& chains);
 
 // Whether `word` is one of the keywords that an OFF file can begin with.
 [[nodiscard]] bool is_off_keyword(std::string_view word);
+// Whether `word` can begin a PDB file.
+[[nodiscard]] bool is_pdb_record(std::string_view word);
 // Whether `word` can begin a line of an OBJ file.
 [[nodiscard]] bool is_obj_keyword(std::string_view word);
 

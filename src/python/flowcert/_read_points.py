@@ -18,8 +18,8 @@ def file_name(path: Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"])
 
 
 def read_points(path: Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"]) -> NDArray[np.float64]:
-    """The points of a file, an (n, 3) array of doubles: XYZ/text, OFF, PLY or OBJ, each also as .gz; "-" for standard
-    input.
+    """The points of a file, an (n, 3) array of doubles: XYZ/text, OFF, PLY, OBJ, or a molecule, PDB or mmCIF, each also as
+    .gz; "-" for standard input.
 
     The ending of the name says the format. Coordinates are the doubles that the file means. A file that is not as its
     format says is a ValueError with its name and line.
