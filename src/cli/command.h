@@ -25,6 +25,7 @@ inline constexpr int kUnusable = 2;
 void add_compute_command(CLI::App& app, int& status);
 void add_explain_command(CLI::App& app, int& status);
 void add_locate_command(CLI::App& app, int& status);
+void add_medial_command(CLI::App& app, int& status);
 void add_orbit_command(CLI::App& app, int& status);
 void add_persistence_command(CLI::App& app, int& status);
 void add_pockets_command(CLI::App& app, int& status);

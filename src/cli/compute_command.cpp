@@ -54,19 +54,6 @@ bool exports(const ComputeOptions& options, const char* what) {
   return !options.export_directory.empty() && (options.only.empty() || has_word(options.only, what));
 }
 
-// How large the box is at which lines to infinity end; nothing for none.
-std::optional<Rational> clip_factor(const std::string& text) {
-  if (text == "none") return std::nullopt;
-  Rational factor = 0;
-  try {
-    factor = io::parse_rational(text);
-  } catch (const InvalidInput& error) {
-    throw InvalidInput(fmt::format("--clip: {}", error.what()));
-  }
-  if (factor < 1) throw InvalidInput("--clip: neither a number from 1 nor none: " + io::in_quotes(text));
-  return factor;
-}
-
 ExportChoice export_choice(const ComputeOptions& options) {
   const bool has_all = has_word(options.manifolds, "all");
   const bool infinity = has_word(options.only, "infinity"), sheets = has_word(options.only, "sheets");

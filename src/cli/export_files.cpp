@@ -11,6 +11,7 @@
 #include "flowcert/reproducibility.h"
 #include "flowcert/unstable_surface_export.h"
 #include "flowcert/vtk_exports.h"
+#include "io/number_text.h"
 #include "io/output_file.h"
 
 namespace flowcert::cli {
@@ -26,6 +27,18 @@ void make_directory(const std::string& directory) {
 }
 
 }  // namespace
+
+std::optional<Rational> clip_factor(const std::string& text) {
+  if (text == "none") return std::nullopt;
+  Rational factor = 0;
+  try {
+    factor = io::parse_rational(text);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format("--clip: {}", error.what()));
+  }
+  if (factor < 1) throw InvalidInput("--clip: neither a number from 1 nor none: " + io::in_quotes(text));
+  return factor;
+}
 
 ExportFiles::ExportFiles(ExportChoice choice, std::string input_name)
     : choice_(std::move(choice)), input_name_(std::move(input_name)) {

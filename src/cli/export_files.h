@@ -23,6 +23,9 @@ struct ExportChoice {
   std::optional<Rational> clip = 3;  // how large the box is at which files end; nothing for none
 };
 
+// How large the box is at which files end, from the text of --clip: a number from 1, or none. Throws InvalidInput.
+[[nodiscard]] std::optional<Rational> clip_factor(const std::string& text);
+
 class ExportFiles {
  public:
   // input_name is for messages. Throws OutputError if the directory exists and is none.

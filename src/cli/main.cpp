@@ -72,13 +72,14 @@ void add_commands(CLI::App& app, int& status) {
   add_explain_command(app, status);
   add_orbit_command(app, status);
   add_locate_command(app, status);
+  add_medial_command(app, status);
   add_check_command(app, status);
   add_conformance_command(app, status);
   add_generate_command(app, status);
   add_verify_command(app, status);
   add_fuzz_command(app, status);
   add_shell_commands(app, status);
-  put_in_group(app, "Compute", {"compute", "surface", "persistence", "pockets", "stats"});
+  put_in_group(app, "Compute", {"compute", "surface", "persistence", "pockets", "medial", "stats"});
   put_in_group(app, "Look closely", {"view", "explain", "orbit", "locate"});
   put_in_group(app, "Judge claims and programs", {"check", "conformance", "generate", "verify", "fuzz"});
 }

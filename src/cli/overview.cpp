@@ -14,7 +14,7 @@ std::string overview(const CLI::App& app) {
   const DescribedCommand program = described(app);
   std::size_t width = 0;
   for (const DescribedCommand& command : program.commands) width = std::max(width, command.last_name().size());
-  std::string text = program.description + '\n';
+  std::string text = fmt::format("{}\n{} COMMAND --help tells more.\n", program.description, program.name);
   std::string group;
   for (const DescribedCommand& command : program.commands) {
     if (command.group == kSetUpGroup) continue;
@@ -24,7 +24,7 @@ std::string overview(const CLI::App& app) {
   }
   text += "Begin with\n";
   for (const std::string& example : program.footer.examples) text += fmt::format("  {}\n", example);
-  return text + fmt::format("  {} COMMAND --help\n", program.name);
+  return text;
 }
 
 }  // namespace flowcert::cli

@@ -176,18 +176,23 @@ void UnstableSurfaceExport::Parts::append(const SurfaceCell& cell, std::int64_t 
 }
 
 UnstableSurfaceExport::UnstableSurfaceExport(const FlowComplex& complex, const std::optional<ClipBox>& box,
-                                             const std::string& folder, const ExportProgress& progress)
+                                             const std::string& folder, const ExportProgress& progress,
+                                             const std::vector<std::size_t>* records)
     : parts_(std::make_unique<Parts>(folder, box.has_value())) {
   const UnstableSurfaces surfaces(complex.diagram(), complex.stationary());
   const unsigned threads = complex.threads();
   std::vector<SurfacePicture> pictures(threads <= 1 ? 1 : 16 * std::size_t{threads});
-  for (std::size_t begun = 0; begun < surfaces.size(); begun += pictures.size()) {
-    const std::size_t count = std::min(pictures.size(), surfaces.size() - begun);
+  std::vector<std::size_t> wanted;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!records || std::ranges::binary_search(*records, surfaces.record(i))) wanted.push_back(i);
+  }
+  for (std::size_t begun = 0; begun < wanted.size(); begun += pictures.size()) {
+    const std::size_t count = std::min(pictures.size(), wanted.size() - begun);
     geometry::parallel_for(count, threads, [&](std::size_t k) {
-      pictures[k] = PictureMaker(surfaces.rounded_set(begun + k), box).make();
+      pictures[k] = PictureMaker(surfaces.rounded_set(wanted[begun + k]), box).make();
     });
-    for (std::size_t k = 0; k < count; ++k) parts_->append(pictures[k], surfaces.record(begun + k));
-    if (progress) progress(begun + count, surfaces.size());
+    for (std::size_t k = 0; k < count; ++k) parts_->append(pictures[k], surfaces.record(wanted[begun + k]));
+    if (progress) progress(begun + count, wanted.size());
   }
 }
 

@@ -146,12 +146,14 @@ PolyData critical_point_data(const FlowComplex& complex, const ExportProgress& p
 namespace {
 
 // All orbits of U2, cut at the box if there is one.
-LineSet lines_of(const FlowComplex& complex, const std::optional<ClipBox>& box, const ExportProgress& progress) {
+LineSet lines_of(const FlowComplex& complex, const std::optional<ClipBox>& box, const ExportProgress& progress,
+                 const std::vector<std::size_t>* records) {
   const UnstableManifolds& u2 = complex.unstable();
   std::optional<ClippedOrbits> clipped;
   if (box) clipped.emplace(complex, *box);
   LineSet set;
   for (std::size_t i = 0; i < u2.size(); ++i) {
+    if (records && !std::ranges::binary_search(*records, u2.saddle(i))) continue;
     for (const std::size_t side : {0U, 1U}) {
       const std::optional<std::size_t> limit = u2.limit(i, side);
       std::vector<RoundedSphere> orbit = u2.rounded_orbit(i, side);
@@ -167,8 +169,8 @@ LineSet lines_of(const FlowComplex& complex, const std::optional<ClipBox>& box, 
 }  // namespace
 
 PolyData unstable_line_data(const FlowComplex& complex, const std::optional<ClipBox>& box,
-                            const ExportProgress& progress) {
-  LineSet set = lines_of(complex, box, progress);
+                            const ExportProgress& progress, const std::vector<std::size_t>* records) {
+  LineSet set = lines_of(complex, box, progress, records);
   PolyData data;
   SeparatrixData separatrices;
   Ids destinations;

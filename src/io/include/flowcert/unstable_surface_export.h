@@ -10,6 +10,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "flowcert/flow_complex.h"
 #include "flowcert/vtk_exports.h"
@@ -18,10 +19,10 @@ namespace flowcert {
 
 class UnstableSurfaceExport {
  public:
-  // Makes all sets. The folder must exist. Without a box, parts that reach to infinity are left out. It throws
+  // Makes all sets, or those of these stationary points alone, by place in the list, ascending. The folder must exist. Without a box, parts that reach to infinity are left out. It throws
   // InvalidInput where a coordinate is beyond the doubles, and OutputError where the folder cannot be written.
   UnstableSurfaceExport(const FlowComplex& complex, const std::optional<ClipBox>& box, const std::string& folder,
-                        const ExportProgress& progress = {});
+                        const ExportProgress& progress = {}, const std::vector<std::size_t>* records = nullptr);
   ~UnstableSurfaceExport();
   UnstableSurfaceExport(UnstableSurfaceExport&&) noexcept;
   UnstableSurfaceExport& operator=(UnstableSurfaceExport&&) noexcept;

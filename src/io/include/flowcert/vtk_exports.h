@@ -56,9 +56,11 @@ using ExportProgress = std::function<void(std::size_t done, std::size_t total)>;
 
 [[nodiscard]] PolyData critical_point_data(const FlowComplex& complex, const ExportProgress& progress = {});
 // With a box, orbits to infinity end where they leave it, and the point data IsClipped marks these ends. Without one
-// their last segment, which has no end, is left out.
+// their last segment, which has no end, is left out. With records, only those of these stationary points are there, by
+// place in the list, ascending.
 [[nodiscard]] PolyData unstable_line_data(const FlowComplex& complex, const std::optional<ClipBox>& box,
-                                          const ExportProgress& progress = {});
+                                          const ExportProgress& progress = {},
+                                          const std::vector<std::size_t>* records = nullptr);
 // mesh: of any critical points of index 2.
 [[nodiscard]] PolyData stable_surface_data(const FlowComplex& complex, SurfaceMesh mesh);
 

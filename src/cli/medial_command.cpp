@@ -1,0 +1,171 @@
+// `flowcert medial`: the medial axis as unstable sets U1 and U2 of chosen critical points, for viewers
+// (spec/formats/medial.md).
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "cli/command.h"
+#include "cli/export_files.h"
+#include "cli/layer.h"
+#include "cli/progress.h"
+#include "cli/table.h"
+#include "flowcert/clip_box.h"
+#include "flowcert/flow_complex.h"
+#include "flowcert/medial_points.h"
+#include "flowcert/reproducibility.h"
+#include "flowcert/unstable_surface_export.h"
+#include "flowcert/vtk_exports.h"
+#include "io/json_fields.h"
+#include "io/number_text.h"
+#include "io/output_file.h"
+
+namespace flowcert::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MedialOptions {
+  std::string input;
+  std::vector<std::string> chains;
+  std::optional<std::string> persistence, angle;
+  std::string directory;
+  std::string clip = "3";
+  bool json = false;
+  unsigned threads = 1;
+};
+
+MedialChoice choice_of(const MedialOptions& options) {
+  MedialChoice choice;
+  if (options.persistence)
+    choice.persistence_above = LengthBound::of(*options.persistence, "spacing^2", "--persistence", 1);
+  if (options.angle) {
+    choice.angle_above = io::claimed_number(*options.angle, io::PlainInteger::kExact, {"--angle", 1}).value;
+    if (*choice.angle_above < 0 || *choice.angle_above > 180) {
+      throw InvalidInput("--angle: not from 0 to 180 degrees: " + *options.angle);
+    }
+  }
+  return choice;
+}
+
+void write_files(const MedialOptions& options, const FlowComplex& complex, const std::vector<std::size_t>& records,
+                 const std::optional<Rational>& clip) {
+  std::error_code error;
+  fs::create_directories(options.directory, error);
+  if (error) throw OutputError(fmt::format("{}: cannot be made: {}", options.directory, error.message()));
+  const std::string made_by = made_by_text("flowcert-export", 1, complex.points());
+  const std::optional<ClipBox> box =
+      clip && !complex.points().empty() ? std::optional<ClipBox>(std::in_place, complex.points(), *clip) : std::nullopt;
+  const auto write = [&](const char* name, const auto& how) {
+    const ProgressLine progress(std::string("writing ") + name);
+    OutputFile file((fs::path(options.directory) / name).string());
+    how(file.stream());
+    file.commit();
+  };
+  {
+    ProgressLine progress("exporting unstable manifolds of index-1 points");
+    const UnstableSurfaceExport sheets(complex, box, options.directory, std::ref(progress), &records);
+    write("medial_sheets.vtp", [&](std::ostream& out) { sheets.write_vtp(out, made_by); });
+    write("medial_sheets.ply", [&](std::ostream& out) { sheets.write_ply(out, made_by); });
+  }
+  ProgressLine progress("exporting unstable manifolds of index-2 points");
+  const PolyData lines = unstable_line_data(complex, box, std::ref(progress), &records);
+  write("medial_lines.vtp", [&](std::ostream& out) { write_vtp(out, lines, made_by); });
+}
+
+std::array<std::size_t, 2> counts_of(const FlowComplex& complex, const std::vector<std::size_t>& records) {
+  std::array<std::size_t, 2> counts{};
+  for (const std::size_t record : records) ++counts[complex.stationary().index(record).hull_dimension - 1];
+  return counts;
+}
+
+void print_result(const MedialOptions& options, const Input& input, const FlowComplex& complex,
+                  const std::vector<std::size_t>& records) {
+  const auto chosen = counts_of(complex, records);
+  const auto& all = complex.stationary().critical_counts();
+  if (options.json) {
+    io::Json json = io::header_fields("flowcert-medial", 1, complex.points());
+    io::add_counts(json, complex.points(), complex.stationary());
+    json["persistence"] = options.persistence ? io::Json(*options.persistence) : io::Json(nullptr);
+    json["angle"] = options.angle ? io::Json(*options.angle) : io::Json(nullptr);
+    json["chosen"] = io::Json::array();
+    for (const std::size_t record : records) {
+      io::Json point;
+      point["index"] = complex.stationary().index(record).hull_dimension;
+      point["contact"] = complex.stationary().contact(record);
+      json["chosen"].push_back(std::move(point));
+    }
+    fmt::print("{}\n", json.dump());
+    return;
+  }
+  print_wrapped(fmt::format("{} ({})", display_name(options.input), input.file.format));
+  print_row("points", with_commas(input.points.row_count()));
+  print_row("merged duplicates", with_commas(input.points.merged_duplicates()));
+  for (const std::size_t k : {0U, 1U}) {
+    print_row(fmt::format("chosen of index {}", k + 1), with_commas(chosen[k]), "of " + with_commas(all[k + 1]));
+  }
+}
+
+void run_medial(const MedialOptions& options) {
+  const MedialChoice choice = choice_of(options);
+  const std::optional<Rational> clip = clip_factor(options.clip);
+  const Input input = read_input(options.input, options.chains);
+  const FlowComplex complex(input.points, {.flow = {}, .share = true, .seed = 0, .threads = options.threads},
+                            part_progress());
+  const std::vector<std::size_t> records = medial_points(complex, choice);
+  if (!options.directory.empty()) {
+    try {
+      write_files(options, complex, records, clip);
+    } catch (const InvalidInput& error) {
+      throw InvalidInput(fmt::format("{}: {}", display_name(options.input), error.what()));
+    }
+  }
+  print_result(options, input, complex, records);
+}
+
+}  // namespace
+
+void add_medial_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<MedialOptions>();
+  CLI::App* command = app.add_subcommand("medial", "The medial axis: what flows from chosen saddles, for viewers");
+  add_input_options(*command, options->input, options->chains);
+  command
+      ->add_option("--persistence", options->persistence,
+                   "Only saddles whose pairs are longer, a difference of squared distances: a number, Xspacing^2, qX "
+                   "(a quantile) or auto")
+      ->type_name("X");
+  command
+      ->add_option("--angle", options->angle,
+                   "Only saddles that see two of their nearest points under a greater angle, in degrees; it is 180 at "
+                   "index 1, and 120 or more at index 2")
+      ->type_name("T");
+  CLI::Option* directory =
+      command
+          ->add_option("--export", options->directory,
+                       "Write medial_sheets.vtp and .ply (of index 1) and medial_lines.vtp (of index 2) to this folder")
+          ->type_name("DIR");
+  command
+      ->add_option("--clip", options->clip,
+                   "Cut what goes to infinity at a box this many times as large as the input, or none, to leave out "
+                   "what has no end")
+      ->capture_default_str()
+      ->needs(directory);
+  command->add_flag("--json", options->json, "Print one JSON object, with the contact sets of the chosen saddles");
+  add_threads_option(*command, options->threads);
+  command->footer(
+      "Source: J. Giesen, E. A. Ramos, B. Sadri, Medial axis approximation and unstable flow complex, 2006.\n\n"
+      "Examples:\n  flowcert medial bunny.obj --persistence q0.99 --export axis\n"
+      "  flowcert medial bunny.obj --angle 175 --persistence auto");
+  command->callback([options, &status] {
+    run_medial(*options);
+    status = kRight;
+  });
+}
+
+}  // namespace flowcert::cli

@@ -1,0 +1,115 @@
+#include "flowcert/medial_points.h"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <boost/multiprecision/mpfr.hpp>
+#include <utility>
+
+#include "flowcert/saddle_radii.h"
+#include "geometry/rational_point.h"
+#include "io/layer.h"
+#include "io/pair_lengths.h"
+
+namespace flowcert {
+
+using namespace io;
+
+namespace {
+
+using Float =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>, boost::multiprecision::et_off>;
+
+constexpr unsigned kFirstDigits = 40;
+
+// The angles of a rational number of degrees whose cosines are rational; between others no equality is possible
+// (FC-MED-02).
+std::optional<Rational> rational_cosine(const Rational& degrees) {
+  if (degrees == 0) return 1;
+  if (degrees == 60) return Rational(1, 2);
+  if (degrees == 90) return 0;
+  if (degrees == 120) return Rational(-1, 2);
+  if (degrees == 180) return -1;
+  return std::nullopt;
+}
+
+// With two contacts p and q of z, |p - q|^2 = 2 d^2 (1 - cos). So the farthest pair has the largest angle.
+Rational contact_cosine(const FlowComplex& complex, std::size_t record) {
+  const PointSet& points = complex.points();
+  const auto contact = complex.stationary().contact(record);
+  const auto at = [&](PointId name) {
+    const Point& p = points[points.ordinal_of_row(name)];
+    return RationalPoint{Rational(p.x), Rational(p.y), Rational(p.z)};
+  };
+  Rational farthest = 0;
+  for (std::size_t i = 0; i < contact.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      farthest = std::max(farthest, geometry::squared_distance(at(contact[i]), at(contact[j])));
+    }
+  }
+  return 1 - farthest / (2 * complex.sphere(record).squared_radius);
+}
+
+// The pairs of critical points of index 1 and 2, by record; equal ends where there is none.
+std::vector<PairEnds> pairs_of_points(const FlowComplex& complex) {
+  std::vector<PairEnds> pairs(complex.stationary().size());
+  for (const PersistencePair& pair : complex.persistence().pairs()) {
+    if (!pair.death) continue;
+    if (pair.dimension > 0) pairs[pair.birth] = {pair.birth, *pair.death};
+    if (pair.dimension < 2) pairs[*pair.death] = {pair.birth, *pair.death};
+  }
+  return pairs;
+}
+
+std::vector<std::size_t> longer_ones(const FlowComplex& complex, const std::vector<std::size_t>& candidates,
+                                     const LengthBound& bound) {
+  const std::vector<PairEnds> pairs = pairs_of_points(complex);
+  std::vector<PairEnds> ends;
+  for (const std::size_t record : candidates) ends.push_back(pairs[record]);
+  const ValueOrder order = length_order(complex.persistence().squared_distances(), ends);
+  const std::optional<Rational> length = bound.length(order, squared_spacing(complex));
+  std::vector<std::size_t> longer;
+  for (std::size_t k = length ? order.count_up_to(*length) : 0; k < order.size(); ++k) {
+    longer.push_back(candidates[order.at(k)]);
+  }
+  std::ranges::sort(longer);
+  return longer;
+}
+
+}  // namespace
+
+bool is_above_angle(const Rational& cosine, const Rational& degrees) {
+  if (degrees < 0 || degrees > 180) throw InvalidInput("an angle is from 0 to 180 degrees");
+  if (const auto exact = rational_cosine(degrees)) return cosine < *exact;
+  for (unsigned digits = kFirstDigits;; digits *= 2) {
+    const unsigned before = Float::default_precision();
+    Float::default_precision(digits);
+    const Float bound = cos(Float(degrees) * boost::math::constants::pi<Float>() / 180);
+    const Float difference = Float(cosine) - bound;
+    // Each of the few operations is rounded by less than a unit of the last of these digits.
+    const Float error = pow(Float(10), 4 - static_cast<int>(digits));
+    const bool is_decided = abs(difference) > error;
+    const bool is_less = difference < 0;
+    Float::default_precision(before);
+    if (is_decided) return is_less;
+  }
+}
+
+std::vector<std::size_t> medial_points(const FlowComplex& complex, const MedialChoice& choice) {
+  const StationaryPoints& stationary = complex.stationary();
+  std::vector<std::size_t> records;
+  for (std::size_t record = 0; record < stationary.size(); ++record) {
+    const StationaryIndex index = stationary.index(record);
+    if (index == StationaryIndex{1, 1} || index == StationaryIndex{2, 2}) records.push_back(record);
+  }
+  // Persistence is decided first: quantiles are of the pairs of all points.
+  if (choice.persistence_above) records = longer_ones(complex, records, *choice.persistence_above);
+  if (choice.angle_above) {
+    std::erase_if(records, [&](std::size_t record) {
+      const bool is_edge = stationary.index(record) == StationaryIndex{1, 1};
+      return !is_above_angle(is_edge ? Rational(-1) : contact_cosine(complex, record), *choice.angle_above);
+    });
+  }
+  return records;
+}
+
+}  // namespace flowcert
