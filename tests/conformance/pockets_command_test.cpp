@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -201,6 +202,23 @@ TEST(PocketsCommand, WritesFiles) {
                                           "pockets_tree.json", "pockets_tree.nwk"}));
   EXPECT_NE(content_of(folder + "/pocket_3.ply").find("element face 48\n"), std::string::npos);
   EXPECT_EQ(ordered_json::parse(content_of(folder + "/pockets.json"))["pockets"].size(), 8U);
+}
+
+// The block after <!-- example: pockets --> is a command line after a dollar, and all that it prints.
+TEST(PocketsCommand, TheReadmesExampleIsRight) {
+  CITES("FC-POCK-07");
+  const Words lines = lines_of(content_of(FLOWCERT_CLI_README));
+  auto line = std::find(lines.begin(), lines.end(), "<!-- example: pockets -->");
+  ASSERT_GT(lines.end() - line, 3);
+  line += 2;  // the mark, the fence
+  ASSERT_TRUE(line->starts_with("$ ")) << *line;
+  std::string command = line->substr(2);
+  const std::string program = "build/flowcert";
+  ASSERT_NE(command.find(program), std::string::npos) << command;
+  command.replace(command.find(program), program.size(), "\"$0\"");
+  std::string expected;
+  while (++line != lines.end() && *line != "```") expected += *line + "\n";
+  EXPECT_EQ(RunningProgram({"/bin/sh", "-c", command, FLOWCERT_PROGRAM}).finish().out, expected);
 }
 
 TEST(PocketsCommand, RefusesWhatItCannotUse) {

@@ -1,0 +1,181 @@
+// Pockets of the fast implementation: what their numbers and meshes promise beyond the comparison with the oracle.
+#include "flowcert/pockets.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <sstream>
+
+#include "flowcert/pocket_persistence.h"
+#include "flowcert/pocket_surfaces.h"
+#include "flowcert/surface_area.h"
+#include "flowcert/write_pockets.h"
+#include "geometry/difference_of_roots.h"
+#include "oracle/roots.h"
+#include "tests/cites.h"
+
+namespace flowcert {
+namespace {
+
+std::vector<Point> lattice(int side) {
+  std::vector<Point> rows;
+  for (int k = 0; k < side * side * side; ++k) {
+    rows.push_back(
+        {static_cast<double>(k % side), static_cast<double>(k / side % side), static_cast<double>(k / side / side)});
+  }
+  return rows;
+}
+
+std::vector<Point> cloud(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<Point> rows;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto coordinate = [&] { return static_cast<double>(random() % 1000) / 100; };
+    const double x = coordinate(), y = coordinate(), z = coordinate();
+    rows.push_back({x, y, z});
+  }
+  return rows;
+}
+
+TEST(DifferenceOfRoots, IsTheNearestDouble) {
+  CITES("FC-POCK-11");
+  using geometry::nearest_difference_of_roots;
+  EXPECT_EQ(nearest_difference_of_roots(9, 4), 1);
+  EXPECT_EQ(nearest_difference_of_roots(4, 9), -1);
+  EXPECT_EQ(nearest_difference_of_roots(Rational(1, 4), Rational(1, 9)), 1.0 / 6);
+  EXPECT_EQ(nearest_difference_of_roots(2, 2), 0);
+  EXPECT_EQ(nearest_difference_of_roots(2, 0), std::sqrt(2.0));
+  EXPECT_EQ(nearest_difference_of_roots(Rational(1e300) * 1e300, 0), 1e300);
+  EXPECT_EQ(nearest_difference_of_roots(Rational(1e308) * 1e308 * 1000000, 0), HUGE_VAL);
+  EXPECT_EQ(nearest_difference_of_roots(Rational(5e-324) * 5e-324, 0), 5e-324);
+  EXPECT_EQ(nearest_difference_of_roots(Rational(5e-324) * 5e-324 / 8, 0), 0);
+  // Differences that cancel, and numbers of all sizes.
+  std::mt19937_64 random(5);
+  for (int k = 0; k < 2000; ++k) {
+    const auto number = [&] {
+      return Rational(std::ldexp(static_cast<double>(random() >> 11), static_cast<int>(random() % 200) - 150)) /
+             (1 + random() % 7);
+    };
+    const Rational b = number(), a = k % 2 == 0 ? number() : b * (1 + Rational(1, 1 + (random() >> 8)));
+    EXPECT_TRUE(oracle::is_nearest_root_difference(nearest_difference_of_roots(a, b), a, b)) << a << ' ' << b;
+  }
+}
+
+TEST(SquaredDistances, AreComparedWithNumbersExactly) {
+  CITES("FC-PERS-01");
+  const FlowComplex complex(cloud(60, 3));
+  const SquaredDistances& distances = complex.merge_trees().squared_distances();
+  for (std::size_t record = 0; record < complex.stationary().size(); ++record) {
+    const Rational value = distances.exact(record);
+    EXPECT_TRUE(distances.is_at_least(record, value));
+    EXPECT_FALSE(distances.is_at_least(
+        record, value + Rational(1, Rational(1e60).convert_to<boost::multiprecision::mpz_int>())));
+    EXPECT_TRUE(distances.is_at_least(record, value - Rational(1, 3)));
+    EXPECT_FALSE(distances.is_at_least(record, value + Rational(1, 3)));
+  }
+}
+
+// Six times the volume that a closed mesh encloses, in doubles, and whether each edge is passed both ways alike.
+std::pair<double, bool> enclosed(const PocketSurface& surface) {
+  double six_volumes = 0;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (const auto& triangle : surface.triangles) {
+    const Point &a = surface.vertices[triangle[0]], &b = surface.vertices[triangle[1]],
+                &c = surface.vertices[triangle[2]];
+    six_volumes += a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t from = triangle[i], to = triangle[(i + 1) % 3];
+      edges[{std::min(from, to), std::max(from, to)}] += from < to ? 1 : -1;
+    }
+  }
+  bool is_closed = true;
+  for (const auto& [edge, sum] : edges) is_closed = is_closed && sum == 0;
+  return {six_volumes, is_closed};
+}
+
+TEST(PocketSurfaces, AreClosedAndEncloseTheVolume) {
+  CITES("FC-POCK-03");
+  for (const auto& rows : {lattice(4), cloud(150, 1), cloud(300, 2)}) {
+    const FlowComplex complex(rows);
+    for (const Rational& persistence : {Rational(0), Rational(1, 5), Rational(1)}) {
+      const Pockets pockets(complex.merge_trees(), persistence);
+      const std::vector<PocketSurface> surfaces = pocket_surfaces(complex, pockets);
+      ASSERT_EQ(surfaces.size(), pockets.size());
+      for (std::size_t k = 0; k < surfaces.size(); ++k) {
+        const auto [six_volumes, is_closed] = enclosed(surfaces[k]);
+        EXPECT_TRUE(is_closed);
+        const double volume = complex.volumes().nearest_sum(pockets[k].cell);
+        EXPECT_NEAR(six_volumes / 6, volume, 1e-9 * (1 + volume));
+        EXPECT_GT(volume, 0);
+      }
+    }
+  }
+}
+
+TEST(StableVolumes, SumsAreTheNearestDoubles) {
+  CITES("FC-VOL-01", "FC-POCK-03");
+  const FlowComplex complex(cloud(200, 9));
+  const Pockets pockets(complex.merge_trees(), Rational(1, 2));
+  std::size_t merged = 0;
+  for (std::size_t k = 0; k < pockets.size(); ++k) {
+    const auto& cell = pockets[k].cell;
+    EXPECT_EQ(complex.volumes().nearest_sum(cell), nearest_double(complex.volumes().exact_sum(cell)));
+    merged += cell.size() > 1 ? 1 : 0;
+  }
+  EXPECT_GT(merged, 3U);
+  EXPECT_EQ(complex.volumes().nearest_sum({}), 0);
+  EXPECT_EQ(complex.volumes().exact_sum({}), 0);
+}
+
+TEST(Pockets, MergeMoreWithMorePersistence) {
+  CITES("FC-POCK-02", "FC-POCK-09");
+  const FlowComplex complex(cloud(400, 4));
+  const Persistence& persistence = complex.persistence();
+  for (const Rational& bound : {Rational(0), Rational(1, 100), Rational(1, 10), Rational(1), Rational(10)}) {
+    const Pockets pockets(complex.merge_trees(), bound);
+    std::size_t longer = 0, deep = 0;
+    for (const PersistencePair& pair : persistence.pairs()) {
+      if (pair.dimension != 2) continue;
+      longer += persistence.squared_value(*pair.death) - persistence.squared_value(pair.birth) > bound ? 1 : 0;
+    }
+    for (std::size_t k = 0; k < pockets.size(); ++k) deep += pockets.depth(pockets[k]) > bound ? 1 : 0;
+    EXPECT_EQ(deep, longer) << bound;
+  }
+  EXPECT_THROW((void)Pockets(complex.merge_trees(), Rational(-1)), std::invalid_argument);
+}
+
+TEST(PocketPersistence, HasQuantilesOfTheLengthsOfVoids) {
+  CITES("FC-TREE-05");
+  const FlowComplex complex(cloud(120, 6));
+  std::vector<Rational> lengths;
+  for (const PersistencePair& pair : complex.persistence().pairs()) {
+    if (pair.dimension == 2) {
+      lengths.push_back(complex.persistence().squared_value(*pair.death) -
+                        complex.persistence().squared_value(pair.birth));
+    }
+  }
+  std::ranges::sort(lengths);
+  EXPECT_EQ(pocket_persistence(complex, "q1", "--x"), lengths.back());
+  EXPECT_EQ(pocket_persistence(complex, "q0", "--x"), 0);
+  EXPECT_EQ(pocket_persistence(complex, "0.25", "--x"), Rational(1, 4));
+  EXPECT_EQ(Pockets(complex.merge_trees(), lengths.back()).size(), 0U);
+  EXPECT_THROW((void)pocket_persistence(complex, "-1", "--x"), InvalidInput);
+}
+
+TEST(Newick, OfADeepTreeIsWritten) {
+  CITES("FC-TREE-06");
+  // Points on a line, farther and farther apart: each joins all before it.
+  std::vector<Point> rows;
+  double x = 0;
+  for (int k = 0; k < 20000; ++k) rows.push_back({x += 1 + k * 1e-3, 0, 0});
+  const FlowComplex complex(rows);
+  std::ostringstream text;
+  write_newick(text, complex, TreeKind::kComponents);
+  EXPECT_EQ(std::ranges::count(text.str(), '('), 19999);
+  EXPECT_EQ(std::ranges::count(text.str(), ')'), 19999);
+}
+
+}  // namespace
+}  // namespace flowcert
