@@ -189,13 +189,13 @@ void write_files(const PocketsOptions& options, const PocketsRun& run, const std
   write("pockets.json", [&](std::ostream& out, const std::string&) {
     write_pockets(out, {run.complex, *run.pockets, probe, options.volumes == "exact"});
   });
-  for (const auto& [kind, name] :
-       {std::pair(TreeKind::kPockets, "pockets"), std::pair(TreeKind::kComponents, "components")}) {
-    write(fmt::format("{}_tree.json", name),
+  const auto write_trees = [&](TreeKind kind, const std::string& name) {
+    write(name + "_tree.json",
           [&](std::ostream& out, const std::string&) { write_merge_tree(out, run.complex, kind); });
-    write(fmt::format("{}_tree.nwk", name),
-          [&](std::ostream& out, const std::string&) { write_newick(out, run.complex, kind); });
-  }
+    write(name + "_tree.nwk", [&](std::ostream& out, const std::string&) { write_newick(out, run.complex, kind); });
+  };
+  write_trees(TreeKind::kPockets, "pockets");
+  write_trees(TreeKind::kComponents, "components");
 }
 
 // ---- The command ----

@@ -3,6 +3,9 @@
 // Gemmi's readers are not used: they take "1.2.3" as 1.2 and blanks as 0, without a word, and know no line of a row.
 // Atoms are those of the first model. Of several places of one atom (alternate locations) the first is taken. What is
 // left out is counted, so that it can be said.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -47,7 +50,8 @@ class AtomCollector {
 
   [[nodiscard]] PointFile take() {
     for (const std::string& chain : chains_) {
-      if (!seen_.contains(chain)) reject_file(file_, "there is no chain " + in_quotes(chain) + "; " + all_chains());
+      if (!seen_.contains(chain))
+        reject_file(file_, fmt::format("there is no chain {}; {}", in_quotes(chain), all_chains()));
     }
     if (file_of_points_.rows.empty()) reject_file(file_, "there are no atoms");
     return std::move(file_of_points_);
@@ -56,13 +60,11 @@ class AtomCollector {
  private:
   [[nodiscard]] std::string all_chains() const {
     if (seen_.empty()) return "there are no atoms";
-    std::string text = "there are";
-    std::size_t count = 0;
+    std::vector<std::string> shown;
     for (const std::string& chain : seen_) {
-      if (++count > kShownChains) return text + " and others";
-      text += (count > 1 ? ", " : " ") + in_quotes(chain);
+      if (shown.size() < kShownChains) shown.push_back(in_quotes(chain));
     }
-    return text;
+    return fmt::format("there are {}{}", fmt::join(shown, ", "), shown.size() < seen_.size() ? " and others" : "");
   }
 
   static constexpr std::size_t kShownChains = 12;
@@ -88,7 +90,7 @@ Point pdb_point(std::string_view line, const LinePlace& place) {
   std::array<double, 3> x{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string_view field = trimmed(line.substr(30 + 8 * axis, 8));
-    if (field.empty()) place.reject(std::string("no coordinate ") + "xyz"[axis] + " in its columns");
+    if (field.empty()) place.reject(fmt::format("no coordinate {} in its columns", "xyz"[axis]));
     x[axis] = coordinate(field, place);
   }
   return {x[0], x[1], x[2]};
@@ -213,7 +215,7 @@ class AtomSiteReader {
       columns_[lower_case(word->text).substr(std::string_view("_atom_site.").size())] = count_++;
     }
     for (const char* name : {"cartn_x", "cartn_y", "cartn_z"}) {
-      if (!columns_.contains(name)) words_.place().reject(std::string("the table _atom_site has no column ") + name);
+      if (!columns_.contains(name)) words_.place().reject(fmt::format("the table _atom_site has no column {}", name));
     }
     std::vector<std::string_view> row;
     for (; word && !is_end(*word); word = words_.next()) {
@@ -253,7 +255,7 @@ class AtomSiteReader {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       static constexpr std::array<const char*, 3> kNames = {"cartn_x", "cartn_y", "cartn_z"};
       const std::string_view field = value(row, kNames[axis]);
-      if (field.empty()) words_.place().reject(std::string("an atom without ") + kNames[axis]);
+      if (field.empty()) words_.place().reject(fmt::format("an atom without {}", kNames[axis]));
       x[axis] = coordinate(field, words_.place());
     }
     atoms_.add({x[0], x[1], x[2]});

@@ -110,7 +110,7 @@ class ExchangeFile {
 
   [[nodiscard]] std::string definition_of(std::size_t k) const {
     if (k == 0) return "header";
-    return lines_[k]["kind"] == "infinity" ? "infinity" : "record";
+    return lines_[k].contains("kind") && lines_[k]["kind"] == "infinity" ? "infinity" : "record";
   }
 
   // What comes of it if one value that the path leads to is changed; empty if nothing does.
