@@ -29,7 +29,7 @@ const std::set<std::string> kObjects = {"regular_stationary", "stable", "skeleto
 void add_keys(const Json& schema, const Json& root, const std::string& around, std::set<std::string>& keys) {
   if (schema.contains("$ref")) {
     const std::string name = schema["$ref"];
-    return add_keys(root["definitions"][name.substr(name.rfind('/') + 1)], root, around, keys);
+    return add_keys(root.at(Json::json_pointer(name.substr(1))), root, around, keys);
   }
   for (const char* inside : {"items", "anyOf"}) {
     if (!schema.contains(inside)) continue;
