@@ -71,6 +71,12 @@ std::string account_of(const FlowComplex& complex) {
     for (const FlowLimits::Entry& entry : complex.limits().entries(i)) text += std::to_string(entry.limit) + ' ';
   }
   for (std::size_t i = 0; i < complex.stationary().size(); ++i) text += to_text(complex.volumes().exact(i)) + '\n';
+  for (const MergeTree* tree : {&complex.merge_trees().pockets(), &complex.merge_trees().components()}) {
+    for (const MergeNode& node : tree->nodes) {
+      for (const std::uint32_t part : node.parts) text += std::to_string(part) + ' ';
+      for (const std::uint32_t point : node.points) text += std::to_string(point) + ' ';
+    }
+  }
   for (std::size_t i = 0; i < complex.unstable_surfaces().size(); ++i) {
     for (const RationalPoint& vertex : complex.unstable_surfaces().set(i).vertices) text += text_of(vertex) + '\n';
   }
