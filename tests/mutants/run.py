@@ -118,7 +118,8 @@ BLIND = {
 REACHED_BY = {
     "oracle": OF_ORACLE | OF_JUDGE | {
         "cech_persistence_test", "connection_agreement_test", "invariants_test", "limit_agreement_test",
-        "metamorphic_test", "orbit_agreement_test", "orbit_cascades_test", "orbit_invariants_test", "persistence_test",
+        "medial_agreement_test", "metamorphic_test", "orbit_agreement_test", "orbit_cascades_test",
+        "orbit_invariants_test", "persistence_test", "pocket_agreement_test",
         "stable_agreement_test", "stable_invariants_test", "stable_metamorphic_test", "stationary_agreement_test",
         "unstable_agreement_test", "unstable_surface_agreement_test", "volume_agreement_test"},
     "judge": OF_JUDGE,
@@ -127,8 +128,9 @@ REACHED_BY = {
         "orbit_difference_test", "pair_claims_test", "pair_differences_test", "perturbed_claims_test",
         "place_findings_test", "stable_claims_test", "stable_findings_test"},
     "io": OF_JUDGE | {
-        "clip_box_test", "clipped_lines_test", "exchange_keys_test", "orbit_difference_test", "oriented_surfaces_test",
-        "pair_claim_test", "read_claim_test", "surface_choice_test", "value_order_test"},
+        "clip_box_test", "clipped_lines_test", "exchange_keys_test", "medial_agreement_test", "orbit_difference_test",
+        "oriented_surfaces_test", "pair_claim_test", "pockets_test", "read_claim_test", "read_molecule_test",
+        "surface_choice_test", "value_order_test"},
 }
 
 
