@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -13,10 +14,13 @@
 #include "flowcert/rounded_sphere.h"
 #include "fuzz/judge/hull_volume.h"
 #include "geometry/contract.h"
+#include "geometry/difference_of_roots.h"
 #include "oracle/fast/point_set.h"
 #include "oracle/infinity_set.h"
 #include "oracle/orbit.h"
 #include "oracle/persistence.h"
+#include "oracle/pockets.h"
+#include "oracle/roots.h"
 #include "oracle/stable_pieces.h"
 #include "oracle/unstable_set.h"
 #include "oracle/unstable_surface.h"
@@ -277,7 +281,56 @@ class OracleTruth final : public Truth {
     return unstable_surface_of(oracle::unstable_surface(set_, answer_.stationary[i]));
   }
 
+  // It takes the oracle seconds, so that they are made once.
+  [[nodiscard]] TruePockets pockets(const Rational& persistence) override {
+    const auto known = pockets_.find(persistence);
+    if (known != pockets_.end()) return known->second;
+    return pockets_.emplace(persistence, pockets_at(persistence)).first->second;
+  }
+  [[nodiscard]] double area(std::size_t i) override {
+    double sum = 0;
+    const std::vector<Rational> squares = oracle::squared_areas(set_, stable(i));
+    for (const Rational& square : squares) sum += geometry::nearest_difference_of_roots(square, 0);
+    // The oracle says whether this sum is right, where it is no subnormal number and no infinity.
+    const bool is_plain = std::isnormal(sum);
+    if (is_plain && !oracle::is_root_sum(sum, squares)) throw std::logic_error("an area that the oracle denies");
+    return sum;
+  }
+  [[nodiscard]] double nearest_volume_of(const std::vector<std::uint32_t>& points) override {
+    Rational sum = 0;
+    for (const std::uint32_t record : points) sum += volume(record);
+    return nearest_or_infinity(sum);
+  }
+
  private:
+  static std::vector<std::uint32_t> records_of(const std::vector<std::size_t>& places) {
+    return {places.begin(), places.end()};
+  }
+  [[nodiscard]] Pocket pocket_of(const oracle::Pocket& pocket) const {
+    const auto value = [&](std::size_t mouth) { return answer_.stationary[mouth].squared_distance; };
+    return {records_of(pocket.maxima),
+            records_of(pocket.peaks),
+            records_of(pocket.cell),
+            records_of(pocket.mouths),
+            records_of(pocket.neighbours),
+            static_cast<std::uint32_t>(*std::ranges::max_element(pocket.mouths, {}, value)),
+            {records_of(pocket.to_infinity.gates)}};
+  }
+
+  [[nodiscard]] TruePockets pockets_at(const Rational& persistence) const {
+    const oracle::Pockets all = oracle::pockets(set_, answer_.stationary, persistence);
+    TruePockets truth{{}, records_of(all.outside), records_of(largest_balls(answer_.stationary, all)), {}, {}};
+    if (const auto widest = oracle::widest_path(all)) truth.widest = WidestPath{records_of(widest->gates)};
+    for (const oracle::Pocket& pocket : all.pockets) {
+      truth.pockets.push_back(pocket_of(pocket));
+      for (const std::size_t mouth : pocket.mouths) {
+        truth.above_mouths[static_cast<std::uint32_t>(mouth)] =
+            records_of(oracle::pockets_above(set_, answer_.stationary, all, answer_.stationary[mouth]));
+      }
+    }
+    return truth;
+  }
+
   [[nodiscard]] bool has_volume(std::size_t i) const { return index(i).hull_dimension >= 2; }
 
   [[nodiscard]] std::optional<std::size_t> record_of(const std::optional<oracle::StationaryPoint>& limit) const {
@@ -355,6 +408,7 @@ class OracleTruth final : public Truth {
   std::map<oracle::Point, oracle::FlowSegment> step_from_;
   std::map<std::size_t, oracle::StableSet> stable_;
   std::map<std::size_t, std::vector<oracle::UnstableEntry>> lambda_;
+  std::map<Rational, TruePockets> pockets_;  // by persistence
 };
 
 }  // namespace
@@ -430,6 +484,11 @@ class VectorTruth final : public Truth {
   }
   [[nodiscard]] Rational hull_volume() override { return oracle_->hull_volume(); }
   [[nodiscard]] UnstableSurface unstable_surface(std::size_t i) override { return oracle_->unstable_surface(i); }
+  [[nodiscard]] TruePockets pockets(const Rational& persistence) override { return oracle_->pockets(persistence); }
+  [[nodiscard]] double area(std::size_t i) override { return oracle_->area(i); }
+  [[nodiscard]] double nearest_volume_of(const std::vector<std::uint32_t>& points) override {
+    return oracle_->nearest_volume_of(points);
+  }
 
  private:
   const VectorCase& case_;

@@ -159,7 +159,7 @@ class Peer {
 
 std::vector<std::string> peer_kinds() {
   std::vector<std::string> kinds = {"signal", kLate, "refusal", "unreadable", "not-started", "wrong-pair"};
-  for (int k = 0; k <= static_cast<int>(FindingReason::kWrongUnstableSet); ++k) {
+  for (int k = 0; k <= static_cast<int>(FindingReason::kWrongPocket); ++k) {
     const auto reason = static_cast<FindingReason>(k);
     if (reason != FindingReason::kAmbiguous) kinds.emplace_back(reason_text(reason));
   }

@@ -16,7 +16,7 @@ namespace {
 constexpr PointId kLargestId = 2147483646;
 
 const ClaimFormat& format_named(std::string_view name) {
-  const std::array formats = {&kExchangeClaims, &kVtpClaims, &kGiesenKuehneClaims, &kCsvClaims};
+  const std::array formats = {&kPocketClaims, &kExchangeClaims, &kVtpClaims, &kGiesenKuehneClaims, &kCsvClaims};
   return **std::find_if(formats.begin(), formats.end(),
                         [&](const ClaimFormat* format) { return format->name == name; });
 }

@@ -26,7 +26,7 @@ list_fuzz_targets() {
     file=fuzz/targets/$target.cpp
     case "$target" in
       read_xyz | read_off | read_ply | read_obj | read_pdb | read_mmcif) file=fuzz/targets/read_points.cpp ;;
-      read_exchange | read_csv | read_giesen_kuehne | read_vtp) file=fuzz/targets/read_claims.cpp ;;
+      read_exchange | read_pockets | read_csv | read_giesen_kuehne | read_vtp) file=fuzz/targets/read_claims.cpp ;;
     esac
     printf '  %-20s %s\n' "$target" "$(sed -n '1s|^// ||p' "$file")"
   done

@@ -137,12 +137,14 @@ CheckReport check(const PointSet& points, const Claim& claim, Truth& truth, cons
   if (options.highest_level >= 2) {
     check_points(run);
     if (!claim.points.empty()) run.report.conforms[1] = true;
-    if (options.highest_level >= 3) run.report.conforms[2] = true;
+    const bool judges_points = !claim.pockets || check_counts_of_pockets(run);
+    if (options.highest_level >= 3 && judges_points) run.report.conforms[2] = true;
   }
   if (options.highest_level >= 4 && check_incidences(run)) run.report.conforms[3] = true;
   if (options.highest_level >= 5) {
     const std::array has_judged = {check_polylines(run), check_surfaces(run),      check_lambda_lists(run),
-                                   check_volumes(run),   check_unstable_sets(run), check_infinity(run)};
+                                   check_volumes(run),   check_unstable_sets(run), check_infinity(run),
+                                   check_pockets(run)};
     if (std::ranges::count(has_judged, true) > 0) run.report.conforms[4] = true;
   }
   conclude(run.report, options.highest_level);
@@ -212,6 +214,8 @@ const char* reason_text(FindingReason reason) {
       return "wrong-volume";
     case FindingReason::kWrongUnstableSet:
       return "wrong-unstable-set";
+    case FindingReason::kWrongPocket:
+      return "wrong-pocket";
     case FindingReason::kSpanningPart:
       return "spanning-part";
     case FindingReason::kTieBreak:

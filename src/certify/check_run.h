@@ -158,5 +158,8 @@ bool check_lambda_lists(CheckRun& run);
 bool check_volumes(CheckRun& run);
 bool check_infinity(CheckRun& run);
 bool check_unstable_sets(CheckRun& run);
+bool check_pockets(CheckRun& run);
+// Level 3 of a claim of pockets, which has no points.
+bool check_counts_of_pockets(CheckRun& run);
 
 }  // namespace flowcert::certify

@@ -136,6 +136,14 @@ Rational ValueScale::squared_allowance() const {
 
 double ValueScale::rounding_length() const { return certify::rounding_length(sphere_); }
 
+ValueMatch match_volume(const ClaimedNumber& claimed, const Rational& truth, double tolerance) {
+  if (claimed.value == truth) return claimed.is_exact ? ValueMatch::kEqual : ValueMatch::kWithin;
+  const Rational off = abs(Rational(claimed.value - truth));
+  const bool is_near = !claimed.is_exact && (rounds_alike(claimed.value, truth) || off <= Rational(tolerance) * truth);
+  if (is_near) return ValueMatch::kWithin;
+  return off <= Rational(kRoundingPart) * truth ? ValueMatch::kRounding : ValueMatch::kOff;
+}
+
 bool is_exact(const ClaimedPosition& claimed) {
   return claimed[0].is_exact && claimed[1].is_exact && claimed[2].is_exact;
 }

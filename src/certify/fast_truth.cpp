@@ -5,6 +5,7 @@
 #include "certify/layer.h"
 #include "flowcert/check.h"
 #include "flowcert/flow_complex.h"
+#include "flowcert/surface_area.h"
 #include "morse/record_finder.h"
 
 namespace flowcert {
@@ -82,6 +83,22 @@ class FastTruth final : public Truth {
   [[nodiscard]] UnstableSurface unstable_surface(std::size_t i) override {
     const UnstableSurfaces& sets = complex_.unstable_surfaces();
     return sets.set(number_in(sets, set_records_, i));
+  }
+
+  [[nodiscard]] TruePockets pockets(const Rational& persistence) override {
+    const Pockets all(complex_.merge_trees(), persistence);
+    TruePockets truth{{}, all.outside(), all.largest_balls(), all.widest_path(), {}};
+    for (std::size_t number = 0; number < all.size(); ++number) {
+      truth.pockets.push_back(all[number]);
+      for (const std::uint32_t mouth : all[number].mouths) truth.above_mouths.try_emplace(mouth, all.above(mouth));
+    }
+    return truth;
+  }
+  [[nodiscard]] double area(std::size_t i) override {
+    return surface_area(complex_.points(), complex_.stable(), number_of(i));
+  }
+  [[nodiscard]] double nearest_volume_of(const std::vector<std::uint32_t>& points) override {
+    return complex_.volumes().nearest_sum(points);
   }
 
  private:

@@ -1,5 +1,6 @@
 // Level 1: whether a claim means something, and is about this input (FC-CLAIM-01).
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <string>
 
@@ -198,6 +199,41 @@ std::string complaint_about(const PointSet& points, const ClaimedPoint& point) {
   return complaint;
 }
 
+// Contact sets of a claimed pocket.
+std::vector<std::vector<PointId>> contacts_in(const ClaimedPocket& pocket) {
+  std::vector<std::vector<PointId>> contacts = pocket.maxima;
+  const auto add = [&contacts](const std::vector<ClaimedWitness>& witnesses) {
+    for (const ClaimedWitness& one : witnesses) contacts.push_back(one.contact);
+  };
+  if (pocket.peaks) add(*pocket.peaks);
+  if (pocket.cell) {
+    for (const ClaimedCellPart& part : *pocket.cell) contacts.push_back(part.contact);
+  }
+  if (pocket.mouths) {
+    for (const ClaimedMouth& mouth : *pocket.mouths) contacts.push_back(mouth.at.contact);
+  }
+  if (pocket.widest_path) add(pocket.widest_path->witnesses);
+  return contacts;
+}
+
+void check_form_of_pockets(CheckRun& run) {
+  const ClaimedPockets& pockets = *run.claim.pockets;
+  std::vector<std::vector<PointId>> contacts = pockets.outside.value_or(std::vector<std::vector<PointId>>{});
+  for (const ClaimedPocket& pocket : pockets.pockets)
+    std::ranges::move(contacts_in(pocket), std::back_inserter(contacts));
+  for (const auto* whole : {&pockets.pore_limiting_radius, &pockets.largest_cavity_radius}) {
+    if (!*whole || !(*whole)->radius) continue;
+    for (const ClaimedWitness& one : (*whole)->radius->witnesses) contacts.push_back(one.contact);
+  }
+  for (const std::vector<PointId>& contact : contacts) {
+    const std::string complaint = complaint_about_ids(run.points, contact);
+    if (complaint.empty()) continue;
+    run.find_whole(1, FindingReason::kMalformed, kClaimClause, "a contact set in a pocket", complaint);
+    run.report.findings.back().contact = contact;
+    run.report.findings.back().line = pockets.line;
+  }
+}
+
 // A point of an index that is not judged. The claim's own header excludes it, or only who judges does.
 void check_unjudged_index(CheckRun& run, std::size_t k) {
   const auto index = static_cast<std::size_t>(run.claim.points[k].index);
@@ -212,8 +248,9 @@ void check_unjudged_index(CheckRun& run, std::size_t k) {
 
 void check_form(CheckRun& run) {
   for (const std::string& key : run.claim.unknown_keys) run.leave_unjudged("what the unknown key '" + key + "' says");
+  if (run.claim.pockets) check_form_of_pockets(run);
   for (std::size_t index = 0; index < 4; ++index) {
-    if (run.report.indices.at(index)) continue;
+    if (run.report.indices.at(index) || run.claim.pockets) continue;
     run.leave_unjudged("which critical points of index " + std::to_string(index) +
                        " there are, and what rests on them (FC-CLAIM-12)");
   }

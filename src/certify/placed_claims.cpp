@@ -204,6 +204,7 @@ void check_missing(CheckRun& run, std::size_t record) {
 }
 
 void check_euler_sum(CheckRun& run) {
+  if (run.claim.pockets) return;
   if (!run.judges_all()) return run.leave_unjudged("the Euler sum");
   const auto& counts = run.report.claimed_counts;
   long long sum = 0;

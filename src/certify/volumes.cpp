@@ -14,14 +14,6 @@ namespace flowcert::certify {
 
 namespace {
 
-ValueMatch match_volume(const ClaimedNumber& claimed, const Rational& truth, double tolerance) {
-  if (claimed.value == truth) return claimed.is_exact ? ValueMatch::kEqual : ValueMatch::kWithin;
-  const Rational off = abs(Rational(claimed.value - truth));
-  const bool is_near = !claimed.is_exact && (rounds_alike(claimed.value, truth) || off <= Rational(tolerance) * truth);
-  if (is_near) return ValueMatch::kWithin;
-  return off <= Rational(kRoundingPart) * truth ? ValueMatch::kRounding : ValueMatch::kOff;
-}
-
 // Whether a decimal is right for every volume whose nearest double is this one. It is decided without the exact volume,
 // which takes long to compute.
 bool is_surely_right(const ClaimedNumber& claimed, double nearest, double tolerance) {

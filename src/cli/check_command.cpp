@@ -97,8 +97,9 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
   add_input_options(*command, options->files.points, options->chains, "Point file, or - for standard input", "POINTS");
   command
       ->add_option("CLAIM", options->files.claim,
-                   "What an implementation claims of it: JSON Lines as compute -o writes them, CSV, VTP, or the "
-                   "text format of Giesen and Kühne's algorithm; also as .gz; - for standard input")
+                   "What an implementation claims of it: JSON Lines as compute -o writes them, JSON as pockets --json "
+                   "writes it, CSV, VTP, or the text format of Giesen and Kühne's algorithm; also as .gz; - for "
+                   "standard input")
       ->required();
   command->add_flag("--json", options->json, "Print one JSON object");
   command->add_option("--junit", options->junit, "Write a JUnit report to this file, a test case a level")
@@ -114,7 +115,7 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
       fmt::format("Let the oracle say what is true, not the fast implementation: up to {} points", oracle.most_points));
   command->footer(
       "Levels: 1 well formed; 2 every claimed critical point is one; 3 none is missing, none twice, indices, "
-      "Euler sum; 4 incidences; 5 polylines, surfaces, lambda-lists, connections, volumes and unstable sets.\n"
+      "Euler sum; 4 incidences; 5 polylines, surfaces, lambda-lists, connections, volumes, unstable sets and pockets.\n"
       "Verdicts: conforms; conforms where determined (permitted variations are listed); perturbed (some of it is what "
       "a perturbation of the points makes); fails.\n\n"
       "Examples:\n  flowcert check bunny.obj claim.jsonl\n  flowcert check bunny.obj claim.csv --tolerance "

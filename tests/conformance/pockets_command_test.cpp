@@ -167,6 +167,36 @@ TEST(PocketsCommand, TellsTheSameOfMovedPoints) {
   EXPECT_EQ(facts(one, 4), facts(other, 1));
 }
 
+TEST(PocketsCommand, IsJudgedByCheck) {
+  CITES("FC-CLAIM-18");
+  const Scratch scratch;
+  const std::string points = scratch.file("points.xyz", kOctahedron);
+  const std::string claim = flowcert({"pockets", points, "--json", "--probe", "0.8", "--volumes", "exact"}).out;
+  const std::string file = scratch.file("pockets.json", claim);
+  for (const Words& options : {Words{}, Words{"--oracle"}, Words{"--tolerance", "0"}}) {
+    Words words = {"check", points, file, "--json"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Finished done = flowcert(words);
+    EXPECT_EQ(done.status, 0) << done.out << done.err;
+    const ordered_json report = ordered_json::parse(done.out);
+    EXPECT_EQ(report["verdict"], "conforms");
+    EXPECT_EQ(report["grade"], "exact");
+    EXPECT_EQ(report["claim_format"], "pockets");
+    EXPECT_EQ(report["levels"]["3"]["conforms"], true);
+    EXPECT_EQ(report["levels"]["5"]["conforms"], true);
+    EXPECT_TRUE(report["levels"]["4"]["conforms"].is_null());
+    EXPECT_TRUE(report["not_judged"].empty());
+  }
+  // The same, as another program could print it, with one number changed.
+  ordered_json wrong = ordered_json::parse(claim);
+  wrong["pockets"][0]["depth"] = "1/2";
+  const Finished done = flowcert({"check", points, scratch.file("wrong.json", wrong.dump(2))});
+  EXPECT_EQ(done.status, 1);
+  EXPECT_NE(done.out.find("wrong-pocket [FC-POCK-05]"), std::string::npos) << done.out;
+  // A claim about other points.
+  EXPECT_EQ(flowcert({"check", scratch.file("cube.xyz", cubic_lattice(1)), file}).status, 1);
+}
+
 TEST(PocketsCommand, PrintsTrees) {
   CITES("FC-TREE-02", "FC-TREE-06", "FC-TREE-07");
   const Scratch scratch;

@@ -16,6 +16,7 @@
 
 #include "flowcert/pockets.h"
 #include "flowcert/surface_area.h"
+#include "fuzz/inputs/chambers.h"
 #include "oracle/merge_tree.h"
 #include "oracle/peaks_above.h"
 #include "oracle/pockets.h"
@@ -210,51 +211,12 @@ void require_right_landscape(const Subject& subject, Totals& totals) {
   require_right_areas(land, totals);
 }
 
-// Triangles and squares around the axis z, of three sizes, some of them turned or moved, and often closed at the ends: chambers with
-// mouths between them, of few values. Each has a maximum or several.
-std::vector<fuzz::Row> chambers(std::uint64_t seed) {
-  rc::Random random(seed);
-  const auto below = [&](std::uint64_t count) { return static_cast<int>(random.next() % count); };
-  std::vector<fuzz::Row> rows;
-  double z = 0;
-  for (int ring = 0; ring < 4; ++ring, z += 1 + below(3)) {
-    const double half = 1 + below(3), moved = below(4) == 0 ? 0.5 : 0;
-    if (below(3) == 0) {
-      for (const auto& [x, y] : {std::pair(half, 0.0), std::pair(-half, half), std::pair(-half, -half)})
-        rows.push_back({x + moved, y, z});
-    } else {
-      const bool is_turned = below(4) == 0;
-      for (const double a : {-half, half}) {
-        for (const double b : {-half, half})
-          rows.push_back({(is_turned ? a + b : a) + moved, is_turned ? a - b : b, z});
-      }
-    }
-  }
-  if (below(3) > 0) rows.push_back({0, 0, -1.0 - below(2)});
-  if (below(3) > 0) rows.push_back({0, 0, z});
-  return rows;
-}
-
-// A cell of the face-centred lattice with some corners left out or added. Its shallow holes lead to several others at once.
-std::vector<fuzz::Row> face_centred(std::uint64_t seed) {
-  rc::Random random(seed);
-  std::vector<fuzz::Row> rows = {{2, 2, 0}, {2, 2, 4}, {2, 0, 2}, {2, 4, 2}, {0, 2, 2}, {4, 2, 2}};
-  const auto dropped = random.next() % 12;
-  for (std::uint64_t corner = 0; corner < 8; ++corner) {
-    if (corner == dropped) continue;
-    const auto side = [corner](int axis) { return (corner >> axis) % 2 == 0 ? 0.0 : 4.0; };
-    rows.push_back({side(0), side(1), side(2)});
-  }
-  if (random.next() % 3 == 0) rows.push_back({2, 2, 6});
-  return rows;
-}
-
 bool expect_in_chambers(Totals& all) {
   Totals totals;
   const auto inputs = static_cast<std::uint64_t>(static_cast<double>(kInputsOfChambers) * scale_of_run());
   bool is_right = true;
   for (std::uint64_t seed = 0; seed < inputs; ++seed) {
-    const fuzz::Input input{seed % 6 == 0 ? face_centred(seed) : chambers(seed)};
+    const fuzz::Input input = fuzz::input_with_pockets(seed);
     is_right = expect_holds("pockets, chambers", parameters_of_run(1),
                             [&] { require_right_landscape(Subject(input), totals); }) &&
                is_right;

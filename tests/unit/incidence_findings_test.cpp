@@ -385,6 +385,11 @@ class Undecided final : public Truth {
   }
   [[nodiscard]] Rational hull_volume() override { return truth_.hull_volume(); }
   [[nodiscard]] UnstableSurface unstable_surface(std::size_t i) override { return truth_.unstable_surface(i); }
+  [[nodiscard]] TruePockets pockets(const Rational& persistence) override { return truth_.pockets(persistence); }
+  [[nodiscard]] double area(std::size_t i) override { return truth_.area(i); }
+  [[nodiscard]] double nearest_volume_of(const std::vector<std::uint32_t>& points) override {
+    return truth_.nearest_volume_of(points);
+  }
 
  private:
   Truth& truth_;

@@ -21,6 +21,7 @@ struct ClaimFormat {
   Claim (*read)(std::string_view bytes, std::string_view file);
 };
 
+extern const ClaimFormat kPocketClaims;
 extern const ClaimFormat kExchangeClaims;
 extern const ClaimFormat kVtpClaims;
 extern const ClaimFormat kGiesenKuehneClaims;

@@ -86,4 +86,36 @@ JsonTree parse_json(std::string_view text, const LinePlace& place) {
   return builder.take();
 }
 
+// ---- Headers ----
+
+namespace {
+
+std::string sha256_of(const ExchangeValue& value) {
+  const std::string& text = value.text();
+  const auto is_hex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
+  if (text.size() != 64 || !std::all_of(text.begin(), text.end(), is_hex))
+    value.reject("64 lower case hexadecimal digits");
+  return text;
+}
+
+}  // namespace
+
+std::array<std::size_t, 4> critical_counts_of(const ExchangeValue& value) {
+  value.expect_size(4);
+  return {count_of(value[0]), count_of(value[1]), count_of(value[2]), count_of(value[3])};
+}
+
+std::array<std::size_t, 3> regular_counts_of(const ExchangeValue& value) {
+  return {count_of(value.get("1-2")), count_of(value.get("1-3")), count_of(value.get("2-3"))};
+}
+
+void read_input_fields(const ExchangeValue& header, Claim& claim) {
+  if (const auto value = header.find("points")) claim.point_count = count_of(*value);
+  if (const auto value = header.find("merged_duplicates")) claim.merged_duplicates = count_of(*value);
+  if (const auto value = header.find("input_sha256")) claim.input_sha256 = sha256_of(*value);
+  for (const char* key : {"version", "commit", "kernel", "compiler", "cgal"}) {
+    if (const auto value = header.find(key)) (void)value->text();
+  }
+}
+
 }  // namespace flowcert::io

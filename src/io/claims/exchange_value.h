@@ -5,6 +5,7 @@
 // nests deeper than a claim can, has a key twice in one object, or has a number out of a double's range.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -150,5 +151,12 @@ inline std::size_t count_of(const ExchangeValue& value) { return claimed_count(v
 inline std::vector<PointId> ids_of(const ExchangeValue& value) {
   return list_of(value, [](const ExchangeValue& id) { return claimed_id(id.number_text(), id.place()); });
 }
+
+// ---- Headers ----
+
+[[nodiscard]] std::array<std::size_t, 4> critical_counts_of(const ExchangeValue& value);
+[[nodiscard]] std::array<std::size_t, 3> regular_counts_of(const ExchangeValue& value);
+// Which input it is, and what has made the file. What made it is not kept.
+void read_input_fields(const ExchangeValue& header, Claim& claim);
 
 }  // namespace flowcert::io

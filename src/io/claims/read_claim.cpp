@@ -14,7 +14,7 @@ using namespace io;
 namespace {
 
 // The order in which formats are tried. The last one takes every file that the others do not recognise.
-constexpr std::array kFormats = {&kExchangeClaims, &kVtpClaims, &kGiesenKuehneClaims, &kCsvClaims};
+constexpr std::array kFormats = {&kPocketClaims, &kExchangeClaims, &kVtpClaims, &kGiesenKuehneClaims, &kCsvClaims};
 
 void require_ids(const std::vector<PointId>& ids, const PointSet& points, const LinePlace& place) {
   for (const PointId id : ids) {
@@ -77,6 +77,33 @@ void require_rows_of_unstable(const ClaimedPoint& point, const PointSet& points,
   for (const ClaimedUnstableSegment& segment : point.u1->segments) require_ids(segment.samples, points, place);
 }
 
+void require_rows_of_witnesses(const std::vector<ClaimedWitness>& witnesses, const PointSet& points,
+                               const LinePlace& place) {
+  for (const ClaimedWitness& witness : witnesses) require_ids(witness.contact, points, place);
+}
+
+void require_rows_of_pocket(const ClaimedPocket& pocket, const PointSet& points, const LinePlace& place) {
+  for (const auto& maximum : pocket.maxima) require_ids(maximum, points, place);
+  if (pocket.peaks) require_rows_of_witnesses(*pocket.peaks, points, place);
+  if (pocket.cell) {
+    for (const ClaimedCellPart& part : *pocket.cell) require_ids(part.contact, points, place);
+  }
+  if (pocket.mouths) {
+    for (const ClaimedMouth& mouth : *pocket.mouths) require_ids(mouth.at.contact, points, place);
+  }
+  if (pocket.widest_path) require_rows_of_witnesses(pocket.widest_path->witnesses, points, place);
+}
+
+void require_rows_of_pockets(const ClaimedPockets& pockets, const PointSet& points, const LinePlace& place) {
+  for (const ClaimedPocket& pocket : pockets.pockets) require_rows_of_pocket(pocket, points, place);
+  if (pockets.outside) {
+    for (const auto& maximum : *pockets.outside) require_ids(maximum, points, place);
+  }
+  for (const auto* whole : {&pockets.pore_limiting_radius, &pockets.largest_cavity_radius}) {
+    if (*whole && (*whole)->radius) require_rows_of_witnesses((*whole)->radius->witnesses, points, place);
+  }
+}
+
 }  // namespace
 
 Claim read_claim_from(std::string_view bytes, const std::string& name) {
@@ -91,6 +118,7 @@ Claim read_claim_from(std::string_view bytes, const std::string& name) {
 
 void require_rows(const Claim& claim, const PointSet& points, const std::string& name) {
   if (claim.infinity) require_rows_of_infinity(*claim.infinity, points, {.file = name, .line = claim.infinity->line});
+  if (claim.pockets) require_rows_of_pockets(*claim.pockets, points, {.file = name, .line = claim.pockets->line});
   for (const ClaimedPoint& point : claim.points) {
     const LinePlace place{.file = name, .line = point.line};
     require_ids(point.contact, points, place);

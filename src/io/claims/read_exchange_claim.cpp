@@ -158,18 +158,6 @@ int index_of(const ExchangeValue& value) { return claimed_index(value.number_tex
 
 // The header.
 
-std::array<std::size_t, 3> regular_counts_of(const ExchangeValue& value) {
-  return {count_of(value.get("1-2")), count_of(value.get("1-3")), count_of(value.get("2-3"))};
-}
-
-std::string sha256_of(const ExchangeValue& value) {
-  const std::string& text = value.text();
-  const auto is_hex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
-  if (text.size() != 64 || !std::all_of(text.begin(), text.end(), is_hex))
-    value.reject("64 lower case hexadecimal digits");
-  return text;
-}
-
 ClaimedIndices indices_of(const ExchangeValue& value) {
   ClaimedIndices indices{};
   for (const int index : list_of(value, index_of)) {
@@ -186,21 +174,11 @@ Claim claim_of_header(const ExchangeValue& header) {
   const ExchangeValue version = header.get("format_version");
   if (version.number_text() != "1") version.reject("1, the only version that is known");
   Claim claim;
-  if (const auto value = header.find("points")) claim.point_count = count_of(*value);
-  if (const auto value = header.find("merged_duplicates")) claim.merged_duplicates = count_of(*value);
-  if (const auto value = header.find("input_sha256")) claim.input_sha256 = sha256_of(*value);
+  read_input_fields(header, claim);
   if (const auto value = header.find("classes")) claim.classes = list_of(*value, ids_of);
   if (const auto value = header.find("indices")) claim.indices = indices_of(*value);
-  if (const auto value = header.find("critical")) {
-    value->expect_size(4);
-    claim.critical_counts = {count_of((*value)[0]), count_of((*value)[1]), count_of((*value)[2]),
-                             count_of((*value)[3])};
-  }
+  if (const auto value = header.find("critical")) claim.critical_counts = critical_counts_of(*value);
   if (const auto value = header.find("regular_stationary")) claim.regular_counts = regular_counts_of(*value);
-  // These say what made the file, and how.
-  for (const char* key : {"version", "commit", "kernel", "compiler", "cgal"}) {
-    if (const auto value = header.find(key)) (void)value->text();
-  }
   if (const auto value = header.find("centers")) {
     constexpr std::array kForms = {"exact", "double", "none"};
     if (std::ranges::find(kForms, value->text()) == kForms.end()) value->reject("'exact', 'double' or 'none'");

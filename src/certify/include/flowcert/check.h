@@ -7,7 +7,9 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,6 +20,7 @@
 #include "flowcert/claim.h"
 #include "flowcert/connections.h"
 #include "flowcert/flow_limits.h"
+#include "flowcert/pockets.h"
 #include "flowcert/point_set.h"
 #include "flowcert/rational.h"
 #include "flowcert/stable_manifolds.h"
@@ -62,6 +65,7 @@ enum class FindingReason {
   kWrongConnections,  // numbers of orbits and families, or whether the input is Morse-Smale
   kWrongVolume,       // of a stable set, a share of it, or of the convex hull
   kWrongUnstableSet,  // a part of an unstable set of dimension 2
+  kWrongPocket,       // a pocket, its mouths, or what leads out of it
   // Permitted variations; kAmbiguous is one too.
   kSpanningPart,          // an affinely independent spanning part of the contact set
   kTieBreak,              // a boundary that another way to break ties gives (FC-CLAIM-09)
@@ -142,6 +146,16 @@ struct StableSummary {
   bool has_interval = false;
 };
 
+// All pockets at one persistence (FC-POCK-02 to 08). Points are told by their places in the truth's list.
+struct TruePockets {
+  std::vector<Pocket> pockets;
+  std::vector<std::uint32_t> outside;        // maxima, ascending
+  std::vector<std::uint32_t> largest_balls;  // empty iff there is no pocket
+  std::optional<WidestPath> widest;
+  // The numbers of the pockets above each mouth, ascending. The outside has the number of pockets.
+  std::map<std::uint32_t, std::vector<std::uint32_t>> above_mouths;
+};
+
 // The true flow complex, as the fast implementation or the oracle finds it. It has all stationary points, in the
 // order of FC-OUT-02, and what flows from and to them. A check asks only for what a claim needs.
 class Truth {
@@ -186,6 +200,13 @@ class Truth {
 
   // For a stationary point whose face has dimension 1 (FC-UNST-04). All lists are sorted, as in UnstableSurface.
   [[nodiscard]] virtual UnstableSurface unstable_surface(std::size_t i) = 0;
+
+  // The persistence is not negative.
+  [[nodiscard]] virtual TruePockets pockets(const Rational& persistence) = 0;
+  // Of an index-2 critical point: the area of its S2, as FC-POCK-11 permits.
+  [[nodiscard]] virtual double area(std::size_t i) = 0;
+  // The double nearest to the sum of some volumes, or an infinity where it would overflow.
+  [[nodiscard]] virtual double nearest_volume_of(const std::vector<std::uint32_t>& points) = 0;
 };
 
 // The truth by the fast implementation, of points or of a complex that must outlive it. This takes as long as computing

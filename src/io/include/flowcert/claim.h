@@ -13,18 +13,11 @@
 #include <string_view>
 #include <vector>
 
+#include "flowcert/claimed_number.h"
+#include "flowcert/claimed_pockets.h"
 #include "flowcert/point_set.h"
-#include "flowcert/rational.h"
 
 namespace flowcert {
-
-// A number as claimed. A rational or a hexadecimal float is exact. A decimal is not exact: it stands for any real
-// number near it. Its `value` is the decimal itself, not a double.
-struct ClaimedNumber {
-  Rational value;
-  bool is_exact = false;
-};
-using ClaimedPosition = std::array<ClaimedNumber, 3>;
 
 // Where an orbit is claimed to end, or what a critical point is claimed to be incident with.
 struct ClaimedTarget {
@@ -187,7 +180,7 @@ struct ClaimedPoint {
 using ClaimedIndices = std::array<bool, 4>;
 
 struct Claim {
-  std::string format;  // "exchange", "csv", "giesen-kuehne", "vtp"
+  std::string format;  // "exchange", "pockets", "csv", "giesen-kuehne", "vtp"
   std::vector<ClaimedPoint> points;
   // The indices of the critical points that are claimed; without a value, all. Of others it says nothing
   // (FC-CLAIM-12).
@@ -202,6 +195,7 @@ struct Claim {
   std::optional<bool> morse_smale;
   std::optional<ClaimedNumber> hull_volume;  // not negative
   std::optional<ClaimedInfinity> infinity;   // what flows there
+  std::optional<ClaimedPockets> pockets;     // then no points are claimed, and no indices
   // Keys that the format does not know, "skeleton.colour", ascending.
   std::vector<std::string> unknown_keys;
 };
