@@ -16,6 +16,7 @@
 #include "cli/progress.h"
 #include "cli/table.h"
 #include "flowcert/check.h"
+#include "flowcert/pocket_persistence.h"
 #include "flowcert/viewer_claim.h"
 #include "flowcert/viewer_page.h"
 #include "io/output_file.h"
@@ -32,9 +33,11 @@ struct ViewCommandOptions {
   CheckOptions check;
   bool is_strict = false;
   bool has_cells = false;
+  std::string pockets;
   std::size_t most = ViewerOptions{}.most_of_an_index;
   std::size_t most_cells = ViewerOptions{}.most_cells;
   std::size_t most_surfaces = ViewerOptions{}.most_surfaces;
+  std::size_t most_pockets = ViewerOptions{}.most_pockets;
   unsigned threads = 1;
 };
 
@@ -98,6 +101,9 @@ void print_page_table(const std::string& page, const Input& input, const FlowCom
     print_row("surfaces U1 drawn", with_commas(shown.surfaces.kept),
               of_all(shown.surfaces, "those of the longest pairs (--most-unstable)"));
   }
+  if (content.pockets != nullptr) {
+    print_row("pockets", with_commas(shown.pockets.kept), of_all(shown.pockets, "the deepest (--most-pockets)"));
+  }
   if (content.claim) {
     print_row("findings", with_commas(content.claim->findings_count), "verdict: " + content.claim->verdict);
   }
@@ -119,11 +125,17 @@ int view(ViewCommandOptions options) {
     }
   }
   const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads}, part_progress());
+  std::optional<Pockets> pockets;
+  if (!options.pockets.empty()) {
+    pockets.emplace(complex.merge_trees(), pocket_persistence(complex, options.pockets, "--pockets"));
+  }
   ViewerOptions content = {.name = display_name(options.input),
                            .most_of_an_index = options.most,
                            .has_cells = options.has_cells,
                            .most_cells = options.most_cells,
                            .most_surfaces = options.most_surfaces,
+                           .pockets = pockets ? &*pockets : nullptr,
+                           .most_pockets = options.most_pockets,
                            .claim = std::nullopt};
   int status = kRight;
   if (claim) {
@@ -175,8 +187,19 @@ void add_view_command(CLI::App& app, int& status) {
       ->check(CLI::Range(std::size_t{0}, kMost))
       ->capture_default_str()
       ->needs(cells);
+  CLI::Option* pockets =
+      command
+          ->add_option("--pockets", options->pockets,
+                       "Also tell pockets, merged by this persistence as by pockets --persistence; the pocket of the "
+                       "picked point is drawn with its mouths")
+          ->type_name("X");
+  command->add_option("--most-pockets", options->most_pockets, "Have at most so many pockets, the deepest")
+      ->check(CLI::Range(std::size_t{0}, kMost))
+      ->capture_default_str()
+      ->needs(pockets);
   add_threads_option(*command, options->threads);
-  command->footer("Examples:\n  flowcert view bunny.obj\n  flowcert view bunny.obj --claim claim.csv -o wrong.html");
+  command->footer(
+      "Examples:\n  flowcert view bunny.obj --pockets auto\n  flowcert view bunny.obj --claim claim.csv -o wrong.html");
   command->callback([options, &status] { status = view(*options); });
 }
 

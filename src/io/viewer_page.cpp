@@ -15,6 +15,7 @@
 #include "io/viewer_blob.h"
 #include "io/viewer_cells.h"
 #include "io/viewer_frame.h"
+#include "io/viewer_pockets.h"
 #include "io/viewer_selection.h"
 #include "io/viewer_template.h"
 
@@ -336,6 +337,7 @@ Json data_of(const FlowComplex& complex, const ViewerOptions& options, const Vie
   data["s2"] = s2_field(content, progress);
   data["u2"] = u2_field(content, progress);
   if (options.has_cells) data["cells"] = viewer_cells_field(complex, frame, selection);
+  if (options.pockets) data["pockets"] = viewer_pockets_field(complex, frame, *options.pockets, options.most_pockets);
   data["claim"] = options.claim ? claim_field(content, *options.claim) : Json(nullptr);
   return data;
 }
@@ -370,9 +372,11 @@ ViewerCounts write_viewer_page(std::ostream& out, const FlowComplex& complex, co
   if (options.has_cells) choose_cells(complex, options.most_cells, options.most_surfaces, selection);
   const std::string data = text_for_script(data_of(complex, options, selection, progress));
   out << page.substr(0, data_at) << data << page.substr(data_at + std::string_view("null").size());
+  const std::size_t all_pockets = options.pockets ? options.pockets->size() : 0;
   return {.records = {selection.records.size(), selection.all_records},
           .cells = {selection.cells.size(), selection.all_cells},
-          .surfaces = {selection.surfaces.size(), selection.all_surfaces}};
+          .surfaces = {selection.surfaces.size(), selection.all_surfaces},
+          .pockets = {std::min(options.most_pockets, all_pockets), all_pockets}};
 }
 
 }  // namespace flowcert

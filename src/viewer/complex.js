@@ -2,12 +2,13 @@
 // A *point* is a number: a sample's ordinal, or sample_count + place in the records. `none` stands for no point,
 // no pair, and infinity. Squared distances, radii and persistence are in the frame; `length_text` and `squared_text`
 // give them in input units. What the first frame needs is decoded by load_first, the lines of U2 by load_lines, with
-// volumes, connections, cells and U1 (cells.js), if the page has them.
+// volumes, connections, cells and U1 (cells.js) and pockets (pockets.js), if the page has them.
 
 import { decode, decode_all } from './blobs.js';
 import { load_cells } from './cells.js';
 import { exact_sphere } from './exact_sphere.js';
 import { fill_records, line_vertices } from './plain_points.js';
+import { load_pockets } from './pockets.js';
 import { in_input_units, short_scaled } from './words.js';
 
 export const none = 0xffffffff;
@@ -21,6 +22,7 @@ export class Complex {
     this.length_unit = in_input_units(data.unit, 1);
     this.squared_unit = in_input_units(data.unit, 2);
     this.cells = null;
+    this.pockets = null;
   }
 
   async load_first() {
@@ -54,9 +56,10 @@ export class Complex {
 
   async load_lines() {
     const { data } = this;
-    [this.u2, this.cells] = await Promise.all([
+    [this.u2, this.cells, this.pockets] = await Promise.all([
       decode_all(data.u2, ['record', 'starts', 'limits', 'next', 'steps']),
       data.cells ? load_cells(data.cells) : null,
+      data.pockets ? load_pockets(data.pockets) : null,
     ]);
     this.u2.vertices = line_vertices({ ...this.u2, step: this.data.u2.step });
     this.line_of_point = new Uint32Array(this.point_count).fill(none);

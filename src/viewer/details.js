@@ -7,6 +7,7 @@ import { neighbour_table, surface_line, volume_row } from './cell_facts.js';
 import { none } from './complex.js';
 import { element, fill, glyph } from './element.js';
 import { is_normal, nearest_double, rational_text } from './exact_sphere.js';
+import { pocket_facts } from './pocket_facts.js';
 import { clauses, count_text, digits_of, kind_name, point_name, shortened } from './words.js';
 
 const most_listed = 24;
@@ -47,6 +48,7 @@ export class Details {
       this.flow_facts(point),
       this.volume_facts(point),
       this.connection_facts(point),
+      this.pocket_facts(point),
       this.pair_facts(point),
       this.clause_facts(point),
     );
@@ -229,6 +231,12 @@ export class Details {
     return section('Volume of what flows here', row, table);
   }
 
+  pocket_facts(point) {
+    const button = (number, text) => this.limit_button(number, text);
+    const facts = pocket_facts(this.complex, point, button);
+    return facts && section('Pocket', facts);
+  }
+
   connection_facts(point) {
     const connections = this.complex.connections(point);
     if (connections.length === 0) return null;
@@ -248,9 +256,9 @@ export class Details {
     );
   }
 
-  limit_button(number) {
+  limit_button(number, text) {
     const point = number === none ? none : this.complex.point_of_number(number);
-    if (point !== none || number === none) return this.button(point);
+    if (point !== none || number === none) return this.button(point, text);
     return element('span', { class: 'chip still' }, `record ${count_text(number)}, not in this page`);
   }
 

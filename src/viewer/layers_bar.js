@@ -13,13 +13,15 @@ const kinds = [
 ];
 
 // What is drawn of the picked point alone.
-const of_picked = (cells) =>
-  cells
+const of_picked = ({ cells, pockets }) => [
+  ...(cells
     ? [
         ['s3', 'S3 cells', cells.drawn.count, cells.of],
         ['u1', 'U1 surfaces', cells.u1.record.count, cells.u1.of],
       ]
-    : [];
+    : []),
+  ...(pockets ? [['pockets', 'pockets', pockets.numbers.count, pockets.of]] : []),
+];
 
 export class LayersBar {
   constructor(root, complex, state) {
@@ -29,7 +31,7 @@ export class LayersBar {
       ['s1', 'S1 edges', complex.kind_counts[1]],
       ['s2', 'S2 surfaces', complex.set_count],
       ['u2', 'U2 lines', 2 * (complex.data.u2.record.count ?? 0)],
-      ...of_picked(complex.data.cells),
+      ...of_picked(complex.data),
     ].map(([name, text, count, of]) => [name, text, count, stroke(name), of]);
     this.buttons = new Map();
     for (const [name, text, count, sign, of] of [...lines, ...points])

@@ -14,6 +14,7 @@ import { LayersBar } from './layers_bar.js';
 import { palettes } from './palette.js';
 import { PersistenceDiagram } from './persistence_diagram.js';
 import { save_picture } from './picture_file.js';
+import { PocketTable } from './pocket_facts.js';
 import { ComplexScene } from './scene.js';
 import { State } from './state.js';
 import { about_lines, notice_lines, shown_name, summary } from './statements.js';
@@ -25,7 +26,7 @@ import { count_text, point_name } from './words.js';
 const by_id = (id) => document.getElementById(id);
 const calm = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
 const night = () => matchMedia('(prefers-color-scheme: dark)');
-const of_picked = ['s3', 'u1'];
+const of_picked = ['s3', 'u1', 'pockets'];
 const layer_names = ['samples', 'index1', 'index2', 'index3', 'regular', 's1', 's2', 'u2', ...of_picked];
 const crowded_layers = ['regular', 's2', ...of_picked];
 const crowd = 600; // surfaces
@@ -65,6 +66,7 @@ export class Page {
     await this.complex.load_lines();
     if (this.state.layers.u2) this.scene?.refresh();
     if (this.state.picked !== none) this.picked_changed();
+    if (this.tabs?.current === 'pockets') this.pockets.open();
   }
 
   // Plots are drawn while the GPU draws the scene. The first frame is there when both are.
@@ -138,11 +140,13 @@ export class Page {
       ['details', 'Point'],
       ...findings,
       ['table', 'Table', () => this.table?.open()],
+      ...(complex.data.pockets ? [['pockets', 'Pockets', () => this.pockets?.open()]] : []),
       ['about', 'About'],
     ];
     this.tabs = new Tabs(by_id('tabs'), by_id('pages'), pages);
     this.details = new Details(this.tabs.page('details'), complex, actions);
     this.table = new FactsTable(this.tabs.page('table'), complex, actions);
+    if (complex.data.pockets) this.pockets = new PocketTable(this.tabs.page('pockets'), complex, actions);
     if (claim) this.findings = new Findings(this.tabs.page('findings'), complex, this.scene, actions);
     const about = about_lines(complex).map((line) => element('p', {}, line));
     fill(this.tabs.page('about'), element('div', { class: 'about' }, about));
@@ -259,7 +263,7 @@ export class Page {
     const root = document.documentElement;
     root.dataset.theme = theme;
     this.palette.kinds.forEach((color, kind) => root.style.setProperty(`--kind${kind}`, color));
-    for (const name of ['surface', 's1', 's3', 'u1', 'u2', 'claimed', 'truth'])
+    for (const name of ['surface', 's1', 's3', 'u1', 'u2', 'pockets', 'claimed', 'truth'])
       root.style.setProperty(`--${name}`, this.palette[name]);
     if (!redraw) return;
     by_id('tool-theme').setAttribute('aria-pressed', String(theme === 'dark'));
@@ -304,7 +308,7 @@ export class Page {
     const { picked } = this.state;
     this.details.show(picked);
     this.table.set_picked(picked);
-    if (picked !== none && this.tabs.current !== 'table') this.tabs.open('details');
+    if (picked !== none && !['table', 'pockets'].includes(this.tabs.current)) this.tabs.open('details');
     this.scene?.mark_picked();
     this.scene?.redraw();
     this.announce(picked === none ? 'Nothing is picked.' : `Picked ${point_name(this.complex, picked)}.`);

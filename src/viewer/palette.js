@@ -1,6 +1,6 @@
 // The colours of the page: Okabe and Ito's, which people with any sort of colour blindness can tell apart.
 // Kinds of points also differ in shape, so that no statement is made by colour alone.
-// Each theme has colours of the surface, its highlight, and the lines. Cells and U1 have those of their points.
+// Each theme has colours of the surface, its highlight, pockets, and the lines. Cells and U1 have those of their points.
 
 export const kind_names = ['samples', 'index 1', 'index 2', 'index 3', 'regular stationary'];
 
@@ -13,6 +13,7 @@ const light = {
   s3: '#c04d00',
   u1: '#0072b2',
   u2: '#00805d',
+  pockets: '#4a7a2a',
   claimed: '#c04d00',
   truth: '#00805d',
   ink: '#1c2430',
@@ -30,6 +31,7 @@ const dark = {
   s3: '#f07a32',
   u1: '#56b4e9',
   u2: '#2cc79b',
+  pockets: '#a5cf6b',
   claimed: '#f07a32',
   truth: '#2cc79b',
   ink: '#ece8dd',

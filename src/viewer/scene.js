@@ -10,6 +10,7 @@ import { none } from './complex.js';
 import { discard } from './discard.js';
 import { LineLayer } from './line_layer.js';
 import { pick, pixel_of } from './picking.js';
+import { mouths_by_radius } from './pockets.js';
 import { PointCloud, paint_points, point_material } from './point_cloud.js';
 import { make_renderer } from './renderer.js';
 import { counts_by_kind, fitting_sets, most, shown } from './shown.js';
@@ -18,7 +19,7 @@ import { sphere_mark } from './sphere_mark.js';
 import { SurfaceMesh, mesh_of_positions } from './surface_mesh.js';
 
 const rest_after = 160; // milliseconds
-const nothing_marked = { cell: 0, surface: 0, lines: 0 };
+const nothing_marked = { cell: 0, surface: 0, lines: 0, pocket: 0, mouths: 0 };
 
 export class ComplexScene {
   constructor(canvas, complex, state, palette) {
@@ -235,7 +236,7 @@ export class ComplexScene {
   // What can be seen through steps back behind what is picked or found. A cell or a surface U1 is inside of all else.
   set_opacity() {
     const { see_through, picked, finding } = this.state;
-    const is_behind = this.marked.cell > 0 || this.marked.surface > 0;
+    const is_behind = this.marked.cell > 0 || this.marked.surface > 0 || this.marked.pocket > 0;
     const opacity = is_behind ? 0.16 : !see_through ? 1 : picked !== none || finding >= 0 ? 0.16 : 0.38;
     this.exact.set_opacity(opacity);
     if (this.flat) this.flat.set_opacity(opacity);
@@ -264,8 +265,8 @@ export class ComplexScene {
     this.redraw();
   }
 
-  // What is picked: its sphere, its contact set with radii, its S2, its cell S3 or its U1, its lines, and a ring around
-  // the points.
+  // What is picked: its sphere, its contact set with radii, its pocket with mouths, its S2, its cell S3 or its U1, its
+  // lines, and a ring around the points.
   mark_picked() {
     discard(this.marks, this.exact.geometry.attributes.position);
     this.lines.path.show(new Float32Array(0));
@@ -278,6 +279,7 @@ export class ComplexScene {
       this.marks.add(sphere_mark(center, complex.frame_radius(point), palette.accent));
       this.mark_contacts(point, center);
     }
+    this.mark_pockets(point);
     this.mark_cell(point);
     this.mark_set(point);
     this.mark_surface(point);
@@ -341,11 +343,24 @@ export class ComplexScene {
     }
   }
 
-  mark_triangles(positions, color) {
+  // The pocket of the point, or those that it is a mouth of, with all of their mouths. Wide ones stand out.
+  mark_pockets(point) {
+    const { complex, state } = this;
+    if (!state.layers.pockets || !complex.pockets || complex.is_sample(point)) return;
+    const { pockets } = complex;
+    for (const pocket of pockets.around(complex.number(point))) {
+      this.marked.pocket += this.mark_triangles(pockets.surface(pocket), 'pockets', 0.3);
+      const { wide, narrow } = mouths_by_radius(complex, pocket);
+      this.marked.mouths += this.mark_triangles(pockets.mouth_triangles(wide), 'highlight', 0.8);
+      this.marked.mouths += this.mark_triangles(pockets.mouth_triangles(narrow), 'highlight', 0.15);
+    }
+  }
+
+  mark_triangles(positions, color, opacity = 0.45) {
     if (positions.length === 0) return 0;
     const mesh = mesh_of_positions(positions);
     mesh.paint(this.palette[color]);
-    mesh.set_opacity(0.45);
+    mesh.set_opacity(opacity);
     this.marks.add(mesh.object);
     return mesh.count;
   }

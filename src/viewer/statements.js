@@ -1,6 +1,7 @@
 // Sentences about the whole page: the summary below the name, what made it, and what the view leaves out.
 
 import { drawn_cells, drawn_surfaces } from './cell_facts.js';
+import { pockets_line } from './pocket_facts.js';
 import { count_text } from './words.js';
 
 // A path is shown by its last part; other names as they are.
@@ -34,6 +35,7 @@ export function about_lines(complex) {
       'S2 is what flows to one of index 2, a surface. ' +
       'U2 are the two orbits that leave a point of index 2; those to infinity are cut at three times the box.',
     cells_line(complex),
+    pockets_line(complex),
     'Positions in the scene are 32-bit floats. Those in the facts are exact, computed here from the samples.',
     'The page needs no network and sends nothing. It is under the MIT license and contains three.js.',
   ].filter(Boolean);

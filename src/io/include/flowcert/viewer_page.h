@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "flowcert/flow_complex.h"
+#include "flowcert/pockets.h"
 
 namespace flowcert {
 
@@ -66,6 +67,9 @@ struct ViewerOptions {
   bool has_cells = false;
   std::size_t most_cells = 2000;
   std::size_t most_surfaces = 1000;
+  // Also so many of these, the deepest.
+  const Pockets* pockets = nullptr;
+  std::size_t most_pockets = 500;
   std::optional<ViewerClaim> claim;
 };
 
@@ -76,6 +80,7 @@ struct ViewerCounts {
   };
   Part records;          // stationary points without those of index 0
   Part cells, surfaces;  // S3 and U1 that are drawn
+  Part pockets;
 };
 
 // Writes the page. Makes all parts of the complex, and the surfaces once more. The time is that of the exports.
