@@ -27,7 +27,7 @@ Words lines_without_comments(const std::string& text) {
 }
 
 TEST(LocateCommand, AnswersALineForEachPosition) {
-  CITES("FC-FLOW-05", "FC-DIST-01");
+  CITES("FC-LOC-01", "FC-FLOW-05", "FC-DIST-01");
   const Scratch scratch;
   const std::string cube = scratch.file("cube.xyz", kCube);
   const std::string positions =
@@ -77,6 +77,7 @@ TEST(LocateCommand, WritesAFileAndASummary) {
 }
 
 TEST(LocateCommand, RefusesWhatItCannotUse) {
+  CITES("FC-LOC-02");
   const Scratch scratch;
   const std::string cube = scratch.file("cube.xyz", kCube), empty = scratch.file("empty.xyz", "# nothing\n");
   const auto refuses = [](const Words& words, const std::string& reason) {

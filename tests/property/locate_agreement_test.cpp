@@ -48,6 +48,21 @@ void require_same_place(const Subject& subject, const RationalPoint& x, const Fl
       to_text(truth));
 }
 
+// FC-LOC-03, for the ray through x from each sample that is nearest to it. The cell is convex.
+void require_same_limit_along_rays(const Subject& subject, const RationalPoint& x, const FlowPlace& place,
+                                   FlowLocator& locator) {
+  for (const PointId name : place.nearest) {
+    const Point& p = subject.complex.points()[subject.complex.points().ordinal_of_row(name)];
+    const RationalPoint sample = {Rational(p.x), Rational(p.y), Rational(p.z)};
+    if (x == sample) continue;
+    RationalPoint nearer;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      nearer.at(axis) = sample.at(axis) + (x.at(axis) - sample.at(axis)) / 3;
+    }
+    RC_ASSERT(locator.locate(nearer).limit == place.limit);
+  }
+}
+
 void require_right_places(const Subject& subject, const std::vector<StartChoice>& choices, LocateTotals& totals) {
   FlowLocator locator(subject.complex.diagram(), subject.complex.stationary(), subject.complex.limits());
   if (subject.complex.points().empty()) {
@@ -59,6 +74,7 @@ void require_right_places(const Subject& subject, const std::vector<StartChoice>
     const RationalPoint x = start_of(subject.set, choice);
     const FlowPlace place = locator.locate(x);
     require_same_place(subject, x, place);
+    require_same_limit_along_rays(subject, x, place, locator);
     ++totals.positions;
     totals.to_infinity += place.limit ? 0U : 1U;
     const auto a = nearest_double(x[0]), b = nearest_double(x[1]), c = nearest_double(x[2]);
@@ -76,7 +92,7 @@ void print_row(const std::string& name, const LocateTotals& totals) {
 }
 
 TEST(LocateAgreement, PlacesAreTheOracles) {
-  CITES("FC-FLOW-05", "FC-DIST-01");
+  CITES("FC-LOC-01", "FC-LOC-03", "FC-FLOW-05", "FC-DIST-01");
   LocateTotals all;
   bool agreed = true;
   for (const fuzz::Family& family : fuzz::families_and_stable_ones()) {
