@@ -214,7 +214,7 @@ class ClaimedLandscape {
            off <= Rational(kTinyArea);
   }
 
-  // The value of the highest points of a list less that of another point.
+  // The squared distance of a point.
   [[nodiscard]] Rational value(std::uint32_t record) { return run_.truth.sphere(record).squared_radius; }
 
   void check_depth(std::size_t k, const Pocket& truth) {

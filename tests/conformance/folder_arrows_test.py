@@ -40,7 +40,7 @@ ARROWS = {
     "tests": ["src/certify"],
     "tests/vectors": ["fuzz/inputs", "oracle/program"],
     "tests/conformance": ["tests", "tests/vectors", "src/certify"],
-    "tests/property": ["tests", "fuzz/campaign", "src/certify"],
+    "tests/property": ["tests", "fuzz/campaign", "fuzz/judge", "src/certify"],
     "tests/unit": ["tests/property", "fuzz/campaign", "fuzz/judge", "src/cli"],
     "tests/bench": ["tests/property"],
 }

@@ -192,7 +192,7 @@ TEST(PocketsCommand, IsJudgedByCheck) {
   wrong["pockets"][0]["depth"] = "1/2";
   const Finished done = flowcert({"check", points, scratch.file("wrong.json", wrong.dump(2))});
   EXPECT_EQ(done.status, 1);
-  EXPECT_NE(done.out.find("wrong-pocket [FC-POCK-05]"), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("[FC-POCK-05]: claimed pocket 0, depth 1/2"), std::string::npos) << done.out;
   // A claim about other points.
   EXPECT_EQ(flowcert({"check", scratch.file("cube.xyz", cubic_lattice(1)), file}).status, 1);
 }

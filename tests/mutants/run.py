@@ -94,9 +94,11 @@ LIKELY = {
     "src/certify/boundaries": ["incidence_findings_test"],
     "src/certify/polylines": ["stable_findings_test"],
     "src/certify/surfaces": ["stable_findings_test"],
+    "src/certify/pockets": ["pocket_findings_test", "pocket_claims_test"],
     "src/certify/pair_differences": ["pair_differences_test"],
     "src/certify/orbit_difference": ["orbit_difference_test"],
     "src/certify/": ["check_test", "place_findings_test", "perturbed_claims_test"],
+    "src/io/claims/read_pocket_claim": ["pocket_findings_test"],
     "src/io/claims/pair_claim": ["pair_claim_test"],
     "src/io/claims/orbit_claim": ["orbit_difference_test"],
     "src/io/claims/": ["read_claim_test", "exchange_keys_test"],
@@ -119,18 +121,19 @@ REACHED_BY = {
     "oracle": OF_ORACLE | OF_JUDGE | {
         "cech_persistence_test", "connection_agreement_test", "invariants_test", "limit_agreement_test",
         "medial_agreement_test", "metamorphic_test", "orbit_agreement_test", "orbit_cascades_test",
-        "orbit_invariants_test", "persistence_test", "pocket_agreement_test",
+        "orbit_invariants_test", "persistence_test", "pocket_agreement_test", "pocket_claims_test",
         "stable_agreement_test", "stable_invariants_test", "stable_metamorphic_test", "stationary_agreement_test",
         "unstable_agreement_test", "unstable_surface_agreement_test", "volume_agreement_test"},
     "judge": OF_JUDGE,
     "certify": OF_JUDGE | {
         "check_mutations_test", "check_test", "exchange_keys_test", "incidence_findings_test", "infinity_claims_test",
         "orbit_difference_test", "pair_claims_test", "pair_differences_test", "perturbed_claims_test",
-        "place_findings_test", "stable_claims_test", "stable_findings_test"},
+        "place_findings_test", "pocket_claims_test", "pocket_findings_test", "stable_claims_test",
+        "stable_findings_test"},
     "io": OF_JUDGE | {
         "clip_box_test", "clipped_lines_test", "exchange_keys_test", "medial_agreement_test", "orbit_difference_test",
-        "oriented_surfaces_test", "pair_claim_test", "pockets_test", "read_claim_test", "read_molecule_test",
-        "surface_choice_test", "value_order_test"},
+        "oriented_surfaces_test", "pair_claim_test", "pocket_findings_test", "pockets_test", "read_claim_test",
+        "read_molecule_test", "surface_choice_test", "value_order_test"},
 }
 
 
