@@ -77,7 +77,7 @@ TEST(LocateCommand, WritesAFileAndASummary) {
 }
 
 TEST(LocateCommand, RefusesWhatItCannotUse) {
-  CITES("FC-LOC-02");
+  CITES("FC-LOC-02", "FC-FLOW-10");
   const Scratch scratch;
   const std::string cube = scratch.file("cube.xyz", kCube), empty = scratch.file("empty.xyz", "# nothing\n");
   const auto refuses = [](const Words& words, const std::string& reason) {

@@ -300,7 +300,7 @@ TEST(OrbitCommand, WhatIsNoPositionIsStatus2) {
 }
 
 TEST(OrbitCommand, WhatIsNoInputIsStatus2) {
-  CITES("FC-IN-05");
+  CITES("FC-IN-05", "FC-FLOW-10");
   const Points nothing("# no point\n");
   expect_refused(nothing.text("0,0,0"), nothing.path() + ": there are no points");
   const Points damaged("0 0 0\n1 1\n");

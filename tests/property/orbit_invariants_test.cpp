@@ -78,7 +78,8 @@ void print_seen(const char* what, const Seen& seen) {
 }
 
 TEST(OrbitInvariants, OrbitsKeepTheLaws) {
-  CITES("FC-DIST-01", "FC-DIST-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-04", "FC-FLOW-05", "FC-CRIT-01", "FC-CRIT-03");
+  CITES("FC-DIST-01", "FC-DIST-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-04", "FC-FLOW-05", "FC-FLOW-09", "FC-CRIT-01",
+        "FC-CRIT-03", "FC-STAB-08", "FC-STAB-09");
   Seen seen;
   bool kept = true;
   for (const fuzz::Family& family : fuzz::families()) {
@@ -93,7 +94,7 @@ TEST(OrbitInvariants, OrbitsKeepTheLaws) {
 }
 
 TEST(OrbitInvariants, OrbitsOfLargerInputsKeepTheLaws) {
-  CITES("FC-DIST-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-04", "FC-FLOW-05");
+  CITES("FC-DIST-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-04", "FC-FLOW-05", "FC-FLOW-09", "FC-STAB-09");
   Seen seen;
   bool kept = true;
   for (const fuzz::Family& family : larger_families()) {

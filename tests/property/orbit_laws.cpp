@@ -119,13 +119,26 @@ std::string broken_growth(const PointSet& set, const OrbitRecord& orbit) {
     if (squared_distance_to(set, before) >= squared_distance_to(set, x)) {
       return "FC-FLOW-05: d does not grow in segment " + std::to_string(k - 1);
     }
+    if (driver == driver_before) return "FC-FLOW-09: the driver does not change after segment " + std::to_string(k - 1);
     const Rational radius = squared_ball_radius(set, x, driver);
     const Rational radius_before = squared_ball_radius(set, before, driver_before);
-    if (driver == driver_before ? radius != radius_before : radius <= radius_before) {
+    if (radius <= radius_before) {
       return "FC-FLOW-05: the enclosing ball does not grow after segment " + std::to_string(k - 1);
     }
   }
   return {};
+}
+
+// FC-STAB-08: what lies outside of conv P flows to infinity. Some planes that separate the start from P are tried: those
+// orthogonal to an axis, or to the way from a sample.
+std::string broken_escape(const PointSet& set, const OrbitRecord& orbit) {
+  std::vector<Point> normals = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  for (const Point& p : set.points) normals.push_back(oracle::minus(orbit.start, p));
+  const bool is_outside = std::ranges::any_of(normals, [&](const Point& normal) {
+    return std::ranges::all_of(set.points,
+                               [&](const Point& p) { return oracle::dot(normal, oracle::minus(orbit.start, p)) > 0; });
+  });
+  return is_outside && orbit.limit ? "FC-STAB-08: a start outside of the hull does not flow to infinity" : "";
 }
 
 std::string broken_chain(const OrbitRecord& orbit) {
@@ -133,6 +146,9 @@ std::string broken_chain(const OrbitRecord& orbit) {
   for (const SegmentRecord& segment : orbit.segments) {
     if (x != segment.start) {
       return "FC-FLOW-05: a segment does not start where the one before it ends";
+    }
+    if (&segment != &orbit.segments.front() && segment.crossed_contact.size() == 1) {
+      return "FC-STAB-09: the orbit enters a Voronoi cell again";
     }
     x = segment.end;
   }
@@ -175,6 +191,7 @@ std::string broken_law(const PointSet& set, const OrbitRecord& orbit) {
     }
   }
   std::string broken = broken_chain(orbit);
+  if (broken.empty()) broken = broken_escape(set, orbit);
   if (broken.empty() && orbit.limit) {
     broken = broken_limit(set, *orbit.limit);
   }
