@@ -337,7 +337,7 @@ Outcome run_of(const std::vector<fuzz::Family>& families, int inputs, bool shrin
 }
 
 TEST(UnstableAgreement, OrbitsAreTheOraclesSharedOrNot) {
-  CITES("FC-FLOW-02", "FC-FLOW-05", "FC-FLOW-07", "FC-FLOW-08", "FC-CRIT-02");
+  CITES("FC-FLOW-02", "FC-FLOW-05", "FC-FLOW-07", "FC-FLOW-08", "FC-CRIT-02", "FC-STAT-01");
   const Outcome run = run_of(fuzz::families(), kInputsPerFamily, true);
   if (run.complete) {
     EXPECT_GE(run.seen.saddles, 1000U);

@@ -15,7 +15,7 @@ namespace flowcert {
 namespace {
 
 TEST(CheckTest, ReportsWhatItChecked) {
-  CITES("FC-CLAIM-03", "FC-INV-01");
+  CITES("FC-CLAIM-03", "FC-CLAIM-19", "FC-CLAIM-20", "FC-INV-01");
   const Truly cube(kCube);
   const CheckReport report = cube.check(cube.claim());
   EXPECT_EQ(report.verdict, Verdict::kConforms) << text(report);

@@ -177,7 +177,7 @@ TEST(PlaceFindings, OfRegularPoints) {
 }
 
 TEST(PlaceFindings, OfWhatAPerturbationWouldNotMake) {
-  CITES("FC-CLAIM-04", "FC-CRIT-03");
+  CITES("FC-CLAIM-21", "FC-CLAIM-04", "FC-CRIT-03");
   const Truly triangle(kRightTriangle);
   for (const auto& [index, names] : {std::pair{0, Ids{1, 2}}, {3, {0, 1, 2}}, {2, {1, 2}}, {1, {0, 1, 2}}}) {
     const CheckReport report = triangle.check(triangle.claim().add(index, names));

@@ -56,7 +56,7 @@ BackwardSegment leading(const std::vector<PointId>& front, int front_at, PointId
 using Walk = std::vector<PointId>;
 
 TEST(BoundaryWalk, StartsAtTheLeastSampleTowardsTheLesserNeighbour) {
-  CITES("FC-STAB-07");
+  CITES("FC-STAB-07", "FC-STAB-10");
   StableSet triangle;
   const Walk of_three{0, 1, 2};
   triangle.segments = {leading(of_three, 0, 0, 2), leading(of_three, 0, 0, 1), leading(of_three, 0, 1, 2)};
@@ -124,7 +124,7 @@ Counts count_sets(const PointSet& points, const StableManifolds& stable, const S
 }
 
 TEST(StableStatistics, AreTheSumsOverTheSets) {
-  CITES("FC-STAB-06");
+  CITES("FC-STAB-06", "FC-STAT-01");
   std::size_t with_interval = 0, with_vertex = 0, ties_for_largest = 0;
   for (const fuzz::Family& family : fuzz::families_and_stable_ones()) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
