@@ -20,13 +20,10 @@
 #include "oracle/program/read_records.h"
 #include "oracle/stationary_points.h"
 #include "tests/cites.h"
+#include "tests/conformance/told_statements.h"
 
 namespace flowcert::conformance {
 namespace {
-
-struct NotAnExample : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 // A record as text, "1/2 0 0 index 1-2 contact 0 1 2 squared_distance 1/4", the form of the `at` lines:
 // rationals are canonical, so equal records are equal texts.
@@ -43,8 +40,9 @@ struct Answer {
 struct Example {
   std::string clause;
   std::string title;
-  std::string points;  // as the text of an XYZ file
-  Answer expected;     // records: those of the `at` lines
+  std::string points;                          // as the text of an XYZ file
+  Answer expected;                             // records: those of the `at` lines
+  std::vector<std::vector<std::string>> told;  // other statements, by words
 };
 
 std::vector<std::string> words_of(const std::string& line) {
@@ -133,6 +131,8 @@ Example parse_example(const std::vector<std::string>& lines, const std::set<std:
       part = Part::kExpect;
     } else if (part == Part::kPoints) {
       example.points += lines[i] + "\n";
+    } else if (part == Part::kExpect && is_told(words[0])) {
+      example.told.push_back(words);
     } else if (part == Part::kExpect) {
       parse_expectation(words, seen, example.expected);
     } else {
@@ -254,6 +254,24 @@ std::string contradiction(const Answer& expected, const Answer& answer) {
   return text.str();
 }
 
+std::string text_of(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+// What the other statements of the example contradict; empty if nothing.
+std::string contradiction_of_told(const Example& example) {
+  std::string text;
+  for (const std::vector<std::string>& words : example.told) {
+    const std::string claimed = text_of(words);
+    for (const std::string& right : {told_by_fast(example.points, words), told_by_oracle(example.points, words)}) {
+      if (right != claimed) text += "'" + claimed + "' is '" + right + "'; ";
+    }
+  }
+  return text;
+}
+
 std::string spec_text() {
   std::ostringstream text;
   for (const char* file : {FLOWCERT_SPEC_FOLDER "/flow_complex.md", FLOWCERT_SPEC_FOLDER "/claims.md"}) {
@@ -272,6 +290,7 @@ TEST(SpecExamples, HoldInBothImplementations) {
     EXPECT_EQ(contradiction(example.expected, fast), "") << example.clause << example.title;
     EXPECT_EQ(contradiction(example.expected, oracle), "") << example.clause << example.title;
     EXPECT_EQ(fast.records, oracle.records) << example.clause << example.title;
+    EXPECT_EQ(contradiction_of_told(example), "") << example.clause << example.title;
   }
 }
 
@@ -335,6 +354,26 @@ TEST(SpecExamplesGrammar, WhatIsWrongIsFoundInBothImplementations) {
     ASSERT_EQ(examples.size(), 1U);
     EXPECT_NE(contradiction(examples[0].expected, fast_answer(examples[0].points)), "") << from;
     EXPECT_NE(contradiction(examples[0].expected, oracle_answer(examples[0].points)), "") << from;
+  }
+}
+
+// A statement of each kind, right and made wrong.
+TEST(SpecExamplesGrammar, OtherStatementsAreFoundWrongInBothImplementations) {
+  const std::string right =
+      "nearest 1/2 1 0 contact 0 1\norbit 1/4 0 0 types C-C-F ends 0 1\norbit 1/2 0 0 types stays ends 0 1\n"
+      "orbit 2 0 0 types C-C-inf ends infinity\npair 0 0 1/4 times 1\npair 0 0 never times 1\n";
+  const auto spec = [](const std::string& told) { return small_spec("at 1/2", told + "at 1/2"); };
+  EXPECT_EQ(contradiction_of_told(examples_of(spec(right)).at(0)), "");
+  const std::pair<const char*, const char*> mistakes[] = {{"contact 0 1", "contact 0"},   {"1/2 1 0", "1/3 1 0"},
+                                                          {"types C-C-F", "types F-F-V"}, {"ends 0 1", "ends 1"},
+                                                          {"types stays", "types F-F-F"}, {"ends infinity", "ends 0"},
+                                                          {"1/4 times 1", "1/4 times 2"}, {"0 never", "1 never"}};
+  for (const auto& [from, to] : mistakes) {
+    std::string wrong = right;
+    wrong.replace(wrong.find(from), std::string(from).size(), to);
+    const std::string found = contradiction_of_told(examples_of(spec(wrong)).at(0));
+    // Both implementations say so.
+    EXPECT_EQ(std::count(found.begin(), found.end(), ';'), 2) << wrong << found;
   }
 }
 
