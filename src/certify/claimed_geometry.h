@@ -73,7 +73,7 @@ class ValueScale {
 [[nodiscard]] ValueMatch match_squared_distance(const ClaimedNumber& claimed, const Rational& squared_radius,
                                                 const ValueScale& scale);
 
-// Of a volume, which may be off by the tolerance times its true value (FC-CLAIM-15).
+// A volume in decimals may be off by the tolerance times its true value (FC-CLAIM-15).
 [[nodiscard]] ValueMatch match_volume(const ClaimedNumber& claimed, const Rational& truth, double tolerance);
 
 [[nodiscard]] inline bool is_wrong(ValueMatch match) { return match >= ValueMatch::kRounding; }

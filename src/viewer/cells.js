@@ -49,9 +49,7 @@ class Cells {
 
   // The triangles of some faces.
   triangles(faces) {
-    const { triangle_offsets, triangles, vertices } = this.faces;
-    const range = (face) => triangles.subarray(3 * triangle_offsets[face], 3 * triangle_offsets[face + 1]);
-    return positions(vertices, faces.map(range));
+    return triangles_of(this.faces, faces);
   }
 
   surface(record) {
@@ -71,6 +69,12 @@ class Cells {
       sheet_count: sheet_offsets[i + 1] - sheet_offsets[i],
     };
   }
+}
+
+// Nine coordinates for each triangle of these parts of a mesh.
+export function triangles_of({ triangle_offsets, triangles, vertices }, parts) {
+  const range = (part) => triangles.subarray(3 * triangle_offsets[part], 3 * triangle_offsets[part + 1]);
+  return positions(vertices, parts.map(range));
 }
 
 function positions(vertices, lists) {

@@ -3,6 +3,7 @@
 // input units.
 
 import { decode_all } from './blobs.js';
+import { triangles_of } from './cells.js';
 import { none } from './complex.js';
 
 const lists = ['peaks', 'maxima', 'cell', 'mouths', 'neighbours'];
@@ -48,11 +49,11 @@ class Pockets {
   }
 
   surface(pocket) {
-    return positions(this.surfaces, [pocket]);
+    return triangles_of(this.surfaces, [pocket]);
   }
 
   mouth_triangles(points) {
-    return positions(
+    return triangles_of(
       this.mouth_surfaces,
       points.map((point) => this.mouth_place.get(point)),
     );
@@ -73,17 +74,4 @@ export function mouths_by_radius(complex, pocket) {
   const sorted = complex.pockets.list('mouths', pocket).sort((a, b) => radius(b) - radius(a));
   const least = radius(sorted[0]) / 2;
   return { wide: sorted.filter((m) => radius(m) >= least), narrow: sorted.filter((m) => radius(m) < least) };
-}
-
-// Nine coordinates for each triangle of these parts of a mesh.
-function positions({ triangle_offsets, triangles, vertices }, parts) {
-  const ranges = parts.map((part) => triangles.subarray(3 * triangle_offsets[part], 3 * triangle_offsets[part + 1]));
-  const all = new Float32Array(3 * ranges.reduce((sum, range) => sum + range.length, 0));
-  let place = 0;
-  for (const range of ranges)
-    for (const vertex of range) {
-      all.set(vertices.subarray(3 * vertex, 3 * vertex + 3), place);
-      place += 3;
-    }
-  return all;
 }

@@ -187,7 +187,7 @@ TEST(PocketsCommand, IsJudgedByCheck) {
     EXPECT_TRUE(report["levels"]["4"]["conforms"].is_null());
     EXPECT_TRUE(report["not_judged"].empty());
   }
-  // The same, as another program could print it, with one number changed.
+  // Another program could print the claim on several lines. One number is changed.
   ordered_json wrong = ordered_json::parse(claim);
   wrong["pockets"][0]["depth"] = "1/2";
   const Finished done = flowcert({"check", points, scratch.file("wrong.json", wrong.dump(2))});

@@ -203,7 +203,7 @@ class Truth {
 
   // The persistence is not negative.
   [[nodiscard]] virtual TruePockets pockets(const Rational& persistence) = 0;
-  // Of an index-2 critical point: the area of its S2, as FC-POCK-11 permits.
+  // The area is that of the S2 of an index-2 critical point, as FC-POCK-11 permits.
   [[nodiscard]] virtual double area(std::size_t i) = 0;
   // The double nearest to the sum of some volumes, or an infinity where it would overflow.
   [[nodiscard]] virtual double nearest_volume_of(const std::vector<std::uint32_t>& points) = 0;
