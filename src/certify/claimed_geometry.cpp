@@ -8,6 +8,7 @@
 
 #include "geometry/contract.h"
 #include "geometry/enclosing_ball.h"
+#include "geometry/integer_grid.h"
 #include "geometry/predicates.h"
 #include "geometry/rational_point.h"
 
@@ -112,17 +113,41 @@ bool rounds_alike(const Rational& a, const Rational& b) {
   return x && y && *x == *y;
 }
 
-double rounding_length(const ExactSphere& sphere) {
-  double length = std::sqrt(as_double(sphere.squared_radius));
-  for (const Rational& coordinate : sphere.center) length = std::max(length, std::abs(as_double(coordinate)));
-  return length;
+namespace {
+
+// The square of the larger of the radius and the largest coordinate.
+Rational squared_extent(const ExactSphere& sphere) {
+  Rational largest = sphere.squared_radius;
+  for (const Rational& x : sphere.center) largest = std::max(largest, Rational(x * x));
+  return largest;
 }
 
-bool is_rounding(const Rational& squared_a, const Rational& squared_b, double rounding_length) {
-  const double a = std::sqrt(as_double(squared_a)), b = std::sqrt(as_double(squared_b));
-  if (a + b == 0) return true;
-  // This is |a - b|. Computed as a - b, it would lose a difference below the last bit of either.
-  return std::abs(as_double(squared_a - squared_b)) / (a + b) <= kRoundingPart * rounding_length;
+// Whether the roots d and r of two numbers differ by no more than a length t: iff d^2 + r^2 - t^2 <= 2 d r.
+bool roots_are_within(const Rational& a, const Rational& b, const Rational& squared_length) {
+  const Rational left = a + b - squared_length;
+  return left <= 0 || left * left <= 4 * a * b;
+}
+
+}  // namespace
+
+double rounding_length(const ExactSphere& sphere) {
+  // A square can be beyond the doubles where its root is none of these.
+  const Rational square = squared_extent(sphere);
+  if (square == 0) return 0;
+  const auto bits = [](const geometry::BigInteger& x) { return static_cast<int>(boost::multiprecision::msb(x)); };
+  const int half = (bits(numerator(square)) - bits(denominator(square))) / 2;
+  const geometry::BigInteger scale = geometry::BigInteger(1) << (2 * std::abs(half));
+  const Rational scaled = half < 0 ? Rational(square * scale) : Rational(square / scale);
+  return std::min(std::ldexp(std::sqrt(as_double(scaled)), half), std::numeric_limits<double>::max());
+}
+
+Rational squared_rounding(const ExactSphere& sphere) {
+  const Rational part(kRoundingPart);
+  return part * part * squared_extent(sphere);
+}
+
+bool is_rounding(const Rational& squared_a, const Rational& squared_b, const Rational& squared_rounding) {
+  return roots_are_within(squared_a, squared_b, squared_rounding);
 }
 
 Rational ValueScale::squared_allowance() const {
@@ -134,7 +159,7 @@ Rational ValueScale::squared_allowance() const {
   return exact_tolerance * exact_tolerance * squared_length;
 }
 
-double ValueScale::rounding_length() const { return certify::rounding_length(sphere_); }
+Rational ValueScale::squared_rounding() const { return certify::squared_rounding(sphere_); }
 
 ValueMatch match_volume(const ClaimedNumber& claimed, const Rational& truth, double tolerance) {
   if (claimed.value == truth) return claimed.is_exact ? ValueMatch::kEqual : ValueMatch::kWithin;
@@ -161,7 +186,7 @@ ValueMatch match_position(const ClaimedPosition& claimed, const RationalPoint& t
     (claimed[axis].is_exact ? off_exactly : off_by_decimals) += difference * difference;
   }
   if (off_exactly == 0 && off_by_decimals <= scale.squared_allowance()) return ValueMatch::kWithin;
-  return wrong(is_rounding(off_exactly + off_by_decimals, 0, scale.rounding_length()));
+  return wrong(is_rounding(off_exactly + off_by_decimals, 0, scale.squared_rounding()));
 }
 
 ValueMatch match_vector(const ClaimedPosition& claimed, const RationalPoint& truth, double tolerance) {
@@ -191,12 +216,10 @@ ValueMatch match_squared_distance(const ClaimedNumber& claimed, const Rational& 
   if (square < 0) return ValueMatch::kOff;
   if (square == squared_radius) return claimed.is_exact ? ValueMatch::kEqual : ValueMatch::kWithin;
   if (!claimed.is_exact) {
-    // |d - r| <= t for the roots d and r iff d^2 + r^2 - t^2 <= 2 d r.
     if (rounds_alike(square, squared_radius)) return ValueMatch::kWithin;
-    const Rational left = square + squared_radius - scale.squared_allowance();
-    if (left <= 0 || left * left <= 4 * square * squared_radius) return ValueMatch::kWithin;
+    if (roots_are_within(square, squared_radius, scale.squared_allowance())) return ValueMatch::kWithin;
   }
-  return wrong(is_rounding(square, squared_radius, scale.rounding_length()));
+  return wrong(is_rounding(square, squared_radius, scale.squared_rounding()));
 }
 
 }  // namespace flowcert::certify

@@ -55,8 +55,8 @@ class ValueScale {
 
   // The square of the length by which a position or distance in decimals may be off.
   [[nodiscard]] Rational squared_allowance() const;
-  // About the larger of the radius and the largest coordinate, because rounding errors depend on both.
-  [[nodiscard]] double rounding_length() const;
+  // As below.
+  [[nodiscard]] Rational squared_rounding() const;
 
  private:
   ExactSphere sphere_;
@@ -86,10 +86,14 @@ class ValueScale {
 // Whether two values have the same nearest double. A decimal for which this holds is as right as a double can be.
 [[nodiscard]] bool rounds_alike(const Rational& a, const Rational& b);
 
-// Whether two lengths, given by their squares, differ by no more than rounding explains at this rounding_length.
+// Rounding explains this part of the larger of the radius and the largest coordinate (FC-CLAIM-05), because rounding
+// errors depend on both.
 inline constexpr double kRoundingPart = 0x1p-44;
-[[nodiscard]] bool is_rounding(const Rational& squared_a, const Rational& squared_b, double rounding_length);
-// As in ValueScale.
+// The square of the length that rounding explains. Exact.
+[[nodiscard]] Rational squared_rounding(const ExactSphere& sphere);
+// Whether two lengths, given by their squares, differ by no more than rounding explains. Exact.
+[[nodiscard]] bool is_rounding(const Rational& squared_a, const Rational& squared_b, const Rational& squared_rounding);
+// The larger of the radius and the largest coordinate, to some bits; the largest double where it is beyond.
 [[nodiscard]] double rounding_length(const ExactSphere& sphere);
 
 }  // namespace flowcert::certify

@@ -33,7 +33,7 @@ Fault not_cospherical(const PointSet& points, const std::vector<PointId>& names,
     const Rational distance = squared_distance(sphere.center, sample(points, name));
     if (distance == sphere.squared_radius) continue;
     witness = name;
-    by_rounding = by_rounding && is_rounding(distance, sphere.squared_radius, rounding_length(sphere));
+    by_rounding = by_rounding && is_rounding(distance, sphere.squared_radius, squared_rounding(sphere));
   }
   return {rounding_or(FindingReason::kNotCospherical, by_rounding), "FC-CRIT-05 (a)",
           "point " + std::to_string(witness) + " is not on the sphere of the others, centred in their affine hull"};
@@ -41,7 +41,7 @@ Fault not_cospherical(const PointSet& points, const std::vector<PointId>& names,
 
 Fault not_empty(const ExactSphere& sphere, const NearestSamples& nearest) {
   return {rounding_or(FindingReason::kBallNotEmpty,
-                      is_rounding(nearest.squared_distance, sphere.squared_radius, rounding_length(sphere))),
+                      is_rounding(nearest.squared_distance, sphere.squared_radius, squared_rounding(sphere))),
           "FC-CRIT-05 (b)",
           "point " + names_text(nearest.names) + " lies inside the ball: squared distance " +
               number_text(nearest.squared_distance) + " from its centre, squared radius " +
@@ -53,7 +53,7 @@ Fault outside_hull(const PointSet& points, const std::vector<PointId>& names, co
   coordinates.reserve(names.size());
   for (const PointId name : names) coordinates.push_back(sample(points, name));
   const RationalPoint driver = enclosing_ball_center(coordinates);
-  const bool by_rounding = is_rounding(squared_distance(driver, sphere.center), 0, rounding_length(sphere));
+  const bool by_rounding = is_rounding(squared_distance(driver, sphere.center), 0, squared_rounding(sphere));
   return {rounding_or(FindingReason::kOutsideHull, by_rounding), "FC-CRIT-05 (d)",
           "the centre " + position_text(sphere.center) + " lies outside the hull of the contact set"};
 }

@@ -205,6 +205,23 @@ TEST(CheckTest, JudgesPositionsExactlyOrWithinTheTolerance) {
   EXPECT_THROW((void)two.check(claimed, {.tolerance = std::numeric_limits<double>::quiet_NaN()}), InvalidInput);
 }
 
+// The squares of these lengths are no doubles.
+TEST(CheckTest, TellsRoundingAtAnyScale) {
+  CITES("FC-CLAIM-05");
+  for (const double scale : {0x1p-600, 0x1p600}) {
+    const Truly two({{0, 0, 0}, {2 * scale, 0, 0}});
+    const Rational unit(scale);
+    const auto expect_reason = [&](const Rational& off, FindingReason reason) {
+      Claimed claimed = two.claim();
+      claimed.last().center = exactly({unit * (1 + off), 0, 0});
+      expect_finding(two.check(claimed), 2, reason, "FC-OUT-01", 3);
+    };
+    expect_reason(Rational(1, 2), FindingReason::kWrongPosition);
+    expect_reason(Rational(1, 1LL << 43), FindingReason::kWrongPosition);
+    expect_reason(Rational(1, 1LL << 44), FindingReason::kRounding);
+  }
+}
+
 TEST(CheckTest, FindsOutWhatIsClaimedByPosition) {
   CITES("FC-CLAIM-05");
   const Truly triangle({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}});
