@@ -84,6 +84,17 @@ CaseLimits limits_of(const Json& value, const RecordOf& record_of, std::size_t r
   return limits;
 }
 
+// An index-2 point may have its limits in two places, which must say the same.
+std::optional<CaseLimits> limits_in(const Json& record, const RecordOf& record_of, std::size_t rows) {
+  std::optional<CaseLimits> limits;
+  if (record.contains("limits")) limits = limits_of(record.at("limits"), record_of, rows);
+  const auto incidences = record.find("incidences");
+  if (incidences == record.end() || record.at("index") != 2) return limits;
+  const CaseLimits again = limits_of(incidences->at("limits"), record_of, rows);
+  require(!limits || *limits == again, "limits that are not those among the incidences");
+  return again;
+}
+
 std::vector<std::size_t> boundary_of(const Json& value, const RecordOf& record_of, const VectorCase& one) {
   std::vector<std::size_t> boundary;
   for (const Json& contact : value) {
@@ -150,8 +161,7 @@ void add_expected(const Json& expected, VectorCase& one) {
                                  [](const auto& a, const auto& b) { return order_key(a) < order_key(b); }),
           "stationary points that are not in order");
   for (const Json& value : expected.at("stationary")) {
-    const auto limits = value.find("limits");
-    one.limits.push_back(limits == value.end() ? std::nullopt : std::optional(limits_of(*limits, record_of, rows)));
+    one.limits.push_back(limits_in(value, record_of, rows));
     const auto stable = value.find("stable");
     one.stable.push_back(stable == value.end() ? std::nullopt : std::optional(stable_of(*stable, record_of, one)));
   }

@@ -53,6 +53,51 @@ void add_fast_limits(const FlowComplex& complex, Json& records) {
   }
 }
 
+// Adds the contact sets of all index-1 points to which a connecting orbit comes down from it.
+Json incidences_of_saddle(const FlowComplex& complex, std::size_t saddle, std::set<Json>& reached) {
+  std::map<Json, std::size_t> orbits_to;
+  bool has_tie = false;
+  for (const BackwardSegment& segment : complex.stable().set_of_record(complex.unstable().saddle(saddle)).segments) {
+    has_tie = has_tie || segment.back_kind == BackKind::kRegular || segment.back_kind == BackKind::kVertex;
+    if (segment.back_kind == BackKind::kCritical) ++orbits_to[segment.back_contact];
+  }
+  Json ends = Json::array(), boundary = Json::array(), limits = Json::array();
+  for (const auto& [contact, count] : orbits_to) {
+    reached.insert(contact);
+    ends.push_back(contact);
+    if (count % 2 == 1) boundary.push_back(contact);
+  }
+  for (const std::size_t side : {0U, 1U}) {
+    const auto limit = complex.unstable().limit(saddle, side);
+    limits.push_back(limit ? Json(complex.stationary().contact(*limit)) : Json());
+  }
+  return {{"limits", limits}, {"ends", ends}, {"boundary", has_tie ? Json() : boundary}};
+}
+
+void add_fast_incidences(const FlowComplex& complex, Json& records) {
+  std::set<Json> reached;
+  for (std::size_t i = 0; i < complex.unstable().size(); ++i) {
+    records[complex.unstable().saddle(i)]["incidences"] = incidences_of_saddle(complex, i, reached);
+  }
+  const FlowLimits& lists = complex.limits();
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    Json& record = records[lists.record(i)];
+    if (record["index"] != 1 || reached.contains(record["contact"])) continue;
+    std::set<Json> finite;
+    bool has_infinity = false;
+    for (const FlowLimits::Entry& entry : lists.entries(i)) {
+      if (entry.limit == FlowLimits::Entry::kInfinity) {
+        has_infinity = true;
+      } else {
+        finite.insert(complex.stationary().contact(entry.limit));
+      }
+    }
+    Json limits = finite;
+    if (has_infinity) limits.push_back(nullptr);
+    record["incidences"]["limits"] = limits;
+  }
+}
+
 Json fast_orbit(const FlowComplex& complex, const Json& start) {
   const Orbit path = complex.orbit(parse_rational_point(words_in_a_row(start)));
   Json segments = Json::array();
@@ -191,6 +236,7 @@ Json fast_answer(const Json& one, ConstructionKernel kernel) {
   }
   if (any_has(expected, "volume")) add_fast_volumes(complex, answer["stationary"]);
   if (any_has(expected, "u1")) add_fast_surfaces(complex, answer["stationary"]);
+  add_fast_incidences(complex, answer["stationary"]);
   if (has(one, "morse_smale")) {
     answer["morse_smale"] = is_morse_smale(complex.stationary(), complex.limits(), complex.stable());
   }

@@ -67,6 +67,7 @@ TEST(VectorCases, ThatCannotBeRightAreRefused) {
   EXPECT_EQ(complaint("/expected/stationary/0/index", 2), "stationary points that are not in order");
   EXPECT_EQ(complaint("/expected/stationary/2/index", {2, 1}), "no index: [2,1]");
   EXPECT_EQ(complaint("/expected/stationary/2/limits", {nullptr, {0, 2}}), "a contact set that is none of the points");
+  EXPECT_EQ(complaint("/expected/stationary/2/limits", {nullptr}), "not two limits");
   EXPECT_EQ(complaint("/expected/persistence/0/death", "0"), "a persistence pair of no length");
   EXPECT_EQ(complaint("/expected/persistence/0/dimension", 3), "'dimension' is not 0, 1 or 2");
   EXPECT_EQ(complaint("/expected/persistence/1/death", "1/2"), "persistence pairs that are not in order");

@@ -7,6 +7,7 @@
 #include "oracle/program/read_points.h"
 #include "oracle/stable_pieces.h"
 #include "tests/vectors/flags.h"
+#include "tests/vectors/incidences.h"
 #include "tests/vectors/starts.h"
 
 namespace oracle::vectors {
@@ -100,6 +101,7 @@ void add_whole_complex(const Recipe& recipe, const Findings& found, std::size_t 
 Json stationary_field(const Recipe& recipe, const Findings& found) {
   Json records = Json::array();
   std::size_t saddle = 0;
+  const std::vector<Json> incident = incidences(found.set, found.answer.stationary);
   for (const StationaryPoint& x : found.answer.stationary) {
     Json record = record_field(x);
     if (recipe.limits && is_saddle(x)) {
@@ -113,6 +115,7 @@ Json stationary_field(const Recipe& recipe, const Findings& found) {
       record["skeleton"] = skeleton_field(found.set, stable->second);
     }
     add_whole_complex(recipe, found, records.size(), record);
+    if (!incident[records.size()].is_null()) record["incidences"] = incident[records.size()];
     records.push_back(record);
   }
   return records;
