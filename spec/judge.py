@@ -1159,8 +1159,8 @@ def main():
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     options = parser.parse_args()
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # a reader that has seen enough may close the pipe
-    if not 0 <= options.tolerance <= 1 or bool(options.against) == bool(options.claim):
-        parser.error("needs --against or --claim, and a tolerance between 0 and 1")
+    if not 0 <= options.tolerance <= Fraction(1, 1000) or bool(options.against) == bool(options.claim):
+        parser.error("needs --against or --claim, and a tolerance from 0 to 0.001")
     cases, flags = read_vectors(options.vectors, options)
     if not cases or (options.claim and (len(cases) > 1 or cases[0]["result"] == "invalid")):
         parser.error("no such case" if not cases else "--claim needs one --case that is not invalid")
