@@ -222,8 +222,8 @@ def key_misplaced(head, records, rows, rng):
 
 CHANGES = [drop, repeat, other_index, as_critical, contact_replaced, contact_smaller, contact_larger, contact_part,
            outside_row, center_moved, square_changed, double_changed, square_double_changed, decimals_alone,
-           positions_alone, limit_changed, limits_swapped, limit_part, samples_changed, boundary_changed, boundary_added,
-           head_changed, indices_fewer, without_regular, made_of_simplex, made_of_simplex, key_misplaced]
+           positions_alone, limit_changed, limits_swapped, limit_part, samples_changed, boundary_changed,
+           boundary_added, head_changed, indices_fewer, without_regular, made_of_simplex, made_of_simplex, key_misplaced]
 
 
 def recounted(head, records):

@@ -12,6 +12,8 @@
 #include "oracle/persistence.h"
 #include "oracle/program/read_points.h"
 #include "oracle/program/read_records.h"
+#include "oracle/stable_pieces.h"
+#include "oracle/stable_set.h"
 #include "oracle/stationary_points.h"
 
 namespace flowcert::conformance {
@@ -81,6 +83,16 @@ std::string pair_key(int dimension, const Value& birth, const std::optional<Valu
   return "pair " + std::to_string(dimension) + " " + birth.str() + " " + (death ? death->str() : "never");
 }
 
+// The contact sets of the index-1 points are ascending.
+std::string boundary_text(const Words& words, bool has_tie, const std::set<std::vector<std::size_t>>& edges) {
+  std::string text = prefix(words, place_of(words, "edges")) + " edges";
+  if (has_tie) return text + " open";
+  for (const std::vector<std::size_t>& edge : edges) {
+    text += " " + std::to_string(edge.front()) + "-" + std::to_string(edge.back());
+  }
+  return text;
+}
+
 // ---- The fast implementation ----
 
 class FastTeller {
@@ -101,6 +113,22 @@ class FastTeller {
     for (std::size_t k = 0; k < complex_.unstable().size(); ++k) {
       if (!std::ranges::equal(complex_.stationary().contact(complex_.unstable().saddle(k)), asked)) continue;
       return limits_text(words, {end_of(k, 0), end_of(k, 1)});
+    }
+    return "no critical point of index 2 with the contact set " + ids_text(asked);
+  }
+  [[nodiscard]] std::string boundary(const Words& words) const {
+    const auto asked = contact_in(words, place_of(words, "edges"));
+    const StableManifolds& stable = complex_.stable();
+    for (std::size_t k = 0; k < stable.size(); ++k) {
+      if (!std::ranges::equal(complex_.stationary().contact(stable.record(k)), asked)) continue;
+      const bool has_regular_back = std::ranges::any_of(
+          stable.set(k).segments, [](const auto& segment) { return segment.back_kind == BackKind::kRegular; });
+      std::set<std::vector<std::size_t>> edges;
+      for (const std::uint32_t record : stable.boundary(k)) {
+        const auto contact = complex_.stationary().contact(record);
+        edges.emplace(contact.begin(), contact.end());
+      }
+      return boundary_text(words, stable.has_vertex(k) || has_regular_back, edges);
     }
     return "no critical point of index 2 with the contact set " + ids_text(asked);
   }
@@ -146,6 +174,20 @@ class OracleTeller {
     }
     return "no critical point of index 2 with the contact set " + ids_text(asked);
   }
+  [[nodiscard]] std::string boundary(const Words& words) const {
+    const auto asked = contact_in(words, place_of(words, "edges"));
+    for (const oracle::StationaryPoint& point : oracle::stationary_points(set_).stationary) {
+      if (point.contact != asked || point.face_dimension != 2 || point.hull_dimension != 2) continue;
+      const oracle::StableSet stable = oracle::stable_set(set_, point);
+      std::set<std::vector<std::size_t>> edges;
+      for (const oracle::BackwardSegment& segment : stable.segments) {
+        if (segment.back_kind != oracle::BackKind::kCritical) continue;
+        if (!edges.insert(segment.back_contact).second) edges.erase(segment.back_contact);
+      }
+      return boundary_text(words, oracle::has_tie(stable), edges);
+    }
+    return "no critical point of index 2 with the contact set " + ids_text(asked);
+  }
   [[nodiscard]] std::string pair(const Words& words) const {
     std::multiset<std::string> pairs;
     for (const oracle::PersistencePair& one : oracle::persistence_pairs(set_)) {
@@ -172,13 +214,15 @@ std::string told(const std::string& points, const Words& words) {
   const Teller teller(points);
   if (words[0] == "nearest") return teller.nearest(words);
   if (words[0] == "orbit") return teller.orbit(words);
+  if (words[0] == "boundary") return teller.boundary(words);
   return words[0] == "limits" ? teller.limits(words) : teller.pair(words);
 }
 
 }  // namespace
 
 bool is_told(const std::string& keyword) {
-  return keyword == "nearest" || keyword == "orbit" || keyword == "limits" || keyword == "pair";
+  constexpr std::array kKeywords = {"nearest", "orbit", "limits", "boundary", "pair"};
+  return std::ranges::find(kKeywords, keyword) != kKeywords.end();
 }
 
 std::string told_by_fast(const std::string& points, const Words& statement) {

@@ -1,5 +1,5 @@
-// Statements of the spec's examples on orbits, contact sets, limits and persistence pairs, as each implementation
-// answers them (spec section 9).
+// Statements of the spec's examples on orbits, contact sets, limits, boundaries and persistence pairs, as each
+// implementation answers them (spec section 9).
 //
 // Guarantees: an answer is the whole statement as it should be, so that a right statement is equal to it. The oracle
 // and the fast implementation read the points with their own readers.
@@ -15,7 +15,7 @@ struct NotAnExample : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Whether a statement that begins with this word is one of these: nearest, orbit, limits, pair.
+// Whether a statement that begins with this word is one of these: nearest, orbit, limits, boundary, pair.
 bool is_told(const std::string& keyword);
 
 // The statement as it should be. points: the text of an XYZ file. Throws NotAnExample for one that asks nothing.
