@@ -144,6 +144,9 @@ void write_head(std::ostream& out, const Json& report) {
       << kStyle << "</style>\n</head>\n<body>\n<h1>Conformance report</h1>\n";
   out << fmt::format("<p class=\"verdict {}\">{}</p>\n<p>Command: <code>{}</code></p>\n", is_right ? "good" : "bad",
                      text_of(report.at("verdict")), cli::xml_text(report.at("command").get<std::string>()));
+  if (const Json& statement = report.at("profile").at("statement"); !statement.is_null()) {
+    out << fmt::format("<p>{}</p>\n", cli::xml_text(statement.get<std::string>()));
+  }
   for (const auto& [key, what] : {std::pair("orbit_command", "Orbits"), std::pair("persistence_command", "Pairs")}) {
     if (report.at(key).is_null()) continue;
     out << fmt::format("<p>{}: <code>{}</code></p>\n", what, cli::xml_text(report.at(key).get<std::string>()));

@@ -9,6 +9,7 @@
 
 #include "cli/check_report.h"
 #include "cli/command.h"
+#include "cli/profile_report.h"
 #include "cli/reason_table.h"
 #include "cli/shortened_numbers.h"
 #include "cli/table.h"
@@ -388,6 +389,13 @@ void write_test_case(std::ostream& out, const CaseOutcome& outcome) {
   }
 }
 
+// How many of the vectors the statement is about.
+std::string note_of(const ConformanceReport& report) {
+  const std::size_t asked = tally_of_all(report).cases, all = report.vectors.cases.size();
+  return asked == all ? fmt::format(" ({} vectors)", with_commas(all))
+                      : fmt::format(" ({} of {} vectors)", with_commas(asked), with_commas(all));
+}
+
 void write_test_suite(std::ostream& out, const ConformanceReport& report, const NamedTally& group) {
   const Tally& tally = group.tally;
   double seconds = 0;
@@ -397,6 +405,7 @@ void write_test_suite(std::ostream& out, const ConformanceReport& report, const 
   out << fmt::format(
       "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\" time=\"{:.3f}\">\n",
       xml_text(group.name), tally.cases + tally.skipped, tally.negative(), tally.skipped, seconds);
+  out << junit_properties(report.verdict(), report.profile(), note_of(report));
   for (const CaseOutcome& outcome : report.outcomes) {
     if (outcome.of->group == group.name) write_test_case(out, outcome);
   }
@@ -410,6 +419,14 @@ Verdict ConformanceReport::verdict() const {
   if (all.negative() > 0) return Verdict::kFails;
   if (all.perturbed > 0) return Verdict::kPerturbed;
   return all.where_determined > 0 ? Verdict::kConformsWhereDetermined : Verdict::kConforms;
+}
+
+Profile ConformanceReport::profile() const {
+  Profile joined;
+  for (const CaseOutcome& outcome : outcomes) {
+    if (outcome.profile) joined.join(*outcome.profile);
+  }
+  return joined;
 }
 
 void print_conformance_text(const ConformanceReport& report, std::size_t most) {
@@ -428,7 +445,9 @@ void print_conformance_text(const ConformanceReport& report, std::size_t most) {
                             with_commas(all.cases), seconds_text(report.seconds), with_commas(all.conforms),
                             with_commas(all.where_determined), with_commas(all.perturbed), with_commas(all.negative())),
                 kCaseIndent);
-  fmt::print("\n{}\n", verdict_text(report.verdict()));
+  fmt::print("\n");
+  print_conformity(report.verdict(), report.profile(), note_of(report));
+  fmt::print("{}\n", verdict_text(report.verdict()));
 }
 
 Json conformance_json(const ConformanceReport& report) {
@@ -441,6 +460,7 @@ Json conformance_json(const ConformanceReport& report) {
   json["highest_level"] = options.check.highest_level;
   json["time_limit"] = options.limits.seconds;
   json["verdict"] = verdict_text(report.verdict());
+  json["profile"] = profile_field(report.verdict(), report.profile(), note_of(report));
   json["seconds"] = report.seconds;
   json["judged"] = judged_field(report);
   json["reasons"] = reasons_field(reasons_of(report),

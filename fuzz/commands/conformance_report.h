@@ -20,6 +20,8 @@ struct ConformanceReport {
 
   // The verdict on the cases that were not skipped.
   [[nodiscard]] Verdict verdict() const;
+  // What the answers to all cases tell (FC-CLAIM-22).
+  [[nodiscard]] Profile profile() const;
 };
 
 // The differences of persistence pairs in a report for programs.

@@ -15,6 +15,7 @@
 
 #include "cli/check_report.h"
 #include "cli/command.h"
+#include "cli/profile_report.h"
 #include "cli/progress.h"
 #include "cli/reason_table.h"
 #include "cli/shortened_numbers.h"
@@ -204,6 +205,12 @@ const char* truth_text(const Verification& verification) {
   return verification.options().by_oracle ? "oracle" : "fast implementation";
 }
 
+// How many cases the statement is about. Vectors are told apart from drawn inputs, which no other version has.
+std::string note_of(const Verification& verification) {
+  return fmt::format(" ({} {})", with_commas(verification.expected()),
+                     verification.is_stored() ? "vectors" : "drawn inputs");
+}
+
 void print_verdict(const Verification& verification) {
   const OutcomeCounts counts = verification.counts();
   std::string text = fmt::format("{}: {} of {} cases are right", verdict_text(verification.verdict()),
@@ -220,6 +227,7 @@ void print_verdict(const Verification& verification) {
     text += fmt::format(", of {} large ones by the fast implementation", with_commas(verification.too_large()));
   }
   fmt::print("\n");
+  print_conformity(verification.verdict(), verification.profile(), note_of(verification));
   print_wrapped(text, kVerifyIndent);
 }
 
@@ -301,6 +309,7 @@ void print_verify_text(const Verification& verification, std::size_t most) {
 void print_verify_json(const Verification& verification) {
   Json json = header_fields("flowcert-verify", 1);
   json["verdict"] = verdict_text(verification.verdict());
+  json["profile"] = profile_field(verification.verdict(), verification.profile(), note_of(verification));
   json["tolerance"] = verification.options().check.tolerance;
   json["highest_level"] = verification.options().check.highest_level;
   json["truth"] = truth_text(verification);
@@ -328,7 +337,8 @@ void write_verify_junit(std::ostream& out, const Verification& verification) {
   const std::string run = verification.cases().generate_command(verification.options().only);
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
       << fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\">\n",
-                     xml_text("flowcert verify of " + run), families.size(), failures);
+                     xml_text("flowcert verify of " + run), families.size(), failures)
+      << junit_properties(verification.verdict(), verification.profile(), note_of(verification));
   for (const auto& [name, counts] : families) write_family(out, verification, name, counts);
   out << "  </testsuite>\n</testsuites>\n";
 }

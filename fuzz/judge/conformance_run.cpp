@@ -79,6 +79,7 @@ class CaseRun {
       const Run run = run_orbit(orbit.start);
       if (!ends_well(run) || !judge_orbit(run, orbit)) return;
     }
+    if (!case_.orbits.empty()) tell(ProfilePart::kOrbits, true);
   }
 
   // ---- Running
@@ -206,6 +207,7 @@ class CaseRun {
 
   void take(const Run& run, CheckReport report) {
     for (std::size_t k = 0; k < kLevels; ++k) result_.judged.at(k) = report.conforms.at(k).has_value();
+    result_.profile = report.profile;
     auto& findings = report.findings;
     std::ranges::stable_sort(findings, {}, &Finding::is_variation);  // what is wrong comes first
     if (report.verdict == Verdict::kFails) {
@@ -252,6 +254,7 @@ class CaseRun {
         read_answer(run, [&](const std::string& bytes) { claimed = claimed_pairs_of(bytes, run.answer_name); });
     if (!is_read) return;
     result_.is_persistence_judged = true;
+    tell(ProfilePart::kPersistence, std::ranges::all_of(claimed, is_exact_pair));
     auto differences = pair_differences(claimed, *case_.persistence, options_.check.tolerance);
     if (differences.empty()) return;
     for (const PairDifference& difference : differences) {
@@ -260,6 +263,13 @@ class CaseRun {
     fail(run, RunOutcome::kFails, persistence_finding_words(differences.front()));
     if (differences.size() > kMostFindings) differences.resize(kMostFindings);
     result_.persistence_findings = std::move(differences);
+  }
+
+  // Adds to the profile a part that is no part of a claim.
+  void tell(ProfilePart part, bool is_exact) {
+    if (!result_.profile) return;
+    result_.profile->set(part, Profile::State::kTold);
+    result_.profile->set_exact(result_.profile->is_exact() && is_exact);
   }
 
   const VectorCase& case_;

@@ -15,6 +15,7 @@
 #include "flowcert/check.h"
 #include "flowcert/orbit_difference.h"
 #include "flowcert/pair_differences.h"
+#include "flowcert/profile.h"
 #include "fuzz/judge/limited_program.h"
 #include "fuzz/judge/vector_cases.h"
 
@@ -68,6 +69,9 @@ struct CaseOutcome {
   std::size_t orbits_judged = 0;
   std::vector<PairDifference> persistence_findings;
   bool is_persistence_judged = false;
+  // What the answers tell (FC-CLAIM-22). An invalid or skipped case has none, and neither has one whose claim was not
+  // judged.
+  std::optional<Profile> profile;
 };
 inline constexpr std::size_t kMostFindings = 100;
 // The page in the folder of a case that is kept (spec/formats/view.md).

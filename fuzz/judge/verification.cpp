@@ -213,6 +213,7 @@ void Verification::judge_claim(const AskedCase& one, const Answer& answer, Faile
   const Claim claim = claim_of(answer.text, points);
   CheckReport report = check(points, claim, *truth_of(one, rows, points), options_.check);
   result.outcome = outcome_of(report.verdict);
+  profile_.join(report.profile);
   approximate_ += report.is_exact ? 0 : 1;
   partly_judged_ += report.not_judged.empty() ? 0 : 1;
   std::erase_if(report.findings, [](const Finding& finding) { return finding.is_variation; });
@@ -227,10 +228,12 @@ void Verification::judge_claim(const AskedCase& one, const Answer& answer, Faile
 
 void Verification::judge_pairs(const AskedCase& one, const Answer& answer, FailedCase& result) {
   const std::vector<ClaimedPair> claimed = claimed_pairs_of(answer.text, "answer");
-  const auto is_decimal = [](const ClaimedPair& pair) {
-    return !pair.birth.is_exact || (pair.death && !pair.death->is_exact);
-  };
-  approximate_ += std::ranges::any_of(claimed, is_decimal) ? 1 : 0;
+  const bool is_exact = std::ranges::all_of(claimed, is_exact_pair);
+  approximate_ += is_exact ? 0 : 1;
+  Profile profile;
+  profile.set(ProfilePart::kPersistence, Profile::State::kTold);
+  profile.set_exact(is_exact);
+  profile_.join(profile);
   auto differences = pair_differences(claimed, pairs_of(one, property::rows_of(one.input)), options_.check.tolerance);
   result.outcome = differences.empty() ? Outcome::kConforms : Outcome::kFails;
   result.wrong = differences.size();

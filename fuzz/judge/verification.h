@@ -20,6 +20,7 @@
 
 #include "flowcert/check.h"
 #include "flowcert/pair_differences.h"
+#include "flowcert/profile.h"
 #include "fuzz/judge/asked_cases.h"
 #include "fuzz/judge/layer.h"
 #include "io/line_reader.h"
@@ -143,6 +144,8 @@ class Verification {
   [[nodiscard]] std::size_t approximate() const { return approximate_; }
   [[nodiscard]] std::size_t partly_judged() const { return partly_judged_; }
   [[nodiscard]] std::size_t too_large() const { return too_large_; }
+  // What all answers that were judged tell (FC-CLAIM-22).
+  [[nodiscard]] const Profile& profile() const { return profile_; }
 
   // Where points and claim of a failing case are kept, without the endings .xyz and .claim.
   [[nodiscard]] std::string kept_path(std::size_t number) const;
@@ -170,6 +173,7 @@ class Verification {
   std::size_t approximate_ = 0;
   std::size_t partly_judged_ = 0;
   std::size_t too_large_ = 0;
+  Profile profile_;
 };
 
 }  // namespace flowcert::judge

@@ -148,6 +148,8 @@ CheckReport check(const PointSet& points, const Claim& claim, Truth& truth, cons
     if (std::ranges::count(has_judged, true) > 0) run.report.conforms[4] = true;
   }
   conclude(run.report, options.highest_level);
+  run.report.profile =
+      profile_of(claim, run.report.indices, points.row_count() > 0, run.report.is_exact, options.highest_level);
   return std::move(run.report);
 }
 

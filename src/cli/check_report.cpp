@@ -10,6 +10,7 @@
 #include <ostream>
 #include <vector>
 
+#include "cli/profile_report.h"
 #include "cli/reason_table.h"
 #include "cli/shortened_numbers.h"
 #include "cli/table.h"
@@ -32,7 +33,6 @@ constexpr std::array<const char*, kLevels> kShortLevelNames = {"well formed", "w
                                                                "manifolds and connections"};
 
 const char* truth_text(const CheckedFiles& files) { return files.by_oracle ? "oracle" : "fast implementation"; }
-const char* grade_text(const CheckReport& report) { return report.is_exact ? "exact" : "approximate"; }
 
 struct LevelCount {
   std::size_t wrong = 0;
@@ -213,15 +213,18 @@ void print_check_text(const CheckedFiles& files, const CheckReport& report, std:
     fmt::print("{}\n", wrapped("not decided: " + what, kFindingIndent));
   }
   const std::string tolerance = report.is_exact ? "" : fmt::format(", tolerance {} of the radius", files.tolerance);
-  fmt::print("\n{}\n", wrapped(fmt::format("{} ({}{}; truth by the {})", verdict_text(report.verdict),
-                                           grade_text(report), tolerance, truth_text(files)),
-                               kFindingIndent));
+  fmt::print("\n");
+  print_conformity(report.verdict, report.profile);
+  fmt::print("{}\n", wrapped(fmt::format("{} ({}{}; truth by the {})", verdict_text(report.verdict),
+                                         report.profile.grade(), tolerance, truth_text(files)),
+                             kFindingIndent));
 }
 
 void print_check_json(const CheckedFiles& files, const CheckReport& report, const PointSet& points) {
   Json json = header_fields("flowcert-check", 1, points);
   json["verdict"] = verdict_text(report.verdict);
-  json["grade"] = grade_text(report);
+  json["grade"] = report.profile.grade();
+  json["profile"] = profile_field(report.verdict, report.profile);
   json["tolerance"] = files.tolerance;
   json["truth"] = truth_text(files);
   json["claim_format"] = files.claim_format;
@@ -250,7 +253,8 @@ void write_check_junit(std::ostream& out, const CheckedFiles& files, const Check
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
       << fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n",
                      xml_text(fmt::format("flowcert check {} {}", files.points, files.claim)), kLevels, failures,
-                     skipped);
+                     skipped)
+      << junit_properties(report.verdict, report.profile);
   for (std::size_t k = 0; k < kLevels; ++k) write_level(out, files, report, k, counts.at(k));
   out << "  </testsuite>\n</testsuites>\n";
 }

@@ -55,6 +55,8 @@ py::dict report_of(const CheckReport& report) {
   py::dict fields;
   fields["verdict"] = verdict_text(report.verdict);
   fields["is_exact"] = report.is_exact;
+  fields["parts"] = py::tuple(py::cast(report.profile.parts()));
+  fields["statement"] = conformity_text(report.verdict, report.profile);
   fields["claimed_counts"] = py::tuple(py::cast(report.claimed_counts));
   fields["true_counts"] = py::tuple(py::cast(report.true_counts));
   fields["levels"] = py::tuple(py::cast(report.conforms));

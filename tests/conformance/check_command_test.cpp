@@ -399,6 +399,7 @@ TEST(CheckCommand, WritesAReportForCiSystems) {
   EXPECT_EQ(cases, 5U);
   EXPECT_NE(report.find("missing [FC-CLAIM-03]"), std::string::npos);
   EXPECT_EQ(report.find("< "), std::string::npos);
+  EXPECT_NE(report.find("<property name=\"profile\" value=\"does not conform to 1.0\"/>"), std::string::npos) << report;
 
   // A permitted variation is told, and is no failure.
   const Checked varied(kCollisions, kCollisionsClaimed);
@@ -411,6 +412,23 @@ TEST(CheckCommand, WritesAReportForCiSystems) {
   const Checked right(kCube, Words{});
   EXPECT_EQ(right.run({"--junit", path, "--json"}).status, 0);
   EXPECT_NE(content_of(path).find("failures=\"0\""), std::string::npos);
+  EXPECT_NE(content_of(path).find("value=\"conforms to 1.0, points, exact\""), std::string::npos) << content_of(path);
+}
+
+TEST(CheckCommand, SaysInWhichProfileAClaimConforms) {
+  CITES("FC-CLAIM-22");
+  const Checked limits(kCube, Words{"--manifolds", "u2"});
+  const auto lines = lines_of(limits.run().out);
+  ASSERT_GE(lines.size(), 2U);
+  EXPECT_EQ(lines[lines.size() - 2], "conforms to 1.0, points + U2, exact");
+  EXPECT_EQ(limits.as_json()["profile"], json::parse(R"({"specification": "1.0", "parts": ["points", "U2"],
+      "grade": "exact", "statement": "conforms to 1.0, points + U2, exact"})"));
+  const json shallow = limits.as_json({"--levels", "2"})["profile"];
+  EXPECT_EQ(shallow["parts"], json::array());
+  EXPECT_TRUE(shallow["statement"].is_null());
+  const Checked wrong(kCube, std::string("index,x,y,z\n0,0,0,0\n"));
+  EXPECT_EQ(wrong.as_json()["profile"]["statement"], "does not conform to 1.0");
+  EXPECT_EQ(wrong.as_json()["profile"]["grade"], "approximate");
 }
 
 TEST(CheckCommand, RefusesWhatItCannotUse) {

@@ -5,18 +5,19 @@
 # usage: clause_coverage_test.sh [ROOT]        prints clause, level, number of citing tests
 #        clause_coverage_test.sh --self-test   damages a small tree in every way that must fail, and sees it fail
 #
-# A C++ test cites by CITES("ID", ...), the first statement of its body; a shell test by a line `# CITES: ID ID`. Only
-# files that a CMakeLists.txt of tests/ registers (flowcert_test_program, flowcert_script_test, add_test with --file)
-# count, and no DISABLED_ test.
+# A C++ test cites by CITES("ID", ...), the first statement of its body; a test in another language by a line
+# `# CITES: ID ID`. Only files that a CMakeLists.txt of tests/ registers (flowcert_test_program, flowcert_script_test,
+# add_test with --file) count, and no DISABLED_ test.
 set -euo pipefail
 
-# The files of clauses.
+# The pages that have to have clauses. Other pages may have some. normative_text_test.py sees that all normative text is
+# that of clauses, so that only normative text is counted here.
 spec_files=(spec/flow_complex.md spec/claims.md)
 id='FC-[A-Z]+-[0-9]+'
 
 # Lines "ID<tab>level" of the clauses in a file; a clause with another level, or none, gets the level "?".
 clauses() {
-  awk '/^\*\*FC-/ {
+  awk '/^\*\*FC-[A-Z]+-[0-9]+\*\*/ {
     match($0, /FC-[A-Z]+-[0-9]+/)
     name = substr($0, RSTART, RLENGTH)
     level = "?"
@@ -38,7 +39,7 @@ registered_files() {
     grep -oE 'flowcert_test_program\([^)]*' <<<"$text" | grep -oP '\bTESTS\b\K[^A-Z]*' | grep -oE '[a-z0-9_]+_test\b' |
       sed "s|.*|$folder/&.cpp|" || true
     grep -oE 'add_test\([^)]*' <<<"$text" | grep -oP -- '--file \K[a-z0-9_]+\.cpp' | sed "s|.*|$folder/&|" || true
-    grep -oE 'flowcert_script_test\([^)]*' <<<"$text" | grep -oP '\$\{scripts\}/\K[a-z0-9_]+\.sh' |
+    grep -oE 'flowcert_script_test\([^)]*' <<<"$text" | grep -oP '\$\{scripts\}/\K[a-z0-9_]+\.(sh|py)' |
       sed "s|.*|$folder/&|" || true
   done < <(find "$1/tests" -name CMakeLists.txt | sort) | sort -u
 }
@@ -70,7 +71,7 @@ citations_in_cpp() {
     { previous = $0 }' "$@"
 }
 
-citations_in_sh() { grep -hE '^# CITES: ' "$@" | grep -oE "$id" | sed 's/^/cites\t/' || true; }
+citations_in_scripts() { grep -hE '^# CITES: ' "$@" | grep -oE "$id" | sed 's/^/cites\t/' || true; }
 
 # All that is wrong with the tree, one line each, after the table; fails if anything is.
 check() {
@@ -82,10 +83,12 @@ check() {
 
   known=
   for file in "${spec_files[@]}"; do
-    found=$(clauses "$root/$file" || true)
-    [ -n "$found" ] || fail "no clause found in $file"
-    known+=${known:+$'\n'}$found
+    [ -n "$(clauses "$root/$file" || true)" ] || fail "no clause found in $file"
   done
+  while read -r file; do
+    found=$(clauses "$file")
+    known+=${found:+${known:+$'\n'}$found}
+  done < <(find "$root/spec" -name '*.md' | sort)
   while IFS=$'\t' read -r clause level; do
     [ "$level" != '?' ] || fail "$clause has no level: determined, permitted variation or must reject"
   done <<<"$known"
@@ -100,11 +103,13 @@ check() {
   while read -r file; do
     grep -qxF "$file" <<<"$registered" || fail "$file cites clauses, but no CMakeLists.txt registers it"
   done < <(grep -rlE '^[^/#]*CITES\(' "$root/tests" --include='*.cpp' --include='*.h'
-    grep -rlE '^# CITES: ' "$root/tests" --include='*.sh')
+    grep -rlE '^# CITES: ' "$root/tests" --include='*.sh' --include='*.py')
 
   cited=$({
     grep '\.cpp$' <<<"$registered" | while read -r file; do [ ! -f "$file" ] || citations_in_cpp "$file"; done
-    grep '\.sh$' <<<"$registered" | while read -r file; do [ ! -f "$file" ] || citations_in_sh "$file"; done
+    grep -E '\.(sh|py)$' <<<"$registered" | while read -r file; do
+      [ ! -f "$file" ] || citations_in_scripts "$file"
+    done
   } || true)
   while IFS=$'\t' read -r what where; do
     [ "$what" != misplaced ] || fail "$where: CITES is not the first statement of a test"
@@ -127,16 +132,18 @@ check() {
 # Where clause ids are looked for.
 trees() { for tree in spec tests oracle src fuzz; do [ ! -d "$1/$tree" ] || echo "$tree"; done; }
 
-# A tree of three clauses and two tests, with everything right.
+# A tree of four clauses and three tests, with everything right.
 make_small_tree() {
-  mkdir -p "$1"/{spec,tests/unit,src}
+  mkdir -p "$1"/{spec/formats,tests/unit,src}
   printf '%s\n' '**FC-IN-01** (must reject). One.' '' '**FC-IN-02** (determined). Two.' >"$1/spec/flow_complex.md"
   printf '%s\n' '**FC-CLAIM-01** (must reject). Three.' >"$1/spec/claims.md"
+  printf '%s\n' '**FC-FILE-01** (determined). Four.' >"$1/spec/formats/points.md"
   printf '%s\n' '// FC-IN-01' >"$1/src/a.cpp"
   printf '%s\n' 'flowcert_test_program(unit_tests' '  TESTS' '    a_test' '  LINKS d_test)' 'flowcert_script_test(b bash' \
-    '  ${scripts}/b_test.sh)' >"$1/tests/unit/CMakeLists.txt"
+    '  ${scripts}/b_test.sh)' 'flowcert_script_test(c ${scripts}/c_test.py)' >"$1/tests/unit/CMakeLists.txt"
   printf '%s\n' 'TEST(A,' '     B) {' '  CITES("FC-IN-01");' '}' >"$1/tests/unit/a_test.cpp"
   printf '%s\n' '# CITES: FC-IN-02 FC-CLAIM-01' >"$1/tests/unit/b_test.sh"
+  printf '%s\n' '# CITES: FC-FILE-01' >"$1/tests/unit/c_test.py"
 }
 
 # must_fail WHAT FILE SED-SCRIPT MESSAGE: after that edit of the small tree, the check fails, and says so.
@@ -163,11 +170,13 @@ self_test() {
 
   # The ids are put together here, so that the check of the real tree does not find them.
   local none="FC-NONE"-01 third="FC-IN"-03
-  local spec=spec/flow_complex.md claims=spec/claims.md cpp=tests/unit/a_test.cpp cmake=tests/unit/CMakeLists.txt
+  local spec=spec/flow_complex.md claims=spec/claims.md points=spec/formats/points.md cpp=tests/unit/a_test.cpp cmake=tests/unit/CMakeLists.txt
   must_fail "an id that is no clause" src/a.cpp "s/FC-IN-01/$none/" "$none is no clause"
   must_fail "a citation of no clause" $cpp "s/FC-IN-01/FC-IN-01\", \"$none/" "$none is no clause"
   must_fail "a clause that nothing cites" $spec "\$a **$third** (determined). Three." "$third is cited by no test"
   must_fail "a clause on claims that nothing cites" $claims "\$a **$third** (determined). Four." "$third is cited by no"
+  must_fail "a clause on files that nothing cites" $points "\$a **$third** (determined). Five." "$third is cited by no"
+  must_fail "a script in Python that is not registered" $cmake 's/c_test.py/d_test.py/' 'FC-FILE-01 is cited by no test'
   must_fail "an id in both files" $claims '$a **FC-IN-02** (determined). Two.' 'FC-IN-02 is the id of two clauses'
   must_fail "an id twice" $spec '$a **FC-IN-02** (determined). Two.' 'FC-IN-02 is the id of two clauses'
   must_fail "an unknown level" $spec 's/(determined)/(mostly)/' 'FC-IN-02 has no level'

@@ -179,7 +179,7 @@ TEST(ComputeSummary, RunsAreCounted) {
 }
 
 TEST(ComputeSummary, TheDigestIsThatOfTheCoordinates) {
-  CITES("FC-IN-02", "FC-IN-03");
+  CITES("FC-IN-02", "FC-IN-03", "FC-FILE-30");
   const Scratch scratch;
   // The digest is of the rows before merging, in the file's order. -0.0 counts as 0.0, and what is too small as 0.
   const std::string digest = digest_of(scratch, {0.1, 0.0, 3.0, 0x1p-1074, 0.0, 0x1.8p3, 0.1, 0.0, 3.0});
@@ -230,7 +230,7 @@ TEST(ComputeInput, FormatsAndCompressionDoNotMatter) {
 constexpr char kWithDuplicates[] = "0 0 1\n1 0 0\n0 0 0\n1 0 0\n1 1 1\n1 0 1\n0 0 1\n-0.0 0 1\n";
 
 TEST(ComputeRecords, TheHeaderHasTheKeysOfTheFormat) {
-  CITES("FC-IN-03");
+  CITES("FC-IN-03", "FC-FILE-05", "FC-FILE-30");
   const Scratch scratch;
   const json header = records_of(scratch, kWithDuplicates).header;
   EXPECT_EQ(keys_of(header),
@@ -284,7 +284,7 @@ void expect_well_formed(const json& record) {
 }
 
 TEST(ComputeRecords, AreExactAndInOrder) {
-  CITES("FC-OUT-01", "FC-OUT-02", "FC-NUM-02", "FC-CRIT-06");
+  CITES("FC-OUT-01", "FC-OUT-02", "FC-NUM-02", "FC-CRIT-06", "FC-FILE-06");
   const Scratch scratch;
   for (const char* points : {kCube, kWithDuplicates, kKind23, "0.1 0.2 0.3\n1e-300 7 9\n3 1e200 0\n0 0 -5\n",
                              "0x1p-1074 0 0\n0 0 0\n0 0x1p-1074 0x1p-1074\n"}) {
@@ -331,7 +331,7 @@ TEST(ComputeRecords, ADoubleThatWouldOverflowIsNull) {
 }
 
 TEST(ComputeRecords, CentersAreExactOrDoublesOrLeftOut) {
-  CITES("FC-OUT-01", "FC-NUM-02");
+  CITES("FC-OUT-01", "FC-NUM-02", "FC-FILE-06");
   const Scratch scratch;
   const std::vector<std::string> manifolds = {"--manifolds", "u2,s2", "--polylines", "--skeletons"};
   const auto written = [&](const char* points, const char* centers, bool with_manifolds) {

@@ -34,7 +34,7 @@ constexpr char kPerturbedTriangle[] =
 
 TEST_F(ConformanceCommand, OurOwnProgramIsRightOnAllCases) {
   CITES("FC-IN-01", "FC-IN-02", "FC-IN-03", "FC-IN-04", "FC-IN-05", "FC-CRIT-02", "FC-CRIT-03", "FC-OUT-01",
-        "FC-FLOW-02", "FC-FLOW-05", "FC-FLOW-07", "FC-CLAIM-06");
+        "FC-FLOW-02", "FC-FLOW-05", "FC-FLOW-07", "FC-CLAIM-06", "FC-FILE-26", "FC-FILE-27", "FC-FILE-28");
   const std::vector<json> cases = vector_cases();
   std::size_t orbits = 0, with_pairs = 0;
   std::map<std::string, std::size_t> flags;
@@ -47,6 +47,8 @@ TEST_F(ConformanceCommand, OurOwnProgramIsRightOnAllCases) {
                                "--jobs", "2", "--time-limit", "120"},
                               FLOWCERT_VECTORS);
   EXPECT_EQ(report["verdict"], "conforms");
+  EXPECT_EQ(report["profile"]["parts"], json({"points", "U2", "orbits", "persistence"}));
+  EXPECT_EQ(report["profile"]["grade"], "approximate") << "pairs in decimals";
   ASSERT_EQ(report["cases"].size(), cases.size());
   for (const json& one : report["cases"]) {
     const bool is_invalid = one["group"] == "invalid-input";
@@ -120,7 +122,7 @@ TEST_F(ConformanceCommand, GivesThePointsInOtherForms) {
 }
 
 TEST_F(ConformanceCommand, TakesClaimsInAnyFormatFromWhereverTheyAre) {
-  CITES("FC-CLAIM-04", "FC-CLAIM-05");
+  CITES("FC-CLAIM-04", "FC-CLAIM-05", "FC-FILE-12");
   const std::string by_file = std::string(FLOWCERT_PROGRAM) + " compute {in} -o points.jsonl > /dev/null; ";
   EXPECT_EQ(run({"--against", by_file + "cat points.jsonl", "--case", kTetrahedron}).status, 0) << "standard output";
   EXPECT_EQ(run({"--against", by_file + "cp points.jsonl \"my claim's\"", "--case", kTetrahedron}).status, 1);
@@ -290,6 +292,7 @@ TEST_F(ConformanceCommand, PrintsATable) {
   EXPECT_TRUE(has_line("not judged: the orbits of 1 case, without --orbits-against", "")) << finished.out;
   EXPECT_TRUE(has_line("and 1 more; --most shows more", "")) << finished.out;
   EXPECT_TRUE(has_line("4 cases in ", ": 2 conform, 0 where determined, 0 perturbed, 2 negative")) << finished.out;
+  EXPECT_TRUE(has_line("does not conform to 1.0 (4 of ", " vectors)")) << finished.out;
   EXPECT_EQ(lines.back(), "fails");
   EXPECT_EQ(finished.err, "");
 }
@@ -334,7 +337,7 @@ std::vector<std::string> elements_of(const std::string& document) {
 }
 
 TEST_F(ConformanceCommand, WritesAReportForCiSystems) {
-  CITES("FC-CLAIM-03");
+  CITES("FC-CLAIM-03", "FC-FILE-29");
   const std::string path = scratch_.path("report & more.xml");
   const Words words = {"--against", script("echo 'a <b> & \001 \"c\"' >&2; exit 1"),
                        "--case",    kTetrahedron,
@@ -343,8 +346,9 @@ TEST_F(ConformanceCommand, WritesAReportForCiSystems) {
                        "--junit",   path};
   EXPECT_EQ(run(words).status, 1);
   const std::vector<std::string> names = elements_of(content_of(path));
-  EXPECT_EQ(names,
-            (Words{"testsuites", "testsuite", "testcase", "testcase", "skipped", "testsuite", "testcase", "failure"}));
+  EXPECT_EQ(names, (Words{"testsuites", "testsuite", "properties", "property", "testcase", "testcase", "skipped",
+                          "testsuite", "properties", "property", "testcase", "failure"}));
+  EXPECT_NE(content_of(path).find("value=\"does not conform to 1.0 (2 of "), std::string::npos) << content_of(path);
   EXPECT_NE(content_of(path).find("<testsuite name=\"unstable-manifolds\" tests=\"1\" failures=\"1\" "
                                   "errors=\"0\" skipped=\"0\""),
             std::string::npos)
@@ -354,7 +358,10 @@ TEST_F(ConformanceCommand, WritesAReportForCiSystems) {
   const Words varied = {"--against", script(kPerturbedTriangle), "--case", "regular-stationary-points-0001", "--junit",
                         path};
   EXPECT_EQ(run(varied).status, 0);
-  EXPECT_EQ(elements_of(content_of(path)), (Words{"testsuites", "testsuite", "testcase", "system-out"}));
+  EXPECT_EQ(elements_of(content_of(path)),
+            (Words{"testsuites", "testsuite", "properties", "property", "testcase", "system-out"}));
+  EXPECT_NE(content_of(path).find("value=\"is perturbed under 1.0, points, exact (1 of "), std::string::npos)
+      << content_of(path);
   EXPECT_NE(content_of(path).find("failures=\"0\""), std::string::npos);
   EXPECT_NE(content_of(path).find("<system-out>level 2: symbolic-perturbation [FC-CLAIM-04]"), std::string::npos)
       << content_of(path);
@@ -444,7 +451,7 @@ TEST_F(ConformanceCommand, RefusesACommandThatDoesNotExist) {
 
 // A relative path means something only where the user is.
 TEST_F(ConformanceCommand, AsksForFullPaths) {
-  CITES("FC-IN-05");
+  CITES("FC-IN-05", "FC-FILE-26");
   const std::string relative = fs::relative(FLOWCERT_PROGRAM, fs::current_path()).string();
   const std::string path = relative.find('/') == std::string::npos ? "./" + relative : relative;
   const Finished finished = run({"--against", path + " compute {in} -o {out}", "--case", kTetrahedron});

@@ -60,7 +60,7 @@ TEST_F(ConformanceCommand, SaysWhereAClaimIsWrong) {
 }
 
 TEST_F(ConformanceCommand, KnowsOutcomesApart) {
-  CITES("FC-IN-05", "FC-CLAIM-01");
+  CITES("FC-IN-05", "FC-CLAIM-01", "FC-FILE-29");
   expect_outcome("echo no idea >&2; exit 3", "refused", "exit status 3: no idea");
   expect_outcome("rm ../stderr; mkfifo ../stderr; exit 3", "refused", "exit status 3");
   expect_outcome("kill -SEGV $$", "crashed", "SIGSEGV");
@@ -126,7 +126,7 @@ TEST_F(ConformanceCommand, EndsWhatHasLeftTheGroup) {
 }
 
 TEST_F(ConformanceCommand, AsksThatWhatIsInvalidBeRefused) {
-  CITES("FC-IN-01", "FC-IN-05");
+  CITES("FC-IN-01", "FC-IN-05", "FC-FILE-26", "FC-FILE-29");
   const Words invalid = {"--group", "invalid-input", "--flag", "overflow", "--flag", "short-row"};
   const auto report_of = [&](const std::string& command) {
     Words words = {"--against", command + " # {in}"};
@@ -161,7 +161,7 @@ TEST_F(ConformanceCommand, AsksThatWhatIsInvalidBeRefused) {
 }
 
 TEST_F(ConformanceCommand, ComparesOrbits) {
-  CITES("FC-FLOW-02", "FC-FLOW-05", "FC-CLAIM-07");
+  CITES("FC-FLOW-02", "FC-FLOW-05", "FC-CLAIM-07", "FC-FILE-27");
   const auto outcome = [&](const std::string& id, const std::string& change) {
     const std::string orbits =
         std::string(FLOWCERT_PROGRAM) + " orbit {in} --from {start} --json | sed '" + change + "'";
@@ -269,7 +269,7 @@ TEST_F(ConformanceCommand, KnowsOutcomesOfTheOrbitCommandApart) {
 }
 
 TEST_F(ConformanceCommand, ComparesPersistencePairs) {
-  CITES("FC-PERS-01", "FC-PERS-02", "FC-PERS-03", "FC-PERS-05");
+  CITES("FC-PERS-01", "FC-PERS-02", "FC-PERS-03", "FC-PERS-05", "FC-FILE-28");
   const auto outcome = [&](const std::string& command) {
     const json report =
         as_json({"--against", kCompute, "--persistence-against", command + " # {in}", "--case", kTrianglePairs});

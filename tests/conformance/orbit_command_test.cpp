@@ -60,7 +60,7 @@ Words keys_of(const ordered_json& object) {
 }
 
 TEST(OrbitJson, HasTheKeysOfTheFormatInTheirOrder) {
-  CITES("FC-FLOW-02", "FC-FLOW-05");
+  CITES("FC-FLOW-02", "FC-FLOW-05", "FC-FILE-20");
   const Points cube(kCube);
   const ordered_json answer = cube.as_json("0.25,0.5,0.125");
   EXPECT_EQ(keys_of(answer), (Words{"format", "format_version", "version", "commit", "kernel", "compiler", "cgal",
@@ -249,7 +249,7 @@ TEST(OrbitTable, LongExactNumbersAreRounded) {
 }
 
 TEST(OrbitCommand, PositionsAreDecimalsHexFloatsOrFractions) {
-  CITES("FC-IN-02", "FC-NUM-02");
+  CITES("FC-IN-02", "FC-NUM-02", "FC-FILE-21");
   const Points pair(kPair);
   const std::pair<const char*, ordered_json> positions[] = {
       {"0.5,0.5,0.5", {"1/2", "1/2", "1/2"}},
@@ -275,7 +275,7 @@ void expect_refused(const Finished& finished, const std::string& reason) {
 }
 
 TEST(OrbitCommand, WhatIsNoPositionIsStatus2) {
-  CITES("FC-IN-01", "FC-IN-02");
+  CITES("FC-IN-01", "FC-IN-02", "FC-FILE-21");
   const Points cube(kCube);
   const std::pair<const char*, const char*> starts[] = {{"nan,0,0", "not a finite number"},
                                                         {"0,inf,0", "not a finite number"},

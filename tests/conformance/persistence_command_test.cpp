@@ -77,7 +77,7 @@ void expect_refused(const Finished& finished, const std::string& reason) {
 }
 
 TEST(PersistenceText, KnownDiagrams) {
-  CITES("FC-PERS-01", "FC-PERS-02", "FC-IN-04");
+  CITES("FC-PERS-01", "FC-PERS-02", "FC-IN-04", "FC-FILE-22");
   EXPECT_EQ(pairs_of(kTetrahedron),
             (Words{"0 0 0.5", "0 0 0.5", "0 0 0.5", "0 0 inf", "1 0.5 0.6666666666666666", "1 0.5 0.6666666666666666",
                    "1 0.5 0.6666666666666666", "2 0.6666666666666666 0.75"}));
@@ -260,7 +260,7 @@ TEST(PersistenceTable, EqualPairsComeInTheirOrderAndLongContactSetsAreCut) {
 }
 
 TEST(PersistenceJson, HasTheKeysOfTheFormatInTheirOrder) {
-  CITES("FC-PERS-01", "FC-OUT-01");
+  CITES("FC-PERS-01", "FC-OUT-01", "FC-FILE-23", "FC-FILE-03");
   const Scratch scratch;
   const std::string path = scratch.file("points.xyz", kTetrahedron);
   const ordered_json json = json_of(path);

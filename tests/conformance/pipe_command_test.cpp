@@ -31,6 +31,9 @@ TEST(Verify, RightAnswersOfEveryFamilyConform) {
     const json report = pipe.as_json();
     EXPECT_EQ(report["verdict"], "conforms");
     EXPECT_EQ(report["cases"], 500);
+    const bool is_decimal = std::string(form) == "decimals";
+    EXPECT_EQ(report["profile"]["statement"], std::string("conforms to 1.0, points, ") +
+                                                  (is_decimal ? "approximate" : "exact") + " (500 drawn inputs)");
     EXPECT_EQ(report["failures"], json::array());
     EXPECT_EQ(report["unanswered_numbers"], json::array());
     EXPECT_EQ(report["approximate"] == 0, std::string(form) != "decimals");

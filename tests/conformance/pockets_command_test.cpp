@@ -41,7 +41,8 @@ std::size_t count_of(const ordered_json& json, const std::string& what) {
 }
 
 TEST(PocketsCommand, TellsAllOfAnOctahedron) {
-  CITES("FC-POCK-03", "FC-POCK-04", "FC-POCK-05", "FC-POCK-06", "FC-POCK-07", "FC-POCK-08", "FC-POCK-11", "FC-NUM-02");
+  CITES("FC-POCK-03", "FC-POCK-04", "FC-POCK-05", "FC-POCK-06", "FC-POCK-07", "FC-POCK-08", "FC-POCK-11", "FC-NUM-02",
+        "FC-FILE-24");
   const ordered_json json = pockets_of(kOctahedron, {"--volumes", "exact", "--probe", "3/4"});
   EXPECT_EQ(json["format"], "flowcert-pockets");
   EXPECT_EQ(json["probe"], "3/4");
@@ -168,7 +169,7 @@ TEST(PocketsCommand, TellsTheSameOfMovedPoints) {
 }
 
 TEST(PocketsCommand, IsJudgedByCheck) {
-  CITES("FC-CLAIM-18");
+  CITES("FC-CLAIM-18", "FC-FILE-14");
   const Scratch scratch;
   const std::string points = scratch.file("points.xyz", kOctahedron);
   const std::string claim = flowcert({"pockets", points, "--json", "--probe", "0.8", "--volumes", "exact"}).out;
@@ -198,7 +199,7 @@ TEST(PocketsCommand, IsJudgedByCheck) {
 }
 
 TEST(PocketsCommand, PrintsTrees) {
-  CITES("FC-TREE-02", "FC-TREE-06", "FC-TREE-07");
+  CITES("FC-TREE-02", "FC-TREE-06", "FC-TREE-07", "FC-FILE-25");
   const Scratch scratch;
   const std::string points = scratch.file("points.xyz", kOctahedron);
   EXPECT_EQ(flowcert({"pockets", points, "--tree", "pockets"}).out,

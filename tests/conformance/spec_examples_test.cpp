@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "flowcert/flow_complex.h"
+#include "flowcert/profile.h"
 #include "flowcert/read_points.h"
 #include "oracle/program/read_points.h"
 #include "oracle/program/read_records.h"
@@ -292,6 +293,23 @@ TEST(SpecExamples, HoldInBothImplementations) {
     EXPECT_EQ(fast.records, oracle.records) << example.clause << example.title;
     EXPECT_EQ(contradiction_of_told(example), "") << example.clause << example.title;
   }
+}
+
+// The first group of the first line of a file of the spec that is such a line.
+std::string first_match(const char* path, const char* pattern) {
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    std::smatch parts;
+    if (std::regex_match(line, parts, std::regex(pattern))) return parts[1].str();
+  }
+  return "none";
+}
+
+TEST(SpecVersion, IsTheOneThatBothJudgesName) {
+  CITES("FC-CLAIM-22", "FC-TERM-01");
+  EXPECT_EQ(first_match(FLOWCERT_SPEC_FOLDER "/flow_complex.md", R"(Version (\d+\.\d+), \d{4}-\d\d-\d\d)"),
+            kSpecVersion);
+  EXPECT_EQ(first_match(FLOWCERT_SPEC_FOLDER "/judge.py", R"re(VERSION = "(\d+\.\d+)".*)re"), kSpecVersion);
 }
 
 // The three below make sure that the test above can fail: a small spec, damaged in every way.

@@ -36,7 +36,7 @@ std::vector<json> records_of(const std::string& points, const std::vector<std::s
 }
 
 TEST(StableCommand, TheSkeletonOfAnAcuteTriangle) {
-  CITES("FC-STAB-04", "FC-STAB-07");
+  CITES("FC-STAB-04", "FC-STAB-07", "FC-FILE-08");
   const auto records = records_of(kAcute, {"--skeletons"});
   const json& saddle = records.at(6);
   EXPECT_EQ(saddle["index"], 2);

@@ -12,7 +12,7 @@ namespace {
 
 // From an edge of the cube to the two squares at it: a quarter of a plane, with its sides.
 TEST(Sheets, OfAnEdgeOfTheCube) {
-  CITES("FC-UNST-04", "FC-OUT-01");
+  CITES("FC-UNST-04", "FC-OUT-01", "FC-FILE-11");
   const Written file = written(kCube, {"--sheets"});
   EXPECT_EQ(file.of({0, 1})["u1"], json::parse(R"({"vertices":[["1/2","1/2","1/2"]],"traces":[
       {"polygon":[0,1,2,3],"from":["1/2","1/2","1/2"],"to":{"vector":["0","0","-1"]}},

@@ -76,7 +76,7 @@ TEST(WholeComplex, EveryRecordHasAVolumeAndSharesAddUpToIt) {
 }
 
 TEST(WholeComplex, TheListOfAnEdgeOfTheCube) {
-  CITES("FC-UNST-01", "FC-UNST-02");
+  CITES("FC-UNST-01", "FC-UNST-02", "FC-FILE-10");
   const json record = written(kCube).of({0, 1});
   EXPECT_EQ(record["lambda"], json::parse(R"({"directions":[
       {"exit":["1/2","0","1/2"],"exit_double":[0.5,0.0,0.5],"limit":[0,1,4,5]},
@@ -224,7 +224,7 @@ TEST(WholeComplex, ListsAndVolumesAreTheOracles) {
 // ---- What options leave out ----
 
 TEST(WholeComplex, RecordsHaveAllKeysOfBothManifoldsAndTheirOwn) {
-  CITES("FC-OUT-01");
+  CITES("FC-OUT-01", "FC-FILE-09");
   const Scratch scratch;
   const std::vector<std::string> others = {"--manifolds", "u2,s2", "--polylines", "--skeletons"};
   for (const char* points : {kSaddleToSaddle, kChain, kHalfOctahedron}) {
@@ -278,7 +278,7 @@ TEST(WholeComplex, MaximaHaveSkeletonsThatAreJudged) {
 
 // Three samples of a right triangle. The three facets are half planes.
 TEST(WholeComplex, TheLastLineTellsWhatFlowsToInfinity) {
-  CITES("FC-STAB-08", "FC-CLAIM-16", "FC-OUT-01");
+  CITES("FC-STAB-08", "FC-CLAIM-16", "FC-OUT-01", "FC-FILE-09");
   const Scratch scratch;
   const std::string points = "0 0 0\n4 0 0\n0 4 0\n";
   std::vector<std::string> lines = lines_of(file_of(scratch, points, {"--manifolds", "all", "--skeletons"}));

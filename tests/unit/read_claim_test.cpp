@@ -38,7 +38,7 @@ ClaimedPoint record_of(const std::string& record) {
 }
 
 TEST(ReadExchange, EverythingThatComputeWrites) {
-  CITES("FC-OUT-01", "FC-NUM-02", "FC-IN-03", "FC-FLOW-07");
+  CITES("FC-OUT-01", "FC-NUM-02", "FC-IN-03", "FC-FLOW-07", "FC-FILE-04", "FC-FILE-06", "FC-FILE-13");
   const std::vector<Point> rows = rows_of_many_kinds();
   const PointSet points(rows);
   const FlowComplex complex(points);
@@ -108,7 +108,7 @@ TEST(ReadExchange, EverythingThatComputeWrites) {
 }
 
 TEST(ReadExchange, WhatIsExactAndWhatIsNot) {
-  CITES("FC-NUM-02", "FC-IN-02");
+  CITES("FC-NUM-02", "FC-IN-02", "FC-FILE-18");
   EXPECT_EQ(text_of(*record_of(R"({"index":2,"center":["1/2","-3","0x1.8p1"]})").center),
             "1/2 exact, -3 exact, 3 exact");
   EXPECT_EQ(text_of(*record_of(R"({"index":2,"center":["0.1","2/4","+1e2"]})").center),
@@ -130,7 +130,7 @@ TEST(ReadExchange, WhatIsExactAndWhatIsNot) {
 }
 
 TEST(ReadExchange, UnknownKeysBlankLinesAndLittle) {
-  CITES("FC-OUT-01");
+  CITES("FC-OUT-01", "FC-FILE-13");
   const Claim claim = claim_of("\xef\xbb\xbf\n " + kHeader + "\r\n" +
                                R"({"extra":{"index":[{}]},"index":[1,3],"contact":[3,2147483646]})" + "\n\n");
   ASSERT_EQ(claim.points.size(), 1U);
@@ -144,7 +144,7 @@ TEST(ReadExchange, UnknownKeysBlankLinesAndLittle) {
 }
 
 TEST(ReadExchange, ErrorsInTheHeader) {
-  CITES("FC-OUT-01");
+  CITES("FC-OUT-01", "FC-FILE-03", "FC-FILE-13", "FC-FILE-19");
   const auto header = [](const std::string& more) {
     return claim_refusal(kHeader.substr(0, kHeader.size() - 2) + "," + more + "}");
   };
@@ -259,7 +259,7 @@ TEST(ReadExchange, ErrorsInTheWholeComplex) {
 // ---- CSV ----
 
 TEST(ReadCsvClaim, Variants) {
-  CITES("FC-IN-02", "FC-OUT-01");
+  CITES("FC-IN-02", "FC-OUT-01", "FC-FILE-15");
   const Claim claim = claim_of(csv_file());
   EXPECT_EQ(claim.format, "csv");
   ASSERT_EQ(claim.points.size(), 4U);
@@ -282,7 +282,7 @@ TEST(ReadCsvClaim, Variants) {
 }
 
 TEST(ReadCsvClaim, WithoutAPosition) {
-  CITES("FC-OUT-01");
+  CITES("FC-OUT-01", "FC-FILE-15");
   const Claim claim = claim_of("index,x,y,z,squared_distance,contact ids\n1,,,,,4,7\n2, , ,,.5,1,2,3,,\n");
   ASSERT_EQ(claim.points.size(), 2U);
   EXPECT_FALSE(claim.points[0].center || claim.points[0].squared_distance);
@@ -294,7 +294,7 @@ TEST(ReadCsvClaim, WithoutAPosition) {
 }
 
 TEST(ReadCsvClaim, Errors) {
-  CITES("FC-IN-01", "FC-IN-05");
+  CITES("FC-IN-01", "FC-IN-05", "FC-FILE-15", "FC-FILE-19");
   EXPECT_EQ(claim_refusal("1,2,3\n"), "a:1: too few numbers: 2 of 3 after the index");
   EXPECT_EQ(claim_refusal("1,0,0,0\n-1,0,0,0\n"), "a:2: not an index, 0 to 3: '-1'");
   EXPECT_EQ(claim_refusal("word\n"), "a:1: not an index, 0 to 3: 'word'");
@@ -321,7 +321,7 @@ TEST(ReadCsvClaim, Errors) {
 // ---- Giesen and Kuehne ----
 
 TEST(ReadGiesenKuehne, Variants) {
-  CITES("FC-OUT-01");
+  CITES("FC-OUT-01", "FC-FILE-16");
   const Claim claim = claim_of(giesen_kuehne_file());
   EXPECT_EQ(claim.format, "giesen-kuehne");
   ASSERT_EQ(claim.points.size(), 4U);
@@ -345,7 +345,7 @@ TEST(ReadGiesenKuehne, Variants) {
 }
 
 TEST(ReadGiesenKuehne, Errors) {
-  CITES("FC-IN-01", "FC-IN-05");
+  CITES("FC-IN-01", "FC-IN-05", "FC-FILE-16", "FC-FILE-19");
   EXPECT_EQ(claim_refusal("inf 2\n"), "a:1: a flow complex of dimension '2', not 3");
   EXPECT_EQ(claim_refusal("inf\n"), "a:1: no dimension after 'inf'");
   EXPECT_EQ(claim_refusal("inf 3 3\n"), "a:1: more than the dimension after 'inf': '3'");
@@ -366,7 +366,7 @@ TEST(ReadGiesenKuehne, Errors) {
 // ---- VTP ----
 
 TEST(ReadVtp, EveryEncoding) {
-  CITES("FC-IN-02");
+  CITES("FC-IN-02", "FC-FILE-17");
   for (const VtpChoices& choices : all_vtp_choices()) {
     SCOPED_TRACE(vtp_file(choices));
     const Claim claim = claim_of(vtp_file(choices));
@@ -392,7 +392,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 TEST(ReadVtp, PiecesAndTypes) {
-  CITES("FC-IN-02");
+  CITES("FC-IN-02", "FC-FILE-17");
   const std::string file = vtp_file({});
   const std::size_t from = file.find("<Piece");
   const std::string piece = file.substr(from, file.find("</PolyData>") - from);
@@ -416,7 +416,7 @@ TEST(ReadVtp, PiecesAndTypes) {
 }
 
 TEST(ReadVtp, ErrorsInTheDocument) {
-  CITES("FC-IN-05");
+  CITES("FC-IN-05", "FC-FILE-17", "FC-FILE-19");
   const std::string file = vtp_file({});
   const auto with = [&](const std::string& from, const std::string& to) {
     return claim_refusal(replaced(file, from, to));
@@ -498,7 +498,7 @@ TEST(ReadVtp, OnePartOfTheAppendedDataIsNotReadTwice) {
 // ---- Recognition, gzip, files ----
 
 TEST(ReadClaim, RecognisedByContent) {
-  CITES("FC-IN-05");
+  CITES("FC-IN-05", "FC-FILE-12");
   const auto format = [](const std::string& text) { return claim_of(text).format; };
   EXPECT_EQ(format(" \n" + kHeader), "exchange");
   EXPECT_EQ(format(vtp_file({}).substr(21)), "vtp");
@@ -516,7 +516,7 @@ TEST(ReadClaim, RecognisedByContent) {
 
 // Four rows. Each claim names row 3, which exists, or row 4, in one place of a record.
 TEST(ReadClaim, NamesRowsOfTheInput) {
-  CITES("FC-IN-03", "FC-OUT-01");
+  CITES("FC-IN-03", "FC-OUT-01", "FC-FILE-18");
   const PointSet points(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   const auto complaint = [&](std::string record, const std::string& row) -> std::string {
     record.replace(record.find('#'), 1, row);

@@ -27,7 +27,7 @@ constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
 // ---- XYZ ----
 
 TEST(ReadXyz, SeparatorsCommentsAndFurtherColumns) {
-  CITES("FC-IN-02");
+  CITES("FC-IN-02", "FC-FILE-01");
   const Rows expected = {{1, 2, 3}, {-1.5, 0.1, 1e10}, {3, 0.5, -2}, {4, 5, 6}, {7, 8, 9}};
   EXPECT_EQ(rows_of("# points\n"
                     "1 2 3\n"
@@ -61,7 +61,7 @@ TEST(ReadXyz, RowsStayAsTheyAre) {
 }
 
 TEST(ReadXyz, Errors) {
-  CITES("FC-IN-01", "FC-IN-05");
+  CITES("FC-IN-01", "FC-IN-05", "FC-FILE-01");
   EXPECT_EQ(refusal("1 2 3\n4 5\n", "a.xyz"), "a.xyz:2: too few numbers: 2 of 3");
   EXPECT_EQ(refusal("1 2 3\n\n# c\n4 # 5 6\n", "a.xyz"), "a.xyz:4: too few numbers: 1 of 3");
   EXPECT_EQ(refusal("1,2,\n", "a.csv"), "a.csv:1: too few numbers: 2 of 3");
@@ -102,7 +102,7 @@ TEST(ReadPoints, AnEmptyFileIsAnErrorAndNoPointsAreNone) {
 // ---- OFF ----
 
 TEST(ReadOff, Variants) {
-  CITES("FC-IN-02");
+  CITES("FC-IN-02", "FC-FILE-02");
   const Rows expected = {{1, 2, 3}, {4, 5, 0.5}};
   EXPECT_EQ(rows_of("OFF\n2 1 0\n1 2 3\n4 5 .5\n3 0 1 1\n", "a.off"), expected);
   EXPECT_EQ(rows_of("OFF 2 0 0\r\n1 2 3\r\n4 5 .5", "a.OFF"), expected);
@@ -112,7 +112,7 @@ TEST(ReadOff, Variants) {
 }
 
 TEST(ReadOff, Errors) {
-  CITES("FC-IN-01", "FC-IN-05");
+  CITES("FC-IN-01", "FC-IN-05", "FC-FILE-02");
   std::string rows;
   for (int k = 0; k < 57; ++k) rows += std::to_string(k) + " 0 0\n";
   EXPECT_EQ(refusal("OFF\n120 0 0\n" + rows, "a.off"), "a.off: 120 vertices announced, 57 found");

@@ -22,6 +22,7 @@
 #include "flowcert/flow_limits.h"
 #include "flowcert/pockets.h"
 #include "flowcert/point_set.h"
+#include "flowcert/profile.h"
 #include "flowcert/rational.h"
 #include "flowcert/stable_manifolds.h"
 #include "flowcert/stationary_points.h"
@@ -125,6 +126,7 @@ struct CheckReport {
   ClaimedIndices indices{};                     // the indices that were judged
   std::array<std::size_t, 4> claimed_counts{};  // of critical points by index, as listed
   std::array<std::size_t, 4> true_counts{};
+  Profile profile;  // what the claim tells (FC-CLAIM-22), whatever the verdict
 };
 
 struct TrueSegment {

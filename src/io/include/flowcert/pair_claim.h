@@ -34,6 +34,11 @@ struct ClaimedPair {
   std::optional<ClaimedNumber> death;  // none: the class lasts
 };
 
+// Whether no decimal is claimed.
+[[nodiscard]] inline bool is_exact_pair(const ClaimedPair& pair) {
+  return pair.birth.is_exact && (!pair.death || pair.death->is_exact);
+}
+
 // Reads what a program has written. name: of the file, for messages.
 [[nodiscard]] std::vector<ClaimedPair> claimed_pairs_of(const std::string& bytes, const std::string& name);
 

@@ -1,0 +1,116 @@
+// One table says which part concerns which points, and from which level on it is judged.
+#include "flowcert/profile.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "certify/layer.h"
+#include "flowcert/check.h"
+
+namespace flowcert {
+
+namespace {
+
+constexpr std::array<const char*, kProfileParts> kPartNames = {
+    "points",  "U2", "S2",       "polylines", "skeletons", "lambda-lists", "connections",
+    "volumes", "U1", "infinity", "pockets",   "orbits",    "persistence"};
+
+// A part that is told of single points.
+struct PartOfPoints {
+  ProfilePart part;
+  int level;
+  int first, last;  // the indices of the critical points that it concerns
+  bool (*is_told)(const ClaimedPoint&);
+};
+
+bool tells_limits(const ClaimedPoint& point) { return point.successors.has_value(); }
+bool tells_boundary(const ClaimedPoint& point) { return point.stable && point.stable->boundary; }
+bool tells_polylines(const ClaimedPoint& point) { return point.u2.has_value(); }
+bool tells_skeleton(const ClaimedPoint& point) { return point.skeleton.has_value(); }
+bool tells_list(const ClaimedPoint& point) { return point.lambda.has_value(); }
+bool tells_connections(const ClaimedPoint& point) { return point.connections.has_value(); }
+bool tells_volume(const ClaimedPoint& point) { return point.volume || point.has_rounded_volume; }
+bool tells_unstable_set(const ClaimedPoint& point) { return point.u1.has_value(); }
+
+constexpr std::array kPartsOfPoints = {
+    PartOfPoints{ProfilePart::kU2, 4, 2, 2, tells_limits},
+    PartOfPoints{ProfilePart::kS2, 4, 2, 2, tells_boundary},
+    PartOfPoints{ProfilePart::kPolylines, 5, 2, 2, tells_polylines},
+    PartOfPoints{ProfilePart::kSkeletons, 5, 2, 2, tells_skeleton},
+    PartOfPoints{ProfilePart::kLambdaLists, 5, 1, 2, tells_list},
+    PartOfPoints{ProfilePart::kConnections, 5, 1, 2, tells_connections},
+    PartOfPoints{ProfilePart::kVolumes, 5, 2, 3, tells_volume},
+    PartOfPoints{ProfilePart::kU1, 5, 1, 1, tells_unstable_set},
+};
+
+Profile::State told_if(bool is_told) { return is_told ? Profile::State::kTold : Profile::State::kNotTold; }
+
+Profile::State state_of(const PartOfPoints& part, const std::vector<ClaimedPoint>& points) {
+  Profile::State state = Profile::State::kNothingToTell;
+  for (const ClaimedPoint& point : points) {
+    if (point.hull_dimension || point.index < part.first || part.last < point.index) continue;
+    if (!part.is_told(point)) return Profile::State::kNotTold;
+    state = Profile::State::kTold;
+  }
+  return state;
+}
+
+bool is_any(const ClaimedIndices& indices) { return std::ranges::count(indices, true) > 0; }
+bool is_all(const ClaimedIndices& indices) { return std::ranges::count(indices, false) == 0; }
+
+}  // namespace
+
+void Profile::join(const Profile& other) {
+  for (std::size_t k = 0; k < kProfileParts; ++k) states_.at(k) = std::max(states_.at(k), other.states_.at(k));
+  for (std::size_t k = 0; k < indices_.size(); ++k) indices_.at(k) = indices_.at(k) && other.indices_.at(k);
+  is_exact_ = is_exact_ && other.is_exact_;
+}
+
+std::vector<std::string> Profile::parts() const {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < kProfileParts; ++k) {
+    if (states_.at(k) != State::kTold) continue;
+    if (k > 0 || is_all(indices_)) {
+      names.emplace_back(kPartNames.at(k));
+    } else if (is_any(indices_)) {
+      std::vector<std::size_t> told;
+      for (std::size_t index = 0; index < indices_.size(); ++index) {
+        if (indices_.at(index)) told.push_back(index);
+      }
+      names.push_back(fmt::format("points of index {}", fmt::join(told, ", ")));
+    }
+  }
+  return names;
+}
+
+Profile profile_of(const Claim& claim, const ClaimedIndices& indices, bool has_points, bool is_exact,
+                   int highest_level) {
+  Profile profile;
+  profile.set_exact(is_exact);
+  profile.set_indices(indices);
+  profile.set(ProfilePart::kPockets, claim.pockets ? told_if(highest_level >= 5) : Profile::State::kNotTold);
+  profile.set(ProfilePart::kPoints, told_if(!claim.pockets && highest_level >= 3));
+  const bool has_more = !claim.pockets && is_all(indices);
+  for (const PartOfPoints& part : kPartsOfPoints) {
+    const bool is_judged = has_more && highest_level >= part.level;
+    profile.set(part.part, is_judged ? state_of(part, claim.points) : Profile::State::kNotTold);
+  }
+  const bool tells_infinity = has_more && highest_level >= 5 && claim.infinity;
+  if (has_points || claim.pockets) profile.set(ProfilePart::kInfinity, told_if(tells_infinity));
+  return profile;
+}
+
+std::optional<std::string> conformity_text(Verdict verdict, const Profile& profile) {
+  if (verdict == Verdict::kFails) return fmt::format("does not conform to {}", kSpecVersion);
+  const std::vector<std::string> parts = profile.parts();
+  if (parts.empty()) return std::nullopt;
+  const char* words = verdict == Verdict::kConforms                  ? "conforms to"
+                      : verdict == Verdict::kConformsWhereDetermined ? "conforms where determined to"
+                                                                     : "is perturbed under";
+  return fmt::format("{} {}, {}, {}", words, kSpecVersion, fmt::join(parts, " + "), profile.grade());
+}
+
+}  // namespace flowcert
