@@ -2,9 +2,11 @@
 """Judges any program that computes critical points, by the conformance vectors, without a build.
 
     judge.py --against 'my-program {in} {out}'        runs it on all vectors beside this file, and prints a table
+    judge.py --against '...' --orbits-against 'my-orbits {in} {start} {out}'      asks for orbits, too
     judge.py --case duplicates-0003 --claim FILE      judges one claim
 
-It judges the levels 1 to 4 of FC-CLAIM-19 (claims.md), exactly: with fractions, never with a double.
+It judges the levels 1 to 4 of FC-CLAIM-19 (claims.md) and orbits, exactly: with fractions, never with a double.
+It says in which profile (FC-CLAIM-22) the claim or the program conforms.
 It reads the exchange format, CSV and the format of Giesen and Kühne (formats/claims.md).
 What they say on level 5 is not judged; of its keys, only the ids are read.
 Exit status: 0 if nothing is negative, 1 if something is, 2 for what cannot be used.
@@ -16,6 +18,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 sys.set_int_max_str_digits(0)
+VERSION = "1.0"  # of the specification
 TINY = Fraction(1, 2**44)  # what rounding explains (FC-CLAIM-05)
 KINDS = {(1, 2), (1, 3), (2, 3)}
 CONFORMS, DETERMINED, PERTURBED, FAILS = "conforms", "conforms where determined", "perturbed", "fails"
@@ -1005,6 +1008,102 @@ def nearest_in_hull(points, center):
     raise AssertionError("every set of points has a smallest ball")
 
 
+# ---- Profiles (FC-CLAIM-22). Of each part it is known whether it is told (True), or left out (False), or whether there
+# is nothing to tell of it (None).
+
+
+def profile_of(claim, indices, highest):
+    def told(key):
+        saddles = [point for point in claim.points if point.hull is None and point.index == 2]
+        if highest < 4 or indices != {0, 1, 2, 3}:
+            return False
+        return all(getattr(point, key) is not None for point in saddles) if saddles else None
+
+    def is_exact(point):
+        numbers = [*(point.center or []), *filter(None, (point.squared, point.distance))]
+        return all(exact for _, exact in numbers)
+
+    return {"parts": {"points": highest >= 3, "U2": told("targets"), "S2": told("boundary"), "orbits": None},
+            "indices": set(indices), "exact": all(map(is_exact, claim.points))}
+
+
+def joined_profile(profiles):
+    joined = {"parts": {}, "indices": {0, 1, 2, 3}, "exact": True}
+    for profile in profiles:
+        for part, is_told in profile["parts"].items():
+            states = {is_told, joined["parts"].get(part)}
+            joined["parts"][part] = False if False in states else True if True in states else None
+        joined["indices"] &= profile["indices"]
+        joined["exact"] = joined["exact"] and profile["exact"]
+    return joined
+
+
+def statement(verdict, profile):
+    """What `flowcert check` says of it. None if nothing is told."""
+    if verdict == FAILS:
+        return f"does not conform to {VERSION}"
+    parts = [part for part, is_told in profile["parts"].items() if is_told]
+    if "points" in parts and profile["indices"] != {0, 1, 2, 3}:
+        some = ", ".join(map(str, sorted(profile["indices"])))
+        parts[0:1] = [f"points of index {some}"] if some else []
+    words = {CONFORMS: "conforms to", DETERMINED: "conforms where determined to", PERTURBED: "is perturbed under"}
+    grade = "exact" if profile["exact"] else "approximate"
+    return f"{words[verdict]} {VERSION}, {' + '.join(parts)}, {grade}" if parts else None
+
+
+# ---- Orbits (formats/orbit.md)
+
+
+def rational(value):
+    parts = isinstance(value, str) and not isinstance(value, Literal) and re.fullmatch(r"-?\d+(?:/-?\d+)?", value)
+    require(parts and not re.search(r"/-?0+$", value), f"no rational: {str(value)[:40]}")
+    over, _, under = value.partition("/")
+    return Fraction(int(over), int(under or 1))
+
+
+def read_segment(value):
+    require(isinstance(value["type"], str) and not isinstance(value["type"], Literal), "a type that is no string")
+    contacts = [None if value.get(key) is None else sorted(ids(value[key]))
+                for key in ("start_contact", "crossed_contact", "end_contact")]
+    end = None if value["end"] is None else three(value["end"], rational)
+    return [value["type"], three(value["driver"], rational), end, *contacts]
+
+
+def read_orbit(data):
+    require(data is not None, "there is no answer, or one of more than 16 MiB")
+    try:
+        value = parse(data.decode("utf-8", "replace"))
+        require(isinstance(value["segments"], list), "'segments' is no array")
+        segments, limit = [read_segment(one) for one in value["segments"]], value["limit"]
+        if limit["kind"] == "infinity":
+            return segments, None
+        index = limit["index"]
+        require(isinstance(index, (Literal, list)), f"not an index: {index}")
+        return segments, [limit["kind"], index, three(limit["position"], rational), sorted(ids(limit["contact"])),
+                          rational(limit["squared_distance"])]
+    except (AttributeError, TypeError, KeyError, IndexError) as error:
+        raise Unreadable(f"not as the format says: {error!r}") from error
+
+
+def is_same_segment(claimed, true, is_arrival_free):
+    pairs = list(zip(claimed, true))
+    if is_arrival_free:  # neither the last letter of the type nor the contact set of the end
+        pairs = [(claimed[0][:4], true[0][:4]), *pairs[1:5]]
+    return all(one == other or (one is None and k > 2) for k, (one, other) in enumerate(pairs))
+
+
+def match_orbit(claimed, true):
+    """CONFORMS, PERTURBED or FAILS. An orbit may go on where the true one ends at a regular point (FC-CLAIM-07, 08)."""
+    (ours, limit), (theirs, end) = claimed, true
+    if len(ours) == len(theirs) and limit == end and all(is_same_segment(*pair, False) for pair in zip(ours, theirs)):
+        return CONFORMS
+    is_free = end is not None and end[0] == "regular" and len(ours) >= len(theirs)
+    last = len(theirs) - 1
+    if is_free and all(is_same_segment(*pair, k == last) for k, pair in enumerate(zip(ours, theirs))):
+        return PERTURBED
+    return FAILS
+
+
 # ---- Cases and commands
 
 
@@ -1027,12 +1126,13 @@ def limit_memory():
     resource.setrlimit(resource.RLIMIT_FSIZE, (64 << 20,) * 2)
 
 
-def run_command(command, text, seconds):
+def run_command(command, text, seconds, start="1,0,0"):
     """How it ends, and what it answers: a word of COLUMNS or an exit status, and bytes."""
     with tempfile.TemporaryDirectory(prefix="judge-") as folder:
         points, claim = Path(folder, "points.xyz"), Path(folder, "claim")
         points.write_text(text, newline="")
-        order = command.replace("{in}", shlex.quote(str(points))).replace("{out}", shlex.quote(str(claim)))
+        places = {"{in}": str(points), "{out}": str(claim), "{start}": start}
+        order = re.sub(r"\{(?:in|out|start)\}", lambda place: shlex.quote(places[place[0]]), command)
         answer = claim if "{out}" in command else Path(folder, "stdout")
         with open(Path(folder, "stdout"), "wb") as out, open(os.devnull, "rb") as nothing:
             run = subprocess.Popen(["/bin/sh", "-c", order], cwd=folder, stdin=nothing, stdout=out,
@@ -1052,29 +1152,61 @@ def run_command(command, text, seconds):
         return status, answer.read_bytes() if is_there else None
 
 
+BLANK = {"message": "", "findings": [], "judged": set(), "undecided": False, "profile": None, "orbits": []}
+
+
 def judge_bytes(case, data, options):
     try:
         require(data is not None, "there is no answer, or one of more than 16 MiB")
         truth = Truth(case)
         claim = read_claim(data, len(truth.rows))
     except Unreadable as error:
-        return {"outcome": "unreadable", "message": str(error), "findings": [], "judged": set(), "undecided": False}
+        return {**BLANK, "outcome": "unreadable", "message": str(error)}
     judge = Judge(truth, claim, options.tolerance, options.levels)
     verdict = judge.run()
-    return {"outcome": verdict, "message": "", "findings": judge.findings, "judged": judge.judged,
-            "undecided": judge.undecided}
+    return {**BLANK, "outcome": verdict, "findings": judge.findings, "judged": judge.judged,
+            "undecided": judge.undecided, "profile": profile_of(claim, claim.indices, options.levels)}
+
+
+def judge_orbits(case, result, options):
+    """Adds to the result what the orbits of the case make of it. The first negative outcome stays."""
+    for true in case["expected"].get("orbits", []):
+        start = ",".join(true["start"])
+        status, data = run_command(options.orbits_against, points_text(case, options.hex), options.time_limit, start)
+        outcome, message = status if isinstance(status, str) else "refused" if status else "", ""
+        if not outcome:
+            try:
+                outcome = match_orbit(read_orbit(data), read_orbit(json.dumps(true).encode()))
+                result["orbits"] = [*result["orbits"], {"start": start, "outcome": outcome}]
+                message = "" if outcome == CONFORMS else f"another orbit from {start}"
+            except Unreadable as error:
+                outcome, message = "unreadable", str(error)
+        if is_negative(outcome) and not is_negative(result["outcome"]) or \
+                outcome == PERTURBED and result["outcome"] in (CONFORMS, DETERMINED):
+            result["outcome"], result["message"] = outcome, message
+        if outcome not in GOOD and outcome != FAILS:
+            return
+    if result["profile"] and result["orbits"]:
+        result["profile"]["parts"]["orbits"] = True
 
 
 def judge_case(case, options):
-    blank = {"message": "", "findings": [], "judged": set(), "undecided": False}
+    text = points_text(case, options.hex)
+    if case.get("refused") == "start" and not options.orbits_against:
+        return {**BLANK, "outcome": "skipped"}
     if case.get("refused") == "start":
-        return {**blank, "outcome": "skipped"}
-    status, data = run_command(options.against, points_text(case, options.hex), options.time_limit)
+        status, data = run_command(options.orbits_against, text, options.time_limit, ",".join(case["start"]))
+    else:
+        status, data = run_command(options.against, text, options.time_limit)
     if isinstance(status, str):
-        return {**blank, "outcome": status}
-    if case["result"] == "invalid":
-        return {**blank, "outcome": "properly refused" if status else "accepted"}
-    return {**blank, "outcome": "refused"} if status else judge_bytes(case, data, options)
+        result = {**BLANK, "outcome": status}
+    elif case["result"] == "invalid":
+        result = {**BLANK, "outcome": "properly refused" if status else "accepted"}
+    else:
+        result = {**BLANK, "outcome": "refused"} if status else judge_bytes(case, data, options)
+    if options.orbits_against and case["result"] != "invalid":
+        judge_orbits(case, result, options)
+    return result
 
 
 def is_negative(outcome):
@@ -1126,9 +1258,23 @@ def print_report(cases, flags, outcomes, options):
         number_of = counts[word] if word else sum(outcome["undecided"] for outcome in outcomes.values())
         if number_of:
             print(f"{name}: {number_of} cases")
+    if orbits := sum(len(outcome["orbits"]) for outcome in outcomes.values()):
+        print(f"judged: {orbits} orbits")
     good = counts[CONFORMS] + counts["properly refused"]
     print(f"\n{len(cases) - counts['skipped']} cases: {good} conform, {counts[DETERMINED]} where determined, "
           f"{counts[PERTURBED]} perturbed, {len(negative)} negative")
+    if said := statement_of_all(outcomes, options):
+        print(said)
+
+
+def statement_of_all(outcomes, options):
+    """The statement of FC-CLAIM-22, with the number of vectors that it is about."""
+    verdicts = [one["outcome"] for one in outcomes.values() if one["outcome"] not in ("skipped", "properly refused")]
+    worst = FAILS if any(map(is_negative, verdicts)) else max(verdicts, key=GOOD.index, default=CONFORMS)
+    said = statement(worst, joined_profile(filter(None, (one["profile"] for one in outcomes.values()))))
+    asked = sum(one["outcome"] != "skipped" for one in outcomes.values())
+    number_of = f"{asked:,}" if asked == options.vectors_in_all else f"{asked:,} of {options.vectors_in_all:,}"
+    return said and f"{said} ({number_of} vectors)"
 
 
 def read_vectors(folder, options):
@@ -1138,6 +1284,7 @@ def read_vectors(folder, options):
         if path.name != "flags.json":
             group = json.loads(path.read_text())
             cases += [{**case, "group": group["group"]} for case in group["cases"]]
+    options.vectors_in_all = len(cases)
     chosen = [case for case in cases if (not options.group or case["group"] in options.group)
               and (not options.case or case["id"] in options.case)
               and (not options.flag or set(options.flag) & set(case["flags"]))]
@@ -1147,6 +1294,7 @@ def read_vectors(folder, options):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--against", help="the command: {in} is a file of points, {out} that of the claim")
+    parser.add_argument("--orbits-against", help="a command for orbits: {start} is where one starts, X,Y,Z")
     parser.add_argument("--claim", help="a claim about the points of one --case, instead of a command")
     parser.add_argument("--vectors", default=str(Path(__file__).parent / "vectors"), help="folder of the vectors")
     for name in ("--group", "--flag", "--case"):
@@ -1161,19 +1309,23 @@ def main():
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # a reader that has seen enough may close the pipe
     if not 0 <= options.tolerance <= Fraction(1, 1000) or bool(options.against) == bool(options.claim):
         parser.error("needs --against or --claim, and a tolerance from 0 to 0.001")
+    if options.orbits_against and (options.claim or "{start}" not in options.orbits_against):
+        parser.error("--orbits-against needs {start} in its command, and --against beside it")
     cases, flags = read_vectors(options.vectors, options)
     if not cases or (options.claim and (len(cases) > 1 or cases[0]["result"] == "invalid")):
         parser.error("no such case" if not cases else "--claim needs one --case that is not invalid")
     if options.claim:
         outcomes = {cases[0]["id"]: judge_bytes(cases[0], Path(options.claim).read_bytes(), options)}
     else:
-        if run_command(f"{options.against}", "0 0 0\n1 0 0\n", options.time_limit)[0] == "crashed":
-            parser.error("the command cannot be run")
+        for command in filter(None, (options.against, options.orbits_against)):
+            if run_command(command, "0 0 0\n2 0 0\n", options.time_limit)[0] == "crashed":
+                parser.error(f"the command cannot be run: {command}")
         outcomes = {case["id"]: judge_case(case, options) for case in cases}
     if options.json:
-        keep = ("outcome", "message", "findings", "undecided")
+        keep = ("outcome", "message", "findings", "undecided", "orbits")
         print(json.dumps({"cases": [{"id": case["id"], **{key: outcomes[case["id"]][key] for key in keep},
                                      "judged": sorted(outcomes[case["id"]]["judged"])} for case in cases],
+                          "statement": statement_of_all(outcomes, options),
                           "own_seconds": resource.getrusage(resource.RUSAGE_SELF).ru_utime}))
     else:
         print_report(cases, flags, outcomes, options)
