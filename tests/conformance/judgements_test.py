@@ -1,19 +1,88 @@
 #!/usr/bin/env python3
 """judgements_test.py FLOWCERT SPEC
 
-Both judges, `flowcert check` and judge.py, have to give the verdicts and findings of spec/judgements.json.
-Every clause of claims.md about the levels 1 to 4 has three judgements at least.
+`flowcert` has to give the verdicts and findings of spec/judgements.json and of the examples in claims.md.
+So has judge.py for those of the levels 1 to 4.
+Every clause of claims.md has three judgements at least.
 """
 import json
+import re
+import shlex
 import subprocess
 import sys
 import tempfile
 from collections import Counter
+from fractions import Fraction
 from pathlib import Path
 
 FLOWCERT, SPEC = sys.argv[1], Path(sys.argv[2])
 KEYS = ("level", "reason", "permitted", "clause")
-CLAUSES = [f"FC-CLAIM-{k:02}" for k in (1, 2, 3, 4, 5, 6, 7, 9, 12, 19, 20, 21)]
+VERDICTS = ("conforms", "conforms where determined", "perturbed", "fails", "unreadable")
+# All is right on level 1 about this claim, whatever the points are.
+NO_POINT = '{"format": "flowcert-stationary-points", "format_version": 1}\n'
+
+
+class Malformed(Exception):
+    """An example in claims.md that is none. The message says where and why."""
+
+
+def require(condition, message):
+    if not condition:
+        raise Malformed(message)
+
+
+def example_of(block, place):
+    """A judgement of its own and its points, of the lines of a block in claims.md."""
+    words = block[0].split()
+    require(len(words) == 2 and re.fullmatch(r"FC-CLAIM-\d\d", words[1]), f"{place}: no clause in '{block[0]}'")
+    one = {"id": f"{place} ({words[1]})", "clause": words[1], "findings": []}
+    points, part = [], None
+    for line in block[1:]:
+        word, _, rest = line.partition(" ")
+        if word in ("points", "claim") and not rest:
+            require(word not in one, f"{place}: '{word}' is there twice")
+            one[word] = part = []
+        elif word == "verdict" and "claim" in one:
+            require(rest in VERDICTS and word not in one, f"{place}: '{line}'")
+            one[word] = rest
+            part = None
+        elif part is not None:
+            part.append(line)
+        elif word in ("title", "case") and "points" not in one:
+            require(rest and word not in one, f"{place}: '{line}'")
+            one[word] = rest
+        elif word == "levels" and "points" not in one:
+            require(re.fullmatch("[1-5]", rest) and word not in one, f"{place}: '{line}'")
+            one[word] = int(rest)
+        elif word == "finding" and "verdict" in one:
+            match = re.fullmatch(r"([1-5]) ([a-z-]+) (FC-[A-Z]+-\d\d(?: \([a-z]\))?)( permitted)?", rest)
+            require(match, f"{place}: '{line}'")
+            level, reason, clause, permitted = match.groups()
+            one["findings"].append(dict(zip(KEYS, (int(level), reason, permitted is not None, clause))))
+        else:
+            raise Malformed(f"{place}: '{line}' is not known here")
+    for word in ("title", "case", "points", "claim", "verdict"):
+        require(one.get(word), f"{place}: no {word}")
+    try:
+        points = [[Fraction(word) for word in line.split()] for line in one["points"]]
+    except ValueError:
+        raise Malformed(f"{place}: a point that is none") from None
+    return one, points
+
+
+def examples(text):
+    """The lines of the blocks of a text, each with the number of its first one."""
+    block = None
+    for number, line in enumerate(text.splitlines(), 1):
+        if block is not None:
+            if line == "```":
+                yield block, first
+                block = None
+            else:
+                block.append(line)
+        elif line.startswith("```judgement"):
+            block, first = [line.removeprefix("```")], number
+    require(block is None, "claims.md: the last example has no end")
 
 
 def sorted_findings(findings):
@@ -28,39 +97,79 @@ def by_check(points, claim, levels):
     return report["verdict"], sorted_findings(report["findings"])
 
 
-def by_judge(case, claim, levels):
-    order = [sys.executable, SPEC / "judge.py", "--case", case, "--claim", claim, "--levels", str(levels), "--json"]
-    outcome = json.loads(subprocess.run(order, capture_output=True).stdout)["cases"][0]
+def by_conformance(case, pairs, no_point, vectors):
+    copies = [f"test -f {{in}} && cp {shlex.quote(str(path))} {{out}}" for path in (no_point, pairs)]
+    order = [FLOWCERT, "conformance", "--vectors", vectors, "--case", case, "--levels", "1", "--json"]
+    run = subprocess.run([*order, "--against", copies[0], "--persistence-against", copies[1]], capture_output=True)
+    outcome = json.loads(run.stdout)["cases"][0]
+    return outcome["outcome"], sorted([one["reason"]] for one in outcome["persistence_findings"])
+
+
+def by_judge(case, claim, levels, vectors):
+    order = [sys.executable, SPEC / "judge.py", "--vectors", vectors, "--levels", str(levels), "--json"]
+    run = subprocess.run([*order, "--case", case, "--claim", claim], capture_output=True)
+    outcome = json.loads(run.stdout)["cases"][0]
     return outcome["outcome"], sorted_findings(outcome["findings"])
 
 
+def write_vectors(groups, ids, folder):
+    """The vectors with these cases alone: they are read anew for each judgement."""
+    folder.mkdir()
+    for name, group in groups.items():
+        cases = [case for case in group.get("cases", []) if case["id"] in ids]
+        if cases or name == "flags.json":
+            (folder / name).write_text(json.dumps({**group, "cases": cases} if cases else group))
+
+
+def answers(one, case, folder):
+    """Who was asked, what was said, and what is owed."""
+    points, claim, no_point = folder / "points.xyz", folder / "claim", folder / "no_point"
+    points.write_text("".join(" ".join(row) + "\n" for row in case["points"]))
+    claim.write_text("\n".join(one["claim"]) + "\n")
+    if one.get("answers") == "persistence":
+        no_point.write_text(NO_POINT)
+        owed = one["verdict"], sorted([finding["reason"]] for finding in one["findings"])
+        yield "conformance", by_conformance(one["case"], claim, no_point, folder / "vectors"), owed
+        return
+    levels, owed = one.get("levels", 4), (one["verdict"], sorted_findings(one["findings"]))
+    yield "check", by_check(points, claim, levels), owed
+    if levels <= 4:
+        yield "judge.py", by_judge(one["case"], claim, levels, folder / "vectors"), owed
+
+
 def main():
-    cases = {case["id"]: case for path in (SPEC / "vectors").glob("*.json")
-             for case in json.loads(path.read_text()).get("cases", [])}
+    groups = {path.name: json.loads(path.read_text()) for path in (SPEC / "vectors").glob("*.json")}
+    cases = {case["id"]: case for group in groups.values() for case in group.get("cases", [])}
     judgements = json.loads((SPEC / "judgements.json").read_text())["judgements"]
-    wrong = 0
-    with tempfile.TemporaryDirectory(prefix="judgements-") as folder:
-        points, claim = Path(folder, "points.xyz"), Path(folder, "claim")
-        for one in judgements:
-            points.write_text("".join(" ".join(row) + "\n" for row in cases[one["case"]]["points"]))
-            claim.write_text("\n".join(one["claim"]) + "\n")
-            levels = one.get("levels", 4)
-            owed = one["verdict"], sorted_findings(one["findings"])
-            for name, given in (("check", by_check(points, claim, levels)),
-                                ("judge.py", by_judge(one["case"], claim, levels))):
-                if given != owed:
-                    wrong += 1
-                    print(f"{one['id']}: {name} says {given}, not {owed}")
+    text = (SPEC / "claims.md").read_text()
+    clauses = re.findall(r"^\*\*(FC-CLAIM-\d\d)\*\* ", text, re.MULTILINE)
     counts = Counter(one["clause"] for one in judgements)
-    for clause in CLAUSES:
-        if counts[clause] < 3:
-            wrong += 1
-            print(f"{clause}: {counts[clause]} judgements, not 3 or more")
-    if len({one["id"] for one in judgements}) < len(judgements):
-        wrong += 1
-        print("an id twice")
-    print(f"{len(judgements)} judgements, {wrong} complaints")
-    return 1 if wrong or not judgements else 0
+    complaints = [f"{clause}: {counts[clause]} judgements, not 3 or more" for clause in clauses if counts[clause] < 3]
+    complaints += [f"{one['id']}: no clause {one['clause']}" for one in judgements if one["clause"] not in clauses]
+    complaints += [f"{name} is there twice" for name, n in Counter(one["id"] for one in judgements).items() if n > 1]
+    if not clauses:
+        complaints.append("claims.md has no clause")
+    shown = []
+    try:
+        for block, number in examples(text):
+            one, points = example_of(block, f"claims.md:{number}")
+            require(one["clause"] in clauses, f"{one['id']}: no such clause")
+            require(one["case"] in cases, f"{one['id']}: no case {one['case']}")
+            owed = [[Fraction(float.fromhex(word)) for word in row] for row in cases[one["case"]]["points"]]
+            require(points == owed, f"{one['id']}: other points than those of {one['case']}")
+            shown.append(one)
+    except Malformed as error:
+        complaints.append(str(error))
+    with tempfile.TemporaryDirectory(prefix="judgements-") as folder:
+        write_vectors(groups, {one["case"] for one in judgements + shown}, Path(folder, "vectors"))
+        for one in judgements + shown:
+            for name, given, owed in answers(one, cases[one["case"]], Path(folder)):
+                if given != owed:
+                    complaints.append(f"{one['id']}: {name} says {given}, not {owed}")
+    for complaint in complaints:
+        print(complaint)
+    print(f"{len(judgements)} judgements, {len(shown)} examples, {len(complaints)} complaints")
+    return 1 if complaints else 0
 
 
 if __name__ == "__main__":
