@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """judgements_test.py FLOWCERT SPEC
+judgements_test.py --self-test
 
 `flowcert` has to give the verdicts and findings of spec/judgements.json and of the examples in claims.md.
 So has judge.py for those of the levels 1 to 4.
@@ -15,7 +16,7 @@ from collections import Counter
 from fractions import Fraction
 from pathlib import Path
 
-FLOWCERT, SPEC = sys.argv[1], Path(sys.argv[2])
+FLOWCERT, SPEC = (sys.argv[1], Path(sys.argv[2])) if len(sys.argv) > 2 else (None, None)
 KEYS = ("level", "reason", "permitted", "clause")
 VERDICTS = ("conforms", "conforms where determined", "perturbed", "fails", "unreadable")
 # All is right on level 1 about this claim, whatever the points are.
@@ -65,7 +66,7 @@ def example_of(block, place):
         require(one.get(word), f"{place}: no {word}")
     try:
         points = [[Fraction(word) for word in line.split()] for line in one["points"]]
-    except ValueError:
+    except (ValueError, ZeroDivisionError):
         raise Malformed(f"{place}: a point that is none") from None
     return one, points
 
@@ -172,5 +173,49 @@ def main():
     return 1 if complaints else 0
 
 
+EXAMPLE = """```judgement FC-CLAIM-02
+title Three corners of a square
+case cospherical-clusters-0001
+levels 3
+points
+0 0 0
+0 1/2 1e0
+claim
+{"index": 2, "contact": [0, 1, 2]}
+verdict conforms where determined
+finding 2 spanning-part FC-CLAIM-02 permitted
+finding 2 contact-incomplete FC-CRIT-05 (c)
+```
+"""
+DAMAGES = (
+    ("judgement FC-CLAIM-02", "judgement"), ("FC-CLAIM-02\n", "FC-CLAIM-2\n"), ("FC-CLAIM-02\n", "FC-CRIT-02\n"),
+    ("title ", "tilte "), ("title Three corners of a square\n", ""), ("title Three corners of a square", "title"),
+    ("levels 3", "levels 6"), ("levels 3", "levels 3\nlevels 3"), ("points\n", "points\npoints\n"),
+    ("case cospherical-clusters-0001\n", ""), ("points\n0 0 0\n0 1/2 1e0\n", ""), ("1/2", "half"), ("1/2", "1/0"),
+    ("claim\n", ""), ('{"index": 2, "contact": [0, 1, 2]}\n', ""), ("verdict conforms where", "verdict is"),
+    ("verdict conforms where determined\n", ""), ("finding 2 s", "finding s"), ("finding 2 s", "finding 6 s"),
+    ("permitted", "allowed"), ("(c)\n", "(c) \n"), ("(c)\n", "(c)\nmore\n"), ("(c)\n```", "(c)"))
+
+
+def self_test():
+    [(block, number)] = examples("text\n" + EXAMPLE + "text\n")
+    one, points = example_of(block, "here")
+    assert number == 2 and points == [[0, 0, 0], [0, Fraction(1, 2), 1]]
+    assert (one["case"], one["levels"], one["verdict"]) == ("cospherical-clusters-0001", 3, VERDICTS[1])
+    assert one["claim"] == ['{"index": 2, "contact": [0, 1, 2]}']
+    assert [list(finding.values()) for finding in one["findings"]] == [
+        [2, "spanning-part", True, "FC-CLAIM-02"], [2, "contact-incomplete", False, "FC-CRIT-05 (c)"]]
+    for old, new in DAMAGES:
+        assert old in EXAMPLE, old
+        try:
+            for block, _ in examples(EXAMPLE.replace(old, new, 1)):
+                example_of(block, "here")
+        except Malformed:
+            continue
+        raise AssertionError(f"'{new}' instead of '{old}' is not noticed")
+    print(f"reads an example, and notices {len(DAMAGES)} damages")
+    return 0
+
+
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(self_test() if sys.argv[1:] == ["--self-test"] else main())
