@@ -188,7 +188,7 @@ finding 2 contact-incomplete FC-CRIT-05 (c)
 ```
 """
 DAMAGES = (
-    ("judgement FC-CLAIM-02", "judgement"), ("FC-CLAIM-02\n", "FC-CLAIM-2\n"), ("FC-CLAIM-02\n", "FC-CRIT-02\n"),
+    ("judgement FC-CLAIM-02", "judgement"), ("FC-CLAIM-02\n", "CLAIM-02\n"), ("FC-CLAIM-02\n", "FC-CRIT-02\n"),
     ("title ", "tilte "), ("title Three corners of a square\n", ""), ("title Three corners of a square", "title"),
     ("levels 3", "levels 6"), ("levels 3", "levels 3\nlevels 3"), ("points\n", "points\npoints\n"),
     ("case cospherical-clusters-0001\n", ""), ("points\n0 0 0\n0 1/2 1e0\n", ""), ("1/2", "half"), ("1/2", "1/0"),
