@@ -7,6 +7,8 @@
 #include <map>
 #include <sstream>
 
+#include "tests/json_schema.h"
+
 namespace flowcert::conformance {
 
 std::filesystem::path spec_folder() { return FLOWCERT_SPEC_FOLDER; }
@@ -75,6 +77,11 @@ std::string words_in_a_row(const Json& words) {
     text += word.get<std::string>();
   }
   return text;
+}
+
+std::string violations(const nlohmann::json& file) {
+  static const flowcert_tests::JsonSchema schema(spec_folder() / "schemas" / "vectors.schema.json");
+  return schema.violations(file);
 }
 
 void expect_same(const Json& one, const std::string& what, const Json& actual, const Json& expected) {

@@ -29,6 +29,9 @@ using Json = nlohmann::ordered_json;
 // "1,2,3" for ["1", "2", "3"].
 [[nodiscard]] std::string words_in_a_row(const Json& words);
 
+// What violates the schema of vectors, a line each; empty if nothing does.
+[[nodiscard]] std::string violations(const nlohmann::json& file);
+
 // Fails the test where the two differ as text.
 void expect_same(const Json& one, const std::string& what, const Json& actual, const Json& expected);
 

@@ -17,6 +17,7 @@
 #include "io/unstable_surface_field.h"
 #include "oracle/program/read_records.h"
 #include "tests/cites.h"
+#include "tests/conformance/fast_landscape.h"
 #include "tests/conformance/vector_files.h"
 
 namespace flowcert::conformance {
@@ -241,6 +242,7 @@ Json fast_answer(const Json& one, ConstructionKernel kernel) {
     answer["morse_smale"] = is_morse_smale(complex.stationary(), complex.limits(), complex.stable());
   }
   if (has(one, "persistence")) answer["persistence"] = in_order(fast_persistence(complex.persistence()));
+  add_fast_landscape(complex, one["expected"], answer);
   if (!has(one, "orbits")) return answer;
   answer["orbits"] = Json::array();
   for (const Json& path : one["expected"]["orbits"]) {
@@ -259,7 +261,10 @@ TEST(Vectors, TheFastImplementationPassesUnderTheLazyKernel) {
   CITES("FC-IN-02", "FC-IN-03", "FC-IN-04", "FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-04", "FC-CRIT-05", "FC-NUM-01",
         "FC-OUT-01", "FC-OUT-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-03", "FC-FLOW-05", "FC-FLOW-07", "FC-STAB-01",
         "FC-STAB-04", "FC-STAB-05", "FC-STAB-06", "FC-STAB-07", "FC-PERS-01", "FC-PERS-05", "FC-UNST-01", "FC-UNST-02",
-        "FC-CONN-01", "FC-CONN-03", "FC-VOL-01", "FC-VOL-02", "FC-UNST-04", "FC-UNST-05", "FC-UNST-06");
+        "FC-CONN-01", "FC-CONN-03", "FC-VOL-01", "FC-VOL-02", "FC-UNST-04", "FC-UNST-05", "FC-UNST-06", "FC-LOC-01",
+        "FC-LOC-03", "FC-TREE-02", "FC-TREE-03", "FC-TREE-06", "FC-TREE-07", "FC-POCK-01", "FC-POCK-02", "FC-POCK-03",
+        "FC-POCK-04", "FC-POCK-05", "FC-POCK-06", "FC-POCK-07", "FC-POCK-08", "FC-MED-01", "FC-MED-02", "FC-MED-03",
+        "FC-STAB-08", "FC-STAT-01", "FC-DIST-01", "FC-DIST-02", "FC-FLOW-09");
   expect_all_cases("lazy", ConstructionKernel::kLazy);
 }
 
@@ -274,7 +279,8 @@ TEST(Vectors, TheFastImplementationPassesUnderTheCascadeKernel) {
 // It also disagrees where it has not the very same thing to compare with, as for the walk.
 TEST(Vectors, TheFastImplementationDisagreesWithWhatIsWrong) {
   CITES("FC-STAB-04", "FC-STAB-07", "FC-PERS-01", "FC-UNST-02", "FC-CONN-01", "FC-CONN-03", "FC-VOL-01", "FC-VOL-02",
-        "FC-UNST-04");
+        "FC-UNST-04", "FC-LOC-01", "FC-TREE-02", "FC-TREE-06", "FC-POCK-02", "FC-POCK-03", "FC-POCK-06", "FC-MED-02",
+        "FC-MED-03", "FC-STAB-08", "FC-STAT-01");
   const std::map<std::string, std::vector<const char*>> wrong = {
       {"stable-manifolds-0005",
        {R"([{"op":"replace","path":"/stationary/6/stable/walk","value":[0,1,2,1]}])",
@@ -309,16 +315,50 @@ TEST(Vectors, TheFastImplementationDisagreesWithWhatIsWrong) {
        {R"([{"op":"replace","path":"/stationary/8/u1/vertices/0/0","value":"1/3"}])",
         R"([{"op":"remove","path":"/stationary/8/u1/traces/0"}])",
         R"([{"op":"replace","path":"/stationary/8/u1/traces/0/to","value":["0","0","-1"]}])",
-        R"([{"op":"replace","path":"/stationary/8/u1/sheets/0/samples/1","value":2}])"}}};
+        R"([{"op":"replace","path":"/stationary/8/u1/sheets/0/samples/1","value":2}])"}},
+      {"locations-0006",
+       {R"([{"op":"replace","path":"/locations/0/contact/0","value":1}])",
+        R"([{"op":"replace","path":"/locations/0/nearest","value":[1]}])",
+        R"([{"op":"replace","path":"/locations/0/index","value":2}])"}},
+      {"merge-trees-0042",
+       {R"([{"op":"replace","path":"/merge_trees/pockets/nodes/0/squared_distance","value":"1/3"}])",
+        R"([{"op":"replace","path":"/merge_trees/pockets/nodes/0/parts/0","value":7}])",
+        R"([{"op":"remove","path":"/merge_trees/pockets/nodes/0/joined_by/0"}])",
+        R"([{"op":"remove","path":"/merge_trees/components/nodes/0"}])",
+        R"([{"op":"replace","path":"/merge_trees/components/leaves/0/squared_distance","value":"1"}])"}},
+      {"pockets-0042",
+       {R"([{"op":"replace","path":"/pockets/0/pockets/0/depth","value":"1/3"}])",
+        R"([{"op":"replace","path":"/pockets/0/pockets/0/volume","value":"1/3"}])",
+        R"([{"op":"remove","path":"/pockets/0/pockets/0/mouths/0"}])",
+        R"([{"op":"replace","path":"/pockets/0/pockets/0/mouths/0/between/0","value":-2}])",
+        R"([{"op":"remove","path":"/pockets/0/pockets/0/widest_path/gates/0"}])",
+        R"([{"op":"replace","path":"/pockets/0/probes/0/is/0","value":"hole"}])",
+        R"([{"op":"replace","path":"/pockets/0/pore_limiting_radius","value":null}])",
+        R"([{"op":"replace","path":"/pockets/0/outside","value":[[0,1]]}])"}},
+      {"medial-axes-0012",
+       {R"([{"op":"remove","path":"/medial_axes/angles/0/above/0"}])",
+        R"([{"op":"replace","path":"/medial_axes/persistences/0/levels/0/above","value":0}])",
+        R"([{"op":"replace","path":"/medial_axes/persistences/0/levels/0/points","value":1}])"}},
+      {"infinity-0012",
+       {R"([{"op":"remove","path":"/infinity/unbounded_segments/0"}])",
+        R"([{"op":"replace","path":"/infinity/unbounded_segments/0/vector/0","value":"1/3"}])",
+        R"([{"op":"remove","path":"/infinity/unbounded_sectors/0"}])"}},
+      {"statistics-0012",
+       {R"([{"op":"replace","path":"/statistics/n_u2/0/1","value":1}])",
+        R"([{"op":"remove","path":"/statistics/n_s2/0"}])",
+        R"([{"op":"replace","path":"/statistics/n_wcc","value":[[1,1]]}])"}}};
+  std::size_t found = 0;
   for (const Json& one : all_cases()) {
     const auto changes = wrong.find(one["id"]);
     if (changes == wrong.end()) continue;
+    ++found;
     for (const char* change : changes->second) {
       Json changed = one;
       changed["expected"] = one["expected"].patch(Json::parse(change));
       EXPECT_NE(fast_answer(changed, ConstructionKernel::kLazy).dump(), changed["expected"].dump()) << change;
     }
   }
+  EXPECT_EQ(found, wrong.size());
 }
 
 TEST(Vectors, TheFastImplementationPassesUnderTheExactKernel) {
@@ -327,11 +367,17 @@ TEST(Vectors, TheFastImplementationPassesUnderTheExactKernel) {
 }
 
 TEST(Vectors, TheFastImplementationRefusesWhatIsInvalid) {
-  CITES("FC-IN-01", "FC-IN-02", "FC-IN-05");
+  CITES("FC-IN-01", "FC-IN-02", "FC-IN-05", "FC-FLOW-10", "FC-LOC-02");
   for (const Json& one : all_cases()) {
     if (!is_invalid(one)) continue;
     if (one["refused"] == "points") {
       EXPECT_THROW(fast_points(one), InvalidInput) << one["id"];
+    } else if (one["points"] == Json::array()) {
+      const FlowComplex complex(fast_points(one));
+      const RationalPoint start = parse_rational_point(words_in_a_row(one["start"]));
+      EXPECT_THROW(static_cast<void>(complex.orbit(start)), InvalidInput) << one["id"];
+      EXPECT_THROW(static_cast<void>(complex.step(start)), InvalidInput) << one["id"];
+      EXPECT_THROW(static_cast<void>(complex.locate(start)), InvalidInput) << one["id"];
     } else {
       EXPECT_EQ(fast_points(one).size(), one["points"].size()) << one["id"];
       EXPECT_THROW(static_cast<void>(parse_rational_point(words_in_a_row(one["start"]))), InvalidInput) << one["id"];

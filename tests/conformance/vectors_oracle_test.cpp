@@ -7,6 +7,7 @@
 
 #include <sstream>
 
+#include "oracle/location.h"
 #include "oracle/orbit.h"
 #include "oracle/program/read_points.h"
 #include "oracle/program/read_records.h"
@@ -44,12 +45,16 @@ std::vector<oracle::Point> starts_of(const Json& one) {
   for (const Json& path : one["expected"].value("orbits", Json::array())) {
     starts.push_back(oracle::parse_position(words_in_a_row(path["start"]), "start"));
   }
+  for (const Json& location : one["expected"].value("locations", Json::array())) {
+    starts.push_back(oracle::parse_position(words_in_a_row(location["position"]), "position"));
+  }
   return starts;
 }
 
 TEST(Vectors, TheOraclePasses) {
   CITES("FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-05", "FC-OUT-02", "FC-FLOW-01", "FC-FLOW-02", "FC-FLOW-05", "FC-FLOW-07",
-        "FC-UNST-01", "FC-UNST-02", "FC-CONN-01", "FC-CONN-03", "FC-VOL-01", "FC-VOL-02", "FC-UNST-04");
+        "FC-UNST-01", "FC-UNST-02", "FC-CONN-01", "FC-CONN-03", "FC-VOL-01", "FC-VOL-02", "FC-UNST-04", "FC-LOC-01",
+        "FC-TREE-02", "FC-POCK-02", "FC-MED-02", "FC-STAB-08", "FC-STAT-01");
   for (const vectors::Group& group : vectors::groups()) {
     const Json& cases = group_named(group.name)["cases"];
     for (std::size_t k = 0; k < group.recipes.size(); ++k) {
@@ -63,11 +68,14 @@ TEST(Vectors, TheOraclePasses) {
 }
 
 TEST(Vectors, TheOracleRefusesWhatIsInvalid) {
-  CITES("FC-IN-01", "FC-IN-02", "FC-IN-05");
+  CITES("FC-IN-01", "FC-IN-02", "FC-IN-05", "FC-FLOW-10", "FC-LOC-02");
   for (const Json& one : all_cases()) {
     if (!is_invalid(one)) continue;
     if (one["refused"] == "points") {
       EXPECT_THROW(oracle_rows(one), oracle::UnusableInput) << one["id"];
+    } else if (one["points"] == Json::array()) {
+      const oracle::Point start = oracle::parse_position(words_in_a_row(one["start"]), "start");
+      EXPECT_THROW(oracle::locate(oracle::PointSet(oracle_rows(one)), start), std::invalid_argument) << one["id"];
     } else {
       EXPECT_EQ(oracle_rows(one).size(), one["points"].size()) << one["id"];
       EXPECT_THROW(oracle::parse_position(words_in_a_row(one["start"]), "start"), oracle::UnusableInput) << one["id"];

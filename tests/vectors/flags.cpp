@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "oracle/program/read_points.h"
+#include "oracle/stable_pieces.h"
+#include "tests/vectors/landscape_flags.h"
 
 namespace oracle::vectors {
 
@@ -27,6 +29,29 @@ bool some_coordinate(const Findings& found, bool (*holds)(double)) {
 
 bool spans(const Findings& found, int dimension, std::size_t least_points) {
   return found.set.points.size() >= least_points && affine_dimension(found.set.points) == dimension;
+}
+
+// Whether the values are equally spaced. Nothing iff there is one value.
+bool are_equally_spaced(const std::set<Rational>& values, std::optional<Rational>& step) {
+  for (auto next = values.begin(), value = next++; next != values.end(); value = next++) {
+    const Rational difference = *next - *value;
+    if (step && *step != difference) return false;
+    step = difference;
+  }
+  return true;
+}
+
+// So many different points of a box of that many places are all of it.
+bool is_whole_lattice(const Findings& found) {
+  std::array<std::set<Rational>, 3> values;
+  for (const Point& p : found.set.points) {
+    for (std::size_t axis = 0; axis < 3; ++axis) values[axis].insert(p[axis]);
+  }
+  const std::size_t k = values[0].size();
+  std::optional<Rational> step;
+  return k > 0 && values[1].size() == k && values[2].size() == k && found.set.points.size() == k * k * k &&
+         are_equally_spaced(values[0], step) && are_equally_spaced(values[1], step) &&
+         are_equally_spaced(values[2], step);
 }
 
 bool is_few(const Findings& found) { return !found.set.points.empty() && found.set.points.size() < 4; }
@@ -139,7 +164,7 @@ bool crosses_facets_in_a_row(const PointSet& set, const Orbit& path) {
 }
 
 bool some_start(const Findings& found, char letter) {
-  for (std::size_t k = 0; k < found.starts.size(); ++k) {
+  for (std::size_t k = 0; k < found.orbits.size(); ++k) {
     if (found.orbits[k].segments.empty()) continue;
     if (face_letter(found.set, contact_set(found.set, found.starts[k])) == letter) return true;
   }
@@ -149,6 +174,30 @@ bool some_start(const Findings& found, char letter) {
 bool has_stationary_start(const Findings& found) {
   for (const Orbit& path : found.orbits) {
     if (path.segments.empty()) return true;
+  }
+  return false;
+}
+
+bool has_changing_driver(const Findings& found) {
+  return std::any_of(found.orbits.begin(), found.orbits.end(),
+                     [](const Orbit& path) { return path.segments.size() > 1; });
+}
+
+// Whether x is inside of the segment. A segment without an end goes on for ever.
+bool is_inside(const FlowSegment& segment, const Point& x) {
+  const Point way = segment.end ? minus(*segment.end, segment.start) : minus(segment.start, segment.driver);
+  const Point to_x = minus(x, segment.start);
+  const Rational along = dot(way, to_x);
+  return cross(way, to_x) == Point{0, 0, 0} && along > 0 && (!segment.end || along < dot(way, way));
+}
+
+bool has_start_inside_a_segment(const Findings& found) {
+  for (const Orbit& path : found.orbits) {
+    for (const FlowSegment& segment : path.segments) {
+      for (const Point& start : found.starts) {
+        if (is_inside(segment, start)) return true;
+      }
+    }
   }
   return false;
 }
@@ -170,6 +219,22 @@ bool has_cut_sector(const StableSet& set) {
     if (sector.polygon.size() > 3) return true;
   }
   return false;
+}
+
+// To which only intervals or sectors lead (FC-STAB-11).
+bool has_uncounted_segment(const Findings& found) {
+  return std::any_of(found.stable.begin(), found.stable.end(), [&](const auto& place_and_set) {
+    const auto& [place, set] = place_and_set;
+    return segments_without_intervals(found.answer.stationary[place], set) < set.segments.size();
+  });
+}
+
+bool has_walk(const StableSet& set) { return !set.has_vertex; }
+bool has_determined_boundary(const Findings& found) {
+  return std::any_of(found.stable.begin(), found.stable.end(), [&](const auto& place_and_set) {
+    const auto& [place, set] = place_and_set;
+    return is_saddle(found.answer.stationary[place]) && !has_tie(set);
+  });
 }
 
 bool has_back(const StableSet& set, BackKind kind) {
@@ -299,6 +364,11 @@ constexpr Flag kFlags[] = {
     {"short-row", "A row with too few numbers.", "FC-IN-05", nullptr},
     {"nothing-to-read", "A file of nothing but white space.", "FC-IN-05", nullptr},
     {"bad-start", "The points are right, but the start of the orbit is no position.", "FC-FLOW-05", nullptr},
+    {"start-not-finite", "A coordinate of the start is not finite, or beyond the doubles.", "FC-LOC-02", nullptr},
+    {"no-points", "The start is right, but there are no points.", "FC-FLOW-10 FC-LOC-02", nullptr},
+    {"mirror-image", "The case before it, but x has the other sign.", "FC-FLOW-11 FC-INV-04", nullptr},
+    {"renamed", "The case before it, but its rows are in reversed order.", "FC-FLOW-11 FC-INV-04", nullptr},
+    {"scaled-copy", "The case before it, times a power of two.", "FC-INV-04 FC-POCK-10", nullptr},
     // ---- Of the input
     {"empty", "No point.", "FC-IN-04", [](const Findings& found) { return found.rows.empty(); }},
     {"few-points", "One, two or three different points.", "FC-IN-04", is_few},
@@ -308,6 +378,10 @@ constexpr Flag kFlags[] = {
      [](const Findings& found) { return spans(found, 1, 3); }},
     {"coplanar", "Four different points or more, in a plane.", "FC-IN-04 FC-VOR-02",
      [](const Findings& found) { return spans(found, 2, 4); }},
+    {"one-tetrahedron", "Four different points that span space.", "FC-INV-03",
+     [](const Findings& found) { return spans(found, 3, 4) && found.set.points.size() == 4; }},
+    {"whole-lattice", "All of the lattice {1..k}^3 for some k, up to a translation and the scale.", "FC-INV-05",
+     is_whole_lattice},
     {"duplicates", "Rows with equal coordinates.", "FC-IN-03",
      [](const Findings& found) { return found.answer.merged_duplicates > 0; }},
     {"negative-zero", "A coordinate is -0.", "FC-IN-02",
@@ -332,11 +406,11 @@ constexpr Flag kFlags[] = {
     {"cluster-at-regular", "A regular stationary point with more contact points than a simplex has.",
      "FC-CRIT-03 FC-SIGN-04", some_regular_cluster},
     // ---- Of the orbits
-    {"from-vertex", "An orbit that moves on from a Voronoi vertex.", "FC-FLOW-02",
+    {"from-vertex", "An orbit that moves on from a Voronoi vertex.", "FC-FLOW-02 FC-STAB-09",
      [](const Findings& found) { return some_start(found, 'V'); }},
-    {"from-edge", "An orbit from inside a Voronoi edge.", "FC-FLOW-02",
+    {"from-edge", "An orbit from inside a Voronoi edge.", "FC-FLOW-02 FC-STAB-09",
      [](const Findings& found) { return some_start(found, 'E'); }},
-    {"from-facet", "An orbit from inside a Voronoi facet.", "FC-FLOW-02",
+    {"from-facet", "An orbit from inside a Voronoi facet.", "FC-FLOW-02 FC-STAB-09",
      [](const Findings& found) { return some_start(found, 'F'); }},
     {"from-cell", "An orbit from inside a Voronoi cell.", "FC-FLOW-02",
      [](const Findings& found) { return some_start(found, 'C'); }},
@@ -355,6 +429,10 @@ constexpr Flag kFlags[] = {
      [](const Findings& found) { return some_orbit(found, crosses_edges_in_a_row); }},
     {"across-facets", "An orbit that crosses three Voronoi facets or more, from edge to edge.", "FC-FLOW-01 FC-FLOW-05",
      [](const Findings& found) { return some_orbit(found, crosses_facets_in_a_row); }},
+    {"driver-changes", "An orbit from a listed start that has two segments or more.", "FC-FLOW-05 FC-FLOW-09",
+     has_changing_driver},
+    {"start-inside-a-segment", "A start inside of a segment of the orbit from another start.", "FC-FLOW-04 FC-FLOW-08",
+     has_start_inside_a_segment},
     {"one-limit", "A critical point of index 2 both of whose limits are the same.", "FC-FLOW-07",
      has_saddle_with_one_limit},
     // ---- Of stable sets
@@ -368,6 +446,12 @@ constexpr Flag kFlags[] = {
      "FC-STAB-05 FC-STAB-06", [](const Findings& found) { return some_stable_set(found, has_interval); }},
     {"cut-sector", "A listed stable set with a sector that is no triangle: its rays leave the Voronoi facet.",
      "FC-STAB-05", [](const Findings& found) { return some_stable_set(found, has_cut_sector); }},
+    {"uncounted-segment", "A listed stable set with a segment to which only intervals or sectors lead.",
+     "FC-STAB-05 FC-STAB-11", has_uncounted_segment},
+    {"walk", "A listed boundary walk.", "FC-STAB-07 FC-STAB-10",
+     [](const Findings& found) { return some_stable_set(found, has_walk); }},
+    {"determined-boundary", "A listed boundary of a critical point of index 2.", "FC-CHAIN-01 FC-CHAIN-03",
+     has_determined_boundary},
     // ---- Of persistence pairs
     {"tunnel", "A listed persistence pair of dimension 1.", "FC-PERS-01 FC-PERS-05",
      [](const Findings& found) { return some_pair(found, 1); }},
@@ -408,6 +492,61 @@ constexpr Flag kFlags[] = {
      [](const Findings& found) { return some_part(found, &UnstableSurface::segments, is_any_ray); }},
     {"trace-of-a-point", "A listed trace that is one point.", "FC-UNST-04 FC-UNST-05",
      [](const Findings& found) { return some_part(found, &UnstableSurface::traces, is_single_point); }},
+    // ---- Of locations
+    {"own-location", "A listed position that is its own location.", "FC-LOC-01", has_location_at_start},
+    {"located-at-regular", "A location that is regular stationary, of another position.", "FC-LOC-01",
+     has_location_at_regular},
+    {"located-at-infinity", "A location that is infinity.", "FC-LOC-01 FC-STAB-08", has_location_at_infinity},
+    {"several-nearest", "A listed position with several nearest samples.", "FC-DIST-01 FC-LOC-01 FC-STAB-09",
+     has_several_nearest},
+    {"on-one-ray", "Two listed positions on one ray from a sample, in its closed Voronoi cell.", "FC-LOC-03",
+     has_two_on_a_ray},
+    // ---- Of merge trees
+    {"three-pockets-join", "A node of the tree of pockets with three parts or more.", "FC-TREE-02 FC-TREE-05",
+     joins_three_pockets},
+    {"three-components-join", "A node of the tree of components with three parts or more.", "FC-TREE-06",
+     joins_three_components},
+    {"more-gates", "A node of the tree of pockets that as many gates join as it has parts, or more.", "FC-TREE-03",
+     has_gates_beyond_need},
+    {"nodes-of-one-value", "Two nodes of one tree and one value.", "FC-TREE-07", has_two_nodes_of_a_value},
+    {"several-nodes", "Two nodes or more in the tree of pockets.", "FC-TREE-01 FC-TREE-02 FC-TREE-04",
+     has_node_of_nodes},
+    {"infinity-alone", "A tree of pockets whose only leaf is infinity.", "FC-TREE-02 FC-TREE-04", has_only_infinity},
+    // ---- Of pockets
+    {"listed-pocket", "A listed pocket.", "FC-POCK-01 FC-POCK-03 FC-POCK-04 FC-POCK-05 FC-POCK-07 FC-POCK-08",
+     lists_pocket},
+    {"no-pocket", "A persistence at which no pocket is listed.", "FC-POCK-07 FC-POCK-08", lists_no_pocket},
+    {"merged-pocket", "A listed pocket with two maxima or more.", "FC-POCK-02", has_merged_pocket},
+    {"merged-outside", "A maximum that belongs to the outside.", "FC-POCK-02 FC-POCK-08", has_merged_outside},
+    {"stays-apart", "A listed pocket that is not deeper than the persistence.", "FC-POCK-02 FC-POCK-09",
+     has_pocket_apart},
+    {"several-peaks", "A listed pocket with two peaks or more.", "FC-POCK-05", has_several_peaks},
+    {"wider-cell", "A listed cell to which more than its maxima belong.", "FC-POCK-01 FC-POCK-03", has_wider_cell},
+    {"neighbour-pocket", "A listed pocket that has another pocket as its neighbour.", "FC-POCK-04",
+     has_neighbour_pocket},
+    {"several-gates", "A listed pocket whose widest path has two gates or more.", "FC-POCK-07", has_several_gates},
+    {"several-largest-balls", "Two largest balls or more.", "FC-POCK-08", has_several_largest_balls},
+    {"probe-cavity", "A pocket that is a cavity for a listed probe.", "FC-POCK-06", has_cavity},
+    {"probe-pocket", "A pocket that is one in the narrow sense for a listed probe.", "FC-POCK-06", has_narrow_pocket},
+    {"probe-channel", "A pocket that is a channel for a listed probe.", "FC-POCK-06", has_channel},
+    {"passes-exactly", "A probe that is just as wide as the widest path of a pocket.", "FC-POCK-06", passes_exactly},
+    // ---- Of the medial axis
+    {"angle-at-bound", "A critical point of index 2 whose angle is just 120 or 180 degrees.", "FC-MED-02",
+     has_angle_at_bound},
+    {"angle-between", "Critical points of index 2 that some listed angles of 120 degrees and more tell apart.",
+     "FC-MED-01 FC-MED-02", has_angle_between},
+    {"open-choice", "A persistence above which some points of one index and value are, and others are not.",
+     "FC-MED-03 FC-PERS-04", leaves_choice},
+    // ---- Of infinity
+    {"bounded-piece", "A listed skeleton of infinity with a segment or sector that has no end at infinity.",
+     "FC-STAB-08", has_bounded_piece},
+    {"two-far-corners", "A listed sector with two corners at infinity.", "FC-STAB-08", has_sector_of_two_ends},
+    {"ray-from-regular", "A listed ray to infinity whose back is regular stationary.", "FC-STAB-08",
+     has_ray_from_regular},
+    // ---- Of statistics
+    {"run-of-constructed", "A listed cascade.", "FC-STAT-01", has_cascade},
+    {"long-connecting-orbit", "A connecting orbit of two segments or more.", "FC-STAT-01 FC-STAB-06",
+     has_long_connecting_orbit},
 };
 
 }  // namespace

@@ -11,11 +11,14 @@
 #include <vector>
 
 #include "oracle/connections.h"
+#include "oracle/infinity_set.h"
+#include "oracle/location.h"
 #include "oracle/orbit.h"
 #include "oracle/persistence.h"
 #include "oracle/stable_set.h"
 #include "oracle/stationary_points.h"
 #include "oracle/unstable_surface.h"
+#include "tests/vectors/landscape.h"
 #include "tests/vectors/shapes.h"
 
 namespace oracle::vectors {
@@ -33,7 +36,7 @@ struct Findings {
   Answer answer;
   std::vector<std::array<Orbit, 2>> unstable;  // of the index-2 points, in order; if asked for
   std::vector<Point> starts;
-  std::vector<Orbit> orbits;  // one for each start
+  std::vector<Orbit> orbits;  // one for each start, unless locations are asked for
   // The stable sets of points that are critical of index 2 or regular, by place in the list, if asked for.
   std::map<std::size_t, StableSet> stable;
   std::vector<PersistencePair> persistence;  // ascending; if asked for
@@ -44,6 +47,13 @@ struct Findings {
   std::vector<VolumeAndShares> volumes = {};  // by place in the list, if asked for
   // The unstable sets of points with dim F = 1, by place in the list, if asked for.
   std::map<std::size_t, UnstableSurface> surfaces = {};
+  // If asked for:
+  std::vector<Location> locations = {};  // one for each start, instead of orbits
+  std::optional<Trees> trees = {};
+  std::vector<PocketAnswer> pockets = {};
+  std::optional<MedialAnswer> medial = {};
+  std::optional<InfinitySet> infinity = {};
+  std::optional<StatisticsAnswer> statistics = {};
 };
 
 struct Flag {

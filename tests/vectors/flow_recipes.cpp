@@ -14,6 +14,13 @@ const Rows kKite = {{0, 0, 0}, {25, 0, 0}, {9, 12, 0}, {9, -12, 0}};
 const Rows kThroughTwoVertices = {{-1, 2, 1}, {2, 2, -1}, {0, -1, 0}, {-1, 0, 1}, {2, 0, 0}, {-1, 0, 0}};
 const Rows kThroughTwoMore = {{-2, -2, 1}, {-3, 0, 1}, {-1, 2, 2}, {-2, -1, 2}, {1, 2, -1}, {-1, -2, 2}, {0, -3, 0}};
 
+// Points outside of a sphere cut the Voronoi facets into which sectors of its centre reach.
+const Rows kCutSector = {{2, -1, -2}, {2, 0, -2}, {2, -2, 2}, {-1, 1, -1}, {-2, 1, -2}, {1, 2, 0}, {-2, -2, 2}};
+const Rows kCrowded = {{20, -1, -3},  {-16, 11, -3}, {-16, -13, -3}, {12, -1, 13},
+                       {-9, -9, -23}, {6, -24, 1},   {-1, -12, -24}, {15, -13, -13}};
+const Rows kCrowdedToo = {{22, 4, 5},   {-10, 20, 5}, {-10, -12, 5},  {2, 4, 25},
+                          {5, -20, -1}, {9, -4, 22},  {-11, 11, -12}, {12, 23, 17}};
+
 // The cases that both groups begin with.
 void add_by_hand(GroupWriter& cases) {
   add_first_cases(cases);
@@ -43,8 +50,8 @@ void add_by_hand(GroupWriter& cases) {
 Group stable_manifolds() {
   GroupWriter cases("stable-manifolds",
                     "What flows to each critical point of index 2 and each regular stationary point",
-                    "FC-CHAIN-01 FC-STAB-01 FC-STAB-02 FC-STAB-04 FC-STAB-07");
-  cases.with_stable_sets();
+                    "FC-CHAIN-01 FC-STAB-01 FC-STAB-02 FC-STAB-04 FC-STAB-07 FC-STAB-11");
+  cases.asking({.stable = true});
   add_by_hand(cases);
   cases.drawn(29, "general-position", 100, {3, 6});
   cases.drawn(31, "lattice-3", 100, {1, 2, 4, 5});
@@ -77,13 +84,17 @@ Group stable_manifolds() {
   cases.drawn(98, "extreme-scale", 100, {2, 3});
   cases.drawn(100, "two-scales", 100, {4, 5});
   cases.drawn(102, "mixed-magnitudes", 100, {7});
+  cases.given(103, "a sector that is cut off by a point beside it", "lattice", kCutSector);
+  cases.given(104, "four points around a centre, and two that cut off sectors", "", first_of(kCrowded, 6));
+  cases.given(105, "the same with two points more", "", kCrowded);
+  cases.given(106, "four points around a centre, and four others that cut off sectors", "", kCrowdedToo);
   return cases.group();
 }
 
 Group persistence() {
   GroupWriter cases("persistence", "The persistence pairs of the squared distance function",
                     "FC-PERS-01 FC-PERS-02 FC-PERS-03 FC-PERS-05");
-  cases.with_persistence();
+  cases.asking({.persistence = true});
   add_by_hand(cases);
   cases.given(29, "two pairs of points, far from each other, and one pair again", "",
               {{0, 0, 0}, {1, 0, 0}, {0, 0, 100}, {1, 0, 100}, {0, 0, 0}, {1, 0, 0}});
@@ -151,7 +162,7 @@ Rows facet(std::size_t degree, bool perturbed, std::uint64_t seed) {
 Group unstable_manifolds() {
   GroupWriter cases("unstable-manifolds", "Where the two orbits of U2 of each critical point of index 2 end",
                     "FC-CRIT-02 FC-FLOW-05 FC-FLOW-07 FC-FLOW-08");
-  cases.with_limits();
+  cases.asking({.limits = true});
   cases.given(1, "an acute triangle: both orbits go to infinity", "", kAcuteTriangle);
   cases.given(2, "a regular tetrahedron", "", kTetrahedron);
   cases.given(3, "two cubes with a common face", "lattice cospherical", grid(2, 2, 3));
@@ -181,6 +192,10 @@ Group unstable_manifolds() {
   cases.given(70, "a facet of 40 sides, perturbed", "high-degree-facet", facet(40, true, 2));
   cases.given(71, "the lattice {0..2}^3", "lattice cospherical", grid(3, 3, 3));
   cases.given(72, "40 points of {0..6}^3", "lattice", scattered(40, 7, 21));
+  cases.mirrored(73, "8 points in general position", "general-position", general(8, 31));
+  cases.mirrored(76, "9 points of {0..3}^3", "lattice", scattered(9, 4, 32));
+  cases.mirrored(79, "a square and a point above its centre", "", scaled(kSquareAndPoint, 1));
+  cases.mirrored(82, "12 points of {0..2}^3", "lattice", scattered(12, 3, 33));
   return cases.group();
 }
 
@@ -217,10 +232,11 @@ void add_orbits_by_hand(GroupWriter& cases) {
 }
 
 Group orbits() {
-  GroupWriter cases("orbits", "Orbits from given starts, segment by segment", "FC-FLOW-01 FC-FLOW-02 FC-FLOW-05");
+  GroupWriter cases("orbits", "Orbits from given starts, segment by segment",
+                    "FC-DIST-01 FC-DIST-02 FC-FLOW-01 FC-FLOW-02 FC-FLOW-05");
   add_orbits_by_hand(cases);
   constexpr std::size_t kStarts = 7;
-  cases.with_own_starts(kStarts);
+  cases.asking({.own_starts = kStarts});
   cases.drawn(12, "general-position", 40, seeds(3));
   cases.drawn(15, "lattice-2", 100, seeds(3));
   cases.drawn(18, "lattice-3", 100, seeds(4));
@@ -259,6 +275,14 @@ Group orbits() {
   cases.given(98, "a right triangle, straight up from its line of centres", "right-angle",
               {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}});
   cases.start_from(positions({"3/2 2 1", "3/2 2 -7"}));
+  cases.asking({});
+  cases.given(99, "a tetrahedron: from several points of one way", "", scaled(kTetrahedron, 1));
+  cases.start_from(positions({"1/4 1/4 1/4", "1/2 1/2 1/2", "4/5 4/5 4/5", "2/3 1/2 1/4"}));
+  cases.given(100, "a square: from several points of one way in a facet, and of one that leads to infinity",
+              "cocircular", grid(2, 2, 1));
+  cases.start_from(positions({"1/2 1/8 0", "1/2 1/4 0", "1/2 1/3 0", "1/2 -1 0", "1/2 -2 0", "-3 1/2 0"}));
+  cases.given(101, "an acute triangle: from several points above its centre", "", {{0, 0, 0}, {4, 0, 0}, {2, 4, 0}});
+  cases.start_from(positions({"2 3/2 1", "2 3/2 2", "2 3/2 9", "2 1/4 0", "2 1/2 0"}));
   return cases.group();
 }
 

@@ -77,7 +77,8 @@ const char* aims_of(const std::string& family) {
 }
 
 Group critical_points() {
-  GroupWriter cases("critical-points", "Critical points of all indices", "FC-CRIT-02 FC-CRIT-05 FC-INV-01");
+  GroupWriter cases("critical-points", "Critical points of all indices",
+                    "FC-CRIT-02 FC-CRIT-05 FC-CRIT-06 FC-INV-01 FC-OUT-02 FC-SIGN-02");
   cases.given(1, "two points", "", {{0, 0, 0}, {1, 0, 0}});
   cases.given(2, "an acute triangle", "", kAcuteTriangle);
   cases.given(3, "an obtuse triangle", "", {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}});
@@ -108,7 +109,7 @@ Group critical_points() {
 Group regular_stationary_points() {
   GroupWriter cases("regular-stationary-points",
                     "Stationary points that are not critical: an index 1, 2 or 3 collides with another",
-                    "FC-CRIT-01 FC-CRIT-03 FC-INV-01");
+                    "FC-CRIT-01 FC-CRIT-03 FC-CRIT-06 FC-INV-01 FC-OUT-02");
   cases.given(1, "a right triangle: kind 1-2", "right-angle", kRightTriangle);
   cases.given(2, "the centre of a sphere inside one of four triangles: kind 2-3", "", kKind23);
   cases.given(3, "an edge through the centre of a sphere: kind 1-3", "right-angle", kKind13);
@@ -297,14 +298,7 @@ void GroupWriter::given(std::size_t number, const std::string& comment, const ch
   recipe.comment = comment;
   recipe.aims = fields(aims);
   recipe.points = points;
-  recipe.limits = limits_;
-  recipe.stable = stable_;
-  recipe.persistence = persistence_;
-  recipe.lambda = lambda_;
-  recipe.connections = connections_;
-  recipe.volumes = volumes_;
-  recipe.surfaces = surfaces_;
-  recipe.own_starts = own_starts_;
+  recipe.asks = asks_;
 }
 
 void GroupWriter::start_from(const std::vector<Point>& starts) { group_.recipes.back().starts = starts; }
@@ -314,6 +308,15 @@ void GroupWriter::threefold(std::size_t first, const std::string& comment, const
   given(first, comment, "exact-of-three", points);
   given(first + 1, comment + ", a coordinate one ulp up", "one-ulp", nudged(points, row, axis, 1));
   given(first + 2, comment + ", a coordinate one ulp down", "one-ulp", nudged(points, row, axis, -1));
+}
+
+void GroupWriter::mirrored(std::size_t first, const std::string& comment, const char* aims, const Rows& points) {
+  given(first, comment, aims, points);
+  Rows image = points;
+  for (Row& row : image) row[0] = -row[0];
+  given(first + 1, comment + ", mirrored", (std::string(aims) + " mirror-image").c_str(), image);
+  std::reverse(image.begin(), image.end());
+  given(first + 2, comment + ", mirrored, under other names", (std::string(aims) + " renamed").c_str(), image);
 }
 
 void add_first_cases(GroupWriter& cases) {
@@ -355,6 +358,7 @@ const std::vector<Group>& groups() {
     add_orbit_groups(table);
     add_homology_groups(table);
     add_whole_complex_groups(table);
+    add_landscape_groups(table);
     add_invalid_groups(table);
     require_different_ids(table);
     return table;
@@ -390,6 +394,11 @@ class InvalidWriter {
   // Adds the start of an orbit around two points.
   void start(std::size_t number, const char* comment, const std::string& aim, const char* start) {
     points(number, comment, ("bad-start " + aim).c_str(), {"0x0p+0 0x0p+0 0x0p+0", "0x1p+0 0x0p+0 0x0p+0"});
+    group_.invalid_recipes.back().start = fields(start);
+  }
+  // Adds a start that is right, without any point.
+  void start_alone(std::size_t number, const char* comment, const char* start) {
+    points(number, comment, "no-points", {});
     group_.invalid_recipes.back().start = fields(start);
   }
 
@@ -442,14 +451,20 @@ Group invalid_input() {
   cases.text(26, "blanks and line ends", "nothing-to-read", " \t\n\n  \n");
   cases.text(27, "nothing between two commas", "no-number", "0,0,0\n1,,0\n");
   cases.text(28, "cut short in the last row", "short-row", "0 0 0\n1 0 0\n0 1");
-  cases.start(29, "NaN", "not-finite", "nan 0 0");
-  cases.start(30, "infinity", "not-finite", "0 0 inf");
-  cases.start(31, "beyond the largest double", "overflow", "0 1e309 0");
-  cases.start(32, "a division by zero", "not-finite", "1/0 0 0");
+  cases.start(29, "NaN", "not-finite start-not-finite", "nan 0 0");
+  cases.start(30, "infinity", "not-finite start-not-finite", "0 0 inf");
+  cases.start(31, "beyond the largest double", "overflow start-not-finite", "0 1e309 0");
+  cases.start(32, "a division by zero", "not-finite start-not-finite", "1/0 0 0");
   cases.start(33, "two coordinates", "short-row", "1 2");
   cases.start(34, "a word", "no-number", "0 x 0");
   cases.start(35, "a fraction without a denominator", "no-number", "1/ 0 0");
   cases.start(36, "a hexadecimal float of 56 bits", "inexact-hex", "0x1.00000000000001p+0 0 0");
+  cases.text(37, "one blank", "nothing-to-read", " ");
+  cases.text(38, "empty lines as other systems end them", "nothing-to-read", "\r\n\r\n");
+  cases.text(39, "tabulators, and no end of a line", "nothing-to-read", "\t\t");
+  cases.start_alone(40, "the origin, and no point", "0 0 0");
+  cases.start_alone(41, "fractions, and no point", "1/2 -1/3 5");
+  cases.start_alone(42, "the smallest subnormal, and no point", "0 0x1p-1074 0");
   return cases.group();
 }
 

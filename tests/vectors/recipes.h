@@ -16,21 +16,32 @@
 
 namespace oracle::vectors {
 
-// A case with an answer: the stationary points, and what the members below ask for.
+// What is asked of a case beside its stationary points.
+struct Asked {
+  bool limits = false;         // the limits of U2
+  bool stable = false;         // the stable sets of index-2 and regular stationary points
+  bool persistence = false;    // the persistence pairs
+  bool lambda = false;         // λ-lists
+  bool connections = false;    // the connections, and whether the input is Morse-Smale
+  bool volumes = false;        // volumes of stable sets, and shares
+  bool surfaces = false;       // unstable sets of dimension 2
+  bool trees = false;          // both merge trees
+  bool pockets = false;        // pockets at several persistences, for several probes
+  bool medial = false;         // what is above several angles and persistences
+  bool infinity = false;       // the skeleton of infinity
+  bool statistics = false;     // n_U2, n_S2 and n_WCC
+  bool locations = false;      // of starts, not the orbits but the locations
+  std::size_t own_starts = 0;  // so many starts of starts.h
+};
+
+// A case with an answer.
 struct Recipe {
   std::string id;
   std::string comment;
   std::vector<std::string> aims;  // flags that do not follow from input and answer (flags.h)
   Rows points;
-  bool limits = false;         // asks for the limits of U2
-  bool stable = false;         // asks for the stable sets of index-2 and regular stationary points
-  bool persistence = false;    // asks for the persistence pairs
-  bool lambda = false;         // asks for λ-lists
-  bool connections = false;    // asks for the connections, and whether the input is Morse-Smale
-  bool volumes = false;        // asks for volumes of stable sets, and shares
-  bool surfaces = false;       // asks for unstable sets of dimension 2
-  std::vector<Point> starts;   // asks for the orbits from here,
-  std::size_t own_starts = 0;  // and from so many starts of starts.h
+  Asked asks;
+  std::vector<Point> starts;  // instead of starts of starts.h
 };
 
 // A case that has to be refused.
@@ -57,11 +68,12 @@ const std::vector<Group>& groups();
 // Throws std::logic_error for an id that is given twice.
 void require_different_ids(const std::vector<Group>& table);
 
-// The parts of the table. recipes.cpp, flow_recipes.cpp and whole_complex_recipes.cpp add them.
+// The parts of the table, each from a file of its own.
 void add_stationary_groups(std::vector<Group>& table);
 void add_orbit_groups(std::vector<Group>& table);
 void add_homology_groups(std::vector<Group>& table);
 void add_whole_complex_groups(std::vector<Group>& table);
+void add_landscape_groups(std::vector<Group>& table);
 void add_invalid_groups(std::vector<Group>& table);
 
 // For example "cospherical-clusters-0007".
@@ -80,36 +92,31 @@ class GroupWriter {
   // Adds cases first, first + 1, ...: the family's inputs of that size, one for each seed.
   void drawn(std::size_t first, const char* family, int size, const std::vector<std::uint64_t>& seeds);
   void given(std::size_t number, const std::string& comment, const char* aims, const Rows& points);
-  // Adds the orbits from these starts to the case given last.
+  // Gives these starts to the case given last.
   void start_from(const std::vector<Point>& starts);
   // Adds three cases: the points exactly, with one coordinate one ulp up, and with it one ulp down.
   void threefold(std::size_t first, const std::string& comment, const Rows& points, std::size_t row, std::size_t axis);
+  // Adds three cases: the points, their mirror image (x changes its sign), and that with its rows in reversed order.
+  void mirrored(std::size_t first, const std::string& comment, const char* aims, const Rows& points);
 
   // What all cases from now on ask for.
-  void with_limits() { limits_ = true; }
-  void with_stable_sets() { stable_ = true; }
-  void with_persistence() { persistence_ = true; }
-  void with_lambda_lists() { lambda_ = true; }
-  void with_connections() { connections_ = true; }
-  void with_volumes() { volumes_ = true; }
-  void with_unstable_surfaces() { surfaces_ = true; }
-  void with_own_starts(std::size_t count) { own_starts_ = count; }
+  void asking(const Asked& asks) { asks_ = asks; }
 
   [[nodiscard]] const Group& group() const { return group_; }
 
  private:
   Group group_;
-  bool limits_ = false;
-  bool stable_ = false;
-  bool persistence_ = false;
-  bool lambda_ = false;
-  bool connections_ = false;
-  bool volumes_ = false;
-  bool surfaces_ = false;
-  std::size_t own_starts_ = 0;
+  Asked asks_;
 };
 
 // Adds the cases 1 to 8 that several groups begin with.
 void add_first_cases(GroupWriter& cases);
+// Adds the cases 1 to 26, 27 to 29 and 30 to 38 of the groups about the whole complex: shapes of usual sizes, extreme
+// scales, and what is exact or one ulp off.
+void add_named_shapes(GroupWriter& cases);
+void add_named_extremes(GroupWriter& cases);
+void add_named_triples(GroupWriter& cases);
+// All of these.
+void add_named_cases(GroupWriter& cases);
 
 }  // namespace oracle::vectors

@@ -1,5 +1,6 @@
 #include "tests/vectors/vectors.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 
@@ -8,6 +9,7 @@
 #include "oracle/stable_pieces.h"
 #include "tests/vectors/flags.h"
 #include "tests/vectors/incidences.h"
+#include "tests/vectors/landscape_fields.h"
 #include "tests/vectors/starts.h"
 
 namespace oracle::vectors {
@@ -52,28 +54,59 @@ Findings findings_of(const Recipe& recipe, const Answer& answer, const std::vect
   Findings found{recipe.points, PointSet(recipe.points), answer, {}, starts, {}, {}, {}};
   const std::vector<StationaryPoint>& all = answer.stationary;
   for (const StationaryPoint& x : all) {
-    if (recipe.limits && is_saddle(x)) found.unstable.push_back(unstable_orbits(found.set, x));
+    if (recipe.asks.limits && is_saddle(x)) found.unstable.push_back(unstable_orbits(found.set, x));
   }
-  for (std::size_t i = 0; recipe.stable && i < all.size(); ++i) {
+  for (std::size_t i = 0; recipe.asks.stable && i < all.size(); ++i) {
     if (has_stable_field(all[i])) found.stable.emplace(i, stable_set(found.set, all[i]));
   }
-  for (std::size_t i = 0; recipe.lambda && i < all.size(); ++i) {
+  for (std::size_t i = 0; recipe.asks.lambda && i < all.size(); ++i) {
     if (has_directions(all[i])) found.lambda.emplace(i, lambda_list(found.set, all[i]));
   }
-  if (recipe.connections) {
+  if (recipe.asks.connections) {
     found.connections = connections(found.set, all);
     found.morse_smale = is_morse_smale(found.set, all);
   }
-  for (std::size_t i = 0; recipe.volumes && i < all.size(); ++i) {
+  for (std::size_t i = 0; recipe.asks.volumes && i < all.size(); ++i) {
     const StableSet set = stable_set(found.set, all[i]);
     found.volumes.push_back({volume(found.set, set), shares(found.set, set)});
   }
-  for (std::size_t i = 0; recipe.surfaces && i < all.size(); ++i) {
+  for (std::size_t i = 0; recipe.asks.surfaces && i < all.size(); ++i) {
     if (all[i].face_dimension == 1) found.surfaces.emplace(i, unstable_surface(found.set, all[i]));
   }
-  if (recipe.persistence) found.persistence = persistence_pairs(found.set);
-  for (const Point& start : starts) found.orbits.push_back(orbit(found.set, start));
+  if (recipe.asks.persistence) found.persistence = persistence_pairs(found.set);
+  if (recipe.asks.trees) found.trees = trees_of(found.set, all);
+  if (recipe.asks.pockets) found.pockets = pocket_answers(found.set, all);
+  if (recipe.asks.medial) found.medial = medial_answer(found.set, all);
+  if (recipe.asks.infinity) found.infinity = stable_set_of_infinity(found.set);
+  if (recipe.asks.statistics) found.statistics = statistics_answer(found.set, all);
+  for (const Point& start : starts) {
+    if (recipe.asks.locations) {
+      found.locations.push_back(locate(found.set, start));
+    } else {
+      found.orbits.push_back(orbit(found.set, start));
+    }
+  }
   return found;
+}
+
+// With the first three starts also a point of the ray to each from its first nearest sample (FC-LOC-03).
+void add_points_on_rays(const PointSet& set, std::vector<Point>& starts) {
+  const std::vector<Point> before(starts.begin(), starts.begin() + std::min<std::ptrdiff_t>(3, std::ssize(starts)));
+  for (const Point& x : before) {
+    const Point& p = set.points[set.nearest_places(x).front()];
+    const Point on_ray = moved(p, Rational(1, 3), minus(x, p));
+    if (std::find(starts.begin(), starts.end(), on_ray) == starts.end()) starts.push_back(on_ray);
+  }
+}
+
+std::vector<Point> starts_of(const Recipe& recipe, const Answer& answer) {
+  const fast::PointSet set(recipe.points);
+  std::vector<Point> starts = recipe.starts;
+  for (const Point& start : chosen_starts(set, answer, recipe.asks.own_starts, seed_of(recipe.id))) {
+    if (std::find(starts.begin(), starts.end(), start) == starts.end()) starts.push_back(start);
+  }
+  if (recipe.asks.locations) add_points_on_rays(set, starts);
+  return starts;
 }
 
 // Null for infinity.
@@ -88,11 +121,11 @@ void add_whole_complex(const Recipe& recipe, const Findings& found, std::size_t 
   if (const auto list = found.lambda.find(place); list != found.lambda.end()) {
     record["lambda"] = lambda_field(found.set, x, list->second);
   }
-  if (recipe.connections && has_directions(x)) record["connections"] = connections_field(x, found.connections);
+  if (recipe.asks.connections && has_directions(x)) record["connections"] = connections_field(x, found.connections);
   if (const auto surface = found.surfaces.find(place); surface != found.surfaces.end()) {
     record["u1"] = unstable_surface_field(surface->second);
   }
-  if (!recipe.volumes) return;
+  if (!recipe.asks.volumes) return;
   const auto& [all, parts] = found.volumes[place];
   record["volume"] = all.str();
   if (all != 0) record["shares"] = shares_field(found.set, parts);
@@ -104,7 +137,7 @@ Json stationary_field(const Recipe& recipe, const Findings& found) {
   const std::vector<Json> incident = incidences(found.set, found.answer.stationary);
   for (const StationaryPoint& x : found.answer.stationary) {
     Json record = record_field(x);
-    if (recipe.limits && is_saddle(x)) {
+    if (recipe.asks.limits && is_saddle(x)) {
       Json limits = Json::array();
       for (const Orbit& path : found.unstable[saddle]) limits.push_back(limit_contact(path));
       record["limits"] = limits;
@@ -213,11 +246,7 @@ void write(const Json& value, const std::string& indent, std::string& text) {
 
 Json case_of(const Group& group, const Recipe& recipe) {
   const Answer answer = stationary_points(fast::PointSet(recipe.points));
-  std::vector<Point> starts = recipe.starts;
-  if (recipe.own_starts > 0) {
-    starts = chosen_starts(fast::PointSet(recipe.points), answer, recipe.own_starts, seed_of(recipe.id));
-  }
-  return case_of(group, recipe, answer, starts);
+  return case_of(group, recipe, answer, starts_of(recipe, answer));
 }
 
 Json case_of(const Group& group, const Recipe& recipe, const Answer& answer, const std::vector<Point>& starts) {
@@ -230,10 +259,17 @@ Json case_of(const Group& group, const Recipe& recipe, const Answer& answer, con
   Json expected = counts_field(found.answer);
   expected["stationary"] = stationary_field(recipe, found);
   if (found.morse_smale) expected["morse_smale"] = *found.morse_smale;
-  if (recipe.persistence) expected["persistence"] = persistence_field(found.persistence);
-  if (!found.starts.empty()) expected["orbits"] = Json::array();
-  for (std::size_t k = 0; k < found.starts.size(); ++k) {
+  if (recipe.asks.persistence) expected["persistence"] = persistence_field(found.persistence);
+  if (found.trees) expected["merge_trees"] = trees_field(found.answer.stationary, *found.trees);
+  if (recipe.asks.pockets) expected["pockets"] = pockets_field(found.answer.stationary, found.pockets);
+  if (found.medial) expected["medial_axes"] = medial_field(found.answer.stationary, *found.medial);
+  if (found.infinity) expected["infinity"] = infinity_field(found.set, *found.infinity);
+  if (found.statistics) expected["statistics"] = statistics_field(*found.statistics);
+  for (std::size_t k = 0; k < found.orbits.size(); ++k) {
     expected["orbits"].push_back(orbit_field(found.set, found.starts[k], found.orbits[k]));
+  }
+  for (std::size_t k = 0; k < found.locations.size(); ++k) {
+    expected["locations"].push_back(location_field(found.starts[k], found.locations[k]));
   }
   made["expected"] = expected;
   if (!alternatives.empty()) made["alternatives"] = alternatives;

@@ -13,8 +13,9 @@ const Rows kChain = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {2, 1, 1}};
 // Two orbits from {0,1} to {4,5,6} meet before they come there.
 const Rows kTwoOrbits = {{0, 0, 0}, {-10, 0, 0}, {-11, 30, 0}, {-11, -30, 0}, {69, 90, 0}, {69, -90, 0}, {300, 0, 0}};
 
-// The cases that all groups begin with.
-void add_named(GroupWriter& cases) {
+}  // namespace
+
+void add_named_shapes(GroupWriter& cases) {
   add_first_cases(cases);
   cases.given(9, "a square of 9 points", "lattice cocircular", grid(3, 3, 1));
   cases.given(10, "a regular tetrahedron", "", kTetrahedron);
@@ -37,13 +38,40 @@ void add_named(GroupWriter& cases) {
   cases.given(25, "a prism over a triangle", "cospherical cocircular", kPrism);
   cases.given(26, "two tetrahedra, one a thousand times as large", "",
               joined(scaled(kTetrahedron, 10), shifted(kTetrahedron, {300, 200, 100})));
+}
+
+void add_named_extremes(GroupWriter& cases) {
   cases.given(27, "the octahedron of subnormals", "cospherical extreme-scale", scaled(sphere(1), -1074));
   cases.given(28, "the octahedron next to overflow", "cospherical extreme-scale", scaled(sphere(1), 1023));
   cases.given(29, "a regular tetrahedron at 2^-200, another at 2^200", "extreme-scale",
               joined(scaled(kTetrahedron, -200), shifted(scaled(kTetrahedron, 200), {0x1p+202, 0, 0})));
+}
+
+void add_named_triples(GroupWriter& cases) {
   cases.threefold(30, "a right triangle, upright", {{0, 0, 0}, {0, 3, 0}, {0, 0, 4}}, 0, 1);
   cases.threefold(33, "half of the octahedron", scaled(kHalfOctahedron, 1), 4, 2);
   cases.threefold(36, "a cube of edge 2", scaled(grid(2, 2, 2), 1), 7, 2);
+}
+
+void add_named_cases(GroupWriter& cases) {
+  add_named_shapes(cases);
+  add_named_extremes(cases);
+  add_named_triples(cases);
+}
+
+namespace {
+
+// In each, an orbit of U2 of the first triangle ends at another index-2 point, whose stable set has dimension 3.
+const Rows kSaddleToSaddle[] = {
+    {{0, 4, 1}, {10, 4, 1}, {5, 12, 1}, {6, 2, 5}, {1, 2, 0}, {6, 2, -3}, {-4, -7, 4}},
+    {{-5, 0, 3}, {1, 0, 3}, {-2, 9, 3}, {-3, -1, 2}, {-3, -1, 4}, {-1, -1, 2}, {3, -6, 2}, {-5, -10, 5}},
+    {{-3, -1, -2}, {7, -1, -2}, {2, 7, -2}, {0, -2, -6}, {4, -2, 2}, {-4, -21, -5}},
+    {{-14, 0, 22}, {22, 0, -26}, {4, -70, -2}, {-20, 5, 5}, {29, 5, -2}, {-11, 5, 18}}};
+
+void add_saddles_to_saddles(GroupWriter& cases, std::size_t first) {
+  for (const Rows& points : kSaddleToSaddle) {
+    cases.given(first++, "an orbit from index 2 to index 2, found among small integers", "", points);
+  }
 }
 
 // Inputs of many families. Each group takes other ones of them.
@@ -63,41 +91,51 @@ void add_drawn(GroupWriter& cases, std::uint64_t seed, int size = 100) {
 
 Group lambda_lists() {
   GroupWriter cases("lambda-lists", "Where the directions of stationary points lead", "FC-UNST-01 FC-UNST-02");
-  cases.with_lambda_lists();
-  add_named(cases);
+  cases.asking({.lambda = true});
+  add_named_cases(cases);
   add_drawn(cases, 31);
   return cases.group();
 }
 
 Group volumes() {
   GroupWriter cases("volumes", "Volumes of stable sets, and what Voronoi cells have of them", "FC-VOL-01 FC-VOL-02");
-  cases.with_volumes();
-  add_named(cases);
+  cases.asking({.volumes = true});
+  add_named_cases(cases);
   add_drawn(cases, 32);
+  add_saddles_to_saddles(cases, 73);
   return cases.group();
 }
 
 Group connections() {
   GroupWriter cases("connections", "Which stationary points lead to which, and whether the input is Morse-Smale",
                     "FC-CONN-01 FC-CONN-02 FC-CONN-03");
-  cases.with_connections();
-  add_named(cases);
+  cases.asking({.connections = true});
+  add_named_cases(cases);
   add_drawn(cases, 33);
+  add_saddles_to_saddles(cases, 73);
   return cases.group();
 }
 
 // The triangle is obtuse at the edge of 0 and 1. The trace on its Voronoi edge fans out in the facet of 0 and 1.
 const Rows kBeyondObtuse = {{-4, 0, 0}, {4, 0, 0}, {0, 1, 0}, {0, 0, 40}};
 
+const Rows kTraceOfAPoint[] = {
+    {{0, -2, 1}, {-2, -2, -2}, {1, 2, 0}, {2, 1, 2}, {-2, 1, 0}, {-1, -1, 0}, {-2, -1, 0}},
+    {{-2, 1, -1}, {3, -3, -3}, {-2, 2, 3}, {-1, -2, 0}, {-1, 0, -3}, {-1, -2, -1}, {1, -2, 3}},
+    {{0, 4, 1}, {10, 4, 1}, {5, 12, 1}, {6, 2, 5}, {1, 2, 0}, {6, 2, -3}, {-4, -7, 4}}};
+
 // A set has more parts than all other answers have numbers, so drawn inputs are smaller.
 Group unstable_surfaces() {
   GroupWriter cases("unstable-surfaces", "What flows from edges, as sets", "FC-UNST-04 FC-UNST-05 FC-UNST-06");
-  cases.with_unstable_surfaces();
-  add_named(cases);
+  cases.asking({.surfaces = true});
+  add_named_cases(cases);
   add_drawn(cases, 34, 30);
   cases.given(73, "a sheet that fans out beyond an obtuse triangle", "", kBeyondObtuse);
   cases.given(74, "obtuse triangles in a row, in a plane", "",
               {{-4, 0, 0}, {4, 0, 0}, {0, 1, 0}, {3, 2, 0}, {-3, 2, 0}, {0, -9, 0}});
+  for (std::size_t number = 75; const Rows& points : kTraceOfAPoint) {
+    cases.given(number++, "a trace that is one point, found among small integers", "", points);
+  }
   return cases.group();
 }
 
