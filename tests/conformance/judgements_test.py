@@ -93,9 +93,9 @@ def sorted_findings(findings):
 def by_check(points, claim, levels):
     run = subprocess.run([FLOWCERT, "check", points, claim, "--levels", str(levels), "--json"], capture_output=True)
     if run.returncode == 2:
-        return "unreadable", []
+        return "unreadable", [], None
     report = json.loads(run.stdout)
-    return report["verdict"], sorted_findings(report["findings"])
+    return report["verdict"], sorted_findings(report["findings"]), report["profile"]["statement"]
 
 
 def by_conformance(case, pairs, no_point, vectors):
@@ -109,8 +109,10 @@ def by_conformance(case, pairs, no_point, vectors):
 def by_judge(case, claim, levels, vectors):
     order = [sys.executable, SPEC / "judge.py", "--vectors", vectors, "--levels", str(levels), "--json"]
     run = subprocess.run([*order, "--case", case, "--claim", claim], capture_output=True)
-    outcome = json.loads(run.stdout)["cases"][0]
-    return outcome["outcome"], sorted_findings(outcome["findings"])
+    report = json.loads(run.stdout)
+    outcome, statement = report["cases"][0], report["statement"]
+    # Behind the statement stands the number of vectors.
+    return outcome["outcome"], sorted_findings(outcome["findings"]), statement and statement.split(" (")[0]
 
 
 def write_vectors(groups, ids, folder):
@@ -132,10 +134,11 @@ def answers(one, case, folder):
         owed = one["verdict"], sorted([finding["reason"]] for finding in one["findings"])
         yield "conformance", by_conformance(one["case"], claim, no_point, folder / "vectors"), owed
         return
-    levels, owed = one.get("levels", 4), (one["verdict"], sorted_findings(one["findings"]))
-    yield "check", by_check(points, claim, levels), owed
+    levels, parts = one.get("levels", 4), 3 if "statement" in one else 2
+    owed = (one["verdict"], sorted_findings(one["findings"]), one.get("statement"))[:parts]
+    yield "check", by_check(points, claim, levels)[:parts], owed
     if levels <= 4:
-        yield "judge.py", by_judge(one["case"], claim, levels, folder / "vectors"), owed
+        yield "judge.py", by_judge(one["case"], claim, levels, folder / "vectors")[:parts], owed
 
 
 def main():
