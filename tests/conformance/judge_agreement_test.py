@@ -2,7 +2,7 @@
 """judge_agreement_test.py FLOWCERT SPEC ROUNDS
 
 Both judges, spec/judge.py and `flowcert conformance --levels 4`, judge claims about all vectors: right ones, and so
-many rounds of mutated ones. They have to agree on every outcome and every finding.
+many rounds of mutated ones. They have to agree on every outcome and every finding, and on the statement of the profile.
 """
 import json
 import random
@@ -114,6 +114,9 @@ def main():
                 for text in differences(one["id"], one, other):
                     wrong += 1
                     print(f"round {k}: {one['id']}: {text}"[:2000])
+            if ours["statement"] != theirs["profile"]["statement"]:
+                wrong += 1
+                print(f"round {k}: {ours['statement']!r}, but {theirs['profile']['statement']!r}")
             for level in "1234":
                 if sum(int(level) in one["judged"] for one in ours["cases"]) != theirs["judged"][level]:
                     wrong += 1
