@@ -32,7 +32,7 @@ bool tells_polylines(const ClaimedPoint& point) { return point.u2.has_value(); }
 bool tells_skeleton(const ClaimedPoint& point) { return point.skeleton.has_value(); }
 bool tells_list(const ClaimedPoint& point) { return point.lambda.has_value(); }
 bool tells_connections(const ClaimedPoint& point) { return point.connections.has_value(); }
-bool tells_volume(const ClaimedPoint& point) { return point.volume || point.has_rounded_volume; }
+bool tells_volume(const ClaimedPoint& point) { return point.volume.has_value(); }
 bool tells_unstable_set(const ClaimedPoint& point) { return point.u1.has_value(); }
 
 constexpr std::array kPartsOfPoints = {
