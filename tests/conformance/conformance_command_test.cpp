@@ -360,7 +360,7 @@ TEST_F(ConformanceCommand, WritesAReportForCiSystems) {
   EXPECT_EQ(run(varied).status, 0);
   EXPECT_EQ(elements_of(content_of(path)),
             (Words{"testsuites", "testsuite", "properties", "property", "testcase", "system-out"}));
-  EXPECT_NE(content_of(path).find("value=\"is perturbed under 1.0, points, exact (1 of "), std::string::npos)
+  EXPECT_NE(content_of(path).find("value=\"is perturbed under 1.0, points, approximate (1 of "), std::string::npos)
       << content_of(path);
   EXPECT_NE(content_of(path).find("failures=\"0\""), std::string::npos);
   EXPECT_NE(content_of(path).find("<system-out>level 2: symbolic-perturbation [FC-CLAIM-04]"), std::string::npos)

@@ -71,17 +71,17 @@ std::map<std::string, std::string> verdicts_by_vector(const json& report) {
 TEST(VerifyVectors, RightAnswersConform) {
   CITES("FC-CLAIM-03");
   const Pipe pipe({"--vectors"}, {"exchange"});
-  EXPECT_TRUE(contains(pipe.cases(), "# flowcert generate: 988 conformance vectors.\n")) << pipe.cases().substr(0, 200);
+  EXPECT_TRUE(contains(pipe.cases(), "# flowcert generate: 1418 conformance vectors.\n")) << pipe.cases().substr(0, 200);
   const json report = pipe.as_json();
   EXPECT_EQ(report["verdict"], "conforms");
   EXPECT_EQ(report["truth"], "conformance vectors");
   EXPECT_EQ(report["run"], "flowcert generate --vectors");
-  EXPECT_EQ(report["cases"], 988);
+  EXPECT_EQ(report["cases"], 1418);
   std::map<std::string, std::size_t> cases_of_flag;
   for (const json& flag : report["flags"]) cases_of_flag[flag["flag"]] = flag["conforms"];
-  EXPECT_EQ(cases_of_flag.size(), 70U) << "all but those of invalid cases";
+  EXPECT_EQ(cases_of_flag.size(), 113U) << "all but those of invalid cases";
   EXPECT_FALSE(cases_of_flag.contains("not-finite"));
-  EXPECT_EQ(cases_of_flag["void"], 46U);
+  EXPECT_EQ(cases_of_flag["void"], 73U);
   EXPECT_FALSE(Pipe({"--cases", "5"}).as_json().contains("flags"));
 }
 
