@@ -96,6 +96,7 @@ LIKELY = {
     "src/certify/surfaces": ["stable_findings_test"],
     "src/certify/pockets": ["pocket_findings_test", "pocket_claims_test"],
     "src/certify/pair_differences": ["pair_differences_test"],
+    "src/certify/profile": ["profile_test"],
     "src/certify/orbit_difference": ["orbit_difference_test"],
     "src/certify/": ["check_test", "place_findings_test", "perturbed_claims_test"],
     "src/io/claims/read_pocket_claim": ["pocket_findings_test"],
@@ -126,10 +127,11 @@ REACHED_BY = {
         "unstable_agreement_test", "unstable_surface_agreement_test", "volume_agreement_test"},
     "judge": OF_JUDGE,
     "certify": OF_JUDGE | {
-        "check_mutations_test", "check_test", "exchange_keys_test", "incidence_findings_test", "infinity_claims_test",
-        "orbit_difference_test", "pair_claims_test", "pair_differences_test", "perturbed_claims_test",
-        "place_findings_test", "pocket_claims_test", "pocket_findings_test", "stable_claims_test",
-        "stable_findings_test"},
+        "check_mutations_test", "check_test", "direction_findings_test", "exchange_keys_test",
+        "incidence_findings_test", "infinity_claims_test", "orbit_difference_test", "pair_claims_test",
+        "pair_differences_test", "perturbed_claims_test", "place_findings_test", "pocket_claims_test",
+        "pocket_findings_test", "profile_test", "stable_claims_test",
+        "stable_findings_test", "unstable_set_findings_test"},
     "io": OF_JUDGE | {
         "clip_box_test", "clipped_lines_test", "exchange_keys_test", "medial_agreement_test", "orbit_difference_test",
         "oriented_surfaces_test", "pair_claim_test", "pocket_findings_test", "pockets_test", "read_claim_test",

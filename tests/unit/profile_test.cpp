@@ -44,6 +44,11 @@ TEST(Profile, NamesWhatIsToldOfAllPoints) {
   less.of({0, 1, 2, 3, 4, 5, 6, 7}).volume.reset();
   less.claim.infinity.reset();
   EXPECT_EQ(cube.check(less).profile.parts(), (Words{"points", "S2", "polylines", "connections", "U1"}));
+  // Volumes are told of critical points of both indices.
+  Claimed flat = whole;
+  flat.of({0, 1, 2, 3}).volume.reset();
+  EXPECT_EQ(cube.check(flat).profile.parts(),
+            (Words{"points", "U2", "S2", "polylines", "skeletons", "lambda-lists", "connections", "U1", "infinity"}));
 }
 
 TEST(Profile, HasNoPartAboveTheLevelsOrOfOtherIndices) {
@@ -102,6 +107,16 @@ TEST(Profile, OfAProgramHasWhatNoAnswerLeavesOut) {
   EXPECT_EQ(joined.parts(), (Words{"points", "persistence"}));
   joined.join(cube.check(cube.claim(), {.indices = {false, true, true, true}}).profile);
   EXPECT_EQ(joined.parts(), (Words{"points of index 1, 2, 3", "persistence"}));
+}
+
+TEST(Profile, OfAProgramKeepsInfinityWhereThereIsNoSample) {
+  CITES("FC-CLAIM-22");
+  const Truly nothing(std::vector<Point>{}), cube(kCube);
+  Profile joined = nothing.check(nothing.claim()).profile;
+  joined.join(cube.check(all_of(cube)).profile);
+  EXPECT_EQ(joined.parts().back(), "infinity");
+  joined.join(cube.check(cube.claim()).profile);
+  EXPECT_EQ(joined.parts(), Words{"points"});
 }
 
 }  // namespace
