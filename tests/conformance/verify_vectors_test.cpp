@@ -71,7 +71,8 @@ std::map<std::string, std::string> verdicts_by_vector(const json& report) {
 TEST(VerifyVectors, RightAnswersConform) {
   CITES("FC-CLAIM-03");
   const Pipe pipe({"--vectors"}, {"exchange"});
-  EXPECT_TRUE(contains(pipe.cases(), "# flowcert generate: 1418 conformance vectors.\n")) << pipe.cases().substr(0, 200);
+  EXPECT_TRUE(contains(pipe.cases(), "# flowcert generate: 1418 conformance vectors.\n"))
+      << pipe.cases().substr(0, 200);
   const json report = pipe.as_json();
   EXPECT_EQ(report["verdict"], "conforms");
   EXPECT_EQ(report["truth"], "conformance vectors");
