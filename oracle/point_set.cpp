@@ -75,6 +75,7 @@ std::vector<std::size_t> contact_set(const PointSet& set, const Point& x) {
 Point driver(const PointSet& set, const Places& contact, const Point& x) {
   std::optional<Point> nearest;
   for_each_subset(contact.size(), 4, [&](const Places& subset) {
+    if (nearest == x) return;  // nothing is nearer
     const auto centre = set.inner_circumcentre(select(contact, subset));
     if (centre && (!nearest || squared_distance(x, *centre) < squared_distance(x, *nearest))) nearest = centre;
   });
