@@ -1,4 +1,9 @@
 // The one file that knows CGAL's triangulation: builds it, and copies it out into plain arrays.
+//
+// Guarantees: which of several Delaunay triangulations it is depends on the points and their order alone, not on the
+// system. What std::nth_element may leave in any order C++ libraries order differently; CGAL's own is the same
+// everywhere.
+#define CGAL_HILBERT_SORT_WITH_MEDIAN_POLICY_CROSS_PLATFORM_BEHAVIOR
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
