@@ -190,15 +190,16 @@ std::string complaint_about_words(const CLI::App& app, const CLI::App& command, 
                                   std::span<const std::string> words) {
   Names left = app.remaining(true);
   std::erase(left, "--");
-  const auto option = std::ranges::find_if(left, is_option);
-  if (option != left.end()) return complaint_about_option(app, command, *option);
-  const bool has_commands = !commands_of(app).empty();
-  if (&command == &app && has_commands && left.empty()) return "a command is required";
-  if (&command == &app && has_commands) {
+  const bool lacks_command = &command == &app && !commands_of(app).empty();
+  if (lacks_command && left.empty()) return "a command is required";
+  // What follows an unknown command may well be its options.
+  if (lacks_command && !is_option(left[0])) {
     Names names = commands_of(app);
     for (std::string& name : options_of(app)) names.push_back(std::move(name));
     return fmt::format("there is no command {}{}", in_quotes(left[0]), suggestion(left[0], names));
   }
+  const auto option = std::ranges::find_if(left, is_option);
+  if (option != left.end()) return complaint_about_option(app, command, *option);
   if (left.empty()) return error.what();
   if (const auto value = joined_value(command, words)) return *value;
   for (std::string& word : left) word = in_quotes(word);

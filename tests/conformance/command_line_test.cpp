@@ -7,14 +7,16 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <map>
 #include <random>
 #include <regex>
+#include <sstream>
 #include <thread>
 
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::command_line_test {
 namespace {
 
 using Names = std::set<std::string>;
@@ -67,6 +69,9 @@ TEST(CommandLine, WrongWordsAreNamedWithWhatIsNearest) {
       {{"chekc", input}, "there is no command 'chekc'; did you mean check\\? .*"},
       {{"help"}, "there is no command 'help'; did you mean --help\\? .*"},
       {{"quartz"}, "there is no command 'quartz' \\(see flowcert --help\\)"},
+      // Its options are not looked at.
+      {{"quartz", "x", "--dimension", "1"}, "there is no command 'quartz' \\(see flowcert --help\\)"},
+      {{"comput", input, "--json"}, "there is no command 'comput'; did you mean compute\\? \\(see flowcert --help\\)"},
       {{"-v"}, "flowcert has no option '-v'; did you mean --version\\? \\(see flowcert --help\\)"},
       {{"compute", input, "--jsno"},
        "compute has no option '--jsno'; did you mean --json\\? \\(see flowcert compute .*"},
@@ -439,5 +444,18 @@ TEST(CommandLine, TheFirstProgramNamesWhatItLacks) {
   EXPECT_NE(first({"--help"}).out.find("Not built yet"), std::string::npos);
 }
 
+TEST(CommandLine, WithoutACommandEachGroupIsPrintedOnce) {
+  for (const char* program : {FLOWCERT_PROGRAM, FLOWCERT_FIRST_PROGRAM}) {
+    const Finished finished = RunningProgram({program}).finish();
+    EXPECT_EQ(finished.status, 2);
+    std::map<std::string, int> headings;
+    std::istringstream lines(finished.out);
+    for (std::string line; std::getline(lines, line);) headings[line] += line.starts_with("  ") ? 0 : 1;
+    for (const char* group : {"Compute", "Look closely", "Judge claims and programs"}) {
+      EXPECT_EQ(headings[group], 1) << program << '\n' << finished.out;
+    }
+  }
+}
+
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::command_line_test
