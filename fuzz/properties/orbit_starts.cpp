@@ -2,6 +2,7 @@
 #include "fuzz/properties/orbit_starts.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <numeric>
 #include <optional>
@@ -36,7 +37,9 @@ class Numbers {
     ++next_;
     return number % bound;
   }
-  long between(long low, long high) { return low + static_cast<long>(below(static_cast<std::size_t>(high - low + 1))); }
+  std::int64_t between(std::int64_t low, std::int64_t high) {
+    return low + static_cast<std::int64_t>(below(static_cast<std::size_t>(high - low + 1)));
+  }
 
  private:
   std::vector<std::uint32_t> numbers_;
@@ -162,7 +165,7 @@ Point nearby_start(const PointSet& set, Numbers& numbers) {
   const auto [low, high] = bounding_box(set);
   Rational reach = largest_coordinate(oracle::minus(high, low));
   reach = reach == 0 ? Rational(1) : reach;
-  const long denominator = numbers.between(1, 6);
+  const std::int64_t denominator = numbers.between(1, 6);
   for (Rational& coordinate : x) {
     coordinate += reach * Rational(numbers.between(-6, 6), 8 * denominator);
   }

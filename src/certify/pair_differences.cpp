@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/edmonds_karp_max_flow.hpp>
+#include <cstdint>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -102,25 +103,25 @@ class PartnerFlow {
   using Graph = boost::adjacency_list<
       boost::vecS, boost::vecS, boost::directedS,
       boost::property<boost::vertex_color_t, boost::default_color_type,
-                      boost::property<boost::vertex_distance_t, long,
+                      boost::property<boost::vertex_distance_t, std::int64_t,
                                       boost::property<boost::vertex_predecessor_t, Traits::edge_descriptor>>>,
-      boost::property<boost::edge_capacity_t, long,
-                      boost::property<boost::edge_residual_capacity_t, long,
+      boost::property<boost::edge_capacity_t, std::int64_t,
+                      boost::property<boost::edge_residual_capacity_t, std::int64_t,
                                       boost::property<boost::edge_reverse_t, Traits::edge_descriptor>>>>;
 
  public:
   PartnerFlow(const Groups& asking, const Groups& giving) : asking_(asking), graph_(asking.size() + giving.size() + 2) {
     for (std::size_t k = 0; k < asking.size(); ++k) {
       const bool asks = asking[k].needs_partner;
-      from_source_.push_back(add(source(), k, asks ? static_cast<long>(asking[k].count) : 0));
+      from_source_.push_back(add(source(), k, asks ? static_cast<std::int64_t>(asking[k].count) : 0));
     }
     for (std::size_t k = 0; k < giving.size(); ++k) {
-      add(asking.size() + k, sink(), static_cast<long>(giving[k].count));
+      add(asking.size() + k, sink(), static_cast<std::int64_t>(giving[k].count));
     }
   }
 
   void connect(std::size_t asking, std::size_t giving) {
-    add(asking, asking_.size() + giving, static_cast<long>(asking_[asking].count));
+    add(asking, asking_.size() + giving, static_cast<std::int64_t>(asking_[asking].count));
   }
 
   // By group of the asking side.
@@ -137,10 +138,10 @@ class PartnerFlow {
   [[nodiscard]] std::size_t source() const { return num_vertices(graph_) - 2; }
   [[nodiscard]] std::size_t sink() const { return num_vertices(graph_) - 1; }
 
-  Traits::edge_descriptor add(std::size_t from, std::size_t to, long capacity) {
+  Traits::edge_descriptor add(std::size_t from, std::size_t to, std::int64_t capacity) {
     const auto there = add_edge(from, to, graph_).first, back = add_edge(to, from, graph_).first;
     put(boost::edge_capacity, graph_, there, capacity);
-    put(boost::edge_capacity, graph_, back, 0L);
+    put(boost::edge_capacity, graph_, back, 0);
     put(boost::edge_reverse, graph_, there, back);
     put(boost::edge_reverse, graph_, back, there);
     return there;

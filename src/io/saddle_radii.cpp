@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <utility>
 
 #include "io/value_order.h"
@@ -41,27 +42,27 @@ std::optional<Rational> squared_spacing_of(const FlowComplex& complex, const Squ
 
 constexpr std::size_t kMostRadiusBins = 30;
 
-Rational power_of_ten(long exponent) {
+Rational power_of_ten(std::int64_t exponent) {
   const Rational power = pow(boost::multiprecision::mpz_int(10), static_cast<unsigned>(std::abs(exponent)));
   return exponent < 0 ? 1 / power : power;
 }
 
-long floor_of_quotient(long dividend, long divisor) {
+std::int64_t floor_of_quotient(std::int64_t dividend, std::int64_t divisor) {
   return dividend >= 0 ? dividend / divisor : -((divisor - 1 - dividend) / divisor);
 }
 
 // Numbers between which bins lie: several in each power of ten, or one in several powers.
 struct EdgeSeries {
   std::vector<Rational> in_power;
-  long powers = 1;
+  std::int64_t powers = 1;
 
-  [[nodiscard]] Rational edge(long number) const {
-    const long size = static_cast<long>(in_power.size()), power = floor_of_quotient(number, size);
+  [[nodiscard]] Rational edge(std::int64_t number) const {
+    const std::int64_t size = static_cast<std::int64_t>(in_power.size()), power = floor_of_quotient(number, size);
     return in_power[static_cast<std::size_t>(number - power * size)] * power_of_ten(power * powers);
   }
   // The number of the last edge that is not beyond the root.
-  [[nodiscard]] long below(const Rational& square, long power) const {
-    long number = floor_of_quotient(power, powers) * static_cast<long>(in_power.size());
+  [[nodiscard]] std::int64_t below(const Rational& square, std::int64_t power) const {
+    std::int64_t number = floor_of_quotient(power, powers) * static_cast<std::int64_t>(in_power.size());
     for (Rational next = edge(number + 1); next * next <= square; next = edge(number + 1)) ++number;
     return number;
   }
@@ -76,13 +77,13 @@ std::vector<EdgeSeries> edge_series() {
   std::vector<EdgeSeries> all = {{hundredths({100, 125, 160, 200, 250, 315, 400, 500, 630, 800})},
                                  {hundredths({100, 200, 500})}};
   // The doubles have 632 powers of ten.
-  for (const long powers : {1L, 2L, 5L, 10L, 20L, 50L, 100L}) all.push_back({{Rational(1)}, powers});
+  for (const std::int64_t powers : {1, 2, 5, 10, 20, 50, 100}) all.push_back({{Rational(1)}, powers});
   return all;
 }
 
 // The greatest power of ten that is not beyond the root.
-long power_below(const Rational& square) {
-  long power = 0;
+std::int64_t power_below(const Rational& square) {
+  std::int64_t power = 0;
   for (Rational at = power_of_ten(power); at * at > square; at = power_of_ten(power)) --power;
   for (Rational next = power_of_ten(power + 1); next * next <= square; next = power_of_ten(power + 1)) ++power;
   return power;
@@ -146,12 +147,12 @@ std::vector<RadiusBin> radius_histogram(const SaddleRadii& radii) {
   // Where there is a circle, there are several samples.
   const Rational unit = radii.squared_spacing().value();
   const Rational least = radii.squared_radius(0) / unit, most = radii.squared_radius(radii.size() - 1) / unit;
-  const long least_power = power_below(least), most_power = power_below(most);
+  const std::int64_t least_power = power_below(least), most_power = power_below(most);
   std::vector<RadiusBin> bins;
   for (const EdgeSeries& series : edge_series()) {
-    const long first = series.below(least, least_power), last = series.below(most, most_power);
-    if (last - first >= static_cast<long>(kMostRadiusBins)) continue;
-    for (long k = first; k <= last; ++k) {
+    const std::int64_t first = series.below(least, least_power), last = series.below(most, most_power);
+    if (last - first >= static_cast<std::int64_t>(kMostRadiusBins)) continue;
+    for (std::int64_t k = first; k <= last; ++k) {
       const Rational from = series.edge(k), to = series.edge(k + 1);
       bins.push_back({from, to, radii.count_below(to * to * unit) - radii.count_below(from * from * unit)});
     }

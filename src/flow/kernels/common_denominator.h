@@ -42,8 +42,9 @@ class CommonDenominator {
   }
   [[nodiscard]] mpz_class scaled(double value) const {
     int exponent = 0;
-    const double mantissa = std::ldexp(std::frexp(value, &exponent), kBits);
-    mpz_class product = denominator_ * static_cast<long>(mantissa);
+    // GMP takes the double itself: 53 bits are more than a long has on some systems.
+    mpz_class product(std::ldexp(std::frexp(value, &exponent), kBits));
+    product *= denominator_;
     if (exponent >= kBits) return mpz_class(product << static_cast<mp_bitcnt_t>(exponent - kBits));
     return mpz_class(product >> static_cast<mp_bitcnt_t>(kBits - exponent));
   }
