@@ -1,6 +1,10 @@
 #!/usr/bin/env python3
 """Mutation score of the quick tests: ./dev mutants (or tests/mutants/run.py) plants the faults of mutants.json in a copy
-of the tracked tree, one at a time, builds, runs the quick tests until one fails, and prints which faults survive.
+of the tracked tree, one at a time, builds, runs the quick tests until one fails, and prints which faults survive. A
+fault that names its tests is tried by these, as ./dev test runs them.
+
+With --test NAME it runs that one test of ctest's instead, at full scale, and prints which faults it kills; with
+--survivors too, on those faults alone that the last run and earlier tests of this kind let live.
 
 Guarantees: the work tree is not touched; everything happens below build-mutants/. Before the first fault all quick tests
 must pass; a test's limit of processor time comes from that run, so that a busy machine kills nothing. A fault that does
@@ -9,6 +13,7 @@ written reason survives; 2 where the table is wrong or the tests fail without a 
 """
 import argparse
 import concurrent.futures
+import contextlib
 import dataclasses
 import json
 import os
@@ -161,6 +166,12 @@ def give_up(message):
     sys.exit(2)
 
 
+# What tests that are scripts run.
+PROGRAMS = ["flowcert_cli", "flowcert_oracle_tool"]
+# FLOWCERT_PROPERTY_SCALE in ./dev test, and in ./dev test --slow.
+USUAL_SCALE, FULL_SCALE = "1", "4"
+
+
 @dataclasses.dataclass
 class Outcome:
     killed: bool
@@ -210,9 +221,35 @@ class Copy:
             give_up(f"no quick test, but named here: {', '.join(sorted(unknown))}")
         return tests
 
-    def listed_tests(self):
-        listing = self.run_tool(["ctest", "--test-dir", "build", "-L", "^quick$", "--show-only=json-v1"])
+    def listed_tests(self, *options):
+        options = options or ("-L", "^quick$")
+        listing = self.run_tool(["ctest", "--test-dir", "build", *options, "--show-only=json-v1"])
         return json.loads(listing)["tests"]
+
+    def build_for(self, name):
+        """Builds what the test of this name runs: the program of its folder, or what scripts run."""
+        group = name.partition("/")[0]
+        listed = self.listed_tests("-R", f"^{name}$")
+        if len(listed) != 1:
+            give_up(f"ctest has {len(listed)} tests {name}")
+        # Unlike a script's, the command of a test that is not built yet is not known.
+        program = pathlib.Path((listed[0].get("command") or [group + "_tests"])[0])
+        if program.name.endswith("_tests"):
+            self.compile(program.name)
+        else:
+            self.compile(*PROGRAMS, *(["flowcert_python"] if group == "python" else []))
+
+    def run_whole(self, name, cpu_limit, scale):
+        """Runs a test as ctest does. Returns how it ended (None if it passes), and the processor time it took."""
+        environment = {**self.environment, "FLOWCERT_PROPERTY_SCALE": scale}
+        limited = f'ulimit -c 0; ulimit -t {cpu_limit}; exec "$0" "$@"'
+        command = ["ctest", "--test-dir", "build", "-R", f"^{name}$", "--timeout", str(CLOCK_LIMIT), "--no-tests=error"]
+        before = os.times()
+        done = unless_stopping(subprocess.run(["sh", "-c", limited, *command], cwd=self.folder, env=environment,
+                                              check=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL))
+        after = os.times()
+        used = after.children_user + after.children_system - before.children_user - before.children_system
+        return (None if done.returncode == 0 else "a failure"), used
 
     def compile(self, *targets):
         self.run_tool(["cmake", "--build", "build", "--parallel", str(self.jobs), "--target", *targets])
@@ -249,30 +286,54 @@ def order_for(entry, limits):
     return [name for name in dict.fromkeys(likely + sorted(limits, key=limits.get)) if name not in blind]
 
 
-def try_mutant(copy, entry, tests, limits):
+@contextlib.contextmanager
+def planted(copy, entry):
     path = copy.folder / entry["file"]
     original = path.read_text(encoding="utf-8")
-    start = time.monotonic()
     path.write_text(table.mutated(entry, original), encoding="utf-8")
     try:
-        for name in order_for(entry, limits):
+        yield
+    finally:
+        path.write_text(original, encoding="utf-8")
+
+
+def try_mutant(copy, entry, tests, limits):
+    if table.TESTS in entry:
+        return try_by_whole_tests(copy, entry, {name: limits[name] for name in entry[table.TESTS]}, USUAL_SCALE)
+    start = time.monotonic()
+    with planted(copy, entry):
+        for name in order_for(entry, {name: limits[name] for name in tests}):
             copy.compile(program_of(tests[name]))
             ending, _ = copy.run(tests[name], limits[name])
             if ending is not None:
                 return Outcome(True, name, ending, time.monotonic() - start)
         return Outcome(False, seconds=time.monotonic() - start)
-    finally:
-        path.write_text(original, encoding="utf-8")
 
 
-def measure_limits(copy, tests, known):
-    """Runs every quick test without a fault, except those whose time an interrupted run has measured."""
+def try_by_whole_tests(copy, entry, limits, scale):
+    start = time.monotonic()
+    with planted(copy, entry):
+        for name, limit in limits.items():
+            copy.build_for(name)
+            ending, _ = copy.run_whole(name, limit, scale)
+            if ending is not None:
+                return Outcome(True, name, ending, time.monotonic() - start)
+        return Outcome(False, seconds=time.monotonic() - start)
+
+
+def measure_limits(copy, tests, whole, scale, known):
+    """Runs every quick test without a fault, and the whole ones that faults name, except those whose time an
+    interrupted run has measured."""
     limits = {}
-    for name, command in tests.items():
+    for name in [*tests, *sorted(whole)]:
         if name in known:
             limits[name] = known[name]
             continue
-        ending, used = copy.run(command, CLOCK_LIMIT)
+        if name in tests:
+            ending, used = copy.run(tests[name], CLOCK_LIMIT)
+        else:
+            copy.build_for(name)
+            ending, used = copy.run_whole(name, CLOCK_LIMIT, scale)
         if ending is not None:
             give_up(f"without a fault, {name} ends with {ending}")
         limits[name] = int(max(CPU_LEAST, CPU_FACTOR * used)) + 1
@@ -284,22 +345,36 @@ class Results:
     """What is known of each mutant, kept in a file after each."""
 
     def __init__(self, path, resume):
-        self.path, self.lock, self.known, self.limits = path, threading.Lock(), {}, {}
+        self.path, self.lock, self.known, self.limits, self.by_test = path, threading.Lock(), {}, {}, {}
         if resume and path.is_file():
             kept = json.loads(path.read_text(encoding="utf-8"))
-            self.known, self.limits = kept["mutants"], kept["limits"]
+            self.known, self.limits, self.by_test = kept["mutants"], kept["limits"], kept.get("by_test", {})
+
+    @staticmethod
+    def edit_of(entry):
+        return [entry["file"], entry["old"], entry["new"]]
 
     def killed_before(self, entry):
         """A survivor is tried again: there may be a new test."""
         known = self.known.get(entry["id"], {})
-        return known.get("killed", False) and known["edit"] == [entry["file"], entry["old"], entry["new"]]
+        return known.get("killed", False) and known["edit"] == self.edit_of(entry)
 
-    def keep(self, entry, outcome):
+    def keep(self, entry, outcome, test=None):
+        """What the quick tests made of it, or this one whole test."""
         with self.lock:
-            edit = [entry["file"], entry["old"], entry["new"]]
-            self.known[entry["id"]] = {**dataclasses.asdict(outcome), "edit": edit}
-            kept = {"limits": self.limits, "mutants": self.known}
+            of = self.known if test is None else self.by_test.setdefault(test, {})
+            of[entry["id"]] = {**dataclasses.asdict(outcome), "edit": self.edit_of(entry)}
+            kept = {"limits": self.limits, "mutants": self.known, "by_test": self.by_test}
             self.path.write_text(json.dumps(kept, indent=1), encoding="utf-8")
+
+    def survivors(self, entries, test):
+        """Those that neither the quick tests nor any whole test but this one has killed."""
+        untried = [entry["id"] for entry in entries if entry["id"] not in self.known and reason_of(entry) is None]
+        if untried:
+            give_up(f"{len(untried)} faults were never tried, as {untried[0]}: ./dev mutants --resume tries them")
+        others = [outcomes for name, outcomes in self.by_test.items() if name != test]
+        return [entry for entry in entries if "equivalent" not in entry and not self.killed_before(entry)
+                and not any(of.get(entry["id"], {}).get("killed") for of in others)]
 
 
 def reason_of(entry):
@@ -323,7 +398,33 @@ def run_all(entries, results, copies):
         except BuildFailure as failure:
             give_up(f"without a fault:\n{failure}")
     print("processor time without a fault")
-    limits = results.limits = measure_limits(copies[0], tests, results.limits)
+    whole = set().union(*(entry.get(table.TESTS, ()) for entry in entries))
+    limits = results.limits = measure_limits(copies[0], tests, whole, USUAL_SCALE, results.limits)
+    return try_all(entries, copies, lambda copy, entry: try_mutant(copy, entry, tests, limits), results, None)
+
+
+def run_one_test(name, entries, results, copies):
+    """Tries each entry by one test at full scale. Returns what did not compile."""
+    for copy in copies:
+        print(f"building {name} in {copy.folder.relative_to(ROOT)}/", flush=True)
+        copy.refresh()
+        try:
+            copy.configure()
+            copy.build_for(name)
+        except BuildFailure as failure:
+            give_up(f"without a fault:\n{failure}")
+    limits = measure_limits(copies[0], {}, {name}, FULL_SCALE, {})
+
+    def attempt(copy, entry):
+        return try_by_whole_tests(copy, entry, limits, FULL_SCALE)
+
+    broken = try_all(entries, copies, attempt, results, name)
+    killed = [entry["id"] for entry in entries if results.by_test.get(name, {}).get(entry["id"], {}).get("killed")]
+    print(f"\n{name} kills {len(killed)} of {len(entries)}: {', '.join(killed) or 'none'}")
+    return broken
+
+
+def try_all(entries, copies, attempt, results, test):
     free, broken = queue.SimpleQueue(), []
     for copy in copies:
         free.put(copy)
@@ -332,8 +433,8 @@ def run_all(entries, results, copies):
         copy = free.get()
         try:
             unless_stopping(None)
-            outcome = try_mutant(copy, entry, tests, limits)
-            results.keep(entry, outcome)
+            outcome = attempt(copy, entry)
+            results.keep(entry, outcome, test)
             print(describe(entry, outcome), flush=True)
         except BuildFailure as failure:
             broken.append(entry["id"])
@@ -380,11 +481,16 @@ def spread(entries):
 def arguments():
     parser = argparse.ArgumentParser(prog="./dev mutants", description="mutation score of the quick tests")
     parser.add_argument("--only", metavar="ID", action="append", help="this mutant alone, reason or not; repeatable")
+    parser.add_argument("--test", metavar="NAME", help="try the faults by this test alone, quick or not, at full scale")
+    parser.add_argument("--survivors", action="store_true", help="with --test: only faults that no test killed so far")
     parser.add_argument("--list", action="store_true", help="print the table and stop")
     parser.add_argument("--check", action="store_true", help="check that every entry applies, and stop")
     parser.add_argument("--jobs", type=int, default=1, help="how many copies of the tree work at a time (1)")
     parser.add_argument("--resume", action="store_true", help="keep the kills of the last run, go on with the rest")
-    return parser.parse_args()
+    options = parser.parse_args()
+    if options.survivors and not options.test:
+        parser.error("--survivors goes with --test")
+    return options
 
 
 def chosen(entries, only):
@@ -413,8 +519,10 @@ def main():
         return 0
     work = ROOT / "build-mutants"
     work.mkdir(exist_ok=True)
-    results = Results(work / "results.json", options.resume or options.only)
-    to_try = [entry for entry in entries
+    results = Results(work / "results.json", options.resume or options.only or options.test)
+    if options.test:
+        entries = results.survivors(entries, options.test) if options.survivors else entries
+    to_try = entries if options.test else [entry for entry in entries
               if options.only or (reason_of(entry) is None and not results.killed_before(entry))]
     compile_jobs = max(1, (os.cpu_count() or 1) // max(1, options.jobs))
     copies = [Copy(work / ("source" if k == 0 else f"source-{k + 1}"), compile_jobs)
@@ -422,11 +530,14 @@ def main():
     start = time.monotonic()
     signal.signal(signal.SIGINT, lambda *_: STOPPING.set())
     try:
-        broken = run_all(spread(to_try), results, copies) if to_try else []
+        if options.test:
+            broken = run_one_test(options.test, spread(to_try), results, copies)
+        else:
+            broken = run_all(spread(to_try), results, copies) if to_try else []
     except Interrupted:
         print("interrupted; --resume goes on", file=sys.stderr)
         return 130
-    well = report(entries, results)
+    well = options.test or report(entries, results)
     print(f"{len(to_try)} mutants in {(time.monotonic() - start) / 60:.0f} minutes")
     if broken:
         print(f"error: does not compile: {', '.join(broken)}", file=sys.stderr)

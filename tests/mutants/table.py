@@ -13,8 +13,10 @@ LEAST = 60
 # Whatever may be wrong with other programs, what judges them must not be: these folders have many mutants of their own.
 JUDGING = ("src/certify/", "src/io/claims/", "fuzz/judge/", "oracle/")
 LEAST_OF_JUDGING = 80
-ROOTS = ("src/", "fuzz/judge/", "oracle/")
+ROOTS = ("src/", "fuzz/commands/", "fuzz/judge/", "oracle/", "spec/")
 FIELDS = {"id", "file", "old", "new", "wrong"}
+# Names of ctest's tests that a fault is tried by where no quick test reaches its file: commands, Python, judge.py.
+TESTS = "tests"
 # An equivalent mutant behaves as the original does for all inputs. An accepted one does not, and is left alive.
 REASONS = {"equivalent", "accepted"}
 
@@ -25,7 +27,7 @@ def read(path=TABLE):
 
 def faults_of_entry(entry, text):
     """What is wrong with one entry, given the text of its file (None: there is no such file)."""
-    missing, unknown = FIELDS - entry.keys(), entry.keys() - FIELDS - REASONS
+    missing, unknown = FIELDS - entry.keys(), entry.keys() - FIELDS - REASONS - {TESTS}
     if missing or unknown:
         return [f"fields missing: {sorted(missing)}, unknown: {sorted(unknown)}"]
     faults = []
@@ -70,6 +72,6 @@ def mutated(entry, text):
 
 
 def folder_of(entry):
-    """The layer of src/; else "judge" or "oracle"."""
+    """The layer of src/; else "commands", "judge", "oracle" or "spec"."""
     first, second = entry["file"].split("/")[:2]
-    return first if first == "oracle" else second
+    return first if first in ("oracle", "spec") else second
