@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The installed library is what the README says: its example, copied out of it, builds against an installed copy with
-# find_package alone, outside the tree, and prints what the README says that it prints.
+# The installed library is what src/README.md says: its example, copied out of it, builds against an installed copy with
+# find_package alone, outside the tree, and prints what it says there.
 #
 # usage: install_test.sh BUILD_DIR      (a build of this tree, with the library and the program built)
 #
@@ -23,7 +23,7 @@ block() {
     inside && /^```/ { exit }
     inside { print }
     marked && /^```/ { inside = 1; marked = 0 }
-    $0 == mark { marked = 1 }' "$root/${2:-README.md}"
+    $0 == mark { marked = 1 }' "$root/${2:-src/README.md}"
 }
 
 # A variable of the build's cache.
@@ -37,7 +37,7 @@ block cmake >"$scratch/example/CMakeLists.txt"
 block library >"$scratch/example/example.cpp"
 block output >"$scratch/expected"
 for file in example/CMakeLists.txt example/example.cpp expected; do
-  [ -s "$scratch/$file" ] || fail "README.md has no block for $file"
+  [ -s "$scratch/$file" ] || fail "src/README.md has no block for $file"
 done
 grep -q 'find_package(flowcert' "$scratch/example/CMakeLists.txt" || fail "the example does not use find_package"
 
@@ -90,4 +90,4 @@ quietly cmake -S "$scratch/generators" -B "$scratch/generators/build" -G Ninja -
 quietly cmake --build "$scratch/generators/build"
 "$scratch/generators/build/generators" >"$scratch/printed_by_generators" || fail "the generators' example does not run"
 grep -q '^general-position: [0-9]* points$' "$scratch/printed_by_generators" || fail "the generators draw something else"
-echo "the README's example builds against the installed library and prints its $(wc -l <"$scratch/expected") lines"
+echo "the example builds against the installed library and prints its $(wc -l <"$scratch/expected") lines"

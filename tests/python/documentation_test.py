@@ -1,4 +1,4 @@
-"""What is said of the package is true: docstrings, help(), stubs, the README's example, and _repr_html_."""
+"""What is said of the package is true: docstrings, help(), stubs, the example of its README, and _repr_html_."""
 
 import ast
 import doctest
@@ -65,9 +65,9 @@ def test_arrays_have_shapes_and_units_in_their_docstrings():
         for field in cls.__dataclass_fields__:
             assert re.search(rf"^\s*([a-z_]+, )?{field}[ ,]", cls.__doc__, re.MULTILINE), (cls, field)
     fields = flowcert.FlowComplex(CUBE).stationary_points.dtype.names
-    assert all(re.search(rf"^ +{field} ", flowcert.FlowComplex.stationary_points.__doc__, re.M) for field in fields)
+    assert all(re.search(rf"^ *{field} ", flowcert.FlowComplex.stationary_points.__doc__, re.M) for field in fields)
     fields = flowcert.FlowComplex(CUBE).connections.dtype.names
-    assert all(re.search(rf"^ +{field} ", flowcert.FlowComplex.connections.__doc__, re.M) for field in fields)
+    assert all(re.search(rf"^ *{field} ", flowcert.FlowComplex.connections.__doc__, re.M) for field in fields)
     pair_fields = flowcert.FlowComplex(CUBE).persistence_pairs().dtype.names
     assert all(field in flowcert.FlowComplex.persistence_pairs.__doc__ for field in pair_fields)
 
@@ -114,14 +114,14 @@ def test_the_stub_is_that_of_the_extension():
 
 
 def block_of_readme(name):
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    text = (ROOT / "src/python/README.md").read_text(encoding="utf-8")
     found = re.search(rf"^<!-- example: {name} -->\n```\w*\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
-    assert found, f"README.md has no block for {name}"
+    assert found, f"src/python/README.md has no block for {name}"
     return found[1]
 
 
 def test_the_readmes_example_prints_what_the_readme_says(capsys):
-    exec(compile(block_of_readme("python"), "README.md", "exec"), {})
+    exec(compile(block_of_readme("python"), "src/python/README.md", "exec"), {})
     assert capsys.readouterr().out == block_of_readme("python output")
 
 
