@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# ./dev fresh: what a newcomer does, on a Debian 12 machine that has nothing.
+# ./dev fresh: what a newcomer does, on a Debian machine that has nothing.
 #
-# usage: fresh_machine.sh [--new] [--ccache DIR] [--keep] [--then COMMAND]…
+# usage: fresh_machine.sh [--suite SUITE] [--new] [--ccache DIR] [--keep] [--only COMMAND]… [--then COMMAND]…
 #
-# Makes a bare root with mmdebstrap (minbase, git, ca-certificates), clones HEAD into it, and runs there, word for
-# word, the commands of README.md's first block; then it installs the library and builds the README's example with
-# it, and runs each COMMAND of --then. The last lines are the time of each step. Root and packages are kept in a
-# cache folder; --new makes the root anew.
+# Makes a bare root of SUITE (bookworm, which is Debian 12, without the option; trixie, Debian 13; sid, unstable) with
+# mmdebstrap (minbase, git, ca-certificates), clones HEAD into it, and runs there, word for word, the commands of
+# README.md's first block; then it installs the library and builds the README's example with it, and runs each COMMAND
+# of --then. With --only, it runs these commands instead of all that. The last lines are the time of each step, the
+# clock's and the processors'. Roots and packages are kept in a cache folder; --new makes the root anew.
 #
 # Guarantees: everything is mounted in a mount namespace of its own, so no removal ever sees the machine's own files.
 # Nothing that was installed by hand on this machine is there. Exit status: 0; 1 where a step fails; 3 where no root
@@ -14,8 +15,7 @@
 set -euo pipefail
 repository=$(realpath "$(dirname "$0")/..")
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/flowcert-fresh
-new=0 keep=0 ccache= later=()
-suite=bookworm
+new=0 keep=0 ccache= later=() only=() suite=bookworm
 
 cannot() { echo "fresh: no bare Debian root can be made here: $*" >&2; exit 3; }
 fail() { echo "fresh: $*" >&2; exit 1; }
@@ -23,14 +23,17 @@ say() { printf '\n== fresh: %s\n' "$*"; }
 
 while [ $# -gt 0 ]; do
   case "$1" in
+    --suite) suite=${2:?--suite SUITE}; shift ;;
     --new) new=1 ;;
     --keep) keep=1 ;;
     --ccache) ccache=$(realpath -m "${2:?--ccache DIR}"); shift ;;
+    --only) only+=("${2:?--only COMMAND}"); shift ;;
     --then) later+=("${2:?--then COMMAND}"); shift ;;
     *) echo "fresh: unknown option $1" >&2; exit 2 ;;
   esac
   shift
 done
+[[ $suite =~ ^[a-z]+$ ]] || { echo "fresh: not the name of a suite: $suite" >&2; exit 2; }
 
 # The commands of the README's first block of code, one a line.
 readme_commands() {
@@ -41,20 +44,31 @@ mapfile -t commands < <(readme_commands)
 
 # ---- What the root takes over from this machine
 
-# Debian's own package sources. A third party's key is a file outside the root.
+# Debian's own package sources, as this machine has them, of the suite. A third party's key is a file outside the root.
+# Another suite's are at the same mirror; its updates stand beside it, and those for security at their own address.
+codename=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
 debian_sources() {
   local file
   for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
     [ -f "$file" ] || continue
-    grep -E '^deb( \[signed-by=[^] ]*debian-archive[^] ]*\])? [^[]' "$file" | grep -w "$suite" || true
-  done
+    grep -E '^deb( \[signed-by=[^] ]*debian-archive[^] ]*\])? [^[]' "$file" | grep -w "$codename" || true
+  done | in_suite
 }
 debian_stanzas() {
   local file
   for file in /etc/apt/sources.list.d/*.sources; do
-    [ ! -f "$file" ] || awk -v RS= -v ORS='\n\n' -v suite="$suite" \
+    [ ! -f "$file" ] || awk -v RS= -v ORS='\n\n' -v suite="$codename" \
       '$0 ~ "Suites:.*" suite && (!/Signed-By:/ || /Signed-By:[^\n]*debian-archive/)' "$file"
-  done
+  done | in_suite
+}
+# Unstable has neither updates nor security of its own.
+in_suite() {
+  case "$suite" in
+    "$codename") cat ;;
+    sid) awk -v RS='\n\n' -v ORS='\n\n' '!/-security/' |
+           sed -E "s/\b$codename-[a-z]+\b//g; s/\b$codename\b/sid/g" ;;
+    *) sed "s/\b$codename\b/$suite/g" ;;
+  esac
 }
 # How this machine reaches them: proxies, whether dates count.
 acquire_settings() {
@@ -63,11 +77,22 @@ acquire_settings() {
 
 # ---- Steps
 
-steps=() seconds=()
+steps=() seconds=() processors=()
+# Sets `spent` to the seconds of processor time of all that has ended. Not in a subshell: it would know its own alone.
+read_processor_time() {
+  local file
+  file=$(mktemp)
+  times >"$file"  # bash's own time in line 1, and its children's in line 2: "0m1.234s 0m0.567s"
+  spent=$(awk 'NR == 2 { for (k = 1; k <= 2; ++k) { split($k, part, "[ms]"); sum += 60 * part[1] + part[2] } }
+               END { printf "%d", sum }' "$file")
+  rm -f "$file"
+}
 # step WHAT COMMAND…: runs it, notes the time, and ends everything where it fails. A subshell, because bash ignores -e
 # in a function that is called with "||".
 step() {
-  local what=$1 start=$SECONDS status
+  local what=$1 start=$SECONDS before status
+  read_processor_time
+  before=$spent
   shift
   say "$what"
   set +e
@@ -78,11 +103,13 @@ step() {
   [ "$status" -eq 0 ] || { report; fail "failed: $what"; }
   steps+=("$what")
   seconds+=($((SECONDS - start)))
+  read_processor_time
+  processors+=($((spent - before)))
 }
 report() {
   local k
-  printf '\n'
-  for k in "${!steps[@]}"; do printf '%6d s  %s\n' "${seconds[k]}" "${steps[k]}"; done
+  printf '\n%9s %9s  on %s, %s processors\n' clock processor "$suite" "$(nproc)"
+  for k in "${!steps[@]}"; do printf '%7d s %7d s  %s\n' "${seconds[k]}" "${processors[k]}" "${steps[k]}"; done
 }
 
 # ---- The root
@@ -99,8 +126,9 @@ check_machine() {
   fi
 }
 
-# Only one run at a time uses the cache.
+# Only one run at a time uses a suite's cache.
 prepare() {
+  cache+=/$suite
   mkdir -p "$cache/archives"
   exec 9>"$cache/lock"
   flock -n 9 || cannot "another run is using $cache"
@@ -144,7 +172,7 @@ unpack_root() {
 inside() {
   local settings=(HOME=/root LANG=C.UTF-8 TERM=dumb) name
   settings+=(PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin)
-  for name in http_proxy https_proxy no_proxy FLOWCERT_PROPERTY_SCALE; do
+  for name in http_proxy https_proxy no_proxy CI FLOWCERT_PROPERTY_SCALE; do
     [ -z "${!name:-}" ] || settings+=("$name=${!name}")
   done
   [ -z "$ccache" ] || settings+=(CCACHE_DIR=/ccache)
@@ -178,6 +206,11 @@ main() {
       'apt-get update -qq && apt-get install -y -qq --no-install-recommends ccache >/dev/null'
   fi
   local command
+  if [ ${#only[@]} -gt 0 ]; then
+    for command in "${only[@]}"; do step "$command" inside "$command"; done
+    report
+    exit 0
+  fi
   for command in "${commands[@]}"; do step "$command" inside "$command"; done
   step "installing the library, building the README's example" inside 'bash tests/conformance/install_test.sh build'
   for command in "${later[@]}"; do step "$command" inside "$command"; done

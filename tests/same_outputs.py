@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""Whether two programs `flowcert` give the same answers: ./dev same COMMIT builds the older one and calls this.
+"""Whether two programs `flowcert` give the same answers: ./dev same builds them, of two commits or on two systems, and
+calls this.
 
 usage: same_outputs.py OLDER NEWER [--generated N] [--jobs N] [SCAN ...]
        same_outputs.py --self-test
 
-Runs compute with its options, persistence, orbit, explain, surface and --export on generated inputs and on scans, and
-compares exit status, standard output, standard error and every file that is written. A scan (OBJ or XYZ) of more than
-6,000 points is given to compute alone; every option is tried on about 3,000 of its points. Guarantees: all bytes are
+Runs compute with its options, persistence, pockets, orbit, explain, surface and --export on generated inputs and on
+scans, and compares exit status, standard output, standard error and every file that is written. A scan (OBJ or XYZ) of
+more than 6,000 points is given to compute, persistence and pockets; every option is tried on about 3,000 of its points.
+The inputs are generated once, by OLDER. Guarantees: all bytes are
 compared but the header (what made it), times, ratios to times, memory, and what is of the kernel that is the usual
 one: its name, tallies of filters and of exact numbers, and the lengths of its chains.
 Exit status: 0 where all is the same; 1 where something is not, or a program ends by a signal, and then the commands
@@ -79,6 +81,9 @@ def commands(source, is_small):
     manifolds = ["--manifolds", "u2,s2", "--stats"]
     yield ["compute", source, "--json", "-o", "points.jsonl"]
     yield ["compute", source, "--manifolds", "s2", "--stats", "--skeletons", "-o", "points.jsonl"]
+    yield ["compute", source, "--manifolds", "all", "--volumes", "shares", "--json", "-o", "all.jsonl"]
+    yield ["persistence", source, "--json", "-o", "pairs.pers"]
+    yield ["pockets", source, "--json"]
     if not is_small:
         return
     yield ["compute", source, *manifolds, "--json", "--polylines", "--skeletons", "-o", "points.jsonl"]
