@@ -151,7 +151,8 @@ class CoursesInStep {
     FacetRings& rings = faces_.rings();
     const std::size_t exit = lane.exit();
     const RingLink link = rings.link(lane.ring, exit);
-    const RingPiece& left = rings.at(lane.ring).pieces[exit];
+    const std::span<const RingPiece> pieces = rings.at(lane.ring).pieces;  // link() may have moved them
+    const RingPiece& left = pieces[exit];
     if (link.ring == RingLink::kAlongEdge) return end_on_edge(k, left.polygon());
     const FacetRing ring = rings.at(link.ring);
     cross(k, left.apex, ring.facet);

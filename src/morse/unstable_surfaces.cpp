@@ -155,10 +155,10 @@ void UnstableSurfaces::Parts::Worker::add_rounded(const EdgeParts& edge, Rounded
   std::vector<PointId> samples = recorder_.contact(Place::on_edge(edge.polygon));
   samples.resize(3);
   const auto add = [&](Kind kind, const TracePart& part) {
-    Corners corners = {corners_.number(edge.polygon, part.from), corners_.number(edge.polygon, part.to)};
-    if (corners[0] == corners[1]) corners.pop_back();
-    if (faces_.dimension() == 2)
-      corners.insert(corners.begin() + 1, corners_.number(corners_.middle_of_line(edge.polygon)));
+    const std::uint32_t from = corners_.number(edge.polygon, part.from), end = corners_.number(edge.polygon, part.to);
+    Corners corners = {from};
+    if (faces_.dimension() == 2) corners.push_back(corners_.number(corners_.middle_of_line(edge.polygon)));
+    if (end != from) corners.push_back(end);
     to.push_back({kind, samples, std::move(corners)});
   };
   for (const TracePart& part : edge.traces) add(Kind::kTrace, part);

@@ -53,9 +53,9 @@ class WatchedKernel {
     watch(from, {&p0, &p1});
     Made made;
     if (&p0 != &p1) made = {{&p0, &p1}, {&q}, {}};
-    return kept(made, {doubles_.add_crossing(from, p0, p1, q), doubled_.add_crossing(from, p0, p1, q),
-                       extended_.add_crossing(from, p0, p1, q), exact_.add_crossing(from, p0, p1, q),
-                       slow_.add_crossing(from, p0, p1, q)});
+    return kept(std::move(made), {doubles_.add_crossing(from, p0, p1, q), doubled_.add_crossing(from, p0, p1, q),
+                                  extended_.add_crossing(from, p0, p1, q), exact_.add_crossing(from, p0, p1, q),
+                                  slow_.add_crossing(from, p0, p1, q)});
   }
   [[nodiscard]] PointNumber add_circumcenter(std::span<const Point* const> simplex, Stay stay) {
     return kept({{}, {simplex.begin(), simplex.end()}, {}},

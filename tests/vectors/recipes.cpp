@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <numeric>
 #include <stdexcept>
+#include <string_view>
 
 #include "fuzz/inputs/families.h"
 #include "oracle/program/read_points.h"
@@ -17,11 +18,11 @@ namespace {
 
 using flowcert::fuzz::Family;
 
-const Family& family_named(const std::string& name) {
+const Family& family_named(std::string_view name) {
   for (const Family& family : flowcert::fuzz::families()) {
     if (family.name == name) return family;
   }
-  throw std::logic_error("there is no family " + name);
+  throw std::logic_error("there is no family " + std::string(name));
 }
 
 // What the inputs of a family aim at.

@@ -20,6 +20,25 @@
 
 namespace flowcert::io {
 
+// ---- Where the parser is ----
+
+namespace {
+
+// Expat 2.9 has functions of 64 bits, and warns of those that older versions have.
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
+std::size_t line_of(XML_Parser parser) { return static_cast<std::size_t>(XML_GetCurrentLineNumber64(parser)); }
+std::size_t byte_after_event(XML_Parser parser) {
+  return static_cast<std::size_t>(XML_GetCurrentByteIndex64(parser)) + XML_GetCurrentByteCount64(parser);
+}
+#else
+std::size_t line_of(XML_Parser parser) { return XML_GetCurrentLineNumber(parser); }
+std::size_t byte_after_event(XML_Parser parser) {
+  return static_cast<std::size_t>(XML_GetCurrentByteIndex(parser) + XML_GetCurrentByteCount(parser));
+}
+#endif
+
+}  // namespace
+
 // ---- Encoded bytes ----
 
 namespace {
@@ -197,7 +216,7 @@ class VtpParser {
     is_stopped_ = true;
     XML_StopParser(parser_.get(), XML_FALSE);
   }
-  [[nodiscard]] LinePlace place() const { return {.file = file_, .line = XML_GetCurrentLineNumber(parser_.get())}; }
+  [[nodiscard]] LinePlace place() const { return {.file = file_, .line = line_of(parser_.get())}; }
 
   void start(std::string_view name, const Attributes& attributes) {
     if (++depth_ > kDeepest) place().reject("nested deeper than " + std::to_string(kDeepest) + " levels");
@@ -263,8 +282,7 @@ class VtpParser {
     if (encoding != "raw" && encoding != "base64")
       place().reject("not an encoding of appended data: " + in_quotes(encoding));
     document_.appended_is_raw = encoding == "raw";
-    appended_from_ =
-        static_cast<std::size_t>(XML_GetCurrentByteIndex(parser_.get()) + XML_GetCurrentByteCount(parser_.get()));
+    appended_from_ = byte_after_event(parser_.get());
     stop();
   }
 

@@ -282,7 +282,7 @@ class FlowComplex:
         dimension 3, as for minima and nearly all saddles. A number that would overflow is infinite; volume() has it.
 
         >>> fc = FlowComplex([[0, 5, 0], [-3, 0, -2], [3, 0, -2], [0, 0, 12], [0, -5, 0]])
-        >>> [(fc.stationary_points["index"][i], fc.volumes[i]) for i in fc.volumes.nonzero()[0]]
+        >>> [(int(fc.stationary_points["index"][i]), float(fc.volumes[i])) for i in fc.volumes.nonzero()[0]]
         [(2, 50.0), (3, 45.0), (3, 45.0)]
         """
         return self._core.volumes()
