@@ -84,6 +84,10 @@ Point moved(const Point& x, const Rational& time, const Point& direction) {
   return {x[0] + time * direction[0], x[1] + time * direction[1], x[2] + time * direction[2]};
 }
 
+Point scaled(const Point& x, const Rational& by) { return {x[0] * by, x[1] * by, x[2] * by}; }
+
+Point midpoint(const Point& a, const Point& b) { return moved(a, Rational(1, 2), minus(b, a)); }
+
 Rational squared_distance(const Point& a, const Point& b) {
   const Point difference = minus(a, b);
   return dot(difference, difference);

@@ -24,6 +24,8 @@ Point minus(Point a, const Point& b);
 Rational dot(const Point& a, const Point& b);
 Point cross(const Point& a, const Point& b);
 Point moved(const Point& x, const Rational& time, const Point& direction);  // x + time * direction
+Point scaled(const Point& x, const Rational& by);
+Point midpoint(const Point& a, const Point& b);
 Rational squared_distance(const Point& a, const Point& b);
 
 // The point of the affine hull of `simplex` at equal distance from all its points, and its barycentric coordinates.

@@ -45,10 +45,6 @@ using Parts = std::vector<Part>;
 
 Limit limit_of(const PointSet& set, const Point& x) { return orbit(set, x).limit; }
 
-Point scaled(const Point& x, const Rational& by) { return {x[0] * by, x[1] * by, x[2] * by}; }
-
-Point midpoint(const Point& a, const Point& b) { return moved(a, Rational(1, 2), minus(b, a)); }
-
 Rational middle(const Rational& a, const Rational& b) { return (a + b) / 2; }
 
 // Where a ray is that has not run to infinity.
@@ -264,10 +260,13 @@ std::vector<UnstableEntry> list_of_edge(const PointSet& set, const StationaryPoi
 std::array<std::size_t, 2> obtuse_edge(const PointSet& set, const Places& polygon) {
   for (const std::size_t a : polygon) {
     for (const std::size_t b : polygon) {
-      const bool is_obtuse = a < b && std::all_of(polygon.begin(), polygon.end(), [&](std::size_t q) {
-                               return q == a || q == b ||
-                                      dot(minus(set.points[q], set.points[a]), minus(set.points[q], set.points[b])) < 0;
-                             });
+      const bool is_obtuse =
+          a < b && std::all_of(
+                       polygon.begin(), polygon.end(),
+                       [&](std::size_t q) {
+                         return q == a || q == b ||
+                                dot(minus(set.points[q], set.points[a]), minus(set.points[q], set.points[b])) < 0;
+                       });
       if (is_obtuse) return {a, b};
     }
   }

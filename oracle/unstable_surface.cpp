@@ -20,10 +20,6 @@ namespace oracle {
 
 namespace {
 
-Point scaled(const Point& x, const Rational& by) { return {x[0] * by, x[1] * by, x[2] * by}; }
-
-Point midpoint(const Point& a, const Point& b) { return moved(a, Rational(1, 2), minus(b, a)); }
-
 // The coordinate of a point w with <w, u> : <w, v> for its place, where the second is not negative.
 Coordinate quotient(const Rational& u, const Rational& v) {
   if (v == 0) return {u.sign(), 0};

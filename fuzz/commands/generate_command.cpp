@@ -68,7 +68,7 @@ void put(const std::string& text) {
 
 // Into a pipe, the program that reads the cases shows how far it is.
 bool is_file(int stream) {
-  struct stat status {};
+  struct stat status{};
   return ::fstat(stream, &status) == 0 && S_ISREG(status.st_mode);
 }
 

@@ -152,10 +152,8 @@ using Ring = std::array<std::size_t, 3>;
 
 rc::Gen<std::vector<Ring>> rings(std::size_t least, std::size_t most) {
   const auto ring = rc::gen::apply(
-      [](std::size_t height, std::size_t first, std::size_t other) {
-        return Ring{height, first, other};
-      },
-      raw_index(), raw_index(), raw_index());
+      [](std::size_t height, std::size_t first, std::size_t other) { return Ring{height, first, other}; }, raw_index(),
+      raw_index(), raw_index());
   return list_of(least, most, ring);
 }
 
@@ -291,11 +289,8 @@ rc::Gen<IntegerPoints> rings_of_pairs() {
 }
 
 rc::Gen<IntegerPoints> mirrored_points() {
-  const auto quarter = rc::gen::apply(
-      [](Integer x, Integer y, Integer z) {
-        return IntegerPoint{x, y, z};
-      },
-      whole(0, 4), whole(0, 4), whole(-4, 4));
+  const auto quarter = rc::gen::apply([](Integer x, Integer y, Integer z) { return IntegerPoint{x, y, z}; },
+                                      whole(0, 4), whole(0, 4), whole(-4, 4));
   return rc::gen::map(list_of(2, 3, quarter), [](const IntegerPoints& some) {
     IntegerPoints points;
     for (const auto& [x, y, z] : some) {

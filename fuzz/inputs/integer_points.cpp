@@ -67,11 +67,8 @@ rc::Gen<Integer> whole(Integer low, Integer high) {
 }
 
 rc::Gen<IntegerPoint> integer_point(Integer low, Integer high) {
-  return rc::gen::apply(
-      [](Integer x, Integer y, Integer z) {
-        return IntegerPoint{x, y, z};
-      },
-      whole(low, high), whole(low, high), whole(low, high));
+  return rc::gen::apply([](Integer x, Integer y, Integer z) { return IntegerPoint{x, y, z}; }, whole(low, high),
+                        whole(low, high), whole(low, high));
 }
 
 rc::Gen<std::size_t> row_count(std::size_t least, std::size_t most) {
@@ -103,11 +100,9 @@ IntegerRotation rotation_of_quaternion(const std::array<Integer, 4>& quaternion)
 }
 
 rc::Gen<IntegerRotation> integer_rotation(Integer reach) {
-  const auto any = rc::gen::apply(
-      [](Integer a, Integer b, Integer c, Integer d) {
-        return rotation_of_quaternion({a, b, c, d});
-      },
-      whole(-reach, reach), whole(-reach, reach), whole(-reach, reach), whole(-reach, reach));
+  const auto any =
+      rc::gen::apply([](Integer a, Integer b, Integer c, Integer d) { return rotation_of_quaternion({a, b, c, d}); },
+                     whole(-reach, reach), whole(-reach, reach), whole(-reach, reach), whole(-reach, reach));
   return rc::gen::oneOf(rc::gen::just(IntegerRotation{}), any);
 }
 

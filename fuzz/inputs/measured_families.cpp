@@ -218,11 +218,9 @@ namespace {
 // Powers of two up to 2^45, so that sums with a configuration's coordinates are far below 2^53.
 rc::Gen<IntegerPoint> far_offset() {
   const auto power = rc::gen::map(whole(0, 45), [](Integer exponent) { return Integer{1} << exponent; });
-  return rc::gen::apply(
-      [](const IntegerPoint& signs, Integer x, Integer y, Integer z) {
-        return IntegerPoint{signs[0] * x, signs[1] * y, signs[2] * z};
-      },
-      integer_point(-1, 1), power, power, power);
+  return rc::gen::apply([](const IntegerPoint& signs, Integer x, Integer y,
+                           Integer z) { return IntegerPoint{signs[0] * x, signs[1] * y, signs[2] * z}; },
+                        integer_point(-1, 1), power, power, power);
 }
 
 rc::Gen<Input> exact_far_away() {
@@ -283,11 +281,8 @@ rc::Gen<double> any_magnitude() {
 }
 
 rc::Gen<Input> mixed_magnitudes() {
-  const auto row = rc::gen::apply(
-      [](double x, double y, double z) {
-        return Row{x, y, z};
-      },
-      any_magnitude(), any_magnitude(), any_magnitude());
+  const auto row = rc::gen::apply([](double x, double y, double z) { return Row{x, y, z}; }, any_magnitude(),
+                                  any_magnitude(), any_magnitude());
   return rc::gen::map(list_of(4, 9, row), [](const std::vector<Row>& rows) { return Input{rows}; });
 }
 

@@ -70,11 +70,8 @@ rc::Gen<IntegerPoints> three_of(const IntegerPoints& points) {
 }
 
 rc::Gen<IntegerPoint> point_well_below(Integer a) {
-  return rc::gen::apply(
-      [](Integer x, Integer y, Integer z) {
-        return IntegerPoint{x, y, z};
-      },
-      whole(-2 * a, 2 * a), whole(-4 * a, -2 * a), whole(-a, a));
+  return rc::gen::apply([](Integer x, Integer y, Integer z) { return IntegerPoint{x, y, z}; }, whole(-2 * a, 2 * a),
+                        whole(-4 * a, -2 * a), whole(-a, a));
 }
 
 rc::Gen<IntegerPoints> aimed_points_of(Integer a, Integer t) {

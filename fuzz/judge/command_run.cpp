@@ -90,7 +90,7 @@ class OpenFile {
 // is longer than `most` bytes.
 std::string read_bounded(const std::string& path, std::size_t most, const std::string& name) {
   const OpenFile file(path, name);
-  struct stat status {};
+  struct stat status{};
   if (::fstat(file.number(), &status) != 0) reject(name, std::strerror(errno));
   if (!S_ISREG(status.st_mode)) reject(name, "not a regular file");
   // It may read more than `most` bytes, to notice files that grow or do not tell their size.

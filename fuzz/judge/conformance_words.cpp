@@ -24,8 +24,7 @@ const char* run_outcome_text(RunOutcome outcome) {
 
 std::string one_line(const std::string& text) {
   std::string line = text.substr(0, kLongestLine);
-  std::ranges::replace_if(
-      line, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
+  std::ranges::replace_if(line, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
   return text.size() > kLongestLine ? line + "..." : line;
 }
 

@@ -308,7 +308,7 @@ void note(int number) {
 
 void replace_handlers(void (*from)(int), void (*to)(int)) {
   for (const int number : kSignals) {
-    struct sigaction current {};
+    struct sigaction current{};
     if (::sigaction(number, nullptr, &current) == 0 && current.sa_handler == from) ::signal(number, to);
   }
 }

@@ -141,8 +141,7 @@ Claim claim_of(const std::string& text, const PointSet& points) {
 
 // What a program says of itself must not reach a terminal raw.
 std::string printable(std::string text) {
-  std::ranges::replace_if(
-      text, [](char c) { return c < 0x20 || c > 0x7e; }, '?');
+  std::ranges::replace_if(text, [](char c) { return c < 0x20 || c > 0x7e; }, '?');
   return text;
 }
 

@@ -279,8 +279,7 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     // A path may hold a line's end, but an error is one line.
     std::string line = error.what();
-    std::replace_if(
-        line.begin(), line.end(), [](char c) { return (c >= 0 && c < 0x20) || c == 0x7f; }, '?');
+    std::replace_if(line.begin(), line.end(), [](char c) { return (c >= 0 && c < 0x20) || c == 0x7f; }, '?');
     std::cerr << "flowcert-oracle: " << line << '\n';
   }
   return kUnusable;

@@ -253,7 +253,7 @@ void print_counts(const PointSet& points, const StationaryPoints& stationary) {
   print_row("Euler sum", fmt::format("{}", stationary.euler_sum()));
 }
 
-std::string multiple_text(const Measured& measured, double DelaunayRatios::*part) {
+std::string multiple_text(const Measured& measured, double DelaunayRatios::* part) {
   return measured.ratios ? fmt::format("{:.2f} x the triangulation", *measured.ratios.*part) : "";
 }
 
@@ -286,7 +286,7 @@ Json seconds_field(const Measured& measured) {
 }
 
 Json ratios_field(const Measured& measured) {
-  const auto ratio = [&](double DelaunayRatios::*part) {
+  const auto ratio = [&](double DelaunayRatios::* part) {
     return measured.ratios ? Json(*measured.ratios.*part) : Json(nullptr);
   };
   Json ratios;

@@ -31,7 +31,7 @@ ClipBox::ClipBox(const PointSet& points, const Rational& factor) {
       high.*axis = std::max(high.*axis, point.*axis);
     }
   }
-  const auto length = [&](double Point::*axis) { return Rational(high.*axis) - Rational(low.*axis); };
+  const auto length = [&](double Point::* axis) { return Rational(high.*axis) - Rational(low.*axis); };
   const Rational longest = std::max({length(&Point::x), length(&Point::y), length(&Point::z)});
   for (const auto axis : kAxes) {
     const Rational center = (Rational(low.*axis) + Rational(high.*axis)) / 2;

@@ -69,7 +69,7 @@ class HandlersHeld {
 // that is on its way to another thread finds them.
 void set_handlers() {
   for (const int signal_number : kEndingSignals) {
-    struct sigaction current {};
+    struct sigaction current{};
     if (::sigaction(signal_number, nullptr, &current) == 0 && current.sa_handler == SIG_DFL) {
       ::signal(signal_number, remove_and_end);
     }

@@ -84,8 +84,7 @@ UnstructuredGrid pyramids(const FlowComplex& complex, const IsWanted& is_wanted,
 
 UnstructuredGrid stable_cell_data(const FlowComplex& complex) {
   std::vector<std::int64_t> limits;
-  UnstructuredGrid grid = pyramids(
-      complex, [](std::size_t) { return true; }, limits);
+  UnstructuredGrid grid = pyramids(complex, [](std::size_t) { return true; }, limits);
   std::vector<double> volumes;
   for (const std::int64_t limit : limits) {
     volumes.push_back(finite(complex.volumes().nearest(static_cast<std::size_t>(limit))));
@@ -97,8 +96,7 @@ UnstructuredGrid stable_cell_data(const FlowComplex& complex) {
 UnstructuredGrid pocket_cell_data(const FlowComplex& complex, const Pockets& pockets) {
   const std::vector<std::int64_t> pocket_of = pocket_of_records(complex, pockets);
   std::vector<std::int64_t> limits, numbers;
-  UnstructuredGrid grid = pyramids(
-      complex, [&](std::size_t limit) { return pocket_of[limit] >= 0; }, limits);
+  UnstructuredGrid grid = pyramids(complex, [&](std::size_t limit) { return pocket_of[limit] >= 0; }, limits);
   std::vector<double> volumes, depths;
   std::vector<double> volume_of, depth_of;
   for (std::size_t number = 0; number < pockets.size(); ++number) {

@@ -134,7 +134,7 @@ struct UnstableSurfaceExport::Parts {
   void append(const SurfacePicture& picture, std::size_t source);
   void append(const SurfaceCell& cell, std::int64_t source, std::int64_t first_point);
   void write_cell_data(VtkDocument& document, const char* name, const char* type, int components,
-                       ByteSpool Cells::*spool) const;
+                       ByteSpool Cells::* spool) const;
 
   bool has_box;
   ByteSpool points, is_clipped;
@@ -211,7 +211,7 @@ void write_spool(VtkDocument& document, const char* name, const char* type, int 
 }  // namespace
 
 void UnstableSurfaceExport::Parts::write_cell_data(VtkDocument& document, const char* name, const char* type,
-                                                   int components, ByteSpool Cells::*spool) const {
+                                                   int components, ByteSpool Cells::* spool) const {
   std::uint64_t bytes = 0;
   for (const Cells& each : cells) bytes += (each.*spool).size();
   document.array(name, type, components, bytes, [this, spool](std::ostream& out) {

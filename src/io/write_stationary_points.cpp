@@ -171,8 +171,7 @@ class RecordWriter {
     fields["volume_double"] = double_field(volumes.nearest(i));
     // A positive volume may be nearest to 0.
     if (is_exact) {
-      add_shares(
-          volumes.shares(i), "shares", [](const Rational& share) { return Json(to_text(share)); }, fields);
+      add_shares(volumes.shares(i), "shares", [](const Rational& share) { return Json(to_text(share)); }, fields);
     } else if (wanted_.volumes == WrittenVolumes::kShares) {
       add_shares(volumes.rounded_shares(i), "shares_double", double_field, fields);
     }

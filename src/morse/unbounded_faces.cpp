@@ -117,9 +117,8 @@ class UnboundedSearch {
   // edge, and the ray from there along the edge stays on that side.
   [[nodiscard]] bool is_acute(const FacetRing& ring, std::size_t k) const {
     const PolygonSides sides = faces_.sides(ring.pieces[k].polygon());
-    const auto side = std::ranges::find_if(sides, [&](const PolygonSide& one) {
-      return FacetName{one.v0, one.v1} == ring.facet;
-    });
+    const auto side =
+        std::ranges::find_if(sides, [&](const PolygonSide& one) { return FacetName{one.v0, one.v1} == ring.facet; });
     return side->angle == Sign::kPositive;
   }
 

@@ -137,7 +137,7 @@ void print(const std::string& path) {
   const std::vector<Point> rows = read_points(path).rows;
   std::vector<PocketTimes> runs;
   for (int run = 0; run < kRuns; ++run) runs.push_back(pockets_of(rows));
-  const auto of = [&](double PocketTimes::*part) {
+  const auto of = [&](double PocketTimes::* part) {
     std::vector<double> ratios;
     for (const PocketTimes& times : runs) ratios.push_back(times.*part / times.delaunay);
     return median(ratios);

@@ -11,7 +11,7 @@
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::certify_command_test {
 namespace {
 
 using nlohmann::ordered_json;
@@ -189,4 +189,4 @@ TEST(CertifyCommand, AcceptsTheOraclesOwnList) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::certify_command_test

@@ -15,7 +15,7 @@
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::cgal_surfaces_test {
 namespace {
 
 using nlohmann::json;
@@ -113,4 +113,4 @@ TEST(CgalSurfaces, SmallRadiiReconstructASphere) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::cgal_surfaces_test

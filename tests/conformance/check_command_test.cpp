@@ -12,7 +12,7 @@
 #include "tests/conformance/lattice_points.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::check_command_test {
 namespace {
 
 using nlohmann::json;
@@ -469,4 +469,4 @@ TEST(CheckCommand, ReadsFromStandardInput) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::check_command_test

@@ -17,7 +17,7 @@
 #include "tests/conformance/lattice_points.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::compute_command_test {
 namespace {
 
 using nlohmann::json;
@@ -456,4 +456,4 @@ TEST(ComputeRecords, TheOrderOfTheInputOnlyMovesIds) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::compute_command_test

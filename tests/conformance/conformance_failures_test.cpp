@@ -12,7 +12,7 @@
 #include "tests/cites.h"
 #include "tests/conformance/conformance_fixture.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::conformance_failures_test {
 namespace {
 
 bool is_running(const std::string& process_file) { return ::kill(std::stoi(content_of(process_file)), 0) == 0; }
@@ -377,4 +377,4 @@ TEST_F(ConformanceCommand, EndsOnCtrlCWithAllThatItStarted) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::conformance_failures_test

@@ -12,7 +12,7 @@
 #include "tests/conformance/help_text.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::eighty_columns_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -151,4 +151,4 @@ TEST(EightyColumns, LongNumbersAreShortenedInTextAlone) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::eighty_columns_test

@@ -13,7 +13,7 @@
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::explain_command_test {
 namespace {
 
 using nlohmann::json;
@@ -230,4 +230,4 @@ TEST(ExplainCommand, TheOrderOfArgumentsDoesNotMatter) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::explain_command_test

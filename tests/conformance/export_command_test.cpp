@@ -14,7 +14,7 @@
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::export_command_test {
 namespace {
 
 using nlohmann::json;
@@ -472,4 +472,4 @@ TEST(ExportCommand, AFolderThatCannotBeWrittenIsRefused) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::export_command_test

@@ -19,7 +19,7 @@
 #include "tests/conformance/case_texts.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::fuzz_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -449,4 +449,4 @@ TEST(FuzzCommand, RefusesWhatItCannotUse) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::fuzz_command_test

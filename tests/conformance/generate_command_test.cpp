@@ -10,7 +10,7 @@
 #include "tests/cites.h"
 #include "tests/conformance/case_texts.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::generate_command_test {
 namespace {
 
 // A family's line begins with two blanks, and what goes on with more.
@@ -180,4 +180,4 @@ TEST(Generate, RefusesWhatItCannotUse) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::generate_command_test

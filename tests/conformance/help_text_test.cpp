@@ -14,7 +14,7 @@
 
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::help_text_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -201,4 +201,4 @@ TEST(HelpText, ExamplesRun) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::help_text_test

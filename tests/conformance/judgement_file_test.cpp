@@ -12,7 +12,7 @@
 #include "tests/conformance/vector_files.h"
 #include "tests/json_schema.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::judgement_file_test {
 namespace {
 
 nlohmann::json judgement_file() { return nlohmann::json::parse(text_of_file(spec_folder() / "judgements.json")); }
@@ -99,4 +99,4 @@ TEST(JudgementFile, NamesCasesAndGivesEachIdOnce) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::judgement_file_test

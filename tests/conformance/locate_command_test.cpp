@@ -10,7 +10,7 @@
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::locate_command_test {
 namespace {
 
 using nlohmann::ordered_json;
@@ -95,4 +95,4 @@ TEST(LocateCommand, RefusesWhatItCannotUse) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::locate_command_test

@@ -1,34 +1,20 @@
 // flowcert-make-vectors as its users see it: files that are those of spec/vectors/, a table of what they
 // hold, and what it refuses; and the tables behind it, asked for what they do not have.
 //
-// Guarantees: files are compared to the byte. Only groups that take a second are made; vectors_test has the
+// Guarantees: files are compared to the byte. Only groups that take a second are made; make_all_vectors_test makes the
 // others.
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
 #include "tests/cites.h"
-#include "tests/conformance/program_run.h"
+#include "tests/conformance/made_vectors.h"
 #include "tests/vectors/flags.h"
 #include "tests/vectors/recipes.h"
 #include "tests/vectors/starts.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::make_vectors_test {
 namespace {
-
-Finished make_vectors(std::vector<std::string> arguments, const Streams& streams = {}) {
-  arguments.insert(arguments.begin(), FLOWCERT_MAKE_VECTORS);
-  return RunningProgram(arguments, streams).finish();
-}
-
-void expect_files_of_the_spec(const Scratch& folder, const std::set<std::string>& names) {
-  EXPECT_EQ(folder.names(), names);
-  for (const std::string& name : names) {
-    const std::string expected = content_of(std::string(FLOWCERT_SPEC_FOLDER "/vectors/") + name);
-    EXPECT_FALSE(expected.empty()) << name;
-    EXPECT_TRUE(content_of(folder.path(name)) == expected) << name;
-  }
-}
 
 TEST(MakeVectors, WritesTheFilesOfTheSpec) {
   CITES("FC-CRIT-05", "FC-CRIT-03", "FC-IN-05");
@@ -37,27 +23,6 @@ TEST(MakeVectors, WritesTheFilesOfTheSpec) {
   EXPECT_EQ(finished.status, 0);
   EXPECT_EQ(finished.err, "");
   expect_files_of_the_spec(folder, {"flags.json", "invalid-input.json", "regular-stationary-points.json"});
-}
-
-TEST(MakeVectors, WritesStableSetsAndPersistencePairs) {
-  CITES("FC-STAB-01", "FC-STAB-04", "FC-PERS-01");
-  const Scratch folder;
-  EXPECT_EQ(make_vectors({folder.path(""), "persistence", "stable-manifolds"}).status, 0);
-  expect_files_of_the_spec(folder, {"flags.json", "persistence.json", "stable-manifolds.json"});
-}
-
-TEST(MakeVectors, WritesTheWholeComplex) {
-  CITES("FC-UNST-02", "FC-CONN-01", "FC-CONN-03", "FC-VOL-01", "FC-VOL-02");
-  const Scratch folder;
-  EXPECT_EQ(make_vectors({folder.path(""), "connections", "lambda-lists", "volumes"}).status, 0);
-  expect_files_of_the_spec(folder, {"flags.json", "connections.json", "lambda-lists.json", "volumes.json"});
-}
-
-TEST(MakeVectors, WritesUnstableSets) {
-  CITES("FC-UNST-04", "FC-UNST-05", "FC-UNST-06");
-  const Scratch folder;
-  EXPECT_EQ(make_vectors({folder.path(""), "unstable-surfaces"}).status, 0);
-  expect_files_of_the_spec(folder, {"flags.json", "unstable-surfaces.json"});
 }
 
 TEST(MakeVectors, TellsHowManyCasesThereAre) {
@@ -127,4 +92,4 @@ TEST(MakeVectors, StartsAreChosenAroundPointsOnly) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::make_vectors_test

@@ -10,7 +10,7 @@
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::medial_command_test {
 namespace {
 
 using nlohmann::ordered_json;
@@ -85,4 +85,4 @@ TEST(MedialCommand, RefusesWhatItCannotUse) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::medial_command_test

@@ -4,7 +4,7 @@
 // Guarantees: a rank is killed when the campaign's files say that it is under way.
 #include "tests/conformance/campaign_account.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::mpi_campaign_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -148,4 +148,4 @@ TEST_F(MpiCampaign, RefusesWhatItCannotUseInOneLine) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::mpi_campaign_test

@@ -2,11 +2,47 @@
 # The oracle shares nothing with the fast implementation: no source, no CGAL, no MPFR.
 #
 # usage: oracle_independence_test.sh BUILD_DIR      (a Ninja build in which the oracle is built)
+#        oracle_independence_test.sh --self-test
 #
 # Judged by what the compiler really read (ninja's record of dependencies for the oracle's object files) and by the
 # line that links the tool. It fails as well when these do not show the oracle's own files: then it has seen nothing.
 set -euo pipefail
 root=$(realpath "$(dirname "$0")/../..")
+
+# The test on builds that a script stands for: one without precompiled headers, one that reads a header of src/, and one
+# in which the oracle is not built.
+if [ "$1" = --self-test ]; then
+  scratch=$(mktemp -d)
+  trap 'rm -rf "$scratch"' EXIT
+  mkdir "$scratch/bin"
+  cat >"$scratch/bin/ninja" <<'NINJA'
+#!/bin/sh
+if [ "$2" = commands ]; then
+  echo "c++ -o oracle/CMakeFiles/flowcert_oracle.dir/all.cpp.o -c all.cpp"
+  echo "c++ libflowcert_oracle.a -lgmp -o flowcert-oracle"
+else
+  echo "oracle/CMakeFiles/flowcert_oracle.dir/all.cpp.o: #deps 1, deps mtime 1 (VALID)"
+  cat read
+fi
+NINJA
+  chmod +x "$scratch/bin/ninja"
+  printf '' >"$scratch/gmp.h"
+  # says EXPECTED FILES…: what the test says of a build that reads these files.
+  says() {
+    local expected=$1 said
+    shift
+    printf '    %s\n' "$@" >"$scratch/read"
+    said=$(PATH=$scratch/bin:$PATH bash "$0" "$scratch" 2>&1) || true
+    grep -q "$expected" <<<"$said" || { echo "FAIL: not '$expected', but: $said"; exit 1; }
+  }
+  says 'none of src/, none of CGAL' "$root"/oracle/{,fast/,program/}*.cpp "$scratch/gmp.h"
+  says 'the oracle includes .*/drivers.h, which is part of the fast' "$root"/oracle/{,fast/,program/}*.cpp \
+    "$scratch/gmp.h" "$root/src/flow/drivers.h"
+  says 'is the oracle built' "$scratch/gmp.h"
+  echo "judges builds without precompiled headers, and finds what is read of src/ and what is not built"
+  exit 0
+fi
+
 cd "$1"
 failures=0
 fail() {
@@ -14,10 +50,11 @@ fail() {
   failures=$((failures + 1))
 }
 
-# The oracle's objects, and the precompiled headers that they are compiled with. The compiler lists separately
-# what it read for a precompiled header.
+# The oracle's objects, and the precompiled headers that they are compiled with, if there are any. The compiler lists
+# separately what it read for a precompiled header.
 objects='^[^ ]*flowcert_oracle(_tool)?[.]dir/'
-precompiled=$(ninja -t commands flowcert-oracle | grep -E -- ' -o [^ ]*flowcert_oracle(_tool)?\.dir/' | grep -oP -- ' -include \K\S+' | sort -u)
+precompiled=$(ninja -t commands flowcert-oracle | grep -E -- ' -o [^ ]*flowcert_oracle(_tool)?\.dir/' |
+  { grep -oP -- ' -include \K\S+' || true; } | sort -u)
 for header in $precompiled; do objects+="|^$(realpath --relative-to=. "$header")[.]gch:"; done
 
 # Header and source files that these depend on, with all links and ".." resolved.
@@ -35,7 +72,7 @@ while read -r file; do
     */CGAL/*) fail "the oracle includes $file of CGAL" ;;
     */mpfr.h) fail "the oracle includes $file" ;;
     "$root"/oracle/*) ;;
-    "$PWD"/CMakeFiles/flowcert_precompiled_everywhere.dir/cmake_pch.hxx*) ;;  # other libraries' headers, listed above
+    "$PWD"/CMakeFiles/flowcert_precompiled_everywhere*.dir/cmake_pch.hxx*) ;;  # other libraries' headers, listed above
     "$root"/*) fail "the oracle includes $file, which is not its own" ;;
   esac
 done <<<"$read_files"

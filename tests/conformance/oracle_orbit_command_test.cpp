@@ -14,7 +14,7 @@
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::oracle_orbit_command_test {
 namespace {
 
 using nlohmann::ordered_json;
@@ -201,4 +201,4 @@ TEST(OracleOrbitCommand, WhatCannotBeUsedIsStatus2) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::oracle_orbit_command_test

@@ -7,7 +7,7 @@
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::oracle_stationary_command_test {
 namespace {
 
 // A right triangle, one corner twice.
@@ -101,4 +101,4 @@ TEST_F(OracleStationaryCommand, AnOutputThatCannotBeWrittenIsStatus2) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::oracle_stationary_command_test

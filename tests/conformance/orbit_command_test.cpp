@@ -12,7 +12,7 @@
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::orbit_command_test {
 namespace {
 
 using nlohmann::ordered_json;
@@ -342,4 +342,4 @@ TEST(OrbitCommand, ReadsStandardInput) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::orbit_command_test

@@ -19,7 +19,7 @@
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::persistence_command_test {
 namespace {
 
 using nlohmann::ordered_json;
@@ -377,4 +377,4 @@ TEST(PersistenceCommand, TheReadmesExampleIsRight) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::persistence_command_test

@@ -17,7 +17,7 @@
 #include "tests/cites.h"
 #include "tests/conformance/pipe.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::pipe_command_test {
 namespace {
 
 TEST(Verify, RightAnswersOfEveryFamilyConform) {
@@ -468,4 +468,4 @@ TEST(Readme, TheProgramInTheMiddle) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::pipe_command_test

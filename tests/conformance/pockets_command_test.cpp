@@ -17,7 +17,7 @@
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::pockets_command_test {
 namespace {
 
 using nlohmann::ordered_json;
@@ -273,4 +273,4 @@ TEST(PocketsCommand, RefusesWhatItCannotUse) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::pockets_command_test

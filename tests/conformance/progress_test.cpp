@@ -14,7 +14,7 @@
 
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::progress_test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -225,4 +225,4 @@ TEST(Progress, IsNotShownOfWhatIsShort) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::progress_test

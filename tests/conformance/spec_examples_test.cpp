@@ -23,7 +23,7 @@
 #include "tests/cites.h"
 #include "tests/conformance/told_statements.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::spec_examples_test {
 namespace {
 
 // A record as text, "1/2 0 0 index 1-2 contact 0 1 2 squared_distance 1/4", the form of the `at` lines:
@@ -396,4 +396,4 @@ TEST(SpecExamplesGrammar, OtherStatementsAreFoundWrongInBothImplementations) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::spec_examples_test

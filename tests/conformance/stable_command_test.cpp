@@ -10,7 +10,7 @@
 #include "tests/conformance/lattice_points.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::stable_command_test {
 namespace {
 
 using nlohmann::json;
@@ -198,4 +198,4 @@ TEST(StableCommand, RefusesWhatMeansNothing) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::stable_command_test

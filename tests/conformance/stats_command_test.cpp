@@ -15,7 +15,7 @@
 #include "tests/conformance/lattice_points.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::stats_command_test {
 namespace {
 
 using nlohmann::json;
@@ -175,4 +175,4 @@ TEST(StatsCommand, ItsHelpHasAnExample) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::stats_command_test

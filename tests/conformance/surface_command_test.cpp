@@ -11,7 +11,7 @@
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::surface_command_test {
 namespace {
 
 using nlohmann::json;
@@ -160,4 +160,4 @@ TEST(SurfaceCommand, RadiiOfAllSizesHaveAFewBins) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::surface_command_test

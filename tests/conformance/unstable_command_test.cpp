@@ -17,7 +17,7 @@
 #include "tests/conformance/lattice_points.h"
 #include "tests/conformance/program_run.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::unstable_command_test {
 namespace {
 
 using nlohmann::ordered_json;
@@ -518,4 +518,4 @@ TEST(UnstableUsage, OptionsThatMeanNothingAreStatus2) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::unstable_command_test

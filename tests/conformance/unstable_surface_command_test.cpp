@@ -7,7 +7,7 @@
 #include "tests/conformance/lattice_points.h"
 #include "tests/conformance/written_complex.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::unstable_surface_command_test {
 namespace {
 
 // From an edge of the cube to the two squares at it: a quarter of a plane, with its sides.
@@ -135,4 +135,4 @@ TEST(Sheets, NeedAllManifoldsAndAFile) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::unstable_surface_command_test

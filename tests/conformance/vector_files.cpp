@@ -34,10 +34,10 @@ std::vector<std::string> names_of_files() {
   return names;
 }
 
-const Json& group_named(const std::string& name) {
+const Json& group_named(std::string_view name) {
   static std::map<std::string, Json> read;
-  const auto [place, is_new] = read.try_emplace(name);
-  if (is_new) place->second = Json::parse(vectors_text(name));
+  const auto [place, is_new] = read.try_emplace(std::string(name));
+  if (is_new) place->second = Json::parse(vectors_text(place->first));
   return place->second;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace flowcert::conformance {
@@ -17,7 +18,7 @@ using Json = nlohmann::ordered_json;
 // The names of all files, without ".json", in order.
 [[nodiscard]] std::vector<std::string> names_of_files();
 [[nodiscard]] std::string vectors_text(const std::string& name);
-[[nodiscard]] const Json& group_named(const std::string& name);
+[[nodiscard]] const Json& group_named(std::string_view name);
 // The cases of all groups.
 [[nodiscard]] std::vector<Json> all_cases();
 

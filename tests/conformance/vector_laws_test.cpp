@@ -19,7 +19,7 @@
 #include "tests/cites.h"
 #include "tests/conformance/vector_files.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::vector_laws_test {
 namespace {
 
 using oracle::Rational;
@@ -371,4 +371,4 @@ TEST(VectorLaws, PocketsThatAreDeepAreAsManyAsLongPairs) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::vector_laws_test

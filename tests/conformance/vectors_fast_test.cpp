@@ -20,7 +20,7 @@
 #include "tests/conformance/fast_landscape.h"
 #include "tests/conformance/vector_files.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::vectors_fast_test {
 
 using namespace io;
 namespace {
@@ -386,4 +386,4 @@ TEST(Vectors, TheFastImplementationRefusesWhatIsInvalid) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::vectors_fast_test

@@ -12,7 +12,7 @@
 #include "tests/cites.h"
 #include "tests/conformance/pipe.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::verify_vectors_test {
 namespace {
 
 // ---- Persistence pairs ----
@@ -167,4 +167,4 @@ TEST(VerifyVectors, OtherVectorsThanThoseThatWereAskedAreRefused) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::verify_vectors_test

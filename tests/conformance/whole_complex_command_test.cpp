@@ -10,7 +10,7 @@
 #include "tests/conformance/lattice_points.h"
 #include "tests/conformance/written_complex.h"
 
-namespace flowcert::conformance {
+namespace flowcert::conformance::whole_complex_command_test {
 namespace {
 
 using Names = std::set<std::string>;
@@ -514,4 +514,4 @@ TEST(WholeComplex, VolumesNeedAllManifoldsAFileAndAKnownWord) {
 }
 
 }  // namespace
-}  // namespace flowcert::conformance
+}  // namespace flowcert::conformance::whole_complex_command_test

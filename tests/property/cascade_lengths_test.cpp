@@ -15,7 +15,7 @@
 #include "tests/property/cascade_of_length.h"
 #include "tests/property/orbit_subject.h"
 
-namespace flowcert::property {
+namespace flowcert::property::cascade_lengths_test {
 namespace {
 
 TEST(CascadeLengths, AllKernelsFollowThem) {
@@ -57,4 +57,4 @@ TEST(CascadeLengths, TheOracleFollowsTheShortOnes) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::cascade_lengths_test

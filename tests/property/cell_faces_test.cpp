@@ -24,7 +24,7 @@
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
 
-namespace flowcert::property {
+namespace flowcert::property::cell_faces_test {
 namespace {
 
 using io::CellFace;
@@ -145,4 +145,4 @@ TEST(CellFaces, AreClosedAroundTheVolumesOfCells) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::cell_faces_test

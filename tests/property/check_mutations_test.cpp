@@ -21,7 +21,7 @@
 #include "tests/cites.h"
 #include "tests/property/claim_properties.h"
 
-namespace flowcert::property {
+namespace flowcert::property::check_mutations_test {
 namespace {
 
 constexpr int kInputsPerFamily = 12;
@@ -553,4 +553,4 @@ TEST(CheckMutations, HalfAPerturbationFails) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::check_mutations_test

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -19,7 +20,7 @@
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
 
-namespace flowcert::property {
+namespace flowcert::property::clipped_lines_test {
 namespace {
 
 // A line, by places in its data set.
@@ -29,11 +30,11 @@ struct LineData {
 };
 
 template <typename Number>
-const std::vector<Number>& numbers(const std::vector<VtpArray>& arrays, const std::string& name) {
+const std::vector<Number>& numbers(const std::vector<VtpArray>& arrays, std::string_view name) {
   for (const VtpArray& array : arrays) {
     if (array.name == name) return std::get<std::vector<Number>>(array.values);
   }
-  throw std::runtime_error("no array " + name);
+  throw std::runtime_error("no array " + std::string(name));
 }
 
 // By SeparatrixId, because a line that is cut where it starts stands among the vertices.
@@ -190,4 +191,4 @@ TEST(ClippedLines, DirectionsAreThoseOfTheLastSegments) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::clipped_lines_test

@@ -15,7 +15,7 @@
 #include "tests/cites.h"
 #include "tests/property/claim_properties.h"
 
-namespace flowcert::property {
+namespace flowcert::property::finding_reasons_test {
 namespace {
 
 constexpr int kInputsPerFamily = 10;
@@ -166,4 +166,4 @@ TEST(PartialClaims, AreRightWhereTheyAreRight) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::finding_reasons_test

@@ -23,11 +23,11 @@
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
 
-namespace flowcert::property {
+namespace flowcert::property::infinity_agreement_test {
 namespace {
 
-constexpr int kInputsPerFamily = 30;
-constexpr int kInputsMadeForThis = 60;  // of each of the families for stable sets
+constexpr int kInputsPerFamily = 10;
+constexpr int kInputsMadeForThis = 20;  // of each of the families for stable sets
 
 using RayKey = std::tuple<Ids, RationalPoint, RationalPoint, Ids, std::string>;
 using EdgeKey = std::tuple<Ids, RationalPoint, RationalPoint, bool>;
@@ -172,7 +172,9 @@ TEST(InfinityAgreement, SetsAreTheOracles) {
     for (const fuzz::Family& family : families) {
       Totals totals;
       const rc::Gen<fuzz::Input> generator = family.generate();
-      agreed = expect_holds("the set of infinity, " + family.name, parameters_of_run(inputs),
+      // A ray from a Voronoi vertex is rare elsewhere.
+      const int count = family.name == "through-vertex" ? 3 * inputs : inputs;
+      agreed = expect_holds("the set of infinity, " + family.name, parameters_of_run(count),
                             [&] {
                               const fuzz::Input input = *generator;
                               require_right_set(Subject(input), totals);
@@ -186,16 +188,16 @@ TEST(InfinityAgreement, SetsAreTheOracles) {
   run(fuzz::stable_families(), kInputsMadeForThis);
   print_row("all", all);
   if (agreed && scale_of_run() >= 1) {
-    EXPECT_GE(all.inputs, 1000U);
-    EXPECT_GE(all.flat, 100U);
+    EXPECT_GE(all.inputs, 300U);
+    EXPECT_GE(all.flat, 30U);
     for (const std::size_t sort : {all.segments, all.intervals, all.sectors, all.two_ends, all.bounded}) {
-      EXPECT_GE(sort, 1000U);
+      EXPECT_GE(sort, 300U);
     }
-    EXPECT_GE(all.regular, 300U);
-    EXPECT_GE(all.cut, 1000U);
+    EXPECT_GE(all.regular, 100U);
+    EXPECT_GE(all.cut, 300U);
     EXPECT_GE(all.through_vertex, 1U);
   }
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::infinity_agreement_test

@@ -21,10 +21,10 @@
 #include "tests/cites.h"
 #include "tests/property/claim_properties.h"
 
-namespace flowcert::property {
+namespace flowcert::property::infinity_claims_test {
 namespace {
 
-constexpr int kInputsPerFamily = 8;
+constexpr int kInputsPerFamily = 3;
 
 Claim claim_of(const ClaimSubject& subject) {
   Claim claim;
@@ -98,7 +98,7 @@ TEST(InfinityClaims, WhatIsWrittenReadsBackEqualAndConforms) {
   });
   std::printf("%zu pieces\n", pieces);
   if (scale_of_run() >= 1) {
-    EXPECT_GT(pieces, 10000U);
+    EXPECT_GT(pieces, 3300U);
   }
 }
 
@@ -261,10 +261,10 @@ TEST(InfinityClaims, MutantsFail) {
   for (const auto& [name, mutation] : mutations()) {
     std::printf("%6zu  %s\n", made[name], name.c_str());
     if (scale_of_run() >= 1) {
-      EXPECT_GE(made[name], 100U) << name;
+      EXPECT_GE(made[name], 30U) << name;
     }
   }
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::infinity_claims_test

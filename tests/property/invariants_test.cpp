@@ -20,7 +20,7 @@
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
 
-namespace flowcert::property {
+namespace flowcert::property::invariants_test {
 namespace {
 
 using fuzz::Integer;
@@ -202,4 +202,4 @@ TEST(Invariants, SignaturesOfTetrahedra) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::invariants_test

@@ -19,11 +19,11 @@
 #include "tests/property/family_run.h"
 #include "tests/property/orbit_subject.h"
 
-namespace flowcert::property {
+namespace flowcert::property::limit_agreement_test {
 namespace {
 
-constexpr int kInputsPerFamily = 30;
-constexpr int kInputsMadeForThis = 100;     // of each of the families for stable sets
+constexpr int kInputsPerFamily = 10;
+constexpr int kInputsMadeForThis = 33;      // of each of the families for stable sets
 constexpr std::size_t kListsByOracle = 16;  // at most so many of an input
 
 struct Totals {
@@ -154,11 +154,11 @@ TEST(LimitAgreement, ListsAreTheOracles) {
   const bool agreed =
       expect_in_all_families("λ-lists", {kInputsPerFamily, kInputsMadeForThis}, require_right_lists, all);
   if (agreed && scale_of_run() >= 1) {
-    EXPECT_GE(all.lists, 8000U);
-    EXPECT_GE(all.regular, 700U);
-    EXPECT_GE(all.isolated_in_one_limit, 300U);
+    EXPECT_GE(all.lists, 2650U);
+    EXPECT_GE(all.regular, 200U);
+    EXPECT_GE(all.isolated_in_one_limit, 100U);
   }
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::limit_agreement_test

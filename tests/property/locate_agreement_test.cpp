@@ -18,7 +18,7 @@
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
 
-namespace flowcert::property {
+namespace flowcert::property::locate_agreement_test {
 namespace {
 
 constexpr int kInputsPerFamily = 30;
@@ -119,4 +119,4 @@ TEST(LocateAgreement, PlacesAreTheOracles) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::locate_agreement_test

@@ -5,7 +5,7 @@
 #include "tests/cites.h"
 #include "tests/property/cascade_of_length.h"
 
-namespace flowcert::property {
+namespace flowcert::property::longest_cascades_test {
 namespace {
 
 TEST(LongestCascades, TheLazyKernelCutsItsChains) {
@@ -23,4 +23,4 @@ TEST(LongestCascades, PlainRationals) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::longest_cascades_test

@@ -19,7 +19,7 @@
 #include "tests/property/family_run.h"
 #include "tests/property/orbit_subject.h"
 
-namespace flowcert::property {
+namespace flowcert::property::medial_agreement_test {
 namespace {
 
 constexpr int kInputsPerFamily = 40;
@@ -132,4 +132,4 @@ TEST(MedialAgreement, ChosenPointsAreTheOracles) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::medial_agreement_test

@@ -20,7 +20,7 @@
 #include "tests/property/property_parameters.h"
 #include "tests/property/transformed_answers.h"
 
-namespace flowcert::property {
+namespace flowcert::property::metamorphic_test {
 namespace {
 
 constexpr int kInputsPerFamily = 100;
@@ -123,4 +123,4 @@ std::string test_name(const ::testing::TestParamInfo<fuzz::Family>& info) {
 INSTANTIATE_TEST_SUITE_P(Families, Metamorphic, ::testing::ValuesIn(fuzz::families()), test_name);
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::metamorphic_test

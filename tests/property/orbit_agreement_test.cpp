@@ -24,13 +24,13 @@
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
 
-namespace flowcert::property {
+namespace flowcert::property::orbit_agreement_test {
 namespace {
 
-constexpr int kInputsPerFamily = 75;
+constexpr int kInputsPerFamily = 35;
 constexpr std::size_t kStartsPerInput = 5;
 constexpr int kLargerInputs = 6;
-constexpr std::size_t kLeastOrbits = 10000;
+constexpr std::size_t kLeastOrbits = 4500;
 
 struct Variant {
   const char* name;
@@ -226,4 +226,4 @@ TEST(OrbitAgreement, FastOrbitIsTheOraclesOnLargerInputs) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::orbit_agreement_test

@@ -15,7 +15,7 @@
 #include "tests/cites.h"
 #include "tests/property/orbit_subject.h"
 
-namespace flowcert::property {
+namespace flowcert::property::orbit_cascades_test {
 namespace {
 
 constexpr std::array<FlowOptions, 6> kAllWays = {{{ConstructionKernel::kCascade, FacetSearch::kBinary},
@@ -109,4 +109,4 @@ TEST(OrbitCascades, AcrossAFacetOfHighDegree) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::orbit_cascades_test

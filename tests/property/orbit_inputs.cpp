@@ -15,7 +15,7 @@ using fuzz::IntegerPoints;
 
 // Inputs of so many points made of random triples.
 template <typename Make>
-rc::Gen<fuzz::Input> points_of(std::size_t count, Integer low, Integer high, Make make) {
+rc::Gen<fuzz::Input> drawn_points(std::size_t count, Integer low, Integer high, Make make) {
   return fuzz::input_of(rc::gen::map(rc::gen::container<IntegerPoints>(count, fuzz::integer_point(low, high)),
                                      [make](IntegerPoints points) {
                                        for (IntegerPoint& point : points) {
@@ -41,15 +41,15 @@ IntegerPoint onto_plane(const IntegerPoint& point) { return {point[0], point[1],
 std::vector<fuzz::Family> larger_families() {
   constexpr std::size_t kPoints = 250;
   return {
-      {"lattice", "of {0..6}^3", [] { return points_of(kPoints, 0, 6, itself); }, {}},
+      {"lattice", "of {0..6}^3", [] { return drawn_points(kPoints, 0, 6, itself); }, {}},
       {"dome",
        "a grid-rounded half sphere",
-       [] { return points_of(kPoints, -kDomeRadius, kDomeRadius, onto_dome); },
+       [] { return drawn_points(kPoints, -kDomeRadius, kDomeRadius, onto_dome); },
        {}},
-      {"plane", "a lattice in a tilted plane", [] { return points_of(kPoints, -9, 9, onto_plane); }, {}},
+      {"plane", "a lattice in a tilted plane", [] { return drawn_points(kPoints, -9, 9, onto_plane); }, {}},
       {"general position",
        "40 bits a coordinate",
-       [] { return points_of(kPoints, -(Integer{1} << 40), Integer{1} << 40, itself); },
+       [] { return drawn_points(kPoints, -(Integer{1} << 40), Integer{1} << 40, itself); },
        {}},
   };
 }

@@ -26,7 +26,7 @@
 #include "tests/property/property_parameters.h"
 #include "tests/property/transformed_answers.h"
 
-namespace flowcert::property {
+namespace flowcert::property::orbit_invariants_test {
 namespace {
 
 constexpr int kInputsPerFamily = 25;
@@ -222,4 +222,4 @@ TEST_F(OrbitEquivariance, ExactTranslationMovesOrbits) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::orbit_invariants_test

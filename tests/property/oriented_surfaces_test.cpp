@@ -20,7 +20,7 @@
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
 
-namespace flowcert::property {
+namespace flowcert::property::oriented_surfaces_test {
 namespace {
 
 using Triangles = std::vector<Triangle>;
@@ -206,4 +206,4 @@ TEST(OrientedSurfaces, WhatHasNoOrientationStaysAsItWas) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::oriented_surfaces_test

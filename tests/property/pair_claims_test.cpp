@@ -15,7 +15,7 @@
 #include "tests/cites.h"
 #include "tests/property/claim_properties.h"
 
-namespace flowcert::property {
+namespace flowcert::property::pair_claims_test {
 namespace {
 
 constexpr int kInputsPerFamily = 20;
@@ -107,4 +107,4 @@ TEST(PairClaims, AreJudged) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::pair_claims_test

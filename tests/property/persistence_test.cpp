@@ -24,12 +24,12 @@
 #include "tests/property/orbit_inputs.h"
 #include "tests/property/property_parameters.h"
 
-namespace flowcert::property {
+namespace flowcert::property::persistence_test {
 namespace {
 
-constexpr int kInputsPerFamily = 250;
-constexpr int kInputsMadeForThis = 500;  // of each of the families for stable sets
-constexpr int kLargerInputs = 4;
+constexpr int kInputsPerFamily = 100;
+constexpr int kInputsMadeForThis = 200;  // of each of the families for stable sets
+constexpr int kLargerInputs = 2;
 constexpr int kThroughTwo = 500;
 constexpr std::uint64_t kSeeds[] = {1, 2, 3};
 
@@ -423,4 +423,4 @@ TEST(PersistenceTest, TheComplexOfTheCube) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::persistence_test

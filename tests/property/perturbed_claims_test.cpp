@@ -18,7 +18,7 @@
 #include "tests/cites.h"
 #include "tests/property/claim_properties.h"
 
-namespace flowcert::property {
+namespace flowcert::property::perturbed_claims_test {
 namespace {
 
 constexpr int kInputsPerFamily = 200;
@@ -111,4 +111,4 @@ TEST(PerturbedClaims, NeverFail) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::perturbed_claims_test

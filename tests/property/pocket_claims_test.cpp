@@ -23,12 +23,12 @@
 #include "tests/cites.h"
 #include "tests/property/claim_properties.h"
 
-namespace flowcert::property {
+namespace flowcert::property::pocket_claims_test {
 namespace {
 
-constexpr std::uint64_t kInputs = 60;
+constexpr std::uint64_t kInputs = 20;
 // The oracle's time grows with a high power of the number of points.
-constexpr std::size_t kMostRowsForOracle = 14, kClaimsForOracle = 12;
+constexpr std::size_t kMostRowsForOracle = 14, kClaimsForOracle = 4;
 constexpr int kTrials = 8;  // so many pockets are looked at for one that a mutation can change
 
 std::string written(const ClaimSubject& subject, const Rational& persistence, bool has_exact_volumes = true) {
@@ -141,8 +141,8 @@ TEST(PocketClaims, WhatIsWrittenConforms) {
   });
   std::printf("%zu claims with %zu pockets, %zu also by the oracle\n", claims, pockets, by_oracle);
   if (scale_of_run() >= 1) {
-    EXPECT_GT(claims, 100U);
-    EXPECT_GT(pockets, 150U);
+    EXPECT_GT(claims, 30U);
+    EXPECT_GT(pockets, 50U);
     EXPECT_EQ(by_oracle, kClaimsForOracle);
   }
 }
@@ -333,7 +333,7 @@ TEST(PocketClaims, MutantsFail) {
   for (const auto& [name, change] : changes()) {
     std::printf("%-34s %6zu mutants\n", name.c_str(), made[name]);
     if (scale_of_run() >= 1) {
-      EXPECT_GE(made[name], 10U) << name;
+      EXPECT_GE(made[name], 3U) << name;
     }
   }
 }
@@ -356,4 +356,4 @@ TEST(PocketClaims, AtAnotherPersistenceFail) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::pocket_claims_test

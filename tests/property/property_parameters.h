@@ -15,6 +15,8 @@
 #include <string>
 #include <utility>
 
+#include "tests/run_scale.h"
+
 namespace flowcert::property {
 
 inline std::uint64_t seed_of_run() {
@@ -22,10 +24,8 @@ inline std::uint64_t seed_of_run() {
   return text == nullptr ? 20080609 : std::strtoull(text, nullptr, 10);
 }
 
-inline double scale_of_run() {
-  const char* text = std::getenv("FLOWCERT_PROPERTY_SCALE");
-  return text == nullptr ? 1.0 : std::max(0.0, std::strtod(text, nullptr));
-}
+using flowcert_tests::is_whole_run;
+using flowcert_tests::scale_of_run;
 
 // Parameters for so many inputs of sizes 0 to 100. Shrinking a large input takes longer than anybody waits.
 inline rc::detail::TestParams parameters_of_run(int inputs, bool shrinks = true) {

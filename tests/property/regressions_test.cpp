@@ -15,7 +15,7 @@
 #include "fuzz/properties/property.h"
 #include "tests/cites.h"
 
-namespace flowcert::property {
+namespace flowcert::property::regressions_test {
 namespace {
 
 constexpr std::uint64_t kStarts = 20;
@@ -67,4 +67,4 @@ TEST(Regressions, EveryPropertyHolds) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::regressions_test

@@ -17,10 +17,10 @@
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
 
-namespace flowcert::property {
+namespace flowcert::property::stationary_agreement_test {
 namespace {
 
-constexpr int kInputsPerFamily = 750;
+constexpr int kInputsPerFamily = 300;
 
 // How many of a family's inputs have what (see fuzz::Promise).
 struct Distribution {
@@ -127,4 +127,4 @@ INSTANTIATE_TEST_SUITE_P(Families, StationaryAgreement, ::testing::ValuesIn(fuzz
                          test_name);
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::stationary_agreement_test

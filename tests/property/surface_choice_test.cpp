@@ -19,7 +19,7 @@
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
 
-namespace flowcert::property {
+namespace flowcert::property::surface_choice_test {
 namespace {
 
 using Numbers = std::vector<Rational>;
@@ -197,4 +197,4 @@ TEST(SurfaceChoice, IsThatOfSortedExactNumbers) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::surface_choice_test

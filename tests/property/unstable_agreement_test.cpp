@@ -26,7 +26,7 @@
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
 
-namespace flowcert::property {
+namespace flowcert::property::unstable_agreement_test {
 namespace {
 
 constexpr int kInputsPerFamily = 25;
@@ -391,4 +391,4 @@ TEST(UnstableAgreement, NothingToComputeForFewPoints) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::unstable_agreement_test

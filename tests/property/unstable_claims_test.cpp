@@ -23,10 +23,10 @@
 #include "tests/cites.h"
 #include "tests/property/claim_properties.h"
 
-namespace flowcert::property {
+namespace flowcert::property::unstable_claims_test {
 namespace {
 
-constexpr int kInputsPerFamily = 20;
+constexpr int kInputsPerFamily = 8;
 constexpr int kTrials = 8;  // so many sets are looked at for one that a mutation can change
 
 struct Subject : ClaimSubject {
@@ -109,8 +109,8 @@ TEST(UnstableClaims, WhatIsWrittenReadsBackEqualAndConforms) {
   });
   std::printf("%zu sets, %zu traces and sheets\n", sets, parts);
   if (scale_of_run() >= 1) {
-    EXPECT_GT(sets, 3000U);
-    EXPECT_GT(parts, 10000U);
+    EXPECT_GT(sets, 1000U);
+    EXPECT_GT(parts, 3300U);
   }
 }
 
@@ -391,10 +391,10 @@ TEST(UnstableClaims, MutantsFailWhereTheyAreWrong) {
     std::printf("%-24s %6zu mutants\n", name.c_str(), made[name]);
     // A run at a small scale makes a handful of each, or none of a rare one.
     if (scale_of_run() >= 1) {
-      EXPECT_GE(made[name], 50U) << name;
+      EXPECT_GE(made[name], 16U) << name;
     }
   }
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::unstable_claims_test

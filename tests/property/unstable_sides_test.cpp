@@ -23,7 +23,7 @@
 #include "tests/property/property_parameters.h"
 #include "tests/property/transformed_answers.h"
 
-namespace flowcert::property {
+namespace flowcert::property::unstable_sides_test {
 namespace {
 
 constexpr int kInputsPerFamily = 12;
@@ -141,4 +141,4 @@ TEST(UnstableSides, OtherNamesSwapThemWhereTheFirstThreeTurnOtherwise) {
 }
 
 }  // namespace
-}  // namespace flowcert::property
+}  // namespace flowcert::property::unstable_sides_test

@@ -17,7 +17,7 @@
 #include "tests/unit/exact_directions.h"
 #include "tests/unit/portable_random.h"
 
-namespace flowcert::morse {
+namespace flowcert::morse::bounded_divisions_test {
 namespace {
 
 using flowcert_tests::exact_number;
@@ -125,4 +125,4 @@ TEST(BoundedDivisions, LargePolygonsAreLeftOpen) {
 }
 
 }  // namespace
-}  // namespace flowcert::morse
+}  // namespace flowcert::morse::bounded_divisions_test

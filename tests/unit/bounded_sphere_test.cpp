@@ -17,7 +17,7 @@
 #include "tests/unit/point_tuples.h"
 #include "tests/unit/portable_random.h"
 
-namespace flowcert::geometry {
+namespace flowcert::geometry::bounded_sphere_test {
 namespace {
 
 using flowcert_tests::draw_tuple;
@@ -227,4 +227,4 @@ TEST(RoundedPoint, OverflowsToAnInfinityOfItsSign) {
 }
 
 }  // namespace
-}  // namespace flowcert::geometry
+}  // namespace flowcert::geometry::bounded_sphere_test

@@ -10,7 +10,7 @@
 #include "oracle/stationary_points.h"
 #include "tests/unit/portable_random.h"
 
-namespace flowcert::fuzz {
+namespace flowcert::fuzz::byte_input_test {
 namespace {
 
 using ByteString = std::vector<std::uint8_t>;
@@ -130,4 +130,4 @@ TEST(ByteInput, OnlyLatticesCanBeEncoded) {
 }
 
 }  // namespace
-}  // namespace flowcert::fuzz
+}  // namespace flowcert::fuzz::byte_input_test

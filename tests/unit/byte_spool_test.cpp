@@ -11,7 +11,7 @@
 
 #include "io/output_file.h"
 
-namespace flowcert::io {
+namespace flowcert::io::byte_spool_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,4 +48,4 @@ TEST(ByteSpool, SaysThatTheFolderCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace flowcert::io
+}  // namespace flowcert::io::byte_spool_test

@@ -14,7 +14,7 @@
 #include "fuzz/campaign/batch.h"
 #include "tests/unit/campaign_fixture.h"
 
-namespace flowcert::fuzz {
+namespace flowcert::fuzz::campaign_test {
 namespace {
 
 TEST_F(CampaignTest, IsTheSameWithAnyNumberOfJobs) {
@@ -357,4 +357,4 @@ TEST(BatchOrder, SurvivesItsText) {
 }
 
 }  // namespace
-}  // namespace flowcert::fuzz
+}  // namespace flowcert::fuzz::campaign_test

@@ -17,7 +17,7 @@
 #include "flowcert/flow_complex.h"
 #include "tests/cites.h"
 
-namespace flowcert::fuzz {
+namespace flowcert::fuzz::capsule_sample_test {
 namespace {
 
 using Position = std::array<double, 3>;
@@ -150,4 +150,4 @@ TEST(CapsuleSample, OtherNumbersOfTeethAreRefused) {
 }
 
 }  // namespace
-}  // namespace flowcert::fuzz
+}  // namespace flowcert::fuzz::capsule_sample_test

@@ -32,7 +32,7 @@
 #include "tests/unit/portable_random.h"
 #include "tests/unit/watched_kernel.h"
 
-namespace flowcert::flow {
+namespace flowcert::flow::cascade_kernel_test {
 namespace {
 
 using flowcert_tests::broken_bound;
@@ -585,4 +585,4 @@ TEST(CascadeKernel, LongRecipesTakeNoStack) {
 }
 
 }  // namespace
-}  // namespace flowcert::flow
+}  // namespace flowcert::flow::cascade_kernel_test

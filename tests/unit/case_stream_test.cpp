@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace flowcert::fuzz {
+namespace flowcert::fuzz::case_stream_test {
 namespace {
 
 CaseRun run_of(int level, std::uint64_t seed, const std::vector<std::string>& names = {}) {
@@ -120,4 +120,4 @@ TEST(CaseStream, TextIsExact) {
 }
 
 }  // namespace
-}  // namespace flowcert::fuzz
+}  // namespace flowcert::fuzz::case_stream_test

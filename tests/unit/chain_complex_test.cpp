@@ -14,7 +14,7 @@
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
 
-namespace flowcert {
+namespace flowcert::chain_complex_test {
 namespace {
 
 struct Seen {
@@ -81,4 +81,4 @@ TEST(ChainComplex, BoundariesOfLargerInputsAreModuloTwo) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::chain_complex_test

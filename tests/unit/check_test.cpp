@@ -11,7 +11,7 @@
 #include "tests/cites.h"
 #include "tests/unit/hand_made_claims.h"
 
-namespace flowcert {
+namespace flowcert::check_test {
 namespace {
 
 TEST(CheckTest, ReportsWhatItChecked) {
@@ -405,4 +405,4 @@ TEST(CheckTest, PermitsOrbitsToGoOn) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::check_test

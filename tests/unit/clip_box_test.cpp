@@ -8,7 +8,7 @@
 
 #include "tests/cites.h"
 
-namespace flowcert {
+namespace flowcert::clip_box_test {
 namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
@@ -65,4 +65,4 @@ TEST(ClipBox, RaysLeaveAtTheNearestSide) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::clip_box_test

@@ -7,7 +7,7 @@
 
 #include "tests/cites.h"
 
-namespace flowcert::io {
+namespace flowcert::io::clipped_polygon_test {
 namespace {
 
 constexpr std::uint32_t kCut = ProjectiveCorner::kNone;
@@ -77,4 +77,4 @@ TEST(ClippedPolygon, WhatOnlyTouchesTheBoxIsNotInIt) {
 }
 
 }  // namespace
-}  // namespace flowcert::io
+}  // namespace flowcert::io::clipped_polygon_test

@@ -16,7 +16,7 @@
 #include "tests/unit/read_out_complex.h"
 #include "voronoi/diagram.h"
 
-namespace flowcert {
+namespace flowcert::closed_rule_test {
 
 using namespace voronoi;
 namespace {
@@ -154,4 +154,4 @@ TEST(ClosedRuleTest, OfAnExample) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::closed_rule_test

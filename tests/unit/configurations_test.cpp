@@ -20,7 +20,7 @@
 #include "fuzz/inputs/integer_points.h"
 #include "fuzz/inputs/large_configurations.h"
 
-namespace flowcert::fuzz {
+namespace flowcert::fuzz::configurations_test {
 namespace {
 
 constexpr std::uint64_t kSeeds = 60;
@@ -323,4 +323,4 @@ TEST(LargeConfigurations, CascadesCrossAllTeeth) {
 }
 
 }  // namespace
-}  // namespace flowcert::fuzz
+}  // namespace flowcert::fuzz::configurations_test

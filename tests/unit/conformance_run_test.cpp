@@ -13,7 +13,7 @@
 #include "fuzz/judge/command_run.h"
 #include "tests/cites.h"
 
-namespace flowcert::judge {
+namespace flowcert::judge::conformance_run_test {
 namespace {
 
 const std::vector<std::vector<std::string>> kWords = {{"0", "0", "0"}, {"3", "0", "0"}, {"0", "4", "0"}};
@@ -258,4 +258,4 @@ TEST(CommandRun, IsCancelled) {
 }
 
 }  // namespace
-}  // namespace flowcert::judge
+}  // namespace flowcert::judge::conformance_run_test

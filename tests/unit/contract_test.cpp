@@ -5,7 +5,7 @@
 
 #include "geometry/nearest_samples.h"
 
-namespace flowcert {
+namespace flowcert::contract_test {
 namespace {
 
 TEST(Contract, IsEvaluatedOnlyWhereItIsChecked) {
@@ -22,4 +22,4 @@ TEST(ContractDeathTest, NamesWhatDoesNotHold) {
 #endif
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::contract_test

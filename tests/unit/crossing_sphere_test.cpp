@@ -17,7 +17,7 @@
 #include "tests/unit/point_tuples.h"
 #include "tests/unit/portable_random.h"
 
-namespace flowcert::flow {
+namespace flowcert::flow::crossing_sphere_test {
 namespace {
 
 using flowcert_tests::draw_tuple;
@@ -220,4 +220,4 @@ TEST(CrossingSphere, WithoutADirectionNothingIsKnown) {
 }
 
 }  // namespace
-}  // namespace flowcert::flow
+}  // namespace flowcert::flow::crossing_sphere_test

@@ -16,7 +16,7 @@
 #include "tests/cites.h"
 #include "tests/unit/point_file_samples.h"
 
-namespace flowcert {
+namespace flowcert::damaged_points_test {
 namespace {
 
 enum class AfterCut {
@@ -139,4 +139,4 @@ TEST(DamagedPoints, DamagedFilesAreRefusedOrGiveFiniteRows) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::damaged_points_test

@@ -18,7 +18,7 @@
 #include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/inputs/transformations.h"
 
-namespace flowcert::fuzz {
+namespace flowcert::fuzz::degeneracy_signature_test {
 namespace {
 
 std::string text_of(const Input& input) { return to_text(combinatorial_part(signature_of(input))); }
@@ -282,4 +282,4 @@ TEST(Signature, AreManyAndNotTooMany) {
 }
 
 }  // namespace
-}  // namespace flowcert::fuzz
+}  // namespace flowcert::fuzz::degeneracy_signature_test

@@ -26,7 +26,7 @@
 #include "tests/unit/point_tuples.h"
 #include "tests/unit/portable_random.h"
 
-namespace flowcert::flow {
+namespace flowcert::flow::direction_bounds_test {
 namespace {
 
 using flowcert_tests::draw_tuple;
@@ -579,4 +579,4 @@ TEST(DirectionBounds, WhatIsKnownHasASmallError) {
 }
 
 }  // namespace
-}  // namespace flowcert::flow
+}  // namespace flowcert::flow::direction_bounds_test

@@ -9,7 +9,7 @@
 #include "tests/cites.h"
 #include "tests/unit/hand_made_claims.h"
 
-namespace flowcert {
+namespace flowcert::direction_findings_test {
 namespace {
 
 // All that is true, with directions and volumes.
@@ -63,15 +63,11 @@ TEST(DirectionFindings, OtherLimits) {
             start + "2 directions and 2 arcs: 0 1 3, (infinity), 0 1 2, (infinity)" + truth);
   EXPECT_EQ(changed([](ClaimedLambdaList& list) { list.directions[1].limit = kInfinity; }),
             start + "2 directions and 2 arcs: 0 1 3, (0 1 2 3), infinity, (infinity)" + truth);
-  EXPECT_EQ(changed([](ClaimedLambdaList& list) {
-              list.arcs[1] = to({2, 3});
-            }),
+  EXPECT_EQ(changed([](ClaimedLambdaList& list) { list.arcs[1] = to({2, 3}); }),
             start + "2 directions and 2 arcs: 0 1 3, (0 1 2 3), 0 1 2, (2 3)" + truth);
   EXPECT_EQ(changed([](ClaimedLambdaList& list) { std::swap(list.arcs[0], list.arcs[1]); }),
             start + "2 directions and 2 arcs: 0 1 3, (infinity), 0 1 2, (0 1 2 3)" + truth);
-  EXPECT_EQ(changed([](ClaimedLambdaList& list) {
-              list = {{}, {kInfinity}};
-            }),
+  EXPECT_EQ(changed([](ClaimedLambdaList& list) { list = {{}, {kInfinity}}; }),
             start + "0 directions and 1 arcs: (infinity)" + truth);
   EXPECT_EQ(changed([](ClaimedLambdaList& list) { list = {}; }), start + "0 directions and 0 arcs: none" + truth);
 }
@@ -171,9 +167,7 @@ TEST(DirectionFindings, OtherConnections) {
   EXPECT_EQ(changed([](auto& all) { all.pop_back(); }), start + "no connection to infinity; orbits: 0, families: 1");
   EXPECT_EQ(changed([](auto& all) { all.push_back(all[1]); }),
             start + "a connection to 0 1 3; there is none, or it is claimed already");
-  EXPECT_EQ(changed([](auto& all) {
-              all.push_back({to({2, 3}), 1, 0});
-            }),
+  EXPECT_EQ(changed([](auto& all) { all.push_back({to({2, 3}), 1, 0}); }),
             start + "a connection to 2 3; there is none, or it is claimed already");
   EXPECT_EQ(changed([](auto& all) { std::ranges::reverse(all); }), "conforms");
 }
@@ -226,10 +220,7 @@ TEST(DirectionFindings, OtherSharesAndHulls) {
             start + "no share in the cell of 6; it is 1/8 (in all 2 such shares)");
   EXPECT_EQ(shares([](auto& some) { std::ranges::reverse(some); }), "conforms");
   EXPECT_EQ(said(points, {0, 1, 2, 3}, [](ClaimedPoint& point) { point.shares = {{0, number(0)}}; }), "conforms");
-  EXPECT_EQ(said(points, {0, 1, 2, 3},
-                 [](ClaimedPoint& point) {
-                   point.shares = {{0, number(1)}};
-                 }),
+  EXPECT_EQ(said(points, {0, 1, 2, 3}, [](ClaimedPoint& point) { point.shares = {{0, number(1)}}; }),
             "fails\n5 wrong-volume FC-VOL-02: index 2, contact set 0 1 2 3, a share of 1 in the cell of 0; there is "
             "none, or it is claimed already");
   Claimed claimed = all_of(points);
@@ -284,19 +275,14 @@ TEST(DirectionFindings, IdsThatCannotBe) {
   const Truly points(kTetrahedron);
   const std::string start = "fails\n1 malformed FC-CLAIM-01: index 1, contact set 0 1; ";
   const auto first_line = [](const std::string& all) { return all.substr(0, all.find('\n', 6)); };
-  EXPECT_EQ(first_line(said(points, {0, 1},
-                            [](ClaimedPoint& point) {
-                              point.lambda->arcs[0] = to({0, 9});
-                            })),
+  EXPECT_EQ(first_line(said(points, {0, 1}, [](ClaimedPoint& point) { point.lambda->arcs[0] = to({0, 9}); })),
             start + "of a limit: there is no point 9; the ids are 0 to 3");
   EXPECT_EQ(first_line(said(points, {0, 1}, [](ClaimedPoint& point) { point.connections->at(0).to = to({}); })),
             start + "a limit without a contact set");
-  EXPECT_EQ(first_line(said(points, {0, 1},
-                            [](ClaimedPoint& point) {
-                              point.shares = {{1, number(0)}, {1, number(0)}};
-                            })),
-            start + "of the shares: point 1 is named twice");
+  EXPECT_EQ(
+      first_line(said(points, {0, 1}, [](ClaimedPoint& point) { point.shares = {{1, number(0)}, {1, number(0)}}; })),
+      start + "of the shares: point 1 is named twice");
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::direction_findings_test

@@ -15,7 +15,7 @@
 #include "tests/unit/point_tuples.h"
 #include "tests/unit/portable_random.h"
 
-namespace flowcert::flow {
+namespace flowcert::flow::direction_lanes_test {
 namespace {
 
 using flowcert_tests::draw_tuple;
@@ -133,4 +133,4 @@ INSTANTIATE_TEST_SUITE_P(Instructions, DirectionLanesTest, testing::Bool(),
                          [](const auto& info) { return std::string(info.param ? "Wide" : "Plain"); });
 
 }  // namespace
-}  // namespace flowcert::flow
+}  // namespace flowcert::flow::direction_lanes_test

@@ -12,7 +12,7 @@
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
 
-namespace flowcert::geometry {
+namespace flowcert::geometry::distance_order_test {
 namespace {
 
 Sign exact_order(const RationalPoint& x, const Point& p, const Point& q) {
@@ -53,4 +53,4 @@ TEST(DistanceOrder, AsksRationalsWhereDoublesOverflow) {
 }
 
 }  // namespace
-}  // namespace flowcert::geometry
+}  // namespace flowcert::geometry::distance_order_test

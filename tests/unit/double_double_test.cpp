@@ -10,7 +10,7 @@
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
 
-namespace flowcert::geometry {
+namespace flowcert::geometry::double_double_test {
 namespace {
 
 using flowcert_tests::PortableRandom;
@@ -79,4 +79,4 @@ TEST(DoubleDouble, WhatIsNoNumberIsNeitherLessNorMore) {
 }
 
 }  // namespace
-}  // namespace flowcert::geometry
+}  // namespace flowcert::geometry::double_double_test

@@ -14,7 +14,7 @@
 #include "tests/cites.h"
 #include "tests/unit/claim_file_samples.h"
 
-namespace flowcert {
+namespace flowcert::exchange_keys_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -241,4 +241,4 @@ TEST(ExchangeKeys, DoublesBesideExactValues) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::exchange_keys_test

@@ -6,7 +6,7 @@
 #include "tests/json_schema.h"
 #include "tests/unit/claim_file_samples.h"
 
-namespace flowcert {
+namespace flowcert::exchange_schema_test {
 namespace {
 
 const std::string kHeader = "{\"format\":\"flowcert-stationary-points\",\"format_version\":1}\n";
@@ -225,4 +225,4 @@ TEST(ExchangeSchema, SaysWhatTheReaderSays) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::exchange_schema_test

@@ -20,7 +20,7 @@
 #include "tests/unit/portable_random.h"
 #include "tests/unit/rational_geometry.h"
 
-namespace flowcert {
+namespace flowcert::explain_test {
 namespace {
 
 using flowcert_tests::exactly;
@@ -384,4 +384,4 @@ TEST(ExplainTest, AgreesWithTheList) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::explain_test

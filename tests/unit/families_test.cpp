@@ -20,6 +20,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,12 +28,12 @@
 #include "fuzz/inputs/integer_points.h"
 #include "fuzz/inputs/transformations.h"
 
-namespace flowcert::fuzz {
+namespace flowcert::fuzz::families_test {
 namespace {
 
 constexpr std::uint64_t kSeeds = 60;
 
-const Family& family_named(const std::string& name) {
+const Family& family_named(std::string_view name) {
   const auto found =
       std::find_if(families().begin(), families().end(), [&](const Family& family) { return family.name == name; });
   EXPECT_NE(found, families().end()) << name;
@@ -315,4 +316,4 @@ TEST(Transformations, PermutationsAreAllDifferentAndWhole) {
 }
 
 }  // namespace
-}  // namespace flowcert::fuzz
+}  // namespace flowcert::fuzz::families_test

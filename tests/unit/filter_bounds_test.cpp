@@ -24,7 +24,7 @@
 #include "tests/unit/point_tuples.h"
 #include "tests/unit/portable_random.h"
 
-namespace flowcert {
+namespace flowcert::filter_bounds_test {
 
 using namespace geometry;
 namespace {
@@ -154,19 +154,14 @@ TEST(FilterBounds, OfTheSideOfAPlane) {
 
 TEST(FilterBounds, OfTheSphere) {
   CITES("FC-NUM-01");
-  expect_open_within_the_error<5>(sphere_value, [](const auto& t) {
-    return OutsideSphere{t[0], t[1], t[2], t[3], t[4]};
-  });
+  expect_open_within_the_error<5>(sphere_value,
+                                  [](const auto& t) { return OutsideSphere{t[0], t[1], t[2], t[3], t[4]}; });
 }
 
 TEST(FilterBounds, OfTheCircle) {
   CITES("FC-NUM-01");
   expect_open_within_the_error<4>(
-      circle_value,
-      [](const auto& t) {
-        return OutsideCircle{t[0], t[1], t[2], t[3]};
-      },
-      true);
+      circle_value, [](const auto& t) { return OutsideCircle{t[0], t[1], t[2], t[3]}; }, true);
 }
 
 // The filter of a whole cell does not tell which signs it left open, but counts them.
@@ -333,4 +328,4 @@ TEST(FilterBounds, OfTheNearestSamples) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::filter_bounds_test

@@ -19,7 +19,7 @@
 #include <pmmintrin.h>
 #endif
 
-namespace flowcert {
+namespace flowcert::floating_point_test {
 namespace {
 
 using geometry::require_ieee_doubles;
@@ -103,4 +103,4 @@ TEST(FloatingPoint, SubnormalsThatAreFlushedAreRefused) {
 #endif
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::floating_point_test

@@ -24,7 +24,7 @@
 #include "geometry/rational_point.h"
 #include "tests/cites.h"
 
-namespace flowcert {
+namespace flowcert::flow_complex_test {
 namespace {
 
 // A square and a point above its centre.
@@ -338,4 +338,4 @@ TEST(FlowComplex, AProgressThatThrowsStopsAllThreads) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::flow_complex_test

@@ -13,7 +13,7 @@
 #include "morse/record_finder.h"
 #include "tests/cites.h"
 
-namespace flowcert {
+namespace flowcert::flow_operator_test {
 
 using namespace flow;
 using namespace morse;
@@ -191,4 +191,4 @@ TEST(RecordFinder, FindsEachRecordAndNoOther) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::flow_operator_test

@@ -5,7 +5,7 @@
 #include "tests/cites.h"
 #include "tests/unit/hand_made_claims.h"
 
-namespace flowcert {
+namespace flowcert::incidence_findings_test {
 namespace {
 
 using Targets = std::vector<ClaimedTarget>;
@@ -52,10 +52,7 @@ TEST(IncidenceFindings, NothingFlowsFromAMaximum) {
 TEST(IncidenceFindings, SamplesOfAnEdge) {
   CITES("FC-CLAIM-04", "FC-FLOW-07");
   const Truly points(kTetrahedron), triangle(kRightTriangle);
-  EXPECT_EQ(said(points,
-                 [](Claimed& claimed) {
-                   claimed.of({0, 1}).samples = {{0, 2}};
-                 }),
+  EXPECT_EQ(said(points, [](Claimed& claimed) { claimed.of({0, 1}).samples = {{0, 2}}; }),
             "fails\n4 wrong-incidence FC-FLOW-07: index 1, contact set 0 1, samples 0 2; "
             "the stable manifold is the segment between the two points of the contact set");
   // These are samples of the edge that a perturbation makes critical.
@@ -432,4 +429,4 @@ TEST(BoundaryFindings, OfManyEdges) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::incidence_findings_test

@@ -24,7 +24,7 @@
 #include "fuzz/inputs/stable_configurations.h"
 #include "tests/unit/rational_geometry.h"
 
-namespace flowcert::fuzz {
+namespace flowcert::fuzz::mutation_test {
 namespace {
 
 using flowcert_tests::circle_center;
@@ -416,4 +416,4 @@ TEST(Mutations, SeedsNameTheSameMutantsForGood) {
 }
 
 }  // namespace
-}  // namespace flowcert::fuzz
+}  // namespace flowcert::fuzz::mutation_test

@@ -19,7 +19,7 @@
 
 #include "tests/cites.h"
 
-namespace flowcert {
+namespace flowcert::number_text_test {
 
 using namespace io;
 namespace {
@@ -236,4 +236,4 @@ TEST(NumberText, QuotesOnOneLine) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::number_text_test

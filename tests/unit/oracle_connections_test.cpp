@@ -8,7 +8,7 @@
 #include "oracle/orbit.h"
 #include "tests/cites.h"
 
-namespace oracle {
+namespace oracle::oracle_connections_test {
 namespace {
 
 using Rows = std::vector<std::array<double, 3>>;
@@ -122,10 +122,9 @@ TEST(OracleConnections, AnIntervalAloneIsNotMorseSmale) {
   }
   EXPECT_FALSE(is_morse_smale(set));
   // Families of index-1 points lead to this triangle.
-  EXPECT_TRUE(std::ranges::any_of(connections(set), [](const Connection& c) {
-    return c.arcs > 0 && c.to && c.to->contact == Names{0, 1, 4};
-  }));
+  EXPECT_TRUE(std::ranges::any_of(
+      connections(set), [](const Connection& c) { return c.arcs > 0 && c.to && c.to->contact == Names{0, 1, 4}; }));
 }
 
 }  // namespace
-}  // namespace oracle
+}  // namespace oracle::oracle_connections_test

@@ -17,7 +17,7 @@
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
 
-namespace oracle {
+namespace oracle::oracle_fast_test {
 namespace {
 
 using Rows = std::vector<std::array<double, 3>>;
@@ -188,4 +188,4 @@ TEST(OracleFast, RefusesWhatThePlainOneRefuses) {
 }
 
 }  // namespace
-}  // namespace oracle
+}  // namespace oracle::oracle_fast_test

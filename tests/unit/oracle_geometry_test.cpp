@@ -9,6 +9,7 @@
 #include "oracle/exact_geometry.h"
 #include "tests/cites.h"
 
+namespace oracle_geometry_test {
 namespace {
 
 using oracle::Point;
@@ -159,3 +160,4 @@ TEST(OracleFaceDimension, OfOnePointAndOfNone) {
 }
 
 }  // namespace
+}  // namespace oracle_geometry_test

@@ -10,7 +10,7 @@
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
 
-namespace oracle {
+namespace oracle::oracle_infinity_test {
 namespace {
 
 using Rows = std::vector<std::array<double, 3>>;
@@ -167,4 +167,4 @@ TEST(OracleInfinity, SharesOfSamples) {
 }
 
 }  // namespace
-}  // namespace oracle
+}  // namespace oracle::oracle_infinity_test

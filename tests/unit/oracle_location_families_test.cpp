@@ -17,7 +17,7 @@
 #include "tests/cites.h"
 #include "tests/unit/landscape_inputs.h"
 
-namespace oracle {
+namespace oracle::oracle_location_families_test {
 namespace {
 
 using Subject = LandscapeSubject;
@@ -115,4 +115,4 @@ TEST(OracleMedialAxisFamilies, SelectionsForTheMedialAxis) {
 }
 
 }  // namespace
-}  // namespace oracle
+}  // namespace oracle::oracle_location_families_test

@@ -6,7 +6,7 @@
 #include "oracle/location.h"
 #include "tests/cites.h"
 
-namespace oracle {
+namespace oracle::oracle_location_test {
 namespace {
 
 using Names = std::vector<std::size_t>;
@@ -58,4 +58,4 @@ TEST(OracleLocation, OfSmallSets) {
 }
 
 }  // namespace
-}  // namespace oracle
+}  // namespace oracle::oracle_location_test

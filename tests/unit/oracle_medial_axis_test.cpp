@@ -4,7 +4,7 @@
 #include "oracle/medial_axis.h"
 #include "tests/cites.h"
 
-namespace oracle {
+namespace oracle::oracle_medial_axis_test {
 namespace {
 
 using Rows = std::vector<std::array<double, 3>>;
@@ -95,4 +95,4 @@ TEST(OracleMedialAxis, OrbitsOfSeveralSegments) {
 }
 
 }  // namespace
-}  // namespace oracle
+}  // namespace oracle::oracle_medial_axis_test

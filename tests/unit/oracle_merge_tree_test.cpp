@@ -6,7 +6,7 @@
 #include "oracle/voronoi_graph.h"
 #include "tests/cites.h"
 
-namespace oracle {
+namespace oracle::oracle_merge_tree_test {
 namespace {
 
 using Rows = std::vector<std::array<double, 3>>;
@@ -176,4 +176,4 @@ TEST(OracleMergeTree, AVertexThatIsNoMaximumIsNoLeaf) {
 }
 
 }  // namespace
-}  // namespace oracle
+}  // namespace oracle::oracle_merge_tree_test

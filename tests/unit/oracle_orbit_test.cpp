@@ -14,7 +14,7 @@
 #include "oracle/program/read_records.h"
 #include "tests/cites.h"
 
-namespace oracle {
+namespace oracle::oracle_orbit_test {
 namespace {
 
 using Rows = std::vector<std::array<double, 3>>;
@@ -425,4 +425,4 @@ TEST(OraclePosition, WhatIsNone) {
 }
 
 }  // namespace
-}  // namespace oracle
+}  // namespace oracle::oracle_orbit_test

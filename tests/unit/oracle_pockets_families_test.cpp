@@ -19,7 +19,7 @@
 #include "tests/cites.h"
 #include "tests/unit/landscape_inputs.h"
 
-namespace oracle {
+namespace oracle::oracle_pockets_families_test {
 namespace {
 
 using Subject = LandscapeSubject;
@@ -166,7 +166,7 @@ struct TreeCount {
 TEST(OraclePocketsFamilies, TreesHoldToFlowAndPersistence) {
   CITES("FC-TREE-01", "FC-TREE-02", "FC-TREE-03", "FC-TREE-04", "FC-TREE-05", "FC-TREE-06", "FC-POCK-01");
   TreeCount count;
-  for_each_drawn(4, [&](const Subject& subject, std::uint64_t) {
+  for_each_drawn(2, [&](const Subject& subject, std::uint64_t) {
     const PeaksAbove above = peaks_above(subject.set, subject.all);
     expect_tree_of_flow(subject, above);
     expect_tree_of_graph(subject);
@@ -186,9 +186,9 @@ TEST(OraclePocketsFamilies, TreesHoldToFlowAndPersistence) {
   std::printf("%zu inputs, %zu maxima, %zu nodes, %zu of three parts or more, %zu with spare gates; %zu ties above\n",
               count.inputs, count.maxima, count.nodes, count.of_three, count.spare_gates, count.ties_above);
   const double scale = flowcert::property::scale_of_run();
-  EXPECT_GT(static_cast<double>(count.maxima), 80 * scale);
-  EXPECT_GT(static_cast<double>(count.of_three), 10 * scale);
-  EXPECT_GT(static_cast<double>(count.spare_gates), 20 * scale);
+  EXPECT_GT(static_cast<double>(count.maxima), 40 * scale);
+  EXPECT_GT(static_cast<double>(count.of_three), 5 * scale);
+  EXPECT_GT(static_cast<double>(count.spare_gates), 10 * scale);
   if (scale >= 1) {
     EXPECT_GT(count.ties_above, 0U);
   }
@@ -336,7 +336,7 @@ void expect_coarser(const Pockets& fine, const Pockets& coarse) {
 TEST(OraclePocketsFamilies, PocketsHoldToTheTree) {
   CITES("FC-POCK-02", "FC-POCK-03", "FC-POCK-04", "FC-POCK-05", "FC-POCK-06", "FC-POCK-07", "FC-POCK-08", "FC-POCK-09");
   PocketCount count;
-  for_each_drawn(3, [&](const Subject& subject, std::uint64_t) {
+  for_each_drawn(1, [&](const Subject& subject, std::uint64_t) {
     std::optional<Pockets> before;
     for (const Rational& persistence : persistences(subject)) {
       const Pockets found = pockets(subject.set, subject.all, persistence);
@@ -360,13 +360,13 @@ TEST(OraclePocketsFamilies, PocketsHoldToTheTree) {
   std::printf("%zu cavities, %zu pockets, %zu channels\n", count.passages[Passage::kCavity],
               count.passages[Passage::kPocket], count.passages[Passage::kChannel]);
   const double scale = flowcert::property::scale_of_run();
-  EXPECT_GT(static_cast<double>(count.pockets), 100 * scale);
-  EXPECT_GT(static_cast<double>(count.outside), 50 * scale);
-  EXPECT_GT(static_cast<double>(count.passages[Passage::kPocket]), 20 * scale);
-  EXPECT_GT(static_cast<double>(count.passages[Passage::kChannel]), 20 * scale);
+  EXPECT_GT(static_cast<double>(count.pockets), 35 * scale);
+  EXPECT_GT(static_cast<double>(count.outside), 17 * scale);
+  EXPECT_GT(static_cast<double>(count.passages[Passage::kPocket]), 7 * scale);
+  EXPECT_GT(static_cast<double>(count.passages[Passage::kChannel]), 7 * scale);
   if (scale >= 1) {
     EXPECT_GT(count.merged, 0U);
-    EXPECT_GT(count.apart, 5U);
+    EXPECT_GT(count.apart, 0U);
     EXPECT_GT(count.cells, 0U);
   }
 }
@@ -412,4 +412,4 @@ TEST(OraclePocketsFamilies, NeitherOrderNorMotionChangesThem) {
 }
 
 }  // namespace
-}  // namespace oracle
+}  // namespace oracle::oracle_pockets_families_test

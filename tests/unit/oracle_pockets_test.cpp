@@ -6,7 +6,7 @@
 #include "oracle/pockets.h"
 #include "tests/cites.h"
 
-namespace oracle {
+namespace oracle::oracle_pockets_test {
 namespace {
 
 using Rows = std::vector<std::array<double, 3>>;
@@ -189,12 +189,11 @@ TEST(OraclePockets, WithAChainOfIndexTwoPoints) {
   EXPECT_EQ(found.pockets[0].neighbours, (Places{1, 2}));
   EXPECT_EQ(found.pockets[0].depth, Rational(265885, 5184) - Rational(658255, 12842));
   EXPECT_EQ(found.pockets[0].volume, found.pockets[1].volume);
-  const auto chain = std::find_if(input.all.begin(), input.all.end(), [](const StationaryPoint& z) {
-    return z.contact == Names{0, 1, 2};
-  });
+  const auto chain = std::find_if(input.all.begin(), input.all.end(),
+                                  [](const StationaryPoint& z) { return z.contact == Names{0, 1, 2}; });
   EXPECT_EQ(pockets_above(input.set, input.all, found, *chain), (Places{0, 1, 2}));
   EXPECT_EQ(pockets_above(input.set, input.all, found, std::nullopt), Places{2});
 }
 
 }  // namespace
-}  // namespace oracle
+}  // namespace oracle::oracle_pockets_test

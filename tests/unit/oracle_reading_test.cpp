@@ -9,6 +9,7 @@
 #include "oracle/program/read_records.h"
 #include "tests/cites.h"
 
+namespace oracle_reading_test {
 namespace {
 
 using oracle::PointFormat;
@@ -244,3 +245,4 @@ TEST(OracleRecords, UnusableRecords) {
 }
 
 }  // namespace
+}  // namespace oracle_reading_test

@@ -8,7 +8,7 @@
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
 
-namespace oracle {
+namespace oracle::oracle_roots_test {
 namespace {
 
 using Rows = std::vector<std::array<double, 3>>;
@@ -72,4 +72,4 @@ TEST(OracleRoots, AnAreaOfAMouth) {
 }
 
 }  // namespace
-}  // namespace oracle
+}  // namespace oracle::oracle_roots_test

@@ -11,7 +11,7 @@
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
 
-namespace oracle {
+namespace oracle::oracle_stable_test {
 namespace {
 
 using Rows = std::vector<std::array<double, 3>>;
@@ -342,9 +342,7 @@ TEST(OracleStable, AnEdgeWithBothSidesInTheSetIsNoBoundary) {
   CITES("FC-STAB-07", "FC-CHAIN-01");
   const Example t({{0, 0, 0}, {-10, 0, 0}, {-11, 30, 0}, {-11, -30, 0}, {69, 60, 0}, {69, -60, 0}}, {0, 4, 5});
   EXPECT_EQ(std::count_if(t.stable.segments.begin(), t.stable.segments.end(),
-                          [](const BackwardSegment& s) {
-                            return s.samples == std::array<std::size_t, 2>{0, 1};
-                          }),
+                          [](const BackwardSegment& s) { return s.samples == std::array<std::size_t, 2>{0, 1}; }),
             2);
   EXPECT_FALSE(has_tie(t.stable));
   const Edges edges = {{1, 2}, {1, 3}, {2, 4}, {3, 5}, {4, 5}};
@@ -365,4 +363,4 @@ TEST(OracleStable, NamesClasses) {
 }
 
 }  // namespace
-}  // namespace oracle
+}  // namespace oracle::oracle_stable_test

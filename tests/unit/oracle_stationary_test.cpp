@@ -13,6 +13,7 @@
 #include "oracle/stationary_points.h"
 #include "tests/cites.h"
 
+namespace oracle_stationary_test {
 namespace {
 
 using oracle::Answer;
@@ -297,3 +298,4 @@ TEST_F(OracleCertify, RejectsAWrongIndex) {
 }
 
 }  // namespace
+}  // namespace oracle_stationary_test

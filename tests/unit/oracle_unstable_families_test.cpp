@@ -15,7 +15,7 @@
 #include "tests/cites.h"
 #include "tests/unit/drawn_sets.h"
 
-namespace oracle {
+namespace oracle::oracle_unstable_families_test {
 namespace {
 
 using Rows = std::vector<std::array<double, 3>>;
@@ -254,16 +254,16 @@ TEST(OracleUnstableFamilies, ListsAreWhatTheSearchAgainstTheFlowFinds) {
   CITES("FC-UNST-01", "FC-UNST-02", "FC-UNST-03");
   const double scale = flowcert::property::scale_of_run();
   Count count;
-  const std::uint64_t seeds = flowcert_tests::scaled_seeds(5);
+  const std::uint64_t seeds = flowcert_tests::scaled_seeds(2);
   flowcert_tests::for_each_drawn_set({seeds, seeds, scale < 1 ? 7U : 10U}, [&](const Rows& rows, std::uint64_t) {
     if (!rows.empty()) expect_agreement(Subject(rows), count);
   });
-  EXPECT_GT(count.directions, 100 * scale);
-  EXPECT_GT(count.arcs, 100 * scale);
-  EXPECT_GT(count.lists, 100 * scale);
+  EXPECT_GT(count.directions, 40 * scale);
+  EXPECT_GT(count.arcs, 40 * scale);
+  EXPECT_GT(count.lists, 40 * scale);
   std::printf("%zu lists, %zu orbits; backward: %zu directions, %zu arcs; %zu whole circles\n", count.lists,
               count.orbits, count.directions, count.arcs, count.whole);
 }
 
 }  // namespace
-}  // namespace oracle
+}  // namespace oracle::oracle_unstable_families_test

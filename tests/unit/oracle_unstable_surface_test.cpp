@@ -9,7 +9,7 @@
 #include "oracle/unstable_surface.h"
 #include "tests/cites.h"
 
-namespace oracle {
+namespace oracle::oracle_unstable_surface_test {
 namespace {
 
 using Rows = std::vector<std::array<double, 3>>;
@@ -74,9 +74,8 @@ TEST(OracleUnstableSurface, FansOutBeyondAnObtuseTriangle) {
   const Rows rows = {{-4, 0, 0}, {4, 0, 0}, {0, 1, 0}, {0, 0, 40}};
   const PointSet points(rows);
   const UnstableSurface set = surface_of(rows, {0, 2});
-  const auto fan = std::find_if(set.sheets.begin(), set.sheets.end(), [](const UnstableSheet& s) {
-    return s.samples == std::array<std::size_t, 2>{0, 1};
-  });
+  const auto fan = std::find_if(set.sheets.begin(), set.sheets.end(),
+                                [](const UnstableSheet& s) { return s.samples == std::array<std::size_t, 2>{0, 1}; });
   ASSERT_NE(fan, set.sheets.end());
   // The Voronoi vertex is on the axis (0, -15/2, t), where 16 + 225/4 + t^2 = 225/4 + (t - 40)^2, so t = 99/5.
   const Point vertex = {0, Rational(-15, 2), Rational(99, 5)};
@@ -109,4 +108,4 @@ TEST(LineIntervals, AreOneWhereTheyMeet) {
 }
 
 }  // namespace
-}  // namespace oracle
+}  // namespace oracle::oracle_unstable_surface_test

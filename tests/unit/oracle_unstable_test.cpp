@@ -7,7 +7,7 @@
 #include "oracle/unstable_set.h"
 #include "tests/cites.h"
 
-namespace oracle {
+namespace oracle::oracle_unstable_test {
 namespace {
 
 using Rows = std::vector<std::array<double, 3>>;
@@ -92,4 +92,4 @@ TEST(OracleUnstable, OfMaximaIsEmptyAndOfSamplesIsNone) {
 }
 
 }  // namespace
-}  // namespace oracle
+}  // namespace oracle::oracle_unstable_test

@@ -10,7 +10,7 @@
 #include "flowcert/orbit_claim.h"
 #include "tests/cites.h"
 
-namespace flowcert {
+namespace flowcert::orbit_difference_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -110,4 +110,4 @@ TEST(OrbitDifference, WhatIsNoOrbitIsRefused) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::orbit_difference_test

@@ -15,7 +15,7 @@
 #include <string>
 #include <thread>
 
-namespace flowcert::io {
+namespace flowcert::io::output_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,4 +48,4 @@ TEST(OutputFile, LeavesNothingWhicheverThreadIsGivenTheSignal) {
 }
 
 }  // namespace
-}  // namespace flowcert::io
+}  // namespace flowcert::io::output_file_test

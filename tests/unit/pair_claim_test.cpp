@@ -7,7 +7,7 @@
 
 #include "tests/cites.h"
 
-namespace flowcert {
+namespace flowcert::pair_claim_test {
 namespace {
 
 std::vector<ClaimedPair> read(const std::string& text) { return claimed_pairs_of(text, "pairs"); }
@@ -93,4 +93,4 @@ TEST(PairClaim, PairsAreOrderedByDimensionBirthAndDeath) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::pair_claim_test

@@ -6,7 +6,7 @@
 
 #include "tests/cites.h"
 
-namespace flowcert {
+namespace flowcert::pair_differences_test {
 namespace {
 
 using Claimed = std::vector<ClaimedPair>;
@@ -111,4 +111,4 @@ TEST(PairDifferences, TellRoundingApart) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::pair_differences_test

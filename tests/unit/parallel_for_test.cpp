@@ -17,7 +17,7 @@
 #include "io/ordered_text.h"
 #include "tests/cites.h"
 
-namespace flowcert::geometry {
+namespace flowcert::geometry::parallel_for_test {
 namespace {
 
 TEST(ParallelFor, CallsEachPartOnce) {
@@ -120,4 +120,4 @@ TEST(OrderedText, StopsWhereWritingFails) {
 }
 
 }  // namespace
-}  // namespace flowcert::geometry
+}  // namespace flowcert::geometry::parallel_for_test

@@ -10,7 +10,7 @@
 
 #include "tests/cites.h"
 
-namespace flowcert::judge {
+namespace flowcert::judge::peer_property_test {
 namespace {
 
 const std::string kSamples = "0,,,,,0\\n0,,,,,1\\n0,,,,,2\\n";
@@ -90,4 +90,4 @@ TEST(PeerProperty, PairsAreJudgedInstead) {
 }
 
 }  // namespace
-}  // namespace flowcert::judge
+}  // namespace flowcert::judge::peer_property_test

@@ -7,7 +7,7 @@
 #include "tests/cites.h"
 #include "tests/unit/hand_made_claims.h"
 
-namespace flowcert {
+namespace flowcert::place_findings_test {
 namespace {
 
 // The report on a claim that is true but for one change to the point of this contact set.
@@ -92,36 +92,24 @@ TEST(FormFindings, OfWhatFlows) {
   };
   using Point = ClaimedPoint;
   EXPECT_EQ(fault([](Point& point) { point.successors->front() = {false, {}}; }), "a successor without a contact set");
-  EXPECT_EQ(fault([](Point& point) {
-              point.successors->front() = to({0, 4});
-            }),
+  EXPECT_EQ(fault([](Point& point) { point.successors->front() = to({0, 4}); }),
             "of a successor: there is no point 4; the ids are 0 to 3");
   EXPECT_EQ(fault([](Point& point) { point.successors->pop_back(); }), "there are two sides");
   EXPECT_EQ(fault([](Point& point) { point.samples = {{2, 0, 2}}; }), "of the samples: point 2 is named twice");
   EXPECT_EQ(fault([](Point& point) { point.u2->pop_back(); }), "an unstable manifold U2 has two orbits");
   EXPECT_EQ(fault([](Point& point) { point.stable->boundary->front().clear(); }),
             "of a stable set: a contact set without points");
-  EXPECT_EQ(fault([](Point& point) {
-              point.stable->walk = {{0, 1, 7}};
-            }),
+  EXPECT_EQ(fault([](Point& point) { point.stable->walk = {{0, 1, 7}}; }),
             "of a stable set: there is no point 7; the ids are 0 to 3");
-  EXPECT_EQ(fault([](Point& point) {
-              point.skeleton->segments[0].samples = {1, 1};
-            }),
+  EXPECT_EQ(fault([](Point& point) { point.skeleton->segments[0].samples = {1, 1}; }),
             "of a stable set: point 1 is named twice");
-  EXPECT_EQ(fault([](Point& point) {
-              point.skeleton->segments[1].front_contact = {{0, 5}};
-            }),
+  EXPECT_EQ(fault([](Point& point) { point.skeleton->segments[1].front_contact = {{0, 5}}; }),
             "of a stable set: there is no point 5; the ids are 0 to 3");
   EXPECT_EQ(fault([](Point& point) { point.skeleton->segments[1].back_contact = Ids{}; }),
             "of a stable set: a contact set without points");
-  EXPECT_EQ(fault([](Point& point) {
-              point.skeleton->intervals.push_back({{0, 1, 6}, {}, {}, {}});
-            }),
+  EXPECT_EQ(fault([](Point& point) { point.skeleton->intervals.push_back({{0, 1, 6}, {}, {}, {}}); }),
             "of a stable set: there is no point 6; the ids are 0 to 3");
-  EXPECT_EQ(fault([](Point& point) {
-              point.skeleton->sectors.push_back({{}, {}});
-            }),
+  EXPECT_EQ(fault([](Point& point) { point.skeleton->sectors.push_back({{}, {}}); }),
             "of a stable set: a contact set without points");
 }
 
@@ -359,13 +347,9 @@ TEST(PlaceFindings, OfValuesBeyondDoubles) {
   const Rational huge = ten_to(400);
   const auto with = [&](const auto& change) { return said(points, {0, 1}, change); };
   const std::string start = "fails\n2 wrong-position FC-OUT-01: index 1, contact set 0 1, ";
-  EXPECT_EQ(with([&](ClaimedPoint& point) {
-              point.center = exactly(RationalPoint{huge, -huge, 0});
-            }),
+  EXPECT_EQ(with([&](ClaimedPoint& point) { point.center = exactly(RationalPoint{huge, -huge, 0}); }),
             start + "centre > 1.8e308 < -1.8e308 0; the centre is 1 0 0, farther away than doubles reach");
-  EXPECT_EQ(with([&](ClaimedPoint& point) {
-              point.center = decimals({-huge, huge, 0});
-            }),
+  EXPECT_EQ(with([&](ClaimedPoint& point) { point.center = decimals({-huge, huge, 0}); }),
             start + "centre < -1.8e308 > 1.8e308 0; the centre is 1 0 0, farther away than doubles reach");
   EXPECT_EQ(with([&](ClaimedPoint& point) { point.squared_distance = decimal(huge); }),
             start + "squared distance > 1.8e308; the squared distance is 1");
@@ -462,9 +446,7 @@ TEST(PlaceFindings, OfDistances) {
   EXPECT_EQ(points.check(nothing, {.tolerance = 1}).verdict, Verdict::kConforms);
   EXPECT_EQ(points.check(nothing, {.tolerance = 0.5}).verdict, Verdict::kFails);
   // What is exact is not right because it rounds to the right double.
-  EXPECT_EQ(with([&](ClaimedPoint& point) {
-              point.center = {number(1 + tiny / 256), number(0), number(0)};
-            }),
+  EXPECT_EQ(with([&](ClaimedPoint& point) { point.center = {number(1 + tiny / 256), number(0), number(0)}; }),
             "fails\n2 rounding FC-OUT-01: index 1, contact set 0 1, centre ~1 0 0; the centre is 1 0 0, 8.67e-19 away");
   // A position that is partly exact and partly in decimals is approximate.
   Claimed mixed = points.claim();
@@ -546,4 +528,4 @@ TEST(PlaceFindings, OnlyRightPointsAreFollowed) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::place_findings_test

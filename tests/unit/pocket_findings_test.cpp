@@ -9,7 +9,7 @@
 #include "tests/cites.h"
 #include "tests/unit/hand_made_claims.h"
 
-namespace flowcert {
+namespace flowcert::pocket_findings_test {
 namespace {
 
 // The corners of a cube of side 2, with one pocket of six mouths.
@@ -155,4 +155,4 @@ TEST(PocketFindings, UnknownKeysAreTold) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::pocket_findings_test

@@ -16,7 +16,7 @@
 #include "oracle/roots.h"
 #include "tests/cites.h"
 
-namespace flowcert {
+namespace flowcert::pockets_test {
 namespace {
 
 std::vector<Point> lattice(int side) {
@@ -178,4 +178,4 @@ TEST(Newick, OfADeepTreeIsWritten) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::pockets_test

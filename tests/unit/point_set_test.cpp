@@ -23,7 +23,7 @@
 #include "tests/unit/portable_random.h"
 #include "tests/unit/rational_geometry.h"
 
-namespace flowcert {
+namespace flowcert::point_set_test {
 namespace {
 
 using flowcert_tests::determinant;
@@ -218,4 +218,4 @@ TEST(ExactSphereTest, MeetsItsDefinition) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::point_set_test

@@ -31,7 +31,7 @@ static void PrintTo(Sign sign, std::ostream* out) { *out << static_cast<int>(sig
 
 }  // namespace flowcert::geometry
 
-namespace flowcert {
+namespace flowcert::predicates_test {
 
 using namespace geometry;
 
@@ -458,4 +458,4 @@ TEST(RungsTest, TheTallyCountsEachPredicateByItself) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::predicates_test

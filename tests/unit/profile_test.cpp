@@ -9,7 +9,7 @@
 #include "tests/cites.h"
 #include "tests/unit/hand_made_claims.h"
 
-namespace flowcert {
+namespace flowcert::profile_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -120,4 +120,4 @@ TEST(Profile, OfAProgramKeepsInfinityWhereThereIsNoSample) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::profile_test

@@ -19,7 +19,7 @@
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
 
-namespace flowcert {
+namespace flowcert::rational_test {
 
 using namespace io;
 namespace {
@@ -264,4 +264,4 @@ TEST(ParseRationalTest, PositionsHaveThreeCoordinates) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::rational_test

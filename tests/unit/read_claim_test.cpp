@@ -11,7 +11,7 @@
 #include "tests/cites.h"
 #include "tests/unit/claim_file_samples.h"
 
-namespace flowcert {
+namespace flowcert::read_claim_test {
 namespace {
 
 using Ids = std::vector<PointId>;
@@ -572,4 +572,4 @@ TEST(ReadClaim, FilesAndStandardInput) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::read_claim_test

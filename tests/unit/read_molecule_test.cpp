@@ -9,7 +9,7 @@
 #include "tests/cites.h"
 #include "tests/unit/point_file_samples.h"
 
-namespace flowcert {
+namespace flowcert::read_molecule_test {
 namespace {
 
 // The first 54 columns of an atom, and what may come after them.
@@ -131,4 +131,4 @@ TEST(ReadMmcif, Errors) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::read_molecule_test

@@ -17,7 +17,7 @@
 #include "tests/cites.h"
 #include "tests/unit/point_file_samples.h"
 
-namespace flowcert {
+namespace flowcert::read_points_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -396,4 +396,4 @@ TEST(ReadPoints, StandardInput) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::read_points_test

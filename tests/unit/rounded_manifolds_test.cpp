@@ -15,7 +15,7 @@
 #include "geometry/rational_point.h"
 #include "tests/cites.h"
 
-namespace flowcert {
+namespace flowcert::rounded_manifolds_test {
 namespace {
 
 std::vector<Point> rows_of(const fuzz::Input& input) {
@@ -124,4 +124,4 @@ TEST(RoundedManifolds, LongCascadesAreRoundedRightly) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::rounded_manifolds_test

@@ -8,7 +8,7 @@
 
 #include "fuzz/inputs/families.h"
 
-namespace flowcert::fuzz {
+namespace flowcert::fuzz::shrinking_test {
 namespace {
 
 using property::Disagreement;
@@ -107,4 +107,4 @@ TEST(Shrinking, IsAFunctionOfItsArguments) {
 }
 
 }  // namespace
-}  // namespace flowcert::fuzz
+}  // namespace flowcert::fuzz::shrinking_test

@@ -16,7 +16,7 @@
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
 
-namespace flowcert {
+namespace flowcert::squared_distances_test {
 namespace {
 
 struct Seen {
@@ -98,4 +98,4 @@ TEST(SquaredDistances, NearlyEqualValuesAreToldApart) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::squared_distances_test

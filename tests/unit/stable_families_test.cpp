@@ -12,7 +12,7 @@
 
 #include "fuzz/inputs/stable_configurations.h"
 
-namespace flowcert::fuzz {
+namespace flowcert::fuzz::stable_families_test {
 namespace {
 
 constexpr std::uint64_t kSeeds = 60;
@@ -88,4 +88,4 @@ TEST(StableFamilies, HaveTheirOwnNamesAndAreNoCasesOfTheStream) {
 }
 
 }  // namespace
-}  // namespace flowcert::fuzz
+}  // namespace flowcert::fuzz::stable_families_test

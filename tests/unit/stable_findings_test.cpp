@@ -5,7 +5,7 @@
 #include "tests/cites.h"
 #include "tests/unit/hand_made_claims.h"
 
-namespace flowcert {
+namespace flowcert::stable_findings_test {
 namespace {
 
 const Ids kTriangle = {0, 1, 2};
@@ -77,9 +77,7 @@ TEST(PolylineFindings, ToInfinity) {
   const auto changed = [&](const auto& change) {
     return said(points, kTriangle, [&](ClaimedPoint& point) { change((*point.u2)[side]); });
   };
-  EXPECT_EQ(changed([](ClaimedPolyline& line) {
-              line[0].end = exactly(RationalPoint{1, 2, 3});
-            }),
+  EXPECT_EQ(changed([](ClaimedPolyline& line) { line[0].end = exactly(RationalPoint{1, 2, 3}); }),
             start + "segment 1: end 1 2 3; end infinity");
   EXPECT_EQ(changed([](ClaimedPolyline& line) { line.push_back(line[0]); }),
             start + "2 segments; 1 segments, to infinity");
@@ -124,9 +122,8 @@ TEST(PolylineFindings, BeyondASaddle) {
         << on;
     EXPECT_EQ(on.find("perturbed\n4 "), 0U) << on;
     // The limit contradicts the polyline.
-    const std::string other = said(arch, kTriangle, [&](ClaimedPoint& point) {
-      go_on(point, 1, beyond, to({0, 3, 4}));
-    });
+    const std::string other =
+        said(arch, kTriangle, [&](ClaimedPoint& point) { go_on(point, 1, beyond, to({0, 3, 4})); });
     EXPECT_NE(other.find(start + "the limit 0 3 4; the polyline goes to a critical point of index 3"),
               std::string::npos)
         << other;
@@ -351,9 +348,7 @@ TEST(SkeletonFindings, OfEachPartOfASegment) {
               segment.back_kind.clear();
             }),
             "conforms");
-  EXPECT_EQ(changed([](Segment& segment) {
-              segment.samples = {0, 3};
-            }),
+  EXPECT_EQ(changed([](Segment& segment) { segment.samples = {0, 3}; }),
             wrong + "0 3 from 2/3 1/3 1/3 back to 1/2 1/2 0" + end);
   EXPECT_EQ(changed([](Segment& segment) { segment.front_contact = {{0, 1, 3}}; }), wrong + as_it_is + end);
   EXPECT_EQ(changed([](Segment& segment) { segment.back_contact = {{0, 2}}; }), wrong + as_it_is + end);
@@ -379,10 +374,7 @@ TEST(SkeletonFindings, OfConnectingOrbits) {
             start + "2 connecting orbits; 1 more go along the segments that are claimed");
   EXPECT_EQ(claiming(points, kTriangle, [](Chains& chains) { chains.push_back(chains[0]); }),
             start + "an orbit along the segments 0; that is no connecting orbit, or it is there twice");
-  EXPECT_EQ(claiming(points, kTriangle,
-                     [](Chains& chains) {
-                       chains[1] = {1, 2};
-                     }),
+  EXPECT_EQ(claiming(points, kTriangle, [](Chains& chains) { chains[1] = {1, 2}; }),
             start + "an orbit along the segments 1 2; that is no connecting orbit, or it is there twice");
   EXPECT_EQ(claiming(points, kTriangle, [](Chains& chains) { chains[1].clear(); }),
             start + "an orbit along the segments of no number; that is no connecting orbit, or it is there twice");
@@ -471,9 +463,7 @@ TEST(SkeletonFindings, OfIntervalsAndSectors) {
   EXPECT_EQ(interval([](ClaimedInterval& one) { one.back_is_stationary.reset(); }), "conforms");
   EXPECT_EQ(interval([](ClaimedInterval& one) { one.back_is_stationary = false; }),
             start + "an interval of 0 1 2" + no_interval);
-  EXPECT_EQ(interval([](ClaimedInterval& one) {
-              one.polygon = {0, 1, 4};
-            }),
+  EXPECT_EQ(interval([](ClaimedInterval& one) { one.polygon = {0, 1, 4}; }),
             start + "an interval of 0 1 4" + no_interval);
   EXPECT_EQ(interval([](ClaimedInterval& one) { shift(one.front); }), start + "an interval of 0 1 2" + no_interval);
   EXPECT_EQ(interval([](ClaimedInterval& one) { nudge(one.back); }),
@@ -486,9 +476,7 @@ TEST(SkeletonFindings, OfIntervalsAndSectors) {
   EXPECT_EQ(sector([](ClaimedSector& one) { one.corners.pop_back(); }), start + no_sector);
   EXPECT_EQ(sector([](ClaimedSector& one) { one.corners.clear(); }), start + no_sector);
   EXPECT_EQ(sector([](ClaimedSector& one) { shift(one.corners[1]); }), start + no_sector);
-  EXPECT_EQ(sector([](ClaimedSector& one) {
-              one.samples = {1, 3};
-            }),
+  EXPECT_EQ(sector([](ClaimedSector& one) { one.samples = {1, 3}; }),
             start + "a sector of 1 3; no such sector is part of it (in all 1 such claims)");
 }
 
@@ -570,4 +558,4 @@ TEST(SurfaceFindings, BeyondVerticesAndRegularPoints) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::stable_findings_test

@@ -13,7 +13,7 @@
 #include "fuzz/inputs/stable_configurations.h"
 #include "tests/cites.h"
 
-namespace flowcert {
+namespace flowcert::stable_sets_test {
 namespace {
 
 RationalPoint at(int x) { return {Rational(x), Rational(0), Rational(0)}; }
@@ -161,4 +161,4 @@ TEST(StableStatistics, AreTheSumsOverTheSets) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::stable_sets_test

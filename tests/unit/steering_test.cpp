@@ -20,7 +20,7 @@
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
 
-namespace flowcert::flow {
+namespace flowcert::flow::steering_test {
 namespace {
 
 using Vector = Vector3<Rational>;
@@ -240,4 +240,4 @@ TEST(Steering, TheCascadeKernelHasIntegersOnlyWhereTheyWereNeeded) {
 }
 
 }  // namespace
-}  // namespace flowcert::flow
+}  // namespace flowcert::flow::steering_test

@@ -15,7 +15,7 @@
 #include "tests/unit/point_tuples.h"
 #include "tests/unit/portable_random.h"
 
-namespace flowcert::geometry {
+namespace flowcert::geometry::tetrahedron_lanes_test {
 namespace {
 
 using flowcert_tests::draw_cell;
@@ -113,8 +113,7 @@ TEST(TetrahedronLanesTest, AreTheOneCellsFilterToTheBit) {
     Met met;
     for (const TupleKind kind : kTupleKinds) {
       for (int block = 0; block < 60; ++block) {
-        compare_block(
-            lanes, kind, random, [](const Point& p) { return p; }, met);
+        compare_block(lanes, kind, random, [](const Point& p) { return p; }, met);
         if (HasFatalFailure()) return;
       }
     }
@@ -219,4 +218,4 @@ TEST(TetrahedronLanesTest, DoNotDependOnTheirNeighbours) {
 }
 
 }  // namespace
-}  // namespace flowcert::geometry
+}  // namespace flowcert::geometry::tetrahedron_lanes_test

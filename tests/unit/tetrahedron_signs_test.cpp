@@ -25,7 +25,7 @@ static void PrintTo(Sign sign, std::ostream* out) { *out << static_cast<int>(sig
 
 }  // namespace flowcert::geometry
 
-namespace flowcert {
+namespace flowcert::tetrahedron_signs_test {
 
 using namespace geometry;
 
@@ -261,4 +261,4 @@ TEST(TetrahedronSignsTest, SignaturesSumToOne) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::tetrahedron_signs_test

@@ -14,7 +14,7 @@
 #include "cli/table.h"
 #include "cli/wrapped_text.h"
 
-namespace flowcert {
+namespace flowcert::text_for_people_test {
 
 using namespace cli;
 namespace {
@@ -163,4 +163,4 @@ TEST(ReasonTally, CountsAndKeepsTheSmallestExample) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::text_for_people_test

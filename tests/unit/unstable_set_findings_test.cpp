@@ -10,7 +10,7 @@
 #include "tests/cites.h"
 #include "tests/unit/hand_made_claims.h"
 
-namespace flowcert {
+namespace flowcert::unstable_set_findings_test {
 namespace {
 
 Claimed all_sets_of(const Truly& points) {
@@ -51,9 +51,7 @@ TEST(UnstableSetFindings, PartsThatAreNotThere) {
   };
   const std::string start = "fails\n5 wrong-unstable-set FC-UNST-04: index 1, contact set 0 1, ";
   const std::string truth = "; there is none, or it is claimed already (in all 1 such ";
-  EXPECT_EQ(changed([](auto& set) {
-              set.vertices.push_back(exactly({1, 0, 0}));
-            }),
+  EXPECT_EQ(changed([](auto& set) { set.vertices.push_back(exactly({1, 0, 0})); }),
             start + "the Voronoi vertex 1 0 0" + truth + "Voronoi vertices)");
   EXPECT_EQ(changed([](auto& set) { set.vertices.push_back(set.vertices[0]); }),
             start + "the Voronoi vertex 1/2 1/2 1/2" + truth + "Voronoi vertices)");
@@ -61,17 +59,14 @@ TEST(UnstableSetFindings, PartsThatAreNotThere) {
             start + "a trace of 0 1 2 3 from 1/2 1/2 0 to infinity along 0 0 -1" + truth + "traces)");
   EXPECT_EQ(changed([](auto& set) { set.runs.push_back(set.traces[0]); }),
             start + "a run of 0 1 2 3 from 1/2 1/2 1/2 to infinity along 0 0 -1" + truth + "runs)");
-  EXPECT_EQ(changed([](auto& set) {
-              set.sheets[0].samples = {2, 3};
-            }),
+  EXPECT_EQ(changed([](auto& set) { set.sheets[0].samples = {2, 3}; }),
             start + "a sheet of 2 3 with 3 corners: 1/2 1/2 1/2, infinity along 0 -1 0, infinity along 0 0 -1" + truth +
                 "sheets)");
   EXPECT_EQ(changed([](auto& set) { set.sheets[0].corners = {}; }),
             start + "a sheet of 0 1, the whole facet" + truth + "sheets)");
-  EXPECT_EQ(changed([](auto& set) {
-              set.segments.push_back({{0, 1}, exactly({1, 0, 0}), {exactly({0, 2, 1}), true}});
-            }),
-            start + "a segment of 0 1 from 1 0 0 to infinity along 0 2 1" + truth + "segments)");
+  EXPECT_EQ(
+      changed([](auto& set) { set.segments.push_back({{0, 1}, exactly({1, 0, 0}), {exactly({0, 2, 1}), true}}); }),
+      start + "a segment of 0 1 from 1 0 0 to infinity along 0 2 1" + truth + "segments)");
 }
 
 TEST(UnstableSetFindings, PartsThatAreMissing) {
@@ -120,9 +115,7 @@ TEST(UnstableSetFindings, Decimals) {
   EXPECT_TRUE(moved(number(half + Rational(0x1p-50)), 1).starts_with("fails\n5 rounding FC-UNST-04"));
   const auto turned = [&](double tolerance) {
     return said(points, {0, 1},
-                [](auto& set) {
-                  set.traces[0].to.position = {decimal(Rational(1) / 1000), decimal(0), decimal(-7)};
-                },
+                [](auto& set) { set.traces[0].to.position = {decimal(Rational(1) / 1000), decimal(0), decimal(-7)}; },
                 {.tolerance = tolerance});
   };
   EXPECT_EQ(turned(0.001), "conforms");
@@ -189,17 +182,13 @@ TEST(UnstableSetFindings, IdsAndVectorsThatCannotBe) {
     const std::string all = said(points, {0, 1}, change);
     return all.substr(0, all.find('\n', 6));
   };
-  EXPECT_EQ(first_lines([](auto& set) {
-              set.traces[0].polygon = {0, 8};
-            }),
+  EXPECT_EQ(first_lines([](auto& set) { set.traces[0].polygon = {0, 8}; }),
             start + "there is no point 8; the ids are 0 to 7");
   EXPECT_EQ(first_lines([](auto& set) { set.sheets[0].samples = {1, 1}; }), start + "point 1 is named twice");
   EXPECT_EQ(first_lines([](auto& set) { set.traces[0].polygon = {}; }), start + "a contact set without points");
-  EXPECT_EQ(first_lines([](auto& set) {
-              set.traces[0].to.position = exactly({0, 0, 0});
-            }),
+  EXPECT_EQ(first_lines([](auto& set) { set.traces[0].to.position = exactly({0, 0, 0}); }),
             start + "a vector that is zero");
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::unstable_set_findings_test

@@ -16,7 +16,7 @@
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
 
-namespace flowcert {
+namespace flowcert::value_order_test {
 namespace {
 
 using io::ValueOrder;
@@ -103,4 +103,4 @@ TEST(ValueOrder, MakesOnlyWhatItNeeds) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::value_order_test

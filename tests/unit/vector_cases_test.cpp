@@ -8,7 +8,7 @@
 #include "fuzz/judge/command_run.h"
 #include "tests/cites.h"
 
-namespace flowcert::judge {
+namespace flowcert::judge::vector_cases_test {
 namespace {
 
 const char* const kCase = R"({"id": "two-points", "comment": "", "flags": ["few-points"], "result": "determined",
@@ -93,4 +93,4 @@ TEST(VectorCases, PointFilesReadBack) {
 }
 
 }  // namespace
-}  // namespace flowcert::judge
+}  // namespace flowcert::judge::vector_cases_test

@@ -15,7 +15,7 @@
 #include "io/json_fields.h"
 #include "tests/cites.h"
 
-namespace flowcert::judge {
+namespace flowcert::judge::verification_test {
 namespace {
 
 // ---- Reading
@@ -309,4 +309,4 @@ TEST(Verification, AnswersAreToTheVectorsThatWereAsked) {
 }
 
 }  // namespace
-}  // namespace flowcert::judge
+}  // namespace flowcert::judge::verification_test

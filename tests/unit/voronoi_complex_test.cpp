@@ -19,7 +19,7 @@
 #include "tests/unit/rational_geometry.h"
 #include "tests/unit/read_out_complex.h"
 
-namespace flowcert {
+namespace flowcert::voronoi_complex_test {
 
 using namespace voronoi;
 namespace {
@@ -580,4 +580,4 @@ TEST(VoronoiComplexTest, SignsAreThoseOfThePolygonNotOfItsPieces) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::voronoi_complex_test

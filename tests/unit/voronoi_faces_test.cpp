@@ -14,7 +14,7 @@
 #include "tests/cites.h"
 #include "tests/unit/rational_geometry.h"
 
-namespace flowcert {
+namespace flowcert::voronoi_faces_test {
 
 using namespace voronoi;
 namespace {
@@ -218,4 +218,4 @@ TEST(VoronoiFaces, FewerDimensionsHaveNoRings) {
 }
 
 }  // namespace
-}  // namespace flowcert
+}  // namespace flowcert::voronoi_faces_test

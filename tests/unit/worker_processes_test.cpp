@@ -13,7 +13,7 @@
 
 #include "tests/unit/campaign_fixture.h"
 
-namespace flowcert::fuzz {
+namespace flowcert::fuzz::worker_processes_test {
 namespace {
 
 using WorkerProcessesTest = CampaignTest;
@@ -47,8 +47,7 @@ TEST_F(WorkerProcessesTest, ACaseThatHangsIsAFinding) {
   CampaignPlan plan = small_plan();
   plan.searched_percent = 0;
   Campaign campaign(plan, 80, folder_ / "findings");
-  work(
-      campaign, {property}, 1, [] { return false; }, 2);
+  work(campaign, {property}, 1, [] { return false; }, 2);
   ASSERT_FALSE(campaign.counterexamples().empty());
   for (const auto& [key, counterexample] : campaign.counterexamples())
     EXPECT_EQ(counterexample.disagreement.kind, "hang");
@@ -241,4 +240,4 @@ TEST_F(WorkerProcessesTest, ExceptionsAreFindings) {
 }
 
 }  // namespace
-}  // namespace flowcert::fuzz
+}  // namespace flowcert::fuzz::worker_processes_test

@@ -313,7 +313,7 @@ bool some_volume(const Findings& found, bool (*holds)(const StationaryPoint&)) {
 // ---- Of unstable sets
 
 template <class Part>
-bool some_part(const Findings& found, std::vector<Part> UnstableSurface::*parts, bool (*holds)(const Part&)) {
+bool some_part(const Findings& found, std::vector<Part> UnstableSurface::* parts, bool (*holds)(const Part&)) {
   return std::any_of(found.surfaces.begin(), found.surfaces.end(), [&](const auto& place_and_surface) {
     const std::vector<Part>& all = place_and_surface.second.*parts;
     return std::any_of(all.begin(), all.end(), holds);

@@ -42,9 +42,8 @@ constexpr bool answers_each(QueryList<Query...>) {
 }
 
 template <class K>
-concept ConstructsPoints = std::constructible_from<K, KernelTally&> && answers_each<K>(SteeringQueries{}) &&
-    requires(K& kernel, const K& constant, PointNumber x, const RationalPoint& position, const Point& p,
-             std::span<const Point* const> simplex, Stay stay) {
+concept KeepsPoints = requires(K& kernel, const K& constant, PointNumber x, const RationalPoint& position,
+                               const Point& p, std::span<const Point* const> simplex, Stay stay) {
   // Keeps a point, by its coordinates, or as the point where the ray from the midpoint of p0 and p1 through x
   // crosses the bisector of q (`crossing` in steering.h).
   { kernel.add(position) } -> std::same_as<PointNumber>;
@@ -61,9 +60,12 @@ concept ConstructsPoints = std::constructible_from<K, KernelTally&> && answers_e
 
   // Points that do not last are numbered in order; the latest can be dropped.
   { constant.kept() } -> std::same_as<PointNumber>;
-  {kernel.drop_from(x)};
-  {kernel.drop_all()};
+  { kernel.drop_from(x) };
+  { kernel.drop_all() };
 };
+template <class K>
+concept ConstructsPoints =
+    std::constructible_from<K, KernelTally&> && answers_each<K>(SteeringQueries{}) && KeepsPoints<K>;
 
 // A point that moves from facet to facet. It leaves a facet by the bisector of q, and enters the next one. This one
 // keeps a point for each facet that it leaves.
