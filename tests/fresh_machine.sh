@@ -5,9 +5,9 @@
 #
 # Makes a bare root of SUITE (bookworm, which is Debian 12, without the option; trixie, Debian 13; sid, unstable) with
 # mmdebstrap (minbase, git, ca-certificates), clones HEAD into it, and runs there, word for word, the commands of
-# README.md's first block; then it installs the library and builds the README's example with it, and runs each COMMAND
-# of --then. With --only, it runs these commands instead of all that. The last lines are the time of each step, the
-# clock's and the processors'. Roots and packages are kept in a cache folder; --new makes the root anew.
+# README.md's first block; then it installs the library and builds its example with it, and runs each COMMAND of
+# --then. With --only, it runs these commands instead of the README's and the example. The last lines are the time of
+# each step, the clock's and the processors'. Roots and packages are kept in a cache folder; --new makes the root anew.
 #
 # Guarantees: everything is mounted in a mount namespace of its own, so no removal ever sees the machine's own files.
 # Nothing that was installed by hand on this machine is there. Exit status: 0; 1 where a step fails; 3 where no root
@@ -46,7 +46,8 @@ mapfile -t commands < <(readme_commands)
 
 # Debian's own package sources, as this machine has them, of the suite. A third party's key is a file outside the root.
 # Another suite's are at the same mirror; its updates stand beside it, and those for security at their own address.
-codename=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
+# Another system than Debian may have the suite's own sources, but its mirror has no Debian.
+codename=$(. /etc/os-release && [ "${ID:-}" = debian ] && echo "${VERSION_CODENAME:-$suite}" || echo "$suite")
 debian_sources() {
   local file
   for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
@@ -206,13 +207,10 @@ main() {
       'apt-get update -qq && apt-get install -y -qq --no-install-recommends ccache >/dev/null'
   fi
   local command
-  if [ ${#only[@]} -gt 0 ]; then
-    for command in "${only[@]}"; do step "$command" inside "$command"; done
-    report
-    exit 0
-  fi
+  [ ${#only[@]} -eq 0 ] || commands=("${only[@]}")
   for command in "${commands[@]}"; do step "$command" inside "$command"; done
-  step "installing the library, building the README's example" inside 'bash tests/conformance/install_test.sh build'
+  [ ${#only[@]} -gt 0 ] ||
+    step "installing the library, building its example" inside 'bash tests/conformance/install_test.sh build'
   for command in "${later[@]}"; do step "$command" inside "$command"; done
   report
   exit 0

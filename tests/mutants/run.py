@@ -180,6 +180,12 @@ class Outcome:
     seconds: float = 0.0
 
 
+def children_seconds():
+    """The processor time of all programs that were run and have ended."""
+    times = os.times()
+    return times.children_user + times.children_system
+
+
 class Copy:
     """A copy of the tracked tree with a build folder in it: compilers see the same relative paths in every copy."""
 
@@ -244,12 +250,10 @@ class Copy:
         environment = {**self.environment, "FLOWCERT_PROPERTY_SCALE": scale}
         limited = f'ulimit -c 0; ulimit -t {cpu_limit}; exec "$0" "$@"'
         command = ["ctest", "--test-dir", "build", "-R", f"^{name}$", "--timeout", str(CLOCK_LIMIT), "--no-tests=error"]
-        before = os.times()
+        before = children_seconds()
         done = unless_stopping(subprocess.run(["sh", "-c", limited, *command], cwd=self.folder, env=environment,
                                               check=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL))
-        after = os.times()
-        used = after.children_user + after.children_system - before.children_user - before.children_system
-        return (None if done.returncode == 0 else "a failure"), used
+        return (None if done.returncode == 0 else "a failure"), children_seconds() - before
 
     def compile(self, *targets):
         self.run_tool(["cmake", "--build", "build", "--parallel", str(self.jobs), "--target", *targets])
@@ -259,15 +263,14 @@ class Copy:
         program = self.build / pathlib.Path(command[0]).relative_to(pathlib.Path(command[0]).parents[2])
         limited = f'ulimit -c 0; ulimit -v {MEMORY_LIMIT_KIB}; ulimit -t {cpu_limit}; exec "$0" "$@"'
         command = ["sh", "-c", limited, str(program), *command[1:]]
-        before = os.times()
+        before = children_seconds()
         try:
             done = subprocess.run(command, cwd=self.build, env=self.environment, timeout=CLOCK_LIMIT, check=False,
                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             code = unless_stopping(done).returncode
         except subprocess.TimeoutExpired:
             return "time limit", CLOCK_LIMIT
-        after = os.times()
-        used = after.children_user + after.children_system - before.children_user - before.children_system
+        used = children_seconds() - before
         if code == 0:
             return None, used
         return ("a failure" if code == 1 else "time limit" if code in (-24, -9, 128 + 9) else f"signal {-code}"), used
