@@ -9,12 +9,13 @@
 set -euo pipefail
 root=$(realpath "$(dirname "$0")/../..")
 
-# The test on builds that a script stands for: one without precompiled headers, one that reads a header of src/, and one
-# in which the oracle is not built.
+# The test on builds that a script stands for: one in batches without precompiled headers, one that reads a header of
+# src/, one that reads a header of the build folder, and one in which the oracle is not built.
 if [ "$1" = --self-test ]; then
   scratch=$(mktemp -d)
   trap 'rm -rf "$scratch"' EXIT
-  mkdir "$scratch/bin"
+  batch=build/oracle/CMakeFiles/flowcert_oracle.dir/Unity/unity_0_cxx.cxx
+  mkdir -p "$scratch/bin" "$scratch/${batch%/*}"
   cat >"$scratch/bin/ninja" <<'NINJA'
 #!/bin/sh
 if [ "$2" = commands ]; then
@@ -26,24 +27,26 @@ else
 fi
 NINJA
   chmod +x "$scratch/bin/ninja"
-  printf '' >"$scratch/gmp.h"
+  touch "$scratch/gmp.h"
   # says EXPECTED FILES…: what the test says of a build that reads these files.
   says() {
     local expected=$1 said
     shift
-    printf '    %s\n' "$@" >"$scratch/read"
-    said=$(PATH=$scratch/bin:$PATH bash "$0" "$scratch" 2>&1) || true
+    printf '    %s\n' "$@" >"$scratch/build/read"
+    said=$(PATH=$scratch/bin:$PATH bash "$0" "$scratch/build" 2>&1) || true
     grep -q "$expected" <<<"$said" || { echo "FAIL: not '$expected', but: $said"; exit 1; }
   }
-  says 'none of src/, none of CGAL' "$root"/oracle/{,fast/,program/}*.cpp "$scratch/gmp.h"
+  says 'none of src/, none of CGAL' "$root"/oracle/{,fast/,program/}*.cpp "$scratch/gmp.h" "$scratch/$batch"
   says 'the oracle includes .*/drivers.h, which is part of the fast' "$root"/oracle/{,fast/,program/}*.cpp \
     "$scratch/gmp.h" "$root/src/flow/drivers.h"
+  says 'the oracle includes .*/made.h, which is not its own' "$root"/oracle/{,fast/,program/}*.cpp \
+    "$scratch/gmp.h" "$scratch/build/made.h"
   says 'is the oracle built' "$scratch/gmp.h"
-  echo "judges builds without precompiled headers, and finds what is read of src/ and what is not built"
+  echo "judges builds without precompiled headers, and finds what is read of src/, what is made and what is not built"
   exit 0
 fi
 
-cd "$1"
+cd -P "$1"
 failures=0
 fail() {
   echo "FAIL: $*"
@@ -73,7 +76,8 @@ while read -r file; do
     */mpfr.h) fail "the oracle includes $file" ;;
     "$root"/oracle/*) ;;
     "$PWD"/CMakeFiles/flowcert_precompiled_everywhere*.dir/cmake_pch.hxx*) ;;  # other libraries' headers, listed above
-    "$root"/*) fail "the oracle includes $file, which is not its own" ;;
+    "$PWD"/oracle/CMakeFiles/flowcert_oracle*.dir/Unity/unity_*.cxx) ;;  # files of the oracle, listed above
+    "$PWD"/* | "$root"/*) fail "the oracle includes $file, which is not its own" ;;
   esac
 done <<<"$read_files"
 
