@@ -189,8 +189,8 @@ def children_seconds():
 class Copy:
     """A copy of the tracked tree with a build folder in it: compilers see the same relative paths in every copy."""
 
-    def __init__(self, folder, jobs):
-        self.folder, self.build, self.jobs = folder, folder / "build", jobs
+    def __init__(self, folder):
+        self.folder, self.build, self.jobs = folder, folder / "build", os.cpu_count() or 1
         self.environment = {**ENVIRONMENT, "CCACHE_BASEDIR": str(folder.parent), **os.environ}
         self.environment.setdefault("GTEST_BRIEF", "1")
 
@@ -390,16 +390,25 @@ def describe(entry, outcome):
     return f"{entry['id']}: SURVIVED, {outcome.seconds:.0f} s: {entry['wrong']}"
 
 
-def run_all(entries, results, copies):
-    """Tries each entry on the next copy that is free. Returns what did not compile."""
+def built(copies, what, build):
+    """Brings each copy up to date and builds it without a fault, with all processors. From then on they share these.
+    Returns what `build` returned of the last one."""
     for copy in copies:
-        print(f"building the quick tests in {copy.folder.relative_to(ROOT)}/", flush=True)
+        print(f"building {what} in {copy.folder.relative_to(ROOT)}/", flush=True)
         copy.refresh()
         try:
             copy.configure()
-            tests = copy.quick_tests()
+            tests = build(copy)
         except BuildFailure as failure:
             give_up(f"without a fault:\n{failure}")
+    for copy in copies:
+        copy.jobs = max(1, copy.jobs // len(copies))
+    return tests
+
+
+def run_all(entries, results, copies):
+    """Tries each entry on the next copy that is free. Returns what did not compile."""
+    tests = built(copies, "the quick tests", Copy.quick_tests)
     print("processor time without a fault")
     whole = set().union(*(entry.get(table.TESTS, ()) for entry in entries))
     limits = results.limits = measure_limits(copies[0], tests, whole, USUAL_SCALE, results.limits)
@@ -408,14 +417,7 @@ def run_all(entries, results, copies):
 
 def run_one_test(name, entries, results, copies):
     """Tries each entry by one test at full scale. Returns what did not compile."""
-    for copy in copies:
-        print(f"building {name} in {copy.folder.relative_to(ROOT)}/", flush=True)
-        copy.refresh()
-        try:
-            copy.configure()
-            copy.build_for(name)
-        except BuildFailure as failure:
-            give_up(f"without a fault:\n{failure}")
+    built(copies, name, lambda copy: copy.build_for(name))
     limits = measure_limits(copies[0], {}, {name}, FULL_SCALE, {})
 
     def attempt(copy, entry):
@@ -527,9 +529,7 @@ def main():
         entries = results.survivors(entries, options.test) if options.survivors else entries
     to_try = entries if options.test else [entry for entry in entries
               if options.only or (reason_of(entry) is None and not results.killed_before(entry))]
-    compile_jobs = max(1, (os.cpu_count() or 1) // max(1, options.jobs))
-    copies = [Copy(work / ("source" if k == 0 else f"source-{k + 1}"), compile_jobs)
-              for k in range(max(1, options.jobs))]
+    copies = [Copy(work / ("source" if k == 0 else f"source-{k + 1}")) for k in range(max(1, options.jobs))]
     start = time.monotonic()
     signal.signal(signal.SIGINT, lambda *_: STOPPING.set())
     try:
