@@ -19,6 +19,7 @@ import json
 import os
 import pathlib
 import queue
+import re
 import signal
 import subprocess
 import sys
@@ -112,8 +113,10 @@ LIKELY = {
 
 # Tests that do not reach a folder's code cannot kill its mutants.
 OF_GEOMETRY = {"point_set_test", "rational_test", "filter_bounds_test", "predicates_test", "tetrahedron_signs_test"}
-OF_ORACLE = {"oracle_fast_test", "oracle_geometry_test", "oracle_orbit_test", "oracle_reading_test",
-             "oracle_stable_test", "oracle_stationary_test", "vectors_oracle_test"}
+OF_ORACLE = {"oracle_connections_test", "oracle_fast_test", "oracle_geometry_test", "oracle_infinity_test",
+             "oracle_location_test", "oracle_medial_axis_test", "oracle_merge_tree_test", "oracle_orbit_test",
+             "oracle_pockets_test", "oracle_reading_test", "oracle_roots_test", "oracle_stable_test",
+             "oracle_stationary_test", "vectors_oracle_test"}
 OF_JUDGE = {"conformance_run_test", "oracle_truth_test", "peer_property_test", "vector_cases_test", "verification_test"}
 BLIND = {
     "geometry": OF_ORACLE,
@@ -233,17 +236,17 @@ class Copy:
         return json.loads(listing)["tests"]
 
     def build_for(self, name):
-        """Builds what the test of this name runs: the program of its folder, or what scripts run."""
-        group = name.partition("/")[0]
-        listed = self.listed_tests("-R", f"^{name}$")
-        if len(listed) != 1:
-            give_up(f"ctest has {len(listed)} tests {name}")
-        # Unlike a script's, the command of a test that is not built yet is not known.
-        program = pathlib.Path((listed[0].get("command") or [group + "_tests"])[0])
-        if program.name.endswith("_tests"):
+        """Builds what the test of this name runs: the program of its tests, or what scripts run."""
+        # ctest keeps silent about the command of a program that is not built yet.
+        texts = "".join(path.read_text() for path in sorted(self.build.glob("*/*/CTestTestfile.cmake")))
+        commands = re.findall(rf'^add_test\(\[=\[{re.escape(name)}]=] "([^"]+)"', texts, re.MULTILINE)
+        if len(commands) != 1:
+            give_up(f"ctest has {len(commands)} tests {name}")
+        program = pathlib.Path(commands[0])
+        if program.is_relative_to(self.build):
             self.compile(program.name)
         else:
-            self.compile(*PROGRAMS, *(["flowcert_python"] if group == "python" else []))
+            self.compile(*PROGRAMS, *(["flowcert_python"] if name.startswith("python/") else []))
 
     def run_whole(self, name, cpu_limit, scale):
         """Runs a test as ctest does. Returns how it ended (None if it passes), and the processor time it took."""
@@ -324,14 +327,10 @@ def try_by_whole_tests(copy, entry, limits, scale):
         return Outcome(False, seconds=time.monotonic() - start)
 
 
-def measure_limits(copy, tests, whole, scale, known):
-    """Runs every quick test without a fault, and the whole ones that faults name, except those whose time an
-    interrupted run has measured."""
+def measure_limits(copy, tests, whole, scale):
+    """Runs every quick test without a fault, and the whole ones that faults name."""
     limits = {}
     for name in [*tests, *sorted(whole)]:
-        if name in known:
-            limits[name] = known[name]
-            continue
         if name in tests:
             ending, used = copy.run(tests[name], CLOCK_LIMIT)
         else:
@@ -348,10 +347,10 @@ class Results:
     """What is known of each mutant, kept in a file after each."""
 
     def __init__(self, path, resume):
-        self.path, self.lock, self.known, self.limits, self.by_test = path, threading.Lock(), {}, {}, {}
+        self.path, self.lock, self.known, self.by_test = path, threading.Lock(), {}, {}
         if resume and path.is_file():
             kept = json.loads(path.read_text(encoding="utf-8"))
-            self.known, self.limits, self.by_test = kept["mutants"], kept["limits"], kept.get("by_test", {})
+            self.known, self.by_test = kept["mutants"], kept.get("by_test", {})
 
     @staticmethod
     def edit_of(entry):
@@ -367,7 +366,7 @@ class Results:
         with self.lock:
             of = self.known if test is None else self.by_test.setdefault(test, {})
             of[entry["id"]] = {**dataclasses.asdict(outcome), "edit": self.edit_of(entry)}
-            kept = {"limits": self.limits, "mutants": self.known, "by_test": self.by_test}
+            kept = {"mutants": self.known, "by_test": self.by_test}
             self.path.write_text(json.dumps(kept, indent=1), encoding="utf-8")
 
     def survivors(self, entries, test):
@@ -411,14 +410,14 @@ def run_all(entries, results, copies):
     tests = built(copies, "the quick tests", Copy.quick_tests)
     print("processor time without a fault")
     whole = set().union(*(entry.get(table.TESTS, ()) for entry in entries))
-    limits = results.limits = measure_limits(copies[0], tests, whole, USUAL_SCALE, results.limits)
+    limits = measure_limits(copies[0], tests, whole, USUAL_SCALE)
     return try_all(entries, copies, lambda copy, entry: try_mutant(copy, entry, tests, limits), results, None)
 
 
 def run_one_test(name, entries, results, copies):
     """Tries each entry by one test at full scale. Returns what did not compile."""
     built(copies, name, lambda copy: copy.build_for(name))
-    limits = measure_limits(copies[0], {}, {name}, FULL_SCALE, {})
+    limits = measure_limits(copies[0], {}, {name}, FULL_SCALE)
 
     def attempt(copy, entry):
         return try_by_whole_tests(copy, entry, limits, FULL_SCALE)
@@ -525,8 +524,11 @@ def main():
     work = ROOT / "build-mutants"
     work.mkdir(exist_ok=True)
     results = Results(work / "results.json", options.resume or options.only or options.test)
-    if options.test:
-        entries = results.survivors(entries, options.test) if options.survivors else entries
+    if options.survivors:
+        entries = results.survivors(entries, options.test)
+        if not entries:
+            print(f"no fault is left alive for {options.test}")
+            return 0
     to_try = entries if options.test else [entry for entry in entries
               if options.only or (reason_of(entry) is None and not results.killed_before(entry))]
     copies = [Copy(work / ("source" if k == 0 else f"source-{k + 1}")) for k in range(max(1, options.jobs))]

@@ -21,6 +21,7 @@
 
 #include "flow/flow_operator.h"
 #include "flow/kernel_flow_operator.h"
+#include "flow/kernels/cascade_moving_point.h"
 #include "flow/kernels/exact_kernel.h"
 #include "flowcert/flow_complex.h"
 #include "fuzz/inputs/families.h"
@@ -458,6 +459,31 @@ TEST(CascadeKernel, WhatAHigherRungComputedIsHandedDown) {
   EXPECT_EQ(broken_bound(kernel.direction_in_doubles(again, cascade.facet(last)),
                          kernel.direction_in_integers(x[last], cascade.facet(last)), cascade.facet(last)),
             "");
+}
+
+// A sample is seen at nearly a right angle to the direction: too near for doubles, but not for what a longer precision
+// hands down to them.
+TEST(CascadeKernel, TheMovingPointTakesTheDirectionThatIsHandedDown) {
+  CITES("FC-NUM-01");
+  const Cascade cascade(60);
+  const FacetEdge facet = cascade.facet(cascade.crossings());
+  std::size_t decided_by_doubles_then = 0;
+  for (int bits = 40; bits < 56; ++bits) {
+    KernelTally tally;
+    CascadeKernel kernel(tally);
+    const PointNumber last = cascade.points(kernel, kNothing).back();
+    const Vector3<double> u = kernel.direction_in_doubles(last, facet).u;
+    const Vector3<double> edge = difference<double>(*facet.p0, *facet.p1), across = cross(edge, u);
+    const double along = std::ldexp(length(edge), -bits);
+    const Point q{facet.p0->x + across.x + along * u.x, facet.p0->y + across.y + along * u.y,
+                  facet.p0->z + across.z + along * u.z};
+    CascadeKernel::MovingPoint moving(kernel, last, *facet.p0, *facet.p1);
+    const Sign sign = moving.sign_of_ray_at_infinity(q);
+    const std::uint64_t failures = tally[FlowPrimitive::kRayAtInfinity].failures;
+    EXPECT_EQ(moving.sign_of_ray_at_infinity(q), sign);
+    if (failures == 1 && tally[FlowPrimitive::kRayAtInfinity].failures == 1) ++decided_by_doubles_then;
+  }
+  EXPECT_GT(decided_by_doubles_then, 0U);
 }
 
 TEST(CascadeKernel, PositionsOfRecipesAreExact) {

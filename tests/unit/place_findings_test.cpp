@@ -304,6 +304,8 @@ TEST(PlaceFindings, OfWhatCannotBeTogether) {
   EXPECT_EQ(cube.check(instead().add(3, all).add(1, {0, 7}).add(2, {0, 1, 7})).verdict, Verdict::kFails);
   EXPECT_EQ(cube.check(instead().add(3, {0, 1, 2, 7}).add(3, {0, 1, 4, 7}).add(2, {0, 1, 7})).verdict,
             Verdict::kPerturbed);
+  // A corner of the cube, in place of the second tetrahedron, overlaps with nothing, but the centre is outside of it.
+  EXPECT_EQ(cube.check(instead().add(3, {0, 1, 2, 7}).add(3, {0, 4, 5, 6}).add(2, {0, 1, 7})).verdict, Verdict::kFails);
 }
 
 // A claim that counts or lists regular stationary points denies those that it leaves out. Another says nothing of them.

@@ -99,6 +99,15 @@ TEST(PocketFindings, WhatIsWrongIsSaid) {
   EXPECT_EQ(said(one_pocket(R"("depth":"2")"), {.highest_level = 4}), "conforms");
 }
 
+// Of this box, the two widest mouths have the radius 17/2.
+TEST(PocketFindings, AMouthIsOpenForAProbeThatIsJustAsWide) {
+  CITES("FC-CLAIM-18", "FC-POCK-06");
+  std::vector<Point> rows = kBox;
+  for (Point& p : rows) p = {3 * p.x, 4 * p.y, 7.5 * p.z};
+  const Claim claim = read_claim_from(one_pocket(R"("is":"channel")", R"("probe":"17/2",)"), "claim");
+  EXPECT_EQ(text(check(PointSet(rows), claim)), "conforms");
+}
+
 // Half the mouths' area, and what is wrong by no more than rounding explains.
 TEST(PocketFindings, AreasAndRoundings) {
   CITES("FC-CLAIM-18", "FC-POCK-11");

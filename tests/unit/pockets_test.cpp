@@ -114,6 +114,20 @@ TEST(PocketSurfaces, AreClosedAndEncloseTheVolume) {
   }
 }
 
+// So far from the origin, doubles say too little of the corners.
+TEST(SurfaceArea, DoesNotDependOnWhatDecidesIt) {
+  CITES("FC-POCK-04", "FC-STAB-04");
+  std::vector<Point> far_away = lattice(2);
+  for (Point& p : far_away) p = {p.x + 0x1p40, p.y - 0x1p40, p.z + 0x1p40};
+  for (const auto& rows : {lattice(2), far_away}) {
+    const FlowComplex complex(rows);
+    ASSERT_GE(complex.stable().size(), 6U);
+    for (std::size_t side = 0; side < 6; ++side) {
+      EXPECT_NEAR(surface_area(complex.points(), complex.stable(), side), 1, 1e-12);
+    }
+  }
+}
+
 TEST(StableVolumes, SumsAreTheNearestDoubles) {
   CITES("FC-VOL-01", "FC-POCK-03");
   const FlowComplex complex(cloud(200, 9));

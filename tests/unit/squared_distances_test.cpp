@@ -80,6 +80,24 @@ TEST(SquaredDistances, ScaleDoesNotMatter) {
   EXPECT_GT(seen.records, 500U);
 }
 
+// Rounding errors that add up: these squared distances are off by more than a tenth of the bound of a circle, and by
+// more than an eighteenth of that of a sphere. They are the worst of millions of drawn triangles and tetrahedra.
+TEST(SquaredDistances, BoundsHoldWhereErrorsAddUp) {
+  CITES("FC-NUM-01");
+  for (const std::vector<Point>& rows :
+       {std::vector<Point>{{0.458, 0.997, 0.171}, {0.71, 0.969, 0.13}, {0.769, 0.948, 0.513}},
+        std::vector<Point>{{1.16294, 1.16892, 0.55577},
+                           {0.67936, 0.68196, 1.24625},
+                           {0.3441, 0.5479, -0.71812},
+                           {-0.19188, -0.25002, 0.38569}}}) {
+    const FlowComplex complex{PointSet(rows)};
+    EXPECT_EQ(complex.stationary().contact(complex.stationary().size() - 1).size(), rows.size());
+    Seen seen;
+    expect_right(complex, seen);
+    EXPECT_GT(seen.inexact, 0U);
+  }
+}
+
 // Two edges whose lengths differ by less than a double of their squares can tell.
 TEST(SquaredDistances, NearlyEqualValuesAreToldApart) {
   CITES("FC-PERS-01", "FC-NUM-01");
