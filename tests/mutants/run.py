@@ -67,7 +67,7 @@ LIKELY = {
     "src/morse/limit_partition": ["limit_agreement_test", "volume_agreement_test"],
     "src/morse/merge_trees": ["pocket_agreement_test"],
     "src/morse/pocket": ["pockets_test", "pocket_agreement_test"],
-    "src/morse/squared_distances": ["pockets_test"],
+    "src/morse/squared_distances": ["squared_distances_test", "pockets_test"],
     "src/morse/surface_area": ["pocket_agreement_test"],
     "src/morse/polygon_turn": ["limit_agreement_test", "volume_agreement_test"],
     "src/morse/stable_volumes": ["volume_agreement_test"],
