@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""Mutation score of the quick tests: ./dev mutants (or tests/mutants/run.py) plants the faults of mutants.json in a copy
-of the tracked tree, one at a time, builds, runs the quick tests until one fails, and prints which faults survive. A
-fault that names its tests is tried by these, as ./dev test runs them.
+"""Mutation score of the quick tests: ./dev mutants (or tests/mutants/run.py) plants the faults of mutants.json in a
+copy of the tracked tree, one at a time, builds, runs the quick tests until one fails, and prints which faults survive.
+A fault that names its tests is tried by these, as ./dev test runs them.
 
 With --test NAME it runs that one test of ctest's instead, at full scale, and prints which faults it kills; with
 --survivors too, on those faults alone that the last run and earlier tests of this kind let live.
 
-Guarantees: the work tree is not touched; everything happens below build-mutants/. Before the first fault all quick tests
-must pass; a test's limit of processor time comes from that run, so that a busy machine kills nothing. A fault that does
-not compile is an error of the table, not a kill. Exit status: 0; 1 where the score is below 95 % or a mutant without a
-written reason survives; 2 where the table is wrong or the tests fail without a fault.
+Guarantees: the work tree is not touched; everything happens below build-mutants/. Before the first fault all quick
+tests must pass; a test's limit of processor time comes from that run, so that a busy machine kills nothing. A fault
+that does not compile is an error of the table, not a kill. Exit status: 0; 1 where the score is below 95 % or a mutant
+without a written reason survives; 2 where the table is wrong or the tests fail without a fault.
 """
 import argparse
 import concurrent.futures
@@ -249,7 +249,8 @@ class Copy:
             self.compile(*PROGRAMS, *(["flowcert_python"] if name.startswith("python/") else []))
 
     def run_whole(self, name, cpu_limit, scale):
-        """Runs a test as ctest does. Returns how it ended (None if it passes), and the processor time it took."""
+        """Builds a test and runs it as ctest does. Returns how it ended (None if it passes), and the processor time."""
+        self.build_for(name)
         environment = {**self.environment, "FLOWCERT_PROPERTY_SCALE": scale}
         limited = f'ulimit -c 0; ulimit -t {cpu_limit}; exec "$0" "$@"'
         command = ["ctest", "--test-dir", "build", "-R", f"^{name}$", "--timeout", str(CLOCK_LIMIT), "--no-tests=error"]
@@ -262,7 +263,8 @@ class Copy:
         self.run_tool(["cmake", "--build", "build", "--parallel", str(self.jobs), "--target", *targets])
 
     def run(self, command, cpu_limit):
-        """Returns how the test ended (None if it passes), and the processor time it took."""
+        """Builds and runs a quick test. Returns how it ended (None if it passes), and the processor time it took."""
+        self.compile(program_of(command))
         program = self.build / pathlib.Path(command[0]).relative_to(pathlib.Path(command[0]).parents[2])
         limited = f'ulimit -c 0; ulimit -v {MEMORY_LIMIT_KIB}; ulimit -t {cpu_limit}; exec "$0" "$@"'
         command = ["sh", "-c", limited, str(program), *command[1:]]
@@ -304,24 +306,19 @@ def planted(copy, entry):
 
 
 def try_mutant(copy, entry, tests, limits):
+    """By the whole tests that the fault names, or else by the quick tests."""
     if table.TESTS in entry:
-        return try_by_whole_tests(copy, entry, {name: limits[name] for name in entry[table.TESTS]}, USUAL_SCALE)
-    start = time.monotonic()
-    with planted(copy, entry):
-        for name in order_for(entry, {name: limits[name] for name in tests}):
-            copy.compile(program_of(tests[name]))
-            ending, _ = copy.run(tests[name], limits[name])
-            if ending is not None:
-                return Outcome(True, name, ending, time.monotonic() - start)
-        return Outcome(False, seconds=time.monotonic() - start)
+        return try_by(copy, entry, entry[table.TESTS], lambda name: copy.run_whole(name, limits[name], USUAL_SCALE))
+    order = order_for(entry, {name: limits[name] for name in tests})
+    return try_by(copy, entry, order, lambda name: copy.run(tests[name], limits[name]))
 
 
-def try_by_whole_tests(copy, entry, limits, scale):
+def try_by(copy, entry, names, run):
+    """Runs these tests, as Copy.run does, until one fails."""
     start = time.monotonic()
     with planted(copy, entry):
-        for name, limit in limits.items():
-            copy.build_for(name)
-            ending, _ = copy.run_whole(name, limit, scale)
+        for name in names:
+            ending, _ = run(name)
             if ending is not None:
                 return Outcome(True, name, ending, time.monotonic() - start)
         return Outcome(False, seconds=time.monotonic() - start)
@@ -334,7 +331,6 @@ def measure_limits(copy, tests, whole, scale):
         if name in tests:
             ending, used = copy.run(tests[name], CLOCK_LIMIT)
         else:
-            copy.build_for(name)
             ending, used = copy.run_whole(name, CLOCK_LIMIT, scale)
         if ending is not None:
             give_up(f"without a fault, {name} ends with {ending}")
@@ -420,7 +416,7 @@ def run_one_test(name, entries, results, copies):
     limits = measure_limits(copies[0], {}, {name}, FULL_SCALE)
 
     def attempt(copy, entry):
-        return try_by_whole_tests(copy, entry, limits, FULL_SCALE)
+        return try_by(copy, entry, [name], lambda _: copy.run_whole(name, limits[name], FULL_SCALE))
 
     broken = try_all(entries, copies, attempt, results, name)
     killed = [entry["id"] for entry in entries if results.by_test.get(name, {}).get(entry["id"], {}).get("killed")]
