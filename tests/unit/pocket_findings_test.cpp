@@ -99,7 +99,7 @@ TEST(PocketFindings, WhatIsWrongIsSaid) {
   EXPECT_EQ(said(one_pocket(R"("depth":"2")"), {.highest_level = 4}), "conforms");
 }
 
-// Of this box, the two widest mouths have the radius 17/2.
+// The box's two widest mouths have the radius 17/2.
 TEST(PocketFindings, AMouthIsOpenForAProbeThatIsJustAsWide) {
   CITES("FC-CLAIM-18", "FC-POCK-06");
   std::vector<Point> rows = kBox;
