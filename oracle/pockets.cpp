@@ -58,7 +58,7 @@ std::vector<Gate> gates_at(const Landscape& land, const Rational& value) {
   for (std::size_t point = 0; point < land.all.size(); ++point) {
     if (!land.is_index_2(point) || land.all[point].squared_distance != value) continue;
     Gate gate{point, land.above.of_sides[point], {}};
-    for (const std::size_t side : {0, 1}) gate.components[side] = land.component(*gate.sides[side].begin(), value);
+    for (const std::size_t side : {0U, 1U}) gate.components[side] = land.component(*gate.sides[side].begin(), value);
     if (gate.components[0] != gate.components[1]) gates.push_back(gate);
   }
   return gates;
@@ -100,7 +100,7 @@ class Merging {
     }
     std::map<std::size_t, Peaks> beyond;  // by the shallow pocket: the pockets that are not, behind gates
     for (const Gate& gate : gates) {
-      for (const std::size_t side : {0, 1}) {
+      for (const std::size_t side : {0U, 1U}) {
         if (!is_shallow(gate.components[side], level) || is_shallow(gate.components[1 - side], level)) continue;
         Peaks& found = beyond[pocket_of_[*gate.components[side].begin()]];
         for (const std::size_t leaf : gate.sides[1 - side]) found.insert(pocket_of_[leaf]);
@@ -137,14 +137,14 @@ std::vector<std::size_t> last_gates(const Landscape& land, std::size_t leaf, con
     before = reached.size();
     for (const Gate& gate : gates) {
       if (gate.components[0] == outer || gate.components[1] == outer) continue;
-      for (const std::size_t side : {0, 1}) {
+      for (const std::size_t side : {0U, 1U}) {
         if (reached.count(gate.components[side]) > 0) reached.insert(gate.components[1 - side]);
       }
     }
   }
   std::vector<std::size_t> last;
   for (const Gate& gate : gates) {
-    for (const std::size_t side : {0, 1}) {
+    for (const std::size_t side : {0U, 1U}) {
       if (gate.components[side] == outer && reached.count(gate.components[1 - side]) > 0) last.push_back(gate.point);
     }
   }

@@ -9,7 +9,6 @@
 #include <boost/algorithm/string.hpp>
 #include <numeric>
 #include <optional>
-#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -64,9 +63,7 @@ class HelpFormatter : public CLI::Formatter {
 
   // Names of commands are short, so that each has one line.
   std::string make_subcommand(const CLI::App* sub) const override {
-    std::ostringstream line;
-    CLI::detail::format_help(line, sub->get_name(), sub->get_description(), kCommands);
-    return line.str();
+    return fmt::format("{:<{}}{}\n", "  " + sub->get_name(), kCommands, sub->get_description());
   }
 
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {

@@ -10,6 +10,7 @@
 #include "flow/worker_pool.h"
 #include "geometry/contract.h"
 #include "geometry/portions.h"
+#include "morse/along_the_curve.h"
 #include "morse/chain_boundary.h"
 #include "morse/layer.h"
 #include "morse/record_face.h"

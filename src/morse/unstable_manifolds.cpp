@@ -19,6 +19,7 @@
 #include "geometry/parallel_for.h"
 #include "geometry/portions.h"
 #include "geometry/rational_point.h"
+#include "morse/along_the_curve.h"
 #include "morse/layer.h"
 #include "morse/record_face.h"
 #include "morse/record_finder.h"

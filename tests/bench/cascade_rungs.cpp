@@ -31,6 +31,7 @@
 #include "flowcert/stationary_points.h"
 #include "fuzz/inputs/capsule_sample.h"
 #include "fuzz/inputs/large_configurations.h"
+#include "morse/along_the_curve.h"
 #include "morse/record_face.h"
 
 namespace {

@@ -104,7 +104,7 @@ TEST(OraclePockets, OfTwoCellsOfALattice) {
   const Input input(rows);
   const Pockets found = input.at(0);
   ASSERT_EQ(found.pockets.size(), 2U);
-  for (const std::size_t k : {0, 1}) {
+  for (const std::size_t k : {0U, 1U}) {
     const Pocket& pocket = found.pockets[k];
     EXPECT_EQ(pocket.mouths.size(), 6U);
     EXPECT_EQ(pocket.neighbours, (Places{1 - k, 2}));
