@@ -15,6 +15,7 @@
 #include <memory>
 #include <numeric>
 #include <random>
+#include <sstream>
 #include <string_view>
 
 #include "oracle/fast/point_set.h"
@@ -201,16 +202,40 @@ int run_orbit(const std::string& input, const std::string& from, bool json) {
   return 0;
 }
 
-// Help with its examples first.
+// Help with its examples first. It is made here, because versions of CLI11 lay it out differently.
 struct HelpFormatter : CLI::Formatter {
-  std::string make_usage(const CLI::App* app, std::string name) const override {
-    return CLI::Formatter::make_usage(app, std::move(name)) + "\n" + app->get_footer() + "\n";
+  static std::string row(const std::string& left, const std::string& right) {
+    std::ostringstream out;
+    out << std::left << std::setw(30) << "  " + left << right << '\n';
+    return out.str();
   }
-  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
-    const std::string help = CLI::Formatter::make_help(app, std::move(name), mode);
-    return help.substr(0, help.find_last_not_of('\n') + 1) + '\n';
+  static std::string options(const char* heading, const CLI::App& app, bool positional) {
+    std::string text;
+    for (const CLI::Option* option : app.get_options()) {
+      if (option->get_positional() != positional) continue;
+      std::string left = option->get_name(positional, !positional);
+      if (option->get_type_size() != 0) left += ' ' + option->get_type_name();
+      if (!option->get_default_str().empty()) left += '=' + option->get_default_str();
+      if (option->get_required()) left += " REQUIRED";
+      text += row(left, option->get_description());
+    }
+    return text.empty() ? "" : std::string("\n") + heading + ":\n" + text;
   }
-  std::string make_footer(const CLI::App*) const override { return ""; }
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode) const override {
+    std::string usage = "Usage: " + name + " [OPTIONS]", commands;
+    for (const CLI::Option* option : app->get_options()) {
+      if (option->get_positional()) usage += ' ' + option->get_name(true, false);
+    }
+    for (const CLI::App* command : app->get_subcommands({})) {
+      commands += row(command->get_name(), command->get_description());
+    }
+    if (!commands.empty()) {
+      usage += " SUBCOMMAND";
+      commands = "\nSubcommands:\n" + commands;
+    }
+    return app->get_description() + '\n' + usage + "\n\n" + app->get_footer() + '\n' +
+           options("Positionals", *app, true) + options("Options", *app, false) + commands;
+  }
 };
 
 int run(int argc, char** argv) {

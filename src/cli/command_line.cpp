@@ -9,6 +9,7 @@
 #include <boost/algorithm/string.hpp>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -42,32 +43,98 @@ std::string below_heading(const char* heading, std::span<const std::string> exam
   return text;
 }
 
-// Two examples come before the options, and further ones at the end.
+// " TEXT=default ... REQUIRED": what follows the names of an option.
+std::string words_after_names(const CLI::Option& option) {
+  std::string words;
+  if (!option.get_option_text().empty()) return ' ' + option.get_option_text();
+  if (option.get_type_size() != 0) {
+    if (!option.get_type_name().empty()) words += ' ' + option.get_type_name();
+    if (!option.get_default_str().empty()) words += '=' + option.get_default_str();
+    if (option.get_expected_max() == CLI::detail::expected_max_vector_size) words += " ...";
+    if (option.get_required()) words += " REQUIRED";
+  }
+  const auto list = [&](const char* heading, const std::set<CLI::Option*>& others) {
+    if (!others.empty()) words += heading;
+    for (const CLI::Option* other : others) words += ' ' + other->get_name();
+  };
+  list(" Needs:", option.get_needs());
+  list(" Excludes:", option.get_excludes());
+  return words;
+}
+
+// Two columns; what is too long for the first has a line of its own.
+std::string two_columns(const std::string& left, std::size_t width, const std::string& right) {
+  const bool is_long = left.size() >= width && !right.empty();
+  return fmt::format("{:<{}}{}{}\n", left, width, is_long ? "\n" + std::string(width, ' ') : "", right);
+}
+
+std::string list_of_options(const CLI::App& app, const char* heading, bool are_positional) {
+  const std::vector<const CLI::Option*> options = app.get_options([&](const CLI::Option* option) {
+    return !option->get_group().empty() && option->get_positional() == are_positional;
+  });
+  std::string text = options.empty() ? "" : fmt::format("\n{}:\n", heading);
+  for (const CLI::Option* option : options) {
+    const std::string names = option->get_name(are_positional, !are_positional);
+    text += two_columns("  " + names + words_after_names(*option), kNames, option->get_description());
+  }
+  return text;
+}
+
+// Options of which one is required, below the name of their group.
+std::string group_of_options(const CLI::App& group) {
+  std::string text = group.get_description();
+  if (group.get_require_option_min() == 1) text += " \n[Exactly 1 of the following options is required]";
+  text += list_of_options(group, "Options", false);
+  return fmt::format("[Option Group: {}]\n  {}\n", group.get_group(),
+                     boost::algorithm::replace_all_copy(text.substr(0, text.size() - 1), "\n", "\n  "));
+}
+
+// Commands in their groups, in the order in which they were added. Their names are short, so that each has one line.
+std::string list_of_commands(const CLI::App& app) {
+  std::vector<std::string> groups;
+  std::string text;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    const std::string group = command->get_group();
+    if (command->get_name().empty()) {
+      text += group_of_options(*command);
+    } else if (!group.empty() && std::ranges::find(groups, group) == groups.end()) {
+      groups.push_back(group);
+    }
+  }
+  for (const std::string& group : groups) {
+    text += fmt::format("\n{}:\n", group);
+    for (const CLI::App* command : app.get_subcommands({})) {
+      if (command->get_group() != group || command->get_name().empty()) continue;
+      text += two_columns("  " + command->get_name(), kCommands, command->get_description());
+    }
+  }
+  return text;
+}
+
+std::string usage_of(const CLI::App& app, const std::string& name) {
+  std::string text = fmt::format("Usage: {} [OPTIONS]", name);
+  for (const CLI::Option* option : app.get_options([](const CLI::Option* one) { return one->get_positional(); })) {
+    std::string word = option->get_name(true, false);
+    if (option->get_expected_max() >= CLI::detail::expected_max_vector_size) word += "...";
+    text += option->get_required() ? ' ' + word : fmt::format(" [{}]", word);
+  }
+  const bool has_commands = !app.get_subcommands([](const CLI::App* one) { return !one->get_name().empty(); }).empty();
+  if (has_commands) text += app.get_require_subcommand_min() == 0 ? " [SUBCOMMAND]" : " SUBCOMMAND";
+  return text + '\n';
+}
+
+// All of the text is made here, because versions of CLI11 lay it out differently. Two examples come before the options,
+// and further ones at the end.
 class HelpFormatter : public CLI::Formatter {
  public:
-  HelpFormatter() { column_width(kNames); }
-
-  std::string make_usage(const CLI::App* app, std::string name) const override {
-    const std::vector<std::string> examples = footer_of(*app).examples;
-    const std::size_t first = std::min(kFirstExamples, examples.size());
-    return CLI::Formatter::make_usage(app, std::move(name)) + (first == 0 ? "" : "\n") +
-           below_heading("Examples", {examples.data(), first});
-  }
-
-  std::string make_footer(const CLI::App* app) const override {
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode) const override {
     const DescribedFooter footer = footer_of(*app);
-    const std::size_t first = std::min(kFirstExamples, footer.examples.size());
-    return footer.notes + (footer.notes.empty() ? "" : "\n\n") +
-           below_heading("More examples", std::span(footer.examples).subspan(first));
-  }
-
-  // Names of commands are short, so that each has one line.
-  std::string make_subcommand(const CLI::App* sub) const override {
-    return fmt::format("{:<{}}{}\n", "  " + sub->get_name(), kCommands, sub->get_description());
-  }
-
-  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
-    std::string help = CLI::Formatter::make_help(app, std::move(name), mode);
+    const std::span examples(footer.examples);
+    const std::size_t first = std::min(kFirstExamples, examples.size());
+    std::string help = app->get_description() + '\n' + usage_of(*app, name) + (first == 0 ? "" : "\n") +
+                       below_heading("Examples", examples.first(first)) + list_of_options(*app, "Positionals", true) +
+                       list_of_options(*app, "Options", false) + list_of_commands(*app) + '\n' + footer.notes +
+                       (footer.notes.empty() ? "" : "\n\n") + below_heading("More examples", examples.subspan(first));
     help.erase(help.find_last_not_of('\n') + 1);
     help += '\n';
     std::vector<std::string> lines;

@@ -56,8 +56,8 @@ TEST(HelpText, NothingAskedForIsOneScreen) {
   const Words lines = lines_of(finished.out);
   EXPECT_LE(lines.size(), 24U) << finished.out;
   for (const std::string& line : lines) EXPECT_LE(line.size(), 80U) << line;
-  // A command that is in no group of main.cpp is in CLI11's own.
-  EXPECT_EQ(finished.out.find("Subcommands"), std::string::npos) << finished.out;
+  // A command that is in no group of main.cpp is in CLI11's own, whose name depends on its version.
+  EXPECT_FALSE(boost::algorithm::icontains(finished.out, "subcommands")) << finished.out;
   std::size_t shown = 0;
   for (const std::string& command : commands_in(flowcert({"--help"}).out)) {
     const bool sets_up_a_shell = command == "completion" || command == "manual";

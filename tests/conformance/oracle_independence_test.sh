@@ -57,8 +57,8 @@ fail() {
 # separately what it read for a precompiled header.
 objects='^[^ ]*flowcert_oracle(_tool)?[.]dir/'
 precompiled=$(ninja -t commands flowcert-oracle | grep -E -- ' -o [^ ]*flowcert_oracle(_tool)?\.dir/' |
-  { grep -oP -- ' -include \K\S+' || true; } | sort -u)
-for header in $precompiled; do objects+="|^$(realpath --relative-to=. "$header")[.]gch:"; done
+  { grep -oP -- ' -include (-Xclang )?\K\S+' || true; } | sort -u)
+for header in $precompiled; do objects+="|^$(realpath --relative-to=. "$header")[.](gch|pch):"; done
 
 # Header and source files that these depend on, with all links and ".." resolved.
 read_files=$(ninja -t deps | awk -v objects="$objects" '/^[^ ]/ { wanted = $0 ~ objects && !/STALE/ } /^ / && wanted { print $1 }' |
