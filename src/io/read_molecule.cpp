@@ -179,6 +179,8 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
+constexpr std::string_view kCategory = "_atom_site.";
+
 // A place for each column that is of interest.
 class AtomSiteReader {
  public:
@@ -190,7 +192,7 @@ class AtomSiteReader {
     while (word) {
       const bool is_loop = !word->is_quoted && lower_case(word->text) == "loop_";
       word = words_.next();
-      if (!is_loop || !word || !is_name(*word) || !lower_case(word->text).starts_with("_atom_site.")) continue;
+      if (!is_loop || !word || !is_name(*word) || !lower_case(word->text).starts_with(kCategory)) continue;
       word = read_table(*word);
     }
     if (!has_table_) reject_file(file_, "there is no table _atom_site");
@@ -212,7 +214,9 @@ class AtomSiteReader {
     if (std::exchange(has_table_, true)) words_.place().reject("a second table _atom_site");
     std::optional<Word> word = first;
     for (; word && is_name(*word); word = words_.next()) {
-      columns_[lower_case(word->text).substr(std::string_view("_atom_site.").size())] = count_++;
+      const std::string name = lower_case(word->text);
+      if (!name.starts_with(kCategory)) words_.place().reject("a column of another table: " + in_quotes(word->text));
+      columns_[name.substr(kCategory.size())] = count_++;
     }
     for (const char* name : {"cartn_x", "cartn_y", "cartn_z"}) {
       if (!columns_.contains(name)) words_.place().reject(fmt::format("the table _atom_site has no column {}", name));

@@ -124,6 +124,8 @@ TEST(ReadMmcif, Errors) {
   EXPECT_EQ(refusal("data_x\n_a.b\n;\ntext\n", "a.cif"), "a.cif:3: a text field that does not end");
   EXPECT_EQ(refusal("data_x\nloop_\n_atom_site.id\n_atom_site.Cartn_x\n1 2\n", "a.cif"),
             "a.cif:5: the table _atom_site has no column cartn_y");
+  EXPECT_EQ(refusal("data_x\nloop_\n_atom_site.Cartn_x\n_b\n1 2\n", "a.cif"),
+            "a.cif:4: a column of another table: '_b'");
   EXPECT_EQ(refusal_of_chains(kCif + "ATOM 1 CA . A 1 2 3 A 1\n", "a.cif", {"B"}),
             "a.cif: there is no chain 'B'; there are 'A'");
   const std::string table = kCif + "ATOM 1 CA . A 1 2 3 A 1\n";
