@@ -179,7 +179,8 @@ ClaimedPockets pockets_of(const ExchangeValue& object, Claim& claim) {
 }
 
 Claim read_pockets(std::string_view text, std::string_view file) {
-  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find('{')), '\n');
+  const std::string_view before = text.substr(0, text.find('{'));  // all of it, where there is no brace
+  const auto line = 1 + std::ranges::count(before, '\n');
   const LinePlace place{.file = file, .line = static_cast<std::size_t>(line)};
   const JsonTree tree = parse_json(text, place);
   Claim claim;
