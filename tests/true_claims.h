@@ -171,6 +171,7 @@ inline ClaimedCorner corner_of(const SurfaceCorner& corner) { return {exactly(co
 
 inline std::vector<ClaimedUnstableInterval> intervals_of(const std::vector<UnstableInterval>& intervals) {
   std::vector<ClaimedUnstableInterval> claimed;
+  claimed.reserve(intervals.size());
   for (const UnstableInterval& one : intervals)
     claimed.push_back({one.polygon, corner_of(one.from), corner_of(one.to)});
   return claimed;

@@ -129,6 +129,7 @@ std::vector<std::size_t> chosen_families(const std::vector<std::string>& names) 
 std::vector<std::string> family_names(const CaseRun& run) {
   const std::size_t count = run.chosen.empty() ? families().size() : run.chosen.size();
   std::vector<std::string> names;
+  names.reserve(count);
   for (std::size_t number = 0; number < count; ++number) names.push_back(family_of_case(run, number).name);
   return names;
 }

@@ -157,6 +157,7 @@ class Surfaces {
       return;
     }
     std::vector<std::vector<PointId>> edges;
+    edges.reserve(walk.size());
     for (std::size_t i = 0; i < walk.size(); ++i) edges.push_back({walk[i], walk[(i + 1) % walk.size()]});
     boundaries_.check(k, edges, 5, true);
   }

@@ -74,6 +74,7 @@ std::optional<ExactSphere> claimed_sphere(const PointSet& points, const ClaimedP
   std::optional<ExactSphere> of_contact;
   if (const std::vector<std::size_t> contact = ordinals_of(points, point.contact); !contact.empty()) {
     std::vector<PointId> names;
+    names.reserve(contact.size());
     for (const std::size_t ordinal : contact) names.push_back(points.name(ordinal));
     of_contact = exact_sphere(points, names);
   }

@@ -94,6 +94,7 @@ double root_of(const PocketsRun& run, std::uint32_t record) {
 // The deepest come first; of equal depths, the first in the list.
 std::vector<std::size_t> by_depth(const Pockets& pockets) {
   std::vector<io::PairEnds> ends;
+  ends.reserve(pockets.size());
   for (std::size_t number = 0; number < pockets.size(); ++number) {
     ends.push_back({pockets[number].highest_mouth, pockets[number].peaks.front()});
   }

@@ -15,6 +15,8 @@
 PYBIND11_MODULE(_core, module) {
   namespace python = flowcert::python;
   module.doc() = "What the package flowcert asks of the library. Use flowcert itself.";
+  // pybind11 wants a function of exactly this type.
+  // NOLINTNEXTLINE(performance-unnecessary-value-param)
   pybind11::register_local_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

@@ -308,6 +308,7 @@ void VoronoiComplex::gather_hull_polygons(FilterTally& tally) {
     }
   }
   std::vector<std::pair<std::uint32_t, std::uint32_t>> members;
+  members.reserve(hull.size());
   for (std::uint32_t k = 0; k < hull.size(); ++k) members.emplace_back(partition.find(k), k);
   std::sort(members.begin(), members.end());
   std::vector<FacetRef> run;

@@ -92,6 +92,7 @@ Rates locate(const FlowComplex& complex) {
   const double set_up = seconds_of([&] { locator.emplace(complex.diagram(), complex.stationary(), complex.limits()); });
   const auto rate = [&](const std::vector<Point>& positions) {
     std::vector<double> times;
+    times.reserve(kRuns);
     for (int run = 0; run < kRuns; ++run) {
       times.push_back(seconds_of([&] {
         for (const Point& x : positions) (void)locator->locate(x);
@@ -136,13 +137,16 @@ PocketTimes pockets_of(const std::vector<Point>& rows) {
 void print(const std::string& path) {
   const std::vector<Point> rows = read_points(path).rows;
   std::vector<PocketTimes> runs;
+  runs.reserve(kRuns);
   for (int run = 0; run < kRuns; ++run) runs.push_back(pockets_of(rows));
   const auto of = [&](double PocketTimes::* part) {
     std::vector<double> ratios;
+    ratios.reserve(runs.size());
     for (const PocketTimes& times : runs) ratios.push_back(times.*part / times.delaunay);
     return median(ratios);
   };
   std::vector<double> sums;
+  sums.reserve(runs.size());
   for (const PocketTimes& t : runs) {
     sums.push_back((t.critical + t.limits + t.trees + t.pockets + t.volumes + t.s2 + t.areas) / t.delaunay);
   }

@@ -83,7 +83,7 @@ struct Streams {
   std::string standard_input = "/dev/null";
   // If one of these is empty, the output is captured.
   std::string standard_output;
-  std::string standard_error = "";
+  std::string standard_error = {};
 };
 
 // A program that runs. finish() waits for it.
@@ -106,6 +106,7 @@ class RunningProgram {
     ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
     std::vector<std::string> copies = words;
     std::vector<char*> argv;
+    argv.reserve(copies.size() + 1);
     for (std::string& word : copies) argv.push_back(word.data());
     argv.push_back(nullptr);
     const int failure = ::posix_spawn(&process_, argv[0], &actions, &attributes, argv.data(), environ);

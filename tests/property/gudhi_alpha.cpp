@@ -77,7 +77,7 @@ GudhiAlpha::GudhiAlpha(std::span<const Point> points) : complex_(std::make_uniqu
   const std::vector<std::size_t> place = are_flat(points) ? add_flat(points, tree) : add_spatial(points, tree);
   if (tree.num_vertices() != points.size()) throw std::runtime_error("GUDHI leaves points out");
   for (const Tree::Simplex_handle& handle : tree.complex_simplex_range()) complex_->handles.push_back(handle);
-  std::ranges::stable_sort(complex_->handles, {}, [&](auto handle) { return tree.dimension(handle); });
+  std::ranges::stable_sort(complex_->handles, {}, [&](const auto& handle) { return tree.dimension(handle); });
   std::size_t next = 0;
   for (const Tree::Simplex_handle& handle : complex_->handles) {
     tree.assign_key(handle, static_cast<Tree::Simplex_key>(next++));

@@ -34,6 +34,7 @@ std::size_t facets_crossed(const OrbitRecord& orbit) {
 std::size_t expect_orbits_agree(const Subject& subject, const std::vector<RationalPoint>& starts) {
   std::size_t longest = 0;
   std::vector<Flow> flows;
+  flows.reserve(std::size(kAllWays));
   for (const FlowOptions& way : kAllWays) flows.emplace_back(subject.complex.diagram(), way);
   for (const RationalPoint& x : starts) {
     const OrbitRecord expected = record_of(subject.set, x, oracle::orbit(subject.set, x));

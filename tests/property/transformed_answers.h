@@ -21,6 +21,7 @@ inline std::vector<std::size_t> names_after(const fuzz::Input& input, const std:
     smallest.emplace(input.rows[order[place]], place);
   }
   std::vector<std::size_t> names;
+  names.reserve(input.rows.size());
   for (const fuzz::Row& row : input.rows) {
     names.push_back(smallest.at(row));
   }

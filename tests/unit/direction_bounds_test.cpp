@@ -506,7 +506,7 @@ TEST(DirectionBounds, OfTheSigns) {
 TEST(DirectionBounds, OfTheWayThroughAFacet) {
   CITES("FC-NUM-01");
   PortableRandom random(6);
-  constexpr double u = Precision<double>::kRoundoff;
+  constexpr double u = Precision<double>::kRoundoff;  // NOLINT(readability-identifier-naming): as in formulas
   std::size_t within = 0;
   for (int k = 0; k < 2000; ++k) {
     const Direction<double> x = along_x<double>(0x1p-20);
@@ -535,7 +535,7 @@ TEST(DirectionBounds, OfTheWayThroughAFacet) {
 TEST(DirectionBounds, OfTheSideOfACentre) {
   CITES("FC-NUM-01");
   PortableRandom random(7);
-  constexpr double u = Precision<double>::kRoundoff;
+  constexpr double u = Precision<double>::kRoundoff;  // NOLINT(readability-identifier-naming): as in formulas
   std::size_t within = 0;
   for (int k = 0; k < 2000; ++k) {
     const double turn = 1.5 + random.coordinate(), across = 0.5 * random.coordinate();

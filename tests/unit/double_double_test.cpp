@@ -74,7 +74,7 @@ TEST(DoubleDouble, WhatIsNoNumberIsNeitherLessNorMore) {
   CITES("FC-NUM-01");
   const DoubleDouble none(std::numeric_limits<double>::quiet_NaN()), one(1);
   for (const DoubleDouble& x : {none, DoubleDouble(HUGE_VAL) - DoubleDouble(HUGE_VAL), one / (one - one) * 0}) {
-    EXPECT_FALSE(x < one || x > one || x == one);
+    EXPECT_FALSE(x < one || x > one || x == one);  // NOLINT(misc-redundant-expression)
   }
 }
 

@@ -211,7 +211,7 @@ TEST(Families, MagnitudesReachBothEndsOfTheRange) {
 
 // Takes the first shrink that keeps the property, again and again, as RapidCheck does.
 template <typename Property>
-Input shrunk(rc::Shrinkable<Input> from, const Property& keeps) {
+Input shrunk(const rc::Shrinkable<Input>& from, const Property& keeps) {
   return rc::shrinkable::findLocalMin(from, keeps).first;
 }
 

@@ -82,7 +82,7 @@ std::array<Point, N> near_tie(PortableRandom& random, const Function& f) {
   }
 }
 
-constexpr double u = kUnitRoundoff;
+constexpr double u = kUnitRoundoff;  // NOLINT(readability-identifier-naming): as in formulas
 
 Value angle_value(const std::array<Point, 3>& t) {
   const Vector a = vector_between(t[1], t[0]), b = vector_between(t[1], t[2]);

@@ -62,6 +62,7 @@ inline LandscapeRows some_of(const LandscapeRows& candidates, std::size_t number
 inline LandscapeRows lattice(int side) {
   LandscapeRows rows;
   for (int k = 0; k < side * side * side; ++k) {
+    // NOLINTNEXTLINE(bugprone-integer-division)
     rows.push_back(
         {static_cast<double>(k % side), static_cast<double>(k / side % side), static_cast<double>(k / side / side)});
   }
