@@ -377,14 +377,14 @@ MaybeChange scale(const Input& parent, rc::Random& random) {
 }
 
 MaybeChange turn(const Input& parent, rc::Random& random) {
-  constexpr double reach = 1024.0 * 1024 * 1024 * 1024;
+  constexpr double kReach = 1024.0 * 1024 * 1024 * 1024;
   std::array<Integer, 4> quaternion{};
   for (Integer& entry : quaternion) entry = between(random, -2, 2);
   auto result = turned(parent, rotation_of_quaternion(quaternion));
   if (!result) return std::nullopt;
   for (Row& row : result->rows) {
     for (double& x : row) {
-      if (std::abs(x) >= reach) return std::nullopt;
+      if (std::abs(x) >= kReach) return std::nullopt;
     }
   }
   return Change{*std::move(result), {}};

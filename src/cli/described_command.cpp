@@ -21,35 +21,35 @@ struct FileValue {
 };
 
 const std::vector<FileValue>& file_values() {
-  static const Words kPoints = {"xyz",    "txt",    "csv",    "pts",    "off",    "ply",     "obj",    "pdb",
-                                "ent",    "cif",    "mmcif",  "xyz.gz", "txt.gz", "csv.gz",  "pts.gz", "off.gz",
-                                "ply.gz", "obj.gz", "pdb.gz", "ent.gz", "cif.gz", "mmcif.gz"};
-  static const Words kClaims = {"jsonl",    "json",    "csv",    "vtp",    "txt",
-                                "jsonl.gz", "json.gz", "csv.gz", "vtp.gz", "txt.gz"};
-  static const std::vector<FileValue> kValues = {{"INPUT", Completed::kFiles, kPoints},
-                                                 {"POINTS", Completed::kFiles, kPoints},
-                                                 {"CLAIM", Completed::kFiles, kClaims},
-                                                 {"--claim", Completed::kFiles, kClaims},
-                                                 {"compute --output", Completed::kFiles, {"jsonl"}},
-                                                 {"locate --points", Completed::kFiles, kPoints},
-                                                 {"locate --output", Completed::kFiles, {"txt", "jsonl"}},
-                                                 {"persistence --output", Completed::kFiles, {"pers"}},
-                                                 {"surface --output", Completed::kFiles, {"ply", "off"}},
-                                                 {"view --output", Completed::kFiles, {"html"}},
-                                                 {"--report", Completed::kFiles, {"html"}},
-                                                 {"--junit", Completed::kFiles, {"xml"}},
-                                                 {"--replay", Completed::kFiles, kPoints},
-                                                 {"--known", Completed::kFiles, {}},
-                                                 {"--export", Completed::kFolders, {}},
-                                                 {"--svg", Completed::kFolders, {}},
-                                                 {"--keep", Completed::kFolders, {}},
-                                                 {"--out", Completed::kFolders, {}},
-                                                 {"--resume", Completed::kFolders, {}},
-                                                 {"--corpus", Completed::kFolders, {}},
-                                                 {"--vectors", Completed::kFolders, {}},
-                                                 {"FOLDER", Completed::kFolders, {}},
-                                                 {"DIR", Completed::kFolders, {}}};
-  return kValues;
+  static const Words points = {"xyz",    "txt",    "csv",    "pts",    "off",    "ply",     "obj",    "pdb",
+                               "ent",    "cif",    "mmcif",  "xyz.gz", "txt.gz", "csv.gz",  "pts.gz", "off.gz",
+                               "ply.gz", "obj.gz", "pdb.gz", "ent.gz", "cif.gz", "mmcif.gz"};
+  static const Words claims = {"jsonl",    "json",    "csv",    "vtp",    "txt",
+                               "jsonl.gz", "json.gz", "csv.gz", "vtp.gz", "txt.gz"};
+  static const std::vector<FileValue> values = {{"INPUT", Completed::kFiles, points},
+                                                {"POINTS", Completed::kFiles, points},
+                                                {"CLAIM", Completed::kFiles, claims},
+                                                {"--claim", Completed::kFiles, claims},
+                                                {"compute --output", Completed::kFiles, {"jsonl"}},
+                                                {"locate --points", Completed::kFiles, points},
+                                                {"locate --output", Completed::kFiles, {"txt", "jsonl"}},
+                                                {"persistence --output", Completed::kFiles, {"pers"}},
+                                                {"surface --output", Completed::kFiles, {"ply", "off"}},
+                                                {"view --output", Completed::kFiles, {"html"}},
+                                                {"--report", Completed::kFiles, {"html"}},
+                                                {"--junit", Completed::kFiles, {"xml"}},
+                                                {"--replay", Completed::kFiles, points},
+                                                {"--known", Completed::kFiles, {}},
+                                                {"--export", Completed::kFolders, {}},
+                                                {"--svg", Completed::kFolders, {}},
+                                                {"--keep", Completed::kFolders, {}},
+                                                {"--out", Completed::kFolders, {}},
+                                                {"--resume", Completed::kFolders, {}},
+                                                {"--corpus", Completed::kFolders, {}},
+                                                {"--vectors", Completed::kFolders, {}},
+                                                {"FOLDER", Completed::kFolders, {}},
+                                                {"DIR", Completed::kFolders, {}}};
+  return values;
 }
 
 void take_file_value(DescribedOption& option, const std::string& command) {

@@ -232,7 +232,7 @@ class Sums {
     outcome_.not_tiled += sum == area(axis, vertices) ? 0 : 1;
   }
 
-  void add(Limit limit, Number term) {
+  void add(Limit limit, const Number& term) {
     if (limit != kInfinityLimit) arcs_[limit] = arcs_[limit] + term;
   }
   // At the Voronoi vertex of the cell, on the edge of one of its facets.

@@ -193,7 +193,7 @@ const std::map<std::string, Change>& changes() {
        }},
       {"pocket twice",
        [](All& all_pockets, One& pocket) {
-         const One copy = pocket;
+         const One copy = pocket;  // NOLINT(performance-unnecessary-copy-initialization): it is in the vector
          all_pockets.pockets.push_back(copy);
          return true;
        }},

@@ -600,7 +600,7 @@ TEST(CascadeKernel, LongRecipesTakeNoStack) {
   const auto work = std::make_unique<Work>();
   pthread_attr_t attributes;
   ASSERT_EQ(pthread_attr_init(&attributes), 0);
-  ASSERT_EQ(pthread_attr_setstacksize(&attributes, 512 * 1024), 0);
+  ASSERT_EQ(pthread_attr_setstacksize(&attributes, std::size_t{512} * 1024), 0);
   pthread_t thread;
   ASSERT_EQ(pthread_create(&thread, &attributes, &Work::run, work.get()), 0);
   ASSERT_EQ(pthread_join(thread, nullptr), 0);

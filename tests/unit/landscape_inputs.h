@@ -62,9 +62,8 @@ inline LandscapeRows some_of(const LandscapeRows& candidates, std::size_t number
 inline LandscapeRows lattice(int side) {
   LandscapeRows rows;
   for (int k = 0; k < side * side * side; ++k) {
-    // NOLINTNEXTLINE(bugprone-integer-division)
-    rows.push_back(
-        {static_cast<double>(k % side), static_cast<double>(k / side % side), static_cast<double>(k / side / side)});
+    const int x = k % side, y = k / side % side, z = k / side / side;
+    rows.push_back({static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
   }
   return rows;
 }

@@ -22,8 +22,8 @@ namespace {
 std::vector<Point> lattice(int side) {
   std::vector<Point> rows;
   for (int k = 0; k < side * side * side; ++k) {
-    rows.push_back(
-        {static_cast<double>(k % side), static_cast<double>(k / side % side), static_cast<double>(k / side / side)});
+    const int x = k % side, y = k / side % side, z = k / side / side;
+    rows.push_back({static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
   }
   return rows;
 }

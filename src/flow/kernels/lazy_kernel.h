@@ -36,7 +36,7 @@ class LazyKernel {
     const auto number = [](const Rational& value) { return mpq_class(value.backend().data()); };
     auto* leaf = new Leaf(Rationals::Point_3(number(x[0]), number(x[1]), number(x[2])));
     return points_.keep({Cgal::Point_3(leaf), 0, leaf});
-  }
+  }  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): CGAL's handle owns the leaf
   [[nodiscard]] PointNumber add_crossing(PointNumber from, const Point& p0, const Point& p1, const Point& q) {
     using Crossed = CGAL::Lazy_rep_n<Intervals::Point_3, Rationals::Point_3, CrossingInIntervals, CrossingExactly,
                                      Cgal::E2A, false, Cgal::Point_3>;

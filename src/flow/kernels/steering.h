@@ -57,6 +57,7 @@ template <class At, class Target>
 // <x-b, m-q>, for an input point or a kept one q.
 template <class At, class Target>
 [[nodiscard]] auto form_away(const At& at, const Point& p0, const Point& p1, PointNumber b, const Target& q) {
+  // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): most are doubles
   const auto v0 = at(p0), v1 = at(p1), w = at(q);
   return linear_form((v0 + v1) - (w + w), 1, at(b));
 }
@@ -117,7 +118,7 @@ struct AroundStart {
 
   template <class At>
   [[nodiscard]] auto form(const At& at) const {
-    const auto from = at(b);
+    const auto from = at(b);  // NOLINT(performance-unnecessary-copy-initialization): most are doubles
     return linear_form(cross(at(p1) - at(p0), at(c) - from), 1, from);
   }
 };
