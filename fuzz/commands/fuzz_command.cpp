@@ -162,7 +162,7 @@ int fuzz_or_list(const FuzzCommandOptions& options) {
 // It has --out and --json of its own, because CLI11 looks for the options of a subcommand only there.
 void add_merge_command(CLI::App& command, const std::shared_ptr<FuzzCommandOptions>& options, int& status) {
   CLI::App* merge_command = command.add_subcommand("merge", "Put the parts of a campaign together");
-  merge_command->group("Subcommands");
+  merge_command->group("Subcommands");  // as CLI11 calls it by itself, but not in every version
   merge_command->add_option("DIR", options->merged, "Folders of campaigns that differ in --shard alone")->required();
   merge_command->add_option("--out", options->out, "A new folder for the whole, to go on with or to look at");
   merge_command->add_option("--known", options->known, "Findings that are known, as for fuzz itself")
