@@ -9,7 +9,6 @@
 #include <boost/algorithm/string.hpp>
 #include <numeric>
 #include <optional>
-#include <set>
 #include <string_view>
 #include <vector>
 
@@ -43,83 +42,73 @@ std::string below_heading(const char* heading, std::span<const std::string> exam
   return text;
 }
 
-// " TEXT=default ... REQUIRED": what follows the names of an option.
-std::string words_after_names(const CLI::Option& option) {
-  std::string words;
-  if (!option.get_option_text().empty()) return ' ' + option.get_option_text();
-  if (option.get_type_size() != 0) {
-    if (!option.get_type_name().empty()) words += ' ' + option.get_type_name();
-    if (!option.get_default_str().empty()) words += '=' + option.get_default_str();
-    if (option.get_expected_max() == CLI::detail::expected_max_vector_size) words += " ...";
-    if (option.get_required()) words += " REQUIRED";
-  }
-  const auto list = [&](const char* heading, const std::set<CLI::Option*>& others) {
-    if (!others.empty()) words += heading;
-    for (const CLI::Option* other : others) words += ' ' + other->get_name();
-  };
-  list(" Needs:", option.get_needs());
-  list(" Excludes:", option.get_excludes());
-  return words;
-}
-
 // Two columns; what is too long for the first has a line of its own.
 std::string two_columns(const std::string& left, std::size_t width, const std::string& right) {
   const bool is_long = left.size() >= width && !right.empty();
   return fmt::format("{:<{}}{}{}\n", left, width, is_long ? "\n" + std::string(width, ' ') : "", right);
 }
 
-std::string list_of_options(const CLI::App& app, const char* heading, bool are_positional) {
-  const std::vector<const CLI::Option*> options = app.get_options([&](const CLI::Option* option) {
-    return !option->get_group().empty() && option->get_positional() == are_positional;
-  });
-  std::string text = options.empty() ? "" : fmt::format("\n{}:\n", heading);
-  for (const CLI::Option* option : options) {
-    const std::string names = option->get_name(are_positional, !are_positional);
-    text += two_columns("  " + names + words_after_names(*option), kNames, option->get_description());
+// "-o,--output TEXT=default ... REQUIRED"
+std::string words_of(const DescribedOption& option) {
+  std::string words = fmt::format("{}", fmt::join(option.names, ","));
+  if (!option.is_flag()) {
+    words += ' ' + option.type;
+    if (!option.default_value.empty()) words += '=' + option.default_value;
+    if (option.is_repeated) words += " ...";
+    if (option.is_required) words += " REQUIRED";
+  }
+  if (!option.needs.empty()) words += fmt::format(" Needs: {}", fmt::join(option.needs, " "));
+  if (!option.excludes.empty()) words += fmt::format(" Excludes: {}", fmt::join(option.excludes, " "));
+  return words;
+}
+
+// The options of a group; those of none have an empty name.
+std::string list_of_options(const DescribedCommand& command, const char* heading, bool are_positional,
+                            const std::string& group = "") {
+  std::string text;
+  for (const DescribedOption& option : command.options) {
+    if (option.is_positional != are_positional || option.group != group) continue;
+    if (text.empty()) text = fmt::format("\n{}:\n", heading);
+    text += two_columns("  " + words_of(option), kNames, option.description);
   }
   return text;
 }
 
-// Options of which one is required, below the name of their group.
-std::string group_of_options(const CLI::App& group) {
-  std::string text = group.get_description();
-  if (group.get_require_option_min() == 1) text += " \n[Exactly 1 of the following options is required]";
-  text += list_of_options(group, "Options", false);
-  return fmt::format("[Option Group: {}]\n  {}\n", group.get_group(),
-                     boost::algorithm::replace_all_copy(text.substr(0, text.size() - 1), "\n", "\n  "));
+std::string list_of_groups(const DescribedCommand& command) {
+  std::string text;
+  for (const DescribedGroup& group : command.option_groups) {
+    std::string options = list_of_options(command, "Options", false, group.name);
+    options.pop_back();
+    text += fmt::format("[Option Group: {}]\n  {} \n  [Exactly 1 of the following options is required]{}\n", group.name,
+                        group.description, boost::algorithm::replace_all_copy(options, "\n", "\n  "));
+  }
+  return text;
 }
 
 // Commands in their groups, in the order in which they were added. Their names are short, so that each has one line.
-std::string list_of_commands(const CLI::App& app) {
+std::string list_of_commands(const DescribedCommand& command) {
   std::vector<std::string> groups;
-  std::string text;
-  for (const CLI::App* command : app.get_subcommands({})) {
-    const std::string group = command->get_group();
-    if (command->get_name().empty()) {
-      text += group_of_options(*command);
-    } else if (!group.empty() && std::ranges::find(groups, group) == groups.end()) {
-      groups.push_back(group);
-    }
+  for (const DescribedCommand& below : command.commands) {
+    if (std::ranges::find(groups, below.group) == groups.end()) groups.push_back(below.group);
   }
+  std::string text;
   for (const std::string& group : groups) {
     text += fmt::format("\n{}:\n", group);
-    for (const CLI::App* command : app.get_subcommands({})) {
-      if (command->get_group() != group || command->get_name().empty()) continue;
-      text += two_columns("  " + command->get_name(), kCommands, command->get_description());
+    for (const DescribedCommand& below : command.commands) {
+      if (below.group == group) text += two_columns("  " + below.last_name(), kCommands, below.description);
     }
   }
   return text;
 }
 
-std::string usage_of(const CLI::App& app, const std::string& name) {
-  std::string text = fmt::format("Usage: {} [OPTIONS]", name);
-  for (const CLI::Option* option : app.get_options([](const CLI::Option* one) { return one->get_positional(); })) {
-    std::string word = option->get_name(true, false);
-    if (option->get_expected_max() >= CLI::detail::expected_max_vector_size) word += "...";
-    text += option->get_required() ? ' ' + word : fmt::format(" [{}]", word);
+std::string usage_of(const DescribedCommand& command) {
+  std::string text = fmt::format("Usage: {} [OPTIONS]", command.name);
+  for (const DescribedOption& option : command.options) {
+    if (!option.is_positional) continue;
+    const std::string word = option.names.front() + (option.takes_many ? "..." : "");
+    text += option.is_required ? ' ' + word : fmt::format(" [{}]", word);
   }
-  const bool has_commands = !app.get_subcommands([](const CLI::App* one) { return !one->get_name().empty(); }).empty();
-  if (has_commands) text += app.get_require_subcommand_min() == 0 ? " [SUBCOMMAND]" : " SUBCOMMAND";
+  if (!command.commands.empty()) text += command.needs_command ? " SUBCOMMAND" : " [SUBCOMMAND]";
   return text + '\n';
 }
 
@@ -128,13 +117,16 @@ std::string usage_of(const CLI::App& app, const std::string& name) {
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode) const override {
-    const DescribedFooter footer = footer_of(*app);
-    const std::span examples(footer.examples);
+    DescribedCommand command = described(*app);
+    command.name = std::move(name);  // with the program's
+    const std::span examples(command.footer.examples);
     const std::size_t first = std::min(kFirstExamples, examples.size());
-    std::string help = app->get_description() + '\n' + usage_of(*app, name) + (first == 0 ? "" : "\n") +
-                       below_heading("Examples", examples.first(first)) + list_of_options(*app, "Positionals", true) +
-                       list_of_options(*app, "Options", false) + list_of_commands(*app) + '\n' + footer.notes +
-                       (footer.notes.empty() ? "" : "\n\n") + below_heading("More examples", examples.subspan(first));
+    const std::string& notes = command.footer.notes;
+    std::string help = command.description + '\n' + usage_of(command) + (first == 0 ? "" : "\n") +
+                       below_heading("Examples", examples.first(first)) +
+                       list_of_options(command, "Positionals", true) + list_of_options(command, "Options", false) +
+                       list_of_groups(command) + list_of_commands(command) + '\n' + notes +
+                       (notes.empty() ? "" : "\n\n") + below_heading("More examples", examples.subspan(first));
     help.erase(help.find_last_not_of('\n') + 1);
     help += '\n';
     std::vector<std::string> lines;

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <boost/algorithm/string.hpp>
+#include <set>
 #include <string_view>
 
 namespace flowcert::cli {
@@ -66,6 +67,7 @@ void take_file_value(DescribedOption& option, const std::string& command) {
 // CLI11's "TEXT:{cascade,lazy,exact}" is a type and its choices; other checks come after a colon, too.
 void take_value(DescribedOption& option, const std::string& type) {
   const std::size_t colon = type.find(':');
+  option.type = type;
   option.value = type.substr(0, colon);
   if (colon == std::string::npos) return;
   const std::size_t open = type.find('{', colon), close = type.find('}', colon);
@@ -73,6 +75,13 @@ void take_value(DescribedOption& option, const std::string& type) {
   const std::string list = type.substr(open + 1, close - open - 1);
   boost::algorithm::split(option.choices, list, [](char c) { return c == ','; });
   option.completed = Completed::kChoices;
+}
+
+Words names_of(const std::set<CLI::Option*>& options) {
+  Words names;
+  names.reserve(options.size());
+  for (const CLI::Option* option : options) names.push_back(option->get_name());
+  return names;
 }
 
 DescribedOption described_option(const CLI::Option& option, const std::string& command) {
@@ -86,51 +95,34 @@ DescribedOption described_option(const CLI::Option& option, const std::string& c
   }
   result.description = option.get_description();
   result.is_required = option.get_required();
+  result.needs = names_of(option.get_needs());
+  result.excludes = names_of(option.get_excludes());
   if (option.get_items_expected_max() == 0) return result;
   result.default_value = option.get_default_str();
   result.is_value_optional = option.get_items_expected_min() == 0;
   result.is_list = option.get_delimiter() == ',';
-  const bool is_vector = option.get_expected_max() >= CLI::detail::expected_max_vector_size;
-  result.takes_many = is_vector && !result.is_list && (result.is_positional || option.get_allow_extra_args());
+  result.is_repeated = option.get_expected_max() >= CLI::detail::expected_max_vector_size;
+  result.takes_many = result.is_repeated && !result.is_list && (result.is_positional || option.get_allow_extra_args());
   take_value(result, option.get_type_name());
   take_file_value(result, command);
   return result;
 }
 
-void add_options(std::vector<DescribedOption>& options, const CLI::App& app, const std::string& command) {
-  for (const CLI::Option* option : app.get_options()) {
-    const bool is_help_of_group = app.get_name().empty() && option == app.get_help_ptr();
-    if (!option->get_group().empty() && !is_help_of_group) options.push_back(described_option(*option, command));
+// Option groups are commands without a name, with a help of their own.
+void add_options(DescribedCommand& command, const CLI::App& app, const CLI::App& group) {
+  const bool is_group = &group != &app;
+  if (is_group) command.option_groups.push_back({group.get_group(), group.get_description()});
+  for (const CLI::Option* option : group.get_options()) {
+    if (option->get_group().empty() || (is_group && option == group.get_help_ptr())) continue;
+    command.options.push_back(described_option(*option, app.get_name()));
+    if (is_group) command.options.back().group = group.get_group();
   }
-  // Option groups are commands without a name.
-  for (const CLI::App* group : app.get_subcommands([](const CLI::App* sub) { return sub->get_name().empty(); })) {
-    add_options(options, *group, command);
+  for (const CLI::App* below : group.get_subcommands([](const CLI::App* sub) { return sub->get_name().empty(); })) {
+    add_options(command, app, *below);
   }
 }
 
 // ---- Commands ----
-
-bool is_shown(const CLI::App& command) { return !command.get_name().empty() && !command.get_group().empty(); }
-
-DescribedCommand described_below(const CLI::App& app, const std::string& before) {
-  DescribedCommand command;
-  command.name = before + app.get_name();
-  command.description = app.get_description();
-  command.group = app.get_group();
-  command.footer = footer_of(app);
-  add_options(command.options, app, app.get_name());
-  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
-    if (is_shown(*sub)) command.commands.push_back(described_below(*sub, command.name + ' '));
-  }
-  return command;
-}
-
-void add_with_all_below(const DescribedCommand& command, std::vector<const DescribedCommand*>& all) {
-  all.push_back(&command);
-  for (const DescribedCommand& sub : command.commands) add_with_all_below(sub, all);
-}
-
-}  // namespace
 
 DescribedFooter footer_of(const CLI::App& command) {
   DescribedFooter footer;
@@ -153,6 +145,29 @@ DescribedFooter footer_of(const CLI::App& command) {
   boost::algorithm::trim_if(footer.notes, [](char c) { return c == '\n'; });
   return footer;
 }
+
+bool is_shown(const CLI::App& command) { return !command.get_name().empty() && !command.get_group().empty(); }
+
+DescribedCommand described_below(const CLI::App& app, const std::string& before) {
+  DescribedCommand command;
+  command.name = before + app.get_name();
+  command.description = app.get_description();
+  command.group = app.get_group();
+  command.footer = footer_of(app);
+  command.needs_command = app.get_require_subcommand_min() > 0;
+  add_options(command, app, app);
+  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (is_shown(*sub)) command.commands.push_back(described_below(*sub, command.name + ' '));
+  }
+  return command;
+}
+
+void add_with_all_below(const DescribedCommand& command, std::vector<const DescribedCommand*>& all) {
+  all.push_back(&command);
+  for (const DescribedCommand& sub : command.commands) add_with_all_below(sub, all);
+}
+
+}  // namespace
 
 DescribedCommand described(const CLI::App& app) { return described_below(app, ""); }
 

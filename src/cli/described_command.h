@@ -23,16 +23,20 @@ enum class Completed { kNothing, kChoices, kFiles, kFolders };
 struct DescribedOption {
   std::vector<std::string> names;  // "-o", "--output"; a positional argument has one, "INPUT"
   std::string value;               // how help calls it: "X,Y,Z"; empty for a flag
+  std::string type;                // the same with what is checked: "TEXT:{cascade,lazy,exact}"
   std::string default_value;
   std::string description;
   bool is_positional = false;
   bool is_required = false;
   bool is_value_optional = false;
-  bool takes_many = false;  // all values that follow
-  bool is_list = false;     // of values with commas between
+  bool takes_many = false;   // all values that follow
+  bool is_list = false;      // of values with commas between
+  bool is_repeated = false;  // has any number of values, in one of these ways or because it may stand again
   Completed completed = Completed::kNothing;
   std::vector<std::string> choices;
-  std::vector<std::string> endings;  // of file names, without the dot; empty: any
+  std::vector<std::string> endings;          // of file names, without the dot; empty: any
+  std::vector<std::string> needs, excludes;  // other options
+  std::string group;                         // its name; empty for most options
 
   [[nodiscard]] bool is_flag() const { return value.empty(); }
 };
@@ -43,7 +47,12 @@ struct DescribedFooter {
   std::string notes;
   std::vector<std::string> examples;
 };
-[[nodiscard]] DescribedFooter footer_of(const CLI::App& command);
+
+// Options of which exactly one has to be given.
+struct DescribedGroup {
+  std::string name;
+  std::string description;
+};
 
 struct DescribedCommand {
   std::string name;  // with all that comes before: "flowcert fuzz merge"
@@ -51,6 +60,8 @@ struct DescribedCommand {
   std::string group;
   DescribedFooter footer;
   std::vector<DescribedOption> options;
+  std::vector<DescribedGroup> option_groups;
+  bool needs_command = false;  // one of those below
   std::vector<DescribedCommand> commands;
 
   // "merge"
