@@ -121,6 +121,7 @@ bool in_cone_with_apex(const PointSet& set, const UnboundedSector& sector, std::
                        const Point& x) {
   const Point &apex = sample(set, from), &other = sample(set, to);
   std::vector<Point> rays;
+  rays.reserve(sector.corners.size());
   for (const Corner& c : sector.corners) rays.push_back(c.at_infinity ? c.position : minus(c.position, apex));
   return in_cone_over_sector(apex, other, rays, x);
 }

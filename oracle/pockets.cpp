@@ -228,6 +228,7 @@ std::vector<std::size_t> numbered(const std::vector<std::size_t>& pocket_of) {
   }
   number_of.emplace(pocket_of.back(), number_of.size());
   std::vector<std::size_t> numbers;
+  numbers.reserve(pocket_of.size());
   for (const std::size_t pocket : pocket_of) numbers.push_back(number_of.at(pocket));
   return numbers;
 }

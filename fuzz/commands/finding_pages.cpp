@@ -9,6 +9,7 @@
 #include "flowcert/viewer_claim.h"
 #include "fuzz/campaign/child_process.h"
 #include "fuzz/judge/peer_property.h"
+#include "fuzz/properties/input_points.h"
 #include "io/output_file.h"
 
 namespace flowcert::commands {
@@ -19,14 +20,12 @@ namespace {
 constexpr unsigned kMostSeconds = 20;
 
 std::string page_of(const fuzz::Counterexample& counterexample) {
-  std::vector<Point> rows;
-  for (const fuzz::Row& row : counterexample.trial.input.rows) rows.push_back({row[0], row[1], row[2]});
   std::optional<ClaimText> claim;
   if (counterexample.disagreement.first_name == judge::kClaimName) {
     claim = {counterexample.disagreement.first, judge::kClaimName};
   }
   std::ostringstream page;
-  write_claim_page(page, PointSet(rows), fuzz::name_of(counterexample), claim);
+  write_claim_page(page, property::point_set_of(counterexample.trial.input), fuzz::name_of(counterexample), claim);
   return page.str();
 }
 

@@ -106,6 +106,7 @@ SurfaceCorner corner_of(const oracle::Corner& corner) { return {corner.position,
 
 std::vector<UnstableInterval> intervals_of(const std::vector<oracle::EdgePart>& parts) {
   std::vector<UnstableInterval> intervals;
+  intervals.reserve(parts.size());
   for (const oracle::EdgePart& part : parts) {
     intervals.push_back({names_of(part.polygon), corner_of(part.from), corner_of(part.to)});
   }
@@ -387,6 +388,7 @@ class OracleTruth final : public Truth {
 
   [[nodiscard]] std::vector<TrueSegment> true_segments(const Path& path) const {
     std::vector<TrueSegment> line;
+    line.reserve(path.segments.size());
     for (const oracle::FlowSegment& segment : path.segments) {
       line.push_back({oracle::segment_type(set_, segment), segment.driver, segment.end});
     }

@@ -69,6 +69,7 @@ Point middle(const Point& a, const Point& b) { return plus(a, Rational(1, 2), or
 // The places of the points that are nearest to this one, which comes first.
 std::vector<std::size_t> places_around(const PointSet& set, std::size_t place, std::size_t count) {
   std::vector<std::pair<Rational, std::size_t>> all;
+  all.reserve(set.points.size());
   for (std::size_t other = 0; other < set.points.size(); ++other) {
     all.emplace_back(oracle::squared_distance(set.points[place], set.points[other]), other);
   }

@@ -128,6 +128,7 @@ class PartnerFlow {
   [[nodiscard]] std::vector<std::size_t> without_partner() {
     boost::edmonds_karp_max_flow(graph_, source(), sink());
     std::vector<std::size_t> left;
+    left.reserve(from_source_.size());
     for (const Traits::edge_descriptor& edge : from_source_) {
       left.push_back(static_cast<std::size_t>(get(boost::edge_residual_capacity, graph_, edge)));
     }

@@ -284,6 +284,7 @@ class ClaimedLandscape {
   // Whether these are the true points, each once, with right values.
   std::optional<Complaint> complaint_about_witnesses(const std::vector<ClaimedWitness>& claimed, const Records& truth) {
     std::vector<std::vector<PointId>> contacts;
+    contacts.reserve(claimed.size());
     for (const ClaimedWitness& one : claimed) contacts.push_back(one.contact);
     const auto records = records_of(contacts);
     if (!records || *records != truth) {

@@ -15,6 +15,7 @@ std::vector<PointId> SegmentRecorder::contact(const Place& place) const {
 
 RationalPoint SegmentRecorder::position(const Driver& driver) const {
   std::vector<PointId> names;
+  names.reserve(driver.count);
   for (std::size_t k = 0; k < driver.count; ++k) names.push_back(name(driver.samples[k]));
   std::sort(names.begin(), names.end());
   return exact_sphere(points_, names).center;

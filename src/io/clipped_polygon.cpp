@@ -70,6 +70,7 @@ std::vector<HalfSpace> half_spaces(const ClipBox& box) {
 std::vector<ProjectiveCorner> cut(const std::vector<ProjectiveCorner>& corners, Outline outline,
                                   const HalfSpace& half_space) {
   std::vector<Rational> heights;
+  heights.reserve(corners.size());
   for (const ProjectiveCorner& corner : corners) heights.push_back(height(corner, half_space));
   const auto is_below = [](const Rational& h) { return h < 0; };
   if (std::ranges::none_of(heights, is_below)) return corners;

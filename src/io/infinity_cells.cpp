@@ -96,6 +96,7 @@ class InfinityCells {
     });
     if (is_whole) {
       std::vector<std::int64_t> corners;
+      corners.reserve(region.corners.size());
       for (const RegionCorner& corner : region.corners) corners.push_back(numbers_.of(region, corner));
       append(corners, q, false);
       std::ranges::reverse(corners);
@@ -148,6 +149,7 @@ class InfinityCells {
   // <x - p, q - p> <= 0 for all samples q.
   void add_cone(PointId sample, const std::set<PointId>& beyond) {
     std::vector<HalfSpace> walls;
+    walls.reserve(beyond.size());
     const RationalPoint p = position(sample);
     for (const PointId other : beyond) {
       walls.push_back(half_space_through(p, geometry::vector_between(position(other), p)));

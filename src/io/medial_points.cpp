@@ -64,6 +64,7 @@ std::vector<std::size_t> longer_ones(const FlowComplex& complex, const std::vect
                                      const LengthBound& bound) {
   const std::vector<PairEnds> pairs = pairs_of_points(complex);
   std::vector<PairEnds> ends;
+  ends.reserve(candidates.size());
   for (const std::size_t record : candidates) ends.push_back(pairs[record]);
   const ValueOrder order = length_order(complex.persistence().squared_distances(), ends);
   const std::optional<Rational> length = bound.length(order, squared_spacing(complex));

@@ -64,6 +64,7 @@ class PictureMaker {
   }
   [[nodiscard]] std::vector<std::uint32_t> numbers(const RoundedUnstableSurface::Part& part) {
     std::vector<std::uint32_t> points;
+    points.reserve(part.corners.size());
     for (const std::uint32_t corner : part.corners) points.push_back(number(corner));
     return points;
   }

@@ -75,6 +75,7 @@ Json mouths_field(const FlowComplex& complex, const ViewerFrame& frame, const Po
   for (const std::uint32_t number : chosen) {
     for (const std::uint32_t mouth : pockets[number].mouths) of_set[mouth - first_saddle];
   }
+  sets.reserve(of_set.size());
   for (const auto& [set, triangles] : of_set) sets.push_back(set);
   const SurfaceMesh mesh = surface_mesh(complex, sets);
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {

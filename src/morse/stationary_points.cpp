@@ -256,6 +256,7 @@ void add_spatial(const VoronoiComplex& complex, unsigned threads, const Delaunay
   geometry::parallel_for(parts, threads, [&](std::size_t k) { gabriel.look_at_angles(cells_of(k)); });
   threads = std::max(threads, 1U);
   std::vector<OrderedRecords> found;
+  found.reserve(threads);
   for (unsigned thread = 0; thread < threads; ++thread) found.push_back(records.empty_part(threads));
   geometry::Portions::Progress tell;
   if (progress) tell = [&](std::size_t part) { progress(part * kPart, count); };

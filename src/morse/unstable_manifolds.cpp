@@ -281,6 +281,7 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
   const std::vector<std::uint32_t> order = along_the_curve(stationary, limits.size(), record_of);
   std::vector<std::unique_ptr<Worker>> team;
   const unsigned most = team_size(options.flow, options.threads), threads = options.share ? most : 1;
+  team.reserve(threads);
   for (unsigned k = 0; k < threads; ++k) team.push_back(std::make_unique<Worker>(*this));
   constexpr std::size_t kPortion = geometry::portion_size(1024);
   std::vector<CellIndex> starts(2 * order.size());

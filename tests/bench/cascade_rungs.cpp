@@ -31,6 +31,7 @@
 #include "flowcert/stationary_points.h"
 #include "fuzz/inputs/capsule_sample.h"
 #include "fuzz/inputs/large_configurations.h"
+#include "fuzz/properties/input_points.h"
 #include "morse/along_the_curve.h"
 #include "morse/record_face.h"
 
@@ -41,11 +42,7 @@ using namespace flowcert::morse;
 
 // ---- Inputs ----
 
-std::vector<Point> rows_of(const fuzz::Input& input) {
-  std::vector<Point> rows;
-  for (const auto& [x, y, z] : input.rows) rows.push_back({x, y, z});
-  return rows;
-}
+using property::rows_of;
 
 // Uniform in [-1, 1], from 53 random bits.
 double uniform(std::mt19937_64& random) { return std::ldexp(static_cast<double>(random() >> 11), -52) - 1; }

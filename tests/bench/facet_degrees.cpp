@@ -20,6 +20,7 @@
 
 #include "flow/flow_operator.h"
 #include "fuzz/inputs/large_configurations.h"
+#include "fuzz/properties/input_points.h"
 
 namespace {
 
@@ -63,7 +64,7 @@ Mean measure(FlowOperator& flow, const std::vector<Location>& starts, std::vecto
 // A facet of one input, with the two flows that search it.
 struct Subject {
   Subject(const fuzz::Input& input, ConstructionKernel kernel)
-      : points(rows_of(input)), diagram(Delaunay(points)), faces(diagram) {
+      : points(property::point_set_of(input)), diagram(Delaunay(points)), faces(diagram) {
     VertexIndex v[2] = {0, 0};
     for (VertexIndex k = 0; k < faces.delaunay().ordinals.size(); ++k) {
       if (faces.delaunay().ordinals[k] < 2) v[faces.delaunay().ordinals[k]] = k;
@@ -73,12 +74,6 @@ struct Subject {
     for (const FacetSearch search : {FacetSearch::kBinary, FacetSearch::kLinear}) {
       flows.push_back(make_flow_operator(faces, {kernel, search}));
     }
-  }
-
-  static std::vector<Point> rows_of(const fuzz::Input& input) {
-    std::vector<Point> rows;
-    for (const fuzz::Row& row : input.rows) rows.push_back({row[0], row[1], row[2]});
-    return rows;
   }
 
   RationalPoint vertex(std::size_t element) {

@@ -153,6 +153,7 @@ TEST(ExplainCommand, JudgesPositionsByTheirContactSet) {
   const Asked asked(file);
   const oracle::PointSet set(rows);
   std::vector<oracle::Point> positions;
+  positions.reserve(27);
   for (int k = 0; k < 27; ++k) positions.push_back({2 * (k % 3), 2 * (k / 3 % 3), k / 9});
   for (const oracle::StationaryPoint& s : oracle::stationary_points(rows).stationary) {
     positions.push_back(s.center);
@@ -165,6 +166,7 @@ TEST(ExplainCommand, JudgesPositionsByTheirContactSet) {
     const std::vector<std::size_t> contact = oracle::contact_set(set, x);
     EXPECT_EQ(answer["contact"], json(contact));
     std::vector<oracle::Point> hull;
+    hull.reserve(contact.size());
     for (const std::size_t id : contact) hull.push_back(oracle::exact(rows[id]));
     EXPECT_EQ(answer["squared_distance"], oracle::squared_distance(x, hull[0]).str());
     const auto face = oracle::face_dimension(hull, x);

@@ -70,6 +70,7 @@ struct Claims {
 
   void claim(const std::vector<std::size_t>& ids) const {
     std::vector<Vector> simplex;
+    simplex.reserve(ids.size());
     for (const std::size_t id : ids) simplex.push_back(points[id]);
     const auto sphere = circumsphere(simplex);
     if (!sphere || !sphere->is_inside) return;

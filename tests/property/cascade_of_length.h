@@ -7,6 +7,7 @@
 
 #include "flowcert/flow_complex.h"
 #include "fuzz/inputs/large_configurations.h"
+#include "fuzz/properties/input_points.h"
 
 namespace flowcert::property {
 
@@ -20,13 +21,6 @@ struct CascadeOfLength {
   [[nodiscard]] const FlowStatistics& u2() const { return complex.unstable().statistics(); }
 
   FlowComplex complex;
-
- private:
-  static std::vector<Point> rows_of(const fuzz::Input& input) {
-    std::vector<Point> rows;
-    for (const auto& [x, y, z] : input.rows) rows.push_back({x, y, z});
-    return rows;
-  }
 };
 
 // The same lengths, and the same ends.

@@ -53,6 +53,7 @@ std::string words_of(const std::optional<bool>& flag) { return !flag ? "none" : 
 // All that is claimed of infinity, piece by piece.
 std::vector<std::string> words_of(const ClaimedInfinity& infinity) {
   std::vector<std::string> all;
+  all.reserve(infinity.bounded.segments.size());
   for (const auto& s : infinity.bounded.segments) {
     all.push_back("segment " + words_of(s.samples) + words_of(s.front) + words_of(s.back) + words_of(s.front_contact) +
                   words_of(s.back_contact) + s.back_kind);

@@ -102,6 +102,7 @@ Rational squared_ball_radius(const PointSet& set, const Point& x, const Point& d
 // The places of an orbit at which segments start, with their drivers, and the limit, which drives itself.
 std::vector<std::pair<Point, Point>> stations(const OrbitRecord& orbit) {
   std::vector<std::pair<Point, Point>> all;
+  all.reserve(orbit.segments.size() + 1);
   for (const SegmentRecord& segment : orbit.segments) {
     all.emplace_back(segment.start, segment.driver);
   }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "tests/cites.h"
@@ -110,8 +111,8 @@ std::optional<ExactSphere> exact_sphere_of(const std::vector<Point>& points) {
     if (is_zero(normal)) return std::nullopt;
     if (points.size() == 4 && dot(normal, from_first(3)) == 0) return std::nullopt;
   }
-  std::vector<PointId> contact;
-  for (PointId k = 0; k < points.size(); ++k) contact.push_back(k);
+  std::vector<PointId> contact(points.size());
+  std::iota(contact.begin(), contact.end(), PointId{0});
   return exact_sphere(set, contact);
 }
 
@@ -144,6 +145,7 @@ void check_sphere(const std::vector<Point>& points, Counts& counts) {
   const auto exact = exact_sphere_of(points);
   if (!exact) return;
   std::vector<const Point*> given;
+  given.reserve(points.size());
   for (const Point& p : points) given.push_back(&p);
   const BoundedSphere sphere = bounded_sphere(given);
   for (std::size_t axis = 0; axis < 3; ++axis) expect_within(sphere.center[axis], exact->center[axis]);
@@ -164,8 +166,8 @@ void check_sphere(const std::vector<Point>& points, Counts& counts) {
     EXPECT_EQ(decided->center, truth.center);
     EXPECT_EQ(decided->squared_radius, truth.squared_radius);
   }
-  std::vector<PointId> contact;
-  for (PointId k = 0; k < points.size(); ++k) contact.push_back(k);
+  std::vector<PointId> contact(points.size());
+  std::iota(contact.begin(), contact.end(), PointId{0});
   const RoundedSphere rounded = rounded_sphere(PointSet(points), contact, points.size() - 1);
   EXPECT_EQ(rounded.center, truth.center);
   EXPECT_EQ(rounded.squared_radius, truth.squared_radius);

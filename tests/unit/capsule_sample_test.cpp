@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "flowcert/flow_complex.h"
+#include "fuzz/properties/input_points.h"
 #include "tests/cites.h"
 
 namespace flowcert::fuzz::capsule_sample_test {
@@ -117,9 +118,7 @@ TEST(CapsuleSample, CascadesGrowWithTheNumberOfSamples) {
   for (const std::size_t teeth : {std::size_t{20}, std::size_t{100}, kMostCapsuleTeeth}) {
     const Input input = capsule_sample(teeth);
     EXPECT_EQ(input.rows.size(), teeth + others);
-    std::vector<Point> rows;
-    for (const auto& [x, y, z] : input.rows) rows.push_back({x, y, z});
-    const FlowComplex complex(rows);
+    const FlowComplex complex(property::rows_of(input));
     EXPECT_GE(complex.stable().statistics().n_s2.max(), teeth - 1);
     EXPECT_GE(complex.unstable().statistics().n_u2.max(), teeth - 1);
   }
@@ -127,8 +126,7 @@ TEST(CapsuleSample, CascadesGrowWithTheNumberOfSamples) {
 
 TEST(CapsuleSample, TheKernelsAgree) {
   CITES("FC-NUM-01");
-  std::vector<Point> rows;
-  for (const auto& [x, y, z] : capsule_sample(100).rows) rows.push_back({x, y, z});
+  const std::vector<Point> rows = property::rows_of(capsule_sample(100));
   const FlowComplex expected(rows);
   for (const ConstructionKernel kernel : {ConstructionKernel::kLazy, ConstructionKernel::kExact}) {
     const FlowComplex complex(rows, {.flow = {kernel, FacetSearch::kBinary}});

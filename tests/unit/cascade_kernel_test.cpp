@@ -26,6 +26,7 @@
 #include "flowcert/flow_complex.h"
 #include "fuzz/inputs/families.h"
 #include "fuzz/inputs/large_configurations.h"
+#include "fuzz/properties/input_points.h"
 #include "morse/backward_walk.h"
 #include "morse/record_finder.h"
 #include "tests/cites.h"
@@ -41,12 +42,7 @@ using flowcert_tests::PortableRandom;
 using flowcert_tests::Seen;
 using flowcert_tests::seen_now;
 using flowcert_tests::WatchedKernel;
-
-std::vector<Point> rows_of(const fuzz::Input& input, double scale = 1) {
-  std::vector<Point> rows;
-  for (const fuzz::Row& row : input.rows) rows.push_back({scale * row[0], scale * row[1], scale * row[2]});
-  return rows;
-}
+using property::rows_of;
 
 // Flows over one input, by the kernel that watches.
 class WatchedFlows {

@@ -11,6 +11,7 @@
 
 #include "flowcert/flow_complex.h"
 #include "fuzz/inputs/stable_configurations.h"
+#include "fuzz/properties/input_points.h"
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
 
@@ -56,11 +57,8 @@ TEST(ChainComplex, BoundariesOfDegenerateInputsAreModuloTwo) {
   Seen seen;
   for (const fuzz::Family& family : fuzz::families_and_stable_ones()) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-      std::vector<Point> rows;
-      for (const fuzz::Row& row : fuzz::draw(family, seed, static_cast<int>(20 + 4 * seed)).rows) {
-        rows.push_back({row[0], row[1], row[2]});
-      }
-      expect_boundaries_of(rows, seed, seen);
+      const fuzz::Input input = fuzz::draw(family, seed, static_cast<int>(20 + 4 * seed));
+      expect_boundaries_of(property::rows_of(input), seed, seen);
     }
   }
   EXPECT_GT(seen.maxima, 100u);

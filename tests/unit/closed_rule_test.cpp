@@ -12,6 +12,7 @@
 
 #include "flowcert/stationary_points.h"
 #include "fuzz/inputs/families.h"
+#include "fuzz/properties/input_points.h"
 #include "tests/cites.h"
 #include "tests/unit/read_out_complex.h"
 #include "voronoi/diagram.h"
@@ -111,10 +112,8 @@ KindsSeen check_families(int dimension, const std::set<std::string>& names, int 
     ++found;
     for (int k = 0; k < inputs_each; ++k) {
       const fuzz::Input input = fuzz::draw(family, static_cast<std::uint64_t>(1000 + k), k % (largest_size + 1));
-      std::vector<Point> rows;
-      for (const fuzz::Row& row : input.rows) rows.push_back({row[0], row[1], row[2]});
       SCOPED_TRACE(testing::Message() << family.name << ", seed " << 1000 + k << '\n' << input);
-      check_closed_rule(rows, dimension, seen);
+      check_closed_rule(property::rows_of(input), dimension, seen);
       if (testing::Test::HasFatalFailure()) return seen;
     }
   }

@@ -17,6 +17,7 @@
 #include "fuzz/inputs/large_configurations.h"
 #include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/inputs/transformations.h"
+#include "fuzz/properties/input_points.h"
 
 namespace flowcert::fuzz::degeneracy_signature_test {
 namespace {
@@ -184,9 +185,7 @@ TEST(Signature, SaysOfStableManifoldsWhatTheirStatisticsSay) {
   for (const Family& family : families_and_stable_ones()) {
     for (std::uint64_t seed = 0; seed < 25; ++seed) {
       const Input input = draw(family, seed, 60);
-      std::vector<Point> rows;
-      for (const auto& [x, y, z] : input.rows) rows.push_back({x, y, z});
-      const PointSet points(rows);
+      const PointSet points = property::point_set_of(input);
       const FlowComplex complex(points);
       const StableManifolds& stable = complex.stable();
       const StableStatistics& statistics = stable.statistics();

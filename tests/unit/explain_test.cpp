@@ -16,6 +16,7 @@
 
 #include "flowcert/flow_complex.h"
 #include "fuzz/inputs/families.h"
+#include "fuzz/properties/input_points.h"
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
 #include "tests/unit/rational_geometry.h"
@@ -366,10 +367,8 @@ TEST(ExplainTest, AgreesWithTheList) {
     ++found;
     for (int k = 0; k < 20; ++k) {
       const fuzz::Input input = fuzz::draw(family, static_cast<std::uint64_t>(500 + k), k);
-      std::vector<Point> rows;
-      for (const fuzz::Row& row : input.rows) rows.push_back({row[0], row[1], row[2]});
       SCOPED_TRACE(testing::Message() << family.name << ", seed " << 500 + k << '\n' << input);
-      check_input(PointSet(rows), random, seen);
+      check_input(property::point_set_of(input), random, seen);
       if (HasFatalFailure()) return;
     }
   }

@@ -10,6 +10,7 @@
 
 #include "flowcert/flow_complex.h"
 #include "fuzz/inputs/large_configurations.h"
+#include "fuzz/properties/input_points.h"
 #include "morse/record_finder.h"
 #include "tests/cites.h"
 
@@ -19,11 +20,7 @@ using namespace flow;
 using namespace morse;
 namespace {
 
-std::vector<Point> rows_of(const fuzz::Input& input) {
-  std::vector<Point> rows;
-  for (const fuzz::Row& row : input.rows) rows.push_back({row[0], row[1], row[2]});
-  return rows;
-}
+using property::rows_of;
 
 constexpr FlowOptions kLazyBinary = {ConstructionKernel::kLazy, FacetSearch::kBinary};
 

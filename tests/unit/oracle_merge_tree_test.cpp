@@ -32,6 +32,7 @@ struct Trees {
 
   std::vector<Names> contacts(const MergeNode& node) const {
     std::vector<Names> result;
+    result.reserve(node.points.size());
     for (const std::size_t place : node.points) result.push_back(all[place].contact);
     return result;
   }

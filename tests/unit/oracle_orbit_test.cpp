@@ -21,6 +21,7 @@ using Rows = std::vector<std::array<double, 3>>;
 
 std::vector<std::string> types_of(const PointSet& set, const Orbit& path) {
   std::vector<std::string> types;
+  types.reserve(path.segments.size());
   for (const FlowSegment& segment : path.segments) types.push_back(segment_type(set, segment));
   return types;
 }
@@ -126,6 +127,7 @@ Point random_start(const PointSet& set, rc::Random& random) {
   const auto centre = [&]() -> Point {
     std::vector<Point> simplex;
     const std::size_t size = 1 + next(4);
+    simplex.reserve(size);
     for (std::size_t k = 0; k < size; ++k) simplex.push_back(set.points[next(set.points.size())]);
     return circumcentre(spanning_subset(simplex))->center;
   };

@@ -114,6 +114,7 @@ TEST(PointSetTest, RandomRowsWithManyRepetitions) {
     ASSERT_EQ(set.size(), classes.size());
     ASSERT_EQ(set.merged_duplicates(), rows.size() - classes.size());
     std::vector<std::vector<PointId>> expected;
+    expected.reserve(repeated.size());
     for (const auto& [name, members] : repeated) expected.push_back(members);
     ASSERT_EQ(set.repeated_classes(), expected);
     for (std::size_t k = 1; k < set.size(); ++k) ASSERT_LT(set.name(k - 1), set.name(k));
@@ -194,6 +195,7 @@ TEST(ExactSphereTest, MeetsItsDefinition) {
       const std::size_t count = 1 + random.below(4);
       const std::vector<Point> rows(tuple.begin(), tuple.begin() + static_cast<std::ptrdiff_t>(count));
       std::vector<RationalPoint> p;
+      p.reserve(count);
       for (const Point& row : rows) p.push_back(exactly(row));
       // Only affinely independent points, which always have a sphere.
       if (count == 2 && p[0] == p[1]) continue;

@@ -12,17 +12,14 @@
 #include "flowcert/flow_complex.h"
 #include "fuzz/inputs/families.h"
 #include "fuzz/inputs/large_configurations.h"
+#include "fuzz/properties/input_points.h"
 #include "geometry/rational_point.h"
 #include "tests/cites.h"
 
 namespace flowcert::rounded_manifolds_test {
 namespace {
 
-std::vector<Point> rows_of(const fuzz::Input& input) {
-  std::vector<Point> rows;
-  for (const fuzz::Row& row : input.rows) rows.push_back({row[0], row[1], row[2]});
-  return rows;
-}
+using property::rows_of;
 
 class RoundedManifolds {
  public:

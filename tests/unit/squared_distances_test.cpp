@@ -13,6 +13,7 @@
 
 #include "flowcert/flow_complex.h"
 #include "fuzz/inputs/families.h"
+#include "fuzz/properties/input_points.h"
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
 
@@ -52,9 +53,7 @@ TEST(SquaredDistances, DoublesAreWithinTheirBoundsAndRanksAreExact) {
   for (const fuzz::Family& family : fuzz::families()) {
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
       const fuzz::Input input = fuzz::draw(family, seed, static_cast<int>(10 + 4 * seed));
-      std::vector<Point> rows;
-      for (const fuzz::Row& row : input.rows) rows.push_back({row[0], row[1], row[2]});
-      expect_right(FlowComplex(PointSet(rows)), seen);
+      expect_right(FlowComplex(property::point_set_of(input)), seen);
     }
   }
   EXPECT_GT(seen.records, 5000U);

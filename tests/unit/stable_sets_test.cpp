@@ -11,6 +11,7 @@
 #include "flowcert/flow_complex.h"
 #include "flowcert/stable_manifolds.h"
 #include "fuzz/inputs/stable_configurations.h"
+#include "fuzz/properties/input_points.h"
 #include "tests/cites.h"
 
 namespace flowcert::stable_sets_test {
@@ -128,11 +129,7 @@ TEST(StableStatistics, AreTheSumsOverTheSets) {
   std::size_t with_interval = 0, with_vertex = 0, ties_for_largest = 0;
   for (const fuzz::Family& family : fuzz::families_and_stable_ones()) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-      std::vector<Point> rows;
-      for (const fuzz::Row& row : fuzz::draw(family, seed, static_cast<int>(20 + 4 * seed)).rows) {
-        rows.push_back({row[0], row[1], row[2]});
-      }
-      const PointSet points(rows);
+      const PointSet points = property::point_set_of(fuzz::draw(family, seed, static_cast<int>(20 + 4 * seed)));
       const FlowComplex complex(points);
       const StationaryPoints& stationary = complex.stationary();
       const StableManifolds& stable = complex.stable();

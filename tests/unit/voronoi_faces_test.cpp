@@ -11,6 +11,7 @@
 #include "fuzz/inputs/case_stream.h"
 #include "fuzz/inputs/families.h"
 #include "fuzz/inputs/large_configurations.h"
+#include "fuzz/properties/input_points.h"
 #include "tests/cites.h"
 #include "tests/unit/rational_geometry.h"
 
@@ -26,14 +27,9 @@ using flowcert_tests::minus;
 using flowcert_tests::normal_of;
 using flowcert_tests::sign_of;
 
-PointSet point_set(const fuzz::Input& input) {
-  std::vector<Point> rows;
-  for (const fuzz::Row& row : input.rows) rows.push_back({row[0], row[1], row[2]});
-  return PointSet(rows);
-}
-
 struct Subject {
-  explicit Subject(const fuzz::Input& input) : points(point_set(input)), diagram(Delaunay(points)), faces(diagram) {}
+  explicit Subject(const fuzz::Input& input)
+      : points(property::point_set_of(input)), diagram(Delaunay(points)), faces(diagram) {}
 
   [[nodiscard]] RationalPoint at(VertexIndex v) const { return exactly(faces.point(v)); }
   [[nodiscard]] RationalPoint center(CellIndex cluster) const {

@@ -47,6 +47,7 @@ void count(const Json& made, Counts& counts) {
 void make(const Group& group, const std::filesystem::path& folder, Counts& counts) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<Json> cases;
+  cases.reserve(group.recipes.size() + group.invalid_recipes.size());
   for (const auto& recipe : group.recipes) cases.push_back(oracle::vectors::case_of(group, recipe));
   for (const auto& recipe : group.invalid_recipes) cases.push_back(oracle::vectors::case_of(group, recipe));
   for (const Json& made : cases) count(made, counts);
