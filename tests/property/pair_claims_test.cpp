@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <cstdlib>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -25,7 +27,8 @@ constexpr double kTolerance = 1e-9;
 ClaimedNumber with_digits(const Rational& value, int digits) {
   const std::optional<double> nearest = nearest_double(value);
   if (!nearest) return {value, true};
-  return {Rational(std::stod(fmt::format("{:.{}g}", *nearest, digits))), false};
+  // std::stod refuses the smallest doubles.
+  return {Rational(std::strtod(fmt::format("{:.{}g}", *nearest, digits).c_str(), nullptr)), false};
 }
 
 std::vector<ClaimedPair> claimed(const std::vector<ListedPair>& truth, int digits) {
@@ -40,6 +43,11 @@ std::vector<ClaimedPair> claimed(const std::vector<ListedPair>& truth, int digit
 // Long enough that a change by a millionth is far from everything that is permitted.
 bool is_long(const ClaimedPair& pair) {
   return !pair.death || pair.death->value > pair.birth.value + pair.death->value / 1000;
+}
+
+// Whether a change by a millionth is larger than the steps between doubles, which the smallest ones are not.
+bool has_near_doubles(const Rational& value) {
+  return value > Rational(4000000) * Rational(std::numeric_limits<double>::denorm_min());
 }
 
 // Nothing where the mutant might be right.
@@ -59,10 +67,10 @@ std::optional<std::vector<ClaimedPair>> mutant(const std::string& kind, std::vec
   } else if (kind == "other dimension") {
     pair.dimension = (pair.dimension + 1) % kPairDimensions;
   } else if (kind == "other death") {
-    if (!pair.death || pair.death->value == 0) return std::nullopt;
+    if (!pair.death || !has_near_doubles(pair.death->value)) return std::nullopt;
     pair.death->value *= more;
   } else if (kind == "other birth") {
-    if (pair.birth.value == 0) return std::nullopt;
+    if (!has_near_doubles(pair.birth.value)) return std::nullopt;
     pair.birth.value *= more;
   } else {
     pair.death = pair.death ? std::nullopt : std::optional(ClaimedNumber{Rational(1) / 3, false});

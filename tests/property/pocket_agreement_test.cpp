@@ -217,7 +217,7 @@ bool expect_in_chambers(Totals& all) {
   bool is_right = true;
   for (std::uint64_t seed = 0; seed < inputs; ++seed) {
     const fuzz::Input input = fuzz::input_with_pockets(seed);
-    is_right = expect_holds("pockets, chambers", parameters_of_run(1),
+    is_right = expect_holds("pockets, chambers", parameters_of_one_input(),
                             [&] { require_right_landscape(Subject(input), totals); }) &&
                is_right;
   }

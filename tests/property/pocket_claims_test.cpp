@@ -53,7 +53,7 @@ void on_pockets(std::uint64_t inputs, Property&& property) {
   const auto count = static_cast<std::uint64_t>(static_cast<double>(inputs) * scale_of_run());
   for (std::uint64_t seed = 0; seed < count; ++seed) {
     const fuzz::Input input = fuzz::input_with_pockets(seed);
-    const bool is_right = expect_holds("pocket claims", parameters_of_run(1), [&] {
+    const bool is_right = expect_holds("pocket claims", parameters_of_one_input(), [&] {
       const ClaimSubject subject(input);
       const Pockets all(subject.complex.merge_trees(), 0);
       std::vector<Rational> persistences = {0};

@@ -36,6 +36,13 @@ inline rc::detail::TestParams parameters_of_run(int inputs, bool shrinks = true)
   return parameters;
 }
 
+// For an input that is not drawn: once, at any scale.
+inline rc::detail::TestParams parameters_of_one_input() {
+  rc::detail::TestParams parameters = parameters_of_run(1);
+  parameters.maxSuccess = 1;
+  return parameters;
+}
+
 // Runs a property, which is a callable that draws with *gen and fails with RC_FAIL. A failure is shrunk
 // before it is reported. Returns whether the property held.
 template <typename Property>

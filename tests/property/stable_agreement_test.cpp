@@ -158,7 +158,7 @@ TEST(StableAgreement, SectorsWhoseRaysMeetVoronoiVerticesAreTheOracles) {
                                            {{{-3, 1, 1}, {5, 1, 1}, {1, 9, 1}, {-1, -1, 1}, {1, -1, -1}, {1, -1, 3}}}};
   for (const fuzz::Input& input : inputs) {
     Totals totals;
-    expect_holds("sectors", parameters_of_run(1), [&] { require_right_sets(Subject(input), totals); });
+    expect_holds("sectors", parameters_of_one_input(), [&] { require_right_sets(Subject(input), totals); });
     EXPECT_GE(totals.with_interval, 2U);
   }
 }

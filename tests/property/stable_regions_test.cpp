@@ -205,7 +205,7 @@ TEST(StableRegions, OfRareFacets) {
   };
   Totals totals;
   for (const fuzz::Input& input : inputs) {
-    expect_holds("regions", parameters_of_run(1), [&] { require_right_regions(Subject(input), totals); });
+    expect_holds("regions", parameters_of_one_input(), [&] { require_right_regions(Subject(input), totals); });
   }
   EXPECT_EQ(totals.inputs, inputs.size());
 }
