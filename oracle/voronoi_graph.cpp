@@ -20,6 +20,7 @@ std::vector<VoronoiVertex> vertices_of(const PointSet& set) {
     if (std::binary_search(nearest.begin(), nearest.end(), subset[0])) found.emplace(nearest, circle->center);
   });
   std::vector<VoronoiVertex> vertices;
+  vertices.reserve(found.size());
   for (const auto& [contact, x] : found) {
     vertices.push_back({x, squared_distance(x, set.points[contact[0]]), select(set.names, contact)});
   }

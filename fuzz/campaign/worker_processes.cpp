@@ -419,6 +419,7 @@ class Work {
 
   void wait() {
     std::vector<pollfd> waited;
+    waited.reserve(workers_.size());
     for (const auto& worker : workers_) waited.push_back({worker->descriptor(), POLLIN, 0});
     if (::poll(waited.data(), waited.size(), kPollMilliseconds) <= 0) return;
     std::vector<std::size_t> ended;

@@ -127,6 +127,7 @@ class VectorsToAsk final : public AskedCases {
   }
   [[nodiscard]] std::vector<std::string> flags() const override {
     std::vector<std::string> names;
+    names.reserve(vectors_.flags.size());
     for (const VectorFlag& flag : vectors_.flags) names.push_back(flag.name);
     return names;
   }

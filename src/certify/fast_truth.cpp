@@ -104,6 +104,7 @@ class FastTruth final : public Truth {
  private:
   static std::vector<TrueSegment> true_segments(Orbit orbit) {
     std::vector<TrueSegment> line;
+    line.reserve(orbit.segments.size());
     for (FlowSegment& segment : orbit.segments) {
       line.push_back({type_text(segment.type), std::move(segment.driver), std::move(segment.end)});
     }

@@ -105,6 +105,7 @@ std::string synopsis_of(const DescribedCommand& command) {
 // ".B \-o, \-\-output FILE"
 std::string option_tag(const DescribedOption& option) {
   std::vector<std::string> names;
+  names.reserve(option.names.size());
   for (const std::string& name : option.names) {
     names.push_back(fmt::format("\\f{}{}\\fR", option.is_positional ? 'I' : 'B', roff(name)));
   }

@@ -62,6 +62,7 @@ std::vector<PocketSurface> pocket_surfaces(const FlowComplex& complex, const Poc
     if (sides[1] != kNoPocket) builders[sides[1]].add(faces, face, true);
   }
   std::vector<PocketSurface> surfaces;
+  surfaces.reserve(builders.size());
   for (SurfaceBuilder& builder : builders) surfaces.push_back(builder.take());
   return surfaces;
 }

@@ -86,6 +86,7 @@ UnstructuredGrid stable_cell_data(const FlowComplex& complex) {
   std::vector<std::int64_t> limits;
   UnstructuredGrid grid = pyramids(complex, [](std::size_t) { return true; }, limits);
   std::vector<double> volumes;
+  volumes.reserve(limits.size());
   for (const std::int64_t limit : limits) {
     volumes.push_back(finite(complex.volumes().nearest(static_cast<std::size_t>(limit))));
   }

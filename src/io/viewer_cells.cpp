@@ -43,6 +43,7 @@ Json viewer_cells_field(const FlowComplex& complex, const ViewerFrame& frame, co
   std::vector<double> volumes;
   std::vector<std::uint32_t> offsets = {0}, to, orbits, families;
   std::vector<std::uint32_t> drawn;
+  drawn.reserve(selection.cells.size());
   for (const std::size_t record : selection.cells) drawn.push_back(selection.place[record]);
   std::size_t list = 0;
   for (const std::size_t record : selection.records) {

@@ -45,6 +45,7 @@ struct FlowLocator::Map {
     one_in_units = Rational(std::ldexp(1.0, -divisions->unit()));
     std::vector<SpatialEntry> entries;
     const std::vector<Point>& points = faces.delaunay().points;
+    entries.reserve(points.size());
     for (VertexIndex v = 0; v < points.size(); ++v) entries.emplace_back(spatial(points[v]), v);
     tree = SampleTree(entries);
   }

@@ -174,6 +174,7 @@ void StableManifolds::Parts::compute(const Progress& progress) {
       along_the_curve(stationary, sets.size(), [this](std::uint32_t k) { return record_of(k); });
   std::vector<std::unique_ptr<SkeletonWalk>> team;
   const unsigned threads = team_size(options.flow, options.threads);
+  team.reserve(threads);
   for (unsigned k = 0; k < threads; ++k) team.push_back(make_walk());
   shares.resize(team.size());
   const geometry::Portions::Progress tell = [&](std::size_t begun) {

@@ -164,6 +164,7 @@ bool run(std::size_t degree, bool perturbed, char kind, Subject& subject, Series
   std::vector<std::vector<Place>> reached(2);
   for (std::size_t m = 0; m < 2; ++m) {
     std::vector<Location> locations;
+    locations.reserve(starts.size());
     for (const Start& start : starts) {
       locations.push_back({start.place, kind == 'V' ? kNoPoint : subject.flows[m]->add(start.x)});
     }

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdio>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <string>
@@ -170,8 +171,8 @@ struct SurfacesSeen {
 void require_flow_to_surface(const FastSets& all, const FastSet& set, rc::Random& random, SurfacesSeen& seen) {
   const oracle::PointSet& points = all.subject.set;
   const std::vector<Triangle> surface = oracle::triangles(points, set.skeleton);
-  std::vector<std::size_t> places;
-  for (std::size_t k = 0; k < surface.size(); ++k) places.push_back(k);
+  std::vector<std::size_t> places(surface.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
   for (const std::size_t k : some_of(places, kTrianglesOfASet, random)) {
     const Point x = mixture({surface[k].begin(), surface[k].end()}, random);
     all.require(oracle::orbit(points, x).limit == set.z, text_of(x) + " of a triangle flows elsewhere", set);

@@ -48,9 +48,8 @@ bool has_cluster(const StationaryAnswer& answer) {
 void Distribution::add(const fuzz::Input& input, const StationaryAnswer& answer) {
   const std::size_t classes = answer.points - answer.merged_duplicates;
   std::vector<oracle::Point> points;
-  for (const fuzz::Row& row : input.rows) {
-    points.push_back(oracle::exact(row));
-  }
+  points.reserve(input.rows.size());
+  for (const fuzz::Row& row : input.rows) points.push_back(oracle::exact(row));
   const int dimension = oracle::affine_dimension(points);
   const bool clustered = has_cluster(answer);
   const bool regular = answer.regular != std::array<std::size_t, 3>{};

@@ -255,6 +255,7 @@ TEST(FlowComplex, ThreadsThatShareItGetTheSameAnswers) {
     std::latch together(4);
     {
       std::vector<std::jthread> threads;
+      threads.reserve(accounts.size());
       for (std::size_t k = 0; k < accounts.size(); ++k)
         threads.emplace_back([&, k] { accounts[k] = account_in_order(shared, k, together); });
     }
@@ -273,6 +274,7 @@ TEST(FlowComplex, APartThatIsStoppedInOneThreadIsMadeInAnother) {
   {
     std::latch together(4);
     std::vector<std::jthread> threads;
+    threads.reserve(4);
     for (int k = 0; k < 4; ++k) {
       threads.emplace_back([&] {
         together.arrive_and_wait();

@@ -42,6 +42,7 @@ RationalPoint exactly(const Row& row) { return {Rational(row[0]), Rational(row[1
 // The points that a mutation speaks of: the moved one, and those that it was placed by.
 std::vector<RationalPoint> points_of(const Mutant& mutant) {
   std::vector<RationalPoint> points;
+  points.reserve(mutant.rows.size());
   for (const std::size_t row : mutant.rows) points.push_back(exactly(mutant.input.rows.at(row)));
   return points;
 }

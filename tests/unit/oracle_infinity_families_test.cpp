@@ -104,6 +104,7 @@ struct Piece {
 
 std::vector<Piece> pieces_of(const InfinitySet& infinity) {
   std::vector<Piece> pieces;
+  pieces.reserve(infinity.bounded.points.size() + infinity.bounded.segments.size());
   const auto point = [](const Point& x) { return Corner{x, false}; };
   const auto both = [](const Edge& samples) { return Names{samples[0], samples[1]}; };
   for (const auto& w : infinity.bounded.points) pieces.push_back({{point(w.position)}, w.contact});
@@ -134,6 +135,7 @@ void add_kinds(const InfinitySet& infinity, Count& count) {
 Point random_centre(const std::vector<Point>& points, std::size_t most, rc::Random& random) {
   std::vector<Point> chosen;
   const std::size_t size = 1 + below(random, most);
+  chosen.reserve(size);
   for (std::size_t k = 0; k < size; ++k) chosen.push_back(points[below(random, points.size())]);
   return circumcentre(spanning_subset(chosen))->center;
 }
@@ -348,6 +350,7 @@ std::optional<Point> witness(const Subject& subject, const std::vector<HullPlane
   for (const std::size_t name : piece.apexes) {
     const Point& p = subject.point(name);
     std::vector<Point> cone;
+    cone.reserve(piece.corners.size());
     for (const Corner& c : piece.corners) cone.push_back(c.at_infinity ? c.position : minus(c.position, p));
     for (const HullPlane& plane : planes) {
       if (plane.has(p)) cone = below_plane(cone, plane.normal);

@@ -89,6 +89,7 @@ struct Piece {
 
 std::vector<Piece> pieces_of(const StableSet& stable) {
   std::vector<Piece> pieces;
+  pieces.reserve(stable.points.size() + stable.segments.size());
   for (const SkeletonPoint& w : stable.points) pieces.push_back({{w.position}, w.contact});
   for (const BackwardSegment& s : stable.segments) pieces.push_back({{s.front, s.back}, {s.samples[0], s.samples[1]}});
   for (const BackwardInterval& i : stable.intervals) pieces.push_back({{i.front, i.back}, i.polygon});
@@ -117,6 +118,7 @@ TEST(OracleStableFamilies, WhatASkeletonStandsForFlowsToItsPoint) {
 Point random_centre(const std::vector<Point>& points, std::size_t most, rc::Random& random) {
   std::vector<Point> chosen;
   const std::size_t size = 1 + below(random, most);
+  chosen.reserve(size);
   for (std::size_t k = 0; k < size; ++k) chosen.push_back(points[below(random, points.size())]);
   return circumcentre(spanning_subset(chosen))->center;
 }

@@ -49,6 +49,7 @@ struct Branch {
 
 std::vector<Branch> branches(const StableSet& stable) {
   std::vector<Branch> result;
+  result.reserve(stable.segments.size());
   for (const BackwardSegment& s : stable.segments) {
     result.push_back({s.samples, s.front, s.back, s.back_kind});
   }

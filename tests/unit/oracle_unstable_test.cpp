@@ -23,6 +23,7 @@ std::vector<UnstableEntry> list_of(const Rows& rows, const Names& contact) {
 // The contact sets of the limits, empty for infinity, with "arc" or "direction".
 std::vector<std::pair<std::string, Names>> words_of(const std::vector<UnstableEntry>& list) {
   std::vector<std::pair<std::string, Names>> words;
+  words.reserve(list.size());
   for (const UnstableEntry& entry : list) {
     words.emplace_back(entry.is_arc ? "arc" : "direction", entry.limit ? entry.limit->contact : Names{});
   }

@@ -182,6 +182,7 @@ TEST(Newick, OfADeepTreeIsWritten) {
   CITES("FC-TREE-06");
   // Points on a line, farther and farther apart: each joins all before it.
   std::vector<Point> rows;
+  rows.reserve(20000);
   double x = 0;
   for (int k = 0; k < 20000; ++k) rows.push_back({x += 1 + k * 1e-3, 0, 0});
   const FlowComplex complex(rows);

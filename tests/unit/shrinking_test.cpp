@@ -43,6 +43,7 @@ TEST(Shrinking, MakesCoordinatesSmallIntegers) {
   // Any four points with different x fail. The smallest such x are 0, 1, 2 and one more, -1 or 3.
   const Judge judge = [](const Trial& trial) -> std::optional<Disagreement> {
     std::vector<double> x;
+    x.reserve(trial.input.rows.size());
     for (const Row& row : trial.input.rows) x.push_back(row[0]);
     std::sort(x.begin(), x.end());
     x.erase(std::unique(x.begin(), x.end()), x.end());

@@ -67,10 +67,12 @@ TEST(SquaredDistances, ScaleDoesNotMatter) {
   flowcert_tests::PortableRandom random(3);
   std::vector<Point> unit;
   const auto number = [&] { return static_cast<double>(random.below(1000)); };
+  unit.reserve(25);
   for (int k = 0; k < 25; ++k) unit.push_back({number(), number(), number()});
   Seen seen;
   for (const int exponent : {0, -1000, -400, -130, -60, 60, 120, 300, 480}) {
     std::vector<Point> rows;
+    rows.reserve(unit.size());
     for (const Point& p : unit) {
       rows.push_back({std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)});
     }

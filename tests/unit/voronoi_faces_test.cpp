@@ -46,6 +46,7 @@ struct Subject {
       }
     }
     std::vector<FacetName> facets;
+    facets.reserve(names.size());
     for (const auto& [v0, v1] : names) facets.push_back({v0, v1});
     return facets;
   }

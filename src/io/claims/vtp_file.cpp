@@ -372,6 +372,7 @@ std::string decompressed(EncodedBytes& encoded, const VtpDocument& document, std
   const std::uint64_t block_size = next_header_number(encoded, document);
   const std::uint64_t last_size = next_header_number(encoded, document);
   std::vector<std::uint64_t> compressed_sizes;  // grows only as long as the file has numbers
+  // NOLINTNEXTLINE(performance-inefficient-vector-operation)
   for (std::uint64_t k = 0; k < blocks; ++k) compressed_sizes.push_back(next_header_number(encoded, document));
   std::string bytes;
   for (std::uint64_t k = 0; k < blocks; ++k) {
