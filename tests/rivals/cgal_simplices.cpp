@@ -63,6 +63,7 @@ std::string number_text(double value) {
 template <typename Triangulation>
 void insert_rows(Triangulation& triangulation, const std::vector<Row>& rows) {
   std::vector<std::pair<typename Triangulation::Point, std::size_t>> points;
+  points.reserve(rows.size());
   for (const Row& row : rows) points.emplace_back(typename Triangulation::Point(row[0], row[1], row[2]), points.size());
   triangulation.insert(points.begin(), points.end());
   if (triangulation.dimension() < 3) throw Refusal("flat: CGAL has this in three dimensions alone");
