@@ -68,7 +68,6 @@ void take_file_value(DescribedOption& option, const std::string& command) {
 void take_value(DescribedOption& option, const std::string& type) {
   const std::size_t colon = type.find(':');
   option.type = type;
-  option.value = type.substr(0, colon);
   if (colon == std::string::npos) return;
   const std::size_t open = type.find('{', colon), close = type.find('}', colon);
   if (open == std::string::npos || close == std::string::npos) return;

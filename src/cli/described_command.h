@@ -22,8 +22,7 @@ enum class Completed { kNothing, kChoices, kFiles, kFolders };
 
 struct DescribedOption {
   std::vector<std::string> names;  // "-o", "--output"; a positional argument has one, "INPUT"
-  std::string value;               // how help calls it: "X,Y,Z"; empty for a flag
-  std::string type;                // the same with what is checked: "TEXT:{cascade,lazy,exact}"
+  std::string type;                // as help says it: "X,Y,Z", "TEXT:{cascade,lazy,exact}"; empty for a flag
   std::string default_value;
   std::string description;
   bool is_positional = false;
@@ -38,7 +37,9 @@ struct DescribedOption {
   std::vector<std::string> needs, excludes;  // other options
   std::string group;                         // its name; empty for most options
 
-  [[nodiscard]] bool is_flag() const { return value.empty(); }
+  [[nodiscard]] bool is_flag() const { return type.empty(); }
+  // The type without what is checked: "TEXT"
+  [[nodiscard]] std::string value() const { return type.substr(0, type.find(':')); }
 };
 
 // A footer is notes, and examples below a line "Examples:". An example that goes on has a backslash and a line's end

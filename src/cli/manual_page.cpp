@@ -111,7 +111,7 @@ std::string option_tag(const DescribedOption& option) {
   }
   std::string tag = fmt::format("{}", fmt::join(names, ", "));
   if (option.is_positional || option.is_flag()) return tag + '\n';
-  std::string value = fmt::format("\\fI{}\\fR", roff(option.value));
+  std::string value = fmt::format("\\fI{}\\fR", roff(option.value()));
   if (option.completed == Completed::kFiles) value = "\\fIFILE\\fR";
   if (option.completed == Completed::kFolders) value = "\\fIFOLDER\\fR";
   if (!option.choices.empty()) value = roff(fmt::format("{}", fmt::join(option.choices, option.is_list ? "," : "|")));

@@ -54,7 +54,7 @@ std::string specification(const DescribedOption& option, const std::string& name
   if (!option.is_flag() && !option.is_value_optional) text += name.starts_with("--") ? "=" : "+";
   text += fmt::format("[{}]", in_specification(option.description));
   if (option.is_flag()) return text;
-  return text + fmt::format("{}{}:{}", option.is_value_optional ? "::" : ":", in_specification(option.value),
+  return text + fmt::format("{}{}:{}", option.is_value_optional ? "::" : ":", in_specification(option.value()),
                             action_in_zsh(option));
 }
 
