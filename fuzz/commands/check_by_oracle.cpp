@@ -7,7 +7,8 @@ namespace flowcert::commands {
 
 void add_check_command(CLI::App& app, int& status) {
   cli::add_check_command(app, status,
-                         {kMostPointsForOracle, [](const std::vector<Point>& rows) { return oracle_truth(rows); }});
+                         {kMostPointsForOracle, [](const std::vector<Point>& rows) { return oracle_truth(rows); },
+                          [](const std::vector<Point>& rows) { return oracle_pairs(rows); }});
 }
 
 }  // namespace flowcert::commands

@@ -333,7 +333,7 @@ Json persistence_findings_field(const std::vector<PairDifference>& differences) 
   Json field = Json::array();
   for (const PairDifference& difference : differences) {
     Json finding;
-    finding["reason"] = pair_reason_text(difference);
+    finding["reason"] = reason_text(difference);
     finding["claimed"] = difference.claimed;
     finding["truth"] = difference.truth;
     field.push_back(std::move(finding));

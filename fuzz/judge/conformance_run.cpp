@@ -258,7 +258,7 @@ class CaseRun {
     auto differences = pair_differences(claimed, *case_.persistence, options_.check.tolerance);
     if (differences.empty()) return;
     for (const PairDifference& difference : differences) {
-      add_reason(pair_reason_text(difference), persistence_finding_words(difference));
+      add_reason(reason_text(difference), persistence_finding_words(difference));
     }
     fail(run, RunOutcome::kFails, persistence_finding_words(differences.front()));
     if (differences.size() > kMostFindings) differences.resize(kMostFindings);

@@ -38,10 +38,6 @@ std::string orbit_finding_words(const OrbitFinding& finding) {
                               finding.difference.truth));
 }
 
-const char* pair_reason_text(const PairDifference& difference) {
-  return difference.by_rounding ? "rounding" : "wrong-pair";
-}
-
 std::string persistence_finding_words(const PairDifference& difference) {
   return one_line(fmt::format("persistence{}: claimed {}; truth: {}", difference.by_rounding ? ", rounding" : "",
                               difference.claimed, difference.truth));

@@ -13,9 +13,6 @@ namespace flowcert::judge {
 // "orbit from 1/2,0,0: claimed segment 2: type E-F-V; truth: E-F-E"
 [[nodiscard]] std::string orbit_finding_words(const OrbitFinding& finding);
 
-// "wrong-pair" or "rounding"
-[[nodiscard]] const char* pair_reason_text(const PairDifference& difference);
-
 // "persistence: claimed dimension 1, birth 1/2, death 3/4; truth: no such pair"
 [[nodiscard]] std::string persistence_finding_words(const PairDifference& difference);
 

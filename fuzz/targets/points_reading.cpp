@@ -46,31 +46,32 @@ std::optional<Rows> rows_for_oracle(std::string_view text, const std::string& na
   const bool is_obj = name.ends_with(".obj");
   std::istringstream in{std::string(text)};
   try {
-    return oracle::read_points(in, name, is_obj ? oracle::PointFormat::kObj : oracle::PointFormat::kXyz);
+    return oracle::read_points(in, name, is_obj ? oracle::PointFormat::kObj : oracle::PointFormat::kTable);
   } catch (const oracle::UnusableInput&) {
     return std::nullopt;
   }
 }
 
+// Ends of lines and marks that the oracle does not know, and bytes that the library takes for another format's.
 bool is_for_oracle(std::string_view text, const std::string& name) {
   if (!name.ends_with(".xyz") && !name.ends_with(".obj")) return false;
   if (text.starts_with("\x1f\x8b") || text.starts_with("\xef\xbb\xbf")) return false;
+  if (text.find('\0') != std::string_view::npos) return false;
   for (std::size_t k = text.find('\r'); k != std::string_view::npos; k = text.find('\r', k + 1)) {
     if (!text.substr(k).starts_with("\r\n")) return false;
   }
   return true;
 }
 
+// The oracle reads less than the library does, and what it reads is the same.
 std::string complaint_against_oracle(Bytes bytes, const std::string& name) {
   const std::string_view text = fuzz::text_of(bytes);
   if (!is_for_oracle(text, name)) return {};
   const std::optional<PointFile> file = file_read(text, name);
   const std::optional<Rows> truth = rows_for_oracle(text, name);
-  if (file.has_value() != truth.has_value()) {
-    return file ? "the oracle refuses, and the library reads " + text_of(rows_of(*file))
-                : "the library refuses, and the oracle reads " + text_of(*truth);
-  }
-  if (!file || same_bits(rows_of(*file), *truth)) return {};
+  if (!truth) return {};
+  if (!file) return "the library refuses, and the oracle reads " + text_of(*truth);
+  if (same_bits(rows_of(*file), *truth)) return {};
   return text_of(rows_of(*file)) + "are, for the oracle, " + text_of(*truth);
 }
 
@@ -92,10 +93,8 @@ std::string complaint_about_points(Bytes bytes, const std::string& name) {
     const Rows again = rows_of(read_points_from(xyz.str(), "a.xyz"));
     if (!same_bits(rows, again)) return "as XYZ, others: " + text_of(rows) + "became " + text_of(again);
   }
-  const auto other = file_read(text_of(bytes), "-");
-  if (other && other->format == file.format && !same_bits(rows, rows_of(*other))) {
-    return "by content, others: " + text_of(rows) + "became " + text_of(rows_of(*other));
-  }
+  const Rows named = rows_of(read_points_from(text_of(bytes), "-", {.format = file.format}));
+  if (!same_bits(rows, named)) return "by its format's name, others: " + text_of(rows) + "became " + text_of(named);
   return complaint_against_oracle(bytes, name);
 }
 

@@ -151,7 +151,23 @@ struct Certified {
   std::size_t right = 0, drawn = 0, points = 0;
 };
 
-// Says what is wrong, line by line. Nothing is certified where the header is wrong.
+// Whether the records of samples have their positions. Where they do not, `compute` took other points from the file,
+// because of an option or of what it knows of the format. Where a sample is no record, that is left to the sampling.
+bool are_of_these_points(const oracle::RecordFile& file, const std::vector<std::array<double, 3>>& rows,
+                         const std::string& records, oracle::WaitingLine& line) {
+  for (std::size_t place = 0; place < file.records.size(); ++place) {
+    if (!file.records[place].starts_with("{\"index\":0,")) continue;
+    const std::string where = records + ":" + std::to_string(place + 2) + ": ";
+    const oracle::StationaryPoint claim = oracle::parse_record(file.records[place], where).claim;
+    if (claim.contact.size() != 1 || claim.contact[0] >= rows.size()) continue;
+    if (claim.center == oracle::exact(rows[claim.contact[0]])) continue;
+    line.say(where + "FC-IN-03: point " + std::to_string(claim.contact[0]) + " is elsewhere in the input");
+    return false;
+  }
+  return true;
+}
+
+// Says what is wrong, line by line. Nothing is certified where the records are of other points.
 std::optional<Certified> certify_records(const std::string& input, const std::string& records, std::size_t sample,
                                          std::uint64_t seed) {
   oracle::WaitingLine line("certifying");
@@ -167,6 +183,7 @@ std::optional<Certified> certify_records(const std::string& input, const std::st
              " and " + std::to_string(set.merged_duplicates));
     return std::nullopt;
   }
+  if (!are_of_these_points(file, rows, records, line)) return std::nullopt;
   const auto drawn = draw(file.records.size(), sample, seed);
   Certified result{0, drawn.size(), set.points.size()};
   std::size_t judged = 0;

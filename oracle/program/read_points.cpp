@@ -12,7 +12,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
-#include <utility>
 
 namespace oracle {
 
@@ -34,21 +33,9 @@ bool is_inexact_hexadecimal(const std::string& word) {
   return rounded(word, FE_UPWARD) != rounded(word, FE_DOWNWARD);
 }
 
-// OBJ knows no commas.
-std::vector<std::string> blank_separated(const std::string& line) {
-  std::istringstream in(line);
-  std::vector<std::string> words;
-  for (std::string word; in >> word;) words.push_back(word);
-  return words;
-}
-
-// "x,y,z", in any case. Further names of columns may follow.
-bool names_columns(const std::vector<std::string>& words) {
-  return words.size() >= 3 && (words[0] == "x" || words[0] == "X") && (words[1] == "y" || words[1] == "Y") &&
-         (words[2] == "z" || words[2] == "Z");
-}
-
 }  // namespace
+
+// ---- Words ----
 
 std::vector<std::string> fields(const std::string& line) {
   const auto skip_blanks = [&line](std::size_t at) {
@@ -75,36 +62,108 @@ double number(const std::string& word, const std::string& where) {
   return value;
 }
 
-std::vector<std::array<double, 3>> read_points(std::istream& in, const std::string& name, PointFormat format) {
-  std::vector<std::array<double, 3>> points;
-  bool only_white_space = true;
-  bool is_first = true;
-  std::size_t line_number = 0;
-  for (std::string line; std::getline(in, line);) {
-    const std::string where = name + ":" + std::to_string(++line_number) + ": ";
-    if (line.find_first_not_of(" \t\r\v\f") != std::string::npos) only_white_space = false;
-    const std::string text = line.substr(0, line.find('#'));
-    std::vector<std::string> words = format == PointFormat::kObj ? blank_separated(text) : fields(text);
-    if (words.empty()) continue;
-    if (format == PointFormat::kObj) {
-      if (words[0] != "v") continue;
-      words.erase(words.begin());
-    }
-    if (std::exchange(is_first, false) && format == PointFormat::kXyz && names_columns(words)) continue;
-    if (words.size() < 3) {
-      throw UnusableInput(where + "three numbers expected, found " + std::to_string(words.size()));
-    }
-    points.push_back({number(words[0], where), number(words[1], where), number(words[2], where)});
+// ---- Formats ----
+
+namespace {
+
+using Lines = std::vector<std::string>;
+using Rows = std::vector<std::array<double, 3>>;
+
+std::string place(const std::string& name, std::size_t line) { return name + ":" + std::to_string(line + 1) + ": "; }
+
+// OBJ knows no commas.
+Lines blank_separated(const std::string& line) {
+  std::istringstream in(line);
+  Lines words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+// Whether a heading or a comment above the rows names columns x, y and z.
+bool names_columns(const Lines& words) {
+  const auto has = [&](const char* name) {
+    return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return lower_case(word) == name; });
+  };
+  return has("x") && has("y") && has("z");
+}
+
+// They have to be the columns that the oracle reads.
+void check_names(const Lines& words, const std::string& where) {
+  if (words.size() == 3 && lower_case(words[0] + words[1] + words[2]) == "xyz") return;
+  throw UnusableInput(where + "columns are named; flowcert-oracle reads x, y, z alone");
+}
+
+// A comma between two numbers, where blanks part others, might be a decimal point.
+std::array<double, 3> table_row(const std::string& text, const Lines& words, const std::string& where) {
+  if (words.size() != 3) {
+    throw UnusableInput(where + "three columns expected, found " + std::to_string(words.size()));
   }
-  if (in.bad()) throw UnusableInput(name + ": cannot be read");
-  if (only_white_space) throw UnusableInput(name + ": empty");
+  const auto commas = std::count(text.begin(), text.end(), ',');
+  if (commas != 0 && commas != 2) throw UnusableInput(where + "commas part some columns, and blanks others");
+  return {number(words[0], where), number(words[1], where), number(words[2], where)};
+}
+
+Rows read_table(const Lines& lines, const std::string& name) {
+  Rows points;
+  bool has_heading = false;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const std::size_t comment = std::min(lines[k].find('#'), lines[k].size());
+    const std::string text = lines[k].substr(0, comment);
+    const Lines words = fields(text);
+    if (words.empty()) {
+      const Lines said = fields(lines[k].substr(std::min(comment + 1, lines[k].size())));
+      if (points.empty() && names_columns(said)) check_names(said, place(name, k));
+    } else if (points.empty() && !has_heading && names_columns(words)) {
+      check_names(words, place(name, k));
+      has_heading = true;
+    } else {
+      points.push_back(table_row(text, words, place(name, k)));
+    }
+  }
   return points;
+}
+
+Rows read_obj(const Lines& lines, const std::string& name) {
+  static const Lines keywords = {"v", "vt", "vn", "f", "l", "p", "o", "g", "s", "mtllib", "usemtl"};
+  Rows points;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const std::string where = place(name, k);
+    const Lines words = blank_separated(lines[k].substr(0, lines[k].find('#')));
+    if (words.empty()) continue;
+    if (std::find(keywords.begin(), keywords.end(), words[0]) == keywords.end()) {
+      throw UnusableInput(where + "flowcert-oracle does not know '" + words[0] + "' in OBJ");
+    }
+    if (words.back().back() == '\\') throw UnusableInput(where + "flowcert-oracle reads no line that goes on");
+    if (words[0] != "v") continue;
+    if (words.size() < 4) {
+      throw UnusableInput(where + "three numbers expected, found " + std::to_string(words.size() - 1));
+    }
+    points.push_back({number(words[1], where), number(words[2], where), number(words[3], where)});
+  }
+  if (points.empty()) throw UnusableInput(name + ": no line begins with v");
+  return points;
+}
+
+}  // namespace
+
+std::vector<std::array<double, 3>> read_points(std::istream& in, const std::string& name, PointFormat format) {
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  if (in.bad()) throw UnusableInput(name + ": cannot be read");
+  const auto is_blank = [](const std::string& line) { return line.find_first_not_of(kBlanks) == std::string::npos; };
+  if (std::all_of(lines.begin(), lines.end(), is_blank)) throw UnusableInput(name + ": empty");
+  return format == PointFormat::kObj ? read_obj(lines, name) : read_table(lines, name);
 }
 
 std::vector<std::array<double, 3>> read_point_file(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw UnusableInput(path + ": cannot be opened");
-  return read_points(in, path, path.ends_with(".obj") ? PointFormat::kObj : PointFormat::kXyz);
+  return read_points(in, path, path.ends_with(".obj") ? PointFormat::kObj : PointFormat::kTable);
 }
 
 }  // namespace oracle

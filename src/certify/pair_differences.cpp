@@ -1,4 +1,5 @@
-// A maximum flow from claimed to true pairs tells which of them find a partner.
+// A maximum flow from claimed to true pairs tells which of them find a partner. It is found for each set of pairs that
+// can be each other's partners, through others or not: such sets are small.
 #include "flowcert/pair_differences.h"
 
 #include <fmt/format.h>
@@ -6,8 +7,11 @@
 #include <algorithm>
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/edmonds_karp_max_flow.hpp>
+#include <boost/pending/disjoint_sets.hpp>
 #include <cstdint>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -50,8 +54,7 @@ std::vector<PairGroup> groups_of(const std::vector<ClaimedPair>& pairs) {
                   !pair.death,         pair.death ? pair.death->value : Rational(0),
                   pair.birth.is_exact, pair.death && pair.death->is_exact};
     PairGroup& group = groups[key];
-    group.pair = pair;
-    ++group.count;
+    if (group.count++ == 0) group.pair = pair;
   }
   std::vector<PairGroup> sorted;
   sorted.reserve(groups.size());
@@ -153,14 +156,108 @@ class PartnerFlow {
   std::vector<Traits::edge_descriptor> from_source_;
 };
 
+// ---- Sets of possible partners ----
+
+using Partners = std::vector<Edge>;
+
+// The true groups are ascending, so those that can be a claimed group's partners are near each other: in a run of equal
+// dimensions and near births, and within each run of equal births near its death.
+class PartnerSearch {
+ public:
+  PartnerSearch(const Groups& truth, const Closeness& closeness, double tolerance)
+      : truth_(truth), closeness_(closeness), part_(2 * Rational(tolerance) + kStep) {}
+
+  void add_partners(const Groups& claimed, std::size_t i, Partners& partners) const {
+    const ClaimedPair& pair = claimed[i].pair;
+    auto run = std::ranges::partition_point(truth_, [&](const PairGroup& group) {
+      return group.pair.dimension < pair.dimension ||
+             (group.pair.dimension == pair.dimension && is_below(group.pair.birth.value, pair.birth.value));
+    });
+    while (run != truth_.end() && run->pair.dimension == pair.dimension &&
+           !is_below(pair.birth.value, run->pair.birth.value)) {
+      const auto end = std::find_if(run, truth_.end(), [&](const PairGroup& group) {
+        return group.pair.dimension != run->pair.dimension || group.pair.birth.value != run->pair.birth.value;
+      });
+      add_partners_of_run(run, end, pair, i, partners);
+      run = end;
+    }
+  }
+
+ private:
+  using Place = Groups::const_iterator;
+
+  // Whether a is too far below b for any tolerance that are_partners() has.
+  [[nodiscard]] bool is_below(const Rational& a, const Rational& b) const {
+    return a < b && b - a > part_ * abs(b) + kLeast;
+  }
+
+  void add_partners_of_run(Place first, Place last, const ClaimedPair& pair, std::size_t i, Partners& partners) const {
+    // A class that lasts comes last.
+    auto at = std::partition_point(first, last, [&](const PairGroup& group) {
+      return group.pair.death && (!pair.death || is_below(group.pair.death->value, pair.death->value));
+    });
+    for (; at != last; ++at) {
+      if (pair.death && at->pair.death && is_below(pair.death->value, at->pair.death->value)) break;
+      if (closeness_.are_partners(pair, at->pair))
+        partners.emplace_back(i, static_cast<std::size_t>(at - truth_.begin()));
+    }
+  }
+
+  // More than doubles that two numbers are rounded to alike leave between them.
+  inline static const Rational kStep = Rational(1) / (1LL << 50), kLeast = Rational(std::numeric_limits<double>::min());
+
+  const Groups& truth_;
+  const Closeness& closeness_;
+  Rational part_;
+};
+
+// A claimed and a true group are in one set if they can be partners, or each with a third.
+class PartnerSets {
+ public:
+  PartnerSets(std::size_t claimed, std::size_t truth, const Partners& partners)
+      : parents_(claimed + truth), ranks_(claimed + truth), sets_(ranks_.data(), parents_.data()), claimed_(claimed) {
+    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
+    for (const auto& [i, k] : partners) sets_.union_set(i, claimed + k);
+    for (std::size_t m = 0; m < parents_.size(); ++m) members_[sets_.find_set(m)].push_back(m);
+    for (const auto& [i, k] : partners) partners_[sets_.find_set(i)].emplace_back(i, k);
+  }
+
+  // Calls visit(places of claimed groups, places of true groups, pairs of them) for each set.
+  template <typename Visit>
+  void visit_all(const Visit& visit) const {
+    static const Partners kNone;
+    for (const auto& [root, members] : members_) {
+      std::vector<std::size_t> of_claimed, of_truth;
+      for (const std::size_t m : members)
+        (m < claimed_ ? of_claimed : of_truth).push_back(m < claimed_ ? m : m - claimed_);
+      const auto partners = partners_.find(root);
+      visit(of_claimed, of_truth, partners == partners_.end() ? kNone : partners->second);
+    }
+  }
+
+ private:
+  std::vector<std::size_t> parents_, ranks_;
+  boost::disjoint_sets<std::size_t*, std::size_t*> sets_;
+  std::size_t claimed_;
+  std::map<std::size_t, std::vector<std::size_t>> members_;
+  std::map<std::size_t, Partners> partners_;
+};
+
+// ---- What is left over ----
+
 struct LeftOver {
   std::vector<ClaimedPair> claimed, truth;  // each as often as it has no partner
 };
 
-std::vector<ClaimedPair> left_of(const Groups& groups, const std::vector<std::size_t>& left) {
-  std::vector<ClaimedPair> pairs;
+Groups at_places(const Groups& groups, const std::vector<std::size_t>& places) {
+  Groups chosen;
+  chosen.reserve(places.size());
+  for (const std::size_t place : places) chosen.push_back(groups[place]);
+  return chosen;
+}
+
+void append_left(const Groups& groups, const std::vector<std::size_t>& left, std::vector<ClaimedPair>& pairs) {
   for (std::size_t k = 0; k < groups.size(); ++k) pairs.insert(pairs.end(), left[k], groups[k].pair);
-  return pairs;
 }
 
 LeftOver left_over(Groups claimed, Groups truth, double tolerance) {
@@ -169,15 +266,25 @@ LeftOver left_over(Groups claimed, Groups truth, double tolerance) {
   // A claim without decimals has all pairs, however short they are.
   for (PairGroup& group : claimed) group.needs_partner = group.is_exact() || !closeness.is_short(group.pair);
   for (PairGroup& group : truth) group.needs_partner = is_exact || !closeness.is_short(group.pair);
-  PartnerFlow of_claimed(claimed, truth), of_truth(truth, claimed);
-  for (std::size_t i = 0; i < claimed.size(); ++i) {
-    for (std::size_t k = 0; k < truth.size(); ++k) {
-      if (!closeness.are_partners(claimed[i].pair, truth[k].pair)) continue;
-      of_claimed.connect(i, k);
-      of_truth.connect(k, i);
+  const PartnerSearch search(truth, closeness, tolerance);
+  Partners partners;
+  for (std::size_t i = 0; i < claimed.size(); ++i) search.add_partners(claimed, i, partners);
+  LeftOver left;
+  const PartnerSets sets(claimed.size(), truth.size(), partners);
+  sets.visit_all([&](const auto& of_claimed, const auto& of_truth, const Partners& near) {
+    const Groups a = at_places(claimed, of_claimed), b = at_places(truth, of_truth);
+    PartnerFlow from_claimed(a, b), from_truth(b, a);
+    const auto place_in = [](const std::vector<std::size_t>& places, std::size_t place) {
+      return static_cast<std::size_t>(std::ranges::lower_bound(places, place) - places.begin());
+    };
+    for (const auto& [i, k] : near) {
+      from_claimed.connect(place_in(of_claimed, i), place_in(of_truth, k));
+      from_truth.connect(place_in(of_truth, k), place_in(of_claimed, i));
     }
-  }
-  return {left_of(claimed, of_claimed.without_partner()), left_of(truth, of_truth.without_partner())};
+    append_left(a, from_claimed.without_partner(), left.claimed);
+    append_left(b, from_truth.without_partner(), left.truth);
+  });
+  return left;
 }
 
 // ---- In words ----
@@ -203,7 +310,9 @@ std::vector<PairDifference> differences_of(const LeftOver& left, bool in_doubles
     std::ranges::copy_if(left.claimed, std::back_inserter(a), is_of);
     std::ranges::copy_if(left.truth, std::back_inserter(b), is_of);
     for (std::size_t k = 0; k < std::max(a.size(), b.size()); ++k) {
-      differences.push_back({words(a, k), words(b, k), by_rounding});
+      const bool is_claimed = k < a.size(), is_true = k < b.size();
+      differences.push_back(
+          {words(a, k), words(b, k), by_rounding, dimension, is_claimed, is_true, is_claimed ? a[k].line : 0});
     }
   }
   return differences;
@@ -218,6 +327,30 @@ std::vector<ListedPair> listed_pairs(const FlowComplex& complex) {
     if (pair.death) pairs.back().death = complex.sphere(*pair.death).squared_radius;
   }
   return pairs;
+}
+
+const char* reason_text(const PairDifference& difference) { return difference.by_rounding ? "rounding" : "wrong-pair"; }
+
+namespace {
+
+template <typename Pair, typename Value>
+std::array<std::size_t, kPairDimensions> counts_of_long(const std::vector<Pair>& pairs, const Value& value) {
+  std::array<std::size_t, kPairDimensions> counts{};
+  for (const Pair& pair : pairs) {
+    if (pair.death && value(*pair.death) == value(pair.birth)) continue;
+    ++counts.at(static_cast<std::size_t>(pair.dimension));
+  }
+  return counts;
+}
+
+}  // namespace
+
+std::array<std::size_t, kPairDimensions> pair_counts(const std::vector<ClaimedPair>& pairs) {
+  return counts_of_long(pairs, [](const ClaimedNumber& number) -> const Rational& { return number.value; });
+}
+
+std::array<std::size_t, kPairDimensions> pair_counts(const std::vector<ListedPair>& pairs) {
+  return counts_of_long(pairs, [](const Rational& number) -> const Rational& { return number; });
 }
 
 std::vector<PairDifference> pair_differences(const std::vector<ClaimedPair>& claimed,

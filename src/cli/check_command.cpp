@@ -7,11 +7,14 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <limits>
+#include <variant>
 
+#include "cli/check_pairs.h"
 #include "cli/check_report.h"
 #include "cli/progress.h"
 #include "flowcert/claim.h"
 #include "flowcert/flow_complex.h"
+#include "io/input_bytes.h"
 #include "io/output_file.h"
 
 namespace flowcert::cli {
@@ -19,9 +22,10 @@ namespace flowcert::cli {
 namespace {
 
 struct CheckCommandOptions {
-  std::vector<std::string> chains;
+  ReadingOptions reading;
   CheckedFiles files;
   CheckOptions check;
+  std::string claim_format;  // "pers", or empty: the content and the ending say it
   std::string junit;
   std::size_t most = std::numeric_limits<std::size_t>::max();
   bool json = false;
@@ -46,9 +50,16 @@ class LevelProgress {
   std::optional<ProgressLine> line_;
 };
 
-Claim claim_of(const std::string& path) {
+// A claimed flow complex, or a persistence diagram.
+using AnyClaim = std::variant<Claim, std::vector<ClaimedPair>>;
+
+AnyClaim claim_of(const std::string& path, const std::string& format) {
   const ProgressLine progress("reading the claim");
-  return read_claim(path);
+  const std::string bytes = io::read_bytes(path);
+  std::string decompressed;
+  const std::string_view content = io::plain_content(bytes, path, decompressed);
+  if (format.empty() && !is_pair_claim(content, path)) return read_claim_from(content, path);
+  return claimed_pairs_of(std::string(content), path);
 }
 
 CheckReport report_of(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input, Claim given) {
@@ -62,25 +73,20 @@ CheckReport report_of(const CheckCommandOptions& options, const OtherTruth& orac
   return check(input.points, claim, *truth, how);
 }
 
-int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
-  CheckedFiles& files = options.files;
-  if (files.points == "-" && files.claim == "-") {
-    throw InvalidInput("POINTS and CLAIM cannot both be standard input");
-  }
-  Claim claim = claim_of(files.claim);
-  const Input input = read_input(files.points, options.chains);
-  files.points = display_name(files.points);
-  files.claim = display_name(files.claim);
+template <typename Write>
+void write_junit(const std::string& path, const Write& write) {
+  if (path.empty()) return;
+  OutputFile file(path);
+  write(file.stream());
+  file.commit();
+}
+
+int check_complex(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input, Claim claim) {
+  CheckedFiles files = options.files;
   require_rows(claim, input.points, files.claim);
   files.claim_format = claim.format;
-  files.tolerance = options.check.tolerance;
-  files.highest_level = options.check.highest_level;
   const CheckReport report = report_of(options, oracle, input, std::move(claim));
-  if (!options.junit.empty()) {
-    OutputFile file(options.junit);
-    write_check_junit(file.stream(), files, report);
-    file.commit();
-  }
+  write_junit(options.junit, [&](std::ostream& out) { write_check_junit(out, files, report); });
   if (options.json) {
     print_check_json(files, report, input.points);
   } else {
@@ -89,18 +95,62 @@ int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
   return status_of(report.verdict, options.is_strict);
 }
 
+std::vector<ListedPair> true_pairs(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input) {
+  const ProgressLine progress("pairing");
+  if (options.files.by_oracle) return oracle.pairs_of(input.file.rows);
+  return listed_pairs(FlowComplex(input.points, {.flow = {}, .threads = options.threads}, part_progress()));
+}
+
+int check_diagram(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input,
+                  const std::vector<ClaimedPair>& claimed) {
+  if (options.check.highest_level != kLevels || options.check.indices != CheckOptions{}.indices) {
+    throw InvalidInput("--levels and --indices are for flow complexes, and the claim is a persistence diagram");
+  }
+  CheckedFiles files = options.files;
+  files.claim_format = "persistence";
+  const PairReport report = report_of_pairs(claimed, true_pairs(options, oracle, input), options.check.tolerance);
+  write_junit(options.junit, [&](std::ostream& out) { write_pairs_junit(out, files, report); });
+  if (options.json) {
+    print_pairs_json(files, report, input.points);
+  } else {
+    print_pairs_text(files, report, options.most);
+  }
+  return status_of(report.verdict, options.is_strict);
+}
+
+int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
+  CheckedFiles& files = options.files;
+  if (files.points == "-" && files.claim == "-") {
+    throw InvalidInput("POINTS and CLAIM cannot both be standard input");
+  }
+  AnyClaim claim = claim_of(files.claim, options.claim_format);
+  const Input input = read_input(files.points, options.reading);
+  files.points = display_name(files.points);
+  files.claim = display_name(files.claim);
+  files.tolerance = options.check.tolerance;
+  files.highest_level = options.check.highest_level;
+  if (auto* complex = std::get_if<Claim>(&claim)) return check_complex(options, oracle, input, std::move(*complex));
+  return check_diagram(options, oracle, input, std::get<std::vector<ClaimedPair>>(claim));
+}
+
 }  // namespace
 
 void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
   auto options = std::make_shared<CheckCommandOptions>();
   CLI::App* command = app.add_subcommand("check", "Whether a claimed flow complex is right, and where it is not");
-  add_input_options(*command, options->files.points, options->chains, "Point file, or - for standard input", "POINTS");
+  add_input_options(*command, options->files.points, options->reading, "Point file, or - for standard input", "POINTS");
   command
-      ->add_option("CLAIM", options->files.claim,
-                   "What an implementation claims of it: JSON Lines as compute -o writes them, JSON as pockets --json "
-                   "writes it, CSV, VTP, or the text format of Giesen and Kühne's algorithm; also as .gz; - for "
-                   "standard input")
+      ->add_option(
+          "CLAIM", options->files.claim,
+          "What an implementation claims of it: JSON Lines as compute -o writes them, JSON as pockets --json "
+          "writes it, CSV, VTP, or the text format of Giesen and Kühne's algorithm; or a persistence diagram, as "
+          "persistence writes it or as lines of dimension, birth and death; also as .gz; - for standard input")
       ->required();
+  command
+      ->add_option("--claim-format", options->claim_format,
+                   "pers: the claim is a persistence diagram; lines of four columns are known as one by this or by the "
+                   "ending .pers")
+      ->check(CLI::IsMember({"pers"}));
   command->add_flag("--json", options->json, "Print one JSON object");
   command->add_option("--junit", options->junit, "Write a JUnit report to this file, a test case a level")
       ->check(complaint_about_path);
@@ -120,7 +170,8 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
       "a perturbation of the points makes); fails.\n\n"
       "Examples:\n  flowcert check bunny.obj claim.jsonl\n  flowcert check bunny.obj claim.csv --tolerance "
       "1e-6 "
-      "--junit report.xml\n  flowcert check bunny.obj saddles.csv --indices 1,2,3");
+      "--junit report.xml\n  flowcert check bunny.obj saddles.csv --indices 1,2,3\n  flowcert persistence "
+      "bunny.obj -o d.pers; flowcert check bunny.obj d.pers");
   command->callback([options, oracle, &status] { status = check_claim(*options, oracle); });
 }
 

@@ -8,6 +8,7 @@
 
 #include "cli/command.h"
 #include "flowcert/check.h"
+#include "flowcert/pair_differences.h"
 
 namespace flowcert::cli {
 
@@ -16,6 +17,8 @@ struct OtherTruth {
   std::size_t most_points = 0;
   // Throws InvalidInput for more points.
   std::function<std::unique_ptr<Truth>(const std::vector<Point>& rows)> of;
+  // The same of persistence pairs, for fewer points.
+  std::function<std::vector<ListedPair>(const std::vector<Point>& rows)> pairs_of;
 };
 
 void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle);

@@ -22,7 +22,6 @@ namespace flowcert::cli {
 
 namespace {
 
-constexpr std::size_t kFindingIndent = 4;
 constexpr std::array<const char*, kLevels> kLevelNames = {"well formed", "what is claimed is critical",
                                                           "nothing is missing, nothing twice, indices", "incidences",
                                                           "manifolds and connections"};
@@ -31,8 +30,6 @@ constexpr std::array<const char*, kLevels> kLevelNames = {"well formed", "what i
 constexpr std::array<const char*, kLevels> kShortLevelNames = {"well formed", "what is claimed is critical",
                                                                "none missing, none twice", "incidences",
                                                                "manifolds and connections"};
-
-const char* truth_text(const CheckedFiles& files) { return files.by_oracle ? "oracle" : "fast implementation"; }
 
 struct LevelCount {
   std::size_t wrong = 0;
@@ -173,6 +170,8 @@ void write_level(std::ostream& out, const CheckedFiles& files, const CheckReport
 }
 
 }  // namespace
+
+const char* truth_text(const CheckedFiles& files) { return files.by_oracle ? "oracle" : "fast implementation"; }
 
 std::string finding_line(const std::string& claim, const Finding& finding) {
   return fmt::format("{}: {}, level {}: {} [{}]: claimed {}; truth: {}", place_of(claim, finding), word_of(finding),

@@ -26,6 +26,12 @@ struct CheckedFiles {
   int highest_level = kLevels;
 };
 
+// What is said to be true: "oracle" or "fast implementation".
+[[nodiscard]] const char* truth_text(const CheckedFiles& files);
+
+// Of the further lines of a finding for people.
+inline constexpr std::size_t kFindingIndent = 4;
+
 // "CLAIM:LINE: wrong, level 2: ..."
 [[nodiscard]] std::string finding_line(const std::string& claim, const Finding& finding);
 // A finding for people has lines of at most 80 columns, and long numbers are shortened in the middle.

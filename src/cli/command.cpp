@@ -4,22 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <locale>
 
 #include "cli/progress.h"
+#include "cli/table.h"
 #include "geometry/parallel_for.h"
+#include "io/number_text.h"
 
 namespace flowcert::cli {
-
-namespace {
-
-struct Commas : std::numpunct<char> {
- protected:
-  [[nodiscard]] char do_thousands_sep() const override { return ','; }
-  [[nodiscard]] std::string do_grouping() const override { return "\3"; }
-};
-
-}  // namespace
 
 std::string complaint_about_path(const std::string& path) { return path.empty() ? "the path is empty" : ""; }
 
@@ -41,65 +32,104 @@ std::string on_one_line(const std::string& text) {
 
 std::string display_name(const std::string& path) { return path == "-" ? "standard input" : on_one_line(path); }
 
-std::string with_commas(unsigned long long value) {
-  static const std::locale commas(std::locale::classic(), new Commas);
-  return fmt::format(commas, "{:L}", value);
-}
-
 namespace {
 
-Input input_of(const std::string& path, const std::vector<std::string>& chains) {
-  const bool is_piped = path == kStandardStream;
-  const ProgressLine progress(is_piped ? "reading standard input" : "reading points", is_piped ? STDIN_FILENO : -1);
-  Input input;
-  input.file = read_points(path, chains);
-  input.points = PointSet(input.file.rows);
-  return input;
+constexpr char kReadingGroup[] = "Reading points";
+
+void add_options_of_tables(CLI::App& command, ReadingOptions& reading) {
+  command
+      .add_option("--columns", reading.columns,
+                  "Of a table, which columns are x, y and z, by number from 1 or by name: 2,3,4 or x,y,z")
+      ->type_name("C,C,C")
+      ->group(kReadingGroup);
+  // CLI11 would round a number twice.
+  command
+      .add_option_function<std::string>(
+          "--z",
+          [&reading](const std::string& text) {
+            const io::NumberText number = io::parse_number(text);
+            if (number.fault != nullptr)
+              throw InvalidInput(fmt::format("--z: {}: {}", number.fault, io::in_quotes(text)));
+            reading.z = number.value;
+          },
+          "Of a table of two columns, the third coordinate of all points")
+      ->type_name("Z")
+      ->group(kReadingGroup);
+  command
+      .add_flag("--skip-invalid", reading.skip_invalid,
+                "Leave out rows with a coordinate that is not a finite number; they are counted")
+      ->group(kReadingGroup);
+}
+
+void add_options_of_molecules(CLI::App& command, ReadingOptions& reading) {
+  command
+      .add_option(
+          "--atoms", reading.atoms,
+          "Of a molecule, words for its atoms: all, protein, nucleic, water, ligands, hydrogens, hetatm, chain X "
+          "add atoms, and take them away after 'no'; altloc X chooses alternate locations. Atoms are points: "
+          "their radii are ignored, and distances are those to their centres")
+      ->delimiter(',')
+      ->type_name("WORDS")
+      ->group(kReadingGroup);
+  command.add_option("--chains", reading.chains, "Of a molecule, only the atoms of these chains: A,B")
+      ->delimiter(',')
+      ->group(kReadingGroup);
+  command
+      .add_option("--models", reading.models, "Of a molecule, the models to read: all, or 1,2; the first without this")
+      ->group(kReadingGroup);
+  command.add_option("--frame", reading.frame, "Of chemical XYZ with several frames, the one to read; the first is 1")
+      ->check(CLI::PositiveNumber)
+      ->group(kReadingGroup);
 }
 
 }  // namespace
 
-void add_input_options(CLI::App& command, std::string& path, std::vector<std::string>& chains,
-                       const std::string& description, const char* name) {
+void add_input_options(CLI::App& command, std::string& path, ReadingOptions& reading, const std::string& description,
+                       const char* name) {
   command.add_option(name, path, description)->required();
   command
-      .add_option("--chains", chains,
-                  "Of a molecule, PDB or mmCIF, only the atoms of these chains, A,B. Atoms are points: their radii are "
-                  "ignored, and distances are those to their centres")
-      ->delimiter(',');
+      .add_option(
+          "--format", reading.format,
+          "Read it as this: table (rows of numbers, CSV), pts, chemical (XYZ with elements), off, ply, obj, pcd, "
+          "npy, pdb or cif, each also compressed by gzip; without this its content says what it is")
+      ->type_name("NAME")
+      ->group(kReadingGroup);
+  add_options_of_tables(command, reading);
+  add_options_of_molecules(command, reading);
 }
 
-Input read_input(const std::string& path, const std::vector<std::string>& chains) {
-  Input input = input_of(path, chains);
-  if (input.file.single_precision) {
-    fmt::print(stderr, "note: {}: the coordinates are single precision, and are taken exactly as such\n",
-               display_name(path));
+PointFile read_points_aloud(const std::string& path, const ReadingOptions& reading) {
+  PointFile file = [&] {
+    const bool is_piped = path == kStandardStream;
+    const ProgressLine progress(is_piped ? "reading standard input" : "reading points", is_piped ? STDIN_FILENO : -1);
+    return read_points(path, reading);
+  }();
+  for (const ReadingNote& note : file.notes) {
+    const std::string line = note.line > 0 ? fmt::format(":{}", note.line) : "";
+    fmt::print(stderr, "note: {}{}: {}\n", display_name(path), line, note.text);
   }
-  if (input.file.declares_single_precision) {
-    fmt::print(stderr, "note: {}: declared as float, but decimals: taken as the nearest doubles, not floats\n",
-               display_name(path));
+  if (const std::size_t rows = file.left_out.size(); rows > 0) {
+    fmt::print(stderr, "note: {}: {} row{} left out, with a coordinate that is not a finite number\n",
+               display_name(path), with_commas(rows), rows == 1 ? " is" : "s are");
   }
-  if (const std::size_t line = input.file.line_of_mixed_separators; line > 0) {
-    fmt::print(stderr, "note: {}:{}: a comma separates numbers as a blank does, and is no decimal point\n",
-               display_name(path), line);
-  }
-  if (const std::size_t line = input.file.line_of_further_columns; line > 0) {
-    fmt::print(stderr, "note: {}:{}: more than three columns; those after the third are ignored\n", display_name(path),
-               line);
-  }
-  if (const std::size_t models = input.file.other_models; models > 0) {
-    fmt::print(stderr, "note: {}: only the first model is read; {} other{} left out\n", display_name(path),
-               with_commas(models), models == 1 ? " is" : "s are");
-  }
-  if (const std::size_t places = input.file.other_locations; places > 0) {
-    fmt::print(stderr, "note: {}: of an atom with alternate locations the first is read; {} other{} left out\n",
-               display_name(path), with_commas(places), places == 1 ? " is" : "s are");
-  }
+  return file;
+}
+
+Input read_input(const std::string& path, const ReadingOptions& reading) {
+  Input input;
+  input.file = read_points_aloud(path, reading);
+  input.points = PointSet(input.file.rows, input.file.left_out);
   if (const std::size_t merged = input.points.merged_duplicates(); merged > 0) {
     fmt::print(stderr, "warning: {}: {} repeated point{} merged\n", display_name(path), with_commas(merged),
                merged == 1 ? "" : "s");
   }
   return input;
+}
+
+void print_point_counts(const PointSet& points) {
+  print_row("points", with_commas(points.row_count()));
+  print_row("merged duplicates", with_commas(points.merged_duplicates()));
+  if (!points.left_out().empty()) print_row("rows left out", with_commas(points.left_out().size()));
 }
 
 FlowOptions FlowChoice::options() const {

@@ -8,6 +8,7 @@
 #include "cli/layer.h"
 #include "flowcert/orbit.h"
 #include "flowcert/read_points.h"
+#include "io/with_commas.h"
 
 namespace CLI {
 class App;
@@ -36,16 +37,22 @@ void add_surface_command(CLI::App& app, int& status);
 // In a program that was built without FLOWCERT_JUDGE, a name only.
 void add_view_command(CLI::App& app, int& status);
 
-// Reads the file, and says on standard error what a user should know of it: single precision, columns that are
-// ignored, commas that may have been meant as decimal points, merged duplicates.
+// Reads the file, and says on standard error what a user should know of it: the reader's notes, and rows that are left
+// out.
+[[nodiscard]] PointFile read_points_aloud(const std::string& path, const ReadingOptions& reading = {});
+
+// The same, with merged duplicates.
 struct Input {
   PointFile file;
   PointSet points;
 };
-[[nodiscard]] Input read_input(const std::string& path, const std::vector<std::string>& chains = {});
+[[nodiscard]] Input read_input(const std::string& path, const ReadingOptions& reading = {});
 
-// The argument INPUT and the option --chains.
-void add_input_options(CLI::App& command, std::string& path, std::vector<std::string>& chains,
+// The first rows of a table: points, merged duplicates and, where there are any, rows that are left out.
+void print_point_counts(const PointSet& points);
+
+// The argument INPUT and the options that say how it is read.
+void add_input_options(CLI::App& command, std::string& path, ReadingOptions& reading,
                        const std::string& description = "Point file, or - for standard input",
                        const char* name = "INPUT");
 
@@ -73,8 +80,5 @@ inline constexpr char kStandardStream[] = "-";
 
 // The name of the file for messages, on one line: "-" gets a readable name.
 [[nodiscard]] std::string display_name(const std::string& path);
-
-// "34,835"
-[[nodiscard]] std::string with_commas(unsigned long long value);
 
 }  // namespace flowcert::cli

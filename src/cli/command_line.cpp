@@ -62,22 +62,32 @@ std::string words_of(const DescribedOption& option) {
   return words;
 }
 
-// The options of a group; those of none have an empty name.
-std::string list_of_options(const DescribedCommand& command, const char* heading, bool are_positional,
-                            const std::string& group = "") {
-  std::string text;
+std::string list_of_options(const DescribedCommand& command, const std::string& group, const std::string& heading) {
+  std::string text = fmt::format("\n{}:\n", heading);
   for (const DescribedOption& option : command.options) {
-    if (option.is_positional != are_positional || option.group != group) continue;
-    if (text.empty()) text = fmt::format("\n{}:\n", heading);
-    text += two_columns("  " + words_of(option), kNames, option.description);
+    if (option.group == group) text += two_columns("  " + words_of(option), kNames, option.description);
   }
   return text;
+}
+
+// In their groups, in the order in which they were added; positional arguments come first.
+std::string lists_of_options(const DescribedCommand& command) {
+  std::string lists;
+  for (const bool are_positional : {true, false}) {
+    std::vector<std::string> groups;
+    for (const DescribedOption& option : command.options) {
+      const bool is_known = std::ranges::find(groups, option.group) != groups.end();
+      if (option.is_positional == are_positional && !option.is_alternative && !is_known) groups.push_back(option.group);
+    }
+    for (const std::string& group : groups) lists += list_of_options(command, group, group);
+  }
+  return lists;
 }
 
 std::string list_of_groups(const DescribedCommand& command) {
   std::string text;
   for (const DescribedGroup& group : command.option_groups) {
-    std::string options = list_of_options(command, "Options", false, group.name);
+    std::string options = list_of_options(command, group.name, "Options");
     options.pop_back();
     text += fmt::format("[Option Group: {}]\n  {} \n  [Exactly 1 of the following options is required]{}\n", group.name,
                         group.description, boost::algorithm::replace_all_copy(options, "\n", "\n  "));
@@ -123,8 +133,7 @@ class HelpFormatter : public CLI::Formatter {
     const std::size_t first = std::min(kFirstExamples, examples.size());
     const std::string& notes = command.footer.notes;
     std::string help = command.description + '\n' + usage_of(command) + (first == 0 ? "" : "\n") +
-                       below_heading("Examples", examples.first(first)) +
-                       list_of_options(command, "Positionals", true) + list_of_options(command, "Options", false) +
+                       below_heading("Examples", examples.first(first)) + lists_of_options(command) +
                        list_of_groups(command) + list_of_commands(command) + '\n' + notes +
                        (notes.empty() ? "" : "\n\n") + below_heading("More examples", examples.subspan(first));
     help.erase(help.find_last_not_of('\n') + 1);

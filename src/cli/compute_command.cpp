@@ -31,7 +31,7 @@ namespace {
 
 struct ComputeOptions {
   std::string input;
-  std::vector<std::string> chains;
+  ReadingOptions reading;
   std::string output;
   bool json = false;
   unsigned runs = 1;
@@ -123,7 +123,7 @@ void compute(const ComputeOptions& options) {
   if (is_streamed && options.json) throw InvalidInput("-o - and --json would both write to standard output");
   std::optional<ExportFiles> files;
   if (!options.export_directory.empty()) files.emplace(export_choice(options), display_name(options.input));
-  const Input input = read_input(options.input, options.chains);
+  const Input input = read_input(options.input, options.reading);
   const PartMade made = [&files](const FlowComplex& complex, FlowComplexPart part) {
     if (files) files->write_after(complex, part);
   };
@@ -208,7 +208,7 @@ void add_export_options(CLI::App& command, ComputeOptions& options) {
 void add_compute_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ComputeOptions>();
   CLI::App* command = app.add_subcommand("compute", "All critical points, and what flows from them and to them");
-  add_input_options(*command, options->input, options->chains,
+  add_input_options(*command, options->input, options->reading,
                     "Point file: XYZ/text, OFF, PLY or OBJ; or a molecule: PDB or mmCIF; also as .gz; - for standard "
                     "input");
   command->add_flag("--json", options->json, "Print one JSON object instead of the table");

@@ -9,6 +9,7 @@
 #include <array>
 #include <string_view>
 
+#include "cli/command.h"
 #include "cli/histogram.h"
 #include "cli/whole_complex_report.h"
 #include "flowcert/orbit.h"
@@ -239,8 +240,7 @@ unsigned long long peak_memory() {
 }
 
 void print_counts(const PointSet& points, const StationaryPoints& stationary) {
-  print_row("points", with_commas(points.row_count()));
-  print_row("merged duplicates", with_commas(points.merged_duplicates()));
+  print_point_counts(points);
   constexpr const char* kMeaning[] = {"minima: the points themselves", "saddles on Gabriel edges",
                                       "saddles on Delaunay facets", "maxima"};
   for (std::size_t k = 0; k < 4; ++k) {

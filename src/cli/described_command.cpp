@@ -21,12 +21,16 @@ struct FileValue {
   Words endings;
 };
 
+Words also_compressed(Words endings) {
+  const Words plain = endings;
+  for (const std::string& ending : plain) endings.push_back(ending + ".gz");
+  return endings;
+}
+
 const std::vector<FileValue>& file_values() {
-  static const Words points = {"xyz",    "txt",    "csv",    "pts",    "off",    "ply",     "obj",    "pdb",
-                               "ent",    "cif",    "mmcif",  "xyz.gz", "txt.gz", "csv.gz",  "pts.gz", "off.gz",
-                               "ply.gz", "obj.gz", "pdb.gz", "ent.gz", "cif.gz", "mmcif.gz"};
-  static const Words claims = {"jsonl",    "json",    "csv",    "vtp",    "txt",
-                               "jsonl.gz", "json.gz", "csv.gz", "vtp.gz", "txt.gz"};
+  static const Words points = also_compressed(
+      {"xyz", "txt", "asc", "csv", "pts", "off", "ply", "obj", "pcd", "npy", "pdb", "ent", "cif", "mmcif"});
+  static const Words claims = also_compressed({"jsonl", "json", "csv", "vtp", "txt", "pers"});
   static const std::vector<FileValue> values = {{"INPUT", Completed::kFiles, points},
                                                 {"POINTS", Completed::kFiles, points},
                                                 {"CLAIM", Completed::kFiles, claims},
@@ -107,6 +111,12 @@ DescribedOption described_option(const CLI::Option& option, const std::string& c
   return result;
 }
 
+// CLI11's own group has a name that depends on its version.
+std::string group_of(const CLI::Option& option) {
+  if (option.get_positional()) return "Positionals";
+  return boost::algorithm::iequals(option.get_group(), "Options") ? "Options" : option.get_group();
+}
+
 // Option groups are commands without a name, with a help of their own.
 void add_options(DescribedCommand& command, const CLI::App& app, const CLI::App& group) {
   const bool is_group = &group != &app;
@@ -114,7 +124,8 @@ void add_options(DescribedCommand& command, const CLI::App& app, const CLI::App&
   for (const CLI::Option* option : group.get_options()) {
     if (option->get_group().empty() || (is_group && option == group.get_help_ptr())) continue;
     command.options.push_back(described_option(*option, app.get_name()));
-    if (is_group) command.options.back().group = group.get_group();
+    command.options.back().is_alternative = is_group;
+    command.options.back().group = is_group ? group.get_group() : group_of(*option);
   }
   for (const CLI::App* below : group.get_subcommands([](const CLI::App* sub) { return sub->get_name().empty(); })) {
     add_options(command, app, *below);

@@ -28,14 +28,15 @@ struct DescribedOption {
   bool is_positional = false;
   bool is_required = false;
   bool is_value_optional = false;
-  bool takes_many = false;   // all values that follow
-  bool is_list = false;      // of values with commas between
-  bool is_repeated = false;  // has any number of values, in one of these ways or because it may stand again
+  bool takes_many = false;      // all values that follow
+  bool is_list = false;         // of values with commas between
+  bool is_alternative = false;  // of a group of which exactly one option has to be given
+  bool is_repeated = false;     // has any number of values, in one of these ways or because it may stand again
   Completed completed = Completed::kNothing;
   std::vector<std::string> choices;
   std::vector<std::string> endings;          // of file names, without the dot; empty: any
   std::vector<std::string> needs, excludes;  // other options
-  std::string group;                         // its name; empty for most options
+  std::string group;                         // below whose name help lists it: "Options"
 
   [[nodiscard]] bool is_flag() const { return type.empty(); }
   // The type without what is checked: "TEXT"

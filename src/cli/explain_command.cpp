@@ -22,7 +22,7 @@ namespace {
 
 struct ExplainOptions {
   std::string input;
-  std::vector<std::string> chains;
+  ReadingOptions reading;
   std::vector<PointId> ids;
   std::string position;
   bool json = false;
@@ -103,7 +103,7 @@ Explanation explanation_of(const ExplainOptions& options, const Input& input, co
 int explain(const ExplainOptions& options) {
   const bool by_position = !options.position.empty();
   const RationalPoint position = by_position ? parse_rational_point(options.position) : RationalPoint{};
-  const Input input = read_input(options.input, options.chains);
+  const Input input = read_input(options.input, options.reading);
   const Explanation explanation = explanation_of(options, input, position);
   if (options.json) {
     print_json(explanation);
@@ -119,7 +119,7 @@ int explain(const ExplainOptions& options) {
 void add_explain_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ExplainOptions>();
   CLI::App* command = app.add_subcommand("explain", "Why points, or a position, are or are not stationary");
-  add_input_options(*command, options->input, options->chains);
+  add_input_options(*command, options->input, options->reading);
   auto* what = command->add_option_group("what", "One of");
   what->add_option("--ids", options->ids, "The points, by 0-based row: 3,17,20")
       ->delimiter(',')

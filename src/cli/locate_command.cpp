@@ -25,7 +25,7 @@ namespace {
 
 struct LocateOptions {
   std::string input;
-  std::vector<std::string> chains;
+  ReadingOptions reading;
   std::string positions;
   std::string output;
   bool json = false;
@@ -105,8 +105,7 @@ void write_places(const FlowComplex& complex, const std::vector<Point>& position
 
 void print_summary(const std::string& name, std::size_t positions, const Input& input, double seconds) {
   print_wrapped(fmt::format("{} ({})", name, input.file.format));
-  print_row("points", with_commas(input.points.row_count()));
-  print_row("merged duplicates", with_commas(input.points.merged_duplicates()));
+  print_point_counts(input.points);
   print_row("positions", with_commas(positions));
   print_row("time for them", seconds_text(seconds), "after all limits were made");
 }
@@ -115,9 +114,9 @@ void locate_all(const LocateOptions& options) {
   if (options.input == kStandardStream && options.positions == kStandardStream) {
     throw InvalidInput("INPUT and --points cannot both be standard input");
   }
-  const Input input = read_input(options.input, options.chains);
+  const Input input = read_input(options.input, options.reading);
   if (input.points.empty()) throw InvalidInput(display_name(options.input) + ": there are no points");
-  const std::vector<Point> positions = read_points(options.positions).rows;
+  const std::vector<Point> positions = read_points_aloud(options.positions).rows;
   FlowComplexOptions how;
   how.threads = options.threads;
   const FlowComplex complex(input.points, how, part_progress());
@@ -144,7 +143,7 @@ void locate_all(const LocateOptions& options) {
 void add_locate_command(CLI::App& app, int& status) {
   auto options = std::make_shared<LocateOptions>();
   CLI::App* command = app.add_subcommand("locate", "Where the flow takes many positions; their nearest samples");
-  add_input_options(*command, options->input, options->chains);
+  add_input_options(*command, options->input, options->reading);
   command->add_option("--points", options->positions, "The positions: a point file, or - for standard input")
       ->type_name("FILE")
       ->required();

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "cli/automatic_threshold.h"
 #include "cli/command.h"
 #include "cli/export_files.h"
 #include "cli/layer.h"
@@ -33,8 +34,8 @@ namespace fs = std::filesystem;
 
 struct MedialOptions {
   std::string input;
-  std::vector<std::string> chains;
-  std::optional<std::string> persistence, angle;
+  ReadingOptions reading;
+  std::optional<std::string> persistence, radius, angle;
   std::string directory;
   std::string clip = "3";
   bool json = false;
@@ -45,6 +46,7 @@ MedialChoice choice_of(const MedialOptions& options) {
   MedialChoice choice;
   if (options.persistence)
     choice.persistence_above = LengthBound::of(*options.persistence, "spacing^2", "--persistence", 1);
+  if (options.radius) choice.radius_above = LengthBound::of(*options.radius, "spacing", "--radius", 1);
   if (options.angle) {
     choice.angle_above = io::claimed_number(*options.angle, io::PlainInteger::kExact, {"--angle", 1}).value;
     if (*choice.angle_above < 0 || *choice.angle_above > 180) {
@@ -86,13 +88,17 @@ std::array<std::size_t, 2> counts_of(const FlowComplex& complex, const std::vect
 }
 
 void print_result(const MedialOptions& options, const Input& input, const FlowComplex& complex,
-                  const std::vector<std::size_t>& records) {
+                  const MedialPoints& medial) {
+  const std::vector<std::size_t>& records = medial.records;
   const auto chosen = counts_of(complex, records);
   const auto& all = complex.stationary().critical_counts();
   if (options.json) {
     io::Json json = io::header_fields("flowcert-medial", 1, complex.points());
     io::add_counts(json, complex.points(), complex.stationary());
     json["persistence"] = options.persistence ? io::Json(*options.persistence) : io::Json(nullptr);
+    if (options.radius) json["radius"] = *options.radius;
+    if (medial.automatic_persistence) json["auto_persistence"] = automatic_field(*medial.automatic_persistence);
+    if (medial.automatic_radius) json["auto_radius"] = automatic_field(*medial.automatic_radius);
     json["angle"] = options.angle ? io::Json(*options.angle) : io::Json(nullptr);
     json["chosen"] = io::Json::array();
     for (const std::size_t record : records) {
@@ -105,8 +111,9 @@ void print_result(const MedialOptions& options, const Input& input, const FlowCo
     return;
   }
   print_wrapped(fmt::format("{} ({})", display_name(options.input), input.file.format));
-  print_row("points", with_commas(input.points.row_count()));
-  print_row("merged duplicates", with_commas(input.points.merged_duplicates()));
+  print_point_counts(input.points);
+  if (medial.automatic_persistence) print_automatic("persistence", *medial.automatic_persistence, "all are taken");
+  if (medial.automatic_radius) print_automatic("radii", *medial.automatic_radius, "all are taken");
   for (const std::size_t k : {0U, 1U}) {
     print_row(fmt::format("chosen of index {}", k + 1), with_commas(chosen[k]), "of " + with_commas(all[k + 1]));
   }
@@ -115,18 +122,18 @@ void print_result(const MedialOptions& options, const Input& input, const FlowCo
 void run_medial(const MedialOptions& options) {
   const MedialChoice choice = choice_of(options);
   const std::optional<Rational> clip = clip_factor(options.clip);
-  const Input input = read_input(options.input, options.chains);
+  const Input input = read_input(options.input, options.reading);
   const FlowComplex complex(input.points, {.flow = {}, .share = true, .seed = 0, .threads = options.threads},
                             part_progress());
-  const std::vector<std::size_t> records = medial_points(complex, choice);
+  const MedialPoints medial = medial_points(complex, choice);
   if (!options.directory.empty()) {
     try {
-      write_files(options, complex, records, clip);
+      write_files(options, complex, medial.records, clip);
     } catch (const InvalidInput& error) {
       throw InvalidInput(fmt::format("{}: {}", display_name(options.input), error.what()));
     }
   }
-  print_result(options, input, complex, records);
+  print_result(options, input, complex, medial);
 }
 
 }  // namespace
@@ -134,12 +141,17 @@ void run_medial(const MedialOptions& options) {
 void add_medial_command(CLI::App& app, int& status) {
   auto options = std::make_shared<MedialOptions>();
   CLI::App* command = app.add_subcommand("medial", "The medial axis: what flows from chosen saddles, for viewers");
-  add_input_options(*command, options->input, options->chains);
+  add_input_options(*command, options->input, options->reading);
   command
       ->add_option("--persistence", options->persistence,
                    "Only saddles whose pairs are longer, a difference of squared distances: a number, Xspacing^2, qX "
                    "(a quantile) or auto")
       ->type_name("X");
+  command
+      ->add_option("--radius", options->radius,
+                   "Only saddles that are farther from their nearest points: a number, Xspacing, qX (a quantile) or "
+                   "auto")
+      ->type_name("R");
   command
       ->add_option("--angle", options->angle,
                    "Only saddles that see two of their nearest points under a greater angle, in degrees; it is 180 at "

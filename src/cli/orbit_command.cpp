@@ -18,7 +18,7 @@ namespace {
 
 struct OrbitOptions {
   std::string input;
-  std::vector<std::string> chains;
+  ReadingOptions reading;
   std::string start;
   bool json = false;
   FlowChoice flow;
@@ -101,7 +101,7 @@ Orbit orbit_of(const FlowComplex& complex, const RationalPoint& start) {
 
 void print_orbit(const OrbitOptions& options) {
   const RationalPoint start = parse_start(options.start);
-  const Input input = read_input(options.input, options.chains);
+  const Input input = read_input(options.input, options.reading);
   if (input.points.empty()) {
     throw InvalidInput(fmt::format("{}: there are no points", display_name(options.input)));
   }
@@ -120,7 +120,7 @@ void print_orbit(const OrbitOptions& options) {
 void add_orbit_command(CLI::App& app, int& status) {
   auto options = std::make_shared<OrbitOptions>();
   CLI::App* command = app.add_subcommand("orbit", "Where the flow takes a position, segment by segment");
-  add_input_options(*command, options->input, options->chains);
+  add_input_options(*command, options->input, options->reading);
   command
       ->add_option("--from", options->start,
                    "The position: decimals (the nearest doubles), hex floats or fractions p/q (exact)")

@@ -68,7 +68,7 @@ struct PersistenceRun {
 
 struct PersistenceOptions {
   std::string input;
-  std::vector<std::string> chains;
+  ReadingOptions reading;
   std::string output;
   bool json = false;
   bool with_zero = false;
@@ -173,8 +173,7 @@ void print_longest_pairs(const FlowComplex& complex) {
 
 void print_table(const std::string& name, const Input& input, const PersistenceRun& run, bool with_zero) {
   print_wrapped(fmt::format("{} ({})", name, input.file.format));
-  print_row("points", with_commas(input.points.row_count()));
-  print_row("merged duplicates", with_commas(input.points.merged_duplicates()));
+  print_point_counts(input.points);
   constexpr const char* kNames[] = {"components", "tunnels", "voids"};
   std::size_t zero = 0;
   const auto counts = counts_of(run);
@@ -279,7 +278,7 @@ void print_persistence(const PersistenceOptions& options) {
   if (options.output == kStandardStream && options.json) {
     throw InvalidInput("-o - and --json would both write to standard output");
   }
-  const Input input = read_input(options.input, options.chains);
+  const Input input = read_input(options.input, options.reading);
   const PersistenceRun run(input.points, options.seed, options.threads);
   const PersistenceDiagram diagram = diagram_of(run.complex, options.with_zero);
   const bool has_file = !options.output.empty() && options.output != kStandardStream;
@@ -306,7 +305,7 @@ std::string complaint_about_seed(const std::string& text) {
 void add_persistence_command(CLI::App& app, int& status) {
   auto options = std::make_shared<PersistenceOptions>();
   CLI::App* command = app.add_subcommand("persistence", "The persistence of the distance function; values are squared");
-  add_input_options(*command, options->input, options->chains);
+  add_input_options(*command, options->input, options->reading);
   command
       ->add_option("-o,--output", options->output,
                    "Write the pairs to this file, in GUDHI's .pers format, and print a table; -: to standard output")

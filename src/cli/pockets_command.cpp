@@ -13,6 +13,7 @@
 #include <system_error>
 #include <vector>
 
+#include "cli/automatic_threshold.h"
 #include "cli/command.h"
 #include "cli/layer.h"
 #include "cli/progress.h"
@@ -36,7 +37,7 @@ namespace fs = std::filesystem;
 
 struct PocketsOptions {
   std::string input;
-  std::vector<std::string> chains;
+  ReadingOptions reading;
   std::string persistence = "0";
   std::string probe;
   std::string volumes = "double";
@@ -71,7 +72,9 @@ struct PocketsRun {
     complex.make(FlowComplexPart::kTriangulation);
     delaunay_seconds = lap();
     complex.make(FlowComplexPart::kMergeTrees);
-    pockets.emplace(complex.merge_trees(), pocket_persistence(complex, options.persistence, "--persistence"));
+    const auto [persistence, found] = pocket_persistence(complex, options.persistence, "--persistence");
+    automatic = found;
+    pockets.emplace(complex.merge_trees(), persistence);
     complex.make(FlowComplexPart::kVolumes);
     complex.make(FlowComplexPart::kStable);
     other_seconds = lap();
@@ -79,6 +82,7 @@ struct PocketsRun {
 
   FlowComplex complex;
   std::optional<Pockets> pockets;
+  std::optional<AutomaticThreshold> automatic;
   double delaunay_seconds = 0, other_seconds = 0;
 };
 
@@ -143,11 +147,11 @@ void print_table(const PocketsOptions& options, const Input& input, const Pocket
                  const std::optional<Probe>& probe) {
   const Pockets& pockets = *run.pockets;
   print_wrapped(fmt::format("{} ({})", display_name(options.input), input.file.format));
-  print_row("points", with_commas(input.points.row_count()));
-  print_row("merged duplicates", with_commas(input.points.merged_duplicates()));
+  print_point_counts(input.points);
   print_row("maxima", with_commas(run.complex.stationary().critical_counts()[3]));
   print_row("pockets", with_commas(pockets.size()),
             fmt::format("merged by persistence {}", number_text(nearest_or_infinity(pockets.persistence()))));
+  if (run.automatic) print_automatic("lengths", *run.automatic, "nothing is merged");
   print_row("maxima of the outside", with_commas(pockets.outside().size()));
   if (const auto widest = pockets.widest_path()) {
     print_row("pore limiting radius", number_text(root_of(run, widest->gates.front())), "the widest path to infinity");
@@ -215,7 +219,7 @@ void print_tree(const PocketsOptions& options, const Input& input) {
 
 void run_pockets(const PocketsOptions& options) {
   const std::optional<Probe> probe = probe_of(options.probe);
-  const Input input = read_input(options.input, options.chains);
+  const Input input = read_input(options.input, options.reading);
   if (!options.tree.empty()) return print_tree(options, input);
   const PocketsRun run(input, options);
   if (!options.directory.empty()) {
@@ -239,7 +243,7 @@ void run_pockets(const PocketsOptions& options) {
 void add_pockets_command(CLI::App& app, int& status) {
   auto options = std::make_shared<PocketsOptions>();
   CLI::App* command = app.add_subcommand("pockets", "Cavities, pockets and channels between points; merge trees");
-  add_input_options(*command, options->input, options->chains);
+  add_input_options(*command, options->input, options->reading);
   command
       ->add_option("--persistence", options->persistence,
                    "Merge what is not deeper than this, a difference of squared distances: a number, Xspacing^2, qX "

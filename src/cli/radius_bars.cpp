@@ -19,17 +19,17 @@ namespace flowcert::cli {
 namespace {
 
 // The place of the bin that has a multiple of the spacing.
-std::size_t bin_of(const std::vector<RadiusBin>& bins, const Rational& square) {
+std::size_t bin_of(const std::vector<HistogramBin>& bins, const Rational& square) {
   std::size_t place = 0;
   while (place + 1 < bins.size() && bins[place].to * bins[place].to <= square) ++place;
   return place;
 }
 
 // The columns that the numbers before a bar and the mark behind it leave. Two blanks come before each column.
-std::size_t room_for_radius_bars(const std::vector<RadiusBin>& bins, std::size_t mark) {
+std::size_t room_for_radius_bars(const std::vector<HistogramBin>& bins, std::size_t mark) {
   constexpr std::size_t kLongest = 60;
   std::size_t from = columns_of("from"), to = columns_of("to"), count = columns_of("count");
-  for (const RadiusBin& bin : bins) {
+  for (const HistogramBin& bin : bins) {
     from = std::max(from, rough_text(bin.from).size());
     to = std::max(to, rough_text(bin.to).size());
     count = std::max(count, with_commas(bin.count).size());
@@ -40,7 +40,7 @@ std::size_t room_for_radius_bars(const std::vector<RadiusBin>& bins, std::size_t
 }  // namespace
 
 void print_radius_bars(const SaddleRadii& radii, const std::optional<Rational>& squared_threshold) {
-  const std::vector<RadiusBin> bins = radius_histogram(radii);
+  const std::vector<HistogramBin> bins = radii.histogram();
   print_wrapped("\nradii of the index-2 saddles, in multiples of the spacing; the bars are logarithmic", 2);
   if (bins.empty()) {
     fmt::print("  none\n");
@@ -54,7 +54,7 @@ void print_radius_bars(const SaddleRadii& radii, const std::optional<Rational>& 
     mark = "< " + rough_root_text(square);
   }
   double top = 0;
-  for (const RadiusBin& bin : bins) top = std::max(top, static_cast<double>(bin.count));
+  for (const HistogramBin& bin : bins) top = std::max(top, static_cast<double>(bin.count));
   const std::size_t longest = room_for_radius_bars(bins, mark.size());
   Table table("rrrll", {"from", "to", "count"});
   for (std::size_t k = 0; k < bins.size(); ++k) {

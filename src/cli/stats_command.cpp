@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 struct StatsOptions {
   std::string input;
-  std::vector<std::string> chains;
+  ReadingOptions reading;
   std::string svg_directory;
   bool json = false;
   bool logarithmic = false;
@@ -126,7 +126,7 @@ void write_pictures(const StatsOptions& options, const std::vector<Shown>& all) 
 }
 
 void show_statistics(const StatsOptions& options) {
-  const Input input = read_input(options.input, options.chains);
+  const Input input = read_input(options.input, options.reading);
   if (!options.svg_directory.empty()) make_picture_directory(options.svg_directory);
   const Measured measured = measure(input.points, options.runs, wanted_manifolds_of(options));
   const std::vector<Shown> all = histograms_of(measured, options.logarithmic);
@@ -143,7 +143,7 @@ void show_statistics(const StatsOptions& options) {
 void add_stats_command(CLI::App& app, int& status) {
   auto options = std::make_shared<StatsOptions>();
   CLI::App* command = app.add_subcommand("stats", "Histograms of what flows: lengths of cascades, sizes of numbers");
-  add_input_options(*command, options->input, options->chains);
+  add_input_options(*command, options->input, options->reading);
   command->add_flag("--json", options->json, "Print one JSON object instead of the bars");
   command->add_flag("--log", options->logarithmic, "Logarithmic bars in all histograms, not only for sizes of numbers");
   command->add_option("--svg", options->svg_directory,

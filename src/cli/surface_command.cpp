@@ -7,6 +7,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/automatic_threshold.h"
 #include "cli/command.h"
 #include "cli/progress.h"
 #include "cli/radius_bars.h"
@@ -24,7 +25,7 @@ namespace {
 
 struct SurfaceOptions {
   std::string input;
-  std::vector<std::string> chains;
+  ReadingOptions reading;
   std::string output;
   std::vector<std::string> selections;
   bool json = false;
@@ -98,6 +99,10 @@ void print_thresholds(const SurfaceThresholds& thresholds, const SaddleRadii& ra
   const auto& spacing = radii.squared_spacing();
   if (!spacing) return;
   print_row("spacing", rough_root_text(*spacing), "median of nearest neighbours");
+  if (thresholds.automatic_radius) print_automatic("radii", *thresholds.automatic_radius, "all are taken");
+  if (thresholds.automatic_persistence) {
+    print_automatic("persistence", *thresholds.automatic_persistence, "all are taken");
+  }
   if (const auto& square = thresholds.squared_radius_below) {
     print_row("radii below", rough_root_text(*square), rough_root_text(*square / *spacing) + " x the spacing");
   }
@@ -138,7 +143,7 @@ Json edges_field(const TriangleEdges& edges) {
 
 Json radii_field(const SaddleRadii& radii) {
   Json field = Json::array();
-  for (const RadiusBin& bin : radius_histogram(radii)) {
+  for (const HistogramBin& bin : radii.histogram()) {
     Json entry;
     entry["from"] = nearest_or_infinity(bin.from);
     entry["to"] = nearest_or_infinity(bin.to);
@@ -162,6 +167,8 @@ void print_json(const SurfaceOptions& options, const Input& input, const FlowCom
   add_exact(json, "squared_spacing", radii.squared_spacing());
   add_exact(json, "squared_radius_below", thresholds.squared_radius_below);
   add_exact(json, "persistence_above", thresholds.persistence_above);
+  if (thresholds.automatic_radius) json["auto_radius"] = automatic_field(*thresholds.automatic_radius);
+  if (thresholds.automatic_persistence) json["auto_persistence"] = automatic_field(*thresholds.automatic_persistence);
   json["radii"] = radii_field(radii);
   fmt::print("{}\n", json.dump());
 }
@@ -171,7 +178,7 @@ void write_surface(const SurfaceOptions& options) {
   (void)writer_for(options.output);
   const bool is_streamed = options.output == kStandardStream;
   if (is_streamed && options.json) throw InvalidInput("-o - and --json would both write to standard output");
-  const Input input = read_input(options.input, options.chains);
+  const Input input = read_input(options.input, options.reading);
   const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads}, part_progress());
   const SaddleRadii radii = radii_of(complex);
   const auto [sets, thresholds] = selected_of(complex, selection, radii);
@@ -191,12 +198,13 @@ void write_surface(const SurfaceOptions& options) {
 void add_surface_command(CLI::App& app, int& status) {
   auto options = std::make_shared<SurfaceOptions>();
   CLI::App* command = app.add_subcommand("surface", "Stable manifolds of index-2 points as a surface, all or selected");
-  add_input_options(*command, options->input, options->chains);
+  add_input_options(*command, options->input, options->reading);
   command
       ->add_option("--select", options->selections,
                    "Only those with index2-radius<R, persistence>X (a difference of squared distances), or "
                    "largest-gaps=N, the N most persistent ones; given several times, all must hold. R may be 3spacing "
-                   "(of the median distance of neighbours; X: 3spacing^2), q0.9 (a quantile), auto (the largest gap)")
+                   "(of the median distance of neighbours; X: 3spacing^2), q0.9 (a quantile), auto (the valley of "
+                   "their histogram; all where it has none)")
       ->allow_extra_args(false);
   command
       ->add_option("-o,--output", options->output,

@@ -27,7 +27,7 @@ namespace {
 
 struct ViewCommandOptions {
   std::string input;
-  std::vector<std::string> chains;
+  ReadingOptions reading;
   std::string output;
   std::string claim;
   CheckOptions check;
@@ -115,7 +115,7 @@ int view(ViewCommandOptions options) {
   }
   std::optional<Claim> claim;
   if (!options.claim.empty()) claim = read_claim(options.claim);
-  const Input input = read_input(options.input, options.chains);
+  const Input input = read_input(options.input, options.reading);
   if (claim) require_rows(*claim, input.points, display_name(options.claim));
   if (options.output.empty()) {
     options.output = page_beside(options.input);
@@ -127,7 +127,7 @@ int view(ViewCommandOptions options) {
   const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads}, part_progress());
   std::optional<Pockets> pockets;
   if (!options.pockets.empty()) {
-    pockets.emplace(complex.merge_trees(), pocket_persistence(complex, options.pockets, "--pockets"));
+    pockets.emplace(complex.merge_trees(), pocket_persistence(complex, options.pockets, "--pockets").value);
   }
   ViewerOptions content = {.name = display_name(options.input),
                            .most_of_an_index = options.most,
@@ -154,7 +154,7 @@ void add_view_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ViewCommandOptions>();
   constexpr std::size_t kMost = 0xfffffff;
   CLI::App* command = app.add_subcommand("view", "The complex in a browser, with what is wrong with a claim");
-  add_input_options(*command, options->input, options->chains);
+  add_input_options(*command, options->input, options->reading);
   command
       ->add_option("-o,--output", options->output,
                    "Write the page to this file; -: to standard output; without this, INPUT's name with .html, in the "

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "geometry/keep_unique.h"
 
@@ -24,7 +25,8 @@ Point normalized(const Point& p, std::size_t row) {
 
 }  // namespace
 
-PointSet::PointSet(std::span<const Point> rows) : class_of_row_(rows.size()) {
+PointSet::PointSet(std::span<const Point> rows, std::vector<std::size_t> left_out)
+    : class_of_row_(rows.size()), left_out_(std::move(left_out)) {
   if (rows.size() > 0x7ffffffeu) throw InvalidInput("more than 2147483646 points");
   std::vector<Point> normal(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) normal[i] = normalized(rows[i], i);

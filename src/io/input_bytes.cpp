@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <new>
 
 #include "io/line_reader.h"
@@ -64,43 +65,28 @@ namespace {
 // Added to zlib's window size: only streams with a gzip header are taken.
 constexpr int kGzipOnly = 16;
 
-// zlib's state. The destructor frees it.
-class InflateState {
- public:
-  InflateState() {
-    if (inflateInit2(&stream_, MAX_WBITS + kGzipOnly) != Z_OK) throw std::bad_alloc();
-  }
-  ~InflateState() { inflateEnd(&stream_); }
-  InflateState(const InflateState&) = delete;
-  InflateState& operator=(const InflateState&) = delete;
-
-  z_stream* operator->() { return &stream_; }
-  z_stream* get() { return &stream_; }
-
- private:
-  z_stream stream_{};
-};
-
 // Decompresses one stream from the front of `bytes` and appends it to `output`. Returns how many bytes it took.
 std::size_t gunzip_one(std::string_view bytes, std::string_view file, std::string& output) {
-  InflateState state;
+  z_stream stream{};
+  if (inflateInit2(&stream, MAX_WBITS + kGzipOnly) != Z_OK) throw std::bad_alloc();
+  const std::unique_ptr<z_stream, decltype(&inflateEnd)> state(&stream, inflateEnd);
   std::array<char, std::size_t{1} << 16> block{};
   std::size_t taken = 0;
   int status = Z_OK;
   while (status != Z_STREAM_END) {
     const std::size_t given = std::min<std::size_t>(bytes.size() - taken, std::numeric_limits<uInt>::max());
     // zlib does not write through next_in; its type lacks the const for the sake of old compilers.
-    state->next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data() + taken));
-    state->avail_in = static_cast<uInt>(given);
-    state->next_out = reinterpret_cast<Bytef*>(block.data());
-    state->avail_out = static_cast<uInt>(block.size());
-    status = inflate(state.get(), Z_NO_FLUSH);
-    taken += given - state->avail_in;
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data() + taken));
+    stream.avail_in = static_cast<uInt>(given);
+    stream.next_out = reinterpret_cast<Bytef*>(block.data());
+    stream.avail_out = static_cast<uInt>(block.size());
+    status = inflate(&stream, Z_NO_FLUSH);
+    taken += given - stream.avail_in;
     // There was room for output but no progress, so the input has run out.
     if (status == Z_BUF_ERROR) reject_file(file, "gzip data cut short");
     if (status == Z_MEM_ERROR) throw std::bad_alloc();
     if (status != Z_OK && status != Z_STREAM_END) reject_file(file, "gzip data corrupted");
-    output.append(block.data(), block.size() - state->avail_out);
+    output.append(block.data(), block.size() - stream.avail_out);
   }
   return taken;
 }

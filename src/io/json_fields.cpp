@@ -95,6 +95,7 @@ Json header_fields(const char* format, int format_version) {
 Json header_fields(const char* format, int format_version, const PointSet& points) {
   Json fields = header_fields(format, format_version);
   fields["input_sha256"] = coordinates_sha256(points);
+  if (!points.left_out().empty()) fields["left_out"] = points.left_out();
   return fields;
 }
 

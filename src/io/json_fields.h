@@ -19,7 +19,8 @@ namespace flowcert::io {
 
 using Json = nlohmann::ordered_json;
 
-// format, format_version and the reproducibility line. With points, also input_sha256.
+// format, format_version and the reproducibility line. With points, also input_sha256 and, where there
+// are any, the rows that were left out.
 [[nodiscard]] Json header_fields(const char* format, int format_version);
 [[nodiscard]] Json header_fields(const char* format, int format_version, const PointSet& points);
 

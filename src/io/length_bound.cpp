@@ -2,6 +2,7 @@
 
 #include "io/layer.h"
 #include "io/line_reader.h"
+#include "io/log_histogram.h"
 #include "io/number_text.h"
 #include "io/value_order.h"
 
@@ -11,7 +12,7 @@ using namespace io;
 
 namespace {
 
-constexpr std::string_view kWidestText = "auto";
+constexpr std::string_view kAutomatic = "auto";
 
 // The greatest integer that is not greater; the number is not negative.
 std::size_t whole_part(const Rational& number) {
@@ -26,7 +27,7 @@ LengthBound LengthBound::of(std::string_view text, std::string_view spacing, con
   const auto number_of = [&](std::string_view digits) {
     return claimed_number(digits, PlainInteger::kExact, place).value;
   };
-  if (text == kWidestText) return {Unit::kWidestGap, 0};
+  if (text == kAutomatic) return {Unit::kValley, 0};
   if (text.ends_with(spacing)) return {Unit::kSpacing, number_of(text.substr(0, text.size() - spacing.size()))};
   if (!text.starts_with('q')) return {Unit::kInput, number_of(text)};
   const Rational share = number_of(text.substr(1));
@@ -34,22 +35,22 @@ LengthBound LengthBound::of(std::string_view text, std::string_view spacing, con
   return {Unit::kQuantile, share};
 }
 
-std::optional<Rational> LengthBound::length(const ValueOrder& order,
-                                            const std::optional<Rational>& squared_spacing) const {
+LengthThreshold LengthBound::threshold(const ValueOrder& order, const std::optional<Rational>& squared_spacing) const {
   switch (unit) {
     case Unit::kInput:
-      return number;
+      return {number, {}};
     case Unit::kSpacing:
-      return number * squared_spacing.value_or(0);
+      return {number * squared_spacing.value_or(0), {}};
     case Unit::kQuantile: {
       const std::size_t shorter = order.size() - whole_part((1 - number) * order.size());
-      return shorter > 0 ? std::optional(order.exact(shorter - 1)) : std::nullopt;
+      return {shorter > 0 ? std::optional(order.exact(shorter - 1)) : std::nullopt, {}};
     }
-    case Unit::kWidestGap:
+    case Unit::kValley:
       break;
   }
-  const auto gap = order.size() < 2 ? std::nullopt : order.widest_gap((order.size() - 1) / 2, order.size() - 1);
-  return gap ? std::optional(order.exact(*gap)) : std::nullopt;
+  const auto found = squared_spacing ? placed_valley(order, *squared_spacing) : std::nullopt;
+  if (!found) return {std::nullopt, AutomaticThreshold{}};
+  return {order.exact(found->last_below), AutomaticThreshold{found->valley}};
 }
 
 }  // namespace flowcert

@@ -1,15 +1,18 @@
-// Lines, fields and rows of three numbers. The header states the guarantees.
+// Lines and fields. The header states the guarantees.
 #include "io/line_reader.h"
 
-#include <algorithm>
-#include <array>
+#include <fmt/format.h>
 
-#include "io/number_text.h"
+#include <algorithm>
 
 namespace flowcert::io {
 
 void reject_file(std::string_view file, const std::string& reason) {
   throw InvalidInput(std::string(file) + ": " + reason);
+}
+
+void reject_missing(std::string_view file, std::uint64_t announced, std::string_view what, std::uint64_t found) {
+  reject_file(file, fmt::format("{} {} announced, {} found", announced, what, found));
 }
 
 void LinePlace::reject(const std::string& reason) const {
@@ -34,7 +37,7 @@ bool LineReader::next(std::string_view& line) {
 
 bool LineReader::next_filled(std::string_view& line) {
   while (next(line)) {
-    if (!std::all_of(line.begin(), line.end(), is_blank)) return true;
+    if (!is_all_blank(line)) return true;
   }
   return false;
 }
@@ -42,15 +45,12 @@ bool LineReader::next_filled(std::string_view& line) {
 bool LineReader::next_uncommented(std::string_view& line) {
   while (next(line)) {
     line = line.substr(0, line.find('#'));
-    if (!std::all_of(line.begin(), line.end(), is_blank)) return true;
+    if (!is_all_blank(line)) return true;
   }
   return false;
 }
 
-Fields::Fields(std::string_view line, Separators separators)
-    : rest_(line), commas_(separators == Separators::kBlanksAndCommas) {
-  skip_blanks();
-}
+Fields::Fields(std::string_view line, Separators separators) : rest_(line), separators_(separators) { skip_blanks(); }
 
 void Fields::skip_blanks() {
   std::size_t k = 0;
@@ -58,34 +58,58 @@ void Fields::skip_blanks() {
   rest_.remove_prefix(k);
 }
 
+bool Fields::ends_field(char c) const {
+  if (separators_ == Separators::kSemicolons) return c == ';';
+  return is_blank(c) || (separators_ == Separators::kBlanksAndCommas && c == ',');
+}
+
 bool Fields::next(std::string_view& field) {
   if (rest_.empty()) return false;
   std::size_t k = 0;
-  while (k < rest_.size() && !is_blank(rest_[k]) && !(commas_ && rest_[k] == ',')) ++k;
-  field = rest_.substr(0, k);
+  while (k < rest_.size() && !ends_field(rest_[k])) ++k;
+  field = trimmed(rest_.substr(0, k));
   rest_.remove_prefix(k);
   skip_blanks();
-  if (commas_ && rest_.starts_with(',')) {
+  if (separators_ != Separators::kBlanks && !rest_.empty() && ends_field(rest_.front())) {
     rest_.remove_prefix(1);
     skip_blanks();
   }
   return true;
 }
 
-double coordinate(std::string_view field, const LinePlace& place) {
-  const NumberText number = parse_number(field);
-  if (number.fault != nullptr) place.reject(number.fault + (": " + in_quotes(field)));
-  return number.value;
+bool is_all_blank(std::string_view text) { return std::ranges::all_of(text, is_blank); }
+
+bool is_integer(std::string_view text) { return !text.empty() && std::ranges::all_of(text, is_digit); }
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
 }
 
-Point first_three(Fields& fields, const LinePlace& place) {
-  std::array<double, 3> numbers{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    std::string_view field;
-    if (!fields.next(field)) place.reject("too few numbers: " + std::to_string(k) + " of 3");
-    numbers[k] = coordinate(field, place);
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return lower;
+}
+
+std::vector<std::string_view> fields_of(std::string_view line, Separators separators) {
+  std::vector<std::string_view> found;
+  Fields fields(line, separators);
+  for (std::string_view field; fields.next(field);) found.push_back(field);
+  return found;
+}
+
+std::vector<std::string_view> words_of(std::string_view line) { return fields_of(line, Separators::kBlanks); }
+
+std::vector<std::string_view> split_at(std::string_view text, char mark) {
+  std::vector<std::string_view> parts;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find(mark, start), text.size());
+    parts.push_back(trimmed(text.substr(start, end - start)));
+    start = end + 1;
   }
-  return {.x = numbers[0], .y = numbers[1], .z = numbers[2]};
+  return parts;
 }
 
 }  // namespace flowcert::io

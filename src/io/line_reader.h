@@ -6,17 +6,20 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "flowcert/point_set.h"
-#include "flowcert/read_points.h"
 #include "io/layer.h"
 
 namespace flowcert::io {
 
 // Throws InvalidInput "FILE: reason".
 [[noreturn]] void reject_file(std::string_view file, const std::string& reason);
+// The reason: fewer rows than a header announces. what: as "points".
+[[noreturn]] void reject_missing(std::string_view file, std::uint64_t announced, std::string_view what,
+                                 std::uint64_t found);
 
 // Where a line is, for messages.
 struct LinePlace {
@@ -54,9 +57,9 @@ class LineReader {
   std::size_t line_feed_ = 0;
 };
 
-// What may stand between the fields of a line. A comma closes a field, so there is an empty field between two commas
-// in a row.
-enum class Separators { kBlanks, kBlanksAndCommas };
+// What may stand between the fields of a line. A comma or semicolon closes a field, so there is an empty field between
+// two in a row. Where semicolons separate, blanks do not.
+enum class Separators { kBlanks, kBlanksAndCommas, kSemicolons };
 
 // The fields of a line, one by one.
 class Fields {
@@ -68,37 +71,26 @@ class Fields {
  private:
   void skip_blanks();
 
+  [[nodiscard]] bool ends_field(char c) const;
+
   std::string_view rest_;
-  bool commas_;
+  Separators separators_;
 };
 
-// The next field as a coordinate.
-[[nodiscard]] double coordinate(std::string_view field, const LinePlace& place);
-
-// A point from the next three fields. Any further fields are not looked at.
-[[nodiscard]] Point first_three(Fields& fields, const LinePlace& place);
-
 [[nodiscard]] inline bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
-// ---- Formats ----
-// The readers of the formats; read_points.cpp chooses between them.
-//
-// Each takes the whole file, decompressed and without a byte order mark. The file is not blank. Each reader
-// guarantees what flowcert/read_points.h promises, and leaves PointFile::format to the caller.
-[[nodiscard]] PointFile read_xyz(std::string_view text, std::string_view file);
-[[nodiscard]] PointFile read_off(std::string_view text, std::string_view file);
-[[nodiscard]] PointFile read_ply(std::string_view bytes, std::string_view file);
-[[nodiscard]] PointFile read_obj(std::string_view text, std::string_view file);
-// Only the atoms of these chains; of all if none is named.
-[[nodiscard]] PointFile read_pdb(std::string_view text, std::string_view file, const std::vector<std::string>& chains);
-[[nodiscard]] PointFile read_mmcif(std::string_view text, std::string_view file,
-                                   const std::vector<std::string>& chains);
-
-// Whether `word` is one of the keywords that an OFF file can begin with.
-[[nodiscard]] bool is_off_keyword(std::string_view word);
-// Whether `word` can begin a PDB file.
-[[nodiscard]] bool is_pdb_record(std::string_view word);
-// Whether `word` can begin a line of an OBJ file.
-[[nodiscard]] bool is_obj_keyword(std::string_view word);
+[[nodiscard]] inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+[[nodiscard]] inline bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+[[nodiscard]] bool is_all_blank(std::string_view text);
+// Digits alone, and one at least.
+[[nodiscard]] bool is_integer(std::string_view text);
+// Without blanks at both ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+// ASCII letters alone; the locale has no influence.
+[[nodiscard]] std::string lower_case(std::string_view text);
+[[nodiscard]] std::vector<std::string_view> fields_of(std::string_view line, Separators separators);
+// The fields between blanks.
+[[nodiscard]] std::vector<std::string_view> words_of(std::string_view line);
+// The parts between marks, trimmed; one more than there are marks.
+[[nodiscard]] std::vector<std::string_view> split_at(std::string_view text, char mark);
 
 }  // namespace flowcert::io

@@ -60,20 +60,37 @@ std::vector<PairEnds> pairs_of_points(const FlowComplex& complex) {
   return pairs;
 }
 
+// The candidates behind so many places of an order of them.
+std::vector<std::size_t> candidates_behind(const std::vector<std::size_t>& candidates, const ValueOrder& order,
+                                           std::size_t places) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t k = places; k < order.size(); ++k) chosen.push_back(candidates[order.at(k)]);
+  std::ranges::sort(chosen);
+  return chosen;
+}
+
 std::vector<std::size_t> longer_ones(const FlowComplex& complex, const std::vector<std::size_t>& candidates,
-                                     const LengthBound& bound) {
+                                     const LengthBound& bound, std::optional<AutomaticThreshold>& automatic) {
   const std::vector<PairEnds> pairs = pairs_of_points(complex);
   std::vector<PairEnds> ends;
   ends.reserve(candidates.size());
   for (const std::size_t record : candidates) ends.push_back(pairs[record]);
   const ValueOrder order = length_order(complex.persistence().squared_distances(), ends);
-  const std::optional<Rational> length = bound.length(order, squared_spacing(complex));
-  std::vector<std::size_t> longer;
-  for (std::size_t k = length ? order.count_up_to(*length) : 0; k < order.size(); ++k) {
-    longer.push_back(candidates[order.at(k)]);
-  }
-  std::ranges::sort(longer);
-  return longer;
+  const LengthThreshold threshold = bound.threshold(order, squared_spacing(complex));
+  automatic = threshold.automatic;
+  return candidates_behind(candidates, order, threshold.length ? order.count_up_to(*threshold.length) : 0);
+}
+
+std::vector<std::size_t> farther_ones(const FlowComplex& complex, const std::vector<std::size_t>& candidates,
+                                      LengthBound bound, std::optional<AutomaticThreshold>& automatic) {
+  const SquaredDistances values(complex.points(), complex.stationary());
+  const ValueOrder order = radius_order(values, candidates);
+  // What the order has are squares.
+  const bool is_quantile = bound.unit == LengthBound::Unit::kQuantile;
+  if (!is_quantile) bound.number = bound.number > 0 ? Rational(bound.number * bound.number) : Rational(0);
+  const LengthThreshold threshold = bound.threshold(order, squared_spacing(complex));
+  automatic = threshold.automatic;
+  return candidates_behind(candidates, order, threshold.length ? order.count_up_to(*threshold.length) : 0);
 }
 
 }  // namespace
@@ -95,22 +112,28 @@ bool is_above_angle(const Rational& cosine, const Rational& degrees) {
   }
 }
 
-std::vector<std::size_t> medial_points(const FlowComplex& complex, const MedialChoice& choice) {
+MedialPoints medial_points(const FlowComplex& complex, const MedialChoice& choice) {
   const StationaryPoints& stationary = complex.stationary();
-  std::vector<std::size_t> records;
+  MedialPoints chosen;
+  std::vector<std::size_t>& records = chosen.records;
   for (std::size_t record = 0; record < stationary.size(); ++record) {
     const StationaryIndex index = stationary.index(record);
     if (index == StationaryIndex{1, 1} || index == StationaryIndex{2, 2}) records.push_back(record);
   }
-  // Persistence is decided first: quantiles are of the pairs of all points.
-  if (choice.persistence_above) records = longer_ones(complex, records, *choice.persistence_above);
+  // Quantiles and valleys are of all points, so both choose among all.
+  std::vector<std::size_t> farther = records;
+  if (choice.radius_above) farther = farther_ones(complex, records, *choice.radius_above, chosen.automatic_radius);
+  if (choice.persistence_above) {
+    records = longer_ones(complex, records, *choice.persistence_above, chosen.automatic_persistence);
+  }
+  std::erase_if(records, [&](std::size_t record) { return !std::ranges::binary_search(farther, record); });
   if (choice.angle_above) {
     std::erase_if(records, [&](std::size_t record) {
       const bool is_edge = stationary.index(record) == StationaryIndex{1, 1};
       return !is_above_angle(is_edge ? Rational(-1) : contact_cosine(complex, record), *choice.angle_above);
     });
   }
-  return records;
+  return chosen;
 }
 
 }  // namespace flowcert

@@ -96,7 +96,7 @@ NumberText parse_hex(std::string_view text, bool negative) {
   value.mantissa >>= trailing;
   value.exponent += trailing;
   const int bits = 64 - std::countl_zero(value.mantissa);
-  if (bits + value.exponent > 1024) return {.value = 0, .fault = kOutOfRange};
+  if (bits + value.exponent > 1024) return {.value = 0, .fault = kOutOfRange, .is_finite = false};
   // A double has 53 bits, and no bit below 2^-1074.
   if (value.more || bits > 53 || value.exponent < -1074) return {.value = 0, .fault = kNotExact};
   const double magnitude = std::ldexp(static_cast<double>(value.mantissa), static_cast<int>(value.exponent));
@@ -131,7 +131,7 @@ DecimalShape shape_of(std::string_view text) {
 // Reads the rare decimals for which from_chars said "out of range" without saying which end, or may have lost count
 // of the exponent.
 NumberText parse_far_decimal(std::string_view text, bool negative) {
-  const NumberText too_large = {.value = 0, .fault = kOutOfRange};
+  const NumberText too_large = {.value = 0, .fault = kOutOfRange, .is_finite = false};
   const NumberText zero = {.value = negative ? -0.0 : 0.0, .fault = nullptr};
   const DecimalShape shape = shape_of(text);
   if (shape.digits.empty() || shape.power < -400) return zero;
@@ -166,7 +166,7 @@ NumberText parse_number(std::string_view text) {
     return {.value = 0, .fault = kNotANumber};
   }
   const bool is_decimal = text[0] == '.' || (text[0] >= '0' && text[0] <= '9');
-  if (!is_decimal) return {.value = 0, .fault = kNotFinite};
+  if (!is_decimal) return {.value = 0, .fault = kNotFinite, .is_finite = false};
   if (result.ec == std::errc::result_out_of_range || !std::isfinite(value) || text.size() > kLong) {
     return parse_far_decimal(text, negative);
   }
@@ -252,8 +252,6 @@ constexpr std::size_t kLongestDecimal = 2000;
 constexpr std::size_t kLongestFraction = 1000000;
 constexpr int kLargestExponent = 700;
 constexpr PointId kLargestId = 2147483646;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // The digits times 10^exponent. They have no leading zeros, so zero has none; `decimals` of them are after the point.
 struct Decimal {

@@ -27,6 +27,11 @@ struct NumberText {
   double value = 0;
   // Why the text is refused; null when it is a number.
   const char* fault = nullptr;
+  // False for NaN, an infinity, and what overflows. These are refused, too.
+  bool is_finite = true;
+
+  // Whether it is one, finite or not.
+  [[nodiscard]] bool is_number() const { return fault == nullptr || !is_finite; }
 };
 
 // All of `text` must be the number. A leading '+' is accepted.

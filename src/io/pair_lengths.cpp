@@ -29,4 +29,19 @@ ValueOrder length_order(const SquaredDistances& values, std::vector<PairEnds> pa
           }};
 }
 
+ValueOrder radius_order(const SquaredDistances& values, std::vector<std::size_t> records) {
+  std::vector<ValueRange> ranges;
+  std::vector<std::uint64_t> ranks;
+  ranges.reserve(records.size());
+  ranks.reserve(records.size());
+  for (const std::size_t record : records) {
+    const auto& [value, error] = values.approximation(record);
+    // The sums are rounded.
+    ranges.push_back({std::max(0.0, value - error - value * 0x1p-51), value + error + value * 0x1p-51});
+    ranks.push_back(values.rank(record));
+  }
+  return {std::move(ranges), std::move(ranks),
+          [&values, all = std::move(records)](std::size_t i) { return values.exact(all[i]); }};
+}
+
 }  // namespace flowcert::io

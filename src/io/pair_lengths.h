@@ -1,4 +1,4 @@
-// Lengths of persistence pairs in their order.
+// Lengths of persistence pairs, and squared radii, in their order.
 //
 // Guarantees: exact (ValueOrder). A length is the squared distance of the death less that of the birth.
 #pragma once
@@ -18,5 +18,8 @@ struct PairEnds {
 
 // The values must outlive the order.
 [[nodiscard]] ValueOrder length_order(const SquaredDistances& values, std::vector<PairEnds> pairs);
+
+// Of these records, by their places among them. The values must outlive the order.
+[[nodiscard]] ValueOrder radius_order(const SquaredDistances& values, std::vector<std::size_t> records);
 
 }  // namespace flowcert::io

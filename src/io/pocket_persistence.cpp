@@ -38,13 +38,14 @@ std::vector<PairEnds> pairs_of_maxima(const MergeTrees& trees) {
 
 }  // namespace
 
-Rational pocket_persistence(const FlowComplex& complex, const std::string& text, const std::string& option) {
+PocketPersistence pocket_persistence(const FlowComplex& complex, const std::string& text, const std::string& option) {
   const LengthBound bound = LengthBound::of(text, "spacing^2", option, 1);
   if (bound.number < 0) throw InvalidInput(option + ": not 0 or more: " + text);
-  if (bound.unit == LengthBound::Unit::kInput) return bound.number;
+  if (bound.unit == LengthBound::Unit::kInput) return {bound.number, {}};
   const MergeTrees& trees = complex.merge_trees();
   const ValueOrder lengths = length_order(trees.squared_distances(), pairs_of_maxima(trees));
-  return bound.length(lengths, squared_spacing(complex)).value_or(0);
+  const auto [length, automatic] = bound.threshold(lengths, squared_spacing(complex));
+  return {length.value_or(0), automatic};
 }
 
 }  // namespace flowcert

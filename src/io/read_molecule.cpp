@@ -1,10 +1,8 @@
-// PDB and mmCIF, a section for each: the centres of atoms as points.
+// PDB and CIF, a section for each: the centres of atoms as points.
 //
 // Gemmi's readers are not used: they take "1.2.3" as 1.2 and blanks as 0, without a word, and know no line of a row.
-// Atoms are those of the first model. Of several places of one atom (alternate locations) the first is taken. What is
-// left out is counted, so that it can be said.
+// What is left out is counted, so that it can be said.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -15,217 +13,124 @@
 #include <utility>
 #include <vector>
 
-#include "io/line_reader.h"
+#include "io/atom_selection.h"
+#include "io/cif_words.h"
+#include "io/crystal_cell.h"
 #include "io/number_text.h"
+#include "io/pdb_line.h"
+#include "io/point_formats.h"
 
 namespace flowcert::io {
 
-namespace {
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-// Takes atoms one by one, and those that are asked for as points.
-class AtomCollector {
- public:
-  AtomCollector(std::string_view file, const std::vector<std::string>& chains)
-      : file_(file), chains_(chains.begin(), chains.end()) {}
-
-  // Whether the atom is to be read. location: empty, or the name of an alternate location; atom: what its alternate
-  // locations have in common.
-  [[nodiscard]] bool takes(std::string_view chain, std::string_view location, const std::string& atom) {
-    seen_.emplace(chain);
-    if (!chains_.empty() && !chains_.contains(std::string(chain))) return false;
-    if (location.empty()) return true;
-    const auto [first, is_new] = first_location_.try_emplace(atom, location);
-    if (is_new || first->second == location) return true;
-    ++file_of_points_.other_locations;
-    return false;
-  }
-  void add(const Point& point) { file_of_points_.rows.push_back(point); }
-  void skip_model() { ++file_of_points_.other_models; }
-
-  [[nodiscard]] PointFile take() {
-    for (const std::string& chain : chains_) {
-      if (!seen_.contains(chain))
-        reject_file(file_, fmt::format("there is no chain {}; {}", in_quotes(chain), all_chains()));
-    }
-    if (file_of_points_.rows.empty()) reject_file(file_, "there are no atoms");
-    return std::move(file_of_points_);
-  }
-
- private:
-  [[nodiscard]] std::string all_chains() const {
-    if (seen_.empty()) return "there are no atoms";
-    std::vector<std::string> shown;
-    for (const std::string& chain : seen_) {
-      if (shown.size() < kShownChains) shown.push_back(in_quotes(chain));
-    }
-    return fmt::format("there are {}{}", fmt::join(shown, ", "), shown.size() < seen_.size() ? " and others" : "");
-  }
-
-  static constexpr std::size_t kShownChains = 12;
-
-  std::string_view file_;
-  std::set<std::string> chains_, seen_;
-  std::map<std::string, std::string> first_location_;
-  PointFile file_of_points_;
-};
-
-}  // namespace
-
 // ---- PDB ----
-// Fixed columns: in a line ATOM or HETATM, x, y, z are the columns 31-38, 39-46 and 47-54, the chain is 22, and the
-// alternate location 17. Names of atoms and residues are columns 13-16 and 18-27.
-namespace {
+// Fixed columns, where a line holds to them (pdb_line.h). A record MODEL begins a model, and so does the first atom after
+// END, by which trajectories part their frames.
 
-constexpr std::size_t kLastColumn = 54;
-
-bool is_record(std::string_view line, std::string_view name) { return trimmed(line.substr(0, 6)) == name; }
-
-Point pdb_point(std::string_view line, const LinePlace& place) {
-  std::array<double, 3> x{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::string_view field = trimmed(line.substr(30 + 8 * axis, 8));
-    if (field.empty()) place.reject(fmt::format("no coordinate {} in its columns", "xyz"[axis]));
-    x[axis] = coordinate(field, place);
-  }
-  return {x[0], x[1], x[2]};
-}
-
-}  // namespace
-
-bool is_pdb_record(std::string_view word) {
-  static constexpr std::array<std::string_view, 14> kFirst = {"HEADER", "TITLE",  "COMPND", "SOURCE", "KEYWDS",
-                                                              "EXPDTA", "AUTHOR", "REMARK", "CRYST1", "MODEL",
-                                                              "ATOM",   "HETATM", "OBSLTE", "REVDAT"};
-  return std::ranges::find(kFirst, word) != kFirst.end();
-}
-
-PointFile read_pdb(std::string_view text, std::string_view file, const std::vector<std::string>& chains) {
-  AtomCollector atoms(file, chains);
-  LineReader lines(text, file);
-  std::string_view line;
+void read_pdb(std::string_view text, PointRows& rows) {
+  AtomSelection selection(rows.options(), rows.file(), true);
+  LineReader lines(text, rows.file());
   std::size_t models = 0;
-  while (lines.next(line)) {
-    if (is_record(line, "MODEL") && ++models > 1) atoms.skip_model();
-    if (models > 1 || !(is_record(line, "ATOM") || is_record(line, "HETATM"))) continue;
-    if (line.size() < kLastColumn) lines.place().reject("an atom's line ends before column 54");
-    const std::string atom(line.substr(12, 4)), residue(line.substr(17, 10));
-    if (!atoms.takes(trimmed(line.substr(21, 1)), trimmed(line.substr(16, 1)), atom + residue)) continue;
-    atoms.add(pdb_point(line, lines.place()));
+  bool is_taken = false, has_begun = false;
+  const auto begin_model = [&](std::string_view name) {
+    ++models;
+    is_taken = selection.takes_model(name.empty() ? std::to_string(models) : std::string(name));
+    has_begun = true;
+  };
+  for (std::string_view line; lines.next(line);) {
+    switch (pdb_record(line, lines.place())) {
+      case PdbRecord::kModel:
+        begin_model(trimmed(line.substr(std::min<std::size_t>(6, line.size()))));
+        break;
+      case PdbRecord::kEnd:
+        has_begun = false;
+        break;
+      case PdbRecord::kAtom: {
+        if (!has_begun) begin_model("");
+        const PdbAtom atom = pdb_atom(line, lines.place());
+        const bool is_wanted =
+            is_taken && selection.takes({.chain = atom.chain,
+                                         .residue = atom.residue,
+                                         .element = atom.element,
+                                         .is_hetatm = atom.is_hetatm,
+                                         .location = atom.location,
+                                         .place = fmt::format("{} {}{}", models, atom.place_name, atom.place_residue)});
+        if (is_wanted) rows.add(atom.position, lines.place());
+        break;
+      }
+      case PdbRecord::kOther:
+        break;
+    }
   }
-  return atoms.take();
+  selection.finish(rows);
 }
 
-// ---- mmCIF ----
-// A table `loop_` of the category _atom_site has a row for each atom, of words between blanks. Words in quotes and text
-// between lines that begin with ';' are one word each. '#' starts a comment.
+// ---- CIF ----
+// A table `loop_` of the category _atom_site has a row for each atom: in mmCIF with Cartesian coordinates, in CIF of
+// small molecules with Cartesian or fractional ones. Data blocks with such a table are models.
 namespace {
 
-class CifWords {
+class CifReader {
  public:
-  CifWords(std::string_view text, std::string_view file) : lines_(text, file) {}
+  CifReader(std::string_view text, PointRows& rows)
+      : words_(text, rows.file()), rows_(rows), selection_(rows.options(), rows.file(), true) {}
 
-  struct Word {
-    std::string_view text;
-    bool is_quoted = false;
-  };
-
-  std::optional<Word> next() {
-    for (;;) {
-      while (!rest_.empty() && is_blank(rest_.front())) rest_.remove_prefix(1);
-      if (!rest_.empty() && rest_.front() != '#') return word_of_line();
-      if (!lines_.next(rest_)) return std::nullopt;
-      if (rest_.starts_with(';')) return text_field();
-    }
-  }
-  [[nodiscard]] LinePlace place() const { return lines_.place(); }
-
- private:
-  Word word_of_line() {
-    const char first = rest_.front();
-    if (first != '\'' && first != '"') {
-      const auto end = std::ranges::find_if(rest_, is_blank);
-      const auto size = static_cast<std::size_t>(end - rest_.begin());
-      return {std::exchange(rest_, rest_.substr(size)).substr(0, size)};
-    }
-    // A quote ends where a blank follows it.
-    for (std::size_t k = 1; k < rest_.size(); ++k) {
-      if (rest_[k] != first || (k + 1 < rest_.size() && !is_blank(rest_[k + 1]))) continue;
-      return {std::exchange(rest_, rest_.substr(k + 1)).substr(1, k - 1), true};
-    }
-    place().reject("a quote that does not end in its line");
-  }
-  Word text_field() {
-    const LinePlace start = place();
-    do {
-      if (!lines_.next(rest_)) start.reject("a text field that does not end");
-    } while (!rest_.starts_with(';'));
-    rest_.remove_prefix(1);
-    return {"text", true};  // no text is of interest
-  }
-
-  LineReader lines_;
-  std::string_view rest_;
-};
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return lower;
-}
-
-constexpr std::string_view kCategory = "_atom_site.";
-
-// A place for each column that is of interest.
-class AtomSiteReader {
- public:
-  AtomSiteReader(std::string_view text, std::string_view file, const std::vector<std::string>& chains)
-      : words_(text, file), atoms_(file, chains), file_(file) {}
-
-  PointFile read() {
-    std::optional<CifWords::Word> word = words_.next();
+  void read() {
+    std::optional<CifWord> word = words_.next();
     while (word) {
-      const bool is_loop = !word->is_quoted && lower_case(word->text) == "loop_";
-      word = words_.next();
-      if (!is_loop || !word || !is_name(*word) || !lower_case(word->text).starts_with(kCategory)) continue;
-      word = read_table(*word);
+      const std::string name = word->is_quoted ? "" : lower_case(word->text);
+      if (name.starts_with("data_")) {
+        end_block();
+        word = words_.next();
+      } else if (name == "loop_") {
+        word = read_loop();
+      } else if (name.starts_with('_')) {
+        word = read_item(name);
+      } else {
+        word = words_.next();
+      }
     }
-    if (!has_table_) reject_file(file_, "there is no table _atom_site");
-    return atoms_.take();
+    end_block();
+    if (!has_table_) reject_file(rows_.file(), "there is no table _atom_site with coordinates");
+    selection_.finish(rows_);
   }
 
  private:
-  using Word = CifWords::Word;
+  using Row = std::vector<std::string_view>;
 
-  static bool is_name(const Word& word) { return !word.is_quoted && word.text.starts_with('_'); }
-  static bool is_end(const Word& word) {
+  static bool is_name(const CifWord& word) { return !word.is_quoted && word.text.starts_with('_'); }
+  static bool is_end(const CifWord& word) {
     if (word.is_quoted) return false;
     const std::string text = lower_case(word.text);
     return text.starts_with('_') || text == "loop_" || text.starts_with("data_") || text.starts_with("save_");
   }
 
+  // A name and its value. Returns the word after it.
+  std::optional<CifWord> read_item(const std::string& name) {
+    const std::optional<CifWord> value = words_.next();
+    if (!value || is_end(*value)) return value;
+    cell_.see_item(name, value->text, words_.place());
+    if (in_atom_site(name) && is_coordinate(column_name(name))) {
+      words_.place().reject("an atom that is not in a table loop_: " + in_quotes(name));
+    }
+    return words_.next();
+  }
+
   // Returns the first word after the table.
-  std::optional<Word> read_table(Word first) {
-    if (std::exchange(has_table_, true)) words_.place().reject("a second table _atom_site");
-    std::optional<Word> word = first;
-    for (; word && is_name(*word); word = words_.next()) {
-      const std::string name = lower_case(word->text);
-      if (!name.starts_with(kCategory)) words_.place().reject("a column of another table: " + in_quotes(word->text));
-      columns_[name.substr(kCategory.size())] = count_++;
+  std::optional<CifWord> read_loop() {
+    std::vector<std::string> names;
+    std::optional<CifWord> word = words_.next();
+    for (; word && is_name(*word); word = words_.next()) names.push_back(lower_case(word->text));
+    if (!begin_table(names)) {
+      for (std::size_t k = 0; word && !is_end(*word); word = words_.next(), ++k) {
+        if (!names.empty()) cell_.see_item(names[k % names.size()], word->text, words_.place());
+      }
+      return word;
     }
-    for (const char* name : {"cartn_x", "cartn_y", "cartn_z"}) {
-      if (!columns_.contains(name)) words_.place().reject(fmt::format("the table _atom_site has no column {}", name));
-    }
-    std::vector<std::string_view> row;
+    Row row;
     for (; word && !is_end(*word); word = words_.next()) {
       const bool is_unknown = !word->is_quoted && (word->text == "." || word->text == "?");
       row.push_back(is_unknown ? std::string_view() : word->text);
-      if (row.size() < count_) continue;
+      if (row.size() < names.size()) continue;
       read_row(row);
       row.clear();
     }
@@ -233,52 +138,128 @@ class AtomSiteReader {
     return word;
   }
 
-  [[nodiscard]] std::string_view value(const std::vector<std::string_view>& row, const char* name) const {
+  // mmCIF writes _atom_site.id, and CIF _atom_site_label. Categories with longer names are others.
+  static bool in_atom_site(const std::string& name) {
+    return name.starts_with("_atom_site.") ||
+           (name.starts_with("_atom_site_") && !name.starts_with("_atom_site_aniso"));
+  }
+  static std::string column_name(const std::string& name) {
+    return name.substr(std::string_view("_atom_site.").size());
+  }
+  static bool is_coordinate(const std::string& column) {
+    return column.starts_with("cartn_") || column.starts_with("fract_");
+  }
+
+  // Whether these are the columns of the atoms.
+  bool begin_table(const std::vector<std::string>& names) {
+    columns_.clear();
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (in_atom_site(names[k])) columns_[column_name(names[k])] = k;
+    }
+    const bool is_mmcif = std::ranges::any_of(names, [](const auto& name) { return name.starts_with("_atom_site."); });
+    const bool has_coordinates =
+        std::ranges::any_of(columns_, [](const auto& column) { return is_coordinate(column.first); });
+    if (!is_mmcif && !has_coordinates) return false;
+    for (const std::string& name : names) {
+      if (!in_atom_site(name)) words_.place().reject("a column of another table: " + in_quotes(name));
+    }
+    if (std::exchange(block_has_table_, true)) words_.place().reject("a second table _atom_site");
+    has_table_ = true;
+    is_fractional_ = !columns_.contains("cartn_x") && columns_.contains("fract_x");
+    for (const char* axis : {"x", "y", "z"}) {
+      const std::string column = (is_fractional_ ? "fract_" : "cartn_") + std::string(axis);
+      if (!columns_.contains(column))
+        words_.place().reject(fmt::format("the table _atom_site has no column {}", column));
+    }
+    ++blocks_;
+    if (!columns_.contains("pdbx_pdb_model_num")) is_taken_ = selection_.takes_model(std::to_string(blocks_));
+    return true;
+  }
+
+  [[nodiscard]] std::string_view value(const Row& row, const char* name) const {
     const auto column = columns_.find(name);
     return column == columns_.end() ? std::string_view() : row[column->second];
   }
   // As the authors say, or else as the label does.
-  [[nodiscard]] std::string_view value(const std::vector<std::string_view>& row, const char* name,
-                                       const char* other) const {
+  [[nodiscard]] std::string_view value(const Row& row, const char* name, const char* other) const {
     const std::string_view first = value(row, name);
     return first.empty() ? value(row, other) : first;
   }
 
-  void read_row(const std::vector<std::string_view>& row) {
+  void see_model(const Row& row) {
+    if (!columns_.contains("pdbx_pdb_model_num")) return;
+    // A second data block's models are other models.
     const std::string model(value(row, "pdbx_pdb_model_num"));
-    if (models_.insert(model).second && models_.size() > 1) atoms_.skip_model();
-    if (!first_model_) first_model_ = model;
-    if (model != *first_model_) return;
-    std::string atom;
-    for (const char* name :
-         {"label_atom_id", "label_comp_id", "label_asym_id", "label_seq_id", "auth_seq_id", "pdbx_pdb_ins_code"}) {
-      atom += std::string(value(row, name)) + ' ';
-    }
-    if (!atoms_.takes(value(row, "auth_asym_id", "label_asym_id"), value(row, "label_alt_id"), atom)) return;
-    std::array<double, 3> x{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      static constexpr std::array<const char*, 3> kNames = {"cartn_x", "cartn_y", "cartn_z"};
-      const std::string_view field = value(row, kNames[axis]);
-      if (field.empty()) words_.place().reject(fmt::format("an atom without {}", kNames[axis]));
-      x[axis] = coordinate(field, words_.place());
-    }
-    atoms_.add({x[0], x[1], x[2]});
+    if (model_ && *model_ == std::pair(blocks_, model)) return;
+    model_ = std::pair(blocks_, model);
+    const auto [known, is_new] = models_.try_emplace(*model_, false);
+    if (is_new) known->second = selection_.takes_model(blocks_ == 1 ? model : fmt::format("{}.{}", blocks_, model));
+    is_taken_ = known->second;
   }
 
+  [[nodiscard]] std::string atom_place(const Row& row) const {
+    std::string place = fmt::format("{} {} ", blocks_, model_ ? model_->second : "");
+    if (!value(row, "disorder_group").empty()) return place + std::string(value(row, "disorder_assembly"));
+    for (const char* name :
+         {"label_atom_id", "label_comp_id", "label_asym_id", "label_seq_id", "auth_seq_id", "pdbx_pdb_ins_code"}) {
+      place += std::string(value(row, name)) + ' ';
+    }
+    return place;
+  }
+
+  void read_row(const Row& row) {
+    see_model(row);
+    if (!is_taken_) return;
+    const Atom atom{.chain = value(row, "auth_asym_id", "label_asym_id"),
+                    .residue = value(row, "auth_comp_id", "label_comp_id"),
+                    .element = element_of_label(value(row, "type_symbol", "label")),
+                    .is_hetatm = value(row, "group_pdb") == "HETATM",
+                    .location = value(row, "label_alt_id", "disorder_group"),
+                    .place = atom_place(row)};
+    if (!selection_.takes(atom)) return;
+    std::array<std::string_view, 3> position;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::string column = fmt::format("{}_{}", is_fractional_ ? "fract" : "cartn", "xyz"[axis]);
+      position[axis] = without_uncertainty(value(row, column.c_str()));
+      if (position[axis].empty()) words_.place().reject("an atom without " + column);
+    }
+    if (is_fractional_) {
+      fractional_.push_back({position, words_.place()});
+    } else {
+      rows_.add(position, words_.place());
+    }
+  }
+
+  // A cell may be said after the atoms, so fractional coordinates wait for the block's end.
+  void end_block() {
+    if (!fractional_.empty()) {
+      const CartesianAxes axes = cell_.cartesian_axes(rows_.file());
+      for (const auto& [position, place] : fractional_) rows_.add(axes.position(position, place));
+      fractional_.clear();
+    }
+    cell_ = {};
+    block_has_table_ = false;
+  }
+
+  struct FractionalAtom {
+    std::array<std::string_view, 3> position;
+    LinePlace place;
+  };
+
   CifWords words_;
-  AtomCollector atoms_;
-  std::string_view file_;
+  PointRows& rows_;
+  AtomSelection selection_;
+  CrystalCell cell_;
   std::map<std::string, std::size_t> columns_;
-  std::size_t count_ = 0;
-  bool has_table_ = false;
-  std::set<std::string> models_;
-  std::optional<std::string> first_model_;
+  bool has_table_ = false, block_has_table_ = false, is_fractional_ = false, is_taken_ = false;
+  std::size_t blocks_ = 0;
+  std::optional<std::pair<std::size_t, std::string>> model_;
+  std::map<std::pair<std::size_t, std::string>, bool> models_;
+  std::vector<FractionalAtom> fractional_;
 };
 
 }  // namespace
 
-PointFile read_mmcif(std::string_view text, std::string_view file, const std::vector<std::string>& chains) {
-  return AtomSiteReader(text, file, chains).read();
-}
+void read_cif(std::string_view text, PointRows& rows) { CifReader(text, rows).read(); }
 
 }  // namespace flowcert::io

@@ -1,71 +1,22 @@
-// The text formats XYZ, OBJ and OFF, a section for each.
+// The text formats OBJ and OFF, a section for each.
 //
 // CGAL's readers are not used; each section says why.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <string>
-#include <utility>
+#include <vector>
 
-#include "io/line_reader.h"
 #include "io/number_text.h"
+#include "io/point_formats.h"
 
 namespace flowcert::io {
 
-// ---- XYZ ----
-// XYZ and other text. A point is the first three fields of a line. Blanks, tabs or commas separate the fields. '#'
-// starts a comment.
-//
-// CGAL's reader takes no commas, no hexadecimal floats and no fourth column, and silently skips a leading count. Here
-// a line without three numbers is an error, and so is a leading count. Only the names x, y, z may stand above.
-namespace {
-
-// "x,y,z", in any case. Further names of columns may follow.
-bool names_columns(std::string_view line) {
-  Fields fields(line, Separators::kBlanksAndCommas);
-  std::string_view field;
-  for (const char axis : {'x', 'y', 'z'}) {
-    if (!fields.next(field) || field.size() != 1 || (field[0] | 0x20) != axis) return false;
-  }
-  return true;
-}
-
-// Whether some numbers have a comma between them, and others blanks alone.
-bool mixes_separators(std::string_view line) {
-  if (line.find(',') == std::string_view::npos) return false;
-  Fields by_commas(line, Separators::kBlanksAndCommas);
-  std::string_view field;
-  std::size_t count = 0;
-  while (by_commas.next(field)) ++count;
-  return count > static_cast<std::size_t>(std::ranges::count(line, ',')) + 1;
-}
-
-}  // namespace
-
-PointFile read_xyz(std::string_view text, std::string_view file) {
-  PointFile points;
-  LineReader lines(text, file);
-  std::string_view line;
-  bool is_first = true;
-  while (lines.next_uncommented(line)) {
-    if (std::exchange(is_first, false) && names_columns(line)) continue;
-    Fields fields(line, Separators::kBlanksAndCommas);
-    points.rows.push_back(first_three(fields, lines.place()));
-    std::string_view further;
-    if (points.line_of_further_columns == 0 && fields.next(further)) {
-      points.line_of_further_columns = lines.place().line;
-    }
-    if (points.line_of_mixed_separators == 0 && mixes_separators(line)) {
-      points.line_of_mixed_separators = lines.place().line;
-    }
-  }
-  return points;
-}
-
 // ---- OBJ ----
-// OBJ. The points are the lines `v x y z`, in order. Further numbers in such a line (weight, colour) and all other
-// lines are ignored.
+// The points are the lines `v x y z`, in order. Further numbers in such a line (weight, colour) and all other
+// lines are ignored. A line that ends with `\` goes on in the next.
 //
 // CGAL has no reader of points for OBJ, and its polygon-soup reader refuses files without faces.
 namespace {
@@ -78,97 +29,110 @@ constexpr auto kKeywords = std::to_array<std::string_view>(
      "d_interp", "lod",  "usemtl", "mtllib", "shadow_obj", "trace_obj", "ctech", "stech", "usemap",
      "maplib",   "call", "csh",    "res",    "bsp",        "bzp",       "cdc",   "cdp",   "fo"});
 
+// The line that goes on after those that end with `\`. A comment does not go on. joined: a place for it.
+std::string_view whole_line(std::string_view line, LineReader& lines, std::string& joined) {
+  if (!line.ends_with('\\') || line.find('#') != std::string_view::npos) return line;
+  joined.clear();
+  do {
+    joined.append(line.substr(0, line.size() - 1)).append(1, ' ');
+    if (!lines.next(line)) lines.place().reject("the last line ends with \\");
+  } while (line.ends_with('\\') && line.find('#') == std::string_view::npos);
+  return joined.append(line);
+}
+
 }  // namespace
 
-PointFile read_obj(std::string_view text, std::string_view file) {
-  PointFile points;
-  LineReader lines(text, file);
-  std::string_view line;
-  while (lines.next_uncommented(line)) {
-    Fields fields(line, Separators::kBlanks);
+void read_obj(std::string_view text, PointRows& rows) {
+  LineReader lines(text, rows.file());
+  std::string joined;
+  for (std::string_view line; lines.next(line);) {
+    const LinePlace start = lines.place();
+    line = whole_line(line, lines, joined);
+    Fields fields(line.substr(0, line.find('#')), Separators::kBlanks);
     std::string_view keyword;
-    if (fields.next(keyword) && keyword == "v") points.rows.push_back(first_three(fields, lines.place()));
+    if (fields.next(keyword) && keyword == "v") add_first_three(fields, start, rows);
   }
-  return points;
 }
 
-bool is_obj_keyword(std::string_view word) {
-  return std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
-}
+bool is_obj_keyword(std::string_view word) { return std::ranges::find(kKeywords, word) != kKeywords.end(); }
 
 // ---- OFF ----
-// OFF: a keyword, the three counts on its line or the next, then a line for each vertex and each face. '#' starts a
-// comment.
+// OFF: a keyword, the counts of vertices, faces and edges on its line or the next, then a line for each vertex and each
+// face. '#' starts a comment. The count of edges may be missing, and the first one glued to the keyword.
 //
 // CGAL's reader is not used. If a file is cut short, or has a short row or NaN, it drops rows and reports success.
-// Here all announced vertices must be there. Faces are not read, but they are counted. A file with too few faces was
-// cut short, and then its last vertex cannot be trusted either.
+// Here all announced vertices and faces must be there, and nothing else: a file with too few faces was cut short, and
+// after a count that is too small rows are left.
 namespace {
 
-struct OffCounts {
+struct OffHeader {
   std::uint64_t vertices = 0;
   std::uint64_t faces = 0;
 };
 
-OffCounts parse_counts(Fields& fields, const LinePlace& place) {
-  std::array<std::uint64_t, 3> counts{};
-  for (std::size_t k = 0; k < counts.size(); ++k) {
-    std::string_view field;
-    if (!fields.next(field)) place.reject("too few counts: " + std::to_string(k) + " of 3");
-    const char* const end = field.data() + field.size();
-    const auto result = std::from_chars(field.data(), end, counts[k]);
-    if (result.ec != std::errc() || result.ptr != end) place.reject("not a count: " + in_quotes(field));
-  }
-  return {.vertices = counts[0], .faces = counts[1]};
-}
-
-OffCounts read_header(LineReader& lines) {
+OffHeader read_off_header(LineReader& lines) {
   std::string_view line;
   if (!lines.next_uncommented(line)) reject_file(lines.file(), "not an OFF file: no keyword OFF");
-  Fields fields(line, Separators::kBlanks);
-  std::string_view keyword;
-  fields.next(keyword);
-  if (!is_off_keyword(keyword)) {
-    lines.place().reject("not an OFF file: begins with " + in_quotes(keyword) + ", not OFF, COFF, NOFF or CNOFF");
+  line = trimmed(line);
+  const std::string_view keyword = off_keyword(line);
+  if (keyword.empty()) {
+    lines.place().reject("not an OFF file: begins with " + in_quotes(words_of(line).front()) + ", not OFF");
   }
-  Fields after_keyword = fields;
-  std::string_view field;
-  if (after_keyword.next(field)) {
-    if (field == "BINARY") lines.place().reject("binary OFF is not supported");
-    return parse_counts(fields, lines.place());
+  if (keyword.find('4') != std::string_view::npos) lines.place().reject("points of four dimensions: 4OFF");
+  std::vector<std::string_view> words = words_of(line.substr(keyword.size()));
+  if (!words.empty() && words[0] == "BINARY") lines.place().reject("binary OFF is not supported");
+  std::size_t at = 0;
+  const auto next_count = [&] {
+    if (at == words.size()) {
+      if (!lines.next_uncommented(line))
+        reject_file(lines.file(), fmt::format("cut short: no counts after {}", keyword));
+      words = words_of(line);
+      at = 0;
+    }
+    return announced_count(words[at++], lines.place());
+  };
+  if (keyword.find('n') != std::string_view::npos) {
+    if (const std::uint64_t dimension = next_count(); dimension != 3) {
+      lines.place().reject(fmt::format("points of {} dimensions, not of 3", dimension));
+    }
   }
-  if (!lines.next_uncommented(line)) reject_file(lines.file(), "cut short: no counts after " + std::string(keyword));
-  Fields counts(line, Separators::kBlanks);
-  return parse_counts(counts, lines.place());
+  OffHeader header{.vertices = next_count()};
+  if (at < words.size()) header.faces = next_count();
+  if (at < words.size()) (void)next_count();
+  return header;
 }
 
 }  // namespace
 
-PointFile read_off(std::string_view text, std::string_view file) {
-  PointFile points;
-  LineReader lines(text, file);
-  const OffCounts counts = read_header(lines);
-  // A row takes at least six bytes ("0 0 0" and its line's end), whatever the header announces.
-  points.rows.reserve(std::min<std::uint64_t>(counts.vertices, lines.rest().size() / 6 + 1));
+void read_off(std::string_view text, PointRows& rows) {
+  LineReader lines(text, rows.file());
+  const OffHeader header = read_off_header(lines);
+  rows.reserve(header.vertices, lines.rest().size(), 6);
   std::string_view line;
-  while (points.rows.size() < counts.vertices) {
-    if (!lines.next_uncommented(line)) {
-      reject_file(file, std::to_string(counts.vertices) + " vertices announced, " + std::to_string(points.rows.size()) +
-                            " found");
-    }
+  for (std::uint64_t row = 0; row < header.vertices; ++row) {
+    if (!lines.next_uncommented(line)) reject_missing(rows.file(), header.vertices, "vertices", row);
     Fields fields(line, Separators::kBlanks);
-    points.rows.push_back(first_three(fields, lines.place()));
+    add_first_three(fields, lines.place(), rows);
   }
-  for (std::uint64_t face = 0; face < counts.faces; ++face) {
-    if (!lines.next_uncommented(line)) {
-      reject_file(file, std::to_string(counts.faces) + " faces announced, " + std::to_string(face) + " found");
-    }
+  for (std::uint64_t face = 0; face < header.faces; ++face) {
+    if (!lines.next_uncommented(line)) reject_missing(rows.file(), header.faces, "faces", face);
   }
-  return points;
+  if (lines.next_uncommented(line) && is_row_of_numbers(line)) {
+    lines.place().reject(fmt::format("a row after the {} vertices and {} faces that the header announces",
+                                     header.vertices, header.faces));
+  }
 }
 
-bool is_off_keyword(std::string_view word) {
-  return word == "OFF" || word == "COFF" || word == "NOFF" || word == "CNOFF";
+std::string_view off_keyword(std::string_view word) {
+  // Geomview's prefixes, in its order: texture, colours, normals, four dimensions, any dimension.
+  std::size_t size = 0;
+  for (const std::string_view prefix : {"ST", "C", "N", "4", "n"}) {
+    if (word.substr(size).starts_with(prefix)) size += prefix.size();
+  }
+  if (!word.substr(size).starts_with("OFF")) return {};
+  size += 3;
+  const bool ends = size == word.size() || is_blank(word[size]) || is_digit(word[size]) || word[size] == '#';
+  return ends ? word.substr(0, size) : std::string_view();
 }
 
 }  // namespace flowcert::io

@@ -49,9 +49,10 @@ std::string coordinates_sha256(const PointSet& points) {
 
 std::string made_by_text(const char* format, int format_version, const PointSet& points) {
   const Reproducibility made_by = reproducibility();
-  return fmt::format("{} {}, by flowcert {} (commit {}; kernel: {}; compiler: {}; CGAL {}), input_sha256 {}", format,
+  const std::size_t left_out = points.left_out().size();
+  return fmt::format("{} {}, by flowcert {} (commit {}; kernel: {}; compiler: {}; CGAL {}), input_sha256 {}{}", format,
                      format_version, made_by.version, made_by.commit, made_by.kernel, made_by.compiler, made_by.cgal,
-                     coordinates_sha256(points));
+                     coordinates_sha256(points), left_out > 0 ? fmt::format(", rows left out: {}", left_out) : "");
 }
 
 }  // namespace flowcert

@@ -81,7 +81,8 @@ void SurfaceSelection::add(const std::string& expression, std::size_t option) {
 }
 
 // Nothing where the condition holds for all radii.
-std::optional<Rational> SurfaceSelection::squared_radius_of(const LengthBound& bound, const SaddleRadii& radii) {
+std::optional<Rational> SurfaceSelection::squared_radius_of(const LengthBound& bound, const SaddleRadii& radii,
+                                                            std::optional<AutomaticThreshold>& automatic) {
   const Rational square = bound.number > 0 ? Rational(bound.number * bound.number) : Rational(0);
   switch (bound.unit) {
     case LengthBound::Unit::kInput:
@@ -92,19 +93,19 @@ std::optional<Rational> SurfaceSelection::squared_radius_of(const LengthBound& b
       const std::size_t place = floor_of(bound.number * radii.size());
       return place < radii.size() ? std::optional(radii.squared_radius(place)) : std::nullopt;
     }
-    case LengthBound::Unit::kWidestGap:
+    case LengthBound::Unit::kValley:
       break;
   }
-  const std::optional<std::size_t> gap = radii.widest_gap();
-  return gap ? std::optional(radii.squared_radius(*gap + 1)) : std::nullopt;
+  automatic.emplace(radii.valley());
+  return automatic->valley ? std::optional(radii.squared_radius(automatic->valley->below)) : std::nullopt;
 }
 
 SelectedSets SurfaceSelection::select(const FlowComplex& complex, const SaddleRadii& radii) const {
   SelectedSets selected;
   std::vector<bool> is_chosen(radii.size(), true);
-  auto& [radius, length] = selected.thresholds;
+  auto& [radius, length, automatic_radius, automatic_length] = selected.thresholds;
   for (const LengthBound& bound : radii_below_) {
-    const std::optional<Rational> square = squared_radius_of(bound, radii);
+    const std::optional<Rational> square = squared_radius_of(bound, radii, automatic_radius);
     if (square) radius = radius ? std::min(*radius, *square) : *square;
   }
   if (radius) {
@@ -114,8 +115,9 @@ SelectedSets SurfaceSelection::select(const FlowComplex& complex, const SaddleRa
     const Lengths lengths(complex);
     const ValueOrder& order = lengths.order();
     for (const LengthBound& bound : persistence_above_) {
-      const std::optional<Rational> value = bound.length(order, radii.squared_spacing());
+      const auto [value, automatic] = bound.threshold(order, radii.squared_spacing());
       if (value) length = length ? std::max(*length, *value) : *value;
+      if (automatic) automatic_length = automatic;
     }
     // Equal lengths stand in descending order of the list, so that the first of them counts as the longest.
     std::size_t too_short = length ? order.count_up_to(*length) : 0;

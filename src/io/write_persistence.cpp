@@ -2,6 +2,7 @@
 #include "flowcert/write_persistence.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -76,6 +77,9 @@ std::string pers_text(const PersistenceDiagram& diagram) {
       "# flowcert {} (commit {}; kernel: {}; compiler: {}; CGAL {}), input_sha256 {}\n",
       made_by.version, made_by.commit, made_by.kernel, made_by.compiler, made_by.cgal,
       coordinates_sha256(diagram.complex().points()));
+  if (const auto& left_out = diagram.complex().points().left_out(); !left_out.empty()) {
+    text += fmt::format("# Rows of the file that were left out: {}\n", fmt::join(left_out, " "));
+  }
   text += diagram.has_zero() ? "# With regular stationary points, as pairs of length zero.\n"
                              : "# Without pairs of length zero.\n";
   const auto make = [&](std::size_t first, std::size_t last, std::string& lines) {

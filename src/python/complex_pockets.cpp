@@ -62,7 +62,7 @@ py::tuple Complex::pockets(const std::string& persistence, const std::optional<s
   std::vector<PocketNumbers> numbers;
   {
     const ReleasedLock released;
-    made.emplace(complex_.merge_trees(), pocket_persistence(complex_, persistence, "persistence"));
+    made.emplace(complex_.merge_trees(), pocket_persistence(complex_, persistence, "persistence").value);
     const std::optional<Rational> radius = probe ? std::optional(rational_of(*probe)) : std::nullopt;
     for (std::size_t k = 0; k < made->size(); ++k) {
       numbers.push_back(numbers_of(complex_, *made, (*made)[k], radius));

@@ -1,6 +1,11 @@
 #include "point_files.h"
 
+#include <pybind11/stl.h>
+
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "arrays.h"
 #include "flowcert/read_points.h"
@@ -12,19 +17,37 @@ namespace py = pybind11;
 
 namespace {
 
-py::array rows_of_file(const std::string& path) {
+// The points, the notes as (line, text), and the rows that are left out.
+py::tuple read_file(const std::string& path, const ReadingOptions& options) {
   PointFile file;
   {
     const ReleasedLock released;
-    file = read_points(path);
+    file = read_points(path, options);
   }
-  return rows_of<double>(std::move(file.rows));
+  py::list notes;
+  for (const ReadingNote& note : file.notes) notes.append(py::make_tuple(note.line, note.text));
+  return py::make_tuple(rows_of<double>(std::move(file.rows)), notes, py::cast(file.left_out));
 }
 
 }  // namespace
 
 void add_point_files(py::module_& module) {
-  module.def("read_points", rows_of_file, py::arg("path"), "What flowcert.read_points asks.");
+  module.def(
+      "read_points",
+      [](const std::string& path, std::string format, std::string columns, std::optional<double> z,
+         std::vector<std::string> atoms, std::vector<std::string> chains, std::string models, std::size_t frame,
+         bool skip_invalid) {
+        return read_file(path, {.format = std::move(format),
+                                .columns = std::move(columns),
+                                .z = z,
+                                .chains = std::move(chains),
+                                .atoms = std::move(atoms),
+                                .models = std::move(models),
+                                .frame = frame,
+                                .skip_invalid = skip_invalid});
+      },
+      py::arg("path"), py::arg("format"), py::arg("columns"), py::arg("z"), py::arg("atoms"), py::arg("chains"),
+      py::arg("models"), py::arg("frame"), py::arg("skip_invalid"), "What flowcert.read_points asks.");
 }
 
 }  // namespace flowcert::python

@@ -76,7 +76,7 @@ expect --json orbit scan.xyz --from -1,0,0 --js
 # Files, by what they are for; folders always.
 expect 'folder,mesh.off,scan.xyz,two words.obj,zipped.xyz.gz' compute ''
 expect scan.xyz persistence s
-expect claim.jsonl,folder check scan.xyz ''
+expect claim.jsonl,folder,shape.pers check scan.xyz ''
 expect folder,shape.pers persistence scan.xyz -o ''
 expect folder compute scan.xyz --export ''
 expect folder generate --vectors ''

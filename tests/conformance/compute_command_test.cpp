@@ -83,7 +83,7 @@ TEST(ComputeTable, HasARowForEveryCount) {
   EXPECT_EQ(finished.status, 0);
   const std::vector<std::string> lines = lines_of(finished.out);
   ASSERT_FALSE(lines.empty());
-  EXPECT_EQ(lines[0], input + " (xyz)");
+  EXPECT_EQ(lines[0], input + " (table)");
   for (const char* row : {"points +6", "merged duplicates +1", "critical points of index 0 +5 .*",
                           "critical points of index 1 +5 .*", "critical points of index 2 +1 .*",
                           "critical points of index 3 +0 .*", "regular stationary points 1-2 +2( .*)?",

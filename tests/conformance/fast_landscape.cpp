@@ -95,12 +95,12 @@ Json levels(const FlowComplex& complex, const std::vector<std::size_t>& chosen) 
 Json medial_axes(const FlowComplex& complex, const Json& wanted) {
   Json answer = {{"angles", Json::array()}, {"persistences", Json::array()}};
   for (const Json& one : wanted["angles"]) {
-    const auto chosen = medial_points(complex, {{}, number(one["angle"])});
+    const auto chosen = medial_points(complex, {{}, number(one["angle"]), {}}).records;
     answer["angles"].push_back({{"angle", one["angle"]}, {"above", contacts(complex, chosen)}});
   }
   for (const Json& one : wanted["persistences"]) {
     const LengthBound bound{LengthBound::Unit::kInput, number(one["persistence"])};
-    const auto chosen = medial_points(complex, {bound, {}});
+    const auto chosen = medial_points(complex, {bound, {}, {}}).records;
     answer["persistences"].push_back({{"persistence", one["persistence"]}, {"levels", levels(complex, chosen)}});
   }
   return answer;

@@ -180,7 +180,7 @@ TEST(PersistenceFile, HasTheTextAndLeavesATable) {
   EXPECT_EQ(content_of(output), persistence(path).out);
   const Words lines = lines_of(finished.out);
   ASSERT_EQ(lines.size(), 30U) << finished.out;
-  EXPECT_EQ(lines[0], path + " (xyz)");
+  EXPECT_EQ(lines[0], path + " (table)");
   EXPECT_EQ(lines[3], "pairs of dimension 0                           7   components; 1 lasts");
   EXPECT_EQ(lines[4], "pairs of dimension 1                           5   tunnels; 0 last");
   EXPECT_EQ(lines[5], "pairs of dimension 2                           1   voids; 0 last");

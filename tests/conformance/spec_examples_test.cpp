@@ -214,7 +214,7 @@ Answer oracle_answer(const std::string& xyz) {
   std::vector<std::array<double, 3>> rows;
   if (!xyz.empty()) {
     std::istringstream in(xyz);
-    rows = oracle::read_points(in, "example", oracle::PointFormat::kXyz);
+    rows = oracle::read_points(in, "example", oracle::PointFormat::kTable);
   }
   const oracle::Answer found = oracle::stationary_points(rows);
   Answer answer;

@@ -2,6 +2,7 @@
 // chooses (spec/formats/surfaces.md). Thresholds in units are in export_command_test.cpp.
 //
 // Guarantees: numbers are worked out by hand on small inputs; those of JSON and of the table are the same.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,12 +23,16 @@ constexpr char kTwoCubes[] = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1
 // With sides of length 6, 8 and 10.
 constexpr char kTriangle[] = "0 0 0\n6 0 0\n0 8 0\n";
 
-std::string disc_and_far_points() {
+// 25 squares of side 1, and far from them 16 squares of side 10.
+std::string fine_and_coarse_lattice() {
   std::string points;
   for (int x = 0; x < 6; ++x) {
-    for (int y = 0; y < 6; ++y) points += std::to_string(x) + " " + std::to_string(y) + " 0\n";
+    for (int y = 0; y < 6; ++y) points += fmt::format("{} {} 0\n", x, y);
   }
-  return points + "0 0 40\n5 0 44\n0 5 48\n";
+  for (int x = -20; x <= 20; x += 10) {
+    for (int y = -20; y <= 20; y += 10) points += fmt::format("{} {} 400\n", x, y);
+  }
+  return points;
 }
 
 json surface_json(const Scratch& scratch, const std::string& input, const Words& selections) {
@@ -81,9 +86,9 @@ TEST(SurfaceCommand, TheSpacingIsTheMedianOfNeighbours) {
 
 TEST(SurfaceCommand, AutoPartsASurfaceFromTheWholeShape) {
   const Scratch scratch;
-  const std::string input = scratch.file("points.xyz", disc_and_far_points());
+  const std::string input = scratch.file("points.xyz", fine_and_coarse_lattice());
   const json chosen = surface_json(scratch, input, {"index2-radius<auto"});
-  // The 25 squares of the lattice.
+  // The squares of the fine lattice.
   EXPECT_EQ(chosen["selected"], 25);
   EXPECT_GT(chosen["sets"], 25);
   EXPECT_EQ(chosen["edges"]["without_orientation"], 0);
@@ -110,7 +115,7 @@ TEST(SurfaceCommand, EdgesBetweenSeveralSurfacesAreNotManifold) {
 // "< 0.5" behind the bar that has the threshold.
 TEST(SurfaceCommand, TheTableShowsTheHistogramAndMarksTheThreshold) {
   const Scratch scratch;
-  const std::string input = scratch.file("points.xyz", disc_and_far_points());
+  const std::string input = scratch.file("points.xyz", fine_and_coarse_lattice());
   const json answer = surface_json(scratch, input, {"index2-radius<auto"});
   const Finished finished =
       flowcert({"surface", input, "-o", scratch.path("surface.ply"), "--select", "index2-radius<auto"});

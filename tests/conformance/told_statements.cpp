@@ -199,7 +199,7 @@ class OracleTeller {
  private:
   static std::vector<std::array<double, 3>> rows_of(const std::string& points) {
     std::istringstream in(points);
-    return oracle::read_points(in, "example", oracle::PointFormat::kXyz);
+    return oracle::read_points(in, "example", oracle::PointFormat::kTable);
   }
   [[nodiscard]] std::string end_of(const oracle::StationaryPoint& saddle, int side) const {
     const auto limit = oracle::unstable_orbit(set_, saddle, side).limit;

@@ -25,7 +25,7 @@ constexpr std::size_t kSearched = 12;  // points
 
 std::vector<std::array<double, 3>> oracle_rows(const Json& one) {
   std::istringstream in(xyz_text(one));
-  return oracle::read_points(in, "case", oracle::PointFormat::kXyz);
+  return oracle::read_points(in, "case", oracle::PointFormat::kTable);
 }
 
 // The answer that a case expects, each stationary point certified.

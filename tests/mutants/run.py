@@ -80,7 +80,14 @@ LIKELY = {
     "src/io/saddle_radii": ["surface_choice_test"],
     "src/io/triangle_orientation": ["oriented_surfaces_test"],
     "src/io/medial_points": ["medial_agreement_test"],
-    "src/io/read_molecule": ["read_molecule_test"],
+    "src/io/log_histogram": ["log_histogram_test"],
+    "src/io/atom_selection": ["read_molecule_test", "point_examples_test"],
+    "src/io/crystal_cell": ["read_molecule_test", "point_examples_test"],
+    "src/io/pdb_line": ["read_molecule_test", "moved_fields_test", "point_examples_test"],
+    "src/io/point_": ["point_examples_test", "user_files_test"],
+    "src/io/read_": ["point_examples_test", "moved_fields_test", "user_files_test"],
+    "src/io/stored_number": ["point_examples_test"],
+    "src/io/table_columns": ["point_examples_test", "moved_fields_test"],
     "src/io/clip": ["clip_box_test", "clipped_lines_test"],
     "oracle/exact_geometry": ["oracle_geometry_test"],
     "oracle/point_set": ["oracle_stationary_test", "oracle_stable_test"],
@@ -141,9 +148,10 @@ REACHED_BY = {
         "pocket_claims_test", "pocket_findings_test", "profile_test", "stable_claims_test", "stable_findings_test",
         "unstable_set_findings_test"},
     "io": OF_JUDGE | {
-        "clip_box_test", "clipped_lines_test", "exchange_keys_test", "medial_agreement_test", "orbit_difference_test",
-        "oriented_surfaces_test", "pair_claim_test", "pocket_findings_test", "pockets_test", "read_claim_test",
-        "read_molecule_test", "surface_choice_test", "value_order_test"},
+        "clip_box_test", "clipped_lines_test", "exchange_keys_test", "log_histogram_test", "medial_agreement_test",
+        "moved_fields_test", "orbit_difference_test", "oriented_surfaces_test", "pair_claim_test",
+        "pocket_findings_test", "pockets_test", "point_examples_test", "read_claim_test", "read_molecule_test",
+        "surface_choice_test", "user_files_test", "value_order_test"},
 }
 
 

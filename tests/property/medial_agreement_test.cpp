@@ -51,7 +51,7 @@ void require_right_angles(const Subject& subject, const std::vector<oracle::Stat
   for (const Known& known :
        {Known{0, 1}, Known{60, Rational(1, 2)}, Known{90, 0}, Known{120, Rational(-1, 2)}, Known{180, -1}}) {
     const Places truth = oracle::above_angle(subject.set, all, known.cosine);
-    const Places fast = medial_points(subject.complex, {{}, Rational(known.degrees)});
+    const Places fast = medial_points(subject.complex, {{}, Rational(known.degrees), {}}).records;
     require_none(subject.input, fast == truth ? "" : "other points above " + std::to_string(known.degrees), "");
     ++totals.angles;
     totals.equal += std::ranges::any_of(all,
@@ -90,7 +90,8 @@ void require_right_lengths(const Subject& subject, const std::vector<oracle::Sta
   std::size_t k = 0;
   for (const Rational& length : lengths) {
     if (k++ % step != 0) continue;
-    const Places chosen = medial_points(subject.complex, {LengthBound{LengthBound::Unit::kInput, length}, {}});
+    const Places chosen =
+        medial_points(subject.complex, {LengthBound{LengthBound::Unit::kInput, length}, {}, {}}).records;
     std::set<std::pair<int, Rational>> values;
     for (const oracle::StationaryPoint& z : all) {
       if (z.is_critical() && (z.hull_dimension == 1 || z.hull_dimension == 2)) {

@@ -16,6 +16,7 @@
 #include "fuzz/inputs/families.h"
 #include "fuzz/properties/stationary_comparison.h"
 #include "tests/cites.h"
+#include "tests/exact_valley.h"
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
 
@@ -60,20 +61,6 @@ Numbers sorted(Numbers numbers) {
   return numbers;
 }
 
-// Where the widest gap begins, among gaps that begin from the median to `range` times the median.
-std::optional<std::size_t> widest_gap(const Numbers& ascending, const std::optional<Rational>& range) {
-  std::optional<std::size_t> widest;
-  if (ascending.empty()) return widest;
-  const std::size_t median = (ascending.size() - 1) / 2;
-  for (std::size_t k = median; k + 1 < ascending.size(); ++k) {
-    if (range && ascending[k] > *range * ascending[median]) break;
-    const bool is_gap = ascending[k + 1] > ascending[k];
-    if (!is_gap) continue;
-    if (!widest || ascending[k + 1] * ascending[*widest] > ascending[*widest + 1] * ascending[k]) widest = k;
-  }
-  return widest;
-}
-
 struct ChoicesSeen {
   std::size_t choices = 0, parted = 0, met = 0;  // met: radii that equal another one
 };
@@ -112,9 +99,8 @@ void require_radii(const fuzz::Input& input, const FlowComplex& complex, const E
   const auto place = static_cast<std::size_t>(Rational(share * 12) * squares.size() / 12);
   require_choice(input, complex, "index2-radius<q" + flowcert::to_text(share),
                  below(place < ascending.size() ? std::optional(ascending[place]) : std::nullopt), seen);
-  const auto gap = widest_gap(ascending, Rational(16));
-  require_choice(input, complex, "index2-radius<auto", below(gap ? std::optional(ascending[*gap + 1]) : std::nullopt),
-                 seen);
+  const auto gap = flowcert_tests::exact_threshold(squares, spacing);
+  require_choice(input, complex, "index2-radius<auto", below(gap ? std::optional(gap->second) : std::nullopt), seen);
   for (std::size_t k = 0; k + 1 < ascending.size(); ++k) seen.met += ascending[k] == ascending[k + 1] ? 1 : 0;
 }
 
@@ -137,8 +123,8 @@ void require_lengths(const fuzz::Input& input, const FlowComplex& complex, const
   const std::size_t shorter = lengths.size() - chosen;
   require_choice(input, complex, "persistence>q" + flowcert::to_text(share),
                  above(shorter > 0 ? std::optional(ascending[shorter - 1]) : std::nullopt), seen);
-  const auto gap = widest_gap(ascending, std::nullopt);
-  require_choice(input, complex, "persistence>auto", above(gap ? std::optional(ascending[*gap]) : std::nullopt), seen);
+  const auto gap = flowcert_tests::exact_threshold(lengths, exact.squared_spacing.value_or(1));
+  require_choice(input, complex, "persistence>auto", above(gap ? std::optional(gap->first) : std::nullopt), seen);
   // The first of equally long ones.
   const std::size_t count = random.next() % (lengths.size() + 2);
   std::vector<std::size_t> order(lengths.size());
@@ -154,22 +140,14 @@ void require_histogram(const fuzz::Input& input, const FlowComplex& complex, con
   const SaddleRadii radii(complex);
   require_none(input, radii.squared_spacing() == exact.squared_spacing ? "" : "the spacing is another one", "");
   require_none(input, squared_spacing(complex) == exact.squared_spacing ? "" : "the spacing alone is another one", "");
-  const std::vector<RadiusBin> bins = radius_histogram(radii);
+  const std::vector<HistogramBin> bins = radii.histogram();
+  const std::vector<HistogramBin> expected =
+      flowcert_tests::exact_histogram(exact.squared_radii, exact.squared_spacing.value_or(1));
   require_none(input, bins.size() <= 30 ? "" : "there are too many bins", "");
-  require_none(input, bins.empty() == exact.squared_radii.empty() ? "" : "there are no bins", "");
-  std::size_t sum = 0;
-  for (std::size_t k = 0; k < bins.size(); ++k) {
-    const Rational from = bins[k].from * bins[k].from * *exact.squared_spacing,
-                   to = bins[k].to * bins[k].to * *exact.squared_spacing;
-    const auto count = std::ranges::count_if(exact.squared_radii,
-                                             [&](const Rational& square) { return square >= from && square < to; });
-    require_none(input, static_cast<std::size_t>(count) == bins[k].count ? "" : "a bin is counted wrongly", "");
-    require_none(input, k == 0 || bins[k - 1].to == bins[k].from ? "" : "bins have a gap", "");
-    sum += bins[k].count;
-  }
-  require_none(input, sum == exact.squared_radii.size() ? "" : "a radius is in no bin", "");
-  const bool has_ends = bins.empty() || (bins.front().count > 0 && bins.back().count > 0);
-  require_none(input, has_ends ? "" : "a bin at an end is empty", "");
+  const bool is_same = std::ranges::equal(bins, expected, [](const HistogramBin& a, const HistogramBin& b) {
+    return a.from == b.from && a.to == b.to && a.count == b.count;
+  });
+  require_none(input, is_same ? "" : "the histogram is another one", "");
 }
 
 TEST(SurfaceChoice, IsThatOfSortedExactNumbers) {
@@ -192,7 +170,8 @@ TEST(SurfaceChoice, IsThatOfSortedExactNumbers) {
   std::printf("%zu choices, %zu of some and not all; %zu equal radii\n", seen.choices, seen.parted, seen.met);
   if (!held || scale_of_run() < 1) return;
   EXPECT_GE(seen.choices, 25000U);
-  EXPECT_GE(seen.parted, 5000U);
+  // `auto` parts few of these small sets; log_histogram_test has lists with valleys.
+  EXPECT_GE(seen.parted, 3500U);
   EXPECT_GE(seen.met, 500U);
 }
 

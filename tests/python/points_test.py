@@ -3,6 +3,7 @@
 import array
 import decimal
 import gc
+import pathlib
 import tracemalloc
 import weakref
 from fractions import Fraction
@@ -101,18 +102,26 @@ def test_the_least_and_the_largest_integers():
         (np.array([[np.longdouble(1) / 3, 0, 0]]), "0.33333333333333333334 in points is not exactly a double"),
         (np.ma.array(ROWS, mask=ROWS > 3), "points has masked values"),
         (np.zeros(3), "points must have the shape (n, 3), not (3,)"),
-        (np.zeros((4, 2)), "points must have the shape (n, 3), not (4, 2)"),
+        (np.zeros((4, 2)), "points must have three coordinates: numpy.insert(points, 2, 0, axis=1) makes their z 0"),
+        (np.zeros((4, 4)), "points must have the shape (n, 3), not (4, 4)"),
         (np.zeros((2, 3, 3)), "points must have the shape (n, 3), not (2, 3, 3)"),
         (np.float64(1), "points must have the shape (n, 3), not ()"),
         ([[0, 0, 0], [1, 1]], "points must have the shape (n, 3), not (2,)"),
         ([], "points must have the shape (n, 3), not (0,)"),
         (None, "points must have the shape (n, 3), not ()"),
-        ("points.xyz", "points must have the shape (n, 3), not ()"),
     ],
 )
 def test_what_cannot_be_used_is_refused_in_one_line(points, message):
     with pytest.raises(ValueError) as refused:
         flowcert.FlowComplex(points)
+    assert str(refused.value) == message
+
+
+@pytest.mark.parametrize("name", ["points.xyz", b"points.xyz", pathlib.Path("points.xyz")])
+def test_the_name_of_a_file_is_told_who_reads_it(name):
+    with pytest.raises(TypeError) as refused:
+        flowcert.FlowComplex(name)
+    message = "points is the name of a file, 'points.xyz': flowcert.read_points('points.xyz') has its points"
     assert str(refused.value) == message
 
 

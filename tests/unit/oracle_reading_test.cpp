@@ -1,4 +1,4 @@
-// The oracle's own parsers: points as XYZ and OBJ, rationals, records. Each error is met once, with its line.
+// The oracle's own parsers: points as tables and OBJ, rationals, records. Each error is met once, with its line.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ using Rows = std::vector<std::array<double, 3>>;
 constexpr double kSubnormal = std::numeric_limits<double>::denorm_min();
 constexpr double kGreatest = std::numeric_limits<double>::max();
 
-Rows points(const std::string& text, PointFormat format = PointFormat::kXyz) {
+Rows points(const std::string& text, PointFormat format = PointFormat::kTable) {
   std::istringstream in(text);
   return oracle::read_points(in, "f", format);
 }
@@ -35,17 +35,35 @@ std::string error(const Read& read) {
   return "read without an error";
 }
 
-std::string points_error(const std::string& text, PointFormat format = PointFormat::kXyz) {
+std::string points_error(const std::string& text, PointFormat format = PointFormat::kTable) {
   return error([&] { points(text, format); });
 }
 
-TEST(OracleReadXyz, SeparatorsCommentsAndFurtherColumns) {
-  CITES("FC-IN-02");
-  EXPECT_EQ(points("# header\n1 2 3\n\n\t4,5, 6 7 rest\r\n7\t8 9#x\n10,11,12"),
-            (Rows{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {10, 11, 12}}));
+TEST(OracleReadTable, SeparatorsCommentsAndNames) {
+  CITES("FC-IN-02", "FC-FILE-01");
+  const Rows expected = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {10, 11, 12}};
+  const std::string rows = "1 2 3\n\n\t4,5, 6\r\n7\t8 9#x\n10,11,12";
+  for (const std::string above : {"# header\n", "", "x y z\n", "X,Y,Z\n", "# x, y, z\n", "# zyx\n"}) {
+    EXPECT_EQ(points(above + rows), expected) << above;
+  }
 }
 
-TEST(OracleReadXyz, NumbersAreTheNearestDoubles) {
+// What flowcert may read in another way, or refuses.
+TEST(OracleReadTable, OtherColumnsAreRefused) {
+  CITES("FC-IN-05", "FC-FILE-01");
+  EXPECT_EQ(points_error("7644 1.5 2 3\n"), "f:1: three columns expected, found 4");
+  EXPECT_EQ(points_error("#   POINT3D_ID, X, Y, Z, R\n1 2 3\n"),
+            "f:1: columns are named; flowcert-oracle reads x, y, z alone");
+  EXPECT_EQ(points_error("# z y x\n1 2 3\n"), "f:1: columns are named; flowcert-oracle reads x, y, z alone");
+  EXPECT_EQ(points_error("id,x,y,z\n1,2,3,4\n"), "f:1: columns are named; flowcert-oracle reads x, y, z alone");
+  EXPECT_EQ(points_error("1 2 3\nx y z\n"), "f:2: 'x' is not a number");
+  EXPECT_EQ(points_error("1,5 2\n"), "f:1: commas part some columns, and blanks others");
+  EXPECT_EQ(points_error("1;2;3\n"), "f:1: three columns expected, found 1");
+  EXPECT_EQ(points_error("3\na comment\nC 0 0 0\n"), "f:1: three columns expected, found 1");
+  EXPECT_EQ(points_error("VERSION 0.7\n"), "f:1: three columns expected, found 2");
+}
+
+TEST(OracleReadTable, NumbersAreTheNearestDoubles) {
   CITES("FC-IN-02");
   // 2^53 + 1 is a tie, which goes to the even 2^53. The last digit of the second number breaks the tie.
   EXPECT_EQ(points("9007199254740993 9007199254740993.0000000000000000001 0.1"),
@@ -55,7 +73,7 @@ TEST(OracleReadXyz, NumbersAreTheNearestDoubles) {
   EXPECT_EQ(points("-0.0 +1 .5"), (Rows{{0, 1, 0.5}}));
 }
 
-TEST(OracleReadXyz, HexadecimalFloatsAreExactOrAnError) {
+TEST(OracleReadTable, HexadecimalFloatsAreExactOrAnError) {
   CITES("FC-IN-02");
   EXPECT_EQ(points("0x1.fffffffffffffp1023 -0x1p-1074 0x1.00000000000000000p0"), (Rows{{kGreatest, -kSubnormal, 1}}));
   EXPECT_EQ(points("-0x0p-9999 0X.0000001P+28 0x20000000000002p-1\n"), (Rows{{0, 1, 0x1.0000000000001p52}}));
@@ -67,13 +85,13 @@ TEST(OracleReadXyz, HexadecimalFloatsAreExactOrAnError) {
   EXPECT_EQ(points_error("0x 0 0\n"), "f:1: '0x' is not a number");
 }
 
-TEST(OracleReadXyz, ErrorsNameTheLine) {
+TEST(OracleReadTable, ErrorsNameTheLine) {
   CITES("FC-IN-05", "FC-IN-01");
-  EXPECT_EQ(points_error("1 2 3\n4 5\n"), "f:2: three numbers expected, found 2");
-  EXPECT_EQ(points_error("1 2 3\n\n4 5 # 6\n"), "f:3: three numbers expected, found 2");
+  EXPECT_EQ(points_error("1 2 3\n4 5\n"), "f:2: three columns expected, found 2");
+  EXPECT_EQ(points_error("1 2 3\n\n4 5 # 6\n"), "f:3: three columns expected, found 2");
   EXPECT_EQ(points_error("1 2 3\n4 x 6\n"), "f:2: 'x' is not a number");
   EXPECT_EQ(points_error("1 2 3.0.0\n"), "f:1: '3.0.0' is not a number");
-  EXPECT_EQ(points_error(std::string("1 2 3\0 4\n", 9)).substr(0, 7),
+  EXPECT_EQ(points_error(std::string("1 2 3\0\n", 7)).substr(0, 7),
             "f:1: '3");  // the zero byte ends what()
   EXPECT_EQ(points_error("\n1 nan 3\n"), "f:2: 'nan' is not a finite double");
   EXPECT_EQ(points_error("1 2 -inf\n"), "f:1: '-inf' is not a finite double");
@@ -81,7 +99,7 @@ TEST(OracleReadXyz, ErrorsNameTheLine) {
   EXPECT_EQ(points_error("1.7976931348623159e308 0 0\n"), "f:1: '1.7976931348623159e308' is not a finite double");
 }
 
-TEST(OracleReadXyz, MissingAndEmptyFiles) {
+TEST(OracleReadTable, MissingAndEmptyFiles) {
   CITES("FC-IN-05");
   EXPECT_EQ(points_error(""), "f: empty");
   EXPECT_EQ(points_error(" \n\t\r\n"), "f: empty");
@@ -97,7 +115,11 @@ TEST(OracleReadObj, VerticesOnly) {
   EXPECT_EQ(points_error("v 1 2 z\n", PointFormat::kObj), "f:1: 'z' is not a number");
   // Only XYZ has commas.
   EXPECT_EQ(points_error("v 1,2,3\n", PointFormat::kObj), "f:1: three numbers expected, found 1");
-  EXPECT_EQ(points("v,1,2,3\nv 4 5 6\n", PointFormat::kObj), (Rows{{4, 5, 6}}));
+  EXPECT_EQ(points_error("v,1,2,3\n", PointFormat::kObj), "f:1: flowcert-oracle does not know 'v,1,2,3' in OBJ");
+  EXPECT_EQ(points_error("1 2 3\nv 1 2 3\n", PointFormat::kObj), "f:1: flowcert-oracle does not know '1' in OBJ");
+  EXPECT_EQ(points_error("v 1 2 3\nf 1 1 \\\nv 1 2 3\n", PointFormat::kObj),
+            "f:2: flowcert-oracle reads no line that goes on");
+  EXPECT_EQ(points_error("o name\n", PointFormat::kObj), "f: no line begins with v");
 }
 
 TEST(OracleRationals, CanonicalOrNot) {

@@ -171,11 +171,11 @@ TEST(PocketPersistence, HasQuantilesOfTheLengthsOfVoids) {
     }
   }
   std::ranges::sort(lengths);
-  EXPECT_EQ(pocket_persistence(complex, "q1", "--x"), lengths.back());
-  EXPECT_EQ(pocket_persistence(complex, "q0", "--x"), 0);
-  EXPECT_EQ(pocket_persistence(complex, "0.25", "--x"), Rational(1, 4));
+  EXPECT_EQ(pocket_persistence(complex, "q1", "--x").value, lengths.back());
+  EXPECT_EQ(pocket_persistence(complex, "q0", "--x").value, 0);
+  EXPECT_EQ(pocket_persistence(complex, "0.25", "--x").value, Rational(1, 4));
   EXPECT_EQ(Pockets(complex.merge_trees(), lengths.back()).size(), 0U);
-  EXPECT_THROW((void)pocket_persistence(complex, "-1", "--x"), InvalidInput);
+  EXPECT_THROW((void)pocket_persistence(complex, "-1", "--x").value, InvalidInput);
 }
 
 TEST(Newick, OfADeepTreeIsWritten) {

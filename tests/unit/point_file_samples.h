@@ -18,15 +18,27 @@ namespace flowcert {
 
 using Rows = std::vector<Point>;
 
-inline Rows rows_of(const std::string& bytes, const std::string& name) { return read_points_from(bytes, name).rows; }
+inline Rows rows_of(const std::string& bytes, const std::string& name, const ReadingOptions& options = {}) {
+  return read_points_from(bytes, name, options).rows;
+}
 
 // The message that a file is refused with.
-inline std::string refusal(const std::string& bytes, const std::string& name) {
+inline std::string refusal(const std::string& bytes, const std::string& name, const ReadingOptions& options = {}) {
   try {
-    return "accepted, " + std::to_string(rows_of(bytes, name).size()) + " rows";
+    return "accepted, " + std::to_string(rows_of(bytes, name, options).size()) + " rows";
   } catch (const InvalidInput& error) {
     return error.what();
   }
+}
+
+using Notes = std::vector<std::string>;
+
+// What is said of how it was read.
+inline Notes notes_of(const PointFile& file) {
+  Notes notes;
+  notes.reserve(file.notes.size());
+  for (const ReadingNote& note : file.notes) notes.push_back(note.text);
+  return notes;
 }
 
 inline std::string gzipped(const std::string& bytes) {

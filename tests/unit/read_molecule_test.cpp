@@ -21,17 +21,8 @@ const std::string kOne = "   1.000   2.000   3.000", kTwo = "  -1.500  12.250   
                   kThree = "   7.000   8.000   9.000";
 
 PointFile read(const std::string& bytes, const std::string& name, const std::vector<std::string>& chains = {}) {
-  return read_points_from(bytes, name, chains);
+  return read_points_from(bytes, name, {.chains = chains});
 }
-std::string refusal_of_chains(const std::string& bytes, const std::string& name,
-                              const std::vector<std::string>& chains) {
-  try {
-    return "accepted, " + std::to_string(read(bytes, name, chains).rows.size());
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
-}
-
 TEST(ReadPdb, AtomsAndHeteroAtomsInTheirOrder) {
   CITES("FC-IN-02");
   const std::string text = "HEADER    A MOLECULE\r\nREMARK   1 ATOM\r\n" + atom(kOne) + atom(kTwo, "HETATM", 'B') +
@@ -52,8 +43,8 @@ TEST(ReadPdb, TheFirstModelAndTheFirstLocation) {
                            "ENDMDL\nMODEL        3\nENDMDL\n";
   const PointFile file = read(text, "a.pdb");
   EXPECT_EQ(file.rows, (Rows{{1, 2, 3}, {-1.5, 12.25, 0.001}}));
-  EXPECT_EQ(file.other_models, 2U);
-  EXPECT_EQ(file.other_locations, 1U);
+  EXPECT_EQ(notes_of(file), (Notes{"only the first model is read; 2 others are left out",
+                                   "of an atom with alternate locations the first is read; 1 other is left out"}));
 }
 
 TEST(ReadPdb, DecimalsAreTheNearestDoubles) {
@@ -73,14 +64,17 @@ TEST(ReadPdb, DecimalsAreTheNearestDoubles) {
 TEST(ReadPdb, Errors) {
   CITES("FC-IN-01", "FC-IN-05");
   EXPECT_EQ(refusal("HEADER\n", "a.pdb"), "a.pdb: there are no atoms");
-  EXPECT_EQ(refusal(atom(kOne) + atom("   1.000   2.0.0   3.000"), "a.pdb"), "a.pdb:2: not a number: '2.0.0'");
-  EXPECT_EQ(refusal(atom("   1.000           3.000"), "a.pdb"), "a.pdb:1: no coordinate y in its columns");
-  EXPECT_EQ(refusal(atom("   1.000   2.000********"), "a.pdb"), "a.pdb:1: not a number: '********'");
-  EXPECT_EQ(refusal(atom("   1.000   2.000     nan"), "a.pdb"), "a.pdb:1: not a finite number: 'nan'");
+  EXPECT_EQ(refusal(atom(kOne) + atom("   1.000   2.0.0   3.000"), "a.pdb"),
+            "a.pdb:2: not a number: '2.0.0', in columns 39 to 46");
+  EXPECT_EQ(refusal(atom("   1.000           3.000"), "a.pdb"), "a.pdb:1: no coordinate y in columns 39 to 46");
+  EXPECT_EQ(refusal(atom("   1.000   2.000********"), "a.pdb"),
+            "a.pdb:1: not a number: '********', in columns 47 to 54");
+  EXPECT_EQ(refusal(atom("   1.000   2.000     nan"), "a.pdb"),
+            "a.pdb:1: not a finite number: 'nan'; --skip-invalid leaves such rows out");
   EXPECT_EQ(refusal(atom(kOne).substr(0, 50), "a.pdb"), "a.pdb:1: an atom's line ends before column 54");
-  EXPECT_EQ(refusal_of_chains(atom(kOne) + atom(kTwo, "ATOM  ", 'B'), "a.pdb", {"A", "X"}),
+  EXPECT_EQ(refusal(atom(kOne) + atom(kTwo, "ATOM  ", 'B'), "a.pdb", {.chains = {"A", "X"}}),
             "a.pdb: there is no chain 'X'; there are 'A', 'B'");
-  EXPECT_EQ(refusal_of_chains("1 2 3\n", "a.xyz", {"A"}), "a.xyz: only PDB and mmCIF files have chains");
+  EXPECT_EQ(refusal("1 2 3\n", "a.xyz", {.chains = {"A"}}), "a.xyz: --chains is for PDB and CIF, and this is table");
 }
 
 const std::string kCif =
@@ -97,7 +91,7 @@ TEST(ReadMmcif, AtomsOfTheTable) {
   const Rows expected = {{1, 2, 3}, {-1.5, 12.25, 0.001}, {7, 8, 9}};
   for (const std::string name : {"a.cif", "a.mmcif", "-"}) EXPECT_EQ(rows_of(kCif + rows, name), expected) << name;
   EXPECT_EQ(rows_of(gzipped(kCif + rows), "a.cif.gz"), expected);
-  EXPECT_EQ(read(kCif + rows, "a.cif").format, "mmcif");
+  EXPECT_EQ(read(kCif + rows, "a.cif").format, "cif");
   EXPECT_EQ(read(kCif + rows, "a.cif", {"Y"}).rows, Rows{expected[2]});
 }
 
@@ -108,13 +102,13 @@ TEST(ReadMmcif, TheFirstModelAndTheFirstLocation) {
       "ATOM 5 CB . A 0 0 1 A 2\n";
   const PointFile file = read(kCif + rows, "a.cif");
   EXPECT_EQ(file.rows, (Rows{{1, 2, 3}, {7, 8, 9}}));
-  EXPECT_EQ(file.other_models, 1U);
-  EXPECT_EQ(file.other_locations, 1U);
+  EXPECT_EQ(notes_of(file), (Notes{"only the first model is read; 1 other is left out",
+                                   "of an atom with alternate locations the first is read; 1 other is left out"}));
 }
 
 TEST(ReadMmcif, Errors) {
   CITES("FC-IN-01", "FC-IN-05");
-  EXPECT_EQ(refusal("data_x\n_a.b 1\n", "a.cif"), "a.cif: there is no table _atom_site");
+  EXPECT_EQ(refusal("data_x\n_a.b 1\n", "a.cif"), "a.cif: there is no table _atom_site with coordinates");
   EXPECT_EQ(refusal(kCif, "a.cif"), "a.cif: there are no atoms");
   EXPECT_EQ(refusal(kCif + "ATOM 1 CA . A 1 2\n", "a.cif"),
             "a.cif:21: the last row of the table _atom_site is not complete");
@@ -125,11 +119,13 @@ TEST(ReadMmcif, Errors) {
   EXPECT_EQ(refusal("data_x\nloop_\n_atom_site.id\n_atom_site.Cartn_x\n1 2\n", "a.cif"),
             "a.cif:5: the table _atom_site has no column cartn_y");
   EXPECT_EQ(refusal("data_x\nloop_\n_atom_site.Cartn_x\n_b\n1 2\n", "a.cif"),
-            "a.cif:4: a column of another table: '_b'");
-  EXPECT_EQ(refusal_of_chains(kCif + "ATOM 1 CA . A 1 2 3 A 1\n", "a.cif", {"B"}),
+            "a.cif:5: a column of another table: '_b'");
+  EXPECT_EQ(refusal(kCif + "ATOM 1 CA . A 1 2 3 A 1\n", "a.cif", {.chains = {"B"}}),
             "a.cif: there is no chain 'B'; there are 'A'");
   const std::string table = kCif + "ATOM 1 CA . A 1 2 3 A 1\n";
-  EXPECT_NE(refusal(table + table, "a.cif").find("a second table _atom_site"), std::string::npos);
+  EXPECT_EQ(refusal(table + table, "a.cif"), "accepted, 1 rows") << "a second block is a second model";
+  const std::string second = kCif.substr(kCif.find("loop_\n_atom_site.group_PDB"));
+  EXPECT_NE(refusal(table + second, "a.cif").find("a second table _atom_site"), std::string::npos);
 }
 
 }  // namespace

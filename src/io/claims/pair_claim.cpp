@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "io/json_fields.h"
+#include "io/line_reader.h"
 #include "io/number_text.h"
 
 namespace flowcert {
@@ -76,7 +77,7 @@ std::optional<ClaimedPair> pair_of_line(const std::string& line, const LinePlace
     words.erase(words.begin());
   }
   const auto value = [&place](const std::string& word) { return claimed_number(word, PlainInteger::kDecimal, place); };
-  ClaimedPair pair{dimension_of(words[0], place), value(words[1]), std::nullopt};
+  ClaimedPair pair{dimension_of(words[0], place), value(words[1]), std::nullopt, place.line};
   if (words[2] != "inf") pair.death = value(words[2]);
   return pair;
 }
@@ -97,6 +98,31 @@ bool is_before(const ListedPair& a, const ListedPair& b) {
   if (a.dimension != b.dimension) return a.dimension < b.dimension;
   if (a.birth != b.birth) return a.birth < b.birth;
   return a.death && (!b.death || *a.death < *b.death);
+}
+
+bool is_pair_claim(std::string_view bytes, const std::string& name) {
+  const std::string ending = name.ends_with(".gz") ? ".pers.gz" : ".pers";
+  if (name.ends_with(ending)) return true;
+  const std::string_view text = trimmed(bytes);
+  if (text.starts_with('{')) {
+    const std::string_view first = text.substr(0, text.find('\n'));
+    return first.find("\"flowcert-persistence\"") != std::string_view::npos;
+  }
+  LineReader lines(text, name);
+  bool lasts = false;
+  std::size_t columns = 0;
+  for (std::string_view line; lines.next_uncommented(line);) {
+    const std::vector<std::string_view> words = words_of(line);
+    if (columns == 0) columns = words.size();
+    if (words.size() != columns || columns < 3 || columns > 4) return false;
+    const std::string_view dimension = words[columns - 3];
+    if (dimension != "0" && dimension != "1" && dimension != "2") return false;
+    lasts = lasts || words.back() == "inf";
+  }
+  if (lasts && columns == 4) {
+    reject_file(name, "four columns, and inf in the last: --claim-format pers reads it as a persistence diagram");
+  }
+  return lasts;
 }
 
 std::vector<ClaimedPair> claimed_pairs_of(const std::string& bytes, const std::string& name) {

@@ -5,6 +5,7 @@ No coordinate is ever rounded: what is no double is refused.
 
 import decimal
 import numbers
+import os
 
 import numpy as np
 
@@ -13,7 +14,12 @@ _LARGEST_EXACT = 2**53  # every integer up to this one is a double
 
 def point_rows(points):
     """The aligned (n, 3) array of doubles in C order; points itself where it is one."""
+    if isinstance(points, (str, bytes, os.PathLike)):
+        name = os.fsdecode(points)
+        raise TypeError(f"points is the name of a file, {name!r}: flowcert.read_points({name!r}) has its points")
     array = _as_array(points)
+    if array.ndim == 2 and array.shape[1] == 2:
+        raise ValueError("points must have three coordinates: numpy.insert(points, 2, 0, axis=1) makes their z 0")
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError(f"points must have the shape (n, 3), not {array.shape}")
     return np.require(_float64(array), requirements=["C", "A"])

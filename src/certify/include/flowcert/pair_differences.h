@@ -5,6 +5,8 @@
 // Pairs of length zero do not count.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -22,10 +24,19 @@ struct PairDifference {
   std::string claimed;  // in words
   std::string truth;
   bool by_rounding = false;  // wrong by no more than rounding explains (FC-CLAIM-05)
+  int dimension = 0;
+  bool is_claimed = false, is_true = false;  // which of the lists have one
+  std::size_t line = 0;                      // of the claimed pair, as there
 };
+// "rounding" or "wrong-pair"
+[[nodiscard]] const char* reason_text(const PairDifference& difference);
 
-// None iff the claim is right. tolerance: as in CheckOptions. Takes time in proportion to the product of the numbers of
-// different pairs, if there are decimals.
+// How many pairs of positive length a list has, by dimension, with those that last.
+[[nodiscard]] std::array<std::size_t, kPairDimensions> pair_counts(const std::vector<ClaimedPair>& pairs);
+[[nodiscard]] std::array<std::size_t, kPairDimensions> pair_counts(const std::vector<ListedPair>& pairs);
+
+// None iff the claim is right. tolerance: as in CheckOptions. Takes time O(n log n), and for each set of pairs that are
+// near each other in decimals the cube of its size.
 [[nodiscard]] std::vector<PairDifference> pair_differences(const std::vector<ClaimedPair>& claimed,
                                                            const std::vector<ListedPair>& truth, double tolerance);
 

@@ -34,13 +34,16 @@ class PointSet {
   PointSet() = default;
 
   // Merges repeated rows. Throws InvalidInput for a coordinate that is NaN or infinite, and for more than
-  // 2^31 - 2 rows. O(n log n).
-  explicit PointSet(std::span<const Point> rows);
+  // 2^31 - 2 rows. left_out: rows of a file that a reader left out, counted from 0, ascending. O(n log n).
+  explicit PointSet(std::span<const Point> rows, std::vector<std::size_t> left_out = {});
 
   // Rows given, before merging.
   [[nodiscard]] std::size_t row_count() const { return class_of_row_.size(); }
   // Rows that merging removed.
   [[nodiscard]] std::size_t merged_duplicates() const { return row_count() - size(); }
+
+  // For headers of outputs. They are not among the rows given, and ids do not count them.
+  [[nodiscard]] const std::vector<std::size_t>& left_out() const { return left_out_; }
 
   // Distinct points. Place k in points() is called the point's *ordinal*; ordinals ascend with names.
   [[nodiscard]] std::size_t size() const { return points_.size(); }
@@ -60,6 +63,7 @@ class PointSet {
   std::vector<Point> points_;
   std::vector<PointId> names_;
   std::vector<std::uint32_t> class_of_row_;
+  std::vector<std::size_t> left_out_;
 };
 
 // The names of the rows' classes, ascending, each once.

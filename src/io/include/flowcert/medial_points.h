@@ -1,4 +1,5 @@
-// Which critical points of index 1 and 2 make a medial axis: by persistence, by angle, or by both (FC-MED-01 to 03).
+// Which critical points of index 1 and 2 make a medial axis: by persistence, by their distance to the points, by angle,
+// or by several of these (FC-MED-01 to 03).
 //
 // Guarantees: exact. Angles are compared by their cosines, which are rational; that of the bound is enclosed as sharply
 // as a comparison needs. Source: J. Giesen, E. A. Ramos, B. Sadri, Medial axis approximation and unstable flow complex,
@@ -20,10 +21,18 @@ struct MedialChoice {
   std::optional<LengthBound> persistence_above;
   // Only points that see two of their contacts under a greater angle, in degrees, 0 to 180.
   std::optional<Rational> angle_above;
+  // Only points whose distance to their nearest points is greater: a bound on radii (LengthBound), of all such points.
+  std::optional<LengthBound> radius_above;
 };
 
-// Places in the list of stationary points, ascending. Persistence needs the whole complex.
-[[nodiscard]] std::vector<std::size_t> medial_points(const FlowComplex& complex, const MedialChoice& choice);
+struct MedialPoints {
+  std::vector<std::size_t> records;  // places in the list of stationary points, ascending
+  // What `auto` found, where it was asked for.
+  std::optional<AutomaticThreshold> automatic_persistence, automatic_radius;
+};
+
+// Persistence needs the whole complex.
+[[nodiscard]] MedialPoints medial_points(const FlowComplex& complex, const MedialChoice& choice);
 
 // Whether an angle with this cosine is greater than so many degrees. Throws InvalidInput unless the degrees are from 0
 // to 180.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "flowcert/flow_complex.h"
+#include "flowcert/histogram_valley.h"
 
 namespace flowcert {
 
@@ -34,12 +35,11 @@ class SaddleRadii {
   [[nodiscard]] std::size_t number(std::size_t place) const;
   // How many radii are less than the root of this.
   [[nodiscard]] std::size_t count_below(const Rational& squared_bound) const;
-  // The place of the last radius below the widest gap: the next one is the largest multiple of it. Only gaps are looked
-  // at that begin between the median (the lesser of two in the middle) and kWidestGapRange times the median, both
-  // included: there the circles between neighbours end, if samples are dense. Of equal gaps it is the first. Nothing
-  // where no two radii differ there.
-  static constexpr int kWidestGapRange = 4;
-  [[nodiscard]] std::optional<std::size_t> widest_gap() const;
+  // Bins of the radii's logarithms, in multiples of the spacing (log_histogram.h says which).
+  [[nodiscard]] std::vector<HistogramBin> histogram() const;
+  // Where the circles between neighbours end: the valley behind the highest bin, and as many radii are below the widest
+  // gap in it as it says. Nothing where the histogram has no second heap behind the first.
+  [[nodiscard]] std::optional<HistogramValley> valley() const;
   // As above.
   [[nodiscard]] const std::optional<Rational>& squared_spacing() const;
 
@@ -47,16 +47,5 @@ class SaddleRadii {
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
-
-// `count` radii are at least `from` and less than `to`, both multiples of the spacing.
-struct RadiusBin {
-  Rational from, to;
-  std::size_t count = 0;
-};
-
-// Bins for all radii, at most 30. They grow in ten steps from each power of ten to the next (1, 1.25, 1.6, 2, 2.5,
-// 3.15, 4, 5, 6.3, 8), or in three (1, 2, 5), or one; where that makes too many, each goes over several powers. Empty
-// bins between others are there, too.
-[[nodiscard]] std::vector<RadiusBin> radius_histogram(const SaddleRadii& radii);
 
 }  // namespace flowcert

@@ -19,6 +19,8 @@ namespace flowcert {
 struct SurfaceThresholds {
   std::optional<Rational> squared_radius_below;
   std::optional<Rational> persistence_above;
+  // What `auto` found, where it was asked for.
+  std::optional<AutomaticThreshold> automatic_radius, automatic_persistence;
 };
 
 struct SelectedSets {
@@ -33,7 +35,7 @@ class SurfaceSelection {
   // Expressions (spec/formats/surfaces.md): "index2-radius<R" (its distance, not squared), "persistence>X" (death minus
   // birth of the pair that it is in, a difference of squared distances), "largest-gaps=N" (the N most persistent ones;
   // of equal ones the first in the list). R may also be "3spacing" (a multiple of the samples' spacing), "q0.9" (a
-  // quantile of all radii) or "auto" (beyond the widest gap of SaddleRadii), and X "3spacing^2", "q0.9" or "auto",
+  // quantile of all radii) or "auto" (SaddleRadii::valley), and X "3spacing^2", "q0.9" or "auto",
   // likewise. Numbers are read exactly. Throws InvalidInput for anything else.
   explicit SurfaceSelection(const std::vector<std::string>& expressions);
 
@@ -47,7 +49,8 @@ class SurfaceSelection {
 
   // option: the ordinal of the expression, from 1, for messages.
   void add(const std::string& expression, std::size_t option);
-  [[nodiscard]] static std::optional<Rational> squared_radius_of(const LengthBound& bound, const SaddleRadii& radii);
+  [[nodiscard]] static std::optional<Rational> squared_radius_of(const LengthBound& bound, const SaddleRadii& radii,
+                                                                 std::optional<AutomaticThreshold>& automatic);
 
   std::vector<LengthBound> radii_below_;
   std::vector<LengthBound> persistence_above_;

@@ -1,0 +1,130 @@
+#include "cli/check_pairs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "cli/profile_report.h"
+#include "cli/shortened_numbers.h"
+#include "cli/table.h"
+#include "cli/wrapped_text.h"
+#include "cli/xml_text.h"
+
+namespace flowcert::cli {
+
+namespace {
+
+constexpr char kClause[] = "FC-CLAIM-11";
+
+struct DifferenceCounts {
+  std::size_t spurious = 0, missing = 0;
+};
+
+DifferenceCounts counts_of(const PairReport& report, std::size_t dimension) {
+  DifferenceCounts counts;
+  for (const PairDifference& difference : report.differences) {
+    if (static_cast<std::size_t>(difference.dimension) != dimension) continue;
+    counts.spurious += difference.is_claimed ? 1 : 0;
+    counts.missing += difference.is_true ? 1 : 0;
+  }
+  return counts;
+}
+
+// "CLAIM:LINE: wrong-pair [FC-CLAIM-11]: claimed ...; truth: ..."
+std::string difference_line(const CheckedFiles& files, const PairDifference& difference) {
+  const std::string line = difference.line > 0 ? fmt::format(":{}", difference.line) : "";
+  return fmt::format("{}{}: {} [{}]: claimed {}; truth: {}", files.claim, line, reason_text(difference), kClause,
+                     difference.claimed, difference.truth);
+}
+
+}  // namespace
+
+PairReport report_of_pairs(const std::vector<ClaimedPair>& claimed, const std::vector<ListedPair>& truth,
+                           double tolerance) {
+  PairReport report;
+  report.differences = pair_differences(claimed, truth, tolerance);
+  report.verdict = report.differences.empty() ? Verdict::kConforms : Verdict::kFails;
+  report.profile.set(ProfilePart::kPersistence, Profile::State::kTold);
+  report.profile.set_exact(std::ranges::all_of(claimed, is_exact_pair));
+  report.claimed = pair_counts(claimed);
+  report.truth = pair_counts(truth);
+  return report;
+}
+
+void print_pairs_text(const CheckedFiles& files, const PairReport& report, std::size_t most) {
+  const std::size_t shown = std::min(most, report.differences.size());
+  for (std::size_t k = 0; k < shown; ++k) {
+    fmt::print("{}\n", wrapped(with_short_numbers(difference_line(files, report.differences[k])), kFindingIndent));
+  }
+  if (shown < report.differences.size()) fmt::print("({} more)\n", with_commas(report.differences.size() - shown));
+  if (!report.differences.empty()) fmt::print("\n");
+  Table table("llrrrr", {"dimension", "", "claimed", "truth", "spurious", "missing"});
+  constexpr const char* kNames[] = {"components", "tunnels", "voids"};
+  for (std::size_t dimension = 0; dimension < report.truth.size(); ++dimension) {
+    const DifferenceCounts counts = counts_of(report, dimension);
+    table.row(fmt::format("{}", dimension)).cell(kNames[dimension]).cell(report.claimed.at(dimension));
+    table.cell(report.truth.at(dimension)).cell(counts.spurious).cell(counts.missing);
+  }
+  table.print();
+  fmt::print("\n");
+  print_conformity(report.verdict, report.profile);
+  const std::string tolerance = report.profile.is_exact() ? "" : fmt::format(", tolerance {}", files.tolerance);
+  fmt::print("{}\n", wrapped(fmt::format("{} ({}{}; truth by the {})", verdict_text(report.verdict),
+                                         report.profile.grade(), tolerance, truth_text(files)),
+                             kFindingIndent));
+}
+
+void print_pairs_json(const CheckedFiles& files, const PairReport& report, const PointSet& points) {
+  Json json = header_fields("flowcert-check", 1, points);
+  json["verdict"] = verdict_text(report.verdict);
+  json["grade"] = report.profile.grade();
+  json["profile"] = profile_field(report.verdict, report.profile);
+  json["tolerance"] = files.tolerance;
+  json["truth"] = truth_text(files);
+  json["claim_format"] = files.claim_format;
+  Json& pairs = json["pairs"] = Json::array();
+  for (std::size_t dimension = 0; dimension < report.truth.size(); ++dimension) {
+    const DifferenceCounts counts = counts_of(report, dimension);
+    Json field;
+    field["dimension"] = dimension;
+    field["claimed"] = report.claimed.at(dimension);
+    field["true"] = report.truth.at(dimension);
+    field["spurious"] = counts.spurious;
+    field["missing"] = counts.missing;
+    pairs.push_back(std::move(field));
+  }
+  Json& findings = json["findings"] = Json::array();
+  for (const PairDifference& difference : report.differences) {
+    Json field;
+    field["reason"] = reason_text(difference);
+    field["clause"] = kClause;
+    field["line"] = difference.line > 0 ? Json(difference.line) : Json(nullptr);
+    field["dimension"] = difference.dimension;
+    field["claimed"] = difference.is_claimed ? Json(difference.claimed) : Json(nullptr);
+    field["truth"] = difference.is_true ? Json(difference.truth) : Json(nullptr);
+    findings.push_back(std::move(field));
+  }
+  fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+void write_pairs_junit(std::ostream& out, const CheckedFiles& files, const PairReport& report) {
+  const bool is_right = report.differences.empty();
+  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
+      << fmt::format("  <testsuite name=\"{}\" tests=\"1\" failures=\"{}\" errors=\"0\" skipped=\"0\">\n",
+                     xml_text(fmt::format("flowcert check {} {}", files.points, files.claim)), is_right ? 0 : 1)
+      << junit_properties(report.verdict, report.profile)
+      << "    <testcase classname=\"flowcert.check\" name=\"persistence pairs\"";
+  if (is_right) {
+    out << "/>\n";
+  } else {
+    out << fmt::format(">\n      <failure message=\"{} wrong\">", report.differences.size());
+    for (const PairDifference& difference : report.differences) {
+      out << xml_text(difference_line(files, difference)) << '\n';
+    }
+    out << "</failure>\n    </testcase>\n";
+  }
+  out << "  </testsuite>\n</testsuites>\n";
+}
+
+}  // namespace flowcert::cli

@@ -1,0 +1,29 @@
+// `flowcert check` of a persistence diagram: which claimed pairs are wrong, and which are missing (FC-FILE-28,
+// FC-CLAIM-11), for people, as JSON and for CI systems (spec/formats/check.md).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/check_report.h"
+#include "cli/layer.h"
+#include "flowcert/pair_differences.h"
+
+namespace flowcert::cli {
+
+struct PairReport {
+  Verdict verdict = Verdict::kConforms;  // or kFails
+  Profile profile;
+  std::vector<PairDifference> differences;
+  std::array<std::size_t, kPairDimensions> claimed{}, truth{};  // pairs of positive length
+};
+
+[[nodiscard]] PairReport report_of_pairs(const std::vector<ClaimedPair>& claimed, const std::vector<ListedPair>& truth,
+                                         double tolerance);
+
+// At most `most` differences are shown; the table counts all.
+void print_pairs_text(const CheckedFiles& files, const PairReport& report, std::size_t most);
+void print_pairs_json(const CheckedFiles& files, const PairReport& report, const PointSet& points);
+void write_pairs_junit(std::ostream& out, const CheckedFiles& files, const PairReport& report);
+
+}  // namespace flowcert::cli

@@ -1,0 +1,234 @@
+// Which format a content has. Marks at its front decide where there are any; a count above the rows leaves PTS and
+// chemical XYZ; what is left is a table, if its first line has numbers or names of columns.
+#include "io/point_formats.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <vector>
+
+#include "io/number_text.h"
+#include "io/stored_number.h"
+#include "io/table_columns.h"
+
+namespace flowcert::io {
+
+namespace {
+
+struct Format {
+  std::string_view name;
+  PointFormat format;
+  void (*read)(std::string_view, PointRows&);
+};
+constexpr auto kFormats = std::to_array<Format>({{"table", PointFormat::kTable, read_table},
+                                                 {"pts", PointFormat::kPts, read_pts},
+                                                 {"chemical", PointFormat::kChemical, read_chemical},
+                                                 {"off", PointFormat::kOff, read_off},
+                                                 {"ply", PointFormat::kPly, read_ply},
+                                                 {"obj", PointFormat::kObj, read_obj},
+                                                 {"pcd", PointFormat::kPcd, read_pcd},
+                                                 {"npy", PointFormat::kNpy, read_npy},
+                                                 {"pdb", PointFormat::kPdb, read_pdb},
+                                                 {"cif", PointFormat::kCif, read_cif}});
+
+std::string all_names() {
+  std::vector<std::string_view> names;
+  for (const Format& format : kFormats) names.push_back(format.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// ---- Formats that are known and not read ----
+
+struct Mark {
+  std::string_view bytes;
+  std::string_view name;
+};
+
+// What files of other formats begin with.
+constexpr auto kMarks = std::to_array<Mark>({{"PK\x03\x04", "a ZIP archive, as NPZ is"},
+                                             {"LASF", "LAS or LAZ"},
+                                             {"ASTM-E57", "E57"},
+                                             {"\x89HDF", "HDF5"},
+                                             {"CDF\x01", "NetCDF"},
+                                             {"CDF\x02", "NetCDF"},
+                                             {"# vtk DataFile", "VTK"},
+                                             {"<", "XML, as VTU and X3D are"},
+                                             {"{", "JSON"},
+                                             {"[", "JSON"},
+                                             {"glTF", "glTF"},
+                                             {"BZh", "bzip2"},
+                                             {"\xfd\x37zXZ", "xz"},
+                                             {"\x28\xb5\x2f\xfd", "Zstandard"},
+                                             {"\xff\xfe", "text in UTF-16; UTF-8 is read"},
+                                             {"\xfe\xff", "text in UTF-16; UTF-8 is read"},
+                                             {"@<TRIPOS>", "MOL2"},
+                                             {"ITEM: TIMESTEP", "a LAMMPS dump"},
+                                             {"\x89PNG", "a picture"},
+                                             {"\xff\xd8\xff", "a picture"},
+                                             {"%PDF", "PDF"}});
+
+// The count of triangles is behind 80 bytes of a header, and each triangle takes 50.
+bool is_binary_stl(std::string_view bytes) {
+  if (bytes.size() < 84) return false;
+  const double triangles = *stored_number(bytes.data() + 80, {'u', 4}, false);
+  return static_cast<double>(bytes.size()) == 84 + 50 * triangles;
+}
+
+std::vector<std::string_view> first_lines(std::string_view text, std::size_t count) {
+  std::vector<std::string_view> found;
+  LineReader lines(text, "");
+  for (std::string_view line; found.size() < count && lines.next(line);) found.push_back(line);
+  found.resize(count);
+  return found;
+}
+
+// GRO: a title, a count, and rows of fixed columns, whose first five are a number, with a name at once behind it.
+bool is_gro(const std::vector<std::string_view>& lines) {
+  const std::string_view atom = lines[2];
+  return is_integer(trimmed(lines[1])) && atom.size() >= 44 && is_integer(trimmed(atom.substr(0, 5))) &&
+         !is_blank(atom[4]) && !is_digit(atom[5]) && !is_blank(atom[5]);
+}
+
+// PTX: columns, rows, and the place of the scanner.
+bool is_ptx(const std::vector<std::string_view>& lines) {
+  return is_integer(trimmed(lines[0])) && is_integer(trimmed(lines[1])) && words_of(lines[2]).size() == 3 &&
+         is_row_of_numbers(lines[2]);
+}
+
+// The name of a format that is not read, or nothing.
+std::string_view unread_format(std::string_view bytes) {
+  for (const Mark& mark : kMarks) {
+    if (bytes.starts_with(mark.bytes)) return mark.name;
+  }
+  if (is_binary_stl(bytes)) return "STL";
+  const std::vector<std::string_view> lines = first_lines(bytes, 4);
+  if (lines[0].starts_with("solid") && trimmed(lines[1]).starts_with("facet")) return "STL";
+  if (lines[3].ends_with("V2000") || lines[3].ends_with("V3000")) return "SDF or MOL";
+  if (is_gro(lines)) return "GRO";
+  if (is_ptx(lines)) return "PTX";
+  return bytes.substr(0, 4096).find('\0') != std::string_view::npos ? "binary data" : std::string_view();
+}
+
+// ---- Formats that are read ----
+
+// The first line that is neither blank nor a comment.
+std::string_view first_line(std::string_view text) {
+  LineReader lines(text, "");
+  for (std::string_view line; lines.next_uncommented(line);) {
+    if (!trimmed(line).starts_with("//")) return trimmed(line);
+  }
+  return {};
+}
+
+// After a count that stands alone: its rows, or a comment and its atoms.
+struct Counted {
+  bool fits_pts = false, fits_chemical = false;  // by the number of lines, too
+  bool is_like_pts = false, is_like_chemical = false;
+};
+
+Counted counted(std::string_view text) {
+  LineReader lines(text, "");
+  std::string_view line;
+  lines.next_filled(line);
+  line = trimmed(line);
+  std::uint64_t count = 0, filled = 0, atoms = 0;
+  std::from_chars(line.data(), line.data() + line.size(), count);  // 0 where it is too large
+  Counted found;
+  // Extended XYZ says itself where an atom's columns are.
+  bool is_extended = false;
+  for (std::uint64_t number = 1; lines.next(line); ++number) {
+    if (!is_all_blank(line)) ++filled;
+    if (number == 1) {
+      found.is_like_pts = is_row_of_numbers(line);
+      is_extended = line.find("Properties=") != std::string_view::npos;
+    }
+    const bool is_atom = is_extended ? !is_all_blank(line) : is_chemical_atom(line);
+    if (number == 2) found.is_like_chemical = is_atom;
+    if (number > 1 && number <= count + 1 && is_atom) ++atoms;
+  }
+  found.fits_pts = found.is_like_pts && filled == count;
+  found.fits_chemical = count > 0 && atoms == count;
+  return found;
+}
+
+PointFormat format_after_count(std::string_view text, std::string_view file) {
+  const Counted found = counted(text);
+  if (found.fits_pts != found.fits_chemical) return found.fits_pts ? PointFormat::kPts : PointFormat::kChemical;
+  if (found.fits_pts || (found.is_like_pts && found.is_like_chemical)) {
+    reject_file(file, "can be read in two ways, as a count with rows (--format pts) or with atoms (--format chemical)");
+  }
+  if (found.is_like_chemical) return PointFormat::kChemical;
+  if (found.is_like_pts) return PointFormat::kPts;
+  reject_file(file,
+              "begins with a count, but neither rows of numbers follow, as in PTS, nor a comment and atoms, as in "
+              "chemical XYZ");
+}
+
+// Whether the first line may be names of columns, and the next one has numbers.
+bool has_named_columns(std::string_view text) {
+  LineReader lines(text, "");
+  std::string_view names, row;
+  if (!lines.next_uncommented(names) || !lines.next_uncommented(row) || !is_row_of_numbers(row)) return false;
+  return ColumnNames(names).size() >= 2 &&
+         std::ranges::none_of(fields_of(names, separators_of(names)), begins_as_number);
+}
+
+bool has_vertex_lines(std::string_view text) {
+  LineReader lines(text, "");
+  for (std::string_view line, word; lines.next_uncommented(line);) {
+    if (Fields(line, Separators::kBlanks).next(word) && word == "v") return true;
+  }
+  return false;
+}
+
+[[noreturn]] void reject_unknown(std::string_view file, std::string_view name) {
+  reject_file(file,
+              fmt::format("{}; these formats are read: {} (--format says one)",
+                          name.empty() ? "not a known format" : fmt::format("looks like {}, which is not read", name),
+                          all_names()));
+}
+
+}  // namespace
+
+std::string_view name_of(PointFormat format) { return std::ranges::find(kFormats, format, &Format::format)->name; }
+
+void read_as(PointFormat format, std::string_view bytes, PointRows& rows) {
+  std::ranges::find(kFormats, format, &Format::format)->read(bytes, rows);
+}
+
+PointFormat format_named(std::string_view name) {
+  const auto found = std::ranges::find(kFormats, name, &Format::name);
+  if (found != kFormats.end()) return found->format;
+  if (name == "xyz")
+    throw InvalidInput("--format xyz can mean two: table (rows of numbers) or chemical (a count, a comment, atoms)");
+  throw InvalidInput(fmt::format("no format {}; there are {}", in_quotes(name), all_names()));
+}
+
+PointFormat format_of_content(std::string_view bytes, std::string_view file) {
+  const std::string_view line = first_line(bytes);
+  const std::vector<std::string_view> words = words_of(line);
+  if (bytes.starts_with("\x93NUMPY")) return PointFormat::kNpy;
+  if (trimmed(first_lines(bytes, 1)[0]) == "ply") return PointFormat::kPly;
+  if (words.empty()) return PointFormat::kTable;
+  if (is_pcd_keyword(words[0])) return PointFormat::kPcd;
+  if (const std::string_view name = unread_format(bytes); !name.empty()) reject_unknown(file, name);
+  if (!off_keyword(line).empty()) return PointFormat::kOff;
+  if (lower_case(words[0]).starts_with("data_")) return PointFormat::kCif;
+  if (is_pdb_record(line)) return PointFormat::kPdb;
+  if (is_obj_keyword(words[0]) && (words[0] == "v" || has_vertex_lines(bytes))) return PointFormat::kObj;
+  if (words.size() == 1 && is_integer(words[0])) return format_after_count(bytes, file);
+  if (is_chemical_atom(line) && !is_row_of_numbers(line)) {
+    reject_file(file, "looks like atoms without a count above: --columns 2,3,4 reads the numbers");
+  }
+  // A row of a table, be it right or not, has more numbers than other fields.
+  const std::vector<std::string_view> fields = fields_of(line, separators_of(line));
+  const bool is_row = 2 * std::ranges::count_if(fields, begins_as_number) > std::ssize(fields);
+  if (!is_row && !ColumnNames(line).has_xyz() && !has_named_columns(bytes)) reject_unknown(file, "");
+  return PointFormat::kTable;
+}
+
+}  // namespace flowcert::io
