@@ -225,13 +225,13 @@ class PartnerSets {
   // Calls visit(places of claimed groups, places of true groups, pairs of them) for each set.
   template <typename Visit>
   void visit_all(const Visit& visit) const {
-    static const Partners kNone;
+    const Partners none;
     for (const auto& [root, members] : members_) {
       std::vector<std::size_t> of_claimed, of_truth;
       for (const std::size_t m : members)
         (m < claimed_ ? of_claimed : of_truth).push_back(m < claimed_ ? m : m - claimed_);
       const auto partners = partners_.find(root);
-      visit(of_claimed, of_truth, partners == partners_.end() ? kNone : partners->second);
+      visit(of_claimed, of_truth, partners == partners_.end() ? none : partners->second);
     }
   }
 
