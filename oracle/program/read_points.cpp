@@ -108,11 +108,22 @@ std::array<double, 3> table_row(const std::string& text, const Lines& words, con
   return {number(words[0], where), number(words[1], where), number(words[2], where)};
 }
 
+// Where a comment begins. In 1.#INF there is none, and a line with a carriage return inside may be two.
+std::size_t comment_in(const std::string& line, const std::string& where) {
+  const std::size_t at = std::min(line.find('#'), line.size());
+  if (at > 0 && at < line.size() && line[at - 1] == '.') throw UnusableInput(where + "a # behind a point");
+  const std::size_t last = line.find_last_not_of('\r');
+  if (last != std::string::npos && line.find('\r') < last) {
+    throw UnusableInput(where + "a carriage return inside of a line");
+  }
+  return at;
+}
+
 Rows read_table(const Lines& lines, const std::string& name) {
   Rows points;
   bool has_heading = false;
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    const std::size_t comment = std::min(lines[k].find('#'), lines[k].size());
+    const std::size_t comment = comment_in(lines[k], place(name, k));
     const std::string text = lines[k].substr(0, comment);
     const Lines words = fields(text);
     if (words.empty()) {
@@ -133,7 +144,7 @@ Rows read_obj(const Lines& lines, const std::string& name) {
   Rows points;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const std::string where = place(name, k);
-    const Lines words = blank_separated(lines[k].substr(0, lines[k].find('#')));
+    const Lines words = blank_separated(lines[k].substr(0, comment_in(lines[k], where)));
     if (words.empty()) continue;
     if (std::find(keywords.begin(), keywords.end(), words[0]) == keywords.end()) {
       throw UnusableInput(where + "flowcert-oracle does not know '" + words[0] + "' in OBJ");

@@ -32,7 +32,18 @@ constexpr auto kWaters =
 
 bool is_in(const auto& table, std::string_view name) { return std::ranges::find(table, name) != table.end(); }
 
-bool is_hydrogen(std::string_view element) { return element == "H" || element == "D" || element == "T"; }
+std::string upper_case(std::string_view text) {
+  std::string upper(text);
+  for (char& c : upper) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return upper;
+}
+
+// Deuterium and tritium, too, and names as HA and HB; He, Hf, Hg, Ho and Hs are others.
+bool is_hydrogen(std::string_view element) {
+  const std::string name = upper_case(element);
+  if (name == "D" || name == "T") return true;
+  return name.starts_with('H') && (name.size() == 1 || std::string_view("EFGOS").find(name[1]) == std::string::npos);
+}
 
 // "3 names", at most a dozen of them.
 std::string listed(const auto& names) {
@@ -46,7 +57,8 @@ std::string listed(const auto& names) {
 
 }  // namespace
 
-AtomKind kind_of_residue(std::string_view residue) {
+AtomKind kind_of_residue(std::string_view name) {
+  const std::string residue = upper_case(name);
   if (is_in(kAminoAcids, residue)) return AtomKind::kProtein;
   if (is_in(kNucleotides, residue)) return AtomKind::kNucleic;
   return is_in(kWaters, residue) ? AtomKind::kWater : AtomKind::kLigand;
@@ -158,9 +170,17 @@ bool AtomSelection::takes_model(const std::string& name) {
 }
 
 bool AtomSelection::takes_location(const Atom& atom) {
-  if (atom.location.empty() || takes_all_locations_) return true;
+  if (takes_all_locations_) return true;
+  if (std::exchange(this_residue_, atom.residue_place) != atom.residue_place) blank_places_.clear();
+  if (atom.location.empty()) {
+    blank_places_.insert(atom.place);
+    return true;
+  }
   if (!location_.empty()) return atom.location == location_;
-  return first_location_.try_emplace(atom.place, atom.location).first->second == atom.location;
+  // A residue may have other names in other locations, with atoms of their own.
+  const bool is_first = first_residue_.try_emplace(atom.residue_place, atom.residue).first->second == atom.residue;
+  return is_first && !blank_places_.contains(atom.place) &&
+         first_location_.try_emplace(atom.place, atom.location).first->second == atom.location;
 }
 
 bool AtomSelection::takes(const Atom& atom) {

@@ -19,17 +19,17 @@ namespace flowcert::io {
 
 enum class AtomKind { kProtein, kNucleic, kWater, kLigand };
 
-// By the name of a residue, in capitals; whatever no table has is a ligand.
-[[nodiscard]] AtomKind kind_of_residue(std::string_view residue);
+// By the name of a residue, in any case; whatever no table has is a ligand.
+[[nodiscard]] AtomKind kind_of_residue(std::string_view name);
 
 struct Atom {
   std::string_view chain = {};
   std::string_view residue = {};
   std::string_view element = {};  // as "C" or "FE"; empty where it is not known
   bool is_hetatm = false;
-  // The name of an alternate location, or empty; and what the locations of one atom have in common.
+  // The name of an alternate location, or empty; what the locations of one residue have in common, and of one atom.
   std::string_view location = {};
-  std::string place = {};
+  std::string residue_place = {}, place = {};
 };
 
 // The element at the front of a label, as "C" of "C12"; "H" of the atomic number 1.
@@ -43,6 +43,8 @@ class AtomSelection {
 
   // Whether the atoms of this model are read; `name` as the file has it. Called once for each model.
   [[nodiscard]] bool takes_model(const std::string& name);
+  // Whether the user said which alternate locations are read.
+  [[nodiscard]] bool chooses_locations() const { return takes_all_locations_ || !location_.empty(); }
   // Whether the atom is a point.
   [[nodiscard]] bool takes(const Atom& atom);
   // Notes what was left out and what is among the atoms. Throws InvalidInput where a chain or a model that was asked
@@ -70,7 +72,9 @@ class AtomSelection {
   std::vector<std::string> seen_models_;
   bool takes_all_models_ = false, takes_all_locations_ = false;
   std::string location_;  // the one to read; empty: the first
-  std::map<std::string, std::string> first_location_;
+  std::map<std::string, std::string> first_location_, first_residue_;
+  std::set<std::string> blank_places_;  // of this residue's atoms without a location
+  std::string this_residue_;
   std::size_t atoms_ = 0, other_models_ = 0, other_locations_ = 0, not_chosen_ = 0;
   std::size_t waters_ = 0, ligands_ = 0, hydrogens_ = 0;
 };

@@ -44,7 +44,7 @@ bool LineReader::next_filled(std::string_view& line) {
 
 bool LineReader::next_uncommented(std::string_view& line) {
   while (next(line)) {
-    line = line.substr(0, line.find('#'));
+    line = without_comment(line);
     if (!is_all_blank(line)) return true;
   }
   return false;
@@ -78,6 +78,12 @@ bool Fields::next(std::string_view& field) {
 }
 
 bool is_all_blank(std::string_view text) { return std::ranges::all_of(text, is_blank); }
+
+std::string_view without_comment(std::string_view line) {
+  std::size_t at = line.find('#');
+  while (at != std::string_view::npos && at > 0 && line[at - 1] == '.') at = line.find('#', at + 1);
+  return line.substr(0, at);
+}
 
 bool is_integer(std::string_view text) { return !text.empty() && std::ranges::all_of(text, is_digit); }
 

@@ -38,7 +38,7 @@ class LineReader {
   bool next(std::string_view& line);
   // The next line with anything but blanks.
   bool next_filled(std::string_view& line);
-  // The next line with anything but blanks before a '#'. Gives the part before the '#'.
+  // The next line with anything but blanks before a comment. Gives the part before the comment.
   bool next_uncommented(std::string_view& line);
 
   // Where the line given last is.
@@ -81,6 +81,8 @@ class Fields {
 [[nodiscard]] inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 [[nodiscard]] inline bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 [[nodiscard]] bool is_all_blank(std::string_view text);
+// Without what follows a '#'. In Microsoft's "1.#INF" there is no comment.
+[[nodiscard]] std::string_view without_comment(std::string_view line);
 // Digits alone, and one at least.
 [[nodiscard]] bool is_integer(std::string_view text);
 // Without blanks at both ends.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/atom_selection.h"
 #include "io/number_text.h"
 #include "io/point_formats.h"
 
@@ -54,7 +55,8 @@ struct Coordinates {
 Coordinates by_columns(std::string_view line, std::size_t shift) {
   Coordinates found;
   const std::size_t first = kFirstCoordinate + shift;
-  found.is_cut = is_of_number(at(line, first - 1)) && is_of_number(at(line, first));
+  const bool begins_before = is_of_number(at(line, first - 1)) || at(line, first - 1) == '-';
+  found.is_cut = begins_before && is_of_number(at(line, first));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::size_t start = first + kWidth * axis;
     found.fields[axis] = trimmed(columns(line, start, start + kWidth - 1));
@@ -136,7 +138,7 @@ bool fits_head(std::string_view line, std::size_t shift) {
   return digits.empty() || is_integer(digits) || digits.size() == 4;
 }
 
-std::string_view element_of(std::string_view line, std::size_t shift, std::string_view name) {
+std::string_view element_of(std::string_view line, std::size_t shift, std::string_view name, std::string_view residue) {
   const std::string_view said = trimmed(columns(line, 77 + shift, 78 + shift));
   const auto is_letter = [](char c) { return c >= 'A' && c <= 'Z'; };
   if (!said.empty() && std::ranges::all_of(said, is_letter)) return said;
@@ -144,19 +146,22 @@ std::string_view element_of(std::string_view line, std::size_t shift, std::strin
   // the name has four characters.
   const std::string_view letters =
       trimmed(name).substr(std::min(trimmed(name).find_first_not_of("0123456789"), trimmed(name).size()));
-  const bool may_have_two = !name.empty() && is_letter(name.front()) && trimmed(name).size() < 4;
+  const AtomKind kind = kind_of_residue(residue);
+  const bool is_hydrogen = letters.starts_with('H') && (kind == AtomKind::kProtein || kind == AtomKind::kNucleic);
+  const bool may_have_two = !name.empty() && is_letter(name.front()) && trimmed(name).size() < 4 && !is_hydrogen;
   return letters.substr(0, may_have_two ? 2 : 1);
 }
 
-PdbAtom fields_before(std::string_view line, std::size_t shift) {
+// of_coordinates: how far they are moved, and the element with them.
+PdbAtom fields_before(std::string_view line, std::size_t shift, std::size_t of_coordinates) {
   PdbAtom atom;
   atom.is_hetatm = line.starts_with("HETATM");
   atom.place_name = columns(line, 13 + shift, 16 + shift);
   atom.location = trimmed(columns(line, 17 + shift, 17 + shift));
-  atom.place_residue = columns(line, 18 + shift, 27 + shift);
+  atom.place_residue = columns(line, 22 + shift, 27 + shift);
   atom.residue = trimmed(columns(line, 18 + shift, 21 + shift));
   atom.chain = trimmed(columns(line, 22 + shift, 22 + shift));
-  atom.element = element_of(line, shift, atom.place_name);
+  atom.element = element_of(line, of_coordinates, atom.place_name, atom.residue);
   return atom;
 }
 
@@ -185,10 +190,12 @@ void check_decimals(std::string_view line, const PlacedCoordinates& read, std::s
 bool are_too_long(std::string_view line, const Fields3& fields, std::size_t shift) {
   std::size_t end = kFirstCoordinate - 1 + shift;
   for (const std::string_view field : fields) {
+    const std::size_t start = end + 1;
     end += std::max(kWidth, field.size());
     if (last_column(line, field) != end || !has_three_decimals(field)) return false;
+    if (!is_all_blank(columns(line, start, end).substr(0, end + 1 - start - field.size()))) return false;
   }
-  return true;
+  return std::ranges::any_of(fields, [](std::string_view field) { return field.size() > kWidth; });
 }
 
 PlacedCoordinates coordinates_of(std::string_view line, const LinePlace& place) {
@@ -207,13 +214,13 @@ PlacedCoordinates coordinates_of(std::string_view line, const LinePlace& place) 
     const Coordinates read = by_columns(line, shift);
     if (!read.is_valid()) continue;
     if (found && found->fields != read.fields) reject_two_ways(found->fields, read.fields, place);
-    found = PlacedCoordinates{read.fields, shift};
+    if (!found || common_shift(line, read.fields) == shift) found = PlacedCoordinates{read.fields, shift};
   }
   if (found) {
     if (blanks && found->fields != *blanks) reject_two_ways(found->fields, *blanks, place);
     const bool are_alone =
         std::ranges::all_of(found->fields, [&](std::string_view field) { return is_alone(line, field); });
-    if (!are_alone && (!blanks || common_shift(line, found->fields) != found->shift)) {
+    if (!are_alone && common_shift(line, found->fields) != found->shift) {
       place.reject("columns 31 to 54: no blank parts two numbers, and they do not end where columns end");
     }
     check_decimals(line, *found, numbers.size(), place);
@@ -239,7 +246,11 @@ PlacedCoordinates coordinates_of(std::string_view line, const LinePlace& place) 
 // Where the fields before the coordinates are. They move with a long serial, or with the whole line.
 std::size_t shift_of_head(std::string_view line, std::size_t shift, const LinePlace& place) {
   const std::size_t overflow = overflow_of_serial(line);
+  if ((shift == 0 || shift == overflow) && fits_head(line, shift)) return shift;
   if (overflow > 0 && fits_head(line, overflow)) return overflow;
+  // A number of five digits moves what is behind it.
+  const bool has_long_number = overflow == 0 && is_digit(at(line, 26)) && is_digit(at(line, 27));
+  if (has_long_number && fits_head(line, 0)) return 0;
   if (fits_head(line, shift)) {
     const bool is_certain = shift == 0 || !fits_head(line, 0) ||
                             (columns(line, 17, 17) == columns(line, 17 + shift, 17 + shift) &&
@@ -293,7 +304,7 @@ PdbAtom pdb_atom(std::string_view line, const LinePlace& place) {
   if (line.find('\t') != std::string_view::npos) place.reject("a tab in a line of fixed columns");
   if (line.size() < kLastCoordinate) place.reject("an atom's line ends before column 54");
   const PlacedCoordinates coordinates = coordinates_of(line, place);
-  PdbAtom atom = fields_before(line, shift_of_head(line, coordinates.shift, place));
+  PdbAtom atom = fields_before(line, shift_of_head(line, coordinates.shift, place), coordinates.shift);
   atom.position = coordinates.fields;
   return atom;
 }

@@ -18,7 +18,7 @@ namespace flowcert::io {
 
 struct PdbAtom {
   std::string_view residue, chain, location, element;
-  // Name, residue, its number and insertion code, as the line has them: what alternate locations have in common.
+  // Name; chain, number and insertion code, as the line has them: what alternate locations have in common.
   std::string_view place_name, place_residue;
   bool is_hetatm = false;
   std::array<std::string_view, 3> position;

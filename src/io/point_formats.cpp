@@ -9,6 +9,7 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "io/number_text.h"
@@ -63,10 +64,12 @@ constexpr auto kMarks = std::to_array<Mark>({{"PK\x03\x04", "a ZIP archive, as N
                                              {"BZh", "bzip2"},
                                              {"\xfd\x37zXZ", "xz"},
                                              {"\x28\xb5\x2f\xfd", "Zstandard"},
-                                             {"\xff\xfe", "text in UTF-16; UTF-8 is read"},
-                                             {"\xfe\xff", "text in UTF-16; UTF-8 is read"},
+                                             {"\xff\xfe", "text in UTF-16"},
+                                             {"\xfe\xff", "text in UTF-16"},
                                              {"@<TRIPOS>", "MOL2"},
                                              {"ITEM: TIMESTEP", "a LAMMPS dump"},
+                                             {"TITLE =", "Tecplot"},
+                                             {"VARIABLES", "Tecplot"},
                                              {"\x89PNG", "a picture"},
                                              {"\xff\xd8\xff", "a picture"},
                                              {"%PDF", "PDF"}});
@@ -130,35 +133,43 @@ struct Counted {
   bool is_like_pts = false, is_like_chemical = false;
 };
 
+bool names_axes(std::string_view line) {
+  return std::ranges::any_of(lists_of_names(line), [](const ColumnNames& list) { return list.has_axes(3); });
+}
+
 Counted counted(std::string_view text) {
   LineReader lines(text, "");
+  const std::string_view line_of_count = first_line(text);
   std::string_view line;
-  lines.next_filled(line);
-  line = trimmed(line);
+  while (lines.next(line) && trimmed(line) != line_of_count) continue;
   std::uint64_t count = 0, filled = 0, atoms = 0;
-  std::from_chars(line.data(), line.data() + line.size(), count);  // 0 where it is too large
+  std::from_chars(line_of_count.data(), line_of_count.data() + line_of_count.size(), count);  // 0: it is too large
   Counted found;
-  // Extended XYZ says itself where an atom's columns are.
-  bool is_extended = false;
+  // Extended XYZ says itself where an atom's columns are. Elements may all be numbers.
+  bool is_extended = false, is_first = true, are_numbers = true, is_named = false;
   for (std::uint64_t number = 1; lines.next(line); ++number) {
-    if (!is_all_blank(line)) ++filled;
-    if (number == 1) {
-      found.is_like_pts = is_row_of_numbers(line);
-      is_extended = line.find("Properties=") != std::string_view::npos;
-    }
+    const bool is_comment = trimmed(line).starts_with("//");
+    if (!is_all_blank(line) && !is_comment) ++filled;
+    if (!is_comment && std::exchange(is_first, false)) found.is_like_pts = is_row_of_numbers(line);
+    if (number == 1) is_extended = lower_case(line).find("properties") != std::string::npos;
+    if (number == 1) is_named = names_axes(line);
     const bool is_atom = is_extended ? !is_all_blank(line) : is_chemical_atom(line);
     if (number == 2) found.is_like_chemical = is_atom;
-    if (number > 1 && number <= count + 1 && is_atom) ++atoms;
+    if (number < 2 || number > count + 1) continue;
+    if (is_atom) ++atoms;
+    are_numbers = are_numbers && is_row_of_numbers(line);
   }
   found.fits_pts = found.is_like_pts && filled == count;
-  found.fits_chemical = count > 0 && atoms == count;
+  found.is_like_chemical = found.is_like_chemical && !(are_numbers && is_named);
+  // Below names of columns, or below a row, atoms by number may be rows.
+  found.fits_chemical = count > 0 && atoms == count && !(are_numbers && (is_named || found.is_like_pts));
   return found;
 }
 
 PointFormat format_after_count(std::string_view text, std::string_view file) {
   const Counted found = counted(text);
   if (found.fits_pts != found.fits_chemical) return found.fits_pts ? PointFormat::kPts : PointFormat::kChemical;
-  if (found.fits_pts || (found.is_like_pts && found.is_like_chemical)) {
+  if (found.is_like_pts && found.is_like_chemical) {
     reject_file(file, "can be read in two ways, as a count with rows (--format pts) or with atoms (--format chemical)");
   }
   if (found.is_like_chemical) return PointFormat::kChemical;
@@ -171,10 +182,12 @@ PointFormat format_after_count(std::string_view text, std::string_view file) {
 // Whether the first line may be names of columns, and the next one has numbers.
 bool has_named_columns(std::string_view text) {
   LineReader lines(text, "");
-  std::string_view names, row;
-  if (!lines.next_uncommented(names) || !lines.next_uncommented(row) || !is_row_of_numbers(row)) return false;
-  return ColumnNames(names).size() >= 2 &&
-         std::ranges::none_of(fields_of(names, separators_of(names)), begins_as_number);
+  std::string_view line;
+  if (!lines.next_uncommented(line)) return false;
+  const std::vector<std::string_view> names = fields_of(line, separators_of(line));
+  if (names.size() < 2 || std::ranges::any_of(names, begins_as_number) || !lines.next_uncommented(line)) return false;
+  const std::vector<std::string_view> row = fields_of(line, separators_of(line));
+  return 2 * std::ranges::count_if(row, begins_as_number) > std::ssize(row);
 }
 
 bool has_vertex_lines(std::string_view text) {
@@ -208,16 +221,22 @@ PointFormat format_named(std::string_view name) {
   throw InvalidInput(fmt::format("no format {}; there are {}", in_quotes(name), all_names()));
 }
 
+PointFormat format_with_columns(std::string_view bytes) {
+  return is_integer(first_line(bytes)) ? PointFormat::kPts : PointFormat::kTable;
+}
+
 PointFormat format_of_content(std::string_view bytes, std::string_view file) {
   const std::string_view line = first_line(bytes);
   const std::vector<std::string_view> words = words_of(line);
   if (bytes.starts_with("\x93NUMPY")) return PointFormat::kNpy;
   if (trimmed(first_lines(bytes, 1)[0]) == "ply") return PointFormat::kPly;
   if (words.empty()) return PointFormat::kTable;
+  if (words[0] != "FIELDS" && names_axes(line)) return PointFormat::kTable;
   if (is_pcd_keyword(words[0])) return PointFormat::kPcd;
   if (const std::string_view name = unread_format(bytes); !name.empty()) reject_unknown(file, name);
   if (!off_keyword(line).empty()) return PointFormat::kOff;
-  if (lower_case(words[0]).starts_with("data_")) return PointFormat::kCif;
+  if (words.size() == 1 && lower_case(line).starts_with("data_") && line.find(',') == std::string::npos)
+    return PointFormat::kCif;
   if (is_pdb_record(line)) return PointFormat::kPdb;
   if (is_obj_keyword(words[0]) && (words[0] == "v" || has_vertex_lines(bytes))) return PointFormat::kObj;
   if (words.size() == 1 && is_integer(words[0])) return format_after_count(bytes, file);
@@ -227,7 +246,7 @@ PointFormat format_of_content(std::string_view bytes, std::string_view file) {
   // A row of a table, be it right or not, has more numbers than other fields.
   const std::vector<std::string_view> fields = fields_of(line, separators_of(line));
   const bool is_row = 2 * std::ranges::count_if(fields, begins_as_number) > std::ssize(fields);
-  if (!is_row && !ColumnNames(line).has_xyz() && !has_named_columns(bytes)) reject_unknown(file, "");
+  if (!is_row && !has_named_columns(bytes)) reject_unknown(file, "");
   return PointFormat::kTable;
 }
 

@@ -23,6 +23,9 @@ enum class PointFormat { kTable, kPts, kChemical, kOff, kPly, kObj, kPcd, kNpy, 
 // content looks like, which formats are read, and how to name one. file: for messages; its ending decides nothing.
 [[nodiscard]] PointFormat format_of_content(std::string_view bytes, std::string_view file);
 
+// Whoever names columns has a table, whatever else is in its rows; below a count it is PTS.
+[[nodiscard]] PointFormat format_with_columns(std::string_view bytes);
+
 void read_as(PointFormat format, std::string_view bytes, PointRows& rows);
 
 void read_table(std::string_view text, PointRows& rows);

@@ -58,11 +58,13 @@ AtomColumns columns_of(std::string_view properties, const LinePlace& place) {
   return columns;
 }
 
-// The value of KEY=value in a comment of extended XYZ, with or without quotes; empty if there is none.
+// The value of KEY=value in a comment of extended XYZ, in any case, with or without quotes; empty if there is none.
 std::string_view value_of_key(std::string_view comment, std::string_view key) {
-  for (std::size_t at = comment.find(key); at != std::string_view::npos; at = comment.find(key, at + 1)) {
-    if (at > 0 && !is_blank(comment[at - 1])) continue;
-    std::string_view value = comment.substr(at + key.size());
+  const std::string lower = lower_case(comment);
+  for (std::size_t at = lower.find(key); at != std::string::npos; at = lower.find(key, at + 1)) {
+    std::string_view value = trimmed(comment.substr(at + key.size()));
+    if ((at > 0 && is_letter(comment[at - 1])) || !value.starts_with('=')) continue;
+    value = trimmed(value.substr(1));
     const char quote = value.empty() ? ' ' : value.front();
     if (quote == '"' || quote == '\'') return value.substr(1, value.find(quote, 1) - 1);
     return value.substr(0, static_cast<std::size_t>(std::ranges::find_if(value, is_blank) - value.begin()));
@@ -98,9 +100,9 @@ class ChemicalReader {
     const std::uint64_t count = announced_count(trimmed(first), lines_.place());
     std::string_view line;
     if (!lines_.next(line)) reject_file(rows_.file(), "cut short: no comment after the count of atoms");
-    const std::string_view properties = value_of_key(line, "Properties=");
+    const std::string_view properties = value_of_key(line, "properties");
     const AtomColumns columns = properties.empty() ? AtomColumns{} : columns_of(properties, lines_.place());
-    if (is_wanted && !value_of_key(line, "Lattice=").empty()) {
+    if (is_wanted && !value_of_key(line, "lattice").empty()) {
       rows_.note(lines_.place().line, "the lattice is ignored; the points are not periodic");
     }
     if (is_wanted) rows_.reserve(count, lines_.rest().size(), 8);

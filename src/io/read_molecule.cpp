@@ -53,7 +53,8 @@ void read_pdb(std::string_view text, PointRows& rows) {
                                          .element = atom.element,
                                          .is_hetatm = atom.is_hetatm,
                                          .location = atom.location,
-                                         .place = fmt::format("{} {}{}", models, atom.place_name, atom.place_residue)});
+                                         .residue_place = fmt::format("{} {}", models, atom.place_residue),
+                                         .place = fmt::format("{} {}{}", models, atom.place_residue, atom.place_name)});
         if (is_wanted) rows.add(atom.position, lines.place());
         break;
       }
@@ -197,14 +198,28 @@ class CifReader {
     is_taken_ = known->second;
   }
 
-  [[nodiscard]] std::string atom_place(const Row& row) const {
+  [[nodiscard]] std::string residue_place(const Row& row) const {
     std::string place = fmt::format("{} {} ", blocks_, model_ ? model_->second : "");
-    if (!value(row, "disorder_group").empty()) return place + std::string(value(row, "disorder_assembly"));
-    for (const char* name :
-         {"label_atom_id", "label_comp_id", "label_asym_id", "label_seq_id", "auth_seq_id", "pdbx_pdb_ins_code"}) {
+    for (const char* name : {"label_asym_id", "label_seq_id", "auth_seq_id", "pdbx_pdb_ins_code"}) {
       place += std::string(value(row, name)) + ' ';
     }
     return place;
+  }
+  // In CIF of small molecules the groups of one assembly exclude each other.
+  [[nodiscard]] std::string atom_place(const Row& row) const {
+    const char* const name = value(row, "disorder_group").empty() ? "label_atom_id" : "disorder_assembly";
+    return residue_place(row) + std::string(value(row, name));
+  }
+
+  // Without assemblies three groups, or one that excludes its own images, do not say what excludes what.
+  void see_group(const Row& row) {
+    const std::string_view group = value(row, "disorder_group");
+    if (group.empty() || !value(row, "disorder_assembly").empty()) return;
+    groups_.emplace(group);
+    if (groups_.size() < 3 && !group.starts_with('-')) return;
+    if (selection_.chooses_locations()) return;
+    words_.place().reject(
+        "disorder groups without assemblies: --atoms \"altloc N\" or \"altloc all\" says which are read");
   }
 
   void read_row(const Row& row) {
@@ -215,7 +230,9 @@ class CifReader {
                     .element = element_of_label(value(row, "type_symbol", "label")),
                     .is_hetatm = value(row, "group_pdb") == "HETATM",
                     .location = value(row, "label_alt_id", "disorder_group"),
+                    .residue_place = residue_place(row),
                     .place = atom_place(row)};
+    see_group(row);
     if (!selection_.takes(atom)) return;
     std::array<std::string_view, 3> position;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -238,6 +255,7 @@ class CifReader {
       fractional_.clear();
     }
     cell_ = {};
+    groups_.clear();
     block_has_table_ = false;
   }
 
@@ -253,6 +271,7 @@ class CifReader {
   std::map<std::string, std::size_t> columns_;
   bool has_table_ = false, block_has_table_ = false, is_fractional_ = false, is_taken_ = false;
   std::size_t blocks_ = 0;
+  std::set<std::string> groups_;  // of disorder, in this block
   std::optional<std::pair<std::size_t, std::string>> model_;
   std::map<std::pair<std::size_t, std::string>, bool> models_;
   std::vector<FractionalAtom> fractional_;

@@ -234,7 +234,7 @@ std::array<std::string_view, 3> read_ascii_row(const PlyHeader& header, const Pl
     }
   }
   std::string_view further;
-  if (&element == &header.elements[header.vertex] && fields.next(further)) {
+  if (fields.next(further)) {
     place.reject("more values than properties: " + in_quotes(further));
   }
   return row;
@@ -253,6 +253,7 @@ void read_ascii(const PlyHeader& header, LineReader& lines, PointRows& rows) {
       if (is_vertex) rows.add(fields, lines.place());
     }
   }
+  if (std::string_view line; lines.next_filled(line)) lines.place().reject("a line after all rows announced");
 }
 
 class BinaryRows {
@@ -260,7 +261,7 @@ class BinaryRows {
   BinaryRows(std::string_view bytes, bool big_endian, std::string_view file)
       : rest_(bytes), big_endian_(big_endian), file_(file) {}
 
-  [[nodiscard]] std::size_t size() const { return rest_.size(); }
+  [[nodiscard]] std::string_view rest() const { return rest_; }
 
   // Reads row number `row` of the element; its coordinates are those of vertices alone.
   Point read_row(const PlyHeader& header, const PlyElement& element, std::uint64_t row) {
@@ -312,13 +313,14 @@ void read_binary(const PlyHeader& header, const LineReader& lines, PointRows& po
   for (const PlyElement& element : header.elements) {
     const bool is_vertex = &element == &header.elements[header.vertex];
     if (element.properties.empty()) continue;
-    if (is_vertex) points.reserve(element.count, rows.size(), element.smallest_row());
+    if (is_vertex) points.reserve(element.count, rows.rest().size(), element.smallest_row());
     // Every row takes at least a byte, so that an absurd count ends with the file.
     for (std::uint64_t row = 0; row < element.count; ++row) {
       const Point position = rows.read_row(header, element, row);
       if (is_vertex) points.add(position);
     }
   }
+  reject_further_bytes(rows.rest(), lines.file());
 }
 
 }  // namespace

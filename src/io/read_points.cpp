@@ -34,9 +34,8 @@ void check_options(PointFormat format, std::string_view file, const ReadingOptio
 PointFile read_points_from(std::string_view bytes, const std::string& name, const ReadingOptions& options) {
   std::string decompressed;
   bytes = plain_content(bytes, name, decompressed);
-  // Whoever names columns has a table, whatever else is in its rows.
   const PointFormat format = !options.format.empty()    ? format_named(options.format)
-                             : !options.columns.empty() ? PointFormat::kTable
+                             : !options.columns.empty() ? format_with_columns(bytes)
                                                         : format_of_content(bytes, name);
   check_options(format, name, options);
   PointRows rows(name, options);

@@ -8,10 +8,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "io/number_text.h"
@@ -30,38 +30,41 @@ std::optional<std::string_view> comment_of(std::string_view line) {
   return line.substr(std::min(line.find_first_not_of('#'), line.size()));
 }
 
-// A comma that may be a decimal point: digits on both its sides, and blanks alone between other numbers.
+// A comma that may be a decimal point: digits on both its sides, and others or blanks alone between three numbers.
 bool has_decimal_comma(std::string_view line, std::size_t fields) {
   const auto commas = static_cast<std::size_t>(std::ranges::count(line, ','));
-  if (commas == 0 || fields <= commas + 1) return false;
+  std::size_t between_digits = 0, before_blanks = 0;
   for (std::size_t k = 1; k + 1 < line.size(); ++k) {
-    if (line[k] == ',' && is_digit(line[k - 1]) && is_digit(line[k + 1])) return true;
+    if (line[k] != ',') continue;
+    before_blanks += is_blank(line[k + 1]) ? 1 : 0;
+    between_digits += is_digit(line[k - 1]) && is_digit(line[k + 1]) ? 1 : 0;
   }
-  return false;
+  if (between_digits == 0) return false;
+  return fields > commas + 1 || (before_blanks > 0 && fields >= between_digits + 3);
 }
 
 // Whether the first of more than three columns can only be a name of the rows: integers that are all different, while
-// one of the next three has fractions.
+// one of the next three is written with a point. Above them a line may have their number, as in TetGen's files.
 class FirstColumn {
  public:
   void see(const std::vector<std::string_view>& fields) {
     const std::string_view first = fields[0];
-    is_integer_ = is_integer_ && is_integer(first) && seen_.insert(first).second;
+    if (rows_++ == 0) above_ = first;
+    is_integer_ = is_integer_ && is_integer(first);
+    if (is_integer_ && !seen_.insert(first).second) is_integer_ = !std::exchange(is_repeated_, true) && first == above_;
     if (!is_integer_) seen_.clear();
-    for (std::size_t k = 1; k < 4; ++k) has_fractions_ = has_fractions_ || is_fraction(fields[k]);
+    for (std::size_t k = 1; k < 4; ++k) has_fractions_ = has_fractions_ || fields[k].find('.') != std::string::npos;
   }
   [[nodiscard]] bool may_stop() const { return !is_integer_; }
-  [[nodiscard]] bool names_rows() const { return is_integer_ && has_fractions_; }
-
- private:
-  static bool is_fraction(std::string_view field) {
-    const NumberText number = coordinate_of(field);
-    return number.fault == nullptr && number.value != std::floor(number.value);
+  [[nodiscard]] bool names_rows() const {
+    return is_integer_ && has_fractions_ && (!is_repeated_ || above_ == std::to_string(rows_ - 1));
   }
 
+ private:
   std::unordered_set<std::string_view> seen_;
-  bool is_integer_ = true;
-  bool has_fractions_ = false;
+  std::string_view above_;
+  std::size_t rows_ = 0;
+  bool is_integer_ = true, is_repeated_ = false, has_fractions_ = false;
 };
 
 class TableReader {
@@ -76,47 +79,59 @@ class TableReader {
     for (std::string_view line; lines_.next(line);) {
       if (const auto comment = comment_of(line)) {
         if (first_count_ == 0) see_comment(*comment);
-      } else if (line = line.substr(0, line.find('#')); !is_all_blank(line)) {
+      } else if (line = without_comment(line); !is_all_blank(line)) {
         see_line(line);
       }
     }
-    if (!first_column_ || !first_column_->names_rows()) return;
-    reject_file(lines_.file(),
-                fmt::format("{} columns without names, of which the first may be numbers of the rows: --columns 2,3,4 "
-                            "takes the next three, --columns 1,2,3 the first",
-                            first_count_));
+    finish();
   }
 
-  // PTS: blocks of a count and as many rows, without comments or names.
+  // PTS: blocks of a count and as many rows.
   void read_blocks() {
-    std::string_view line;
-    while (lines_.next_filled(line)) {
+    is_pts_ = true;
+    for (std::string_view line; next_of_block(line);) {
       const std::vector<std::string_view> words = words_of(line);
       if (words.size() != 1) lines_.place().reject("a count of rows is missing, or there are more rows than announced");
       const std::uint64_t count = announced_count(words[0], lines_.place());
       rows_.reserve(count, lines_.rest().size(), 6);
       for (std::uint64_t row = 0; row < count; ++row) {
-        if (!lines_.next_filled(line)) reject_missing(lines_.file(), count, "points", row);
-        is_pts_ = true;
+        if (!next_of_block(line)) reject_missing(lines_.file(), count, "points", row);
         see_line(line);
       }
     }
+    finish();
   }
 
  private:
-  void see_comment(std::string_view text) {
-    const ColumnNames names(text);
-    const bool is_asked = chosen_ && chosen_->are_names();
-    // A list between blanks has to have as many names as the first row has columns, which is not known yet.
-    if (!names.has_xyz() && !(is_asked && names.size() >= 2 && names.words() == names.size())) return;
-    commented_.push_back(names);
+  bool next_of_block(std::string_view& line) {
+    while (lines_.next_filled(line)) {
+      const auto comment = comment_of(line);
+      if (!comment) return true;
+      if (first_count_ == 0) see_comment(*comment);
+    }
+    return false;
   }
+
+  void finish() const {
+    if (first_column_ && first_column_->names_rows()) {
+      reject_file(lines_.file(),
+                  fmt::format("{} columns without names, of which the first may be numbers of the rows: --columns "
+                              "2,3,4 takes the next three, --columns 1,2,3 the first",
+                              first_count_));
+    }
+    if (rows_.count() > 1 && begins_with_numbers_ && all_have_points_) {
+      reject_file(lines_.file(),
+                  "the first row is 0,1,2, as some programs name columns: leave it out if it is no point");
+    }
+  }
+
+  void see_comment(std::string_view text) { commented_.push_back({text, lines_.place()}); }
 
   void see_line(std::string_view line) {
     const Separators separators = separators_of(line);
     fields_ = fields_of(line, separators);
     if (!fields_.empty() && first_count_ == 0 && !is_pts_ && !heading_ && is_heading()) {
-      heading_.emplace(line);
+      heading_ = line;
       return;
     }
     if (first_count_ == 0) see_first_row();
@@ -134,6 +149,11 @@ class TableReader {
       if (row[axis].find(',') != std::string_view::npos)
         reject("a decimal comma: " + in_quotes(row[axis]) + "; numbers have a point");
     }
+    const bool is_counting =
+        line.find_first_of(",;\t") != std::string_view::npos && row[0] == "0" && row[1] == "1" && row[2] == "2";
+    if (rows_.count() == 0) begins_with_numbers_ = is_counting;
+    const auto has_point = [](std::string_view field) { return field.find('.') != std::string_view::npos; };
+    if (rows_.count() > 0) all_have_points_ = all_have_points_ && std::ranges::all_of(row, has_point);
     rows_.add(row, lines_.place());
   }
 
@@ -149,45 +169,64 @@ class TableReader {
     if (chosen_) {
       places_ = chosen_->places(names, lines_.place());
     } else if (names) {
-      for (std::size_t axis = 0; axis < 3; ++axis) places_[axis] = *names->find({&"xyz"[axis], 1}, lines_.place());
+      if (z_ && names->has_axes(3)) reject("--z is for two columns, and one of these is named z");
+      for (const std::size_t axis : {0U, 1U, 2U}) {
+        if (axis == 2 && z_) break;
+        places_[axis] = *names->find({&"xyz"[axis], 1}, lines_.place());
+      }
     } else {
       see_first_row_without_names();
     }
-    needed_ = *std::max_element(places_.begin(), places_.begin() + (z_ ? 2 : 3)) + 1;
-    // COLMAP's last column is a list; the names before it are columns of every row.
-    if (names && !chosen_ && names->words() < names->size()) least_ = std::max(needed_, names->words());
-    if (chosen_) least_ = needed_;
-    if (first_count_ < needed_) {
-      reject(fmt::format("{} column{}, and column {} is wanted", first_count_, first_count_ == 1 ? "" : "s", needed_));
+    const std::size_t needed = *std::max_element(places_.begin(), places_.begin() + axes()) + 1;
+    if (names && names->is_open) least_ = std::max(needed, names->names.size());
+    if (first_count_ < needed) {
+      reject(fmt::format("{} column{}, and column {} is wanted", first_count_, first_count_ == 1 ? "" : "s", needed));
     }
   }
 
   void see_first_row_without_names() {
-    if (heading_) reject("the columns above have names, and none of x, y, z: --columns says which they are");
+    if (heading_ && !z_ && has_two_axes_) reject("columns x and y, and none named z: --z 0 makes it 0");
+    if (heading_) reject("the columns above have names, and not x, y and z: --columns says which they are");
     places_ = {0, 1, 2};
     if (first_count_ == 2 && !z_) reject("two columns, and points have three coordinates: --z 0 makes their z 0");
     if (first_count_ != 2 && z_) reject(fmt::format("--z is for two columns, and this row has {}", first_count_));
     if (first_count_ == 1) reject("too few numbers: 1 of 3");
-    if (first_count_ > 3 && !is_pts_) first_column_.emplace();
+    if (first_count_ > 3) first_column_.emplace();
     if (first_count_ > 3) rows_.note(lines_.place().line, "more than three columns; those after the third are ignored");
   }
 
-  // The names above the first row, where there are as many as it has columns.
-  [[nodiscard]] std::optional<ColumnNames> names_of_columns() const {
+  [[nodiscard]] std::ptrdiff_t axes() const { return z_ ? 2 : 3; }
+
+  // The list in a text that has as many names as the first row has columns, and those that are wanted.
+  [[nodiscard]] std::optional<ColumnNames> names_in(std::string_view text) {
+    for (const ColumnNames& list : lists_of_names(text)) {
+      if (!list.fits(first_count_)) continue;
+      has_two_axes_ = has_two_axes_ || list.has_axes(2);
+      if (chosen_ || list.has_axes(static_cast<std::size_t>(axes()))) return list;
+    }
+    return std::nullopt;
+  }
+
+  // The names above the first row. Nobody needs them who says columns by numbers.
+  [[nodiscard]] std::optional<ColumnNames> names_of_columns() {
+    if (chosen_ && !chosen_->are_names()) return std::nullopt;
     if (heading_) {
-      if (heading_->size() != first_count_) {
+      const std::vector<ColumnNames> lists = lists_of_names(*heading_);
+      if (std::ranges::none_of(lists, [&](const ColumnNames& list) { return list.fits(first_count_); })) {
         reject(fmt::format("{} columns, and {} names above: --columns says by number which are x, y, z", first_count_,
-                           heading_->size()));
+                           lists[0].names.size()));
       }
-      if (heading_->has_xyz() || (chosen_ && chosen_->are_names())) return heading_;
-      if (!chosen_) return std::nullopt;
+      if (auto names = names_in(*heading_)) return names;
     }
     std::optional<ColumnNames> names;
-    for (const ColumnNames& candidate : commented_) {
-      if (candidate.is_blank_separated() && candidate.size() != first_count_) continue;
-      if (names && *names != candidate)
-        reject("two comments above name columns: --columns says by number which are x, y, z");
-      names = candidate;
+    for (const auto& [text, place] : commented_) {
+      const std::optional<ColumnNames> found = names_in(text);
+      if (found && names && *names != *found) {
+        place.reject("two comments above name columns: --columns says by number which are x, y, z");
+      }
+      if (found) names = found;
+      if (found || chosen_ || !names_other_columns(text, first_count_)) continue;
+      place.reject("this seems to name columns, but not all of them: --columns says by number which are x, y, z");
     }
     return names;
   }
@@ -206,13 +245,17 @@ class TableReader {
   PointRows& rows_;
   std::optional<ChosenColumns> chosen_;
   std::optional<std::string> z_;
-  std::optional<ColumnNames> heading_;
-  std::vector<ColumnNames> commented_;
+  std::optional<std::string_view> heading_;
+  struct Comment {
+    std::string_view text;
+    LinePlace place;
+  };
+  std::vector<Comment> commented_;
   std::vector<std::string_view> fields_;
   bool is_pts_ = false;
   std::size_t first_count_ = 0;  // columns of the first row; 0 before it
-  // How many columns a row has to have. least_ 0: as many as the first row.
-  std::size_t needed_ = 3, least_ = 0;
+  std::size_t least_ = 0;        // columns of a row at the least; 0: as many as the first row has
+  bool has_two_axes_ = false, begins_with_numbers_ = false, all_have_points_ = true;
   ColumnPlaces places_{};
   std::optional<FirstColumn> first_column_;
 };

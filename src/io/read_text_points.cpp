@@ -45,13 +45,17 @@ std::string_view whole_line(std::string_view line, LineReader& lines, std::strin
 void read_obj(std::string_view text, PointRows& rows) {
   LineReader lines(text, rows.file());
   std::string joined;
+  bool is_known = true;
   for (std::string_view line; lines.next(line);) {
     const LinePlace start = lines.place();
     line = whole_line(line, lines, joined);
-    Fields fields(line.substr(0, line.find('#')), Separators::kBlanks);
+    Fields fields(without_comment(line), Separators::kBlanks);
     std::string_view keyword;
-    if (fields.next(keyword) && keyword == "v") add_first_three(fields, start, rows);
+    if (!fields.next(keyword)) continue;
+    if (keyword == "v") add_first_three(fields, start, rows);
+    is_known = is_known && is_obj_keyword(keyword);
   }
+  if (rows.count() == 0 && !is_known) reject_file(rows.file(), "no line begins with v");
 }
 
 bool is_obj_keyword(std::string_view word) { return std::ranges::find(kKeywords, word) != kKeywords.end(); }
@@ -116,6 +120,8 @@ void read_off(std::string_view text, PointRows& rows) {
   }
   for (std::uint64_t face = 0; face < header.faces; ++face) {
     if (!lines.next_uncommented(line)) reject_missing(rows.file(), header.faces, "faces", face);
+    const std::vector<std::string_view> words = words_of(line);
+    if (words.size() <= announced_count(words[0], lines.place())) lines.place().reject("a face lacks vertices");
   }
   if (lines.next_uncommented(line) && is_row_of_numbers(line)) {
     lines.place().reject(fmt::format("a row after the {} vertices and {} faces that the header announces",
@@ -124,12 +130,15 @@ void read_off(std::string_view text, PointRows& rows) {
 }
 
 std::string_view off_keyword(std::string_view word) {
-  // Geomview's prefixes, in its order: texture, colours, normals, four dimensions, any dimension.
+  // Geomview's prefixes, in any order: texture, colours, normals, four dimensions, any dimension.
   std::size_t size = 0;
-  for (const std::string_view prefix : {"ST", "C", "N", "4", "n"}) {
-    if (word.substr(size).starts_with(prefix)) size += prefix.size();
+  for (int prefixes = 0; prefixes < 5; ++prefixes) {
+    for (const std::string_view prefix : {"ST", "C", "N", "4", "n"}) {
+      if (word.substr(size).starts_with(prefix)) size += prefix.size();
+    }
   }
-  if (!word.substr(size).starts_with("OFF")) return {};
+  const std::string_view rest = word.substr(size);
+  if (!rest.starts_with("OFF") && (size > 0 || !rest.starts_with("off"))) return {};
   size += 3;
   const bool ends = size == word.size() || is_blank(word[size]) || is_digit(word[size]) || word[size] == '#';
   return ends ? word.substr(0, size) : std::string_view();

@@ -1,6 +1,9 @@
 #include "io/stored_number.h"
 
+#include <algorithm>
 #include <bit>
+
+#include "io/line_reader.h"
 
 namespace flowcert::io {
 
@@ -25,6 +28,11 @@ std::optional<double> stored_number(const char* bytes, StoredType type, bool is_
   const auto value = static_cast<double>(magnitude);
   if (value >= 0x1p64 || static_cast<std::uint64_t>(value) != magnitude) return std::nullopt;
   return is_negative ? -value : value;
+}
+
+void reject_further_bytes(std::string_view bytes, std::string_view file) {
+  const auto is_padding = [](char c) { return c == '\0' || is_blank(c); };
+  if (!std::ranges::all_of(bytes, is_padding)) reject_file(file, "there are more bytes than rows announced");
 }
 
 }  // namespace flowcert::io

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "io/layer.h"
 
@@ -23,5 +24,8 @@ inline constexpr StoredType kFloat = {'f', 4};
 
 // The number at `bytes`, exactly. Nothing where no double has the value, which only large 64-bit integers lack.
 [[nodiscard]] std::optional<double> stored_number(const char* bytes, StoredType type, bool is_big_endian);
+
+// Throws InvalidInput for anything but blanks and zero bytes behind the last row.
+void reject_further_bytes(std::string_view bytes, std::string_view file);
 
 }  // namespace flowcert::io

@@ -1,8 +1,8 @@
 // Which columns of a table are x, y and z: by the user's word, by names above the first row, or the first three.
 //
-// Guarantees: a name is one word, in any case. Text in a comment that only mentions x, y and z is no list of names: a
-// list between blanks has as many names as there are columns, and a list between commas has single words up to the last
-// of the three. Source: spec clause FC-FILE-01.
+// Guarantees: names count where there are as many as columns, whether commas, semicolons, tabs or blanks part them.
+// A comment that mentions x, y and z otherwise is refused, unless they are the first three. Source: spec clause
+// FC-FILE-39.
 #pragma once
 
 #include <array>
@@ -23,26 +23,28 @@ namespace flowcert::io {
 // The separators of the fields of a line, by what is in it.
 [[nodiscard]] Separators separators_of(std::string_view line);
 
-// Names as a line lists them. `text` has no mark of a comment.
-class ColumnNames {
- public:
-  explicit ColumnNames(std::string_view text);
+// Names as a line lists them, without units in brackets.
+struct ColumnNames {
+  std::vector<std::string> names;
+  // COLMAP's TRACK[] stands for any number of columns, and is not among the names.
+  bool is_open = false;
 
+  // Whether rows of so many columns can have these.
+  [[nodiscard]] bool fits(std::size_t columns) const {
+    return is_open ? names.size() <= columns : names.size() == columns;
+  }
+  [[nodiscard]] bool has_axes(std::size_t count) const;
   // Where this name is, in any case. Two columns of one name are refused.
   [[nodiscard]] std::optional<std::size_t> find(std::string_view name, const LinePlace& place) const;
-  [[nodiscard]] bool has_xyz() const;
-  [[nodiscard]] std::size_t size() const { return names_.size(); }
-  // How many names at the front are single words.
-  [[nodiscard]] std::size_t words() const;
-  // Whether blanks alone separate the names.
-  [[nodiscard]] bool is_blank_separated() const { return is_blank_separated_; }
 
   friend bool operator==(const ColumnNames&, const ColumnNames&) = default;
-
- private:
-  std::vector<std::string> names_;
-  bool is_blank_separated_;
 };
+
+// All that a line may list, which has no mark of a comment: between commas or semicolons, or between tabs or blanks.
+[[nodiscard]] std::vector<ColumnNames> lists_of_names(std::string_view text);
+
+// Whether the words of a text have x, y and z, or such words as tx, ty and tz, so that these are not the first columns.
+[[nodiscard]] bool names_other_columns(std::string_view text, std::size_t columns);
 
 // The three columns, counted from 0. With `z` given, the last is not looked at.
 using ColumnPlaces = std::array<std::size_t, 3>;

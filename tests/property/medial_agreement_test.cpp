@@ -27,17 +27,18 @@ constexpr int kInputsMadeForThis = 40;  // of each of the families for stable se
 constexpr std::size_t kMostRows = 12;
 
 struct Totals {
-  std::size_t inputs = 0, angles = 0, equal = 0, lengths = 0;
+  std::size_t inputs = 0, angles = 0, equal = 0, lengths = 0, radii = 0;
 
   void add(const Totals& part) {
     inputs += part.inputs;
     angles += part.angles;
     equal += part.equal;
     lengths += part.lengths;
+    radii += part.radii;
   }
   void print_row(const std::string& name) const {
-    std::printf("%-24s %5zu inputs, %5zu angles, %4zu of them equal to some; %5zu lengths\n", name.c_str(), inputs,
-                angles, equal, lengths);
+    std::printf("%-24s %5zu inputs, %5zu angles, %4zu of them equal to some; %5zu lengths, %5zu radii\n", name.c_str(),
+                inputs, angles, equal, lengths, radii);
   }
 };
 
@@ -110,6 +111,27 @@ void require_right_lengths(const Subject& subject, const std::vector<oracle::Sta
   }
 }
 
+// Radii just beside those of points, and half numbers, which many radii are.
+void require_right_radii(const Subject& subject, const std::vector<oracle::StationaryPoint>& all, Totals& totals) {
+  std::set<Rational> radii = {0, Rational(1, 2), 1, Rational(3, 2)};
+  for (const oracle::StationaryPoint& z : all) {
+    const double root = std::sqrt(z.squared_distance.convert_to<double>());
+    if (radii.size() < 12 && std::isfinite(root)) radii.insert({Rational(root * (1 - 1e-12)), Rational(root * 1.5)});
+  }
+  for (const Rational& radius : radii) {
+    const Places chosen =
+        medial_points(subject.complex, {{}, {}, LengthBound{LengthBound::Unit::kInput, radius}}).records;
+    Places expected;
+    for (std::size_t place = 0; place < all.size(); ++place) {
+      const oracle::StationaryPoint& z = all[place];
+      const bool is_saddle = z.is_critical() && (z.hull_dimension == 1 || z.hull_dimension == 2);
+      if (is_saddle && z.squared_distance > radius * radius) expected.push_back(place);
+    }
+    require_none(subject.input, chosen == expected ? "" : "other points are farther", radius.str());
+    ++totals.radii;
+  }
+}
+
 void require_right_points(const Subject& drawn, Totals& totals) {
   fuzz::Input cut = drawn.input;
   cut.rows.resize(std::min(cut.rows.size(), kMostRows));
@@ -117,6 +139,7 @@ void require_right_points(const Subject& drawn, Totals& totals) {
   const auto all = oracle::stationary_points(subject.set).stationary;
   require_right_angles(subject, all, totals);
   require_right_lengths(subject, all, totals);
+  require_right_radii(subject, all, totals);
   ++totals.inputs;
 }
 
@@ -129,6 +152,7 @@ TEST(MedialAgreement, ChosenPointsAreTheOracles) {
     EXPECT_GE(all.inputs, 1400U);
     EXPECT_GE(all.equal, 500U);
     EXPECT_GE(all.lengths, 1000U);
+    EXPECT_GE(all.radii, 5000U);
   }
 }
 

@@ -2,6 +2,8 @@
 // points and what is said of them, or its message.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -96,7 +98,7 @@ std::vector<Example> tables() {
       {"names without x",
        "a,b,c\n0,0,0\n",
        {},
-       "f:2: the columns above have names, and none of x, y, z: --columns says which they are"},
+       "f:2: the columns above have names, and not x, y and z: --columns says which they are"},
       {"names without x, chosen", "a,b,c,d\n9,0,0,0\n9,1,0,0\n9,0,1,.5\n", kThree, "", {.columns = "b,c,d"}},
       {"columns chosen by number", "9 0 0 0\n9 1 0 0\n9 0 1 .5\n", kThree, "", {.columns = "2,3,4"}},
       {"columns chosen that are not there", plain, {}, "f:1: 3 columns, and column 4 is wanted", {.columns = "2,3,4"}},
@@ -321,6 +323,193 @@ std::vector<Example> others() {
   };
 }
 
+// What real programs and people write, and what must not be read as something else.
+std::vector<Example> strange_tables() {
+  const std::string by_number = "--columns says by number which are x, y, z";
+  const std::string seems = "f:1: this seems to name columns, but not all of them: " + by_number;
+  const std::string numbered =
+      "f: 4 columns without names, of which the first may be numbers of the rows: --columns 2,3,4 takes the next "
+      "three, --columns 1,2,3 the first";
+  const std::string ignored = "more than three columns; those after the third are ignored";
+  return {
+      {"a name for each row, whole numbers with points", "1 0. 0. 0.\n2 1. 0. 0.\n", {}, numbered},
+      {"TetGen's nodes", "2 3 0 0\n1 0.0 0.0 0.0\n2 1.0 0.0 0.0\n", {}, numbered},
+      {"a name for each row of PTS", "2\n1 0.5 1.5 2.5\n2 3.5 4.5 5.5\n", {}, numbered},
+      {"names for rows of PTS, chosen",
+       "2\n1 0.5 1.5 2.5\n2 1 2 3\n",
+       {{0.5, 1.5, 2.5}, {1, 2, 3}},
+       "",
+       {.columns = "2,3,4"}},
+      {"an infinity of Microsoft's", "0.5 0.25 1.#INF\n", {}, "f:1: not a number: '1.#INF'"},
+      {"a trajectory", "# timestamp tx ty tz qw\n0.5 1 2 3 4\n", {}, seems},
+      {"names with units", "# t[s] x[m] y[m] z[m]\n9 0 0 0\n9 1 0 0\n9 0 1 .5\n", kThree, ""},
+      {"names with units, the other way", "# z[m] y[m] x[m]\n0 0 0\n0 0 1\n.5 1 0\n", kThree, ""},
+      {"names in a sentence, the other way", "# z, y, x in meters\n0 0 0\n", {}, seems},
+      {"names in a sentence", "# sampled at x, y and z\n0 0 0\n1 0 0\n0 1 .5\n", kThree, ""},
+      {"names behind a word", "# columns: t x y z\n9 0 0 0\n9 1 0 0\n9 0 1 .5\n", kThree, ""},
+      {"names of the first three behind a word", "# Points: x y z\n0 0 0 7\n1 0 0 7\n0 1 .5 7\n", kThree, ignored},
+      {"names of two words", "Point ID,X,Y,Z\n9,0,0,0\n9,1,0,0\n9,0,1,.5\n", kThree, ""},
+      {"names of two words in a comment", "# scan pos,X,Y,Z\n9,0,0,0\n9,1,0,0\n9,0,1,.5\n", kThree, ""},
+      {"names between tabs, the first empty", "\tx\ty\tz\n9\t0\t0\t0\n9\t1\t0\t0\n9\t0\t1\t.5\n", kThree, ""},
+      {"names with a comma too many", "x,y,z,\n0,0,0\n1,0,0\n0,1,.5\n", kThree, ""},
+      {"names behind a mark of TeX", "% x y z\n0 0 0\n1 0 0\n0 1 .5\n", kThree, ""},
+      {"names in two comments", "# x y z\n# z y x\n0 0 0\n", {}, "f:2: two comments above name columns: " + by_number},
+      {"two comments, chosen", "# x y z\n# z y x\n0 0 0\n1 0 0\n0 1 .5\n", kThree, "", {.columns = "1,2,3"}},
+      {"names for rows, as R writes them",
+       "\"x\" \"y\" \"z\"\n\"1\" 0 0 0\n",
+       {},
+       "f:2: 4 columns, and 3 names above: " + by_number},
+      {"names for rows, chosen",
+       "\"x\" \"y\" \"z\"\n\"1\" 0 0 0\n\"2\" 1 0 0\n\"3\" 0 1 .5\n",
+       kThree,
+       "",
+       {.columns = "2,3,4"}},
+      {"a title, chosen", "my points\n0 0 0\n1 0 0\n0 1 .5\n", kThree, "", {.columns = "1,2,3"}},
+      {"two names", "x,y\n0.5,1.5\n", {}, "f:2: columns x and y, and none named z: --z 0 makes it 0"},
+      {"two names and a third coordinate", "y,x\n0.5,1.5\n", {{1.5, 0.5, 0}}, "", {.z = 0}},
+      {"three names and a third coordinate",
+       "x y z\n0 0 0\n",
+       {},
+       "f:2: --z is for two columns, and one of these is named z",
+       {.z = 0}},
+      {"names that are numbers",
+       "0,1,2\n0.5,1.5,2.5\n1.25,2.25,3.25\n",
+       {},
+       "f: the first row is 0,1,2, as some programs name columns: leave it out if it is no point"},
+      {"decimal commas, and blanks behind others",
+       "0,5, 1,5, 2,5\n",
+       {},
+       "f:1: a comma between digits, and blanks alone between other numbers: is it a decimal point?"},
+      {"a label of two words",
+       "P 0 0 0\nP 2 1 0 0\n",
+       {},
+       "f:2: 5 columns, and the first row has 4",
+       {.columns = "2,3,4"}},
+      {"a last name of two words",
+       "X,Y,Z,Scalar field\n0,0,0,1\n1,0,0\n",
+       {},
+       "f:3: 3 columns, and the first row has 4"},
+      {"names that are words of other formats", "MODEL X Y Z\n9 0 0 0\n9 1 0 0\n9 0 1 .5\n", kThree, ""},
+      {"names that look like a block of CIF", "data_id,x,y,z\n9,0,0,0\n9,1,0,0\n9,0,1,.5\n", kThree, ""},
+      {"Tecplot", "TITLE = \"a\"\n", {}, "f: looks like Tecplot, which is not read" + kReadFormats},
+  };
+}
+
+std::vector<Example> strange_clouds() {
+  const std::string xyz = "property double x\nproperty double y\nproperty double z\nend_header\n";
+  const std::string two = "element vertex 2\n", three = "element vertex 3\n", rows = "0 0 0\n1 0 0\n0 1 .5\n";
+  const std::string ascii = "ply\nformat ascii 1.0\n", binary = "ply\nformat binary_little_endian 1.0\n";
+  const std::string large = bytes_of(std::int64_t{9007199254740993}, false) + std::string(16, '\0');
+  return {
+      {"CloudCompare's names and count", "//X Y Z\n3\n" + rows, kThree, ""},
+      {"CloudCompare's count and names", "3\n//X Y Z\n" + rows, kThree, ""},
+      {"PTS with names, and atoms by number",
+       "2\nX Y Z I\n1 2 3 40\n2 3 4 50\n",
+       {},
+       "f: begins with a count, but neither rows of numbers follow, as in PTS, nor a comment and atoms, as in chemical "
+       "XYZ"},
+      {"PTS with a count too small, or atoms by number",
+       "3\n1 2 3 40\n4 5 6 50\n7 8 9 60\n10 11 12 70\n",
+       {},
+       "f: can be read in two ways, as a count with rows (--format pts) or with atoms (--format chemical)"},
+      {"PLY with rows too many", ascii + two + xyz + rows, {}, "f:10: a line after all rows announced"},
+      {"PLY with bytes too many",
+       binary + two + xyz + numbers<double>(kInRows),
+       {},
+       "f: there are more bytes than rows announced"},
+      {"PLY with padding", binary + three + xyz + numbers<double>(kInRows) + std::string(5, '\0'), kThree, ""},
+      {"PCD with bytes too many", pcd("binary", pcd_bytes(), "2"), {}, "f: there are more bytes than rows announced"},
+      {"OFF with a vertex too many", "OFF\n2 1 0\n0 0 0\n1 0 0\n0.5 1 0\n", {}, "f:5: not a count: '0.5'"},
+      {"OFF with a face too short", "OFF\n3 1 0\n" + rows + "3 0 1\n", {}, "f:6: a face lacks vertices"},
+      {"OFF, MeshLab's keyword", "NCOFF\n1 0 0\n0 1 .5 0 0 1 9 9 9 9\n", {{0, 1, 0.5}}, ""},
+      {"OFF in small letters", "off\n3 0 0\n" + rows, kThree, ""},
+      {"OFF with an infinity of Microsoft's", "OFF\n1 0 0\n0 0 -1.#IND\n", {}, "f:3: not a number: '-1.#IND'"},
+      {"OBJ without vertices", "0 0 0\n", {}, "f: no line begins with v", {.format = "obj"}},
+      {"NPY with an integer that is no double", npy("<i8", "(1, 3)", large), {}, "f: row 0: not exactly a double"},
+  };
+}
+
+std::vector<Example> strange_molecules() {
+  const auto atom = [](const std::string& start, const std::string& residue, const std::string& numbers) {
+    return pdb_atom(start, residue, numbers + "  1.00 20.00");
+  };
+  const std::string ca = "ATOM      1  CA  ", ca_a = "ATOM      1  CA A", ca_b = "ATOM      2  CA B";
+  const std::string origin = "   0.000   0.000   0.000", x = "   1.000   0.000   0.000";
+  const std::string triclinic =
+      "data_x\n_cell_length_a 7\n_cell_length_b 8\n_cell_length_c 9\n_cell_angle_alpha 70\n_cell_angle_beta 80\n"
+      "_cell_angle_gamma 100\n";
+  const std::string operations = "loop_\n_space_group_symop_operation_xyz\n'x, y, z'\n'-x, -y, -z'\n";
+  const std::string groups =
+      "_space_group_IT_number 1\nloop_\n_atom_site_label\n_atom_site_disorder_group\n_atom_site_fract_x\n"
+      "_atom_site_fract_y\n_atom_site_fract_z\n";
+  const std::string first = "of an atom with alternate locations the first is read; ";
+  return {
+      {"PDB, a blank in a number",
+       atom(ca, "GLY A  69    ", "  1 8.423  12.396   3.087"),
+       {},
+       "f:1: columns 31 to 54 cut a number, and no other places of the coordinates are certain"},
+      {"PDB, a number below -1000",
+       atom(ca, "ALA A   1    ", "-1234.567 123.456  12.345"),
+       {{-1234.567, 123.456, 12.345}},
+       ""},
+      {"PDB, a residue number of five digits",
+       atom("HETATM    1  O   ", "HOH  10000    ", origin),
+       {{0, 0, 0}},
+       "the 1 atoms include 1 of water; --atoms \"no water\" leaves such out"},
+      {"PDB, a serial that moves nothing",
+       atom("ATOM  100000 CA  ", "ALA     1    ", origin),
+       {{0, 0, 0}},
+       "",
+       {.atoms = {"protein"}}},
+      {"PDB, selenomethionine", atom(ca, "MSE A   1    ", origin), {{0, 0, 0}}, "", {.atoms = {"protein"}}},
+      {"PDB, residues in small letters", atom(ca, "ala A   1    ", origin), {{0, 0, 0}}, "", {.atoms = {"protein"}}},
+      {"PDB, one residue of two kinds",
+       atom(ca_a, "SER A   1    ", origin) + atom(ca_b, "THR A   1    ", x) +
+           atom("ATOM      3  CG2B", "THR A   1    ", x),
+       {{0, 0, 0}},
+       first + "2 others are left out"},
+      {"PDB, a location without a name",
+       atom(ca, "SER A   1    ", origin) + atom(ca_b, "SER A   1    ", x),
+       {{0, 0, 0}},
+       first + "1 other is left out"},
+      {"chemical XYZ, a row that is too long",
+       "2\n\nC 0 0 0\nC 1 0 0 0\n",
+       {},
+       "f:4: 5 columns, and the first atom has 4"},
+      {"extended XYZ in small letters",
+       "1\nenergy=1;properties = species:S:1:f:R:3:pos:R:3\nC 9 9 9 1 2 3\n",
+       {{1, 2, 3}},
+       ""},
+      {"chemical XYZ without hydrogens",
+       "3\n\nh 9 9 9\nHW1 9 9 9\nHg 1 2 3\n",
+       {{1, 2, 3}},
+       "2 atoms are not chosen by --atoms",
+       {.atoms = {"no hydrogens"}}},
+      {"CIF with angles",
+       triclinic + "_space_group_IT_number 1\n" + kFractional + "C1 0.25 0.5 0.75\n",
+       {{2.2275324885840586, 6.490158707948766, 6.138516955060858}},
+       ""},
+      {"CIF with an operation",
+       kCell + operations + kFractional + "C1 0 0 0\n",
+       {},
+       "f: fractional coordinates are read in P 1 alone, and this has the symmetry '-x,-y,-z'"},
+      {"CIF with three groups",
+       kCell + groups + "C1 1 0 0 0\nC2 2 .1 0 0\nC3 3 .2 0 0\n",
+       {},
+       "f:17: disorder groups without assemblies: --atoms \"altloc N\" or \"altloc all\" says which are read"},
+  };
+}
+
+TEST(PointExamples, RowsLeftOutAreCountedFromZero) {
+  CITES("FC-FILE-45");
+  const std::string rows = "0 0 0\nnan 0 0\n1 0 0\ninf 0 0\n";
+  const std::vector<std::size_t> left_out = {1, 3};
+  EXPECT_EQ(read_points_from(rows, "f", {.skip_invalid = true}).left_out, left_out);
+  const std::vector<double> values = {0, 0, 0, NAN, 0, 0, 1, 0, 0, INFINITY, 0, 0};
+  EXPECT_EQ(read_points_from(npy("<f8", "(4, 3)", numbers<double>(values)), "f", {.skip_invalid = true}).left_out,
+            left_out);
+}
+
 void expect_as_described(const Example& example) {
   SCOPED_TRACE(example.what);
   std::string said;
@@ -339,7 +528,8 @@ void expect_as_described(const Example& example) {
 TEST(PointExamples, AreReadOrRefusedAsDescribed) {
   CITES("FC-IN-01", "FC-IN-02", "FC-IN-05", "FC-FILE-01", "FC-FILE-02", "FC-FILE-38", "FC-FILE-39", "FC-FILE-40",
         "FC-FILE-41", "FC-FILE-42", "FC-FILE-43", "FC-FILE-44", "FC-FILE-45", "FC-FILE-46");
-  for (const auto& examples : {tables(), clouds(), molecules(), others()}) {
+  for (const auto& examples :
+       {tables(), strange_tables(), clouds(), strange_clouds(), molecules(), strange_molecules(), others()}) {
     for (const Example& example : examples) expect_as_described(example);
   }
 }
