@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "flowcert/point_set.h"
+
 namespace flowcert::io {
 
 void reject_file(std::string_view file, const std::string& reason) {

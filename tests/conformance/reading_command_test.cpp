@@ -4,6 +4,7 @@
 
 #include <boost/algorithm/string.hpp>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
