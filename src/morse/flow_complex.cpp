@@ -108,8 +108,6 @@ void FlowComplex::make(FlowComplexPart part) const {
       make(FlowComplexPart::kTriangulation);
       all.tally = {};
       all.diagram.emplace(*all.triangulation, &all.tally, all.options.threads, progress);
-      // It is as large as all of the diagram, and nothing asks for it any more.
-      all.triangulation.reset();
       break;
     case FlowComplexPart::kStationary:
       make(FlowComplexPart::kDiagram);
@@ -155,8 +153,11 @@ void FlowComplex::make(FlowComplexPart part) const {
       all.merge_trees.emplace(all.points, *all.stationary, *all.limits);
       break;
   }
-  if (progress && !tells_by_itself(part)) progress(1, 1);
+  // From here on nothing throws but the last report, and then the part stays.
+  // The triangulation is as large as all of the diagram, and nothing asks for it any more.
+  if (part == FlowComplexPart::kDiagram) all.triangulation.reset();
   all.is_made[number].store(true, std::memory_order_release);
+  if (progress && !tells_by_itself(part)) progress(1, 1);
 }
 
 const PointSet& FlowComplex::points() const { return parts_->points; }

@@ -232,6 +232,36 @@ TEST(FlowComplex, APartThatWasStoppedIsMadeWhenItIsAskedForAgain) {
   EXPECT_EQ(account_of(complex), account_of(FlowComplex(pyramid())));
 }
 
+// Ctrl-C may come at any report, the last one of a part, too.
+TEST(FlowComplex, AnswersAreTheSameAfterAStopAtAnyReport) {
+  CITES("FC-INV-01");
+  for (const std::vector<Point>& rows : {pyramid(), many_points(true, 60)}) {
+    const std::string right = account_of(FlowComplex(rows));
+    std::size_t reports = 0, stops = 0;
+    (void)account_of(FlowComplex(rows, {}, [&](FlowComplexPart, std::size_t, std::size_t) { ++reports; }));
+    // Of very many, each for small sets, and others for larger ones.
+    const std::size_t step = 1 + reports / 100;
+    for (std::size_t stop = 1; stop <= reports; stop += step) {
+      std::size_t told = 0;
+      const FlowComplex complex(rows, {}, [&](FlowComplexPart, std::size_t, std::size_t) {
+        if (++told == stop) throw std::runtime_error("stopped");
+      });
+      // Part by part, so that the stop is in a part that is asked for again.
+      for (std::size_t part = 0; part < kFlowComplexParts; ++part) {
+        try {
+          complex.make(static_cast<FlowComplexPart>(part));
+        } catch (const std::runtime_error&) {
+          ++stops;
+          complex.make(static_cast<FlowComplexPart>(part));
+        }
+      }
+      ASSERT_EQ(account_of(complex), right) << "stopped at report " << stop << " of " << reports;
+    }
+    EXPECT_EQ(stops, (reports + step - 1) / step);
+    EXPECT_GE(stops, 15U);
+  }
+}
+
 // Makes the parts in an order of the thread's own, and then tells all that there is.
 std::string account_in_order(const FlowComplex& complex, std::size_t thread, std::latch& together) {
   std::array<std::size_t, kFlowComplexParts> order{};
