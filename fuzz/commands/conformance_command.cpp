@@ -21,6 +21,7 @@
 #include "fuzz/judge/command_run.h"
 #include "fuzz/judge/limited_program.h"
 #include "fuzz/judge/vectors_folder.h"
+#include "io/diagnostic.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
 
@@ -192,7 +193,7 @@ int conformance(ConformanceCommandOptions& options) {
   try {
     return run_cases(options, vectors, cases);
   } catch (const Interrupted& interrupted) {
-    fmt::print(stderr, "flowcert: interrupted\n");
+    io::tell("flowcert: interrupted\n");
     return kShellSignal + interrupted.signal;
   }
 }

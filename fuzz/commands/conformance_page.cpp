@@ -140,6 +140,8 @@ void write_head(std::ostream& out, const Json& report) {
   const bool is_right = report.at("verdict") != "fails";
   out << "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; "
+         "style-src 'unsafe-inline'\">\n"
          "<title>Flowcert conformance report</title>\n<style>"
       << kStyle << "</style>\n</head>\n<body>\n<h1>Conformance report</h1>\n";
   out << fmt::format("<p class=\"verdict {}\">{}</p>\n<p>Command: <code>{}</code></p>\n", is_right ? "good" : "bad",

@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <fstream>
+#include <iostream>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -19,6 +21,8 @@
 #include "fuzz/judge/command_run.h"
 #include "fuzz/judge/limited_program.h"
 #include "fuzz/judge/peer_property.h"
+#include "io/diagnostic.h"
+#include "io/foreign_text.h"
 #include "io/number_text.h"
 
 namespace flowcert::commands {
@@ -138,11 +142,34 @@ std::vector<fuzz::Input> corpus_of(const std::string& folder) {
 
 // ---- Campaigns
 
+bool says_yes() {
+  std::string answer;
+  return std::getline(std::cin, answer) && (answer == "y" || answer == "yes");
+}
+
+// A folder may be somebody else's, and its plan has a command. It runs if the user says it again, or says yes to it.
+void require_consent(const FuzzOptions& options, const fuzz::CampaignPlan& plan) {
+  const std::string option = against_option(plan);
+  const std::string& said = plan.judges_pairs ? options.persistence_against : options.against;
+  const bool is_other = !options.against.empty() || !options.persistence_against.empty();
+  if (plan.against == said && (!said.empty() || !is_other)) return;
+  const std::string runs = plan.against.empty()
+                               ? options.resume + ": its campaign runs no command"
+                               : fmt::format("{}: its campaign runs the command {}", options.resume, plan.against);
+  if (is_other) throw InvalidInput(fmt::format("{}, and {} says another one", runs, option));
+  if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0) {
+    throw InvalidInput(fmt::format("{}; it runs if {} says it again", runs, option));
+  }
+  io::tell(fmt::format("{}\nShall it run? [y/N] ", io::on_one_line(runs)));
+  if (!says_yes()) throw InvalidInput(options.resume + ": its command does not run");
+}
+
 fuzz::Campaign resumed_campaign(const FuzzOptions& options) {
   fuzz::Campaign campaign = fuzz::Campaign::resumed(options.resume, options.count);
   if (!campaign.total_cases() && !options.seconds && !options.only) {
     throw InvalidInput(options.resume + ": it has no number of cases: one of --count and --time is required");
   }
+  require_consent(options, campaign.plan());
   require_startable(campaign.plan());
   return campaign;
 }
@@ -251,10 +278,10 @@ void add_run_options(CLI::App& command, FuzzOptions& options) {
   auto* out = command.add_option("--out", options.out,
                                  "Keep the campaign in this new folder: findings, signatures, and what to go on with");
   auto* resume =
-      command.add_option("--resume", options.resume, "Go on with the campaign in this folder")->excludes(out);
+      command.add_option("--resume", options.resume, "Go on with the campaign in this folder; a command of its plan runs if --against says it again")->excludes(out);
   // The campaign's folder says all of this.
-  for (const char* name : {"--families", "--points", "--search", "--corpus", "--seed", "--property", "--against",
-                           "--persistence-against", "--ignore", "--shard", "--time-limit", "--memory-limit"}) {
+  for (const char* name : {"--families", "--points", "--search", "--corpus", "--seed", "--property", "--ignore",
+                           "--shard", "--time-limit", "--memory-limit"}) {
     resume->excludes(command.get_option(name));
   }
   command.add_flag("--shrink-all", options.shrinks_all,

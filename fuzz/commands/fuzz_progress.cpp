@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "io/diagnostic.h"
 
 namespace flowcert::commands {
 
@@ -57,8 +58,7 @@ double FuzzProgress::seconds_so_far() const { return std::chrono::duration<doubl
 
 void FuzzProgress::erase() {
   if (lines_drawn_ == 0) return;
-  fmt::print(stderr, "\r{}\033[J", lines_drawn_ > 1 ? fmt::format("\033[{}A", lines_drawn_ - 1) : "");
-  std::fflush(stderr);
+  io::tell(fmt::format("\r{}\033[J", lines_drawn_ > 1 ? fmt::format("\033[{}A", lines_drawn_ - 1) : ""));
   lines_drawn_ = 0;
 }
 
@@ -89,8 +89,7 @@ void FuzzProgress::operator()(std::size_t under_way) {
   std::string text;
   for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line.substr(0, width - 1);
   erase();
-  fmt::print(stderr, "{}", text);
-  std::fflush(stderr);
+  io::tell(text);
   lines_drawn_ = lines.size();
 }
 

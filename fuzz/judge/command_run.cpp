@@ -192,7 +192,13 @@ void write_text_file(const fs::path& path, const std::string& text) {
 // ---- Its folder ----
 
 ScratchFolder::ScratchFolder() {
-  std::string name = (fs::absolute(fs::temp_directory_path()) / "flowcert-XXXXXX").string();
+  std::error_code failure;
+  const fs::path folder = fs::temp_directory_path(failure);
+  if (failure) {
+    const char* const said = std::getenv("TMPDIR");
+    throw OutputError(fmt::format("no folder for temporary files: TMPDIR is '{}'", said == nullptr ? "" : said));
+  }
+  std::string name = (fs::absolute(folder) / "flowcert-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) {
     throw fs::filesystem_error("no temporary directory", name, std::error_code(errno, std::generic_category()));
   }

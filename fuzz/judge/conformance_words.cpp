@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "io/foreign_text.h"
 
 namespace flowcert::judge {
 
@@ -23,8 +23,7 @@ const char* run_outcome_text(RunOutcome outcome) {
 }
 
 std::string one_line(const std::string& text) {
-  std::string line = text.substr(0, kLongestLine);
-  std::ranges::replace_if(line, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
+  const std::string line = io::on_one_line(io::front_of(text, kLongestLine));
   return text.size() > kLongestLine ? line + "..." : line;
 }
 

@@ -265,7 +265,8 @@ int run(int argc, char** argv) {
       "  flowcert-oracle certify bunny.xyz bunny.jsonl --sample 200 --seed 1");
   std::string input, records, from;
   bool json = false;
-  std::size_t limit = 100, sample = 200;
+  std::size_t limit = 100;
+  std::int64_t sample = 200;
   std::uint64_t seed = 1;
 
   CLI::App& list = *app.add_subcommand("stationary", "List all stationary points of a small input");
@@ -279,7 +280,9 @@ int run(int argc, char** argv) {
   CLI::App& judge = *app.add_subcommand("certify", "Judge claimed stationary points of an input of any size");
   judge.add_option("INPUT", input, "XYZ file, or OBJ (.obj)")->required();
   judge.add_option("RECORDS", records, "What 'flowcert compute -o' wrote for it")->required();
-  judge.add_option("--sample", sample, "How many records to draw; all if there are fewer")->capture_default_str();
+  judge.add_option("--sample", sample, "How many records to draw; all if there are fewer")
+      ->capture_default_str()
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 62));
   judge.add_option("--seed", seed, "Seed of the draw")->capture_default_str();
   judge.footer(
       "Examples:\n  flowcert-oracle certify bunny.xyz bunny.jsonl --sample 200 --seed 1\n"
@@ -307,7 +310,8 @@ int run(int argc, char** argv) {
     throw oracle::UnusableInput(std::string(error.what()) + " (see --help)");
   }
   if (flow.parsed()) return run_orbit(input, from, json);
-  return list.parsed() ? run_stationary(input, json, limit) : run_certify(input, records, sample, seed);
+  return list.parsed() ? run_stationary(input, json, limit)
+                       : run_certify(input, records, static_cast<std::size_t>(sample), seed);
 }
 
 }  // namespace

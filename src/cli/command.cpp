@@ -8,27 +8,12 @@
 #include "cli/progress.h"
 #include "cli/table.h"
 #include "geometry/parallel_for.h"
+#include "io/diagnostic.h"
 #include "io/number_text.h"
 
 namespace flowcert::cli {
 
 std::string complaint_about_path(const std::string& path) { return path.empty() ? "the path is empty" : ""; }
-
-std::string on_one_line(const std::string& text) {
-  std::string line;
-  for (const char c : text) {
-    if (c == '\n') {
-      line += "\\n";
-    } else if (c == '\t') {
-      line += "\\t";
-    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-      line += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-    } else {
-      line += c;
-    }
-  }
-  return line;
-}
 
 std::string display_name(const std::string& path) { return path == "-" ? "standard input" : on_one_line(path); }
 
@@ -106,11 +91,11 @@ PointFile read_points_aloud(const std::string& path, const ReadingOptions& readi
   }();
   for (const ReadingNote& note : file.notes) {
     const std::string line = note.line > 0 ? fmt::format(":{}", note.line) : "";
-    fmt::print(stderr, "note: {}{}: {}\n", display_name(path), line, note.text);
+    io::tell(fmt::format("note: {}{}: {}\n", display_name(path), line, on_one_line(note.text)));
   }
   if (const std::size_t rows = file.left_out.size(); rows > 0) {
-    fmt::print(stderr, "note: {}: {} row{} left out, with a coordinate that is not a finite number\n",
-               display_name(path), with_commas(rows), rows == 1 ? " is" : "s are");
+    io::tell(fmt::format("note: {}: {} row{} left out, with a coordinate that is not a finite number\n",
+                         display_name(path), with_commas(rows), rows == 1 ? " is" : "s are"));
   }
   return file;
 }
@@ -120,8 +105,8 @@ Input read_input(const std::string& path, const ReadingOptions& reading) {
   input.file = read_points_aloud(path, reading);
   input.points = PointSet(input.file.rows, input.file.left_out);
   if (const std::size_t merged = input.points.merged_duplicates(); merged > 0) {
-    fmt::print(stderr, "warning: {}: {} repeated point{} merged\n", display_name(path), with_commas(merged),
-               merged == 1 ? "" : "s");
+    io::tell(fmt::format("warning: {}: {} repeated point{} merged\n", display_name(path), with_commas(merged),
+                         merged == 1 ? "" : "s"));
   }
   return input;
 }

@@ -8,6 +8,7 @@
 #include "cli/layer.h"
 #include "flowcert/orbit.h"
 #include "flowcert/read_points.h"
+#include "io/foreign_text.h"
 #include "io/with_commas.h"
 
 namespace CLI {
@@ -74,9 +75,8 @@ inline constexpr char kStandardStream[] = "-";
 // What is wrong with the path of a file to write, or nothing.
 [[nodiscard]] std::string complaint_about_path(const std::string& path);
 
-// The text with control characters as \n, \t, \x1b and the like: one line that harms no terminal. All errors are told
-// in it. A path may hold any byte.
-[[nodiscard]] std::string on_one_line(const std::string& text);
+// All errors are told in it. A path may hold any byte.
+using io::on_one_line;
 
 // The name of the file for messages, on one line: "-" gets a readable name.
 [[nodiscard]] std::string display_name(const std::string& path);

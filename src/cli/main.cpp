@@ -22,6 +22,7 @@
 #include "cli/overview.h"
 #include "flowcert/reproducibility.h"
 #include "fuzz/commands/commands.h"
+#include "io/diagnostic.h"
 #include "io/output_file.h"
 
 namespace {
@@ -37,7 +38,7 @@ std::string version_text() {
 }
 
 int complain(const std::string& what) {
-  fmt::print(stderr, "flowcert: {}\n", on_one_line(what));
+  io::tell(fmt::format("flowcert: {}\n", on_one_line(what)));
   return kUnusable;
 }
 
@@ -110,6 +111,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  io::prepare_standard_streams();
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {

@@ -15,6 +15,8 @@
 #include <thread>
 #include <vector>
 
+#include "io/diagnostic.h"
+
 namespace flowcert::cli {
 
 namespace {
@@ -30,15 +32,6 @@ constexpr std::size_t kUsualColumns = 80;
 std::size_t terminal_columns() {
   winsize size{};
   return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col : kUsualColumns;
-}
-
-// Past the C library's buffers, whose lock a child process would inherit locked.
-void put_on_screen(std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
-    if (written <= 0) return;
-    text.remove_prefix(static_cast<std::size_t>(written));
-  }
 }
 
 // The lines that exist, and the thread that draws the innermost steady one.
@@ -97,11 +90,11 @@ class Screen {
         std::find_if(lines_.rbegin(), lines_.rend(), [now](const ProgressLine* line) { return line->is_steady(now); });
     if (steady == lines_.rend()) return;
     drawn_ = *steady;
-    put_on_screen("\r" + drawn_->text(now, terminal_columns() - 1) + "\033[K");
+    io::tell("\r" + drawn_->text(now, terminal_columns() - 1) + "\033[K");
   }
 
   void erase() {
-    put_on_screen("\r\033[K");
+    io::tell("\r\033[K");
     drawn_ = nullptr;
   }
 

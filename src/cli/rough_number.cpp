@@ -39,6 +39,7 @@ std::string text_of(double mantissa, int power_of_two) {
 
 std::string rough_text(const Rational& number) {
   if (number == 0) return "0";
+  if (number < 0) return '-' + rough_text(-number);
   const auto [mantissa, half] = scaled(number);
   return text_of(mantissa, 2 * half);
 }

@@ -8,10 +8,10 @@
 
 namespace flowcert::cli {
 
-// "0.25", "1.7e+400". The number must not be negative.
+// "0.25", "-1.7e+400".
 [[nodiscard]] std::string rough_text(const Rational& number);
 
-// The square root, in the same way.
+// The square root, in the same way. The square must not be negative.
 [[nodiscard]] std::string rough_root_text(const Rational& square);
 
 }  // namespace flowcert::cli

@@ -15,6 +15,7 @@
 #include <memory>
 #include <new>
 
+#include "io/inputs_read.h"
 #include "io/line_reader.h"
 
 namespace flowcert::io {
@@ -44,6 +45,7 @@ class InputFile {
 
 std::string read_bytes(const std::string& path) {
   const InputFile input(path);
+  remember_input(path, input.descriptor());
   std::string bytes;
   std::array<char, std::size_t{1} << 16> block{};
   while (true) {

@@ -11,6 +11,8 @@
 #include <system_error>
 #include <vector>
 
+#include "io/foreign_text.h"
+
 namespace flowcert::io {
 
 // ---- Doubles ----
@@ -174,13 +176,9 @@ NumberText parse_number(std::string_view text) {
 }
 
 std::string in_quotes(std::string_view text) {
-  std::string result = "'";
-  for (const char c : text.substr(0, kLongestQuote)) {
-    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-    result += control ? '?' : c;
-  }
-  if (text.size() > kLongestQuote) result += "...";
-  return result + "'";
+  const std::string shown = on_one_line(front_of(text, kLongestQuote));
+  const std::string_view front = front_of(shown, kLongestQuote);
+  return "'" + std::string(front) + (text.size() > kLongestQuote || front.size() < shown.size() ? "...'" : "'");
 }
 
 // ---- Rationals ----

@@ -2,6 +2,7 @@
 #include "io/output_file.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <time.h>
@@ -16,11 +17,15 @@
 #include <optional>
 #include <vector>
 
+#include "io/diagnostic.h"
+#include "io/foreign_text.h"
+#include "io/inputs_read.h"
+
 namespace flowcert::io {
 
 namespace {
 
-constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGABRT, SIGQUIT, SIGXCPU};
 
 // A signal handler reads these, and may touch nothing that allocates. So they are plain arrays. Empty means no file.
 char temporaries_in_progress[512][4096] = {};
@@ -28,15 +33,21 @@ char temporaries_in_progress[512][4096] = {};
 std::atomic<bool> temporary_is_held = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler uses it");
 
+constexpr timespec kMoment = {.tv_sec = 0, .tv_nsec = 100'000};
+
 void hold_temporary() {
-  constexpr timespec kMoment = {.tv_sec = 0, .tv_nsec = 100'000};
   while (temporary_is_held.exchange(true)) ::nanosleep(&kMoment, nullptr);
+}
+
+// For a handler. A thread that aborts while it holds the file never lets go, so this waits a second at most.
+void hold_temporary_at_the_end() {
+  for (int moment = 0; moment < 10'000 && temporary_is_held.exchange(true); ++moment) ::nanosleep(&kMoment, nullptr);
 }
 
 // Any thread may be given a signal. It waits for the one that writes, and then never lets go: so no file is made
 // between here and the end.
 void remove_and_end(int signal_number) {
-  hold_temporary();
+  hold_temporary_at_the_end();
   for (const auto& temporary : temporaries_in_progress) {
     if (temporary[0] != '\0') ::unlink(temporary);
   }
@@ -74,6 +85,8 @@ void set_handlers() {
       ::signal(signal_number, remove_and_end);
     }
   }
+  // A write beyond the limit of a file's size fails then, and its reason is told.
+  ::signal(SIGXFSZ, SIG_IGN);
 }
 
 void remember(const std::string& temporary) {
@@ -103,29 +116,63 @@ void remove_temporary(const std::string& temporary) {
   forget(temporary);
 }
 
+// Where symbolic links lead to, also one to a file that is still to be made.
+std::string end_of_links(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as Linux has it
+  std::filesystem::path end = path;
+  std::error_code failure;
+  for (int link = 0; link < kMostLinks && std::filesystem::is_symlink(end, failure); ++link) {
+    const std::filesystem::path next = std::filesystem::read_symlink(end, failure);
+    if (failure) break;
+    end = next.is_absolute() ? next : end.parent_path() / next;
+  }
+  return end.string();
+}
+
+void warn_of_owner(const std::string& path) {
+  tell(fmt::format("warning: {}: its owner cannot be kept\n", on_one_line(path)));
+}
+
+// The owner first, because a change of it takes bits of the mode away.
+void keep_owner_and_mode(int descriptor, const struct stat& status, const std::string& path) {
+  const bool is_kept = ::fchown(descriptor, status.st_uid, status.st_gid) == 0;
+  if (!is_kept) warn_of_owner(path);
+  // The rights of one owner are not given to another one.
+  ::fchmod(descriptor, status.st_mode & (is_kept ? 07777 : 0777));
+}
+
 }  // namespace
 
-OutputFile::OutputFile(const std::string& path) : path_(path) {
+OutputFile::OutputFile(const std::string& path) : path_(path), target_(path) {
   // What cannot be found out here, in a folder that may not be entered, is told when the file is made.
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path_, ignored)) fail("Is a directory");
+  struct stat status{};
+  const bool is_there = ::stat(path_.c_str(), &status) == 0;
+  if (is_there && S_ISDIR(status.st_mode)) fail("Is a directory");
   // /dev/stdout or a named pipe is no regular file, and cannot be replaced by renaming.
-  if (std::filesystem::exists(path_, ignored) && !std::filesystem::is_regular_file(path_, ignored)) {
+  if (is_there && !S_ISREG(status.st_mode)) {
     stream_.open(path_, std::ios::binary);
     if (!stream_) fail(std::strerror(errno));
     return;
   }
-  std::vector<char> name(path_.begin(), path_.end());
+  if (is_there && is_input(status)) fail("it is an input of this run");
+  target_ = end_of_links(path_);
+  std::error_code ignored;
+  if (std::filesystem::is_symlink(target_, ignored)) fail(std::strerror(ELOOP));
+  std::vector<char> name(target_.begin(), target_.end());
   for (const char c : {'.', 'X', 'X', 'X', 'X', 'X', 'X', '\0'}) name.push_back(c);
   // Opening a stream makes the file anew where a handler has removed it. So they wait until it is open.
   std::optional<HandlersHeld> held(std::in_place);
   set_handlers();
   const int descriptor = make_temporary(name);
   if (descriptor < 0) fail(std::strerror(errno));
-  // Only the owner can read a file that mkstemp makes. An output has to be as readable as any new file.
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  ::fchmod(descriptor, 0666 & ~mask);
+  if (is_there) {
+    keep_owner_and_mode(descriptor, status, path_);
+  } else {
+    // Only the owner can read a file that mkstemp makes. An output has to be as readable as any new file.
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    ::fchmod(descriptor, 0666 & ~mask);
+  }
   ::close(descriptor);
   temporary_ = name.data();
   stream_.open(temporary_, std::ios::binary);
@@ -150,7 +197,7 @@ void OutputFile::commit() {
   if (!stream_) fail(errno != 0 ? std::strerror(errno) : "write failed");
   if (temporary_.empty()) return;
   const HandlersHeld held;
-  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(std::strerror(errno));
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(std::strerror(errno));
   forget(temporary_);
   temporary_.clear();
 }

@@ -81,7 +81,7 @@ TEST(CommandLine, WrongWordsAreNamedWithWhatIsNearest) {
       {{"stats", input, "-q"}, "stats has no option '-q' \\(see flowcert stats --help\\)"},
       {{"--json", "compute", input}, "--json has to stand after compute .*"},
       {{"fuzz", "merge", "a", "--jsn"}, ".* no option '--jsn'; .* --json\\? \\(see flowcert fuzz merge --help\\)"},
-      {{"compute", "a", "b", "c\nd", "e"}, "unexpected arguments: 'b' 'c\\?d' 'e' \\(see flowcert compute --help\\)"},
+      {{"compute", "a", "b", "c\nd", "e"}, "unexpected arguments: 'b' 'c\\\\nd' 'e' \\(see flowcert compute --help\\)"},
       {{"compute", "a", "b"}, "unexpected argument: 'b' .*"},
       {{"explain", "--ids", "0", "1", input}, "--ids takes one word: write --ids 0,1 .*"},
       {{"explain", input, "--ids", "0", "1", "2"}, "--ids takes one word: write --ids 0,1,2 .*"},

@@ -380,7 +380,7 @@ TEST_F(ConformanceCommand, WritesAReportForCiSystems) {
                                   "errors=\"0\" skipped=\"0\""),
             std::string::npos)
       << content_of(path);
-  EXPECT_NE(content_of(path).find("a &lt;b&gt; &amp; ? &quot;c&quot;"), std::string::npos) << content_of(path);
+  EXPECT_NE(content_of(path).find(R"(a &lt;b&gt; &amp; \x01 &quot;c&quot;)"), std::string::npos) << content_of(path);
   // A claim that conforms where it is determined is no failure. The report tells what varies.
   const Words varied = {"--against", script(kPerturbedTriangle), "--case", "regular-stationary-points-0001", "--junit",
                         path};

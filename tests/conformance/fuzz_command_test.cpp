@@ -221,7 +221,7 @@ TEST(FuzzCommand, GoesOnBeyondWhatIsKnown) {
   EXPECT_FALSE(without.at("failures").contains(cluster)) << without.at("failures");
   EXPECT_EQ(without.at("ignored"), json({"missed-by-cluster"}));
   // Going on means the same.
-  const json more = campaign({"--resume", scratch.path("2"), "--count", "90"}, 1);
+  const json more = campaign({"--resume", scratch.path("2"), "--count", "90", "--against", peer("--strict")}, 1);
   EXPECT_FALSE(more.at("failures").contains(cluster)) << more.at("failures");
 
   const json known = campaign(joined(command, {"--out", scratch.path("3"), "--known", folder}), 0);
@@ -231,7 +231,7 @@ TEST(FuzzCommand, GoesOnBeyondWhatIsKnown) {
   // One file explains its own finding. What is new comes first.
   const std::string file = folder + "/findings/" + "against-missed-by-cluster-" +
                            std::to_string(all.at("failing").at(cluster)[0].get<std::size_t>()) + ".xyz";
-  const json some = campaign({"--resume", folder, "--count", "60", "--known", file}, 1);
+  const json some = campaign({"--resume", folder, "--count", "60", "--known", file, "--against", peer("--strict")}, 1);
   EXPECT_EQ(some.at("explained"), 1);
   EXPECT_TRUE(some.at("kinds").back().at("explained")) << some.at("kinds");
   EXPECT_FALSE(some.at("kinds")[0].at("explained"));
@@ -269,12 +269,12 @@ TEST(FuzzCommand, DoesOneCaseAgain) {
   EXPECT_EQ(report.at("failures").at("against missed-by-cluster"), numbers.size());
   ASSERT_GT(numbers.size(), 5U);
   const std::string last = std::to_string(numbers.back().get<std::size_t>());
-  const Finished again = flowcert({"fuzz", "--resume", folder, "--case", last});
+  const Finished again = flowcert({"fuzz", "--resume", folder, "--case", last, "--against", peer("--strict")});
   EXPECT_EQ(again.status, 1) << again.err;
   const std::string file = folder + "/findings/against-missed-by-cluster-" + last + ".xyz";
   EXPECT_NE(again.out.find(file), std::string::npos) << again.out;
   EXPECT_EQ(flowcert({"fuzz", "--replay", file, "--against", peer("--strict")}).status, 1);
-  EXPECT_EQ(flowcert({"fuzz", "--resume", folder, "--case", "120"}).status, 2);
+  EXPECT_EQ(flowcert({"fuzz", "--resume", folder, "--case", "120", "--against", peer("--strict")}).status, 2);
   EXPECT_EQ(flowcert({"fuzz", "--case", "18446744073709551615"}).status, 2);
   // Without a folder the merged campaign has nowhere to put its files.
   const Finished merged = flowcert({"fuzz", "merge", folder});

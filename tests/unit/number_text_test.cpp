@@ -231,7 +231,7 @@ TEST(NumberText, DoesNotLookAtTheLocale) {
 TEST(NumberText, QuotesOnOneLine) {
   CITES("FC-IN-05");
   EXPECT_EQ(in_quotes("abc"), "'abc'");
-  EXPECT_EQ(in_quotes("a\x1b[1m\n"), "'a?[1m?'");
+  EXPECT_EQ(in_quotes("a\x1b[1m\n"), R"('a\x1b[1m\n')");
   EXPECT_EQ(in_quotes(std::string(1000, 'x')), "'" + std::string(40, 'x') + "...'");
 }
 

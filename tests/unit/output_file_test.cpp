@@ -6,12 +6,14 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <thread>
 
@@ -22,7 +24,11 @@ namespace fs = std::filesystem;
 
 constexpr int kChildren = 200;
 
+constexpr int kSignals[] = {SIGTERM, SIGABRT, SIGQUIT, SIGXCPU, SIGHUP};
+
 [[noreturn]] void write_without_end(const std::string& path) {
+  constexpr rlimit kNoCore = {0, 0};
+  ::setrlimit(RLIMIT_CORE, &kNoCore);
   std::thread waits([] { ::pause(); });
   while (true) {
     OutputFile output(path);
@@ -38,10 +44,11 @@ TEST(OutputFile, LeavesNothingWhicheverThreadIsGivenTheSignal) {
     ASSERT_GE(child, 0);
     if (child == 0) write_without_end(folder + "/out");
     std::this_thread::sleep_for(std::chrono::microseconds(2000 + 37 * i));
-    ASSERT_EQ(::kill(child, SIGTERM), 0);
+    const int signal_number = kSignals[static_cast<std::size_t>(i) % std::size(kSignals)];
+    ASSERT_EQ(::kill(child, signal_number), 0);
     int status = 0;
     ASSERT_EQ(::waitpid(child, &status, 0), child);
-    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGTERM) << status;
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal_number) << status;
     EXPECT_TRUE(fs::is_empty(folder)) << fs::directory_iterator(folder)->path();
   }
   fs::remove_all(folder);

@@ -83,6 +83,19 @@ TEST(PairClaim, WhatIsNoneIsRefused) {
   }
 }
 
+// Of a program under test it may come, or of an attacker.
+TEST(PairClaim, JsonThatIsNoneOrHasNoEndIsRefusedInOneLine) {
+  CITES("FC-IN-05");
+  for (const char* text : {"{nope", "{\"pairs\": [\"\xff\"]}"}) {
+    EXPECT_TRUE(error_in(text).starts_with("pairs: not JSON, in byte ")) << error_in(text);
+  }
+  const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
+  EXPECT_EQ(error_in("{\"x\": " + deep + ", \"pairs\": []}"), "pairs: nested deeper than 16 levels");
+  std::string keys = "{\"pairs\": []";
+  for (int k = 0; k < 200'000; ++k) keys += ",\"k" + std::to_string(k) + "\":0";
+  EXPECT_EQ(error_in(keys + "}"), "pairs: an object of more than 1000 keys");
+}
+
 TEST(PairClaim, PairsAreOrderedByDimensionBirthAndDeath) {
   CITES("FC-PERS-01");
   const std::vector<ListedPair> ordered = {{0, 0, Rational(1)}, {0, 0, Rational(2)}, {0, 0, std::nullopt},

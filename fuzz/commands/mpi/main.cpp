@@ -24,6 +24,7 @@
 #include "fuzz/commands/mpi/ranks.h"
 #include "fuzz/judge/conformance_words.h"
 #include "fuzz/judge/limited_program.h"
+#include "io/diagnostic.h"
 
 namespace {
 
@@ -75,7 +76,7 @@ void parse(int argc, char** argv, CommandLine& line) {
 }
 
 int complain(const std::string& what) {
-  fmt::print(stderr, "flowcert-fuzz-mpi: {}\n", one_line(what));
+  io::tell(fmt::format("flowcert-fuzz-mpi: {}\n", one_line(what)));
   return kUnusable;
 }
 

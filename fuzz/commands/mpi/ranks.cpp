@@ -14,6 +14,7 @@
 #include "cli/command.h"
 #include "fuzz/campaign/batch.h"
 #include "fuzz/judge/limited_program.h"
+#include "io/diagnostic.h"
 
 namespace flowcert::commands {
 
@@ -146,8 +147,8 @@ class Lead {
   }
   void say(const Worker& worker, const std::string& what) const {
     if (is_stopping_) return;
-    fmt::print(stderr, "flowcert-fuzz-mpi: rank {} {}{}\n", worker.rank, what,
-               worker.batch ? fmt::format("; batch {} is handed out again", *worker.batch) : "");
+    io::tell(fmt::format("flowcert-fuzz-mpi: rank {} {}{}\n", worker.rank, what,
+                         worker.batch ? fmt::format("; batch {} is handed out again", *worker.batch) : ""));
   }
 
   // Returns false if there was no line.
@@ -325,7 +326,7 @@ class WorkerRank {
   }
 
   [[noreturn]] void end_without_rank_0() {
-    fmt::print(stderr, "flowcert-fuzz-mpi: rank {}: rank 0 is not heard of any more\n", lines_.rank());
+    io::tell(fmt::format("flowcert-fuzz-mpi: rank {}: rank 0 is not heard of any more\n", lines_.rank()));
     MPI_Abort(MPI_COMM_WORLD, kUnusable);
     std::abort();
   }

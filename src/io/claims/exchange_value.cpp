@@ -6,12 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "io/json_limits.h"
+
 namespace flowcert::io {
 
 namespace {
-
-// Our own records nest at most eight deep: object, u1, sheets, sheet, corners, corner, vector, position.
-constexpr std::size_t kDeepest = 16;
 
 // nlohmann's parser calls this for each event. The parser's own trees are not used: they keep numbers as doubles,
 // take the last of two equal keys, and allow any depth.
@@ -25,12 +24,21 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool boolean(bool value) override { return add(JsonKind::kBoolean, value ? "true" : "false"); }
   bool number_integer(std::int64_t value) override { return add(JsonKind::kNumber, std::to_string(value)); }
   bool number_unsigned(std::uint64_t value) override { return add(JsonKind::kNumber, std::to_string(value)); }
-  bool number_float(double /*value*/, const std::string& text) override { return add(JsonKind::kNumber, text); }
+  bool number_float(double /*value*/, const std::string& text) override {
+    // The parser writes the point as the locale of the process has it.
+    std::string number = text;
+    std::ranges::replace_if(
+        number, [](char c) { return !is_digit(c) && c != '+' && c != '-' && c != 'e' && c != 'E'; }, '.');
+    return add(JsonKind::kNumber, std::move(number));
+  }
   bool string(std::string& value) override { return add(JsonKind::kString, std::move(value)); }
   bool binary(nlohmann::json::binary_t& /*value*/) override { return false; }  // never called for text
   bool start_array(std::size_t /*size*/) override { return open(JsonKind::kArray); }
   bool start_object(std::size_t /*size*/) override { return open(JsonKind::kObject); }
-  bool key(std::string& key) override { return add(JsonKind::kString, std::move(key)); }
+  bool key(std::string& key) override {
+    require(limits_.key());
+    return add(JsonKind::kString, std::move(key));
+  }
   bool end_array() override { return close(); }
   bool end_object() override {
     reject_repeated_keys();
@@ -55,12 +63,16 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
   bool open(JsonKind kind) {
-    if (open_.size() == kDeepest) place_.reject("nested deeper than " + std::to_string(kDeepest) + " levels");
+    require(limits_.open());
     add(kind, {});
     open_.push_back(open_.empty() ? &root_ : &open_.back()->items.back());
     return true;
   }
+  void require(const std::string& fault) const {
+    if (!fault.empty()) place_.reject(fault);
+  }
   bool close() {
+    limits_.close();
     open_.pop_back();
     return true;
   }
@@ -74,6 +86,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
 
   LinePlace place_;
+  JsonLimits limits_;
   JsonTree root_;
   std::vector<JsonTree*> open_;
 };

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/json_fields.h"
+#include "io/json_limits.h"
 
 namespace flowcert {
 
@@ -74,7 +74,7 @@ std::optional<PathLimit> limit_of(const Json& object) {
 
 OrbitPath claimed_orbit_of(const std::string& bytes, const std::string& name) {
   try {
-    const Json object = Json::parse(bytes);
+    const Json object = parse_foreign_json(bytes, name);
     OrbitPath path;
     for (const Json& segment : required_array(required_field(object, "segments"), "segments"))
       path.segments.push_back(segment_of(segment));

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "io/json_fields.h"
+#include "io/json_limits.h"
 #include "io/line_reader.h"
 #include "io/number_text.h"
 
@@ -28,8 +28,7 @@ int dimension_of(const Json& pair) {
   return value.get<int>();
 }
 
-std::vector<ClaimedPair> pairs_of_json(const std::string& bytes) {
-  const Json object = Json::parse(bytes);
+std::vector<ClaimedPair> pairs_of_json(const Json& object) {
   std::vector<ClaimedPair> pairs;
   const auto value = [](const Json& point) {
     return ClaimedNumber{required_rational(required_field(point, "squared_distance"), "squared_distance"), true};
@@ -129,8 +128,9 @@ std::vector<ClaimedPair> claimed_pairs_of(const std::string& bytes, const std::s
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) throw InvalidInput(name + ": empty");
   if (bytes[first] != '{') return pairs_of_text(bytes, name);
+  const Json object = parse_foreign_json(bytes, name);
   try {
-    return pairs_of_json(bytes);
+    return pairs_of_json(object);
   } catch (const InvalidInput& error) {
     throw InvalidInput(fmt::format("{}: {}", name, error.what()));
   }
