@@ -34,8 +34,8 @@ DifferenceCounts counts_of(const PairReport& report, std::size_t dimension) {
 // "CLAIM:LINE: wrong-pair [FC-CLAIM-11]: claimed ...; truth: ..."
 std::string difference_line(const CheckedFiles& files, const PairDifference& difference) {
   const std::string line = difference.line > 0 ? fmt::format(":{}", difference.line) : "";
-  return fmt::format("{}{}: {} [{}]: claimed {}; truth: {}", files.claim, line, reason_text(difference), kClause,
-                     difference.claimed, difference.truth);
+  return on_one_line(fmt::format("{}{}: {} [{}]: claimed {}; truth: {}", files.claim, line, reason_text(difference),
+                                 kClause, difference.claimed, difference.truth));
 }
 
 }  // namespace

@@ -174,8 +174,9 @@ void write_level(std::ostream& out, const CheckedFiles& files, const CheckReport
 const char* truth_text(const CheckedFiles& files) { return files.by_oracle ? "oracle" : "fast implementation"; }
 
 std::string finding_line(const std::string& claim, const Finding& finding) {
-  return fmt::format("{}: {}, level {}: {} [{}]: claimed {}; truth: {}", place_of(claim, finding), word_of(finding),
-                     finding.level, reason_text(finding.reason), finding.clause, finding.claimed, finding.truth);
+  return on_one_line(fmt::format("{}: {}, level {}: {} [{}]: claimed {}; truth: {}", place_of(claim, finding),
+                                 word_of(finding), finding.level, reason_text(finding.reason), finding.clause,
+                                 finding.claimed, finding.truth));
 }
 
 std::string finding_text(const std::string& claim, const Finding& finding) {
@@ -207,9 +208,10 @@ void print_check_text(const CheckedFiles& files, const CheckReport& report, std:
   }
   fmt::print("\n");
   print_levels(report);
-  for (const std::string& what : report.not_judged) fmt::print("{}\n", wrapped("not judged: " + what, kFindingIndent));
+  for (const std::string& what : report.not_judged)
+    fmt::print("{}\n", wrapped("not judged: " + on_one_line(what), kFindingIndent));
   for (const std::string& what : report.not_decided) {
-    fmt::print("{}\n", wrapped("not decided: " + what, kFindingIndent));
+    fmt::print("{}\n", wrapped("not decided: " + on_one_line(what), kFindingIndent));
   }
   const std::string tolerance = report.is_exact ? "" : fmt::format(", tolerance {} of the radius", files.tolerance);
   fmt::print("\n");

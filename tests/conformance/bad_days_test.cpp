@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tests/conformance/program_run.h"
+#include "tests/hostile_text.h"
 
 namespace flowcert::conformance::bad_days_test {
 namespace {
@@ -71,6 +72,32 @@ TEST(Diagnostics, AClosedStandardOutputIsToldAndIsNoFile) {
   EXPECT_EQ(finished.status, 2);
   EXPECT_EQ(content_of(scratch.path("out.jsonl")).find("flowcert: "), std::string::npos);
   expect_one_line(shell("exec \"$0\" compute - <&-", scratch), "cannot read");
+}
+
+// ---- Text of strangers ----
+
+TEST(HostileText, OfAClaimReachesNoTerminal) {
+  const Scratch scratch;
+  const std::string input = scratch.file("a.xyz", kSquare);
+  for (const std::string& text : flowcert_tests::hostile_texts()) {
+    const std::string quoted = nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+    const std::string claim = scratch.file(
+        "claim.jsonl", "{\"format\":\"flowcert-stationary-points\",\"format_version\":1," + quoted +
+                           ":0}\n{\"index\":0,\"contact\":[0]," + quoted + ":1,\"kind\":" + quoted + "}\n");
+    const std::string other =
+        scratch.file("other.jsonl", "{\"format\":\"flowcert-stationary-points\",\"format_version\":1," + quoted +
+                                        ":0}\n{\"index\":0,\"contact\":[0]," + quoted + ":1}\n");
+    const std::string raw = scratch.file("raw.xyz", text + "\n");
+    for (const Words& command : {Words{"check", input, claim}, Words{"check", input, other}, Words{"check", input, raw},
+                                 Words{"compute", raw}, Words{"compute", text}, Words{text}}) {
+      const Finished finished = flowcert(command);
+      EXPECT_GE(finished.status, 0);
+      for (const std::string& line : lines_of(finished.out + finished.err)) {
+        EXPECT_TRUE(flowcert_tests::is_harmless(line)) << testing::PrintToString(command) << line;
+        EXPECT_FALSE(line.starts_with("flowcert: conforms")) << line;
+      }
+    }
+  }
 }
 
 // ---- Outputs ----
