@@ -278,7 +278,10 @@ void add_run_options(CLI::App& command, FuzzOptions& options) {
   auto* out = command.add_option("--out", options.out,
                                  "Keep the campaign in this new folder: findings, signatures, and what to go on with");
   auto* resume =
-      command.add_option("--resume", options.resume, "Go on with the campaign in this folder; a command of its plan runs if --against says it again")->excludes(out);
+      command
+          .add_option("--resume", options.resume,
+                      "Go on with the campaign in this folder; a command of its plan runs if --against says it again")
+          ->excludes(out);
   // The campaign's folder says all of this.
   for (const char* name : {"--families", "--points", "--search", "--corpus", "--seed", "--property", "--ignore",
                            "--shard", "--time-limit", "--memory-limit"}) {

@@ -73,12 +73,20 @@ CheckReport report_of(const CheckCommandOptions& options, const OtherTruth& orac
   return check(input.points, claim, *truth, how);
 }
 
-template <typename Write>
-void write_junit(const std::string& path, const Write& write) {
-  if (path.empty()) return;
-  OutputFile file(path);
-  write(file.stream());
-  file.commit();
+// Tells of either kind of claim, in all ways that are asked for. Returns the exit status.
+template <typename Report>
+int told(const CheckCommandOptions& options, const CheckedFiles& files, const Report& report, const PointSet& points) {
+  if (!options.junit.empty()) {
+    OutputFile file(options.junit);
+    write_check_junit(file.stream(), files, report);
+    file.commit();
+  }
+  if (options.json) {
+    print_check_json(files, report, points);
+  } else {
+    print_check_text(files, report, options.most);
+  }
+  return status_of(report.verdict, options.is_strict);
 }
 
 int check_complex(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input, Claim claim) {
@@ -86,13 +94,7 @@ int check_complex(const CheckCommandOptions& options, const OtherTruth& oracle, 
   require_rows(claim, input.points, files.claim);
   files.claim_format = claim.format;
   const CheckReport report = report_of(options, oracle, input, std::move(claim));
-  write_junit(options.junit, [&](std::ostream& out) { write_check_junit(out, files, report); });
-  if (options.json) {
-    print_check_json(files, report, input.points);
-  } else {
-    print_check_text(files, report, options.most);
-  }
-  return status_of(report.verdict, options.is_strict);
+  return told(options, files, report, input.points);
 }
 
 std::vector<ListedPair> true_pairs(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input) {
@@ -109,13 +111,7 @@ int check_diagram(const CheckCommandOptions& options, const OtherTruth& oracle, 
   CheckedFiles files = options.files;
   files.claim_format = "persistence";
   const PairReport report = report_of_pairs(claimed, true_pairs(options, oracle, input), options.check.tolerance);
-  write_junit(options.junit, [&](std::ostream& out) { write_pairs_junit(out, files, report); });
-  if (options.json) {
-    print_pairs_json(files, report, input.points);
-  } else {
-    print_pairs_text(files, report, options.most);
-  }
-  return status_of(report.verdict, options.is_strict);
+  return told(options, files, report, input.points);
 }
 
 int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {

@@ -17,7 +17,7 @@ struct OtherTruth {
   std::size_t most_points = 0;
   // Throws InvalidInput for more points.
   std::function<std::unique_ptr<Truth>(const std::vector<Point>& rows)> of;
-  // The same of persistence pairs, for fewer points.
+  // Persistence pairs by it. Throws InvalidInput for more points, and takes fewer of them.
   std::function<std::vector<ListedPair>(const std::vector<Point>& rows)> pairs_of;
 };
 

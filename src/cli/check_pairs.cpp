@@ -52,7 +52,7 @@ PairReport report_of_pairs(const std::vector<ClaimedPair>& claimed, const std::v
   return report;
 }
 
-void print_pairs_text(const CheckedFiles& files, const PairReport& report, std::size_t most) {
+void print_check_text(const CheckedFiles& files, const PairReport& report, std::size_t most) {
   const std::size_t shown = std::min(most, report.differences.size());
   for (std::size_t k = 0; k < shown; ++k) {
     fmt::print("{}\n", wrapped(with_short_numbers(difference_line(files, report.differences[k])), kFindingIndent));
@@ -67,22 +67,12 @@ void print_pairs_text(const CheckedFiles& files, const PairReport& report, std::
     table.cell(report.truth.at(dimension)).cell(counts.spurious).cell(counts.missing);
   }
   table.print();
-  fmt::print("\n");
-  print_conformity(report.verdict, report.profile);
-  const std::string tolerance = report.profile.is_exact() ? "" : fmt::format(", tolerance {}", files.tolerance);
-  fmt::print("{}\n", wrapped(fmt::format("{} ({}{}; truth by the {})", verdict_text(report.verdict),
-                                         report.profile.grade(), tolerance, truth_text(files)),
-                             kFindingIndent));
+  print_verdict(files, report.verdict, report.profile,
+                report.profile.is_exact() ? "" : fmt::format(", tolerance {}", files.tolerance));
 }
 
-void print_pairs_json(const CheckedFiles& files, const PairReport& report, const PointSet& points) {
-  Json json = header_fields("flowcert-check", 1, points);
-  json["verdict"] = verdict_text(report.verdict);
-  json["grade"] = report.profile.grade();
-  json["profile"] = profile_field(report.verdict, report.profile);
-  json["tolerance"] = files.tolerance;
-  json["truth"] = truth_text(files);
-  json["claim_format"] = files.claim_format;
+void print_check_json(const CheckedFiles& files, const PairReport& report, const PointSet& points) {
+  Json json = judgement_fields(files, report.verdict, report.profile, points);
   Json& pairs = json["pairs"] = Json::array();
   for (std::size_t dimension = 0; dimension < report.truth.size(); ++dimension) {
     const DifferenceCounts counts = counts_of(report, dimension);
@@ -108,7 +98,7 @@ void print_pairs_json(const CheckedFiles& files, const PairReport& report, const
   fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-void write_pairs_junit(std::ostream& out, const CheckedFiles& files, const PairReport& report) {
+void write_check_junit(std::ostream& out, const CheckedFiles& files, const PairReport& report) {
   const bool is_right = report.differences.empty();
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
       << fmt::format("  <testsuite name=\"{}\" tests=\"1\" failures=\"{}\" errors=\"0\" skipped=\"0\">\n",

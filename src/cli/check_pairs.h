@@ -22,8 +22,8 @@ struct PairReport {
                                          double tolerance);
 
 // At most `most` differences are shown; the table counts all.
-void print_pairs_text(const CheckedFiles& files, const PairReport& report, std::size_t most);
-void print_pairs_json(const CheckedFiles& files, const PairReport& report, const PointSet& points);
-void write_pairs_junit(std::ostream& out, const CheckedFiles& files, const PairReport& report);
+void print_check_text(const CheckedFiles& files, const PairReport& report, std::size_t most);
+void print_check_json(const CheckedFiles& files, const PairReport& report, const PointSet& points);
+void write_check_junit(std::ostream& out, const CheckedFiles& files, const PairReport& report);
 
 }  // namespace flowcert::cli

@@ -197,6 +197,26 @@ Json finding_field(const Finding& finding) {
   return field;
 }
 
+void print_verdict(const CheckedFiles& files, Verdict verdict, const Profile& profile, const std::string& tolerance) {
+  fmt::print("\n");
+  print_conformity(verdict, profile);
+  const std::string grade = profile.grade();
+  fmt::print("{}\n", wrapped(fmt::format("{} ({}{}; truth by the {})", verdict_text(verdict), grade, tolerance,
+                                         truth_text(files)),
+                             kFindingIndent));
+}
+
+Json judgement_fields(const CheckedFiles& files, Verdict verdict, const Profile& profile, const PointSet& points) {
+  Json json = header_fields("flowcert-check", 1, points);
+  json["verdict"] = verdict_text(verdict);
+  json["grade"] = profile.grade();
+  json["profile"] = profile_field(verdict, profile);
+  json["tolerance"] = files.tolerance;
+  json["truth"] = truth_text(files);
+  json["claim_format"] = files.claim_format;
+  return json;
+}
+
 void print_check_text(const CheckedFiles& files, const CheckReport& report, std::size_t most) {
   print_findings(files, report, most);
   print_row("critical points of index", "claimed", "        truth");
@@ -213,22 +233,12 @@ void print_check_text(const CheckedFiles& files, const CheckReport& report, std:
   for (const std::string& what : report.not_decided) {
     fmt::print("{}\n", wrapped("not decided: " + on_one_line(what), kFindingIndent));
   }
-  const std::string tolerance = report.is_exact ? "" : fmt::format(", tolerance {} of the radius", files.tolerance);
-  fmt::print("\n");
-  print_conformity(report.verdict, report.profile);
-  fmt::print("{}\n", wrapped(fmt::format("{} ({}{}; truth by the {})", verdict_text(report.verdict),
-                                         report.profile.grade(), tolerance, truth_text(files)),
-                             kFindingIndent));
+  print_verdict(files, report.verdict, report.profile,
+                report.is_exact ? "" : fmt::format(", tolerance {} of the radius", files.tolerance));
 }
 
 void print_check_json(const CheckedFiles& files, const CheckReport& report, const PointSet& points) {
-  Json json = header_fields("flowcert-check", 1, points);
-  json["verdict"] = verdict_text(report.verdict);
-  json["grade"] = report.profile.grade();
-  json["profile"] = profile_field(report.verdict, report.profile);
-  json["tolerance"] = files.tolerance;
-  json["truth"] = truth_text(files);
-  json["claim_format"] = files.claim_format;
+  Json json = judgement_fields(files, report.verdict, report.profile, points);
   json["indices"] = Json::array();
   for (std::size_t index = 0; index < 4; ++index) {
     if (report.indices.at(index)) json["indices"].push_back(index);

@@ -29,7 +29,7 @@ struct CheckedFiles {
 // What is said to be true: "oracle" or "fast implementation".
 [[nodiscard]] const char* truth_text(const CheckedFiles& files);
 
-// Of the further lines of a finding for people.
+// A finding's further lines begin with so many blanks, for people.
 inline constexpr std::size_t kFindingIndent = 4;
 
 // "CLAIM:LINE: wrong, level 2: ..."
@@ -37,6 +37,12 @@ inline constexpr std::size_t kFindingIndent = 4;
 // A finding for people has lines of at most 80 columns, and long numbers are shortened in the middle.
 [[nodiscard]] std::string finding_text(const std::string& claim, const Finding& finding);
 [[nodiscard]] Json finding_field(const Finding& finding);
+
+// The last lines for people: the profile and the verdict. tolerance: how it is said, or nothing for an exact claim.
+void print_verdict(const CheckedFiles& files, Verdict verdict, const Profile& profile, const std::string& tolerance);
+// The keys with which the JSON of every kind of claim begins.
+[[nodiscard]] Json judgement_fields(const CheckedFiles& files, Verdict verdict, const Profile& profile,
+                                    const PointSet& points);
 
 // Shows one finding of each reason first, and then at most `most` others of each level. The tables count all of them.
 void print_check_text(const CheckedFiles& files, const CheckReport& report, std::size_t most);

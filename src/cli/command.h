@@ -42,7 +42,7 @@ void add_view_command(CLI::App& app, int& status);
 // out.
 [[nodiscard]] PointFile read_points_aloud(const std::string& path, const ReadingOptions& reading = {});
 
-// The same, with merged duplicates.
+// A file of points, and its points with merged duplicates.
 struct Input {
   PointFile file;
   PointSet points;

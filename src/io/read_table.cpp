@@ -33,6 +33,7 @@ std::optional<std::string_view> comment_of(std::string_view line) {
 // A comma that may be a decimal point: digits on both its sides, and others or blanks alone between three numbers.
 bool has_decimal_comma(std::string_view line, std::size_t fields) {
   const auto commas = static_cast<std::size_t>(std::ranges::count(line, ','));
+  if (commas == 0) return false;
   std::size_t between_digits = 0, before_blanks = 0;
   for (std::size_t k = 1; k + 1 < line.size(); ++k) {
     if (line[k] != ',') continue;
@@ -119,7 +120,7 @@ class TableReader {
                               "2,3,4 takes the next three, --columns 1,2,3 the first",
                               first_count_));
     }
-    if (rows_.count() > 1 && begins_with_numbers_ && all_have_points_) {
+    if (rows_.count() > 1 && begins_with_numbers_) {
       reject_file(lines_.file(),
                   "the first row is 0,1,2, as some programs name columns: leave it out if it is no point");
     }
@@ -149,12 +150,19 @@ class TableReader {
       if (row[axis].find(',') != std::string_view::npos)
         reject("a decimal comma: " + in_quotes(row[axis]) + "; numbers have a point");
     }
-    const bool is_counting =
-        line.find_first_of(",;\t") != std::string_view::npos && row[0] == "0" && row[1] == "1" && row[2] == "2";
-    if (rows_.count() == 0) begins_with_numbers_ = is_counting;
-    const auto has_point = [](std::string_view field) { return field.find('.') != std::string_view::npos; };
-    if (rows_.count() > 0) all_have_points_ = all_have_points_ && std::ranges::all_of(row, has_point);
+    see_numbers(line, row);
     rows_.add(row, lines_.place());
+  }
+
+  // Whether a first row 0,1,2 is above rows that all have points.
+  void see_numbers(std::string_view line, const std::array<std::string_view, 3>& row) {
+    const auto has_point = [](std::string_view field) { return field.find('.') != std::string_view::npos; };
+    if (rows_.count() == 0) {
+      begins_with_numbers_ =
+          row[0] == "0" && row[1] == "1" && row[2] == "2" && line.find_first_of(",;\t") != std::string_view::npos;
+    } else if (begins_with_numbers_) {
+      begins_with_numbers_ = std::ranges::all_of(row, has_point);
+    }
   }
 
   // Whether the line has names instead of numbers.
@@ -255,7 +263,7 @@ class TableReader {
   bool is_pts_ = false;
   std::size_t first_count_ = 0;  // columns of the first row; 0 before it
   std::size_t least_ = 0;        // columns of a row at the least; 0: as many as the first row has
-  bool has_two_axes_ = false, begins_with_numbers_ = false, all_have_points_ = true;
+  bool has_two_axes_ = false, begins_with_numbers_ = false;
   ColumnPlaces places_{};
   std::optional<FirstColumn> first_column_;
 };
