@@ -4,7 +4,6 @@
 // Guarantees: each case is flushed before the next is made, so that it can be answered at once. If its reader goes
 // away, it ends silently, as any filter does.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <signal.h>
 #include <sys/stat.h>
 
@@ -13,17 +12,13 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <stdexcept>
 #include <system_error>
 
 #include "cli/progress.h"
 #include "fuzz/commands/commands.h"
-#include "fuzz/commands/fuzz_options.h"
+#include "fuzz/commands/run_options.h"
 #include "fuzz/inputs/case_stream.h"
-#include "fuzz/inputs/families.h"
-#include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/judge/asked_cases.h"
-#include "io/number_text.h"
 #include "io/output_file.h"
 
 namespace flowcert::commands {
@@ -31,26 +26,11 @@ namespace flowcert::commands {
 namespace {
 
 struct GenerateOptions {
-  int level = 1;
-  std::uint64_t seed = 1;
-  std::optional<std::size_t> cases;
+  RunOptions run;
   std::optional<std::size_t> only;
-  std::vector<std::string> families;
-  bool asks_vectors = false;
-  std::string vectors;  // a folder; empty: the usual one
   bool hexadecimal = false;
   bool is_xyz = false;
 };
-
-std::unique_ptr<AskedCases> cases_of(const GenerateOptions& options) {
-  if (options.asks_vectors) return vectors_to_ask(options.vectors);
-  fuzz::CaseRun run;
-  run.level = options.level;
-  run.seed = options.seed;
-  run.cases = options.cases.value_or(fuzz::usual_cases(options.level));
-  run.chosen = fuzz::chosen_families(options.families);
-  return drawn_cases(run);
-}
 
 // Ends the program by SIGPIPE, even if that signal is ignored.
 [[noreturn]] void end_of_the_pipe() {
@@ -90,7 +70,7 @@ std::string introduction(const AskedCases& cases, const std::string& id) {
 }
 
 void generate(const GenerateOptions& options) {
-  const std::unique_ptr<AskedCases> cases = cases_of(options);
+  const std::unique_ptr<AskedCases> cases = cases_of(options.run);
   if (options.only && *options.only >= cases->size()) {
     throw InvalidInput(
         fmt::format("--only: the run has {} cases, 0 to {}", with_commas(cases->size()), cases->size() - 1));
@@ -113,62 +93,23 @@ void generate(const GenerateOptions& options) {
   }
 }
 
-// Returns what is wrong.
-std::string complaint_about_family(const std::string& name) {
-  try {
-    (void)fuzz::chosen_families({name});
-    return "";
-  } catch (const std::invalid_argument& error) {
-    return fmt::format("{}; there are: {}", error.what(), fmt::join(fuzz::family_names({}), ", "));
-  }
-}
-
 }  // namespace
 
 void add_generate_command(CLI::App& app, int& status) {
   auto options = std::make_shared<GenerateOptions>();
   CLI::App* command = app.add_subcommand("generate", "Cases for any program to answer, for flowcert verify");
-  command
-      ->add_option("--level", options->level,
-                   "1: 500 cases, most of up to 8 points; 2: 5,000, most of up to 10; 3: 20,000 of up to 12, "
-                   "and some of hundreds")
-      ->check(CLI::Range(1, fuzz::kCaseLevels))
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "Another seed, other cases")
-      ->check(complaint_about_seed)
-      ->capture_default_str();
-  command->add_option("--cases", options->cases, "So many cases, instead of those of the level")
-      ->check(CLI::Range(std::size_t{1}, fuzz::kMostCases));
-  command
-      ->add_option(
-          "--family", options->families,
-          fmt::format("Cases of this family of degeneracy; may be given again. All of them, without this: {} of "
-                      "the {} families that flowcert fuzz --families list prints",
-                      fuzz::families().size(), fuzz::families_and_stable_ones().size()))
-      ->check(complaint_about_family)
-      ->allow_extra_args(false)
-      ->type_name("NAME");
+  add_run_options(*command, options->run);
   auto* only = command->add_option("--only", options->only, "This case of the run alone, by its number, from 0")
                    ->check(CLI::NonNegativeNumber);
-  CLI::Option* vectors =
-      command
-          ->add_option("--vectors", options->vectors,
-                       "Instead of drawn cases the conformance vectors, without invalid ones: those in this folder, or "
-                       "those that came with the program")
-          ->expected(0, 1)
-          ->check(CLI::ExistingDirectory)
-          ->type_name("[FOLDER]");
-  for (const char* other : {"--level", "--seed", "--cases", "--family"}) vectors->excludes(command->get_option(other));
   command->add_flag("--hex", options->hexadecimal, "Print hexadecimal floats, not decimals");
   command->add_flag("--xyz", options->is_xyz, "Print the points of the case of --only alone, as a point file")
       ->needs(only);
   command->footer(
-      "Examples:\n  flowcert generate --level 1 --seed 7 | ./your-program | flowcert verify\n"
+      "Examples:\n  flowcert generate --level 1 --seed 7 | ./your-program | flowcert verify --level 1 --seed 7\n"
       "  flowcert generate --level 1 --seed 7 --only 12\n"
       "  flowcert generate --level 1 --seed 7 --only 12 --xyz | flowcert compute -\n"
-      "  flowcert generate --vectors | ./your-program | flowcert verify");
-  command->callback([options, command, &status] {
-    options->asks_vectors = command->count("--vectors") > 0;
+      "  flowcert generate --vectors | ./your-program | flowcert verify --vectors");
+  command->callback([options, &status] {
     generate(*options);
     status = kRight;
   });

@@ -25,9 +25,13 @@
 #include "fuzz/commands/commands.h"
 #include "fuzz/commands/conformance_report.h"
 #include "fuzz/commands/layer.h"
+#include "fuzz/commands/run_options.h"
 #include "fuzz/judge/conformance_words.h"
 #include "fuzz/judge/oracle_truth.h"
 #include "fuzz/judge/verification.h"
+#include "io/foreign_text.h"
+#include "io/input_bytes.h"
+#include "io/line_reader.h"
 #include "io/output_file.h"
 
 namespace flowcert::commands {
@@ -211,10 +215,28 @@ std::string note_of(const Verification& verification) {
                      verification.is_stored() ? "vectors" : "drawn inputs");
 }
 
+// What a run is worth of which the program under test says itself which it was.
+constexpr char kRightInWhatCame[] = "right in what came";
+bool is_right_in_what_came(const Verification& verification) {
+  return !verification.is_told() && verification.verdict() != Verdict::kFails;
+}
+
+const char* verdict_words(const Verification& verification) {
+  return is_right_in_what_came(verification) ? kRightInWhatCame : verdict_text(verification.verdict());
+}
+
+// "conforms: 500 of 500 cases are right", or "right in what came: 500 cases"
+std::string first_words(const Verification& verification) {
+  const std::string expected = with_commas(verification.expected());
+  if (is_right_in_what_came(verification)) {
+    return fmt::format("{}: {} case{}", kRightInWhatCame, expected, verification.expected() == 1 ? "" : "s");
+  }
+  return fmt::format("{}: {} of {} cases are right", verdict_words(verification),
+                     with_commas(right_of(verification.counts())), expected);
+}
+
 void print_verdict(const Verification& verification) {
-  const OutcomeCounts counts = verification.counts();
-  std::string text = fmt::format("{}: {} of {} cases are right", verdict_text(verification.verdict()),
-                                 with_commas(right_of(counts)), with_commas(verification.expected()));
+  std::string text = first_words(verification);
   if (verification.approximate() > 0) {
     text += fmt::format("; {} approximate, tolerance {} of the radius", with_commas(verification.approximate()),
                         verification.options().check.tolerance);
@@ -227,8 +249,15 @@ void print_verdict(const Verification& verification) {
     text += fmt::format(", of {} large ones by the fast implementation", with_commas(verification.too_large()));
   }
   fmt::print("\n");
-  print_conformity(verification.verdict(), verification.profile(), note_of(verification));
+  if (!is_right_in_what_came(verification)) {
+    print_conformity(verification.verdict(), verification.profile(), note_of(verification));
+  }
   print_wrapped(text, kVerifyIndent);
+  if (is_right_in_what_came(verification)) {
+    print_wrapped("The answers alone say which cases were asked; verify " + verification.cases().run_options() +
+                      " says whether any is missing.",
+                  kVerifyIndent);
+  }
 }
 
 // ---- JSON ----
@@ -308,8 +337,9 @@ void print_verify_text(const Verification& verification, std::size_t most) {
 
 void print_verify_json(const Verification& verification) {
   Json json = header_fields("flowcert-verify", 1);
-  json["verdict"] = verdict_text(verification.verdict());
+  json["verdict"] = verdict_words(verification);
   json["profile"] = profile_field(verification.verdict(), verification.profile(), note_of(verification));
+  if (is_right_in_what_came(verification)) json["profile"]["statement"] = nullptr;
   json["tolerance"] = verification.options().check.tolerance;
   json["highest_level"] = verification.options().check.highest_level;
   json["truth"] = truth_text(verification);
@@ -326,7 +356,7 @@ void print_verify_json(const Verification& verification) {
     failures.push_back(failure_field(verification, number, failed));
   }
   json["unanswered_numbers"] = verification.unanswered_ranges();
-  fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  fmt::print("{}\n", io::json_with_escapes(json.dump(-1, ' ', false, Json::error_handler_t::replace)));
 }
 
 void write_verify_junit(std::ostream& out, const Verification& verification) {
@@ -338,7 +368,9 @@ void write_verify_junit(std::ostream& out, const Verification& verification) {
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
       << fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\">\n",
                      xml_text("flowcert verify of " + run), families.size(), failures)
-      << junit_properties(verification.verdict(), verification.profile(), note_of(verification));
+      << (is_right_in_what_came(verification)
+              ? ""
+              : junit_properties(verification.verdict(), verification.profile(), note_of(verification)));
   for (const auto& [name, counts] : families) write_family(out, verification, name, counts);
   out << "  </testsuite>\n</testsuites>\n";
 }
@@ -353,6 +385,8 @@ struct VerifyCommandOptions {
   VerificationOptions verification;
   std::optional<std::size_t> most;
   std::string junit;
+  RunOptions run;
+  std::string asked;  // the file that generate wrote
   bool json = false;
   bool is_strict = false;
 };
@@ -368,10 +402,39 @@ void take_all_answers(Verification& verification) {
   }
 }
 
+// The ids in the file that generate wrote, in their order.
+std::vector<std::string> asked_ids(const std::string& path) {
+  std::vector<std::string> ids;
+  const std::string bytes = read_bytes(path);
+  LineReader lines(bytes, path);
+  std::string_view line;
+  while (lines.next_uncommented(line)) {
+    Fields fields(line, Separators::kBlanks);
+    std::string_view word, id;
+    if (fields.next(word) && word == "case" && fields.next(id)) ids.emplace_back(id);
+  }
+  if (ids.empty()) reject_file(path, "no line 'case ID N', which flowcert generate writes");
+  return ids;
+}
+
+// The cases that the user says are asked; none, if the user says nothing.
+std::unique_ptr<AskedCases> told_cases(VerifyCommandOptions& options) {
+  if (options.run.is_told) return cases_of(options.run);
+  if (options.asked.empty()) return nullptr;
+  const std::vector<std::string> ids = asked_ids(options.asked);
+  std::unique_ptr<AskedCases> cases = cases_with(ids.front());
+  std::vector<std::size_t>& numbers = options.verification.asked;
+  for (const std::string& id : ids) numbers.push_back(cases->named(id).number);
+  std::ranges::sort(numbers);
+  numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+  return cases;
+}
+
 int verify(VerifyCommandOptions options) {
   const bool is_for_programs = options.json || !options.junit.empty();
   options.verification.most_failures_kept = options.most.value_or(is_for_programs ? kUsuallyReported : kUsuallyShown);
-  Verification verification(options.verification);
+  std::unique_ptr<AskedCases> told = told_cases(options);
+  Verification verification(options.verification, std::move(told));
   take_all_answers(verification);
   if (!verification.has_begun()) throw InvalidInput("standard input: no answers");
   if (!options.junit.empty()) {
@@ -410,18 +473,23 @@ void add_verify_command(CLI::App& app, int& status) {
                     fmt::format("Let the oracle say what is true, not the fast implementation, for cases of up "
                                 "to {} points; with --persistence, up to {}",
                                 kMostPointsForOracle, kMostPointsForOraclePairs));
+  add_run_options(*command, options->run);
   command
-      ->add_option("--vectors", verification.vectors,
-                   "Folder of the conformance vectors, if generate --vectors was given one")
-      ->check(CLI::ExistingDirectory)
-      ->type_name("FOLDER");
+      ->add_option("--asked", options->asked,
+                   "The file that generate wrote: its cases are asked. Without this or options of generate, the "
+                   "answers alone say what was asked, and nobody says whether any is missing")
+      ->type_name("FILE");
+  for (const char* other : {"--level", "--seed", "--cases", "--family", "--vectors"}) {
+    command->get_option("--asked")->excludes(command->get_option(other));
+  }
   command->footer(
       "Reads from standard input, for each case, in any order:\n"
       "  answer ID\n  ...the critical points, in a format that flowcert check reads...\n  end\n"
       "or a line `refused ID REASON`.\n\n"
-      "Examples:\n  flowcert generate --level 1 --seed 7 | ./your-program | flowcert verify\n"
-      "  flowcert generate --vectors | ./your-program | flowcert verify\n"
-      "  flowcert generate --level 1 | ./your-diagrams | flowcert verify --persistence");
+      "Examples:\n  flowcert generate --level 1 --seed 7 | ./your-program | flowcert verify --level 1 --seed 7\n"
+      "  flowcert generate --vectors | ./your-program | flowcert verify --vectors\n"
+      "  flowcert generate --level 1 | ./your-diagrams | flowcert verify --level 1 --persistence\n"
+      "  flowcert generate > cases; ./your-program < cases | flowcert verify --asked cases");
   command->callback([options, &status] { status = verify(*options); });
 }
 

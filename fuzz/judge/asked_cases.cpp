@@ -21,7 +21,7 @@ constexpr std::string_view kVectorPrefix = "vector:";
 
 [[noreturn]] void reject_name(const std::string& id) { throw InvalidInput("no case is called " + in_quotes(id)); }
 [[noreturn]] void reject_other_run(const std::string& id) {
-  throw InvalidInput("a case of another run than those before: " + in_quotes(id));
+  throw InvalidInput("a case of another run: " + in_quotes(id));
 }
 
 // ---- Drawn cases ----
@@ -59,14 +59,13 @@ class DrawnCases final : public AskedCases {
   [[nodiscard]] std::string file_name(std::size_t number) const override {
     return fmt::format("case-{}-{}-{}", run_.level, run_.seed, number);
   }
-  [[nodiscard]] std::string generate_command(std::optional<std::size_t> number) const override {
-    std::string command = fmt::format("flowcert generate --level {} --seed {}", run_.level, run_.seed);
-    if (run_.cases != fuzz::usual_cases(run_.level)) command += fmt::format(" --cases {}", run_.cases);
+  [[nodiscard]] std::string run_options() const override {
+    std::string options = fmt::format("--level {} --seed {}", run_.level, run_.seed);
+    if (run_.cases != fuzz::usual_cases(run_.level)) options += fmt::format(" --cases {}", run_.cases);
     if (!run_.chosen.empty()) {
-      for (const std::string& name : families()) command += " --family " + name;
+      for (const std::string& name : families()) options += " --family " + name;
     }
-    if (number) command += fmt::format(" --only {}", *number);
-    return command;
+    return options;
   }
   [[nodiscard]] bool is_stored() const override { return false; }
   [[nodiscard]] std::unique_ptr<Truth> stored_truth(std::size_t /*number*/) const override { return nullptr; }
@@ -133,11 +132,8 @@ class VectorsToAsk final : public AskedCases {
   }
 
   [[nodiscard]] std::string file_name(std::size_t number) const override { return vectors_.cases.at(number).id; }
-  [[nodiscard]] std::string generate_command(std::optional<std::size_t> number) const override {
-    std::string command = "flowcert generate --vectors";
-    if (!given_.empty()) command += " " + shell_word(given_);
-    if (number) command += fmt::format(" --only {}", *number);
-    return command;
+  [[nodiscard]] std::string run_options() const override {
+    return given_.empty() ? "--vectors" : "--vectors " + shell_word(given_);
   }
   [[nodiscard]] bool is_stored() const override { return true; }
   [[nodiscard]] std::unique_ptr<Truth> stored_truth(std::size_t number) const override {
@@ -157,12 +153,16 @@ class VectorsToAsk final : public AskedCases {
 
 }  // namespace
 
+std::string AskedCases::generate_command(std::optional<std::size_t> number) const {
+  return "flowcert generate " + run_options() + (number ? fmt::format(" --only {}", *number) : "");
+}
+
 std::unique_ptr<AskedCases> drawn_cases(const fuzz::CaseRun& run) { return std::make_unique<DrawnCases>(run); }
 
 std::unique_ptr<AskedCases> vectors_to_ask(const std::string& given) { return std::make_unique<VectorsToAsk>(given); }
 
-std::unique_ptr<AskedCases> cases_with(const std::string& id, const std::string& vectors_given) {
-  if (!vectors_given.empty() || id.starts_with(kVectorPrefix)) return vectors_to_ask(vectors_given);
+std::unique_ptr<AskedCases> cases_with(const std::string& id) {
+  if (id.starts_with(kVectorPrefix)) return vectors_to_ask("");
   const std::optional<fuzz::NamedCase> named = fuzz::case_named(id);
   if (!named) reject_name(id);
   return drawn_cases(named->run);

@@ -47,8 +47,10 @@ class AskedCases {
 
   // A name for files, without an ending.
   [[nodiscard]] virtual std::string file_name(std::size_t number) const = 0;
+  // The options of generate that ask these cases: "--level 1 --seed 7".
+  [[nodiscard]] virtual std::string run_options() const = 0;
   // The command that prints a case again, or all of them if there is no number.
-  [[nodiscard]] virtual std::string generate_command(std::optional<std::size_t> number) const = 0;
+  [[nodiscard]] std::string generate_command(std::optional<std::size_t> number) const;
 
   // Whether the cases are vectors, which say what is right.
   [[nodiscard]] virtual bool is_stored() const = 0;
@@ -64,7 +66,8 @@ class AskedCases {
 // Throws InvalidInput if the vectors cannot be used.
 [[nodiscard]] std::unique_ptr<AskedCases> vectors_to_ask(const std::string& given);
 
-// The cases to which the first id that is met belongs. Throws InvalidInput, one line, if there are none.
-[[nodiscard]] std::unique_ptr<AskedCases> cases_with(const std::string& id, const std::string& vectors_given);
+// The cases to which the first id that is met belongs; those of the usual folder if it is a vector's. Throws
+// InvalidInput, one line, if there are none.
+[[nodiscard]] std::unique_ptr<AskedCases> cases_with(const std::string& id);
 
 }  // namespace flowcert::judge

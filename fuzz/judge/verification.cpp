@@ -174,13 +174,29 @@ const char* outcome_text(Outcome outcome) {
 
 bool is_right(Outcome outcome) { return outcome <= Outcome::kPerturbed; }
 
-// The cases are those of the first answer's id.
+Verification::Verification(VerificationOptions options, std::unique_ptr<AskedCases> told)
+    : options_(std::move(options)), is_told_(told != nullptr) {
+  if (told) begin(std::move(told));
+}
+
+void Verification::begin(std::unique_ptr<AskedCases> cases) {
+  cases_ = std::move(cases);
+  outcomes_.assign(cases_->size(), Outcome::kUnanswered);
+}
+
+bool Verification::is_expected(std::size_t number) const {
+  if (options_.only) return *options_.only == number;
+  return options_.asked.empty() || std::ranges::binary_search(options_.asked, number);
+}
+
+std::size_t Verification::expected() const {
+  if (options_.only) return 1;
+  return options_.asked.empty() ? outcomes_.size() : options_.asked.size();
+}
+
 AskedCase Verification::case_of(const Answer& answer) {
   try {
-    if (!has_begun()) {
-      cases_ = cases_with(answer.id, options_.vectors);
-      outcomes_.assign(cases_->size(), Outcome::kUnanswered);
-    }
+    if (!has_begun()) begin(cases_with(answer.id));
     return cases_->named(answer.id);
   } catch (const InvalidInput& error) {
     answer.place.reject(error.what());
@@ -277,7 +293,11 @@ FailedCase Verification::judge(const AskedCase& one, const Answer& answer) {
 
 void Verification::take(const Answer& answer) {
   const AskedCase one = case_of(answer);
-  if (!is_expected(one.number)) answer.place.reject("not the case that --only names: " + in_quotes(answer.id));
+  if (!is_expected(one.number)) {
+    const char* const what =
+        options_.only ? "not the case that --only names: " : "not among the cases that are asked: ";
+    answer.place.reject(what + in_quotes(answer.id));
+  }
   if (outcomes_.at(one.number) != Outcome::kUnanswered) {
     answer.place.reject("a second answer to the case " + in_quotes(answer.id));
   }

@@ -100,30 +100,34 @@ struct CasesOfReason {
 struct VerificationOptions {
   CheckOptions check;
   bool by_oracle = false;     // for drawn inputs of up to kMostPointsForOracle points
-  std::string vectors;        // the folder of the vectors that were asked, as given; may be empty
   bool judges_pairs = false;  // answers are persistence pairs, not claims
   std::optional<std::size_t> only;
+  std::vector<std::size_t> asked;  // numbers, ascending, of the cases that are asked; empty: all
   std::size_t most_failures_kept = 0;
   std::string folder;  // for points and claims of failing cases; empty: not kept
 };
 
 class Verification {
  public:
-  explicit Verification(VerificationOptions options) : options_(std::move(options)) {}
+  // told: the cases that are asked, of which all that has no answer is missing. Without, they are those of the first
+  // answer's run.
+  explicit Verification(VerificationOptions options, std::unique_ptr<AskedCases> told = nullptr);
 
-  // Judges an answer. Throws InvalidInput, with the answer's place, if the id is of no case, of a case of another run
-  // than the first answer's, or of a case that has been answered. Throws OutputError if the folder cannot be written.
+  // Judges an answer. Throws InvalidInput, with the answer's place, if the id is of no case, of a case that is not
+  // asked, or of a case that has been answered. Throws OutputError if the folder cannot be written.
   void take(const Answer& answer);
 
-  // Whether there was any answer. Before that, nothing else may be asked.
+  // Whether it is known which cases are asked. Before that, nothing else may be asked.
   [[nodiscard]] bool has_begun() const { return cases_ != nullptr; }
+  // Whether somebody else than the program under test says so.
+  [[nodiscard]] bool is_told() const { return is_told_; }
 
   [[nodiscard]] const VerificationOptions& options() const { return options_; }
   [[nodiscard]] const AskedCases& cases() const { return *cases_; }
   // Whether the cases are conformance vectors, which say themselves what is right.
   [[nodiscard]] bool is_stored() const { return cases_->is_stored(); }
   // How many answers are expected, and were taken.
-  [[nodiscard]] std::size_t expected() const { return options_.only ? 1 : outcomes_.size(); }
+  [[nodiscard]] std::size_t expected() const;
   [[nodiscard]] std::size_t taken() const { return taken_; }
 
   [[nodiscard]] OutcomeCounts counts() const;
@@ -162,11 +166,13 @@ class Verification {
   void keep(const AskedCase& one, const Answer& answer) const;
   [[nodiscard]] CountsByName counts_by(const std::vector<std::string>& names,
                                        const std::function<std::vector<std::string>(std::size_t)>& names_of) const;
-  [[nodiscard]] bool is_expected(std::size_t number) const { return !options_.only || *options_.only == number; }
+  void begin(std::unique_ptr<AskedCases> cases);
+  [[nodiscard]] bool is_expected(std::size_t number) const;
 
   VerificationOptions options_;
-  std::unique_ptr<AskedCases> cases_;  // none before the first answer
-  std::vector<Outcome> outcomes_;      // by number
+  std::unique_ptr<AskedCases> cases_;  // none before the first answer, if they are not told
+  bool is_told_ = false;
+  std::vector<Outcome> outcomes_;  // by number
   std::map<std::size_t, FailedCase> failures_;
   std::map<std::string, CasesOfReason> reasons_;
   std::size_t taken_ = 0;

@@ -1,10 +1,16 @@
 #include "cli/xml_text.h"
 
+#include "cli/layer.h"
+#include "io/foreign_text.h"
+
 namespace flowcert::cli {
 
-std::string xml_text(const std::string& text) {
+namespace {
+
+// XML 1.0 has no control characters, and is UTF-8 here.
+std::string xml_line(std::string_view line) {
   std::string escaped;
-  for (const char c : text) {
+  for (const char c : io::on_one_line(line)) {
     switch (c) {
       case '&':
         escaped += "&amp;";
@@ -19,11 +25,22 @@ std::string xml_text(const std::string& text) {
         escaped += "&quot;";
         break;
       default:
-        // XML 1.0 has no control characters. File names may also hold bytes that are not UTF-8.
-        escaped += (static_cast<unsigned char>(c) < 0x20 && c != '\n') || (c & 0x80) != 0 ? '?' : c;
+        escaped += c;
     }
   }
   return escaped;
+}
+
+}  // namespace
+
+std::string xml_text(const std::string& text) {
+  std::string escaped;
+  std::string_view rest = text;
+  for (std::size_t end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
+    escaped += xml_line(rest.substr(0, end)) + '\n';
+    rest.remove_prefix(end + 1);
+  }
+  return escaped + xml_line(rest);
 }
 
 }  // namespace flowcert::cli

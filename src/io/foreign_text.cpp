@@ -86,4 +86,22 @@ std::string_view front_of(std::string_view text, std::size_t most) {
   return text.substr(0, size);
 }
 
+std::string json_with_escapes(std::string_view json) {
+  std::string result;
+  while (!json.empty()) {
+    const Character character = first_character(json);
+    const std::size_t size = std::max<std::size_t>(character.size, 1);
+    if (!is_hidden(character.code)) {
+      result += json.substr(0, size);
+    } else if (character.code < 0x10000) {
+      result += fmt::format("\\u{:04x}", character.code);
+    } else {
+      const std::uint32_t above = character.code - 0x10000;
+      result += fmt::format("\\u{:04x}\\u{:04x}", 0xd800 + (above >> 10U), 0xdc00 + (above & 0x3ffU));
+    }
+    json.remove_prefix(size);
+  }
+  return result;
+}
+
 }  // namespace flowcert::io

@@ -15,6 +15,9 @@ namespace flowcert::io {
 
 [[nodiscard]] std::string on_one_line(std::string_view text);
 
+// JSON whose strings have other people's text: the same value, with such characters as \u202e. Line ends stay.
+[[nodiscard]] std::string json_with_escapes(std::string_view json);
+
 // The front of the text, cut between characters: `most` bytes at most.
 [[nodiscard]] std::string_view front_of(std::string_view text, std::size_t most);
 

@@ -17,14 +17,20 @@ namespace flowcert::conformance {
 // The three programs one after the other, with files between them.
 class Pipe {
  public:
-  explicit Pipe(const Words& generate = {}, const Words& middle = {"exchange"}) : cases_(generated(generate)) {
+  explicit Pipe(const Words& generate = {}, const Words& middle = {"exchange"})
+      : cases_(generated(generate)), run_(run_of(generate)) {
     RunningProgram program(joined({FLOWCERT_MIDDLE}, middle), {scratch_.file("cases", cases_), ""});
     const Finished finished = program.finish();
     EXPECT_EQ(finished.status, 0) << finished.err;
     answers_ = finished.out;
   }
 
-  [[nodiscard]] Finished verify(const Words& options = {}) const { return verify_text(answers_, options); }
+  // verify is told the run.
+  [[nodiscard]] Finished verify(const Words& options = {}) const {
+    return verify_text(answers_, joined(options, run_));
+  }
+  // The options that say so.
+  [[nodiscard]] const Words& run() const { return run_; }
   [[nodiscard]] Finished verify_text(const std::string& answers, const Words& options = {}) const {
     return flowcert(joined({"verify"}, options), {scratch_.file("answers", answers), ""});
   }
@@ -58,8 +64,21 @@ class Pipe {
     EXPECT_EQ(right == report["cases"], report["verdict"] != "fails");
   }
 
+  // What generate was given, without the form of numbers and the choice of one case.
+  static Words run_of(const Words& generate) {
+    Words run;
+    for (std::size_t k = 0; k < generate.size(); ++k) {
+      if (generate[k] == "--only")
+        ++k;
+      else if (generate[k] != "--hex")
+        run.push_back(generate[k]);
+    }
+    return run.empty() ? Words{"--level", "1"} : run;
+  }
+
   Scratch scratch_;
   std::string cases_;
+  Words run_;
   std::string answers_;
 };
 

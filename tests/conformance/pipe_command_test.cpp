@@ -260,7 +260,7 @@ TEST(Verify, AnswersMayComeInAnyOrder) {
   std::reverse(answers.begin(), answers.end());
   std::string reversed;
   for (const std::string& answer : answers) reversed += answer;
-  EXPECT_EQ(pipe.verify_text(reversed).out, pipe.verify().out);
+  EXPECT_EQ(pipe.verify_text(reversed, pipe.run()).out, pipe.verify().out);
 }
 
 TEST(Verify, NamesTheUnanswered) {
@@ -284,6 +284,79 @@ TEST(Verify, OnlyOneCase) {
   const Finished other = pipe.verify({"--only", "13"});
   EXPECT_EQ(other.status, 2);
   EXPECT_TRUE(contains(other.err, "standard input:3: not the case that --only names: '")) << other.err;
+}
+
+// ---- Which cases were asked ----
+
+// Without the run, nobody but the program under test says which cases were asked.
+TEST(Verify, WithoutTheRunItSaysNoMoreThanRight) {
+  CITES("FC-CLAIM-22");
+  const Pipe pipe({"--cases", "30"});
+  const Finished text = pipe.verify_text(pipe.answers());
+  EXPECT_EQ(text.status, 0);
+  EXPECT_TRUE(contains(text.out, "\nright in what came: 30 cases; truth by")) << text.out;
+  const std::string words = std::regex_replace(text.out, std::regex("\\s+"), " ");
+  EXPECT_TRUE(contains(words, "verify --level 1 --seed 1 --cases 30 says")) << text.out;
+  // The column of outcomes has that name, and nothing else.
+  EXPECT_FALSE(contains(text.out, "\nconforms")) << text.out;
+  const Finished finished = pipe.verify_text(pipe.answers(), {"--json"});
+  EXPECT_EQ(finished.status, 0);
+  const json report = json::parse(finished.out);
+  EXPECT_EQ(report["verdict"], "right in what came");
+  EXPECT_TRUE(report["profile"]["statement"].is_null());
+  const std::string junit = pipe.scratch().path("report.xml");
+  EXPECT_EQ(pipe.verify_text(pipe.answers(), {"--junit", junit}).status, 0);
+  EXPECT_FALSE(contains(content_of(junit), "conforms"));
+  // What is wrong is wrong.
+  const Pipe wrong({"--cases", "30"}, {"csv", "drop", "3"});
+  EXPECT_EQ(wrong.verify_text(wrong.answers()).status, 1);
+}
+
+TEST(Verify, AnswersToARunOfTheirOwnAreRefused) {
+  CITES("FC-CLAIM-22");
+  const Pipe own({"--cases", "1", "--seed", "99"});
+  const Finished finished = own.verify_text(own.answers(), {"--level", "1", "--seed", "7"});
+  EXPECT_EQ(finished.status, 2);
+  EXPECT_TRUE(contains(finished.err, "a case of another run: '")) << finished.err;
+}
+
+TEST(Verify, WhatIsMissingOfARunThatIsToldIsMissing) {
+  CITES("FC-CLAIM-03");
+  const Pipe pipe({"--cases", "20"}, {"csv", "skip", "3"});
+  const Scratch scratch;
+  const std::string asked = scratch.file("cases", pipe.cases());
+  for (const Words& told : {pipe.run(), Words{"--asked", asked}}) {
+    const Finished nothing = pipe.verify_text("", joined(told, {"--json"}));
+    EXPECT_EQ(nothing.status, 1) << nothing.err;
+    EXPECT_EQ(json::parse(nothing.out)["unanswered"], 20);
+    const Finished some = pipe.verify_text(pipe.answers(), joined(told, {"--json"}));
+    EXPECT_EQ(some.status, 1);
+    EXPECT_EQ(json::parse(some.out)["unanswered_numbers"], json({{3, 3}}));
+  }
+}
+
+TEST(Verify, AFileOfGenerateSaysWhatIsAsked) {
+  CITES("FC-CLAIM-03");
+  const Pipe all({"--cases", "20"});
+  const std::vector<std::string> cases = cases_of(all.cases());
+  const Scratch scratch;
+  // Of these three, in any order, one is not answered.
+  const std::string asked = scratch.file("cases", cases.at(7) + cases.at(2) + cases.at(11));
+  const Finished refused = all.verify_text(all.answers(), {"--asked", asked});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_TRUE(contains(refused.err, "not among the cases that are asked: '")) << refused.err;
+  std::string answers;
+  for (const std::size_t number : {std::size_t{2}, std::size_t{7}}) {
+    answers += Pipe({"--cases", "20", "--only", std::to_string(number)}).answers();
+  }
+  const json report = json::parse(all.verify_text(answers, {"--json", "--asked", asked}).out);
+  EXPECT_EQ(report["cases"], 3);
+  EXPECT_EQ(report["conforms"], 2);
+  EXPECT_EQ(report["unanswered_numbers"], json({{11, 11}}));
+  const Finished none = all.verify_text(answers, {"--asked", scratch.file("no_cases", "1 2 3\n")});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_TRUE(contains(none.err, "no line 'case ID N'")) << none.err;
+  EXPECT_EQ(all.verify_text(answers, {"--asked", asked, "--seed", "2"}).status, 2);
 }
 
 TEST(Verify, AnAnswerWithoutLinesClaimsNothing) {
@@ -360,7 +433,7 @@ TEST(Verify, RefusesWhatIsNoStreamOfAnswers) {
     refuses(right, answers, reason);
   }
   const std::string other = ids_of(generated({"--cases", "20", "--seed", "2"}))[1];
-  refuses(right, first + "answer " + other + "\nend\n", "3: a case of another run than those before: '");
+  refuses(right, first + "answer " + other + "\nend\n", "3: a case of another run: '");
   // Here a program answers like that.
   refuses(Pipe(run, {"csv", "twice", "5"}), Pipe(run, {"csv", "twice", "5"}).answers(), "");
   for (const char* fault : {"other-id", "stray", "cut"}) {

@@ -93,7 +93,7 @@ TEST(VerifyVectors, AFaultIsFoundInItsVector) {
   const Words ids = ids_of(pipe.cases());
   ASSERT_EQ(ids.size(), 30U);
   EXPECT_TRUE(ids.front().starts_with("vector:flat-inputs-0001:")) << ids.front();
-  const json report = pipe.as_json({"--vectors", few.folder()});
+  const json report = pipe.as_json();
   EXPECT_EQ(verdicts_by_vector(report),
             (std::map<std::string, std::string>{
                 {"flat-inputs-0004", "fails"}, {"orbits-0003", "refused"}, {"orbits-0004", "unreadable"}}));
@@ -103,7 +103,7 @@ TEST(VerifyVectors, AFaultIsFoundInItsVector) {
   EXPECT_TRUE(again.starts_with("flowcert generate --vectors ") && again.ends_with(" --only 3")) << again;
   EXPECT_EQ(cases_of(generated({"--vectors", few.folder(), "--only", "3"})).front(), cases_of(pipe.cases())[3]);
   const std::string folder = pipe.scratch().path("kept");
-  (void)pipe.verify({"--vectors", few.folder(), "--keep", folder});
+  (void)pipe.verify({"--keep", folder});
   EXPECT_EQ(flowcert({"check", folder + "/flat-inputs-0004.xyz", folder + "/flat-inputs-0004.claim"}).status, 1);
 }
 
@@ -151,16 +151,16 @@ TEST(VerifyVectors, OtherVectorsThanThoseThatWereAskedAreRefused) {
     EXPECT_EQ(lines_of(finished.err).size(), 1U) << finished.err;
     EXPECT_TRUE(contains(finished.err, what)) << finished.err;
   };
-  refuses(pipe.verify(), "standard input:3: no case of the vectors in ");
+  refuses(pipe.verify_text(pipe.answers()), "standard input:3: no case of the vectors in ");
   // What the vectors say is a part of the id, too.
   std::string flat = content_of(few.folder() + "/flat-inputs.json");
   flat.replace(flat.find("\"merged_duplicates\":0"), 21, "\"merged_duplicates\":1");
   std::ofstream(few.folder() + "/flat-inputs.json") << flat;
-  refuses(pipe.verify({"--vectors", few.folder()}), "standard input:3: no case of the vectors in ");
+  refuses(pipe.verify(), "standard input:3: no case of the vectors in ");
   const Words drawn = {"--cases", "3"};
-  refuses(Pipe(drawn).verify({"--vectors", few.folder()}), "a case of another run than those before: '");
+  refuses(pipe.verify_text(Pipe(drawn).answers(), pipe.run()), "a case of another run: '");
   refuses(pipe.verify_text("refused " + ids_of(generated(drawn))[0] + "\n" + pipe.answers()),
-          "a case of another run than those before: 'vector:");
+          "a case of another run: 'vector:");
   refuses(flowcert({"generate", "--vectors", "--seed", "2"}), "--seed");
   refuses(flowcert({"generate", "--vectors", few.folder() + "/flags.json"}), "--vectors");
   refuses(flowcert({"generate", "--vectors", few.folder(), "--only", "30"}), "--only: the run has 30 cases, 0 to 29");

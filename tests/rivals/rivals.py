@@ -137,7 +137,8 @@ class Rivals:
                 subprocess.run(program.command, stdin=cases.stdout, stdout=answers, stderr=subprocess.DEVNULL,
                                timeout=VECTOR_LIMIT, check=True)
             answers.seek(0)
-            report = self.run("verify", "--json", "--tolerance", program.tolerance, "--keep", kept, stdin=answers)
+            report = self.run("verify", "--vectors", "--json", "--tolerance", program.tolerance, "--keep", kept,
+                              stdin=answers)
         if report["unanswered"]:
             raise RuntimeError(f"{program.name}: {report['unanswered']} vectors have no answer")
         verdicts = {name: ("right", {}) for name in self.vectors}

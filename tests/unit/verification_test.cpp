@@ -278,11 +278,9 @@ std::string exchange_claim(const std::string& limit) {
 TEST(Verification, AVectorSaysWhatIsRight) {
   CITES("FC-FLOW-07");
   const auto folder = vectors_with_limits_at(1);
-  VerificationOptions options = keeping_failures();
-  options.vectors = folder->path().string();
-  const auto cases = vectors_to_ask(options.vectors);
+  const auto cases = vectors_to_ask(folder->path().string());
   const auto outcomes = [&](const std::string& limit) {
-    Verification verification(options);
+    Verification verification(keeping_failures(), vectors_to_ask(folder->path().string()));
     verification.take({.place = {.file = "answers", .line = 1},
                        .id = cases->id(cases->numbered(0)),
                        .is_refusal = false,
@@ -298,9 +296,7 @@ TEST(Verification, AnswersAreToTheVectorsThatWereAsked) {
   CITES("FC-CLAIM-01");
   const auto asked = vectors_with_limits_at(1), other = vectors_with_limits_at(2);
   const auto cases = vectors_to_ask(asked->path().string());
-  VerificationOptions options = keeping_failures();
-  options.vectors = other->path().string();
-  Verification verification(options);
+  Verification verification(keeping_failures(), vectors_to_ask(other->path().string()));
   const Answer answer{.place = {.file = "answers", .line = 1},
                       .id = cases->id(cases->numbered(0)),
                       .is_refusal = false,
