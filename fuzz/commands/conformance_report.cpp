@@ -16,6 +16,7 @@
 #include "cli/wrapped_text.h"
 #include "cli/xml_text.h"
 #include "fuzz/judge/conformance_words.h"
+#include "io/foreign_text.h"
 
 namespace flowcert::commands {
 
@@ -473,7 +474,8 @@ Json conformance_json(const ConformanceReport& report) {
 }
 
 void print_conformance_json(const ConformanceReport& report) {
-  fmt::print("{}\n", conformance_json(report).dump(-1, ' ', false, Json::error_handler_t::replace));
+  fmt::print("{}\n",
+             io::json_with_escapes(conformance_json(report).dump(-1, ' ', false, Json::error_handler_t::replace)));
 }
 
 void write_conformance_junit(std::ostream& out, const ConformanceReport& report) {

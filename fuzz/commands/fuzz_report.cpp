@@ -18,6 +18,7 @@
 #include "fuzz/commands/fuzz_options.h"
 #include "fuzz/judge/command_run.h"
 #include "fuzz/judge/conformance_words.h"
+#include "io/foreign_text.h"
 
 namespace flowcert::commands {
 
@@ -304,7 +305,7 @@ void print_fuzz_json(const FuzzRun& run) {
     report["cases_per_second"] = static_cast<double>(run.cases) / *run.seconds;
     report["jobs"] = run.jobs;
   }
-  fmt::print("{}\n", report.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+  fmt::print("{}\n", io::json_with_escapes(report.dump(2, ' ', false, ordered_json::error_handler_t::replace)));
 }
 
 }  // namespace
@@ -328,7 +329,8 @@ int print_case(const fuzz::Campaign& campaign, const fuzz::OneCase& one, bool js
       print_counterexample(campaign, counterexample);
     }
   }
-  if (json) fmt::print("{}\n", report.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+  if (json)
+    fmt::print("{}\n", io::json_with_escapes(report.dump(2, ' ', false, ordered_json::error_handler_t::replace)));
   return holds ? kRight : kNegativeVerdict;
 }
 

@@ -301,9 +301,12 @@ constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 std::atomic<int> noted{0};
 static_assert(std::atomic<int>::is_always_lock_free);
 
+// Whoever asks twice does not want to wait for a case that is being judged.
 void note(int number) {
   int none = 0;
-  noted.compare_exchange_strong(none, number);
+  if (noted.compare_exchange_strong(none, number)) return;
+  ::signal(number, SIG_DFL);
+  ::raise(number);
 }
 
 void replace_handlers(void (*from)(int), void (*to)(int)) {

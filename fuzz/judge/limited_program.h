@@ -52,8 +52,8 @@ struct ProgramEnd {
 // ---- Signals ----
 // A note of Ctrl-C, SIGTERM or SIGHUP that the program can ask for, while it has files to put away first.
 //
-// Guarantees: as long as an object lives, these signals only leave a note; a signal that is ignored (nohup, a
-// shell's background job) stays so. One object at a time.
+// Guarantees: as long as an object lives, the first of these signals only leaves a note, and the next one ends the
+// program; a signal that is ignored (nohup, a shell's background job) stays so. One object at a time.
 class Interruption {
  public:
   Interruption();

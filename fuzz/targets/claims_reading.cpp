@@ -68,7 +68,7 @@ std::string complaint_about_claim(Bytes bytes, std::string_view format) {
   if (std::all_of(text.begin(), text.end(), is_blank)) return {};
   Claim claim;
   try {
-    claim = format_named(format).read(text, "a");
+    claim = format_named(format).read(text, "a", false);
   } catch (const InvalidInput& error) {
     return complaint_about_refusal(error);
   }

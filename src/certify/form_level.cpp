@@ -7,6 +7,7 @@
 #include "certify/check_run.h"
 #include "certify/finding_words.h"
 #include "flowcert/reproducibility.h"
+#include "io/number_text.h"
 
 namespace flowcert::certify {
 
@@ -247,7 +248,12 @@ void check_unjudged_index(CheckRun& run, std::size_t k) {
 }  // namespace
 
 void check_form(CheckRun& run) {
-  for (const std::string& key : run.claim.unknown_keys) run.leave_unjudged("what the unknown key '" + key + "' says");
+  constexpr std::size_t kLongKey = 100;
+  for (const std::string& key : run.claim.unknown_keys) {
+    const std::string quoted = key.size() > kLongKey ? in_quotes(key) : "'" + key + "'";
+    run.leave_unjudged("what the unknown key " + quoted + " says");
+  }
+  if (run.claim.has_more_unknown_keys) run.leave_unjudged("what further unknown keys say");
   if (run.claim.pockets) check_form_of_pockets(run);
   for (std::size_t index = 0; index < 4; ++index) {
     if (run.report.indices.at(index) || run.claim.pockets) continue;

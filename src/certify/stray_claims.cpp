@@ -122,9 +122,8 @@ std::vector<WrongValue> wrong_values(CheckRun& run, const ClaimedPoint& point, s
   return wrong;
 }
 
-std::string double_text(const std::optional<ClaimedNumber>& number) {
-  return number ? number_text(*number) : "no double";
-}
+// number: std::optional or Boxed.
+std::string double_text(const auto& number) { return number ? number_text(*number) : "no double"; }
 
 // The doubles that are claimed beside exact values are these values in decimals (FC-NUM-02, FC-CLAIM-05). There is none
 // exactly where no double is near.
@@ -145,7 +144,7 @@ std::vector<WrongValue> wrong_doubles(CheckRun& run, const ClaimedPoint& point, 
     wrong.push_back({match, "center_double with " + double_text(claimed), "the coordinate is " + number_text(truth)});
   }
   if (point.has_rounded_squared_distance) {
-    const std::optional<ClaimedNumber>& claimed = point.rounded_squared_distance;
+    const Boxed<ClaimedNumber>& claimed = point.rounded_squared_distance;
     ValueMatch match = ValueMatch::kOff;
     if (claimed.has_value() == nearest_double(sphere.squared_radius).has_value()) {
       match = claimed ? match_squared_distance(*claimed, sphere.squared_radius, scale) : ValueMatch::kEqual;

@@ -53,19 +53,20 @@ class LevelProgress {
 // A claimed flow complex, or a persistence diagram.
 using AnyClaim = std::variant<Claim, std::vector<ClaimedPair>>;
 
-AnyClaim claim_of(const std::string& path, const std::string& format) {
+AnyClaim claim_of(const std::string& path, const std::string& format, bool unlimited) {
   const ProgressLine progress("reading the claim");
   const std::string bytes = io::read_bytes(path);
   std::string decompressed;
-  const std::string_view content = io::plain_content(bytes, path, decompressed);
-  if (format.empty() && !is_pair_claim(content, path)) return read_claim_from(content, path);
-  return claimed_pairs_of(std::string(content), path);
+  const std::string_view content = io::plain_content(bytes, path, decompressed, unlimited);
+  if (format.empty() && !is_pair_claim(content, path)) return read_claim_from(content, path, unlimited);
+  return claimed_pairs_of(content, path);
 }
 
 CheckReport report_of(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input, Claim given) {
   const ProgressLine progress("checking");
   const Claim claim = std::move(given);  // a large one takes seconds to free, and is freed before the line
-  const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads}, part_progress());
+  const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads, .most_cells = input.most_cells},
+                            part_progress());
   const std::unique_ptr<Truth> truth = options.files.by_oracle ? oracle.of(input.file.rows) : fast_truth(complex);
   LevelProgress levels;
   CheckOptions how = options.check;
@@ -100,7 +101,8 @@ int check_complex(const CheckCommandOptions& options, const OtherTruth& oracle, 
 std::vector<ListedPair> true_pairs(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input) {
   const ProgressLine progress("pairing");
   if (options.files.by_oracle) return oracle.pairs_of(input.file.rows);
-  return listed_pairs(FlowComplex(input.points, {.flow = {}, .threads = options.threads}, part_progress()));
+  return listed_pairs(FlowComplex(
+      input.points, {.flow = {}, .threads = options.threads, .most_cells = input.most_cells}, part_progress()));
 }
 
 int check_diagram(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input,
@@ -119,7 +121,7 @@ int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
   if (files.points == "-" && files.claim == "-") {
     throw InvalidInput("POINTS and CLAIM cannot both be standard input");
   }
-  AnyClaim claim = claim_of(files.claim, options.claim_format);
+  AnyClaim claim = claim_of(files.claim, options.claim_format, options.reading.unlimited);
   const Input input = read_input(files.points, options.reading);
   files.points = display_name(files.points);
   files.claim = display_name(files.claim);

@@ -16,6 +16,7 @@
 #include "cli/table.h"
 #include "cli/wrapped_text.h"
 #include "cli/xml_text.h"
+#include "io/foreign_text.h"
 #include "io/number_text.h"
 
 namespace flowcert::cli {
@@ -251,7 +252,7 @@ void print_check_json(const CheckedFiles& files, const CheckReport& report, cons
   json["not_decided"] = report.not_decided;
   Json& findings = json["findings"] = Json::array();
   for (const Finding& finding : report.findings) findings.push_back(finding_field(finding));
-  fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  fmt::print("{}\n", io::json_with_escapes(json.dump(-1, ' ', false, Json::error_handler_t::replace)));
 }
 
 void write_check_junit(std::ostream& out, const CheckedFiles& files, const CheckReport& report) {

@@ -44,6 +44,11 @@ void add_options_of_tables(CLI::App& command, ReadingOptions& reading) {
       .add_flag("--skip-invalid", reading.skip_invalid,
                 "Leave out rows with a coordinate that is not a finite number; they are counted")
       ->group(kReadingGroup);
+  command
+      .add_flag("--unlimited", reading.unlimited,
+                "Also read compressed files that grow to more than a hundred times their size, and compute points "
+                "with more than a hundred Delaunay cells each, and two million")
+      ->group(kReadingGroup);
 }
 
 void add_options_of_molecules(CLI::App& command, ReadingOptions& reading) {
@@ -108,7 +113,16 @@ Input read_input(const std::string& path, const ReadingOptions& reading) {
     io::tell(fmt::format("warning: {}: {} repeated point{} merged\n", display_name(path), with_commas(merged),
                          merged == 1 ? "" : "s"));
   }
+  input.most_cells = reading.unlimited ? Delaunay::kAnyNumber : usual_most_cells(input.points.size());
   return input;
+}
+
+void tell_of_many_cells(const FlowComplex& complex) {
+  constexpr std::size_t kManyForAPoint = 100, kMany = 100'000;
+  const std::size_t cells = complex.diagram().delaunay_cells(), points = complex.points().size();
+  if (cells < kMany || cells / points < kManyForAPoint) return;
+  io::tell(fmt::format("note: {} Delaunay cells, {} a point: memory and output grow with the square of the points\n",
+                       with_commas(cells), with_commas(cells / points)));
 }
 
 void print_point_counts(const PointSet& points) {

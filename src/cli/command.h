@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/layer.h"
+#include "flowcert/flow_complex.h"
 #include "flowcert/orbit.h"
 #include "flowcert/read_points.h"
 #include "io/foreign_text.h"
@@ -46,8 +47,12 @@ void add_view_command(CLI::App& app, int& status);
 struct Input {
   PointFile file;
   PointSet points;
+  std::size_t most_cells = 0;  // that the triangulation may have (FlowComplexOptions)
 };
 [[nodiscard]] Input read_input(const std::string& path, const ReadingOptions& reading = {});
+
+// Says on standard error, before anything is written, that it will be much. Makes the diagram.
+void tell_of_many_cells(const FlowComplex& complex);
 
 // The first rows of a table: points, merged duplicates and, where there are any, rows that are left out.
 void print_point_counts(const PointSet& points);

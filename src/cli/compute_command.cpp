@@ -118,16 +118,18 @@ void write_records(const ComputeOptions& options, const Measured& measured) {
 }
 
 void compute(const ComputeOptions& options) {
-  const WantedManifolds wanted = wanted_manifolds(options);
+  WantedManifolds wanted = wanted_manifolds(options);
   const bool is_streamed = options.output == kStandardStream;
   if (is_streamed && options.json) throw InvalidInput("-o - and --json would both write to standard output");
   std::optional<ExportFiles> files;
   if (!options.export_directory.empty()) files.emplace(export_choice(options), display_name(options.input));
   const Input input = read_input(options.input, options.reading);
+  wanted.options.most_cells = input.most_cells;
   const PartMade made = [&files](const FlowComplex& complex, FlowComplexPart part) {
     if (files) files->write_after(complex, part);
   };
   const Measured measured = measure(input.points, options.runs, wanted, made);
+  tell_of_many_cells(*measured.last);
   if (!options.output.empty()) write_records(options, measured);
   if (options.json) {
     print_compute_summary(input, measured, options.u2);

@@ -119,6 +119,7 @@ void locate_all(const LocateOptions& options) {
   const std::vector<Point> positions = read_points_aloud(options.positions).rows;
   FlowComplexOptions how;
   how.threads = options.threads;
+  how.most_cells = input.most_cells;
   const FlowComplex complex(input.points, how, part_progress());
   if (options.output.empty() || options.output == kStandardStream) {
     write_places(complex, positions, options.json, STDOUT_FILENO, [](const std::string& text) {

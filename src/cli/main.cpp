@@ -23,6 +23,7 @@
 #include "flowcert/reproducibility.h"
 #include "fuzz/commands/commands.h"
 #include "io/diagnostic.h"
+#include "io/out_of_memory.h"
 #include "io/output_file.h"
 
 namespace {
@@ -112,10 +113,11 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   io::prepare_standard_streams();
+  io::prepare_for_out_of_memory("flowcert");
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {
-    return complain("out of memory");
+    io::end_out_of_memory();
   } catch (const std::filesystem::filesystem_error& error) {
     // Its own text is the C++ library's, with the name of a function.
     return complain(fmt::format("{}: {}", error.path1().string(), error.code().message()));

@@ -43,8 +43,10 @@ struct PersistenceSeconds {
 struct PersistenceRun {
   // Makes one part of the complex after the other, and takes the time of each. The seed decides all choices that
   // break ties.
-  PersistenceRun(const PointSet& points, std::uint64_t seed, unsigned threads)
-      : complex(points, {.flow = {}, .share = true, .seed = seed, .threads = threads}, part_progress()) {
+  PersistenceRun(const Input& input, std::uint64_t seed, unsigned threads)
+      : complex(input.points,
+                {.flow = {}, .share = true, .seed = seed, .threads = threads, .most_cells = input.most_cells},
+                part_progress()) {
     const ProgressLine progress("computing");
     using Clock = std::chrono::steady_clock;
     const auto make = [this](FlowComplexPart part, double& sum) {
@@ -279,7 +281,8 @@ void print_persistence(const PersistenceOptions& options) {
     throw InvalidInput("-o - and --json would both write to standard output");
   }
   const Input input = read_input(options.input, options.reading);
-  const PersistenceRun run(input.points, options.seed, options.threads);
+  const PersistenceRun run(input, options.seed, options.threads);
+  tell_of_many_cells(run.complex);
   const PersistenceDiagram diagram = diagram_of(run.complex, options.with_zero);
   const bool has_file = !options.output.empty() && options.output != kStandardStream;
   if (has_file) write_file(options, text_of(options, diagram));

@@ -128,7 +128,9 @@ void write_pictures(const StatsOptions& options, const std::vector<Shown>& all) 
 void show_statistics(const StatsOptions& options) {
   const Input input = read_input(options.input, options.reading);
   if (!options.svg_directory.empty()) make_picture_directory(options.svg_directory);
-  const Measured measured = measure(input.points, options.runs, wanted_manifolds_of(options));
+  WantedManifolds wanted = wanted_manifolds_of(options);
+  wanted.options.most_cells = input.most_cells;
+  const Measured measured = measure(input.points, options.runs, wanted);
   const std::vector<Shown> all = histograms_of(measured, options.logarithmic);
   if (!options.svg_directory.empty()) write_pictures(options, all);
   if (options.json) {

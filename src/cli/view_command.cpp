@@ -124,7 +124,9 @@ int view(ViewCommandOptions options) {
       throw InvalidInput(fmt::format("{}: the page would replace these points; name it with -o", options.input));
     }
   }
-  const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads}, part_progress());
+  const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads, .most_cells = input.most_cells},
+                            part_progress());
+  tell_of_many_cells(complex);
   std::optional<Pockets> pockets;
   if (!options.pockets.empty()) {
     pockets.emplace(complex.merge_trees(), pocket_persistence(complex, options.pockets, "--pockets").value);

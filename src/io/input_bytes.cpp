@@ -4,6 +4,7 @@
 #include "io/input_bytes.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -25,9 +26,13 @@ namespace {
 // An open file. The destructor closes it, but standard input stays open.
 class InputFile {
  public:
-  explicit InputFile(const std::string& path)
-      : descriptor_(path == "-" ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
-    if (descriptor_ < 0) reject_file(path, std::string("cannot open: ") + std::strerror(errno));
+  InputFile(const std::string& path, const std::function<void()>& progress) {
+    if (path == "-") return;
+    // A signal interrupts the wait for a named pipe's writer.
+    while ((descriptor_ = open(path.c_str(), O_RDONLY | O_CLOEXEC)) < 0) {
+      if (errno != EINTR) reject_file(path, std::string("cannot open: ") + std::strerror(errno));
+      if (progress) progress();
+    }
   }
   ~InputFile() {
     if (descriptor_ != STDIN_FILENO) close(descriptor_);
@@ -38,13 +43,13 @@ class InputFile {
   [[nodiscard]] int descriptor() const { return descriptor_; }
 
  private:
-  int descriptor_;
+  int descriptor_ = STDIN_FILENO;
 };
 
 }  // namespace
 
-std::string read_bytes(const std::string& path) {
-  const InputFile input(path);
+std::string read_bytes(const std::string& path, const std::function<void()>& progress) {
+  const InputFile input(path, progress);
   remember_input(path, input.descriptor());
   std::string bytes;
   std::array<char, std::size_t{1} << 16> block{};
@@ -57,6 +62,7 @@ std::string read_bytes(const std::string& path) {
       const char* const action = errno == EISDIR ? "cannot open: " : "cannot read: ";
       reject_file(path, action + std::string(std::strerror(errno)));
     }
+    if (progress) progress();
   }
 }
 
@@ -66,9 +72,10 @@ namespace {
 
 // Added to zlib's window size: only streams with a gzip header are taken.
 constexpr int kGzipOnly = 16;
+constexpr std::uint64_t kMostGrowth = 100, kAlwaysRead = std::uint64_t{1} << 20, kMostRead = std::uint64_t{1} << 32;
 
 // Decompresses one stream from the front of `bytes` and appends it to `output`. Returns how many bytes it took.
-std::size_t gunzip_one(std::string_view bytes, std::string_view file, std::string& output) {
+std::size_t gunzip_one(std::string_view bytes, std::string_view file, std::uint64_t most, std::string& output) {
   z_stream stream{};
   if (inflateInit2(&stream, MAX_WBITS + kGzipOnly) != Z_OK) throw std::bad_alloc();
   const std::unique_ptr<z_stream, decltype(&inflateEnd)> state(&stream, inflateEnd);
@@ -89,6 +96,10 @@ std::size_t gunzip_one(std::string_view bytes, std::string_view file, std::strin
     if (status == Z_MEM_ERROR) throw std::bad_alloc();
     if (status != Z_OK && status != Z_STREAM_END) reject_file(file, "gzip data corrupted");
     output.append(block.data(), block.size() - stream.avail_out);
+    if (output.size() > most) {
+      reject_file(file, fmt::format("gzip data grow to more than {} times their size, or 4 GB; --unlimited reads them",
+                                    kMostGrowth));
+    }
   }
   return taken;
 }
@@ -97,17 +108,24 @@ std::size_t gunzip_one(std::string_view bytes, std::string_view file, std::strin
 
 bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 
-std::string gunzip(std::string_view bytes, std::string_view file) {
+std::uint64_t most_content(std::size_t compressed, bool is_unlimited) {
+  if (is_unlimited) return std::numeric_limits<std::uint64_t>::max();
+  return std::clamp(kMostGrowth * std::uint64_t{compressed}, kAlwaysRead, kMostRead);
+}
+
+std::string gunzip(std::string_view bytes, std::string_view file, bool is_unlimited) {
   std::string output;
-  while (is_gzip(bytes)) bytes.remove_prefix(gunzip_one(bytes, file, output));
+  const std::uint64_t most = most_content(bytes.size(), is_unlimited);
+  while (is_gzip(bytes)) bytes.remove_prefix(gunzip_one(bytes, file, most, output));
   // Tapes and block devices pad with zeros, and gzip itself accepts that.
   if (bytes.find_first_not_of('\0') != std::string_view::npos) reject_file(file, "garbage after the gzip data");
   return output;
 }
 
-std::string_view plain_content(std::string_view bytes, std::string_view file, std::string& decompressed) {
+std::string_view plain_content(std::string_view bytes, std::string_view file, std::string& decompressed,
+                               bool is_unlimited) {
   if (is_gzip(bytes)) {
-    decompressed = gunzip(bytes, file);
+    decompressed = gunzip(bytes, file, is_unlimited);
     bytes = decompressed;
   }
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);

@@ -1,6 +1,9 @@
 // Files as bytes in memory, and the contents of gzip streams.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -9,23 +12,29 @@
 namespace flowcert::io {
 
 // The bytes of the file at `path`; "-" is standard input. Throws InvalidInput "FILE: reason" if the file cannot be
-// opened or read.
-[[nodiscard]] std::string read_bytes(const std::string& path);
+// opened or read. progress, if any, is called after each block, and when a signal interrupts the wait for one.
+[[nodiscard]] std::string read_bytes(const std::string& path, const std::function<void()>& progress = {});
+
+// What compressed data may grow to, in bytes: a hundred times what they are, and a megabyte where they are short, but no
+// more than 4 GB. Points and claims take a tenth of their size at the least; what takes a hundredth was made to fill
+// memory. --unlimited lifts it.
+[[nodiscard]] std::uint64_t most_content(std::size_t compressed, bool is_unlimited);
 
 // Gzip, from memory to memory.
 //
-// Guarantees: all or nothing. A stream that is cut short, fails its checksum, or is followed by anything but
-// another stream or zero bytes (padding) throws InvalidInput "FILE: reason". Memory is bounded by twice the
-// decompressed size.
+// Guarantees: all or nothing. A stream that is cut short, fails its checksum, grows beyond most_content(), or is
+// followed by anything but another stream or zero bytes (padding) throws InvalidInput "FILE: reason". Memory is bounded
+// by twice the decompressed size.
 
 // Whether the first two bytes are those of a gzip stream.
 [[nodiscard]] bool is_gzip(std::string_view bytes);
 
 // The concatenated contents of the streams (RFC 1952: a file may hold several) in `bytes`.
-[[nodiscard]] std::string gunzip(std::string_view bytes, std::string_view file);
+[[nodiscard]] std::string gunzip(std::string_view bytes, std::string_view file, bool is_unlimited = false);
 
 // What a reader of a format takes: the contents of `bytes` without gzip, for which `decompressed` is the place, and
 // without a byte order mark. Throws InvalidInput "FILE: empty" if they are blank.
-[[nodiscard]] std::string_view plain_content(std::string_view bytes, std::string_view file, std::string& decompressed);
+[[nodiscard]] std::string_view plain_content(std::string_view bytes, std::string_view file, std::string& decompressed,
+                                             bool is_unlimited = false);
 
 }  // namespace flowcert::io

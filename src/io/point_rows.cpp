@@ -37,6 +37,7 @@ void PointRows::reserve(std::uint64_t announced, std::size_t bytes, std::size_t 
 void PointRows::add(const std::array<std::string_view, 3>& fields, const LinePlace& place) {
   std::array<double, 3> numbers{};
   bool is_point = true;
+  tell();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const NumberText number = coordinate_of(fields[axis]);
     const bool is_skipped = !number.is_finite && options_.skip_invalid;
@@ -54,6 +55,7 @@ void PointRows::add(const std::array<std::string_view, 3>& fields, const LinePla
 }
 
 void PointRows::add(const Point& point) {
+  tell();
   for (const auto& [value, axis] : {std::pair(point.x, 'x'), std::pair(point.y, 'y'), std::pair(point.z, 'z')}) {
     if (std::isfinite(value)) continue;
     if (!options_.skip_invalid) {

@@ -45,6 +45,11 @@ class PointRows {
   [[nodiscard]] PointFile take();
 
  private:
+  static constexpr std::size_t kRowsBetween = 4096;
+  void tell() const {
+    if (options_.progress && count() % kRowsBetween == 0) options_.progress();
+  }
+
   std::string_view file_;
   const ReadingOptions& options_;
   PointFile points_;

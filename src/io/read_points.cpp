@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "geometry/floating_point.h"
 #include "io/input_bytes.h"
 #include "io/point_formats.h"
 
@@ -32,8 +33,9 @@ void check_options(PointFormat format, std::string_view file, const ReadingOptio
 }  // namespace
 
 PointFile read_points_from(std::string_view bytes, const std::string& name, const ReadingOptions& options) {
+  const geometry::IeeeDoubles ieee;
   std::string decompressed;
-  bytes = plain_content(bytes, name, decompressed);
+  bytes = plain_content(bytes, name, decompressed, options.unlimited);
   const PointFormat format = !options.format.empty()    ? format_named(options.format)
                              : !options.columns.empty() ? format_with_columns(bytes)
                                                         : format_of_content(bytes, name);
@@ -46,7 +48,7 @@ PointFile read_points_from(std::string_view bytes, const std::string& name, cons
 }
 
 PointFile read_points(const std::string& path, const ReadingOptions& options) {
-  return read_points_from(read_bytes(path), path, options);
+  return read_points_from(read_bytes(path, options.progress), path, options);
 }
 
 }  // namespace flowcert

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/conformance/case_texts.h"
+#include "tests/conformance/conformance_fixture.h"
 #include "tests/conformance/program_run.h"
 #include "tests/hostile_text.h"
 
@@ -98,6 +100,80 @@ TEST(HostileText, OfAClaimReachesNoTerminal) {
       }
     }
   }
+}
+
+void expect_harmless(const Finished& finished, const std::string& what) {
+  EXPECT_GE(finished.status, 0) << what;
+  for (const std::string& line : lines_of(finished.out + finished.err)) {
+    EXPECT_TRUE(flowcert_tests::is_harmless(line)) << what << ": " << line;
+    EXPECT_FALSE(line.starts_with("flowcert: conforms")) << what << ": " << line;
+  }
+}
+
+TEST(HostileText, IsHarmlessInReportsForPrograms) {
+  const Scratch scratch;
+  const std::string input = scratch.file("a.xyz", kSquare), report = scratch.path("report.xml");
+  const std::string id = ids_of(generated({"--cases", "1"})).front();
+  for (const std::string& text : flowcert_tests::hostile_texts()) {
+    const std::string quoted = nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+    const std::string raw = nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    for (const std::string& key : {quoted, raw}) {
+      const std::string claim =
+          scratch.file("claim.jsonl", "{\"format\":\"flowcert-stationary-points\",\"format_version\":1," + key +
+                                          ":0}\n{\"index\":0,\"contact\":[0]," + key + ":1}\n");
+      const Finished checked = flowcert({"check", input, claim, "--json", "--junit", report});
+      expect_harmless(checked, "check --json");
+      EXPECT_FALSE(nlohmann::json::parse(checked.out)["not_judged"].empty());
+      for (const std::string& line : lines_of(content_of(report)))
+        EXPECT_TRUE(flowcert_tests::is_harmless(line)) << line;
+    }
+    std::string one_line = text;
+    std::erase(one_line, '\n');
+    const std::string answers[] = {"refused " + id + " " + one_line + "\n", "answer " + id + "\n" + text + "\nend\n",
+                                   "answer " + one_line + "\nend\n", text + "\n"};
+    for (const std::string& answer : answers) {
+      const std::string file = scratch.file("answers", answer);
+      for (const Words& options : {Words{}, Words{"--json"}, Words{"--junit", report}, Words{"--persistence"}}) {
+        expect_harmless(flowcert(joined({"verify", "--cases", "1"}, options), {file, ""}), "verify");
+      }
+    }
+  }
+}
+
+TEST(HostileText, IsHarmlessInNamesOfFilesAndPrograms) {
+  const FewVectors few;
+  const Scratch scratch;
+  std::size_t programs = 0;
+  for (const std::string& text : flowcert_tests::hostile_texts()) {
+    const std::string name = text.substr(0, text.find('\0'));
+    if (name.find('/') != std::string::npos) continue;
+    const std::string input = scratch.file(name, kSquare), claim = scratch.file("c" + name, "0,0,0,0,0,0\n");
+    const Words commands[] = {{"compute", input},
+                              {"compute", input, "--json"},
+                              {"check", input, claim},
+                              {"stats", input},
+                              {"check", input, claim, "--json"},
+                              {"persistence", claim},
+                              {"medial", input},
+                              {"pockets", input},
+                              {"explain", input, "--ids", "0"}};
+    for (const Words& command : commands) expect_harmless(flowcert(command), testing::PrintToString(command));
+    // A program takes a while to start, so few of the texts are names and answers of programs.
+    if (++programs % 8 != 0) continue;
+    const std::string program = scratch.file("p" + name, "#!/bin/sh\ncat \"$0\" >\"$2\"\ncat \"$0\" >&2\n# " + text);
+    fs::permissions(program, fs::perms::owner_all);
+    for (const Words& form : {Words{}, Words{"--json"}}) {
+      const Words run = {"conformance",
+                         "--vectors",
+                         few.folder(),
+                         "--group",
+                         "flat-inputs",
+                         "--against",
+                         "'" + program + "' {in} {out}"};
+      expect_harmless(flowcert(joined(run, form)), "conformance");
+    }
+  }
+  EXPECT_GE(programs, 32U);
 }
 
 // ---- Outputs ----

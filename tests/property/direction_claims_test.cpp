@@ -73,6 +73,10 @@ bool are_equal(const ClaimedConnection& a, const ClaimedConnection& b) {
 }
 bool are_equal(const ClaimedShare& a, const ClaimedShare& b);
 template <typename Part>
+bool are_equal(const Boxed<Part>& a, const Boxed<Part>& b) {
+  return a.has_value() == b.has_value() && (!a || are_equal(*a, *b));
+}
+template <typename Part>
 bool are_equal(const std::optional<Part>& a, const std::optional<Part>& b) {
   return a.has_value() == b.has_value() && (!a || are_equal(*a, *b));
 }

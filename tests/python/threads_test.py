@@ -1,5 +1,6 @@
 """Other threads run while the library computes, Ctrl-C stops it, and no memory is lost."""
 
+import os
 import pickle
 import subprocess
 import sys
@@ -166,3 +167,44 @@ def test_a_complex_is_pickled_by_its_points():
     fc = flowcert.FlowComplex(sphere_sample(30), threads=2)
     other = pickle.loads(pickle.dumps(fc))
     assert other.threads == 2 and other.persistence() == fc.persistence()
+
+
+READING = """
+import os
+import signal
+import sys
+import threading
+import time
+
+import flowcert
+
+path, waits = sys.argv[1], sys.argv[2] == "waits"
+
+
+def interrupt(*_):
+    raise KeyboardInterrupt
+
+
+signal.signal(signal.SIGALRM, interrupt)
+signal.setitimer(signal.ITIMER_REAL, 0.2 if waits else 0.05)
+start = time.perf_counter()
+try:
+    flowcert.read_points(path)
+    print("read")
+except KeyboardInterrupt:
+    print("interrupted")
+assert time.perf_counter() - start < 5
+if not waits:
+    print(len(flowcert.read_points(path)))
+"""
+
+
+def test_reading_is_interrupted(tmp_path):
+    """A file takes a while; nobody writes into a pipe."""
+    table, pipe = tmp_path / "points.xyz", tmp_path / "pipe"
+    table.write_text("0.123456 1.234567 2.345678\n" * 2_000_000)
+    os.mkfifo(pipe)
+    for path, how, expected in ((table, "reads", ["interrupted", "2000000"]), (pipe, "waits", ["interrupted"])):
+        words = [sys.executable, "-c", READING, str(path), how]
+        finished = subprocess.run(words, capture_output=True, text=True, timeout=60)
+        assert finished.stdout.split() == expected, finished.stderr

@@ -76,7 +76,8 @@ TEST(ReadExchange, EverythingThatComputeWrites) {
     EXPECT_TRUE(point.squared_distance->is_exact);
     EXPECT_FALSE(point.distance);
     const bool is_saddle = index == StationaryIndex{2, 2};
-    EXPECT_EQ(point.samples, (index == StationaryIndex{1, 1} ? std::optional(contact) : std::nullopt));
+    EXPECT_EQ(point.samples.has_value(), (index == StationaryIndex{1, 1}));
+    EXPECT_EQ(point.samples ? *point.samples : contact, contact);
     EXPECT_EQ(point.successors.has_value(), is_saddle);
     EXPECT_EQ(point.successors_by_side, is_saddle);
     EXPECT_EQ(point.u2.has_value(), is_saddle);

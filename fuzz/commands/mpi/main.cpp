@@ -25,6 +25,7 @@
 #include "fuzz/judge/conformance_words.h"
 #include "fuzz/judge/limited_program.h"
 #include "io/diagnostic.h"
+#include "io/out_of_memory.h"
 
 namespace {
 
@@ -152,6 +153,7 @@ void be_another_rank(RankLines& lines, std::unique_ptr<BatchProcess> process, co
 }  // namespace
 
 int main(int argc, char** argv) {
+  flowcert::io::prepare_for_out_of_memory("flowcert-fuzz-mpi");
   CommandLine line;
   std::unique_ptr<BatchProcess> process;
   try {

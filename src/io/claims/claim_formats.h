@@ -17,8 +17,8 @@ struct ClaimFormat {
   // Whether a file looks like this format. It may be wrong only about files of formats that come later in the list.
   bool (*recognises)(std::string_view bytes);
   // Takes the whole file, decompressed and without a byte order mark. The file is not blank. `file` is its name for
-  // messages. Guarantees what flowcert/claim.h promises of readers.
-  Claim (*read)(std::string_view bytes, std::string_view file);
+  // messages. Compressed data in it are held to most_content(). Guarantees what flowcert/claim.h promises of readers.
+  Claim (*read)(std::string_view bytes, std::string_view file, bool is_unlimited);
 };
 
 extern const ClaimFormat kPocketClaims;

@@ -23,6 +23,27 @@ namespace flowcert::io {
 // ---- JSON ----
 // One value in memory. Numbers stay text, because a claim's decimals must not become doubles.
 
+// Keys that nobody has asked for, ascending. A claim can have millions, so the first hundred are kept.
+class UnknownKeys {
+ public:
+  void insert(const std::string& key) {
+    if (keys_.size() < kMost) {
+      keys_.insert(key);
+    } else if (!keys_.contains(key)) {
+      has_more_ = true;
+    }
+  }
+  void tell(Claim& claim) const {
+    claim.unknown_keys.assign(keys_.begin(), keys_.end());
+    claim.has_more_unknown_keys = has_more_;
+  }
+
+ private:
+  static constexpr std::size_t kMost = 100;
+  std::set<std::string> keys_;
+  bool has_more_ = false;
+};
+
 enum class JsonKind { kNull, kBoolean, kNumber, kString, kArray, kObject };
 
 struct JsonTree {
@@ -43,7 +64,7 @@ struct JsonTree {
   }
 
   // The keys that nobody has asked for, each with those of the objects around it: "skeleton.colour".
-  void add_unknown_keys(const std::string& around, std::set<std::string>& keys) const {
+  void add_unknown_keys(const std::string& around, UnknownKeys& keys) const {
     if (is(JsonKind::kArray)) {
       for (const JsonTree& item : items) item.add_unknown_keys(around, keys);
     }

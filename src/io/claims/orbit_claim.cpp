@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/floating_point.h"
 #include "io/json_limits.h"
 
 namespace flowcert {
@@ -73,6 +74,7 @@ std::optional<PathLimit> limit_of(const Json& object) {
 }  // namespace
 
 OrbitPath claimed_orbit_of(const std::string& bytes, const std::string& name) {
+  const geometry::IeeeDoubles ieee;
   try {
     const Json object = parse_foreign_json(bytes, name);
     OrbitPath path;

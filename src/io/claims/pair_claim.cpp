@@ -5,9 +5,8 @@
 
 #include <algorithm>
 #include <charconv>
-#include <iterator>
-#include <sstream>
 
+#include "geometry/floating_point.h"
 #include "io/json_limits.h"
 #include "io/line_reader.h"
 #include "io/number_text.h"
@@ -43,7 +42,7 @@ std::vector<ClaimedPair> pairs_of_json(const Json& object) {
 
 // ---- Text
 
-int dimension_of(const std::string& word, const LinePlace& place) {
+int dimension_of(std::string_view word, const LinePlace& place) {
   int dimension = 0;
   const char* end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, dimension);
@@ -55,7 +54,7 @@ int dimension_of(const std::string& word, const LinePlace& place) {
 
 // GUDHI's tools write in front of each pair the characteristic of the field over which homology was taken. The pairs
 // are the same over all fields.
-void expect_characteristic(const std::string& word, const LinePlace& place) {
+void expect_characteristic(std::string_view word, const LinePlace& place) {
   int value = 0;
   const char* end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);
@@ -64,10 +63,7 @@ void expect_characteristic(const std::string& word, const LinePlace& place) {
   }
 }
 
-std::optional<ClaimedPair> pair_of_line(const std::string& line, const LinePlace& place) {
-  std::istringstream in(line.substr(0, line.find('#')));
-  std::vector<std::string> words(std::istream_iterator<std::string>(in), {});
-  if (words.empty()) return std::nullopt;
+ClaimedPair pair_of_words(std::vector<std::string_view> words, const LinePlace& place) {
   if (words.size() != 3 && words.size() != 4) {
     place.reject("not the words dimension, birth, death, with the characteristic of a field before them or not");
   }
@@ -75,18 +71,17 @@ std::optional<ClaimedPair> pair_of_line(const std::string& line, const LinePlace
     expect_characteristic(words.front(), place);
     words.erase(words.begin());
   }
-  const auto value = [&place](const std::string& word) { return claimed_number(word, PlainInteger::kDecimal, place); };
+  const auto value = [&](std::string_view word) { return claimed_number(word, PlainInteger::kDecimal, place); };
   ClaimedPair pair{dimension_of(words[0], place), value(words[1]), std::nullopt, place.line};
   if (words[2] != "inf") pair.death = value(words[2]);
   return pair;
 }
 
-std::vector<ClaimedPair> pairs_of_text(const std::string& bytes, const std::string& name) {
+std::vector<ClaimedPair> pairs_of_text(std::string_view bytes, const std::string& name) {
   std::vector<ClaimedPair> pairs;
-  std::istringstream in(bytes);
-  std::string line;
-  for (std::size_t number = 1; std::getline(in, line); ++number) {
-    if (const auto pair = pair_of_line(line, {.file = name, .line = number})) pairs.push_back(*pair);
+  LineReader lines(bytes, name);
+  for (std::string_view line; lines.next_uncommented(line);) {
+    pairs.push_back(pair_of_words(words_of(line), lines.place()));
   }
   return pairs;
 }
@@ -94,12 +89,14 @@ std::vector<ClaimedPair> pairs_of_text(const std::string& bytes, const std::stri
 }  // namespace
 
 bool is_before(const ListedPair& a, const ListedPair& b) {
+  const geometry::IeeeDoubles ieee;
   if (a.dimension != b.dimension) return a.dimension < b.dimension;
   if (a.birth != b.birth) return a.birth < b.birth;
   return a.death && (!b.death || *a.death < *b.death);
 }
 
 bool is_pair_claim(std::string_view bytes, const std::string& name) {
+  const geometry::IeeeDoubles ieee;
   const std::string ending = name.ends_with(".gz") ? ".pers.gz" : ".pers";
   if (name.ends_with(ending)) return true;
   const std::string_view text = trimmed(bytes);
@@ -124,9 +121,10 @@ bool is_pair_claim(std::string_view bytes, const std::string& name) {
   return lasts;
 }
 
-std::vector<ClaimedPair> claimed_pairs_of(const std::string& bytes, const std::string& name) {
+std::vector<ClaimedPair> claimed_pairs_of(std::string_view bytes, const std::string& name) {
+  const geometry::IeeeDoubles ieee;
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos) throw InvalidInput(name + ": empty");
+  if (first == std::string_view::npos) throw InvalidInput(name + ": empty");
   if (bytes[first] != '{') return pairs_of_text(bytes, name);
   const Json object = parse_foreign_json(bytes, name);
   try {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "flowcert/claim.h"
+#include "geometry/floating_point.h"
 #include "io/claims/claim_formats.h"
 #include "io/input_bytes.h"
 #include "io/layer.h"
@@ -106,12 +107,13 @@ void require_rows_of_pockets(const ClaimedPockets& pockets, const PointSet& poin
 
 }  // namespace
 
-Claim read_claim_from(std::string_view bytes, const std::string& name) {
+Claim read_claim_from(std::string_view bytes, const std::string& name, bool unlimited) {
+  const geometry::IeeeDoubles ieee;
   std::string decompressed;
-  bytes = plain_content(bytes, name, decompressed);
+  bytes = plain_content(bytes, name, decompressed, unlimited);
   const auto* const format = std::find_if(kFormats.begin(), kFormats.end() - 1,
                                           [&](const ClaimFormat* one) { return one->recognises(bytes); });
-  Claim claim = (*format)->read(bytes, name);
+  Claim claim = (*format)->read(bytes, name, unlimited);
   claim.format = (*format)->name;
   return claim;
 }
@@ -131,6 +133,6 @@ void require_rows(const Claim& claim, const PointSet& points, const std::string&
   }
 }
 
-Claim read_claim(const std::string& path) { return read_claim_from(read_bytes(path), path); }
+Claim read_claim(const std::string& path, bool unlimited) { return read_claim_from(read_bytes(path), path, unlimited); }
 
 }  // namespace flowcert

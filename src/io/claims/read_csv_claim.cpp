@@ -65,7 +65,7 @@ ClaimedPoint point_of(std::string_view line, const LinePlace& place) {
 // This format is tried last, so it takes every file.
 bool recognises_csv(std::string_view /*bytes*/) { return true; }
 
-Claim read_csv(std::string_view text, std::string_view file) {
+Claim read_csv(std::string_view text, std::string_view file, bool /*is_unlimited*/) {
   Claim claim;
   LineReader lines(text, file);
   std::string_view line;

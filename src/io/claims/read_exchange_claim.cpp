@@ -435,13 +435,13 @@ bool recognises_exchange(std::string_view bytes) {
   return first != bytes.end() && *first == '{';
 }
 
-Claim read_exchange(std::string_view text, std::string_view file) {
+Claim read_exchange(std::string_view text, std::string_view file, bool /*is_unlimited*/) {
   LineReader lines(text, file);
   std::string_view line;
   lines.next_filled(line);
   const JsonTree header = parse_json(line, lines.place());
   Claim claim = claim_of_header({header, "header", lines.place()});
-  std::set<std::string> unknown;
+  UnknownKeys unknown;
   header.add_unknown_keys("", unknown);
   while (lines.next_filled(line)) {
     const JsonTree record = parse_json(line, lines.place());
@@ -454,7 +454,7 @@ Claim read_exchange(std::string_view text, std::string_view file) {
     }
     record.add_unknown_keys("", unknown);
   }
-  claim.unknown_keys.assign(unknown.begin(), unknown.end());
+  unknown.tell(claim);
   return claim;
 }
 

@@ -87,7 +87,7 @@ bool recognises_giesen_kuehne(std::string_view bytes) {
   return lines.next_uncommented(line) && (is_infinity_line(line) || line.find('|') != std::string_view::npos);
 }
 
-Claim read_giesen_kuehne(std::string_view text, std::string_view file) {
+Claim read_giesen_kuehne(std::string_view text, std::string_view file, bool /*is_unlimited*/) {
   Claim claim;
   LineReader lines(text, file);
   std::string_view line;

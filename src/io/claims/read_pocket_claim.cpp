@@ -178,7 +178,7 @@ ClaimedPockets pockets_of(const ExchangeValue& object, Claim& claim) {
   return pockets;
 }
 
-Claim read_pockets(std::string_view text, std::string_view file) {
+Claim read_pockets(std::string_view text, std::string_view file, bool /*is_unlimited*/) {
   const std::string_view before = text.substr(0, text.find('{'));  // all of it, where there is no brace
   const auto line = 1 + std::ranges::count(before, '\n');
   const LinePlace place{.file = file, .line = static_cast<std::size_t>(line)};
@@ -186,9 +186,9 @@ Claim read_pockets(std::string_view text, std::string_view file) {
   Claim claim;
   claim.pockets = pockets_of({tree, "pockets", place}, claim);
   claim.indices = ClaimedIndices{};
-  std::set<std::string> unknown;
+  UnknownKeys unknown;
   tree.add_unknown_keys("", unknown);
-  claim.unknown_keys.assign(unknown.begin(), unknown.end());
+  unknown.tell(claim);
   return claim;
 }
 

@@ -8,6 +8,7 @@
 
 #include "io/claims/claim_formats.h"
 #include "io/claims/vtp_file.h"
+#include "io/input_bytes.h"
 
 namespace flowcert::io {
 namespace {
@@ -43,9 +44,10 @@ bool recognises_vtp(std::string_view bytes) {
   return first != bytes.end() && *first == '<';
 }
 
-Claim read_vtp(std::string_view bytes, std::string_view file) {
+Claim read_vtp(std::string_view bytes, std::string_view file, bool is_unlimited) {
   Claim claim;
-  const VtpDocument document = parse_vtp(bytes, file, kTypeArray);
+  VtpDocument document = parse_vtp(bytes, file, kTypeArray);
+  document.most_bytes = most_content(bytes.size(), is_unlimited);
   VtpDecoder decoder(document);
   for (const VtpPiece& piece : document.pieces) add_points(piece, decoder, claim);
   return claim;

@@ -368,6 +368,9 @@ void expect_size(std::uint64_t announced, std::uint64_t needed, const LinePlace&
 
 std::string decompressed(EncodedBytes& encoded, const VtpDocument& document, std::uint64_t needed,
                          const LinePlace& place) {
+  if (needed > document.most_bytes) {
+    place.reject("compressed data grow to more than 100 times their size, or 4 GB; --unlimited reads them");
+  }
   const std::uint64_t blocks = next_header_number(encoded, document);
   const std::uint64_t block_size = next_header_number(encoded, document);
   const std::uint64_t last_size = next_header_number(encoded, document);

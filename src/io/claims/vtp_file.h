@@ -72,8 +72,9 @@ struct VtpPiece {
 
 struct VtpDocument {
   bool big_endian = false;
-  std::size_t header_size = 4;  // of the numbers before binary data, in bytes
-  std::string compressor;       // empty: none
+  std::size_t header_size = 4;   // of the numbers before binary data, in bytes
+  std::string compressor;        // empty: none
+  std::uint64_t most_bytes = 0;  // that an array may grow to where it is compressed
   std::vector<VtpPiece> pieces;
   bool appended_is_raw = false;
   std::string_view appended;  // after its underscore

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "flowcert/boxed.h"
 #include "flowcert/claimed_number.h"
 #include "flowcert/claimed_pockets.h"
 #include "flowcert/point_set.h"
@@ -145,35 +146,35 @@ struct ClaimedPoint {
   int index = 0;
   std::optional<int> hull_dimension;  // set: claimed to be regular, of kind (index, hull_dimension)
   std::vector<PointId> contact;       // rows of the input, as claimed; empty where not claimed
-  std::optional<ClaimedPosition> center;
-  std::optional<ClaimedNumber> squared_distance;  // not negative
-  std::optional<ClaimedNumber> distance;          // the radius itself, for formats that give it
+  Boxed<ClaimedPosition> center;
+  Boxed<ClaimedNumber> squared_distance;  // not negative
+  Boxed<ClaimedNumber> distance;          // the radius itself, for formats that give it
   // The doubles beside center and squared_distance. One that has no value says that no double is near.
-  std::optional<std::array<std::optional<ClaimedNumber>, 3>> rounded_center;
-  std::optional<ClaimedNumber> rounded_squared_distance;
+  Boxed<std::array<std::optional<ClaimedNumber>, 3>> rounded_center;
+  Boxed<ClaimedNumber> rounded_squared_distance;
   bool has_rounded_squared_distance = false;
   // The claimed incidences with critical points of one index more. Without a value, nothing is claimed about them.
-  std::optional<std::vector<ClaimedTarget>> successors;
+  Boxed<std::vector<ClaimedTarget>> successors;
   // If true, the successors are two in order: the limits of side 0 and side 1 (FC-FLOW-07), possibly equal. Otherwise
   // they are a set.
   bool successors_by_side = false;
-  std::optional<std::vector<PointId>> samples;     // of an index-1 point: the ends of its stable manifold
-  std::optional<std::vector<ClaimedPolyline>> u2;  // of an index-2 point: two, one a side
+  Boxed<std::vector<PointId>> samples;     // of an index-1 point: the ends of its stable manifold
+  Boxed<std::vector<ClaimedPolyline>> u2;  // of an index-2 point: two, one a side
   // For an index-2 point or a regular one.
-  std::optional<ClaimedStable> stable;
-  std::optional<ClaimedSkeleton> skeleton;
-  std::optional<ClaimedSurface> surface;
+  Boxed<ClaimedStable> stable;
+  Boxed<ClaimedSkeleton> skeleton;
+  Boxed<ClaimedSurface> surface;
   // For an index-1 or index-2 point or a regular one.
-  std::optional<ClaimedLambdaList> lambda;
-  std::optional<std::vector<ClaimedConnection>> connections;
+  Boxed<ClaimedLambdaList> lambda;
+  Boxed<std::vector<ClaimedConnection>> connections;
   // Of the stable set; not negative.
-  std::optional<ClaimedNumber> volume;
+  Boxed<ClaimedNumber> volume;
   // The double beside `volume`. Without a value it says that no double is near.
-  std::optional<ClaimedNumber> rounded_volume;
+  Boxed<ClaimedNumber> rounded_volume;
   bool has_rounded_volume = false;
-  std::optional<std::vector<ClaimedShare>> shares;
+  Boxed<std::vector<ClaimedShare>> shares;
   // For an index-1 point or a regular one whose kind begins with 1.
-  std::optional<ClaimedUnstableSurface> u1;
+  Boxed<ClaimedUnstableSurface> u1;
 };
 
 // Whether the critical points of each index are claimed.
@@ -196,17 +197,18 @@ struct Claim {
   std::optional<ClaimedNumber> hull_volume;  // not negative
   std::optional<ClaimedInfinity> infinity;   // what flows there
   std::optional<ClaimedPockets> pockets;     // then no points are claimed, and no indices
-  // Keys that the format does not know, "skeleton.colour", ascending.
+  // Keys that the format does not know, "skeleton.colour", ascending: the first hundred, and whether there are more.
   std::vector<std::string> unknown_keys;
+  bool has_more_unknown_keys = false;
 };
 
 // Reads a claim of any known format, recognised by content, gzip-compressed or not; "-" is standard input.
-// Throws InvalidInput, one line "FILE:LINE: reason" or "FILE: reason", for a file that cannot be opened or
-// that is malformed.
-[[nodiscard]] Claim read_claim(const std::string& path);
+// Throws InvalidInput, one line "FILE:LINE: reason" or "FILE: reason", for a file that cannot be opened, that is
+// malformed, or that is compressed and grows to more than a hundred times its size, or 4 GB, unless it may.
+[[nodiscard]] Claim read_claim(const std::string& path, bool unlimited = false);
 
 // The same from memory; `name` is used in messages.
-[[nodiscard]] Claim read_claim_from(std::string_view bytes, const std::string& name);
+[[nodiscard]] Claim read_claim_from(std::string_view bytes, const std::string& name, bool unlimited = false);
 
 // Throws InvalidInput, "FILE:LINE: reason", if the claim names a row that the input does not have. `name` is the
 // file's. Linear in the claim.

@@ -46,6 +46,6 @@ struct ClaimedPair {
 [[nodiscard]] bool is_pair_claim(std::string_view bytes, const std::string& name);
 
 // Reads what a program has written. name: of the file, for messages.
-[[nodiscard]] std::vector<ClaimedPair> claimed_pairs_of(const std::string& bytes, const std::string& name);
+[[nodiscard]] std::vector<ClaimedPair> claimed_pairs_of(std::string_view bytes, const std::string& name);
 
 }  // namespace flowcert

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,6 +40,10 @@ struct ReadingOptions {
   std::size_t frame = 0;
   // Leaves out rows with a coordinate that is not a finite number. Without it they are errors.
   bool skip_invalid = false;
+  // Also reads compressed files that grow to more than a hundred times their size, or 4 GB.
+  bool unlimited = false;
+  // Called now and then while the file is read. It may throw, which ends the reading.
+  std::function<void()> progress{};
 };
 
 // What a user should know of how a file was read. line is 0 where there is none.
