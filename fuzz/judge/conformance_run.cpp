@@ -11,6 +11,7 @@
 #include <fstream>
 #include <mutex>
 #include <new>
+#include <system_error>
 #include <thread>
 
 #include "certify/finding_words.h"
@@ -20,6 +21,7 @@
 #include "fuzz/judge/conformance_words.h"
 #include "fuzz/judge/oracle_truth.h"
 #include "io/number_text.h"
+#include "io/out_of_memory.h"
 #include "io/output_file.h"
 
 namespace flowcert::judge {
@@ -180,6 +182,7 @@ class CaseRun {
   // Calls read(bytes). Returns false if the answer cannot be read.
   template <typename Read>
   bool read_answer(const Run& run, const Read& read) {
+    const io::ThrowsOutOfMemory throws;
     try {
       read(answer_bytes(run));
       return true;
@@ -303,7 +306,12 @@ class ConformanceRun {
   std::vector<CaseOutcome> outcomes() {
     {
       std::vector<std::jthread> workers;
-      for (unsigned k = 1; k < options_.jobs; ++k) workers.emplace_back([this] { work(); });
+      workers.reserve(options_.jobs);
+      try {
+        while (workers.size() + 1 < options_.jobs) workers.emplace_back([this] { work(); });
+      } catch (const std::system_error&) {
+        // There is no further thread to be had. Those that run take all cases.
+      }
       work();
     }
     if (Interruption::signal() != 0) throw Interrupted{Interruption::signal()};

@@ -17,6 +17,7 @@
 #include "fuzz/judge/command_run.h"
 #include "fuzz/judge/conformance_words.h"
 #include "fuzz/properties/subject.h"
+#include "io/out_of_memory.h"
 #include "io/output_file.h"
 
 namespace flowcert::judge {
@@ -123,6 +124,7 @@ class Peer {
   [[nodiscard]] std::optional<Disagreement> judge_run(const fuzz::Input& input, const CommandRun& run) const {
     try {
       const FlowComplex& complex = property::subject_of(input).complex;
+      const io::ThrowsOutOfMemory throws;
       const std::string bytes = answer_bytes(run);
       return options_.judges_pairs ? judge_pairs(complex, bytes, run.answer_name)
                                    : judge_claim(complex, bytes, run.answer_name);

@@ -21,6 +21,7 @@
 #include "oracle/fast/point_set.h"
 #include "oracle/orbit.h"
 #include "oracle/program/answer_fields.h"
+#include "oracle/program/out_of_memory.h"
 #include "oracle/program/read_points.h"
 #include "oracle/program/read_records.h"
 #include "oracle/program/waiting_line.h"
@@ -317,6 +318,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  oracle::prepare_for_out_of_memory();
   try {
     const int status = run(argc, argv);
     std::cout.flush();

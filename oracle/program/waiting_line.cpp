@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <iostream>
+#include <system_error>
 #include <utility>
 
 namespace oracle {
@@ -17,7 +18,12 @@ constexpr char kErase[] = "\r\033[K";
 }  // namespace
 
 WaitingLine::WaitingLine(std::string what) : what_(std::move(what)) {
-  if (::isatty(STDERR_FILENO) == 1) drawing_ = std::thread([this] { draw_until_done(); });
+  if (::isatty(STDERR_FILENO) != 1) return;
+  try {
+    drawing_ = std::thread([this] { draw_until_done(); });
+  } catch (const std::system_error&) {
+    // There is no thread to be had. The work goes on without a line.
+  }
 }
 
 WaitingLine::~WaitingLine() {

@@ -129,7 +129,7 @@ bool CheckRun::is_made(std::size_t record, const std::vector<PointId>& names, st
 }
 
 CheckReport check(const PointSet& points, const Claim& claim, Truth& truth, const CheckOptions& options) {
-  require_ieee_doubles();
+  const geometry::IeeeDoubles ieee;
   if (!(options.tolerance >= 0 && options.tolerance <= 1)) throw InvalidInput("the tolerance is not between 0 and 1");
   CheckRun run(points, claim, truth, options);
   check_form(run);
@@ -154,6 +154,7 @@ CheckReport check(const PointSet& points, const Claim& claim, Truth& truth, cons
 }
 
 CheckReport check(const PointSet& points, const Claim& claim, const CheckOptions& options) {
+  const geometry::IeeeDoubles ieee;
   const std::unique_ptr<Truth> truth = fast_truth(points);
   return check(points, claim, *truth, options);
 }

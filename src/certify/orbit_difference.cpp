@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "certify/finding_words.h"
+#include "geometry/floating_point.h"
 
 namespace flowcert {
 
@@ -107,6 +108,7 @@ std::optional<PathDifference> strict_difference(const OrbitPath& claimed, const 
 }  // namespace
 
 std::optional<PathDifference> path_difference(const OrbitPath& claimed, const OrbitPath& truth) {
+  const geometry::IeeeDoubles ieee;
   std::optional<PathDifference> difference = strict_difference(claimed, truth, false);
   const bool ends_at_regular = truth.limit && truth.limit->kind == "regular";
   if (difference && ends_at_regular && !strict_difference(claimed, truth, true)) {

@@ -18,6 +18,7 @@
 #include "certify/claimed_geometry.h"
 #include "certify/finding_words.h"
 #include "flowcert/flow_complex.h"
+#include "geometry/floating_point.h"
 
 namespace flowcert {
 
@@ -321,6 +322,7 @@ std::vector<PairDifference> differences_of(const LeftOver& left, bool in_doubles
 }  // namespace
 
 std::vector<ListedPair> listed_pairs(const FlowComplex& complex) {
+  const geometry::IeeeDoubles ieee;
   std::vector<ListedPair> pairs;
   for (const PersistencePair& pair : complex.persistence().pairs()) {
     pairs.push_back({pair.dimension, complex.sphere(pair.birth).squared_radius, std::nullopt});
@@ -355,6 +357,7 @@ std::array<std::size_t, kPairDimensions> pair_counts(const std::vector<ListedPai
 
 std::vector<PairDifference> pair_differences(const std::vector<ClaimedPair>& claimed,
                                              const std::vector<ListedPair>& truth, double tolerance) {
+  const geometry::IeeeDoubles ieee;
   std::vector<ClaimedPair> exact;
   exact.reserve(truth.size());
   for (const ListedPair& pair : truth) exact.push_back(as_claimed(pair));

@@ -9,6 +9,7 @@
 
 #include "certify/claimed_geometry.h"
 #include "certify/layer.h"
+#include "geometry/floating_point.h"
 #include "geometry/rational_point.h"
 
 namespace flowcert {
@@ -201,6 +202,7 @@ std::vector<const Finding*> listed_findings(const std::vector<Finding>& findings
 
 ViewerClaim viewer_claim(const FlowComplex& complex, const Claim& claim, const CheckReport& report,
                          const ViewerClaimOptions& options) {
+  const geometry::IeeeDoubles ieee;
   ViewerClaim result = {.name = options.name,
                         .verdict = verdict_text(report.verdict),
                         .tolerance = options.tolerance,
@@ -235,6 +237,7 @@ ViewerClaim judged_text(const FlowComplex& complex, const ClaimText& text, const
 
 void write_claim_page(std::ostream& out, const PointSet& points, const std::string& name,
                       const std::optional<ClaimText>& claim, const CheckOptions& options) {
+  const geometry::IeeeDoubles ieee;
   const FlowComplex complex(points);
   ViewerOptions content;
   content.name = name;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "flow/layer.h"
+#include "geometry/floating_point.h"
 
 namespace flowcert {
 
@@ -15,6 +16,7 @@ std::size_t Distribution::count() const {
 }
 
 double Distribution::mean() const {
+  const geometry::IeeeDoubles ieee;
   double sum = 0;
   for (const auto& [value, times] : times_) sum += static_cast<double>(value) * static_cast<double>(times);
   return times_.empty() ? 0 : sum / static_cast<double>(count());
@@ -23,6 +25,7 @@ double Distribution::mean() const {
 std::size_t Distribution::max() const { return times_.empty() ? 0 : times_.rbegin()->first; }
 
 double Distribution::standard_deviation() const {
+  const geometry::IeeeDoubles ieee;
   const double center = mean();
   double sum = 0;
   for (const auto& [value, times] : times_) {
@@ -41,6 +44,7 @@ std::size_t Distribution::mode() const {
 }
 
 double Distribution::median() const {
+  const geometry::IeeeDoubles ieee;
   if (times_.empty()) return 0;
   const auto at_rank = [this](std::size_t rank) {
     for (const auto& [value, times] : times_) {

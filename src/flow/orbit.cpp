@@ -23,7 +23,6 @@ struct Flow::Parts {
         forest(faces.diagram(), true) {}
 
   Location locate(const RationalPoint& x) {
-    require_ieee_doubles();
     if (points.empty()) throw InvalidInput("there are no points");
     Location at{faces.locate(x), kNoPoint};
     if (at.place.kind != Place::Kind::kVertex) at.point = flow->add(x);
@@ -37,12 +36,14 @@ struct Flow::Parts {
   SuccessorForest forest;
 };
 
-Flow::Flow(const VoronoiDiagram& diagram, FlowOptions options) : parts_(std::make_unique<Parts>(diagram, options)) {}
+Flow::Flow(const VoronoiDiagram& diagram, FlowOptions options)
+    : parts_(geometry::in_ieee_doubles([&] { return std::make_unique<Parts>(diagram, options); })) {}
 Flow::~Flow() = default;
 Flow::Flow(Flow&&) noexcept = default;
 Flow& Flow::operator=(Flow&&) noexcept = default;
 
 FlowSegment Flow::step(const RationalPoint& x) {
+  const geometry::IeeeDoubles ieee;
   const Location start = parts_->locate(x);
   FlowSegment segment = parts_->recorder.segment(start, parts_->flow->step(start));
   parts_->flow->drop_from(0);
@@ -50,12 +51,14 @@ FlowSegment Flow::step(const RationalPoint& x) {
 }
 
 Orbit Flow::orbit(const RationalPoint& start) {
+  const geometry::IeeeDoubles ieee;
   Orbit orbit{start, {}, std::nullopt};
   parts_->recorder.follow(parts_->locate(start), orbit);
   return orbit;
 }
 
 std::optional<StationaryLimit> Flow::limit(const RationalPoint& start) {
+  const geometry::IeeeDoubles ieee;
   Location at = parts_->locate(start);
   std::optional<StationaryIndex> index;
   while (!index && at.place.kind != Place::Kind::kVertex && at.place.kind != Place::Kind::kInfinity) {

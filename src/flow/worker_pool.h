@@ -10,17 +10,14 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/floating_point.h"
-
 namespace flowcert::flow {
 
 template <class Worker>
 class WorkerPool {
  public:
-  // Returns what `use` returns for a free worker, or for a new one from `make`. Throws as require_ieee_doubles().
+  // Returns what `use` returns for a free worker, or for a new one from `make`.
   template <class Make, class Use>
   auto with(const Make& make, const Use& use) {
-    geometry::require_ieee_doubles();
     std::unique_ptr<Worker> worker = take();
     if (!worker) worker = make();
     auto result = use(*worker);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/floating_point.h"
 #include "geometry/vector3.h"
 
 namespace flowcert::geometry {
@@ -130,18 +131,22 @@ std::optional<RoundedSphere> decided_sphere(const BoundedSphere& sphere) {
 namespace flowcert {
 
 double nearest_or_infinity(const Rational& value) {
+  const geometry::IeeeDoubles ieee;
   return nearest_double(value).value_or(value < 0 ? -HUGE_VAL : HUGE_VAL);
 }
 
 Point rounded_point(const RationalPoint& x) {
+  const geometry::IeeeDoubles ieee;
   return {nearest_or_infinity(x[0]), nearest_or_infinity(x[1]), nearest_or_infinity(x[2])};
 }
 
 RoundedSphere rounded_sphere(const ExactSphere& sphere) {
+  const geometry::IeeeDoubles ieee;
   return {rounded_point(sphere.center), nearest_or_infinity(sphere.squared_radius)};
 }
 
 RoundedSphere rounded_sphere(const PointSet& points, std::span<const PointId> contact, std::size_t hull_dimension) {
+  const geometry::IeeeDoubles ieee;
   if (const auto sphere = decided_sphere(geometry::bounded_sphere(points, contact, hull_dimension))) return *sphere;
   return rounded_sphere(exact_sphere(points, contact));
 }

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "geometry/floating_point.h"
 #include "geometry/integer_grid.h"
 #include "geometry/vector3.h"
 
@@ -102,6 +103,7 @@ Rational squared_radius(const PlacedCenter& placed) {
 }  // namespace
 
 ExactSphere exact_sphere(const PointSet& points, std::span<const PointId> contact) {
+  const geometry::IeeeDoubles ieee;
   const PlacedCenter placed = placed_center(points, contact);
   const BigInteger& d = placed.center.denominator;
   const Vector from_origin = d * placed.first + placed.center.numerator;
@@ -111,6 +113,7 @@ ExactSphere exact_sphere(const PointSet& points, std::span<const PointId> contac
 }
 
 Rational exact_squared_radius(const PointSet& points, std::span<const PointId> contact) {
+  const geometry::IeeeDoubles ieee;
   return squared_radius(placed_center(points, contact));
 }
 

@@ -1,9 +1,58 @@
-// The operands are volatile, so that the processor computes and not the compiler.
+// In require_ieee_doubles() the operands are volatile, so that the processor computes and not the compiler.
 #include "geometry/floating_point.h"
 
 #include <stdexcept>
 
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
+
 namespace flowcert::geometry {
+
+namespace {
+
+// Whether all modes are those of a fresh thread. Where there is no fast way to look, the answer is no.
+bool has_usual_modes() {
+#if defined(__SSE2__) && defined(__x86_64__)
+  // The six lowest bits of the register tell what has happened, and are no mode.
+  constexpr unsigned kUsualSse = 0x1f80, kHappened = 0x3f;
+  constexpr unsigned short kUsualX87 = 0x37f;
+  unsigned short x87 = 0;
+  __asm__ volatile("fnstcw %0" : "=m"(x87));
+  return (_mm_getcsr() & ~kHappened) == kUsualSse && x87 == kUsualX87;
+#else
+  return false;
+#endif
+}
+
+void require_unfused_multiply_add() {
+  const volatile double a = 1 + 0x1p-27, b = 1 - 0x1p-27, c = -1;
+  // The product is 1 - 2^-54, which rounds to 1.
+  if (a * b + c != 0) throw std::runtime_error("multiplications and additions of doubles are fused in this build");
+}
+
+}  // namespace
+
+IeeeDoubles::IeeeDoubles() {
+  if (has_usual_modes()) {
+    // The build decides this, so it is asked once.
+    static const bool is_unfused = (require_unfused_multiply_add(), true);
+    (void)is_unfused;
+    return;
+  }
+  std::fegetenv(&before_.emplace());
+  std::fesetenv(FE_DFL_ENV);
+  try {
+    require_ieee_doubles();
+  } catch (...) {
+    std::fesetenv(&*before_);
+    throw;
+  }
+}
+
+IeeeDoubles::~IeeeDoubles() {
+  if (before_) std::fesetenv(&*before_);
+}
 
 void require_ieee_doubles() {
   const volatile double one = 1, half_unit = 0x1p-53, beyond_half = 0x1.8p-53;
@@ -15,9 +64,7 @@ void require_ieee_doubles() {
   if (smallest_normal * half == 0 || subnormal * two == 0) {
     throw std::runtime_error("this thread flushes subnormal doubles to zero (another library may have asked it to)");
   }
-  const volatile double a = 1 + 0x1p-27, b = 1 - 0x1p-27, c = -1;
-  // The product is 1 - 2^-54, which rounds to 1.
-  if (a * b + c != 0) throw std::runtime_error("multiplications and additions of doubles are fused in this build");
+  require_unfused_multiply_add();
 }
 
 }  // namespace flowcert::geometry

@@ -1,12 +1,37 @@
-// Checks that this thread computes with doubles as the filters' proofs assume: it rounds to nearest, keeps
-// subnormals, and fuses no multiply-add. Some libraries set "flush to zero" for speed, which takes effect in every
-// thread that loads them.
+// The filters' proofs, and every nearest double, assume that this thread computes with doubles as IEEE 754 says: it
+// rounds to nearest, keeps subnormals, traps nothing, and fuses no multiply-add. Other libraries set other modes, and
+// leave them set for whoever comes next.
+//
+// Guarantees: while an IeeeDoubles stands, its thread computes so; afterwards the caller's modes are as they were, also
+// after an exception. Every public function that computes, compares, reads or writes doubles holds one, and so does
+// every part of a parallel loop. What it calls back (a report of progress) sees these modes, too.
 #pragma once
+
+#include <cfenv>
+#include <optional>
 
 namespace flowcert::geometry {
 
-// Throws std::runtime_error, with one line that says what is wrong. It costs some ten operations, and is called
-// whenever a flow complex or a worker is made, and wherever they flow.
+class IeeeDoubles {
+ public:
+  // Throws as require_ieee_doubles() where the modes cannot be had. It takes some nanoseconds if they stand already.
+  IeeeDoubles();
+  ~IeeeDoubles();
+  IeeeDoubles(const IeeeDoubles&) = delete;
+  IeeeDoubles& operator=(const IeeeDoubles&) = delete;
+
+ private:
+  std::optional<std::fenv_t> before_;
+};
+
+// For constructors, which compute before their body begins.
+template <class Call>
+auto in_ieee_doubles(const Call& call) {
+  const IeeeDoubles ieee;
+  return call();
+}
+
+// Throws std::runtime_error, with one line that says what is wrong.
 void require_ieee_doubles();
 
 }  // namespace flowcert::geometry

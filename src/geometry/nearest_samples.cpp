@@ -5,7 +5,6 @@
 
 #include "geometry/contract.h"
 #include "geometry/distance_order.h"
-#include "geometry/floating_point.h"
 #include "geometry/rational_point.h"
 
 namespace flowcert::geometry {
@@ -28,7 +27,6 @@ std::vector<std::size_t> candidates(const PointSet& points, const DistanceOrder&
 
 NearestSamples nearest_samples(const PointSet& points, const RationalPoint& x) {
   FLOWCERT_REQUIRES(!points.empty());
-  require_ieee_doubles();
   NearestSamples nearest;
   for (const std::size_t k : candidates(points, DistanceOrder(x))) {
     const Rational distance = squared_distance(x, points[k]);

@@ -16,7 +16,7 @@ struct NearestSamples {
   std::vector<PointId> names;
   Rational squared_distance;
 };
-// There must be at least one point. Throws std::runtime_error as require_ieee_doubles() does.
+// There must be at least one point.
 [[nodiscard]] NearestSamples nearest_samples(const PointSet& points, const RationalPoint& x);
 
 }  // namespace flowcert::geometry

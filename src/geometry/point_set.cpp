@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/floating_point.h"
 #include "geometry/keep_unique.h"
 
 namespace flowcert {
@@ -27,6 +28,7 @@ Point normalized(const Point& p, std::size_t row) {
 
 PointSet::PointSet(std::span<const Point> rows, std::vector<std::size_t> left_out)
     : class_of_row_(rows.size()), left_out_(std::move(left_out)) {
+  const geometry::IeeeDoubles ieee;
   if (rows.size() > 0x7ffffffeu) throw InvalidInput("more than 2147483646 points");
   std::vector<Point> normal(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) normal[i] = normalized(rows[i], i);

@@ -20,7 +20,7 @@ namespace flowcert::geometry {
 // How many numbers a thread takes at a time, where so many are usual. ThreadSanitizer's build takes few, so that
 // several threads share small inputs, too.
 constexpr std::size_t portion_size(std::size_t usual) {
-#ifdef FLOWCERT_STD_THREADS
+#ifdef FLOWCERT_SMALL_PORTIONS
   return std::min<std::size_t>(usual, 4);
 #else
   return usual;

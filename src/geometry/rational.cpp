@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/floating_point.h"
+
 namespace flowcert {
 
 namespace {
@@ -30,6 +32,7 @@ int bit_length(const Integer& value) { return value == 0 ? 0 : static_cast<int>(
 std::string to_text(const Rational& value) { return value.str(); }
 
 std::optional<double> nearest_double(const Rational& value) {
+  const geometry::IeeeDoubles ieee;
   if (value == 0) return 0.0;
   const bool negative = value < 0;
   const Integer top = abs(numerator(value));

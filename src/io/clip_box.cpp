@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/contract.h"
+#include "geometry/floating_point.h"
 
 namespace flowcert {
 
@@ -22,6 +23,7 @@ double clamped(const Rational& value) {
 }  // namespace
 
 ClipBox::ClipBox(const PointSet& points, const Rational& factor) {
+  const geometry::IeeeDoubles ieee;
   FLOWCERT_REQUIRES(!points.empty());
   if (factor < 1) throw InvalidInput("the box of --clip is less than that of the input");
   Point low = points[0], high = points[0];
@@ -42,11 +44,13 @@ ClipBox::ClipBox(const PointSet& points, const Rational& factor) {
 }
 
 bool ClipBox::contains(const Point& position) const {
+  const geometry::IeeeDoubles ieee;
   return std::ranges::all_of(
       kAxes, [&](const auto axis) { return position.*axis >= low_.*axis && position.*axis <= high_.*axis; });
 }
 
 Point ClipBox::exit(const Point& from, const RationalPoint& direction) const {
+  const geometry::IeeeDoubles ieee;
   // In multiples of the direction.
   std::optional<Rational> way;
   for (std::size_t k = 0; k < kAxes.size(); ++k) {

@@ -12,6 +12,7 @@
 
 #include "flowcert/region_exports.h"
 #include "flowcert/stable_regions.h"
+#include "geometry/floating_point.h"
 #include "geometry/rational_point.h"
 #include "geometry/vector3.h"
 #include "io/clipped_polygon.h"
@@ -202,6 +203,7 @@ class InfinityCells {
 }  // namespace
 
 UnstructuredGrid infinity_cell_data(const FlowComplex& complex, const std::optional<ClipBox>& box) {
+  const geometry::IeeeDoubles ieee;
   return InfinityCells(complex, box).make();
 }
 

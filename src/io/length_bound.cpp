@@ -1,5 +1,6 @@
 #include "flowcert/length_bound.h"
 
+#include "geometry/floating_point.h"
 #include "io/layer.h"
 #include "io/line_reader.h"
 #include "io/log_histogram.h"
@@ -23,6 +24,7 @@ std::size_t whole_part(const Rational& number) {
 
 LengthBound LengthBound::of(std::string_view text, std::string_view spacing, const std::string& option,
                             std::size_t ordinal) {
+  const geometry::IeeeDoubles ieee;
   const LinePlace place = {option, ordinal};
   const auto number_of = [&](std::string_view digits) {
     return claimed_number(digits, PlainInteger::kExact, place).value;
@@ -36,6 +38,7 @@ LengthBound LengthBound::of(std::string_view text, std::string_view spacing, con
 }
 
 LengthThreshold LengthBound::threshold(const ValueOrder& order, const std::optional<Rational>& squared_spacing) const {
+  const geometry::IeeeDoubles ieee;
   switch (unit) {
     case Unit::kInput:
       return {number, {}};

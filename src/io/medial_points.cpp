@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "flowcert/saddle_radii.h"
+#include "geometry/floating_point.h"
 #include "geometry/rational_point.h"
 #include "io/layer.h"
 #include "io/pair_lengths.h"
@@ -96,6 +97,7 @@ std::vector<std::size_t> farther_ones(const FlowComplex& complex, const std::vec
 }  // namespace
 
 bool is_above_angle(const Rational& cosine, const Rational& degrees) {
+  const geometry::IeeeDoubles ieee;
   if (degrees < 0 || degrees > 180) throw InvalidInput("an angle is from 0 to 180 degrees");
   if (const auto exact = rational_cosine(degrees)) return cosine < *exact;
   for (unsigned digits = kFirstDigits;; digits *= 2) {
@@ -113,6 +115,7 @@ bool is_above_angle(const Rational& cosine, const Rational& degrees) {
 }
 
 MedialPoints medial_points(const FlowComplex& complex, const MedialChoice& choice) {
+  const geometry::IeeeDoubles ieee;
   const StationaryPoints& stationary = complex.stationary();
   MedialPoints chosen;
   std::vector<std::size_t>& records = chosen.records;

@@ -44,13 +44,21 @@ void hold_temporary_at_the_end() {
   for (int moment = 0; moment < 10'000 && temporary_is_held.exchange(true); ++moment) ::nanosleep(&kMoment, nullptr);
 }
 
-// Any thread may be given a signal. It waits for the one that writes, and then never lets go: so no file is made
-// between here and the end.
-void remove_and_end(int signal_number) {
+}  // namespace
+
+void remove_temporaries() {
   hold_temporary_at_the_end();
   for (const auto& temporary : temporaries_in_progress) {
     if (temporary[0] != '\0') ::unlink(temporary);
   }
+}
+
+namespace {
+
+// Any thread may be given a signal. It waits for the one that writes, and then never lets go: so no file is made
+// between here and the end.
+void remove_and_end(int signal_number) {
+  remove_temporaries();
   ::signal(signal_number, SIG_DFL);
   ::raise(signal_number);
 }

@@ -22,6 +22,10 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Removes the temporary files of all outputs that are not complete, and lets none be made: for the end of a process.
+// It takes no memory, and a signal handler may call it.
+void remove_temporaries();
+
 class OutputFile {
  public:
   explicit OutputFile(const std::string& path);

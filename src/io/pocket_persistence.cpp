@@ -5,6 +5,7 @@
 
 #include "flowcert/length_bound.h"
 #include "flowcert/saddle_radii.h"
+#include "geometry/floating_point.h"
 #include "io/layer.h"
 #include "io/pair_lengths.h"
 
@@ -39,6 +40,7 @@ std::vector<PairEnds> pairs_of_maxima(const MergeTrees& trees) {
 }  // namespace
 
 PocketPersistence pocket_persistence(const FlowComplex& complex, const std::string& text, const std::string& option) {
+  const geometry::IeeeDoubles ieee;
   const LengthBound bound = LengthBound::of(text, "spacing^2", option, 1);
   if (bound.number < 0) throw InvalidInput(option + ": not 0 or more: " + text);
   if (bound.unit == LengthBound::Unit::kInput) return {bound.number, {}};

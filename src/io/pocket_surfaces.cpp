@@ -2,6 +2,7 @@
 
 #include <unordered_map>
 
+#include "geometry/floating_point.h"
 #include "io/byte_writer.h"
 #include "io/cell_faces.h"
 #include "io/layer.h"
@@ -41,6 +42,7 @@ class SurfaceBuilder {
 }  // namespace
 
 std::vector<PocketSurface> pocket_surfaces(const FlowComplex& complex, const Pockets& pockets) {
+  const geometry::IeeeDoubles ieee;
   std::vector<std::uint32_t> pocket_of(complex.stationary().size(), kNoPocket);
   std::vector<bool> is_wanted(complex.stationary().size(), false);
   for (std::uint32_t number = 0; number < pockets.size(); ++number) {
@@ -68,6 +70,7 @@ std::vector<PocketSurface> pocket_surfaces(const FlowComplex& complex, const Poc
 }
 
 void write_ply(std::ostream& out, const PocketSurface& surface, const std::string& comment) {
+  const geometry::IeeeDoubles ieee;
   out << ply_header(comment, surface.vertices.size(), surface.triangles.size());
   ByteWriter bytes(out);
   for (const Point& point : surface.vertices) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "flowcert/stable_regions.h"
+#include "geometry/floating_point.h"
 #include "io/corner_numbers.h"
 #include "io/number_text.h"
 #include "io/pyramid_set.h"
@@ -83,6 +84,7 @@ UnstructuredGrid pyramids(const FlowComplex& complex, const IsWanted& is_wanted,
 }  // namespace
 
 UnstructuredGrid stable_cell_data(const FlowComplex& complex) {
+  const geometry::IeeeDoubles ieee;
   std::vector<std::int64_t> limits;
   UnstructuredGrid grid = pyramids(complex, [](std::size_t) { return true; }, limits);
   std::vector<double> volumes;
@@ -95,6 +97,7 @@ UnstructuredGrid stable_cell_data(const FlowComplex& complex) {
 }
 
 UnstructuredGrid pocket_cell_data(const FlowComplex& complex, const Pockets& pockets) {
+  const geometry::IeeeDoubles ieee;
   const std::vector<std::int64_t> pocket_of = pocket_of_records(complex, pockets);
   std::vector<std::int64_t> limits, numbers;
   UnstructuredGrid grid = pyramids(complex, [&](std::size_t limit) { return pocket_of[limit] >= 0; }, limits);
@@ -116,6 +119,7 @@ UnstructuredGrid pocket_cell_data(const FlowComplex& complex, const Pockets& poc
 }
 
 PolyData unstable_fan_data(const FlowComplex& complex) {
+  const geometry::IeeeDoubles ieee;
   StableRegions regions(complex.diagram(), complex.limits());
   CornerNumbers numbers(complex, regions);
   const std::map<Samples, std::size_t> records = records_of_facets(complex);

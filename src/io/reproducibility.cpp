@@ -10,6 +10,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "geometry/floating_point.h"
 #include "io/layer.h"
 
 namespace flowcert {
@@ -26,6 +27,7 @@ Reproducibility reproducibility() {
 }
 
 std::string coordinates_sha256(const PointSet& points) {
+  const geometry::IeeeDoubles ieee;
   static_assert(std::endian::native == std::endian::little, "the digest is of little-endian doubles");
   const std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context(EVP_MD_CTX_new(), EVP_MD_CTX_free);
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/floating_point.h"
 #include "io/log_histogram.h"
 #include "io/pair_lengths.h"
 #include "io/value_order.h"
@@ -61,11 +62,14 @@ struct SaddleRadii::Parts {
 };
 
 std::optional<Rational> squared_spacing(const FlowComplex& complex) {
+  const geometry::IeeeDoubles ieee;
   return squared_spacing_of(complex, SquaredDistances(complex.points(), complex.stationary()));
 }
 
 SaddleRadii::SaddleRadii(const FlowComplex& complex)
-    : parts_(std::make_unique<Parts>(complex, SquaredDistances(complex.points(), complex.stationary()))) {}
+    : parts_(geometry::in_ieee_doubles([&] {
+        return std::make_unique<Parts>(complex, SquaredDistances(complex.points(), complex.stationary()));
+      })) {}
 SaddleRadii::~SaddleRadii() = default;
 SaddleRadii::SaddleRadii(SaddleRadii&&) noexcept = default;
 SaddleRadii& SaddleRadii::operator=(SaddleRadii&&) noexcept = default;
@@ -74,15 +78,18 @@ std::size_t SaddleRadii::size() const { return parts_->order.size(); }
 Rational SaddleRadii::squared_radius(std::size_t place) const { return parts_->order.exact(place); }
 std::size_t SaddleRadii::number(std::size_t place) const { return parts_->order.at(place); }
 std::size_t SaddleRadii::count_below(const Rational& squared_bound) const {
+  const geometry::IeeeDoubles ieee;
   return parts_->order.count_below(squared_bound);
 }
 std::vector<HistogramBin> SaddleRadii::histogram() const {
+  const geometry::IeeeDoubles ieee;
   // Where there is a circle, there are several samples.
   return size() == 0 ? std::vector<HistogramBin>() : log_histogram(parts_->order, parts_->spacing.value());
 }
 const std::optional<Rational>& SaddleRadii::squared_spacing() const { return parts_->spacing; }
 
 std::optional<HistogramValley> SaddleRadii::valley() const {
+  const geometry::IeeeDoubles ieee;
   if (size() == 0) return std::nullopt;
   const auto found = placed_valley(parts_->order, parts_->spacing.value());
   return found ? std::optional(found->valley) : std::nullopt;

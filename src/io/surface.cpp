@@ -16,6 +16,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "geometry/floating_point.h"
 #include "io/byte_writer.h"
 #include "io/number_text.h"
 #include "io/ply_header.h"
@@ -90,6 +91,7 @@ class MeshBuilder {
 
 SurfaceMesh surface_mesh(const FlowComplex& complex, std::span<const std::size_t> sets,
                          const std::function<void(std::size_t, std::size_t)>& progress) {
+  const geometry::IeeeDoubles ieee;
   MeshBuilder builder(complex.points());
   for (std::size_t k = 0; k < sets.size(); ++k) {
     builder.add(sets[k], complex.stable().rounded_segments(sets[k]));
@@ -99,6 +101,7 @@ SurfaceMesh surface_mesh(const FlowComplex& complex, std::span<const std::size_t
 }
 
 void write_ply(std::ostream& out, const SurfaceMesh& mesh, const std::string& comment) {
+  const geometry::IeeeDoubles ieee;
   out << ply_header(comment, mesh.vertices.size(), mesh.triangles.size());
   ByteWriter bytes(out);
   for (const Point& point : mesh.vertices) {
@@ -111,6 +114,7 @@ void write_ply(std::ostream& out, const SurfaceMesh& mesh, const std::string& co
 }
 
 void write_off(std::ostream& out, const SurfaceMesh& mesh, const std::string& comment) {
+  const geometry::IeeeDoubles ieee;
   out << fmt::format("OFF\n# {}\n{} {} 0\n", comment, mesh.vertices.size(), mesh.triangles.size());
   for (const Point& point : mesh.vertices) out << fmt::format("{} {} {}\n", point.x, point.y, point.z);
   for (const auto& [a, b, c] : mesh.triangles) out << fmt::format("3 {} {} {}\n", a, b, c);

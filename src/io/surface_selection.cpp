@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "geometry/floating_point.h"
 #include "io/line_reader.h"
 #include "io/number_text.h"
 #include "io/pair_lengths.h"
@@ -58,6 +59,7 @@ class SurfaceSelection::Lengths {
 };
 
 SurfaceSelection::SurfaceSelection(const std::vector<std::string>& expressions) {
+  const geometry::IeeeDoubles ieee;
   for (std::size_t k = 0; k < expressions.size(); ++k) add(expressions[k], k + 1);
 }
 
@@ -101,6 +103,7 @@ std::optional<Rational> SurfaceSelection::squared_radius_of(const LengthBound& b
 }
 
 SelectedSets SurfaceSelection::select(const FlowComplex& complex, const SaddleRadii& radii) const {
+  const geometry::IeeeDoubles ieee;
   SelectedSets selected;
   std::vector<bool> is_chosen(radii.size(), true);
   auto& [radius, length, automatic_radius, automatic_length] = selected.thresholds;
@@ -131,6 +134,7 @@ SelectedSets SurfaceSelection::select(const FlowComplex& complex, const SaddleRa
 }
 
 std::vector<std::size_t> SurfaceSelection::sets(const FlowComplex& complex) const {
+  const geometry::IeeeDoubles ieee;
   if (radii_below_.empty() && persistence_above_.empty() && !largest_gaps_) {
     std::vector<std::size_t> all(complex.stationary().critical_counts()[2]);
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;

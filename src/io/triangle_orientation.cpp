@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "geometry/contract.h"
+#include "geometry/floating_point.h"
 
 namespace flowcert {
 
@@ -94,6 +95,7 @@ class TriangleSides {
 }  // namespace
 
 TriangleEdges orient(std::span<Triangle> triangles, std::size_t vertices) {
+  const geometry::IeeeDoubles ieee;
   FLOWCERT_REQUIRES(triangles.size() < (std::size_t{1} << 31));
   TriangleEdges edges;
   TriangleSides sides(triangles.size());

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "flowcert/unstable_surfaces.h"
+#include "geometry/floating_point.h"
 #include "geometry/parallel_for.h"
 #include "geometry/rational_point.h"
 #include "io/byte_spool.h"
@@ -180,6 +181,7 @@ UnstableSurfaceExport::UnstableSurfaceExport(const FlowComplex& complex, const s
                                              const std::string& folder, const ExportProgress& progress,
                                              const std::vector<std::size_t>* records)
     : parts_(std::make_unique<Parts>(folder, box.has_value())) {
+  const geometry::IeeeDoubles ieee;
   const UnstableSurfaces surfaces(complex.diagram(), complex.stationary());
   const unsigned threads = complex.threads();
   std::vector<SurfacePicture> pictures(threads <= 1 ? 1 : 16 * std::size_t{threads});
@@ -221,6 +223,7 @@ void UnstableSurfaceExport::Parts::write_cell_data(VtkDocument& document, const 
 }
 
 void UnstableSurfaceExport::write_vtp(std::ostream& out, const std::string& comment) const {
+  const geometry::IeeeDoubles ieee;
   const Parts& all = *parts_;
   const auto count = [](std::int64_t number) { return static_cast<std::size_t>(number); };
   VtkDocument document(out, "PolyData", comment);
@@ -250,6 +253,7 @@ void UnstableSurfaceExport::write_vtp(std::ostream& out, const std::string& comm
 }
 
 void UnstableSurfaceExport::write_ply(std::ostream& out, const std::string& comment) const {
+  const geometry::IeeeDoubles ieee;
   const Parts& all = *parts_;
   if (std::max(all.point_count, all.triangle_count) > std::numeric_limits<std::int32_t>::max()) {
     throw InvalidInput("a surface of more than 2^31 - 1 vertices or triangles cannot be written");

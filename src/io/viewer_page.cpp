@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "flowcert/surface.h"
+#include "geometry/floating_point.h"
 #include "io/json_fields.h"
 #include "io/viewer_blob.h"
 #include "io/viewer_cells.h"
@@ -361,6 +362,7 @@ std::string text_for_script(const Json& data) {
 
 ViewerCounts write_viewer_page(std::ostream& out, const FlowComplex& complex, const ViewerOptions& options,
                                const std::function<void(std::size_t, std::size_t)>& progress) {
+  const geometry::IeeeDoubles ieee;
   constexpr std::string_view kPlace = R"(<script type="application/json" id="flowcert-data">null</script>)";
   constexpr std::string_view kNull = "null</script>";
   const std::string_view page = viewer_template();

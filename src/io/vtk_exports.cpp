@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/bounded_sphere.h"
+#include "geometry/floating_point.h"
 #include "io/clipped_orbits.h"
 #include "io/number_text.h"
 #include "io/vtk_document.h"
@@ -115,6 +116,7 @@ double rounded_difference(const FlowComplex& complex, std::size_t low, std::size
 // ---- Data sets ----
 
 PolyData critical_point_data(const FlowComplex& complex, const ExportProgress& progress) {
+  const geometry::IeeeDoubles ieee;
   const StationaryPoints& stationary = complex.stationary();
   PolyData data;
   Flags dimensions, face_dimensions, are_regular, types;
@@ -170,6 +172,7 @@ LineSet lines_of(const FlowComplex& complex, const std::optional<ClipBox>& box, 
 
 PolyData unstable_line_data(const FlowComplex& complex, const std::optional<ClipBox>& box,
                             const ExportProgress& progress, const std::vector<std::size_t>* records) {
+  const geometry::IeeeDoubles ieee;
   LineSet set = lines_of(complex, box, progress, records);
   PolyData data;
   SeparatrixData separatrices;
@@ -207,6 +210,7 @@ PolyData unstable_line_data(const FlowComplex& complex, const std::optional<Clip
 }
 
 PolyData stable_surface_data(const FlowComplex& complex, SurfaceMesh mesh) {
+  const geometry::IeeeDoubles ieee;
   const StableManifolds& s2 = complex.stable();
   PolyData data;
   data.points = std::move(mesh.vertices);
@@ -242,6 +246,7 @@ PolyData stable_surface_data(const FlowComplex& complex, SurfaceMesh mesh) {
 // ---- Writing ----
 
 void write_vtp(std::ostream& out, const PolyData& data, const std::string& comment) {
+  const geometry::IeeeDoubles ieee;
   VtkDocument document(out, "PolyData", comment);
   document.piece({.points = data.points.size(),
                   .vertices = data.vertices.offsets.size(),
@@ -257,6 +262,7 @@ void write_vtp(std::ostream& out, const PolyData& data, const std::string& comme
 }
 
 void write_vtu(std::ostream& out, const UnstructuredGrid& data, const std::string& comment) {
+  const geometry::IeeeDoubles ieee;
   VtkDocument document(out, "UnstructuredGrid", comment);
   document.piece(data.points.size(), data.shapes.size());
   document.section("CellData", data.cell_data);

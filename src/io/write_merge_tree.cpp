@@ -9,6 +9,7 @@
 
 #include "flowcert/rounded_sphere.h"
 #include "flowcert/write_pockets.h"
+#include "geometry/floating_point.h"
 #include "io/json_fields.h"
 #include "io/layer.h"
 
@@ -117,9 +118,11 @@ class TreeText {
 }  // namespace
 
 void write_merge_tree(std::ostream& out, const FlowComplex& complex, TreeKind kind) {
+  const geometry::IeeeDoubles ieee;
   TreeText(complex, kind).write_json(out);
 }
 void write_newick(std::ostream& out, const FlowComplex& complex, TreeKind kind) {
+  const geometry::IeeeDoubles ieee;
   TreeText(complex, kind).write_newick(out);
 }
 

@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "flowcert/reproducibility.h"
+#include "geometry/floating_point.h"
 #include "io/ordered_text.h"
 
 namespace flowcert {
@@ -56,6 +57,7 @@ std::string double_text(double value) {
 
 PersistenceDiagram::PersistenceDiagram(const FlowComplex& complex, bool with_zero)
     : complex_(complex), has_zero_(with_zero), pairs_(complex.persistence().pairs()) {
+  const geometry::IeeeDoubles ieee;
   if (with_zero) add_regular();
   sort_pairs(complex.persistence().squared_distances(), pairs_);
 }
@@ -71,6 +73,7 @@ void PersistenceDiagram::add_regular() {
 }
 
 std::string pers_text(const PersistenceDiagram& diagram) {
+  const geometry::IeeeDoubles ieee;
   const Reproducibility made_by = reproducibility();
   std::string text = fmt::format(
       "# Persistence of the distance function: dimension, birth, death. The values are squared distances.\n"

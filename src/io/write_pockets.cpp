@@ -5,6 +5,7 @@
 
 #include "flowcert/surface_area.h"
 #include "geometry/difference_of_roots.h"
+#include "geometry/floating_point.h"
 #include "io/json_fields.h"
 #include "io/layer.h"
 
@@ -118,6 +119,7 @@ class PocketFields {
 }  // namespace
 
 void write_pockets(std::ostream& out, const PocketsToWrite& what) {
+  const geometry::IeeeDoubles ieee;
   const PocketFields fields(what);
   Json json = header_fields("flowcert-pockets", 1, what.complex.points());
   add_counts(json, what.complex.points(), what.complex.stationary());

@@ -10,6 +10,7 @@
 #include "flowcert/connections.h"
 #include "flowcert/stable_manifolds.h"
 #include "geometry/bounded_sphere.h"
+#include "geometry/floating_point.h"
 #include "io/json_fields.h"
 #include "io/lambda_fields.h"
 #include "io/ordered_text.h"
@@ -202,6 +203,7 @@ class RecordWriter {
 
 void write_stationary_points(std::ostream& out, const FlowComplex& complex, const RecordsToWrite& wanted,
                              const std::function<void(std::size_t, std::size_t)>& progress) {
+  const geometry::IeeeDoubles ieee;
   const std::size_t count = complex.stationary().size();
   Json header = header_fields("flowcert-stationary-points", 1, complex.points());
   add_counts(header, complex.points(), complex.stationary());

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "flowcert/stable_manifolds.h"
+#include "geometry/floating_point.h"
 #include "morse/layer.h"
 
 namespace flowcert {
@@ -122,6 +123,7 @@ bool has_vertex(const StableSet& set) {
 
 std::optional<std::vector<PointId>> boundary_walk(const StableSet& set, StationaryIndex index,
                                                   std::span<const PointId> contact) {
+  const geometry::IeeeDoubles ieee;
   if (index.hull_dimension != 2 || has_vertex(set)) return std::nullopt;
   return Walker(set, contact).walk();
 }
@@ -129,6 +131,7 @@ std::optional<std::vector<PointId>> boundary_walk(const StableSet& set, Stationa
 // ---- Connecting orbits ----
 
 std::vector<std::vector<std::size_t>> connecting_orbits(const StableSet& set, const RationalPoint& stationary) {
+  const geometry::IeeeDoubles ieee;
   std::map<RationalPoint, std::size_t> by_back;
   for (std::size_t i = 0; i < set.segments.size(); ++i) by_back.emplace(set.segments[i].back, i);
   std::vector<std::vector<std::size_t>> orbits;

@@ -1,5 +1,6 @@
 #include "flowcert/chain_complex.h"
 
+#include "geometry/floating_point.h"
 #include "morse/chain_boundary.h"
 #include "morse/layer.h"
 #include "morse/record_finder.h"
@@ -24,6 +25,7 @@ std::uint32_t resolved(const StationaryPoints& stationary, const UnstableManifol
 
 ChainComplex::ChainComplex(const PointSet& points, const StationaryPoints& stationary,
                            const UnstableManifolds& unstable, const StableManifolds& stable, std::uint64_t seed) {
+  const geometry::IeeeDoubles ieee;
   TieBreaking ties(seed, TieBreaking::Of::kUnstable);
   const RecordFinder finder(stationary);
   std::vector<std::vector<std::uint32_t>> of_maximum(finder.range({3, 3}).second);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "geometry/floating_point.h"
+
 namespace flowcert {
 
 namespace {
@@ -25,6 +27,7 @@ std::vector<Entry> isolated_and_arcs(const std::vector<Entry>& list) {
 }  // namespace
 
 std::vector<Connection> connections_of(const FlowLimits& limits, std::size_t i) {
+  const geometry::IeeeDoubles ieee;
   std::vector<Entry> entries = isolated_and_arcs(limits.entries(i));
   std::ranges::sort(entries, {}, &Entry::limit);
   const auto from = static_cast<std::uint32_t>(limits.record(i));
@@ -37,6 +40,7 @@ std::vector<Connection> connections_of(const FlowLimits& limits, std::size_t i) 
 }
 
 std::vector<Connection> connections(const FlowLimits& limits) {
+  const geometry::IeeeDoubles ieee;
   std::vector<Connection> all;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const std::vector<Connection> some = connections_of(limits, i);
@@ -46,6 +50,7 @@ std::vector<Connection> connections(const FlowLimits& limits) {
 }
 
 std::size_t orbits_that_end_elsewhere(const StationaryPoints& stationary, const FlowLimits& limits) {
+  const geometry::IeeeDoubles ieee;
   std::size_t count = 0;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     if (stationary.index(limits.record(i)) != StationaryIndex{2, 2}) continue;
@@ -58,6 +63,7 @@ std::size_t orbits_that_end_elsewhere(const StationaryPoints& stationary, const 
 }
 
 bool is_morse_smale(const StationaryPoints& stationary, const FlowLimits& limits, const StableManifolds& stable) {
+  const geometry::IeeeDoubles ieee;
   return stationary.regular_counts() == RegularCounts{} && stable.statistics().with_interval == 0 &&
          orbits_that_end_elsewhere(stationary, limits) == 0;
 }

@@ -6,6 +6,7 @@
 
 #include "flowcert/flow_complex.h"
 #include "geometry/enclosing_ball.h"
+#include "geometry/floating_point.h"
 #include "geometry/nearest_samples.h"
 #include "geometry/rational_point.h"
 #include "morse/layer.h"
@@ -60,6 +61,7 @@ void require_rows(const PointSet& points, std::span<const PointId> rows) {
 }  // namespace
 
 Explanation explain_position(const PointSet& points, const RationalPoint& x) {
+  const geometry::IeeeDoubles ieee;
   if (points.empty()) throw InvalidInput("there are no points");
   Explanation answer;
   find_contact(points, x, answer);
@@ -73,6 +75,7 @@ Explanation explain_position(const PointSet& points, const RationalPoint& x) {
 }
 
 Explanation explain_points(const PointSet& points, std::span<const PointId> rows) {
+  const geometry::IeeeDoubles ieee;
   require_rows(points, rows);
   const std::vector<PointId> names = class_names(points, rows);
   if (names.empty()) throw InvalidInput("no point is named");

@@ -3,6 +3,7 @@
 // with some C libraries it hangs after an exception.
 #include "flowcert/flow_complex.h"
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <optional>
@@ -27,6 +28,8 @@ bool tells_by_itself(FlowComplexPart part) {
 }
 
 }  // namespace
+
+std::size_t usual_most_cells(std::size_t points) { return std::max<std::size_t>(100 * points, 2'000'000); }
 
 struct FlowComplex::Parts {
   Parts(PointSet all, FlowComplexOptions how, Progress told)
@@ -82,9 +85,7 @@ struct FlowComplex::Parts {
 };
 
 FlowComplex::FlowComplex(PointSet points, FlowComplexOptions options, Progress progress)
-    : parts_(std::make_unique<Parts>(std::move(points), options, std::move(progress))) {
-  require_ieee_doubles();
-}
+    : parts_(std::make_unique<Parts>(std::move(points), options, std::move(progress))) {}
 FlowComplex::FlowComplex(std::span<const Point> rows, FlowComplexOptions options, Progress progress)
     : FlowComplex(PointSet(rows), options, std::move(progress)) {}
 FlowComplex::~FlowComplex() = default;
@@ -96,13 +97,13 @@ void FlowComplex::make(FlowComplexPart part) const {
   Parts& all = *parts_;
   const auto number = static_cast<std::size_t>(part);
   if (all.is_made[number].load(std::memory_order_acquire)) return;
-  require_ieee_doubles();
+  const geometry::IeeeDoubles ieee;
   const std::scoped_lock lock(all.making[number]);
   if (all.is_made[number].load(std::memory_order_relaxed)) return;
   const auto progress = all.progress_of(part);
   switch (part) {
     case FlowComplexPart::kTriangulation:
-      all.triangulation.emplace(all.points, progress);
+      all.triangulation.emplace(all.points, progress, all.options.most_cells);
       break;
     case FlowComplexPart::kDiagram:
       make(FlowComplexPart::kTriangulation);
@@ -219,14 +220,17 @@ const MergeTrees& FlowComplex::merge_trees() const {
 }
 
 ExactSphere FlowComplex::sphere(std::size_t record) const {
+  const geometry::IeeeDoubles ieee;
   return exact_sphere(points(), stationary().contact(record));
 }
 
 RoundedSphere FlowComplex::rounded_sphere(std::size_t record) const {
+  const geometry::IeeeDoubles ieee;
   return flowcert::rounded_sphere(points(), stationary().contact(record), stationary().index(record).hull_dimension);
 }
 
 std::vector<std::array<double, 3>> FlowComplex::centers() const {
+  const geometry::IeeeDoubles ieee;
   std::vector<std::array<double, 3>> centers;
   centers.reserve(stationary().size());
   for (std::size_t record = 0; record < stationary().size(); ++record) {
@@ -237,22 +241,27 @@ std::vector<std::array<double, 3>> FlowComplex::centers() const {
 }
 
 std::optional<StationaryLimit> FlowComplex::limit(const RationalPoint& start) const {
+  const geometry::IeeeDoubles ieee;
   return parts_->with_flow(diagram(), [&](Flow& flow) { return flow.limit(start); });
 }
 
 Orbit FlowComplex::orbit(const RationalPoint& start) const {
+  const geometry::IeeeDoubles ieee;
   return parts_->with_flow(diagram(), [&](Flow& flow) { return flow.orbit(start); });
 }
 
 FlowPlace FlowComplex::locate(const RationalPoint& x) const {
+  const geometry::IeeeDoubles ieee;
   return parts_->with_locator(limits(), [&](FlowLocator& locator) { return locator.locate(x); });
 }
 
 FlowPlace FlowComplex::locate(const Point& x) const {
+  const geometry::IeeeDoubles ieee;
   return parts_->with_locator(limits(), [&](FlowLocator& locator) { return locator.locate(x); });
 }
 
 FlowSegment FlowComplex::step(const RationalPoint& start) const {
+  const geometry::IeeeDoubles ieee;
   return parts_->with_flow(diagram(), [&](Flow& flow) { return flow.step(start); });
 }
 

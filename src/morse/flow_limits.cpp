@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/contract.h"
+#include "geometry/floating_point.h"
 #include "morse/division_positions.h"
 #include "morse/limit_partition.h"
 #include "morse/polygon_turn.h"
@@ -103,9 +104,11 @@ void FlowLimits::Parts::make_lists(const Progress& progress) {
 
 FlowLimits::FlowLimits(const VoronoiDiagram& diagram, const StationaryPoints& stationary, FlowOptions options,
                        const Progress& progress)
-    : parts_(std::make_unique<Parts>(diagram, stationary, options, progress)) {
-  parts_->make_lists(progress);
-}
+    : parts_(geometry::in_ieee_doubles([&] {
+        auto parts = std::make_unique<Parts>(diagram, stationary, options, progress);
+        parts->make_lists(progress);
+        return parts;
+      })) {}
 FlowLimits::~FlowLimits() = default;
 FlowLimits::FlowLimits(FlowLimits&&) noexcept = default;
 FlowLimits& FlowLimits::operator=(FlowLimits&&) noexcept = default;
@@ -113,11 +116,16 @@ FlowLimits& FlowLimits::operator=(FlowLimits&&) noexcept = default;
 std::size_t FlowLimits::size() const { return parts_->records.size(); }
 std::size_t FlowLimits::record(std::size_t i) const { return parts_->records[i]; }
 std::size_t FlowLimits::arc_count(std::size_t i) const {
+  const geometry::IeeeDoubles ieee;
   return static_cast<std::size_t>(std::ranges::count_if(parts_->entries(i), &Division::is_arc));
 }
-std::size_t FlowLimits::direction_count(std::size_t i) const { return parts_->entries(i).size() - arc_count(i); }
+std::size_t FlowLimits::direction_count(std::size_t i) const {
+  const geometry::IeeeDoubles ieee;
+  return parts_->entries(i).size() - arc_count(i);
+}
 
 std::vector<FlowLimits::Entry> FlowLimits::entries(std::size_t i) const {
+  const geometry::IeeeDoubles ieee;
   std::vector<Entry> entries;
   for (const Division& division : parts_->entries(i)) entries.push_back({division.limit, division.is_arc()});
   return entries;
@@ -171,6 +179,7 @@ std::size_t FlowLimits::Parts::first_direction(std::size_t i) {
 }
 
 LambdaList FlowLimits::list(std::size_t i) const {
+  const geometry::IeeeDoubles ieee;
   Parts& all = *parts_;
   const std::scoped_lock lock(all.mutex);
   const std::size_t first = all.first_direction(i);
@@ -182,6 +191,7 @@ LambdaList FlowLimits::list(std::size_t i) const {
 }
 
 RoundedLambdaList FlowLimits::rounded_list(std::size_t i) const {
+  const geometry::IeeeDoubles ieee;
   Parts& all = *parts_;
   const std::scoped_lock lock(all.mutex);
   const std::size_t first = all.first_direction(i);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "geometry/bounded_arithmetic.h"
+#include "geometry/floating_point.h"
 #include "morse/bounded_divisions.h"
 #include "morse/first_exit.h"
 #include "morse/limit_partition.h"
@@ -216,14 +217,18 @@ FlowPlace FlowLocator::Parts::place(VertexIndex p, Limit limit) const {
 
 FlowLocator::FlowLocator(const VoronoiDiagram& diagram, const StationaryPoints& stationary, const FlowLimits& limits,
                          FlowOptions options)
-    : parts_(std::make_unique<Parts>(std::make_shared<const Map>(diagram, stationary, limits), options)) {}
+    : parts_(geometry::in_ieee_doubles([&] {
+        return std::make_unique<Parts>(std::make_shared<const Map>(diagram, stationary, limits), options);
+      })) {}
 FlowLocator::FlowLocator(const FlowLocator& other)
-    : parts_(std::make_unique<Parts>(other.parts_->map, other.parts_->options)) {}
+    : parts_(geometry::in_ieee_doubles(
+          [&] { return std::make_unique<Parts>(other.parts_->map, other.parts_->options); })) {}
 FlowLocator::~FlowLocator() = default;
 FlowLocator::FlowLocator(FlowLocator&&) noexcept = default;
 FlowLocator& FlowLocator::operator=(FlowLocator&&) noexcept = default;
 
 FlowPlace FlowLocator::locate(const RationalPoint& x) {
+  const geometry::IeeeDoubles ieee;
   Parts& all = *parts_;
   if (!all.map->divisions) return all.follow(x);
   const auto rounded = [](const Rational& value) { return nearest_double(value).value_or(HUGE_VAL); };
@@ -236,6 +241,7 @@ FlowPlace FlowLocator::locate(const RationalPoint& x) {
 }
 
 FlowPlace FlowLocator::locate(const Point& x) {
+  const geometry::IeeeDoubles ieee;
   Parts& all = *parts_;
   if (!std::isfinite(x.x) || !std::isfinite(x.y) || !std::isfinite(x.z)) {
     throw InvalidInput("a position must be finite");

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/floating_point.h"
 #include "morse/layer.h"
 #include "morse/record_finder.h"
 
@@ -117,6 +118,7 @@ std::vector<std::uint32_t> MergeTree::parents() const {
 
 MergeTrees::MergeTrees(const PointSet& points, const StationaryPoints& stationary, const FlowLimits& limits)
     : stationary_(&stationary), limits_(&limits), distances_(points, stationary) {
+  const geometry::IeeeDoubles ieee;
   const RecordFinder finder(stationary);
   const auto [first, last] = finder.range({3, 3});
   first_maximum_ = first;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "geometry/floating_point.h"
 #include "morse/layer.h"
 #include "morse/record_finder.h"
 
@@ -153,6 +154,7 @@ class Pairing {
 
 Persistence::Persistence(const PointSet& points, const StationaryPoints& stationary, const ChainComplex& complex)
     : distances_(points, stationary) {
+  const geometry::IeeeDoubles ieee;
   pairs_ = Pairing(stationary, complex, distances_).pairs();
   std::ranges::sort(pairs_, {}, [](const PersistencePair& pair) { return std::pair(pair.dimension, pair.birth); });
 }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "geometry/difference_of_roots.h"
+#include "geometry/floating_point.h"
 #include "morse/layer.h"
 #include "morse/pocket_merging.h"
 
@@ -118,6 +119,7 @@ const char* passage_text(Passage passage) {
 }
 
 Pockets::Pockets(const MergeTrees& trees, const Rational& persistence) : trees_(&trees), persistence_(persistence) {
+  const geometry::IeeeDoubles ieee;
   if (persistence < 0) throw std::invalid_argument("a persistence is not negative");
   number_of_ = pocket_numbers(trees, persistence);
   if (number_of_.empty()) return;
@@ -170,6 +172,7 @@ void Pockets::add_cells_and_mouths() {
 }
 
 std::vector<std::uint32_t> Pockets::above(std::size_t record) const {
+  const geometry::IeeeDoubles ieee;
   std::vector<std::uint32_t> numbers;
   for (const std::uint32_t leaf : trees_->peaks_above(record)) numbers.push_back(number_of_[leaf]);
   sort_without_repetition(numbers);
@@ -177,21 +180,25 @@ std::vector<std::uint32_t> Pockets::above(std::size_t record) const {
 }
 
 Rational Pockets::depth(const Pocket& pocket) const {
+  const geometry::IeeeDoubles ieee;
   return squared_distances().exact(pocket.peaks.front()) - squared_distances().exact(pocket.highest_mouth);
 }
 
 double Pockets::depth_of_radii(const Pocket& pocket) const {
+  const geometry::IeeeDoubles ieee;
   return geometry::nearest_difference_of_roots(squared_distances().exact(pocket.peaks.front()),
                                                squared_distances().exact(pocket.highest_mouth));
 }
 
 Passage Pockets::passage(const Pocket& pocket, const Rational& squared_radius) const {
+  const geometry::IeeeDoubles ieee;
   const auto is_open = [&](std::uint32_t record) { return squared_distances().is_at_least(record, squared_radius); };
   if (!is_open(pocket.to_infinity.gates.front())) return Passage::kCavity;
   return std::ranges::count_if(pocket.mouths, is_open) > 1 ? Passage::kChannel : Passage::kPocket;
 }
 
 std::optional<WidestPath> Pockets::widest_path() const {
+  const geometry::IeeeDoubles ieee;
   if (pockets_.empty()) return std::nullopt;
   WidestPath widest;
   for (const Pocket& pocket : pockets_) widen(widest.gates, pocket.to_infinity.gates, squared_distances());
@@ -199,6 +206,7 @@ std::optional<WidestPath> Pockets::widest_path() const {
 }
 
 std::vector<std::uint32_t> Pockets::largest_balls() const {
+  const geometry::IeeeDoubles ieee;
   std::vector<std::uint32_t> largest;
   for (const Pocket& pocket : pockets_) widen(largest, pocket.peaks, squared_distances());
   return largest;

@@ -11,6 +11,7 @@
 
 #include "flowcert/exact_sphere.h"
 #include "geometry/filter_bounds.h"
+#include "geometry/floating_point.h"
 #include "geometry/vector3.h"
 #include "morse/layer.h"
 
@@ -94,10 +95,12 @@ Approximation rounded(const Rational& value) {
 }  // namespace
 
 Rational SquaredDistances::exact(std::size_t record) const {
+  const geometry::IeeeDoubles ieee;
   return exact_squared_radius(*points_, stationary_->contact(record));
 }
 
 bool SquaredDistances::is_at_least(std::size_t record, const Rational& number) const {
+  const geometry::IeeeDoubles ieee;
   const auto& [value, error] = approximate_[record];
   const double near = number.convert_to<double>();
   // The number is cut to a double, and the difference is rounded.
@@ -109,6 +112,7 @@ bool SquaredDistances::is_at_least(std::size_t record, const Rational& number) c
 
 SquaredDistances::SquaredDistances(const PointSet& points, const StationaryPoints& stationary)
     : points_(&points), stationary_(&stationary), rank_(stationary.size()) {
+  const geometry::IeeeDoubles ieee;
   approximate_.reserve(stationary.size());
   for (std::size_t record = 0; record < stationary.size(); ++record) {
     const auto approximate = approximation_of(points, stationary.index(record), stationary.contact(record));

@@ -9,6 +9,7 @@
 #include "flow/flow_operator.h"
 #include "flow/worker_pool.h"
 #include "geometry/contract.h"
+#include "geometry/floating_point.h"
 #include "geometry/portions.h"
 #include "morse/along_the_curve.h"
 #include "morse/chain_boundary.h"
@@ -198,9 +199,11 @@ void StableManifolds::Parts::compute(const Progress& progress) {
 
 StableManifolds::StableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
                                  StableOptions options, const Progress& progress)
-    : parts_(std::make_unique<Parts>(diagram, stationary, options)) {
-  parts_->compute(progress);
-}
+    : parts_(geometry::in_ieee_doubles([&] {
+        auto parts = std::make_unique<Parts>(diagram, stationary, options);
+        parts->compute(progress);
+        return parts;
+      })) {}
 StableManifolds::~StableManifolds() = default;
 StableManifolds::StableManifolds(StableManifolds&&) noexcept = default;
 StableManifolds& StableManifolds::operator=(StableManifolds&&) noexcept = default;
@@ -212,15 +215,18 @@ const char* back_kind_text(BackKind kind) {
 
 StableSet StableManifolds::set(std::size_t i) const { return set_of_record(record(i)); }
 StableSet StableManifolds::set_of_record(std::size_t record) const {
+  const geometry::IeeeDoubles ieee;
   if (parts_->stationary.index(record).hull_dimension < 2) return {};
   const auto make = [this] { return parts_->make_walk(); };
   return parts_->workers.with(make, [&](SkeletonWalk& worker) { return worker.set(record); });
 }
 InfinitySet StableManifolds::set_of_infinity() const {
+  const geometry::IeeeDoubles ieee;
   const auto make = [this] { return parts_->make_walk(); };
   return parts_->workers.with(make, [](SkeletonWalk& worker) { return worker.set_of_infinity(); });
 }
 RoundedSegments StableManifolds::rounded_segments(std::size_t i) const {
+  const geometry::IeeeDoubles ieee;
   const auto make = [this] { return parts_->make_walk(); };
   return parts_->workers.with(make, [&](SkeletonWalk& worker) { return worker.rounded_segments(record(i)); });
 }

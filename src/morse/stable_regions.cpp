@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "flowcert/rounded_sphere.h"
+#include "geometry/floating_point.h"
 #include "morse/division_positions.h"
 #include "morse/facet_regions.h"
 #include "voronoi/each_polygon.h"
@@ -48,13 +49,14 @@ void StableRegions::Parts::visit_ring(const FacetRing& ring, const Visit& visit)
 }
 
 StableRegions::StableRegions(const VoronoiDiagram& diagram, const FlowLimits& limits)
-    : parts_(std::make_unique<Parts>(diagram, limits)) {}
+    : parts_(geometry::in_ieee_doubles([&] { return std::make_unique<Parts>(diagram, limits); })) {}
 StableRegions::~StableRegions() = default;
 StableRegions::StableRegions(StableRegions&&) noexcept = default;
 StableRegions& StableRegions::operator=(StableRegions&&) noexcept = default;
 
 // Each facet is visited from the first polygon that has its Delaunay edge.
 void StableRegions::visit(const Visit& visit) {
+  const geometry::IeeeDoubles ieee;
   Parts& all = *parts_;
   if (all.diagram.dimension() == 1) {
     for (CellIndex edge = 0; edge < all.diagram.delaunay().finite_count; ++edge) {
@@ -87,6 +89,7 @@ DivisionPoint StableRegions::Parts::place(const RegionCorner& corner) const {
 }
 
 RationalPoint StableRegions::exact(const StableRegion& region, const RegionCorner& corner) {
+  const geometry::IeeeDoubles ieee;
   Parts& all = *parts_;
   if (corner.kind == RegionCorner::Kind::kMidpoint) return all.midpoint(region);
   if (corner.kind == RegionCorner::Kind::kDivision) return all.positions.exact(corner.number);
@@ -94,6 +97,7 @@ RationalPoint StableRegions::exact(const StableRegion& region, const RegionCorne
 }
 
 Point StableRegions::rounded(const StableRegion& region, const RegionCorner& corner) {
+  const geometry::IeeeDoubles ieee;
   Parts& all = *parts_;
   if (corner.kind == RegionCorner::Kind::kDivision) return all.positions.rounded(corner.number);
   if (corner.kind != RegionCorner::Kind::kMidpoint) return all.positions.rounded_face(all.place(corner));

@@ -12,6 +12,7 @@
 
 #include "flowcert/rounded_sphere.h"
 #include "geometry/contract.h"
+#include "geometry/floating_point.h"
 #include "geometry/portions.h"
 #include "morse/bounded_divisions.h"
 #include "morse/exact_divisions.h"
@@ -379,7 +380,8 @@ std::optional<std::vector<std::pair<PointId, double>>> StableVolumes::Parts::rou
 
 StableVolumes::StableVolumes(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
                              const FlowLimits& limits, unsigned threads, const Progress& progress)
-    : parts_(std::make_unique<Parts>(diagram, stationary, limits)) {
+    : parts_(geometry::in_ieee_doubles([&] { return std::make_unique<Parts>(diagram, stationary, limits); })) {
+  const geometry::IeeeDoubles ieee;
   if (diagram.dimension() == 3) {
     parts_->gather_terms();
     parts_->round_all(threads, progress);
@@ -397,14 +399,19 @@ Rational StableVolumes::exact(std::size_t record) const {
 }
 
 double StableVolumes::nearest_sum(std::span<const std::uint32_t> records) const {
+  const geometry::IeeeDoubles ieee;
   if (records.size() == 1) return nearest(records.front());
   const std::optional<double> sum = parts_->rounded(parts_->shared_bounds(), records);
   // Bounds do not tell a sum without terms from what is below the doubles.
   return sum ? *sum : nearest_or_infinity(exact_sum(records));
 }
-Rational StableVolumes::exact_sum(std::span<const std::uint32_t> records) const { return parts_->exact(records); }
+Rational StableVolumes::exact_sum(std::span<const std::uint32_t> records) const {
+  const geometry::IeeeDoubles ieee;
+  return parts_->exact(records);
+}
 
 std::vector<std::pair<PointId, Rational>> StableVolumes::shares(std::size_t record) const {
+  const geometry::IeeeDoubles ieee;
   Parts& all = *parts_;
   const std::scoped_lock lock(all.mutex);
   if (!all.divisions) all.divisions.emplace(all.diagram, all.partition);
@@ -424,6 +431,7 @@ std::vector<std::pair<PointId, Rational>> StableVolumes::shares(std::size_t reco
 }
 
 std::vector<std::pair<PointId, double>> StableVolumes::rounded_shares(std::size_t record) const {
+  const geometry::IeeeDoubles ieee;
   if (auto decided = parts_->rounded_shares(record)) return std::move(*decided);
   std::vector<std::pair<PointId, double>> rounded;
   for (const auto& [sample, share] : shares(record)) {

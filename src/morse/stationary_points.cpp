@@ -8,6 +8,7 @@
 #include <bit>
 #include <utility>
 
+#include "geometry/floating_point.h"
 #include "geometry/keep_unique.h"
 #include "geometry/portions.h"
 #include "morse/layer.h"
@@ -339,6 +340,7 @@ void StationaryPoints::append(StationaryIndex index, std::span<const PointId> co
 
 StationaryPoints stationary_points(const VoronoiDiagram& voronoi, unsigned threads,
                                    const Delaunay::Progress& progress) {
+  const geometry::IeeeDoubles ieee;
   const Diagram& diagram = voronoi.faces();
   OrderedRecords records(diagram.delaunay().ordinals);
   if (diagram.spatial() != nullptr) {

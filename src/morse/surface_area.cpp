@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "geometry/difference_of_roots.h"
+#include "geometry/floating_point.h"
 #include "geometry/vector3.h"
 #include "morse/layer.h"
 
@@ -57,6 +58,7 @@ double exact_area(const PointSet& points, const StableSet& set) {
 }  // namespace
 
 double surface_area(const PointSet& points, const StableManifolds& stable, std::size_t i) {
+  const geometry::IeeeDoubles ieee;
   if (stable.segment_count(i) == 0) return 0;
   const auto rounded = rounded_area(points, stable.rounded_segments(i));
   return rounded ? *rounded : exact_area(points, stable.set(i));

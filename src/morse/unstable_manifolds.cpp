@@ -16,6 +16,7 @@
 #include "flow/successor_forest.h"
 #include "flow/worker_pool.h"
 #include "geometry/contract.h"
+#include "geometry/floating_point.h"
 #include "geometry/parallel_for.h"
 #include "geometry/portions.h"
 #include "geometry/rational_point.h"
@@ -320,9 +321,11 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
 
 UnstableManifolds::UnstableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
                                      UnstableOptions options, const Progress& progress)
-    : parts_(std::make_unique<Parts>(diagram, stationary, options)) {
-  parts_->compute(progress);
-}
+    : parts_(geometry::in_ieee_doubles([&] {
+        auto parts = std::make_unique<Parts>(diagram, stationary, options);
+        parts->compute(progress);
+        return parts;
+      })) {}
 UnstableManifolds::~UnstableManifolds() = default;
 UnstableManifolds::UnstableManifolds(UnstableManifolds&&) noexcept = default;
 UnstableManifolds& UnstableManifolds::operator=(UnstableManifolds&&) noexcept = default;
@@ -338,14 +341,17 @@ std::optional<std::size_t> UnstableManifolds::limit(std::size_t i, std::size_t s
   return limit == Parts::kInfinity ? std::nullopt : std::optional<std::size_t>(limit);
 }
 Orbit UnstableManifolds::orbit(std::size_t i, std::size_t side) const {
+  const geometry::IeeeDoubles ieee;
   FLOWCERT_REQUIRES(i < size() && side < 2);
   return parts_->with_worker([&](Parts::Worker& worker) { return worker.orbit(saddle(i), side); });
 }
 std::vector<RoundedSphere> UnstableManifolds::rounded_orbit(std::size_t i, std::size_t side) const {
+  const geometry::IeeeDoubles ieee;
   FLOWCERT_REQUIRES(i < size() && side < 2);
   return parts_->with_worker([&](Parts::Worker& worker) { return worker.rounded_orbit(saddle(i), side); });
 }
 std::optional<Point> UnstableManifolds::direction_to_infinity(std::size_t i, std::size_t side) const {
+  const geometry::IeeeDoubles ieee;
   if (limit(i, side)) return std::nullopt;
   return parts_->with_worker([&](Parts::Worker& worker) { return worker.direction_to_infinity(saddle(i), side); });
 }

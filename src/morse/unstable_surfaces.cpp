@@ -8,6 +8,7 @@
 #include "flow/segment_record.h"
 #include "flow/worker_pool.h"
 #include "geometry/contract.h"
+#include "geometry/floating_point.h"
 #include "morse/forward_walk.h"
 #include "morse/record_face.h"
 #include "morse/record_facet.h"
@@ -247,7 +248,7 @@ RoundedUnstableSurface UnstableSurfaces::Parts::Worker::rounded_surface(std::siz
 
 UnstableSurfaces::UnstableSurfaces(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
                                    FlowOptions options)
-    : parts_(std::make_unique<Parts>(diagram, stationary, options)) {}
+    : parts_(geometry::in_ieee_doubles([&] { return std::make_unique<Parts>(diagram, stationary, options); })) {}
 UnstableSurfaces::~UnstableSurfaces() = default;
 UnstableSurfaces::UnstableSurfaces(UnstableSurfaces&&) noexcept = default;
 UnstableSurfaces& UnstableSurfaces::operator=(UnstableSurfaces&&) noexcept = default;
@@ -259,16 +260,19 @@ std::size_t UnstableSurfaces::record(std::size_t i) const {
 }
 
 UnstableSurface UnstableSurfaces::set(std::size_t i) const {
+  const geometry::IeeeDoubles ieee;
   const auto make = [this] { return std::make_unique<Parts::Worker>(*parts_); };
   return parts_->workers.with(make, [&](Parts::Worker& worker) { return worker.surface(record(i)); });
 }
 
 RoundedUnstableSurface UnstableSurfaces::rounded_set(std::size_t i) const {
+  const geometry::IeeeDoubles ieee;
   const auto make = [this] { return std::make_unique<Parts::Worker>(*parts_); };
   return parts_->workers.with(make, [&](Parts::Worker& worker) { return worker.rounded_surface(record(i)); });
 }
 
 UnstableSurfaceSize UnstableSurfaces::size_of(std::size_t i) const {
+  const geometry::IeeeDoubles ieee;
   const auto make = [this] { return std::make_unique<Parts::Worker>(*parts_); };
   return parts_->workers.with(make, [&](Parts::Worker& worker) {
     const SurfaceParts parts = worker.parts(record(i));

@@ -9,6 +9,7 @@
 
 #include "complex.h"
 #include "flowcert/check.h"
+#include "geometry/floating_point.h"
 #include "released_lock.h"
 
 namespace flowcert::python {
@@ -86,7 +87,8 @@ py::dict check_claim(const Complex& complex, const std::string& claim, bool is_p
 
 void add_check(py::module_& module) {
   module.def("check", check_claim, py::arg("complex"), py::arg("claim"), py::arg("is_path"), py::arg("tolerance"),
-             py::arg("levels"), py::arg("indices"), "What flowcert.check asks.");
+             py::arg("levels"), py::arg("indices"), py::call_guard<geometry::IeeeDoubles>(),
+             "What flowcert.check asks.");
 }
 
 }  // namespace flowcert::python

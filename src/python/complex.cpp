@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "geometry/floating_point.h"
 #include "geometry/parallel_for.h"
 #include "numbers.h"
 #include "released_lock.h"
@@ -19,8 +20,10 @@ namespace {
 // How many records a thread rounds before it takes others.
 constexpr std::size_t kRecords = 512;
 
-FlowComplexOptions options_for(unsigned threads) {
-  return {.flow = {}, .threads = threads == 0 ? geometry::all_cores() : threads};
+FlowComplexOptions options_for(std::size_t points, unsigned threads, bool unlimited) {
+  return {.flow = {},
+          .threads = threads == 0 ? geometry::all_cores() : threads,
+          .most_cells = unlimited ? Delaunay::kAnyNumber : usual_most_cells(points)};
 }
 
 StationaryRecord record_of(StationaryIndex index, const RoundedSphere& sphere) {
@@ -83,14 +86,15 @@ py::object limit_of(const PointSet& points, const std::optional<StationaryLimit>
 
 // ---- The class ----
 
-Complex::Complex(const PointRows& rows, unsigned threads)
+Complex::Complex(const PointRows& rows, unsigned threads, bool unlimited)
     : complex_(
           [&rows] {
             const auto points = points_of(rows);
             const ReleasedLock released;
             return PointSet(points);
           }(),
-          options_for(threads), [](FlowComplexPart, std::size_t, std::size_t) { stop_if_interrupted(); }) {}
+          options_for(static_cast<std::size_t>(rows.shape(0)), threads, unlimited),
+          [](FlowComplexPart, std::size_t, std::size_t) { stop_if_interrupted(); }) {}
 
 py::array Complex::points() const {
   const PointSet& points = complex_.points();
@@ -159,32 +163,35 @@ void add_complex(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(StationaryRecord, index, kind, position, squared_distance, contact_offsets);
   PYBIND11_NUMPY_DTYPE(PairRecord, dimension, birth, death, birth_point, death_point);
   PYBIND11_NUMPY_DTYPE(ConnectionRecord, from, to, orbits, families);
+  // Whatever modes another library has set for doubles, each call has the usual ones.
+  const py::call_guard<geometry::IeeeDoubles> ieee;
   py::class_<Complex>(module, "Complex", "What FlowComplex asks; see flowcert.FlowComplex.")
-      .def(py::init<const PointRows&, unsigned>(), py::arg("rows"), py::arg("threads"))
+      .def(py::init<const PointRows&, unsigned, bool>(), py::arg("rows"), py::arg("threads"), py::arg("unlimited"),
+           ieee)
       .def_property_readonly("row_count", &Complex::row_count)
       .def_property_readonly("merged_duplicates", &Complex::merged_duplicates)
       .def_property_readonly("threads", &Complex::threads)
-      .def("points", &Complex::points)
-      .def("critical_counts", &Complex::critical_counts)
-      .def("regular_counts", &Complex::regular_counts)
-      .def("euler_sum", &Complex::euler_sum)
-      .def("stationary_points", &Complex::stationary_points)
-      .def("exact", &Complex::exact, py::arg("record"))
-      .def("persistence", &Complex::persistence, py::arg("with_zero"))
-      .def("pairs", &Complex::pairs, py::arg("with_zero"))
-      .def("surface", &Complex::surface, py::arg("selection"))
-      .def("unstable_lines", &Complex::unstable_lines)
-      .def("orbit", &Complex::orbit, py::arg("start"))
-      .def("volumes", &Complex::volumes)
-      .def("volume", &Complex::volume, py::arg("record"))
-      .def("hull_volume", &Complex::hull_volume)
-      .def("shares", &Complex::shares, py::arg("record"), py::arg("exact"))
-      .def("lambda_list", &Complex::lambda_list, py::arg("record"), py::arg("exact"))
-      .def("connections", &Complex::connections)
-      .def("unstable_surface", &Complex::unstable_surface, py::arg("record"), py::arg("exact"))
-      .def("is_morse_smale", &Complex::is_morse_smale)
-      .def("pockets", &Complex::pockets, py::arg("persistence"), py::arg("probe"))
-      .def("locate", &Complex::locate, py::arg("rows"));
+      .def("points", &Complex::points, ieee)
+      .def("critical_counts", &Complex::critical_counts, ieee)
+      .def("regular_counts", &Complex::regular_counts, ieee)
+      .def("euler_sum", &Complex::euler_sum, ieee)
+      .def("stationary_points", &Complex::stationary_points, ieee)
+      .def("exact", &Complex::exact, py::arg("record"), ieee)
+      .def("persistence", &Complex::persistence, py::arg("with_zero"), ieee)
+      .def("pairs", &Complex::pairs, py::arg("with_zero"), ieee)
+      .def("surface", &Complex::surface, py::arg("selection"), ieee)
+      .def("unstable_lines", &Complex::unstable_lines, ieee)
+      .def("orbit", &Complex::orbit, py::arg("start"), ieee)
+      .def("volumes", &Complex::volumes, ieee)
+      .def("volume", &Complex::volume, py::arg("record"), ieee)
+      .def("hull_volume", &Complex::hull_volume, ieee)
+      .def("shares", &Complex::shares, py::arg("record"), py::arg("exact"), ieee)
+      .def("lambda_list", &Complex::lambda_list, py::arg("record"), py::arg("exact"), ieee)
+      .def("connections", &Complex::connections, ieee)
+      .def("unstable_surface", &Complex::unstable_surface, py::arg("record"), py::arg("exact"), ieee)
+      .def("is_morse_smale", &Complex::is_morse_smale, ieee)
+      .def("pockets", &Complex::pockets, py::arg("persistence"), py::arg("probe"), ieee)
+      .def("locate", &Complex::locate, py::arg("rows"), ieee);
 }
 
 }  // namespace flowcert::python

@@ -46,8 +46,9 @@ struct ConnectionRecord {
 
 class Complex {
  public:
-  // Takes a copy of the points, and computes nothing yet. 0 threads: as many as the machine has cores.
-  Complex(const PointRows& rows, unsigned threads);
+  // Takes a copy of the points, and computes nothing yet. 0 threads: as many as the machine has cores. Unlimited: with
+  // any number of Delaunay cells (usual_most_cells).
+  Complex(const PointRows& rows, unsigned threads, bool unlimited);
 
   [[nodiscard]] const FlowComplex& flow_complex() const { return complex_; }
   [[nodiscard]] std::size_t row_count() const { return complex_.points().row_count(); }

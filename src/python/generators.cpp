@@ -8,6 +8,7 @@
 
 #include "arrays.h"
 #include "fuzz/inputs/case_stream.h"
+#include "geometry/floating_point.h"
 #include "released_lock.h"
 
 namespace flowcert::python {
@@ -43,7 +44,7 @@ py::array generate(const std::string& family, std::uint64_t seed, int level, std
 void add_generators(py::module_& module) {
   module.def("families", families, "What flowcert.families asks.");
   module.def("generate", generate, py::arg("family"), py::arg("seed"), py::arg("level"), py::arg("number"),
-             "What flowcert.generate asks.");
+             py::call_guard<geometry::IeeeDoubles>(), "What flowcert.generate asks.");
 }
 
 }  // namespace flowcert::python

@@ -9,11 +9,14 @@
 #include "complex.h"
 #include "flowcert/reproducibility.h"
 #include "generators.h"
+#include "geometry/floating_point.h"
+#include "geometry/gmp_memory.h"
 #include "numbers.h"
 #include "point_files.h"
 
 PYBIND11_MODULE(_core, module) {
   namespace python = flowcert::python;
+  flowcert::geometry::let_gmp_fail_as_new_does();
   module.doc() = "What the package flowcert asks of the library. Use flowcert itself.";
   // pybind11 wants a function of exactly this type.
   // NOLINTNEXTLINE(performance-unnecessary-value-param)
@@ -33,6 +36,11 @@ PYBIND11_MODULE(_core, module) {
   module.attr("made_by") = "flowcert " + made_by.version + " (commit " + made_by.commit +
                            "; kernel: " + made_by.kernel + "; compiler: " + made_by.compiler + "; CGAL " +
                            made_by.cgal + ")";
+  module.def(
+      "in_ieee_doubles",
+      [](const pybind11::function& function, const pybind11::args& arguments) { return function(*arguments); },
+      pybind11::arg("function"), pybind11::call_guard<flowcert::geometry::IeeeDoubles>(),
+      "Calls the function with doubles as IEEE 754 says, whatever modes another library has set.");
   module.def("decimal_text", python::decimal_text, pybind11::arg("hexadecimal"), "A fraction in decimals.");
   python::add_complex(module);
   python::add_check(module);

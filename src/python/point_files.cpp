@@ -9,6 +9,7 @@
 
 #include "arrays.h"
 #include "flowcert/read_points.h"
+#include "geometry/floating_point.h"
 #include "released_lock.h"
 
 namespace flowcert::python {
@@ -36,7 +37,7 @@ void add_point_files(py::module_& module) {
       "read_points",
       [](const std::string& path, std::string format, std::string columns, std::optional<double> z,
          std::vector<std::string> atoms, std::vector<std::string> chains, std::string models, std::size_t frame,
-         bool skip_invalid) {
+         bool skip_invalid, bool unlimited) {
         return read_file(path, {.format = std::move(format),
                                 .columns = std::move(columns),
                                 .z = z,
@@ -44,10 +45,13 @@ void add_point_files(py::module_& module) {
                                 .atoms = std::move(atoms),
                                 .models = std::move(models),
                                 .frame = frame,
-                                .skip_invalid = skip_invalid});
+                                .skip_invalid = skip_invalid,
+                                .unlimited = unlimited,
+                                .progress = stop_if_interrupted});
       },
       py::arg("path"), py::arg("format"), py::arg("columns"), py::arg("z"), py::arg("atoms"), py::arg("chains"),
-      py::arg("models"), py::arg("frame"), py::arg("skip_invalid"), "What flowcert.read_points asks.");
+      py::arg("models"), py::arg("frame"), py::arg("skip_invalid"), py::arg("unlimited"),
+      py::call_guard<geometry::IeeeDoubles>(), "What flowcert.read_points asks.");
 }
 
 }  // namespace flowcert::python

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "flowcert/voronoi_diagram.h"
+#include "geometry/floating_point.h"
 #include "geometry/portions.h"
 #include "voronoi/compact_delaunay.h"
 #include "voronoi/layer.h"
@@ -37,6 +38,13 @@ using Cgal = CGAL::Delaunay_triangulation_3<Kernel, Structure>;
 
 constexpr std::size_t kProgressStep = 4096;
 
+// Two skew lines have as many cells as pairs of points.
+[[noreturn]] void reject_many_cells(std::size_t cells, std::size_t inserted, std::size_t points) {
+  throw InvalidInput(std::to_string(cells) + " Delaunay cells after " + std::to_string(inserted) + " of " +
+                     std::to_string(points) +
+                     " points: memory and output grow with the square of their number; --unlimited computes them");
+}
+
 }  // namespace
 
 struct Delaunay::Triangulation {
@@ -45,8 +53,9 @@ struct Delaunay::Triangulation {
   std::vector<std::size_t> order;  // ordinals in order of insertion, which is a vertex' number
 };
 
-Delaunay::Delaunay(const PointSet& points, const Progress& progress)
+Delaunay::Delaunay(const PointSet& points, const Progress& progress, std::size_t most_cells)
     : triangulation_(new Triangulation{&points, {}, {}}) {
+  const geometry::IeeeDoubles ieee;
   std::vector<Kernel::Point_3> positions;
   positions.reserve(points.size());
   for (const Point& p : points.points()) positions.emplace_back(p.x, p.y, p.z);
@@ -64,6 +73,7 @@ Delaunay::Delaunay(const PointSet& points, const Progress& progress)
     const Cgal::Vertex_handle vertex = cgal.insert(positions[order[i]], hint);
     vertex->info() = static_cast<VertexIndex>(i);
     hint = vertex->cell();
+    if (cgal.tds().cells().size() > most_cells) reject_many_cells(cgal.tds().cells().size(), i + 1, order.size());
     if (progress && (i + 1) % kProgressStep == 0) progress(i + 1, order.size());
   }
   if (progress) progress(order.size(), order.size());

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/floating_point.h"
+
 namespace flowcert::voronoi {
 
 namespace {
@@ -159,11 +161,13 @@ std::unique_ptr<const voronoi::Diagram> made_of(const Delaunay& delaunay, Filter
 
 VoronoiDiagram::VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally, unsigned threads,
                                const Delaunay::Progress& progress)
-    : points_(&delaunay.points()), faces_(made_of(delaunay, tally, threads, progress)) {}
+    : points_(&delaunay.points()),
+      faces_(geometry::in_ieee_doubles([&] { return made_of(delaunay, tally, threads, progress); })) {}
 VoronoiDiagram::~VoronoiDiagram() = default;
 VoronoiDiagram::VoronoiDiagram(VoronoiDiagram&&) noexcept = default;
 VoronoiDiagram& VoronoiDiagram::operator=(VoronoiDiagram&&) noexcept = default;
 
 int VoronoiDiagram::dimension() const { return faces_->dimension(); }
+std::size_t VoronoiDiagram::delaunay_cells() const { return faces_->delaunay().cells.size(); }
 
 }  // namespace flowcert

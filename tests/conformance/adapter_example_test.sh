@@ -58,7 +58,7 @@ case "$(sed -n 's/^FLOWCERT_COVERAGE:[A-Z]*=//p' "$build/CMakeCache.txt")" in ON
 "$compiler" -std=c++20 -Wall -Wextra -Wconversion -Werror "${flags[@]}" -I "$scratch" -I "$root/src" \
   "${public_headers[@]/#/-I}" \
   "$scratch/main.cpp" "$scratch/io/claims/read_claim.cpp" "$scratch/io/claims/read_my_claim.cpp" "$library" \
-  -lgmp -lmpfr -lz -lexpat -lcrypto -lfmt -ltbb -o "$scratch/reader" || fail "the adapter does not build"
+  -lgmp -lmpfr -lz -lexpat -lcrypto -lfmt -pthread -o "$scratch/reader" || fail "the adapter does not build"
 
 expect() {
   local result

@@ -41,7 +41,6 @@ $(sed 's/ -MD .*//; s/-Xclang -include-pch -Xclang [^ ]*//' <<<"$command") -M "$
 for name in gmp.h CGAL/Delaunay_triangulation_3.h cmake_pch.hxx "$root/src/morse/include/flowcert/flow_complex.h"; do
   grep -qE "(^|/)${name#/}\$" "$scratch/read" || fail "$name is not read; the list cannot be right"
 done
-# oneTBB may be read.
-! grep -E '/(fmt|nlohmann|CLI|openssl|gtest|rapidcheck|valijson|Eigen)/|/(zlib|expat|rapidcheck|mpi)\.h$' \
+! grep -E '/(tbb|fmt|nlohmann|CLI|openssl|gtest|rapidcheck|valijson|Eigen)/|/(zlib|expat|rapidcheck|mpi)\.h$' \
   "$scratch/read" || fail "the core reads a header of another package"
 echo "the core's $(wc -l <"$scratch/sources") sources read $(wc -l <"$scratch/read") files, none of another package"

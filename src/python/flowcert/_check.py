@@ -146,6 +146,7 @@ def check(
     return _report(answer, is_list)
 
 
+@_exact.in_ieee_doubles
 def _options(tolerance, levels, indices):
     """The same as numbers that the library takes, which says what range the tolerance has."""
     try:
@@ -192,6 +193,7 @@ def _report(answer, is_list):
 # ---- Claims as text
 
 
+@_exact.in_ieee_doubles
 def _text_of(claim):
     """(text or path, whether it is a path, whether a list was written as text)"""
     if isinstance(claim, (str, os.PathLike)):

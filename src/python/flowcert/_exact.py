@@ -1,11 +1,22 @@
 """Exact numbers between fractions.Fraction and the library."""
 
+import functools
 from decimal import Decimal
 from fractions import Fraction
 
 import numpy as np
 
 from . import _core
+
+
+def in_ieee_doubles(function):
+    """The function, called with doubles as IEEE 754 says, whatever modes another library has set in this thread."""
+
+    @functools.wraps(function)
+    def called(*arguments):
+        return _core.in_ieee_doubles(function, *arguments)
+
+    return called
 
 
 def fraction(ratio):
@@ -27,6 +38,7 @@ def decimal(value):
     return _core.decimal_text(hexadecimal(value))
 
 
+@in_ieee_doubles
 def exact(value, name):
     """The number as a Fraction; name is what messages call it."""
     if isinstance(value, np.generic) and not isinstance(value, np.longdouble):

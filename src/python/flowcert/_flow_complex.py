@@ -24,13 +24,16 @@ _MOST_THREADS = 1024
 class FlowComplex:
     """The flow complex of points: critical points, persistence, surfaces, lines, orbits and cells, exactly.
 
-    FlowComplex(points, threads=None)
+    FlowComplex(points, threads=None, unlimited=False)
 
     points: (n, 3), any number of rows, none as well; an array, or anything that NumPy makes one of. Repeated rows are
     merged. Coordinates are taken as the doubles that they are. Other floats and integers are converted exactly, and a
     number that is no double is refused, as are NaN and infinities (ValueError).
 
     threads: how many compute; all cores without it. The results are the same to the bit for any number.
+
+    unlimited: compute points with more than a hundred Delaunay cells each, and two million, too, instead of raising
+    ValueError. Points on two skew lines have as many as pairs of points, and take memory and time by that.
 
     What is copied: the complex keeps the points in memory of its own, 32 bytes a row, so the array may change
     afterwards. An array of doubles in C order is read where it is; for any other a converted copy is made first, and
@@ -51,12 +54,13 @@ class FlowComplex:
     [[1, 2]]
     """
 
-    def __init__(self, points: ArrayLike, threads: Optional[int] = None) -> None:
+    def __init__(self, points: ArrayLike, threads: Optional[int] = None, *, unlimited: bool = False) -> None:
         if threads is not None:
             threads = operator.index(threads)
             if not 1 <= threads <= _MOST_THREADS:
                 raise ValueError(f"threads must be from 1 to {_MOST_THREADS}")
-        self._core = _core.Complex(point_rows(points), threads or 0)
+        self._core = _core.Complex(point_rows(points), threads or 0, bool(unlimited))
+        self._unlimited = bool(unlimited)
         self._stationary: Optional[Tuple[NDArray[Any], NDArray[np.int64]]] = None
 
     # ---- Points
@@ -401,7 +405,7 @@ class FlowComplex:
         return self._stationary
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        return type(self), (self.points, self.threads)
+        return _made, (self.points, self.threads, self._unlimited)
 
     def __repr__(self) -> str:
         return f"<flowcert.FlowComplex of {self._core.row_count:,} points>"
@@ -429,3 +433,8 @@ class FlowComplex:
 def _with_place(message: str, is_one: bool) -> str:
     """Places of expressions are those of Python's list, where the program has those of its options."""
     return re.sub(r"^--select:(\d+):", lambda k: "select:" if is_one else f"select[{int(k[1]) - 1}]:", message)
+
+
+def _made(points: NDArray[np.float64], threads: int, unlimited: bool) -> FlowComplex:
+    """What pickle calls, which takes no names of arguments."""
+    return FlowComplex(points, threads, unlimited=unlimited)

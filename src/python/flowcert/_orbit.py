@@ -65,6 +65,7 @@ class Orbit:
     limit: Optional[Limit]
 
     @property
+    @_exact.in_ieee_doubles
     def vertices(self) -> NDArray[np.float64]:
         """(k, 3): the start and all ends but infinity, in the nearest doubles."""
         ends = [segment.end for segment in self.segments if segment.end is not None]

@@ -9,9 +9,12 @@ import os
 
 import numpy as np
 
+from . import _exact
+
 _LARGEST_EXACT = 2**53  # every integer up to this one is a double
 
 
+@_exact.in_ieee_doubles
 def point_rows(points):
     """The aligned (n, 3) array of doubles in C order; points itself where it is one."""
     if isinstance(points, (str, bytes, os.PathLike)):

@@ -29,14 +29,15 @@ def read_points(
     columns: Union[str, Sequence[Union[int, str]]] = "", z: Optional[float] = None,
     atoms: Union[None, str, Sequence[str]] = None, chains: Union[None, str, Sequence[str]] = None,
     models: Union[str, int, Sequence[int]] = "", frame: int = 0, skip_invalid: bool = False,
-    return_left_out: bool = False,
+    return_left_out: bool = False, unlimited: bool = False,
 ) -> Union[NDArray[np.float64], Tuple[NDArray[np.float64], NDArray[np.int64]]]:  # fmt: skip
     """The points of a file, an (n, 3) array of doubles; "-" for standard input.
 
     The content says the format: a table of numbers or CSV, PTS, chemical XYZ, OFF, PLY, OBJ, PCD, NPY, or a molecule,
     PDB or CIF, each also compressed by gzip. The arguments are the options of the commands, with the same words:
     format="table", columns="2,3,4" or "x,y,z", z=0 for two columns, atoms=["protein", "no hydrogens"], chains="A",
-    models="all", frame=2, and skip_invalid=True to leave out rows with NaN. With return_left_out=True the numbers of
+    models="all", frame=2, skip_invalid=True to leave out rows with NaN, and unlimited=True for compressed files that grow
+    to more than a hundred times their size. With return_left_out=True the numbers of
     these rows in the file, from 0, are returned, too.
 
     Coordinates are the doubles that the file means. A file that can be read in two ways, or in none, is a ValueError
@@ -47,7 +48,7 @@ def read_points(
     if not isinstance(models, str):
         models = str(models) if isinstance(models, int) else ",".join(str(model) for model in models)
     rows, notes, left_out = _core.read_points(
-        file_name(path), format, columns, z, _words(atoms), _words(chains), models, frame, skip_invalid)
+        file_name(path), format, columns, z, _words(atoms), _words(chains), models, frame, skip_invalid, unlimited)
     for line, text in notes:
         warnings.warn(f"{os.fsdecode(path)}{f':{line}' if line else ''}: {text}", stacklevel=2)
     return (rows, np.array(left_out, dtype=np.int64)) if return_left_out else rows

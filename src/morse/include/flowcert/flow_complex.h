@@ -32,7 +32,13 @@ struct FlowComplexOptions {
   // thread makes the manifolds. With 1, no thread is started. Each takes memory of its own: 24 bytes a Delaunay cell,
   // and what it meets of facets. 0 is refused: std::invalid_argument.
   unsigned threads = 1;
+  // Where there are more Delaunay cells, making the triangulation throws InvalidInput: points on two skew lines have
+  // as many as pairs of points. usual_most_cells() is a limit that no scan and no molecule meets.
+  std::size_t most_cells = Delaunay::kAnyNumber;
 };
+
+// A hundred cells a point, or two million (a gigabyte).
+[[nodiscard]] std::size_t usual_most_cells(std::size_t points);
 
 // What takes time, in the order in which it is made.
 enum class FlowComplexPart : std::uint8_t {
@@ -58,9 +64,9 @@ class FlowComplex {
   // asked for again. It must not ask the complex for anything.
   using Progress = std::function<void(FlowComplexPart part, std::size_t done, std::size_t total)>;
 
-  // Computes nothing yet. The second one throws InvalidInput as PointSet does. A thread must compute with doubles as
-  // IEEE 754 says. If it has another rounding mode or flushes subnormals to zero, std::runtime_error is thrown here,
-  // wherever a part is made, and wherever something flows.
+  // Computes nothing yet. The second one throws InvalidInput as PointSet does. Whatever rounding mode, flushing of
+  // subnormals or traps the calling thread has set, everything is computed with doubles as IEEE 754 says, and the
+  // thread has its modes again afterwards. Where that cannot be had, std::runtime_error is thrown.
   explicit FlowComplex(PointSet points, FlowComplexOptions options = {}, Progress progress = {});
   explicit FlowComplex(std::span<const Point> rows, FlowComplexOptions options = {}, Progress progress = {});
   ~FlowComplex();

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 
 #include "flowcert/filter_tally.h"
@@ -19,10 +20,12 @@ class Delaunay {
  public:
   // It is told now and then how much of the work is done, and may throw to stop it.
   using Progress = std::function<void(std::size_t done, std::size_t total)>;
+  static constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
 
-  // Expected O(n log n) for surface samples, O(n^2) at worst. The point set must outlive the triangulation.
-  explicit Delaunay(const PointSet& points, const Progress& progress = {});
-  explicit Delaunay(PointSet&&, const Progress& = {}) = delete;
+  // Expected O(n log n) for surface samples, O(n^2) at worst. The point set must outlive the triangulation. Throws
+  // InvalidInput as soon as there are more than `most_cells` Delaunay cells.
+  explicit Delaunay(const PointSet& points, const Progress& progress = {}, std::size_t most_cells = kAnyNumber);
+  explicit Delaunay(PointSet&&, const Progress& = {}, std::size_t = kAnyNumber) = delete;
   ~Delaunay();
   Delaunay(Delaunay&&) noexcept;
   Delaunay& operator=(Delaunay&&) noexcept;
@@ -63,6 +66,8 @@ class VoronoiDiagram {
   [[nodiscard]] const PointSet& points() const { return *points_; }
   // The dimension of the affine hull of the points: 0 to 3, -1 for no point.
   [[nodiscard]] int dimension() const;
+  // Of the triangulation, infinite ones as well.
+  [[nodiscard]] std::size_t delaunay_cells() const;
 
   // What lies behind the wall; defined in src/voronoi/.
   [[nodiscard]] const voronoi::Diagram& faces() const { return *faces_; }
