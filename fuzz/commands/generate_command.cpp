@@ -105,7 +105,7 @@ void add_generate_command(CLI::App& app, int& status) {
   command->add_flag("--xyz", options->is_xyz, "Print the points of the case of --only alone, as a point file")
       ->needs(only);
   command->footer(
-      "Examples:\n  flowcert generate --level 1 --seed 7 | ./your-program | flowcert verify --level 1 --seed 7\n"
+      "Examples:\n  flowcert generate --seed 7 | ./your-program | flowcert verify --seed 7\n"
       "  flowcert generate --level 1 --seed 7 --only 12\n"
       "  flowcert generate --level 1 --seed 7 --only 12 --xyz | flowcert compute -\n"
       "  flowcert generate --vectors | ./your-program | flowcert verify --vectors");

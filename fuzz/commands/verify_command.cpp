@@ -486,10 +486,9 @@ void add_verify_command(CLI::App& app, int& status) {
       "Reads from standard input, for each case, in any order:\n"
       "  answer ID\n  ...the critical points, in a format that flowcert check reads...\n  end\n"
       "or a line `refused ID REASON`.\n\n"
-      "Examples:\n  flowcert generate --level 1 --seed 7 | ./your-program | flowcert verify --level 1 --seed 7\n"
+      "Examples:\n  flowcert generate --seed 7 | ./your-program | flowcert verify --seed 7\n"
       "  flowcert generate --vectors | ./your-program | flowcert verify --vectors\n"
-      "  flowcert generate --level 1 | ./your-diagrams | flowcert verify --level 1 --persistence\n"
-      "  flowcert generate > cases; ./your-program < cases | flowcert verify --asked cases");
+      "  flowcert generate | ./your-diagrams | flowcert verify --seed 1 --persistence");
   command->callback([options, &status] { status = verify(*options); });
 }
 

@@ -45,6 +45,7 @@ const std::vector<FileValue>& file_values() {
                                                 {"--junit", Completed::kFiles, {"xml"}},
                                                 {"--replay", Completed::kFiles, points},
                                                 {"--known", Completed::kFiles, {}},
+                                                {"--asked", Completed::kFiles, {}},
                                                 {"--export", Completed::kFolders, {}},
                                                 {"--svg", Completed::kFolders, {}},
                                                 {"--keep", Completed::kFolders, {}},

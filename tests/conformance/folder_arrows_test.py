@@ -41,6 +41,7 @@ ARROWS = {
     "tests/vectors": ["fuzz/inputs", "oracle/program"],
     "tests/conformance": ["tests", "tests/vectors", "src/certify"],
     "tests/property": ["tests", "fuzz/campaign", "fuzz/judge", "src/certify"],
+    "tests/hostile": ["tests"],
     "tests/unit": ["tests/property", "fuzz/campaign", "fuzz/judge", "src/cli"],
     "tests/bench": ["tests/property"],
 }

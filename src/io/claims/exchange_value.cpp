@@ -10,15 +10,15 @@
 
 namespace flowcert::io {
 
-namespace {
-
 // nlohmann's parser calls this for each event. The parser's own trees are not used: they keep numbers as doubles,
 // take the last of two equal keys, and allow any depth.
-class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
+class DocumentBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
-  explicit TreeBuilder(const LinePlace& place) : place_(place) {}
+  explicit DocumentBuilder(const LinePlace& place) : place_(place) {
+    document_.texts_ = std::make_unique<std::pmr::monotonic_buffer_resource>();
+  }
 
-  [[nodiscard]] JsonTree take() { return std::move(root_); }
+  [[nodiscard]] JsonDocument take() { return std::move(document_); }
 
   bool null() override { return add(JsonKind::kNull, {}); }
   bool boolean(bool value) override { return add(JsonKind::kBoolean, value ? "true" : "false"); }
@@ -29,15 +29,15 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     std::string number = text;
     std::ranges::replace_if(
         number, [](char c) { return !is_digit(c) && c != '+' && c != '-' && c != 'e' && c != 'E'; }, '.');
-    return add(JsonKind::kNumber, std::move(number));
+    return add(JsonKind::kNumber, number);
   }
-  bool string(std::string& value) override { return add(JsonKind::kString, std::move(value)); }
+  bool string(std::string& value) override { return add(JsonKind::kString, value); }
   bool binary(nlohmann::json::binary_t& /*value*/) override { return false; }  // never called for text
   bool start_array(std::size_t /*size*/) override { return open(JsonKind::kArray); }
   bool start_object(std::size_t /*size*/) override { return open(JsonKind::kObject); }
   bool key(std::string& key) override {
     require(limits_.key());
-    return add(JsonKind::kString, std::move(key));
+    return add(JsonKind::kString, key);
   }
   bool end_array() override { return close(); }
   bool end_object() override {
@@ -52,20 +52,24 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
 
  private:
-  // The pointers in open_ stay valid, because the items of a container grow only while none of them is open.
-  bool add(JsonKind kind, std::string text) {
-    JsonTree value{.kind = kind, .text = std::move(text), .items = {}, .is_known = false};
-    if (open_.empty()) {
-      root_ = std::move(value);
-    } else {
-      open_.back()->items.push_back(std::move(value));
-    }
+  bool add(JsonKind kind, std::string_view text) {
+    auto& nodes = document_.nodes_;
+    if (nodes.size() >= JsonDocument::kNone) place_.reject("more values than 4294967294");
+    if (!open_.empty()) ++nodes[open_.back()].size;
+    const auto end = static_cast<JsonDocument::Place>(nodes.size() + 1);
+    nodes.push_back({.kind = kind, .is_known = false, .size = 0, .end = end, .text = kept(text)});
     return true;
+  }
+  std::string_view kept(std::string_view text) {
+    if (text.empty()) return {};
+    auto* const place = static_cast<char*>(document_.texts_->allocate(text.size(), 1));
+    std::ranges::copy(text, place);
+    return {place, text.size()};
   }
   bool open(JsonKind kind) {
     require(limits_.open());
     add(kind, {});
-    open_.push_back(open_.empty() ? &root_ : &open_.back()->items.back());
+    open_.push_back(static_cast<JsonDocument::Place>(document_.nodes_.size() - 1));
     return true;
   }
   void require(const std::string& fault) const {
@@ -73,13 +77,17 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
   bool close() {
     limits_.close();
+    document_.nodes_[open_.back()].end = static_cast<JsonDocument::Place>(document_.nodes_.size());
     open_.pop_back();
     return true;
   }
   void reject_repeated_keys() const {
     std::vector<std::string_view> keys;
-    const std::vector<JsonTree>& items = open_.back()->items;
-    for (std::size_t k = 0; k < items.size(); k += 2) keys.emplace_back(items[k].text);
+    JsonDocument::Place at = JsonDocument::first(open_.back());
+    for (std::size_t k = document_.size(open_.back()); k > 0; k -= 2) {
+      keys.push_back(document_.text(at));
+      at = document_.next(document_.next(at));
+    }
     std::sort(keys.begin(), keys.end());
     const auto repeated = std::adjacent_find(keys.begin(), keys.end());
     if (repeated != keys.end()) place_.reject("a key twice: " + in_quotes(*repeated));
@@ -87,24 +95,61 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   LinePlace place_;
   JsonLimits limits_;
-  JsonTree root_;
-  std::vector<JsonTree*> open_;
+  JsonDocument document_;
+  std::vector<JsonDocument::Place> open_;
 };
 
-}  // namespace
-
-JsonTree parse_json(std::string_view text, const LinePlace& place) {
-  TreeBuilder builder(place);
+JsonDocument parse_json(std::string_view text, const LinePlace& place) {
+  DocumentBuilder builder(place);
   nlohmann::json::sax_parse(text, &builder);
   return builder.take();
+}
+
+JsonDocument::Place JsonDocument::item(Place at, std::size_t k) const {
+  Place place = first(at);
+  for (; k > 0; --k) place = next(place);
+  return place;
+}
+
+JsonDocument::Place JsonDocument::find(Place at, std::string_view key) const {
+  Place name = first(at);
+  for (std::size_t k = size(at); k > 0; k -= 2) {
+    const Place value = next(name);
+    if (text(name) == key) {
+      nodes_[name].is_known = true;
+      return value;
+    }
+    name = next(value);
+  }
+  return kNone;
+}
+
+void JsonDocument::add_unknown_keys(Place at, const std::string& around, UnknownKeys& keys) const {
+  Place item = first(at);
+  if (kind(at) == JsonKind::kArray) {
+    for (std::size_t k = size(at); k > 0; --k, item = next(item)) add_unknown_keys(item, around, keys);
+  }
+  if (kind(at) != JsonKind::kObject) return;
+  for (std::size_t k = size(at); k > 0; k -= 2) {
+    const Place value = next(item);
+    std::string name = around;
+    if (!name.empty()) name += '.';
+    name += text(item);
+    if (nodes_[item].is_known) {
+      add_unknown_keys(value, name, keys);
+    } else {
+      keys.insert(name);
+    }
+    item = next(value);
+  }
 }
 
 // ---- Headers ----
 
 namespace {
 
-std::string sha256_of(const ExchangeValue& value) {
-  const std::string& text = value.text();
+std::string_view sha256_of(const ExchangeValue& value) {
+  const std::string_view text = value.text();
   const auto is_hex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
   if (text.size() != 64 || !std::all_of(text.begin(), text.end(), is_hex))
     value.reject("64 lower case hexadecimal digits");
@@ -125,7 +170,7 @@ std::array<std::size_t, 3> regular_counts_of(const ExchangeValue& value) {
 void read_input_fields(const ExchangeValue& header, Claim& claim) {
   if (const auto value = header.find("points")) claim.point_count = count_of(*value);
   if (const auto value = header.find("merged_duplicates")) claim.merged_duplicates = count_of(*value);
-  if (const auto value = header.find("input_sha256")) claim.input_sha256 = sha256_of(*value);
+  if (const auto value = header.find("input_sha256")) claim.input_sha256.emplace(sha256_of(*value));
   for (const char* key : {"version", "commit", "kernel", "compiler", "cgal"}) {
     if (const auto value = header.find(key)) (void)value->text();
   }

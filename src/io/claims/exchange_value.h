@@ -7,6 +7,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <memory_resource>
 #include <optional>
 #include <set>
 #include <string>
@@ -46,82 +50,96 @@ class UnknownKeys {
 
 enum class JsonKind { kNull, kBoolean, kNumber, kString, kArray, kObject };
 
-struct JsonTree {
-  JsonKind kind = JsonKind::kNull;
-  std::string text;               // a number as written, or the value of a string
-  std::vector<JsonTree> items;    // the items of an array, or the keys and values of an object in turn
-  mutable bool is_known = false;  // of a key: somebody has asked for it
+// A JSON text, value by value in the order of the text: an array or object stands before what is in it. A value takes 32
+// bytes and its text, because one line of a claim may have millions of them.
+class JsonDocument {
+ public:
+  using Place = std::uint32_t;
+  static constexpr Place kNone = 0xffffffffU;
 
-  [[nodiscard]] bool is(JsonKind other) const { return kind == other; }
-  // The value of an object's key; null if the object does not have the key.
-  [[nodiscard]] const JsonTree* find(std::string_view key) const {
-    for (std::size_t k = 0; k + 1 < items.size(); k += 2) {
-      if (items[k].text != key) continue;
-      items[k].is_known = true;
-      return &items[k + 1];
-    }
-    return nullptr;
-  }
-
+  [[nodiscard]] JsonKind kind(Place at) const { return nodes_[at].kind; }
+  // A number as written, or the value of a string.
+  [[nodiscard]] std::string_view text(Place at) const { return nodes_[at].text; }
+  // How many items an array has, or keys and values an object.
+  [[nodiscard]] std::size_t size(Place at) const { return nodes_[at].size; }
+  // The first item of an array, or key of an object, and what follows an item: the next one, if there is one.
+  [[nodiscard]] static Place first(Place at) { return at + 1; }
+  [[nodiscard]] Place next(Place item) const { return nodes_[item].end; }
+  [[nodiscard]] Place item(Place at, std::size_t k) const;
+  // The value of an object's key, or kNone. The key is then known.
+  [[nodiscard]] Place find(Place at, std::string_view key) const;
   // The keys that nobody has asked for, each with those of the objects around it: "skeleton.colour".
-  void add_unknown_keys(const std::string& around, UnknownKeys& keys) const {
-    if (is(JsonKind::kArray)) {
-      for (const JsonTree& item : items) item.add_unknown_keys(around, keys);
-    }
-    if (!is(JsonKind::kObject)) return;
-    for (std::size_t k = 0; k + 1 < items.size(); k += 2) {
-      const std::string name = around.empty() ? items[k].text : around + "." + items[k].text;
-      if (!items[k].is_known) {
-        keys.insert(name);
-      } else {
-        items[k + 1].add_unknown_keys(name, keys);
-      }
-    }
-  }
+  void add_unknown_keys(UnknownKeys& keys) const { add_unknown_keys(0, "", keys); }
+
+ private:
+  friend class DocumentBuilder;
+  struct Node {
+    JsonKind kind = JsonKind::kNull;
+    mutable bool is_known = false;  // of a key: somebody has asked for it
+    std::uint32_t size = 0;
+    Place end = 0;
+    std::string_view text;
+  };
+  void add_unknown_keys(Place at, const std::string& around, UnknownKeys& keys) const;
+
+  std::deque<Node> nodes_;  // the first one is the whole
+  std::unique_ptr<std::pmr::monotonic_buffer_resource> texts_;
 };
 
-[[nodiscard]] JsonTree parse_json(std::string_view text, const LinePlace& place);
+[[nodiscard]] JsonDocument parse_json(std::string_view text, const LinePlace& place);
 
 // ---- A value ----
 // A value of a line of the exchange format, and what messages call it.
 class ExchangeValue {
  public:
-  ExchangeValue(const JsonTree& tree, std::string_view name, const LinePlace& place)
-      : tree_(&tree), name_(name), place_(place) {}
+  // The document must outlive it.
+  ExchangeValue(const JsonDocument& document, std::string_view name, const LinePlace& place)
+      : ExchangeValue(document, 0, name, place) {}
 
   [[noreturn]] void reject(const std::string& what) const {
     place_.reject("the value of " + in_quotes(name_) + " is not " + what);
   }
-  [[nodiscard]] bool is(JsonKind kind) const { return tree_->is(kind); }
+  [[nodiscard]] bool is(JsonKind kind) const { return document_->kind(at_) == kind; }
   [[nodiscard]] bool is_null() const { return is(JsonKind::kNull); }
   [[nodiscard]] const LinePlace& place() const { return place_; }
 
-  [[nodiscard]] const std::string& text() const {
+  [[nodiscard]] std::string_view text() const {
     if (!is(JsonKind::kString)) reject("a string");
-    return tree_->text;
+    return document_->text(at_);
   }
-  [[nodiscard]] bool is_true() const { return tree_->text == "true"; }
+  [[nodiscard]] bool is_true() const { return document_->text(at_) == "true"; }
   // The number as it is written.
-  [[nodiscard]] const std::string& number_text() const {
+  [[nodiscard]] std::string_view number_text() const {
     if (!is(JsonKind::kNumber)) reject("a number");
-    return tree_->text;
+    return document_->text(at_);
   }
 
   // The size of an array. Its parts have the array's name in messages.
   [[nodiscard]] std::size_t size() const {
     if (!is(JsonKind::kArray)) reject("an array");
-    return tree_->items.size();
+    return document_->size(at_);
   }
   void expect_size(std::size_t size) const {
     if (this->size() != size) reject("an array of " + std::to_string(size));
   }
-  [[nodiscard]] ExchangeValue operator[](std::size_t k) const { return {tree_->items[k], name_, place_}; }
+  // O(k).
+  [[nodiscard]] ExchangeValue operator[](std::size_t k) const {
+    return {*document_, document_->item(at_, k), name_, place_};
+  }
+  // Calls use(part) for all parts of an array.
+  template <class Use>
+  void for_each(const Use& use) const {
+    auto at = JsonDocument::first(at_);
+    for (std::size_t k = size(); k > 0; --k, at = document_->next(at))
+      use(ExchangeValue(*document_, at, name_, place_));
+  }
 
   // The value of an object's key, if it has one.
   [[nodiscard]] std::optional<ExchangeValue> find(std::string_view key) const {
     if (!is(JsonKind::kObject)) reject("an object");
-    const JsonTree* const found = tree_->find(key);
-    return found == nullptr ? std::nullopt : std::optional<ExchangeValue>(ExchangeValue(*found, key, place_));
+    const JsonDocument::Place found = document_->find(at_, key);
+    if (found == JsonDocument::kNone) return std::nullopt;
+    return ExchangeValue(*document_, found, key, place_);
   }
   [[nodiscard]] ExchangeValue get(std::string_view key) const {
     const std::optional<ExchangeValue> found = find(key);
@@ -130,7 +148,11 @@ class ExchangeValue {
   }
 
  private:
-  const JsonTree* tree_;
+  ExchangeValue(const JsonDocument& document, JsonDocument::Place at, std::string_view name, const LinePlace& place)
+      : document_(&document), at_(at), name_(name), place_(place) {}
+
+  const JsonDocument* document_;
+  JsonDocument::Place at_;
   std::string_view name_;
   LinePlace place_;
 };
@@ -139,9 +161,8 @@ class ExchangeValue {
 template <class Each>
 auto list_of(const ExchangeValue& value, Each each) {
   std::vector<decltype(each(value))> list;
-  const std::size_t size = value.size();
-  list.reserve(size);
-  for (std::size_t k = 0; k < size; ++k) list.push_back(each(value[k]));
+  list.reserve(value.size());
+  value.for_each([&](const ExchangeValue& part) { list.push_back(each(part)); });
   return list;
 }
 

@@ -39,7 +39,7 @@ std::vector<ClaimedPosition> corners_of(const ExchangeValue& value) {
 std::string back_kind_of(const ExchangeValue& value) {
   constexpr std::array kKinds = {"critical", "regular", "edge", "vertex"};
   if (std::ranges::find(kKinds, value.text()) == kKinds.end()) value.reject("a kind of back");
-  return value.text();
+  return std::string(value.text());
 }
 
 ClaimedBackwardSegment segment_of(const ExchangeValue& value) {
@@ -439,12 +439,12 @@ Claim read_exchange(std::string_view text, std::string_view file, bool /*is_unli
   LineReader lines(text, file);
   std::string_view line;
   lines.next_filled(line);
-  const JsonTree header = parse_json(line, lines.place());
+  const JsonDocument header = parse_json(line, lines.place());
   Claim claim = claim_of_header({header, "header", lines.place()});
   UnknownKeys unknown;
-  header.add_unknown_keys("", unknown);
+  header.add_unknown_keys(unknown);
   while (lines.next_filled(line)) {
-    const JsonTree record = parse_json(line, lines.place());
+    const JsonDocument record = parse_json(line, lines.place());
     const ExchangeValue value(record, "record", lines.place());
     if (is_of_infinity(value)) {
       if (claim.infinity) lines.place().reject("a second line of infinity");
@@ -452,7 +452,7 @@ Claim read_exchange(std::string_view text, std::string_view file, bool /*is_unli
     } else {
       claim.points.push_back(point_of(value));
     }
-    record.add_unknown_keys("", unknown);
+    record.add_unknown_keys(unknown);
   }
   unknown.tell(claim);
   return claim;

@@ -141,7 +141,7 @@ class PocketReader {
     constexpr std::array kPassages = {"cavity", "pocket", "channel"};
     if (std::ranges::find(kPassages, value.text()) == kPassages.end()) value.reject("cavity, pocket or channel");
     if (!has_probe_) value.reject("there without a probe");
-    return value.text();
+    return std::string(value.text());
   }
 
   std::size_t pockets_;
@@ -182,12 +182,12 @@ Claim read_pockets(std::string_view text, std::string_view file, bool /*is_unlim
   const std::string_view before = text.substr(0, text.find('{'));  // all of it, where there is no brace
   const auto line = 1 + std::ranges::count(before, '\n');
   const LinePlace place{.file = file, .line = static_cast<std::size_t>(line)};
-  const JsonTree tree = parse_json(text, place);
+  const JsonDocument tree = parse_json(text, place);
   Claim claim;
   claim.pockets = pockets_of({tree, "pockets", place}, claim);
   claim.indices = ClaimedIndices{};
   UnknownKeys unknown;
-  tree.add_unknown_keys("", unknown);
+  tree.add_unknown_keys(unknown);
   unknown.tell(claim);
   return claim;
 }

@@ -368,9 +368,6 @@ void expect_size(std::uint64_t announced, std::uint64_t needed, const LinePlace&
 
 std::string decompressed(EncodedBytes& encoded, const VtpDocument& document, std::uint64_t needed,
                          const LinePlace& place) {
-  if (needed > document.most_bytes) {
-    place.reject("compressed data grow to more than 100 times their size, or 4 GB; --unlimited reads them");
-  }
   const std::uint64_t blocks = next_header_number(encoded, document);
   const std::uint64_t block_size = next_header_number(encoded, document);
   const std::uint64_t last_size = next_header_number(encoded, document);
@@ -381,6 +378,9 @@ std::string decompressed(EncodedBytes& encoded, const VtpDocument& document, std
   for (std::uint64_t k = 0; k < blocks; ++k) {
     const std::uint64_t size = k + 1 == blocks && last_size != 0 ? last_size : block_size;
     if (size > needed - bytes.size()) place.reject("more compressed data than the number of points asks for");
+    if (bytes.size() + size > document.most_bytes) {
+      place.reject("compressed data grow to more than 100 times their size, or 4 GB; --unlimited reads them");
+    }
     append_inflated(encoded.take(compressed_sizes[k]), size, bytes, place);
   }
   expect_size(bytes.size(), needed, place);

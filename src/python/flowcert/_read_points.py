@@ -36,9 +36,9 @@ def read_points(
     The content says the format: a table of numbers or CSV, PTS, chemical XYZ, OFF, PLY, OBJ, PCD, NPY, or a molecule,
     PDB or CIF, each also compressed by gzip. The arguments are the options of the commands, with the same words:
     format="table", columns="2,3,4" or "x,y,z", z=0 for two columns, atoms=["protein", "no hydrogens"], chains="A",
-    models="all", frame=2, skip_invalid=True to leave out rows with NaN, and unlimited=True for compressed files that grow
-    to more than a hundred times their size. With return_left_out=True the numbers of
-    these rows in the file, from 0, are returned, too.
+    models="all", frame=2, skip_invalid=True to leave out rows with NaN, and unlimited=True for compressed files that
+    grow to more than a hundred times their size. With return_left_out=True the numbers of the rows that are left out,
+    from 0, are returned, too.
 
     Coordinates are the doubles that the file means. A file that can be read in two ways, or in none, is a ValueError
     with its name and line. What a command tells as a note is a warning.
