@@ -69,13 +69,13 @@ py::dict report_of(const CheckReport& report) {
 
 // claim: the content of a file, or the path of one.
 py::dict check_claim(const Complex& complex, const std::string& claim, bool is_path, double tolerance, int levels,
-                     const std::vector<int>& indices) {
+                     const std::vector<int>& indices, bool unlimited) {
   const CheckOptions options = options_of(tolerance, levels, indices);
   CheckReport report;
   {
     const ReleasedLock released;
     const std::string name = is_path ? claim : "claim";
-    const Claim read = is_path ? read_claim(claim) : read_claim_from(claim, name);
+    const Claim read = is_path ? read_claim(claim, unlimited) : read_claim_from(claim, name, unlimited);
     const FlowComplex& flow_complex = complex.flow_complex();
     require_rows(read, flow_complex.points(), name);
     report = check(flow_complex.points(), read, *fast_truth(flow_complex), options);
@@ -87,7 +87,7 @@ py::dict check_claim(const Complex& complex, const std::string& claim, bool is_p
 
 void add_check(py::module_& module) {
   module.def("check", check_claim, py::arg("complex"), py::arg("claim"), py::arg("is_path"), py::arg("tolerance"),
-             py::arg("levels"), py::arg("indices"), py::call_guard<geometry::IeeeDoubles>(),
+             py::arg("levels"), py::arg("indices"), py::arg("unlimited"), py::call_guard<geometry::IeeeDoubles>(),
              "What flowcert.check asks.");
 }
 

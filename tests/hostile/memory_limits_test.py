@@ -80,8 +80,10 @@ class Outcome:
     def is_as(self, other):
         return (self.status, self.out, self.files) == (other.status, other.out, other.files)
 
-    def is_refusal(self):
-        return self.status == 2 and self.err.count(b"\n") == 1 and not any(self.files.values())
+    def is_refusal(self, usual):
+        """One line, and no file but one that is complete: memory may end when all is written."""
+        is_whole = all(content in (None, usual.files[name]) for name, content in self.files.items())
+        return self.status == 2 and self.err.count(b"\n") == 1 and is_whole
 
 
 def least(words, folder, is_enough, low=1, parts=8):
@@ -112,16 +114,16 @@ def limits_of(words, folder, usual, files):
 def problems(name, words, files, folder):
     before = set(os.listdir(folder))
     usual = Outcome(run(words, folder), folder, files)
-    if usual.is_refusal() or usual.status not in (0, 1):
+    if usual.status not in (0, 1):
         yield f"{name}: does not run: {usual.err.decode(errors='replace')}"
         return
     refused = 0
     for limit in limits_of(words, folder, usual, files):
         outcome = Outcome(run(words, folder, limit), folder, files)
         where = f"{name}, {limit / MEGABYTE:.1f} MB"
-        if not outcome.is_as(usual) and not outcome.is_refusal():
+        if not outcome.is_as(usual) and not outcome.is_refusal(usual):
             yield f"{where}: status {outcome.status}, {len(outcome.out)} bytes, {outcome.err[-300:]!r}"
-        refused += outcome.is_refusal()
+        refused += not outcome.is_as(usual)
         left = set(os.listdir(folder)) - before
         if left:
             yield f"{where}: leaves {left}"

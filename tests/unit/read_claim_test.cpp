@@ -144,6 +144,21 @@ TEST(ReadExchange, UnknownKeysBlankLinesAndLittle) {
   EXPECT_TRUE(claim_of(kHeader).points.empty());
 }
 
+// The first hundred are kept, and it is known that there are more.
+TEST(ReadExchange, ManyUnknownKeys) {
+  CITES("FC-CLAIM-01");
+  for (const std::size_t count : {std::size_t{100}, std::size_t{101}, std::size_t{5000}}) {
+    std::string text = kHeader;
+    for (std::size_t k = 0; k < count; ++k) {
+      text += "{\"index\":0,\"contact\":[0],\"k" + std::to_string(k) + "\":{\"index\":1}}\n";
+    }
+    const Claim claim = claim_of(text);
+    EXPECT_EQ(claim.points.size(), count);
+    EXPECT_EQ(claim.unknown_keys.size(), 100U);
+    EXPECT_EQ(claim.has_more_unknown_keys, count > 100);
+  }
+}
+
 TEST(ReadExchange, ErrorsInTheHeader) {
   CITES("FC-OUT-01", "FC-FILE-03", "FC-FILE-13", "FC-FILE-19");
   const auto header = [](const std::string& more) {

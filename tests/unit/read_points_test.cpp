@@ -296,6 +296,20 @@ TEST(ReadPly, ErrorsInTheRows) {
 
 // ---- Gzip, names, content, files ----
 
+// A megabyte is read of any file, a hundred times its size of longer ones, and everything where that is asked for.
+TEST(ReadPoints, GzipGrowsOnlySoFar) {
+  CITES("FC-IN-05");
+  std::string rows;
+  while (rows.size() < (std::size_t{1} << 20)) rows += "1 2 3\n";
+  EXPECT_EQ(rows_of(gzipped(rows.substr(0, 600'000)), "a.gz").size(), 100'000U);
+  const std::string small = gzipped(rows + rows);
+  ASSERT_LT(small.size(), std::size_t{10'000});
+  EXPECT_EQ(refusal(small, "a.gz"),
+            "a.gz: gzip data grow to more than 100 times their size, or 4 GB; --unlimited reads them");
+  const PointFile all = read_points_from(small, "a.gz", {.unlimited = true});
+  EXPECT_EQ(all.rows.size(), 2 * rows.size() / 6);
+}
+
 TEST(ReadPoints, GzipOfEveryFormat) {
   CITES("FC-IN-02", "FC-IN-05");
   EXPECT_EQ(rows_of(gzipped("1 2 3"), "a.xyz.gz"), (Rows{{1, 2, 3}}));

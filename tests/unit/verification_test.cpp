@@ -291,6 +291,21 @@ TEST(Verification, AVectorSaysWhatIsRight) {
   EXPECT_EQ(outcomes("null"), (OutcomeCounts{0, 0, 0, 1, 0, 0, 0}));
 }
 
+TEST(Verification, OnlyWhatIsAskedIsExpected) {
+  CITES("FC-CLAIM-03");
+  const fuzz::CaseRun run = run_of("lattice-2", 5);
+  VerificationOptions options = keeping_failures();
+  options.asked = {1, 4};
+  Verification verification(options, drawn_cases(run));
+  EXPECT_EQ(verification.expected(), 2U);
+  verification.take(answer_to(run, 4));
+  EXPECT_EQ(verification.unanswered_ranges(), (std::vector<std::pair<std::size_t, std::size_t>>{{1, 1}}));
+  EXPECT_NE(complaint_of(verification, answer_to(run, 2)).find("not among the cases that are asked"),
+            std::string::npos);
+  verification.take(answer_to(run, 1));
+  EXPECT_EQ(verification.verdict(), Verdict::kConforms);
+}
+
 // A vector of the same name that says something else is another case.
 TEST(Verification, AnswersAreToTheVectorsThatWereAsked) {
   CITES("FC-CLAIM-01");

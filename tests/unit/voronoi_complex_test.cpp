@@ -344,6 +344,20 @@ int dimension_of(const std::vector<Point>& rows) {
 
 // ---- FC-VOR-01 to 04 ----
 
+TEST(Delaunay, HasNoMoreCellsThanItMay) {
+  CITES("FC-VOR-04");
+  std::vector<Point> rows;
+  for (int k = 0; k < 12; ++k) {
+    rows.push_back({k + 0.01 * (k % 3), 0, 0});
+    rows.push_back({6, k - 6 + 0.01 * (k % 5), 6});
+  }
+  const PointSet set(rows);
+  const std::size_t cells = VoronoiDiagram(Delaunay(set)).delaunay_cells();
+  EXPECT_GE(cells, 11U * 11U);
+  EXPECT_EQ(VoronoiDiagram(Delaunay(set, {}, cells)).delaunay_cells(), cells);
+  EXPECT_THROW((void)Delaunay(set, {}, cells - 1), InvalidInput);
+}
+
 // Image of integer points under a scaled isometry: axes permuted, signs changed, and half the time turned so
 // that all axes are tilted. CGAL breaks ties by the lexicographic order of coordinates, so a permutation of
 // the rows alone never changes the triangulation, but this does.

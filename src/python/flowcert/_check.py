@@ -106,6 +106,7 @@ def check(
     levels: int = 5,
     indices: Iterable[int] = (0, 1, 2, 3),
     threads: Optional[int] = None,
+    unlimited: bool = False,
 ) -> CheckReport:
     """Whether critical points that you have computed are right, by exact arithmetic, and which are not.
 
@@ -125,6 +126,7 @@ def check(
     levels: those above this one are not checked; 1 to 5.
     indices: critical points of other indices are not judged.
     threads: as in FlowComplex; a FlowComplex has its own.
+    unlimited: also read a compressed claim that grows to more than a hundred times its size; and as in FlowComplex.
 
     A claim that is wrong is no error; the report says so. One that cannot be read is a ValueError.
 
@@ -137,10 +139,10 @@ def check(
     options = _options(tolerance, levels, indices)
     if isinstance(points, FlowComplex) and threads is not None:
         raise ValueError("threads must be given to the FlowComplex, which has its own")
-    complex = points if isinstance(points, FlowComplex) else FlowComplex(points, threads)
+    complex = points if isinstance(points, FlowComplex) else FlowComplex(points, threads, unlimited=unlimited)
     text, is_path, is_list = _text_of(claim)
     try:
-        answer = _core.check(complex._core, text, is_path, *options)
+        answer = _core.check(complex._core, text, is_path, *options, bool(unlimited))
     except ValueError as error:
         raise ValueError(_with_record(str(error)) if is_list else str(error)) from None
     return _report(answer, is_list)

@@ -48,7 +48,13 @@ class Complex:
     def is_morse_smale(self) -> bool: ...
 
 def check(
-    complex: Complex, claim: bytes, is_path: bool, tolerance: float, levels: int, indices: Sequence[int]
+    complex: Complex,
+    claim: bytes,
+    is_path: bool,
+    tolerance: float,
+    levels: int,
+    indices: Sequence[int],
+    unlimited: bool,
 ) -> Dict[str, Any]: ...
 def decimal_text(hexadecimal: str) -> str: ...
 def in_ieee_doubles(function: Callable[..., Any], *arguments: Any) -> Any: ...
