@@ -7,7 +7,7 @@
 #include <new>
 
 // GMP has no public name for what it takes by itself.
-// NOLINTNEXTLINE(bugprone-reserved-identifier)
+// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming)
 extern "C" void* __gmp_default_allocate(std::size_t);
 
 namespace flowcert::geometry {

@@ -22,12 +22,7 @@ class SharedOut {
 
   void run(unsigned threads) {
     std::vector<std::thread> others;
-    try {
-      others.reserve(threads - 1);
-      while (others.size() + 1 < threads) others.emplace_back([this] { take_parts(); });
-    } catch (const std::system_error&) {
-      // There is no further thread to be had. Those that run share all parts.
-    } catch (const std::bad_alloc&) {
+    while (others.size() + 1 < threads && start_one(others)) {
     }
     take_parts();
     for (std::thread& other : others) other.join();
@@ -35,6 +30,17 @@ class SharedOut {
   }
 
  private:
+  // Whether there was a thread to be had, and memory for it. Those that run share all parts.
+  bool start_one(std::vector<std::thread>& others) {
+    try {
+      others.emplace_back([this] { take_parts(); });
+      return true;
+    } catch (const std::system_error&) {
+      return false;
+    } catch (const std::bad_alloc&) {
+      return false;
+    }
+  }
   void take_parts() {
     try {
       const IeeeDoubles ieee;
