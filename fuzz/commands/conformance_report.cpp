@@ -16,7 +16,6 @@
 #include "cli/wrapped_text.h"
 #include "cli/xml_text.h"
 #include "fuzz/judge/conformance_words.h"
-#include "io/foreign_text.h"
 
 namespace flowcert::commands {
 
@@ -473,10 +472,7 @@ Json conformance_json(const ConformanceReport& report) {
   return json;
 }
 
-void print_conformance_json(const ConformanceReport& report) {
-  fmt::print("{}\n",
-             io::json_with_escapes(conformance_json(report).dump(-1, ' ', false, Json::error_handler_t::replace)));
-}
+void print_conformance_json(const ConformanceReport& report) { print_report_json(conformance_json(report)); }
 
 void write_conformance_junit(std::ostream& out, const ConformanceReport& report) {
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";

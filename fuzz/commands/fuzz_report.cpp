@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/check_report.h"
 #include "cli/command.h"
 #include "cli/shortened_numbers.h"
 #include "cli/table.h"
@@ -18,7 +19,6 @@
 #include "fuzz/commands/fuzz_options.h"
 #include "fuzz/judge/command_run.h"
 #include "fuzz/judge/conformance_words.h"
-#include "io/foreign_text.h"
 
 namespace flowcert::commands {
 
@@ -305,7 +305,7 @@ void print_fuzz_json(const FuzzRun& run) {
     report["cases_per_second"] = static_cast<double>(run.cases) / *run.seconds;
     report["jobs"] = run.jobs;
   }
-  fmt::print("{}\n", io::json_with_escapes(report.dump(2, ' ', false, ordered_json::error_handler_t::replace)));
+  print_report_json(report, 2);
 }
 
 }  // namespace
@@ -329,8 +329,7 @@ int print_case(const fuzz::Campaign& campaign, const fuzz::OneCase& one, bool js
       print_counterexample(campaign, counterexample);
     }
   }
-  if (json)
-    fmt::print("{}\n", io::json_with_escapes(report.dump(2, ' ', false, ordered_json::error_handler_t::replace)));
+  if (json) print_report_json(report, 2);
   return holds ? kRight : kNegativeVerdict;
 }
 

@@ -29,7 +29,6 @@
 #include "fuzz/judge/conformance_words.h"
 #include "fuzz/judge/oracle_truth.h"
 #include "fuzz/judge/verification.h"
-#include "io/foreign_text.h"
 #include "io/input_bytes.h"
 #include "io/line_reader.h"
 #include "io/output_file.h"
@@ -356,7 +355,7 @@ void print_verify_json(const Verification& verification) {
     failures.push_back(failure_field(verification, number, failed));
   }
   json["unanswered_numbers"] = verification.unanswered_ranges();
-  fmt::print("{}\n", io::json_with_escapes(json.dump(-1, ' ', false, Json::error_handler_t::replace)));
+  print_report_json(json);
 }
 
 void write_verify_junit(std::ostream& out, const Verification& verification) {

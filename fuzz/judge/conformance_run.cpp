@@ -11,8 +11,6 @@
 #include <fstream>
 #include <mutex>
 #include <new>
-#include <system_error>
-#include <thread>
 
 #include "certify/finding_words.h"
 #include "flowcert/claim.h"
@@ -20,6 +18,7 @@
 #include "fuzz/judge/command_run.h"
 #include "fuzz/judge/conformance_words.h"
 #include "fuzz/judge/oracle_truth.h"
+#include "geometry/parallel_for.h"
 #include "io/number_text.h"
 #include "io/out_of_memory.h"
 #include "io/output_file.h"
@@ -296,7 +295,7 @@ CaseOutcome run_case(const VectorCase& one, const ConformanceOptions& options, c
 
 using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
-// Each worker takes the next case, until there is none, or until one of them cannot go on.
+// Each thread takes the next case, until there is none, or until one of them cannot go on.
 class ConformanceRun {
  public:
   ConformanceRun(const std::vector<const VectorCase*>& cases, const ConformanceOptions& options,
@@ -304,34 +303,22 @@ class ConformanceRun {
       : cases_(cases), options_(options), progress_(progress), outcomes_(cases.size()) {}
 
   std::vector<CaseOutcome> outcomes() {
-    {
-      std::vector<std::jthread> workers;
-      workers.reserve(options_.jobs);
-      try {
-        while (workers.size() + 1 < options_.jobs) workers.emplace_back([this] { work(); });
-      } catch (const std::system_error&) {
-        // There is no further thread to be had. Those that run take all cases.
-      }
-      work();
-    }
+    geometry::parallel_for(cases_.size(), options_.jobs, [this](std::size_t k) { take(k); });
     if (Interruption::signal() != 0) throw Interrupted{Interruption::signal()};
     if (failure_) std::rethrow_exception(failure_);
     return std::move(outcomes_);
   }
 
  private:
-  void work() {
-    while (!is_over()) {
-      const std::size_t k = next_++;
-      if (k >= cases_.size()) return;
-      try {
-        outcomes_[k] = run_case(*cases_[k], options_, scratch_.path(), [this] { return is_over(); });
-      } catch (const std::exception& error) {
-        stop(fmt::format("{}: {}", cases_[k]->id, error.what()));
-      }
-      const std::lock_guard lock(mutex_);
-      progress_(++done_, cases_.size());
+  void take(std::size_t k) {
+    if (is_over()) return;
+    try {
+      outcomes_[k] = run_case(*cases_[k], options_, scratch_.path(), [this] { return is_over(); });
+    } catch (const std::exception& error) {
+      stop(fmt::format("{}: {}", cases_[k]->id, error.what()));
     }
+    const std::lock_guard lock(mutex_);
+    progress_(++done_, cases_.size());
   }
 
   void stop(const std::string& why) {
@@ -347,7 +334,6 @@ class ConformanceRun {
   const Progress& progress_;
   std::vector<CaseOutcome> outcomes_;  // each is written by one worker
   ScratchFolder scratch_;
-  std::atomic<std::size_t> next_{0};
   std::atomic<bool> has_failed_{false};
   std::mutex mutex_;  // for what follows
   std::size_t done_ = 0;

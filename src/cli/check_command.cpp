@@ -65,8 +65,7 @@ AnyClaim claim_of(const std::string& path, const std::string& format, bool unlim
 CheckReport report_of(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input, Claim given) {
   const ProgressLine progress("checking");
   const Claim claim = std::move(given);  // a large one takes seconds to free, and is freed before the line
-  const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads, .most_cells = input.most_cells},
-                            part_progress());
+  const FlowComplex complex(input.points, complex_options(input, options.threads), part_progress());
   const std::unique_ptr<Truth> truth = options.files.by_oracle ? oracle.of(input.file.rows) : fast_truth(complex);
   LevelProgress levels;
   CheckOptions how = options.check;
@@ -101,8 +100,7 @@ int check_complex(const CheckCommandOptions& options, const OtherTruth& oracle, 
 std::vector<ListedPair> true_pairs(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input) {
   const ProgressLine progress("pairing");
   if (options.files.by_oracle) return oracle.pairs_of(input.file.rows);
-  return listed_pairs(FlowComplex(
-      input.points, {.flow = {}, .threads = options.threads, .most_cells = input.most_cells}, part_progress()));
+  return listed_pairs(FlowComplex(input.points, complex_options(input, options.threads), part_progress()));
 }
 
 int check_diagram(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input,

@@ -10,7 +10,6 @@
 #include "cli/table.h"
 #include "cli/wrapped_text.h"
 #include "cli/xml_text.h"
-#include "io/foreign_text.h"
 
 namespace flowcert::cli {
 
@@ -96,7 +95,7 @@ void print_check_json(const CheckedFiles& files, const PairReport& report, const
     field["truth"] = difference.is_true ? Json(difference.truth) : Json(nullptr);
     findings.push_back(std::move(field));
   }
-  fmt::print("{}\n", io::json_with_escapes(json.dump(-1, ' ', false, Json::error_handler_t::replace)));
+  print_report_json(json);
 }
 
 void write_check_junit(std::ostream& out, const CheckedFiles& files, const PairReport& report) {

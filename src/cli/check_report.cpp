@@ -218,6 +218,10 @@ Json judgement_fields(const CheckedFiles& files, Verdict verdict, const Profile&
   return json;
 }
 
+void print_report_json(const Json& json, int indent) {
+  fmt::print("{}\n", io::json_with_escapes(json.dump(indent, ' ', false, Json::error_handler_t::replace)));
+}
+
 void print_check_text(const CheckedFiles& files, const CheckReport& report, std::size_t most) {
   print_findings(files, report, most);
   print_row("critical points of index", "claimed", "        truth");
@@ -252,7 +256,7 @@ void print_check_json(const CheckedFiles& files, const CheckReport& report, cons
   json["not_decided"] = report.not_decided;
   Json& findings = json["findings"] = Json::array();
   for (const Finding& finding : report.findings) findings.push_back(finding_field(finding));
-  fmt::print("{}\n", io::json_with_escapes(json.dump(-1, ' ', false, Json::error_handler_t::replace)));
+  print_report_json(json);
 }
 
 void write_check_junit(std::ostream& out, const CheckedFiles& files, const CheckReport& report) {

@@ -44,6 +44,9 @@ void print_verdict(const CheckedFiles& files, Verdict verdict, const Profile& pr
 [[nodiscard]] Json judgement_fields(const CheckedFiles& files, Verdict verdict, const Profile& profile,
                                     const PointSet& points);
 
+// The JSON of a report in which other people's text may be (io/foreign_text.h).
+void print_report_json(const Json& json, int indent = -1);
+
 // Shows one finding of each reason first, and then at most `most` others of each level. The tables count all of them.
 void print_check_text(const CheckedFiles& files, const CheckReport& report, std::size_t most);
 void print_check_json(const CheckedFiles& files, const CheckReport& report, const PointSet& points);

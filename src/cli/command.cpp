@@ -117,6 +117,10 @@ Input read_input(const std::string& path, const ReadingOptions& reading) {
   return input;
 }
 
+FlowComplexOptions complex_options(const Input& input, unsigned threads) {
+  return {.flow = {}, .threads = threads, .most_cells = input.most_cells};
+}
+
 void tell_of_many_cells(const FlowComplex& complex) {
   constexpr std::size_t kManyForAPoint = 100, kMany = 100'000;
   const std::size_t cells = complex.diagram().delaunay_cells(), points = complex.points().size();

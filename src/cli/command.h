@@ -50,6 +50,8 @@ struct Input {
   std::size_t most_cells = 0;  // that the triangulation may have (FlowComplexOptions)
 };
 [[nodiscard]] Input read_input(const std::string& path, const ReadingOptions& reading = {});
+// For a flow complex of it.
+[[nodiscard]] FlowComplexOptions complex_options(const Input& input, unsigned threads);
 
 // Says on standard error, before anything is written, that it will be much. Makes the diagram.
 void tell_of_many_cells(const FlowComplex& complex);

@@ -117,10 +117,7 @@ void locate_all(const LocateOptions& options) {
   const Input input = read_input(options.input, options.reading);
   if (input.points.empty()) throw InvalidInput(display_name(options.input) + ": there are no points");
   const std::vector<Point> positions = read_points_aloud(options.positions).rows;
-  FlowComplexOptions how;
-  how.threads = options.threads;
-  how.most_cells = input.most_cells;
-  const FlowComplex complex(input.points, how, part_progress());
+  const FlowComplex complex(input.points, complex_options(input, options.threads), part_progress());
   if (options.output.empty() || options.output == kStandardStream) {
     write_places(complex, positions, options.json, STDOUT_FILENO, [](const std::string& text) {
       return std::fwrite(text.data(), 1, text.size(), stdout) == text.size();

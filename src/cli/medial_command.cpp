@@ -123,9 +123,7 @@ void run_medial(const MedialOptions& options) {
   const MedialChoice choice = choice_of(options);
   const std::optional<Rational> clip = clip_factor(options.clip);
   const Input input = read_input(options.input, options.reading);
-  const FlowComplex complex(
-      input.points, {.flow = {}, .share = true, .seed = 0, .threads = options.threads, .most_cells = input.most_cells},
-      part_progress());
+  const FlowComplex complex(input.points, complex_options(input, options.threads), part_progress());
   const MedialPoints medial = medial_points(complex, choice);
   if (!options.directory.empty()) {
     try {

@@ -59,9 +59,7 @@ std::optional<Probe> probe_of(const std::string& text) {
 
 struct PocketsRun {
   PocketsRun(const Input& input, const PocketsOptions& options)
-      : complex(input.points,
-                {.flow = {}, .share = true, .seed = 0, .threads = options.threads, .most_cells = input.most_cells},
-                part_progress()) {
+      : complex(input.points, complex_options(input, options.threads), part_progress()) {
     const ProgressLine progress("computing");
     using Clock = std::chrono::steady_clock;
     Clock::time_point start = Clock::now();
@@ -208,9 +206,7 @@ void write_files(const PocketsOptions& options, const PocketsRun& run, const std
 // ---- The command ----
 
 void print_tree(const PocketsOptions& options, const Input& input) {
-  const FlowComplex complex(
-      input.points, {.flow = {}, .share = true, .seed = 0, .threads = options.threads, .most_cells = input.most_cells},
-      part_progress());
+  const FlowComplex complex(input.points, complex_options(input, options.threads), part_progress());
   const TreeKind kind = options.tree == "pockets" ? TreeKind::kPockets : TreeKind::kComponents;
   if (options.json) {
     write_merge_tree(std::cout, complex, kind);

@@ -179,8 +179,7 @@ void write_surface(const SurfaceOptions& options) {
   const bool is_streamed = options.output == kStandardStream;
   if (is_streamed && options.json) throw InvalidInput("-o - and --json would both write to standard output");
   const Input input = read_input(options.input, options.reading);
-  const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads, .most_cells = input.most_cells},
-                            part_progress());
+  const FlowComplex complex(input.points, complex_options(input, options.threads), part_progress());
   const SaddleRadii radii = radii_of(complex);
   const auto [sets, thresholds] = selected_of(complex, selection, radii);
   const SurfaceMesh mesh = mesh_of(options, complex, sets);

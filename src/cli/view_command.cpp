@@ -124,8 +124,7 @@ int view(ViewCommandOptions options) {
       throw InvalidInput(fmt::format("{}: the page would replace these points; name it with -o", options.input));
     }
   }
-  const FlowComplex complex(input.points, {.flow = {}, .threads = options.threads, .most_cells = input.most_cells},
-                            part_progress());
+  const FlowComplex complex(input.points, complex_options(input, options.threads), part_progress());
   tell_of_many_cells(complex);
   std::optional<Pockets> pockets;
   if (!options.pockets.empty()) {

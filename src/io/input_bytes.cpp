@@ -96,10 +96,7 @@ std::size_t gunzip_one(std::string_view bytes, std::string_view file, std::uint6
     if (status == Z_MEM_ERROR) throw std::bad_alloc();
     if (status != Z_OK && status != Z_STREAM_END) reject_file(file, "gzip data corrupted");
     output.append(block.data(), block.size() - stream.avail_out);
-    if (output.size() > most) {
-      reject_file(file, fmt::format("gzip data grow to more than {} times their size, or 4 GB; --unlimited reads them",
-                                    kMostGrowth));
-    }
+    if (output.size() > most) reject_file(file, complaint_about_growth("gzip data"));
   }
   return taken;
 }
@@ -111,6 +108,10 @@ bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 std::uint64_t most_content(std::size_t compressed, bool is_unlimited) {
   if (is_unlimited) return std::numeric_limits<std::uint64_t>::max();
   return std::clamp(kMostGrowth * std::uint64_t{compressed}, kAlwaysRead, kMostRead);
+}
+
+std::string complaint_about_growth(const std::string& what) {
+  return fmt::format("{} grow to more than {} times their size, or 4 GB; --unlimited reads them", what, kMostGrowth);
 }
 
 std::string gunzip(std::string_view bytes, std::string_view file, bool is_unlimited) {

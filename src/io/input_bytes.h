@@ -19,6 +19,8 @@ namespace flowcert::io {
 // more than 4 GB. Points and claims take a tenth of their size at the least; what takes a hundredth was made to fill
 // memory. --unlimited lifts it.
 [[nodiscard]] std::uint64_t most_content(std::size_t compressed, bool is_unlimited);
+// What is said of data that grow beyond it. what: "gzip data".
+[[nodiscard]] std::string complaint_about_growth(const std::string& what);
 
 // Gzip, from memory to memory.
 //

@@ -16,6 +16,7 @@
 #include <new>
 #include <utility>
 
+#include "io/input_bytes.h"
 #include "io/number_text.h"
 
 namespace flowcert::io {
@@ -378,9 +379,7 @@ std::string decompressed(EncodedBytes& encoded, const VtpDocument& document, std
   for (std::uint64_t k = 0; k < blocks; ++k) {
     const std::uint64_t size = k + 1 == blocks && last_size != 0 ? last_size : block_size;
     if (size > needed - bytes.size()) place.reject("more compressed data than the number of points asks for");
-    if (bytes.size() + size > document.most_bytes) {
-      place.reject("compressed data grow to more than 100 times their size, or 4 GB; --unlimited reads them");
-    }
+    if (bytes.size() + size > document.most_bytes) place.reject(complaint_about_growth("compressed data"));
     append_inflated(encoded.take(compressed_sizes[k]), size, bytes, place);
   }
   expect_size(bytes.size(), needed, place);
