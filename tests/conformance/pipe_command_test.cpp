@@ -340,7 +340,7 @@ TEST(Verify, AFileOfGenerateSaysWhatIsAsked) {
   const Pipe all({"--cases", "20"});
   const std::vector<std::string> cases = cases_of(all.cases());
   const Scratch scratch;
-  // Of these three, in any order, one is not answered.
+  // The file has three cases, in any order; one gets no answer.
   const std::string asked = scratch.file("cases", cases.at(7) + cases.at(2) + cases.at(11));
   const Finished refused = all.verify_text(all.answers(), {"--asked", asked});
   EXPECT_EQ(refused.status, 2);

@@ -53,7 +53,8 @@ def vtp(points):
         blocks = zlib.compress(bytes(size), 9)
         header = base64.b64encode(struct.pack("<4I", 1, size, 0, len(blocks))).decode()
         data = header + base64.b64encode(blocks).decode()
-        return f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}" format="binary">{data}</DataArray>'
+        head = f'type="{kind}" Name="{name}" NumberOfComponents="{components}" format="binary"'
+        return f"<DataArray {head}>{data}</DataArray>"
 
     return (
         '<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian" compressor="vtkZLibDataCompressor"><PolyData>'

@@ -239,7 +239,7 @@ TEST(FlowComplex, AnswersAreTheSameAfterAStopAtAnyReport) {
     const std::string right = account_of(FlowComplex(rows));
     std::size_t reports = 0, stops = 0;
     (void)account_of(FlowComplex(rows, {}, [&](FlowComplexPart, std::size_t, std::size_t) { ++reports; }));
-    // Of very many, each for small sets, and others for larger ones.
+    // Small sets stop at each report, larger ones at a hundred of them.
     const std::size_t step = 1 + reports / 100;
     for (std::size_t stop = 1; stop <= reports; stop += step) {
       std::size_t told = 0;

@@ -83,7 +83,7 @@ TEST(PairClaim, WhatIsNoneIsRefused) {
   }
 }
 
-// Of a program under test it may come, or of an attacker.
+// A program under test or an attacker may write it.
 TEST(PairClaim, JsonThatIsNoneOrHasNoEndIsRefusedInOneLine) {
   CITES("FC-IN-05");
   for (const char* text : {"{nope", "{\"pairs\": [\"\xff\"]}"}) {

@@ -66,7 +66,7 @@ class VoronoiDiagram {
   [[nodiscard]] const PointSet& points() const { return *points_; }
   // The dimension of the affine hull of the points: 0 to 3, -1 for no point.
   [[nodiscard]] int dimension() const;
-  // Of the triangulation, infinite ones as well.
+  // The triangulation has so many cells, infinite ones as well.
   [[nodiscard]] std::size_t delaunay_cells() const;
 
   // What lies behind the wall; defined in src/voronoi/.
