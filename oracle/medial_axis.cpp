@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "oracle/orbit.h"
+#include "oracle/roots.h"
 #include "oracle/unstable_surface.h"
 
 namespace oracle {
@@ -53,12 +54,12 @@ std::vector<std::size_t> above_angle(const PointSet& set, const std::vector<Stat
 }
 
 std::size_t count_above_persistence(const std::vector<PersistencePair>& pairs, int index, const Rational& value,
-                                    const Rational& persistence) {
+                                    const Rational& squared_persistence) {
   return static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), [&](const PersistencePair& pair) {
     if (!pair.death) return false;
     const bool is_birth = pair.dimension == index && pair.birth == value;
     const bool is_death = pair.dimension == index - 1 && *pair.death == value;
-    return (is_birth || is_death) && *pair.death - pair.birth > persistence;
+    return (is_birth || is_death) && !is_root_difference_up_to(*pair.death, pair.birth, squared_persistence);
   }));
 }
 

@@ -21,7 +21,7 @@ std::vector<std::size_t> above_angle(const PointSet& set, const std::vector<Stat
 // How many critical points of this index and value are in a pair that is longer than X. Which ones may vary
 // (FC-PERS-04). `pairs` are those of persistence_pairs(), and the index is 1 or 2.
 std::size_t count_above_persistence(const std::vector<PersistencePair>& pairs, int index, const Rational& value,
-                                    const Rational& persistence);
+                                    const Rational& squared_persistence);
 
 // Whether x is in the union of the unstable sets U1 and U2 of these critical points of index 1 and 2.
 bool in_medial_axis(const PointSet& set, const std::vector<StationaryPoint>& chosen, const Point& x);

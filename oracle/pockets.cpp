@@ -8,6 +8,7 @@
 
 #include "oracle/merge_tree.h"
 #include "oracle/peaks_above.h"
+#include "oracle/roots.h"
 #include "oracle/stable_pieces.h"
 
 namespace oracle {
@@ -67,7 +68,8 @@ std::vector<Gate> gates_at(const Landscape& land, const Rational& value) {
 // FC-POCK-02, step by step.
 class Merging {
  public:
-  Merging(const Landscape& land, const Rational& persistence) : land_(land), persistence_(persistence) {
+  Merging(const Landscape& land, const Rational& squared_persistence)
+      : land_(land), squared_persistence_(squared_persistence) {
     for (std::size_t leaf = 0; leaf <= land.infinity(); ++leaf) pocket_of_.push_back(leaf);
     std::set<Rational, std::greater<>> levels;
     for (std::size_t k = 0; k < land.all.size(); ++k) {
@@ -82,7 +84,7 @@ class Merging {
  private:
   bool is_shallow(const Peaks& component, const Rational& level) const {
     return std::all_of(component.begin(), component.end(), [&](std::size_t leaf) {
-      return leaf != land_.infinity() && land_.value(leaf) <= level + persistence_;
+      return leaf != land_.infinity() && is_root_difference_up_to(land_.value(leaf), level, squared_persistence_);
     });
   }
 
@@ -116,7 +118,7 @@ class Merging {
   }
 
   const Landscape& land_;
-  const Rational& persistence_;
+  const Rational& squared_persistence_;
   std::vector<std::size_t> pocket_of_;
 };
 
@@ -181,7 +183,8 @@ class Description {
     }
     result.peaks = select(land_.maxima, peak_leaves);
     add_cell(number, result);
-    add_mouths(number, land_.value(peak_leaves[0]), result);
+    result.height = land_.value(peak_leaves[0]);
+    add_mouths(number, result);
     std::optional<WidestPath> widest;
     for (const std::size_t leaf : peak_leaves) {
       const Rational value = joining_value(land_.tree, leaf, land_.infinity()).value();
@@ -200,7 +203,7 @@ class Description {
     }
   }
 
-  void add_mouths(std::size_t number, const Rational& height, Pocket& pocket) const {
+  void add_mouths(std::size_t number, Pocket& pocket) const {
     std::optional<Rational> highest;
     Peaks neighbours;
     for (std::size_t place = 0; place < land_.all.size(); ++place) {
@@ -213,7 +216,7 @@ class Description {
     }
     neighbours.erase(number);
     pocket.neighbours.assign(neighbours.begin(), neighbours.end());
-    pocket.depth = height - highest.value();
+    pocket.highest_mouth = highest.value();
   }
 
   const Landscape& land_;
@@ -235,10 +238,10 @@ std::vector<std::size_t> numbered(const std::vector<std::size_t>& pocket_of) {
 
 }  // namespace
 
-Pockets pockets(const PointSet& set, const std::vector<StationaryPoint>& all, const Rational& persistence) {
+Pockets pockets(const PointSet& set, const std::vector<StationaryPoint>& all, const Rational& squared_persistence) {
   if (set.points.empty()) return {};
   const Landscape land(set, all);
-  const std::vector<std::size_t> numbers = numbered(Merging(land, persistence).pocket_of());
+  const std::vector<std::size_t> numbers = numbered(Merging(land, squared_persistence).pocket_of());
   Pockets result;
   const Description description(land, numbers);
   for (std::size_t number = 0; number < numbers.back(); ++number) result.pockets.push_back(description.pocket(number));

@@ -27,7 +27,8 @@ struct Pocket {
   std::vector<std::size_t> cell;        // the stationary points whose stable sets make the pocket (FC-POCK-03)
   std::vector<std::size_t> mouths;      // FC-POCK-04
   std::vector<std::size_t> neighbours;  // pockets, by their numbers; the outside has the number of pockets
-  Rational depth;
+  Rational height;                      // the value of the peaks
+  Rational highest_mouth;               // the greatest value of a mouth
   Rational volume;
   WidestPath to_infinity;
 
@@ -41,8 +42,9 @@ struct Pockets {
   friend bool operator==(const Pockets&, const Pockets&) = default;
 };
 
-// The pockets at the persistence X, which is not negative. The pairs that are longer than X keep pockets apart.
-Pockets pockets(const PointSet& set, const std::vector<StationaryPoint>& all, const Rational& persistence);
+// The pockets at the persistence X, whose square is given, as it can be rational where X is not. The pairs that are
+// longer than X keep pockets apart.
+Pockets pockets(const PointSet& set, const std::vector<StationaryPoint>& all, const Rational& squared_persistence);
 
 // The numbers of the pockets above a point that flows to `limit`, ascending (FC-POCK-03). It is in the pocket if there
 // is one alone. The outside has the number of pockets. `limit` is no sample, and nothing for infinity.

@@ -36,6 +36,12 @@ int compare_root_difference(const Rational& a, const Rational& b, const Rational
   return sign_with_root(a - x * x - b, -2 * x, b);
 }
 
+// sqrt(a) <= sqrt(b) + sqrt(c): the squares of both sides differ by a - b - c and twice the root of bc.
+bool is_root_difference_up_to(const Rational& a, const Rational& b, const Rational& c) {
+  const Rational rest = a - b - c;
+  return rest <= 0 || rest * rest <= 4 * b * c;
+}
+
 bool is_nearest_root_difference(double x, const Rational& a, const Rational& b) {
   const double infinity = std::numeric_limits<double>::infinity();
   return std::isfinite(x) && compare_root_difference(a, b, middle(x, -infinity)) >= 0 &&

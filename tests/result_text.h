@@ -91,9 +91,9 @@ inline auto fields(const HistogramBin& b) { return std::tie(b.from, b.to, b.coun
 inline auto fields(const HistogramValley& v) { return std::tie(v.bin, v.below, v.beyond); }
 inline auto fields(const AutomaticThreshold& t) { return std::tie(t.valley); }
 inline auto fields(const LengthBound& b) { return std::tie(b.unit, b.number); }
-inline auto fields(const LengthThreshold& t) { return std::tie(t.length, t.automatic); }
+inline auto fields(const LengthThreshold& t) { return std::tie(t.squared_length, t.automatic); }
 inline auto fields(const MedialPoints& m) { return std::tie(m.records, m.automatic_persistence, m.automatic_radius); }
-inline auto fields(const PocketPersistence& p) { return std::tie(p.value, p.automatic); }
+inline auto fields(const PocketPersistence& p) { return std::tie(p.square, p.automatic); }
 inline auto fields(const PocketSurface& s) { return std::tie(s.vertices, s.triangles); }
 inline auto fields(const TriangleEdges& e) {
   return std::tie(e.boundary, e.manifold, e.non_manifold, e.components, e.without_orientation);
@@ -102,7 +102,7 @@ inline auto fields(const SurfaceMesh& m) {
   return std::tie(m.vertices, m.squared_distances, m.triangles, m.set_of_triangle, m.edges);
 }
 inline auto fields(const SurfaceThresholds& t) {
-  return std::tie(t.squared_radius_below, t.persistence_above, t.automatic_radius, t.automatic_persistence);
+  return std::tie(t.squared_radius_below, t.squared_persistence_above, t.automatic_radius, t.automatic_persistence);
 }
 inline auto fields(const SelectedSets& s) { return std::tie(s.sets, s.thresholds); }
 inline auto fields(const ReadingNote& n) { return std::tie(n.line, n.text); }

@@ -283,10 +283,10 @@ class OracleTruth final : public Truth {
   }
 
   // It takes the oracle seconds, so that they are made once.
-  [[nodiscard]] TruePockets pockets(const Rational& persistence) override {
-    const auto known = pockets_.find(persistence);
+  [[nodiscard]] TruePockets pockets(const Rational& squared_persistence) override {
+    const auto known = pockets_.find(squared_persistence);
     if (known != pockets_.end()) return known->second;
-    return pockets_.emplace(persistence, pockets_at(persistence)).first->second;
+    return pockets_.emplace(squared_persistence, pockets_at(squared_persistence)).first->second;
   }
   [[nodiscard]] double area(std::size_t i) override {
     double sum = 0;
@@ -318,8 +318,8 @@ class OracleTruth final : public Truth {
             {records_of(pocket.to_infinity.gates)}};
   }
 
-  [[nodiscard]] TruePockets pockets_at(const Rational& persistence) const {
-    const oracle::Pockets all = oracle::pockets(set_, answer_.stationary, persistence);
+  [[nodiscard]] TruePockets pockets_at(const Rational& squared_persistence) const {
+    const oracle::Pockets all = oracle::pockets(set_, answer_.stationary, squared_persistence);
     TruePockets truth{{}, records_of(all.outside), records_of(largest_balls(answer_.stationary, all)), {}, {}};
     if (const auto widest = oracle::widest_path(all)) truth.widest = WidestPath{records_of(widest->gates)};
     for (const oracle::Pocket& pocket : all.pockets) {
@@ -410,7 +410,7 @@ class OracleTruth final : public Truth {
   std::map<oracle::Point, oracle::FlowSegment> step_from_;
   std::map<std::size_t, oracle::StableSet> stable_;
   std::map<std::size_t, std::vector<oracle::UnstableEntry>> lambda_;
-  std::map<Rational, TruePockets> pockets_;  // by persistence
+  std::map<Rational, TruePockets> pockets_;  // by squared persistence
 };
 
 }  // namespace
@@ -486,7 +486,7 @@ class VectorTruth final : public Truth {
   }
   [[nodiscard]] Rational hull_volume() override { return oracle_->hull_volume(); }
   [[nodiscard]] UnstableSurface unstable_surface(std::size_t i) override { return oracle_->unstable_surface(i); }
-  [[nodiscard]] TruePockets pockets(const Rational& persistence) override { return oracle_->pockets(persistence); }
+  [[nodiscard]] TruePockets pockets(const Rational& squared_persistence) override { return oracle_->pockets(squared_persistence); }
   [[nodiscard]] double area(std::size_t i) override { return oracle_->area(i); }
   [[nodiscard]] double nearest_volume_of(const std::vector<std::uint32_t>& points) override {
     return oracle_->nearest_volume_of(points);

@@ -8,6 +8,7 @@
 
 #include "certify/check_run.h"
 #include "certify/claimed_geometry.h"
+#include "certify/finding_sentence.h"
 #include "certify/finding_words.h"
 #include "certify/layer.h"
 #include "geometry/floating_point.h"
@@ -148,6 +149,7 @@ CheckReport check(const PointSet& points, const Claim& claim, Truth& truth, cons
     if (std::ranges::count(has_judged, true) > 0) run.report.conforms[4] = true;
   }
   conclude(run.report, options.highest_level);
+  for (Finding& finding : run.report.findings) finding.sentence = finding_sentence(finding, truth);
   run.report.profile =
       profile_of(claim, run.report.indices, points.row_count() > 0, run.report.is_exact, options.highest_level);
   return std::move(run.report);

@@ -85,8 +85,8 @@ class FastTruth final : public Truth {
     return sets.set(number_in(sets, set_records_, i));
   }
 
-  [[nodiscard]] TruePockets pockets(const Rational& persistence) override {
-    const Pockets all(complex_.merge_trees(), persistence);
+  [[nodiscard]] TruePockets pockets(const Rational& squared_persistence) override {
+    const Pockets all(complex_.merge_trees(), squared_persistence);
     TruePockets truth{{}, all.outside(), all.largest_balls(), all.widest_path(), {}};
     for (std::size_t number = 0; number < all.size(); ++number) {
       truth.pockets.push_back(all[number]);

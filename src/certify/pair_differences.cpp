@@ -333,6 +333,17 @@ std::vector<ListedPair> listed_pairs(const FlowComplex& complex) {
 
 const char* reason_text(const PairDifference& difference) { return difference.by_rounding ? "rounding" : "wrong-pair"; }
 
+std::string sentence_of(const PairDifference& difference) {
+  constexpr const char* kNames[] = {"component", "tunnel", "void"};
+  const std::string name = kNames[difference.dimension];
+  if (difference.by_rounding) {
+    return "It is right but for rounding. This is a convention: decimals may be rounded; exact numbers may not.";
+  }
+  if (!difference.is_true) return "There is no such " + name + ". This is a bug.";
+  if (!difference.is_claimed) return "You missed this " + name + ". This is a bug.";
+  return "This " + name + " has another birth or death. This is a bug.";
+}
+
 namespace {
 
 template <typename Pair, typename Value>

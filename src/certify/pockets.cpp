@@ -28,7 +28,7 @@ using Records = std::vector<std::uint32_t>;
 class ClaimedLandscape {
  public:
   explicit ClaimedLandscape(CheckRun& run)
-      : run_(run), claimed_(*run.claim.pockets), truth_(run.truth.pockets(claimed_.persistence)) {}
+      : run_(run), claimed_(*run.claim.pockets), truth_(run.truth.pockets(claimed_.squared_persistence)) {}
 
   void check() {
     match_pockets();
@@ -145,9 +145,10 @@ class ClaimedLandscape {
     check_peaks(k, truth);
     check_cell(k, truth);
     check_mouths(k, truth);
+    if (claimed.difference_of_squares) check_difference_of_squares(k, truth);
     if (claimed.depth) check_depth(k, truth);
-    if (claimed.depth_of_radii) check_depth_of_radii(k, truth);
     if (claimed.volume) check_volume(k, truth);
+    if (claimed.lining) check_lining(k, truth);
     if (claimed.neighbours && all_are_matched_) {
       if (true_numbers(*claimed.neighbours) != truth.neighbours) {
         find(k, FindingReason::kWrongPocket, "FC-POCK-04", count_text(claimed.neighbours->size(), "neighbour"),
@@ -217,21 +218,21 @@ class ClaimedLandscape {
   // The squared distance of a point.
   [[nodiscard]] Rational value(std::uint32_t record) { return run_.truth.sphere(record).squared_radius; }
 
-  void check_depth(std::size_t k, const Pocket& truth) {
-    const ClaimedNumber& claimed = *claimed_.pockets[k].depth;
+  void check_difference_of_squares(std::size_t k, const Pocket& truth) {
+    const ClaimedNumber& claimed = *claimed_.pockets[k].difference_of_squares;
     run_.report.is_exact = run_.report.is_exact && claimed.is_exact;
-    const Rational top = value(truth.peaks.front()), depth = top - value(truth.highest_mouth);
-    if (claimed.value == depth) return;
-    const Rational off = abs(Rational(claimed.value - depth));
-    const bool is_near = off <= Rational(run_.options.tolerance) * top || rounds_alike(claimed.value, depth);
+    const Rational top = value(truth.peaks.front()), difference = top - value(truth.highest_mouth);
+    if (claimed.value == difference) return;
+    const Rational off = abs(Rational(claimed.value - difference));
+    const bool is_near = off <= Rational(run_.options.tolerance) * top || rounds_alike(claimed.value, difference);
     if (!claimed.is_exact && is_near) return;
     find(k, off <= Rational(kRoundingPart) * top ? FindingReason::kRounding : FindingReason::kWrongPocket, "FC-POCK-05",
-         "depth " + number_text(claimed), "the depth is " + number_text(depth));
+         "a difference of squares of " + number_text(claimed), "it is " + number_text(difference));
   }
 
   // Near means near to the nearest double.
-  void check_depth_of_radii(std::size_t k, const Pocket& truth) {
-    const ClaimedDouble& claimed = *claimed_.pockets[k].depth_of_radii;
+  void check_depth(std::size_t k, const Pocket& truth) {
+    const ClaimedDouble& claimed = *claimed_.pockets[k].depth;
     const Rational top = value(truth.peaks.front());
     const double depth = geometry::nearest_difference_of_roots(top, value(truth.highest_mouth));
     if (!claimed.number || std::isinf(depth)) {
@@ -242,8 +243,21 @@ class ClaimedLandscape {
       if (nearest_double(claimed.number->value) == depth) return;
       if (std::isfinite(radius) && off <= Rational(run_.options.tolerance) * Rational(radius)) return;
     }
-    find(k, FindingReason::kWrongPocket, "FC-POCK-11", "a depth in radii of " + double_text(claimed),
-         "it is " + number_text(depth));
+    find(k, FindingReason::kWrongPocket, "FC-POCK-11", "depth " + double_text(claimed),
+         "the depth is " + number_text(depth));
+  }
+
+  // Any row of a class stands for it, once.
+  void check_lining(std::size_t k, const Pocket& truth) {
+    const std::vector<PointId>& claimed = *claimed_.pockets[k].lining;
+    std::set<PointId> samples;
+    for (const std::uint32_t record : truth.cell) {
+      for (const auto& [name, share] : run_.truth.nearest_shares(record)) samples.insert(name);
+    }
+    const std::vector<PointId> names = class_names(run_.points, claimed);
+    if (names.size() == claimed.size() && std::ranges::equal(names, samples)) return;
+    find(k, FindingReason::kWrongPocket, "FC-POCK-03", "a lining of " + count_text(claimed.size(), "sample"),
+         "it has " + std::to_string(samples.size()) + (names.size() == samples.size() ? ", which are other ones" : ""));
   }
 
   void check_volume(std::size_t k, const Pocket& truth) {

@@ -121,6 +121,7 @@ int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
   }
   AnyClaim claim = claim_of(files.claim, options.claim_format, options.reading.unlimited);
   const Input input = read_input(files.points, options.reading);
+  if (!input.file.atoms.empty()) files.atoms = &input.file.atoms;
   files.points = display_name(files.points);
   files.claim = display_name(files.claim);
   files.tolerance = options.check.tolerance;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <ostream>
+#include <set>
 
 #include "cli/profile_report.h"
 #include "cli/shortened_numbers.h"
@@ -54,8 +55,14 @@ PairReport report_of_pairs(const std::vector<ClaimedPair>& claimed, const std::v
 
 void print_check_text(const CheckedFiles& files, const PairReport& report, std::size_t most) {
   const std::size_t shown = std::min(most, report.differences.size());
+  std::set<std::string> told;
   for (std::size_t k = 0; k < shown; ++k) {
-    fmt::print("{}\n", wrapped(with_short_numbers(difference_line(files, report.differences[k])), kFindingIndent));
+    const PairDifference& difference = report.differences[k];
+    fmt::print("{}\n", wrapped(with_short_numbers(difference_line(files, difference)), kFindingIndent));
+    if (const std::string sentence = sentence_of(difference); told.insert(sentence).second) {
+      fmt::print("{}{}\n", std::string(kFindingIndent, ' '),
+                 wrapped(sentence, kFindingIndent, kLineWidth - kFindingIndent));
+    }
   }
   if (shown < report.differences.size()) fmt::print("({} more)\n", with_commas(report.differences.size() - shown));
   if (!report.differences.empty()) fmt::print("\n");
@@ -93,6 +100,7 @@ void print_check_json(const CheckedFiles& files, const PairReport& report, const
     field["dimension"] = difference.dimension;
     field["claimed"] = difference.is_claimed ? Json(difference.claimed) : Json(nullptr);
     field["truth"] = difference.is_true ? Json(difference.truth) : Json(nullptr);
+    field["sentence"] = sentence_of(difference);
     findings.push_back(std::move(field));
   }
   print_report_json(json);

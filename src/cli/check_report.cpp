@@ -2,6 +2,7 @@
 #include "cli/check_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -82,6 +83,36 @@ void print_reason_table(const CheckedFiles& files, const CheckReport& report, co
   fmt::print("\n");
 }
 
+// Words of a command line for a shell.
+std::string shell_word(const std::string& word) {
+  constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./+,:@%-";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+// Below a finding: what is wrong in a sentence, the atoms of a molecule, and the command that explains it.
+void print_in_plain_words(const CheckedFiles& files, const Finding& finding) {
+  const auto print = [](const std::string& text) {
+    fmt::print("{}{}\n", std::string(kFindingIndent, ' '), wrapped(text, kFindingIndent, kLineWidth - kFindingIndent));
+  };
+  print(with_short_numbers(on_one_line(finding.sentence)));
+  // More than these are no command to paste.
+  constexpr std::size_t kMostIds = 64;
+  if (finding.contact.empty() || finding.contact.size() > kMostIds) return;
+  if (files.atoms != nullptr) {
+    std::vector<std::string> names;
+    for (const PointId row : finding.contact) names.push_back(unbroken(fmt::format("{} {}", row, files.atoms->text(row))));
+    print(fmt::format("atoms: {}", fmt::join(names, ", ")));
+  }
+  if (files.points != display_name(kStandardStream)) {
+    // Not wrapped: it is to be pasted.
+    fmt::print("{}flowcert explain {} --ids {}\n", std::string(kFindingIndent, ' '), shell_word(files.points),
+               fmt::join(finding.contact, ","));
+  }
+}
+
 // First one example of each reason, then all others, level by level.
 void print_findings(const CheckedFiles& files, const CheckReport& report, std::size_t most) {
   if (report.findings.empty()) return;
@@ -91,6 +122,7 @@ void print_findings(const CheckedFiles& files, const CheckReport& report, std::s
   for (const ReasonRow& row : reasons) {
     is_shown[row.example] = true;
     fmt::print("{}\n", finding_text(files.claim, report.findings[row.example]));
+    print_in_plain_words(files, report.findings[row.example]);
   }
   std::array<std::size_t, kLevels> of_level{};
   bool is_cut = false;
@@ -184,7 +216,7 @@ std::string finding_text(const std::string& claim, const Finding& finding) {
   return wrapped(with_short_numbers(finding_line(claim, finding)), kFindingIndent);
 }
 
-Json finding_field(const Finding& finding) {
+Json finding_field(const Finding& finding, const AtomNames* atoms) {
   Json field;
   field["level"] = finding.level;
   field["reason"] = reason_text(finding.reason);
@@ -195,6 +227,11 @@ Json finding_field(const Finding& finding) {
   field["contact"] = finding.contact;
   field["claimed"] = finding.claimed;
   field["truth"] = finding.truth;
+  field["sentence"] = finding.sentence;
+  if (atoms != nullptr) {
+    field["atoms"] = Json::array();
+    for (const PointId row : finding.contact) field["atoms"].push_back(atoms->text(row));
+  }
   return field;
 }
 
@@ -255,7 +292,7 @@ void print_check_json(const CheckedFiles& files, const CheckReport& report, cons
   json["not_judged"] = report.not_judged;
   json["not_decided"] = report.not_decided;
   Json& findings = json["findings"] = Json::array();
-  for (const Finding& finding : report.findings) findings.push_back(finding_field(finding));
+  for (const Finding& finding : report.findings) findings.push_back(finding_field(finding, files.atoms));
   print_report_json(json);
 }
 

@@ -20,6 +20,7 @@ namespace flowcert::cli {
 struct CheckedFiles {
   std::string points;
   std::string claim;
+  const AtomNames* atoms = nullptr;  // of a molecule
   std::string claim_format;
   bool by_oracle = false;
   double tolerance = kDefaultTolerance;
@@ -36,7 +37,8 @@ inline constexpr std::size_t kFindingIndent = 4;
 [[nodiscard]] std::string finding_line(const std::string& claim, const Finding& finding);
 // A finding for people has lines of at most 80 columns, and long numbers are shortened in the middle.
 [[nodiscard]] std::string finding_text(const std::string& claim, const Finding& finding);
-[[nodiscard]] Json finding_field(const Finding& finding);
+// atoms: of a molecule.
+[[nodiscard]] Json finding_field(const Finding& finding, const AtomNames* atoms = nullptr);
 
 // The last lines for people: the profile and the verdict. tolerance: how it is said, or nothing for an exact claim.
 void print_verdict(const CheckedFiles& files, Verdict verdict, const Profile& profile, const std::string& tolerance);

@@ -1,12 +1,15 @@
 #include "cli/command.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 
 #include "cli/progress.h"
 #include "cli/table.h"
+#include "cli/wrapped_text.h"
 #include "geometry/parallel_for.h"
 #include "io/diagnostic.h"
 #include "io/number_text.h"
@@ -133,6 +136,19 @@ void print_point_counts(const PointSet& points) {
   print_row("points", with_commas(points.row_count()));
   print_row("merged duplicates", with_commas(points.merged_duplicates()));
   if (!points.left_out().empty()) print_row("rows left out", with_commas(points.left_out().size()));
+}
+
+std::string unbroken(std::string name) {
+  std::ranges::replace(name, ' ', kFixedBlank);
+  return name;
+}
+
+std::string atoms_of_contact(const AtomNames& atoms, std::span<const PointId> rows) {
+  constexpr std::size_t kShown = 4;
+  if (atoms.empty() || rows.empty()) return "";
+  std::vector<std::string> texts;
+  for (const PointId row : rows.first(std::min(kShown, rows.size()))) texts.push_back(unbroken(atoms.text(row)));
+  return fmt::format(" ({}{})", fmt::join(texts, ", "), rows.size() > kShown ? ", ..." : "");
 }
 
 FlowOptions FlowChoice::options() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 
 #include "cli/layer.h"
@@ -27,6 +28,7 @@ inline constexpr int kUnusable = 2;
 // or OutputError.
 void add_compute_command(CLI::App& app, int& status);
 void add_explain_command(CLI::App& app, int& status);
+void add_help_command(CLI::App& app, int& status);
 void add_locate_command(CLI::App& app, int& status);
 void add_medial_command(CLI::App& app, int& status);
 void add_orbit_command(CLI::App& app, int& status);
@@ -58,6 +60,12 @@ void tell_of_many_cells(const FlowComplex& complex);
 
 // The first rows of a table: points, merged duplicates and, where there are any, rows that are left out.
 void print_point_counts(const PointSet& points);
+
+// The name of an atom or residue in a text that is wrapped: it stays on one line.
+[[nodiscard]] std::string unbroken(std::string name);
+
+// " (A GLY 12 CA, ...)": the first of these rows as the molecule's file names them, or nothing where it is none.
+[[nodiscard]] std::string atoms_of_contact(const AtomNames& atoms, std::span<const PointId> rows);
 
 // The argument INPUT and the options that say how it is read.
 void add_input_options(CLI::App& command, std::string& path, ReadingOptions& reading,

@@ -39,6 +39,8 @@ const std::vector<FileValue>& file_values() {
                                                 {"locate --points", Completed::kFiles, points},
                                                 {"locate --output", Completed::kFiles, {"txt", "jsonl"}},
                                                 {"persistence --output", Completed::kFiles, {"pers"}},
+                                                {"pockets --csv", Completed::kFiles, {"csv"}},
+                                                {"pockets --atoms-csv", Completed::kFiles, {"csv"}},
                                                 {"surface --output", Completed::kFiles, {"ply", "off"}},
                                                 {"view --output", Completed::kFiles, {"html"}},
                                                 {"--report", Completed::kFiles, {"html"}},

@@ -13,6 +13,7 @@
 #include "cli/table.h"
 #include "cli/wrapped_text.h"
 #include "flowcert/explain.h"
+#include "geometry/difference_of_roots.h"
 #include "io/json_fields.h"
 #include "io/number_text.h"
 
@@ -50,26 +51,29 @@ std::string verdict_text(const Explanation& explanation) {
 // "  centre       1/2 (0.5), 0, 0"
 void print_fact(const char* name, const std::string& text) { print_wrapped(fmt::format("  {:<13}{}", name, text), 15); }
 
-void print_text(const Explanation& explanation, const std::string& asked) {
+void print_text(const Explanation& explanation, const AtomNames& atoms, const std::string& asked) {
   print_wrapped(fmt::format("{}: {}", asked, verdict_text(explanation)), 2);
   std::string clause = explanation.clause;
   std::ranges::replace(clause, ' ', kFixedBlank);
   print_fact("because", fmt::format("{} [{}]", with_short_numbers(explanation.reason), clause));
   if (!explanation.witnesses.empty()) {
     const char* name = explanation.witnesses.size() == 1 ? "by point" : "by points";
-    print_fact(name, fmt::format("{}", fmt::join(explanation.witnesses, ", ")));
+    print_fact(name, fmt::format("{}{}", fmt::join(explanation.witnesses, ", "),
+                                 atoms_of_contact(atoms, explanation.witnesses)));
   }
   if (!explanation.sphere) return;
   print_fact("centre", explained_point(explanation.sphere->center));
+  print_fact("radius", fmt::format("{}", geometry::nearest_difference_of_roots(explanation.sphere->squared_radius, 0)));
   print_fact("radius^2", exact_and_double(explanation.sphere->squared_radius));
   if (explanation.squared_distance != explanation.sphere->squared_radius) {
     print_fact("nearest^2", exact_and_double(explanation.squared_distance));
   }
-  print_fact("contact set", fmt::format("{}", fmt::join(explanation.contact, ", ")));
+  print_fact("contact set",
+             fmt::format("{}{}", fmt::join(explanation.contact, ", "), atoms_of_contact(atoms, explanation.contact)));
   if (explanation.driver) print_fact("driver", explained_point(*explanation.driver));
 }
 
-void print_json(const Explanation& explanation) {
+void print_json(const Explanation& explanation, const AtomNames& atoms) {
   Json json;
   json["stationary"] = explanation.index.has_value();
   json["index"] = explanation.index ? index_field(*explanation.index) : Json(nullptr);
@@ -82,6 +86,10 @@ void print_json(const Explanation& explanation) {
   json["center"] = explanation.sphere ? center_field(explanation.sphere->center) : Json(nullptr);
   json["squared_radius"] = explanation.sphere ? Json(to_text(explanation.sphere->squared_radius)) : Json(nullptr);
   json["contact"] = explanation.contact;
+  if (!atoms.empty()) {
+    json["atoms"] = Json::array();
+    for (const PointId row : explanation.contact) json["atoms"].push_back(atoms.text(row));
+  }
   json["squared_distance"] = explanation.sphere ? Json(to_text(explanation.squared_distance)) : Json(nullptr);
   json["driver"] = explanation.driver ? center_field(*explanation.driver) : Json(nullptr);
   fmt::print("{}\n", json.dump());
@@ -106,10 +114,11 @@ int explain(const ExplainOptions& options) {
   const Input input = read_input(options.input, options.reading);
   const Explanation explanation = explanation_of(options, input, position);
   if (options.json) {
-    print_json(explanation);
+    print_json(explanation, input.file.atoms);
   } else {
-    print_text(explanation, by_position ? fmt::format("position {}", explained_point(position))
-                                        : fmt::format("points {}", fmt::join(options.ids, ", ")));
+    print_text(explanation, input.file.atoms,
+               by_position ? fmt::format("position {}", explained_point(position))
+                           : fmt::format("points {}", fmt::join(options.ids, ", ")));
   }
   return explanation.index ? kRight : kNegativeVerdict;
 }

@@ -80,9 +80,10 @@ void add_commands(CLI::App& app, int& status) {
   add_generate_command(app, status);
   add_verify_command(app, status);
   add_fuzz_command(app, status);
+  add_help_command(app, status);
   add_shell_commands(app, status);
   put_in_group(app, "Compute", {"compute", "surface", "persistence", "pockets", "medial", "stats"});
-  put_in_group(app, "Look closely", {"view", "explain", "orbit", "locate"});
+  put_in_group(app, "Look closely", {"view", "explain", "orbit", "locate", "help"});
   put_in_group(app, "Judge claims and programs", {"check", "conformance", "generate", "verify", "fuzz"});
 }
 

@@ -44,9 +44,8 @@ struct MedialOptions {
 
 MedialChoice choice_of(const MedialOptions& options) {
   MedialChoice choice;
-  if (options.persistence)
-    choice.persistence_above = LengthBound::of(*options.persistence, "spacing^2", "--persistence", 1);
-  if (options.radius) choice.radius_above = LengthBound::of(*options.radius, "spacing", "--radius", 1);
+  if (options.persistence) choice.persistence_above = LengthBound::of(*options.persistence, "--persistence", 1);
+  if (options.radius) choice.radius_above = LengthBound::of(*options.radius, "--radius", 1);
   if (options.angle) {
     choice.angle_above = io::claimed_number(*options.angle, io::PlainInteger::kExact, {"--angle", 1}).value;
     if (*choice.angle_above < 0 || *choice.angle_above > 180) {
@@ -143,7 +142,7 @@ void add_medial_command(CLI::App& app, int& status) {
   add_input_options(*command, options->input, options->reading);
   command
       ->add_option("--persistence", options->persistence,
-                   "Only saddles whose pairs are longer, a difference of squared distances: a number, Xspacing^2, qX "
+                   "Only saddles whose pairs are longer, a difference of distances: a number, Xspacing, qX "
                    "(a quantile) or auto")
       ->type_name("X");
   command

@@ -14,11 +14,13 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/fixed_decimals.h"
 #include "cli/layer.h"
 #include "cli/progress.h"
 #include "cli/table.h"
 #include "flowcert/flow_complex.h"
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/saddle_radii.h"
+#include "geometry/difference_of_roots.h"
 #include "io/json_fields.h"
 #include "io/ordered_text.h"
 #include "io/output_file.h"
@@ -73,6 +75,7 @@ struct PersistenceOptions {
   ReadingOptions reading;
   std::string output;
   bool json = false;
+  bool is_plain = false;
   bool with_zero = false;
   std::uint64_t seed = 0;
   unsigned threads = 1;
@@ -148,24 +151,34 @@ std::string contact_text(const StationaryPoints& stationary, std::size_t record)
   return text;
 }
 
-std::string value_text(const Rational& value) { return fmt::format("{:.5g}", nearest_or_infinity(value)); }
+// What a person reads is not squared.
+std::string distance_text(const Rational& squared, const FixedDecimals& decimals) {
+  return decimals.length(geometry::nearest_difference_of_roots(squared, 0));
+}
 
-void print_longest_pairs(const FlowComplex& complex) {
+void print_longest_pairs(const Input& input, const FlowComplex& complex) {
   const Persistence& persistence = complex.persistence();
   const StationaryPoints& stationary = complex.stationary();
-  Table table("rrrll", {"dimension", "length", "birth", "born at", "dies at"});
+  const FixedDecimals decimals(squared_spacing(complex));
+  const auto place = [&](std::size_t record) {
+    return contact_text(stationary, record) + atoms_of_contact(input.file.atoms, stationary.contact(record));
+  };
+  Table table("rrrrll", {"dimension", "length", "birth", "death", "born at", "dies at"});
   for (int dimension = 0; dimension < 3; ++dimension) {
     for (const PersistencePair& pair : longest_pairs(persistence, dimension)) {
       const Rational birth = persistence.squared_value(pair.birth);
+      const std::optional<Rational> death =
+          pair.death ? std::optional(persistence.squared_value(*pair.death)) : std::nullopt;
       table.row(std::to_string(dimension));
-      table.cell(pair.death ? value_text(persistence.squared_value(*pair.death) - birth) : "inf");
-      table.cell(value_text(birth)).cell(contact_text(stationary, pair.birth));
-      table.cell(pair.death ? contact_text(stationary, *pair.death) : "never");
+      table.cell(death ? decimals.length(geometry::nearest_difference_of_roots(*death, birth)) : "inf");
+      table.cell(distance_text(birth, decimals)).cell(death ? distance_text(*death, decimals) : "inf");
+      table.cell(place(pair.birth)).cell(pair.death ? place(*pair.death) : "never");
     }
   }
   if (table.height() == 1) return;
   print_wrapped(
-      fmt::format("\nthe {} longest pairs of each dimension, in squared distances, and the contact sets of both points",
+      fmt::format("\nthe {} longest pairs of each dimension, as distances (files have their squares), and the "
+                  "contact sets of both points: the points nearest to them",
                   kLongestPairs),
       2);
   table.print();
@@ -187,11 +200,12 @@ void print_table(const std::string& name, const Input& input, const PersistenceR
   }
   print_row("pairs of length zero", with_commas(zero),
             with_zero ? "regular stationary points" : "regular; --zero writes them");
-  print_row("ties broken, U2", with_commas(run.complex.chains().broken_ties()), "orbits that had to go on");
-  print_row("ties broken, S2", with_commas(run.complex.stable().statistics().broken_ties),
-            "boundaries left open by ties");
+  print_row("choices at ties, orbits", with_commas(run.complex.chains().broken_ties()),
+            "they came to a saddle, and one way on was taken");
+  print_row("choices at ties, surfaces", with_commas(run.complex.stable().statistics().broken_ties),
+            "their boundary was left open, and one was taken");
   print_times(input.points, run.seconds);
-  print_longest_pairs(run.complex);
+  print_longest_pairs(input, run.complex);
 }
 
 Json seconds_field(const PersistenceSeconds& seconds) {
@@ -263,7 +277,7 @@ PersistenceDiagram diagram_of(const FlowComplex& complex, bool with_zero) {
 std::string text_of(const PersistenceOptions& options, const PersistenceDiagram& diagram) {
   const ProgressLine progress("pairs");
   try {
-    return pers_text(diagram);
+    return pers_text(diagram, options.is_plain ? PersistenceValues::kPlain : PersistenceValues::kSquared);
   } catch (const InvalidInput& error) {
     throw InvalidInput(fmt::format("{}: {}", display_name(options.input), error.what()));
   }
@@ -284,14 +298,13 @@ void print_persistence(const PersistenceOptions& options) {
   const PersistenceRun run(input, options.seed, options.threads);
   tell_of_many_cells(run.complex);
   const PersistenceDiagram diagram = diagram_of(run.complex, options.with_zero);
-  const bool has_file = !options.output.empty() && options.output != kStandardStream;
-  if (has_file) write_file(options, text_of(options, diagram));
+  const bool is_streamed = options.output == kStandardStream;
+  if (is_streamed) fmt::print("{}", text_of(options, diagram));
+  if (!is_streamed && !options.output.empty()) write_file(options, text_of(options, diagram));
   if (options.json) {
     print_json(input, run, diagram, options.seed);
-  } else if (has_file) {
+  } else if (!is_streamed) {
     print_table(display_name(options.input), input, run, options.with_zero);
-  } else {
-    fmt::print("{}", text_of(options, diagram));
   }
 }
 
@@ -307,12 +320,17 @@ std::string complaint_about_seed(const std::string& text) {
 
 void add_persistence_command(CLI::App& app, int& status) {
   auto options = std::make_shared<PersistenceOptions>();
-  CLI::App* command = app.add_subcommand("persistence", "The persistence of the distance function; values are squared");
+  CLI::App* command =
+      app.add_subcommand("persistence", "Persistence of the distance: components, tunnels, voids");
   add_input_options(*command, options->input, options->reading);
-  command
-      ->add_option("-o,--output", options->output,
-                   "Write the pairs to this file, in GUDHI's .pers format, and print a table; -: to standard output")
-      ->check(complaint_about_path);
+  CLI::Option* output =
+      command
+          ->add_option("-o,--output", options->output,
+                       "Write all pairs to this file, in GUDHI's .pers format, with squared distances; -: to standard "
+                       "output, without the table")
+          ->check(complaint_about_path);
+  command->add_flag("--plain", options->is_plain, "The file has distances that are not squared; check refuses it")
+      ->needs(output);
   command->add_flag("--json", options->json, "Print one JSON object, all exact, with the critical points");
   command->add_flag("--zero", options->with_zero, "Regular stationary points as well, as pairs of length zero");
   command

@@ -13,21 +13,18 @@
 #include <system_error>
 #include <vector>
 
-#include "cli/automatic_threshold.h"
 #include "cli/command.h"
 #include "cli/layer.h"
+#include "cli/pockets_report.h"
 #include "cli/progress.h"
-#include "cli/table.h"
 #include "flowcert/flow_complex.h"
 #include "flowcert/pocket_persistence.h"
 #include "flowcert/pocket_surfaces.h"
 #include "flowcert/region_exports.h"
 #include "flowcert/reproducibility.h"
-#include "flowcert/rounded_sphere.h"
 #include "flowcert/write_pockets.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
-#include "io/pair_lengths.h"
 
 namespace flowcert::cli {
 
@@ -38,11 +35,11 @@ namespace fs = std::filesystem;
 struct PocketsOptions {
   std::string input;
   ReadingOptions reading;
-  std::string persistence = "0";
+  std::string persistence = "auto";
   std::string probe;
   std::string volumes = "double";
   std::string tree;
-  std::string directory;
+  std::string directory, csv, atoms_csv;
   bool json = false;
   bool all = false;
   unsigned threads = 1;
@@ -72,9 +69,9 @@ struct PocketsRun {
     complex.make(FlowComplexPart::kTriangulation);
     delaunay_seconds = lap();
     complex.make(FlowComplexPart::kMergeTrees);
-    const auto [persistence, found] = pocket_persistence(complex, options.persistence, "--persistence");
+    const auto [squared_persistence, found] = pocket_persistence(complex, options.persistence, "--persistence");
     automatic = found;
-    pockets.emplace(complex.merge_trees(), persistence);
+    pockets.emplace(complex.merge_trees(), squared_persistence);
     complex.make(FlowComplexPart::kVolumes);
     complex.make(FlowComplexPart::kStable);
     other_seconds = lap();
@@ -86,87 +83,6 @@ struct PocketsRun {
   double delaunay_seconds = 0, other_seconds = 0;
 };
 
-// ---- The table ----
-
-constexpr std::size_t kShownPockets = 20;
-
-std::string number_text(double value) { return fmt::format("{:.4g}", value); }
-double root_of(const PocketsRun& run, std::uint32_t record) {
-  return std::sqrt(run.complex.rounded_sphere(record).squared_radius);
-}
-
-// The deepest come first; of equal depths, the first in the list.
-std::vector<std::size_t> by_depth(const Pockets& pockets) {
-  std::vector<io::PairEnds> ends;
-  ends.reserve(pockets.size());
-  for (std::size_t number = 0; number < pockets.size(); ++number) {
-    ends.push_back({pockets[number].highest_mouth, pockets[number].peaks.front()});
-  }
-  const io::ValueOrder order = io::length_order(pockets.squared_distances(), ends);
-  std::vector<std::size_t> numbers;
-  for (std::size_t k = order.size(); k > 0; --k) numbers.push_back(order.at(k - 1));
-  return numbers;
-}
-
-void print_pockets(const PocketsRun& run, const std::optional<Probe>& probe, bool all) {
-  const Pockets& pockets = *run.pockets;
-  if (pockets.size() == 0) return;
-  const std::size_t shown = all ? pockets.size() : std::min(kShownPockets, pockets.size());
-  const std::string which = shown == pockets.size() ? "all pockets, from the deepest one"
-                                                    : fmt::format("the {} deepest pockets", with_commas(shown));
-  print_wrapped(fmt::format("\n{}; depths are differences of radii", which), 2);
-  Table table(probe ? "rlrrrrrl" : "rlrrrrr",
-              {"pocket", "position", "radius", "depth", "volume", "mouths", "widest", probe ? "probe" : ""});
-  const std::vector<std::size_t> order = by_depth(pockets);
-  for (std::size_t k = 0; k < shown; ++k) {
-    const Pocket& pocket = pockets[order[k]];
-    const Point center = run.complex.rounded_sphere(pocket.peaks.front()).center;
-    table.row(with_commas(order[k]));
-    table.cell(fmt::format("{:.4g} {:.4g} {:.4g}", center.x, center.y, center.z));
-    table.cell(number_text(root_of(run, pocket.peaks.front())));
-    table.cell(number_text(pockets.depth_of_radii(pocket)));
-    table.cell(number_text(run.complex.volumes().nearest_sum(pocket.cell)));
-    table.cell(pocket.mouths.size());
-    table.cell(number_text(root_of(run, pocket.to_infinity.gates.front())));
-    if (probe) table.cell(passage_text(pockets.passage(pocket, probe->squared_radius())));
-  }
-  table.print();
-}
-
-void print_passages(const Pockets& pockets, const Probe& probe) {
-  std::array<std::size_t, 3> counts{};
-  for (std::size_t number = 0; number < pockets.size(); ++number) {
-    ++counts.at(static_cast<std::size_t>(pockets.passage(pockets[number], probe.squared_radius())));
-  }
-  print_row("cavities for the probe", with_commas(counts[0]), "no path to infinity keeps its radius");
-  print_row("pockets for the probe", with_commas(counts[1]), "with one mouth that is wide enough");
-  print_row("channels for the probe", with_commas(counts[2]), "with several");
-}
-
-void print_table(const PocketsOptions& options, const Input& input, const PocketsRun& run,
-                 const std::optional<Probe>& probe) {
-  const Pockets& pockets = *run.pockets;
-  print_wrapped(fmt::format("{} ({})", display_name(options.input), input.file.format));
-  print_point_counts(input.points);
-  print_row("maxima", with_commas(run.complex.stationary().critical_counts()[3]));
-  print_row("pockets", with_commas(pockets.size()),
-            fmt::format("merged by persistence {}", number_text(nearest_or_infinity(pockets.persistence()))));
-  if (run.automatic) print_automatic("lengths", *run.automatic, "nothing is merged");
-  print_row("maxima of the outside", with_commas(pockets.outside().size()));
-  if (const auto widest = pockets.widest_path()) {
-    print_row("pore limiting radius", number_text(root_of(run, widest->gates.front())), "the widest path to infinity");
-    print_row("largest cavity radius", number_text(root_of(run, pockets.largest_balls().front())),
-              "the largest ball in a pocket");
-  }
-  if (probe) print_passages(pockets, *probe);
-  print_row("Delaunay triangulation", seconds_text(run.delaunay_seconds));
-  print_row("pockets after it", seconds_text(run.other_seconds),
-            input.points.size() >= 4 && run.delaunay_seconds > 0
-                ? fmt::format("{:.2f} x the triangulation", run.other_seconds / run.delaunay_seconds)
-                : "");
-  print_pockets(run, probe, options.all);
-}
-
 // ---- Files ----
 
 void write_file(const fs::path& path, const FlowComplex& complex,
@@ -177,7 +93,7 @@ void write_file(const fs::path& path, const FlowComplex& complex,
   file.commit();
 }
 
-void write_files(const PocketsOptions& options, const PocketsRun& run, const std::optional<Probe>& probe) {
+void write_files(const PocketsOptions& options, const PocketsRun& run, const PocketsToWrite& what) {
   const fs::path directory = options.directory;
   std::error_code error;
   fs::create_directories(directory, error);
@@ -191,9 +107,7 @@ void write_files(const PocketsOptions& options, const PocketsRun& run, const std
       write_ply(out, surfaces[number], fmt::format("{}; pocket {}", made_by, number));
     });
   }
-  write("pockets.json", [&](std::ostream& out, const std::string&) {
-    write_pockets(out, {run.complex, *run.pockets, probe, options.volumes == "exact"});
-  });
+  write("pockets.json", [&](std::ostream& out, const std::string&) { write_pockets(out, what); });
   const auto write_trees = [&](TreeKind kind, const std::string& name) {
     write(name + "_tree.json",
           [&](std::ostream& out, const std::string&) { write_merge_tree(out, run.complex, kind); });
@@ -201,6 +115,23 @@ void write_files(const PocketsOptions& options, const PocketsRun& run, const std
   };
   write_trees(TreeKind::kPockets, "pockets");
   write_trees(TreeKind::kComponents, "components");
+}
+
+// Whether it went to standard output.
+bool write_csv(const std::string& path, const PocketsToWrite& what,
+               void (*write)(std::ostream&, const PocketsToWrite&)) {
+  if (path == kStandardStream) {
+    write(std::cout, what);
+    std::cout.flush();
+    return true;
+  }
+  if (!path.empty()) {
+    const ProgressLine progress("writing " + fs::path(path).filename().string());
+    OutputFile file(path);
+    write(file.stream(), what);
+    file.commit();
+  }
+  return false;
 }
 
 // ---- The command ----
@@ -218,22 +149,34 @@ void print_tree(const PocketsOptions& options, const Input& input) {
 
 void run_pockets(const PocketsOptions& options) {
   const std::optional<Probe> probe = probe_of(options.probe);
+  if ((options.csv == kStandardStream) + (options.atoms_csv == kStandardStream) + options.json > 1) {
+    throw InvalidInput("only one of --csv, --atoms-csv and --json can write to standard output");
+  }
   const Input input = read_input(options.input, options.reading);
   if (!options.tree.empty()) return print_tree(options, input);
+  const AtomNames* const atoms = input.file.atoms.empty() ? nullptr : &input.file.atoms;
+  if (!options.atoms_csv.empty() && atoms == nullptr) {
+    throw InvalidInput(fmt::format("{}: --atoms-csv is for PDB, CIF and chemical XYZ, and this is {}",
+                                   display_name(options.input), input.file.format));
+  }
   const PocketsRun run(input, options);
+  const PocketsToWrite what{run.complex, *run.pockets, probe, options.volumes == "exact", atoms};
   if (!options.directory.empty()) {
     try {
-      write_files(options, run, probe);
+      write_files(options, run, what);
     } catch (const InvalidInput& error) {
       throw InvalidInput(fmt::format("{}: {}", display_name(options.input), error.what()));
     }
   }
+  const bool is_rows_printed = write_csv(options.csv, what, write_pocket_csv);
+  const bool is_lining_printed = write_csv(options.atoms_csv, what, write_lining_csv);
   if (options.json) {
     ProgressLine progress("writing pockets", STDOUT_FILENO);
-    write_pockets(std::cout, {run.complex, *run.pockets, probe, options.volumes == "exact"});
+    write_pockets(std::cout, what);
     std::cout.flush();
-  } else {
-    print_table(options, input, run, probe);
+  } else if (!is_rows_printed && !is_lining_printed) {
+    print_pockets_report({display_name(options.input), input, what, run.automatic, options.all, run.delaunay_seconds,
+                          run.other_seconds});
   }
 }
 
@@ -245,8 +188,9 @@ void add_pockets_command(CLI::App& app, int& status) {
   add_input_options(*command, options->input, options->reading);
   command
       ->add_option("--persistence", options->persistence,
-                   "Merge what is not deeper than this, a difference of squared distances: a number, Xspacing^2, qX "
-                   "(a quantile) or auto; 0 merges nothing")
+                   "Tell pockets that are deeper than this, a difference of distances, and merge others: a number, "
+                   "Xspacing, qX (a quantile), or auto: by the valley of all depths, or else 1/2spacing; 0 tells each "
+                   "maximum")
       ->type_name("X")
       ->capture_default_str();
   command
@@ -258,6 +202,14 @@ void add_pockets_command(CLI::App& app, int& status) {
       ->capture_default_str();
   command->add_flag("--json", options->json, "Print one JSON object, all exact");
   command->add_flag("--all", options->all, "All pockets in the table, not the 20 deepest alone");
+  command
+      ->add_option("--csv", options->csv,
+                   "Write a table of CSV to this file, a row for each pocket; -: to standard output")
+      ->check(complaint_about_path);
+  command
+      ->add_option("--atoms-csv", options->atoms_csv,
+                   "Write the atoms of a molecule that line each pocket to this file, with their residues; -: likewise")
+      ->check(complaint_about_path);
   CLI::Option* tree =
       command
           ->add_option(
@@ -272,7 +224,7 @@ void add_pockets_command(CLI::App& app, int& status) {
   add_threads_option(*command, options->threads);
   command->footer(
       "A pocket is where the flow ends at some maxima; its mouths are critical points of index 2.\n\n"
-      "Examples:\n  flowcert pockets bunny.obj --persistence auto\n"
+      "Examples:\n  flowcert pockets bunny.obj\n"
       "  flowcert pockets bunny.obj --probe 0.002 --json >pockets.json");
   command->callback([options, &status] {
     run_pockets(*options);

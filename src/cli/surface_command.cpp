@@ -106,8 +106,8 @@ void print_thresholds(const SurfaceThresholds& thresholds, const SaddleRadii& ra
   if (const auto& square = thresholds.squared_radius_below) {
     print_row("radii below", rough_root_text(*square), rough_root_text(*square / *spacing) + " x the spacing");
   }
-  if (const auto& length = thresholds.persistence_above) {
-    print_row("persistence above", rough_text(*length), rough_text(*length / *spacing) + " x its square");
+  if (const auto& square = thresholds.squared_persistence_above) {
+    print_row("persistence above", rough_root_text(*square), rough_root_text(*square / *spacing) + " x the spacing");
   }
 }
 
@@ -155,7 +155,7 @@ Json radii_field(const SaddleRadii& radii) {
 
 void print_json(const SurfaceOptions& options, const Input& input, const FlowComplex& complex, const Counts& counts,
                 const SurfaceThresholds& thresholds, const SaddleRadii& radii) {
-  Json json = header_fields("flowcert-surface", 1, input.points);
+  Json json = header_fields("flowcert-surface", 2, input.points);
   add_counts(json, input.points, complex.stationary());
   json["select"] = options.selections;
   json["sets"] = counts.sets;
@@ -166,7 +166,7 @@ void print_json(const SurfaceOptions& options, const Input& input, const FlowCom
   json["edges"] = edges_field(counts.edges);
   add_exact(json, "squared_spacing", radii.squared_spacing());
   add_exact(json, "squared_radius_below", thresholds.squared_radius_below);
-  add_exact(json, "persistence_above", thresholds.persistence_above);
+  add_exact(json, "squared_persistence_above", thresholds.squared_persistence_above);
   if (thresholds.automatic_radius) json["auto_radius"] = automatic_field(*thresholds.automatic_radius);
   if (thresholds.automatic_persistence) json["auto_persistence"] = automatic_field(*thresholds.automatic_persistence);
   json["radii"] = radii_field(radii);
@@ -201,10 +201,10 @@ void add_surface_command(CLI::App& app, int& status) {
   add_input_options(*command, options->input, options->reading);
   command
       ->add_option("--select", options->selections,
-                   "Only those with index2-radius<R, persistence>X (a difference of squared distances), or "
-                   "largest-gaps=N, the N most persistent ones; given several times, all must hold. R may be 3spacing "
-                   "(of the median distance of neighbours; X: 3spacing^2), q0.9 (a quantile), auto (the valley of "
-                   "their histogram; all where it has none)")
+                   "Only those with index2-radius<R, persistence>X (a difference of distances), or largest-gaps=N, the "
+                   "N most persistent ones; given several times, all must hold. R and X may be 3spacing (of the "
+                   "median distance of neighbours), q0.9 (a quantile), auto (the valley of their histogram; all where "
+                   "it has none)")
       ->allow_extra_args(false);
   command
       ->add_option("-o,--output", options->output,

@@ -54,7 +54,7 @@ std::vector<std::size_t> widths_of(const Rows& rows, std::string_view alignment)
 }
 
 std::vector<std::string> lines_of_cell(const std::string& cell, std::size_t width) {
-  if (columns_of(cell) <= width) return {cell};
+  if (columns_of(cell) <= width && cell.find(kFixedBlank) == std::string::npos) return {cell};
   std::vector<std::string> lines;
   const std::string text = wrapped(cell, 0, width);
   boost::algorithm::split(lines, text, [](char c) { return c == '\n'; });

@@ -128,9 +128,10 @@ int view(ViewCommandOptions options) {
   tell_of_many_cells(complex);
   std::optional<Pockets> pockets;
   if (!options.pockets.empty()) {
-    pockets.emplace(complex.merge_trees(), pocket_persistence(complex, options.pockets, "--pockets").value);
+    pockets.emplace(complex.merge_trees(), pocket_persistence(complex, options.pockets, "--pockets").square);
   }
   ViewerOptions content = {.name = display_name(options.input),
+                           .atoms = input.file.atoms.empty() ? nullptr : &input.file.atoms,
                            .most_of_an_index = options.most,
                            .has_cells = options.has_cells,
                            .most_cells = options.most_cells,
@@ -191,8 +192,8 @@ void add_view_command(CLI::App& app, int& status) {
   CLI::Option* pockets =
       command
           ->add_option("--pockets", options->pockets,
-                       "Also tell pockets, merged by this persistence as by pockets --persistence; the pocket of the "
-                       "picked point is drawn with its mouths")
+                       "Also tell pockets, merged by this persistence as by pockets --persistence; the deepest is "
+                       "picked at first, and that of the picked point is drawn with its mouths")
           ->type_name("X");
   command->add_option("--most-pockets", options->most_pockets, "Have at most so many pockets, the deepest")
       ->check(CLI::Range(std::size_t{0}, kMost))

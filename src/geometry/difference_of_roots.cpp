@@ -1,6 +1,7 @@
 #include "geometry/difference_of_roots.h"
 
 #include <boost/multiprecision/integer.hpp>
+#include <cstdlib>
 #include <optional>
 
 #include "flowcert/rounded_sphere.h"
@@ -30,6 +31,34 @@ Integer scaled_root(const Rational& value, unsigned digits) {
   return sqrt(Integer((Integer(numerator(value)) << (2 * digits)) / Integer(denominator(value))));
 }
 
+// The sign of sqrt(p) - sqrt(q) - k.
+int sign_of(const Rational& p, const Rational& q, const Rational& k) {
+  if (k < 0) return -sign_of(q, p, -k);
+  // Both sides of sqrt(p) = k + sqrt(q) are squared, and then what is left of them.
+  const Rational rest = p - k * k - q;
+  if (rest < 0) return -1;
+  return (rest * rest).compare(4 * k * k * q);
+}
+
+// The least multiple of 2^shift that is not less, in units of it.
+Integer ceiling(const Rational& number, int shift) {
+  Integer top(numerator(number)), bottom(denominator(number));
+  (shift < 0 ? top : bottom) <<= static_cast<unsigned>(std::abs(shift));
+  return (top + bottom - 1) / bottom;
+}
+
+// The least number of 53 binary digits that is not less than the positive one.
+Rational rounded_up(const Rational& number) {
+  constexpr int kDigits = 53;
+  // The number has one binary digit more than this says, or as many.
+  int shift =
+      static_cast<int>(msb(Integer(numerator(number)))) - static_cast<int>(msb(Integer(denominator(number)))) - kDigits;
+  if (msb(ceiling(number, shift)) >= kDigits) ++shift;
+  const Integer units = ceiling(number, shift);
+  const Integer power = Integer(1) << static_cast<unsigned>(std::abs(shift));
+  return shift < 0 ? Rational(units, power) : Rational(units * power);
+}
+
 }  // namespace
 
 double nearest_difference_of_roots(const Rational& a, const Rational& b) {
@@ -42,6 +71,29 @@ double nearest_difference_of_roots(const Rational& a, const Rational& b) {
     const double low = nearest_or_infinity(Rational(difference - 1, unit)),
                  high = nearest_or_infinity(Rational(difference + 1, unit));
     if (low == high) return low;
+  }
+}
+
+std::strong_ordering operator<=>(const RootDifference& x, const RootDifference& y) {
+  if (x.less == y.less) return x.square.compare(y.square) <=> 0;
+  if (x.square == y.square) return y.less.compare(x.less) <=> 0;
+  // The sums sqrt(x.square) + sqrt(y.less) and sqrt(y.square) + sqrt(x.less) are squared.
+  const Rational k = (y.square + x.less - x.square - y.less) / 2;
+  return sign_of(x.square * y.less, y.square * x.less, k) <=> 0;
+}
+
+Rational square_from_above(const RootDifference& number) {
+  const auto squared = [](const Rational& root) { return Rational(root * root); };
+  if (number.less == 0) return number.square;
+  if (number.square <= number.less) return 0;
+  const auto root = exact_root(number.square), root_less = exact_root(number.less);
+  if (root && root_less) return squared(rounded_up(*root - *root_less));
+  for (unsigned digits = kFirstDigits;; digits *= 2) {
+    const Integer difference = scaled_root(number.square, digits) - scaled_root(number.less, digits);
+    if (difference <= 1) continue;
+    const Integer unit = Integer(1) << digits;
+    const Rational low = rounded_up(Rational(difference - 1, unit)), high = rounded_up(Rational(difference + 1, unit));
+    if (low == high) return squared(low);
   }
 }
 

@@ -198,7 +198,9 @@ void write_skeleton(std::ostream& out, const InfinitySet& set) {
 Json pair_field(const PersistenceDiagram& diagram, const PersistencePair& pair) {
   const auto point_field = [&](std::size_t record) {
     Json field;
+    field["record"] = record;
     field["contact"] = diagram.complex().stationary().contact(record);
+    field["center"] = center_field(diagram.complex().sphere(record).center);
     field["squared_distance"] = to_text(diagram.squared_value(record));
     field["squared_distance_double"] = double_field(diagram.rounded_squared_value(record));
     return field;

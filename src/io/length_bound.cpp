@@ -13,7 +13,7 @@ using namespace io;
 
 namespace {
 
-constexpr std::string_view kAutomatic = "auto";
+constexpr std::string_view kAutomatic = "auto", kSpacing = "spacing", kSquaredSpacing = "spacing^2";
 
 // The greatest integer that is not greater; the number is not negative.
 std::size_t whole_part(const Rational& number) {
@@ -22,38 +22,42 @@ std::size_t whole_part(const Rational& number) {
 
 }  // namespace
 
-LengthBound LengthBound::of(std::string_view text, std::string_view spacing, const std::string& option,
-                            std::size_t ordinal) {
+LengthBound LengthBound::of(std::string_view text, const std::string& option, std::size_t ordinal) {
   const geometry::IeeeDoubles ieee;
   const LinePlace place = {option, ordinal};
   const auto number_of = [&](std::string_view digits) {
     return claimed_number(digits, PlainInteger::kExact, place).value;
   };
   if (text == kAutomatic) return {Unit::kValley, 0};
-  if (text.ends_with(spacing)) return {Unit::kSpacing, number_of(text.substr(0, text.size() - spacing.size()))};
+  if (text.ends_with(kSquaredSpacing))
+    place.reject("a length is a multiple of spacing, not of its square: " + in_quotes(text));
+  if (text.ends_with(kSpacing)) return {Unit::kSpacing, number_of(text.substr(0, text.size() - kSpacing.size()))};
   if (!text.starts_with('q')) return {Unit::kInput, number_of(text)};
   const Rational share = number_of(text.substr(1));
   if (share < 0 || share > 1) place.reject("no quantile from 0 to 1: " + in_quotes(text));
   return {Unit::kQuantile, share};
 }
 
-LengthThreshold LengthBound::threshold(const ValueOrder& order, const std::optional<Rational>& squared_spacing) const {
+LengthThreshold LengthBound::threshold(const ValueOrder& lengths, const std::optional<Rational>& squared_spacing,
+                                       const std::optional<Rational>& same_within) const {
   const geometry::IeeeDoubles ieee;
   switch (unit) {
     case Unit::kInput:
-      return {number, {}};
     case Unit::kSpacing:
-      return {number * squared_spacing.value_or(0), {}};
+      if (number < 0) return {};
+      return {number * number * (unit == Unit::kInput ? Rational(1) : squared_spacing.value_or(0)), {}};
     case Unit::kQuantile: {
-      const std::size_t shorter = order.size() - whole_part((1 - number) * order.size());
-      return {shorter > 0 ? std::optional(order.exact(shorter - 1)) : std::nullopt, {}};
+      const std::size_t shorter = lengths.size() - whole_part((1 - number) * lengths.size());
+      return {shorter > 0 ? std::optional(lengths.square_from_above(shorter - 1)) : std::nullopt, {}};
     }
     case Unit::kValley:
       break;
   }
-  const auto found = squared_spacing ? placed_valley(order, *squared_spacing) : std::nullopt;
+  if (!squared_spacing) return {std::nullopt, AutomaticThreshold{}};
+  const ValueOrder counted = same_within ? lengths.from_above_once(*same_within) : lengths;
+  const auto found = placed_valley(counted, *squared_spacing);
   if (!found) return {std::nullopt, AutomaticThreshold{}};
-  return {order.exact(found->last_below), AutomaticThreshold{found->valley}};
+  return {counted.square_from_above(found->last_below), AutomaticThreshold{found->valley}};
 }
 
 }  // namespace flowcert

@@ -61,10 +61,11 @@ std::int64_t power_below(const Rational& square) {
 
 }  // namespace
 
-std::vector<HistogramBin> log_histogram(const ValueOrder& squares, const Rational& squared_unit) {
-  const std::size_t zeros = squares.count_up_to(0);
-  if (zeros == squares.size()) return {};
-  const Rational least = squares.exact(zeros) / squared_unit, most = squares.exact(squares.size() - 1) / squared_unit;
+std::vector<HistogramBin> log_histogram(const ValueOrder& roots, const Rational& squared_unit) {
+  const std::size_t zeros = roots.count_up_to(0);
+  if (zeros == roots.size()) return {};
+  const Rational least = roots.square_from_above(zeros) / squared_unit,
+                 most = roots.square_from_above(roots.size() - 1) / squared_unit;
   const std::int64_t least_power = power_below(least), most_power = power_below(most);
   std::vector<HistogramBin> bins;
   for (const EdgeSeries& series : edge_series()) {
@@ -73,7 +74,7 @@ std::vector<HistogramBin> log_histogram(const ValueOrder& squares, const Rationa
     std::size_t below = zeros;
     for (std::int64_t k = first; k <= last; ++k) {
       const Rational from = series.edge(k), to = series.edge(k + 1);
-      const std::size_t up_to = squares.count_below(to * to * squared_unit);
+      const std::size_t up_to = roots.count_below(to * to * squared_unit);
       bins.push_back({from, to, up_to - below});
       below = up_to;
     }
@@ -109,16 +110,16 @@ std::optional<std::size_t> valley_of(const std::vector<HistogramBin>& bins) {
   return std::nullopt;
 }
 
-std::optional<PlacedValley> placed_valley(const ValueOrder& squares, const Rational& squared_unit) {
-  const std::vector<HistogramBin> bins = log_histogram(squares, squared_unit);
+std::optional<PlacedValley> placed_valley(const ValueOrder& roots, const Rational& squared_unit) {
+  const std::vector<HistogramBin> bins = log_histogram(roots, squared_unit);
   const std::optional<std::size_t> least = valley_of(bins);
   if (!least) return std::nullopt;
   const HistogramBin& bin = bins[*least];
   // There are numbers on both sides.
-  const std::size_t before = squares.count_below(bin.from * bin.from * squared_unit);
-  const std::size_t behind = squares.count_below(bin.to * bin.to * squared_unit);
-  const std::size_t gap = *squares.widest_gap(before - 1, behind);
-  return PlacedValley{{bin, gap + 1, squares.size() - gap - 1}, gap};
+  const std::size_t before = roots.count_below(bin.from * bin.from * squared_unit);
+  const std::size_t behind = roots.count_below(bin.to * bin.to * squared_unit);
+  const std::size_t gap = *roots.widest_gap(before - 1, behind);
+  return PlacedValley{{bin, gap + 1, roots.size() - gap - 1}, gap};
 }
 
 }  // namespace flowcert::io

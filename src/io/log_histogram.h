@@ -15,10 +15,10 @@
 
 namespace flowcert::io {
 
-// Of the roots of the positive numbers in `squares`, as multiples of the root of `squared_unit`: at most 30 bins. They
+// Of the positive numbers, which are roots, as multiples of the root of `squared_unit`: at most 30 bins. They
 // grow in ten steps from each power of ten to the next (1, 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8), or in three (1, 2,
 // 5), or one; where that makes too many, each goes over several powers. Empty bins between others are there, too.
-[[nodiscard]] std::vector<HistogramBin> log_histogram(const ValueOrder& squares, const Rational& squared_unit);
+[[nodiscard]] std::vector<HistogramBin> log_histogram(const ValueOrder& roots, const Rational& squared_unit);
 
 // The first bin behind the highest one that is the least so far and behind which a bin is at least twice as high, by
 // more than three standard deviations of the difference of two counts. Of equally least bins it is the first.
@@ -29,6 +29,6 @@ struct PlacedValley {
   HistogramValley valley;
   std::size_t last_below = 0;
 };
-[[nodiscard]] std::optional<PlacedValley> placed_valley(const ValueOrder& squares, const Rational& squared_unit);
+[[nodiscard]] std::optional<PlacedValley> placed_valley(const ValueOrder& roots, const Rational& squared_unit);
 
 }  // namespace flowcert::io

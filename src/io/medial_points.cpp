@@ -8,6 +8,7 @@
 #include "flowcert/saddle_radii.h"
 #include "geometry/floating_point.h"
 #include "geometry/rational_point.h"
+#include "io/coordinate_rounding.h"
 #include "io/layer.h"
 #include "io/pair_lengths.h"
 
@@ -61,9 +62,11 @@ std::vector<PairEnds> pairs_of_points(const FlowComplex& complex) {
   return pairs;
 }
 
-// The candidates behind so many places of an order of them.
-std::vector<std::size_t> candidates_behind(const std::vector<std::size_t>& candidates, const ValueOrder& order,
-                                           std::size_t places) {
+// The candidates whose numbers, which the order has, are greater.
+std::vector<std::size_t> those_above(const std::vector<std::size_t>& candidates, const ValueOrder& order,
+                                     const LengthThreshold& threshold, std::optional<AutomaticThreshold>& automatic) {
+  automatic = threshold.automatic;
+  const std::size_t places = threshold.squared_length ? order.count_up_to(*threshold.squared_length) : 0;
   std::vector<std::size_t> chosen;
   for (std::size_t k = places; k < order.size(); ++k) chosen.push_back(candidates[order.at(k)]);
   std::ranges::sort(chosen);
@@ -77,21 +80,15 @@ std::vector<std::size_t> longer_ones(const FlowComplex& complex, const std::vect
   ends.reserve(candidates.size());
   for (const std::size_t record : candidates) ends.push_back(pairs[record]);
   const ValueOrder order = length_order(complex.persistence().squared_distances(), ends);
-  const LengthThreshold threshold = bound.threshold(order, squared_spacing(complex));
-  automatic = threshold.automatic;
-  return candidates_behind(candidates, order, threshold.length ? order.count_up_to(*threshold.length) : 0);
+  return those_above(candidates, order,
+                     bound.threshold(order, squared_spacing(complex), length_rounding(complex.points())), automatic);
 }
 
 std::vector<std::size_t> farther_ones(const FlowComplex& complex, const std::vector<std::size_t>& candidates,
-                                      LengthBound bound, std::optional<AutomaticThreshold>& automatic) {
+                                      const LengthBound& bound, std::optional<AutomaticThreshold>& automatic) {
   const SquaredDistances values(complex.points(), complex.stationary());
   const ValueOrder order = radius_order(values, candidates);
-  // What the order has are squares.
-  const bool is_quantile = bound.unit == LengthBound::Unit::kQuantile;
-  if (!is_quantile) bound.number = bound.number > 0 ? Rational(bound.number * bound.number) : Rational(0);
-  const LengthThreshold threshold = bound.threshold(order, squared_spacing(complex));
-  automatic = threshold.automatic;
-  return candidates_behind(candidates, order, threshold.length ? order.count_up_to(*threshold.length) : 0);
+  return those_above(candidates, order, bound.threshold(order, squared_spacing(complex)), automatic);
 }
 
 }  // namespace

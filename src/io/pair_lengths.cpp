@@ -7,13 +7,16 @@ namespace flowcert::io {
 
 namespace {
 
-// What is taken away and added covers the rounding of the sums.
-ValueRange length_range(const SquaredDistances& values, const PairEnds& pair) {
-  const auto &birth = values.approximation(pair.birth), &death = values.approximation(pair.death);
-  const double length = death.value - birth.value;
-  const double error = death.error + birth.error + (death.value + birth.value) * 0x1p-50;
-  return {std::max(0.0, length - error), length + error};
+using geometry::RootDifference;
+
+ValueRange range_of(const SquaredDistances::Approximation& length) {
+  // The sums are rounded.
+  const auto& [value, error] = length;
+  return {std::max(0.0, (value - error) * (1 - 0x1p-51)), (value + error) * (1 + 0x1p-51)};
 }
+
+// The first record is a sample.
+constexpr std::size_t kSample = 0;
 
 }  // namespace
 
@@ -21,11 +24,11 @@ ValueOrder length_order(const SquaredDistances& values, std::vector<PairEnds> pa
   std::vector<ValueRange> ranges;
   std::vector<std::uint64_t> keys;
   for (const PairEnds& pair : pairs) {
-    ranges.push_back(length_range(values, pair));
+    ranges.push_back(range_of(values.length(pair.birth, pair.death)));
     keys.push_back(std::uint64_t{values.rank(pair.birth)} << 32 | values.rank(pair.death));
   }
   return {std::move(ranges), std::move(keys), [&values, ends = std::move(pairs)](std::size_t i) {
-            return Rational(values.exact(ends[i].death) - values.exact(ends[i].birth));
+            return RootDifference{values.exact(ends[i].death), values.exact(ends[i].birth)};
           }};
 }
 
@@ -35,13 +38,11 @@ ValueOrder radius_order(const SquaredDistances& values, std::vector<std::size_t>
   ranges.reserve(records.size());
   ranks.reserve(records.size());
   for (const std::size_t record : records) {
-    const auto& [value, error] = values.approximation(record);
-    // The sums are rounded.
-    ranges.push_back({std::max(0.0, value - error - value * 0x1p-51), value + error + value * 0x1p-51});
+    ranges.push_back(range_of(values.length(kSample, record)));
     ranks.push_back(values.rank(record));
   }
   return {std::move(ranges), std::move(ranks),
-          [&values, all = std::move(records)](std::size_t i) { return values.exact(all[i]); }};
+          [&values, all = std::move(records)](std::size_t i) { return RootDifference{values.exact(all[i])}; }};
 }
 
 }  // namespace flowcert::io

@@ -1,6 +1,6 @@
-// Lengths of persistence pairs, and squared radii, in their order.
+// Lengths of persistence pairs, and radii, in their order.
 //
-// Guarantees: exact (ValueOrder). A length is the squared distance of the death less that of the birth.
+// Guarantees: exact (ValueOrder). A length is the distance at the death less that at the birth, not squared.
 #pragma once
 
 #include <cstddef>

@@ -159,6 +159,8 @@ PdbAtom fields_before(std::string_view line, std::size_t shift, std::size_t of_c
   atom.place_name = columns(line, 13 + shift, 16 + shift);
   atom.location = trimmed(columns(line, 17 + shift, 17 + shift));
   atom.place_residue = columns(line, 22 + shift, 27 + shift);
+  atom.name = trimmed(atom.place_name);
+  atom.number = trimmed(columns(line, 23 + shift, 27 + shift));
   atom.residue = trimmed(columns(line, 18 + shift, 21 + shift));
   atom.chain = trimmed(columns(line, 22 + shift, 22 + shift));
   atom.element = element_of(line, of_coordinates, atom.place_name, atom.residue);

@@ -18,6 +18,7 @@ namespace flowcert::io {
 
 struct PdbAtom {
   std::string_view residue, chain, location, element;
+  std::string_view name, number;  // of the atom; of the residue, with its insertion code
   // Name; chain, number and insertion code, as the line has them: what alternate locations have in common.
   std::string_view place_name, place_residue;
   bool is_hetatm = false;

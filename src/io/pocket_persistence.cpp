@@ -6,6 +6,7 @@
 #include "flowcert/length_bound.h"
 #include "flowcert/saddle_radii.h"
 #include "geometry/floating_point.h"
+#include "io/coordinate_rounding.h"
 #include "io/layer.h"
 #include "io/pair_lengths.h"
 
@@ -41,13 +42,15 @@ std::vector<PairEnds> pairs_of_maxima(const MergeTrees& trees) {
 
 PocketPersistence pocket_persistence(const FlowComplex& complex, const std::string& text, const std::string& option) {
   const geometry::IeeeDoubles ieee;
-  const LengthBound bound = LengthBound::of(text, "spacing^2", option, 1);
+  const LengthBound bound = LengthBound::of(text, option, 1);
   if (bound.number < 0) throw InvalidInput(option + ": not 0 or more: " + text);
-  if (bound.unit == LengthBound::Unit::kInput) return {bound.number, {}};
+  if (bound.unit == LengthBound::Unit::kInput) return {bound.number * bound.number, {}};
   const MergeTrees& trees = complex.merge_trees();
   const ValueOrder lengths = length_order(trees.squared_distances(), pairs_of_maxima(trees));
-  const auto [length, automatic] = bound.threshold(lengths, squared_spacing(complex));
-  return {length.value_or(0), automatic};
+  const std::optional<Rational> spacing = squared_spacing(complex);
+  auto [square, automatic] = bound.threshold(lengths, spacing, length_rounding(complex.points()));
+  if (automatic && !automatic->valley) square = spacing.value_or(0) * kShallowInSpacings * kShallowInSpacings;
+  return {square.value_or(0), automatic};
 }
 
 }  // namespace flowcert

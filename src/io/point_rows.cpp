@@ -34,7 +34,7 @@ void PointRows::reserve(std::uint64_t announced, std::size_t bytes, std::size_t 
   points_.rows.reserve(std::min<std::uint64_t>(announced, bytes / smallest + 1));
 }
 
-void PointRows::add(const std::array<std::string_view, 3>& fields, const LinePlace& place) {
+bool PointRows::add(const std::array<std::string_view, 3>& fields, const LinePlace& place) {
   std::array<double, 3> numbers{};
   bool is_point = true;
   tell();
@@ -52,9 +52,10 @@ void PointRows::add(const std::array<std::string_view, 3>& fields, const LinePla
   } else {
     points_.left_out.push_back(count());
   }
+  return is_point;
 }
 
-void PointRows::add(const Point& point) {
+bool PointRows::add(const Point& point) {
   tell();
   for (const auto& [value, axis] : {std::pair(point.x, 'x'), std::pair(point.y, 'y'), std::pair(point.z, 'z')}) {
     if (std::isfinite(value)) continue;
@@ -62,9 +63,10 @@ void PointRows::add(const Point& point) {
       reject_file(file_, fmt::format("row {}: not a finite number: {}{}", count(), axis, kHowToSkip));
     }
     points_.left_out.push_back(count());
-    return;
+    return false;
   }
   points_.rows.push_back(point);
+  return true;
 }
 
 PointFile PointRows::take() {

@@ -36,10 +36,12 @@ class PointRows {
 
   // The announced rows, of which each takes at least `smallest` of the remaining bytes: six for "0 0 0" in a line.
   void reserve(std::uint64_t announced, std::size_t bytes, std::size_t smallest);
-  // A row of text.
-  void add(const std::array<std::string_view, 3>& fields, const LinePlace& place);
+  // A row of text. Returns whether it is a point.
+  bool add(const std::array<std::string_view, 3>& fields, const LinePlace& place);
   // A row of numbers that a binary file stores.
-  void add(const Point& point);
+  bool add(const Point& point);
+  // What the file calls the last point, if it is a molecule.
+  void name(const AtomName& name) { points_.atoms.add(name); }
   void note(std::size_t line, std::string text) { points_.notes.push_back({line, std::move(text)}); }
 
   [[nodiscard]] PointFile take();

@@ -125,7 +125,9 @@ class ChemicalReader {
     if (!is_wanted) return;
     check_length(words.size(), place);
     if (!selection_.takes(Atom{.element = element_of_label(label)})) return;
-    rows_.add({words[columns.position], words[columns.position + 1], words[columns.position + 2]}, place);
+    if (rows_.add({words[columns.position], words[columns.position + 1], words[columns.position + 2]}, place)) {
+      rows_.name({.atom = label, .element = element_of_label(label)});
+    }
   }
 
   // A number that a blank cuts in two moves all that follow it.

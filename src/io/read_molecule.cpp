@@ -55,7 +55,9 @@ void read_pdb(std::string_view text, PointRows& rows) {
                                          .location = atom.location,
                                          .residue_place = fmt::format("{} {}", models, atom.place_residue),
                                          .place = fmt::format("{} {}{}", models, atom.place_residue, atom.place_name)});
-        if (is_wanted) rows.add(atom.position, lines.place());
+        if (is_wanted && rows.add(atom.position, lines.place())) {
+          rows.name({atom.chain, atom.residue, atom.number, atom.name, atom.element});
+        }
         break;
       }
       case PdbRecord::kOther:
@@ -187,6 +189,12 @@ class CifReader {
     return first.empty() ? value(row, other) : first;
   }
 
+  // mmCIF's names, or the label of CIF of small molecules.
+  [[nodiscard]] std::string_view atom_name(const Row& row) const {
+    const std::string_view name = value(row, "auth_atom_id", "label_atom_id");
+    return name.empty() ? value(row, "label") : name;
+  }
+
   void see_model(const Row& row) {
     if (!columns_.contains("pdbx_pdb_model_num")) return;
     // A second data block's models are other models.
@@ -240,10 +248,14 @@ class CifReader {
       position[axis] = without_uncertainty(value(row, column.c_str()));
       if (position[axis].empty()) words_.place().reject("an atom without " + column);
     }
+    const std::string number =
+        std::string(value(row, "auth_seq_id", "label_seq_id")) + std::string(value(row, "pdbx_pdb_ins_code"));
+    const AtomName name{atom.chain, atom.residue, number, atom_name(row), atom.element};
     if (is_fractional_) {
       fractional_.push_back({position, words_.place()});
-    } else {
-      rows_.add(position, words_.place());
+      fractional_names_.add(name);
+    } else if (rows_.add(position, words_.place())) {
+      rows_.name(name);
     }
   }
 
@@ -251,8 +263,12 @@ class CifReader {
   void end_block() {
     if (!fractional_.empty()) {
       const CartesianAxes axes = cell_.cartesian_axes(rows_.file());
-      for (const auto& [position, place] : fractional_) rows_.add(axes.position(position, place));
+      for (std::size_t k = 0; k < fractional_.size(); ++k) {
+        const auto& [position, place] = fractional_[k];
+        if (rows_.add(axes.position(position, place))) rows_.name(fractional_names_[static_cast<PointId>(k)]);
+      }
       fractional_.clear();
+      fractional_names_ = {};
     }
     cell_ = {};
     groups_.clear();
@@ -275,6 +291,7 @@ class CifReader {
   std::optional<std::pair<std::size_t, std::string>> model_;
   std::map<std::pair<std::size_t, std::string>, bool> models_;
   std::vector<FractionalAtom> fractional_;
+  AtomNames fractional_names_;
 };
 
 }  // namespace

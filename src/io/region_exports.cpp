@@ -105,7 +105,7 @@ UnstructuredGrid pocket_cell_data(const FlowComplex& complex, const Pockets& poc
   std::vector<double> volume_of, depth_of;
   for (std::size_t number = 0; number < pockets.size(); ++number) {
     volume_of.push_back(finite(complex.volumes().nearest_sum(pockets[number].cell)));
-    depth_of.push_back(finite(nearest_or_infinity(pockets.depth(pockets[number]))));
+    depth_of.push_back(finite(pockets.depth(pockets[number])));
   }
   for (const std::int64_t limit : limits) {
     numbers.push_back(pocket_of[static_cast<std::size_t>(limit)]);

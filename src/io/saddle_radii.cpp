@@ -75,7 +75,7 @@ SaddleRadii::SaddleRadii(SaddleRadii&&) noexcept = default;
 SaddleRadii& SaddleRadii::operator=(SaddleRadii&&) noexcept = default;
 
 std::size_t SaddleRadii::size() const { return parts_->order.size(); }
-Rational SaddleRadii::squared_radius(std::size_t place) const { return parts_->order.exact(place); }
+Rational SaddleRadii::squared_radius(std::size_t place) const { return parts_->order.exact(place).square; }
 std::size_t SaddleRadii::number(std::size_t place) const { return parts_->order.at(place); }
 std::size_t SaddleRadii::count_below(const Rational& squared_bound) const {
   const geometry::IeeeDoubles ieee;

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "geometry/floating_point.h"
+#include "io/coordinate_rounding.h"
 #include "io/line_reader.h"
 #include "io/number_text.h"
 #include "io/pair_lengths.h"
@@ -66,14 +67,12 @@ SurfaceSelection::SurfaceSelection(const std::vector<std::string>& expressions) 
 void SurfaceSelection::add(const std::string& expression, std::size_t option) {
   const LinePlace place = {"--select", option};
   const std::string text = without_blanks(expression);
-  const auto bound_of = [&](std::string_view number, std::string_view spacing) {
-    return LengthBound::of(number, spacing, "--select", option);
-  };
+  const auto bound_of = [&](std::string_view number) { return LengthBound::of(number, "--select", option); };
   const std::string_view rest(text);
   if (rest.starts_with(kPersistence)) {
-    persistence_above_.push_back(bound_of(rest.substr(kPersistence.size()), "spacing^2"));
+    persistence_above_.push_back(bound_of(rest.substr(kPersistence.size())));
   } else if (rest.starts_with(kRadius)) {
-    radii_below_.push_back(bound_of(rest.substr(kRadius.size()), "spacing"));
+    radii_below_.push_back(bound_of(rest.substr(kRadius.size())));
   } else if (rest.starts_with(kLargestGaps)) {
     const std::size_t count = claimed_count(rest.substr(kLargestGaps.size()), place);
     largest_gaps_ = largest_gaps_ ? std::min(*largest_gaps_, count) : count;
@@ -118,7 +117,8 @@ SelectedSets SurfaceSelection::select(const FlowComplex& complex, const SaddleRa
     const Lengths lengths(complex);
     const ValueOrder& order = lengths.order();
     for (const LengthBound& bound : persistence_above_) {
-      const auto [value, automatic] = bound.threshold(order, radii.squared_spacing());
+      const auto [value, automatic] =
+          bound.threshold(order, radii.squared_spacing(), length_rounding(complex.points()));
       if (value) length = length ? std::max(*length, *value) : *value;
       if (automatic) automatic_length = automatic;
     }

@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
 
+#include "flowcert/rounded_sphere.h"
+
 namespace flowcert::io {
+
+using geometry::RootDifference;
 
 ValueOrder::ValueOrder(std::vector<ValueRange> ranges, std::vector<std::uint64_t> keys, Exact exact)
     : ranges_(std::move(ranges)), keys_(std::move(keys)), exact_(std::move(exact)), order_(ranges_.size()) {
@@ -23,8 +28,8 @@ ValueOrder::ValueOrder(std::vector<ValueRange> ranges, std::vector<std::uint64_t
 
 // Numbers of different keys may be equal, too.
 void ValueOrder::sort_exactly(std::size_t first, std::size_t last) {
-  std::unordered_map<std::uint64_t, Rational> made;
-  std::vector<std::pair<const Rational*, std::size_t>> run;
+  std::unordered_map<std::uint64_t, RootDifference> made;
+  std::vector<std::pair<const RootDifference*, std::size_t>> run;
   for (std::size_t place = first; place < last; ++place) {
     const std::size_t i = order_[place];
     const auto [known, is_new] = made.try_emplace(keys_[i]);
@@ -32,28 +37,31 @@ void ValueOrder::sort_exactly(std::size_t first, std::size_t last) {
     run.emplace_back(&known->second, i);
   }
   std::ranges::sort(run, [](const auto& a, const auto& b) {
-    if (a.first != b.first && *a.first != *b.first) return *a.first < *b.first;
-    return a.second > b.second;
+    const auto order = a.first == b.first ? std::strong_ordering::equal : *a.first <=> *b.first;
+    return order == 0 ? a.second > b.second : order < 0;
   });
   for (std::size_t k = 0; k < run.size(); ++k) order_[first + k] = run[k].second;
 }
 
-std::size_t ValueOrder::count_below(const Rational& bound) const {
+std::size_t ValueOrder::count_below(const Rational& squared_bound) const {
+  const RootDifference bound{squared_bound};
   const auto end = std::ranges::partition_point(order_, [&](std::size_t i) { return exact_(i) < bound; });
   return static_cast<std::size_t>(end - order_.begin());
 }
 
-std::size_t ValueOrder::count_up_to(const Rational& bound) const {
+std::size_t ValueOrder::count_up_to(const Rational& squared_bound) const {
+  const RootDifference bound{squared_bound};
   const auto end = std::ranges::partition_point(order_, [&](std::size_t i) { return exact_(i) <= bound; });
   return static_cast<std::size_t>(end - order_.begin());
 }
 
-// The quotients are rounded. A unit in the last place covers that, where they do not underflow.
+// The quotients are rounded, and so are numbers from above. Two units in the last place cover that, where they do not
+// underflow.
 ValueRange ValueOrder::ratio_behind(std::size_t place) const {
   const ValueRange &less = ranges_[order_[place]], &greater = ranges_[order_[place + 1]];
   const double low = greater.low / less.high, high = greater.high / less.low;
-  return {greater.low > 0 && std::isfinite(low) ? low * (1 - 0x1p-51) : 0,
-          less.low > 0 && high >= 1 ? high * (1 + 0x1p-51) : HUGE_VAL};
+  return {greater.low > 0 && std::isfinite(low) ? low * (1 - 0x1p-50) : 0,
+          less.low > 0 && high >= 1 ? high * (1 + 0x1p-50) : HUGE_VAL};
 }
 
 std::optional<std::size_t> ValueOrder::widest_gap(std::size_t from, std::size_t to) const {
@@ -63,12 +71,45 @@ std::optional<std::size_t> ValueOrder::widest_gap(std::size_t from, std::size_t 
   Rational ratio = 1;
   for (std::size_t place = from; place < to; ++place) {
     if (ratio_behind(place).high < least || keys_[order_[place]] == keys_[order_[place + 1]]) continue;
-    const Rational candidate = exact(place + 1) / exact(place);
+    const Rational candidate = square_from_above(place + 1) / square_from_above(place);
     if (candidate <= ratio) continue;
     ratio = candidate;
     widest = place;
   }
   return widest;
+}
+
+ValueOrder ValueOrder::from_above() const {
+  std::vector<ValueRange> ranges = ranges_;
+  for (ValueRange& range : ranges) range.high *= 1 + 0x1p-51;
+  return {std::move(ranges), keys_,
+          [exact = exact_](std::size_t i) { return RootDifference{geometry::square_from_above(exact(i))}; }};
+}
+
+ValueOrder ValueOrder::from_above_once(const Rational& width) const {
+  const ValueOrder all = from_above();
+  const double near_width = nearest_or_infinity(width);
+  const auto is_wide = [&](std::size_t first, std::size_t second) {
+    const ValueRange &less = all.ranges_[first], &greater = all.ranges_[second];
+    // The sums here are rounded.
+    const double slack = 0x1p-50 * (greater.high + near_width);
+    if (greater.low - less.high > near_width + slack) return true;
+    if (greater.high - less.low < near_width - slack) return false;
+    const RootDifference difference{all.exact_(second).square, all.exact_(first).square};
+    return difference > RootDifference{width * width};
+  };
+  std::vector<std::size_t> chosen;
+  for (const std::size_t i : all.order_) {
+    if (chosen.empty() || is_wide(chosen.back(), i)) chosen.push_back(i);
+  }
+  std::vector<ValueRange> ranges;
+  std::vector<std::uint64_t> keys;
+  for (const std::size_t i : chosen) {
+    ranges.push_back(all.ranges_[i]);
+    keys.push_back(keys_[i]);
+  }
+  return {std::move(ranges), std::move(keys),
+          [exact = all.exact_, chosen = std::move(chosen)](std::size_t k) { return exact(chosen[k]); }};
 }
 
 }  // namespace flowcert::io

@@ -1,4 +1,4 @@
-// Exact numbers in ascending order, and questions of their order.
+// Distances, and differences of two, in ascending order, and questions of their order.
 //
 // Guarantees: exact. Doubles that bound each number decide most of the order, and exact numbers are made where the
 // bounds overlap. The order depends on the numbers alone; equal numbers come in descending order of what they belong
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "flowcert/rational.h"
+#include "geometry/difference_of_roots.h"
 #include "io/layer.h"
 
 namespace flowcert::io {
@@ -23,7 +24,7 @@ struct ValueRange {
 
 class ValueOrder {
  public:
-  using Exact = std::function<Rational(std::size_t)>;
+  using Exact = std::function<geometry::RootDifference(std::size_t)>;
 
   // keys: numbers with one key are equal, and are made once. exact(i) makes the i-th number. O(n log n), apart from the
   // numbers that have to be made.
@@ -32,17 +33,26 @@ class ValueOrder {
   [[nodiscard]] std::size_t size() const { return order_.size(); }
   // What the number at a place, from 0 in ascending order, belongs to.
   [[nodiscard]] std::size_t at(std::size_t place) const { return order_[place]; }
-  [[nodiscard]] Rational exact(std::size_t place) const { return exact_(order_[place]); }
+  [[nodiscard]] geometry::RootDifference exact(std::size_t place) const { return exact_(order_[place]); }
+  // The same, or a little more (square_from_above).
+  [[nodiscard]] Rational square_from_above(std::size_t place) const {
+    return geometry::square_from_above(exact(place));
+  }
 
-  // How many numbers are less, or not greater.
-  [[nodiscard]] std::size_t count_below(const Rational& bound) const;
-  [[nodiscard]] std::size_t count_up_to(const Rational& bound) const;
+  // How many numbers are less than the root of this, or not greater.
+  [[nodiscard]] std::size_t count_below(const Rational& squared_bound) const;
+  [[nodiscard]] std::size_t count_up_to(const Rational& squared_bound) const;
 
   // The first place k, `from` <= k < `to`, at which the number at k + 1 is the largest multiple of that at k; nothing
-  // where all of them are equal. All numbers from `from` on must be positive, and `to` less than size().
+  // where all of them are equal. They are compared by their squares from above. All numbers from `from` on must be
+  // positive, and `to` less than size().
   [[nodiscard]] std::optional<std::size_t> widest_gap(std::size_t from, std::size_t to) const;
 
+  // The numbers from above, but one only of all that are not more than `width` greater than it, from the least one up.
+  [[nodiscard]] ValueOrder from_above_once(const Rational& width) const;
+
  private:
+  [[nodiscard]] ValueOrder from_above() const;
   void sort_exactly(std::size_t first, std::size_t last);
   // What v(k + 1) / v(k) lies between.
   [[nodiscard]] ValueRange ratio_behind(std::size_t place) const;

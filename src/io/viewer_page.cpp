@@ -58,6 +58,22 @@ Json sample_rows(const PointSet& points) {
   return viewer_blob(rows);
 }
 
+// Elements are listed once, in the order in which they come.
+Json atoms_field(const AtomNames& atoms, const PointSet& points) {
+  std::unordered_map<std::string, std::uint32_t> place_of;
+  Json elements = Json::array(), names = Json::array();
+  Numbers element;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const PointId row = points.name(i);
+    const auto [found, is_new] =
+        place_of.try_emplace(std::string(atoms[row].element), static_cast<std::uint32_t>(place_of.size()));
+    if (is_new) elements.push_back(found->first);
+    element.push_back(found->second);
+    names.push_back(atoms.text(row));
+  }
+  return {{"elements", std::move(elements)}, {"element", viewer_blob(element)}, {"names", std::move(names)}};
+}
+
 // The two samples whose midpoint the point is. No other two of its contact set have this midpoint, since it lies inside
 // an edge of their hull.
 std::array<std::uint32_t, 2> edge_of(const ViewerContent& content, std::size_t record) {
@@ -333,6 +349,7 @@ Json data_of(const FlowComplex& complex, const ViewerOptions& options, const Vie
   }
   data["samples"] = sample_coordinates(complex.points());
   data["sample_rows"] = sample_rows(complex.points());
+  data["atoms"] = options.atoms ? atoms_field(*options.atoms, complex.points()) : Json(nullptr);
   data["records"] = records_field(content);
   data["pairs"] = pairs_field(content);
   data["s2"] = s2_field(content, progress);

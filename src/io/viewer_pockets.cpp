@@ -41,7 +41,7 @@ Numbers deepest(const Pockets& pockets, std::size_t most) {
   std::iota(numbers.begin(), numbers.end(), 0U);
   if (numbers.size() <= most) return numbers;
   std::vector<double> depths;
-  for (const std::uint32_t number : numbers) depths.push_back(pockets.depth_of_radii(pockets[number]));
+  for (const std::uint32_t number : numbers) depths.push_back(pockets.depth(pockets[number]));
   std::ranges::stable_sort(numbers, std::ranges::greater{}, [&](std::uint32_t number) { return depths[number]; });
   numbers.resize(most);
   std::ranges::sort(numbers);
@@ -113,12 +113,12 @@ Json viewer_pockets_field(const FlowComplex& complex, const ViewerFrame& frame, 
     Numbers beside = pocket.neighbours;
     std::ranges::replace(beside, static_cast<std::uint32_t>(pockets.size()), ViewerSelection::kNone);
     neighbours.add(beside);
-    depths.push_back(pockets.depth_of_radii(pocket));
+    depths.push_back(pockets.depth(pocket));
     volumes.push_back(complex.volumes().nearest_sum(pocket.cell));
     gates.push_back(pocket.to_infinity.gates.front());
     widest.push_back(geometry::nearest_difference_of_roots(pockets.squared_distances().exact(gates.back()), 0));
   }
-  Json json = {{"persistence", to_text(pockets.persistence())}, {"of", pockets.size()}};
+  Json json = {{"squared_persistence", to_text(pockets.squared_persistence())}, {"of", pockets.size()}};
   json["numbers"] = viewer_blob(chosen);
   const auto put = [&json](const std::string& name, const Lists& lists) {
     json[name + "_offsets"] = viewer_blob(lists.offsets);

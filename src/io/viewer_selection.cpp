@@ -10,8 +10,7 @@ namespace {
 
 double length_of(const FlowComplex& complex, const PersistencePair& pair) {
   if (!pair.death) return std::numeric_limits<double>::infinity();
-  const SquaredDistances& values = complex.persistence().squared_distances();
-  return values.approximation(*pair.death).value - values.approximation(pair.birth).value;
+  return complex.persistence().squared_distances().length(pair.birth, *pair.death).value;
 }
 
 // The pairs with the greatest lengths, at most so many of them that have a point of index 2, and of the others.

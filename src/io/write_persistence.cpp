@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "flowcert/reproducibility.h"
+#include "geometry/difference_of_roots.h"
 #include "geometry/floating_point.h"
 #include "io/ordered_text.h"
 
@@ -72,23 +73,32 @@ void PersistenceDiagram::add_regular() {
   }
 }
 
-std::string pers_text(const PersistenceDiagram& diagram) {
+double PersistenceDiagram::rounded_value(std::size_t record) const {
+  const geometry::IeeeDoubles ieee;
+  return geometry::nearest_difference_of_roots(squared_value(record), 0);
+}
+
+std::string pers_text(const PersistenceDiagram& diagram, PersistenceValues values) {
   const geometry::IeeeDoubles ieee;
   const Reproducibility made_by = reproducibility();
+  const bool is_squared = values == PersistenceValues::kSquared;
   std::string text = fmt::format(
-      "# Persistence of the distance function: dimension, birth, death. The values are squared distances.\n"
+      "# Persistence of the distance function: dimension, birth, death. The values are {}.\n"
       "# flowcert {} (commit {}; kernel: {}; compiler: {}; CGAL {}), input_sha256 {}\n",
-      made_by.version, made_by.commit, made_by.kernel, made_by.compiler, made_by.cgal,
-      coordinates_sha256(diagram.complex().points()));
+      is_squared ? "squared distances" : "distances", made_by.version, made_by.commit, made_by.kernel, made_by.compiler,
+      made_by.cgal, coordinates_sha256(diagram.complex().points()));
   if (const auto& left_out = diagram.complex().points().left_out(); !left_out.empty()) {
     text += fmt::format("# Rows of the file that were left out: {}\n", fmt::join(left_out, " "));
   }
   text += diagram.has_zero() ? "# With regular stationary points, as pairs of length zero.\n"
                              : "# Without pairs of length zero.\n";
+  if (!is_squared) text += fmt::format("{}\n", kPlainValuesMark);
+  const auto value = [&](std::size_t record) {
+    return double_text(is_squared ? diagram.rounded_squared_value(record) : diagram.rounded_value(record));
+  };
   const auto make = [&](std::size_t first, std::size_t last, std::string& lines) {
     for (const PersistencePair& pair : std::span(diagram.pairs()).subspan(first, last - first)) {
-      lines += fmt::format("{} {} {}\n", pair.dimension, double_text(diagram.rounded_squared_value(pair.birth)),
-                           pair.death ? double_text(diagram.rounded_squared_value(*pair.death)) : "inf");
+      lines += fmt::format("{} {} {}\n", pair.dimension, value(pair.birth), pair.death ? value(*pair.death) : "inf");
     }
   };
   const auto write = [&text](const std::string& lines, std::size_t) {

@@ -15,6 +15,14 @@ using namespace io;
 
 namespace {
 
+Json atom_field(const AtomName& name) {
+  return {{"chain", name.chain},
+          {"residue", name.residue},
+          {"number", name.number},
+          {"atom", name.atom},
+          {"element", name.element}};
+}
+
 class PocketFields {
  public:
   explicit PocketFields(const PocketsToWrite& what)
@@ -28,14 +36,15 @@ class PocketFields {
     json["peaks"] = Json::array();
     for (const std::uint32_t peak : pocket.peaks) json["peaks"].push_back(ball(peak));
     json["maxima"] = contacts(pocket.maxima);
-    json["depth"] = to_text(what_.pockets.depth(pocket));
-    json["depth_of_radii"] = double_field(what_.pockets.depth_of_radii(pocket));
+    json["depth"] = double_field(what_.pockets.depth(pocket));
+    json["difference_of_squares"] = to_text(what_.pockets.difference_of_squares(pocket));
     json["volume"] = what_.has_exact_volumes ? Json(to_text(complex_.volumes().exact_sum(pocket.cell)))
                                              : double_field(complex_.volumes().nearest_sum(pocket.cell));
     json["cell"] = Json::array();
     for (const std::uint32_t record : pocket.cell) json["cell"].push_back(stationary_point(record));
     json["mouths"] = Json::array();
     for (const std::uint32_t mouth : pocket.mouths) json["mouths"].push_back(mouth_field(mouth));
+    add_lining(json, Pockets::lining(pocket, complex_.volumes()));
     json["neighbours"] = neighbours(pocket.neighbours);
     json["widest_path"] = path(pocket.to_infinity);
     if (what_.probe) json["is"] = passage_text(what_.pockets.passage(pocket, what_.probe->squared_radius()));
@@ -63,6 +72,13 @@ class PocketFields {
   }
 
  private:
+  void add_lining(Json& json, const std::vector<PointId>& lining) const {
+    json["lining"] = lining;
+    if (what_.atoms == nullptr) return;
+    json["atoms"] = Json::array();
+    for (const PointId row : lining) json["atoms"].push_back(atom_field((*what_.atoms)[row]));
+    json["residues"] = what_.atoms->residue_texts(lining);
+  }
   [[nodiscard]] Json radii(std::uint32_t record) const {
     const Rational squared_radius = what_.pockets.squared_distances().exact(record);
     Json json;
@@ -121,9 +137,9 @@ class PocketFields {
 void write_pockets(std::ostream& out, const PocketsToWrite& what) {
   const geometry::IeeeDoubles ieee;
   const PocketFields fields(what);
-  Json json = header_fields("flowcert-pockets", 1, what.complex.points());
+  Json json = header_fields("flowcert-pockets", 2, what.complex.points());
   add_counts(json, what.complex.points(), what.complex.stationary());
-  json["persistence"] = to_text(what.pockets.persistence());
+  json["squared_persistence"] = to_text(what.pockets.squared_persistence());
   json["probe"] = what.probe ? Json(to_text(what.probe->radius)) : Json(nullptr);
   json["volumes"] = what.has_exact_volumes ? "exact" : "double";
   json["pore_limiting_radius"] = fields.pore_limiting_radius();

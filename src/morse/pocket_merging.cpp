@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <boost/pending/disjoint_sets.hpp>
+#include <cmath>
 #include <map>
 #include <set>
+
+#include "geometry/difference_of_roots.h"
 
 namespace flowcert::morse {
 
@@ -28,9 +31,9 @@ class LeafSets {
 
 class PocketMerging {
  public:
-  PocketMerging(const MergeTrees& trees, const Rational& persistence)
+  PocketMerging(const MergeTrees& trees, const Rational& squared_persistence)
       : trees_(trees),
-        persistence_(persistence),
+        persistence_{squared_persistence},
         components_(trees.pockets().leaves),
         pockets_(trees.pockets().leaves),
         highest_(trees.pockets().leaves) {
@@ -68,20 +71,19 @@ class PocketMerging {
 
   [[nodiscard]] std::uint32_t rank(std::uint32_t record) const { return trees_.squared_distances().rank(record); }
 
-  // Whether all maxima of a component have at most the saddle's value and the persistence more.
+  // Whether the distance at all maxima of a component is at most that at the saddle and the persistence more.
   bool is_shallow(std::uint32_t leaf, std::uint32_t saddle) {
     const std::uint32_t highest = highest_[components_.find(leaf)];
     if (highest == trees_.maxima()) return false;
     const auto record = trees_.record_of(highest);
-    const auto& a = trees_.squared_distances().approximation(record);
-    const auto& b = trees_.squared_distances().approximation(saddle);
-    const double bound = persistence_.convert_to<double>();
-    const double difference = a.value - b.value;
-    // The roundings are within this share of what is rounded, or below the doubles.
-    const double error = a.error + b.error + 0x1p-50 * (a.value + b.value + bound) + 0x1p-1000;
-    if (difference + error < bound) return true;
-    if (difference - error > bound) return false;
-    return trees_.squared_distances().exact(record) - trees_.squared_distances().exact(saddle) <= persistence_;
+    const auto [length, inexact] = trees_.squared_distances().length(saddle, record);
+    // The root's rounding is within this share of it, or comes from a square below the doubles.
+    const double bound = std::sqrt(persistence_.square.convert_to<double>());
+    const double error = inexact + 0x1p-50 * bound + 0x1p-500;
+    if (std::isfinite(bound) && length + error < bound) return true;
+    if (length - error > bound) return false;
+    const auto exact = [this](std::size_t at) { return trees_.squared_distances().exact(at); };
+    return geometry::RootDifference{exact(record), exact(saddle)} <= persistence_;
   }
 
   void merge_at(std::span<const std::uint32_t> saddles) {
@@ -127,16 +129,16 @@ class PocketMerging {
   }
 
   const MergeTrees& trees_;
-  const Rational& persistence_;
+  const geometry::RootDifference persistence_;
   LeafSets components_, pockets_;
   std::vector<std::uint32_t> highest_;  // by the representative of a component: its highest leaf
 };
 
 }  // namespace
 
-std::vector<std::uint32_t> pocket_numbers(const MergeTrees& trees, const Rational& persistence) {
+std::vector<std::uint32_t> pocket_numbers(const MergeTrees& trees, const Rational& squared_persistence) {
   if (trees.pockets().leaves == 0) return {};
-  return PocketMerging(trees, persistence).numbers();
+  return PocketMerging(trees, squared_persistence).numbers();
 }
 
 }  // namespace flowcert::morse

@@ -13,6 +13,6 @@ namespace flowcert::morse {
 
 // By leaf of the tree of pockets: the number of its pocket. Pockets are numbered by their first leaves, but the one of
 // infinity is the last. O(n log n) but for sets of maxima.
-[[nodiscard]] std::vector<std::uint32_t> pocket_numbers(const MergeTrees& trees, const Rational& persistence);
+[[nodiscard]] std::vector<std::uint32_t> pocket_numbers(const MergeTrees& trees, const Rational& squared_persistence);
 
 }  // namespace flowcert::morse

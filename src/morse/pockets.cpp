@@ -118,10 +118,11 @@ const char* passage_text(Passage passage) {
   }
 }
 
-Pockets::Pockets(const MergeTrees& trees, const Rational& persistence) : trees_(&trees), persistence_(persistence) {
+Pockets::Pockets(const MergeTrees& trees, const Rational& squared_persistence)
+    : trees_(&trees), squared_persistence_(squared_persistence) {
   const geometry::IeeeDoubles ieee;
-  if (persistence < 0) throw std::invalid_argument("a persistence is not negative");
-  number_of_ = pocket_numbers(trees, persistence);
+  if (squared_persistence < 0) throw std::invalid_argument("the square of a persistence is not negative");
+  number_of_ = pocket_numbers(trees, squared_persistence);
   if (number_of_.empty()) return;
   pockets_.resize(number_of_.back());
   for (std::uint32_t leaf = 0; leaf < trees.maxima(); ++leaf) {
@@ -179,12 +180,12 @@ std::vector<std::uint32_t> Pockets::above(std::size_t record) const {
   return numbers;
 }
 
-Rational Pockets::depth(const Pocket& pocket) const {
+Rational Pockets::difference_of_squares(const Pocket& pocket) const {
   const geometry::IeeeDoubles ieee;
   return squared_distances().exact(pocket.peaks.front()) - squared_distances().exact(pocket.highest_mouth);
 }
 
-double Pockets::depth_of_radii(const Pocket& pocket) const {
+double Pockets::depth(const Pocket& pocket) const {
   const geometry::IeeeDoubles ieee;
   return geometry::nearest_difference_of_roots(squared_distances().exact(pocket.peaks.front()),
                                                squared_distances().exact(pocket.highest_mouth));
@@ -195,6 +196,16 @@ Passage Pockets::passage(const Pocket& pocket, const Rational& squared_radius) c
   const auto is_open = [&](std::uint32_t record) { return squared_distances().is_at_least(record, squared_radius); };
   if (!is_open(pocket.to_infinity.gates.front())) return Passage::kCavity;
   return std::ranges::count_if(pocket.mouths, is_open) > 1 ? Passage::kChannel : Passage::kPocket;
+}
+
+std::vector<PointId> Pockets::lining(const Pocket& pocket, const StableVolumes& volumes) {
+  const geometry::IeeeDoubles ieee;
+  std::vector<PointId> samples;
+  for (const std::uint32_t record : pocket.cell) {
+    for (const auto& [sample, share] : volumes.rounded_shares(record)) samples.push_back(sample);
+  }
+  sort_without_repetition(samples);
+  return samples;
 }
 
 std::optional<WidestPath> Pockets::widest_path() const {

@@ -110,6 +110,18 @@ bool SquaredDistances::is_at_least(std::size_t record, const Rational& number) c
   return exact(record) >= number;
 }
 
+// |sqrt(x) - sqrt(v)| <= |x - v| / sqrt(v), and at most the root of |x - v|. The roots and sums are rounded.
+Approximation SquaredDistances::length(std::size_t birth, std::size_t death) const {
+  const geometry::IeeeDoubles ieee;
+  const auto root = [this](std::size_t record) {
+    const auto& [square, error] = approximate_[record];
+    const double value = std::sqrt(square);
+    return Approximation{value, error == 0 ? 0 : value > 0 ? error / value : std::sqrt(error)};
+  };
+  const Approximation from = root(birth), to = root(death);
+  return {to.value - from.value, from.error + to.error + (from.value + to.value) * 0x1p-50};
+}
+
 SquaredDistances::SquaredDistances(const PointSet& points, const StationaryPoints& stationary)
     : points_(&points), stationary_(&stationary), rank_(stationary.size()) {
   const geometry::IeeeDoubles ieee;

@@ -47,6 +47,7 @@ py::dict finding_of(const Finding& finding) {
   };
   fields["claimed"] = text(finding.claimed);
   fields["truth"] = text(finding.truth);
+  fields["sentence"] = text(finding.sentence);
   return fields;
 }
 

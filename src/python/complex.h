@@ -67,8 +67,8 @@ class Complex {
   [[nodiscard]] pybind11::tuple exact(std::size_t record) const;
 
   // [(dimension, (birth, death)), ...]
-  [[nodiscard]] pybind11::list persistence(bool with_zero) const;
-  [[nodiscard]] pybind11::array pairs(bool with_zero) const;
+  [[nodiscard]] pybind11::list persistence(bool with_zero, bool is_squared) const;
+  [[nodiscard]] pybind11::array pairs(bool with_zero, bool is_squared) const;
 
   // vertices, triangles, the stationary point of each triangle, the squared distance at each vertex
   [[nodiscard]] pybind11::tuple surface(const std::vector<std::string>& selection) const;
@@ -94,8 +94,8 @@ class Complex {
   [[nodiscard]] pybind11::object unstable_surface(std::size_t record, bool exact) const;
   [[nodiscard]] bool is_morse_smale() const;
 
-  // (pockets, outside, gates, largest_balls, persistence), as Pockets has them (flowcert/_pockets.py). persistence is
-  // a bound as commands take it, and the probe hexadecimal.
+  // (pockets, outside, gates, largest_balls, squared_persistence), as Pockets has them (flowcert/_pockets.py).
+  // persistence is a bound as commands take it, and the probe hexadecimal.
   [[nodiscard]] pybind11::tuple pockets(const std::string& persistence, const std::optional<std::string>& probe) const;
   // (limits, nearest, tied), arrays. -1 is infinity.
   [[nodiscard]] pybind11::tuple locate(const PointRows& rows) const;

@@ -7,6 +7,7 @@
 #include "complex.h"
 #include "flowcert/write_persistence.h"
 #include "geometry/bounded_sphere.h"
+#include "geometry/difference_of_roots.h"
 #include "geometry/parallel_for.h"
 #include "released_lock.h"
 
@@ -60,9 +61,25 @@ std::vector<double> squared_distances_beside_pairs(const FlowComplex& complex) {
   return distances;
 }
 
-std::vector<PairRecord> pairs_of(const FlowComplex& complex, bool with_zero) {
+// The roots of the exact squares.
+std::vector<double> plain_distances_of(const FlowComplex& complex) {
+  complex.make(FlowComplexPart::kPersistence);
+  std::vector<double> distances(complex.stationary().size());
+  geometry::parallel_for((distances.size() + kRecords - 1) / kRecords, complex.threads(), [&](std::size_t part) {
+    stop_if_interrupted();
+    const std::size_t last = std::min((part + 1) * kRecords, distances.size());
+    for (std::size_t record = part * kRecords; record < last; ++record) {
+      const Rational square = exact_squared_radius(complex.points(), complex.stationary().contact(record));
+      distances[record] = geometry::nearest_difference_of_roots(square, 0);
+    }
+  });
+  return distances;
+}
+
+std::vector<PairRecord> pairs_of(const FlowComplex& complex, bool with_zero, bool is_squared) {
   const ReleasedLock released;
-  const std::vector<double> distances = squared_distances_beside_pairs(complex);
+  const std::vector<double> distances =
+      is_squared ? squared_distances_beside_pairs(complex) : plain_distances_of(complex);
   const auto distance_at = [&](std::size_t record) {
     if (distances[record] == HUGE_VAL) {
       throw InvalidInput("a squared distance is beyond the largest double; exact() has it");
@@ -117,8 +134,8 @@ class Numbers {
 
 }  // namespace
 
-py::list Complex::persistence(bool with_zero) const {
-  const std::vector<PairRecord> pairs = pairs_of(complex_, with_zero);
+py::list Complex::persistence(bool with_zero, bool is_squared) const {
+  const std::vector<PairRecord> pairs = pairs_of(complex_, with_zero, is_squared);
   const py::object dimensions[] = {py::int_(0), py::int_(1), py::int_(2)};
   Numbers births, deaths;
   py::list list(pairs.size());
@@ -131,6 +148,8 @@ py::list Complex::persistence(bool with_zero) const {
   return list;
 }
 
-py::array Complex::pairs(bool with_zero) const { return array_of(pairs_of(complex_, with_zero)); }
+py::array Complex::pairs(bool with_zero, bool is_squared) const {
+  return array_of(pairs_of(complex_, with_zero, is_squared));
+}
 
 }  // namespace flowcert::python

@@ -26,17 +26,19 @@ py::array places_of(const std::vector<std::uint32_t>& records) {
 
 // What a pocket has beside its places.
 struct PocketNumbers {
-  Rational squared_depth;
+  Rational difference_of_squares;
   double depth = 0, volume = 0;
   std::vector<double> areas;
+  std::vector<PointId> lining;
   std::optional<Passage> passage;
 };
 
 PocketNumbers numbers_of(const FlowComplex& complex, const Pockets& pockets, const Pocket& pocket,
                          const std::optional<Rational>& probe) {
   const auto& counts = complex.stationary().critical_counts();
-  PocketNumbers numbers{
-      pockets.depth(pocket), pockets.depth_of_radii(pocket), complex.volumes().nearest_sum(pocket.cell), {}, {}};
+  PocketNumbers numbers{pockets.difference_of_squares(pocket),      pockets.depth(pocket),
+                        complex.volumes().nearest_sum(pocket.cell), {},
+                        Pockets::lining(pocket, complex.volumes()), {}};
   for (const std::uint32_t mouth : pocket.mouths) {
     numbers.areas.push_back(surface_area(complex.points(), complex.stable(), mouth - counts[0] - counts[1]));
   }
@@ -50,9 +52,9 @@ py::tuple tuple_of_pocket(const Pockets& pockets, const Pocket& pocket, PocketNu
   std::ranges::replace(neighbours, outside, std::int64_t{-1});
   const py::object passage = numbers.passage ? py::object(py::str(passage_text(*numbers.passage))) : py::none();
   return py::make_tuple(places_of(pocket.peaks), places_of(pocket.maxima), numbers.depth,
-                        ratio_of(numbers.squared_depth), numbers.volume, places_of(pocket.cell),
+                        ratio_of(numbers.difference_of_squares), numbers.volume, places_of(pocket.cell),
                         places_of(pocket.mouths), array_of(std::move(numbers.areas)), array_of(std::move(neighbours)),
-                        places_of(pocket.to_infinity.gates), passage);
+                        places_of(pocket.to_infinity.gates), places_of(numbers.lining), passage);
 }
 
 }  // namespace
@@ -62,7 +64,7 @@ py::tuple Complex::pockets(const std::string& persistence, const std::optional<s
   std::vector<PocketNumbers> numbers;
   {
     const ReleasedLock released;
-    made.emplace(complex_.merge_trees(), pocket_persistence(complex_, persistence, "persistence").value);
+    made.emplace(complex_.merge_trees(), pocket_persistence(complex_, persistence, "persistence").square);
     const std::optional<Rational> radius = probe ? std::optional(rational_of(*probe)) : std::nullopt;
     for (std::size_t k = 0; k < made->size(); ++k) {
       numbers.push_back(numbers_of(complex_, *made, (*made)[k], radius));
@@ -74,7 +76,7 @@ py::tuple Complex::pockets(const std::string& persistence, const std::optional<s
   }
   const std::optional<WidestPath> widest = made->widest_path();
   return py::make_tuple(pockets, places_of(made->outside()), places_of(widest ? widest->gates : WidestPath{}.gates),
-                        places_of(made->largest_balls()), ratio_of(made->persistence()));
+                        places_of(made->largest_balls()), ratio_of(made->squared_persistence()));
 }
 
 py::tuple Complex::locate(const PointRows& rows) const {

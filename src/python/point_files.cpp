@@ -18,8 +18,21 @@ namespace py = pybind11;
 
 namespace {
 
-// The points, the notes as (line, text), and the rows that are left out.
-py::tuple read_file(const std::string& path, const ReadingOptions& options) {
+// (chain, residue, number, atom, element) of each row.
+py::list names_of(const AtomNames& atoms) {
+  const auto text = [](std::string_view field) { return py::str(field.data(), field.size()); };
+  py::list names;
+  for (PointId row = 0; row < atoms.size(); ++row) {
+    const AtomName name = atoms[row];
+    names.append(
+        py::make_tuple(text(name.chain), text(name.residue), text(name.number), text(name.atom), text(name.element)));
+  }
+  return names;
+}
+
+// The points, the notes as (line, text), the rows that are left out, and the names of a molecule's atoms if they are
+// asked for.
+py::tuple read_file(const std::string& path, const ReadingOptions& options, bool with_atoms) {
   PointFile file;
   {
     const ReleasedLock released;
@@ -27,7 +40,8 @@ py::tuple read_file(const std::string& path, const ReadingOptions& options) {
   }
   py::list notes;
   for (const ReadingNote& note : file.notes) notes.append(py::make_tuple(note.line, note.text));
-  return py::make_tuple(rows_of<double>(std::move(file.rows)), notes, py::cast(file.left_out));
+  const py::list names = with_atoms ? names_of(file.atoms) : py::list();
+  return py::make_tuple(rows_of<double>(std::move(file.rows)), notes, py::cast(file.left_out), names);
 }
 
 }  // namespace
@@ -37,20 +51,22 @@ void add_point_files(py::module_& module) {
       "read_points",
       [](const std::string& path, std::string format, std::string columns, std::optional<double> z,
          std::vector<std::string> atoms, std::vector<std::string> chains, std::string models, std::size_t frame,
-         bool skip_invalid, bool unlimited) {
-        return read_file(path, {.format = std::move(format),
-                                .columns = std::move(columns),
-                                .z = z,
-                                .chains = std::move(chains),
-                                .atoms = std::move(atoms),
-                                .models = std::move(models),
-                                .frame = frame,
-                                .skip_invalid = skip_invalid,
-                                .unlimited = unlimited,
-                                .progress = stop_if_interrupted});
+         bool skip_invalid, bool unlimited, bool with_atoms) {
+        return read_file(path,
+                         {.format = std::move(format),
+                          .columns = std::move(columns),
+                          .z = z,
+                          .chains = std::move(chains),
+                          .atoms = std::move(atoms),
+                          .models = std::move(models),
+                          .frame = frame,
+                          .skip_invalid = skip_invalid,
+                          .unlimited = unlimited,
+                          .progress = stop_if_interrupted},
+                         with_atoms);
       },
       py::arg("path"), py::arg("format"), py::arg("columns"), py::arg("z"), py::arg("atoms"), py::arg("chains"),
-      py::arg("models"), py::arg("frame"), py::arg("skip_invalid"), py::arg("unlimited"),
+      py::arg("models"), py::arg("frame"), py::arg("skip_invalid"), py::arg("unlimited"), py::arg("with_atoms"),
       py::call_guard<geometry::IeeeDoubles>(), "What flowcert.read_points asks.");
 }
 

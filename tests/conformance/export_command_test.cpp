@@ -6,17 +6,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <random>
 
 #include "flowcert/rational.h"
+#include "geometry/difference_of_roots.h"
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
 
 namespace flowcert::conformance::export_command_test {
 namespace {
 
+using geometry::RootDifference;
 using nlohmann::json;
 using Words = std::vector<std::string>;
 namespace fs = std::filesystem;
@@ -75,7 +78,8 @@ Words without_comment(const std::string& ply) {
 }
 
 struct Gap {
-  Rational persistence, squared_radius;
+  RootDifference length;
+  Rational squared_radius;
 };
 
 std::vector<Gap> gaps_of(const std::string& input) {
@@ -85,7 +89,7 @@ std::vector<Gap> gaps_of(const std::string& input) {
     if (pair.at("dimension") == 0) continue;
     const Rational birth(pair["birth"]["squared_distance"].get<std::string>()),
         death(pair["death"]["squared_distance"].get<std::string>());
-    gaps.push_back({death - birth, pair["dimension"] == 1 ? death : birth});
+    gaps.push_back({{death, birth}, pair["dimension"] == 1 ? death : birth});
   }
   return gaps;
 }
@@ -127,7 +131,7 @@ TEST(ExportCommand, SelectionsAreThoseOfThePairs) {
   const json all = surface(scratch, input, {});
   ASSERT_EQ(all["sets"], gaps.size());
   const Rational persistence(1, 100), radius(1, 4);
-  const auto lasts = [&](const Gap& gap) { return gap.persistence > persistence; };
+  const auto lasts = [&](const Gap& gap) { return gap.length > RootDifference{persistence * persistence}; };
   const auto is_small = [&](const Gap& gap) { return gap.squared_radius < radius * radius; };
   const auto both = [&](const Gap& gap) { return lasts(gap) && is_small(gap); };
   const auto counted = [&](const auto& holds) { return std::ranges::count_if(gaps, holds); };
@@ -143,14 +147,17 @@ TEST(ExportCommand, TheLargestGapsAreThoseAboveTheNext) {
   const Scratch scratch;
   const std::string input = scratch.file("points.xyz", random_points(3, 60));
   std::vector<Gap> gaps = gaps_of(input);
-  std::ranges::sort(gaps, std::greater(), &Gap::persistence);
+  std::ranges::sort(gaps, std::greater(), &Gap::length);
   ASSERT_GT(gaps.size(), 10U);
   const json ten = surface(scratch, input, {"largest-gaps=10"});
   const std::string file = content_of(scratch.path("surface.ply"));
   EXPECT_EQ(ten["selected"], 10);
   // The eleventh gap is not above itself.
-  ASSERT_GT(gaps[9].persistence, gaps[10].persistence);
-  EXPECT_EQ(surface(scratch, input, {"persistence>" + to_text(gaps[10].persistence)})["selected"], 10);
+  ASSERT_GT(gaps[9].length, gaps[10].length);
+  const Rational between(
+      std::nextafter(geometry::nearest_difference_of_roots(gaps[10].length.square, gaps[10].length.less), HUGE_VAL));
+  ASSERT_GT(gaps[9].length, RootDifference{between * between});
+  EXPECT_EQ(surface(scratch, input, {"persistence>" + to_text(between)})["selected"], 10);
   EXPECT_EQ(content_of(scratch.path("surface.ply")), file);
 }
 
@@ -160,8 +167,11 @@ TEST(ExportCommand, ThresholdsAreExact) {
   EXPECT_EQ(selected(kRadiusFive, {"index2-radius<10/2"}), 0U);
   EXPECT_EQ(selected(kRadiusFive, {"index2-radius<5.0000000000000000000000000001"}), 1U);
   EXPECT_EQ(selected(kRadiusFive, {"index2-radius<-6"}), 0U);
-  EXPECT_EQ(selected(kCube, {"persistence>0.25"}), 0U);
-  EXPECT_EQ(selected(kCube, {"persistence>0.24999999999999999999999999999"}), 6U);
+  // The roots of 1/4, 1/2 and 3/4 differ by these: five tunnels, and the void.
+  EXPECT_EQ(selected(kCube, {"persistence>0.20710678118654753"}), 0U);
+  EXPECT_EQ(selected(kCube, {"persistence>0.20710678118654752"}), 5U);
+  EXPECT_EQ(selected(kCube, {"persistence>0.15891862259789113"}), 5U);
+  EXPECT_EQ(selected(kCube, {"persistence>0.15891862259789112"}), 6U);
   EXPECT_EQ(selected(kCube, {"persistence>-1"}), 6U);
 }
 
@@ -238,7 +248,7 @@ TEST(ExportCommand, RefusesWhatIsNoSelection) {
   refuses("index2-radius<1e1000000", "exponent");
   refuses("index2-radius<spacing", "not a number");
   refuses("index2-radius<3spacing^2", "'3spacing^2'");
-  refuses("persistence>3spacing", "'3spacing'");
+  refuses("persistence>3spacing^2", "not of its square: '3spacing^2'");
   refuses("index2-radius<q1.5", "'q1.5'");
   refuses("persistence>q-0.1", "no quantile from 0 to 1: 'q-0.1'");
   refuses("index2-radius<q", "not a number");

@@ -29,7 +29,7 @@ Json tree(const FlowComplex& complex, TreeKind kind) {
 
 // The doubles are left out, which the vectors have not.
 void erase_doubles(Json& value) {
-  for (const char* key : {"radius", "depth_of_radii", "area"}) {
+  for (const char* key : {"radius", "depth", "area", "lining"}) {
     if (value.is_object()) value.erase(key);
   }
   for (Json& part : value) {
@@ -38,7 +38,7 @@ void erase_doubles(Json& value) {
 }
 
 Json pockets_at(const FlowComplex& complex, const Json& wanted) {
-  const Pockets pockets(complex.merge_trees(), number(wanted["persistence"]));
+  const Pockets pockets(complex.merge_trees(), number(wanted["squared_persistence"]));
   const auto written = [&](std::optional<Probe> probe) {
     std::ostringstream out;
     write_pockets(out, {complex, pockets, std::move(probe), true});
@@ -48,7 +48,8 @@ Json pockets_at(const FlowComplex& complex, const Json& wanted) {
   };
   const Json all = written({});
   Json answer;
-  for (const char* key : {"persistence", "pore_limiting_radius", "largest_cavity_radius", "outside", "pockets"}) {
+  for (const char* key :
+       {"squared_persistence", "pore_limiting_radius", "largest_cavity_radius", "outside", "pockets"}) {
     answer[key] = all[key];
   }
   answer["probes"] = Json::array();
@@ -92,6 +93,13 @@ Json levels(const FlowComplex& complex, const std::vector<std::size_t>& chosen) 
   return field;
 }
 
+// The persistences of vectors are rational, so that a command can be asked for them.
+Rational root_of(const Rational& square) {
+  const auto root = [](const auto& number) { return boost::multiprecision::mpz_int(sqrt(number)); };
+  return {root(boost::multiprecision::mpz_int(numerator(square))),
+          root(boost::multiprecision::mpz_int(denominator(square)))};
+}
+
 Json medial_axes(const FlowComplex& complex, const Json& wanted) {
   Json answer = {{"angles", Json::array()}, {"persistences", Json::array()}};
   for (const Json& one : wanted["angles"]) {
@@ -99,9 +107,11 @@ Json medial_axes(const FlowComplex& complex, const Json& wanted) {
     answer["angles"].push_back({{"angle", one["angle"]}, {"above", contacts(complex, chosen)}});
   }
   for (const Json& one : wanted["persistences"]) {
-    const LengthBound bound{LengthBound::Unit::kInput, number(one["persistence"])};
+    const Rational length = root_of(number(one["squared_persistence"]));
+    const LengthBound bound{LengthBound::Unit::kInput, length};
     const auto chosen = medial_points(complex, {bound, {}, {}}).records;
-    answer["persistences"].push_back({{"persistence", one["persistence"]}, {"levels", levels(complex, chosen)}});
+    answer["persistences"].push_back(
+        {{"squared_persistence", to_text(length * length)}, {"levels", levels(complex, chosen)}});
   }
   return answer;
 }

@@ -41,9 +41,12 @@ TEST(MedialCommand, ChoosesByAngleAndPersistence) {
   EXPECT_EQ(chosen(cube, {}), Counts(12, 6));
   EXPECT_EQ(chosen(cube, {"--angle", "179.9"}), Counts(12, 6));  // opposite corners of a square
   EXPECT_EQ(chosen(cube, {"--angle", "180"}), Counts(0, 0));
-  // Seven edges join components: their pairs have the length 1/4. Five tunnels last to 1/2, and so does the void to 3/4.
-  EXPECT_EQ(chosen(cube, {"--persistence", "0.2"}), Counts(12, 6));
-  EXPECT_EQ(chosen(cube, {"--persistence", "1/4"}), Counts(0, 0));
+  // Seven edges join components: their pairs have the length 1/2. Five tunnels last from 1/2 to the root of 1/2, and
+  // the void from there to that of 3/4.
+  EXPECT_EQ(chosen(cube, {"--persistence", "0.1"}), Counts(12, 6));
+  EXPECT_EQ(chosen(cube, {"--persistence", "0.2"}), Counts(12, 5));
+  EXPECT_EQ(chosen(cube, {"--persistence", "1/4"}), Counts(7, 0));
+  EXPECT_EQ(chosen(cube, {"--persistence", "1/2"}), Counts(0, 0));
   const Counts all = chosen(tetrahedron, {}), wide = chosen(tetrahedron, {"--angle", "150"});
   EXPECT_EQ(wide.first, all.first);
   EXPECT_LT(wide.second, all.second);

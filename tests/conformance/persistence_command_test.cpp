@@ -16,12 +16,14 @@
 #include <sstream>
 
 #include "flowcert/rational.h"
+#include "geometry/difference_of_roots.h"
 #include "tests/cites.h"
 #include "tests/conformance/program_run.h"
 
 namespace flowcert::conformance::persistence_command_test {
 namespace {
 
+using geometry::RootDifference;
 using nlohmann::ordered_json;
 using Words = std::vector<std::string>;
 
@@ -38,6 +40,12 @@ Finished persistence(const std::string& path, Words options = {}) {
   return flowcert(options);
 }
 
+// With the pairs on standard output.
+Finished text_of(const std::string& path, Words options = {}) {
+  options.insert(options.end(), {"-o", "-"});
+  return persistence(path, options);
+}
+
 // The lines without the comments in front.
 Words pairs_of(const Finished& finished) {
   EXPECT_EQ(finished.status, 0) << finished.err;
@@ -48,7 +56,7 @@ Words pairs_of(const Finished& finished) {
 
 Words pairs_of(const std::string& points, const Words& options = {}) {
   const Scratch scratch;
-  return pairs_of(persistence(scratch.file("points.xyz", points), options));
+  return pairs_of(text_of(scratch.file("points.xyz", points), options));
 }
 
 ordered_json json_of(const std::string& path, Words options = {}) {
@@ -101,7 +109,7 @@ TEST(PersistenceText, FewPoints) {
 TEST(PersistenceText, SaysWhatItIsInComments) {
   const Scratch scratch;
   const std::string path = scratch.file("cube.xyz", kCube);
-  const Words lines = lines_of(persistence(path).out);
+  const Words lines = lines_of(text_of(path).out);
   ASSERT_GT(lines.size(), 3U);
   EXPECT_EQ(lines[0],
             "# Persistence of the distance function: dimension, birth, death. The values are squared distances.");
@@ -109,8 +117,7 @@ TEST(PersistenceText, SaysWhatItIsInComments) {
   std::string made_by = lines_of(flowcert({"--version"}).out).at(0);
   EXPECT_EQ(lines[1], "# " + made_by + ", input_sha256 " + json["input_sha256"].get<std::string>());
   EXPECT_EQ(lines[2], "# Without pairs of length zero.");
-  EXPECT_EQ(lines_of(persistence(path, {"--zero"}).out)[2],
-            "# With regular stationary points, as pairs of length zero.");
+  EXPECT_EQ(lines_of(text_of(path, {"--zero"}).out)[2], "# With regular stationary points, as pairs of length zero.");
 }
 
 TEST(PersistenceText, RegularStationaryPointsArePairsOfLengthZero) {
@@ -161,9 +168,9 @@ TEST(PersistenceText, TheSeedOfTiesDoesNotShow) {
   const Scratch scratch;
   for (const char* points : {kKind13, kFive, kNoComplex, kCube}) {
     const std::string path = scratch.file("points.xyz", points);
-    const std::string expected = persistence(path, {"--zero"}).out;
+    const std::string expected = text_of(path, {"--zero"}).out;
     for (const char* seed : {"1", "2", "18446744073709551615"}) {
-      EXPECT_EQ(persistence(path, {"--zero", "--seed-ties", seed}).out, expected) << points << seed;
+      EXPECT_EQ(text_of(path, {"--zero", "--seed-ties", seed}).out, expected) << points << seed;
     }
   }
   const ordered_json json = json_of(scratch.file("points.xyz", kNoComplex), {"--seed-ties", "9"});
@@ -177,9 +184,9 @@ TEST(PersistenceFile, HasTheTextAndLeavesATable) {
   const Finished finished = persistence(path, {"-o", output});
   EXPECT_EQ(finished.status, 0);
   EXPECT_EQ(finished.err, "");
-  EXPECT_EQ(content_of(output), persistence(path).out);
+  EXPECT_EQ(content_of(output), text_of(path).out);
   const Words lines = lines_of(finished.out);
-  ASSERT_EQ(lines.size(), 30U) << finished.out;
+  ASSERT_EQ(lines.size(), 32U) << finished.out;
   EXPECT_EQ(lines[0], path + " (table)");
   EXPECT_EQ(lines[3], "pairs of dimension 0                           7   components; 1 lasts");
   EXPECT_EQ(lines[4], "pairs of dimension 1                           5   tunnels; 0 last");
@@ -190,6 +197,22 @@ TEST(PersistenceFile, HasTheTextAndLeavesATable) {
   const std::string again = scratch.path("again.pers");
   EXPECT_EQ(json_of(path, {"-o", again})["pairs"].size(), 14U);
   EXPECT_EQ(content_of(again), content_of(output));
+}
+
+// Roots of the squares, in a file that says so, and that nobody takes for squares.
+TEST(PersistenceFile, OfPlainDistancesIsMarkedAndNotJudged) {
+  CITES("FC-FILE-22");
+  const Scratch scratch;
+  const std::string path = scratch.file("cube.xyz", kCube), output = scratch.path("cube.pers");
+  ASSERT_EQ(persistence(path, {"-o", output, "--plain"}).status, 0);
+  const Words lines = lines_of(content_of(output));
+  EXPECT_EQ(lines.at(0), "# Persistence of the distance function: dimension, birth, death. The values are distances.");
+  EXPECT_EQ(lines.at(3), "# flowcert: plain values, not squared");
+  EXPECT_EQ(lines.at(4), "0 0 0.5");
+  EXPECT_EQ(lines.back(), "2 0.7071067811865476 0.8660254037844386");
+  for (const std::string& claim : {output, scratch.file("cube.txt", content_of(output))}) {
+    expect_refused(flowcert({"check", path, claim}), "the values are plain distances (persistence --plain)");
+  }
 }
 
 // The lines below the title of the longest pairs, by words.
@@ -218,24 +241,26 @@ TEST(PersistenceTable, HasTheLongestPairsOfEachDimension) {
   const ordered_json answer = json_of(input);
   std::size_t row = 0;
   for (int dimension = 0; dimension < 3; ++dimension) {
-    std::vector<std::pair<Rational, const ordered_json*>> pairs;
+    std::vector<std::pair<RootDifference, const ordered_json*>> pairs;
     for (const auto& pair : answer["pairs"]) {
       if (pair["dimension"] != dimension || pair["death"].is_null()) continue;
       const Rational birth(pair["birth"]["squared_distance"].get<std::string>()),
           death(pair["death"]["squared_distance"].get<std::string>());
-      pairs.emplace_back(death - birth, &pair);
+      pairs.emplace_back(RootDifference{death, birth}, &pair);
     }
     std::ranges::stable_sort(pairs, [](const auto& a, const auto& b) { return a.first > b.first; });
     ASSERT_GE(pairs.size(), 5U);
     if (dimension == 0) {
-      EXPECT_EQ(rows.at(row++), (Words{"0", "inf", "0", "0", "never"}));
+      EXPECT_EQ(rows.at(row++), (Words{"0", "inf", "0.0", "inf", "0", "never"}));
     }
     for (std::size_t k = 0; k < (dimension == 0 ? 4U : 5U); ++k, ++row) {
       Words expected{std::to_string(dimension)};
       const auto& pair = *pairs[k].second;
-      for (const Rational& value : {pairs[k].first, Rational(pair["birth"]["squared_distance"].get<std::string>())}) {
+      const auto& [death, birth] = pairs[k].first;
+      // The spacing is between 100 and 1000, so that there is one decimal.
+      for (const RootDifference& value : {pairs[k].first, RootDifference{birth}, RootDifference{death}}) {
         std::ostringstream text;
-        text << std::setprecision(5) << nearest_double(value).value();
+        text << std::fixed << std::setprecision(1) << geometry::nearest_difference_of_roots(value.square, value.less);
         expected.push_back(text.str());
       }
       for (const char* end : {"birth", "death"}) {
@@ -253,8 +278,8 @@ TEST(PersistenceTable, EqualPairsComeInTheirOrderAndLongContactSetsAreCut) {
   const std::string input = scratch.file("cube.xyz", kCube);
   const std::vector<Words> rows = longest_rows(persistence(input, {"-o", scratch.path("out.pers")}).out);
   ASSERT_EQ(rows.size(), 11U);
-  EXPECT_EQ(rows[1], (Words{"0", "0.25", "0", "1", "0", "1"}));
-  EXPECT_EQ(rows[10], (Words{"2", "0.25", "0.5", "4", "5", "6", "7", "0", "1", "2", "3", "and", "4", "more"}));
+  EXPECT_EQ(rows[1], (Words{"0", "0.500", "0.000", "0.500", "1", "0", "1"}));
+  EXPECT_EQ(rows[10], (Words{"2", "0.159", "0.707", "0.866", "4", "5", "6", "7", "0", "1", "2", "3", "and", "4", "more"}));
   const std::string none = scratch.file("none.off", "OFF\n0 0 0\n");
   EXPECT_EQ(longest_rows(persistence(none, {"-o", scratch.path("out.pers")}).out).size(), 0U);
 }
@@ -283,9 +308,9 @@ TEST(PersistenceJson, HasTheKeysOfTheFormatInTheirOrder) {
   EXPECT_EQ(last["birth"]["contact"].size(), 3U);
   EXPECT_EQ(last["birth"]["squared_distance"], "2/3");
   EXPECT_EQ(last["birth"]["squared_distance_double"], 2.0 / 3);
-  EXPECT_EQ(
-      last["death"],
-      ordered_json::parse(R"({"contact": [0, 1, 2, 3], "squared_distance": "3/4", "squared_distance_double": 0.75})"));
+  EXPECT_EQ(last["death"],
+            ordered_json::parse(R"({"record": 14, "contact": [0, 1, 2, 3], "center": ["1/2", "1/2", "1/2"],
+                              "squared_distance": "3/4", "squared_distance_double": 0.75})"));
   EXPECT_EQ(json["pairs"][3]["birth"]["contact"], ordered_json::array({0}));
   EXPECT_TRUE(json["pairs"][3]["death"].is_null());
 }
@@ -316,7 +341,9 @@ TEST(PersistenceCommand, ValuesBeyondTheDoublesNeedJson) {
   CITES("FC-NUM-02", "FC-IN-04");
   const Scratch scratch;
   const std::string path = scratch.file("far.xyz", "1e200 0 0\n-1e200 0 0\n");
-  expect_refused(persistence(path), path + ": a squared distance is beyond the largest double");
+  expect_refused(text_of(path), path + ": a squared distance is beyond the largest double");
+  EXPECT_EQ(pairs_of(text_of(path, {"--plain"})), (Words{"0 0 1e+200", "0 0 inf"}));
+  EXPECT_EQ(persistence(path).status, 0);
   expect_refused(persistence(path, {"-o", scratch.path("far.pers")}), "--json has it exactly");
   EXPECT_EQ(scratch.names(), (std::set<std::string>{"far.xyz"}));
   const ordered_json death = json_of(path)["pairs"][0]["death"];
@@ -336,7 +363,7 @@ TEST(PersistenceCommand, WhatIsNoInputIsStatus2) {
   expect_refused(persistence(cube, {"-o", "/dev/full"}), "cannot be written");
   expect_refused(flowcert({"persistence"}), "(see flowcert persistence --help)");
   for (const Words& usage : {Words{"-o"}, Words{"--seed-ties"}, Words{"--seed-ties", "x"}, Words{"--seed-ties", "-1"},
-                             Words{"--seed-ties", "18446744073709551616"}, Words{"--bogus"}}) {
+                             Words{"--seed-ties", "18446744073709551616"}, Words{"--bogus"}, Words{"--plain"}}) {
     SCOPED_TRACE(::testing::PrintToString(usage));
     expect_refused(persistence(cube, usage), "(see flowcert persistence --help)");
   }
@@ -355,9 +382,9 @@ TEST(PersistenceCommand, HelpHasAnExample) {
 TEST(PersistenceCommand, ReadsStandardInput) {
   const Scratch scratch;
   const std::string cube = scratch.file("cube.xyz", kCube);
-  const Finished finished = flowcert({"persistence", "-"}, {.standard_input = cube, .standard_output = ""});
+  const Finished finished = flowcert({"persistence", "-", "-o", "-"}, {.standard_input = cube, .standard_output = ""});
   EXPECT_EQ(finished.status, 0) << finished.err;
-  EXPECT_EQ(finished.out, persistence(cube).out);
+  EXPECT_EQ(finished.out, text_of(cube).out);
 }
 
 // The block after <!-- example: persistence --> is a command line after a dollar, and all that it prints.

@@ -216,15 +216,23 @@ def write(folder, name, text):
     return path
 
 
+def without_names(told):
+    """The same without what a file calls its atoms."""
+    for pocket in told["pockets"]:
+        for key in ("atoms", "residues"):
+            pocket.pop(key, None)
+    return told
+
+
 def check_barrels(flowcert, folder, checks):
     for caps in (0, 1, 2):
         atoms = barrel(caps)
         positions = [at for *_, at in atoms]
         source = write(folder, f"barrel_{caps}.pdb", pdb_text(atoms))
-        told = check(flowcert, source, folder, positions, checks, "1")
+        told = check(flowcert, source, folder, positions, checks, "0.1")
         for name, text in ((f"barrel_{caps}.cif", mmcif_text(atoms)), (f"barrel_{caps}.xyz", xyz_text(positions))):
-            other = json.loads(run(flowcert, "pockets", write(folder, name, text), "--json", "--persistence", "1"))
-            checks.expect(other == told, f"{name} has other pockets")
+            other = json.loads(run(flowcert, "pockets", write(folder, name, text), "--json", "--persistence", "0.1"))
+            checks.expect(without_names(other) == without_names(told), f"{name} has other pockets")
         # The lumen is as wide as the barrel less a helix, and closed for a probe of 3 Å where both ends are.
         if caps == 2:
             checks.expect(7 < told["largest_cavity_radius"]["radius"] < 10, "the lumen's radius")

@@ -7,11 +7,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "flowcert/rational.h"
 #include "tests/cites.h"
@@ -28,6 +32,7 @@ constexpr char kOctahedron[] = "1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n";
 ordered_json pockets_of(const std::string& points, const Words& options = {}) {
   const Scratch scratch;
   Words words = {"pockets", scratch.file("points.xyz", points), "--json"};
+  if (std::ranges::find(options, "--persistence") == options.end()) words.insert(words.end(), {"--persistence", "0"});
   words.insert(words.end(), options.begin(), options.end());
   const Finished done = flowcert(words);
   EXPECT_EQ(done.status, 0) << done.err;
@@ -51,8 +56,10 @@ TEST(PocketsCommand, TellsAllOfAnOctahedron) {
   EXPECT_EQ(json["largest_cavity_radius"]["squared_radius"], "1");
   ASSERT_EQ(json["pockets"].size(), 1U);
   const ordered_json& pocket = json["pockets"][0];
-  EXPECT_EQ(pocket["depth"], "1/3");
-  EXPECT_EQ(pocket["depth_of_radii"], 1 - std::sqrt(2.0 / 3));
+  EXPECT_EQ(pocket["difference_of_squares"], "1/3");
+  EXPECT_EQ(pocket["depth"], 1 - std::sqrt(2.0 / 3));
+  EXPECT_EQ(pocket["lining"], (ordered_json{0, 1, 2, 3, 4, 5}));
+  EXPECT_FALSE(pocket.contains("atoms"));
   EXPECT_EQ(pocket["volume"], "4/3");
   EXPECT_EQ(pocket["neighbours"], (ordered_json{-1}));
   EXPECT_EQ(pocket["is"], "channel");
@@ -131,7 +138,7 @@ TEST(PocketsCommand, TellsCavitiesPocketsAndChannels) {
   };
   for (const Case& one :
        {Case{{}, "cavity"}, Case{{{0, 0, 10}}, "pocket"}, Case{{{0, 0, 10}, {0, -10, 0}}, "channel"}}) {
-    const ordered_json json = pockets_of(hollow_sphere(one.holes), {"--persistence", "5", "--probe", "2"});
+    const ordered_json json = pockets_of(hollow_sphere(one.holes), {"--persistence", "0.5", "--probe", "2"});
     ASSERT_EQ(json["pockets"].size(), 1U) << one.is;
     EXPECT_EQ(count_of(json, one.is), 1U) << one.is;
     EXPECT_NEAR(json["largest_cavity_radius"]["radius"].get<double>(), 10, 0.2);
@@ -152,14 +159,15 @@ TEST(PocketsCommand, TellsTheSameOfMovedPoints) {
     rows += fmt::format("{} {} {}\n", x[0], x[1], x[2]);
     images = fmt::format("{} {} {}\n", 2 * x[1] + 5, -2 * x[0] + 1, 2 * x[2]) + images;
   }
-  const ordered_json one = pockets_of(rows, {"--persistence", "3/2", "--probe", "1.5"});
-  const ordered_json other = pockets_of(images, {"--persistence", "6", "--probe", "3"});
+  const ordered_json one = pockets_of(rows, {"--persistence", "1/4", "--probe", "1.5"});
+  const ordered_json other = pockets_of(images, {"--persistence", "1/2", "--probe", "3"});
   EXPECT_GT(one["pockets"].size(), 3U);
   EXPECT_EQ(one["pockets"].size(), other["pockets"].size());
   const auto facts = [](const ordered_json& json, int scale) {
     std::multiset<std::string> all;
     for (const ordered_json& pocket : json["pockets"]) {
-      all.insert(fmt::format("{} {} {} {} {}", Rational(scale * Rational(pocket["depth"].get<std::string>())).str(),
+      all.insert(fmt::format("{} {} {} {} {}",
+                             Rational(scale * Rational(pocket["difference_of_squares"].get<std::string>())).str(),
                              pocket["maxima"].size(), pocket["mouths"].size(), pocket["widest_path"]["gates"].size(),
                              pocket["is"].get<std::string>()));
     }
@@ -172,7 +180,8 @@ TEST(PocketsCommand, IsJudgedByCheck) {
   CITES("FC-CLAIM-18", "FC-FILE-14");
   const Scratch scratch;
   const std::string points = scratch.file("points.xyz", kOctahedron);
-  const std::string claim = flowcert({"pockets", points, "--json", "--probe", "0.8", "--volumes", "exact"}).out;
+  const std::string claim =
+      flowcert({"pockets", points, "--json", "--persistence", "0", "--probe", "0.8", "--volumes", "exact"}).out;
   const std::string file = scratch.file("pockets.json", claim);
   for (const Words& options : {Words{}, Words{"--oracle"}, Words{"--tolerance", "0"}}) {
     Words words = {"check", points, file, "--json"};
@@ -190,10 +199,11 @@ TEST(PocketsCommand, IsJudgedByCheck) {
   }
   // Another program could print the claim on several lines. One number is changed.
   ordered_json wrong = ordered_json::parse(claim);
-  wrong["pockets"][0]["depth"] = "1/2";
+  wrong["pockets"][0]["difference_of_squares"] = "1/2";
   const Finished done = flowcert({"check", points, scratch.file("wrong.json", wrong.dump(2))});
   EXPECT_EQ(done.status, 1);
-  EXPECT_NE(done.out.find("[FC-POCK-05]: claimed pocket 0, depth 1/2"), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("[FC-POCK-05]: claimed pocket 0, a difference of squares of 1/2"), std::string::npos)
+      << done.out;
   // A claim about other points.
   EXPECT_EQ(flowcert({"check", scratch.file("cube.xyz", cubic_lattice(1)), file}).status, 1);
 }
@@ -222,7 +232,7 @@ TEST(PocketsCommand, WritesFiles) {
   CITES("FC-POCK-03");
   const Scratch scratch;
   const std::string points = scratch.file("points.xyz", cubic_lattice(2)), folder = scratch.path("out");
-  const Finished done = flowcert({"pockets", points, "--export", folder, "--probe", "0.7"});
+  const Finished done = flowcert({"pockets", points, "--persistence", "0", "--export", folder, "--probe", "0.7"});
   EXPECT_EQ(done.status, 0) << done.err;
   EXPECT_NE(done.out.find("all pockets, from the deepest one"), std::string::npos) << done.out;
   std::set<std::string> names;
@@ -252,6 +262,92 @@ TEST(PocketsCommand, TheReadmesExampleIsRight) {
   EXPECT_EQ(RunningProgram({"/bin/sh", "-c", command, FLOWCERT_PROGRAM}).finish().out, expected);
 }
 
+// ---- Molecules ----
+
+// An octahedron of atoms, 4 from its centre.
+std::string octahedron_pdb() {
+  constexpr std::array<std::array<int, 3>, 6> kPlaces = {
+      {{4, 0, 0}, {-4, 0, 0}, {0, 4, 0}, {0, -4, 0}, {0, 0, 4}, {0, 0, -4}}};
+  std::string text;
+  for (std::size_t k = 0; k < kPlaces.size(); ++k) {
+    text += fmt::format("ATOM  {:>5}  {:<3} GLY A{:>4}    {:>8.3f}{:>8.3f}{:>8.3f}  1.00  0.00           {}\n", k + 1,
+                        k % 2 == 0 ? "CA" : "N", 7 + k / 2, static_cast<double>(kPlaces[k][0]),
+                        static_cast<double>(kPlaces[k][1]), static_cast<double>(kPlaces[k][2]), k % 2 == 0 ? "C" : "N");
+  }
+  return text;
+}
+
+TEST(PocketsOfMolecules, AreLinedByNamedAtoms) {
+  CITES("FC-POCK-03", "FC-FILE-24");
+  const Scratch scratch;
+  const std::string file = scratch.file("octahedron.pdb", octahedron_pdb()), rows = scratch.path("rows.csv"),
+                    atoms = scratch.path("atoms.csv");
+  const Finished done =
+      flowcert({"pockets", file, "--persistence", "0", "--probe", "3.1", "--csv", rows, "--atoms-csv", atoms});
+  ASSERT_EQ(done.status, 0) << done.err;
+  EXPECT_NE(done.out.find("asks for water"), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find(" 1.400\n"), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("A GLY 7, A GLY 8, A GLY 9"), std::string::npos) << done.out;
+  EXPECT_EQ(content_of(rows),
+            "pocket,x,y,z,radius,depth,volume,maxima,mouths,widest,points,open_mouths,kind,residues\n"
+            "0,0,0,0,4,0.7340136762890959,85.33333333333333,1,8,3.265986323710904,6,8,channel,"
+            "A GLY 7; A GLY 8; A GLY 9\n");
+  const Words lines = lines_of(content_of(atoms));
+  ASSERT_EQ(lines.size(), 7U);
+  EXPECT_EQ(lines[0], "pocket,row,chain,residue,number,atom,element,x,y,z");
+  EXPECT_EQ(lines[1], "0,0,A,GLY,7,CA,C,4,0,0");
+  EXPECT_EQ(lines[6], "0,5,A,GLY,9,N,N,0,0,-4");
+  EXPECT_EQ(flowcert({"pockets", file, "--persistence", "0", "--atoms-csv", "-"}).out, content_of(atoms));
+  const ordered_json json = ordered_json::parse(flowcert({"pockets", file, "--persistence", "0", "--json"}).out);
+  const ordered_json& pocket = json["pockets"][0];
+  EXPECT_EQ(pocket["lining"], (ordered_json{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(pocket["atoms"][1], ordered_json::parse(R"({"chain": "A", "residue": "GLY", "number": "7", "atom": "N",
+                                                         "element": "N"})"));
+  EXPECT_EQ(pocket["residues"], (ordered_json{"A GLY 7", "A GLY 8", "A GLY 9"}));
+  EXPECT_EQ(flowcert({"check", file, scratch.file("claim.json", json.dump())}).status, 0);
+}
+
+// The rounding of its file makes eight maxima of a barrel differ, which are equal. An open tunnel is no pocket.
+TEST(PocketsOfMolecules, AnOpenBarrelHasNone) {
+  CITES("FC-POCK-02");
+  const std::string barrel = std::string(FLOWCERT_USER_INPUTS) + "/barrel.pdb";
+  const Finished done = flowcert({"pockets", barrel, "--atoms", "no water"});
+  EXPECT_EQ(done.status, 0) << done.err;
+  EXPECT_NE(done.out.find("valley of lengths                           none"), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("no pocket; an open tunnel is a pair of dimension 1: see flowcert persistence.\n"
+                          "The longest such pair: 4.71"),
+            std::string::npos)
+      << done.out;
+  const auto count_at = [&](const Words& options) {
+    Words words = {"pockets", barrel, "--json"};
+    words.insert(words.end(), options.begin(), options.end());
+    return ordered_json::parse(flowcert(words).out)["pockets"].size();
+  };
+  EXPECT_EQ(count_at({"--persistence", "0"}), 140U);
+  EXPECT_EQ(count_at({}), 0U);
+  EXPECT_EQ(count_at({"--persistence", "1/2spacing"}), 0U);
+}
+
+// Of HIV protease, from Debian's pymol-data.
+TEST(PocketsOfMolecules, OfAProteinAreFewAndInOrder) {
+  CITES("FC-POCK-05", "FC-POCK-06");
+  const std::string protein = "/usr/share/pymol/data/tut/1hpv.pdb";
+  const Finished done = flowcert({"pockets", protein, "--atoms", "protein", "--probe", "3.1"});
+  ASSERT_EQ(done.status, 0) << done.err;
+  std::vector<double> depths;
+  for (const std::string& line : lines_of(done.out)) {
+    EXPECT_LE(line.size(), 80U) << line;
+    std::istringstream words(line);
+    const Words row{std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()};
+    const bool is_pocket = row.size() == 9 && (row[8] == "cavity" || row[8] == "pocket" || row[8] == "channel");
+    if (is_pocket) depths.push_back(std::stod(row[5]));
+  }
+  EXPECT_GT(depths.size(), 0U) << done.out;
+  EXPECT_LT(depths.size(), 20U) << done.out;
+  EXPECT_TRUE(std::ranges::is_sorted(depths, std::ranges::greater{})) << done.out;
+  EXPECT_NE(done.out.find("ASP 25"), std::string::npos) << done.out;  // of the active site
+}
+
 TEST(PocketsCommand, RefusesWhatItCannotUse) {
   CITES("FC-POCK-02");
   const Scratch scratch;
@@ -265,6 +361,10 @@ TEST(PocketsCommand, RefusesWhatItCannotUse) {
   };
   refuses({"--persistence", "-1"}, "--persistence: not 0 or more");
   refuses({"--persistence", "many"}, "not a number: 'many'");
+  refuses({"--persistence", "3spacing^2"}, "a length is a multiple of spacing, not of its square: '3spacing^2'");
+  refuses({"--atoms-csv", scratch.path("atoms.csv")},
+          "--atoms-csv is for PDB, CIF and chemical XYZ, and this is table");
+  refuses({"--csv", "-", "--json"}, "only one of --csv, --atoms-csv and --json");
   refuses({"--probe", "-1/2"}, "--probe: not 0 or more");
   refuses({"--probe", "nan"}, "not a finite number");
   refuses({"--tree", "maxima"}, "maxima");

@@ -82,8 +82,8 @@ TEST(Reading, AtomsByWords) {
   const std::string file = input("ligand_and_water.pdb");
   const Finished all = flowcert({"pockets", file});
   EXPECT_NE(all.err.find("--atoms \"no water\" leaves such out"), std::string::npos) << all.err;
-  const json of_all = json_of({"pockets", file, "--json"});
-  const json of_protein = json_of({"pockets", file, "--atoms", "protein", "--json"});
+  const json of_all = json_of({"pockets", file, "--persistence", "0", "--json"});
+  const json of_protein = json_of({"pockets", file, "--persistence", "0", "--atoms", "protein", "--json"});
   EXPECT_EQ(of_all["points"], 34);
   EXPECT_EQ(of_protein["points"], 32);
   EXPECT_LT(of_protein["pockets"].size(), of_all["pockets"].size());

@@ -53,20 +53,22 @@ TEST(SurfaceCommand, ThresholdsWithoutUnitsAreExact) {
   ASSERT_EQ(all["sets"], 11);
   EXPECT_EQ(all["squared_spacing"], "1");
   EXPECT_TRUE(all["squared_radius_below"].is_null());
-  EXPECT_TRUE(all["persistence_above"].is_null());
+  EXPECT_TRUE(all["squared_persistence_above"].is_null());
   // The root of 1/2 is between these.
   EXPECT_EQ(surface_json(scratch, input, {"index2-radius<0.70710678118654752spacing"})["selected"], 0);
   const json above = surface_json(scratch, input, {"index2-radius<0.70710678118654753spacing"});
   EXPECT_EQ(above["selected"], 11);
   EXPECT_DOUBLE_EQ(above["squared_radius_below_double"], 0.5);
-  EXPECT_EQ(surface_json(scratch, input, {"persistence>1/4spacing^2"})["selected"], 0);
-  EXPECT_EQ(surface_json(scratch, input, {"persistence>0.2499999spacing^2"})["selected"], 11);
-  // Equal ones are chosen together.
+  EXPECT_EQ(surface_json(scratch, input, {"persistence>0.20710678118654753spacing"})["selected"], 0);
+  EXPECT_EQ(surface_json(scratch, input, {"persistence>0.20710678118654752spacing"})["selected"], 9);
+  EXPECT_EQ(surface_json(scratch, input, {"persistence>0.15891862259789113spacing"})["selected"], 9);
+  EXPECT_EQ(surface_json(scratch, input, {"persistence>0.15891862259789112spacing"})["selected"], 11);
+  // Nine tunnels and two voids are between these, by the roots of 1/4, 1/2 and 3/4. Equal ones are chosen together.
   EXPECT_EQ(surface_json(scratch, input, {"index2-radius<q0.99"})["selected"], 0);
   EXPECT_EQ(surface_json(scratch, input, {"index2-radius<q0.99"})["squared_radius_below"], "1/2");
   EXPECT_EQ(surface_json(scratch, input, {"index2-radius<q1"})["selected"], 11);
   EXPECT_EQ(surface_json(scratch, input, {"persistence>q0"})["selected"], 11);
-  EXPECT_EQ(surface_json(scratch, input, {"persistence>q0.01"})["selected"], 0);
+  EXPECT_EQ(surface_json(scratch, input, {"persistence>q0.01"})["selected"], 9);
   // Without a gap there is no threshold.
   EXPECT_EQ(surface_json(scratch, input, {"index2-radius<auto", "persistence>auto"})["selected"], 11);
   EXPECT_TRUE(surface_json(scratch, input, {"index2-radius<auto"})["squared_radius_below"].is_null());

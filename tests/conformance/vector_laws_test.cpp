@@ -16,6 +16,7 @@
 
 #include "oracle/exact_geometry.h"
 #include "oracle/program/read_records.h"
+#include "oracle/roots.h"
 #include "tests/cites.h"
 #include "tests/conformance/vector_files.h"
 
@@ -92,12 +93,12 @@ TEST(VectorLaws, TheSchemaNoticesDamagesOfTreesAndPockets) {
   expect_noticed({"pockets",
                   "pockets-0012",
                   {{"pockets", R"("op":"replace","value":[])"},
-                   {"pockets/0/persistence", R"("op":"replace","value":"-1")"},
+                   {"pockets/0/squared_persistence", R"("op":"replace","value":"-1")"},
                    {"pockets/0/outside", R"("op":"remove")"},
                    {"pockets/0/pore_limiting_radius/gates", R"("op":"replace","value":[])"},
                    {"pockets/0/largest_cavity_radius/balls/0/center", R"("op":"remove")"},
                    {"pockets/0/probes/0/is/0", R"("op":"replace","value":"hole")"},
-                   {"pockets/0/pockets/0/depth", R"("op":"replace","value":"0")"},
+                   {"pockets/0/pockets/0/difference_of_squares", R"("op":"replace","value":"0")"},
                    {"pockets/0/pockets/0/volume", R"("op":"replace","value":1)"},
                    {"pockets/0/pockets/0/cell/0/index", R"("op":"replace","value":4)"},
                    {"pockets/0/pockets/0/mouths", R"("op":"replace","value":[])"},
@@ -121,7 +122,7 @@ TEST(VectorLaws, TheSchemaNoticesDamagesOfLocationsAxesAndInfinity) {
                    {"medial_axes/angles/0/angle", R"("op":"replace","value":60)"},
                    {"medial_axes/persistences/0/levels/0/index", R"("op":"replace","value":3)"},
                    {"medial_axes/persistences/0/levels/0/points", R"("op":"replace","value":0)"},
-                   {"medial_axes/persistences/0/persistence", R"("op":"replace","value":"-1")"}}});
+                   {"medial_axes/persistences/0/squared_persistence", R"("op":"replace","value":"-1")"}}});
   expect_noticed({"infinity",
                   "infinity-0012",
                   {{"infinity/segments", R"("op":"remove")"},
@@ -258,7 +259,8 @@ TEST(VectorLaws, NewNamesSwapSidesWhereTheyTurn) {
 
 // The numbers in a text whose key tells that it is a square of a length, a volume, or a coordinate.
 void multiply(Json& value, const std::string& key, const Rational& scale) {
-  static const std::set<std::string> squares = {"persistence", "squared_radius", "depth", "squared_distance"};
+  static const std::set<std::string> squares = {"squared_persistence", "squared_radius", "difference_of_squares",
+                                                "squared_distance"};
   if (value.is_structured()) {
     for (auto& [inner, part] : value.items()) multiply(part, value.is_object() ? inner : key, scale);
     return;
@@ -354,15 +356,19 @@ TEST(VectorLaws, PocketsThatAreDeepAreAsManyAsLongPairs) {
     if (same == by_points.end()) continue;
     const auto pairs = pairs_of((*same->second)["expected"]["merge_trees"]["pockets"]);
     for (const Json& answer : one["expected"]["pockets"]) {
-      const Rational persistence = number(answer["persistence"]);
+      const Rational square = number(answer["squared_persistence"]);
       std::size_t deep = 0;
       for (const Json& pocket : answer["pockets"]) {
-        const bool is_deep = number(pocket["depth"]) > persistence;
+        Rational mouth = 0;
+        for (const Json& one : pocket["mouths"]) mouth = std::max(mouth, number(one["squared_radius"]));
+        const bool is_deep =
+            !oracle::is_root_difference_up_to(number(pocket["peaks"][0]["squared_radius"]), mouth, square);
         (is_deep ? deep : apart) += 1;
       }
-      const auto longer = std::count_if(pairs.begin(), pairs.end(),
-                                        [&](const auto& pair) { return pair.second - pair.first > persistence; });
-      EXPECT_EQ(deep, static_cast<std::size_t>(longer)) << one["id"] << persistence;
+      const auto longer = std::count_if(pairs.begin(), pairs.end(), [&](const auto& pair) {
+        return !oracle::is_root_difference_up_to(pair.second, pair.first, square);
+      });
+      EXPECT_EQ(deep, static_cast<std::size_t>(longer)) << one["id"] << square;
       ++compared;
     }
   }

@@ -327,7 +327,7 @@ TEST(Vectors, TheFastImplementationDisagreesWithWhatIsWrong) {
         R"([{"op":"remove","path":"/merge_trees/components/nodes/0"}])",
         R"([{"op":"replace","path":"/merge_trees/components/leaves/0/squared_distance","value":"1"}])"}},
       {"pockets-0042",
-       {R"([{"op":"replace","path":"/pockets/0/pockets/0/depth","value":"1/3"}])",
+       {R"([{"op":"replace","path":"/pockets/0/pockets/0/difference_of_squares","value":"1/3"}])",
         R"([{"op":"replace","path":"/pockets/0/pockets/0/volume","value":"1/3"}])",
         R"([{"op":"remove","path":"/pockets/0/pockets/0/mouths/0"}])",
         R"([{"op":"replace","path":"/pockets/0/pockets/0/mouths/0/between/0","value":-2}])",

@@ -455,7 +455,9 @@ class ViewTest(unittest.TestCase):
         self.assertEqual(thin.data["critical"], whole.data["critical"])
         listed = json.loads(run("persistence", "-", "--json", text=text))["pairs"]
         value = lambda end: fractions.Fraction(end["squared_distance"])
-        lengths = {repr(p["death"]["contact"]) + repr(p["birth"]["contact"]): value(p["death"]) - value(p["birth"])
+        # To so many digits that those of different pairs differ.
+        root = lambda square: math.isqrt(square.numerator * 10**80 // square.denominator)
+        lengths = {repr(p["death"]["contact"]) + repr(p["birth"]["contact"]): root(value(p["death"])) - root(value(p["birth"]))
                    for p in listed if p["dimension"] > 0}
         pairs = thin.data["pairs"]
         kept = [lengths[repr(thin.names[death]) + repr(thin.names[birth])]

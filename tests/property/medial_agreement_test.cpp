@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "flowcert/medial_points.h"
+#include "geometry/difference_of_roots.h"
 #include "oracle/medial_axis.h"
 #include "tests/cites.h"
 #include "tests/property/family_run.h"
@@ -83,9 +84,12 @@ void require_right_angles(const Subject& subject, const std::vector<oracle::Stat
 
 void require_right_lengths(const Subject& subject, const std::vector<oracle::StationaryPoint>& all, Totals& totals) {
   const std::vector<oracle::PersistencePair> pairs = oracle::persistence_pairs(subject.set);
+  // Numbers just beside lengths, and lengths themselves where they are numbers of few digits.
   std::set<Rational> lengths = {0};
   for (const oracle::PersistencePair& pair : pairs) {
-    if (pair.death) lengths.insert(*pair.death - pair.birth);
+    if (!pair.death) continue;
+    const double length = geometry::nearest_difference_of_roots(*pair.death, pair.birth);
+    if (std::isfinite(length)) lengths.insert(Rational(length));
   }
   const std::size_t step = 1 + lengths.size() / 4;
   std::size_t k = 0;
@@ -104,7 +108,7 @@ void require_right_lengths(const Subject& subject, const std::vector<oracle::Sta
         return all[place].hull_dimension == of_index && all[place].squared_distance == of_value;
       });
       const bool is_right =
-          static_cast<std::size_t>(count) == oracle::count_above_persistence(pairs, index, value, length);
+          static_cast<std::size_t>(count) == oracle::count_above_persistence(pairs, index, value, length * length);
       require_none(subject.input, is_right ? "" : "another number of points in longer pairs", length.str());
     }
     ++totals.lengths;

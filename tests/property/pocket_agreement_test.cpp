@@ -12,11 +12,13 @@
 #include <cstdio>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "flowcert/pockets.h"
 #include "flowcert/surface_area.h"
 #include "fuzz/inputs/chambers.h"
+#include "geometry/difference_of_roots.h"
 #include "oracle/merge_tree.h"
 #include "oracle/peaks_above.h"
 #include "oracle/pockets.h"
@@ -86,8 +88,9 @@ void require_same_tree(const Landscape& land, const MergeTree& fast, const oracl
   }
 }
 
-// 0, and lengths of pairs: that of a part is its greatest value less the node's.
-std::vector<Rational> persistences(const Landscape& land, const oracle::MergeTree& tree) {
+// The squares of 0, and of lengths of pairs, exactly where they are rational and from above: that of a part is the root
+// of its greatest value less that of the node's.
+std::vector<Rational> squared_persistences(const Landscape& land, const oracle::MergeTree& tree) {
   const Places maxima = oracle::maxima_places(land.stationary);
   std::set<Rational> lengths;
   for (const oracle::MergeNode& node : tree.nodes) {
@@ -96,7 +99,7 @@ std::vector<Rational> persistences(const Landscape& land, const oracle::MergeTre
       for (const std::size_t leaf : oracle::leaves_of(tree, part)) {
         if (leaf < maxima.size()) greatest = std::max(greatest, land.value(maxima[leaf]));
       }
-      if (greatest > 0) lengths.insert(greatest - node.value);
+      if (greatest > 0) lengths.insert(geometry::square_from_above({greatest, node.value}));
     }
   }
   const std::vector<Rational> sorted(lengths.begin(), lengths.end());
@@ -113,6 +116,20 @@ std::vector<Rational> squared_probes(const Landscape& land, const oracle::Pocket
   return {values.begin(), values.end()};
 }
 
+// By the shares of the oracle's volumes (FC-VOL-02).
+std::vector<PointId> lining_of(const Landscape& land, const oracle::Pocket& truth) {
+  const oracle::PointSet& set = land.subject.set;
+  std::set<PointId> samples;
+  for (const std::size_t place : truth.cell) {
+    if (land.stationary[place].hull_dimension < 2) continue;
+    const std::vector<oracle::Rational> shares = oracle::shares(set, oracle::stable_set(set, land.stationary[place]));
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      if (shares[k] != 0) samples.insert(static_cast<PointId>(set.names[k]));
+    }
+  }
+  return {samples.begin(), samples.end()};
+}
+
 void require_same_pocket(const Landscape& land, const Pockets& pockets, const Pocket& fast,
                          const oracle::Pocket& truth) {
   land.require(places_of(fast.maxima) == truth.maxima, "other maxima of a pocket");
@@ -122,13 +139,15 @@ void require_same_pocket(const Landscape& land, const Pockets& pockets, const Po
   land.require(places_of(fast.neighbours) == truth.neighbours, "other neighbours of a pocket");
   land.require(places_of(fast.to_infinity.gates) == truth.to_infinity.gates, "other gates of the widest path");
   land.require(land.value(fast.to_infinity.gates.front()) == truth.to_infinity.value, "another widest path");
-  land.require(pockets.depth(fast) == truth.depth, "another depth of a pocket");
+  land.require(pockets.difference_of_squares(fast) == truth.height - truth.highest_mouth,
+               "another difference of squares");
+  land.require(land.value(fast.highest_mouth) == truth.highest_mouth, "another highest mouth");
   const StableVolumes& volumes = land.subject.complex.volumes();
   land.require(volumes.exact_sum(fast.cell) == truth.volume, "another volume of a pocket");
   land.require(volumes.nearest_sum(fast.cell) == nearest_or_infinity(truth.volume), "a volume rounded otherwise");
-  land.require(oracle::is_nearest_root_difference(pockets.depth_of_radii(fast), land.value(truth.peaks.front()),
-                                                  land.value(fast.highest_mouth)),
-               "another depth as a difference of radii");
+  land.require(oracle::is_nearest_root_difference(pockets.depth(fast), truth.height, truth.highest_mouth),
+               "another depth of a pocket");
+  land.require(Pockets::lining(fast, volumes) == lining_of(land, truth), "other samples line a pocket");
   for (const Rational& squared_radius : squared_probes(land, truth)) {
     const auto expected = oracle::passage(land.stationary, truth, squared_radius);
     land.require(static_cast<int>(pockets.passage(fast, squared_radius)) == static_cast<int>(expected),
@@ -153,15 +172,16 @@ void require_same_above(const Landscape& land, const Pockets& pockets, const ora
   }
 }
 
-void require_same_pockets(const Landscape& land, const Rational& persistence, Totals& totals) {
-  const Pockets pockets(land.trees, persistence);
-  const oracle::Pockets truth = oracle::pockets(land.subject.set, land.stationary, persistence);
+void require_same_pockets(const Landscape& land, const Rational& squared_persistence, Totals& totals) {
+  const Pockets pockets(land.trees, squared_persistence);
+  const oracle::Pockets truth = oracle::pockets(land.subject.set, land.stationary, squared_persistence);
   land.require(pockets.size() == truth.pockets.size(), "another number of pockets");
   land.require(places_of(pockets.outside()) == truth.outside, "other maxima outside");
   for (std::size_t k = 0; k < pockets.size(); ++k) {
     require_same_pocket(land, pockets, pockets[k], truth.pockets[k]);
     totals.merged += pockets[k].maxima.size() > 1 ? 1 : 0;
-    totals.apart += pockets.depth(pockets[k]) <= persistence ? 1 : 0;
+    const auto& [height, mouth] = std::tie(truth.pockets[k].height, truth.pockets[k].highest_mouth);
+    totals.apart += oracle::is_root_difference_up_to(height, mouth, squared_persistence) ? 1 : 0;
     totals.gates += pockets[k].to_infinity.gates.size();
   }
   require_same_above(land, pockets, truth);
@@ -207,7 +227,7 @@ void require_right_landscape(const Subject& subject, Totals& totals) {
   const oracle::MergeTree tree = oracle::superlevel_tree(subject.set, land.stationary);
   require_same_tree(land, land.trees.pockets(), tree, "pockets");
   require_same_tree(land, land.trees.components(), oracle::sublevel_tree(subject.set, land.stationary), "components");
-  for (const Rational& persistence : persistences(land, tree)) require_same_pockets(land, persistence, totals);
+  for (const Rational& square : squared_persistences(land, tree)) require_same_pockets(land, square, totals);
   require_right_areas(land, totals);
 }
 

@@ -20,6 +20,7 @@
 #include "fuzz/inputs/chambers.h"
 #include "fuzz/judge/oracle_truth.h"
 #include "fuzz/properties/input_points.h"
+#include "geometry/difference_of_roots.h"
 #include "tests/cites.h"
 #include "tests/property/claim_properties.h"
 
@@ -31,9 +32,9 @@ constexpr std::uint64_t kInputs = 20;
 constexpr std::size_t kMostRowsForOracle = 14, kClaimsForOracle = 4;
 constexpr int kTrials = 8;  // so many pockets are looked at for one that a mutation can change
 
-std::string written(const ClaimSubject& subject, const Rational& persistence, bool has_exact_volumes = true) {
+std::string written(const ClaimSubject& subject, const Rational& squared_persistence, bool has_exact_volumes = true) {
   std::ostringstream out;
-  const Pockets pockets(subject.complex.merge_trees(), persistence);
+  const Pockets pockets(subject.complex.merge_trees(), squared_persistence);
   const std::optional<Rational> widest =
       pockets.widest_path() ? std::optional(pockets.squared_distances().exact(pockets.widest_path()->gates.front()))
                             : std::nullopt;
@@ -47,7 +48,12 @@ std::size_t claims_for_oracle() {
   return std::max<std::size_t>(static_cast<std::size_t>(scaled), 1);
 }
 
-// Calls the property on inputs, each at a few persistences: 0, a depth, and more than all.
+Rational square_of_depth(const Pockets& all, const Pocket& pocket) {
+  const SquaredDistances& values = all.squared_distances();
+  return geometry::square_from_above({values.exact(pocket.peaks.front()), values.exact(pocket.highest_mouth)});
+}
+
+// Calls the property on inputs, each at a few squared persistences: 0, that of a depth, and more than all.
 template <typename Property>
 void on_pockets(std::uint64_t inputs, Property&& property) {
   const auto count = static_cast<std::uint64_t>(static_cast<double>(inputs) * scale_of_run());
@@ -56,10 +62,10 @@ void on_pockets(std::uint64_t inputs, Property&& property) {
     const bool is_right = expect_holds("pocket claims", parameters_of_one_input(), [&] {
       const ClaimSubject subject(input);
       const Pockets all(subject.complex.merge_trees(), 0);
-      std::vector<Rational> persistences = {0};
-      if (all.size() > 0) persistences.push_back(all.depth(all[all.size() / 2]));
-      if (seed % 8 == 0) persistences.emplace_back(1000000);
-      for (const Rational& persistence : persistences) property(subject, persistence);
+      std::vector<Rational> squares = {0};
+      if (all.size() > 0) squares.push_back(square_of_depth(all, all[all.size() / 2]));
+      if (seed % 8 == 0) squares.emplace_back(1000000);
+      for (const Rational& square : squares) property(subject, square);
     });
     if (!is_right) return;
   }
@@ -77,7 +83,7 @@ void for_each_number(ClaimedPockets& pockets, const Change& change) {
     std::ranges::for_each(*pocket.peaks, witness);
     for (ClaimedMouth& mouth : *pocket.mouths) witness(mouth.at);
     std::ranges::for_each(pocket.widest_path->witnesses, witness);
-    change(*pocket.depth);
+    change(*pocket.difference_of_squares);
     if (pocket.volume->number) change(*pocket.volume->number);
   }
 }
@@ -120,8 +126,8 @@ Claim in_decimals(Claim claim) {
 TEST(PocketClaims, WhatIsWrittenConforms) {
   CITES("FC-CLAIM-18", "FC-CLAIM-05", "FC-POCK-11");
   std::size_t claims = 0, pockets = 0, by_oracle = 0;
-  on_pockets(kInputs, [&](const ClaimSubject& subject, const Rational& persistence) {
-    const Claim read = read_claim_from(written(subject, persistence), "claim");
+  on_pockets(kInputs, [&](const ClaimSubject& subject, const Rational& squared_persistence) {
+    const Claim read = read_claim_from(written(subject, squared_persistence), "claim");
     const auto conforms = [&](const Claim& claim, bool is_exact, const std::string& what) {
       const CheckReport report = check(subject.points, claim, *subject.truth, {.tolerance = is_exact ? 0 : 1e-12});
       require(subject, report.verdict == Verdict::kConforms && report.is_exact == is_exact, what, report);
@@ -130,7 +136,7 @@ TEST(PocketClaims, WhatIsWrittenConforms) {
     conforms(read, true, "what is written");
     conforms(in_other_order(read), true, "in another order");
     conforms(in_decimals(read), is_empty, "in decimals");
-    conforms(read_claim_from(written(subject, persistence, false), "claim"), is_empty, "volumes in doubles");
+    conforms(read_claim_from(written(subject, squared_persistence, false), "claim"), is_empty, "volumes in doubles");
     ++claims;
     pockets += read.pockets->pockets.size();
     if (subject.input.rows.size() > kMostRowsForOracle || by_oracle >= claims_for_oracle()) return;
@@ -229,15 +235,25 @@ const std::map<std::string, Change>& changes() {
          add_a_little(*pocket.peaks->front().squared_radius);
          return true;
        }},
-      {"depth",
+      {"difference of squares",
        [](All&, One& pocket) {
-         add_a_little(*pocket.depth);
+         add_a_little(*pocket.difference_of_squares);
          return true;
        }},
-      {"depth of radii", [](All&, One& pocket) { return add_a_little(pocket.depth_of_radii); }},
-      {"depth of radii that is no double",
+      {"depth", [](All&, One& pocket) { return add_a_little(pocket.depth); }},
+      {"depth that is no double",
        [](All&, One& pocket) {
-         pocket.depth_of_radii->number.reset();
+         pocket.depth->number.reset();
+         return true;
+       }},
+      {"one sample more in the lining",
+       [](All&, One& pocket) {
+         pocket.lining->push_back(0);
+         return true;
+       }},
+      {"one sample less in the lining",
+       [](All&, One& pocket) {
+         pocket.lining->pop_back();
          return true;
        }},
       {"volume", [](All&, One& pocket) { return add_a_little(pocket.volume); }},
@@ -313,8 +329,8 @@ TEST(PocketClaims, MutantsFail) {
   CITES("FC-CLAIM-18");
   std::map<std::string, std::size_t> made;
   std::size_t by_oracle = 0;
-  on_pockets(kInputs, [&](const ClaimSubject& subject, const Rational& persistence) {
-    const Claim claim = read_claim_from(written(subject, persistence), "claim");
+  on_pockets(kInputs, [&](const ClaimSubject& subject, const Rational& squared_persistence) {
+    const Claim claim = read_claim_from(written(subject, squared_persistence), "claim");
     const bool is_small = subject.input.rows.size() <= kMostRowsForOracle && by_oracle < claims_for_oracle();
     by_oracle += is_small ? 1 : 0;
     const auto oracle = is_small ? judge::oracle_truth(rows_of(subject.input)) : nullptr;
@@ -342,10 +358,10 @@ TEST(PocketClaims, MutantsFail) {
 TEST(PocketClaims, AtAnotherPersistenceFail) {
   CITES("FC-CLAIM-18", "FC-POCK-02");
   std::size_t made = 0;
-  on_pockets(kInputs, [&](const ClaimSubject& subject, const Rational& persistence) {
+  on_pockets(kInputs, [&](const ClaimSubject& subject, const Rational& squared_persistence) {
     Claim claim = read_claim_from(written(subject, 0), "claim");
-    if (Pockets(subject.complex.merge_trees(), persistence).size() == claim.pockets->pockets.size()) return;
-    claim.pockets->persistence = persistence;
+    if (Pockets(subject.complex.merge_trees(), squared_persistence).size() == claim.pockets->pockets.size()) return;
+    claim.pockets->squared_persistence = squared_persistence;
     const CheckReport report = check(subject.points, claim, *subject.truth);
     require(subject, fails_on_level_5(report), "at another persistence", report);
     ++made;

@@ -7,6 +7,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -15,6 +16,8 @@
 #include "flowcert/surface_selection.h"
 #include "fuzz/inputs/families.h"
 #include "fuzz/properties/stationary_comparison.h"
+#include "geometry/difference_of_roots.h"
+#include "io/coordinate_rounding.h"
 #include "tests/cites.h"
 #include "tests/exact_valley.h"
 #include "tests/property/orbit_subject.h"
@@ -23,6 +26,7 @@
 namespace flowcert::property::surface_choice_test {
 namespace {
 
+using geometry::RootDifference;
 using Numbers = std::vector<Rational>;
 
 // By number in StableManifolds.
@@ -35,8 +39,8 @@ struct ExactLists {
     for (const PersistencePair& pair : complex.persistence().pairs()) {
       if (pair.dimension == 0) continue;
       const Rational birth = complex.sphere(pair.birth).squared_radius;
-      lengths.at((pair.dimension == 1 ? *pair.death : pair.birth) - first) =
-          complex.sphere(*pair.death).squared_radius - birth;
+      lengths.at((pair.dimension == 1 ? *pair.death : pair.birth) - first) = {
+          complex.sphere(*pair.death).squared_radius, birth};
     }
     Numbers nearest;
     for (const Point& p : complex.points().points()) {
@@ -52,11 +56,13 @@ struct ExactLists {
     if (!nearest.empty()) squared_spacing = nearest[(nearest.size() - 1) / 2];
   }
 
-  Numbers squared_radii, lengths;
+  Numbers squared_radii;
+  std::vector<RootDifference> lengths;
   std::optional<Rational> squared_spacing;
 };
 
-Numbers sorted(Numbers numbers) {
+template <typename All>
+All sorted(All numbers) {
   std::ranges::sort(numbers);
   return numbers;
 }
@@ -104,26 +110,44 @@ void require_radii(const fuzz::Input& input, const FlowComplex& complex, const E
   for (std::size_t k = 0; k + 1 < ascending.size(); ++k) seen.met += ascending[k] == ascending[k + 1] ? 1 : 0;
 }
 
+// The squares of the lengths from above: from the least one up, those that are more than the rounding beyond the last.
+Numbers counted_once(const FlowComplex& complex, const std::vector<RootDifference>& lengths) {
+  const Rational rounding = io::length_rounding(complex.points());
+  Numbers squares, once;
+  for (const RootDifference& length : lengths) squares.push_back(geometry::square_from_above(length));
+  for (const Rational& square : sorted(squares)) {
+    if (once.empty() || RootDifference{square, once.back()} > RootDifference{rounding * rounding})
+      once.push_back(square);
+  }
+  return once;
+}
+
 void require_lengths(const fuzz::Input& input, const FlowComplex& complex, const ExactLists& exact, rc::Random& random,
                      ChoicesSeen& seen) {
-  const Numbers& lengths = exact.lengths;
-  const Numbers ascending = sorted(lengths);
+  const std::vector<RootDifference>& lengths = exact.lengths;
+  const std::vector<RootDifference> ascending = sorted(lengths);
+  // The bound's square.
   const auto above = [&](const std::optional<Rational>& bound) {
-    return [&lengths, bound](std::size_t i) { return !bound || lengths[i] > *bound; };
+    return [&lengths, bound](std::size_t i) { return !bound || lengths[i] > RootDifference{*bound}; };
   };
   const Rational times(static_cast<long>(random.next() % 9), 8);
-  require_choice(input, complex, "persistence>" + flowcert::to_text(times) + "spacing^2",
-                 above(times * exact.squared_spacing.value_or(0)), seen);
+  require_choice(input, complex, "persistence>" + flowcert::to_text(times) + "spacing",
+                 above(times * times * exact.squared_spacing.value_or(0)), seen);
   if (!lengths.empty()) {
-    const Rational met = lengths[random.next() % lengths.size()];
-    require_choice(input, complex, "persistence>" + flowcert::to_text(met), above(met), seen);
+    const RootDifference& some = lengths[random.next() % lengths.size()];
+    const double near = geometry::nearest_difference_of_roots(some.square, some.less);
+    if (std::isfinite(near)) {
+      const Rational met(near);
+      require_choice(input, complex, "persistence>" + flowcert::to_text(met), above(met * met), seen);
+    }
   }
   const Rational share = chance(random);
   const auto chosen = static_cast<std::size_t>(Rational((1 - share) * 12) * lengths.size() / 12);
   const std::size_t shorter = lengths.size() - chosen;
   require_choice(input, complex, "persistence>q" + flowcert::to_text(share),
-                 above(shorter > 0 ? std::optional(ascending[shorter - 1]) : std::nullopt), seen);
-  const auto gap = flowcert_tests::exact_threshold(lengths, exact.squared_spacing.value_or(1));
+                 above(shorter > 0 ? std::optional(geometry::square_from_above(ascending[shorter - 1])) : std::nullopt),
+                 seen);
+  const auto gap = flowcert_tests::exact_threshold(counted_once(complex, lengths), exact.squared_spacing.value_or(1));
   require_choice(input, complex, "persistence>auto", above(gap ? std::optional(gap->first) : std::nullopt), seen);
   // The first of equally long ones.
   const std::size_t count = random.next() % (lengths.size() + 2);

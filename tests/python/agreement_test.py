@@ -73,14 +73,25 @@ def test_persistence(points, xyz, zero):
         with pytest.raises(ValueError, match=f"^{words}"):
             fc.persistence(zero=zero)
         with pytest.raises(AssertionError, match=words):  # the exit status is 2
-            flowcert_says("persistence", xyz(points))
+            flowcert_says("persistence", xyz(points), "-o", "-")
         return
-    text = flowcert_says("persistence", xyz(points), *options)
+    text = flowcert_says("persistence", xyz(points), "-o", "-", *options)
     lines = [line.split() for line in text.splitlines() if not line.startswith("#")]
     expected = [(int(dimension), (float(birth), float(death))) for dimension, birth, death in lines]
     assert fc.persistence(zero=zero) == expected
     pairs = fc.persistence_pairs(zero=zero)
     assert [(p["dimension"], (p["birth"], p["death"])) for p in pairs] == expected
+    plain = flowcert_says("persistence", xyz(points), "-o", "-", "--plain", *options).splitlines()
+    roots = [tuple(map(float, line.split())) for line in plain if not line.startswith("#")]
+    assert [(d, *ends) for d, ends in fc.persistence(zero=zero, squared=False)] == roots
+    for dimension in range(3):
+        intervals = fc.persistence(zero=zero, dimension=dimension)
+        assert intervals.shape == (sum(d == dimension for d, _ in expected), 2)
+        assert intervals.tolist() == [list(ends) for d, ends in expected if d == dimension]
+        of_dimension = fc.persistence_pairs(zero=zero, dimension=dimension)
+        assert (of_dimension == pairs[pairs["dimension"] == dimension]).all()
+        plain_ends = fc.persistence(zero=zero, dimension=dimension, squared=False)
+        assert plain_ends.tolist() == [list(root[1:]) for root in roots if root[0] == dimension]
     listed = json.loads(flowcert_says("persistence", xyz(points), "--json", *options))["pairs"]
     assert len(listed) == len(pairs)
     for pair, answer in zip(pairs, listed):
@@ -114,7 +125,7 @@ def read_ply(path):
 
 
 @pytest.mark.parametrize("select", [None, "index2-radius<1", "largest-gaps=2", ["persistence>0.01", "index2-radius<3"],
-                                    "index2-radius<1.6spacing", "persistence>3spacing^2", "index2-radius<q0.9",
+                                    "index2-radius<1.6spacing", "persistence>3spacing", "index2-radius<q0.9",
                                     "persistence>q0.9", "index2-radius<auto", "persistence>auto"])  # fmt: skip
 def test_surface(points, xyz, tmp_path, select):
     options = [] if select is None else [select] if isinstance(select, str) else select

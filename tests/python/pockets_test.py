@@ -20,15 +20,16 @@ def contacts(fc, places):
 
 def test_an_octahedron():
     fc = flowcert.FlowComplex(OCTAHEDRON)
-    found = fc.pockets(probe=Fraction(2, 3))
+    found = fc.pockets(0, probe=Fraction(2, 3))
     [pocket] = found.pockets
     assert contacts(fc, pocket.peaks) == [[0, 1, 2, 3, 4, 5]]
-    assert (pocket.volume, pocket.squared_depth, pocket.kind) == (4 / 3, Fraction(1, 3), "channel")
+    assert (pocket.volume, pocket.difference_of_squares, pocket.kind) == (4 / 3, Fraction(1, 3), "channel")
     assert pocket.neighbours.tolist() == [-1]
     assert pocket.areas == pytest.approx([3**0.5 / 2] * 8)
     assert found.gates.tolist() == pocket.mouths.tolist() == pocket.gates.tolist()
     assert found.largest_balls.tolist() == pocket.peaks.tolist()
-    assert found.persistence == 0
+    assert found.squared_persistence == 0
+    assert pocket.lining.tolist() == [0, 1, 2, 3, 4, 5]
     assert fc.pockets(persistence="q1").outside.tolist() == pocket.maxima.tolist()
 
 
@@ -40,7 +41,7 @@ def test_pockets_are_those_of_the_program(tmp_path_factory, points, persistence)
     write_xyz(file, points)
     said = json.loads(flowcert_says("pockets", file, "--persistence", persistence, "--probe", "0.5", "--json"))
     found = fc.pockets(persistence if not persistence[0].isdigit() else Fraction(persistence), probe=0.5)
-    assert found.persistence == Fraction(said["persistence"])
+    assert found.squared_persistence == Fraction(said["squared_persistence"])
     assert contacts(fc, found.outside) == said["outside"]
     assert len(found.pockets) == len(said["pockets"])
     for pocket, other in zip(found.pockets, said["pockets"]):
@@ -52,9 +53,10 @@ def test_pockets_are_those_of_the_program(tmp_path_factory, points, persistence)
         areas = [None if np.isinf(area) else area for area in pocket.areas.tolist()]
         assert areas == [mouth["area"] for mouth in other["mouths"]]
         assert pocket.neighbours.tolist() == other["neighbours"]
-        assert pocket.squared_depth == Fraction(other["depth"])
+        assert pocket.difference_of_squares == Fraction(other["difference_of_squares"])
+        assert pocket.lining.tolist() == other["lining"]
         numbers = [None if np.isinf(number) else number for number in (pocket.depth, pocket.volume)]
-        assert (*numbers, pocket.kind) == (other["depth_of_radii"], other["volume"], other["is"])
+        assert (*numbers, pocket.kind) == (other["depth"], other["volume"], other["is"])
 
 
 @hypothesis.given(points=SMALL | DRAWN, seed=strategies.integers(0, 2**32 - 1))

@@ -58,7 +58,7 @@ TEST_F(CampaignTest, AFailingCaseCanBeDoneAgainByItsNumber) {
   work(all, {rows_property(8)}, 2);
   const std::set<std::size_t>& failing = all.tally().failures.at("rows too-many");
   EXPECT_EQ(all.counterexamples().size(), failing.size());
-  EXPECT_EQ(all.tally().failing_cases(), failing.size());
+  EXPECT_EQ(all.failing_cases(), failing.size());
   ASSERT_GT(failing.size(), 20U);
   plan.shrinks_all = false;
   Campaign some(plan, 120, folder_ / "some");
@@ -259,6 +259,9 @@ TEST(CampaignPlan, SurvivesItsText) {
   plan.shrinks_all = true;
   plan.corpus = {{{{0.1, -0.0, 1e300}, {5e-324, 2, 3}}}};
   plan.shard = {2, 5};
+  EXPECT_EQ(plan_of(to_text(plan)), plan);
+  plan.is_dialogue = true;
+  plan.ignored = {"refusal"};
   EXPECT_EQ(plan_of(to_text(plan)), plan);
   for (const char* text : {"", "{}", "[]", "{\"format\":\"flowcert-fuzz\",\"version\":2}"}) {
     EXPECT_THROW((void)plan_of(text), std::invalid_argument) << text;

@@ -66,6 +66,26 @@ TEST(CaseStream, OneSpellingOfAnId) {
   EXPECT_FALSE(case_named(chosen.substr(0, chosen.find("lattice")) + "few-points,lattice-2"));
 }
 
+// A run that leaves out cases has ids of its own, and the same cases.
+TEST(CaseStream, IdsSayWhichCasesAreLeftOut) {
+  CaseRun few = run_of(1, 7);
+  few.most_points = 5;
+  std::size_t left_out = 0;
+  for (std::size_t number = 0; number < 80; ++number) {
+    const Input input = input_of_case(few, number);
+    EXPECT_EQ(input, input_of_case(run_of(1, 7), number));
+    const std::string id = case_id(few, number, input);
+    const std::optional<NamedCase> named = case_named(id);
+    ASSERT_EQ(named.has_value(), input.rows.size() <= 5) << id;
+    left_out += named ? 0 : 1;
+    if (!named) continue;
+    EXPECT_EQ(named->run, few);
+    EXPECT_FALSE(case_named(id.substr(0, id.find("/5:")) + id.substr(id.find("/5:") + 2)));
+  }
+  EXPECT_GT(left_out, 10U);
+  EXPECT_LT(left_out, 70U);
+}
+
 TEST(CaseStream, ACaseIsAFunctionOfItsNumber) {
   CaseRun shorter = run_of(2, 9);
   shorter.cases = 40;

@@ -429,6 +429,10 @@ void add_pockets(Calls& calls, const Made& m) {
   calls.add("SquaredDistances::exact", [&] { return trees.squared_distances().exact(m.upper); });
   calls.add("SquaredDistances::is_at_least",
             [&] { return trees.squared_distances().is_at_least(m.upper, m.complex.sphere(m.upper).squared_radius); });
+  calls.add("SquaredDistances::length", [&] {
+    const auto [value, error] = trees.squared_distances().length(0, m.upper);
+    return std::array{value, error};
+  });
   calls.add(
       "MergeTrees::MergeTrees", [&] { return MergeTrees(m.points, m.complex.stationary(), m.complex.limits()); },
       [](const MergeTrees& made) { return result_text(made.pockets().parents()); });
@@ -442,7 +446,8 @@ void add_pockets(Calls& calls, const Made& m) {
   calls.add("explain_position", [&] { return explain_position(m.points, m.start); });
   if (m.pockets.size() == 0) return;
   calls.add("Pockets::depth", [&] { return m.pockets.depth(m.pockets[0]); });
-  calls.add("Pockets::depth_of_radii", [&] { return m.pockets.depth_of_radii(m.pockets[0]); });
+  calls.add("Pockets::difference_of_squares", [&] { return m.pockets.difference_of_squares(m.pockets[0]); });
+  calls.add("Pockets::lining", [&] { return Pockets::lining(m.pockets[0], m.complex.volumes()); });
   calls.add("Pockets::passage", [&] { return m.pockets.passage(m.pockets[0], Rational(1) / 7); });
 }
 
@@ -466,16 +471,17 @@ void add_choices(Calls& calls, const Made& m) {
   const ClipBox box(m.points, 3);
   calls.add("ClipBox::contains", [&, box] { return box.contains(m.rows[0]); });
   calls.add("ClipBox::exit", [&, box] { return box.exit(m.points[0], {Rational(1) / 3, 1, Rational(2) / 7}); });
-  calls.add("LengthBound::of", [] { return LengthBound::of("0.7spacing", "spacing", "--option", 1); });
-  const LengthBound third = LengthBound::of("0.3", "spacing", "--option", 1);
+  calls.add("LengthBound::of", [] { return LengthBound::of("0.7spacing", "--option", 1); });
+  const LengthBound third = LengthBound::of("0.3", "--option", 1);
   calls.add("LengthBound::threshold", [=] {
-    return third.threshold(io::ValueOrder({}, {}, [](std::size_t) { return Rational(0); }), Rational(1) / 9);
+    return third.threshold(io::ValueOrder({}, {}, [](std::size_t) { return geometry::RootDifference{0}; }),
+                           Rational(1) / 9);
   });
   calls.add("medial_points", [&] {
     return medial_points(m.complex, {.persistence_above = {}, .angle_above = Rational(70), .radius_above = {}});
   });
   calls.add("is_above_angle", [] { return is_above_angle(Rational(1) / 3, Rational(705) / 10); });
-  calls.add("pocket_persistence", [&] { return pocket_persistence(m.complex, "0.7spacing^2", "--persistence"); });
+  calls.add("pocket_persistence", [&] { return pocket_persistence(m.complex, "0.7spacing", "--persistence"); });
   calls.add("squared_spacing", [&] { return squared_spacing(m.complex); });
   const auto radii = std::make_shared<SaddleRadii>(m.complex);
   calls.add(
@@ -537,6 +543,14 @@ void add_writers(Calls& calls, const Made& m, const std::string& folder) {
   calls.add_writer("write_pockets", [&](std::ostream& out) {
     write_pockets(out, {m.complex, m.pockets, Probe{Rational(1) / 7}, true});
   });
+  calls.add_writer("write_pocket_csv", [&](std::ostream& out) {
+    write_pocket_csv(out, {m.complex, m.pockets, Probe{Rational(1) / 7}, false});
+  });
+  calls.add_writer("write_lining_csv", [&](std::ostream& out) {
+    AtomNames names;
+    for (std::size_t row = 0; row < m.points.row_count(); ++row) names.add({.chain = "A", .atom = "C"});
+    write_lining_csv(out, {m.complex, m.pockets, std::nullopt, false, &names});
+  });
   for (const TreeKind kind : {TreeKind::kPockets, TreeKind::kComponents}) {
     calls.add_writer("write_merge_tree", [&, kind](std::ostream& out) { write_merge_tree(out, m.complex, kind); });
     calls.add_writer("write_newick", [&, kind](std::ostream& out) { write_newick(out, m.complex, kind); });
@@ -551,7 +565,8 @@ void add_writers(Calls& calls, const Made& m, const std::string& folder) {
   calls.add("PersistenceDiagram::squared_value", [&, diagram] { return diagram.squared_value(m.upper); });
   calls.add("PersistenceDiagram::rounded_squared_value",
             [&, diagram] { return diagram.rounded_squared_value(m.upper); });
-  calls.add("pers_text", [diagram] { return pers_text(diagram); });
+  calls.add("PersistenceDiagram::rounded_value", [&, diagram] { return diagram.rounded_value(m.upper); });
+  calls.add("pers_text", [diagram] { return pers_text(diagram) + pers_text(diagram, PersistenceValues::kPlain); });
 }
 
 void add_judgement(Calls& calls, const Made& m) {
@@ -605,7 +620,8 @@ const std::set<std::string> kWithoutDoubles = {
     // clang-format off
     "PointSet::row_count", "PointSet::merged_duplicates", "PointSet::left_out", "PointSet::size", "PointSet::empty",
     "PointSet::points", "PointSet::name", "PointSet::ordinal_of_row", "PointSet::repeated_classes", "class_names",
-    "to_text", "Delaunay::points", "Delaunay::dimension", "Delaunay::triangulation", "VoronoiDiagram::points",
+    "AtomNames::add", "AtomNames::size", "AtomNames::empty", "AtomNames::residue_text", "AtomNames::text",
+    "AtomNames::residue_texts", "to_text", "Delaunay::points", "Delaunay::dimension", "Delaunay::triangulation", "VoronoiDiagram::points",
     "VoronoiDiagram::dimension", "VoronoiDiagram::delaunay_cells", "usual_most_cells", "VoronoiDiagram::faces",
     "Distribution::add", "Distribution::times",
     "Distribution::count", "Distribution::max", "Distribution::mode", "FlowSegment::stays", "type_text", "Flow::tally",
@@ -616,7 +632,7 @@ const std::set<std::string> kWithoutDoubles = {
     "MergeTrees::maxima", "MergeTrees::record_of", "MergeTrees::peaks_above", "MergeTrees::peaks_above_sides",
     "MergeTrees::limits_above", "MergeTrees::saddles_down", "MergeTrees::upper_points_down", "Persistence::pairs",
     "Persistence::squared_distances", "passage_text",
-    "Pockets::size", "Pockets::outside", "Pockets::persistence", "Pockets::squared_distances",
+    "Pockets::size", "Pockets::outside", "Pockets::squared_persistence", "Pockets::squared_distances",
     "SquaredDistances::rank", "SquaredDistances::approximation", "back_kind_text", "StableManifolds::size",
     "StableManifolds::record", "StableManifolds::segment_count", "StableManifolds::has_vertex",
     "StableManifolds::has_interval", "StableManifolds::boundary", "StableManifolds::statistics", "StableVolumes::hull",
@@ -628,7 +644,7 @@ const std::set<std::string> kWithoutDoubles = {
     "UnstableSurfaces::record", "verdict_text", "reason_text", "verdict_on", "Truth::size", "Truth::index",
     "Truth::contact", "pair_counts", "Profile::state", "Profile::set", "Profile::is_exact", "Profile::set_exact",
     "Profile::set_indices", "Profile::join", "Profile::parts", "Profile::grade", "profile_of", "conformity_text",
-    "require_rows", "ClipBox::low", "ClipBox::high", "is_exact_pair", "reproducibility", "made_by_text",
+    "require_rows", "sentence_of", "ClipBox::low", "ClipBox::high", "is_exact_pair", "reproducibility", "made_by_text",
     "SaddleRadii::size", "SaddleRadii::number", "SaddleRadii::squared_spacing", "PersistenceDiagram::complex",
     "PersistenceDiagram::pairs", "PersistenceDiagram::has_zero", "Probe::squared_radius",
     // clang-format on

@@ -39,9 +39,12 @@ TEST(OracleMedialAxis, AnglesAreToldByRationalCosines) {
 TEST(OracleMedialAxis, PairsTellHowManyPointsAreAboveAPersistence) {
   CITES("FC-MED-03");
   const std::vector<PersistencePair> pairs = persistence_pairs(PointSet(kCube));
-  EXPECT_EQ(count_above_persistence(pairs, 1, Rational(1, 4), Rational(6, 25)), 12U);
+  // The roots of 1/4, 1/2 and 3/4 are 0.5, 0.707 and 0.866; the last numbers here are squares.
+  EXPECT_EQ(count_above_persistence(pairs, 1, Rational(1, 4), Rational(1, 25)), 12U);
+  EXPECT_EQ(count_above_persistence(pairs, 1, Rational(1, 4), Rational(1, 20)), 7U);
   EXPECT_EQ(count_above_persistence(pairs, 1, Rational(1, 4), Rational(1, 4)), 0U);
   EXPECT_EQ(count_above_persistence(pairs, 2, Rational(1, 2), 0), 6U);
+  EXPECT_EQ(count_above_persistence(pairs, 2, Rational(1, 2), Rational(1, 36)), 5U);
   EXPECT_EQ(count_above_persistence(pairs, 2, Rational(1, 2), Rational(1, 4)), 0U);
   EXPECT_EQ(count_above_persistence(pairs, 2, Rational(1, 3), 0), 0U);
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <numeric>
@@ -15,6 +16,7 @@
 #include "oracle/peaks_above.h"
 #include "oracle/persistence.h"
 #include "oracle/pockets.h"
+#include "oracle/roots.h"
 #include "oracle/voronoi_graph.h"
 #include "tests/cites.h"
 #include "tests/unit/landscape_inputs.h"
@@ -194,21 +196,24 @@ TEST(OraclePocketsFamilies, TreesHoldToFlowAndPersistence) {
   }
 }
 
-// The persistences at which something changes, some of them, and 0.
-std::vector<Rational> persistences(const Subject& subject) {
+// The squares of 0, and of persistences just above which something has changed: a little more than lengths.
+std::vector<Rational> squared_persistences(const Subject& subject) {
   std::set<Rational> lengths = {0};
   for (const PersistencePair& pair : pairs_of_nodes(subject)) {
-    if (pair.dimension == 2) lengths.insert(*pair.death - pair.birth);
+    if (pair.dimension != 2) continue;
+    const double length = std::sqrt(pair.death->convert_to<double>()) - std::sqrt(pair.birth.convert_to<double>());
+    const Rational more(length * (1 + 1e-9));
+    lengths.insert(more * more);
   }
   if (lengths.size() > 3)
     return {0, *std::next(lengths.begin()), *std::next(lengths.begin(), long(lengths.size() / 2))};
   return {lengths.begin(), lengths.end()};
 }
 
-std::size_t pairs_longer_than(const Subject& subject, const Rational& persistence) {
+std::size_t pairs_longer_than(const Subject& subject, const Rational& squared_persistence) {
   const std::vector<PersistencePair> pairs = pairs_of_nodes(subject);
   return static_cast<std::size_t>(std::ranges::count_if(pairs, [&](const PersistencePair& pair) {
-    return pair.dimension == 2 && *pair.death - pair.birth > persistence;
+    return pair.dimension == 2 && !is_root_difference_up_to(*pair.death, pair.birth, squared_persistence);
   }));
 }
 
@@ -233,8 +238,8 @@ void expect_partition(const Subject& subject, const Pockets& found) {
   EXPECT_TRUE(std::ranges::adjacent_find(cells) == cells.end());
 }
 
-// FC-POCK-05: the depth, by the tree.
-Rational depth_by_tree(const Subject& subject, const Pocket& pocket) {
+// FC-POCK-05: the value of the highest mouth, by the tree.
+Rational mouth_by_tree(const Subject& subject, const Pocket& pocket) {
   Rational highest = 0;
   for (const std::size_t place : pocket.maxima) {
     for (std::size_t other = 0; other <= subject.infinity(); ++other) {
@@ -243,20 +248,21 @@ Rational depth_by_tree(const Subject& subject, const Pocket& pocket) {
       if (!is_own) highest = std::max(highest, subject.joining(subject.leaf_of(place), other));
     }
   }
-  return subject.all[pocket.peaks[0]].squared_distance - highest;
+  return highest;
 }
 
-void expect_depths(const Subject& subject, const Pockets& found, const Rational& persistence, PocketCount& count) {
+void expect_depths(const Subject& subject, const Pockets& found, const Rational& squared_persistence,
+                   PocketCount& count) {
   std::size_t deep = 0;
   for (const Pocket& pocket : found.pockets) {
-    EXPECT_EQ(pocket.depth, depth_by_tree(subject, pocket));
-    EXPECT_GT(pocket.depth, 0);
-    if (pocket.depth > persistence) ++deep;
-    if (pocket.depth <= persistence) ++count.apart;
+    EXPECT_EQ(pocket.height, subject.all[pocket.peaks[0]].squared_distance);
+    EXPECT_EQ(pocket.highest_mouth, mouth_by_tree(subject, pocket));
+    EXPECT_GT(pocket.height, pocket.highest_mouth);
+    ++(is_root_difference_up_to(pocket.height, pocket.highest_mouth, squared_persistence) ? count.apart : deep);
     count.merged += pocket.maxima.size() > 1 ? 1 : 0;
     count.cells += pocket.cell.size() > pocket.maxima.size() ? 1 : 0;
   }
-  EXPECT_EQ(deep, pairs_longer_than(subject, persistence));
+  EXPECT_EQ(deep, pairs_longer_than(subject, squared_persistence));
 }
 
 void expect_neighbours(const Pockets& found) {
@@ -338,15 +344,15 @@ TEST(OraclePocketsFamilies, PocketsHoldToTheTree) {
   PocketCount count;
   for_each_drawn(1, [&](const Subject& subject, std::uint64_t) {
     std::optional<Pockets> before;
-    for (const Rational& persistence : persistences(subject)) {
-      const Pockets found = pockets(subject.set, subject.all, persistence);
+    for (const Rational& square : squared_persistences(subject)) {
+      const Pockets found = pockets(subject.set, subject.all, square);
       expect_partition(subject, found);
-      expect_depths(subject, found, persistence, count);
+      expect_depths(subject, found, square, count);
       expect_neighbours(found);
       expect_passages(subject, found, count);
       expect_widest(subject, found);
       if (before) expect_coarser(*before, found);
-      if (persistence == 0) {
+      if (square == 0) {
         EXPECT_EQ(found.pockets.size(), subject.maxima.size());
       }
       before = found;
@@ -380,7 +386,7 @@ auto described(const Subject& subject, const Pockets& found, const Back& back) {
     return result;
   };
   using Positions = std::set<Point>;
-  using Described = std::tuple<Positions, Positions, Positions, Positions, Positions, std::array<Rational, 3>>;
+  using Described = std::tuple<Positions, Positions, Positions, Positions, Positions, std::array<Rational, 4>>;
   std::set<Described> result;
   for (const Pocket& pocket : found.pockets) {
     result.insert({positions(pocket.maxima),
@@ -388,7 +394,7 @@ auto described(const Subject& subject, const Pockets& found, const Back& back) {
                    positions(pocket.cell),
                    positions(pocket.mouths),
                    positions(pocket.to_infinity.gates),
-                   {pocket.depth, pocket.volume, pocket.to_infinity.value}});
+                   {pocket.height, pocket.highest_mouth, pocket.volume, pocket.to_infinity.value}});
   }
   return result;
 }
@@ -402,9 +408,9 @@ TEST(OraclePocketsFamilies, NeitherOrderNorMotionChangesThem) {
     const Subject image(moved);
     const auto stays = [](const Point& x) { return x; };
     const auto returns = [](const Point& x) { return Point{x[1], x[2], -x[0]}; };
-    for (const Rational& persistence : persistences(subject)) {
-      const auto found = described(subject, pockets(subject.set, subject.all, persistence), stays);
-      EXPECT_EQ(described(image, pockets(image.set, image.all, persistence), returns), found);
+    for (const Rational& square : squared_persistences(subject)) {
+      const auto found = described(subject, pockets(subject.set, subject.all, square), stays);
+      EXPECT_EQ(described(image, pockets(image.set, image.all, square), returns), found);
       with_pockets += found.empty() ? 0 : 1;
     }
   });

@@ -17,7 +17,7 @@ using Places = std::vector<std::size_t>;
 struct Input {
   explicit Input(const Rows& rows) : set(rows), all(stationary_points(set).stationary) {}
 
-  Pockets at(const Rational& persistence) const { return pockets(set, all, persistence); }
+  Pockets at(const Rational& persistence) const { return pockets(set, all, persistence * persistence); }
   const Rational& value(std::size_t place) const { return all[place].squared_distance; }
   std::vector<Names> contacts(const Places& places) const {
     std::vector<Names> result;
@@ -69,7 +69,7 @@ TEST(OraclePockets, OfSetsWithoutMaxima) {
 TEST(OraclePockets, OfAnOctahedron) {
   CITES("FC-POCK-02", "FC-POCK-03", "FC-POCK-04", "FC-POCK-05", "FC-POCK-07", "FC-POCK-08");
   const Input input(kOctahedron);
-  const Pockets found = input.at(Rational(33, 100));
+  const Pockets found = input.at(Rational(183, 1000));
   ASSERT_EQ(found.pockets.size(), 1U);
   const Pocket& pocket = found.pockets[0];
   EXPECT_EQ(input.contacts(pocket.maxima), (std::vector<Names>{{0, 1, 2, 3, 4, 5}}));
@@ -77,13 +77,13 @@ TEST(OraclePockets, OfAnOctahedron) {
   EXPECT_EQ(pocket.cell, pocket.maxima);
   EXPECT_EQ(pocket.mouths.size(), 8U);
   EXPECT_EQ(pocket.neighbours, Places{1});
-  EXPECT_EQ(pocket.depth, Rational(1, 3));
+  EXPECT_EQ(pocket.height - pocket.highest_mouth, Rational(1, 3));
   EXPECT_EQ(pocket.volume, Rational(4, 3));
   EXPECT_EQ(pocket.to_infinity, (WidestPath{Rational(2, 3), pocket.mouths}));
   EXPECT_EQ(widest_path(found), pocket.to_infinity);
   EXPECT_EQ(largest_balls(input.all, found), pocket.peaks);
-  // A pair of this length is not longer than X.
-  EXPECT_EQ(input.at(Rational(1, 3)), (Pockets{{}, pocket.maxima}));
+  // The length of the pair, 1 less the root of 2/3, is between these.
+  EXPECT_EQ(input.at(Rational(184, 1000)), (Pockets{{}, pocket.maxima}));
 }
 
 TEST(OraclePockets, WhatIsEqualToTheProbePasses) {
@@ -108,16 +108,30 @@ TEST(OraclePockets, OfTwoCellsOfALattice) {
     const Pocket& pocket = found.pockets[k];
     EXPECT_EQ(pocket.mouths.size(), 6U);
     EXPECT_EQ(pocket.neighbours, (Places{1 - k, 2}));
-    EXPECT_EQ(pocket.depth, Rational(1, 4));
+    EXPECT_EQ(pocket.height - pocket.highest_mouth, Rational(1, 4));
     EXPECT_EQ(pocket.volume, 1);
     EXPECT_EQ(pocket.to_infinity.value, Rational(1, 2));
     EXPECT_EQ(pocket.to_infinity.gates.size(), 10U);  // also those of the other cell, through the square between them
   }
   EXPECT_EQ(largest_balls(input.all, found).size(), 2U);
-  EXPECT_TRUE(input.at(Rational(1, 4)).pockets.empty());
+  EXPECT_EQ(input.at(Rational(3, 20)), found);
+  EXPECT_TRUE(input.at(Rational(4, 25)).pockets.empty());
 }
 
-// The cell of edge 4: the tetrahedral holes are shallow at 8/3 if X is 1/3 or more, and lead to the octahedral hole and
+// The ball has the radius 65, and the wider mouths, the two triangles, have 60.
+TEST(OraclePockets, APairAsLongAsXIsNotLonger) {
+  CITES("FC-POCK-02", "FC-PERS-06");
+  Rows rows;
+  for (const double x : {0.0, 50.0}) rows.insert(rows.end(), {{x, 60, 0}, {x, -36, 48}, {x, -36, -48}});
+  const Input input(rows);
+  ASSERT_EQ(input.at(0).pockets.size(), 1U);
+  EXPECT_EQ(input.at(0).pockets[0].height, 65 * 65);
+  EXPECT_EQ(input.at(0).pockets[0].highest_mouth, 60 * 60);
+  EXPECT_EQ(input.at(Rational(4999, 1000)).pockets.size(), 1U);
+  EXPECT_EQ(input.at(5).pockets.size(), 0U);
+}
+
+// The cell of edge 4: the tetrahedral holes are shallow at 8/3 if X is 0.1 or more, and lead to the octahedral hole and
 // to the outside, through the midpoints of edges of the cell, which are regular stationary.
 TEST(OraclePockets, OfAFaceCentredLattice) {
   CITES("FC-POCK-01", "FC-POCK-02", "FC-POCK-03", "FC-POCK-09");
@@ -126,12 +140,12 @@ TEST(OraclePockets, OfAFaceCentredLattice) {
   const Input input(rows);
   const Pockets found = input.at(0);
   ASSERT_EQ(found.pockets.size(), 9U);
-  EXPECT_EQ(found.pockets[0].depth, Rational(4, 3));
+  EXPECT_EQ(found.pockets[0].height - found.pockets[0].highest_mouth, Rational(4, 3));
   EXPECT_EQ(found.pockets[0].volume, Rational(32, 3));
   EXPECT_EQ(found.pockets[0].mouths.size(), 8U);
   EXPECT_EQ(found.pockets[0].neighbours, (Places{1, 2, 3, 4, 5, 6, 7, 8}));
   for (std::size_t k = 1; k < 9; ++k) {
-    EXPECT_EQ(found.pockets[k].depth, Rational(1, 3));
+    EXPECT_EQ(found.pockets[k].height - found.pockets[k].highest_mouth, Rational(1, 3));
     EXPECT_EQ(found.pockets[k].volume, Rational(8, 3));
     EXPECT_EQ(found.pockets[k].mouths.size(), 4U);
     EXPECT_EQ(found.pockets[k].neighbours, (Places{0, 9}));
@@ -139,8 +153,8 @@ TEST(OraclePockets, OfAFaceCentredLattice) {
   EXPECT_EQ(widest_path(found)->value, Rational(8, 3));
   EXPECT_EQ(widest_path(found)->gates.size(), 24U);
   EXPECT_EQ(largest_balls(input.all, found), found.pockets[0].peaks);
-  EXPECT_EQ(input.at(Rational(1, 2)), found);  // they stay apart
-  EXPECT_TRUE(input.at(Rational(4, 3)).pockets.empty());
+  EXPECT_EQ(input.at(Rational(1, 10)), found);  // they stay apart
+  EXPECT_TRUE(input.at(Rational(3, 8)).pockets.empty());
 }
 
 // On the axis of the tube the values are 289/36, 9 and 9, at the heights 11/6, 3 and 5; the squares between them have
@@ -151,17 +165,17 @@ TEST(OraclePockets, OfATube) {
   const Pockets three = input.at(0);
   ASSERT_EQ(three.pockets.size(), 3U);
   EXPECT_EQ(input.contacts(three.pockets[1].maxima), (std::vector<Names>{{0, 1, 2, 3, 12}}));
-  EXPECT_EQ(three.pockets[1].depth, Rational(1, 36));
+  EXPECT_EQ(three.pockets[1].height - three.pockets[1].highest_mouth, Rational(1, 36));
   EXPECT_EQ(three.pockets[1].neighbours, (Places{0, 3}));
   EXPECT_EQ(three.pockets[1].mouths.size(), 5U);
 
-  const Pockets two = input.at(Rational(1, 36));
+  const Pockets two = input.at(Rational(1, 200));
   ASSERT_EQ(two.pockets.size(), 2U);
   const Pocket &inner = two.pockets[0], &outer = two.pockets[1];
   EXPECT_EQ(input.contacts(inner.maxima), (std::vector<Names>{{0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3, 12}}));
   EXPECT_EQ(input.contacts(inner.peaks), (std::vector<Names>{{0, 1, 2, 3, 4, 5, 6, 7}}));
   EXPECT_EQ(input.contacts(outer.peaks), (std::vector<Names>{{4, 5, 6, 7, 8, 9, 10, 11}}));
-  EXPECT_EQ(inner.depth, 1);
+  EXPECT_EQ(inner.height - inner.highest_mouth, 1);
   EXPECT_EQ(inner.volume, 32 + 16);
   EXPECT_EQ(outer.volume, 32);
   EXPECT_EQ(input.contacts(inner.to_infinity.gates), (std::vector<Names>{{8, 9, 10, 11}}));
@@ -172,7 +186,7 @@ TEST(OraclePockets, OfATube) {
   EXPECT_EQ(passage(input.all, outer, Rational(801, 100)), Passage::kCavity);
   EXPECT_EQ(input.contacts(largest_balls(input.all, two)), input.contacts({inner.peaks[0], outer.peaks[0]}));
 
-  const Pockets none = input.at(1);
+  const Pockets none = input.at(Rational(172, 1000));
   EXPECT_TRUE(none.pockets.empty());
   EXPECT_EQ(none.outside.size(), 3U);
 }
@@ -187,7 +201,7 @@ TEST(OraclePockets, WithAChainOfIndexTwoPoints) {
   EXPECT_EQ(input.contacts(found.pockets[0].mouths),
             (std::vector<Names>{{0, 1, 2}, {0, 1, 3}, {0, 3, 4}, {1, 2, 4}, {1, 3, 4}}));
   EXPECT_EQ(found.pockets[0].neighbours, (Places{1, 2}));
-  EXPECT_EQ(found.pockets[0].depth, Rational(265885, 5184) - Rational(658255, 12842));
+  EXPECT_EQ(found.pockets[0].height - found.pockets[0].highest_mouth, Rational(265885, 5184) - Rational(658255, 12842));
   EXPECT_EQ(found.pockets[0].volume, found.pockets[1].volume);
   const auto chain = std::find_if(input.all.begin(), input.all.end(),
                                   [](const StationaryPoint& z) { return z.contact == Names{0, 1, 2}; });

@@ -17,7 +17,7 @@ const std::vector<Point> kBox = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0},
                                  {0, 0, 2}, {2, 0, 2}, {0, 2, 2}, {2, 2, 2}};
 
 std::string pockets_text(const std::string& keys) {
-  return R"({"format":"flowcert-pockets","format_version":1,"persistence":"0",)" + keys + "}\n";
+  return R"({"format":"flowcert-pockets","format_version":2,"squared_persistence":"0",)" + keys + "}\n";
 }
 std::string one_pocket(const std::string& keys, const std::string& of_claim = "") {
   return pockets_text(of_claim + R"("pockets":[{"maxima":[[0,1,2,3,4,5,6,7]])" + (keys.empty() ? "" : "," + keys) +
@@ -42,8 +42,9 @@ std::string refusal(const std::string& claim) {
 TEST(PocketFindings, WhatIsRightConforms) {
   CITES("FC-CLAIM-18");
   EXPECT_EQ(said(one_pocket("")), "conforms");
-  EXPECT_EQ(said(one_pocket(R"("depth":"1","volume":8,"neighbours":[-1])")), "conforms");
-  EXPECT_EQ(said(one_pocket(R"("depth":1.0000000000001,"depth_of_radii":0.3178372451957822)")), "conforms");
+  EXPECT_EQ(said(one_pocket(R"("difference_of_squares":"1","volume":8,"lining":[7,6,5,4,3,2,1,0],"neighbours":[-1])")),
+            "conforms");
+  EXPECT_EQ(said(one_pocket(R"("difference_of_squares":1.0000000000001,"depth":0.3178372451957822)")), "conforms");
   EXPECT_EQ(
       said(one_pocket(R"("peaks":[{"contact":[7,6,5,4,3,2,1,0],"center":["1",1,"1"],"radius":1.7320508075688772}])")),
       "conforms");
@@ -52,9 +53,10 @@ TEST(PocketFindings, WhatIsRightConforms) {
   EXPECT_EQ(said(one_pocket("", R"("critical":[8,12,6,1],"regular_stationary":{"1-2":0,"1-3":0,"2-3":0},)")),
             "conforms");
   // A line may begin anywhere, and four of the eight samples span the same.
-  EXPECT_EQ(said(std::string("\n\n { \"format\" :\n\"flowcert-pockets\",\"format_version\":1,\n\"persistence\":0,") +
-                 "\"pockets\":[{\"maxima\":[[0,1,2,4]]}]}"),
-            "conforms");
+  EXPECT_EQ(
+      said(std::string("\n\n { \"format\" :\n\"flowcert-pockets\",\"format_version\":2,\n\"squared_persistence\":0,") +
+           "\"pockets\":[{\"maxima\":[[0,1,2,4]]}]}"),
+      "conforms");
 }
 
 // What is written of the empty set, and of sets without pockets.
@@ -76,9 +78,12 @@ TEST(PocketFindings, WhatIsWrongIsSaid) {
   EXPECT_EQ(said(pockets_text("\"pockets\":[]")),
             "fails\n5 wrong-pocket FC-POCK-02: no such pocket; a pocket of 1 maximum, with critical point of index 3, "
             "contact set 0 1 2 3 4 5 6 7");
-  EXPECT_EQ(said(one_pocket(R"("depth":"2")")), "fails\n5 wrong-pocket FC-POCK-05: pocket 0, depth 2; the depth is 1");
-  EXPECT_EQ(said(one_pocket(R"("depth_of_radii":null)")),
-            "fails\n5 wrong-pocket FC-POCK-11: pocket 0, a depth in radii of no double; it is ~0.31783724519578227");
+  EXPECT_EQ(said(one_pocket(R"("difference_of_squares":"2")")),
+            "fails\n5 wrong-pocket FC-POCK-05: pocket 0, a difference of squares of 2; it is 1");
+  EXPECT_EQ(said(one_pocket(R"("depth":null)")),
+            "fails\n5 wrong-pocket FC-POCK-11: pocket 0, depth no double; the depth is ~0.31783724519578227");
+  EXPECT_EQ(said(one_pocket(R"("lining":[0,1,2,3,4,5,6])")),
+            "fails\n5 wrong-pocket FC-POCK-03: pocket 0, a lining of 7 samples; it has 8");
   EXPECT_EQ(said(one_pocket(R"("volume":"9")")),
             "fails\n5 wrong-volume FC-POCK-03: pocket 0, volume 9; the volume is 8");
   EXPECT_EQ(said(one_pocket(R"("neighbours":[])")),
@@ -96,7 +101,7 @@ TEST(PocketFindings, WhatIsWrongIsSaid) {
   EXPECT_EQ(said(pockets_text(R"("pockets":[{"maxima":[[0,1,2,3,4,5,6,7,7]]}])")),
             "fails\n1 malformed FC-CLAIM-01: a contact set in a pocket; point 7 is named twice");
   // Levels beyond those that are asked for are not judged.
-  EXPECT_EQ(said(one_pocket(R"("depth":"2")"), {.highest_level = 4}), "conforms");
+  EXPECT_EQ(said(one_pocket(R"("depth":2)"), {.highest_level = 4}), "conforms");
 }
 
 // The box's two widest mouths have the radius 17/2.
@@ -126,18 +131,21 @@ TEST(PocketFindings, AreasAndRoundings) {
             "fails\n5 wrong-pocket FC-POCK-11: pocket 0, a mouth 0 1 2 3 of area 2; its area is about 4");
   EXPECT_EQ(said(all_mouths(",\"between\":[0]")),
             "fails\n5 wrong-pocket FC-POCK-04: pocket 0, a mouth 0 1 2 3 between others; other pockets are above it");
-  EXPECT_EQ(said(one_pocket(R"("depth":1.00000000000001)"), {.tolerance = 0}),
-            "fails\n5 rounding FC-POCK-05: pocket 0, depth 1.00000000000001; the depth is 1");
+  EXPECT_EQ(said(one_pocket(R"("difference_of_squares":1.00000000000001)"), {.tolerance = 0}),
+            "fails\n5 rounding FC-POCK-05: pocket 0, a difference of squares of 1.00000000000001; it is 1");
 }
 
 TEST(PocketFindings, MalformedClaimsAreRefused) {
   CITES("FC-CLAIM-18", "FC-CLAIM-01");
-  EXPECT_EQ(refusal(R"({"format":"flowcert-pockets","format_version":2,"persistence":"0","pockets":[]})"),
-            "claim:1: the value of 'format_version' is not 1, the only version that is known");
-  EXPECT_EQ(refusal(R"({"format":"flowcert-pockets","format_version":1,"pockets":[]})"),
-            "claim:1: no key 'persistence'");
-  EXPECT_EQ(refusal(R"({"format":"flowcert-pockets","format_version":1,"persistence":"-1","pockets":[]})"),
-            "claim:1: the value of 'persistence' is not 0 or more");
+  EXPECT_EQ(refusal(R"({"format":"flowcert-pockets","format_version":3,"squared_persistence":"0","pockets":[]})"),
+            "claim:1: the value of 'format_version' is not 2, the only version that is known");
+  EXPECT_EQ(refusal(R"({"format":"flowcert-pockets","format_version":1,"persistence":"0","pockets":[]})"),
+            "claim:1: the value of 'format_version' is not 2; in 1 pockets were merged by differences of squared "
+            "distances");
+  EXPECT_EQ(refusal(R"({"format":"flowcert-pockets","format_version":2,"pockets":[]})"),
+            "claim:1: no key 'squared_persistence'");
+  EXPECT_EQ(refusal(R"({"format":"flowcert-pockets","format_version":2,"squared_persistence":"-1","pockets":[]})"),
+            "claim:1: the value of 'squared_persistence' is not 0 or more");
   EXPECT_EQ(refusal(pockets_text(R"("pockets":[{"maxima":[]}])")),
             "claim:1: the value of 'maxima' is not one maximum or more");
   EXPECT_EQ(refusal(pockets_text(R"("pockets":[{"maxima":[[]]}])")),
@@ -153,7 +161,7 @@ TEST(PocketFindings, MalformedClaimsAreRefused) {
             "claim:1: the value of 'gates' is not one witness or more");
   EXPECT_EQ(refusal(one_pocket(R"("cell":[{"index":[3,2],"contact":[0]}])")),
             "claim:1: the value of 'index' is not a kind: [1,2], [2,3], [1,3]");
-  EXPECT_EQ(refusal("\n\n" + pockets_text("\"pockets\":[},")), "claim:3: not JSON, in column 80");
+  EXPECT_EQ(refusal("\n\n" + pockets_text("\"pockets\":[},")), "claim:3: not JSON, in column 88");
 }
 
 // Keys that the format does not have are told, and not judged.

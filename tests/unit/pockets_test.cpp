@@ -3,13 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <compare>
 #include <map>
 #include <random>
 #include <sstream>
 
 #include "flowcert/pocket_persistence.h"
 #include "flowcert/pocket_surfaces.h"
+#include "flowcert/saddle_radii.h"
 #include "flowcert/surface_area.h"
 #include "flowcert/write_pockets.h"
 #include "geometry/difference_of_roots.h"
@@ -18,6 +21,8 @@
 
 namespace flowcert::pockets_test {
 namespace {
+
+using geometry::RootDifference;
 
 std::vector<Point> lattice(int side) {
   std::vector<Point> rows;
@@ -60,6 +65,73 @@ TEST(DifferenceOfRoots, IsTheNearestDouble) {
     };
     const Rational b = number(), a = k % 2 == 0 ? number() : b * (1 + Rational(1, 1 + (random() >> 8)));
     EXPECT_TRUE(oracle::is_nearest_root_difference(nearest_difference_of_roots(a, b), a, b)) << a << ' ' << b;
+  }
+}
+
+// Against the same differences of integer roots of many digits.
+TEST(DifferenceOfRoots, IsComparedExactly) {
+  CITES("FC-POCK-02");
+  std::mt19937_64 random(6);
+  const auto scaled_root = [](const Rational& x) {
+    constexpr unsigned kDigits = 400;
+    const boost::multiprecision::mpz_int top(numerator(x)), bottom(denominator(x));
+    return boost::multiprecision::mpz_int(sqrt(boost::multiprecision::mpz_int((top << (2 * kDigits)) / bottom)));
+  };
+  std::size_t equal = 0;
+  for (int k = 0; k < 6000; ++k) {
+    // Squares of small numbers, their multiples and others: differences of two are often equal.
+    const auto number = [&](unsigned most) { return Rational(static_cast<unsigned>(random() % most)); };
+    const Rational factor = k % 3 == 0 ? Rational(1) : 1 + number(5);
+    const auto square = [&] {
+      const Rational root = number(7);
+      return Rational(k % 4 == 3 ? number(40) : root * root * factor);
+    };
+    const RootDifference x{square(), square()}, y{square(), square()};
+    const auto difference = [&](const RootDifference& one) {
+      return boost::multiprecision::mpz_int(scaled_root(one.square) - scaled_root(one.less));
+    };
+    // Roots are cut: numbers that differ by less than four units are equal here, as no others come so near.
+    const boost::multiprecision::mpz_int gap = difference(x) - difference(y);
+    const auto expected = abs(gap) < 4 ? std::strong_ordering::equal : gap.compare(0) <=> 0;
+    EXPECT_EQ(x <=> y, expected) << x.square << ' ' << x.less << ' ' << y.square << ' ' << y.less;
+    equal += expected == std::strong_ordering::equal ? 1 : 0;
+  }
+  EXPECT_GT(equal, 300U);
+}
+
+TEST(DifferenceOfRoots, FromAboveIsTheLeastOf53Digits) {
+  CITES("FC-POCK-02");
+  using geometry::square_from_above;
+  EXPECT_EQ(square_from_above({2, 0}), 2);
+  EXPECT_EQ(square_from_above({9, 4}), 1);
+  EXPECT_EQ(square_from_above({2, 2}), 0);
+  std::mt19937_64 random(7);
+  for (int k = 0; k < 1000; ++k) {
+    const Rational b(static_cast<unsigned>(random() % 1000)),
+        a = b + Rational(static_cast<unsigned>(1 + random() % 1000), 3);
+    const RootDifference number{a, b};
+    const Rational square = square_from_above(number);
+    EXPECT_GE(RootDifference{square}, number);
+    const double root = std::sqrt(nearest_double(square).value());
+    if (b == 0) continue;
+    EXPECT_EQ(Rational(root) * Rational(root), square);
+    const Rational below(std::nextafter(root, 0));
+    EXPECT_LT(RootDifference{below * below}, number);
+  }
+}
+
+TEST(SquaredDistances, LengthsLieWithinTheirBounds) {
+  CITES("FC-PERS-01");
+  const FlowComplex complex(cloud(60, 3));
+  const Persistence& persistence = complex.persistence();
+  for (const PersistencePair& pair : persistence.pairs()) {
+    if (!pair.death) continue;
+    const auto [value, error] = persistence.squared_distances().length(pair.birth, *pair.death);
+    const RootDifference length{persistence.squared_value(*pair.death), persistence.squared_value(pair.birth)};
+    const Rational low = Rational(value) - Rational(error), high = Rational(value) + Rational(error);
+    EXPECT_LE(low < 0 ? RootDifference{0} : RootDifference{low * low}, length);
+    EXPECT_GE(RootDifference{high * high}, length);
+    EXPECT_LT(error, 1e-9 * (1 + value));
   }
 }
 
@@ -131,7 +203,7 @@ TEST(SurfaceArea, DoesNotDependOnWhatDecidesIt) {
 TEST(StableVolumes, SumsAreTheNearestDoubles) {
   CITES("FC-VOL-01", "FC-POCK-03");
   const FlowComplex complex(cloud(200, 9));
-  const Pockets pockets(complex.merge_trees(), Rational(1, 2));
+  const Pockets pockets(complex.merge_trees(), Rational(1, 50));
   std::size_t merged = 0;
   for (std::size_t k = 0; k < pockets.size(); ++k) {
     const auto& cell = pockets[k].cell;
@@ -152,9 +224,14 @@ TEST(Pockets, MergeMoreWithMorePersistence) {
     std::size_t longer = 0, deep = 0;
     for (const PersistencePair& pair : persistence.pairs()) {
       if (pair.dimension != 2) continue;
-      longer += persistence.squared_value(*pair.death) - persistence.squared_value(pair.birth) > bound ? 1 : 0;
+      const RootDifference length{persistence.squared_value(*pair.death), persistence.squared_value(pair.birth)};
+      longer += length > RootDifference{bound} ? 1 : 0;
     }
-    for (std::size_t k = 0; k < pockets.size(); ++k) deep += pockets.depth(pockets[k]) > bound ? 1 : 0;
+    for (std::size_t k = 0; k < pockets.size(); ++k) {
+      const RootDifference depth{complex.sphere(pockets[k].peaks.front()).squared_radius,
+                                 complex.sphere(pockets[k].highest_mouth).squared_radius};
+      deep += depth > RootDifference{bound} ? 1 : 0;
+    }
     EXPECT_EQ(deep, longer) << bound;
   }
   EXPECT_THROW((void)Pockets(complex.merge_trees(), Rational(-1)), std::invalid_argument);
@@ -163,19 +240,31 @@ TEST(Pockets, MergeMoreWithMorePersistence) {
 TEST(PocketPersistence, HasQuantilesOfTheLengthsOfVoids) {
   CITES("FC-TREE-05");
   const FlowComplex complex(cloud(120, 6));
-  std::vector<Rational> lengths;
+  std::vector<RootDifference> lengths;
   for (const PersistencePair& pair : complex.persistence().pairs()) {
     if (pair.dimension == 2) {
-      lengths.push_back(complex.persistence().squared_value(*pair.death) -
-                        complex.persistence().squared_value(pair.birth));
+      lengths.push_back(
+          {complex.persistence().squared_value(*pair.death), complex.persistence().squared_value(pair.birth)});
     }
   }
   std::ranges::sort(lengths);
-  EXPECT_EQ(pocket_persistence(complex, "q1", "--x").value, lengths.back());
-  EXPECT_EQ(pocket_persistence(complex, "q0", "--x").value, 0);
-  EXPECT_EQ(pocket_persistence(complex, "0.25", "--x").value, Rational(1, 4));
-  EXPECT_EQ(Pockets(complex.merge_trees(), lengths.back()).size(), 0U);
-  EXPECT_THROW((void)pocket_persistence(complex, "-1", "--x").value, InvalidInput);
+  const Rational longest = pocket_persistence(complex, "q1", "--x").square;
+  EXPECT_EQ(longest, geometry::square_from_above(lengths.back()));
+  EXPECT_EQ(pocket_persistence(complex, "q0", "--x").square, 0);
+  EXPECT_EQ(pocket_persistence(complex, "0.25", "--x").square, Rational(1, 16));
+  EXPECT_EQ(pocket_persistence(complex, "2spacing", "--x").square, 4 * squared_spacing(complex).value());
+  EXPECT_EQ(Pockets(complex.merge_trees(), longest).size(), 0U);
+  EXPECT_THROW((void)pocket_persistence(complex, "-1", "--x"), InvalidInput);
+  EXPECT_THROW((void)pocket_persistence(complex, "2spacing^2", "--x"), InvalidInput);
+}
+
+// The pairs of two flat boxes are few: there is no valley.
+TEST(PocketPersistence, WithoutAValleyIsHalfTheSpacing) {
+  const FlowComplex complex(lattice(2));
+  const PocketPersistence found = pocket_persistence(complex, "auto", "--x");
+  ASSERT_TRUE(found.automatic.has_value());
+  EXPECT_FALSE(found.automatic->valley.has_value());
+  EXPECT_EQ(found.square, squared_spacing(complex).value() / 4);
 }
 
 TEST(Newick, OfADeepTreeIsWritten) {

@@ -36,6 +36,7 @@ TEST(Shrinking, LeavesOutAllRowsThatAreNotNeeded) {
   const Shrunk small = shrunk({many_rows(), StartChoice{}}, of_kind("a"), judge, kBudget);
   EXPECT_EQ(small.trial.input.rows.size(), 2U);
   EXPECT_EQ(asked, small.judged);
+  EXPECT_FALSE(small.is_budget_up);
   EXPECT_TRUE(judge(small.trial).has_value());
 }
 
@@ -77,6 +78,7 @@ TEST(Shrinking, StopsWhenTheBudgetIsSpent) {
   const Trial trial{many_rows(), StartChoice{property::StartKind::kBox, {1, 2, 3}}};
   const Shrunk small = shrunk(trial, of_kind("a"), judge, 20);
   EXPECT_EQ(asked, 20U);
+  EXPECT_TRUE(small.is_budget_up);
   EXPECT_EQ(small.trial.input, trial.input);
 }
 

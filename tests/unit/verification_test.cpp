@@ -55,9 +55,31 @@ TEST(AnswerReader, TellsWhereAnAnswerBeginsAndEnds) {
   EXPECT_TRUE(answers_in("# nothing\n").empty());
 }
 
+// A program may be killed at any byte.
+TEST(AnswerReader, TellsWhereTheStreamIsBrokenOff) {
+  CITES("FC-CLAIM-01");
+  const std::string text = "answer a\n0,0,0,0\nend\nrefused b no\n";
+  const auto cut_of = [&](std::size_t size, std::size_t whole) {
+    std::istringstream in(text.substr(0, size));
+    AnswerReader reader(in, "it");
+    std::size_t answers = 0;
+    for (Answer answer; reader.next(answer);) answers += answer.is_cut ? 0 : 1;
+    EXPECT_EQ(answers, whole) << size;
+    return reader.cut();
+  };
+  EXPECT_EQ(cut_of(1, 0), "it:1: it ends within a line: 'a'");
+  EXPECT_EQ(cut_of(8, 0), "it:1: it ends within a line: 'answer a'");
+  EXPECT_EQ(cut_of(9, 0), "it:1: it ends within the answer to 'a'");
+  EXPECT_EQ(cut_of(14, 0), "it:2: it ends within the answer to 'a'");
+  EXPECT_EQ(cut_of(19, 0), "it:3: it ends within the answer to 'a'");
+  EXPECT_EQ(cut_of(20, 1), "");
+  EXPECT_EQ(cut_of(21, 1), "");
+  EXPECT_EQ(cut_of(25, 1), "it:4: it ends within a line: 'refu'");
+  EXPECT_EQ(cut_of(text.size(), 2), "");
+}
+
 TEST(AnswerReader, RefusesWhatIsNoAnswer) {
   CITES("FC-CLAIM-01");
-  EXPECT_EQ(error_in("answer a\n0,0,0,0\n"), "standard input:1: an answer without 'end': 'a'");
   EXPECT_EQ(error_in("\nanswer a\nanswer b\nend\n"),
             "standard input:3: 'answer' before the 'end' of the answer of line 2");
   EXPECT_EQ(error_in("answer a\nrefused b\n"), "standard input:2: 'refused' before the 'end' of the answer of line 1");
@@ -304,6 +326,33 @@ TEST(Verification, OnlyWhatIsAskedIsExpected) {
             std::string::npos);
   verification.take(answer_to(run, 1));
   EXPECT_EQ(verification.verdict(), Verdict::kConforms);
+}
+
+TEST(Verification, CasesOfMorePointsAreNotExpected) {
+  CITES("FC-CLAIM-03");
+  fuzz::CaseRun run = run_of("lattice-2", 12);
+  run.most_points = 4;
+  const std::vector<std::size_t> asked = drawn_cases(run)->asked_numbers();
+  ASSERT_LT(asked.size(), 12U);
+  ASSERT_GT(asked.size(), 1U);
+  Verification verification(keeping_failures());  // the answers say which run it is
+  for (const std::size_t number : asked) verification.take(answer_to(run, number));
+  EXPECT_EQ(verification.expected(), asked.size());
+  EXPECT_EQ(verification.verdict(), Verdict::kConforms);
+  run.most_points = 0;
+  EXPECT_THROW(Verification(keeping_failures(), drawn_cases(run)), InvalidInput);
+}
+
+TEST(Verification, WhatIsCutIsUnanswered) {
+  CITES("FC-CLAIM-03");
+  const fuzz::CaseRun run = run_of("lattice-3", 3);
+  Answer cut = answer_to(run, 1);
+  cut.is_cut = true;
+  Verification verification = verified(run, 0, 1);
+  verification.take(cut);
+  EXPECT_EQ(verification.counts(), (OutcomeCounts{1, 0, 0, 0, 0, 0, 2}));
+  cut.id = "no-id";
+  EXPECT_NE(complaint_of(verification, cut).find("no case is called"), std::string::npos);
 }
 
 // A vector of the same name that says something else is another case.

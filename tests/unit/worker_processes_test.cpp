@@ -35,6 +35,9 @@ TEST_F(WorkerProcessesTest, ACaseThatEndsItsProcessIsAFinding) {
     EXPECT_EQ(counterexample.trial.input.rows.size(), 9U);
   }
   EXPECT_EQ(campaign.tally().cases + campaign.counterexamples().size(), 80U);
+  // A case with a finding has failed, though no batch counts it.
+  EXPECT_EQ(campaign.failing_cases(), campaign.counterexamples().size());
+  EXPECT_EQ(campaign.failures().at("rows crash").size(), campaign.counterexamples().size());
   EXPECT_TRUE(campaign.is_settled());
 }
 
@@ -139,6 +142,34 @@ TEST_F(WorkerProcessesTest, ACrashIsMadeSmallThoughItsProcessIsKilled) {
     EXPECT_EQ(counterexample.trial.input.rows.size(), 9U);
   }
   EXPECT_EQ(campaign.tally().left_out, campaign.counterexamples().size());
+}
+
+// What is half small when time is up is kept, and called so, until it is done again.
+TEST_F(WorkerProcessesTest, WhatIsHalfSmallWhenItIsStoppedIsKeptAsThat) {
+  CampaignPlan plan = small_plan();
+  plan.fewest_rows = 12;
+  plan.searched_percent = 0;
+  const fs::path marks = folder_ / "marks";
+  Property property = rows_property(2);
+  property.check = [&, usual = property.check](const Trial& trial) {
+    // It waits for the stop when it has got to four rows.
+    if (trial.input.rows.size() <= 4) std::ofstream(marks) << '.';
+    for (int k = 0; k < 100 && trial.input.rows.size() <= 4; ++k) ::usleep(10'000);
+    return usual(trial);
+  };
+  Campaign campaign(plan, 40, folder_ / "findings");
+  work(campaign, {property}, 1, [&] { return fs::exists(marks); });
+  ASSERT_EQ(campaign.counterexamples().size(), 1U);
+  const Counterexample half = campaign.counterexamples().begin()->second;
+  EXPECT_FALSE(half.is_small);
+  EXPECT_LT(half.trial.input.rows.size(), half.rows_before);
+  EXPECT_GE(half.trial.input.rows.size(), 2U);
+  EXPECT_EQ(why_not_fully_shrunk(half, "time was up"), "time was up");
+  EXPECT_EQ(campaign.failing_cases(), 1U);
+  work(campaign, {rows_property(2)}, 1);
+  const Counterexample whole = campaign.counterexamples().begin()->second;
+  EXPECT_EQ(whole.trial.input.rows.size(), 2U);
+  EXPECT_EQ(why_not_fully_shrunk(whole, "time was up"), "");
 }
 
 // A stop leaves nothing half small, whenever it comes.

@@ -6,6 +6,7 @@
 #include "oracle/medial_axis.h"
 #include "oracle/orbit.h"
 #include "oracle/peaks_above.h"
+#include "oracle/roots.h"
 #include "oracle/stable_set.h"
 
 namespace oracle::vectors {
@@ -33,7 +34,7 @@ Trees trees_of(const PointSet& set, const std::vector<StationaryPoint>& all) {
 
 namespace {
 
-// The lengths of the pairs of dimension 2 (FC-TREE-05).
+// The lengths of the pairs of dimension 2 (FC-TREE-05), rounded up.
 std::set<Rational> void_lengths(const std::vector<StationaryPoint>& all, const MergeTree& tree) {
   const std::vector<std::size_t> maxima = maxima_places(all);
   std::set<Rational> lengths;
@@ -48,7 +49,7 @@ std::set<Rational> void_lengths(const std::vector<StationaryPoint>& all, const M
     }
     std::sort(greatest.begin(), greatest.end());
     if (greatest.size() == node.parts.size()) greatest.pop_back();
-    for (const Rational& value : greatest) lengths.insert(value - node.value);
+    for (const Rational& value : greatest) lengths.insert(short_length(value, node.value));
   }
   return lengths;
 }
@@ -96,11 +97,27 @@ Rational short_root(const Rational& square, bool rounds_up) {
   return root * unit;
 }
 
+Rational short_length(const Rational& death, const Rational& birth) {
+  constexpr unsigned kBits = 12;
+  const auto is_enough = [&](const Rational& length) { return compare_root_difference(death, birth, length) <= 0; };
+  Rational unit = 1;  // the length is greater than half of it, and not greater than all
+  while (is_enough(unit / 2)) unit /= 2;
+  while (!is_enough(unit)) unit *= 2;
+  unit /= 1U << kBits;
+  unsigned low = 1U << (kBits - 1), high = 1U << kBits;  // in units: not enough, and enough
+  while (high - low > 1) {
+    const unsigned middle = (low + high) / 2;
+    (is_enough(middle * unit) ? high : low) = middle;
+  }
+  return high * unit;
+}
+
 std::vector<PocketAnswer> pocket_answers(const PointSet& set, const std::vector<StationaryPoint>& all) {
   const PeaksAbove above = peaks_above(set, all);
   std::vector<PocketAnswer> answers;
   for (const Rational& persistence : chosen_lengths(void_lengths(all, superlevel_tree(set, all)))) {
-    PocketAnswer& answer = answers.emplace_back(PocketAnswer{persistence, pockets(set, all, persistence), {}, {}});
+    PocketAnswer& answer =
+        answers.emplace_back(PocketAnswer{persistence, pockets(set, all, persistence * persistence), {}, {}});
     add_between(all, above, answer);
     for (const Rational& radius : chosen_radii(all, answer.found)) {
       ProbeAnswer& probe = answer.probes.emplace_back(ProbeAnswer{radius, {}});
@@ -142,7 +159,7 @@ std::vector<LevelCount> levels_of(const std::vector<StationaryPoint>& all, const
       if (has_index(x, index)) ++points[x.squared_distance];
     }
     for (const auto& [value, count] : points) {
-      levels.push_back({index, value, count, count_above_persistence(pairs, index, value, persistence)});
+      levels.push_back({index, value, count, count_above_persistence(pairs, index, value, persistence * persistence)});
     }
   }
   return levels;
@@ -162,7 +179,7 @@ MedialAnswer medial_answer(const PointSet& set, const std::vector<StationaryPoin
   const std::vector<PersistencePair> pairs = persistence_pairs(set);
   std::set<Rational> lengths;
   for (const PersistencePair& pair : pairs) {
-    if (pair.death) lengths.insert(*pair.death - pair.birth);
+    if (pair.death) lengths.insert(short_length(*pair.death, pair.birth));
   }
   std::set<Rational> chosen = chosen_lengths(lengths);
   if (!lengths.empty()) chosen.insert(*lengths.begin());

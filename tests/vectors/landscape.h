@@ -26,19 +26,22 @@ struct ProbeAnswer {
   std::vector<Passage> passages;
 };
 struct PocketAnswer {
-  Rational persistence;
+  Rational persistence;  // a difference of distances
   Pockets found;
   // By stationary point: the numbers of the pockets above it, where it is an index-2 point.
   std::map<std::size_t, std::vector<std::size_t>> between;
   std::vector<ProbeAnswer> probes;
 };
-// At the persistence 0, at the lesser middle one of the different lengths of pairs of dimension 2, and halfway between
-// the two greatest. Probes are the roots of the lesser middle value of mouths, rounded down, and of the least value of
+// Lengths of pairs are rounded up to 12 bits, which those that have no more are not. At the persistence 0, at the lesser
+// middle one of the different lengths of pairs of dimension 2, and halfway between the two greatest. Probes are the roots of the lesser middle value of mouths, rounded down, and of the least value of
 // a widest path, rounded up.
 std::vector<PocketAnswer> pocket_answers(const PointSet& set, const std::vector<StationaryPoint>& all);
 
 // The root of a positive value to 12 bits, rounded down or up. A root that has no more bits is exact.
 Rational short_root(const Rational& square, bool rounds_up);
+
+// The root of a value less that of another one, rounded up to 12 bits.
+Rational short_length(const Rational& death, const Rational& birth);
 
 struct AngleAnswer {
   int degrees = 0;
@@ -51,7 +54,7 @@ struct LevelCount {
   std::size_t points = 0, above = 0;
 };
 struct LengthAnswer {
-  Rational persistence;
+  Rational persistence;  // a difference of distances
   std::vector<LevelCount> levels;
 };
 struct MedialAnswer {

@@ -133,7 +133,7 @@ Json pocket_field(const All& all, const PocketAnswer& answer, const Pocket& pock
     one["squared_radius"] = all[peak].squared_distance.str();
   }
   field["maxima"] = contacts(all, pocket.maxima);
-  field["depth"] = pocket.depth.str();
+  field["difference_of_squares"] = Rational(pocket.height - pocket.highest_mouth).str();
   field["volume"] = pocket.volume.str();
   field["cell"] = Json::array();
   for (const std::size_t place : pocket.cell) {
@@ -171,7 +171,7 @@ Json pockets_field(const All& all, const std::vector<PocketAnswer>& answers) {
   Json field = Json::array();
   for (const PocketAnswer& answer : answers) {
     Json& one = field.emplace_back();
-    one["persistence"] = answer.persistence.str();
+    one["squared_persistence"] = Rational(answer.persistence * answer.persistence).str();
     const auto widest = widest_path(answer.found);
     one["pore_limiting_radius"] = widest ? path_field(all, *widest) : Json(nullptr);
     one["largest_cavity_radius"] = balls_field(all, largest_balls(all, answer.found));
@@ -197,7 +197,7 @@ Json medial_field(const All& all, const MedialAnswer& answer) {
   field["persistences"] = Json::array();
   for (const LengthAnswer& length : answer.lengths) {
     Json& one = field["persistences"].emplace_back();
-    one["persistence"] = length.persistence.str();
+    one["squared_persistence"] = Rational(length.persistence * length.persistence).str();
     one["levels"] = Json::array();
     for (const LevelCount& level : length.levels) {
       Json& count = one["levels"].emplace_back();

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "oracle/medial_axis.h"
+#include "oracle/roots.h"
 
 namespace oracle::vectors {
 
@@ -133,8 +134,9 @@ bool has_merged_outside(const Findings& found) {
   return some_answer(found, [](const PocketAnswer& answer) { return !answer.found.outside.empty(); });
 }
 bool has_pocket_apart(const Findings& found) {
-  return some_pocket(found,
-                     [](const PocketAnswer& answer, const Pocket& one) { return one.depth <= answer.persistence; });
+  return some_pocket(found, [](const PocketAnswer& answer, const Pocket& one) {
+    return compare_root_difference(one.height, one.highest_mouth, answer.persistence) <= 0;
+  });
 }
 bool has_several_peaks(const Findings& found) {
   return some_pocket(found, [](const PocketAnswer&, const Pocket& one) { return one.peaks.size() > 1; });

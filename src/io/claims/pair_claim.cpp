@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "flowcert/write_persistence.h"
 #include "geometry/floating_point.h"
 #include "io/json_limits.h"
 #include "io/line_reader.h"
@@ -79,6 +80,9 @@ ClaimedPair pair_of_words(std::vector<std::string_view> words, const LinePlace& 
 
 std::vector<ClaimedPair> pairs_of_text(std::string_view bytes, const std::string& name) {
   std::vector<ClaimedPair> pairs;
+  if (bytes.find(kPlainValuesMark) != std::string_view::npos) {
+    reject_file(name, "the values are plain distances (persistence --plain); squared ones are judged");
+  }
   LineReader lines(bytes, name);
   for (std::string_view line; lines.next_uncommented(line);) {
     pairs.push_back(pair_of_words(words_of(line), lines.place()));

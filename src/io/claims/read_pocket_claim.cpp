@@ -106,13 +106,15 @@ class PocketReader {
     pocket.maxima = list_of(value.get("maxima"), contact_of);
     if (pocket.maxima.empty()) value.get("maxima").reject("one maximum or more");
     if (const auto peaks = value.find("peaks")) pocket.peaks = list_of(*peaks, witness_of);
-    if (const auto depth = value.find("depth")) pocket.depth = distance_of(*depth);
-    if (const auto depth = value.find("depth_of_radii")) pocket.depth_of_radii = double_of(*depth);
+    if (const auto depth = value.find("depth")) pocket.depth = double_of(*depth);
+    if (const auto number = value.find("difference_of_squares")) pocket.difference_of_squares = distance_of(*number);
     if (const auto volume = value.find("volume")) pocket.volume = double_of(*volume);
     if (const auto cell = value.find("cell")) pocket.cell = list_of(*cell, cell_part_of);
     if (const auto all = value.find("mouths")) {
       pocket.mouths = list_of(*all, [this](const ExchangeValue& one) { return mouth(one); });
     }
+    if (const auto rows = value.find("lining")) pocket.lining = ids_of(*rows);
+    for (const char* names : {"atoms", "residues"}) (void)value.find(names);  // how a file calls the rows of the lining
     if (const auto all = value.find("neighbours")) pocket.neighbours = numbers(*all);
     if (const auto path = value.find("widest_path")) pocket.widest_path = radius_of(*path, "gates");
     if (const auto passage = value.find("is")) pocket.passage = passage_of(*passage);
@@ -152,7 +154,8 @@ void read_header(const ExchangeValue& object, Claim& claim, ClaimedPockets& pock
   const ExchangeValue format = object.get("format");
   if (format.text() != kFormatName) format.reject(in_quotes(kFormatName));
   const ExchangeValue version = object.get("format_version");
-  if (version.number_text() != "1") version.reject("1, the only version that is known");
+  if (version.number_text() == "1") version.reject("2; in 1 pockets were merged by differences of squared distances");
+  if (version.number_text() != "2") version.reject("2, the only version that is known");
   read_input_fields(object, claim);
   if (const auto value = object.find("critical")) pockets.critical_counts = critical_counts_of(*value);
   if (const auto value = object.find("regular_stationary")) pockets.regular_counts = regular_counts_of(*value);
@@ -165,7 +168,7 @@ ClaimedPockets pockets_of(const ExchangeValue& object, Claim& claim) {
   ClaimedPockets pockets;
   pockets.line = object.place().line;
   read_header(object, claim, pockets);
-  pockets.persistence = given_number(object.get("persistence"));
+  pockets.squared_persistence = given_number(object.get("squared_persistence"));
   if (const auto probe = object.find("probe"); probe && !probe->is_null()) pockets.probe = given_number(*probe);
   if (const auto value = object.find("pore_limiting_radius")) pockets.pore_limiting_radius = whole_of(*value, "gates");
   if (const auto value = object.find("largest_cavity_radius")) {

@@ -32,6 +32,7 @@ class Finding:
     contact    rows of the points: the contact set as claimed, or as it is if the point is missing
     claimed    what is claimed, in words
     truth      what is true, in words
+    sentence   what is wrong, in a plain sentence or two, and whether it is a bug or a convention
     """
 
     level: int
@@ -44,6 +45,7 @@ class Finding:
     contact: Tuple[int, ...]
     claimed: str
     truth: str
+    sentence: str
 
     def __str__(self) -> str:
         place = "claim"

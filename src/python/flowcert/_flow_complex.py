@@ -150,7 +150,9 @@ class FlowComplex:
 
     # ---- Persistence
 
-    def persistence(self, zero: bool = False) -> List[Tuple[int, Tuple[float, float]]]:
+    def persistence(
+        self, zero: bool = False, *, dimension: Optional[int] = None, squared: bool = True
+    ) -> Union[List[Tuple[int, Tuple[float, float]]], NDArray[np.float64]]:
         """The persistence pairs of the squared distance function, in GUDHI's form: [(dimension, (birth, death)), ...].
 
         They are those of the alpha complex, exactly. Birth and death are squared distances (the square of the unit),
@@ -158,21 +160,43 @@ class FlowComplex:
         death. gudhi.plot_persistence_diagram and its siblings take the list.
 
         zero: the regular stationary points as well, as pairs of length zero.
+        dimension: the intervals of this dimension alone, as an (n, 2) array of births and deaths. The points that make
+        them are in persistence_pairs(dimension=...), in the same order.
+        squared: False for distances that are not squared, the nearest doubles to the roots.
 
-        >>> FlowComplex([[0, 0, 0], [2, 0, 0]]).persistence()
-        [(0, (0.0, 1.0)), (0, (0.0, inf))]
+        >>> fc = FlowComplex([[0, 0, 0], [4, 0, 0]])
+        >>> fc.persistence()
+        [(0, (0.0, 4.0)), (0, (0.0, inf))]
+        >>> fc.persistence(dimension=0, squared=False)
+        array([[ 0.,  2.],
+               [ 0., inf]])
         """
-        return self._core.persistence(bool(zero))
+        if dimension is None:
+            return self._core.persistence(bool(zero), bool(squared))
+        pairs = self._pairs(zero, dimension, squared)
+        return np.column_stack([pairs["birth"], pairs["death"]])
 
-    def persistence_pairs(self, zero: bool = False) -> NDArray[Any]:
+    def _pairs(self, zero: bool, dimension: Optional[int], squared: bool) -> NDArray[Any]:
+        pairs = self._core.pairs(bool(zero), bool(squared))
+        if dimension is None:
+            return pairs
+        if operator.index(dimension) not in (0, 1, 2):
+            raise ValueError("dimension must be 0, 1 or 2")
+        return pairs[pairs["dimension"] == dimension]
+
+    def persistence_pairs(
+        self, zero: bool = False, *, dimension: Optional[int] = None, squared: bool = True
+    ) -> NDArray[Any]:
         """The same pairs in the same order as a structured array, with the points that make them:
 
         dimension     int8, 0 to 2
         birth, death  float64, squared distances; math.inf
         birth_point   int64, a place in stationary_points
         death_point   int64, a place in stationary_points; -1 where it lasts
+
+        zero, dimension, squared: as in persistence.
         """
-        return self._core.pairs(bool(zero))
+        return self._pairs(zero, dimension, squared)
 
     # ---- What flows from and to saddles
 
@@ -190,15 +214,14 @@ class FlowComplex:
         it. For example:
 
         "index2-radius<R"   the circle through the nearest points has a radius below R, in the unit of the points
-        "persistence>X"     death minus birth of the point's pair is above X, in the square of the unit
+        "persistence>X"     the point's pair is longer than X, a difference of distances, in the unit of the points
         "largest-gaps=N"    the N most persistent ones
 
         R and X are decimals or fractions, as 0.1 and 1/3. Instead of R and X there may be:
 
-        "1.6spacing"        that many times the median distance of a point to its nearest other point (of R)
-        "3spacing^2"        that many times its square (of X)
+        "1.6spacing"        that many times the median distance of a point to its nearest other point
         "q0.9"              a quantile, from q0 to q1: below it are 90 % of all radii, or above it 10 % of the lengths
-        "auto"              the widest gap in the sorted radii or lengths: no number has to be chosen
+        "auto"              the valley of their histogram: no number has to be chosen
 
         "index2-radius<R" with R a few times the distance of neighbours reconstructs the shape that the points are
         samples of. If they are dense, "auto" often finds such an R, but the surface may have holes.
@@ -250,20 +273,21 @@ class FlowComplex:
         """
         return Places(*self._core.locate(point_rows(x)))
 
-    def pockets(self, persistence: Any = 0, probe: Any = None) -> Pockets:
+    def pockets(self, persistence: Any = "auto", probe: Any = None) -> Pockets:
         """Pockets: what flows to the same maxima, merged by persistence, with their mouths. Distances are measured to
-        the points, which have no radii.
+        the points, which have no radii: of atoms, to their centres.
 
-        persistence: maxima are merged that are not deeper, in squared distances. A number; or a str, as `flowcert
-        pockets --persistence` takes it: "3spacing^2", "q0.9" or "auto".
+        persistence: pockets are deeper than this, a difference of distances; what is not is merged, and 0 merges
+        nothing. A number; or a str, as `flowcert pockets --persistence` takes it: "3spacing", "q0.9" or "auto", which
+        is the valley of all depths, or else half the spacing.
         probe: a radius. If it is given, each pocket has a kind: "cavity" if no path to infinity keeps this distance
         from all points, "channel" if several of its mouths are as wide, and "pocket" if one is.
 
         >>> fc = FlowComplex([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]])
-        >>> [pocket] = fc.pockets(probe=0.8).pockets
-        >>> pocket.volume, pocket.squared_depth, len(pocket.mouths), pocket.kind
+        >>> [pocket] = fc.pockets(0, probe=0.8).pockets
+        >>> pocket.volume, pocket.difference_of_squares, len(pocket.mouths), pocket.kind
         (1.3333333333333333, Fraction(1, 3), 8, 'channel')
-        >>> len(fc.pockets(persistence=Fraction(1, 3)).pockets)
+        >>> len(fc.pockets(Fraction(1, 5)).pockets)
         0
         """
         text = persistence

@@ -2,7 +2,7 @@
 
 import os
 import warnings
-from typing import Optional, Sequence, Tuple, Union
+from typing import Any, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,13 +24,19 @@ def _words(words: Union[None, str, Sequence[str]]) -> "list[str]":
     return [words] if isinstance(words, str) else [str(word) for word in words]
 
 
+def _atom_array(names: "list[Tuple[str, str, str, str, str]]") -> NDArray[Any]:
+    widths = [max((len(name[k]) for name in names), default=1) or 1 for k in range(5)]
+    fields = ("chain", "residue", "number", "atom", "element")
+    return np.array(names, dtype=[(field, f"U{width}") for field, width in zip(fields, widths)])
+
+
 def read_points(
     path: Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"], *, format: str = "",
     columns: Union[str, Sequence[Union[int, str]]] = "", z: Optional[float] = None,
     atoms: Union[None, str, Sequence[str]] = None, chains: Union[None, str, Sequence[str]] = None,
     models: Union[str, int, Sequence[int]] = "", frame: int = 0, skip_invalid: bool = False,
-    return_left_out: bool = False, unlimited: bool = False,
-) -> Union[NDArray[np.float64], Tuple[NDArray[np.float64], NDArray[np.int64]]]:  # fmt: skip
+    return_left_out: bool = False, return_atoms: bool = False, unlimited: bool = False,
+) -> Union[NDArray[np.float64], Tuple[NDArray[Any], ...]]:  # fmt: skip
     """The points of a file, an (n, 3) array of doubles; "-" for standard input.
 
     The content says the format: a table of numbers or CSV, PTS, chemical XYZ, OFF, PLY, OBJ, PCD, NPY, or a molecule,
@@ -38,7 +44,9 @@ def read_points(
     format="table", columns="2,3,4" or "x,y,z", z=0 for two columns, atoms=["protein", "no hydrogens"], chains="A",
     models="all", frame=2, skip_invalid=True to leave out rows with NaN, and unlimited=True for compressed files that
     grow to more than a hundred times their size. With return_left_out=True the numbers of the rows that are left out,
-    from 0, are returned, too.
+    from 0, are returned, too. With return_atoms=True so is a structured array of names, one for each point, with the
+    strings chain, residue, number (of the residue, with its insertion code), atom and element; it has no rows if the
+    file is no molecule. Pocket.lining are its rows.
 
     Coordinates are the doubles that the file means. A file that can be read in two ways, or in none, is a ValueError
     with its name and line. What a command tells as a note is a warning.
@@ -47,8 +55,12 @@ def read_points(
         columns = ",".join(str(column) for column in columns)
     if not isinstance(models, str):
         models = str(models) if isinstance(models, int) else ",".join(str(model) for model in models)
-    rows, notes, left_out = _core.read_points(
-        file_name(path), format, columns, z, _words(atoms), _words(chains), models, frame, skip_invalid, unlimited)
+    rows, notes, left_out, names = _core.read_points(
+        file_name(path), format, columns, z, _words(atoms), _words(chains), models, frame, skip_invalid, unlimited,
+        return_atoms)  # fmt: skip
     for line, text in notes:
         warnings.warn(f"{os.fsdecode(path)}{f':{line}' if line else ''}: {text}", stacklevel=2)
-    return (rows, np.array(left_out, dtype=np.int64)) if return_left_out else rows
+    more = [np.array(left_out, dtype=np.int64)] if return_left_out else []
+    if return_atoms:
+        more.append(_atom_array(names))
+    return (rows, *more) if more else rows

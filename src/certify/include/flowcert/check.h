@@ -89,6 +89,8 @@ struct Finding {
   bool is_decided = true;
   // The stationary point that it is about, by its place in the truth's list, where one is known.
   std::optional<std::size_t> record = std::nullopt;
+  // What is wrong, in a plain sentence or two, and whether it is a bug or a convention.
+  std::string sentence = {};
 };
 // What this finding alone would make of a claim.
 [[nodiscard]] Verdict verdict_on(const Finding& finding);
@@ -203,8 +205,8 @@ class Truth {
   // For a stationary point whose face has dimension 1 (FC-UNST-04). All lists are sorted, as in UnstableSurface.
   [[nodiscard]] virtual UnstableSurface unstable_surface(std::size_t i) = 0;
 
-  // The persistence is not negative.
-  [[nodiscard]] virtual TruePockets pockets(const Rational& persistence) = 0;
+  // The square of a persistence, which is a difference of distances.
+  [[nodiscard]] virtual TruePockets pockets(const Rational& squared_persistence) = 0;
   // The area is that of the S2 of an index-2 critical point, as FC-POCK-11 permits.
   [[nodiscard]] virtual double area(std::size_t i) = 0;
   // The double nearest to the sum of some volumes, or an infinity where it would overflow.

@@ -31,6 +31,9 @@ struct PairDifference {
 // "rounding" or "wrong-pair"
 [[nodiscard]] const char* reason_text(const PairDifference& difference);
 
+// What is wrong, in a plain sentence or two, and whether it is a bug or a convention.
+[[nodiscard]] std::string sentence_of(const PairDifference& difference);
+
 // How many pairs of positive length a list has, by dimension, with those that last.
 [[nodiscard]] std::array<std::size_t, kPairDimensions> pair_counts(const std::vector<ClaimedPair>& pairs);
 [[nodiscard]] std::array<std::size_t, kPairDimensions> pair_counts(const std::vector<ListedPair>& pairs);

@@ -47,11 +47,12 @@ struct ClaimedRadius {
 struct ClaimedPocket {
   std::vector<std::vector<PointId>> maxima;  // one at least
   std::optional<std::vector<ClaimedWitness>> peaks;
-  std::optional<ClaimedNumber> depth;
-  std::optional<ClaimedDouble> depth_of_radii;
+  std::optional<ClaimedDouble> depth;
+  std::optional<ClaimedNumber> difference_of_squares;
   std::optional<ClaimedDouble> volume;  // exact, too
   std::optional<std::vector<ClaimedCellPart>> cell;
   std::optional<std::vector<ClaimedMouth>> mouths;
+  std::optional<std::vector<PointId>> lining;  // rows
   std::optional<std::vector<std::int64_t>> neighbours;
   std::optional<ClaimedRadius> widest_path;
   std::string passage;  // "cavity", "pocket", "channel"; empty where not claimed
@@ -64,7 +65,7 @@ struct ClaimedWhole {
 
 struct ClaimedPockets {
   std::size_t line = 0;           // of the file, 1-based
-  Rational persistence;           // 0 or more
+  Rational squared_persistence;   // 0 or more
   std::optional<Rational> probe;  // a radius, 0 or more; set if a passage is claimed
   std::vector<ClaimedPocket> pockets;
   std::optional<std::vector<std::vector<PointId>>> outside;  // maxima

@@ -1,6 +1,7 @@
-// A bound on lengths of persistence pairs as people give it, with or without units.
+// A bound on lengths of persistence pairs, or on radii, as people give it, with or without units.
 //
-// Guarantees: numbers are read exactly, and what a bound comes to is exact.
+// A length is a difference of distances, which are not squared. Guarantees: numbers are read exactly, and what a bound
+// comes to is exact; a quantile or a valley comes to a length from above (spec/formats/surfaces.md).
 #pragma once
 
 #include <cstddef>
@@ -19,26 +20,24 @@ class ValueOrder;
 }  // namespace io
 
 struct LengthThreshold {
-  std::optional<Rational> length;
+  std::optional<Rational> squared_length;
   std::optional<AutomaticThreshold> automatic;  // for "auto"
 };
 
-// Also a bound on radii (surface_selection.h), which says its own unit of the spacing.
 struct LengthBound {
   enum class Unit : std::uint8_t { kInput, kSpacing, kQuantile, kValley };
   Unit unit = Unit::kInput;
   Rational number = 0;
 
-  // "X", a difference of squared distances; "3spacing^2", a multiple of the samples' squared spacing; "q0.9", a
-  // quantile of all lengths; "auto", the length below the valley of their histogram. Throws InvalidInput for
-  // anything else: the message begins with the option, and which one of these it is, from 1. `spacing` is the name of
-  // the second unit.
-  [[nodiscard]] static LengthBound of(std::string_view text, std::string_view spacing, const std::string& option,
-                                      std::size_t ordinal);
+  // "X", in units of the input; "3spacing", a multiple of the samples' spacing; "q0.9", a quantile of all lengths;
+  // "auto", the length below the valley of their histogram. Throws InvalidInput for anything else: the message begins
+  // with the option, and which one of these it is, from 1.
+  [[nodiscard]] static LengthBound of(std::string_view text, const std::string& option, std::size_t ordinal);
 
-  // The length that is meant. Nothing where the bound is below all lengths.
-  [[nodiscard]] LengthThreshold threshold(const io::ValueOrder& lengths,
-                                          const std::optional<Rational>& squared_spacing) const;
+  // The length that is meant. Nothing where the bound is below all lengths. For a valley, lengths that are not more
+  // than `same_within` apart count once, where it is set.
+  [[nodiscard]] LengthThreshold threshold(const io::ValueOrder& lengths, const std::optional<Rational>& squared_spacing,
+                                          const std::optional<Rational>& same_within = std::nullopt) const;
 };
 
 }  // namespace flowcert

@@ -11,12 +11,15 @@
 
 namespace flowcert {
 
+// Where `auto` finds no valley, pockets are merged that are not deeper than so many times the samples' spacing.
+inline const Rational kShallowInSpacings = {1, 2};
+
 struct PocketPersistence {
-  Rational value;                               // 0: nothing is merged
+  Rational square;                              // 0: nothing is merged
   std::optional<AutomaticThreshold> automatic;  // for "auto"
 };
 
-// The text is a bound (LengthBound), with the unit spacing^2. Throws InvalidInput for anything else, and for less than
+// The text is a bound (LengthBound). Throws InvalidInput for anything else, and for less than
 // 0; the message begins with `option`. Makes the merge trees if the bound needs them.
 [[nodiscard]] PocketPersistence pocket_persistence(const FlowComplex& complex, const std::string& text,
                                                    const std::string& option);

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "flowcert/atom_names.h"
 #include "flowcert/point_set.h"
 
 namespace flowcert {
@@ -56,6 +57,8 @@ struct ReadingNote {
 
 struct PointFile {
   std::vector<Point> rows;
+  // Of a molecule, the names of all rows; otherwise empty.
+  AtomNames atoms;
   // As in ReadingOptions.
   std::string format;
   std::vector<ReadingNote> notes;

@@ -18,7 +18,7 @@ namespace flowcert {
 // What the conditions of a selection came to; nothing where there is no such condition, or where it holds for all.
 struct SurfaceThresholds {
   std::optional<Rational> squared_radius_below;
-  std::optional<Rational> persistence_above;
+  std::optional<Rational> squared_persistence_above;
   // What `auto` found, where it was asked for.
   std::optional<AutomaticThreshold> automatic_radius, automatic_persistence;
 };
@@ -32,11 +32,10 @@ struct SelectedSets {
 // the sharpest one decides.
 class SurfaceSelection {
  public:
-  // Expressions (spec/formats/surfaces.md): "index2-radius<R" (its distance, not squared), "persistence>X" (death minus
-  // birth of the pair that it is in, a difference of squared distances), "largest-gaps=N" (the N most persistent ones;
-  // of equal ones the first in the list). R may also be "3spacing" (a multiple of the samples' spacing), "q0.9" (a
-  // quantile of all radii) or "auto" (SaddleRadii::valley), and X "3spacing^2", "q0.9" or "auto",
-  // likewise. Numbers are read exactly. Throws InvalidInput for anything else.
+  // Expressions (spec/formats/surfaces.md): "index2-radius<R" (its distance, not squared), "persistence>X" (the length
+  // of the pair that it is in, a difference of distances), "largest-gaps=N" (the N most persistent ones;
+  // of equal ones the first in the list). R and X may also be "3spacing" (a multiple of the samples' spacing), "q0.9" (a
+  // quantile of all) or "auto" (the valley of their histogram). Numbers are read exactly. Throws InvalidInput for anything else.
   explicit SurfaceSelection(const std::vector<std::string>& expressions);
 
   // Conditions on persistence need the whole complex. The radii must be of the same complex.

@@ -3,7 +3,7 @@
 //
 // Guarantees: the page has the exact samples, and computes exact positions of stationary points from them. What it
 // draws is rounded to floats. All combinatorial facts in it, such as contact sets, limits of orbits and pairs, are
-// exact. Text of a claim or of a file's name cannot become markup. Nothing is loaded from elsewhere.
+// exact. Text of a claim, of a molecule or of a file's name cannot become markup. Nothing is loaded from elsewhere.
 #pragma once
 
 #include <array>
@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "flowcert/atom_names.h"
 #include "flowcert/flow_complex.h"
 #include "flowcert/pockets.h"
 
@@ -59,6 +60,8 @@ struct ViewerClaim {
 
 struct ViewerOptions {
   std::string name;  // of the input
+  // Of a molecule: the names of its rows, which the page shows, and by whose elements it colours atoms.
+  const AtomNames* atoms = nullptr;
   // A complex with more critical points of an index from 1 on is thinned: of the pairs of dimension 0, and of all
   // others, the page has so many, the longest, with their points and what these lead to.
   std::size_t most_of_an_index = 150000;

@@ -4,6 +4,7 @@
 // the text does not depend on how ties were broken.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ class PersistenceDiagram {
   [[nodiscard]] double rounded_squared_value(std::size_t record) const {
     return complex_.rounded_sphere(record).squared_radius;
   }
+  // The double nearest to its root.
+  [[nodiscard]] double rounded_value(std::size_t record) const;
 
  private:
   void add_regular();
@@ -40,8 +43,15 @@ class PersistenceDiagram {
   std::vector<PersistencePair> pairs_;
 };
 
+// Squared distances, as GUDHI's alpha complex has them, or their roots, which readers of claims refuse.
+enum class PersistenceValues : std::uint8_t { kSquared, kPlain };
+
+// A line of a text with plain values.
+inline constexpr char kPlainValuesMark[] = "# flowcert: plain values, not squared";
+
 // A comment, then lines "dimension birth death". Values are rounded to the nearest doubles. The death of a class that
 // lasts is `inf`. Throws InvalidInput if a value is beyond the doubles.
-[[nodiscard]] std::string pers_text(const PersistenceDiagram& diagram);
+[[nodiscard]] std::string pers_text(const PersistenceDiagram& diagram,
+                                    PersistenceValues values = PersistenceValues::kSquared);
 
 }  // namespace flowcert

@@ -8,6 +8,7 @@
 #include <ostream>
 #include <string>
 
+#include "flowcert/atom_names.h"
 #include "flowcert/flow_complex.h"
 #include "flowcert/pockets.h"
 
@@ -23,11 +24,17 @@ struct PocketsToWrite {
   const FlowComplex& complex;
   const Pockets& pockets;
   std::optional<Probe> probe;
-  bool has_exact_volumes = false;  // exact ones take as long as those of `compute --volumes exact`
+  bool has_exact_volumes = false;    // exact ones take as long as those of `compute --volumes exact`
+  const AtomNames* atoms = nullptr;  // of a molecule
 };
 
 // One JSON object, written pocket by pocket. Makes volumes and stable manifolds.
 void write_pockets(std::ostream& out, const PocketsToWrite& what);
+
+// Tables in CSV, with a line of names: a row for each pocket, and a row for each pocket and each atom that lines it.
+// Numbers are the nearest doubles, and empty beyond them. The second needs the names of atoms.
+void write_pocket_csv(std::ostream& out, const PocketsToWrite& what);
+void write_lining_csv(std::ostream& out, const PocketsToWrite& what);
 
 enum class TreeKind : std::uint8_t { kPockets, kComponents };
 

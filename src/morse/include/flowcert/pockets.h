@@ -13,6 +13,7 @@
 
 #include "flowcert/merge_trees.h"
 #include "flowcert/rational.h"
+#include "flowcert/stable_volumes.h"
 
 namespace flowcert {
 
@@ -43,27 +44,32 @@ enum class Passage : std::uint8_t { kCavity, kPocket, kChannel };
 // Const access is safe from several threads.
 class Pockets {
  public:
-  // The trees must outlive this. Throws std::invalid_argument for a negative persistence, which is a difference of
-  // squared distances. O(n log n), but for the sets of maxima above one point (MergeTrees).
-  Pockets(const MergeTrees& trees, const Rational& persistence);
+  // The trees must outlive this. A persistence is a difference of distances; its square is given, which is rational
+  // where it is a multiple of the samples' spacing. Throws std::invalid_argument for a negative one. O(n log n), but
+  // for the sets of maxima above one point (MergeTrees).
+  Pockets(const MergeTrees& trees, const Rational& squared_persistence);
 
   [[nodiscard]] std::size_t size() const { return pockets_.size(); }
   // They come in the order of their first maxima.
   [[nodiscard]] const Pocket& operator[](std::size_t number) const { return pockets_[number]; }
   // The maxima that belong to the outside, ascending.
   [[nodiscard]] const std::vector<std::uint32_t>& outside() const { return outside_; }
-  [[nodiscard]] const Rational& persistence() const { return persistence_; }
+  [[nodiscard]] const Rational& squared_persistence() const { return squared_persistence_; }
 
   // The numbers of the pockets above a stationary point, ascending; the outside has the number size(). What flows to
   // the point is in a pocket iff it is the only one. There is none above a sample.
   [[nodiscard]] std::vector<std::uint32_t> above(std::size_t record) const;
 
-  // The squared distance at the peaks less that at the highest mouth, which is positive.
-  [[nodiscard]] Rational depth(const Pocket& pocket) const;
-  // The double nearest to the same difference of distances, which are not squared.
-  [[nodiscard]] double depth_of_radii(const Pocket& pocket) const;
+  // The double nearest to the distance at the peaks less that at the highest mouth, which are not squared.
+  [[nodiscard]] double depth(const Pocket& pocket) const;
+  // The same difference of squared distances, which is positive.
+  [[nodiscard]] Rational difference_of_squares(const Pocket& pocket) const;
   // The radius is not negative, and what is equal passes.
   [[nodiscard]] Passage passage(const Pocket& pocket, const Rational& squared_radius) const;
+
+  // The samples nearest to some point inside of the pocket: those in whose Voronoi cells parts of it with a volume lie
+  // (FC-POCK-03). Names, ascending.
+  [[nodiscard]] static std::vector<PointId> lining(const Pocket& pocket, const StableVolumes& volumes);
 
   // Of the whole. Nothing iff there is no pocket.
   [[nodiscard]] std::optional<WidestPath> widest_path() const;
@@ -78,7 +84,7 @@ class Pockets {
   void add_cells_and_mouths();
 
   const MergeTrees* trees_;
-  Rational persistence_;
+  Rational squared_persistence_;
   std::vector<std::uint32_t> number_of_;  // by leaf of the tree of pockets
   std::vector<Pocket> pockets_;
   std::vector<std::uint32_t> outside_;

@@ -36,6 +36,9 @@ class SquaredDistances {
   };
   [[nodiscard]] const Approximation& approximation(std::size_t record) const { return approximate_[record]; }
 
+  // The distance at the one less that at the other, which are not squared: the length of their persistence pair.
+  [[nodiscard]] Approximation length(std::size_t birth, std::size_t death) const;
+
  private:
   const PointSet* points_;
   const StationaryPoints* stationary_;

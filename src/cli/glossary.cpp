@@ -1,0 +1,142 @@
+#include "cli/glossary.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "cli/wrapped_text.h"
+
+namespace flowcert::cli {
+
+namespace {
+
+constexpr auto kEntries = std::to_array<GlossaryEntry>({
+    {"ambiguous", "A finding: several stationary points are within the tolerance of what is claimed."},
+    {"ball-not-empty", "A finding: another point lies inside of the sphere, so that its centre is not critical."},
+    {"birth", "The distance at which a component, tunnel or void begins as balls around all points grow."},
+    {"boundary", "Of a saddle of index 2: the saddles of index 1 around its stable surface."},
+    {"cavity", "A pocket that a probe cannot leave: every way to infinity is narrower somewhere."},
+    {"cell",
+     "Of a pocket: all places from which the flow comes to its maxima. Of Delaunay: a simplex, or what "
+     "cospherical points span."},
+    {"channel", "A pocket that a probe can leave through several mouths."},
+    {"choices at ties",
+     "Where several ways lead on equally, an orbit or a boundary takes one of them. Pairs do not "
+     "depend on that."},
+    {"claim", "What a program says a flow complex is; check judges it."},
+    {"claimed-twice", "A finding: one critical point is claimed two times."},
+    {"collision-as-critical",
+     "A finding: a point where critical points of two indices meet and vanish is claimed as "
+     "critical, in a way that no small motion of the points explains."},
+    {"conforms", "A verdict: all that is claimed and judged is right."},
+    {"contact set", "The points nearest to a place: all that lie on the largest empty ball around it."},
+    {"contact-incomplete", "A finding: more points lie on the sphere than the claim names."},
+    {"cospherical", "Of points: on one sphere. Of five or more such points a Delaunay triangulation is not unique."},
+    {"critical point",
+     "A place where the distance to the nearest points has no direction of growth: it lies inside the "
+     "hull of its contact set."},
+    {"death", "The distance at which a component joins an older one, or a tunnel or a void is filled."},
+    {"depth", "Of a pocket: the radius of its largest ball less that of its widest mouth."},
+    {"driver",
+     "The point of the hull of the nearest points that is nearest to a place. The flow leads straight away "
+     "from it."},
+    {"flow", "It leads from each place to where the distance to the nearest points grows fastest."},
+    {"gabriel",
+     "Of an edge or triangle of Delaunay: its smallest sphere has no other point inside. These have the "
+     "critical points of index 1 and 2."},
+    {"gate", "A saddle of index 2 at which a way out of a pocket is narrowest."},
+    {"index",
+     "The dimension of the hull of a critical point's contact set: 0 for points, 1 and 2 for saddles, 3 for "
+     "maxima."},
+    {"length", "Of a pair: its death less its birth, as distances that are not squared."},
+    {"limit", "The stationary point at which an orbit ends, or infinity."},
+    {"lining", "Of a pocket: the points, or atoms, that are nearest to some place in it."},
+    {"malformed", "A finding: the claim contradicts its input or itself."},
+    {"maximum", "A critical point of index 3: the centre of a ball that can grow nowhere."},
+    {"merged by persistence", "Maxima that are not deeper than the persistence are one pocket with a neighbour."},
+    {"missed-by-cluster",
+     "A finding: a critical point is missing where more points lie on one sphere than a simplex "
+     "has. Programs that assume general position miss it."},
+    {"missing", "A finding: a critical point that the claim does not have."},
+    {"morse-smale", "Of a flow complex: all connections lead to the next index, so that no tie had to be broken."},
+    {"mouth", "A saddle of index 2 that leads out of a pocket, to another one or outside."},
+    {"not-cospherical", "A finding: the points that are named lie on no common sphere centred in their hull."},
+    {"orbit", "The way of the flow from a place: straight segments, to a stationary point or to infinity."},
+    {"outside", "What is open to infinity. Maxima at the outside are too shallow to be a pocket of their own."},
+    {"outside-hull", "A finding: the centre lies outside of the hull of its points, as in an obtuse triangle."},
+    {"pair", "A critical point at which a component, tunnel or void begins, and the one at which it ends."},
+    {"persistence",
+     "How long components (dimension 0), tunnels (1) and voids (2) last as balls around all points "
+     "grow. As a number, the least length of what is told."},
+    {"perturbed", "A verdict: right for points that are moved a little, not for these."},
+    {"pocket", "What flows to some maxima. For a probe: one that it can leave through one mouth."},
+    {"pore limiting radius", "The radius of the widest ball that can leave some pocket to infinity."},
+    {"probe", "A ball, by its centre's distance to all points. Between atoms of radius 1.7, water needs 3.1."},
+    {"profile", "The parts of a flow complex that a claim tells, such as points, U2 and S2."},
+    {"regular stationary point",
+     "A place where critical points of neighbouring indices meet and vanish, as the midpoint "
+     "of a right triangle's hypotenuse: stationary, and not critical."},
+    {"rounding", "A finding: wrong by no more than the rounding of decimals explains."},
+    {"s1", "The stable manifold of a saddle of index 1: its edge."},
+    {"s2", "The stable manifold of a saddle of index 2: a surface around it, made of what flows to it."},
+    {"s3", "The stable manifold of a maximum: the volume of all that flows to it."},
+    {"saddle", "A critical point of index 1 (on an edge) or 2 (in a triangle)."},
+    {"spacing", "The median, over all points, of the distance to the nearest other point."},
+    {"spanning-part", "A permitted variation: the claim names some of the points on a sphere, which span the same."},
+    {"stable manifold", "All places from which the flow comes to a critical point."},
+    {"stationary point", "A place that the flow does not leave: a critical or a regular stationary point."},
+    {"symbolic-perturbation", "A permitted variation: right for points that are moved a little, as many programs do."},
+    {"tie-break", "A permitted variation: where several boundaries are possible, the claim has another one."},
+    {"tunnel", "A class of dimension 1: a way through, as through a ring."},
+    {"u1", "The unstable manifold of a saddle of index 1: a surface, all that flows from it."},
+    {"u2", "The unstable manifold of a saddle of index 2: the two orbits that leave it."},
+    {"unstable manifold", "All places to which the flow comes from near a critical point."},
+    {"valley", "The least bin between two heaps of a histogram. auto takes it for a threshold."},
+    {"verdict", "What check says of a claim: conforms, conforms where determined, perturbed, or fails."},
+    {"void", "A class of dimension 2: a hollow that is closed all around."},
+    {"wrong-connections", "A finding: other numbers of orbits between stationary points."},
+    {"wrong-counts", "A finding: a number of points, critical points or samples is not right, or the Euler sum."},
+    {"wrong-incidence", "A finding: a saddle's orbits end, or its boundary lies, elsewhere than claimed."},
+    {"wrong-index", "A finding: there is a critical point, of another index."},
+    {"wrong-lambda-list", "A finding: directions from a saddle lead elsewhere, or in another order."},
+    {"wrong-pair", "A finding: the persistence pairs have one more, one less, or another."},
+    {"wrong-pocket", "A finding: other maxima, mouths, cells, depths, paths or radii of a pocket."},
+    {"wrong-polyline", "A finding: an orbit does not go where the claim's line goes."},
+    {"wrong-position", "A finding: a centre or a distance is off by more than rounding explains."},
+    {"wrong-surface", "A finding: a stable surface has other pieces."},
+    {"wrong-unstable-set", "A finding: an unstable surface has other parts."},
+    {"wrong-volume", "A finding: the volume of a stable manifold is another one."},
+});
+
+// Letters and digits alone, without an s at the end: "Stable-Manifolds" is "stablemanifold".
+std::string key_of(std::string_view word) {
+  std::string key;
+  for (const char c : word) {
+    if (c >= 'A' && c <= 'Z') key += static_cast<char>(c - 'A' + 'a');
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) key += c;
+  }
+  if (key.size() > 3 && key.ends_with('s')) key.pop_back();
+  return key;
+}
+
+}  // namespace
+
+std::span<const GlossaryEntry> glossary() { return kEntries; }
+
+const GlossaryEntry* entry_of(std::string_view word) {
+  const std::string key = key_of(word);
+  const auto found =
+      std::ranges::find_if(kEntries, [&](const GlossaryEntry& entry) { return key_of(entry.word) == key; });
+  return found == kEntries.end() ? nullptr : &*found;
+}
+
+std::string words_of_glossary() {
+  std::vector<std::string_view> words;
+  for (const GlossaryEntry& entry : kEntries) words.emplace_back(entry.word);
+  return wrapped(fmt::format("{}", fmt::join(words, ", ")), 0);
+}
+
+}  // namespace flowcert::cli

@@ -1,0 +1,28 @@
+// What `flowcert pockets` prints for people: how distances are meant, the counts, and tables of the deepest pockets,
+// their mouths and, of a molecule, the residues that line them (spec/formats/pockets.md).
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/command.h"
+#include "cli/layer.h"
+#include "flowcert/histogram_valley.h"
+#include "flowcert/pockets.h"
+#include "flowcert/write_pockets.h"
+
+namespace flowcert::cli {
+
+struct PocketsReport {
+  std::string name;  // of the file
+  const Input& input;
+  const PocketsToWrite& what;
+  std::optional<AutomaticThreshold> automatic;
+  bool shows_all = false;  // and not the deepest alone
+  double delaunay_seconds = 0, other_seconds = 0;
+};
+
+// Makes persistence where there is no pocket, to tell how long the longest tunnel is.
+void print_pockets_report(const PocketsReport& report);
+
+}  // namespace flowcert::cli
