@@ -128,12 +128,12 @@ class Batch {
     const bool is_slow = found->kind == property.slow_kind;
     const std::size_t budget = is_slow ? property.slow_shrinking_budget : property.shrinking_budget;
     Shrunk small = shrunk(drawn.trial, *found, judge_unless_stopped, budget);
-    // A half-shrunk case would depend on the time of the stop, so it is not reported. The batch is done again.
+    // A half-shrunk case depends on the time of the stop, so it is not the last word. The batch is done again.
     is_cut_off_ = observer_.is_stopped();
-    if (is_cut_off_) return;
     counterexample.trial = std::move(small.trial);
     counterexample.disagreement = std::move(small.disagreement);
-    counterexample.is_small = true;
+    counterexample.is_small = !is_cut_off_;
+    if (counterexample.is_small && small.is_budget_up) counterexample.most_tried = budget;
     observer_.found(counterexample);
   }
 
@@ -179,12 +179,6 @@ void Tally::add(const Tally& other) {
   add_counts(by_property, other.by_property);
   for (const auto& [kind, numbers] : other.failures) failures[kind].insert(numbers.begin(), numbers.end());
   for (std::size_t k = 0; k < kSignatureSize; ++k) add_counts(reached[k], other.reached[k]);
-}
-
-std::size_t Tally::failing_cases() const {
-  std::set<std::size_t> all;
-  for (const auto& [kind, numbers] : failures) all.insert(numbers.begin(), numbers.end());
-  return all.size();
 }
 
 json json_of(const Tally& tally) {
@@ -263,6 +257,10 @@ std::string message_of(std::size_t batch, const BatchResult& result) {
 
 std::string failure_message(const std::string& why) {
   return json{{"failure", why}}.dump(-1, ' ', true, json::error_handler_t::replace);
+}
+std::optional<Counterexample> finding_in(const std::string& message) {
+  if (!message.starts_with(R"({"finding":)")) return std::nullopt;
+  return counterexample_of(json::parse(message).at("finding"));
 }
 std::optional<std::string> failure_in(const std::string& message) {
   if (!message.starts_with(R"({"failure":)")) return std::nullopt;

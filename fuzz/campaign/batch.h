@@ -5,6 +5,7 @@
 // parent of a mutant is an input that showed a new signature earlier in the batch, or an input of the plan's corpus.
 // The first disagreement of a kind in the batch is reported as it is, and then shrunk; so are all others if the plan
 // wants it. Otherwise the others are listed by their case numbers only, and BatchOrder::only makes such a case again.
+// What is not small when the batch is stopped is reported as small as it is by then.
 #pragma once
 
 #include <cstddef>
@@ -39,8 +40,6 @@ struct Tally {
       std::vector<std::map<std::uint8_t, std::size_t>>(kSignatureSize);
 
   void add(const Tally& other);
-  // The number of cases that fail. A case counts once, even if it fails in several kinds.
-  [[nodiscard]] std::size_t failing_cases() const;
 };
 [[nodiscard]] nlohmann::json json_of(const Tally& tally);
 // Throws nlohmann::json::exception.
@@ -114,6 +113,8 @@ class BatchSource {
 [[nodiscard]] std::string message_of(const Counterexample& counterexample);
 [[nodiscard]] std::string message_of(const Discovery& discovery);
 [[nodiscard]] std::string message_of(std::size_t batch, const BatchResult& result);
+
+[[nodiscard]] std::optional<Counterexample> finding_in(const std::string& message);
 
 // This message comes instead of a result. It says why the batch cannot be done on this machine.
 [[nodiscard]] std::string failure_message(const std::string& why);

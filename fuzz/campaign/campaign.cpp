@@ -29,10 +29,11 @@ constexpr const char* kSignaturesName = "signatures.jsonl";
 constexpr const char* kLineFiles[] = {kFindingsName, kSignaturesName, kBatchesName};
 constexpr const char* kFindingsFolder = "findings";
 
-// A failing case is reported as it was, and then once more, small. If someone asked for it again, that result is the
-// latest one.
+// A failing case is reported as it was, and then once more, small, or smaller if it was stopped meanwhile. If someone
+// asked for it again, that result is the latest one.
 bool replaces(const Counterexample& one, const Counterexample& known) {
-  return one.is_asked || (one.is_small && !known.is_small);
+  if (one.is_asked || known.is_small) return one.is_asked;
+  return one.is_small || one.trial.input.rows.size() < known.trial.input.rows.size();
 }
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& why) {
@@ -325,6 +326,19 @@ void Campaign::absorb(const Campaign& part) {
   for (const auto& [batch, tally] : part.done_) absorb_batch(batch, tally);
   made_by_.insert(part.made_by_.begin(), part.made_by_.end());
   if (files_) write_plan();
+}
+
+std::map<std::string, std::set<std::size_t>> Campaign::failures() const {
+  auto failures = sum_.failures;
+  for (const auto& [key, counterexample] : counterexamples_) failures[key.second].insert(key.first);
+  return failures;
+}
+
+std::size_t Campaign::failing_cases() const {
+  std::set<std::size_t> all;
+  for (const auto& [kind, numbers] : sum_.failures) all.insert(numbers.begin(), numbers.end());
+  for (const auto& [key, counterexample] : counterexamples_) all.insert(key.first);
+  return all.size();
 }
 
 std::optional<std::size_t> Campaign::expected_cases() const {

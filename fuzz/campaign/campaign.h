@@ -83,6 +83,11 @@ class Campaign : public BatchSource {
   [[nodiscard]] const Tally& tally() const { return sum_; }
   [[nodiscard]] std::size_t done_batches() const { return done_.size(); }
   [[nodiscard]] bool is_done(std::size_t batch) const { return done_.contains(batch); }
+  // Cases that fail, by "PROPERTY KIND": those of the tally, and those with a counterexample that no batch has counted,
+  // because they ended their process or are under way.
+  [[nodiscard]] std::map<std::string, std::set<std::size_t>> failures() const;
+  // A case counts once, even if it fails in several kinds.
+  [[nodiscard]] std::size_t failing_cases() const;
   // The number of all cases of the shard, if the campaign has a number of cases.
   [[nodiscard]] std::optional<std::size_t> expected_cases() const;
   [[nodiscard]] const std::map<DegeneracySignature, Discovered>& signatures() const { return signatures_; }

@@ -21,6 +21,8 @@ using nlohmann::json;
 constexpr int kVersion = 3;
 // The version of a plan that judges persistence pairs or ignores reasons. A program of version 3 would not know it.
 constexpr int kLaterVersion = 4;
+// The version of a plan whose command is asked case after case.
+constexpr int kDialogueVersion = 5;
 constexpr std::uint64_t kMostWeight = 1'000'000;
 
 void require_family(const std::string& name) {
@@ -65,9 +67,11 @@ std::string to_text(const CampaignPlan& plan) {
   for (const WeightedFamily& family : plan.families) families.push_back({family.name, family.weight});
   json corpus = json::array();
   for (const Input& input : plan.corpus) corpus.push_back(json_of(input));
-  const bool is_later = plan.judges_pairs || !plan.ignored.empty();
+  const bool is_later = plan.is_dialogue || plan.judges_pairs || !plan.ignored.empty();
   json object{{"format", "flowcert-fuzz"},
-              {"version", is_later ? kLaterVersion : kVersion},
+              {"version", plan.is_dialogue ? kDialogueVersion
+                          : is_later       ? kLaterVersion
+                                           : kVersion},
               {"seed", plan.seed},
               {"families", families},
               {"fewest_rows", plan.fewest_rows},
@@ -82,6 +86,7 @@ std::string to_text(const CampaignPlan& plan) {
               {"shrinks_all", plan.shrinks_all},
               {"shard", {plan.shard.index, plan.shard.count}}};
   if (is_later) object.update({{"judges_pairs", plan.judges_pairs}, {"ignored", plan.ignored}});
+  if (plan.is_dialogue) object["through"] = true;
   return object.dump();
 }
 
@@ -89,7 +94,8 @@ CampaignPlan plan_of(const std::string& text) {
   CampaignPlan plan;
   try {
     const json object = json::parse(text);
-    const bool is_later = object.at("version") == kLaterVersion;
+    plan.is_dialogue = object.at("version") == kDialogueVersion;
+    const bool is_later = plan.is_dialogue || object.at("version") == kLaterVersion;
     if (object.at("format") != "flowcert-fuzz" || (!is_later && object.at("version") != kVersion)) {
       throw std::invalid_argument("the plan of another version");
     }

@@ -46,6 +46,7 @@ struct CampaignPlan {
   std::vector<std::string> properties;  // empty: all of them, each on its share of the cases
   // Another implementation's command, and the limits under which it runs; empty: ours alone.
   std::string against;
+  bool is_dialogue = false;          // the command is asked case after case, in one process
   bool judges_pairs = false;         // the command writes persistence pairs, not a claim
   std::vector<std::string> ignored;  // what is wrong with its answers for these reasons is not looked at
   double time_limit_seconds = 10;

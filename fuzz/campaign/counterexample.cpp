@@ -162,6 +162,12 @@ std::string name_of(const Counterexample& counterexample) {
   return name;
 }
 
+std::string why_not_fully_shrunk(const Counterexample& counterexample, const std::string& unless_small) {
+  if (!counterexample.is_small) return unless_small;
+  if (counterexample.disagreement.kind == "hang") return "it hangs";
+  return counterexample.most_tried == 0 ? "" : fmt::format("{} smaller inputs were tried", counterexample.most_tried);
+}
+
 std::string file_text(const Counterexample& counterexample) {
   const property::Disagreement& found = counterexample.disagreement;
   std::string text = fmt::format("{}\n", kHead);
@@ -169,9 +175,13 @@ std::string file_text(const Counterexample& counterexample) {
   add_comment(text, "kind", found.kind);
   add_comment(text, "clause", found.clause);
   add_comment(text, "complaint", in_one_line(found.complaint));
-  add_comment(text, "case",
-              fmt::format("{} of seed {} ({}, {} points)", counterexample.number, counterexample.seed,
-                          counterexample.source, counterexample.rows_before));
+  add_comment(
+      text, "case",
+      fmt::format("{} of seed {} ({}, {} point{})", counterexample.number, counterexample.seed, counterexample.source,
+                  counterexample.rows_before, counterexample.rows_before == 1 ? "" : "s"));
+  // Only a run that ended before leaves a file of what is not small.
+  const std::string why = why_not_fully_shrunk(counterexample, "the time was up, or the run was stopped");
+  add_comment(text, "shrunk", why.empty() ? "fully" : "not fully: " + why);
   if (const auto* start = std::get_if<oracle::Point>(&counterexample.trial.start)) {
     add_comment(text, "start", to_text(*start));
   } else {
@@ -218,6 +228,7 @@ json json_of(const Counterexample& counterexample) {
           {"complaint", found.complaint},
           {"answers", {found.first_name, found.first, found.second_name, found.second}},
           {"small", counterexample.is_small},
+          {"most_tried", counterexample.most_tried},
           {"asked", counterexample.is_asked}};
 }
 
@@ -244,6 +255,7 @@ Counterexample counterexample_of(const json& object) {
   object.at("complaint").get_to(found.complaint);
   const json& answers = object.at("answers");
   object.at("small").get_to(counterexample.is_small);
+  counterexample.most_tried = object.value("most_tried", std::size_t{0});
   object.at("asked").get_to(counterexample.is_asked);
   found.first_name = answers.at(0).get<std::string>();
   found.first = answers.at(1).get<std::string>();

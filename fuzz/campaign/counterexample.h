@@ -37,6 +37,8 @@ struct Counterexample {
   property::Trial trial;  // with its start as coordinates, if it has points
   property::Disagreement disagreement;
   bool is_small = false;  // nothing is left to be done to make it small
+  // So many smaller inputs were tried, and no more, though it may get smaller; 0: it does not.
+  std::size_t most_tried = 0;
   bool is_asked = false;  // somebody asked for it by its number (OneCase)
 };
 
@@ -48,6 +50,10 @@ struct Counterexample {
 
 // Whether the case ended its process, by a crash or by hanging. Then it cannot be part of its batch.
 [[nodiscard]] bool ends_process(const Counterexample& counterexample);
+
+// Why it may be larger than it has to be: "it hangs", "400 smaller inputs were tried", or, if it is not small yet, what
+// `unless_small` says; empty if it cannot be made smaller.
+[[nodiscard]] std::string why_not_fully_shrunk(const Counterexample& counterexample, const std::string& unless_small);
 
 [[nodiscard]] std::string file_text(const Counterexample& counterexample);
 // If the file does not name them, the property is empty and the start is a choice. Throws std::invalid_argument, one

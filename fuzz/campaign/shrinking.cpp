@@ -35,7 +35,7 @@ double cost_of(const Input& input) {
 class Shrinking {
  public:
   Shrinking(const Trial& failing, const Disagreement& disagreement, const Judge& judge, std::size_t budget)
-      : best_{failing, disagreement, 0}, judge_(judge), budget_(budget) {}
+      : best_{failing, disagreement}, judge_(judge), budget_(budget) {}
 
   Shrunk result() {
     bool was_smaller = true;
@@ -44,13 +44,17 @@ class Shrinking {
       was_smaller = smaller_coordinates() || was_smaller;
       was_smaller = simpler_choice() || was_smaller;
     }
+    best_.is_budget_up = best_.is_budget_up || was_smaller;
     fix_start();
     return std::move(best_);
   }
 
  private:
   bool accept(Trial candidate) {
-    if (best_.judged >= budget_) return false;
+    if (best_.judged >= budget_) {
+      best_.is_budget_up = true;
+      return false;
+    }
     ++best_.judged;
     std::optional<Disagreement> found = judge_(candidate);
     if (!found || found->kind != best_.disagreement.kind) return false;

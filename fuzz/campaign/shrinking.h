@@ -18,7 +18,8 @@ using Judge = std::function<std::optional<property::Disagreement>(const property
 struct Shrunk {
   property::Trial trial;
   property::Disagreement disagreement;
-  std::size_t judged = 0;  // the number of trials that were judged
+  std::size_t judged = 0;     // the number of trials that were judged
+  bool is_budget_up = false;  // more would have been
 };
 
 // `failing` must fail, with the disagreement given. Judges at most `budget` trials.

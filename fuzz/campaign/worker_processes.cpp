@@ -273,9 +273,11 @@ void report_shrunk(const CampaignPlan& plan, const std::vector<Property>& proper
     if (observer.is_stopped()) return std::nullopt;
     return same_crash(crash.disagreement, attempt, trial);
   };
-  counterexample.trial = shrunk(crash.at.trial, crash.disagreement, judge, kCrashShrinkingBudget).trial;
+  const Shrunk small = shrunk(crash.at.trial, crash.disagreement, judge, kCrashShrinkingBudget);
   if (observer.is_stopped()) return;
+  counterexample.trial = small.trial;
   counterexample.is_small = true;
+  if (small.is_budget_up) counterexample.most_tried = kCrashShrinkingBudget;
   observer.tell(message_of(counterexample));
 }
 

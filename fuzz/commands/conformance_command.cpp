@@ -1,6 +1,7 @@
 // `flowcert conformance`: what any program's answers to the conformance vectors are worth. Exit status 0 if
 // all is right or perturbed, 1 if something is not; with --strict, 1 if something is perturbed, too.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -8,8 +9,10 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "cli/check_report.h"
 #include "cli/progress.h"
@@ -56,10 +59,30 @@ struct ConformanceCommandOptions {
 
 bool has(const Names& names, const std::string& name) { return std::ranges::find(names, name) != names.end(); }
 
-// Every name that is asked for has to be one of the known ones.
-void require_known(const char* what, const Names& asked, const Names& known) {
+// How many letters have to be left out, put in or replaced to make one word of the other.
+std::size_t distance_of(std::string_view one, std::string_view other) {
+  std::vector<std::size_t> row(other.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    std::size_t before = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < other.size(); ++j) {
+      const std::size_t replaced = before + (one[i] == other[j] ? 0 : 1);
+      before = std::exchange(row[j + 1], std::min({row[j] + 1, row[j + 1] + 1, replaced}));
+    }
+  }
+  return row.back();
+}
+
+// Every name that is asked for has to be one of the known ones. Otherwise these are listed, the nearest first.
+void require_known(const char* what, const Names& asked, Names known) {
+  constexpr std::size_t kMostNames = 30;
   for (const std::string& name : asked) {
-    if (!has(known, name)) throw InvalidInput(fmt::format("there is no {} {}", what, in_quotes(name)));
+    if (has(known, name)) continue;
+    std::ranges::stable_sort(known, {}, [&](const std::string& one) { return distance_of(name, one); });
+    const bool are_all = known.size() <= kMostNames;
+    known.resize(std::min(known.size(), kMostNames));
+    throw InvalidInput(fmt::format("there is no {} {}; there are: {}{}", what, in_quotes(name), fmt::join(known, ", "),
+                                   are_all ? "" : ", and others, which --list shows"));
   }
 }
 
@@ -217,7 +240,9 @@ std::string complaint_about_run_time(const std::string& word) {
 void add_choice_options(CLI::App& command, ConformanceCommandOptions& options) {
   command.add_option("--vectors", options.folder,
                      "Folder of the vectors; without this, those that came with the program");
-  command.add_option("--group", options.groups, "Only the cases of this group; may be given several times")
+  command
+      .add_option("--group", options.groups,
+                  "Only the cases of this group; may be given several times. An unknown one lists them")
       ->allow_extra_args(false);
   command.add_option("--flag", options.flags, "Only the cases with this flag; may be given several times")
       ->allow_extra_args(false);
@@ -280,7 +305,7 @@ void add_report_options(CLI::App& command, ConformanceCommandOptions& options) {
 
 void add_conformance_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ConformanceCommandOptions>();
-  CLI::App* command = app.add_subcommand("conformance", "How any program answers the conformance vectors, by flag");
+  CLI::App* command = app.add_subcommand("conformance", cli::kConformancePurpose);
   add_command_options(*command, *options);
   add_choice_options(*command, *options);
   add_report_options(*command, *options);

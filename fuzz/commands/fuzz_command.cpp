@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <functional>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -10,6 +12,7 @@
 #include "fuzz/campaign/worker_processes.h"
 #include "fuzz/commands/commands.h"
 #include "fuzz/commands/finding_pages.h"
+#include "fuzz/commands/finding_teller.h"
 #include "fuzz/commands/fuzz_options.h"
 #include "fuzz/commands/fuzz_progress.h"
 #include "fuzz/commands/fuzz_report.h"
@@ -20,29 +23,37 @@ namespace flowcert::commands {
 
 namespace {
 
+constexpr std::size_t kNoBudget = std::numeric_limits<std::size_t>::max();
+
 struct FuzzCommandOptions : FuzzOptions {
   std::vector<std::string> replay;
   std::vector<std::string> merged;
 };
 
-// Returns the seconds that it takes. `source` is the campaign, or a part of it.
-double work_on(fuzz::BatchSource& source, const fuzz::Campaign& campaign, const FuzzOptions& options) {
-  const auto properties = properties_of(campaign.plan());
-  FuzzProgress progress(campaign, options.seconds);
+bool is_time_up(const FuzzOptions& options, const FuzzProgress& progress) {
+  return options.seconds && progress.seconds_so_far() >= *options.seconds;
+}
+
+// `source` is the campaign, or a part of it.
+void work_on(fuzz::BatchSource& source, const fuzz::Campaign& campaign, const FuzzOptions& options,
+             FuzzProgress& progress, const std::function<bool()>& is_over) {
+  auto properties = properties_of(campaign.plan());
+  for (property::Property& property : properties) {
+    if (options.stops_at_first) property.shrinking_budget = property.slow_shrinking_budget = kNoBudget;
+  }
   fuzz::WorkOptions work;
   work.jobs = options.jobs;
   work.hang_seconds = hang_seconds(campaign.plan(), options);
-  work.is_stopped = [&] {
-    return Interruption::signal() != 0 || (options.seconds && progress.seconds_so_far() >= *options.seconds);
-  };
+  work.is_stopped = [&] { return Interruption::signal() != 0 || is_over(); };
   work.progress = [&](std::size_t under_way) { progress(under_way); };
   fuzz::work_on(source, properties, work);
-  return progress.seconds_so_far();
+  progress.hide();
 }
 
 int run_case(fuzz::Campaign& campaign, const FuzzOptions& options) {
   fuzz::OneCase one(campaign, *options.only);
-  work_on(one, campaign, options);
+  FuzzProgress progress(campaign, options.seconds);
+  work_on(one, campaign, options, progress, [&] { return is_time_up(options, progress); });
   if (!one.is_done()) throw InvalidInput(fmt::format("case {} was stopped before it was done", *options.only));
   write_finding_pages(campaign);
   return print_case(campaign, one, options.json);
@@ -64,10 +75,16 @@ int run_campaign(const FuzzOptions& options) {
   fuzz::Campaign campaign = campaign_begun(options);
   if (options.only) return run_case(campaign, options);
   const std::size_t before = campaign.tally().cases;
-  const double seconds = work_on(campaign, campaign, options);
+  FuzzProgress progress(campaign, options.seconds);
+  FindingTeller teller(campaign, known, progress, {.prints = !options.json, .stops_at_first = options.stops_at_first});
+  work_on(teller, campaign, options, progress,
+          [&] { return teller.has_first() || (is_time_up(options, progress) && !teller.makes_first_small()); });
+  teller.end();
+  FuzzRun run{campaign, known, progress.seconds_so_far(), campaign.tally().cases - before, options.jobs};
+  run.is_interrupted = Interruption::signal() != 0;
+  run.is_time_up = is_time_up(options, progress);
+  run.told = &teller.told();
   write_finding_pages(campaign);
-  const FuzzRun run{
-      campaign, known, seconds, campaign.tally().cases - before, options.jobs, Interruption::signal() != 0};
   print_fuzz(run, options.json);
   return verdict_of(run);
 }
@@ -129,6 +146,7 @@ fuzz::Campaign whole_of(const FuzzCommandOptions& options) {
       throw InvalidInput(options.merged[k] + ": another number of cases than " + options.merged.front());
     }
   }
+  if (!options.out.empty()) require_new_folder(options.out);
   fuzz::Campaign whole = options.out.empty() ? fuzz::Campaign(plan, total, std::filesystem::path())
                                              : fuzz::Campaign::begun(plan, total, options.out);
   for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -177,29 +195,34 @@ void add_merge_command(CLI::App& command, const std::shared_ptr<FuzzCommandOptio
 
 void add_fuzz_command(CLI::App& app, int& status) {
   auto options = std::make_shared<FuzzCommandOptions>();
-  CLI::App* command = app.add_subcommand("fuzz", "Search for degenerate inputs on which implementations disagree");
+  CLI::App* command = app.add_subcommand("fuzz", cli::kFuzzPurpose);
   add_fuzz_options(*command, *options);
   command->add_option("--jobs", options->jobs, "Processes that work at a time")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
+  command->add_flag("--first", options->stops_at_first,
+                    "Stop at the first finding that is not known, and make it as small as it gets, whatever time that "
+                    "takes; Ctrl-C ends it");
   auto* replay_option =
       command->add_option("--replay", options->replay, "Try the case of a finding's file, or of any point file, again")
           ->type_name("FILE");
-  for (const char* name : {"--count", "--time", "--out", "--resume", "--shard", "--corpus", "--json", "--known"}) {
+  for (const char* name :
+       {"--count", "--time", "--out", "--resume", "--shard", "--corpus", "--json", "--known", "--first"}) {
     replay_option->excludes(command->get_option(name));
   }
   auto* only = command->add_option(
       "--case", options->only,
       "Only this case of the campaign, once more: what fails is made small. After a crash or a hang in "
       "its batch, with --resume alone it is the same case");
-  for (const char* name : {"--count", "--time", "--out", "--shard", "--jobs", "--replay", "--known"}) {
+  for (const char* name : {"--count", "--time", "--out", "--shard", "--jobs", "--replay", "--known", "--first"}) {
     only->excludes(command->get_option(name));
   }
   add_merge_command(*command, options, status);
   command->footer(
       "The same seed has the same cases and findings on any machine, however many jobs and interruptions "
       "there are. Ctrl-C stops after the cases under way, or after two seconds; --resume goes on, after a "
-      "kill as well.\n\n"
+      "kill as well. Each finding is printed when it is small. Where time is up before, the report says that it "
+      "is not fully shrunk.\n\n"
       "Examples:\n  flowcert fuzz --time 60 --jobs 2\n"
       "  flowcert fuzz --count 1000000 --property critical-points --property orbit \\\n"
       "    --out campaign\n"
@@ -209,6 +232,7 @@ void add_fuzz_command(CLI::App& app, int& status) {
       "    --families box-corners:3,integer-sphere\n"
       "  flowcert fuzz --time 60 --against \"$PWD/my-flow {in} {out}\" \\\n"
       "    --known findings --ignore refusal\n"
+      "  flowcert fuzz --time 60 --first --through ./your-program\n"
       "  flowcert fuzz --count 100000 --shard 1/4 --out part-1");
   command->callback([options, command, &status] {
     if (command->get_subcommands().empty()) status = fuzz_or_list(*options);

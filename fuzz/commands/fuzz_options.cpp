@@ -142,21 +142,50 @@ std::vector<fuzz::Input> corpus_of(const std::string& folder) {
 
 // ---- Campaigns
 
+// "campaign-2" for "campaign", and "campaign-3" for "campaign-2", unless there is one.
+std::string next_free_name(const std::string& folder) {
+  std::string name = fs::path(folder).lexically_normal().string();
+  while (name.size() > 1 && name.ends_with('/')) name.pop_back();
+  std::size_t number = 2;
+  const std::size_t dash = name.rfind('-');
+  const char* const end = name.data() + name.size();
+  if (dash != std::string::npos && dash + 1 < name.size()) {
+    std::size_t last = 0;
+    const auto result = std::from_chars(name.data() + dash + 1, end, last);
+    if (result.ec == std::errc() && result.ptr == end && last < kMostShards) {
+      number = last + 1;
+      name.resize(dash);
+    }
+  }
+  const auto numbered = [&] { return fmt::format("{}-{}", name, number); };
+  while (fs::exists(numbered())) ++number;
+  return numbered();
+}
+
 bool says_yes() {
   std::string answer;
   return std::getline(std::cin, answer) && (answer == "y" || answer == "yes");
 }
 
+// The command that is said by the option which the plan's command came by.
+const std::string& said_command(const FuzzOptions& options, const fuzz::CampaignPlan& plan) {
+  if (plan.is_dialogue) return options.through;
+  return plan.judges_pairs ? options.persistence_against : options.against;
+}
+
 // A folder may be somebody else's, and its plan has a command. It runs if the user says it again, or says yes to it.
 void require_consent(const FuzzOptions& options, const fuzz::CampaignPlan& plan) {
   const std::string option = against_option(plan);
-  const std::string& said = plan.judges_pairs ? options.persistence_against : options.against;
-  const bool is_other = !options.against.empty() || !options.persistence_against.empty();
+  const std::string& said = said_command(options, plan);
+  const bool is_other = !options.against.empty() || !options.through.empty() || !options.persistence_against.empty();
   if (plan.against == said && (!said.empty() || !is_other)) return;
   const std::string runs = plan.against.empty()
                                ? options.resume + ": its campaign runs no command"
                                : fmt::format("{}: its campaign runs the command {}", options.resume, plan.against);
-  if (is_other) throw InvalidInput(fmt::format("{}, and {} says another one", runs, option));
+  if (!said.empty() || (is_other && plan.against.empty())) {
+    throw InvalidInput(fmt::format("{}, and {} says another one", runs, option));
+  }
+  if (is_other) throw InvalidInput(fmt::format("{}, not another one; it runs if {} says it again", runs, option));
   if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0) {
     throw InvalidInput(fmt::format("{}; it runs if {} says it again", runs, option));
   }
@@ -166,7 +195,7 @@ void require_consent(const FuzzOptions& options, const fuzz::CampaignPlan& plan)
 
 fuzz::Campaign resumed_campaign(const FuzzOptions& options) {
   fuzz::Campaign campaign = fuzz::Campaign::resumed(options.resume, options.count);
-  if (!campaign.total_cases() && !options.seconds && !options.only) {
+  if (!campaign.total_cases() && !options.seconds && !options.stops_at_first && !options.only) {
     throw InvalidInput(options.resume + ": it has no number of cases: one of --count and --time is required");
   }
   require_consent(options, campaign.plan());
@@ -175,28 +204,31 @@ fuzz::Campaign resumed_campaign(const FuzzOptions& options) {
 }
 
 fuzz::Campaign new_campaign(const FuzzOptions& options) {
-  if (!options.count && !options.seconds && !options.only) {
+  if (!options.count && !options.seconds && !options.stops_at_first && !options.only) {
     throw InvalidInput("one of --count and --time is required: when is it enough?");
   }
   const fuzz::CampaignPlan plan = plan_of(options);
-  const std::string complaint = complaint_about_relative_path(plan.against);
+  const std::string complaint = plan.is_dialogue ? "" : complaint_about_relative_path(plan.against);
   if (!complaint.empty()) throw InvalidInput(against_option(plan) + ": " + complaint);
   if (plan.against.empty() && !plan.ignored.empty()) {
-    throw InvalidInput("--ignore needs --against or --persistence-against");
+    throw InvalidInput("--ignore needs --against, --through or --persistence-against");
+  }
+  const std::string findings = fmt::format("flowcert-fuzz-{}", options.seed);
+  if (!options.out.empty()) {
+    require_new_folder(options.out);
+  } else if (fs::exists(findings) && !options.only) {
+    throw InvalidInput(fmt::format("{}: there are findings of an earlier campaign; --out {} begins another", findings,
+                                   shell_word(next_free_name(findings + "-1"))));
   }
   require_startable(plan);
   if (!options.out.empty()) return fuzz::Campaign::begun(plan, options.count, options.out);
-  const std::string findings = fmt::format("flowcert-fuzz-{}", options.seed);
-  if (fs::exists(findings) && !options.only) {
-    throw InvalidInput(
-        findings + ": there are findings of an earlier campaign in it; move it away, or name another folder by --out");
-  }
   return {plan, options.count, findings};
 }
 
 PeerOptions peer_of(const fuzz::CampaignPlan& plan) {
   PeerOptions peer;
   peer.command = plan.against;
+  peer.is_dialogue = plan.is_dialogue;
   peer.judges_pairs = plan.judges_pairs;
   peer.ignored = plan.ignored;
   peer.limits.seconds = plan.time_limit_seconds;
@@ -240,17 +272,25 @@ void add_property_options(CLI::App& command, FuzzOptions& options) {
       ->check(complaint_about_missing_in)
       ->excludes(property);
   command
+      .add_option("--through", options.through,
+                  "The same for a program that is started once: it reads case after case from standard input, as "
+                  "generate writes them, and answers each as verify reads it. It has to flush each answer (in Python "
+                  "by print(..., flush=True)). It is started again if it dies or hangs")
+      ->type_name("COMMAND")
+      ->excludes(property)
+      ->excludes(command.get_option("--against"));
+  command
       .add_option("--persistence-against", options.persistence_against,
                   "The same for a command whose answer is persistence pairs, as persistence --json or GUDHI's tools "
                   "write them")
       ->check(complaint_about_missing_in)
       ->excludes(property)
-      ->excludes(command.get_option("--against"));
+      ->excludes(command.get_option("--against"))
+      ->excludes(command.get_option("--through"));
   command
-      .add_option(
-          "--ignore", options.ignored,
-          "Of --against: what is wrong for this reason (missed-by-cluster, refusal, ...) does not count; may be "
-          "given again")
+      .add_option("--ignore", options.ignored,
+                  "Of --against and --through: what is wrong for this reason (missed-by-cluster, refusal, ...) does "
+                  "not count; may be given again")
       ->check(complaint_about_reason)
       ->type_name("REASON")
       ->allow_extra_args(false);
@@ -259,7 +299,9 @@ void add_property_options(CLI::App& command, FuzzOptions& options) {
                   "Findings that are known: files of findings, or folders of them. What they explain, being of the "
                   "same kind on points that are degenerate in the same way, is listed last and is no failure")
       ->type_name("FINDINGS");
-  command.add_option("--time-limit", options.time_limit, "Seconds after which its run is killed; without this 10")
+  command
+      .add_option("--time-limit", options.time_limit,
+                  "Seconds that it may take for a case, after which it is killed; without this 10")
       ->check(complaint_about_time);
   command
       .add_option("--memory-limit", options.memory_limit,
@@ -279,8 +321,10 @@ void add_run_options(CLI::App& command, FuzzOptions& options) {
                                  "Keep the campaign in this new folder: findings, signatures, and what to go on with");
   auto* resume =
       command
-          .add_option("--resume", options.resume,
-                      "Go on with the campaign in this folder; a command of its plan runs if --against says it again")
+          .add_option(
+              "--resume", options.resume,
+              "Go on with the campaign in this folder; a command of its plan runs if --against, or what it came by, "
+              "says it again")
           ->excludes(out);
   // The campaign's folder says all of this.
   for (const char* name : {"--families", "--points", "--search", "--corpus", "--seed", "--property", "--ignore",
@@ -314,7 +358,8 @@ fuzz::CampaignPlan plan_of(const FuzzOptions& options) {
     if (is_new) plan.properties.push_back(name);
   }
   plan.judges_pairs = !options.persistence_against.empty();
-  plan.against = plan.judges_pairs ? options.persistence_against : options.against;
+  plan.is_dialogue = !options.through.empty();
+  plan.against = said_command(options, plan);
   plan.ignored = options.ignored;
   plan.shrinks_all = options.shrinks_all;
   plan.time_limit_seconds = options.time_limit.value_or(plan.time_limit_seconds);
@@ -332,6 +377,18 @@ fuzz::CampaignPlan plan_of(const FuzzOptions& options) {
   return plan;
 }
 
+void require_new_folder(const std::string& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored)) return;
+  const std::string again = shell_word(folder), other = shell_word(next_free_name(folder));
+  if (fs::exists(fs::path(folder) / "plan.json", ignored)) {
+    throw InvalidInput(fmt::format(
+        "{}: there is a campaign already; --resume {} goes on with it, --out {} begins another", folder, again, other));
+  }
+  if (fs::is_directory(folder, ignored) && fs::is_empty(folder, ignored)) return;
+  throw InvalidInput(fmt::format("{}: it is no empty folder; --out {} begins a campaign", folder, other));
+}
+
 fuzz::Campaign campaign_of(const FuzzOptions& options) {
   return options.resume.empty() ? new_campaign(options) : resumed_campaign(options);
 }
@@ -342,6 +399,7 @@ std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan) {
 }
 
 std::string against_option(const fuzz::CampaignPlan& plan) {
+  if (plan.is_dialogue) return "--through";
   return plan.judges_pairs ? "--persistence-against" : "--against";
 }
 
@@ -358,7 +416,9 @@ void require_startable(const fuzz::CampaignPlan& plan) {
 }
 
 double hang_seconds(const fuzz::CampaignPlan& plan, const FuzzOptions& options) {
-  return plan.against.empty() ? options.hang_seconds : std::max(options.hang_seconds, 2 * plan.time_limit_seconds);
+  // One that is asked case after case may be asked one case three times.
+  const double limits = plan.is_dialogue ? 4 : 2;
+  return plan.against.empty() ? options.hang_seconds : std::max(options.hang_seconds, limits * plan.time_limit_seconds);
 }
 
 void print_families() {

@@ -25,7 +25,8 @@ struct FuzzOptions {
   std::string points;    // "4-8"
   std::vector<std::string> properties;
   std::string against;              // a command
-  std::string persistence_against;  // another
+  std::string through;              // one that is asked case after case
+  std::string persistence_against;  // one that is asked for persistence pairs
   std::vector<std::string> ignored;
   std::vector<std::string> known;  // paths
   std::optional<double> time_limit;
@@ -37,6 +38,7 @@ struct FuzzOptions {
   bool shrinks_all = false;
   std::optional<std::size_t> count;
   std::optional<double> seconds;
+  bool stops_at_first = false;
   unsigned jobs = 1;
   std::string out, resume;          // folders
   std::optional<std::size_t> only;  // one case
@@ -44,13 +46,16 @@ struct FuzzOptions {
   bool json = false;
 };
 
-// Adds all options but --jobs, which only one of the programs has.
+// Adds all options but --jobs and --first, which only one of the programs has.
 void add_fuzz_options(CLI::App& command, FuzzOptions& options);
 
 // The plan of a new campaign. Throws InvalidInput for a corpus that cannot be read.
 [[nodiscard]] fuzz::CampaignPlan plan_of(const FuzzOptions& options);
 // A new or a resumed campaign. Throws InvalidInput, also if the command cannot be started, or fuzz::UnusableFolder.
 [[nodiscard]] fuzz::Campaign campaign_of(const FuzzOptions& options);
+
+// Throws InvalidInput if a new campaign cannot have this folder, and names one that is free.
+void require_new_folder(const std::string& folder);
 
 // The properties of the plan.
 [[nodiscard]] std::vector<property::Property> properties_of(const fuzz::CampaignPlan& plan);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "fuzz/commands/counted.h"
 #include "io/diagnostic.h"
 
 namespace flowcert::commands {
@@ -72,10 +73,10 @@ std::string FuzzProgress::first_line(std::size_t cases) const {
     left = seconds_ ? std::min(left, by_count) : by_count;
     total = " of " + with_commas(*expected);
   }
-  return fmt::format("{}{} cases, {:.0f}/s | {} signatures | {} failing cases, {} findings | {} left",
-                     with_commas(cases), total, rate, with_commas(campaign_.signatures().size()),
-                     with_commas(campaign_.tally().failing_cases()), campaign_.counterexamples().size(),
-                     time_text(left));
+  return fmt::format("{}{} cases, {:.0f}/s | {} | {}, {} | {} left", with_commas(cases), total, rate,
+                     counted(campaign_.signatures().size(), "signature"),
+                     counted(campaign_.failing_cases(), "failing case"),
+                     counted(campaign_.counterexamples().size(), "finding"), time_text(left));
 }
 
 void FuzzProgress::operator()(std::size_t under_way) {

@@ -24,6 +24,9 @@ class FuzzProgress {
   // `under_way` counts cases of batches under way. The campaign does not count these yet.
   void operator()(std::size_t under_way);
 
+  // Erases it until the next call, so that something else can be printed.
+  void hide() { erase(); }
+
   [[nodiscard]] double seconds_so_far() const;
 
  private:

@@ -13,9 +13,11 @@
 
 #include "cli/check_report.h"
 #include "cli/command.h"
+#include "cli/reason_table.h"
 #include "cli/shortened_numbers.h"
 #include "cli/table.h"
 #include "cli/wrapped_text.h"
+#include "fuzz/commands/counted.h"
 #include "fuzz/commands/fuzz_options.h"
 #include "fuzz/judge/command_run.h"
 #include "fuzz/judge/conformance_words.h"
@@ -27,9 +29,9 @@ namespace {
 using nlohmann::ordered_json;
 using Rows = std::vector<std::vector<std::string>>;
 
-// The text prints at most so many; the JSON has all.
-constexpr std::size_t kMostFindingsPrinted = 20;
 constexpr std::size_t kFuzzIndent = 4;
+constexpr double kFastRate = 10;  // of cases a second
+constexpr char kEndedBefore[] = "the run ended before";
 
 double rate_of(const fuzz::RowsTally& tally) {
   return tally.seconds > 0 ? static_cast<double>(tally.cases) / tally.seconds : 0;
@@ -63,13 +65,14 @@ std::size_t share_of(const fuzz::CampaignPlan& plan, const std::string& name) {
 
 void print_properties(const fuzz::Campaign& campaign) {
   Rows rows;
+  const auto all = campaign.failures();
   for (const auto& [name, cases] : campaign.tally().by_property) {
     std::size_t failures = 0;
-    for (const auto& [kind, numbers] : campaign.tally().failures) {
+    for (const auto& [kind, numbers] : all) {
       if (kind.starts_with(name + ' ')) failures += numbers.size();
     }
     const std::size_t share = share_of(campaign.plan(), name);
-    rows.push_back({name, with_commas(cases) + " cases", fmt::format("{} failing", with_commas(failures)),
+    rows.push_back({name, counted(cases, "case"), fmt::format("{} failing", with_commas(failures)),
                     share == 1 ? "" : fmt::format("(one case in {})", share)});
   }
   print_part("By property:", rows, "lrrl");
@@ -103,7 +106,7 @@ void print_reached(const fuzz::Campaign& campaign) {
 // A kind of failing cases, and the smallest of its findings.
 struct Kind {
   std::string name;
-  const std::set<std::size_t>* cases = nullptr;
+  std::size_t cases = 0;
   const fuzz::Counterexample* smallest = nullptr;  // one that the known findings do not explain, if there is any
   bool is_explained = false;
 };
@@ -129,8 +132,8 @@ std::vector<ListedFinding> in_order(const FuzzRun& run) {
 // Kinds that are not explained come first, and of these the most frequent one.
 std::vector<Kind> kinds_of(const FuzzRun& run, const std::vector<ListedFinding>& findings) {
   std::vector<Kind> kinds;
-  for (const auto& [name, cases] : run.campaign.tally().failures) {
-    Kind kind{name, &cases};
+  for (const auto& [name, cases] : run.campaign.failures()) {
+    Kind kind{name, cases.size()};
     const auto first = std::ranges::find(findings, name, [](const auto& listed) { return kind_of(*listed.finding); });
     if (first != findings.end()) {
       kind.smallest = first->finding;
@@ -139,7 +142,7 @@ std::vector<Kind> kinds_of(const FuzzRun& run, const std::vector<ListedFinding>&
     kinds.push_back(kind);
   }
   std::ranges::stable_sort(kinds, [](const Kind& a, const Kind& b) {
-    return a.is_explained != b.is_explained ? b.is_explained : a.cases->size() > b.cases->size();
+    return a.is_explained != b.is_explained ? b.is_explained : a.cases > b.cases;
   });
   return kinds;
 }
@@ -148,52 +151,56 @@ void print_kinds(const FuzzRun& run, const std::vector<Kind>& kinds) {
   if (kinds.empty()) return;
   Table table(run.known.is_empty() ? "lrl" : "lrll", {"kind", "cases", "smallest example"});
   for (const Kind& kind : kinds) {
-    table.row(kind.name).cell(kind.cases->size());
+    table.row(kind.name).cell(kind.cases);
     const auto* smallest = kind.smallest;
     table.cell(smallest == nullptr
                    ? ""
-                   : fmt::format("case {}, {} point{}", smallest->number, smallest->trial.input.rows.size(),
-                                 smallest->trial.input.rows.size() == 1 ? "" : "s"));
+                   : fmt::format("case {}, {}", smallest->number, points_text(smallest->trial.input.rows.size())));
     if (kind.is_explained) table.cell("known");
   }
   table.print();
 }
 
-void print_counterexample(const fuzz::Campaign& campaign, const fuzz::Counterexample& counterexample) {
-  const std::string file = campaign.file_of(counterexample).string();
-  const std::string text =
-      fmt::format("  case {}, {} of {} points ({}, before {}): {}", counterexample.number,
-                  counterexample.disagreement.kind, counterexample.trial.input.rows.size(), counterexample.source,
-                  counterexample.rows_before, one_line(counterexample.disagreement.complaint));
-  fmt::print("{}\n", wrapped(with_short_numbers(text), kFuzzIndent));
-  if (!file.empty()) fmt::print("    {}\n", file);
+// Why a finding of this run is not small yet.
+std::string unless_small(const FuzzRun& run) {
+  if (run.is_interrupted) return "stopped by a signal";
+  return run.is_time_up ? "time was up" : kEndedBefore;
 }
 
-// One finding of each kind, and then the others. Known ones are counted.
+// One finding of each kind, and then the others.
+std::vector<const fuzz::Counterexample*> findings_to_print(const FuzzRun& run, const std::vector<Kind>& kinds,
+                                                           const std::vector<ListedFinding>& findings) {
+  std::vector<const fuzz::Counterexample*> printed;
+  std::set<const fuzz::Counterexample*> known;
+  const auto add = [&](const fuzz::Counterexample& finding, bool is_explained) {
+    const bool was_told = run.told != nullptr && run.told->contains(key_of(finding));
+    if (!is_explained && !was_told && known.insert(&finding).second) printed.push_back(&finding);
+  };
+  for (const Kind& kind : kinds) {
+    if (kind.smallest != nullptr) add(*kind.smallest, kind.is_explained);
+  }
+  for (const ListedFinding& listed : findings) add(*listed.finding, listed.is_explained);
+  return printed;
+}
+
+// Those that were not printed before. Known ones are counted.
 void print_counterexamples(const FuzzRun& run, const std::vector<Kind>& kinds,
                            const std::vector<ListedFinding>& findings) {
   const fuzz::Campaign& campaign = run.campaign;
   if (campaign.counterexamples().empty()) return;
-  fmt::print("\nFindings:\n");
-  std::set<const fuzz::Counterexample*> shown;
-  for (const Kind& kind : kinds) {
-    if (kind.smallest == nullptr || kind.is_explained) continue;
-    print_counterexample(campaign, *kind.smallest);
-    shown.insert(kind.smallest);
+  const auto printed = findings_to_print(run, kinds, findings);
+  const std::size_t most = kinds.size() + kMostFindingsPrinted;
+  const auto explained = static_cast<std::size_t>(std::ranges::count(findings, true, &ListedFinding::is_explained));
+  const bool is_first = run.told == nullptr || run.told->empty();
+  fmt::print("\n");
+  if (!printed.empty() || explained > 0) fmt::print("{}:\n", is_first ? "Findings" : "Other findings");
+  for (std::size_t k = 0; k < std::min(printed.size(), most); ++k) {
+    print_finding(campaign, *printed[k], unless_small(run));
   }
-  std::size_t printed = 0, left_out = 0;
-  for (const ListedFinding& listed : findings) {
-    if (shown.contains(listed.finding) || listed.is_explained) continue;
-    if (printed++ < kMostFindingsPrinted) {
-      print_counterexample(campaign, *listed.finding);
-    } else {
-      ++left_out;
-    }
-  }
-  if (left_out > 0) fmt::print("  ... and {} more\n", with_commas(left_out));
-  if (const auto explained = std::ranges::count(findings, true, &ListedFinding::is_explained); explained > 0) {
-    fmt::print("  {} of {} finding{}: explained by known ones\n", with_commas(static_cast<std::size_t>(explained)),
-               with_commas(campaign.counterexamples().size()), campaign.counterexamples().size() == 1 ? "" : "s");
+  if (printed.size() > most) fmt::print("  ... and {} more\n", with_commas(printed.size() - most));
+  if (explained > 0) {
+    fmt::print("  {} of {}: explained by known ones\n", with_commas(explained),
+               counted(campaign.counterexamples().size(), "finding"));
   }
   const fuzz::CampaignPlan& plan = campaign.plan();
   fmt::print("Again: flowcert fuzz --replay FILE{}\n",
@@ -207,6 +214,7 @@ void print_fuzz_text(const FuzzRun& run) {
   const auto expected = campaign.expected_cases();
   const std::vector<ListedFinding> findings = in_order(run);
   const std::vector<Kind> kinds = kinds_of(run, findings);
+  if (run.told != nullptr && !run.told->empty()) fmt::print("\n");
   print_kinds(run, kinds);
   print_counterexamples(run, kinds, findings);
   if (!kinds.empty()) fmt::print("\n");
@@ -217,14 +225,14 @@ void print_fuzz_text(const FuzzRun& run) {
   }
   if (plan.shard.count > 1) print_row("shard", fmt::format("{}/{}", plan.shard.index + 1, plan.shard.count));
   if (run.seconds) {
-    print_row("cases a second", fmt::format("{:.0f}", static_cast<double>(run.cases) / *run.seconds),
-              fmt::format("{} cases in {}, {} job{}", with_commas(run.cases), seconds_text(*run.seconds), run.jobs,
-                          run.jobs == 1 ? "" : "s"));
+    const double rate = static_cast<double>(run.cases) / *run.seconds;
+    print_row(
+        "cases a second", fmt::format("{:.{}f}", rate, rate < kFastRate ? 1 : 0),
+        fmt::format("{} in {}, {}", counted(run.cases, "case"), seconds_text(*run.seconds), counted(run.jobs, "job")));
   }
   print_row("signatures", with_commas(campaign.signatures().size()), "distinct degeneracies of inputs");
-  print_row("failing cases", with_commas(tally.failing_cases()),
-            fmt::format("{} finding{}", campaign.counterexamples().size(),
-                        campaign.counterexamples().size() == 1 ? "" : "s"));
+  print_row("failing cases", with_commas(campaign.failing_cases()),
+            counted(campaign.counterexamples().size(), "finding"));
   if (!plan.ignored.empty()) print_row("ignored", "", fmt::format("{}", fmt::join(plan.ignored, ", ")));
   print_properties(campaign);
   print_sizes(tally);
@@ -236,7 +244,9 @@ void print_fuzz_text(const FuzzRun& run) {
 
 // ---- JSON
 
-ordered_json counterexample_json(const fuzz::Campaign& campaign, const fuzz::Counterexample& counterexample) {
+ordered_json counterexample_json(const fuzz::Campaign& campaign, const fuzz::Counterexample& counterexample,
+                                 const std::string& unless_small) {
+  const std::string why = why_not_fully_shrunk(counterexample, unless_small);
   return {{"case", counterexample.number},
           {"source", counterexample.source},
           {"property", counterexample.property},
@@ -245,6 +255,7 @@ ordered_json counterexample_json(const fuzz::Campaign& campaign, const fuzz::Cou
           {"complaint", counterexample.disagreement.complaint},
           {"points", counterexample.trial.input.rows.size()},
           {"points_before", counterexample.rows_before},
+          {"not_fully_shrunk", why.empty() ? ordered_json(nullptr) : ordered_json(why)},
           {"file", campaign.file_of(counterexample).string()}};
 }
 
@@ -262,7 +273,7 @@ ordered_json reached_json(const fuzz::Tally& tally) {
 ordered_json kinds_json(const FuzzRun& run) {
   ordered_json kinds = ordered_json::array();
   for (const Kind& kind : kinds_of(run, in_order(run))) {
-    ordered_json object = {{"kind", kind.name}, {"cases", kind.cases->size()}, {"explained", kind.is_explained}};
+    ordered_json object = {{"kind", kind.name}, {"cases", kind.cases}, {"explained", kind.is_explained}};
     object["smallest"] = kind.smallest == nullptr ? ordered_json(nullptr) : ordered_json(kind.smallest->number);
     object["smallest_points"] =
         kind.smallest == nullptr ? ordered_json(nullptr) : ordered_json(kind.smallest->trial.input.rows.size());
@@ -278,19 +289,20 @@ void print_fuzz_json(const FuzzRun& run) {
   for (const auto& [count, of] : tally.by_rows) {
     rows.push_back({{"points", count}, {"cases", of.cases}, {"cases_per_second_of_one_job", rate_of(of)}});
   }
+  const auto failing = campaign.failures();
   ordered_json failures = ordered_json::object();
-  for (const auto& [kind, numbers] : tally.failures) failures[kind] = numbers.size();
+  for (const auto& [kind, numbers] : failing) failures[kind] = numbers.size();
   ordered_json counterexamples = ordered_json::array();
   for (const auto& [key, counterexample] : campaign.counterexamples())
-    counterexamples.push_back(counterexample_json(campaign, counterexample));
+    counterexamples.push_back(counterexample_json(campaign, counterexample, unless_small(run)));
   ordered_json report = {{"cases", tally.cases},
                          {"seed", campaign.plan().seed},
                          {"shard", {campaign.plan().shard.index + 1, campaign.plan().shard.count}},
                          {"interrupted", run.is_interrupted},
                          {"signatures", campaign.signatures().size()},
-                         {"failing_cases", tally.failing_cases()},
+                         {"failing_cases", campaign.failing_cases()},
                          {"failures", failures},
-                         {"failing", tally.failures},
+                         {"failing", failing},
                          {"by_property", tally.by_property},
                          {"by_family", tally.by_source},
                          {"by_mutation", tally.by_mutation},
@@ -310,6 +322,18 @@ void print_fuzz_json(const FuzzRun& run) {
 
 }  // namespace
 
+void print_finding(const fuzz::Campaign& campaign, const fuzz::Counterexample& finding,
+                   const std::string& unless_small) {
+  const std::string file = campaign.file_of(finding).string();
+  const std::string text = fmt::format("  case {}, {} of {} ({}, before {}): {}", finding.number,
+                                       finding.disagreement.kind, points_text(finding.trial.input.rows.size()),
+                                       finding.source, finding.rows_before, one_line(finding.disagreement.complaint));
+  fmt::print("{}\n", wrapped(with_short_numbers(text), kFuzzIndent));
+  const std::string why = why_not_fully_shrunk(finding, unless_small);
+  if (!why.empty()) fmt::print("    not fully shrunk: {}\n", why);
+  if (!file.empty()) fmt::print("    {}\n", file);
+}
+
 void print_fuzz(const FuzzRun& run, bool json) {
   if (json) {
     print_fuzz_json(run);
@@ -324,9 +348,9 @@ int print_case(const fuzz::Campaign& campaign, const fuzz::OneCase& one, bool js
   if (!json) fmt::print("case {} of seed {}{}\n", one.number(), campaign.plan().seed, holds ? ": holds" : "");
   for (const auto& [kind, counterexample] : one.counterexamples()) {
     if (json) {
-      report.push_back(counterexample_json(campaign, counterexample));
+      report.push_back(counterexample_json(campaign, counterexample, kEndedBefore));
     } else {
-      print_counterexample(campaign, counterexample);
+      print_finding(campaign, counterexample, kEndedBefore);
     }
   }
   if (json) print_report_json(report, 2);

@@ -1,13 +1,27 @@
 // Reports what a campaign has found, for people and for programs, on standard output.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <set>
+#include <string>
+#include <utility>
 
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/commands/known_findings.h"
 #include "fuzz/commands/layer.h"
 
 namespace flowcert::commands {
+
+// The text prints at most so many; the JSON has all.
+inline constexpr std::size_t kMostFindingsPrinted = 20;
+
+// As the campaign has them: the number of the case, and "PROPERTY KIND".
+using FindingKey = std::pair<std::size_t, std::string>;
+using FindingKeys = std::set<FindingKey>;
+[[nodiscard]] inline FindingKey key_of(const fuzz::Counterexample& finding) {
+  return {finding.number, kind_of(finding)};
+}
 
 struct FuzzRun {
   const fuzz::Campaign& campaign;
@@ -17,7 +31,13 @@ struct FuzzRun {
   std::size_t cases = 0;
   unsigned jobs = 1;
   bool is_interrupted = false;
+  bool is_time_up = false;
+  const FindingKeys* told = nullptr;  // findings that were printed before
 };
+
+// What a finding is, and where its file lies. `unless_small` says why it is not small yet.
+void print_finding(const fuzz::Campaign& campaign, const fuzz::Counterexample& finding,
+                   const std::string& unless_small);
 
 void print_fuzz(const FuzzRun& run, bool json);
 

@@ -5,7 +5,7 @@
 // away, it ends silently, as any filter does.
 #include <fmt/format.h>
 #include <signal.h>
-#include <sys/stat.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
@@ -14,8 +14,10 @@
 #include <memory>
 #include <system_error>
 
-#include "cli/progress.h"
+#include "cli/reason_table.h"
+#include "fuzz/commands/case_progress.h"
 #include "fuzz/commands/commands.h"
+#include "fuzz/commands/counted.h"
 #include "fuzz/commands/run_options.h"
 #include "fuzz/inputs/case_stream.h"
 #include "fuzz/judge/asked_cases.h"
@@ -32,7 +34,9 @@ struct GenerateOptions {
   bool is_xyz = false;
 };
 
-// Ends the program by SIGPIPE, even if that signal is ignored.
+struct ReaderIsGone {};
+
+// Ends the program by SIGPIPE, which is ignored before, so that no line of progress stays.
 [[noreturn]] void end_of_the_pipe() {
   ::signal(SIGPIPE, SIG_DFL);
   ::raise(SIGPIPE);
@@ -42,14 +46,8 @@ struct GenerateOptions {
 void put(const std::string& text) {
   errno = 0;
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
-  if (errno == EPIPE) end_of_the_pipe();
+  if (errno == EPIPE) throw ReaderIsGone();
   throw OutputError(fmt::format("standard output cannot be written: {}", std::strerror(errno != 0 ? errno : EIO)));
-}
-
-// Into a pipe, the program that reads the cases shows how far it is.
-bool is_file(int stream) {
-  struct stat status{};
-  return ::fstat(stream, &status) == 0 && S_ISREG(status.st_mode);
 }
 
 std::string introduction(const AskedCases& cases, const std::string& id) {
@@ -69,27 +67,48 @@ std::string introduction(const AskedCases& cases, const std::string& id) {
       cases.description(), id);
 }
 
+// No reader takes an empty file.
+std::string point_file(const fuzz::Input& input, fuzz::NumberForm form) {
+  return input.rows.empty() ? "# no points\n" : fuzz::points_text(input, form);
+}
+
+void generate_one(const AskedCases& cases, std::size_t number, const GenerateOptions& options, fuzz::NumberForm form) {
+  if (number >= cases.size()) {
+    throw InvalidInput(fmt::format("--only: the run has {}, 0 to {}", counted(cases.size(), "case"), cases.size() - 1));
+  }
+  const AskedCase one = cases.numbered(number);
+  if (!cases.asks(one)) {
+    throw InvalidInput(fmt::format("--only: case {} has {}, more than --most-points says", number,
+                                   points_text(one.input.rows.size())));
+  }
+  if (options.is_xyz) return put(point_file(one.input, form));
+  const std::string id = cases.id(one);
+  put(introduction(cases, id) + fuzz::case_text(id, one.input, form));
+}
+
+void generate_all(const AskedCases& cases, fuzz::NumberForm form) {
+  CaseProgress progress("writing", STDOUT_FILENO, PlaceInPipe::kFirst);
+  bool is_begun = false;
+  for (std::size_t number = 0; number < cases.size(); ++number) {
+    const AskedCase one = cases.numbered(number);
+    progress(number, cases.size());
+    if (!cases.asks(one)) continue;
+    const std::string id = cases.id(one);
+    put((is_begun ? "" : introduction(cases, id)) + fuzz::case_text(id, one.input, form));
+    is_begun = true;
+  }
+  if (!is_begun) throw InvalidInput("--most-points: every case has more points than that");
+}
+
 void generate(const GenerateOptions& options) {
   const std::unique_ptr<AskedCases> cases = cases_of(options.run);
-  if (options.only && *options.only >= cases->size()) {
-    throw InvalidInput(
-        fmt::format("--only: the run has {} cases, 0 to {}", with_commas(cases->size()), cases->size() - 1));
-  }
   const auto form = options.hexadecimal ? fuzz::NumberForm::kHexadecimal : fuzz::NumberForm::kDecimal;
-  const std::size_t first = options.only.value_or(0);
-  const std::size_t last = options.only.value_or(cases->size() - 1);
-  std::optional<ProgressLine> progress;
-  if (is_file(STDOUT_FILENO)) progress.emplace("drawing cases");
-  for (std::size_t number = first; number <= last; ++number) {
-    const AskedCase one = cases->numbered(number);
-    if (progress) (*progress)(number - first, last - first + 1);
-    if (options.is_xyz) {
-      put(fuzz::points_text(one.input, form));
-      continue;
-    }
-    const std::string id = cases->id(one);
-    if (number == first) put(introduction(*cases, id));
-    put(fuzz::case_text(id, one.input, form));
+  ::signal(SIGPIPE, SIG_IGN);
+  try {
+    if (options.only) return generate_one(*cases, *options.only, options, form);
+    generate_all(*cases, form);
+  } catch (const ReaderIsGone&) {
+    end_of_the_pipe();
   }
 }
 
@@ -97,7 +116,7 @@ void generate(const GenerateOptions& options) {
 
 void add_generate_command(CLI::App& app, int& status) {
   auto options = std::make_shared<GenerateOptions>();
-  CLI::App* command = app.add_subcommand("generate", "Cases for any program to answer, for flowcert verify");
+  CLI::App* command = app.add_subcommand("generate", cli::kGeneratePurpose);
   add_run_options(*command, options->run);
   auto* only = command->add_option("--only", options->only, "This case of the run alone, by its number, from 0")
                    ->check(CLI::NonNegativeNumber);
@@ -108,7 +127,9 @@ void add_generate_command(CLI::App& app, int& status) {
       "Examples:\n  flowcert generate --seed 7 | ./your-program | flowcert verify --seed 7\n"
       "  flowcert generate --level 1 --seed 7 --only 12\n"
       "  flowcert generate --level 1 --seed 7 --only 12 --xyz | flowcert compute -\n"
-      "  flowcert generate --vectors | ./your-program | flowcert verify --vectors");
+      "  flowcert generate --vectors | ./your-program | flowcert verify --vectors\n"
+      "  flowcert generate --level 1 --most-points 6 | ./your-program \\\n"
+      "    | flowcert verify --level 1 --most-points 6");
   command->callback([options, &status] {
     generate(*options);
     status = kRight;

@@ -15,6 +15,9 @@ namespace flowcert::commands {
 
 namespace {
 
+// No case has as many.
+constexpr std::size_t kMostPointsOfCase = 1'000'000;
+
 // Returns what is wrong.
 std::string complaint_about_family(const std::string& name) {
   try {
@@ -56,20 +59,28 @@ void add_run_options(CLI::App& command, RunOptions& options) {
           ->check(CLI::ExistingDirectory)
           ->type_name("[FOLDER]");
   for (const char* other : {"--level", "--seed", "--cases", "--family"}) vectors->excludes(command.get_option(other));
+  command
+      .add_option("--most-points", options.most_points,
+                  "Leave out the cases of more points, for programs that are slow on them")
+      ->check(CLI::Range(std::size_t{0}, kMostPointsOfCase))
+      ->type_name("N");
   command.parse_complete_callback([&command, &options] {
     options.asks_vectors = command.count("--vectors") > 0;
     options.is_told = options.asks_vectors;
-    for (const char* other : {"--level", "--seed", "--cases", "--family"}) options.is_told |= command.count(other) > 0;
+    for (const char* other : {"--level", "--seed", "--cases", "--family", "--most-points"}) {
+      options.is_told |= command.count(other) > 0;
+    }
   });
 }
 
 std::unique_ptr<judge::AskedCases> cases_of(const RunOptions& options) {
-  if (options.asks_vectors) return judge::vectors_to_ask(options.vectors);
+  if (options.asks_vectors) return judge::vectors_to_ask(options.vectors, options.most_points);
   fuzz::CaseRun run;
   run.level = options.level;
   run.seed = options.seed;
   run.cases = options.cases.value_or(fuzz::usual_cases(options.level));
   run.chosen = fuzz::chosen_families(options.families);
+  run.most_points = options.most_points;
   return judge::drawn_cases(run);
 }
 

@@ -21,12 +21,14 @@ struct RunOptions {
   std::uint64_t seed = 1;
   std::optional<std::size_t> cases;
   std::vector<std::string> families;
+  std::optional<std::size_t> most_points;
   bool asks_vectors = false;
   std::string vectors;   // a folder; empty: the usual one
   bool is_told = false;  // one of these options is given
 };
 
-// Adds --level, --seed, --cases, --family and --vectors. They are there after the command line is parsed.
+// Adds --level, --seed, --cases, --family, --vectors and --most-points. They are there after the command line is
+// parsed.
 void add_run_options(CLI::App& command, RunOptions& options);
 
 // Throws InvalidInput if there are no such vectors.

@@ -16,14 +16,15 @@
 #include "cli/check_report.h"
 #include "cli/command.h"
 #include "cli/profile_report.h"
-#include "cli/progress.h"
 #include "cli/reason_table.h"
 #include "cli/shortened_numbers.h"
 #include "cli/table.h"
 #include "cli/wrapped_text.h"
 #include "cli/xml_text.h"
+#include "fuzz/commands/case_progress.h"
 #include "fuzz/commands/commands.h"
 #include "fuzz/commands/conformance_report.h"
+#include "fuzz/commands/counted.h"
 #include "fuzz/commands/layer.h"
 #include "fuzz/commands/run_options.h"
 #include "fuzz/judge/conformance_words.h"
@@ -136,7 +137,7 @@ void print_failure(const Verification& verification, std::size_t number, const F
   for (const std::string& line : lines_of(failed, kMostFindingsShown)) {
     fmt::print("{}\n", wrapped("  " + with_short_numbers(line), kVerifyIndent));
   }
-  fmt::print("  its points: {}\n", verification.cases().generate_command(number));
+  fmt::print("  its points: {}\n", verification.cases().points_command(number));
   if (verification.options().folder.empty() || failed.outcome == Outcome::kRefused) return;
   const std::string path = verification.kept_path(number);
   if (verification.options().judges_pairs) {
@@ -189,7 +190,9 @@ void print_failures(const Verification& verification, std::size_t most) {
   }
 }
 
-void print_unanswered(const Verification& verification) {
+// cut: where the input broke off, or empty.
+void print_unanswered(const Verification& verification, const std::string& cut) {
+  if (!cut.empty()) fmt::print("\n{}\n", wrapped(cut, kVerifyIndent));
   const auto ranges = verification.unanswered_ranges();
   if (ranges.empty()) return;
   std::string list;
@@ -210,8 +213,9 @@ const char* truth_text(const Verification& verification) {
 
 // How many cases the statement is about. Vectors are told apart from drawn inputs, which no other version has.
 std::string note_of(const Verification& verification) {
-  return fmt::format(" ({} {})", with_commas(verification.expected()),
-                     verification.is_stored() ? "vectors" : "drawn inputs");
+  const std::string cases = counted(verification.expected(), verification.is_stored() ? "vector" : "drawn input");
+  const auto most = verification.cases().most_points();
+  return fmt::format(" ({}{})", cases, most ? " of at most " + points_text(*most) : "");
 }
 
 // What a run is worth of which the program under test says itself which it was.
@@ -226,12 +230,10 @@ const char* verdict_words(const Verification& verification) {
 
 // "conforms: 500 of 500 cases are right", or "right in what came: 500 cases"
 std::string first_words(const Verification& verification) {
-  const std::string expected = with_commas(verification.expected());
-  if (is_right_in_what_came(verification)) {
-    return fmt::format("{}: {} case{}", kRightInWhatCame, expected, verification.expected() == 1 ? "" : "s");
-  }
-  return fmt::format("{}: {} of {} cases are right", verdict_words(verification),
-                     with_commas(right_of(verification.counts())), expected);
+  const std::string expected = counted(verification.expected(), "case");
+  if (is_right_in_what_came(verification)) return fmt::format("{}: {}", kRightInWhatCame, expected);
+  return fmt::format("{}: {} of {} {} right", verdict_words(verification), with_commas(right_of(verification.counts())),
+                     expected, verification.expected() == 1 ? "is" : "are");
 }
 
 void print_verdict(const Verification& verification) {
@@ -297,7 +299,7 @@ Json failure_field(const Verification& verification, std::size_t number, const F
   if (verification.options().judges_pairs) {
     field["persistence_findings"] = persistence_findings_field(failed.pair_findings);
   }
-  field["points"] = verification.cases().generate_command(number);
+  field["points"] = verification.cases().points_command(number);
   return field;
 }
 
@@ -324,17 +326,17 @@ void write_family(std::ostream& out, const Verification& verification, const std
 }
 
 // At most `most` of the failing cases that were kept are shown.
-void print_verify_text(const Verification& verification, std::size_t most) {
+void print_verify_text(const Verification& verification, std::size_t most, const std::string& cut) {
   print_reason_table(verification);
   print_examples(verification);
   print_tables(verification);
   print_telling_names(verification);
   print_failures(verification, most);
-  print_unanswered(verification);
+  print_unanswered(verification, cut);
   print_verdict(verification);
 }
 
-void print_verify_json(const Verification& verification) {
+void print_verify_json(const Verification& verification, const std::string& cut) {
   Json json = header_fields("flowcert-verify", 1);
   json["verdict"] = verdict_words(verification);
   json["profile"] = profile_field(verification.verdict(), verification.profile(), note_of(verification));
@@ -355,6 +357,7 @@ void print_verify_json(const Verification& verification) {
     failures.push_back(failure_field(verification, number, failed));
   }
   json["unanswered_numbers"] = verification.unanswered_ranges();
+  json["cut"] = cut.empty() ? Json(nullptr) : Json(cut);
   print_report_json(json);
 }
 
@@ -390,15 +393,16 @@ struct VerifyCommandOptions {
   bool is_strict = false;
 };
 
-void take_all_answers(Verification& verification) {
-  ProgressLine progress("verifying", STDIN_FILENO);
+// Returns where the input broke off, if it did.
+std::string take_all_answers(Verification& verification, CaseProgress& progress) {
   std::ios::sync_with_stdio(false);
   AnswerReader answers(std::cin);
   Answer answer;
   while (answers.next(answer)) {
     verification.take(answer);
-    progress(verification.taken(), verification.expected());
+    progress(verification.taken(), verification.expected(), verification.wrong());
   }
+  return answers.cut();
 }
 
 // The ids in the file that generate wrote, in their order.
@@ -432,9 +436,12 @@ std::unique_ptr<AskedCases> told_cases(VerifyCommandOptions& options) {
 int verify(VerifyCommandOptions options) {
   const bool is_for_programs = options.json || !options.junit.empty();
   options.verification.most_failures_kept = options.most.value_or(is_for_programs ? kUsuallyReported : kUsuallyShown);
+  std::optional<CaseProgress> progress;
+  progress.emplace("verifying", STDIN_FILENO, PlaceInPipe::kLast);
   std::unique_ptr<AskedCases> told = told_cases(options);
   Verification verification(options.verification, std::move(told));
-  take_all_answers(verification);
+  const std::string cut = take_all_answers(verification, *progress);
+  progress.reset();
   if (!verification.has_begun()) throw InvalidInput("standard input: no answers");
   if (!options.junit.empty()) {
     OutputFile file(options.junit);
@@ -442,9 +449,9 @@ int verify(VerifyCommandOptions options) {
     file.commit();
   }
   if (options.json) {
-    print_verify_json(verification);
+    print_verify_json(verification, cut);
   } else {
-    print_verify_text(verification, options.most.value_or(kUsuallyShown));
+    print_verify_text(verification, options.most.value_or(kUsuallyShown), cut);
   }
   return status_of(verification.verdict(), options.is_strict);
 }
@@ -454,7 +461,7 @@ int verify(VerifyCommandOptions options) {
 void add_verify_command(CLI::App& app, int& status) {
   auto options = std::make_shared<VerifyCommandOptions>();
   VerificationOptions& verification = options->verification;
-  CLI::App* command = app.add_subcommand("verify", "Whether a program's answers to the cases of generate are right");
+  CLI::App* command = app.add_subcommand("verify", cli::kVerifyPurpose);
   command->add_flag("--json", options->json, "Print one JSON object");
   command->add_option("--junit", options->junit, "Write a JUnit report to this file, a test case a family");
   command
@@ -478,7 +485,7 @@ void add_verify_command(CLI::App& app, int& status) {
                    "The file that generate wrote: its cases are asked. Without this or options of generate, the "
                    "answers alone say what was asked, and nobody says whether any is missing")
       ->type_name("FILE");
-  for (const char* other : {"--level", "--seed", "--cases", "--family", "--vectors"}) {
+  for (const char* other : {"--level", "--seed", "--cases", "--family", "--vectors", "--most-points"}) {
     command->get_option("--asked")->excludes(command->get_option(other));
   }
   command->footer(
@@ -487,6 +494,8 @@ void add_verify_command(CLI::App& app, int& status) {
       "or a line `refused ID REASON`.\n\n"
       "Examples:\n  flowcert generate --seed 7 | ./your-program | flowcert verify --seed 7\n"
       "  flowcert generate --vectors | ./your-program | flowcert verify --vectors\n"
+      "  flowcert generate --level 1 --most-points 6 | ./your-program \\\n"
+      "    | flowcert verify --level 1 --most-points 6\n"
       "  flowcert generate | ./your-diagrams | flowcert verify --seed 1 --persistence");
   command->callback([options, &status] { status = verify(*options); });
 }

@@ -84,12 +84,18 @@ std::vector<std::size_t> families_listed(std::string_view list) {
   return chosen_families(names);
 }
 
+// "500", or "500/8".
+bool read_cases(std::string_view text, CaseRun& run) {
+  const bool leaves_out = text.find('/') != std::string_view::npos;
+  return read_number(next_part(text, '/'), run.cases) && (!leaves_out || read_number(text, run.most_points.emplace()));
+}
+
 // Throws std::invalid_argument for a family that does not exist.
 std::optional<NamedCase> parsed(std::string_view id) {
   NamedCase result;
-  const bool has_numbers =
-      read_number(next_part(id, ':'), result.run.level) && read_number(next_part(id, ':'), result.run.seed) &&
-      read_number(next_part(id, '/'), result.number) && read_number(next_part(id, ':'), result.run.cases);
+  const bool has_numbers = read_number(next_part(id, ':'), result.run.level) &&
+                           read_number(next_part(id, ':'), result.run.seed) &&
+                           read_number(next_part(id, '/'), result.number) && read_cases(next_part(id, ':'), result.run);
   if (!has_numbers || result.run.level < 1 || result.run.level > kCaseLevels || result.run.cases > kMostCases ||
       result.number >= result.run.cases) {
     return std::nullopt;
@@ -152,7 +158,8 @@ Input input_of_case(const CaseRun& run, std::size_t number) {
 
 std::string case_id(const CaseRun& run, std::size_t number, const Input& input) {
   const std::string numbers = std::to_string(run.level) + ':' + std::to_string(run.seed) + ':' +
-                              std::to_string(number) + '/' + std::to_string(run.cases);
+                              std::to_string(number) + '/' + std::to_string(run.cases) +
+                              (run.most_points ? '/' + std::to_string(*run.most_points) : "");
   std::string list;
   for (const std::size_t place : run.chosen) {
     list += (list.empty() ? ':' : ',') + families()[place].name;
@@ -165,6 +172,7 @@ std::optional<NamedCase> case_named(std::string_view id) {
     std::optional<NamedCase> named = parsed(id);
     if (!named) return std::nullopt;
     named->input = input_of_case(named->run, named->number);
+    if (named->input.rows.size() > named->run.most_points.value_or(named->input.rows.size())) return std::nullopt;
     // This compares the digest, and makes sure that each case has only one spelling.
     if (case_id(named->run, named->number, named->input) != id) return std::nullopt;
     return named;

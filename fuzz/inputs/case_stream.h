@@ -31,6 +31,8 @@ struct CaseRun {
   std::size_t cases = usual_cases(1);
   // Places in families(), ascending, each once; empty: all of them.
   std::vector<std::size_t> chosen;
+  // Cases of more points are left out. The others keep their numbers.
+  std::optional<std::size_t> most_points = {};
 
   friend bool operator==(const CaseRun&, const CaseRun&) = default;
 };
@@ -46,7 +48,8 @@ struct CaseRun {
 [[nodiscard]] const Family& family_of_case(const CaseRun& run, std::size_t number);
 [[nodiscard]] Input input_of_case(const CaseRun& run, std::size_t number);
 
-// "1:7:12/500:9f3c": level, seed, number, cases, digest; then the families, if not all: ":lattice-2,shell".
+// "1:7:12/500:9f3c": level, seed, number, cases, digest; then the families, if not all: ":lattice-2,shell". Where
+// cases are left out, the most points that one may have come after their number: "1:7:12/500/8:9f3c".
 [[nodiscard]] std::string case_id(const CaseRun& run, std::size_t number, const Input& input);
 
 struct NamedCase {
@@ -54,7 +57,7 @@ struct NamedCase {
   std::size_t number = 0;
   Input input;
 };
-// Returns nothing if the text is not, to the letter, the id of a case.
+// Returns nothing if the text is not, to the letter, the id of a case that is not left out.
 [[nodiscard]] std::optional<NamedCase> case_named(std::string_view id);
 
 // The shortest decimals that read back to the same doubles, or hexadecimal floats.

@@ -4,7 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <map>
+#include <system_error>
 #include <utility>
 
 #include "fuzz/judge/command_run.h"
@@ -24,6 +27,16 @@ constexpr std::string_view kVectorPrefix = "vector:";
   throw InvalidInput("a case of another run: " + in_quotes(id));
 }
 
+// "", or ", without those of more than 8 points"
+std::string what_is_left_out(const std::optional<std::size_t>& most_points) {
+  return most_points
+             ? fmt::format(", without those of more than {} point{}", *most_points, *most_points == 1 ? "" : "s")
+             : "";
+}
+std::string most_points_option(const std::optional<std::size_t>& most_points) {
+  return most_points ? fmt::format(" --most-points {}", *most_points) : "";
+}
+
 // ---- Drawn cases ----
 
 class DrawnCases final : public AskedCases {
@@ -31,8 +44,10 @@ class DrawnCases final : public AskedCases {
   explicit DrawnCases(fuzz::CaseRun run) : run_(std::move(run)) {}
 
   [[nodiscard]] std::size_t size() const override { return run_.cases; }
+  [[nodiscard]] std::optional<std::size_t> most_points() const override { return run_.most_points; }
   [[nodiscard]] std::string description() const override {
-    return fmt::format("{} case{}, level {}, seed {}", run_.cases, run_.cases == 1 ? "" : "s", run_.level, run_.seed);
+    return fmt::format("{} case{}, level {}, seed {}{}", run_.cases, run_.cases == 1 ? "" : "s", run_.level, run_.seed,
+                       what_is_left_out(run_.most_points));
   }
 
   [[nodiscard]] AskedCase named(const std::string& id) const override {
@@ -65,7 +80,7 @@ class DrawnCases final : public AskedCases {
     if (!run_.chosen.empty()) {
       for (const std::string& name : families()) options += " --family " + name;
     }
-    return options;
+    return options + most_points_option(run_.most_points);
   }
   [[nodiscard]] bool is_stored() const override { return false; }
   [[nodiscard]] std::unique_ptr<Truth> stored_truth(std::size_t /*number*/) const override { return nullptr; }
@@ -84,28 +99,52 @@ std::uint64_t digest_on(std::uint64_t digest, std::string_view text) {
   return digest;
 }
 
+// "vector:NAME:2d1e" for "vector:NAME/8:2d1e".
+std::string without_most_points(const std::string& id) {
+  const std::size_t slash = id.find('/');
+  return slash == std::string::npos ? id : id.substr(0, slash) + id.substr(std::min(id.find(':', slash), id.size()));
+}
+
+// The most points that such an id tells.
+std::optional<std::size_t> most_points_in(const std::string& id) {
+  const std::size_t slash = id.find('/');
+  std::size_t most = 0;
+  if (slash == std::string::npos) return std::nullopt;
+  const auto result = std::from_chars(id.data() + slash + 1, id.data() + id.size(), most);
+  return result.ec == std::errc() ? std::optional(most) : std::nullopt;
+}
+
 class VectorsToAsk final : public AskedCases {
  public:
-  explicit VectorsToAsk(const std::string& given)
-      : given_(given), folder_(given.empty() ? usual_vectors_folder() : given), vectors_(read_vectors(folder_)) {
+  VectorsToAsk(const std::string& given, std::optional<std::size_t> most_points)
+      : given_(given),
+        folder_(given.empty() ? usual_vectors_folder() : given),
+        most_points_(most_points),
+        vectors_(read_vectors(folder_)) {
     std::erase_if(vectors_.cases, [](const VectorCase& one) { return one.is_invalid(); });
     if (vectors_.cases.empty()) throw InvalidInput(folder_ + ": no conformance vectors but invalid cases");
     std::uint64_t digest = 0;
     for (const VectorCase& one : vectors_.cases) digest = digest_on(digest, one.json);
+    const std::string which = most_points_ ? fmt::format("/{}", *most_points_) : "";
     for (const VectorCase& one : vectors_.cases) {
-      ids_.push_back(fmt::format("{}{}:{:04x}", kVectorPrefix, one.id, digest_on(digest, one.id) & 0xffff));
-      number_of_.emplace(ids_.back(), ids_.size() - 1);
+      ids_.push_back(fmt::format("{}{}{}:{:04x}", kVectorPrefix, one.id, which, digest_on(digest, one.id) & 0xffff));
+      number_of_.emplace(without_most_points(ids_.back()), ids_.size() - 1);
     }
   }
 
   [[nodiscard]] std::size_t size() const override { return ids_.size(); }
+  [[nodiscard]] std::optional<std::size_t> most_points() const override { return most_points_; }
   [[nodiscard]] std::string description() const override {
-    return fmt::format("{} conformance vector{}", size(), size() == 1 ? "" : "s");
+    return fmt::format("{} conformance vector{}{}", size(), size() == 1 ? "" : "s", what_is_left_out(most_points_));
   }
 
   [[nodiscard]] AskedCase named(const std::string& id) const override {
-    const auto found = number_of_.find(id);
-    if (found != number_of_.end()) return numbered(found->second);
+    const auto found = number_of_.find(without_most_points(id));
+    if (found != number_of_.end()) {
+      AskedCase one = numbered(found->second);
+      if (ids_.at(one.number) != id || !asks(one)) reject_other_run(id);
+      return one;
+    }
     if (id.starts_with(kVectorPrefix)) {
       throw InvalidInput(fmt::format("no case of the vectors in {} is called {}", folder_, in_quotes(id)));
     }
@@ -133,7 +172,7 @@ class VectorsToAsk final : public AskedCases {
 
   [[nodiscard]] std::string file_name(std::size_t number) const override { return vectors_.cases.at(number).id; }
   [[nodiscard]] std::string run_options() const override {
-    return given_.empty() ? "--vectors" : "--vectors " + shell_word(given_);
+    return (given_.empty() ? "--vectors" : "--vectors " + shell_word(given_)) + most_points_option(most_points_);
   }
   [[nodiscard]] bool is_stored() const override { return true; }
   [[nodiscard]] std::unique_ptr<Truth> stored_truth(std::size_t number) const override {
@@ -146,23 +185,42 @@ class VectorsToAsk final : public AskedCases {
  private:
   std::string given_;
   std::string folder_;
+  std::optional<std::size_t> most_points_;
   Vectors vectors_;
-  std::vector<std::string> ids_;  // by number
-  std::map<std::string, std::size_t> number_of_;
+  std::vector<std::string> ids_;                  // by number
+  std::map<std::string, std::size_t> number_of_;  // by id without the most points
 };
 
 }  // namespace
+
+bool AskedCases::asks(const AskedCase& one) const {
+  const std::size_t points = one.input.rows.size();
+  return points <= most_points().value_or(points);
+}
+
+std::vector<std::size_t> AskedCases::asked_numbers() const {
+  std::vector<std::size_t> numbers;
+  for (std::size_t number = 0; number < size(); ++number) {
+    if (!most_points() || asks(numbered(number))) numbers.push_back(number);
+  }
+  if (numbers.empty()) throw InvalidInput("--most-points: every case has more points than that");
+  return numbers;
+}
 
 std::string AskedCases::generate_command(std::optional<std::size_t> number) const {
   return "flowcert generate " + run_options() + (number ? fmt::format(" --only {}", *number) : "");
 }
 
+std::string AskedCases::points_command(std::size_t number) const { return generate_command(number) + " --xyz"; }
+
 std::unique_ptr<AskedCases> drawn_cases(const fuzz::CaseRun& run) { return std::make_unique<DrawnCases>(run); }
 
-std::unique_ptr<AskedCases> vectors_to_ask(const std::string& given) { return std::make_unique<VectorsToAsk>(given); }
+std::unique_ptr<AskedCases> vectors_to_ask(const std::string& given, std::optional<std::size_t> most_points) {
+  return std::make_unique<VectorsToAsk>(given, most_points);
+}
 
 std::unique_ptr<AskedCases> cases_with(const std::string& id) {
-  if (id.starts_with(kVectorPrefix)) return vectors_to_ask("");
+  if (id.starts_with(kVectorPrefix)) return vectors_to_ask("", most_points_in(id));
   const std::optional<fuzz::NamedCase> named = fuzz::case_named(id);
   if (!named) reject_name(id);
   return drawn_cases(named->run);

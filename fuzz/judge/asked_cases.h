@@ -2,7 +2,8 @@
 // (fuzz/inputs/case_stream.h), or the conformance vectors.
 //
 // Guarantees: a case is known by its number, from 0, and by its id, one word. An id that is damaged, or that was made
-// of other cases than these, names no case.
+// of other cases than these, names no case. Cases of too many points (`--most-points`) are left out: the others keep
+// their numbers, and the ids of such a run are its own.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +29,13 @@ class AskedCases {
  public:
   virtual ~AskedCases() = default;
 
+  // With those that are left out.
   [[nodiscard]] virtual std::size_t size() const = 0;
+  // The most points that a case may have, if any are left out.
+  [[nodiscard]] virtual std::optional<std::size_t> most_points() const = 0;
+  [[nodiscard]] bool asks(const AskedCase& one) const;
+  // The numbers of those that are not left out, ascending. It draws all cases. Throws InvalidInput if there is none.
+  [[nodiscard]] std::vector<std::size_t> asked_numbers() const;
   // "500 cases, level 1, seed 7"
   [[nodiscard]] virtual std::string description() const = 0;
 
@@ -51,6 +58,8 @@ class AskedCases {
   [[nodiscard]] virtual std::string run_options() const = 0;
   // The command that prints a case again, or all of them if there is no number.
   [[nodiscard]] std::string generate_command(std::optional<std::size_t> number) const;
+  // The command that prints the points of a case as a point file.
+  [[nodiscard]] std::string points_command(std::size_t number) const;
 
   // Whether the cases are vectors, which say what is right.
   [[nodiscard]] virtual bool is_stored() const = 0;
@@ -64,7 +73,8 @@ class AskedCases {
 
 // All but the invalid ones, of which a point file is what is wrong. `given` is the folder, empty for the usual one.
 // Throws InvalidInput if the vectors cannot be used.
-[[nodiscard]] std::unique_ptr<AskedCases> vectors_to_ask(const std::string& given);
+[[nodiscard]] std::unique_ptr<AskedCases> vectors_to_ask(const std::string& given,
+                                                         std::optional<std::size_t> most_points = {});
 
 // The cases to which the first id that is met belongs; those of the usual folder if it is a vector's. Throws
 // InvalidInput, one line, if there are none.

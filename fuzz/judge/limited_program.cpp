@@ -255,31 +255,55 @@ ProgramEnd end_of(int status) {
 
 }  // namespace
 
+struct RunningCommand::Guarded {
+  SharedProcess group;
+  pid_t process = -1;
+};
+
+RunningCommand::RunningCommand(const std::string& command, const std::string& directory,
+                               const std::array<int, 3>& standard, const ProgramLimits& limits)
+    : guarded_(std::make_unique<Guarded>()) {
+  const rlim_t memory = limits.memory_bytes == 0 ? RLIM_INFINITY : limits.memory_bytes;
+  guarded_->process =
+      start_guard({::getpid(),
+                   command.c_str(),
+                   directory.c_str(),
+                   standard,
+                   {limit_of(RLIMIT_AS, memory), limit_of(RLIMIT_FSIZE, limits.file_bytes), limit_of(RLIMIT_CORE, 0)},
+                   guarded_->group});
+}
+
+RunningCommand::~RunningCommand() {
+  if (guarded_) (void)end();
+}
+
+bool RunningCommand::has_ended() const { return judge::has_ended(guarded_->process); }
+
+ProgramEnd RunningCommand::end() {
+  if (!has_ended()) ::kill(guarded_->process, kEndIt);
+  const ProgramEnd end = end_of(end_of_guard(guarded_->process, guarded_->group));
+  guarded_.reset();
+  return end;
+}
+
+void RunningCommand::forget() { guarded_.reset(); }
+
 ProgramEnd run_limited(const std::string& command, const ProgramPlaces& places, const ProgramLimits& limits,
                        const std::function<bool()>& is_cancelled) {
   const Descriptor in("/dev/null", O_RDONLY);
   const Descriptor out(places.standard_output, O_WRONLY | O_CREAT | O_TRUNC);
   const Descriptor err(places.standard_error, O_WRONLY | O_CREAT | O_TRUNC);
-  const rlim_t memory = limits.memory_bytes == 0 ? RLIM_INFINITY : limits.memory_bytes;
-  const SharedProcess group;
   const Clock::time_point since = Clock::now();
-  const pid_t process =
-      start_guard({::getpid(),
-                   command.c_str(),
-                   places.directory.c_str(),
-                   {in.number(), out.number(), err.number()},
-                   {limit_of(RLIMIT_AS, memory), limit_of(RLIMIT_FSIZE, limits.file_bytes), limit_of(RLIMIT_CORE, 0)},
-                   group});
+  RunningCommand running(command, places.directory, {in.number(), out.number(), err.number()}, limits);
   bool is_late = false, is_over = false;
-  while (!has_ended(process)) {
+  while (!running.has_ended()) {
     is_over = is_cancelled();
     is_late = Clock::now() - since > Seconds(limits.seconds);
     if (is_over || is_late) break;
     pause(since);
   }
   const double seconds = Seconds(Clock::now() - since).count();
-  if (is_over || is_late) ::kill(process, kEndIt);
-  ProgramEnd end = end_of(end_of_guard(process, group));
+  ProgramEnd end = running.end();
   if (is_over) end = {ProgramEnding::kCancelled, 0};
   if (is_late && !is_over) end = {ProgramEnding::kTimedOut, 0};
   end.seconds = seconds;

@@ -4,15 +4,17 @@
 // has a process group of its own. When the call returns, or soon after this process is killed, no process that it
 // started is left, not even one that has left the group by setsid. (Two things escape: what another program starts for
 // it, such as a daemon that was there before, and what a command starts that kills our process above it, by SIGKILL.)
-// The command reads nothing, and writes to files, so that nobody blocks on a pipe. It gets no other descriptors, and
-// signals at their defaults. No core is dumped.
+// By run_limited, the command reads nothing, and writes to files, so that nobody blocks on a pipe. It gets no other
+// descriptors, and signals at their defaults. No core is dumped.
 //
 // This is our own code over POSIX, since Debian's Boost.Process knows neither resource limits nor whether a group has
 // come to its end. posix_spawn has no resource limits either.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "fuzz/judge/layer.h"
@@ -45,6 +47,29 @@ struct ProgramEnd {
 // started. May be called from several threads at once.
 [[nodiscard]] ProgramEnd run_limited(const std::string& command, const ProgramPlaces& places,
                                      const ProgramLimits& limits, const std::function<bool()>& is_cancelled);
+
+// ---- One that goes on ----
+// A command that runs while this object lives, under the same limits but of time, and with the same guarantees.
+class RunningCommand {
+ public:
+  // It gets these as its standard descriptors; they stay the caller's. Throws std::system_error.
+  RunningCommand(const std::string& command, const std::string& directory, const std::array<int, 3>& standard,
+                 const ProgramLimits& limits);
+  ~RunningCommand();
+  RunningCommand(const RunningCommand&) = delete;
+  RunningCommand& operator=(const RunningCommand&) = delete;
+
+  // Whether it has ended by itself, and nothing that it started is left.
+  [[nodiscard]] bool has_ended() const;
+  // Ends it if it still runs, and says how it ended. Called once.
+  ProgramEnd end();
+  // A forked copy of this object lets the command be, which is its original's.
+  void forget();
+
+ private:
+  struct Guarded;
+  std::unique_ptr<Guarded> guarded_;  // none after its end
+};
 
 // "SIGSEGV"
 [[nodiscard]] std::string signal_text(int number);

@@ -14,8 +14,10 @@
 #include "certify/finding_words.h"
 #include "flowcert/claim.h"
 #include "flowcert/pair_differences.h"
+#include "fuzz/judge/case_dialogue.h"
 #include "fuzz/judge/command_run.h"
 #include "fuzz/judge/conformance_words.h"
+#include "fuzz/judge/verification.h"
 #include "fuzz/properties/subject.h"
 #include "io/out_of_memory.h"
 #include "io/output_file.h"
@@ -27,8 +29,9 @@ namespace {
 namespace fs = std::filesystem;
 using property::Disagreement;
 
-// Each run takes a process, so fewer runs are spent on shrinking than for our own properties.
+// Where each run takes a process, fewer runs are spent on shrinking than for our own properties.
 constexpr std::size_t kShrinkingBudget = 400;
+constexpr std::size_t kShrinkingBudgetOfDialogue = 3000;
 // A run that is late takes all of its time limit.
 constexpr char kLate[] = "time-limit";
 constexpr std::size_t kLateShrinkingBudget = 40;
@@ -95,21 +98,65 @@ std::optional<Disagreement> wrong_pairs(std::vector<PairDifference> differences,
 
 class Peer {
  public:
-  explicit Peer(const PeerOptions& options) : options_(options) {}
+  explicit Peer(const PeerOptions& options)
+      : options_(options),
+        dialogue_(options.command, scratch_.path() / "dialogue", options.limits, options.is_cancelled) {}
 
   // No program has to accept a file without points, so no program is asked about it.
   std::optional<Disagreement> judge(const fuzz::Input& input) {
     if (input.rows.empty()) return std::nullopt;
-    std::ostringstream rows;
-    rows << input;
-    const ScratchFolder folder(scratch_.path() / fmt::format("{}-{}", ::getpid(), ++runs_));
-    const CommandRun run = run_in(folder.path(), rows.str());
-    std::optional<Disagreement> found = bad_ending(run, options_.limits);
-    if (!found) found = judge_run(input, run);
+    std::optional<Disagreement> found = options_.is_dialogue ? judge_reply(input) : judge_file(input);
     return found && is_among(options_.ignored, found->kind) ? std::nullopt : found;
   }
 
  private:
+  std::optional<Disagreement> judge_file(const fuzz::Input& input) {
+    std::ostringstream rows;
+    rows << input;
+    const ScratchFolder folder(scratch_.path() / fmt::format("{}-{}", ::getpid(), ++runs_));
+    const CommandRun run = run_in(folder.path(), rows.str());
+    const std::optional<Disagreement> found = bad_ending(run, options_.limits);
+    return found ? found : judge_run(input, run);
+  }
+
+  std::optional<Disagreement> judge_reply(const fuzz::Input& input) {
+    const CaseReply reply = reply_to(input);
+    switch (reply.silence) {
+      case Silence::kCancelled:
+        throw property::MachineFailure("stopped by a signal");
+      case Silence::kLate:
+        return ending(kLate, fmt::format("no answer after {} s; is each answer flushed, in Python by "
+                                         "print(..., flush=True)?",
+                                         options_.limits.seconds));
+      case Silence::kUnreadable:
+        return ending("unreadable", one_line(reply.reason));
+      case Silence::kEnded:
+        if (const auto found = bad_ending(reply.run, options_.limits)) return found;
+        return ending("unreadable", "it ended before it had answered");
+      case Silence::kNone:
+        break;
+    }
+    if (reply.answer.is_refusal) return ending("refusal", one_line("refused: " + reply.answer.text));
+    return unless_unreadable("answer", [&] { return judge_answer(input, reply.answer.text); });
+  }
+
+  [[nodiscard]] CaseReply reply_to(const fuzz::Input& input) {
+    try {
+      return dialogue_.ask(input);
+    } catch (const OutputError& error) {
+      throw property::MachineFailure(error.what());
+    }
+  }
+
+  [[nodiscard]] std::optional<Disagreement> judge_answer(const fuzz::Input& input, const std::string& text) const {
+    require_not_endless(text, input.rows.size());
+    const FlowComplex& complex = property::subject_of(input).complex;
+    const io::ThrowsOutOfMemory throws;
+    const CheckReport report =
+        check(complex.points(), claim_of_answer(text, complex.points()), *fast_truth(complex), options_.check);
+    return wrong_claim(report, text, options_.ignored);
+  }
+
   [[nodiscard]] CommandRun run_in(const fs::path& folder, const std::string& rows) const {
     try {
       CommandRun run = run_command({options_.command, "points.xyz", rows, options_.out_name, {}}, folder,
@@ -122,18 +169,25 @@ class Peer {
   }
 
   [[nodiscard]] std::optional<Disagreement> judge_run(const fuzz::Input& input, const CommandRun& run) const {
-    try {
+    return unless_unreadable(run.answer_name, [&] {
       const FlowComplex& complex = property::subject_of(input).complex;
       const io::ThrowsOutOfMemory throws;
       const std::string bytes = answer_bytes(run);
       return options_.judges_pairs ? judge_pairs(complex, bytes, run.answer_name)
                                    : judge_claim(complex, bytes, run.answer_name);
+    });
+  }
+
+  template <typename Judge>
+  static std::optional<Disagreement> unless_unreadable(const std::string& name, const Judge& judge) {
+    try {
+      return judge();
     } catch (const InvalidInput& error) {
       return ending("unreadable", one_line(error.what()));
     } catch (const nlohmann::json::exception& error) {
-      return ending("unreadable", one_line(fmt::format("{}: {}", run.answer_name, error.what())));
+      return ending("unreadable", one_line(fmt::format("{}: {}", name, error.what())));
     } catch (const std::bad_alloc&) {
-      return ending("unreadable", run.answer_name + ": too large to be read");
+      return ending("unreadable", name + ": too large to be read");
     }
   }
 
@@ -155,6 +209,7 @@ class Peer {
   PeerOptions options_;
   ScratchFolder scratch_;
   std::size_t runs_ = 0;
+  CaseDialogue dialogue_;  // goes before the folder does
 };
 
 }  // namespace
@@ -173,7 +228,7 @@ property::Property peer_property(const PeerOptions& options) {
   return {.name = options.judges_pairs ? kPeerPairsProperty : kPeerProperty,
           .description =
               options.judges_pairs ? "the command's persistence pairs are right" : "what the command claims is right",
-          .shrinking_budget = kShrinkingBudget,
+          .shrinking_budget = options.is_dialogue ? kShrinkingBudgetOfDialogue : kShrinkingBudget,
           .slow_kind = kLate,
           .slow_shrinking_budget = kLateShrinkingBudget,
           .check = [peer](const property::Trial& trial) { return peer->judge(trial.input); }};

@@ -3,7 +3,8 @@
 // Guarantees: those of command_run.h and flowcert/check.h: however the command ends, there is a verdict, and
 // what the claim is free to say is permitted. The kind of a disagreement is how the run ended ("signal",
 // "time-limit", "refusal", "unreadable", "not-started"), or the reason of the finding that tells most
-// ("missed-by-cluster", "wrong-pair").
+// ("missed-by-cluster", "wrong-pair"). The claim is judged in the same way whether the command is started for each
+// input or asked case after case (case_dialogue.h).
 #pragma once
 
 #include <functional>
@@ -17,10 +18,11 @@
 namespace flowcert::judge {
 
 struct PeerOptions {
-  std::string command;  // with {in}, and {out}, or else standard output
+  std::string command;  // with {in}, and {out}, or else standard output; with is_dialogue without places
   std::string out_name = "claim";
   ProgramLimits limits;
   CheckOptions check;
+  bool is_dialogue = false;                                   // the command is asked case after case, in one process
   bool judges_pairs = false;                                  // the command writes persistence pairs, not a claim
   std::vector<std::string> ignored;                           // kinds of disagreements that do not count
   std::function<bool()> is_cancelled = [] { return false; };  // if true, a run throws MachineFailure

@@ -25,7 +25,6 @@ namespace flowcert::judge {
 
 namespace {
 
-constexpr std::string_view kStream = "standard input";
 constexpr std::string_view kAnswer = "answer";
 constexpr std::string_view kRefused = "refused";
 constexpr std::string_view kEnd = "end";
@@ -45,11 +44,15 @@ std::string_view without_blanks(std::string_view text) {
 
 }  // namespace
 
-LinePlace AnswerReader::place() const { return {.file = kStream, .line = number_}; }
+LinePlace AnswerReader::place() const { return {.file = name_, .line = number_}; }
+
+void AnswerReader::note_cut(const std::string& what) {
+  cut_ = fmt::format("{}:{}: it ends within {}", name_, number_, what);
+}
 
 bool AnswerReader::next_line() {
   if (!std::getline(in_, line_)) {
-    if (in_.bad()) reject_file(kStream, "cannot be read");
+    if (in_.bad()) reject_file(name_, "cannot be read");
     return false;
   }
   ++number_;
@@ -66,7 +69,7 @@ void AnswerReader::read_head(Answer& answer) const {
   const std::string_view id = first_word(rest);
   if (id.empty()) place().reject("no id of a case after " + in_quotes(word));
   rest = without_blanks(rest.substr(id.size()));
-  answer = {.place = place(), .id = std::string(id), .is_refusal = word == kRefused, .text = {}};
+  answer = {.place = place(), .id = std::string(id), .is_refusal = word == kRefused, .text = {}, .is_cut = false};
   if (answer.is_refusal) {
     answer.text = rest;
   } else if (!rest.empty()) {
@@ -86,7 +89,8 @@ void AnswerReader::read_claim_lines(Answer& answer) {
     answer.text += line_;
     answer.text += '\n';
   }
-  answer.place.reject("an answer without 'end': " + in_quotes(answer.id));
+  answer.is_cut = true;
+  note_cut("the answer to " + in_quotes(answer.id));
 }
 
 bool AnswerReader::next(Answer& answer) {
@@ -95,6 +99,11 @@ bool AnswerReader::next(Answer& answer) {
     if (!next_line()) return false;
     word = first_word(line_);
   } while (word.empty() || word.starts_with('#'));
+  // A head without a line break may lack a part of its id.
+  if (in_.eof() && (kAnswer.starts_with(word) || kRefused.starts_with(word))) {
+    note_cut("a line: " + in_quotes(line_));
+    return false;
+  }
   read_head(answer);
   if (!answer.is_refusal) read_claim_lines(answer);
   return true;
@@ -112,14 +121,15 @@ bool is_empty(const std::string& text) { return std::all_of(text.begin(), text.e
 std::size_t most_lines(std::size_t rows) { return 1000 + 4 * rows * rows; }
 
 std::size_t count_of_lines(std::string_view text) {
-  LineReader lines(text, kStream);
+  LineReader lines(text, kAnswer);
   std::string_view line;
   std::size_t count = 0;
   while (lines.next_uncommented(line)) ++count;
   return count;
 }
 
-// Throws InvalidInput.
+}  // namespace
+
 void require_not_endless(const std::string& text, std::size_t rows) {
   if (text.size() > kMostAnswerBytes) reject_file("answer", fmt::format("more than {} bytes", kMostAnswerBytes));
   const std::size_t most = most_lines(rows);
@@ -128,7 +138,7 @@ void require_not_endless(const std::string& text, std::size_t rows) {
 
 // An answer without lines claims that there is no critical point. The readers of files would refuse it, as an empty
 // file.
-Claim claim_of(const std::string& text, const PointSet& points) {
+Claim claim_of_answer(const std::string& text, const PointSet& points) {
   Claim claim;
   if (is_empty(text)) {
     claim.format = "csv";
@@ -138,6 +148,8 @@ Claim claim_of(const std::string& text, const PointSet& points) {
   require_rows(claim, points, "answer");
   return claim;
 }
+
+namespace {
 
 // What a program says of itself must not reach a terminal raw.
 std::string printable(std::string text) {
@@ -182,6 +194,12 @@ Verification::Verification(VerificationOptions options, std::unique_ptr<AskedCas
 void Verification::begin(std::unique_ptr<AskedCases> cases) {
   cases_ = std::move(cases);
   outcomes_.assign(cases_->size(), Outcome::kUnanswered);
+  if (!cases_->most_points()) return;
+  if (!options_.only) {
+    if (options_.asked.empty()) options_.asked = cases_->asked_numbers();
+  } else if (*options_.only < cases_->size() && !cases_->asks(cases_->numbered(*options_.only))) {
+    throw InvalidInput(fmt::format("--only: case {} has more points than --most-points says", *options_.only));
+  }
 }
 
 bool Verification::is_expected(std::size_t number) const {
@@ -225,7 +243,7 @@ FailedCase* Verification::count_reason(const AskedCase& one, const FailedCase& f
 void Verification::judge_claim(const AskedCase& one, const Answer& answer, FailedCase& result) {
   const std::vector<Point> rows = property::rows_of(one.input);
   const PointSet points(rows);
-  const Claim claim = claim_of(answer.text, points);
+  const Claim claim = claim_of_answer(answer.text, points);
   CheckReport report = check(points, claim, *truth_of(one, rows, points), options_.check);
   result.outcome = outcome_of(report.verdict);
   profile_.join(report.profile);
@@ -301,10 +319,12 @@ void Verification::take(const Answer& answer) {
   if (outcomes_.at(one.number) != Outcome::kUnanswered) {
     answer.place.reject("a second answer to the case " + in_quotes(answer.id));
   }
+  if (answer.is_cut) return;
   FailedCase result = judge(one, answer);
   outcomes_[one.number] = result.outcome;
   ++taken_;
   if (is_right(result.outcome)) return;
+  ++wrong_;
   if (!options_.folder.empty()) keep(one, answer);
   failures_.emplace(one.number, std::move(result));
   if (failures_.size() > options_.most_failures_kept) failures_.erase(std::prev(failures_.end()));

@@ -15,10 +15,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "flowcert/check.h"
+#include "flowcert/claim.h"
 #include "flowcert/pair_differences.h"
 #include "flowcert/profile.h"
 #include "fuzz/judge/asked_cases.h"
@@ -29,7 +31,10 @@ namespace flowcert::judge {
 
 // ---- Answers ----
 // Memory is bounded by the largest answer. The reader only looks where an answer begins and ends. If that is not
-// clear, it throws InvalidInput, "standard input:LINE: reason".
+// clear, it throws InvalidInput, "standard input:LINE: reason". A stream may end anywhere: what it breaks off is no
+// answer, and no fault.
+
+inline constexpr std::string_view kStandardInput = "standard input";
 
 struct Answer {
   LinePlace place;  // of its first line
@@ -37,25 +42,37 @@ struct Answer {
   bool is_refusal = false;
   // A claim, line by line as it came; of a refusal, the reason, which may be empty.
   std::string text;
+  bool is_cut = false;  // the stream ends before its `end`
 };
 
 class AnswerReader {
  public:
-  explicit AnswerReader(std::istream& in) : in_(in) {}
+  // `name` is what reasons call the stream. It must last.
+  explicit AnswerReader(std::istream& in, std::string_view name = kStandardInput) : in_(in), name_(name) {}
 
   // The next answer; false at the end of the stream.
   bool next(Answer& answer);
+  // Where the stream broke off an answer or a line: "standard input:7: it ends within a line: 'answ'"; else empty.
+  [[nodiscard]] const std::string& cut() const { return cut_; }
 
  private:
   bool next_line();
   void read_head(Answer& answer) const;
   void read_claim_lines(Answer& answer);
   [[nodiscard]] LinePlace place() const;
+  void note_cut(const std::string& what);
 
   std::istream& in_;
+  std::string_view name_;
+  std::string cut_;
   std::string line_;  // the last one read, without its LF; a CR is a blank to all who look at it
   std::size_t number_ = 0;
 };
+
+// To a case of so many rows. Throws InvalidInput if the text is longer than any answer can need.
+void require_not_endless(const std::string& text, std::size_t rows);
+// The claim of an answer, which may have no lines. Throws InvalidInput.
+[[nodiscard]] Claim claim_of_answer(const std::string& text, const PointSet& points);
 
 // ---- Outcomes ----
 
@@ -113,8 +130,9 @@ class Verification {
   // answer's run.
   explicit Verification(VerificationOptions options, std::unique_ptr<AskedCases> told = nullptr);
 
-  // Judges an answer. Throws InvalidInput, with the answer's place, if the id is of no case, of a case that is not
-  // asked, or of a case that has been answered. Throws OutputError if the folder cannot be written.
+  // Judges an answer; one that is cut leaves its case unanswered. Throws InvalidInput, with the answer's place, if the
+  // id is of no case, of a case that is not asked, or of a case that has been answered. Throws OutputError if the
+  // folder cannot be written.
   void take(const Answer& answer);
 
   // Whether it is known which cases are asked. Before that, nothing else may be asked.
@@ -129,6 +147,8 @@ class Verification {
   // How many answers are expected, and were taken.
   [[nodiscard]] std::size_t expected() const;
   [[nodiscard]] std::size_t taken() const { return taken_; }
+  // How many of these are not right.
+  [[nodiscard]] std::size_t wrong() const { return wrong_; }
 
   [[nodiscard]] OutcomeCounts counts() const;
   // By name, in the order of the cases' families and flags; without those that have no case.
@@ -176,6 +196,7 @@ class Verification {
   std::map<std::size_t, FailedCase> failures_;
   std::map<std::string, CasesOfReason> reasons_;
   std::size_t taken_ = 0;
+  std::size_t wrong_ = 0;
   std::size_t approximate_ = 0;
   std::size_t partly_judged_ = 0;
   std::size_t too_large_ = 0;

@@ -106,8 +106,7 @@ class Sentence {
         return convention("Several stationary points are within the tolerance of what you claim.",
                           "name the points that it is nearest to, or claim more digits.");
       case FindingReason::kWrongCounts:
-        return bug(
-            fmt::format("The counts are wrong: you have {}, and there are {}.", finding_.claimed, finding_.truth));
+        return bug(fmt::format("The counts are wrong: you have {}; {}.", finding_.claimed, finding_.truth));
       case FindingReason::kSpanningPart:
         return convention(fmt::format("You named {} of the points on its sphere, which span the same.",
                                       times_text(finding_.contact.size())),
@@ -131,16 +130,18 @@ class Sentence {
   }
 
   [[nodiscard]] std::string collision_text() const {
+    constexpr const char* kMoving = "Moving the points a little would not make this answer right.";
+    if (finding_.contact.empty()) {
+      return bug(fmt::format("This place, {}, is not critical. {}", true_point(), kMoving));
+    }
     const std::vector<PointId> more = others();
-    const std::string place =
-        finding_.contact.size() == 2 ? fmt::format("The midpoint of edge {}", names_text(finding_.contact))
-        : finding_.contact.empty()   ? std::string("This place")
-                                     : fmt::format("The centre of {}", simplex_text(finding_.contact));
-    const std::string because = more.empty() ? "only stationary"
-                                             : fmt::format("not critical: {} {} lie{} on its sphere, too",
-                                                           more.size() == 1 ? "point" : "points", names_text(more),
-                                                           more.size() == 1 ? "s" : "");
-    return bug(fmt::format("{} is {}. Moving the points a little would not make this answer right.", place, because));
+    const std::string place = finding_.contact.size() == 2
+                                  ? fmt::format("The midpoint of edge {}", names_text(finding_.contact))
+                                  : fmt::format("The centre of {}", simplex_text(finding_.contact));
+    if (more.empty()) return bug(fmt::format("{} is stationary, and not critical. {}", place, kMoving));
+    return bug(fmt::format("{} is not critical: {} {} lie{} on its sphere, too. {}", place,
+                           more.size() == 1 ? "point" : "points", names_text(more), more.size() == 1 ? "s" : "",
+                           kMoving));
   }
 
   [[nodiscard]] std::string of_manifolds() const {

@@ -148,6 +148,7 @@ class FindingPlaces {
                             .line = finding.line,
                             .claimed = finding.claimed,
                             .truth = finding.truth,
+                            .sentence = finding.sentence,
                             .index = std::nullopt,
                             .record = finding.record,
                             .position = std::nullopt,

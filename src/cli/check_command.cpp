@@ -134,7 +134,7 @@ int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
 
 void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
   auto options = std::make_shared<CheckCommandOptions>();
-  CLI::App* command = app.add_subcommand("check", "Whether a claimed flow complex is right, and where it is not");
+  CLI::App* command = app.add_subcommand("check", kCheckPurpose);
   add_input_options(*command, options->files.points, options->reading, "Point file, or - for standard input", "POINTS");
   command
       ->add_option(

@@ -24,6 +24,14 @@ inline constexpr int kRight = 0;
 inline constexpr int kNegativeVerdict = 1;
 inline constexpr int kUnusable = 2;
 
+// What commands are for that a program may be built without; it tells the same of them.
+inline constexpr char kCheckPurpose[] = "Whether a claimed flow complex is right, and where it is not";
+inline constexpr char kConformancePurpose[] = "How any program answers the conformance vectors, by flag";
+inline constexpr char kFuzzPurpose[] = "Search for degenerate inputs on which implementations disagree";
+inline constexpr char kGeneratePurpose[] = "Cases for any program to answer, for flowcert verify";
+inline constexpr char kVerifyPurpose[] = "Whether a program's answers to the cases of generate are right";
+inline constexpr char kViewPurpose[] = "The complex in a browser, with what is wrong with a claim";
+
 // Each function adds its subcommand, options and callback. The callback sets the exit status. It throws InvalidInput
 // or OutputError.
 void add_compute_command(CLI::App& app, int& status);

@@ -14,6 +14,7 @@ namespace flowcert::cli {
 namespace {
 
 constexpr auto kEntries = std::to_array<GlossaryEntry>({
+    {"accepted", "An outcome: the program answered an input that has to be refused."},
     {"ambiguous", "A finding: several stationary points are within the tolerance of what is claimed."},
     {"ball-not-empty", "A finding: another point lies inside of the sphere, so that its centre is not critical."},
     {"birth", "The distance at which a component, tunnel or void begins as balls around all points grow."},
@@ -35,6 +36,7 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"contact set", "The points nearest to a place: all that lie on the largest empty ball around it."},
     {"contact-incomplete", "A finding: more points lie on the sphere than the claim names."},
     {"cospherical", "Of points: on one sphere. Of five or more such points a Delaunay triangulation is not unique."},
+    {"crashed", "An outcome: the program ended by a signal or with a status that says that it failed."},
     {"critical point",
      "A place where the distance to the nearest points has no direction of growth: it lies inside the "
      "hull of its contact set."},
@@ -76,6 +78,7 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"pore limiting radius", "The radius of the widest ball that can leave some pocket to infinity."},
     {"probe", "A ball, by its centre's distance to all points. Between atoms of radius 1.7, water needs 3.1."},
     {"profile", "The parts of a flow complex that a claim tells, such as points, U2 and S2."},
+    {"refused", "An outcome: the program gave no answer to an input that has one, and said so."},
     {"regular stationary point",
      "A place where critical points of neighbouring indices meet and vanish, as the midpoint "
      "of a right triangle's hypotenuse: stationary, and not critical."},
@@ -90,9 +93,12 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"stationary point", "A place that the flow does not leave: a critical or a regular stationary point."},
     {"symbolic-perturbation", "A permitted variation: right for points that are moved a little, as many programs do."},
     {"tie-break", "A permitted variation: where several boundaries are possible, the claim has another one."},
+    {"timed-out", "An outcome: the program took longer than its time limit, and was ended."},
     {"tunnel", "A class of dimension 1: a way through, as through a ring."},
     {"u1", "The unstable manifold of a saddle of index 1: a surface, all that flows from it."},
     {"u2", "The unstable manifold of a saddle of index 2: the two orbits that leave it."},
+    {"unanswered", "An outcome: a case that was asked has no answer."},
+    {"unreadable", "An outcome: the answer is in no form that a claim may have."},
     {"unstable manifold", "All places to which the flow comes from near a critical point."},
     {"valley", "The least bin between two heaps of a histogram. auto takes it for a threshold."},
     {"verdict", "What check says of a claim: conforms, conforms where determined, perturbed, or fails."},

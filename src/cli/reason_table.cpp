@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/glossary.h"
 #include "cli/table.h"
 
 namespace flowcert::cli {
@@ -46,12 +47,21 @@ Json reasons_field(const std::vector<ReasonRow>& rows, const std::function<Json(
   return reasons;
 }
 
+void print_meanings(const std::vector<ReasonRow>& rows) {
+  for (const ReasonRow& row : rows) {
+    if (const GlossaryEntry* const entry = entry_of(row.reason)) {
+      print_wrapped(fmt::format("  {}: {}", entry->word, entry->meaning), 4);
+    }
+  }
+}
+
 void print_reasons(const std::vector<ReasonRow>& rows, const char* counted,
                    const std::function<std::string(const ReasonRow&)>& name) {
   if (rows.empty()) return;
   Table table("lrl", {"reason", counted, "smallest example"});
   for (const ReasonRow& row : rows) table.row(row.reason).cell(row.count).cell(name(row));
   table.print();
+  print_meanings(rows);
   fmt::print("\n");
 }
 

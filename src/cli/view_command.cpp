@@ -155,7 +155,7 @@ int view(ViewCommandOptions options) {
 void add_view_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ViewCommandOptions>();
   constexpr std::size_t kMost = 0xfffffff;
-  CLI::App* command = app.add_subcommand("view", "The complex in a browser, with what is wrong with a claim");
+  CLI::App* command = app.add_subcommand("view", kViewPurpose);
   add_input_options(*command, options->input, options->reading);
   command
       ->add_option("-o,--output", options->output,

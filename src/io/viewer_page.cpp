@@ -298,6 +298,7 @@ Json finding_field(const ViewerContent& content, const ViewerFinding& finding) {
                 {"clause", finding.clause},
                 {"claimed", finding.claimed},
                 {"truth", finding.truth},
+                {"sentence", finding.sentence},
                 {"contact", finding.contact},
                 {"line", nullptr},
                 {"index", nullptr},

@@ -2,6 +2,8 @@
 // and what is drawn of its surface U1. Each fact is an element, or null where there is nothing to say.
 
 import { area_of } from './cells.js';
+import { clickable_row } from './clickable_row.js';
+import { none } from './complex.js';
 import { element } from './element.js';
 import { count_text } from './words.js';
 
@@ -29,8 +31,8 @@ export function volume_row(complex, point) {
   );
 }
 
-// `button` makes what picks a point by its number in the program's list.
-export function neighbour_table(complex, point, button) {
+// `button` makes what picks a point by its number in the program's list, `pick` picks a point.
+export function neighbour_table(complex, point, button, pick) {
   const faces = complex.cell(point);
   if (!faces) {
     if (!complex.volume(point)) return null;
@@ -40,6 +42,10 @@ export function neighbour_table(complex, point, button) {
     .map(({ face, beyond }) => ({ beyond, area: area_of(complex.cells.triangles([face])) }))
     .sort((a, b) => b.area - a.area);
   const rest = rows.length - most_listed;
+  const pick_of = (number) => {
+    const beyond = number === none ? none : complex.point_of_number(number);
+    return beyond === none ? null : () => pick(beyond);
+  };
   return [
     element(
       'table',
@@ -51,8 +57,8 @@ export function neighbour_table(complex, point, button) {
         rows
           .slice(0, most_listed)
           .map(({ beyond, area }) =>
-            element(
-              'tr',
+            clickable_row(
+              pick_of(beyond),
               {},
               element('th', { scope: 'row' }, button(beyond)),
               element('td', {}, `≈ ${complex.squared_text(area)}`),

@@ -77,7 +77,8 @@ export function triangles_of({ triangle_offsets, triangles, vertices }, parts) {
   return positions(vertices, parts.map(range));
 }
 
-function positions(vertices, lists) {
+// Three coordinates for each vertex of the lists.
+export function positions(vertices, lists) {
   const all = new Float32Array(3 * lists.reduce((sum, list) => sum + list.length, 0));
   let place = 0;
   for (const list of lists)

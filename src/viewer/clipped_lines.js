@@ -17,12 +17,14 @@ export class ClippedLines {
     this.buffer = new Float32Array(6 * u2.next.length);
   }
 
-  // Six coordinates for each segment of the lines, on the sides that are named.
-  segments(lines, sides = [0, 1]) {
-    const { starts } = this.u2;
+  // Six coordinates for each segment of the lines, on the sides that go to infinity, or not, or on all.
+  segments(lines, infinite = null) {
+    const { starts, limits } = this.u2;
     ++this.turn;
     this.place = 0;
-    for (const line of lines) for (const side of sides) this.follow(starts[2 * line + side]);
+    for (const line of lines)
+      for (const end of [2 * line, 2 * line + 1])
+        if (infinite === null || infinite === (limits[end] === none)) this.follow(starts[end]);
     return this.buffer.slice(0, this.place);
   }
 

@@ -1,9 +1,11 @@
 // The flow complex of the page's data, in typed arrays; no object for a record, as there may be hundreds of thousands.
 // A *point* is a number: a sample's ordinal, or sample_count + place in the records. `none` stands for no point,
-// no pair, and infinity. Squared distances, radii and persistence are in the frame; `length_text` and `squared_text`
-// give them in input units. What the first frame needs is decoded by load_first, the lines of U2 by load_lines, with
-// volumes, connections, cells and U1 (cells.js) and pockets (pockets.js), if the page has them.
+// no pair, and infinity. Squared distances, radii and persistence, a difference of distances, are in the frame;
+// `length_text` and `squared_text` give them in input units. What the first frame needs is decoded by load_first, the
+// lines of U2 by load_lines, with volumes, connections, cells and U1 (cells.js) and pockets (pockets.js), if the page has
+// them.
 
+import { load_atoms } from './atoms.js';
 import { decode, decode_all } from './blobs.js';
 import { load_cells } from './cells.js';
 import { exact_sphere } from './exact_sphere.js';
@@ -16,20 +18,26 @@ export const none = 0xffffffff;
 // Kinds of points: the index, or 4 for regular stationary.
 export const regular_kind = 4;
 
+// sqrt(a) - sqrt(b), with the digits that a difference of near numbers loses.
+const difference_of_roots = (a, b) =>
+  a === Infinity ? Infinity : a === b ? 0 : (a - b) / (Math.sqrt(a) + Math.sqrt(b));
+
 export class Complex {
   constructor(data) {
     this.data = data;
     this.length_unit = in_input_units(data.unit, 1);
     this.squared_unit = in_input_units(data.unit, 2);
+    this.atoms = null;
     this.cells = null;
     this.pockets = null;
   }
 
   async load_first() {
     const { data } = this;
-    const [samples, sample_rows, records, pairs, s2] = await Promise.all([
+    const [samples, sample_rows, atoms, records, pairs, s2, line_limits] = await Promise.all([
       decode(data.samples),
       decode(data.sample_rows),
+      data.atoms ? load_atoms(data.atoms) : null,
       decode_all(data.records, [
         'numbers',
         'face',
@@ -42,8 +50,11 @@ export class Complex {
       ]),
       decode_all(data.pairs, ['dimension', 'birth', 'death', 'birth_sample']),
       decode_all(data.s2, ['record', 'triangle_offsets', 'vertices', 'triangles', 'has_interval']),
+      decode(data.u2.limits),
     ]);
-    Object.assign(this, { samples, sample_rows, records, pairs, s2 });
+    Object.assign(this, { samples, sample_rows, atoms, records, pairs, s2 });
+    this.infinite_line_count = line_limits.reduce((count, limit) => count + (limit === none), 0);
+    this.finite_line_count = line_limits.length - this.infinite_line_count;
     this.sample_count = sample_rows.length;
     this.record_count = records.face.length;
     this.point_count = this.sample_count + this.record_count;
@@ -103,7 +114,7 @@ export class Complex {
       this.death[i] = death;
       this.pair_of[birth] = i;
       if (death !== none) this.pair_of[death] = i;
-      this.persistence[i] = (death === none ? Infinity : this.squared[death]) - this.squared[birth];
+      this.persistence[i] = difference_of_roots(this.death_squared(i), this.birth_squared(i));
     }
   }
 
@@ -136,16 +147,22 @@ export class Complex {
     return point < this.sample_count;
   }
 
+  // The name that a molecule's file gives to the sample, or nothing.
+  atom_name(sample) {
+    return this.atoms?.names[sample] ?? '';
+  }
+
+  // Whether the samples are drawn as balls, if wanted: those of molecules, and those that pockets lie between.
+  get has_balls() {
+    return this.sample_count > 0 && Boolean(this.data.atoms || this.data.pockets);
+  }
+
   // The samples of C(x), ascending.
   contacts(point) {
     if (this.is_sample(point)) return Uint32Array.of(point);
     const { contact_offsets, contacts } = this.records;
     const record = point - this.sample_count;
     return contacts.subarray(contact_offsets[record], contact_offsets[record + 1]);
-  }
-
-  rows(point) {
-    return Array.from(this.contacts(point), (sample) => this.sample_rows[sample]);
   }
 
   // The two samples whose midpoint the point is, or null.

@@ -8,7 +8,7 @@ import { none } from './complex.js';
 import { element, fill, glyph } from './element.js';
 import { is_normal, nearest_double, rational_text } from './exact_sphere.js';
 import { pocket_facts } from './pocket_facts.js';
-import { clauses, count_text, digits_of, kind_name, point_name, shortened } from './words.js';
+import { clauses, count_text, digits_of, kind_name, point_name, row_text, shortened } from './words.js';
 
 const most_listed = 24;
 
@@ -65,6 +65,8 @@ export class Details {
 
   where(point) {
     const { complex } = this;
+    const atom = complex.is_sample(point) && complex.atom_name(point);
+    if (atom) return `${atom} · row ${complex.sample_rows[point]} of the input, counted from 0`;
     if (complex.is_sample(point)) return `row ${complex.sample_rows[point]} of the input, counted from 0`;
     return `record ${count_text(complex.number(point))} of the list`;
   }
@@ -127,7 +129,7 @@ export class Details {
     return section(
       'Contact set',
       element('p', { class: 'muted' }, intro),
-      this.buttons(contacts, (sample) => String(complex.sample_rows[sample])),
+      this.buttons(contacts, (sample) => row_text(complex, sample)),
     );
   }
 
@@ -227,7 +229,7 @@ export class Details {
   volume_facts(point) {
     const row = volume_row(this.complex, point);
     if (!row) return null;
-    const table = neighbour_table(this.complex, point, (number) => this.limit_button(number));
+    const table = neighbour_table(this.complex, point, (number) => this.limit_button(number), this.actions.pick);
     return section('Volume of what flows here', row, table);
   }
 
@@ -271,7 +273,7 @@ export class Details {
         : 'It is in no pair: only critical points are.';
       return section('Persistence', element('p', { class: 'muted' }, text));
     }
-    const length = complex.persistence[pair];
+    const distance = (squared) => complex.length_text(Math.sqrt(squared));
     return section(
       'Persistence pair',
       element(
@@ -285,9 +287,8 @@ export class Details {
       element(
         'p',
         { class: 'line' },
-        `d²: ${complex.squared_text(complex.birth_squared(pair))} to ` +
-          `${complex.squared_text(complex.death_squared(pair))}; length ${complex.squared_text(length)}, ` +
-          'input units squared.',
+        `distance ${distance(complex.birth_squared(pair))} to ${distance(complex.death_squared(pair))}; ` +
+          `length ${complex.length_text(complex.persistence[pair])}, input units`,
       ),
       element(
         'button',

@@ -59,6 +59,14 @@ export function nearest_double({ n, d }) {
   return n < 0n ? -value : value;
 }
 
+// The root, nearly: the double of a fraction near 1 is taken, so that squares beyond the doubles have one as well.
+export function near_root({ n, d }) {
+  if (n === 0n) return 0;
+  const half = Math.trunc((bit_length(n) - bit_length(d)) / 2);
+  const near_one = nearest_double(half > 0 ? { n, d: d << BigInt(2 * half) } : { n: n << BigInt(-2 * half), d });
+  return Math.sqrt(near_one) * 2 ** half;
+}
+
 // Whether the nearest double has all its digits.
 export function is_normal(value) {
   const size = Math.abs(nearest_double(value));

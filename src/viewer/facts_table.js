@@ -1,11 +1,12 @@
 // The same facts as the scene's, as a table: all points in the order of the program's list, or those that are shown,
 // some rows a page. Positions are those of the exact centres, rounded to the nearest doubles.
-// A row picks its point.
+// A row picks its point, wherever it is clicked.
 
+import { clickable_row } from './clickable_row.js';
 import { none } from './complex.js';
 import { element, fill } from './element.js';
-import { is_normal, nearest_double } from './exact_sphere.js';
-import { count_text, point_name, short_kind, short_number } from './words.js';
+import { nearest_double } from './exact_sphere.js';
+import { count_text, point_name, row_text, short_kind } from './words.js';
 
 const rows_a_page = 20;
 
@@ -19,7 +20,7 @@ export class FactsTable {
   }
 
   build() {
-    const heads = ['point', 'index or kind', 'x', 'y', 'z', 'd²', 'contact rows', 'pair with'];
+    const heads = ['point', 'index or kind', 'x', 'y', 'z', 'd', 'contact rows', 'pair with'];
     const filter = element(
       'select',
       { 'aria-label': 'Which points', change: (event) => this.choose(event.target.value) },
@@ -53,7 +54,7 @@ export class FactsTable {
         element(
           'table',
           {},
-          element('caption', {}, 'Positions and d in input units, d² squared; rows count from 0.'),
+          element('caption', {}, 'Positions and distances d in input units; rows count from 0.'),
           element(
             'thead',
             {},
@@ -126,10 +127,20 @@ export class FactsTable {
     );
   }
 
+  contact_text(point) {
+    const { complex } = this;
+    const contacts = Array.from(complex.contacts(point));
+    const [most, gap] = complex.atoms ? [4, ', '] : [8, ' '];
+    const text = contacts
+      .slice(0, most)
+      .map((sample) => row_text(complex, sample))
+      .join(gap);
+    return contacts.length > most ? `${text} … (${contacts.length})` : text;
+  }
+
   row(point) {
     const { complex } = this;
-    const { center, squared } = complex.exact(point);
-    const rows = complex.rows(point);
+    const { center } = complex.exact(point);
     const pair = complex.pair_of[point];
     const other =
       pair === none
@@ -138,20 +149,20 @@ export class FactsTable {
           : ''
         : point_name(complex, complex.birth[pair] === point ? complex.death[pair] : complex.birth[pair]);
     const name = complex.is_sample(point) ? point_name(complex, point) : `record ${complex.number(point)}`;
-    const more = rows.length > 8 ? `${rows.slice(0, 8).join(' ')} … (${rows.length})` : rows.join(' ');
-    return element(
-      'tr',
+    const pick = () => this.actions.pick(point);
+    return clickable_row(
+      pick,
       { 'data-point': point, 'aria-current': point === this.picked ? 'true' : false },
       element(
         'th',
         { scope: 'row' },
-        element('button', { class: 'link', click: () => this.actions.pick(point) }, name),
+        element('button', { class: 'link', tabindex: -1, click: pick }, name),
       ),
       [
         short_kind(complex, point),
         ...center.map((value) => String(nearest_double(value))),
-        is_normal(squared) ? short_number(nearest_double(squared)) : complex.squared_text(complex.squared[point]),
-        more,
+        complex.length_text(complex.frame_radius(point)),
+        this.contact_text(point),
         other,
       ].map((text) => element('td', {}, text)),
     );

@@ -1,13 +1,14 @@
 // What `check` found wrong with a claim: findings by group, and the place of each in the scene, with the claimed and
-// the true sphere, the samples inside the claimed one, and the lines that differ.
+// the true sphere, the samples inside the claimed one, and the lines that differ. What is claimed is dashed, and drawn
+// over what is true in the same place.
 // All texts come from a claim and enter as text.
 
 import { BufferAttribute, BufferGeometry, Points } from 'three';
 import { element, fill } from './element.js';
 import { LineLayer } from './line_layer.js';
 import { paint_points, point_material } from './point_cloud.js';
-import { sphere_mark } from './sphere_mark.js';
-import { count_text } from './words.js';
+import { claim_order, sphere_mark } from './sphere_mark.js';
+import { count_text, row_text } from './words.js';
 
 const groups = [
   ['missed', ['missing', 'missed-by-cluster']],
@@ -145,11 +146,13 @@ export class Findings {
   describe(finding) {
     const row = (name, text) => element('div', { class: 'row' }, element('dt', {}, name), element('dd', {}, text));
     const inside = finding.spheres.flatMap((sphere) => (sphere.role === 'claimed' ? sphere.inside : []));
-    const rows = (samples) => samples.map((sample) => this.complex.sample_rows[sample]).join(' ');
+    const gap = this.complex.atoms ? ', ' : ' ';
+    const rows = (samples) => samples.map((sample) => row_text(this.complex, sample)).join(gap);
     return element(
       'section',
       { class: 'facts' },
       element('h4', {}, `${group_of(finding)}: ${finding.reason}`),
+      finding.sentence ? element('p', { class: 'line' }, finding.sentence) : null,
       element(
         'dl',
         { class: 'exact' },
@@ -158,11 +161,20 @@ export class Findings {
         row('truth', finding.truth),
         finding.line === null ? null : row('line', `${finding.line} of the claim`),
         finding.contact.length > 0 ? row('contact', `rows ${rows(finding.contact)}`) : null,
+        finding.contact.length > 0 ? row('more', this.explain_command(finding.contact)) : null,
         inside.length > 0
           ? row('inside', `${inside.length === 1 ? 'row' : 'rows'} ${rows(inside)} inside the claimed sphere`)
           : null,
       ),
     );
+  }
+
+  // To be pasted into a shell, in the folder of the points.
+  explain_command(samples) {
+    const ids = samples.map((sample) => this.complex.sample_rows[sample]).join(',');
+    const name = this.complex.data.name;
+    const word = /^[\w./,:@%+-]+$/.test(name) ? name : `'${name.replaceAll("'", "'\\''")}'`;
+    return `flowcert explain ${word} --ids ${ids}`;
   }
 
   draw(finding) {
@@ -172,15 +184,21 @@ export class Findings {
     const at = (sample) => complex.frame_position(sample);
     for (const sphere of finding.spheres) {
       scene.claims.add(sphere_mark(sphere.center, sphere.radius, color(sphere.role), sphere.role === 'claimed'));
-      if (sphere.on.length > 0) scene.mark_rings([], color(sphere.role), scene.claims, sphere.on.map(at));
+      if (sphere.on.length > 0) this.rings(sphere.on.map(at), sphere.role);
       if (sphere.role === 'claimed' && sphere.inside.length > 0) this.crosses(sphere.inside.map(at));
     }
     if (finding.spheres.length === 0 && finding.contact.length > 0)
-      scene.mark_rings([], palette.claimed, scene.claims, finding.contact.map(at));
-    for (const line of finding.lines) this.draw_line(line, color(line.role));
+      this.rings(finding.contact.map(at), 'claimed');
     if (group_of(finding) === 'wrong limits') this.draw_true_lines(finding.record);
-    if (finding.position) scene.mark_rings([], palette.ink, scene.claims, [finding.position]);
+    for (const line of finding.lines) this.draw_line(line, color(line.role));
+    if (finding.position) scene.mark_rings([finding.position], palette.ink, scene.claims);
     scene.redraw();
+  }
+
+  rings(positions, role) {
+    const { palette, claims } = this.scene;
+    if (role === 'claimed') this.scene.mark_rings(positions, palette.claimed, claims, true);
+    else this.scene.mark_rings(positions, palette.truth, claims);
   }
 
   draw_true_lines(record) {
@@ -194,7 +212,8 @@ export class Findings {
   draw_line({ positions, role }, color) {
     const segments = [];
     for (let i = 1; i < positions.length; ++i) segments.push(...positions[i - 1], ...positions[i]);
-    const layer = new LineLayer({ width: 3.5, dashed: role === 'claimed', on_top: true });
+    const claimed = { width: 4.5, dash: 0.03, on_top: true, order: claim_order };
+    const layer = new LineLayer(role === 'claimed' ? claimed : { width: 3.5, on_top: true });
     layer.paint(color);
     layer.show(Float32Array.from(segments));
     this.scene.claims.add(layer.object);

@@ -88,15 +88,13 @@ export class Histogram {
       context.fillText(count_text(count), margin.left - 6, y + 4);
     }
     context.textAlign = 'center';
-    const [unit, text] =
-      this.state.mode === 'radius'
-        ? [this.complex.length_unit, (value) => this.complex.length_text(value)]
-        : [this.complex.squared_unit, (value) => this.complex.squared_text(value)];
-    for (const tick of x.ticks(6, unit.factor)) context.fillText(text(tick), x.pixel(tick), bottom + 14);
+    const { complex } = this;
+    for (const tick of x.ticks(6, complex.length_unit.factor))
+      context.fillText(complex.length_text(tick), x.pixel(tick), bottom + 14);
     const name =
       this.state.mode === 'radius'
         ? 'distance of index-2 points, input units'
-        : 'persistence of their pairs, input units squared';
+        : 'persistence of their pairs, input units';
     context.fillText(name, (margin.left + width) / 2, bottom + 28);
     context.fillRect(margin.left, bottom, width - margin.left - margin.right, 1);
   }

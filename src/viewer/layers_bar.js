@@ -23,6 +23,18 @@ const of_picked = ({ cells, pockets }) => [
   ...(pockets ? [['pockets', 'pockets', pockets.numbers.count, pockets.of]] : []),
 ];
 
+// The atoms of a molecule, with the colours of the most frequent elements; of other inputs, samples as balls.
+function atoms_layer(complex) {
+  if (!complex.has_balls) return [];
+  const symbols = complex.atoms?.by_frequency().slice(0, 5) ?? [''];
+  const balls = symbols.map((symbol) => [
+    element('span', { class: 'ball', style: `background: var(--element-${symbol}, var(--element-other))` }),
+    symbol && element('span', { class: 'symbol' }, symbol),
+  ]);
+  const name = complex.atoms ? 'atoms' : 'balls';
+  return [['atoms', name, complex.sample_count, element('span', { class: 'elements' }, balls)]];
+}
+
 export class LayersBar {
   constructor(root, complex, state) {
     const points = kinds.map(([name, text, kind]) => [name, text, complex.kind_counts[kind], glyph(kind)]);
@@ -30,11 +42,12 @@ export class LayersBar {
     const lines = [
       ['s1', 'S1 edges', complex.kind_counts[1]],
       ['s2', 'S2 surfaces', complex.set_count],
-      ['u2', 'U2 lines', 2 * (complex.data.u2.record.count ?? 0)],
+      ['u2', 'U2 lines', complex.finite_line_count],
+      ['infinity', 'U2 to infinity', complex.infinite_line_count],
       ...of_picked(complex.data),
     ].map(([name, text, count, of]) => [name, text, count, stroke(name), of]);
     this.buttons = new Map();
-    for (const [name, text, count, sign, of] of [...lines, ...points])
+    for (const [name, text, count, sign, of] of [...atoms_layer(complex), ...lines, ...points])
       if (count > 0)
         this.buttons.set(
           name,

@@ -1,5 +1,5 @@
 // Line segments of one colour: a few of them two pixels wide, many of them as thin lines, which are drawn faster.
-// `show` takes an array of segments, six coordinates each.
+// `show` takes an array of segments, six coordinates each. Lines with an `order` come after what can be seen through.
 
 import { BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments } from 'three';
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
@@ -9,8 +9,9 @@ import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeome
 const most_wide = 6000;
 
 export class LineLayer {
-  constructor({ width = 2, dashed = false, on_top = false } = {}) {
-    this.options = { width, dashed, on_top };
+  // dash: the length of one, or 0; faint: with an order, what is behind is seen; lifted: drawn before what is in the same place.
+  constructor({ width = 2, dash = 0, on_top = false, lifted = false, order = 0, faint = false } = {}) {
+    this.options = { width, dash, on_top, lifted, order, faint };
     this.object = new Group();
     this.color = new Color();
     this.count = 0;
@@ -29,20 +30,22 @@ export class LineLayer {
     this.object.clear();
     this.count = segments.length / 6;
     if (this.count > 0) this.object.add(this.count <= most_wide ? this.wide(segments) : this.thin(segments));
-    this.object.renderOrder = this.options.on_top ? 10 : 0;
+    this.object.renderOrder = this.options.order || (this.options.on_top ? 10 : 0);
   }
 
   wide(segments) {
-    const { width, dashed, on_top } = this.options;
-    const material = new LineMaterial({ linewidth: width, dashed, dashSize: 0.03, gapSize: 0.02 });
+    const { width, dash, on_top, lifted, order, faint } = this.options;
+    const material = new LineMaterial({ linewidth: width, dashed: dash > 0, dashSize: dash, gapSize: dash * 0.75 });
     material.color.copy(this.color);
     material.depthTest = !on_top;
+    Object.assign(material, { transparent: order > 0, opacity: faint ? 0.3 : 1 });
+    if (lifted) Object.assign(material, { polygonOffset: true, polygonOffsetFactor: -4, polygonOffsetUnits: -16 });
     const geometry = new LineSegmentsGeometry();
     geometry.setPositions(segments);
     const line = new LineSegments2(geometry, material);
-    if (dashed) line.computeLineDistances();
+    if (dash > 0) line.computeLineDistances();
     line.frustumCulled = false;
-    line.renderOrder = on_top ? 10 : 0;
+    line.renderOrder = order || (on_top ? 10 : 0);
     return line;
   }
 

@@ -1,7 +1,9 @@
 // The page itself: state, parts, and what happens on each action. Parts do not know each other; they call actions, and
 // are told when the state has changed.
-// The first frame of a crowded input is a shape: S2 below a typical radius, thinned.
+// The first frame of a crowded input is a shape: S2 below a typical radius, thinned. That of a molecule is its atoms.
+// Where there are pockets, the deepest one is picked at first.
 
+import { fills_space } from './atoms.js';
 import { copy_text } from './clipboard.js';
 import { none } from './complex.js';
 import { Details } from './details.js';
@@ -15,6 +17,7 @@ import { palettes } from './palette.js';
 import { PersistenceDiagram } from './persistence_diagram.js';
 import { save_picture } from './picture_file.js';
 import { PocketTable } from './pocket_facts.js';
+import { deepest_peak } from './pockets.js';
 import { ComplexScene } from './scene.js';
 import { State } from './state.js';
 import { about_lines, notice_lines, shown_name, summary } from './statements.js';
@@ -27,8 +30,14 @@ const by_id = (id) => document.getElementById(id);
 const calm = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
 const night = () => matchMedia('(prefers-color-scheme: dark)');
 const of_picked = ['s3', 'u1', 'pockets'];
-const layer_names = ['samples', 'index1', 'index2', 'index3', 'regular', 's1', 's2', 'u2', ...of_picked];
+const layer_names = [
+  ...['atoms', 'samples', 'index1', 'index2', 'index3', 'regular'],
+  ...['s1', 's2', 'u2', 'infinity', ...of_picked],
+];
+// What hides the rest, or is all over the view, is off at first.
+const first_layers = layer_names.filter((name) => !['atoms', 'infinity'].includes(name));
 const crowded_layers = ['regular', 's2', ...of_picked];
+const atom_layers = ['atoms', ...of_picked];
 const crowd = 600; // surfaces
 
 const layers = (names) => Object.fromEntries(layer_names.map((name) => [name, names.includes(name)]));
@@ -37,9 +46,10 @@ export class Page {
   constructor(complex, timings) {
     Object.assign(this, { complex, timings });
     this.crowded = complex.set_count > crowd;
-    this.state = new State(layers(this.crowded ? crowded_layers : layer_names));
-    if (this.crowded) this.state.limit = typical_radius(complex.set_radius);
-    else this.state.see_through = true;
+    this.of_atoms = Boolean(complex.data.atoms) || (complex.has_balls && fills_space(complex));
+    this.state = new State(layers(this.of_atoms ? atom_layers : this.crowded ? crowded_layers : first_layers));
+    this.state.see_through = this.of_atoms || !this.crowded;
+    if (this.crowded && !this.of_atoms) this.state.limit = typical_radius(complex.set_radius);
     this.actions = this.make_actions();
     this.ready = new Promise((resolve) => (this.is_ready = resolve));
   }
@@ -58,15 +68,25 @@ export class Page {
     new ResizeObserver(() => this.draw_plots()).observe(by_id('diagram'));
     night().addEventListener('change', (event) => this.set_theme(event.matches ? 'dark' : 'light'));
     if (!lines_first) await this.load_lines();
+    this.pick_deepest();
     this.timings.ready_ms = performance.now();
     this.is_ready(true);
   }
 
   async load_lines() {
     await this.complex.load_lines();
-    if (this.state.layers.u2) this.scene?.refresh();
+    if (this.state.layers.u2 || this.state.layers.infinity) this.scene?.refresh();
     if (this.state.picked !== none) this.picked_changed();
     if (this.tabs?.current === 'pockets') this.pockets.open();
+  }
+
+  pick_deepest() {
+    const { complex, state } = this;
+    const peak = complex.pockets && state.picked === none ? deepest_peak(complex) : none;
+    if (peak === none) return;
+    const { current } = this.tabs;
+    this.actions.pick_pocket(peak);
+    this.tabs.open(complex.data.claim ? current : 'pockets');
   }
 
   // Plots are drawn while the GPU draws the scene. The first frame is there when both are.
@@ -178,8 +198,9 @@ export class Page {
       (...values) =>
         this.scene ? action(this.scene, ...values) : undefined;
     return {
-      pick: (point) => state.change({ picked: point }),
-      pick_pair: (pair) => state.change({ picked: pair === none ? none : this.end_of_pair(pair) }),
+      pick: (point) => state.change({ picked: point, as_pocket: false }),
+      pick_pocket: (peak) => state.change({ picked: peak, as_pocket: true }),
+      pick_pair: (pair) => this.actions.pick(pair === none ? none : this.end_of_pair(pair)),
       brush: (belongs, by) => this.brush(belongs, by),
       threshold: (limit) => this.let_go_of_brush({ limit }),
       mode: (mode) => this.let_go_of_brush({ mode, limit: no_limit(mode) }),
@@ -202,7 +223,7 @@ export class Page {
 
   let_go() {
     const { state } = this;
-    if (state.picked !== none) state.change({ picked: none });
+    if (state.picked !== none) this.actions.pick(none);
     else if (state.finding >= 0) state.change({ finding: -1 });
     else this.brush(null);
   }
@@ -232,7 +253,7 @@ export class Page {
 
   // Goes through the points that are drawn, or where none are, through those with a surface.
   step(way) {
-    const drawn = this.scene ? this.scene.cloud.shown : this.table.list();
+    const drawn = this.scene ? this.scene.seen_points() : this.table.list();
     const list = drawn.length > 0 ? drawn : this.complex.set_point;
     if (list.length === 0) return;
     const at = list.indexOf(this.state.picked);
@@ -263,7 +284,9 @@ export class Page {
     const root = document.documentElement;
     root.dataset.theme = theme;
     this.palette.kinds.forEach((color, kind) => root.style.setProperty(`--kind${kind}`, color));
-    for (const name of ['surface', 's1', 's3', 'u1', 'u2', 'pockets', 'claimed', 'truth'])
+    for (const [symbol, color] of Object.entries(this.palette.elements))
+      root.style.setProperty(`--element-${symbol}`, color);
+    for (const name of ['surface', 's1', 's3', 'u1', 'u2', 'pockets', 'outline', 'claimed', 'truth'])
       root.style.setProperty(`--${name}`, this.palette[name]);
     if (!redraw) return;
     by_id('tool-theme').setAttribute('aria-pressed', String(theme === 'dark'));
@@ -308,7 +331,9 @@ export class Page {
     const { picked } = this.state;
     this.details.show(picked);
     this.table.set_picked(picked);
-    if (picked !== none && !['table', 'pockets'].includes(this.tabs.current)) this.tabs.open('details');
+    this.pockets?.set_picked(picked);
+    const stays = this.tabs.current === 'table' || (this.tabs.current === 'pockets' && this.state.as_pocket);
+    if (picked !== none && !stays) this.tabs.open('details');
     this.scene?.mark_picked();
     this.scene?.redraw();
     this.announce(picked === none ? 'Nothing is picked.' : `Picked ${point_name(this.complex, picked)}.`);
@@ -342,7 +367,7 @@ export class Page {
     const button = view?.thinned ? element('button', { click: actions.full }, 'Full detail') : null;
     const text = element('span', {}, lines.join(' '));
     fill(by_id('notice'), lines.length > 0 ? element('div', {}, text, button) : null);
-    if (view) this.table?.set_shown(view.points);
+    if (view) this.table?.set_shown(this.scene.seen_points());
   }
 
   // Where the lines that are drawn end, in the frame: by line of the data and side.

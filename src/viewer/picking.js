@@ -1,5 +1,5 @@
-// What is under a pixel: the drawn point nearest to it, or else the S2 whose triangle is hit.
-// Points behind the surface that is hit are not seen, and are not picked. All on typed arrays, without the GPU.
+// What is under a pixel: the drawn point nearest to it, or else the ball or the S2 that is hit.
+// Points behind what is hit are not seen, and are not picked. All on typed arrays, without the GPU.
 
 import { Matrix4, Vector3 } from 'three';
 import { none } from './complex.js';
@@ -33,14 +33,17 @@ function hit_triangle(mesh, origin, direction) {
   return best;
 }
 
-// x, y: pixels of the style sheet, in the canvas. Returns a point or none.
-export function pick(complex, camera, size, points, mesh, opaque, x, y, reach = 12) {
+// x, y: pixels of the style sheet, in the canvas; balls: null where none are drawn. Returns a point or none.
+export function pick({ complex, camera, size, points, mesh, opaque, balls }, x, y, reach = 12) {
   camera.updateMatrixWorld();
   const toward = new Vector3((2 * x) / size.width - 1, 1 - (2 * y) / size.height, 0.5).unproject(camera);
   const origin = camera.position;
   const direction = toward.sub(origin).normalize();
-  const hit = hit_triangle(mesh, origin, direction);
-  const wall = hit && opaque ? hit.distance * 1.01 + 0.004 : Infinity;
+  const surface = hit_triangle(mesh, origin, direction);
+  const opaque_surface = surface && opaque ? surface.distance * 1.01 + 0.004 : Infinity;
+  const any_ball = balls?.hit(origin, direction);
+  const ball = any_ball && any_ball.distance < opaque_surface ? any_ball : null;
+  const wall = ball ? ball.distance : opaque_surface;
   const m = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse).elements;
   const p = complex.positions;
   let [best, least] = [none, Infinity];
@@ -56,8 +59,9 @@ export function pick(complex, camera, size, points, mesh, opaque, x, y, reach = 
     const cost = off + 30 * w;
     if (cost < least) [best, least] = [point, cost];
   }
-  if (best !== none || !hit) return best;
-  return complex.set_point[hit.set];
+  if (best !== none) return best;
+  if (ball) return ball.sample;
+  return surface ? complex.set_point[surface.set] : none;
 }
 
 export function pixel_of(camera, size, position) {

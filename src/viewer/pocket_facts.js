@@ -1,10 +1,11 @@
 // What a page with pockets says of them: of the picked point's pocket, and as a table of all that the page has.
 // `button` makes what picks a point by its number in the program's list.
 
+import { clickable_row } from './clickable_row.js';
 import { none } from './complex.js';
 import { element, fill } from './element.js';
-import { nearest_double } from './exact_sphere.js';
-import { mouths_by_radius } from './pockets.js';
+import { near_root } from './exact_sphere.js';
+import { mouths_by_radius, pockets_at } from './pockets.js';
 import { count_text, short_number } from './words.js';
 
 const most_listed = 24;
@@ -58,7 +59,7 @@ function facts_of(complex, pocket, button) {
     element(
       'dl',
       { class: 'exact' },
-      fact('depth', of_units(pockets.depth[pocket], 'input units, a difference of radii')),
+      fact('depth', of_units(pockets.depth[pocket], 'input units')),
       fact('V', of_units(pockets.volume[pocket], 'input units, cubed')),
       fact('widest', of_units(pockets.widest[pocket], 'input units, the radius of its widest path to infinity')),
     ),
@@ -76,37 +77,48 @@ function facts_of(complex, pocket, button) {
 
 // The parts of the section on a point, or null.
 export function pocket_facts(complex, point, button) {
-  if (!complex.pockets || complex.is_sample(point)) return null;
-  const number = complex.number(point);
-  const around = complex.pockets.around(number);
+  const around = pockets_at(complex, point);
   if (around.length === 0) return null;
-  const is_mouth = !complex.pockets.pocket_of_point.has(number);
+  const is_mouth = !complex.pockets.pocket_of_point.has(complex.number(point));
   const intro = is_mouth ? element('p', { class: 'line' }, 'It is a mouth of these, which are drawn:') : null;
   return [intro, around.map((pocket) => facts_of(complex, pocket, button))];
 }
 
 export function pockets_line({ data }) {
   if (!data.pockets) return null;
-  const { numbers, of, persistence } = data.pockets;
+  const { numbers, of } = data.pockets;
   const chosen = numbers.count < of ? ', the deepest (view --most-pockets)' : '';
   const count = numbers.count < of ? `${count_text(numbers.count)} of ${count_text(of)}` : count_text(of);
   return (
     'A pocket is what flows to some maxima, merged by persistence; its mouths are points of index 2 that lead out. ' +
     'It is drawn for a picked point in it, or at a mouth. ' +
-    `The page has ${count} pockets${chosen}, merged by a persistence of ${shortened_fraction(persistence)}.`
+    `The page has ${count} pockets deeper than ${least_depth(data.pockets)}, in input units${chosen}.`
   );
 }
 
-function shortened_fraction(text) {
-  if (text.length <= 24) return text;
-  const [n, d] = text.split('/').map(BigInt);
-  return `about ${short_number(nearest_double({ n, d: d ?? 1n }))}`;
+// Maxima are merged up to this depth; the page has its square.
+function least_depth({ squared_persistence }) {
+  const [n, d] = squared_persistence.split('/').map(BigInt);
+  return short_number(near_root({ n, d: d ?? 1n }));
 }
+
+const caption = (pockets) =>
+  `Pockets deeper than ${least_depth(pockets)}, the deepest first. Depths and widths in input units, volumes cubed.`;
 
 // The table of all pockets, the deepest first, some rows a page.
 export class PocketTable {
   constructor(root, complex, actions) {
-    Object.assign(this, { root, complex, actions, shown: most_listed });
+    Object.assign(this, { root, complex, actions, shown: most_listed, around: [] });
+  }
+
+  // The rows of the pockets of the point stand out.
+  set_picked(point) {
+    const { pockets } = this.complex;
+    this.around = point === none ? [] : pockets_at(this.complex, point);
+    const numbers = this.around.map((pocket) => String(pockets.numbers[pocket]));
+    for (const row of this.root.querySelectorAll('tbody tr'))
+      if (numbers.includes(row.dataset.pocket)) row.setAttribute('aria-current', 'true');
+      else row.removeAttribute('aria-current');
   }
 
   open() {
@@ -122,8 +134,8 @@ export class PocketTable {
         { class: 'table-scroll', tabindex: 0, role: 'region', 'aria-label': 'Table of pockets' },
         element(
           'table',
-          {},
-          element('caption', {}, 'In input units; a depth is a difference of radii. The deepest come first.'),
+          { class: 'numbers' },
+          element('caption', {}, caption(this.complex.data.pockets)),
           element('thead', {}, element('tr', {}, heads.map((head) => element('th', { scope: 'col' }, head)))),
           element('tbody', {}, pockets.by_depth.slice(0, this.shown).map((pocket) => this.row(pocket))),
         ),
@@ -143,12 +155,12 @@ export class PocketTable {
     const { pockets } = this.complex;
     const peak = this.complex.point_of_number(pockets.list('peaks', pocket)[0]);
     const name = count_text(pockets.numbers[pocket]);
-    const pick = () => this.actions.pick(peak);
+    const pick = peak === none ? null : () => this.actions.pick_pocket(peak);
     const cell = (value) => element('td', {}, value);
-    return element(
-      'tr',
-      {},
-      element('th', { scope: 'row' }, peak === none ? name : element('button', { class: 'chip', click: pick }, name)),
+    return clickable_row(
+      pick,
+      { 'data-pocket': String(pockets.numbers[pocket]), 'aria-current': this.around.includes(pocket) ? 'true' : false },
+      element('th', { scope: 'row' }, pick ? element('button', { class: 'chip', tabindex: -1, click: pick }, name) : name),
       cell(short_number(pockets.depth[pocket])),
       cell(short_number(pockets.volume[pocket])),
       cell(count_text(pockets.list('mouths', pocket).length)),

@@ -3,11 +3,23 @@
 // input units.
 
 import { decode_all } from './blobs.js';
-import { triangles_of } from './cells.js';
+import { positions, triangles_of } from './cells.js';
 import { none } from './complex.js';
 
 const lists = ['peaks', 'maxima', 'cell', 'mouths', 'neighbours'];
 const mesh = ['triangle_offsets', 'triangles', 'vertices'];
+
+// The edges, two vertices each, that only one of the triangles in the lists has.
+function outer_edges(lists) {
+  const edges = new Map();
+  for (const triangles of lists)
+    triangles.forEach((a, i) => {
+      const b = triangles[i % 3 === 2 ? i - 2 : i + 1];
+      const key = `${Math.min(a, b)} ${Math.max(a, b)}`;
+      edges.set(key, edges.has(key) ? null : [a, b]);
+    });
+  return [...edges.values()].filter(Boolean);
+}
 
 export async function load_pockets(data) {
   const [parts, surfaces, mouth_surfaces] = await Promise.all([
@@ -59,10 +71,35 @@ class Pockets {
     );
   }
 
+  // The edges around these mouths, six coordinates for each. Mouths that are beside one another are one opening. Only
+  // where openings close up, with nothing around them, each mouth has its own edges.
+  mouth_outlines(points) {
+    const { triangle_offsets, triangles, vertices } = this.mouth_surfaces;
+    const mouths = points.map((point) => {
+      const mouth = this.mouth_place.get(point);
+      return triangles.subarray(3 * triangle_offsets[mouth], 3 * triangle_offsets[mouth + 1]);
+    });
+    const around_all = outer_edges(mouths);
+    return positions(vertices, around_all.length > 0 ? around_all : mouths.flatMap((mouth) => outer_edges([mouth])));
+  }
+
   // A neighbour by its place in the page; none for the outside, undefined where the page does not have it.
   place_of_neighbour(number) {
     return number === none ? none : this.place_of.get(number);
   }
+}
+
+// The pockets that are drawn for a picked point.
+export function pockets_at(complex, point) {
+  if (!complex.pockets || complex.is_sample(point)) return [];
+  return complex.pockets.around(complex.number(point));
+}
+
+// The deepest pocket with a peak in the page, by its first peak; none where there is none.
+export function deepest_peak(complex) {
+  const { pockets } = complex;
+  const peaks = pockets.by_depth.map((pocket) => complex.point_of_number(pockets.list('peaks', pocket)[0]));
+  return peaks.find((point) => point !== none) ?? none;
 }
 
 // The mouths of a pocket, the widest first: those at least half as wide as the widest one, and all others.

@@ -25,6 +25,7 @@ const fragment_shader = `
 uniform vec3 colors[5];
 uniform vec3 outline;
 uniform float ring;
+uniform float dashed;
 varying float v_kind;
 float shape(vec2 p, int kind) {
   vec2 a = abs(p);
@@ -38,7 +39,7 @@ void main() {
   vec2 p = vec2(2.0, -2.0) * (gl_PointCoord - 0.5);
   int kind = int(v_kind + 0.5);
   float d = ring > 0.5 ? abs(length(p) - 0.82) - 0.13 : shape(p, kind);
-  if (d > 0.0) discard;
+  if (d > 0.0 || (dashed > 0.5 && fract(atan(p.y, p.x) * 1.2732) > 0.6)) discard;
   vec3 color = kind == 0 ? colors[0] : kind == 1 ? colors[1] : kind == 2 ? colors[2] : colors[3];
   if (kind == 4) color = colors[4];
   gl_FragColor = vec4(ring < 0.5 && d > -0.16 && kind > 0 ? mix(color, outline, 0.75) : color, 1.0);
@@ -55,6 +56,7 @@ export function point_material() {
       enlarged: { value: 0 },
       reference: { value: 3 },
       ring: { value: 0 },
+      dashed: { value: 0 },
     },
   });
 }

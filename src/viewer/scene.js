@@ -5,12 +5,14 @@
 
 import { BufferAttribute, BufferGeometry, Group, PerspectiveCamera, Points, Scene, Vector3 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import { BallsAndSticks } from './balls_and_sticks.js';
 import { ClippedLines } from './clipped_lines.js';
 import { none } from './complex.js';
 import { discard } from './discard.js';
 import { LineLayer } from './line_layer.js';
 import { pick, pixel_of } from './picking.js';
-import { mouths_by_radius } from './pockets.js';
+import { PocketMark } from './pocket_mark.js';
+import { pockets_at } from './pockets.js';
 import { PointCloud, paint_points, point_material } from './point_cloud.js';
 import { make_renderer } from './renderer.js';
 import { counts_by_kind, fitting_sets, most, shown } from './shown.js';
@@ -19,7 +21,7 @@ import { sphere_mark } from './sphere_mark.js';
 import { SurfaceMesh, mesh_of_positions } from './surface_mesh.js';
 
 const rest_after = 160; // milliseconds
-const nothing_marked = { cell: 0, surface: 0, lines: 0, pocket: 0, mouths: 0 };
+const nothing_marked = { cell: 0, surface: 0, lines: 0, pocket: 0, mouths: 0, outlines: 0 };
 
 export class ComplexScene {
   constructor(canvas, complex, state, palette) {
@@ -45,6 +47,7 @@ export class ComplexScene {
     this.lines = {
       s1: new LineLayer({ width: 2 }),
       u2: new LineLayer({ width: 2 }),
+      infinity: new LineLayer({ width: 1.2 }),
       path: new LineLayer({ width: 4 }),
     };
     this.marks = new Group();
@@ -52,6 +55,16 @@ export class ComplexScene {
     this.marked = nothing_marked;
     this.scene.add(this.exact.object, this.cloud.object, this.marks, this.claims);
     for (const layer of Object.values(this.lines)) this.scene.add(layer.object);
+  }
+
+  // Made when first drawn: samples as balls, with sticks.
+  balls() {
+    if (!this.made_balls) {
+      this.made_balls = new BallsAndSticks(this.complex);
+      this.made_balls.paint(this.palette);
+      this.scene.add(this.made_balls.object);
+    }
+    return this.made_balls;
   }
 
   // Made when first needed: not where all triangles fit.
@@ -119,6 +132,8 @@ export class ComplexScene {
     if (this.flat) this.flat.paint(palette.surface);
     this.lines.s1.paint(palette.s1);
     this.lines.u2.paint(palette.u2);
+    this.lines.infinity.paint(palette.u2);
+    this.made_balls?.paint(palette);
     this.lines.path.paint(palette.highlight);
     this.mark_picked();
     this.redraw();
@@ -159,6 +174,7 @@ export class ComplexScene {
     if (!this.view) this.lay_out();
     this.choose_surface();
     this.spare_while_moving();
+    this.made_balls?.set_distance(this.camera.position.distanceTo(this.controls.target));
     this.renderer.render(this.scene, this.camera);
     ++this.frames;
   }
@@ -179,6 +195,7 @@ export class ComplexScene {
     this.cloud.show(this.view.points);
     this.lines.s1.show(this.edge_segments(this.view.edges));
     this.lay_out_lines();
+    if (this.view.balls || this.made_balls) this.balls().object.visible = this.view.balls;
     this.surface_is = null;
     this.on_view(this.view);
   }
@@ -186,7 +203,13 @@ export class ComplexScene {
   lay_out_lines() {
     if (!this.complex.u2) return;
     this.clipped ??= new ClippedLines(this.complex.u2);
-    this.lines.u2.show(this.clipped.segments(this.lines_of(this.view.line_sets)));
+    const lines = this.lines_of(this.view.line_sets);
+    const nothing = new Float32Array(0);
+    for (const [layer, infinite] of [
+      ['u2', false],
+      ['infinity', true],
+    ])
+      this.lines[layer].show(this.state.layers[layer] ? this.clipped.segments(lines, infinite) : nothing);
   }
 
   lines_of(sets) {
@@ -228,7 +251,7 @@ export class ComplexScene {
   // Very many lines and points are not drawn while the scene moves, so that it can be turned.
   spare_while_moving() {
     const fits = (count) => !this.moving || count <= most.triangles;
-    for (const layer of [this.lines.s1, this.lines.u2]) layer.object.visible = fits(layer.count);
+    for (const layer of [this.lines.s1, this.lines.u2, this.lines.infinity]) layer.object.visible = fits(layer.count);
     const count = this.cloud.shown.length;
     this.cloud.object.visible = count > 0 && fits(count);
   }
@@ -265,7 +288,7 @@ export class ComplexScene {
     this.redraw();
   }
 
-  // What is picked: its sphere, its contact set with radii, its pocket with mouths, its S2, its cell S3 or its U1, its
+  // What is picked: a pocket alone, where it is picked as such. Otherwise the point: its sphere, its contact set with radii, its pocket with mouths, its S2, its cell S3 or its U1, its
   // lines, and a ring around the points.
   mark_picked() {
     discard(this.marks, this.exact.geometry.attributes.position);
@@ -275,17 +298,18 @@ export class ComplexScene {
     const point = state.picked;
     if (point === none || !this.size) return;
     const center = complex.frame_position(point);
+    this.mark_pockets(point);
+    if (state.as_pocket && this.marked.pocket > 0) return;
     if (!complex.is_sample(point)) {
       this.marks.add(sphere_mark(center, complex.frame_radius(point), palette.accent));
       this.mark_contacts(point, center);
     }
-    this.mark_pockets(point);
     this.mark_cell(point);
     this.mark_set(point);
     this.mark_surface(point);
     const pair = complex.pair_of[point];
     const partners = pair === none ? [] : [complex.birth[pair], complex.death[pair]].filter((p) => p !== none);
-    this.mark_rings([...new Set([point, ...partners])]);
+    this.mark_points([...new Set([point, ...partners])]);
   }
 
   mark_contacts(point, center) {
@@ -296,7 +320,7 @@ export class ComplexScene {
     layer.paint(this.palette.accent);
     layer.show(Float32Array.from(segments));
     this.marks.add(layer.object);
-    this.mark_rings(complex_first(this.complex.contacts(point), 500));
+    this.mark_points(complex_first(this.complex.contacts(point), 500));
   }
 
   mark_set(point) {
@@ -343,24 +367,20 @@ export class ComplexScene {
     }
   }
 
-  // The pocket of the point, or those that it is a mouth of, with all of their mouths. Wide ones stand out.
+  // The pocket of the point, or those that it is a mouth of, with all of their mouths.
   mark_pockets(point) {
-    const { complex, state } = this;
-    if (!state.layers.pockets || !complex.pockets || complex.is_sample(point)) return;
-    const { pockets } = complex;
-    for (const pocket of pockets.around(complex.number(point))) {
-      this.marked.pocket += this.mark_triangles(pockets.surface(pocket), 'pockets', 0.3);
-      const { wide, narrow } = mouths_by_radius(complex, pocket);
-      this.marked.mouths += this.mark_triangles(pockets.mouth_triangles(wide), 'highlight', 0.8);
-      this.marked.mouths += this.mark_triangles(pockets.mouth_triangles(narrow), 'highlight', 0.15);
-    }
+    const pockets = this.state.layers.pockets ? pockets_at(this.complex, point) : [];
+    if (pockets.length === 0) return;
+    const mark = new PocketMark(this.complex, pockets, this.palette);
+    Object.assign(this.marked, { pocket: mark.triangles, mouths: mark.mouths, outlines: mark.outlines });
+    this.marks.add(mark.object);
   }
 
-  mark_triangles(positions, color, opacity = 0.45) {
+  mark_triangles(positions, color) {
     if (positions.length === 0) return 0;
     const mesh = mesh_of_positions(positions);
     mesh.paint(this.palette[color]);
-    mesh.set_opacity(opacity);
+    mesh.set_opacity(0.45);
     this.marks.add(mesh.object);
     return mesh.count;
   }
@@ -379,34 +399,45 @@ export class ComplexScene {
     return this.clipped.segments([line]);
   }
 
-  mark_rings(points, color = this.palette.accent, group = this.marks, positions = null) {
+  mark_points(points) {
+    const positions = points.map((point) => this.complex.frame_position(point));
+    this.mark_rings(positions, this.palette.accent, this.marks);
+  }
+
+  // Rings after all else, so that nothing that can be seen through is before them. Dashed ones come after others.
+  mark_rings(positions, color, group, dashed = false) {
+    const count = positions.length;
     const geometry = new BufferGeometry();
-    const all = positions ?? points.map((point) => this.complex.frame_position(point));
-    geometry.setAttribute('position', new BufferAttribute(Float32Array.from(all.flat()), 3));
-    geometry.setAttribute('kind', new BufferAttribute(new Uint8Array(all.length), 1));
-    geometry.setAttribute('size', new BufferAttribute(new Float32Array(all.length).fill(20), 1));
+    geometry.setAttribute('position', new BufferAttribute(Float32Array.from(positions.flat()), 3));
+    geometry.setAttribute('kind', new BufferAttribute(new Uint8Array(count), 1));
+    geometry.setAttribute('size', new BufferAttribute(new Float32Array(count).fill(dashed ? 22 : 20), 1));
     const material = point_material();
     paint_points(material, { ...this.palette, kinds: [color, color, color, color, color] });
     material.uniforms.ring.value = 1;
+    material.uniforms.dashed.value = dashed ? 1 : 0;
     material.uniforms.pixel_ratio.value = this.renderer.getPixelRatio();
-    material.depthTest = false;
+    Object.assign(material, { depthTest: false, transparent: true });
     const rings = new Points(geometry, material);
     rings.frustumCulled = false;
-    rings.renderOrder = 20;
+    rings.renderOrder = dashed ? 21 : 20;
     group.add(rings);
   }
 
   pick_at(x, y) {
-    return pick(
-      this.complex,
-      this.camera,
-      this.size,
-      this.cloud.shown,
-      this.surface(),
-      !this.state.see_through,
-      x,
-      y,
-    );
+    const { complex, camera, size, state } = this;
+    const drawn = { points: this.cloud.shown, mesh: this.surface(), opaque: !state.see_through };
+    return pick({ complex, camera, size, ...drawn, balls: this.view.balls ? this.balls() : null }, x, y);
+  }
+
+  // All points that are seen: as marks, or samples as balls.
+  seen_points() {
+    const { points, balls } = this.current_view();
+    if (!balls || this.state.layers.samples) return points;
+    const { sample_count } = this.complex;
+    const others = points.filter((point) => point >= sample_count);
+    const all = Uint32Array.from({ length: sample_count + others.length }, (_, i) => i);
+    all.set(others, sample_count);
+    return all;
   }
 
   pixel_of(point) {
@@ -469,6 +500,9 @@ export class ComplexScene {
       flat: this.surface_is === 'flat',
       u2_lines: this.view.line_sets.length,
       u2_segments: this.lines.u2.count,
+      infinity_segments: this.lines.infinity.count,
+      balls: this.view.balls ? this.balls().count : 0,
+      sticks: this.view.balls ? this.balls().stick_count : 0,
       moving: Boolean(this.moving),
     };
   }

@@ -1,5 +1,5 @@
-// What is drawn, computed from the complex and the state: points, S1, S2 and U2.
-// Brushed pairs show exactly their points and the S2 of these, whatever the threshold is.
+// What is drawn, computed from the complex and the state: points, S1, S2, U2, and samples as balls.
+// Brushed pairs show exactly their points and the S2 of these, whatever the threshold is. It does not touch balls.
 // Otherwise the threshold decides: distance below it, or persistence above it.
 // The thinned view, unless pairs are brushed, keeps at most `most` of each. What has the shortest persistence is left
 // out first, and is counted.
@@ -75,7 +75,7 @@ export function fitting_sets(complex, offsets, sets) {
   return Uint32Array.from(kept).sort();
 }
 
-// {points, edges, sets, flat, line_sets, thinned}: `flat` says that sets are drawn as polygons.
+// {points, edges, sets, flat, line_sets, balls, thinned}: `flat` says that sets are drawn as polygons.
 export function shown(complex, state, polygons) {
   const keeps = keeper(complex, state);
   const all = {
@@ -83,8 +83,9 @@ export function shown(complex, state, polygons) {
     edges: shown_edges(complex, state, keeps),
     sets: state.layers.s2 || state.brush ? kept_sets(complex, keeps) : new Uint32Array(0),
   };
-  const lines = state.layers.u2 ? kept_sets(complex, keeps) : new Uint32Array(0);
-  const result = { ...all, flat: false, line_sets: lines, thinned: null };
+  const lines = state.layers.u2 || state.layers.infinity ? kept_sets(complex, keeps) : new Uint32Array(0);
+  const balls = complex.has_balls && state.layers.atoms && !state.brush;
+  const result = { ...all, flat: false, line_sets: lines, balls, thinned: null };
   const triangles = triangle_count(complex.s2.triangle_offsets, all.sets);
   if (state.full || state.brush) return { ...result, triangles };
   const weight = (point) => complex.persistence_of(point);

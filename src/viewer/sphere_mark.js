@@ -1,9 +1,13 @@
 // A sphere that can be looked through: a shell that is seen at its rim, with three great circles.
-// It stands for the ball around a stationary point that holds no sample, or for a claimed one.
+// It stands for the ball around a stationary point that holds no sample, or for a claimed one, which is dashed and drawn
+// over a true one in the same place.
 
 import { BackSide, FrontSide, Group, Mesh, ShaderMaterial, SphereGeometry, Vector3 } from 'three';
 import { LineLayer } from './line_layer.js';
 import { components } from './palette.js';
+
+// Claimed things are drawn after all true ones.
+export const claim_order = 30;
 
 const vertex_shader = `
 varying vec3 n;
@@ -56,7 +60,8 @@ export function sphere_mark(center, radius, color, dashed = false) {
     });
     group.add(new Mesh(shell, material));
   }
-  const lines = new LineLayer({ width: 1.4, dashed });
+  const claimed = { width: 2.6, dash: 0.09, lifted: true, order: claim_order };
+  const lines = new LineLayer(dashed ? claimed : { width: 1.4 });
   lines.paint(color);
   lines.show(circles());
   group.add(lines.object);

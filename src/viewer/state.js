@@ -10,6 +10,7 @@ export class State {
     this.limit = Infinity;
     this.brush = null; // Uint8Array by pair, or null where nothing is brushed
     this.picked = none;
+    this.as_pocket = false; // the point stands for its pocket, which is what is drawn
     this.full = false;
     this.see_through = false;
     this.finding = -1;

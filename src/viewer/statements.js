@@ -24,6 +24,13 @@ function cells_line(complex) {
   );
 }
 
+function atoms_line({ data, has_balls }) {
+  if (!has_balls) return null;
+  const sticks = 'sticks join those that are as near as a bond, or else near neighbours';
+  if (!data.atoms) return `Samples may be drawn as balls; ${sticks}. They say nothing of the flow.`;
+  return `Atoms are the samples, as balls in the colours of their elements; ${sticks}. Sticks say nothing of the flow.`;
+}
+
 export function about_lines(complex) {
   const { data } = complex;
   const program = `flowcert ${data.version} (commit ${data.commit}; kernel: ${data.kernel}`;
@@ -31,9 +38,11 @@ export function about_lines(complex) {
     thinned_data(data),
     `Input: ${data.name}, SHA-256 ${data.input_sha256}.`,
     `Made by ${program}; compiler: ${data.compiler}; CGAL ${data.cgal}).`,
+    atoms_line(complex),
     'Samples are the points of index 0. S1 is what flows to a point of index 1, a Gabriel edge; ' +
       'S2 is what flows to one of index 2, a surface. ' +
-      'U2 are the two orbits that leave a point of index 2; those to infinity are cut at three times the box.',
+      'U2 are the two orbits that leave a point of index 2; those to infinity are a layer of their own, off at first, ' +
+      'and are cut at three times the box.',
     cells_line(complex),
     pockets_line(complex),
     'Positions in the scene are 32-bit floats. Those in the facts are exact, computed here from the samples.',

@@ -4,6 +4,7 @@
 
 import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, ShaderMaterial, Vector3 } from 'three';
 import { components } from './palette.js';
+import { lit } from './shading.js';
 
 const vertex_shader = `
 varying vec3 seen;
@@ -16,16 +17,14 @@ void main() {
 const fragment_shader = `
 uniform vec3 color;
 uniform float opacity;
+uniform float glow;
 varying vec3 seen;
+${lit}
 void main() {
   vec3 n = normalize(cross(dFdx(seen), dFdy(seen)));
   vec3 eye = normalize(-seen);
   if (dot(n, eye) < 0.0) n = -n;
-  float key = max(0.0, dot(n, normalize(vec3(0.35, 0.75, 0.6))));
-  float fill = max(0.0, dot(n, normalize(vec3(-0.8, -0.1, 0.5))));
-  float rim = pow(1.0 - max(0.0, dot(n, eye)), 3.0);
-  vec3 lit = color * (0.34 + 0.62 * key) + color * vec3(0.10, 0.14, 0.22) * fill + vec3(0.10) * rim;
-  gl_FragColor = vec4(lit, opacity);
+  gl_FragColor = vec4(mix(lit(color, n, eye), color, glow), opacity);
 }`;
 
 // A mesh of triangles that are given by their positions, nine numbers each.
@@ -50,7 +49,7 @@ export class SurfaceMesh {
       vertexShader: vertex_shader,
       fragmentShader: fragment_shader,
       side: DoubleSide,
-      uniforms: { color: { value: new Vector3() }, opacity: { value: 1 } },
+      uniforms: { color: { value: new Vector3() }, opacity: { value: 1 }, glow: { value: 0 } },
     });
     this.object = new Mesh(this.geometry, this.material);
     this.object.frustumCulled = false;
@@ -65,6 +64,11 @@ export class SurfaceMesh {
     this.material.uniforms.opacity.value = opacity;
     this.material.transparent = opacity < 1;
     this.material.depthWrite = opacity === 1;
+  }
+
+  // The part of the colour that no light changes.
+  set_glow(glow) {
+    this.material.uniforms.glow.value = glow;
   }
 
   show(sets) {

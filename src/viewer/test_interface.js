@@ -2,6 +2,7 @@
 // Points are named {sample: n} or {record: n}, by their places in the data of spec/formats/view.md; pairs and triangles
 // by theirs. Distances, their squares and persistence are in the frame.
 
+import { Vector3 } from 'three';
 import { none } from './complex.js';
 import { rational_text } from './exact_sphere.js';
 import { group_of } from './findings.js';
@@ -36,7 +37,7 @@ export function test_interface(page) {
       const record_of = (set) => complex.s2.record[set];
       return { points: Array.from(points, name), sets: Array.from(sets, record_of), edges: Array.from(edges, name) };
     },
-    // Triangles of the picked point's cell, pocket, mouths and surface U1, and lines of the latter.
+    // Triangles of the picked point's cell, pocket, mouths and surface U1, lines of the latter, and those around mouths.
     marked: () => ({ ...page.scene.marked }),
     at_rest: () => page.scene === null || page.scene.is_at_rest(),
     frames: () => page.scene.frames,
@@ -55,10 +56,13 @@ export function test_interface(page) {
     brushed: () => state.brushed_pairs(),
     threshold: (mode, limit) => state.change({ mode, limit, brush: null }),
     limit: () => [state.mode, state.limit],
+    layers: () => ({ ...state.layers }),
     set_layer: (layer, on) => state.set_layer(layer, on),
     full_detail: (full) => state.change({ full }),
     pick: (what) => actions.pick(what === null ? none : point(what)),
     picked: () => name(state.picked),
+    // How far a point is from the camera.
+    away: (what) => page.scene.camera.position.distanceTo(new Vector3(...complex.frame_position(point(what)))),
     exact: (what) => {
       const { center, squared } = complex.exact(point(what));
       return { center: center.map(rational_text), squared_distance: rational_text(squared) };

@@ -57,7 +57,7 @@ export class Threshold {
     const { mode, limit } = this.state;
     if (keeps_all(limit)) return 'all';
     if (mode === 'radius') return `distance below ${this.complex.length_text(limit)} input units`;
-    return `persistence above ${this.complex.squared_text(limit)} input units squared`;
+    return `persistence above ${this.complex.length_text(limit)} input units`;
   }
 
   kept_sets() {

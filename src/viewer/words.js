@@ -52,10 +52,16 @@ export function kind_of(complex, point) {
 
 export const short_kind = (complex, point) => (complex.is_sample(point) ? '0' : kind_of(complex, point));
 
+// The first row of a sample, with the name of the atom.
+export function row_text(complex, sample) {
+  const atom = complex.atom_name(sample);
+  return atom ? `${complex.sample_rows[sample]} · ${atom}` : String(complex.sample_rows[sample]);
+}
+
 // A name that tells the point apart: its row, or its number in the program's list.
 export function point_name(complex, point) {
   if (point === none) return 'infinity';
-  if (complex.is_sample(point)) return `row ${complex.sample_rows[point]}`;
+  if (complex.is_sample(point)) return `row ${row_text(complex, point)}`;
   const kind =
     complex.kind[point] === regular_kind ? `kind ${kind_of(complex, point)}` : `index ${kind_of(complex, point)}`;
   return `record ${complex.number(point)} (${kind})`;

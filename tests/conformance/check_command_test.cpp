@@ -6,6 +6,7 @@
 // implementation (floating point), whose verdict was worked out by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/cites.h"
@@ -459,6 +460,33 @@ TEST(CheckCommand, RefusesWhatItCannotUse) {
   const Checked large(lattice_points(4, 101, 50), Words{});
   refuses({"check", large.points(), large.claim(), "--oracle"}, "--oracle: 101 points");
   EXPECT_EQ(large.run().status, 0);
+}
+
+// Below the example of a reason stand a sentence, the atoms of a molecule, and a command that runs.
+TEST(CheckCommand, TellsReasonsInPlainWords) {
+  CITES("FC-CLAIM-03");
+  const Scratch scratch;
+  const std::string molecule = scratch.file("it's a molecule.xyz", "3\nof three atoms\nC1 0 0 0\nN2 6 0 0\nO3 2 4 0\n");
+  const std::string claim =
+      scratch.file("claim.csv", "index,x,y,z\n0,0,0,0\n0,6,0,0\n0,2,4,0\n1,3,0,0\n1,1,2,0\n1,4,2,0\n");
+  const Finished done = flowcert({"check", molecule, claim});
+  EXPECT_EQ(done.status, 1);
+  EXPECT_NE(done.out.find("    You missed the saddle of triangle 0 1 2 (index 2). This is a bug.\n"
+                          "    atoms: 0 C1, 1 N2, 2 O3\n    flowcert explain '"),
+            std::string::npos)
+      << done.out;
+  const std::size_t begin = done.out.find("explain '");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string command = done.out.substr(begin, done.out.find('\n', begin) - begin);
+  const Finished explained = RunningProgram({"/bin/sh", "-c", "\"$0\" " + command, FLOWCERT_PROGRAM}).finish();
+  EXPECT_EQ(explained.status, 0) << command << explained.err;
+  EXPECT_NE(explained.out.find("0, 1, 2 (C1, N2, O3)"), std::string::npos) << explained.out;
+  const json report = json::parse(flowcert({"check", molecule, claim, "--json"}).out);
+  const auto missed =
+      std::ranges::find_if(report["findings"], [](const json& one) { return one["reason"] == "missing"; });
+  ASSERT_NE(missed, report["findings"].end());
+  EXPECT_EQ((*missed)["sentence"], "You missed the saddle of triangle 0 1 2 (index 2). This is a bug.");
+  EXPECT_EQ((*missed)["atoms"], json({"C1", "N2", "O3"}));
 }
 
 TEST(CheckCommand, ReadsFromStandardInput) {

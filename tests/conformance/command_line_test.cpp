@@ -449,7 +449,15 @@ TEST(CommandLine, TheFirstProgramNamesWhatItLacks) {
     const Finished finished = first(command);
     expect_error(finished, command.front() + ": this program was built without it; './dev build' adds it .*");
   }
-  EXPECT_NE(first({"--help"}).out.find("Not built yet"), std::string::npos);
+  const std::string help = first({"--help"}).out, whole = flowcert({"--help"}).out;
+  EXPECT_NE(help.find("\nNot built yet: ./dev build adds these:\n"), std::string::npos) << help;
+  EXPECT_EQ(whole.find("Not built yet"), std::string::npos);
+  // Each is told as in the program that has it.
+  for (const std::string name : {"check ", "conformance ", "fuzz ", "generate ", "verify ", "view "}) {
+    const std::size_t at = whole.find("\n  " + name);
+    ASSERT_NE(at, std::string::npos);
+    EXPECT_NE(help.find(whole.substr(at, whole.find('\n', at + 1) - at)), std::string::npos) << name << help;
+  }
 }
 
 TEST(CommandLine, WithoutACommandEachGroupIsPrintedOnce) {

@@ -201,8 +201,18 @@ TEST_F(ConformanceCommand, ChoosesCases) {
     EXPECT_EQ(lines_of(finished.err).size(), 1U) << finished.err;
     EXPECT_NE(finished.err.find(what), std::string::npos) << finished.err;
   };
-  refuses({"--list", "--flag", "no-flag"}, "there is no flag 'no-flag'");
-  refuses({"--list", "--group", "no-group"}, "there is no group 'no-group'");
+  refuses({"--list", "--flag", "no-flag"}, "there is no flag 'no-flag'; there are: ");
+  refuses({"--list", "--flag", "colinear"}, "there is no flag 'colinear'; there are: collinear, ");
+  refuses({"--list", "--flag", "colinear"}, ", and others, which --list shows\n");
+  refuses({"--list", "--group", "no-group"}, "there is no group 'no-group'; there are: ");
+  refuses({"--list", "--group", "stable-manifold"},
+          "there is no group 'stable-manifold'; there are: unstable-manifolds, ");
+  const Finished degenerate = flowcert({"conformance", "--list", "--group", "degenerate"});
+  EXPECT_EQ(lines_of(degenerate.err).size(), 1U) << degenerate.err;
+  for (const auto& entry : fs::directory_iterator(FLOWCERT_VECTORS)) {
+    const std::string group = entry.path().stem().string();
+    EXPECT_EQ(degenerate.err.find(group) != std::string::npos, group != "flags") << group << degenerate.err;
+  }
   refuses({"--list", "--case", "orbits-9999"}, "there is no case 'orbits-9999'");
   refuses({"--list", "--case", kTetrahedron, "--group", "orbits"}, "no case is in all of");
   refuses({}, "--against");

@@ -381,10 +381,20 @@ TEST(FuzzCommand, SaysWhatToDoAboutFindingsOfAnEarlierCampaign) {
   EXPECT_EQ(run("").status, 1);
   const Finished again = run("");
   EXPECT_EQ(again.status, 2);
-  EXPECT_EQ(again.err,
-            "flowcert: flowcert-fuzz-9: there are findings of an earlier campaign in it; move it away, or name another "
-            "folder by --out\n");
-  EXPECT_EQ(run("--out other").status, 1);
+  EXPECT_EQ(
+      again.err,
+      "flowcert: flowcert-fuzz-9: there are findings of an earlier campaign; --out flowcert-fuzz-9-2 begins another\n");
+  EXPECT_EQ(run("--out campaign").status, 1);
+  EXPECT_EQ(
+      run("--out campaign").err,
+      "flowcert: campaign: there is a campaign already; --resume campaign goes on with it, --out campaign-2 begins "
+      "another\n");
+  EXPECT_EQ(run("--out campaign-2").status, 1);
+  EXPECT_TRUE(contains(run("--out campaign/").err, "--out campaign-3 begins another\n"));
+  EXPECT_TRUE(contains(run("--out campaign-2").err, "--out campaign-3 begins another\n"));
+  fs::create_directory(scratch.path("my own"));
+  (void)scratch.file("my own/notes", "");
+  EXPECT_EQ(run("--out 'my own'").err, "flowcert: my own: it is no empty folder; --out 'my own-2' begins a campaign\n");
   EXPECT_NE(content_of(FLOWCERT_FUZZ_README).find("`flowcert-fuzz-SEED`"), std::string::npos);
 }
 

@@ -119,6 +119,38 @@ TEST(Generate, OnlyIsTheVeryCase) {
   }
 }
 
+// What is left out has no line, and what is left keeps its number and its points.
+TEST(Generate, LeavesOutCasesOfMorePoints) {
+  CITES("FC-IN-03");
+  const Words run = {"--seed", "7", "--cases", "120"}, few = joined(run, {"--most-points", "5"});
+  const std::string stream = generated(few);
+  EXPECT_TRUE(
+      stream.starts_with("# flowcert generate: 120 cases, level 1, seed 7, without those of more than 5 points.\n"))
+      << stream.substr(0, 200);
+  const auto points_of = [](const std::string& one) { return one.substr(one.find('\n')); };
+  const std::vector<std::string> all = cases_of(generated(run)), some = cases_of(stream);
+  std::size_t next = 0;
+  for (std::size_t number = 0; number < all.size(); ++number) {
+    if (lines_of(all[number]).size() > 6) continue;
+    ASSERT_LT(next, some.size());
+    EXPECT_TRUE(id_of(some[next]).starts_with("1:7:" + std::to_string(number) + "/120/5:")) << id_of(some[next]);
+    EXPECT_EQ(points_of(some[next++]), points_of(all[number]));
+  }
+  EXPECT_EQ(next, some.size());
+  EXPECT_GT(next, 20U);
+  EXPECT_LT(next, 100U);
+  const std::string number = id_of(some[1]).substr(4, id_of(some[1]).find('/') - 4);
+  EXPECT_EQ(cases_of(generated(joined(few, {"--only", number}))).at(0), some[1]);
+}
+
+TEST(Generate, ACaseWithoutPointsIsAPointFile) {
+  CITES("FC-IN-04");
+  const auto& cases = cases_of(generated());
+  const auto empty = std::ranges::find_if(cases, [](const std::string& one) { return lines_of(one).size() == 1; });
+  ASSERT_NE(empty, cases.end());
+  EXPECT_EQ(generated({"--only", std::to_string(empty - cases.begin()), "--xyz"}), "# no points\n");
+}
+
 TEST(Generate, PrintsExactNumbers) {
   CITES("FC-IN-02");
   const Words run = {"--level", "3", "--cases", "200", "--seed", "3"};
@@ -176,6 +208,12 @@ TEST(Generate, RefusesWhatItCannotUse) {
   refuses({"--cases", "0"}, "--cases");
   refuses({"--cases", "10000001"}, "--cases");
   refuses({"--only", "500"}, "--only: the run has 500 cases, 0 to 499");
+  refuses({"--cases", "1", "--only", "1"}, "--only: the run has 1 case, 0 to 0");
+  refuses({"--most-points", "-1"}, "--most-points");
+  refuses({"--most-points", "1", "--family", "lattice-4"}, "--most-points: every case has more points than that");
+  const std::string first = cases_of(generated({"--family", "lattice-4"})).at(0);
+  refuses({"--most-points", "1", "--family", "lattice-4", "--only", "0"},
+          "--only: case 0 has " + std::to_string(lines_of(first).size() - 1) + " points, more than --most-points says");
   refuses({"--family", "lattice-22"}, "no family is called 'lattice-22'; there are: general-position,");
 }
 

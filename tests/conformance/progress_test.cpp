@@ -7,8 +7,10 @@
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 
+#include <array>
 #include <chrono>
 #include <functional>
+#include <future>
 #include <random>
 #include <thread>
 
@@ -31,7 +33,9 @@ class Terminal {
     const winsize size{.ws_row = 24, .ws_col = 80, .ws_xpixel = 0, .ws_ypixel = 0};
     ::ioctl(master_, TIOCSWINSZ, &size);
     // While this end is open, the terminal has not hung up.
-    name_ = ::ptsname(master_);
+    std::array<char, 64> name{};
+    if (::ptsname_r(master_, name.data(), name.size()) != 0) throw std::runtime_error("no terminal");
+    name_ = name.data();
     other_end_ = ::open(name_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
   }
   ~Terminal() {
@@ -191,7 +195,23 @@ TEST(Progress, OfWaitingForPoints) {
   expect_shown_and_gone(seen, "reading standard input  2 s");
 }
 
+// A pipe of three programs on one terminal: the last one says how far it is, with what is wrong.
+Seen seen_of_a_pipe() {
+  const std::string refuses = "grep '^case ' 2>/dev/null | head -n 9 | sed 's/case \\([^ ]*\\).*/refused \\1/'";
+  return on_terminal(
+      {"/bin/sh", "-c",
+       "\"$0\" generate --level 2 | { " + refuses + "; sleep 3.5; } | \"$0\" verify --level 2 >/dev/null; test $? = 1",
+       FLOWCERT_PROGRAM});
+}
+
+// Without `verify`, the first one says it.
+Seen seen_without_verify() {
+  return on_terminal({"/bin/sh", "-c", "\"$0\" generate --level 2 | sleep 3.2; true", FLOWCERT_PROGRAM});
+}
+
 TEST(Progress, OfWaitingForAnswers) {
+  auto of_a_pipe = std::async(std::launch::async, seen_of_a_pipe);
+  auto without_verify = std::async(std::launch::async, seen_without_verify);
   const Scratch scratch;
   SlowPipe pipe(scratch.path("pipe"), "");
   Seen seen = on_terminal({FLOWCERT_PROGRAM, "verify"}, pipe.path(),
@@ -203,6 +223,13 @@ TEST(Progress, OfWaitingForAnswers) {
   seen.status = 0;
   seen.text.resize(error);
   expect_shown_and_gone(seen, "verifying  2 s");
+
+  const Seen piped = of_a_pipe.get();
+  expect_shown_and_gone(piped, "verifying: 9 of 5,000 cases, 9 wrong  ");
+  EXPECT_EQ(piped.text.find("writing"), std::string::npos) << piped.text;
+  const Seen alone = without_verify.get();
+  expect_shown_and_gone(alone, "writing: ");
+  EXPECT_NE(alone.text.find(" of 5,000 cases  "), std::string::npos) << alone.text;
 }
 
 TEST(Progress, IsNotShownToAFile) {

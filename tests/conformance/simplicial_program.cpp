@@ -1,7 +1,8 @@
-// A program of a common sort, for tests of `flowcert fuzz --against`. It finds critical points by trying all
+// A program of a common sort, for tests of `flowcert fuzz`. It finds critical points by trying all
 // simplices of up to four points, in floating point, with no thought for cospherical ones.
 //
-//   simplicial_program IN OUT [--strict | --crash ROWS | --hang ROWS | --refuse ROWS]
+//   simplicial_program IN OUT [--strict | --crash ROWS | --hang ROWS | --refuse ROWS | --quit ROWS]
+//   simplicial_program --cases [the same, or --stray ROWS | --other-id ROWS]   reads and answers case after case
 //
 // It claims, as lines of CSV, each simplex whose circumcentre is inside of it and whose open ball has no
 // other point. So a square comes out as two diagonals. --strict: no other point is on the sphere either, and
@@ -14,6 +15,7 @@
 #include <fstream>
 #include <iostream>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -103,15 +105,41 @@ struct Claims {
 void misbehave(const std::string& how) {
   if (how == "--crash") std::raise(SIGSEGV);
   if (how == "--hang") ::sleep(3600);
+  if (how == "--quit") std::exit(0);
   if (how == "--refuse") {
     std::cerr << "too many points for me\n";
     std::exit(3);
   }
 }
 
+void claim_all(const std::vector<Vector>& points, const std::string& how, std::ostream& out) {
+  std::vector<std::size_t> ids;
+  Claims{points, how == "--strict", out}.claim_all(ids);
+}
+
+int answer_cases(const std::string& how, std::size_t most) {
+  for (std::string line; std::getline(std::cin, line);) {
+    std::istringstream words(line);
+    std::string word, id;
+    std::size_t count = 0;
+    if (!(words >> word >> id >> count) || word != "case") continue;
+    std::vector<Vector> points(count);
+    for (Vector& p : points) std::cin >> p[0] >> p[1] >> p[2];
+    const bool is_too_much = most <= count;
+    if (is_too_much) misbehave(how);
+    std::cout << "answer " << id << (is_too_much && how == "--other-id" ? "0" : "") << '\n';
+    claim_all(points, how, std::cout);
+    std::cout << "end\n" << (is_too_much && how == "--stray" ? "that was hard\n" : "") << std::flush;
+  }
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && argv[1] == std::string("--cases")) {
+    return answer_cases(argc > 2 ? argv[2] : "", argc > 3 ? std::stoul(argv[3]) : ~std::size_t{0});
+  }
   if (argc < 3) return 2;
   std::ifstream in(argv[1]);
   std::vector<Vector> points;
@@ -119,7 +147,6 @@ int main(int argc, char** argv) {
   const std::string how = argc > 3 ? argv[3] : "";
   if (argc > 4 && points.size() >= std::stoul(argv[4])) misbehave(how);
   std::ofstream out(argv[2]);
-  std::vector<std::size_t> ids;
-  Claims{points, how == "--strict", out}.claim_all(ids);
+  claim_all(points, how, out);
   return out.flush() ? 0 : 1;
 }

@@ -100,7 +100,7 @@ TEST(VerifyVectors, AFaultIsFoundInItsVector) {
   EXPECT_EQ(report["unanswered_numbers"], json({{20, 20}}));
   EXPECT_EQ(report["failures"][0]["family"], "flat-inputs");
   const std::string again = report["failures"][0]["points"];
-  EXPECT_TRUE(again.starts_with("flowcert generate --vectors ") && again.ends_with(" --only 3")) << again;
+  EXPECT_TRUE(again.starts_with("flowcert generate --vectors ") && again.ends_with(" --only 3 --xyz")) << again;
   EXPECT_EQ(cases_of(generated({"--vectors", few.folder(), "--only", "3"})).front(), cases_of(pipe.cases())[3]);
   const std::string folder = pipe.scratch().path("kept");
   (void)pipe.verify({"--keep", folder});
@@ -138,6 +138,29 @@ TEST(VerifyVectors, TheVerdictIsThatOfConformance) {
   EXPECT_EQ(verdicts_by_vector(verified), expected);
   for (const char* outcome : {"conforms", "perturbed", "fails", "unreadable"}) {
     EXPECT_EQ(verified[outcome], counts[outcome]) << outcome;
+  }
+}
+
+TEST(VerifyVectors, OfMorePointsAreLeftOut) {
+  CITES("FC-CLAIM-03");
+  const FewVectors few;
+  const Words run = {"--vectors", few.folder(), "--most-points", "5"};
+  const Pipe pipe(run, {"csv"});
+  EXPECT_TRUE(
+      contains(pipe.cases(), "# flowcert generate: 30 conformance vectors, without those of more than 5 points.\n"));
+  const std::vector<std::string> all = cases_of(generated({"--vectors", few.folder()}));
+  const auto asked = static_cast<std::size_t>(
+      std::ranges::count_if(all, [](const std::string& one) { return lines_of(one).size() <= 6; }));
+  ASSERT_LT(asked, 30U);
+  EXPECT_TRUE(id_of(cases_of(pipe.cases()).at(0)).starts_with("vector:flat-inputs-0001/5:")) << pipe.cases();
+  const json report = pipe.as_json();
+  EXPECT_EQ(report["cases"], asked);
+  EXPECT_EQ(report["unanswered"], 0);
+  EXPECT_TRUE(report["run"].get<std::string>().ends_with(" --most-points 5")) << report["run"];
+  for (const Words& other : {Words{"--vectors", few.folder()}, {"--vectors", few.folder(), "--most-points", "6"}}) {
+    const Finished refused = pipe.verify_text(pipe.answers(), other);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_TRUE(contains(refused.err, "standard input:3: a case of another run: 'vector:")) << refused.err;
   }
 }
 

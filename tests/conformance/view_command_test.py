@@ -457,7 +457,8 @@ class ViewTest(unittest.TestCase):
         value = lambda end: fractions.Fraction(end["squared_distance"])
         # To so many digits that those of different pairs differ.
         root = lambda square: math.isqrt(square.numerator * 10**80 // square.denominator)
-        lengths = {repr(p["death"]["contact"]) + repr(p["birth"]["contact"]): root(value(p["death"])) - root(value(p["birth"]))
+        length = lambda p: root(value(p["death"])) - root(value(p["birth"]))
+        lengths = {repr(p["death"]["contact"]) + repr(p["birth"]["contact"]): length(p)
                    for p in listed if p["dimension"] > 0}
         pairs = thin.data["pairs"]
         kept = [lengths[repr(thin.names[death]) + repr(thin.names[birth])]
@@ -567,6 +568,24 @@ class ViewTest(unittest.TestCase):
                  for k in (0, 1000, -900)]
         for page in pages[1:]:
             self.assertEqual(page["u2"], pages[0]["u2"])
+
+    def test_atoms_are_named_by_their_rows(self):
+        names = ["N", "CA", "C", "O", "N"]
+        text = "".join(f"ATOM  {i + 1:5d}  {name:<3s} GLY A{i // 4 + 1:4d}    {i:8.3f}   0.000{i * i % 5:8.3f}"
+                       f"  1.00  0.00          {name[0]:>2s}\n" for i, name in enumerate(names))
+        atoms = view(text)["atoms"]
+        self.assertEqual([atoms["elements"][place] for place in atoms["element"]], ["N", "C", "C", "O", "N"])
+        self.assertEqual(len(set(atoms["elements"])), len(atoms["elements"]))
+        self.assertEqual(atoms["names"], ["A GLY 1 N", "A GLY 1 CA", "A GLY 1 C", "A GLY 1 O", "A GLY 2 N"])
+        self.assertIsNone(view("0 0 0\n1 0 0\n")["atoms"])
+
+    def test_pockets_have_the_square_of_their_persistence(self):
+        cube = "".join(f"{x} {y} {z}\n" for x in (0, 1) for y in (0, 1) for z in (0, 1))
+        self.assertNotIn("pockets", view(cube))
+        pockets = view(cube, "--pockets", "0.125")["pockets"]
+        self.assertEqual(pockets["squared_persistence"], "1/64")
+        self.assertEqual(pockets["of"], len(pockets["depth"]))
+        self.assertAlmostEqual(pockets["depth"][0], math.sqrt(0.75) - math.sqrt(0.5))
 
     def test_no_points(self):
         data = view("# nothing\n")

@@ -94,3 +94,21 @@ def test_what_is_refused():
         flowcert.FlowComplex(np.empty((0, 3))).locate(CUBE)
     assert flowcert.FlowComplex(np.empty((0, 3))).pockets().pockets == []
     assert fc.locate(np.empty((0, 3))).limits.shape == (0,)
+
+
+def test_atoms_that_line_a_pocket(tmp_path):
+    rows = [("CA", "GLY", 7), ("N", "GLY", 7), ("CA", "ALA", 8), ("N", "ALA", 8), ("CA", "SER", 9), ("N", "SER", 9)]
+    file = tmp_path / "octahedron.pdb"
+    file.write_text("".join(
+        f"ATOM  {k + 1:>5}  {atom:<3} {residue} A{number:>4}    {x:>8.3f}{y:>8.3f}{z:>8.3f}  1.00  0.00           {atom[0]}\n"
+        for k, ((atom, residue, number), (x, y, z)) in enumerate(zip(rows, 4 * OCTAHEDRON))))  # fmt: skip
+    points, atoms = flowcert.read_points(file, return_atoms=True)
+    assert points.shape == (6, 3) and len(atoms) == 6
+    assert atoms.dtype.names == ("chain", "residue", "number", "atom", "element")
+    assert atoms[["residue", "number", "atom"]].tolist() == [(r, str(n), a) for a, r, n in rows]
+    [pocket] = flowcert.FlowComplex(points).pockets(0).pockets
+    assert atoms["residue"][pocket.lining].tolist() == [residue for _, residue, _ in rows]
+    assert flowcert.FlowComplex(points).pockets().pockets == []  # not deeper than half the spacing
+    write_xyz(tmp_path / "a.xyz", points)
+    points, left_out, none = flowcert.read_points(tmp_path / "a.xyz", return_atoms=True, return_left_out=True)
+    assert len(none) == len(left_out) == 0

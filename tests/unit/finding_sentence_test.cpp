@@ -33,6 +33,12 @@ TEST(FindingSentences, SayWhatANewcomerAsks) {
   EXPECT_EQ(sentence(kRightTriangle, Claimed().add(1, {1, 2}).claim, FindingReason::kCollisionAsCritical),
             "The midpoint of edge 1 2 is not critical: point 0 lies on its sphere, too. Moving the points a little "
             "would not make this answer right. This is a bug.");
+  EXPECT_EQ(sentence(kRightTriangle, Claimed().at(1, decimals({Rational(3, 2), 2, 0})).claim,
+                     FindingReason::kCollisionAsCritical),
+            "This place, the regular stationary point of triangle 0 1 2 (kind 1-2), is not critical. Moving the points "
+            "a little would not make this answer right. This is a bug.");
+  EXPECT_EQ(sentence(kTriangle, Claimed().add(0, {0}).add(0, {1}).claim, FindingReason::kWrongCounts),
+            "The counts are wrong: you have an Euler sum of 2; it is 1. This is a bug.");
   EXPECT_EQ(sentence(kTriangle, Claimed().add(1, {0, 1}).claim, FindingReason::kMissing),
             "You missed point 0. This is a bug.");
   EXPECT_EQ(sentence(kTriangle, Claimed().add(0, {0}).add(0, {1}).add(0, {2}).claim, FindingReason::kMissing),

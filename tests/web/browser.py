@@ -25,6 +25,17 @@ const wait = () => window.flowcert ? window.flowcert.ready.then(() => done(true)
 wait();
 """
 
+# The scene as `data`, four numbers a pixel, and where it is.
+PIXELS = """
+const canvas = document.getElementById('scene'), copy = document.createElement('canvas');
+const box = canvas.getBoundingClientRect();
+flowcert.redraw_now();
+Object.assign(copy, {width: canvas.width, height: canvas.height});
+const context = copy.getContext('2d', {willReadFrequently: true});
+context.drawImage(canvas, 0, 0);
+const data = context.getImageData(0, 0, copy.width, copy.height).data;
+"""
+
 
 class Browser:
     def __init__(self, width=1400, height=1000, flags=()):
@@ -72,6 +83,21 @@ class Browser:
 
     def find_all(self, selector):
         return self.driver.find_elements(By.CSS_SELECTOR, selector)
+
+    def color_at(self, x, y):
+        """Red, green, blue and opacity of the scene at a pixel of the page."""
+        return self.run(f"{PIXELS} const at = 4 * (Math.round(arguments[1] - box.top) * copy.width +"
+                        "Math.round(arguments[0] - box.left)); return [...data.slice(at, at + 4)]", x, y)
+
+    def count_of_color(self, name, most=40):
+        """How many pixels of the scene are near a colour of the page, which has it as --NAME."""
+        return self.run(PIXELS + """
+          const hex = getComputedStyle(document.documentElement).getPropertyValue('--' + arguments[0]).trim();
+          const wanted = [1, 3, 5].map(i => parseInt(hex.slice(i, i + 2), 16));
+          let count = 0;
+          for (let i = 0; i < data.length; i += 4)
+            count += data[i + 3] > 200 && wanted.every((part, k) => Math.abs(data[i + k] - part) <= arguments[1]);
+          return count;""", name, most)
 
     def click_at(self, x, y, button=MouseButton.LEFT):
         actions = ActionBuilder(self.driver)

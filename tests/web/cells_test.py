@@ -102,8 +102,14 @@ def test_a_picked_maximum_has_its_cell_drawn(with_cells, browser, name):
         assert len(rows) == min(24, len(beyond))
         if len(beyond) == 1:
             assert "infinity" in rows[0].text
+        elif place == drawn[0]:
+            row = next(row for row in rows if "record" in row.text)
+            number = row.find_element("css selector", "th").text.split()[1]
+            row.find_element("css selector", "td").click()
+            assert f"record {number} of the list" in browser.find("#page-details .fact-head").text
     browser.ask("pick", {"sample": 0})
-    assert browser.run("return flowcert.marked()") == dict.fromkeys(("cell", "surface", "lines", "pocket", "mouths"), 0)
+    parts = ("cell", "surface", "lines", "pocket", "mouths", "outlines")
+    assert browser.run("return flowcert.marked()") == dict.fromkeys(parts, 0)
 
 
 @pytest.mark.parametrize("name", TEXTS)

@@ -76,6 +76,7 @@ def test_a_finding_is_shown_in_its_place(browser, claimed, reason):
     assert finding["clause"] in facts and "claimed" in facts and "truth" in facts
     told = [f for f in checked["findings"] if f["reason"] == reason]
     assert any(f["claimed"] in facts and f["truth"] in facts for f in told)
+    assert any(f["sentence"] in facts for f in told) and "flowcert explain " in facts
     assert reason == "missing" or any(f"{f['line']} of the claim" in facts for f in told)
 
 
@@ -83,6 +84,23 @@ def test_samples_inside_a_claimed_sphere_are_named(browser, claimed):
     open_claim(browser, claimed)
     by_reason(browser, "ball-not-empty").click()
     assert "row 5 inside the claimed sphere" in browser.find(".finding-facts").text.replace("\n", " ")
+
+
+def test_what_is_claimed_is_seen_on_what_is_true(browser, claimed):
+    """A wrong index has the true sphere: its lines are dashed, and in the gaps the true ones are seen."""
+    open_claim(browser, claimed)
+    for layer in browser.ask("layers"):
+        browser.ask("set_layer", layer, False)
+    colors = ("claimed", "truth")
+    assert [browser.count_of_color(color) for color in colors] == [0, 0]
+    by_reason(browser, "wrong-index").click()
+    browser.rest()
+    spheres = browser.run("return JSON.parse(document.getElementById('flowcert-data').textContent)"
+                          ".claim.findings.find(f => f.reason === 'wrong-index').spheres")
+    assert {sphere["role"] for sphere in spheres} == {"claimed", "true"}
+    assert spheres[0]["center"] == spheres[1]["center"] and spheres[0]["radius"] == spheres[1]["radius"]
+    for color in colors:
+        assert browser.count_of_color(color) > 1200, color
 
 
 def test_escape_lets_go_of_a_finding(browser, claimed):

@@ -36,6 +36,8 @@ def test_the_scene_draws_all_of_it_at_full_detail(opened, browser, name):
     assert drawn["s1"] == page.summary["critical"][1]
     assert (drawn["s2_sets"], drawn["triangles"]) == (surface["sets"], surface["triangles"])
     assert drawn["u2_lines"] == page.summary["critical"][2]
+    limits = [limit for r in page.records if r["index"] == 2 for limit in r["limits"]]
+    assert (drawn["infinity_segments"] > 0) == (None in limits)
     assert not drawn["flat"]
 
 
@@ -69,7 +71,23 @@ def test_lines_to_infinity_leave_the_box(opened, browser):
             assert outside == (limit is None), (name, limit, end)
 
 
+def test_lines_to_infinity_are_a_layer_that_is_off_at_first(opened, browser):
+    page = opened("octahedra")
+    browser.rest()
+    button = browser.find('button[data-layer="infinity"]')
+    limits = [limit for r in page.records if r["index"] == 2 for limit in r["limits"]]
+    assert button.get_attribute("aria-pressed") == "false"
+    assert button.find_element("css selector", ".count").text == str(limits.count(None))
+    assert browser.find('button[data-layer="u2"] .count').text == str(len(limits) - limits.count(None))
+    before = browser.ask("drawn")
+    assert before["infinity_segments"] == 0 < before["u2_segments"]
+    button.click()
+    browser.rest()
+    after = browser.ask("drawn")
+    assert after["infinity_segments"] >= limits.count(None) and after["u2_segments"] == before["u2_segments"]
+
+
 def test_lines_are_drawn_inside_the_box_alone(opened, browser):
-    opened("square")
-    assert browser.ask("drawn")["u2_segments"] == 2
+    opened("square", "#full")
+    assert browser.ask("drawn")["infinity_segments"] == 2
     assert browser.run("return flowcert.line_bounds()") == [-3, 3]

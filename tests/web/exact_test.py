@@ -185,6 +185,7 @@ def test_the_table_has_the_same_facts(opened, browser):
         index = record["index"]
         assert row[1] == (str(index) if isinstance(index, int) else f"{index[0]}-{index[1]}")
         assert [float(x) for x in row[2:5]] == record["center_double"]
+        assert float(row[5]) == pytest.approx(math.sqrt(record["squared_distance_double"]), rel=1e-3)
         assert row[6].split(" (")[0].replace(" …", "").split() == [str(c) for c in record["contact"][:8]]
 
 
@@ -195,3 +196,25 @@ def test_rows_of_the_table_pick_points(opened, browser):
     button = browser.find("#page-table tbody button")
     button.click()
     assert page.name(browser.ask("picked")) == tuple(range(8))
+
+
+def test_a_row_of_the_table_picks_wherever_it_is_clicked(opened, browser):
+    page = opened("cube")
+    browser.find("#tab-table").click()
+    rows = browser.find_all("#page-table tbody tr")
+    rows[3].find_elements("css selector", "td")[2].click()
+    assert page.name(browser.ask("picked")) == (3,)
+    assert rows[3].get_attribute("aria-current") == "true"
+    rows[10].send_keys("\ue007")
+    assert page.name(browser.ask("picked")) == tuple(page.records[10]["contact"])
+
+
+def test_lengths_of_pairs_are_differences_of_distances(opened, browser):
+    page = opened("octahedra")
+    for _, birth, death in [p for p in page.pairs if p[2]][::9]:
+        browser.ask("pick", page.places[death[1]])
+        text = browser.find("#page-details").text
+        born, dies = math.sqrt(birth[0]), math.sqrt(death[0])
+        told = re.search(r"distance ([\d.]+) to ([\d.]+); length ([\d.]+), input units$", text, re.MULTILINE)
+        assert told, text
+        assert [float(x) for x in told.groups()] == pytest.approx([born, dies, dies - born], abs=1e-3)

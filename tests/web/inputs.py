@@ -1,5 +1,7 @@
-"""The inputs of which pages are tested: degenerate ones that fit on a line, and the Stanford bunny."""
+"""The inputs of which pages are tested: degenerate ones that fit on a line, the Stanford bunny, and molecules."""
 import itertools
+import math
+import pathlib
 
 BUNNY = "/usr/share/glmark2/models/bunny.obj"
 
@@ -28,6 +30,30 @@ BALL_WITH_TRIANGLE = (
     "-9 -5 1; 10 -2 0; -6 8 0; -1 -10 -1; 7 7 -2; -9 1 -2; 7 -6 -3; -1 9 -4; -5 -7 -5; 8 1 -5; -6 4 -6; "
     "2 -7 -7; 3 6 -8; -5 -2 -8; 4 -2 -9; -1 2 -10; 8 0 1; 8 0 -1; 6 0 0"
 )
+
+BARREL = pathlib.Path(__file__).resolve().parents[1] / "inputs" / "barrel.pdb"
+
+
+def pdb_line(number, name, element, position):
+    residue = number // 8 + 1
+    place = "".join(f"{x:8.3f}" for x in position)
+    return f"ATOM  {number + 1:5d}  {name:<3s} SER B{residue:4d}    {place}  1.00  0.00          {element:>2s}\n"
+
+
+def cup():
+    """Atoms on a sphere, as near as bonds, with an opening toward +x: a pocket with one wide mouth."""
+    count, radius, turn = 200, 6, math.pi * (3 - math.sqrt(5))
+    kinds = [("N", "N"), ("CA", "C"), ("C", "C"), ("O", "O"), ("CB", "C"), ("SG", "S")]
+    lines = []
+    for k in range(count):
+        z = 1 - (2 * k + 1) / count
+        across = math.sqrt(1 - z * z)
+        position = (across * math.cos(turn * k), across * math.sin(turn * k), z)
+        if position[0] < 0.8:
+            name, element = kinds[len(lines) % len(kinds)]
+            lines.append(pdb_line(len(lines), name, element, [radius * x for x in position]))
+    return "".join(lines)
+
 
 TEXTS = {
     "cube": rows(itertools.product((0, 1), repeat=3)),

@@ -57,7 +57,7 @@ def test_a_mouth_tells_all_pockets_beside_it(with_pockets, browser):
 
 
 def test_the_table_has_all_pockets_and_picks_them(with_pockets, browser):
-    _page, pockets = with_pockets("chambers")
+    page, pockets = with_pockets("chambers")
     browser.find_all("#tab-pockets")[0].click()
     rows = browser.find_all("#page-pockets tbody tr")
     assert len(rows) == len(pockets) > 1
@@ -66,14 +66,31 @@ def test_the_table_has_all_pockets_and_picks_them(with_pockets, browser):
         number = int(row.find_elements("css selector", "th")[0].text)
         depth, volume, mouths, widest = [cell.text for cell in row.find_elements("css selector", "td")]
         told = pockets[number]
-        depths.append(told["depth_of_radii"])
-        assert float(depth) == pytest.approx(told["depth_of_radii"], rel=1e-3)
+        depths.append(told["depth"])
+        assert float(depth) == pytest.approx(told["depth"], rel=1e-3)
         assert float(volume) == pytest.approx(told["volume"], rel=1e-3)
         assert float(widest) == pytest.approx(told["widest_path"]["radius"], rel=1e-3)
         assert int(mouths) == len(told["mouths"])
     assert depths == sorted(depths, reverse=True)
-    rows[0].find_elements("css selector", "button")[0].click()
-    assert browser.ask("picked") is not None and browser.ask("marked")["pocket"] > 0
+    browser.ask("pick", None)
+    for click, row in ((lambda row: row.find_element("css selector", "button").click(), rows[0]),
+                       (lambda row: row.find_elements("css selector", "td")[2].click(), rows[1]),
+                       (lambda row: row.send_keys("\ue007"), rows[0])):
+        click(row)
+        number = int(row.find_element("css selector", "th").text)
+        assert list(page.name(browser.ask("picked"))) == pockets[number]["peaks"][0]["contact"]
+        assert browser.ask("marked")["pocket"] > 0
+        assert [r for r in rows if r.get_attribute("aria-current") == "true"] == [row]
+
+
+def test_the_deepest_pocket_is_picked_at_first(with_pockets, browser):
+    page, pockets = with_pockets("chambers")
+    deepest = max(pockets, key=lambda pocket: pocket["depth"])
+    assert list(page.name(browser.ask("picked"))) == deepest["peaks"][0]["contact"]
+    assert told_pockets(browser) == [str(pockets.index(deepest))]
+    assert browser.find("#tab-pockets").get_attribute("aria-selected") == "true"
+    marked = browser.ask("marked")
+    assert marked["pocket"] >= 4 and marked["outlines"] >= 3
 
 
 def test_merged_and_left_out_pockets(with_pockets, browser):

@@ -40,7 +40,7 @@ struct ViewerFinding {
   bool is_variation = false;
   std::string clause;
   std::optional<std::size_t> line;  // of the claim
-  std::string claimed, truth;
+  std::string claimed, truth, sentence;
   std::optional<int> index;               // as claimed, or the true one of what is missing
   std::optional<std::size_t> record;      // the stationary point that it is about, by its place in the list
   std::optional<RationalPoint> position;  // where it is drawn; none: it has no place
