@@ -486,7 +486,9 @@ class VectorTruth final : public Truth {
   }
   [[nodiscard]] Rational hull_volume() override { return oracle_->hull_volume(); }
   [[nodiscard]] UnstableSurface unstable_surface(std::size_t i) override { return oracle_->unstable_surface(i); }
-  [[nodiscard]] TruePockets pockets(const Rational& squared_persistence) override { return oracle_->pockets(squared_persistence); }
+  [[nodiscard]] TruePockets pockets(const Rational& squared_persistence) override {
+    return oracle_->pockets(squared_persistence);
+  }
   [[nodiscard]] double area(std::size_t i) override { return oracle_->area(i); }
   [[nodiscard]] double nearest_volume_of(const std::vector<std::uint32_t>& points) override {
     return oracle_->nearest_volume_of(points);

@@ -103,7 +103,8 @@ void print_in_plain_words(const CheckedFiles& files, const Finding& finding) {
   if (finding.contact.empty() || finding.contact.size() > kMostIds) return;
   if (files.atoms != nullptr) {
     std::vector<std::string> names;
-    for (const PointId row : finding.contact) names.push_back(unbroken(fmt::format("{} {}", row, files.atoms->text(row))));
+    for (const PointId row : finding.contact)
+      names.push_back(unbroken(fmt::format("{} {}", row, files.atoms->text(row))));
     print(fmt::format("atoms: {}", fmt::join(names, ", ")));
   }
   if (files.points != display_name(kStandardStream)) {

@@ -320,8 +320,7 @@ std::string complaint_about_seed(const std::string& text) {
 
 void add_persistence_command(CLI::App& app, int& status) {
   auto options = std::make_shared<PersistenceOptions>();
-  CLI::App* command =
-      app.add_subcommand("persistence", "Persistence of the distance: components, tunnels, voids");
+  CLI::App* command = app.add_subcommand("persistence", "Persistence of the distance: components, tunnels, voids");
   add_input_options(*command, options->input, options->reading);
   CLI::Option* output =
       command

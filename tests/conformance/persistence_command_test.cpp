@@ -279,7 +279,8 @@ TEST(PersistenceTable, EqualPairsComeInTheirOrderAndLongContactSetsAreCut) {
   const std::vector<Words> rows = longest_rows(persistence(input, {"-o", scratch.path("out.pers")}).out);
   ASSERT_EQ(rows.size(), 11U);
   EXPECT_EQ(rows[1], (Words{"0", "0.500", "0.000", "0.500", "1", "0", "1"}));
-  EXPECT_EQ(rows[10], (Words{"2", "0.159", "0.707", "0.866", "4", "5", "6", "7", "0", "1", "2", "3", "and", "4", "more"}));
+  EXPECT_EQ(rows[10],
+            (Words{"2", "0.159", "0.707", "0.866", "4", "5", "6", "7", "0", "1", "2", "3", "and", "4", "more"}));
   const std::string none = scratch.file("none.off", "OFF\n0 0 0\n");
   EXPECT_EQ(longest_rows(persistence(none, {"-o", scratch.path("out.pers")}).out).size(), 0U);
 }
