@@ -1127,16 +1127,17 @@ def limit_memory():
 
 
 def run_command(command, text, seconds, start="1,0,0"):
-    """How it ends, and what it answers: a word of COLUMNS or an exit status, and bytes."""
+    """How it ends, what it answers, and what it said: a word of COLUMNS or an exit status, bytes, and a line."""
     with tempfile.TemporaryDirectory(prefix="judge-") as folder:
         points, claim = Path(folder, "points.xyz"), Path(folder, "claim")
         points.write_text(text, newline="")
         places = {"{in}": str(points), "{out}": str(claim), "{start}": start}
         order = re.sub(r"\{(?:in|out|start)\}", lambda place: shlex.quote(places[place[0]]), command)
         answer = claim if "{out}" in command else Path(folder, "stdout")
-        with open(Path(folder, "stdout"), "wb") as out, open(os.devnull, "rb") as nothing:
+        said = Path(folder, "stderr")
+        with open(Path(folder, "stdout"), "wb") as out, open(said, "wb") as log, open(os.devnull, "rb") as nothing:
             run = subprocess.Popen(["/bin/sh", "-c", order], cwd=folder, stdin=nothing, stdout=out,
-                                   stderr=subprocess.DEVNULL, start_new_session=True, preexec_fn=limit_memory)
+                                   stderr=log, start_new_session=True, preexec_fn=limit_memory)
             try:
                 status = run.wait(seconds)
             except subprocess.TimeoutExpired:
@@ -1146,10 +1147,21 @@ def run_command(command, text, seconds, start="1,0,0"):
             except ProcessLookupError:
                 pass
             run.wait()
+        note = "" if status in (0, "timed out") else f"exit status {status}{last_line(said)}"
         if status != "timed out" and (status < 0 or status in (126, 127) or status > 128):
             status = "crashed"
         is_there = answer.is_file() and answer.stat().st_size <= 16 << 20
-        return status, answer.read_bytes() if is_there else None
+        return status, answer.read_bytes() if is_there else None, note
+
+
+def last_line(log):
+    """What a program said last on standard error, without characters that move a terminal's cursor."""
+    with open(log, "rb") as file:
+        file.seek(max(0, log.stat().st_size - 4096))
+        lines = file.read().decode(errors="replace").split("\n")
+    said = next((line for line in reversed(lines) if line.strip()), "")
+    shown = "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in said)
+    return f": {shown[:160]}" if said else ""
 
 
 BLANK = {"message": "", "findings": [], "judged": set(), "undecided": False, "profile": None, "orbits": []}
@@ -1172,8 +1184,9 @@ def judge_orbits(case, result, options):
     """Adds to the result what the orbits of the case make of it. The first negative outcome stays."""
     for true in case["expected"].get("orbits", []):
         start = ",".join(true["start"])
-        status, data = run_command(options.orbits_against, points_text(case, options.hex), options.time_limit, start)
-        outcome, message = status if isinstance(status, str) else "refused" if status else "", ""
+        text = points_text(case, options.hex)
+        status, data, message = run_command(options.orbits_against, text, options.time_limit, start)
+        outcome = status if isinstance(status, str) else "refused" if status else ""
         if not outcome:
             try:
                 outcome = match_orbit(read_orbit(data), read_orbit(json.dumps(true).encode()))
@@ -1195,15 +1208,15 @@ def judge_case(case, options):
     if case.get("refused") == "start" and not options.orbits_against:
         return {**BLANK, "outcome": "skipped"}
     if case.get("refused") == "start":
-        status, data = run_command(options.orbits_against, text, options.time_limit, ",".join(case["start"]))
+        status, data, note = run_command(options.orbits_against, text, options.time_limit, ",".join(case["start"]))
     else:
-        status, data = run_command(options.against, text, options.time_limit)
+        status, data, note = run_command(options.against, text, options.time_limit)
     if isinstance(status, str):
-        result = {**BLANK, "outcome": status}
+        result = {**BLANK, "outcome": status, "message": note}
     elif case["result"] == "invalid":
         result = {**BLANK, "outcome": "properly refused" if status else "accepted"}
     else:
-        result = {**BLANK, "outcome": "refused"} if status else judge_bytes(case, data, options)
+        result = {**BLANK, "outcome": "refused", "message": note} if status else judge_bytes(case, data, options)
     if options.orbits_against and case["result"] != "invalid":
         judge_orbits(case, result, options)
     return result
@@ -1285,6 +1298,7 @@ def read_vectors(folder, options):
             group = json.loads(path.read_text())
             cases += [{**case, "group": group["group"]} for case in group["cases"]]
     options.vectors_in_all = len(cases)
+    options.groups = sorted({case["group"] for case in cases})
     chosen = [case for case in cases if (not options.group or case["group"] in options.group)
               and (not options.case or case["id"] in options.case)
               and (not options.flag or set(options.flag) & set(case["flags"]))]
@@ -1293,7 +1307,8 @@ def read_vectors(folder, options):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--against", help="the command: {in} is a file of points, {out} that of the claim")
+    parser.add_argument("--against", help="the command: {in} is a file of points, {out} that of the claim; it runs in "
+                        "a folder of its own, so give whole paths")
     parser.add_argument("--orbits-against", help="a command for orbits: {start} is where one starts, X,Y,Z")
     parser.add_argument("--claim", help="a claim about the points of one --case, instead of a command")
     parser.add_argument("--vectors", default=str(Path(__file__).parent / "vectors"), help="folder of the vectors")
@@ -1313,7 +1328,8 @@ def main():
         parser.error("--orbits-against needs {start} in its command, and --against beside it")
     cases, flags = read_vectors(options.vectors, options)
     if not cases or (options.claim and (len(cases) > 1 or cases[0]["result"] == "invalid")):
-        parser.error("no such case" if not cases else "--claim needs one --case that is not invalid")
+        parser.error("--claim needs one --case that is not invalid" if cases else
+                     f"no such case; the groups are {', '.join(options.groups)}, and the flags {', '.join(flags)}")
     if options.claim:
         outcomes = {cases[0]["id"]: judge_bytes(cases[0], Path(options.claim).read_bytes(), options)}
     else:

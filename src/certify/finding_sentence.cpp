@@ -129,19 +129,30 @@ class Sentence {
                            times_text(finding_.contact.size())));
   }
 
+  // Where two points collide that a simplex has: what is permitted there (FC-CLAIM-04).
+  [[nodiscard]] std::string permitted_text() const {
+    if (!finding_.record) return "";
+    const StationaryIndex index = truth_.index(*finding_.record);
+    const auto contact = truth_.contact(*finding_.record);
+    const bool is_pair = index.hull_dimension == index.face_dimension + 1;
+    if (!is_pair || contact.size() != static_cast<std::size_t>(index.hull_dimension) + 1) return "";
+    return fmt::format(" Right is to claim nothing there; the {} beside the {} is permitted.",
+                       index.face_dimension == 1 ? "edge" : "triangle", simplex_text(contact));
+  }
+
   [[nodiscard]] std::string collision_text() const {
-    constexpr const char* kMoving = "Moving the points a little would not make this answer right.";
+    const std::string moving = "Moving the points a little would not make this answer right." + permitted_text();
     if (finding_.contact.empty()) {
-      return bug(fmt::format("This place, {}, is not critical. {}", true_point(), kMoving));
+      return bug(fmt::format("This place, {}, is not critical. {}", true_point(), moving));
     }
     const std::vector<PointId> more = others();
     const std::string place = finding_.contact.size() == 2
                                   ? fmt::format("The midpoint of edge {}", names_text(finding_.contact))
                                   : fmt::format("The centre of {}", simplex_text(finding_.contact));
-    if (more.empty()) return bug(fmt::format("{} is stationary, and not critical. {}", place, kMoving));
+    if (more.empty()) return bug(fmt::format("{} is stationary, and not critical. {}", place, moving));
     return bug(fmt::format("{} is not critical: {} {} lie{} on its sphere, too. {}", place,
                            more.size() == 1 ? "point" : "points", names_text(more), more.size() == 1 ? "s" : "",
-                           kMoving));
+                           moving));
   }
 
   [[nodiscard]] std::string of_manifolds() const {

@@ -73,6 +73,15 @@ void print_text(const Explanation& explanation, const AtomNames& atoms, const st
   if (explanation.driver) print_fact("driver", explained_point(*explanation.driver));
 }
 
+// Of points that are only some of those on their sphere: what its centre is.
+void print_centre(const PointSet& points, const Explanation& explanation) {
+  if (explanation.index || !explanation.sphere) return;
+  const Explanation of_centre = explain_position(points, explanation.sphere->center);
+  if (!of_centre.index) return;
+  print_fact("its centre",
+             fmt::format("a {}, contact set {}", verdict_text(of_centre), fmt::join(of_centre.contact, ", ")));
+}
+
 void print_json(const Explanation& explanation, const AtomNames& atoms) {
   Json json;
   json["stationary"] = explanation.index.has_value();
@@ -120,6 +129,7 @@ int explain(const ExplainOptions& options) {
                by_position ? fmt::format("position {}", explained_point(position))
                            : fmt::format("points {}", fmt::join(options.ids, ", ")));
   }
+  if (!options.json && !by_position) print_centre(input.points, explanation);
   return explanation.index ? kRight : kNegativeVerdict;
 }
 

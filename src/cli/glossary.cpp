@@ -32,6 +32,7 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"collision-as-critical",
      "A finding: a point where critical points of two indices meet and vanish is claimed as "
      "critical, in a way that no small motion of the points explains."},
+    {"component", "A class of dimension 0: a part that is apart from others."},
     {"conforms", "A verdict: all that is claimed and judged is right."},
     {"contact set", "The points nearest to a place: all that lie on the largest empty ball around it."},
     {"contact-incomplete", "A finding: more points lie on the sphere than the claim names."},
@@ -42,6 +43,8 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
      "hull of its contact set."},
     {"death", "The distance at which a component joins an older one, or a tunnel or a void is filled."},
     {"depth", "Of a pocket: the radius of its largest ball less that of its widest mouth."},
+    {"diagram", "All persistence pairs, as places with birth and death."},
+    {"dimension", "Of a pair: 0 for components, 1 for tunnels, 2 for voids."},
     {"driver",
      "The point of the hull of the nearest points that is nearest to a place. The flow leads straight away "
      "from it."},
@@ -50,15 +53,19 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
      "Of an edge or triangle of Delaunay: its smallest sphere has no other point inside. These have the "
      "critical points of index 1 and 2."},
     {"gate", "A saddle of index 2 at which a way out of a pocket is narrowest."},
+    {"hull", "The smallest convex set that has the points: an edge, triangle, tetrahedron, or a larger polytope."},
     {"index",
      "The dimension of the hull of a critical point's contact set: 0 for points, 1 and 2 for saddles, 3 for "
      "maxima."},
+    {"largest cavity radius", "The radius of the largest ball in some pocket."},
     {"length", "Of a pair: its death less its birth, as distances that are not squared."},
     {"limit", "The stationary point at which an orbit ends, or infinity."},
     {"lining", "Of a pocket: the points, or atoms, that are nearest to some place in it."},
     {"malformed", "A finding: the claim contradicts its input or itself."},
-    {"maximum", "A critical point of index 3: the centre of a ball that can grow nowhere."},
+    {"maxima at the outside", "Maxima that are too shallow for a pocket and lead outside."},
+    {"maximum", "A critical point of index 3: the centre of a ball that can grow nowhere. Several are maxima."},
     {"merged by persistence", "Maxima that are not deeper than the persistence are one pocket with a neighbour."},
+    {"merged duplicate", "A row that repeats another one. Both are one point, with the first row as its name."},
     {"missed-by-cluster",
      "A finding: a critical point is missing where more points lie on one sphere than a simplex "
      "has. Programs that assume general position miss it."},
@@ -67,21 +74,31 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"mouth", "A saddle of index 2 that leads out of a pocket, to another one or outside."},
     {"not-cospherical", "A finding: the points that are named lie on no common sphere centred in their hull."},
     {"orbit", "The way of the flow from a place: straight segments, to a stationary point or to infinity."},
-    {"outside", "What is open to infinity. Maxima at the outside are too shallow to be a pocket of their own."},
+    {"outside", "What is open to infinity, beyond all pockets."},
     {"outside-hull", "A finding: the centre lies outside of the hull of its points, as in an obtuse triangle."},
     {"pair", "A critical point at which a component, tunnel or void begins, and the one at which it ends."},
+    {"pairs of length zero", "Regular stationary points stand for them: what begins and ends at one value."},
     {"persistence",
-     "How long components (dimension 0), tunnels (1) and voids (2) last as balls around all points "
-     "grow. As a number, the least length of what is told."},
+     "How long components (dimension 0), tunnels (1) and voids (2) last as balls around all points grow. Where a "
+     "command takes it as a number, what does not last longer is merged or left out."},
     {"perturbed", "A verdict: right for points that are moved a little, not for these."},
-    {"pocket", "What flows to some maxima. For a probe: one that it can leave through one mouth."},
+    {"plain",
+     "Of a distance: not squared. What people read is plain; it is the radius of balls, half the length of an edge."},
+    {"pocket",
+     "What flows to some maxima: a room between points. For a probe, one of three kinds: a cavity has no way out that "
+     "is wide enough, a pocket has one mouth, a channel several."},
     {"pore limiting radius", "The radius of the widest ball that can leave some pocket to infinity."},
     {"probe", "A ball, by its centre's distance to all points. Between atoms of radius 1.7, water needs 3.1."},
     {"profile", "The parts of a flow complex that a claim tells, such as points, U2 and S2."},
+    {"radius",
+     "Of a pocket: that of the largest ball in it that has no point inside. Of a mouth: of the widest ball that fits "
+     "through."},
+    {"record", "The place of a stationary point in the list of all, from 0, as compute -o writes it."},
     {"refused", "An outcome: the program gave no answer to an input that has one, and said so."},
     {"regular stationary point",
      "A place where critical points of neighbouring indices meet and vanish, as the midpoint "
      "of a right triangle's hypotenuse: stationary, and not critical."},
+    {"residue", "A part of a molecule with a name and a number, as GLY 27 of chain A."},
     {"rounding", "A finding: wrong by no more than the rounding of decimals explains."},
     {"s1", "The stable manifold of a saddle of index 1: its edge."},
     {"s2", "The stable manifold of a saddle of index 2: a surface around it, made of what flows to it."},
@@ -89,12 +106,18 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"saddle", "A critical point of index 1 (on an edge) or 2 (in a triangle)."},
     {"spacing", "The median, over all points, of the distance to the nearest other point."},
     {"spanning-part", "A permitted variation: the claim names some of the points on a sphere, which span the same."},
+    {"squared",
+     "Of a distance: in its square. Exact distances are roots, and their squares are rational, so files have those."},
     {"stable manifold", "All places from which the flow comes to a critical point."},
     {"stationary point", "A place that the flow does not leave: a critical or a regular stationary point."},
     {"symbolic-perturbation", "A permitted variation: right for points that are moved a little, as many programs do."},
+    {"tie",
+     "Where the flow comes to a saddle, or several ways lead on equally. One is taken; pairs do not depend on it."},
     {"tie-break", "A permitted variation: where several boundaries are possible, the claim has another one."},
     {"timed-out", "An outcome: the program took longer than its time limit, and was ended."},
-    {"tunnel", "A class of dimension 1: a way through, as through a ring."},
+    {"tunnel",
+     "A class of dimension 1: a way through, as through a ring or a tube. It is born as the ring closes, and dies "
+     "where balls fill its narrowest place."},
     {"u1", "The unstable manifold of a saddle of index 1: a surface, all that flows from it."},
     {"u2", "The unstable manifold of a saddle of index 2: the two orbits that leave it."},
     {"unanswered", "An outcome: a case that was asked has no answer."},
@@ -103,6 +126,9 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"valley", "The least bin between two heaps of a histogram. auto takes it for a threshold."},
     {"verdict", "What check says of a claim: conforms, conforms where determined, perturbed, or fails."},
     {"void", "A class of dimension 2: a hollow that is closed all around."},
+    {"volume",
+     "Of a pocket: of its cell, which reaches up to the points, so that it is more than what a probe can fill."},
+    {"widest", "Of a pocket: the narrowest place of its widest way to infinity."},
     {"wrong-connections", "A finding: other numbers of orbits between stationary points."},
     {"wrong-counts", "A finding: a number of points, critical points or samples is not right, or the Euler sum."},
     {"wrong-incidence", "A finding: a saddle's orbits end, or its boundary lies, elsewhere than claimed."},
@@ -137,6 +163,17 @@ const GlossaryEntry* entry_of(std::string_view word) {
   const auto found =
       std::ranges::find_if(kEntries, [&](const GlossaryEntry& entry) { return key_of(entry.word) == key; });
   return found == kEntries.end() ? nullptr : &*found;
+}
+
+std::string nearest_words(std::string_view word) {
+  const std::string key = key_of(word);
+  std::vector<std::string_view> words;
+  for (const GlossaryEntry& entry : kEntries) {
+    const std::string other = key_of(entry.word);
+    const bool is_part = !key.empty() && (other.find(key) != std::string::npos || key.find(other) != std::string::npos);
+    if (is_part) words.emplace_back(entry.word);
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 std::string words_of_glossary() {

@@ -22,6 +22,9 @@ struct GlossaryEntry {
 // Nothing where there is no such word.
 [[nodiscard]] const GlossaryEntry* entry_of(std::string_view word);
 
+// The words that have this one in them, or are in it; empty where there are none.
+[[nodiscard]] std::string nearest_words(std::string_view word);
+
 // The words in lines of 80 columns.
 [[nodiscard]] std::string words_of_glossary();
 

@@ -43,8 +43,10 @@ void print_help(const CLI::App& app, const std::vector<std::string>& words) {
     fmt::print("{}", command->help(app.get_name()));
     return;
   }
+  const std::string nearest = nearest_words(asked);
   throw InvalidInput(
-      fmt::format("there is no word {}; flowcert help lists those that there are", io::in_quotes(asked)));
+      fmt::format("there is no word {}; {}", io::in_quotes(asked),
+                  nearest.empty() ? "flowcert help lists those that there are" : "there are: " + nearest));
 }
 
 }  // namespace

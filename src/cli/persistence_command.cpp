@@ -177,14 +177,21 @@ void print_longest_pairs(const Input& input, const FlowComplex& complex) {
   }
   if (table.height() == 1) return;
   print_wrapped(
-      fmt::format("\nthe {} longest pairs of each dimension, as distances (files have their squares), and the "
-                  "contact sets of both points: the points nearest to them",
+      fmt::format("\nthe {} longest pairs of each dimension, by distances that are not squared, and the contact "
+                  "sets of both ends: the points nearest to them, by row from 0",
                   kLongestPairs),
       2);
   table.print();
+  print_wrapped("\nflowcert explain tells where an end is, by --ids and its contact set; flowcert view draws all pairs",
+                2);
 }
 
 // ---- What is printed ----
+
+// Most inputs have no tie.
+void print_choices(const char* name, std::size_t count, const char* remark) {
+  if (count > 0) print_row(name, with_commas(count), remark);
+}
 
 void print_table(const std::string& name, const Input& input, const PersistenceRun& run, bool with_zero) {
   print_wrapped(fmt::format("{} ({})", name, input.file.format));
@@ -200,10 +207,10 @@ void print_table(const std::string& name, const Input& input, const PersistenceR
   }
   print_row("pairs of length zero", with_commas(zero),
             with_zero ? "regular stationary points" : "regular; --zero writes them");
-  print_row("choices at ties, orbits", with_commas(run.complex.chains().broken_ties()),
-            "they came to a saddle, and one way on was taken");
-  print_row("choices at ties, surfaces", with_commas(run.complex.stable().statistics().broken_ties),
-            "their boundary was left open, and one was taken");
+  print_choices("choices at ties, orbits", run.complex.chains().broken_ties(),
+                "at a saddle one of several ways on was taken; pairs do not depend on it");
+  print_choices("choices at ties, surfaces", run.complex.stable().statistics().broken_ties,
+                "one of several boundaries was taken; pairs do not depend on it");
   print_times(input.points, run.seconds);
   print_longest_pairs(input, run.complex);
 }

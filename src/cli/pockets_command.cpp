@@ -225,6 +225,7 @@ void add_pockets_command(CLI::App& app, int& status) {
   command->footer(
       "A pocket is where the flow ends at some maxima; its mouths are critical points of index 2.\n\n"
       "Examples:\n  flowcert pockets bunny.obj\n"
+      "  flowcert pockets protein.pdb --atoms \"no water,no ligands\" --probe 3.1\n"
       "  flowcert pockets bunny.obj --probe 0.002 --json >pockets.json");
   command->callback([options, &status] {
     run_pockets(*options);

@@ -68,7 +68,10 @@ class Report {
 
   void print_what_distances_mean() const {
     if (atoms_ == nullptr) {
-      print_wrapped("Distances are measured to the points. A volume is that of a pocket's cell, up to the points.");
+      print_wrapped(
+          "Distances are measured to the points, which have no radii; of atoms, to their centres. A volume is that of "
+          "a "
+          "pocket's cell, up to the points.");
     } else {
       print_wrapped(fmt::format(
           "Distances are measured to the centres of atoms, which have no radii here: water, a ball of radius {:.1f}, "
@@ -86,14 +89,17 @@ class Report {
       remark += fmt::format("; with atoms of radius {:.1f}, a ball of radius {}", kAtomRadius,
                             decimals_.length(radius - kAtomRadius));
     }
+    if (atoms_ != nullptr && radius <= kAtomRadius) {
+      remark += fmt::format("; no more than the radius of an atom: water needs {:.1f}", kWaterRadius + kAtomRadius);
+    }
     print_row("probe", fmt::format("{}", radius), remark);
     std::array<std::size_t, 3> counts{};
     for (std::size_t number = 0; number < pockets_.size(); ++number) {
       ++counts.at(static_cast<std::size_t>(pockets_.passage(pockets_[number], probe_->squared_radius())));
     }
-    print_row("cavities for the probe", with_commas(counts[0]), "no way to infinity is so wide");
-    print_row("pockets for the probe", with_commas(counts[1]), "one mouth is so wide");
-    print_row("channels for the probe", with_commas(counts[2]), "several mouths are so wide");
+    print_row("cavities for the probe", with_commas(counts[0]), "of which no way to infinity is so wide");
+    print_row("pockets for the probe", with_commas(counts[1]), "of which one mouth is so wide");
+    print_row("channels for the probe", with_commas(counts[2]), "of which several mouths are so wide");
   }
 
   // ---- Counts ----
@@ -146,17 +152,22 @@ class Report {
     for (const PersistencePair& pair : persistence.pairs()) {
       if (pair.dimension == 1) tunnels.push_back({pair.birth, pair.death.value()});
     }
-    std::string longest = "none";
+    std::string longest = "There is none";
     if (!tunnels.empty()) {
       const io::ValueOrder order = io::length_order(persistence.squared_distances(), tunnels);
       const auto [death, birth] = order.exact(order.size() - 1);
-      longest = decimals_.length(geometry::nearest_difference_of_roots(death, birth));
+      const auto text = [this](const Rational& square, const Rational& less) {
+        return decimals_.length(geometry::nearest_difference_of_roots(square, less));
+      };
+      longest = fmt::format("The longest one has the length {}, from {} to {}, where a ball fills its narrowest place",
+                            text(death, birth), text(birth, 0), text(death, 0));
     }
     fmt::print("\n");
     print_wrapped(
-        fmt::format("no pocket; an open tunnel is a pair of dimension 1: see flowcert persistence. The "
-                    "longest such pair: {}",
-                    longest));
+        fmt::format("no pocket; an open tunnel is a pair of dimension 1: see flowcert persistence. {}.", longest));
+    if (atoms_ != nullptr) {
+      print_wrapped("What is in a pocket fills it: water and ligands are atoms, too; --atoms protein leaves them out.");
+    }
   }
 
   // ---- Tables ----
@@ -188,45 +199,52 @@ class Report {
     table.print();
   }
 
-  // Those that are wide enough for the probe, or the widest alone; from the widest down, at most a few.
-  [[nodiscard]] std::vector<std::uint32_t> told_mouths(const Pocket& pocket) const {
-    if (!probe_) return {pocket.highest_mouth};
+  // From the widest down.
+  [[nodiscard]] std::vector<std::uint32_t> wide_mouths(const Pocket& pocket) const {
     std::vector<std::uint32_t> mouths;
     for (const std::uint32_t mouth : pocket.mouths) {
-      if (pockets_.squared_distances().is_at_least(mouth, probe_->squared_radius())) mouths.push_back(mouth);
+      if (probe_ && pockets_.squared_distances().is_at_least(mouth, probe_->squared_radius())) mouths.push_back(mouth);
     }
     std::ranges::stable_sort(mouths, std::ranges::greater{},
                              [this](std::uint32_t mouth) { return pockets_.squared_distances().rank(mouth); });
-    if (!report_.shows_all && mouths.size() > kShownMouths) mouths.resize(kShownMouths);
     return mouths;
   }
 
   void print_mouths() const {
-    print_wrapped(probe_ ? fmt::format("\ntheir mouths that are wide enough for the probe, and how many others there "
-                                       "are")
+    print_wrapped(probe_ ? "\ntheir mouths that are wide enough for the probe, from the widest down; how many of these "
+                           "there are, and how many are narrower"
                          : "\ntheir widest mouths, and how many others there are",
                   2);
-    Table table(atoms_ != nullptr ? "rrrrrlrl" : "rrrrrlr",
-                {"pocket", "x", "y", "z", "radius", "to", "others", atoms_ != nullptr ? "atoms" : ""});
-    for (const std::size_t number : order_) {
-      const Pocket& pocket = pockets_[number];
-      const std::vector<std::uint32_t> told = told_mouths(pocket);
-      std::string others = std::to_string(pocket.mouths.size() - told.size());
-      if (told.empty()) {
-        table.row(std::to_string(number));
-        for (int k = 0; k < 5; ++k) table.cell(k == 4 ? "none" : "");
-        table.cell(others);
-        if (atoms_ != nullptr) table.cell("");
-      }
-      for (const std::uint32_t mouth : told) {
-        const Point at = center(mouth);
-        table.row(std::to_string(number));
-        for (const double x : {at.x, at.y, at.z}) table.cell(decimals_.length(x));
-        table.cell(radius(mouth)).cell(to_text_of(mouth, number)).cell(std::exchange(others, ""));
-        if (atoms_ != nullptr) table.cell(atom_texts(mouth));
-      }
-    }
+    Table table = probe_ ? Table("rrrrrlrrl", {"pocket", "x", "y", "z", "radius", "to", "wide", "narrower"})
+                         : Table("rrrrrlrl", {"pocket", "x", "y", "z", "radius", "to", "others"});
+    table.cell(atoms_ != nullptr ? "atoms" : "");
+    for (const std::size_t number : order_) add_mouths(table, number);
     table.print();
+  }
+
+  // With a probe those that are wide enough, at most a few; otherwise the widest. The counts stand in the first row.
+  void add_mouths(Table& table, std::size_t number) const {
+    const Pocket& pocket = pockets_[number];
+    const std::vector<std::uint32_t> wide = wide_mouths(pocket);
+    std::vector<std::uint32_t> told = probe_ ? wide : std::vector{pocket.highest_mouth};
+    if (!report_.shows_all && told.size() > kShownMouths) told.resize(kShownMouths);
+    const auto add_counts = [&](bool is_first) {
+      if (probe_) table.cell(is_first ? std::to_string(wide.size()) : "");
+      table.cell(is_first ? std::to_string(pocket.mouths.size() - (probe_ ? wide.size() : 1)) : "");
+    };
+    if (told.empty()) {
+      table.row(std::to_string(number));
+      for (const char* text : {"", "", "", "", "none"}) table.cell(text);
+      add_counts(true);
+    }
+    for (const std::uint32_t mouth : told) {
+      const Point at = center(mouth);
+      table.row(std::to_string(number));
+      for (const double x : {at.x, at.y, at.z}) table.cell(decimals_.length(x));
+      table.cell(radius(mouth)).cell(to_text_of(mouth, number));
+      add_counts(mouth == told.front());
+      if (atoms_ != nullptr) table.cell(atom_texts(mouth));
+    }
   }
 
   // "the outside, 3": what is beyond the mouth of a pocket.

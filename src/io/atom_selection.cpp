@@ -55,6 +55,14 @@ std::string listed(const auto& names) {
   return fmt::format("{}{}", fmt::join(shown, ", "), shown.size() < names.size() ? " and others" : "");
 }
 
+[[noreturn]] void reject_words(std::string_view text) {
+  throw InvalidInput(
+      fmt::format("--atoms: no word for atoms: {}; there are all, protein, nucleic, water, ligands, hydrogens, hetatm, "
+                  "chain X, each also after 'no', and altloc X, model X, with commas between: --atoms \"no water,no "
+                  "ligands\"",
+                  in_quotes(text)));
+}
+
 }  // namespace
 
 AtomKind kind_of_residue(std::string_view name) {
@@ -89,7 +97,7 @@ void AtomSelection::add_word(std::string_view text) {
   std::vector<std::string_view> words = words_of(text);
   const bool takes_away = words.size() > 1 && lower_case(words[0]) == "no";
   if (takes_away) words.erase(words.begin());
-  if (words.empty() || words.size() > 2) throw InvalidInput("--atoms: no word for atoms: " + in_quotes(text));
+  if (words.empty() || words.size() > 2) reject_words(text);
   add_rule(lower_case(words[0]), words.size() == 2 ? words[1] : std::string_view(), takes_away);
 }
 
@@ -118,10 +126,7 @@ void AtomSelection::add_rule(std::string_view word, std::string_view argument, b
   }
   const auto known = std::ranges::find(kWords, word, &std::pair<std::string_view, Word>::first);
   if (known == kWords.end() || (known->second == Word::kChain) != !argument.empty()) {
-    throw InvalidInput(
-        fmt::format("--atoms: no word for atoms: {}; there are all, protein, nucleic, water, ligands, "
-                    "hydrogens, hetatm, chain X, each also after 'no', and altloc X, model X",
-                    in_quotes(argument.empty() ? std::string(word) : fmt::format("{} {}", word, argument))));
+    reject_words(argument.empty() ? std::string(word) : fmt::format("{} {}", word, argument));
   }
   if (!has_residues_ && known->second != Word::kAll && known->second != Word::kHydrogens) {
     reject_file(file_, fmt::format("the format has no residues, so --atoms knows 'hydrogens' alone, not '{}'", word));
@@ -236,21 +241,18 @@ void AtomSelection::finish(PointRows& rows) {
 }
 
 void AtomSelection::tell_kinds(PointRows& rows) const {
-  std::vector<std::string> kinds;
-  const char* word = "hydrogens";
-  if (hydrogens_ > 0)
-    kinds.push_back(fmt::format("{} hydrogen{}", with_commas(hydrogens_), hydrogens_ == 1 ? "" : "s"));
-  if (ligands_ > 0) {
-    kinds.push_back(fmt::format("{} of ligands", with_commas(ligands_)));
-    word = "ligands";
-  }
-  if (waters_ > 0) {
-    kinds.push_back(fmt::format("{} of water", with_commas(waters_)));
-    word = "water";
-  }
+  std::vector<std::string> kinds, words;
+  const auto tell = [&](std::size_t count, const char* kind, const char* word) {
+    if (count == 0) return;
+    kinds.push_back(fmt::format("{} {}", with_commas(count), kind));
+    words.push_back(fmt::format("no {}", word));
+  };
+  tell(hydrogens_, hydrogens_ == 1 ? "hydrogen" : "hydrogens", "hydrogens");
+  tell(ligands_, "of ligands", "ligands");
+  tell(waters_, "of water", "water");
   if (kinds.empty()) return;
-  rows.note(0, fmt::format("the {} atoms include {}; --atoms \"no {}\" leaves such out", with_commas(atoms_),
-                           fmt::join(kinds, ", "), word));
+  rows.note(0, fmt::format("the {} atoms include {}; --atoms \"{}\" leaves {} out", with_commas(atoms_),
+                           fmt::join(kinds, ", "), fmt::join(words, ","), kinds.size() == 1 ? "such" : "all of these"));
 }
 
 }  // namespace flowcert::io

@@ -200,7 +200,10 @@ Json pair_field(const PersistenceDiagram& diagram, const PersistencePair& pair) 
     Json field;
     field["record"] = record;
     field["contact"] = diagram.complex().stationary().contact(record);
-    field["center"] = center_field(diagram.complex().sphere(record).center);
+    const FlowComplex& complex = diagram.complex();
+    field["center"] = center_field(complex.sphere(record).center);
+    const Point nearest = complex.rounded_sphere(record).center;
+    field["center_double"] = {double_field(nearest.x), double_field(nearest.y), double_field(nearest.z)};
     field["squared_distance"] = to_text(diagram.squared_value(record));
     field["squared_distance_double"] = double_field(diagram.rounded_squared_value(record));
     return field;

@@ -49,7 +49,7 @@ void write_pocket_csv(std::ostream& out, const PocketsToWrite& what) {
   const auto is_open = [&](std::uint32_t record) {
     return !what.probe || what.pockets.squared_distances().is_at_least(record, what.probe->squared_radius());
   };
-  out << "pocket,x,y,z,radius,depth,volume,maxima,mouths,widest,points" << (what.probe ? ",open_mouths,kind" : "")
+  out << "pocket,x,y,z,radius,depth,volume,maxima,mouths,widest,lining" << (what.probe ? ",open_mouths,kind" : "")
       << (what.atoms != nullptr ? ",residues" : "") << '\n';
   for (std::size_t number = 0; number < what.pockets.size(); ++number) {
     const Pocket& pocket = what.pockets[number];

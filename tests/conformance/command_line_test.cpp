@@ -68,7 +68,8 @@ TEST(CommandLine, WrongWordsAreNamedWithWhatIsNearest) {
       {{"comput"}, "there is no command 'comput'; did you mean compute\\? \\(see flowcert --help\\)"},
       {{"chekc", input}, "there is no command 'chekc'; did you mean check\\? .*"},
       {{"helpp"}, "there is no command 'helpp'; did you mean (help|--help)\\? .*"},
-      {{"help", "mouthful"}, "there is no word 'mouthful'; flowcert help lists those that there are"},
+      {{"help", "mouthful"}, "there is no word 'mouthful'; there are: mouth"},
+      {{"help", "quartz"}, "there is no word 'quartz'; flowcert help lists those that there are"},
       {{"quartz"}, "there is no command 'quartz' \\(see flowcert --help\\)"},
       // Its options are not looked at.
       {{"quartz", "x", "--dimension", "1"}, "there is no command 'quartz' \\(see flowcert --help\\)"},

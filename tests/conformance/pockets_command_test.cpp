@@ -289,7 +289,7 @@ TEST(PocketsOfMolecules, AreLinedByNamedAtoms) {
   EXPECT_NE(done.out.find(" 1.400\n"), std::string::npos) << done.out;
   EXPECT_NE(done.out.find("A GLY 7, A GLY 8, A GLY 9"), std::string::npos) << done.out;
   EXPECT_EQ(content_of(rows),
-            "pocket,x,y,z,radius,depth,volume,maxima,mouths,widest,points,open_mouths,kind,residues\n"
+            "pocket,x,y,z,radius,depth,volume,maxima,mouths,widest,lining,open_mouths,kind,residues\n"
             "0,0,0,0,4,0.7340136762890959,85.33333333333333,1,8,3.265986323710904,6,8,channel,"
             "A GLY 7; A GLY 8; A GLY 9\n");
   const Words lines = lines_of(content_of(atoms));
@@ -314,8 +314,8 @@ TEST(PocketsOfMolecules, AnOpenBarrelHasNone) {
   const Finished done = flowcert({"pockets", barrel, "--atoms", "no water"});
   EXPECT_EQ(done.status, 0) << done.err;
   EXPECT_NE(done.out.find("valley of lengths                           none"), std::string::npos) << done.out;
-  EXPECT_NE(done.out.find("no pocket; an open tunnel is a pair of dimension 1: see flowcert persistence.\n"
-                          "The longest such pair: 4.71"),
+  EXPECT_NE(done.out.find("no pocket; an open tunnel is a pair of dimension 1: see flowcert persistence.\nThe longest "
+                          "one has the length 4.711, from 1.289 to 6.000"),
             std::string::npos)
       << done.out;
   const auto count_at = [&](const Words& options) {

@@ -81,7 +81,7 @@ TEST(Reading, AtomsByWords) {
   CITES("FC-FILE-44");
   const std::string file = input("ligand_and_water.pdb");
   const Finished all = flowcert({"pockets", file});
-  EXPECT_NE(all.err.find("--atoms \"no water\" leaves such out"), std::string::npos) << all.err;
+  EXPECT_NE(all.err.find("--atoms \"no ligands,no water\" leaves all of these out"), std::string::npos) << all.err;
   const json of_all = json_of({"pockets", file, "--persistence", "0", "--json"});
   const json of_protein = json_of({"pockets", file, "--persistence", "0", "--atoms", "protein", "--json"});
   EXPECT_EQ(of_all["points"], 34);

@@ -32,11 +32,13 @@ TEST(FindingSentences, SayWhatANewcomerAsks) {
   CITES("FC-CLAIM-03", "FC-CLAIM-04", "FC-CRIT-05");
   EXPECT_EQ(sentence(kRightTriangle, Claimed().add(1, {1, 2}).claim, FindingReason::kCollisionAsCritical),
             "The midpoint of edge 1 2 is not critical: point 0 lies on its sphere, too. Moving the points a little "
-            "would not make this answer right. This is a bug.");
+            "would not make this answer right. Right is to claim nothing there; the edge beside the triangle 0 1 2 is "
+            "permitted. This is a bug.");
   EXPECT_EQ(sentence(kRightTriangle, Claimed().at(1, decimals({Rational(3, 2), 2, 0})).claim,
                      FindingReason::kCollisionAsCritical),
             "This place, the regular stationary point of triangle 0 1 2 (kind 1-2), is not critical. Moving the points "
-            "a little would not make this answer right. This is a bug.");
+            "a little would not make this answer right. Right is to claim nothing there; the edge beside the triangle "
+            "0 1 2 is permitted. This is a bug.");
   EXPECT_EQ(sentence(kTriangle, Claimed().add(0, {0}).add(0, {1}).claim, FindingReason::kWrongCounts),
             "The counts are wrong: you have an Euler sum of 2; it is 1. This is a bug.");
   EXPECT_EQ(sentence(kTriangle, Claimed().add(1, {0, 1}).claim, FindingReason::kMissing),

@@ -265,7 +265,8 @@ std::vector<Example> molecules() {
        one,
        {},
        "--atoms: no word for atoms: 'proteins please'; there are all, protein, nucleic, water, ligands, hydrogens, "
-       "hetatm, chain X, each also after 'no', and altloc X, model X",
+       "hetatm, chain X, each also after 'no', and altloc X, model X, with commas between: --atoms \"no water,no "
+       "ligands\"",
        {.atoms = {"proteins please"}}},
       {"PDB, models",
        "MODEL 1\n" + one + "ENDMDL\nMODEL 2\n" + two + three + "ENDMDL\n",

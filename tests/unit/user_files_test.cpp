@@ -125,7 +125,7 @@ TEST(UserFiles, LargeOnesHaveAllOfTheirPoints) {
   const PointFile ligand = read_points(path_of("ligand_and_water.pdb"));
   EXPECT_EQ(ligand.rows.size(), 34U);
   EXPECT_EQ(notes_of(ligand),
-            Notes{"the 34 atoms include 1 of ligands, 1 of water; --atoms \"no water\" leaves such out"});
+            Notes{"the 34 atoms include 1 of ligands, 1 of water; --atoms \"no ligands,no water\" leaves all of these out"});
 }
 
 TEST(UserFiles, AllOfThemAreTriedHere) {
