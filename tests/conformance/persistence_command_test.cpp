@@ -192,7 +192,7 @@ TEST(PersistenceFile, HasTheTextAndLeavesATable) {
   EXPECT_EQ(lines[4], "pairs of dimension 1                           5   tunnels; 0 last");
   EXPECT_EQ(lines[5], "pairs of dimension 2                           1   voids; 0 last");
   EXPECT_TRUE(lines[6].ends_with("--zero writes them")) << lines[6];
-  EXPECT_TRUE(lines[14].ends_with(" x the triangulation")) << lines[14];
+  EXPECT_TRUE(lines[12].ends_with(" x the triangulation")) << lines[12];
   // JSON is printed instead of the table. The file is the same.
   const std::string again = scratch.path("again.pers");
   EXPECT_EQ(json_of(path, {"-o", again})["pairs"].size(), 14U);

@@ -124,8 +124,9 @@ TEST(UserFiles, LargeOnesHaveAllOfTheirPoints) {
   EXPECT_EQ(cap.rows.size(), 382U);
   const PointFile ligand = read_points(path_of("ligand_and_water.pdb"));
   EXPECT_EQ(ligand.rows.size(), 34U);
-  EXPECT_EQ(notes_of(ligand),
-            Notes{"the 34 atoms include 1 of ligands, 1 of water; --atoms \"no ligands,no water\" leaves all of these out"});
+  EXPECT_EQ(
+      notes_of(ligand),
+      Notes{"the 34 atoms include 1 of ligands, 1 of water; --atoms \"no ligands,no water\" leaves all of these out"});
 }
 
 TEST(UserFiles, AllOfThemAreTriedHere) {
