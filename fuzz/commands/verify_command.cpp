@@ -2,6 +2,7 @@
 // all are right, 1 if any is wrong or missing. It reports in three ways: tables for people, one JSON object, and a
 // JUnit file for CI systems (spec/formats/cases.md).
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -121,13 +122,17 @@ std::string verdict_of(const FailedCase& failed) {
 
 std::vector<std::string> lines_of(const FailedCase& failed, std::size_t most) {
   std::vector<std::string> lines;
-  for (std::size_t k = 0; k < std::min(most, failed.findings.size()); ++k) {
+  const std::size_t findings = std::min(most, failed.findings.size()),
+                    pairs = std::min(most, failed.pair_findings.size());
+  for (std::size_t k = 0; k < findings; ++k) {
     lines.push_back(finding_line(kAnswer, failed.findings[k]));
+    lines.push_back("  " + failed.findings[k].sentence);
   }
-  for (std::size_t k = 0; k < std::min(most, failed.pair_findings.size()); ++k) {
+  for (std::size_t k = 0; k < pairs; ++k) {
     lines.push_back(fmt::format("{}: wrong, {}", kAnswer, persistence_finding_words(failed.pair_findings[k])));
+    lines.push_back("  " + sentence_of(failed.pair_findings[k]));
   }
-  if (failed.wrong > lines.size()) lines.push_back(fmt::format("({} more)", failed.wrong - lines.size()));
+  if (failed.wrong > findings + pairs) lines.push_back(fmt::format("({} more)", failed.wrong - findings - pairs));
   return lines;
 }
 
@@ -138,6 +143,11 @@ void print_failure(const Verification& verification, std::size_t number, const F
     fmt::print("{}\n", wrapped("  " + with_short_numbers(line), kVerifyIndent));
   }
   fmt::print("  its points: {}\n", verification.cases().points_command(number));
+  const auto named = std::ranges::find_if(failed.findings, [](const Finding& one) { return !one.contact.empty(); });
+  if (named != failed.findings.end()) {
+    fmt::print("  why: {} | flowcert explain - --ids {}\n", verification.cases().points_command(number),
+               fmt::join(named->contact, ","));
+  }
   if (verification.options().folder.empty() || failed.outcome == Outcome::kRefused) return;
   const std::string path = verification.kept_path(number);
   if (verification.options().judges_pairs) {

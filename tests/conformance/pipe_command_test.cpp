@@ -146,6 +146,15 @@ TEST(Verify, ReportsToPeople) {
       << text.out;
   const std::string its_points = "generate --level 1 --seed 7 --cases 80 --only 3 --xyz";
   EXPECT_TRUE(contains(text.out, "  its points: flowcert " + its_points + "\n")) << text.out;
+  // What is wrong, in plain words, and why.
+  EXPECT_TRUE(contains(text.out, "\n    You missed ")) << text.out;
+  const std::size_t why = text.out.find("  why: flowcert " + its_points + " | flowcert explain - --ids ");
+  ASSERT_NE(why, std::string::npos) << text.out;
+  const std::string line = text.out.substr(why + 7, text.out.find('\n', why) - why - 7);
+  const Finished explained =
+      RunningProgram({"/bin/sh", "-c", "flowcert() { \"$0\" \"$@\"; }; " + line, FLOWCERT_PROGRAM}).finish();
+  EXPECT_EQ(explained.status, 0) << line << explained.err;
+  EXPECT_TRUE(contains(explained.out, ": critical point of index ")) << explained.out;
   // They are a point file.
   Words words;
   std::istringstream command(its_points);
