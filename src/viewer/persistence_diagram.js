@@ -11,8 +11,10 @@ const strip = 16;
 const most_marks = 4000;
 
 // What an axis shows, as far as there is room for it.
-function axis_text(context, what, width) {
-  return fitting_text(context, [`${what}: distance, input units`, `${what}, input units`, what], width);
+function axis_text(context, what, width, log) {
+  const scale = log ? ', logarithmic' : '';
+  const texts = [`${what}: distance, input units${scale}`, `${what}, input units${scale}`, `${what}${scale}`, what];
+  return fitting_text(context, texts, width);
 }
 
 // The colours of dimensions are those of the points that give birth to them.
@@ -99,11 +101,11 @@ export class PersistenceDiagram {
     }
     context.fillText('∞', margin.left - 6, y.infinite_at + 4);
     context.textAlign = 'center';
-    context.fillText(axis_text(context, 'birth', width - margin.left), (margin.left + width) / 2, height - 6);
+    context.fillText(axis_text(context, 'birth', width - margin.left, this.log), (margin.left + width) / 2, height - 6);
     context.save();
     context.translate(11, (height - margin.bottom) / 2);
     context.rotate(-Math.PI / 2);
-    context.fillText(axis_text(context, 'death', height - margin.bottom), 0, 0);
+    context.fillText(axis_text(context, 'death', height - margin.bottom, this.log), 0, 0);
     context.restore();
     context.strokeStyle = palette.muted;
     const least = Math.max(x.low, y.low);
