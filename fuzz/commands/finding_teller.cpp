@@ -48,6 +48,7 @@ void FindingTeller::take_small(const fuzz::Counterexample& finding) {
 
 // As many as the report has room for, and one of each kind.
 void FindingTeller::tell(const fuzz::Counterexample& finding) {
+  if (shown_.contains(shown_of(finding))) return;
   const bool is_new_kind = kinds_told_.insert(kind_of(finding)).second;
   if (told_.size() >= kMostFindingsPrinted && !is_new_kind) return;
   progress_.hide();
@@ -55,6 +56,7 @@ void FindingTeller::tell(const fuzz::Counterexample& finding) {
   print_finding(campaign_, finding, "");
   std::fflush(stdout);
   told_.insert(key_of(finding));
+  shown_.insert(shown_of(finding));
 }
 
 void FindingTeller::end() {

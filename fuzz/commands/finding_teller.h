@@ -1,6 +1,7 @@
 // A campaign whose findings are told as they come, on standard output: each as soon as it is small.
 //
-// Guarantees: all that is absorbed reaches the campaign, each finding is told once, and known ones are not told. Where
+// Guarantees: all that is absorbed reaches the campaign, each finding is told once, and known ones are not told. Of those
+// that are equal but for their case, the first is told. Where
 // the campaign is to stop at its first finding (`--first`), those that are not small yet are held back until the end.
 // Once the first one is there the others are dropped, and their batches are not done.
 #pragma once
@@ -55,6 +56,7 @@ class FindingTeller : public fuzz::BatchSource {
   FuzzProgress& progress_;
   Way way_;
   FindingKeys told_, under_way_;
+  std::set<ShownFinding> shown_;
   std::set<std::string> kinds_told_;
   std::map<FindingKey, fuzz::Counterexample> held_back_;
   std::set<std::size_t> dropped_;  // batches with findings that were

@@ -167,14 +167,26 @@ std::string unless_small(const FuzzRun& run) {
   return run.is_time_up ? "time was up" : kEndedBefore;
 }
 
-// One finding of each kind, and then the others.
-std::vector<const fuzz::Counterexample*> findings_to_print(const FuzzRun& run, const std::vector<Kind>& kinds,
-                                                           const std::vector<ListedFinding>& findings) {
-  std::vector<const fuzz::Counterexample*> printed;
-  std::set<const fuzz::Counterexample*> known;
+struct PrintedFindings {
+  std::vector<const fuzz::Counterexample*> findings;
+  std::size_t equal = 0;  // findings that look like one of these, or like one that was told
+};
+
+// One finding of each kind, and then the others, but for those that were told and those that are explained.
+PrintedFindings findings_to_print(const FuzzRun& run, const std::vector<Kind>& kinds,
+                                  const std::vector<ListedFinding>& findings) {
+  PrintedFindings printed;
+  FindingKeys done;
+  std::set<ShownFinding> shown;
+  if (run.told != nullptr) done = *run.told;
+  for (const FindingKey& key : done) shown.insert(shown_of(run.campaign.counterexamples().at(key)));
   const auto add = [&](const fuzz::Counterexample& finding, bool is_explained) {
-    const bool was_told = run.told != nullptr && run.told->contains(key_of(finding));
-    if (!is_explained && !was_told && known.insert(&finding).second) printed.push_back(&finding);
+    if (is_explained || !done.insert(key_of(finding)).second) return;
+    if (shown.insert(shown_of(finding)).second) {
+      printed.findings.push_back(&finding);
+    } else {
+      ++printed.equal;
+    }
   };
   for (const Kind& kind : kinds) {
     if (kind.smallest != nullptr) add(*kind.smallest, kind.is_explained);
@@ -188,16 +200,19 @@ void print_counterexamples(const FuzzRun& run, const std::vector<Kind>& kinds,
                            const std::vector<ListedFinding>& findings) {
   const fuzz::Campaign& campaign = run.campaign;
   if (campaign.counterexamples().empty()) return;
-  const auto printed = findings_to_print(run, kinds, findings);
-  const std::size_t most = kinds.size() + kMostFindingsPrinted;
+  const PrintedFindings printed = findings_to_print(run, kinds, findings);
+  const std::size_t all = printed.findings.size(), most = kinds.size() + kMostFindingsPrinted;
   const auto explained = static_cast<std::size_t>(std::ranges::count(findings, true, &ListedFinding::is_explained));
   const bool is_first = run.told == nullptr || run.told->empty();
   fmt::print("\n");
-  if (!printed.empty() || explained > 0) fmt::print("{}:\n", is_first ? "Findings" : "Other findings");
-  for (std::size_t k = 0; k < std::min(printed.size(), most); ++k) {
-    print_finding(campaign, *printed[k], unless_small(run));
+  if (all > 0 || explained > 0) fmt::print("{}:\n", is_first ? "Findings" : "Other findings");
+  for (std::size_t k = 0; k < std::min(all, most); ++k) {
+    print_finding(campaign, *printed.findings[k], unless_small(run));
   }
-  if (printed.size() > most) fmt::print("  ... and {} more\n", with_commas(printed.size() - most));
+  if (all > most) fmt::print("  ... and {} more\n", with_commas(all - most));
+  if (printed.equal > 0) {
+    fmt::print("  {} more with the same points as one above\n", with_commas(printed.equal));
+  }
   if (explained > 0) {
     fmt::print("  {} of {}: explained by known ones\n", with_commas(explained),
                counted(campaign.counterexamples().size(), "finding"));
@@ -322,6 +337,19 @@ void print_fuzz_json(const FuzzRun& run) {
 
 }  // namespace
 
+namespace {
+
+constexpr std::size_t kMostPointsPrinted = 5;
+
+// "(0, 0, 0) (1, 0.5, 0)", exact
+std::string rows_text(const std::vector<fuzz::Row>& rows) {
+  std::string text;
+  for (const auto& [x, y, z] : rows) text += fmt::format("{}({}, {}, {})", text.empty() ? "" : " ", x, y, z);
+  return text;
+}
+
+}  // namespace
+
 void print_finding(const fuzz::Campaign& campaign, const fuzz::Counterexample& finding,
                    const std::string& unless_small) {
   const std::string file = campaign.file_of(finding).string();
@@ -329,6 +357,9 @@ void print_finding(const fuzz::Campaign& campaign, const fuzz::Counterexample& f
                                        finding.disagreement.kind, points_text(finding.trial.input.rows.size()),
                                        finding.source, finding.rows_before, one_line(finding.disagreement.complaint));
   fmt::print("{}\n", wrapped(with_short_numbers(text), kFuzzIndent));
+  if (finding.trial.input.rows.size() <= kMostPointsPrinted) {
+    fmt::print("    {}\n", wrapped(rows_text(finding.trial.input.rows), kFuzzIndent));
+  }
   const std::string why = why_not_fully_shrunk(finding, unless_small);
   if (!why.empty()) fmt::print("    not fully shrunk: {}\n", why);
   if (!file.empty()) fmt::print("    {}\n", file);

@@ -1,11 +1,13 @@
 // Reports what a campaign has found, for people and for programs, on standard output.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/commands/known_findings.h"
@@ -23,6 +25,15 @@ using FindingKeys = std::set<FindingKey>;
   return {finding.number, kind_of(finding)};
 }
 
+// What a person looks at: the kind, and the points that are left. Findings that are equal in both are printed once,
+// whatever the order of their points.
+using ShownFinding = std::pair<std::string, std::vector<fuzz::Row>>;
+[[nodiscard]] inline ShownFinding shown_of(const fuzz::Counterexample& finding) {
+  std::vector<fuzz::Row> rows = finding.trial.input.rows;
+  std::ranges::sort(rows);
+  return {kind_of(finding), rows};
+}
+
 struct FuzzRun {
   const fuzz::Campaign& campaign;
   const KnownFindings& known;
@@ -35,7 +46,7 @@ struct FuzzRun {
   const FindingKeys* told = nullptr;  // findings that were printed before
 };
 
-// What a finding is, and where its file lies. `unless_small` says why it is not small yet.
+// What a finding is, its points if they are few, and where its file lies. `unless_small` says why it is not small yet.
 void print_finding(const fuzz::Campaign& campaign, const fuzz::Counterexample& finding,
                    const std::string& unless_small);
 

@@ -200,9 +200,10 @@ void print_failures(const Verification& verification, std::size_t most) {
   }
 }
 
+// It comes before all tables, because cases without an answer are in no row of the first one.
 // cut: where the input broke off, or empty.
 void print_unanswered(const Verification& verification, const std::string& cut) {
-  if (!cut.empty()) fmt::print("\n{}\n", wrapped(cut, kVerifyIndent));
+  if (!cut.empty()) fmt::print("{}\n\n", wrapped(cut, kVerifyIndent));
   const auto ranges = verification.unanswered_ranges();
   if (ranges.empty()) return;
   std::string list;
@@ -212,8 +213,10 @@ void print_unanswered(const Verification& verification, const std::string& cut) 
     list += first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
   }
   if (ranges.size() > kMostRangesShown) list += ", ...";
+  const std::string count = with_commas(count_of(verification.counts(), Outcome::kUnanswered));
+  print_wrapped(fmt::format("{} of {} have no answer: {}", count, counted(verification.expected(), "case"), list),
+                kVerifyIndent);
   fmt::print("\n");
-  print_wrapped("unanswered cases: " + list, kVerifyIndent);
 }
 
 const char* truth_text(const Verification& verification) {
@@ -337,12 +340,12 @@ void write_family(std::ostream& out, const Verification& verification, const std
 
 // At most `most` of the failing cases that were kept are shown.
 void print_verify_text(const Verification& verification, std::size_t most, const std::string& cut) {
+  print_unanswered(verification, cut);
   print_reason_table(verification);
   print_examples(verification);
   print_tables(verification);
   print_telling_names(verification);
   print_failures(verification, most);
-  print_unanswered(verification, cut);
   print_verdict(verification);
 }
 

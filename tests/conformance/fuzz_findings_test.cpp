@@ -1,11 +1,16 @@
 // The findings of `flowcert fuzz`: when they are printed, how small they are, and how they are counted.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "tests/conformance/campaign_account.h"
 #include "tests/conformance/case_texts.h"
@@ -93,6 +98,35 @@ TEST(FuzzFindings, TheFirstIsTheOnlyOne) {
       flowcert({"fuzz", "--first", "--count", "40", "--families", "box-corners", "--search", "0", "--points", "4-4",
                 "--through", kThrough, "--out", scratch.path("3"), "--known", scratch.path("1"), scratch.path("2")});
   EXPECT_LT(known.status, 2) << known.err;
+}
+
+// ---- Equal ones ----
+
+TEST(FuzzFindings, ThoseWithTheSamePointsArePrintedOnce) {
+  const Scratch scratch;
+  const Words options = {"fuzz", "--count", "600", "--points", "3-4", "--families", "lattice-2", "--through", kThrough};
+  const Finished first = flowcert(joined(options, {"--out", scratch.path("campaign")}));
+  const Finished again = flowcert({"fuzz", "--resume", scratch.path("campaign"), "--through", kThrough, "--json"});
+  std::map<std::pair<std::string, std::string>, int> times;  // by kind and sorted rows
+  const json report = json::parse(again.out);
+  for (const json& finding : report.at("findings")) {
+    std::vector<std::string> rows;
+    for (const std::string& line : lines_of(content_of(finding.at("file")))) {
+      if (!line.starts_with("#")) rows.push_back(line);
+    }
+    std::ranges::sort(rows);
+    std::string text;
+    for (const std::string& row : rows) text += row + '\n';
+    ++times[{finding.at("kind"), text}];
+  }
+  std::size_t all = 0;
+  for (const auto& [finding, count] : times) all += static_cast<std::size_t>(count);
+  ASSERT_GT(all, times.size());
+  EXPECT_EQ(times_in(first.out, ".xyz\n"), times.size()) << first.out;
+  EXPECT_TRUE(
+      contains(first.out, "\n  " + std::to_string(all - times.size()) + " more with the same points as one above\n"))
+      << first.out;
+  EXPECT_TRUE(contains(first.out, "\n    (0, 0, 0) ")) << first.out;
 }
 
 // ---- Not fully shrunk ----

@@ -75,7 +75,7 @@ TEST(Verify, WhatIsBrokenOffIsMissing) {
   EXPECT_TRUE(whole["cut"].is_null());
   const Finished text = pipe.verify_text(answers.substr(0, end), pipe.run());
   EXPECT_TRUE(contains(unbroken(text.out), ": it ends within the answer to '" + ids[6] + "'\n")) << text.out;
-  EXPECT_TRUE(contains(text.out, "\nunanswered cases: 6-19\n")) << text.out;
+  EXPECT_TRUE(contains(text.out, "\n14 of 20 cases have no answer: 6-19\n")) << text.out;
   // Anything else at the end is no answer that was broken off.
   EXPECT_EQ(pipe.verify_text(answers.substr(0, sixth) + "bye", pipe.run()).status, 2);
 }
