@@ -16,6 +16,7 @@ namespace {
 constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"accepted", "An outcome: the program answered an input that has to be refused."},
     {"ambiguous", "A finding: several stationary points are within the tolerance of what is claimed."},
+    {"approximate", "A grade of a claim: it has decimals, which are right within the tolerance."},
     {"ball-not-empty", "A finding: another point lies inside of the sphere, so that its centre is not critical."},
     {"birth", "The distance at which a component, tunnel or void begins as balls around all points grow."},
     {"boundary", "Of a saddle of index 2: the saddles of index 1 around its stable surface."},
@@ -29,6 +30,7 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
      "depend on that."},
     {"claim", "What a program says a flow complex is; check judges it."},
     {"claimed-twice", "A finding: one critical point is claimed two times."},
+    {"cluster", "Points of which five or more lie on one empty sphere, or four on the sphere of a saddle."},
     {"collision-as-critical",
      "A finding: a point where critical points of two indices meet and vanish is claimed as "
      "critical, in a way that no small motion of the points explains."},
@@ -57,8 +59,10 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"index",
      "The dimension of the hull of a critical point's contact set: 0 for points, 1 and 2 for saddles, 3 for "
      "maxima."},
+    {"kind", "Of a regular stationary point: the indices that meet in it, as 1-2. Of a finding: its reason."},
     {"largest cavity radius", "The radius of the largest ball in some pocket."},
     {"length", "Of a pair: its death less its birth, as distances that are not squared."},
+    {"level", "How much of a claim is judged: its form (1), points (2, 3), incidences (4), and all else (5)."},
     {"limit", "The stationary point at which an orbit ends, or infinity."},
     {"lining", "Of a pocket: the points, or atoms, that are nearest to some place in it."},
     {"malformed", "A finding: the claim contradicts its input or itself."},
@@ -104,6 +108,8 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"s2", "The stable manifold of a saddle of index 2: a surface around it, made of what flows to it."},
     {"s3", "The stable manifold of a maximum: the volume of all that flows to it."},
     {"saddle", "A critical point of index 1 (on an edge) or 2 (in a triangle)."},
+    {"signature",
+     "Of an input in a campaign: how it is degenerate, such as clusters and ties. Of a complex: its counts."},
     {"spacing", "The median, over all points, of the distance to the nearest other point."},
     {"spanning-part", "A permitted variation: the claim names some of the points on a sphere, which span the same."},
     {"squared",
@@ -115,6 +121,8 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
      "Where the flow comes to a saddle, or several ways lead on equally. One is taken; pairs do not depend on it."},
     {"tie-break", "A permitted variation: where several boundaries are possible, the claim has another one."},
     {"timed-out", "An outcome: the program took longer than its time limit, and was ended."},
+    {"tolerance",
+     "How far a claimed decimal may be off, in parts of a radius or of itself. What is combinatorial has none."},
     {"tunnel",
      "A class of dimension 1: a way through, as through a ring or a tube. It is born as the ring closes, and dies "
      "where balls fill its narrowest place."},
