@@ -1,6 +1,6 @@
 // Spheres whose centre and squared radius are known within bounds.
 //
-// Guarantees: the bounds are proven (spec/cascades.md); they are infinite where nothing is known, for example of a
+// Guarantees: the bounds are proven (src/flow/cascades.md); they are infinite where nothing is known, for example of a
 // sphere through points that are nearly coplanar.
 #pragma once
 

@@ -1,6 +1,6 @@
 // Doubles that are decided within bounds, against the doubles nearest to exact numbers.
 //
-// Guarantees: every bound is held against the exact error, in rationals. It is also at least what spec/cascades.md
+// Guarantees: every bound is held against the exact error, in rationals. It is also at least what src/flow/cascades.md
 // derives: random errors are seldom near the worst case, so a bound that is ten times too small would hardly ever
 // contradict the exact numbers. Each test counts what was decided.
 #include "geometry/bounded_sphere.h"

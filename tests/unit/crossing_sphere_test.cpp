@@ -1,7 +1,7 @@
 // Positions of crossings in doubles, against those of exact numbers.
 //
 // Guarantees: along random chains of crossings the bounds of both precisions hold the exact position and squared
-// distance, and are at least what spec/cascades.md derives. The doubles are the nearest ones. Each rung is met on
+// distance, and are at least what src/flow/cascades.md derives. The doubles are the nearest ones. Each rung is met on
 // inputs that were made for it.
 #include "flow/kernels/crossing_sphere.h"
 

@@ -1,5 +1,5 @@
-// The bounds of direction.h against those that spec/cascades.md derives, without a diagram: starts of each kind, and
-// chains of crossings through triangles and larger polygons.
+// The bounds of direction.h against those that src/flow/cascades.md derives, without a diagram: starts of each kind,
+// and chains of crossings through triangles and larger polygons.
 //
 // Guarantees: a known direction is compared with the integer one exactly, in both precisions. Its error is also at
 // least what the derivation gives, which is computed here in another way. A filter of a sign must leave the sign open

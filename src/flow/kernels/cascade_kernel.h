@@ -2,10 +2,10 @@
 // cross is carried along with one bound on its angle. Four precisions decide a sign, one after the other: doubles, two
 // longer floating-point types, and integers.
 //
-// Guarantees: exact. A sign that a floating-point type decides is beyond its proven bound (spec/cascades.md); integers
-// decide the others. A direction that a higher precision had to compute is handed down to the lower ones, so that what
-// follows begins anew with a small error. Recipes are replayed in a loop, so that no length of a cascade exhausts the
-// stack. What flows over this kernel also includes cascade_moving_point.h.
+// Guarantees: exact. A sign that a floating-point type decides is beyond its proven bound (src/flow/cascades.md);
+// integers decide the others. A direction that a higher precision had to compute is handed down to the lower ones, so
+// that what follows begins anew with a small error. Recipes are replayed in a loop, so that no length of a cascade
+// exhausts the stack. What flows over this kernel also includes cascade_moving_point.h.
 #pragma once
 
 #include <memory>

@@ -1,7 +1,7 @@
 // Where the ray of a direction meets a bisector, and how far that is from the samples, within bounds.
 //
-// Guarantees: the bounds hold for every direction that is within its own bound (spec/cascades.md); they are infinite
-// where the direction is not known, or where the ray is nearly parallel to the bisector.
+// Guarantees: the bounds hold for every direction that is within its own bound (src/flow/cascades.md); they are
+// infinite where the direction is not known, or where the ray is nearly parallel to the bisector.
 #pragma once
 
 #include <algorithm>

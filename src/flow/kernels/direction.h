@@ -1,5 +1,5 @@
 // The direction in which a moving point lies, seen from the midpoint m of the facet that it is about to cross, with a
-// bound on its error (spec/cascades.md).
+// bound on its error (src/flow/cascades.md).
 //
 // Guarantees: the true direction lies within the bound, for doubles and for every longer floating-point type that
 // rounds to nearest. No point is constructed. A direction whose error is not known to be small is not known at all.
@@ -47,7 +47,7 @@ struct Precision<Extended> {
   static bool is_in_range(const Extended& square) { return square > 0; }
 };
 
-// ---- Constants of the bounds, in units of the roundoff (spec/cascades.md derives them) ----
+// ---- Constants of the bounds, in units of the roundoff (src/flow/cascades.md derives them) ----
 
 inline constexpr double kVertexStartBound = 24;   // times |a||b||c| (|a|+|b|+|c|+W)
 inline constexpr double kCircleStartBound = 32;   // times |a|^2 |b|^2 (|a|+|b|+W)

@@ -1,4 +1,4 @@
-// The direction of a moving point after it has crossed a facet (spec/cascades.md).
+// The direction of a moving point after it has crossed a facet (src/flow/cascades.md).
 //
 // Guarantees: as direction.h. Crossing a facet is linear in the direction, so nothing is divided by and no point is
 // constructed.
