@@ -1,8 +1,13 @@
 // Numbers of twice a double's precision: the unevaluated sum of two doubles.
 //
-// Guarantees: with u = 2^-53, a sum has a relative error of at most 3 u^2, a product of 7 u^2, a quotient of 15 u^2 and
-// a root of 4 u^2, while nothing overflows and the low parts do not underflow (Joldes, Muller, Popescu: Tight and
-// rigorous error bounds for basic building blocks of double-word arithmetic, 2017). The sum of two doubles is exact.
+// Guarantees: the relative error of a sum, a product, a quotient and a root is below 2^-102, while nothing overflows
+// and the low parts do not underflow. The sum and the product of two doubles are exact. What is proved, with u = 2^-53
+// and 2^-102 = 16 u^2:
+//   x + y   3 u^2 / (1 - 4u): algorithm 6 (AccurateDWPlusDW) of Joldes, Muller, Popescu: Tight and rigorous error
+//           bounds for basic building blocks of double-word arithmetic, 2017
+//   x y     7 u^2: algorithm 10 (DWTimesDW1) there
+//   x / y   15 u^2: below, because it is none of the algorithms there
+//   sqrt x  5 u^2: below
 // Boost.Multiprecision of Debian has no such type, and its floats of 128 bits take ten times as long.
 #pragma once
 
@@ -12,7 +17,7 @@ namespace flowcert::geometry {
 
 class DoubleDouble {
  public:
-  // More than the relative error of any operation.
+  // More than the relative error of any operation. Whoever uses the type may rely on this, and on no less.
   static constexpr double kRoundoff = 0x1p-102;
 
   constexpr DoubleDouble() = default;
@@ -46,12 +51,26 @@ class DoubleDouble {
     const DoubleDouble p = product(x.high_, y.high_);
     return ordered_sum(p.high_, p.low_ + (x.high_ * y.low_ + x.low_ * y.high_));
   }
+  // It is algorithm 17 (DWDivDW2), but r = y q is made by algorithm 8 (DWTimesFP2), not by 7. In units of |xh/yh|, up
+  // to terms of order u^3, which are less than 100 u^3:
+  //   q = xh/yh (1 + e), |e| <= u, so that N = x - y q = xl - xh yl/yh - e xh y/yh is at most 3 u |xh|.
+  //   r is y q but for 3 u^2: u^2 for the product yl q, and 2 u^2 for its sum with the low part of yh q. (Both are at
+  //   most u |yh q|.)
+  //   xh - rh is exact, because rh is between xh/2 and 2 xh (Sterbenz).
+  //   xl - rl is at most 2 u |xh|, so its rounding is 2 u^2.
+  //   The sum of the two is N but for these, so its rounding is 3 u^2, and that of its quotient by yh 3 u^2.
+  //   Divided by yh instead of y, N/y changes by |N/yh| |yl/y|: 3 u^2.
+  // The last sum is exact. Together that is 14 u^2.
   friend constexpr DoubleDouble operator/(const DoubleDouble& x, const DoubleDouble& y) {
     const double quotient = x.high_ / y.high_;
     const DoubleDouble back = product(y.high_, quotient);
     const DoubleDouble r = ordered_sum(back.high_, back.low_ + y.low_ * quotient);
     return ordered_sum(quotient, ((x.high_ - r.high_) + (x.low_ - r.low_)) / y.high_);
   }
+  // In units of the root, up to terms of order u^3: root = sqrt(xh) (1 + e), |e| <= u. xh - root^2 is a double, and is
+  // exact here. x - root^2 is at most 3 u x. Its rounding makes 3/2 u^2, that of the quotient 3/2 u^2, and the division
+  // by 2 root instead of root + sqrt x 9/8 u^2: together 33/8 u^2. (Lefevre, Louvet, Muller, Picot, Rideau: Accurate
+  // calculation of Euclidean norms using double-word arithmetic, 2023, have 25/8 u^2.)
   friend DoubleDouble sqrt(const DoubleDouble& x) {
     if (!(x.high_ > 0)) return {std::sqrt(x.high_), 0};
     const double root = std::sqrt(x.high_);

@@ -104,7 +104,7 @@ Number vertex_error(const std::array<const Point*, 4>& v, FacetEdge facet) {
   const Number na = root<Number>(squared(a)), nb = root<Number>(squared(b)), nc = root<Number>(squared(c));
   const Number sum = na + nb + nc, other = root<Number>(squared(w0)) + root<Number>(squared(w1));
   const RationalVector y = sphere.numerator + sphere.determinant * (w0 + w1);
-  return Number(Precision<Number>::kRoundoff) * na * nb * nc * (Number(21.8) * sum + Number(20.8) * other) /
+  return Number(Precision<Number>::kRoundoff) * na * nb * nc * (Number(22.8) * sum + Number(21.8) * other) /
          root<Number>(squared(y));
 }
 template <class Number>
