@@ -4,15 +4,19 @@ normative_text_test.py --self-test      damages a small page in every way that m
 
 FC-TERM-01: what is not informative is the text of a clause. So in each page of spec/ every block of text belongs to a
 clause, or to a paragraph that begins with *Informative*. If a page has no clause, its first paragraph begins so, and
-all of it is informative. Examples are informative, too. Prints how many lines are which.
+all of it is informative. Examples are informative, too. FC-TERM-02: each theorem of flow_complex.md has a proof in
+proofs.md. Prints how many lines are which.
 """
-# CITES: FC-TERM-01 FC-TERM-02 FC-TERM-03
+# CITES: FC-TERM-01 FC-TERM-02 FC-TERM-03 FC-TERM-04 FC-TERM-05 FC-TERM-06
 import re
 import sys
 from pathlib import Path
 
 CLAUSE = re.compile(r"\*\*FC-[A-Z]+-\d\d\*\* \((determined|permitted variation|must reject)(, theorem)?\)\. \S")
 LOOKS_LIKE_ONE = re.compile(r"\**FC-[A-Z]+-\d+\** *\(")
+THEOREM = re.compile(r"^\*\*(FC-[A-Z]+-\d\d)\*\* \(determined, theorem\)|^\*Theorem\.\* ", re.MULTILINE)
+CLAUSE_ID = re.compile(r"^\*\*(FC-[A-Z]+-\d\d)\*\* \(", re.MULTILINE)
+PROOF = re.compile(r"^\*\*(FC-[A-Z]+-\d\d)\.\*\* ", re.MULTILINE)
 VERSION = re.compile(r"Version \d+\.\d+, \d{4}-\d\d-\d\d")
 FENCE = re.compile(r"```")
 
@@ -65,6 +69,17 @@ def complaints_about(name, text, counts):
     return complaints
 
 
+def theorems(text):
+    """The ids of the clauses that are theorems, or have one."""
+    heads = [(one.start(), one[1]) for one in CLAUSE_ID.finditer(text)]
+    return [max(head for head in heads if head[0] <= one.start())[1] for one in THEOREM.finditer(text)]
+
+
+def without_proof(clauses, proofs):
+    proved = PROOF.findall(proofs)
+    return [f"proofs.md: no proof of {name}" for name in theorems(clauses) if name not in proved]
+
+
 def has_clauses(text):
     return any(CLAUSE.match(line) for line in text.split("\n"))
 
@@ -82,6 +97,7 @@ def check(root):
     for path in pages(root):
         complaints += complaints_about(str(path.relative_to(root)), path.read_text(), counts)
     with_clauses = [path for path in pages(root) if has_clauses(path.read_text())]
+    complaints += without_proof(*((root / "spec" / name).read_text() for name in ("flow_complex.md", "proofs.md")))
     for complaint in complaints:
         print(complaint)
     print(f"{len(with_clauses)} pages with clauses; " + ", ".join(f"{n} lines {what}" for what, n in counts.items()))
@@ -132,6 +148,10 @@ def self_test():
             failures.append(f"not noticed: {what}")
     if complaints_about("page", "# Title\n\n*Informative.* A page.\n\n## More\n\nText.\n", new_counts()):
         failures.append("an informative page is right")
+    clauses = "**FC-IN-01** (determined). One.\n*Theorem.* Two.\n\n**FC-IN-02** (determined, theorem). Three.\n"
+    for proofs, missing in (("**FC-IN-01.** So.\n**FC-IN-02.** So.\n", 0), ("**FC-IN-02.** See FC-IN-01.\n", 1), ("", 2)):
+        if len(without_proof(clauses, proofs)) != missing:
+            failures.append(f"not {missing} theorems without a proof")
     counts = new_counts()
     complaints_about("page", PAGE, counts)
     if counts != {"normative": 4, "informative": 7, "without an id": 0}:

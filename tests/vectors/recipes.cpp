@@ -104,6 +104,8 @@ Group critical_points() {
   cases.given(57, "20 points in general position", "general-position", general(20, 1));
   cases.given(58, "40 points in general position", "general-position", general(40, 2));
   cases.given(59, "60 points in general position", "general-position", general(60, 3));
+  cases.given(60, "two edges whose midpoints are 2^-33 apart: one position can mean both", "",
+              {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0x1p-33}, {0, -1, 0x1p-33}});
   return cases.group();
 }
 

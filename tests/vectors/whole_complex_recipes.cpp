@@ -136,6 +136,10 @@ Group unstable_surfaces() {
   for (std::size_t number = 75; const Rows& points : kTraceOfAPoint) {
     cases.given(number++, "a trace that is one point, found among small integers", "", points);
   }
+  cases.given(78, "a run on which no piece flows in from a stationary back: FC-UNST-06", "",
+              {{3, 3, 1}, {3, 2, 3}, {0, 0, 3}, {0, 4, 1}, {0, 0, 1}});
+  cases.given(79, "a facet that is entered through two traces: FC-UNST-05", "",
+              {{3, 0, 6}, {3, 6, 0}, {4, 6, 5}, {6, 3, 4}, {1, 4, 8}});
   return cases.group();
 }
 

@@ -3,7 +3,7 @@
 //
 // Guarantees: where no tie has to be broken, the boundary operators are determined, and, if nothing is regular
 // stationary, the boundary of a boundary is zero. Otherwise ties are broken as clause FC-CHAIN-02 allows. Whatever the
-// choice, boundaries of index-2 points are cycles, and persistence is the alpha complex's. Source: spec section 11
+// choice, boundaries of index-2 points are cycles, and persistence is the alpha complex's. Source: spec section 10
 // (clauses FC-CHAIN).
 #pragma once
 

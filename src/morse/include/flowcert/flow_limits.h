@@ -1,7 +1,7 @@
 // Where everything flows to: the λ-lists of stationary points, and how Voronoi edges divide by limits.
 //
 // Guarantees: exact, on every input. Limits are computed at once, and no orbit is followed. Positions are made when
-// they are asked for. Source: spec section 12 (clauses FC-UNST).
+// they are asked for. Source: spec section 11 (clauses FC-UNST).
 #pragma once
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 // points: everything that the flow carries there.
 //
 // Guarantees: exact, on every input. Sizes, boundaries and statistics are computed at once; the geometry of
-// a set is made when asked for. Source: spec section 10 (clauses FC-STAB); paper, section 2.3.
+// a set is made when asked for. Source: spec section 9 (clauses FC-STAB); paper, section 2.3.
 #pragma once
 
 #include <array>

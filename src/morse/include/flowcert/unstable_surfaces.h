@@ -2,7 +2,7 @@
 // sets of dimension 2.
 //
 // Guarantees: exact, on every input. A part that several families of rays cover counts once. A set is made when it is
-// asked for. nearest_double() rounds its coordinates, and rounded_set() makes them so. Source: spec section 12
+// asked for. nearest_double() rounds its coordinates, and rounded_set() makes them so. Source: spec section 11
 // (clauses FC-UNST-04 to 06).
 #pragma once
 
