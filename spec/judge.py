@@ -18,7 +18,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 sys.set_int_max_str_digits(0)
-VERSION = "1.0"  # of the specification
+VERSION = "1.1"  # of the specification
 TINY = Fraction(1, 2**44)  # what rounding explains (FC-CLAIM-05)
 KINDS = {(1, 2), (1, 3), (2, 3)}
 CONFORMS, DETERMINED, PERTURBED, FAILS = "conforms", "conforms where determined", "perturbed", "fails"

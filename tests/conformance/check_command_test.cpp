@@ -1,5 +1,5 @@
 // `flowcert check` as a user calls it: verdicts and exit status, the report in words, in JSON and for CI
-// systems (spec/formats/check.md), and what it refuses.
+// systems (src/cli/manual/check.md), and what it refuses.
 //
 // Guarantees: claims that `compute -o` makes conform exactly, whatever it was told to write, by the fast
 // implementation and by the oracle; so the two agree. One of the claims is a real output of another
@@ -400,7 +400,7 @@ TEST(CheckCommand, WritesAReportForCiSystems) {
   EXPECT_EQ(cases, 5U);
   EXPECT_NE(report.find("missing [FC-CLAIM-03]"), std::string::npos);
   EXPECT_EQ(report.find("< "), std::string::npos);
-  EXPECT_NE(report.find("<property name=\"profile\" value=\"does not conform to 1.0\"/>"), std::string::npos) << report;
+  EXPECT_NE(report.find("<property name=\"profile\" value=\"does not conform to 1.1\"/>"), std::string::npos) << report;
 
   // A permitted variation is told, and is no failure.
   const Checked varied(kCollisions, kCollisionsClaimed);
@@ -413,7 +413,7 @@ TEST(CheckCommand, WritesAReportForCiSystems) {
   const Checked right(kCube, Words{});
   EXPECT_EQ(right.run({"--junit", path, "--json"}).status, 0);
   EXPECT_NE(content_of(path).find("failures=\"0\""), std::string::npos);
-  EXPECT_NE(content_of(path).find("value=\"conforms to 1.0, points, exact\""), std::string::npos) << content_of(path);
+  EXPECT_NE(content_of(path).find("value=\"conforms to 1.1, points, exact\""), std::string::npos) << content_of(path);
 }
 
 TEST(CheckCommand, SaysInWhichProfileAClaimConforms) {
@@ -421,14 +421,14 @@ TEST(CheckCommand, SaysInWhichProfileAClaimConforms) {
   const Checked limits(kCube, Words{"--manifolds", "u2"});
   const auto lines = lines_of(limits.run().out);
   ASSERT_GE(lines.size(), 2U);
-  EXPECT_EQ(lines[lines.size() - 2], "conforms to 1.0, points + U2, exact");
-  EXPECT_EQ(limits.as_json()["profile"], json::parse(R"({"specification": "1.0", "parts": ["points", "U2"],
-      "grade": "exact", "statement": "conforms to 1.0, points + U2, exact"})"));
+  EXPECT_EQ(lines[lines.size() - 2], "conforms to 1.1, points + U2, exact");
+  EXPECT_EQ(limits.as_json()["profile"], json::parse(R"({"specification": "1.1", "parts": ["points", "U2"],
+      "grade": "exact", "statement": "conforms to 1.1, points + U2, exact"})"));
   const json shallow = limits.as_json({"--levels", "2"})["profile"];
   EXPECT_EQ(shallow["parts"], json::array());
   EXPECT_TRUE(shallow["statement"].is_null());
   const Checked wrong(kCube, std::string("index,x,y,z\n0,0,0,0\n"));
-  EXPECT_EQ(wrong.as_json()["profile"]["statement"], "does not conform to 1.0");
+  EXPECT_EQ(wrong.as_json()["profile"]["statement"], "does not conform to 1.1");
   EXPECT_EQ(wrong.as_json()["profile"]["grade"], "approximate");
 }
 

@@ -329,7 +329,7 @@ TEST_F(ConformanceCommand, PrintsATable) {
   EXPECT_TRUE(has_line("not judged: the orbits of 1 case, without --orbits-against", "")) << finished.out;
   EXPECT_TRUE(has_line("and 1 more; --most shows more", "")) << finished.out;
   EXPECT_TRUE(has_line("4 cases in ", ": 2 conform, 0 where determined, 0 perturbed, 2 negative")) << finished.out;
-  EXPECT_TRUE(has_line("does not conform to 1.0 (4 of ", " vectors)")) << finished.out;
+  EXPECT_TRUE(has_line("does not conform to 1.1 (4 of ", " vectors)")) << finished.out;
   EXPECT_EQ(lines.back(), "fails");
   EXPECT_EQ(finished.err, "");
 }
@@ -385,7 +385,7 @@ TEST_F(ConformanceCommand, WritesAReportForCiSystems) {
   const std::vector<std::string> names = elements_of(content_of(path));
   EXPECT_EQ(names, (Words{"testsuites", "testsuite", "properties", "property", "testcase", "testcase", "skipped",
                           "testsuite", "properties", "property", "testcase", "failure"}));
-  EXPECT_NE(content_of(path).find("value=\"does not conform to 1.0 (2 of "), std::string::npos) << content_of(path);
+  EXPECT_NE(content_of(path).find("value=\"does not conform to 1.1 (2 of "), std::string::npos) << content_of(path);
   EXPECT_NE(content_of(path).find("<testsuite name=\"unstable-manifolds\" tests=\"1\" failures=\"1\" "
                                   "errors=\"0\" skipped=\"0\""),
             std::string::npos)
@@ -397,7 +397,7 @@ TEST_F(ConformanceCommand, WritesAReportForCiSystems) {
   EXPECT_EQ(run(varied).status, 0);
   EXPECT_EQ(elements_of(content_of(path)),
             (Words{"testsuites", "testsuite", "properties", "property", "testcase", "system-out"}));
-  EXPECT_NE(content_of(path).find("value=\"is perturbed under 1.0, points, approximate (1 of "), std::string::npos)
+  EXPECT_NE(content_of(path).find("value=\"is perturbed under 1.1, points, approximate (1 of "), std::string::npos)
       << content_of(path);
   EXPECT_NE(content_of(path).find("failures=\"0\""), std::string::npos);
   EXPECT_NE(content_of(path).find("<system-out>level 2: symbolic-perturbation [FC-CLAIM-04]"), std::string::npos)

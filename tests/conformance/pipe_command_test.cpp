@@ -1,4 +1,4 @@
-// `flowcert generate | PROGRAM | flowcert verify` as a user calls it (spec/formats/cases.md),
+// `flowcert generate | PROGRAM | flowcert verify` as a user calls it (src/cli/manual/cases.md),
 // with a program in the middle that can be wrong (answering_program.cpp).
 //
 // Guarantees: right answers of every family conform in every format, by the fast implementation and by the
@@ -32,7 +32,7 @@ TEST(Verify, RightAnswersOfEveryFamilyConform) {
     EXPECT_EQ(report["verdict"], "conforms");
     EXPECT_EQ(report["cases"], 500);
     const bool is_decimal = std::string(form) == "decimals";
-    EXPECT_EQ(report["profile"]["statement"], std::string("conforms to 1.0, points, ") +
+    EXPECT_EQ(report["profile"]["statement"], std::string("conforms to 1.1, points, ") +
                                                   (is_decimal ? "approximate" : "exact") + " (500 drawn inputs)");
     EXPECT_EQ(report["failures"], json::array());
     EXPECT_EQ(report["unanswered_numbers"], json::array());

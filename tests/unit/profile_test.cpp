@@ -35,7 +35,7 @@ TEST(Profile, NamesWhatIsToldOfAllPoints) {
   const CheckReport report = cube.check(whole);
   EXPECT_EQ(report.profile.parts(), (Words{"points", "U2", "S2", "polylines", "skeletons", "lambda-lists",
                                            "connections", "volumes", "U1", "infinity"}));
-  EXPECT_EQ(statement(report).substr(0, 33), "conforms to 1.0, points + U2 + S2") << text(report);
+  EXPECT_EQ(statement(report).substr(0, 33), "conforms to 1.1, points + U2 + S2") << text(report);
   // One point of which it is not told is enough.
   Claimed less = whole;
   less.of({0, 1, 2, 3}).successors.reset();
@@ -67,18 +67,18 @@ TEST(Profile, HasNoPartAboveTheLevelsOrOfOtherIndices) {
 TEST(Profile, SaysHowTheVerdictIs) {
   CITES("FC-CLAIM-22", "FC-CLAIM-20", "FC-CLAIM-05");
   const Truly triangle(kRightTriangle);
-  EXPECT_EQ(statement(triangle.check(triangle.claim())), "conforms to 1.0, points, exact");
+  EXPECT_EQ(statement(triangle.check(triangle.claim())), "conforms to 1.1, points, exact");
   Claimed perturbed = triangle.claim();
   perturbed.add(1, {1, 2}).add(2, {0, 1, 2});
-  EXPECT_EQ(statement(triangle.check(perturbed)), "is perturbed under 1.0, points, exact");
-  EXPECT_EQ(statement(triangle.check(Claimed())), "does not conform to 1.0");
+  EXPECT_EQ(statement(triangle.check(perturbed)), "is perturbed under 1.1, points, exact");
+  EXPECT_EQ(statement(triangle.check(Claimed())), "does not conform to 1.1");
   const Truly cube(kCube);
   Claimed part = cube.claim();
   part.of({0, 1, 2, 3}).contact = {0, 1, 2};
-  EXPECT_EQ(statement(cube.check(part)), "conforms where determined to 1.0, points, exact");
+  EXPECT_EQ(statement(cube.check(part)), "conforms where determined to 1.1, points, exact");
   Claimed near = cube.claim_without({{0, 1}});
   near.at(1, decimals({Rational(1, 2), Rational(0), Rational(0)}));
-  EXPECT_EQ(statement(cube.check(near)), "conforms to 1.0, points, approximate");
+  EXPECT_EQ(statement(cube.check(near)), "conforms to 1.1, points, approximate");
 }
 
 // Two points have no critical point of index 2, so that nothing is left out by telling no limits of them.
@@ -98,7 +98,7 @@ TEST(Profile, OfAProgramHasWhatNoAnswerLeavesOut) {
   pairs.set_exact(false);
   joined.join(pairs);
   EXPECT_EQ(conformity_text(Verdict::kConforms, joined),
-            "conforms to 1.0, points + U2 + S2 + persistence, approximate");
+            "conforms to 1.1, points + U2 + S2 + persistence, approximate");
   Profile other_way = pairs;
   other_way.join(of_cube);
   other_way.join(of_two);

@@ -19,7 +19,7 @@ namespace flowcert {
 enum class Verdict;
 
 // The version of the specification, as the head of spec/flow_complex.md has it.
-inline constexpr char kSpecVersion[] = "1.0";
+inline constexpr char kSpecVersion[] = "1.1";
 
 // In the order in which a profile names them.
 enum class ProfilePart : std::uint8_t {
@@ -79,7 +79,7 @@ class Profile {
 [[nodiscard]] Profile profile_of(const Claim& claim, const ClaimedIndices& indices, bool has_points, bool is_exact,
                                  int highest_level);
 
-// "conforms to 1.0, points + U2, exact". It is "does not conform to 1.0" for what fails. Nothing if nothing is told.
+// "conforms to 1.1, points + U2, exact". It is "does not conform to 1.1" for what fails. Nothing if nothing is told.
 [[nodiscard]] std::optional<std::string> conformity_text(Verdict verdict, const Profile& profile);
 
 }  // namespace flowcert
