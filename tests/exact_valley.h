@@ -1,4 +1,5 @@
-// The histogram of positive numbers and its valley, as the specification has them (spec/formats/surfaces.md): every edge that a double can reach stands in a list, and every word is a loop.
+// The histogram of positive numbers and its valley, word by word as src/cli/manual/surfaces.md has them: every edge
+// that a double can reach stands in a list, and every word is a loop.
 //
 // Guarantees: exact; rationals alone.
 #pragma once

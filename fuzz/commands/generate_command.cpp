@@ -1,4 +1,4 @@
-// `flowcert generate`: cases for any program to answer, on standard output (spec/formats/cases.md).
+// `flowcert generate`: cases for any program to answer, on standard output (src/cli/manual/cases.md).
 // The counterpart of `flowcert verify`.
 //
 // Guarantees: each case is flushed before the next is made, so that it can be answered at once. If its reader goes

@@ -1,5 +1,5 @@
-// The cases that `generate` prints and `verify` takes answers to (spec/formats/cases.md): those of a run that is drawn
-// (fuzz/inputs/case_stream.h), or the conformance vectors.
+// The cases that `generate` prints and `verify` takes answers to (src/cli/manual/cases.md): those of a run that is
+// drawn (fuzz/inputs/case_stream.h), or the conformance vectors.
 //
 // Guarantees: a case is known by its number, from 0, and by its id, one word. An id that is damaged, or that was made
 // of other cases than these, names no case. Cases of too many points (`--most-points`) are left out: the others keep

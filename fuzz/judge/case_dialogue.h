@@ -1,5 +1,5 @@
 // A program that is asked case after case and answers each, as between `generate` and `verify`
-// (spec/formats/cases.md), in one process for all of them.
+// (src/cli/manual/cases.md), in one process for all of them.
 //
 // Guarantees: those of limited_program.h, but that the program runs where this one does; the limit of time holds for
 // each case. What is told of a case does not depend on the cases before it: if the process ends, is late or cannot be

@@ -74,7 +74,7 @@ struct CaseOutcome {
   std::optional<Profile> profile;
 };
 inline constexpr std::size_t kMostFindings = 100;
-// The page in the folder of a case that is kept (spec/formats/view.md).
+// The page in the folder of a case that is kept (src/cli/manual/view.md).
 inline constexpr char kPageName[] = "page.html";
 
 struct ConformanceOptions {

@@ -1,4 +1,4 @@
-// Reads a program's answers to cases (asked_cases.h) one by one from a stream (spec/formats/cases.md), and judges
+// Reads a program's answers to cases (asked_cases.h) one by one from a stream (src/cli/manual/cases.md), and judges
 // them.
 //
 // Guarantees: every case of the run has one outcome in the end, the unanswered ones too. Answers are judged one at a

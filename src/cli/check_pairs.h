@@ -1,5 +1,5 @@
 // `flowcert check` of a persistence diagram: which claimed pairs are wrong, and which are missing (FC-FILE-28,
-// FC-CLAIM-11), for people, as JSON and for CI systems (spec/formats/check.md).
+// FC-CLAIM-11), for people, as JSON and for CI systems (src/cli/manual/check.md).
 #pragma once
 
 #include <string>

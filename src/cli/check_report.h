@@ -1,5 +1,5 @@
 // The three ways in which `flowcert check` reports: lines for people, one JSON object, and a JUnit file for
-// CI systems (spec/formats/check.md).
+// CI systems (src/cli/manual/check.md).
 #pragma once
 
 #include <cstddef>

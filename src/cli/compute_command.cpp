@@ -1,6 +1,6 @@
 // `flowcert compute`: all stationary points of an input and, if wanted, all that flows. It writes a table
-// for people or one JSON object for programs (spec/formats/summary.md). It can also write a file of exact records
-// (stationary_points.md) and files for viewers (exports.md).
+// for people or one JSON object for programs (src/cli/manual/summary.md). It can also write a file of exact records
+// (spec/formats/stationary_points.md) and files for viewers (src/cli/manual/exports.md).
 //
 // Guarantees: each file for viewers is written when what it shows is made, and appears whole or not at all.
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What `flowcert compute` prints: a table, or the summary of spec/formats/summary.md. The paper's tables of
+// What `flowcert compute` prints: a table, or the summary of src/cli/manual/summary.md. The paper's tables of
 // statistics are added if they are asked for.
 #pragma once
 
@@ -42,7 +42,7 @@ void print_s2_statistics(const StableStatistics& statistics);
 // ---- What both share ----
 // The reports of U2 and S2 share distributions and filter failures, in JSON and in tables.
 
-// count, mean, max, stddev, mode, median, histogram (spec/formats/summary.md).
+// count, mean, max, stddev, mode, median, histogram (src/cli/manual/summary.md).
 [[nodiscard]] Json distribution_field(const Distribution& distribution);
 // Calls and failures of each primitive, by its name.
 [[nodiscard]] Json primitives_field(const KernelTally& tally);

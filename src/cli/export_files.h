@@ -1,4 +1,4 @@
-// The files of `compute --export DIR`, for viewers and mesh programs (spec/formats/exports.md).
+// The files of `compute --export DIR`, for viewers and mesh programs (src/cli/manual/exports.md).
 //
 // Guarantees: each file is written as soon as what it shows is made, and appears whole or not at all. What was made for
 // it is given back before the next one. If one cannot be written, those before it stay, and the error's line says so.

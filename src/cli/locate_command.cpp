@@ -1,5 +1,5 @@
 // `flowcert locate`: where the flow takes each of many positions, and the samples nearest to each. The output is one
-// line a position, as text or as JSON (spec/formats/locate.md).
+// line a position, as text or as JSON (src/cli/manual/locate.md).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

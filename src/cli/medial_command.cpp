@@ -1,5 +1,5 @@
 // `flowcert medial`: the medial axis as unstable sets U1 and U2 of chosen critical points, for viewers
-// (spec/formats/medial.md).
+// (src/cli/manual/medial.md).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
 // `flowcert pockets`: pockets, their mouths, and the widest paths out of them; the merge trees; surfaces and cells for
-// viewers. The output is a table, or one exact JSON object (spec/formats/pockets.md).
+// viewers. The output is a table, or one exact JSON object (src/cli/manual/pockets.md).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

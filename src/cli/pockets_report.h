@@ -1,5 +1,5 @@
 // What `flowcert pockets` prints for people: how distances are meant, the counts, and tables of the deepest pockets,
-// their mouths and, of a molecule, the residues that line them (spec/formats/pockets.md).
+// their mouths and, of a molecule, the residues that line them (src/cli/manual/pockets.md).
 #pragma once
 
 #include <optional>

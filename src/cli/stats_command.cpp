@@ -1,5 +1,5 @@
 // `flowcert stats`: the histograms that the paper shows of a computation of U2 and S2 (Figures 10, 11 and 12), as bars
-// for people, as SVG files, or as one JSON object for programs (spec/formats/stats.md).
+// for people, as SVG files, or as one JSON object for programs (src/cli/manual/stats.md).
 //
 // Guarantees: all pictures are made before the first is written. Each appears whole or not at all.
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // `flowcert surface`: a subset of the stable manifolds S2, chosen by persistence or radius, as a surface in a PLY or
-// OFF file (spec/formats/surfaces.md). The paper reconstructs a shape from its samples in this way.
+// OFF file (src/cli/manual/surfaces.md). The paper reconstructs a shape from its samples in this way.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
 // `flowcert view`: one page that shows the complex of an input in a browser and, if wanted, what is wrong with a claim
-// (spec/formats/view.md). With a claim, the exit status is that of `check`.
+// (src/cli/manual/view.md). With a claim, the exit status is that of `check`.
 //
 // Guarantees: the page appears whole or not at all.
 #include <fmt/format.h>

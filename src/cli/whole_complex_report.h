@@ -10,7 +10,7 @@ namespace flowcert::cli {
 
 void print_whole_complex_rows(const FlowComplex& complex);
 
-// The object `whole_complex` of the summary (spec/formats/summary.md).
+// The object `whole_complex` of the summary (src/cli/manual/summary.md).
 [[nodiscard]] Json whole_complex_field(const FlowComplex& complex);
 
 }  // namespace flowcert::cli

@@ -1,7 +1,7 @@
 // Which atoms of a molecule are points: by chains, by models, by alternate locations, and by words that people know.
 //
 // Guarantees: an atom is one of protein, nucleic acid, water or ligand by the name of its residue alone, from tables in
-// atom_selection.cpp; it is a hydrogen by its element. Without words all atoms are taken. Source: spec clause FC-FILE-44.
+// atom_selection.cpp; it is a hydrogen by its element. Without words all atoms are taken (src/cli/manual/atoms.md).
 #pragma once
 
 #include <cstddef>

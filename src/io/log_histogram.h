@@ -2,7 +2,7 @@
 //
 // Guarantees: exact. Bins lie between rational edges, and what is in them is counted. A valley is where people who look
 // at a histogram put a threshold (J. M. S. Prewitt, M. L. Mendelsohn, The analysis of cell images, 1966: the least bin
-// between two modes); whether there is one is decided by counts alone (spec/formats/surfaces.md).
+// between two modes); whether there is one is decided by counts alone (src/cli/manual/surfaces.md).
 #pragma once
 
 #include <cstddef>

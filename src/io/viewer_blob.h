@@ -1,4 +1,4 @@
-// Arrays of numbers as a viewer page holds them: planes of bytes, compressed, in base64 (spec/formats/view.md).
+// Arrays of numbers as a viewer page holds them: planes of bytes, compressed, in base64 (src/cli/manual/view.md).
 //
 // Guarantees: the page gets the same numbers, to the bit. Planes make the compressed text a third shorter, because
 // neighbouring numbers have the same leading bytes.

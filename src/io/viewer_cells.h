@@ -1,5 +1,5 @@
 // What a page has of the whole complex, if it is asked for: volumes of stable sets, connections, the faces of cells,
-// and unstable sets U1 (spec/formats/view.md, `cells`).
+// and unstable sets U1 (src/cli/manual/view.md, `cells`).
 //
 // Guarantees: connections are exact, volumes are the nearest doubles, and faces are closed around each cell.
 #pragma once

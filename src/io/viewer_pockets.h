@@ -1,4 +1,4 @@
-// The pockets that a page has, with their surfaces and mouths (spec/formats/view.md, `pockets`).
+// The pockets that a page has, with their surfaces and mouths (src/cli/manual/view.md, `pockets`).
 //
 // Guarantees: what belongs to which pocket is exact. Depths and volumes are the nearest doubles.
 #pragma once

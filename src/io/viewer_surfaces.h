@@ -1,4 +1,4 @@
-// The unstable sets U1 that a page draws (spec/formats/view.md, `cells.u1`).
+// The unstable sets U1 that a page draws (src/cli/manual/view.md, `cells.u1`).
 //
 // Guarantees: of the sets that are chosen, every sheet, segment and run is there, cut at the frame's box.
 #pragma once

@@ -1,6 +1,6 @@
 // What scripts and tests may call, as window.flowcert: counts, timings, what is drawn, and what a user can do.
-// Points are named {sample: n} or {record: n}, by their places in the data of spec/formats/view.md; pairs and triangles
-// by theirs. Distances, their squares and persistence are in the frame.
+// Points are named {sample: n} or {record: n}, by their places in the data of src/cli/manual/view.md; pairs and
+// triangles by theirs. Distances, their squares and persistence are in the frame.
 
 import { Vector3 } from 'three';
 import { none } from './complex.js';

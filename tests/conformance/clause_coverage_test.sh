@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Spec and tests name each other: every clause of the spec is cited by a test that ctest runs, and every clause id
-# in the code is one of the spec's.
+# in the code is one of the spec's. Ids that are withdrawn are listed in spec/formats/README.md; only pages of the spec name
+# them.
 #
 # usage: clause_coverage_test.sh [ROOT]        prints clause, level, number of citing tests
 #        clause_coverage_test.sh --self-test   damages a small tree in every way that must fail, and sees it fail
@@ -75,7 +76,7 @@ citations_in_scripts() { grep -hE '^# CITES: ' "$@" | grep -oE "$id" | sed 's/^/
 
 # All that is wrong with the tree, one line each, after the table; fails if anything is.
 check() {
-  local root=$1 failures=0 known found registered cited
+  local root=$1 failures=0 known found registered cited ids withdrawn
   fail() {
     echo "FAIL: $*"
     failures=$((failures + 1))
@@ -122,11 +123,23 @@ check() {
   done <<<"$known"
 
   ids=$(cut -f1 <<<"$known")
+  withdrawn=$(withdrawn_ids "$root")
   while read -r clause; do
-    [ -z "$clause" ] || grep -qxF "$clause" <<<"$ids" ||
+    ! grep -qxF "$clause" <<<"$ids" || fail "$clause is a clause, but listed as withdrawn"
+    found=$(cd "$root" && grep -rlwF "$clause" $(trees .) | grep -v '^spec/.*\.md$' | tr '\n' ' ' || true)
+    [ -z "$found" ] || fail "$clause is withdrawn, but named in: $found"
+  done < <(grep . <<<"$withdrawn")
+  while read -r clause; do
+    [ -z "$clause" ] || grep -qxF "$clause" <<<"$ids"$'\n'"$withdrawn" ||
       fail "$clause is no clause of the spec, but named in: $(cd "$root" && grep -rlwF "$clause" $(trees .) | tr '\n' ' ')"
   done < <(cd "$root" && grep -rhoE "\b$id\b" $(trees .) | sort -u)
   [ "$failures" -eq 0 ]
+}
+
+# The ids in the list below the heading "Withdrawn ids".
+withdrawn_ids() {
+  [ ! -f "$1/spec/formats/README.md" ] ||
+    sed -n '/^## Withdrawn ids$/,$p' "$1/spec/formats/README.md" | grep -oP "^- \K$id(?=, withdrawn in )" || true
 }
 
 # Where clause ids are looked for.
@@ -138,6 +151,7 @@ make_small_tree() {
   printf '%s\n' '**FC-IN-01** (must reject). One.' '' '**FC-IN-02** (determined). Two.' >"$1/spec/flow_complex.md"
   printf '%s\n' '**FC-CLAIM-01** (must reject). Three.' >"$1/spec/claims.md"
   printf '%s\n' '**FC-FILE-01** (determined). Four.' >"$1/spec/formats/points.md"
+  printf '%s\n' '## Withdrawn ids' '' '- FC-''OUT-01, withdrawn in 1.1.' >"$1/spec/formats/README.md"
   printf '%s\n' '// FC-IN-01' >"$1/src/a.cpp"
   printf '%s\n' 'flowcert_test_program(unit_tests' '  TESTS' '    a_test' '  LINKS d_test)' 'flowcert_script_test(b bash' \
     '  ${scripts}/b_test.sh)' 'flowcert_script_test(c ${scripts}/c_test.py)' >"$1/tests/unit/CMakeLists.txt"
@@ -169,10 +183,14 @@ self_test() {
   check "$scratch/right" || { echo "SELF-TEST: the small tree is right"; self_failures=1; }
 
   # The ids are put together here, so that the check of the real tree does not find them.
-  local none="FC-NONE"-01 third="FC-IN"-03
+  local none="FC-NONE"-01 third="FC-IN"-03 withdrawn="FC-OUT"-01 list=spec/formats/README.md
   local spec=spec/flow_complex.md claims=spec/claims.md points=spec/formats/points.md cpp=tests/unit/a_test.cpp cmake=tests/unit/CMakeLists.txt
   must_fail "an id that is no clause" src/a.cpp "s/FC-IN-01/$none/" "$none is no clause"
   must_fail "a citation of no clause" $cpp "s/FC-IN-01/FC-IN-01\", \"$none/" "$none is no clause"
+  must_fail "a withdrawn id in the code" src/a.cpp "s/FC-IN-01/$withdrawn/" "$withdrawn is withdrawn, but named in: src"
+  must_fail "a citation of a withdrawn id" $cpp "s/FC-IN-01/FC-IN-01\", \"$withdrawn/" "$withdrawn is withdrawn, but"
+  must_fail "a withdrawn id that is a clause" $spec "\$a **$withdrawn** (determined). Five." "$withdrawn is a clause, but"
+  must_fail "a withdrawn id that is not listed" $list 's/^- /* /' "$withdrawn is no clause"
   must_fail "a clause that nothing cites" $spec "\$a **$third** (determined). Three." "$third is cited by no test"
   must_fail "a clause on claims that nothing cites" $claims "\$a **$third** (determined). Four." "$third is cited by no"
   must_fail "a clause on files that nothing cites" $points "\$a **$third** (determined). Five." "$third is cited by no"

@@ -1,4 +1,4 @@
-// What `flowcert compute` prints and writes, against spec/formats/summary.md and stationary_points.md.
+// What `flowcert compute` prints and writes, against src/cli/manual/summary.md and spec/formats/stationary_points.md.
 //
 // Guarantees: the table, the summary and the file of records are read by a JSON parser and checked key by
 // key; digests are sha256sum's, and whether a double is the nearest one is decided by the oracle's

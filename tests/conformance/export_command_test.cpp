@@ -1,5 +1,5 @@
 // `flowcert compute --export` and `flowcert surface` as a user calls them: what is selected, what is counted,
-// what is refused, and that no file is left behind (spec/formats/exports.md, surfaces.md).
+// what is refused, and that no file is left behind (src/cli/manual/exports.md, surfaces.md).
 //
 // Guarantees: selections are compared with the pairs of `flowcert persistence --json`, exactly. What is in
 // the files is read elsewhere, by VTK and CGAL.

@@ -1,4 +1,4 @@
-// `flowcert generate` as a user calls it (spec/formats/cases.md): what it prints, that it is the
+// `flowcert generate` as a user calls it (src/cli/manual/cases.md): what it prints, that it is the
 // same every time, and how it ends. What becomes of the cases is in pipe_command_test.cpp.
 #include <gtest/gtest.h>
 
@@ -93,7 +93,7 @@ TEST(Generate, FamiliesAreCountedAlikeEverywhere) {
   std::size_t mentions = 0;
   for (const std::string& path :
        {FLOWCERT_SPEC_FOLDER + std::string("/../README.md"), std::string(FLOWCERT_FUZZ_README),
-        FLOWCERT_SPEC_FOLDER + std::string("/formats/cases.md")}) {
+        FLOWCERT_SPEC_FOLDER + std::string("/../src/cli/manual/cases.md")}) {
     const std::string text = content_of(path);
     const std::regex numbered("([0-9]+ of the )?([0-9]+) families");
     for (std::sregex_iterator found(text.begin(), text.end(), numbered); found != std::sregex_iterator(); ++found) {

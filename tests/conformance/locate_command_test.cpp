@@ -1,5 +1,5 @@
-// `flowcert locate` as a user calls it: text and JSON Lines of spec/formats/locate.md, ties, infinity, flat inputs, and
-// what it refuses.
+// `flowcert locate` as a user calls it: text and JSON Lines of src/cli/manual/locate.md, ties, infinity, flat inputs,
+// and what it refuses.
 //
 // Guarantees: each line says where `flowcert orbit` ends from the same position.
 #include <gtest/gtest.h>

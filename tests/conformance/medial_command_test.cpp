@@ -1,4 +1,4 @@
-// `flowcert medial` as a user calls it: which saddles are chosen, the files of spec/formats/medial.md, and what it
+// `flowcert medial` as a user calls it: which saddles are chosen, the files of src/cli/manual/medial.md, and what it
 // refuses.
 #include <gtest/gtest.h>
 

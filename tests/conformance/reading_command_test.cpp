@@ -78,7 +78,6 @@ TEST(Reading, ColumnsAndFrames) {
 }
 
 TEST(Reading, AtomsByWords) {
-  CITES("FC-FILE-44");
   const std::string file = input("ligand_and_water.pdb");
   const Finished all = flowcert({"pockets", file});
   EXPECT_NE(all.err.find("--atoms \"no ligands,no water\" leaves all of these out"), std::string::npos) << all.err;

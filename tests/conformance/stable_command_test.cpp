@@ -1,5 +1,5 @@
 // `flowcert compute --manifolds s2` as a user calls it: the summary, the table, the keys of records
-// (spec/formats/summary.md, stationary_points.md), and what it refuses.
+// (src/cli/manual/summary.md, spec/formats/stationary_points.md), and what it refuses.
 //
 // Guarantees: the expected skeletons are worked out by hand.
 #include <gtest/gtest.h>

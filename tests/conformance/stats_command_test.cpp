@@ -1,4 +1,4 @@
-// `flowcert stats` as a user calls it: bars, JSON (spec/formats/stats.md) and pictures.
+// `flowcert stats` as a user calls it: bars, JSON (src/cli/manual/stats.md) and pictures.
 //
 // Guarantees: the three tell the same numbers, which are those of `compute --stats`. Those of a triangle are worked out
 // by hand. Pictures are read by Expat, so they are well-formed XML.

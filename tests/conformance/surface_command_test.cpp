@@ -1,5 +1,5 @@
 // `flowcert surface` without units: what its thresholds come to, what it counts, and the histogram from which one
-// chooses (spec/formats/surfaces.md). Thresholds in units are in export_command_test.cpp.
+// chooses (src/cli/manual/surfaces.md). Thresholds in units are in export_command_test.cpp.
 //
 // Guarantees: numbers are worked out by hand on small inputs; those of JSON and of the table are the same.
 #include <fmt/format.h>

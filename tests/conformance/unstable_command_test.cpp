@@ -1,5 +1,5 @@
 // `flowcert compute --manifolds u2`: its rows, its keys of the summary and of the records
-// (spec/formats/summary.md, stationary_points.md), and what it refuses.
+// (src/cli/manual/summary.md, spec/formats/stationary_points.md), and what it refuses.
 //
 // Guarantees: every U2 is compared, segment by segment, with the orbit that the oracle's program prints from
 // a point of its first segment; every statistic of lengths and types is counted again from the polylines.

@@ -1,5 +1,5 @@
 // `flowcert generate --vectors | PROGRAM | flowcert verify`, and persistence pairs through the same pipe
-// (spec/formats/cases.md).
+// (src/cli/manual/cases.md).
 //
 // Guarantees: right answers conform, and each wrong one is found in its case. The verdict on a vector is that of
 // `conformance`.

@@ -3,7 +3,7 @@
 
 usage: view_command_test.py FLOWCERT
 
-Guarantees: every blob is decoded as spec/formats/view.md says, and contact sets, indices, limits of orbits, pairs and
+Guarantees: every blob is decoded as src/cli/manual/view.md says, and contact sets, indices, limits of orbits, pairs and
 triangles are compared exactly. Positions are compared within the rounding that the format names. Exit status: 0; 1
 where something differs.
 """

@@ -1,4 +1,4 @@
-"""What `flowcert compute --export` writes, opened by VTK itself (spec/formats/exports.md).
+"""What `flowcert compute --export` writes, opened by VTK itself (src/cli/manual/exports.md).
 
 usage: vtk_exports_test.py FLOWCERT
 

@@ -1,4 +1,4 @@
-"""What `flowcert pockets --export` writes, opened by VTK itself (spec/formats/pockets.md).
+"""What `flowcert pockets --export` writes, opened by VTK itself (src/cli/manual/pockets.md).
 
 usage: vtk_pockets_test.py FLOWCERT
 

@@ -1,5 +1,5 @@
 // `flowcert compute --manifolds all` as a user calls it: λ-lists, connections and volumes in the file of records, the
-// summary and the table (spec/formats/stationary_points.md, summary.md), and what it refuses.
+// summary and the table (spec/formats/stationary_points.md, src/cli/manual/summary.md), and what it refuses.
 //
 // Guarantees: the expected numbers are worked out by hand, or are the oracle's.
 #include <gtest/gtest.h>

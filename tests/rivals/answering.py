@@ -1,6 +1,6 @@
 """How the adapters in Python are asked: a stream of cases, or one file after the other.
 
-    ADAPTER KIND                   answers cases on standard input (spec/formats/cases.md)
+    ADAPTER KIND                   answers cases on standard input (src/cli/manual/cases.md)
     ADAPTER KIND --serve SOCKET    answers files of points, for ask.py, which `fuzz` and `conformance` run
     ADAPTER KIND IN OUT            answers one file
 

@@ -1,6 +1,6 @@
 // CGAL's answers to the cases of `flowcert generate`: which Delaunay simplices are critical points.
 //
-//   cgal_simplices KIND            answers a stream of cases (spec/formats/cases.md)
+//   cgal_simplices KIND            answers a stream of cases (src/cli/manual/cases.md)
 //   cgal_simplices KIND IN OUT     answers one file of points, for `flowcert fuzz --against`
 //
 // KIND is gabriel-epick or gabriel-epeck (a simplex is claimed if CGAL's is_Gabriel says so and its circumcentre is

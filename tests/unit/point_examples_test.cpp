@@ -533,7 +533,7 @@ void expect_as_described(const Example& example) {
 
 TEST(PointExamples, AreReadOrRefusedAsDescribed) {
   CITES("FC-IN-01", "FC-IN-02", "FC-IN-05", "FC-FILE-01", "FC-FILE-02", "FC-FILE-38", "FC-FILE-39", "FC-FILE-40",
-        "FC-FILE-41", "FC-FILE-42", "FC-FILE-43", "FC-FILE-44", "FC-FILE-45", "FC-FILE-46");
+        "FC-FILE-41", "FC-FILE-42", "FC-FILE-43", "FC-FILE-45", "FC-FILE-46");
   for (const auto& examples :
        {tables(), strange_tables(), clouds(), strange_clouds(), molecules(), strange_molecules(), others()}) {
     for (const Example& example : examples) expect_as_described(example);

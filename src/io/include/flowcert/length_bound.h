@@ -1,7 +1,7 @@
 // A bound on lengths of persistence pairs, or on radii, as people give it, with or without units.
 //
 // A length is a difference of distances, which are not squared. Guarantees: numbers are read exactly, and what a bound
-// comes to is exact; a quantile or a valley comes to a length from above (spec/formats/surfaces.md).
+// comes to is exact; a quantile or a valley comes to a length from above (src/cli/manual/surfaces.md).
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // The surfaces of pockets: what separates the cell of each from everything else, as closed meshes of triangles
-// (spec/formats/exports.md).
+// (src/cli/manual/exports.md).
 //
 // Guarantees: exact, but for the positions, which are the nearest doubles. Each mesh is closed, and its triangles are
 // counterclockwise, seen from outside. Two corners are one iff they are exactly equal.

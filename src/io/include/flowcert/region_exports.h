@@ -1,5 +1,5 @@
 // The regions of Voronoi facets as data sets for viewers: stable sets of dimension 3 as cells, and what the
-// directions of index-1 points meet in their own facets (spec/formats/exports.md).
+// directions of index-1 points meet in their own facets (src/cli/manual/exports.md).
 //
 // Guarantees: coordinates and volumes are the doubles nearest to the exact ones, and a value beyond the doubles throws
 // InvalidInput. Points are one iff their exact positions are equal. Cells have VTK's orientation, by exact positions.

@@ -32,10 +32,11 @@ struct SelectedSets {
 // the sharpest one decides.
 class SurfaceSelection {
  public:
-  // Expressions (spec/formats/surfaces.md): "index2-radius<R" (its distance, not squared), "persistence>X" (the length
-  // of the pair that it is in, a difference of distances), "largest-gaps=N" (the N most persistent ones;
-  // of equal ones the first in the list). R and X may also be "3spacing" (a multiple of the samples' spacing), "q0.9" (a
-  // quantile of all) or "auto" (the valley of their histogram). Numbers are read exactly. Throws InvalidInput for anything else.
+  // Expressions (src/cli/manual/surfaces.md): "index2-radius<R" (its distance, not squared), "persistence>X" (the
+  // length of the pair that it is in, a difference of distances), "largest-gaps=N" (the N most persistent ones; of
+  // equal ones the first in the list). R and X may also be "3spacing" (a multiple of the samples' spacing), "q0.9" (a
+  // quantile of all) or "auto" (the valley of their histogram). Numbers are read exactly. Throws InvalidInput for
+  // anything else.
   explicit SurfaceSelection(const std::vector<std::string>& expressions);
 
   // Conditions on persistence need the whole complex. The radii must be of the same complex.

@@ -1,5 +1,5 @@
 // All unstable sets of dimension 2 as files for viewers: VTP with all of their parts, PLY with triangles
-// (spec/formats/exports.md).
+// (src/cli/manual/exports.md).
 //
 // Guarantees: coordinates are the doubles nearest to the exact ones. In a set, points are one iff their exact positions
 // are equal, but for those at which the box cuts. What is written does not depend on the number of threads. It takes

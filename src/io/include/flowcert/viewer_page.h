@@ -1,5 +1,5 @@
 // A page that shows a flow complex: one HTML file that a browser opens from disk, with nothing else
-// (spec/formats/view.md).
+// (src/cli/manual/view.md).
 //
 // Guarantees: the page has the exact samples, and computes exact positions of stationary points from them. What it
 // draws is rounded to floats. All combinatorial facts in it, such as contact sets, limits of orbits and pairs, are

@@ -1,9 +1,9 @@
 // The flow complex as data sets for viewers: stationary points, the orbits of U2, and the surfaces S2. An array has
-// its name in TTK's Morse-Smale complex if it means the same there (spec/formats/exports.md). Files are VTK's XML
+// its name in TTK's Morse-Smale complex if it means the same there (src/cli/manual/exports.md). Files are VTK's XML
 // PolyData and UnstructuredGrid, which ParaView and VTK open.
 //
 // Guarantees: coordinates and values are the doubles nearest to the exact ones, and files hold them to the bit. The
-// points where orbits leave a clip box are rounded as spec/formats/exports.md says. Values of orbits that go to
+// points where orbits leave a clip box are rounded as src/cli/manual/exports.md says. Values of orbits that go to
 // infinity may be infinite. Any other value beyond the doubles throws InvalidInput.
 #pragma once
 

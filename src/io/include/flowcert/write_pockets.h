@@ -1,4 +1,4 @@
-// Pockets and merge trees as text for other programs (spec/formats/pockets.md).
+// Pockets and merge trees as text for other programs (spec/formats/pockets.md, src/cli/manual/pockets.md).
 //
 // Guarantees: rationals are exact, doubles are the nearest ones, but for areas (FC-POCK-11). The text depends on the
 // points and what is asked for alone, but for times, which are not part of it.
