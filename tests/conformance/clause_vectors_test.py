@@ -3,7 +3,7 @@
 clause_vectors_test.py --self-test     asks of wrong tables, and sees them complained about
 
 The reasons are the table "Clauses without vectors" of formats/vectors.md. A clause that has three needs none. Each flag
-has three vectors, too.
+has three vectors, too. The numbers of vectors and of their distinct inputs in that page are right.
 """
 import json
 import re
@@ -38,6 +38,17 @@ def complaints_about(clauses, counts, flags, page):
     return found + [f"flag {flag}: {n} vectors" for flag, n in flags.items() if n < ENOUGH]
 
 
+def sentences_on_inputs(cases):
+    """How many distinct inputs there are, as the page says it."""
+    lists = [(json.dumps(case["points"]), case["result"] != "invalid") for case in cases if "points" in case]
+    texts = {case["text"] for case in cases if "points" not in case}
+    of_all, of_valid = len({rows for rows, _ in lists}), len({rows for rows, is_valid in lists if is_valid})
+    valid = sum(case["result"] != "invalid" for case in cases)
+    return [f"The {len(cases):,} vectors have {of_all + len(texts):,} distinct inputs: {of_all:,} lists of points, "
+            f"and {len(texts)} texts of files.",
+            f"The {valid:,} vectors that are not invalid have {of_valid:,} of these lists."]
+
+
 def check(spec):
     pages = sorted(spec.glob("*.md")) + sorted(spec.glob("formats/*.md"))
     clauses = [name for page in pages for name in CLAUSE.findall(page.read_text())]
@@ -47,8 +58,10 @@ def check(spec):
     counts.update(one["clause"] for one in json.loads((spec / "judgements.json").read_text())["judgements"])
     used = Counter(name for case in cases for name in case["flags"])
     flags = {one["flag"]: used[one["flag"]] for file in files for one in file.get("flags", [])}
-    found = complaints_about(clauses, counts, flags, (spec / "formats/vectors.md").read_text())
+    page = (spec / "formats/vectors.md").read_text()
+    found = complaints_about(clauses, counts, flags, page)
     found += [f"{name}: named by vectors or judgements, but no clause" for name in counts if name not in clauses]
+    found += [f"formats/vectors.md does not say: {one}" for one in sentences_on_inputs(cases) if one not in page]
     print("\n".join(found))
     few = sum(counts[name] < ENOUGH for name in clauses)
     print(f"{len(clauses)} clauses, {few} of them with a reason; {len(cases)} vectors, {len(flags)} flags")
@@ -67,6 +80,12 @@ def self_test():
         "a clause that there is not": (counts, flags, page.replace("to 02", "to 03")),
         "a clause twice": (counts, flags, page.replace("FC-VOL-01", "FC-VOL-01, FC-IN-01")),
     }
+    points = [["0", "0", "0"], ["1", "0", "0"]]
+    cases = [{"points": points, "result": "determined"}, {"points": points[::-1], "result": "invalid"},
+             {"points": points, "result": "acceptable"}, {"text": "1", "result": "invalid"}]
+    if sentences_on_inputs(cases) != ["The 4 vectors have 3 distinct inputs: 2 lists of points, and 1 texts of files.",
+                                      "The 2 vectors that are not invalid have 1 of these lists."]:
+        failures.append("the inputs are counted otherwise")
     failures += [f"not noticed: {what}" for what, (n, of, table) in wrong.items()
                  if not complaints_about(clauses, n, of, table)]
     print("\n".join(failures) or "all noticed")
