@@ -28,11 +28,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
-// A shell adds the first to the signal that ended its program. Like a shell, we exit with the second if the program
-// was not started at all.
+// A shell adds the first to the signal that ended its program. Beyond the last signal a status is the program's own,
+// such as 255. Like a shell, we exit with the third if the program was not started at all.
 constexpr int kShellSignal = 128;
+constexpr int kLastSignal = 64;
 constexpr int kNotStarted = 127;
-constexpr int kLastSignal = 31;
 
 // This signal, which programs do not use, tells a guard that the command is to end. The kernel sends it when this
 // process has ended.

@@ -37,8 +37,8 @@ enum class ProgramEnding { kExited, kSignalled, kTimedOut, kCancelled };
 
 struct ProgramEnd {
   ProgramEnding ending = ProgramEnding::kExited;
-  // The exit status or the signal. A shell that exits with 128 + n says that signal n ended its program: that
-  // is taken as the signal.
+  // The exit status or the signal. A shell that exits with 128 + n, for n from 1 to 64, says that signal n ended its
+  // program: that is taken as the signal (FC-FILE-29).
   int number = 0;
   double seconds = 0;
 };

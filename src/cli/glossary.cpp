@@ -40,7 +40,7 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"contact-incomplete", "A finding: more points lie on the sphere than the claim names."},
     {"corner", "An end of a segment or an interval, or a vertex of a sector or a sheet; it can be at infinity."},
     {"cospherical", "Of points: on one sphere. Of five or more such points a Delaunay triangulation is not unique."},
-    {"crashed", "An outcome: the program ended by a signal or with a status that says that it failed."},
+    {"crashed", "An outcome: the program ended by a signal, or could not be started."},
     {"critical point",
      "A place where the distance to the nearest points has no direction of growth: it lies inside the "
      "hull of its contact set."},

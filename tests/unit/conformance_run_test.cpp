@@ -112,6 +112,24 @@ TEST(ConformanceRun, WaysToEndAreToldApart) {
   expect_outcome(one, claiming("0,,,,,9\\n"), RunOutcome::kUnreadable);
 }
 
+// A shell adds 128 to a signal. There are 64, and statuses beyond them are the program's own, as that before them is.
+TEST(ConformanceRun, AStatusIsASignalUpToTheLastOne) {
+  CITES("FC-FILE-29");
+  const std::pair<int, bool> statuses[] = {{2, false},  {125, false}, {128, false}, {129, true},  {137, true},
+                                           {159, true}, {160, true},  {192, true},  {193, false}, {255, false}};
+  for (const auto& [status, is_signal] : statuses) {
+    const std::string command = "exit " + std::to_string(status) + " # {in}";
+    expect_outcome(right_triangle(), command, is_signal ? RunOutcome::kCrashed : RunOutcome::kRefused);
+    expect_outcome(invalid_case(), command, is_signal ? RunOutcome::kCrashed : RunOutcome::kProperlyRefused);
+  }
+  for (const char* signal : {"34", "64"}) {
+    const CaseOutcome found = outcome_of(right_triangle(), std::string("kill -") + signal + " $$ # {in}");
+    EXPECT_EQ(found.outcome, RunOutcome::kCrashed) << signal;
+    EXPECT_EQ(found.message, std::string("signal ") + signal);
+  }
+  EXPECT_EQ(outcome_of(invalid_case(), "exit 255 # {in}").message, "exit status 255");
+}
+
 TEST(ConformanceRun, ATimeLimitIsKept) {
   CITES("FC-CLAIM-01");
   expect_outcome(right_triangle(), "sleep 1.5; " + kRight, RunOutcome::kTimedOut);
