@@ -8,27 +8,30 @@
 It judges the levels 1 to 4 of FC-CLAIM-19 (claims.md) and orbits, exactly: with fractions, never with a double.
 It says in which profile (FC-CLAIM-22) the claim or the program conforms.
 It reads the exchange format, CSV and the format of Giesen and Kühne (formats/claims.md).
-What they say on level 5 is not judged; of its keys, only the ids are read.
+What they say on level 5 has to be well formed (schemas/exchange.schema.json), and is not judged.
 Exit status: 0 if nothing is negative, 1 if something is, 2 for what cannot be used.
 """
-import argparse, gzip, hashlib, itertools, json, os, re, resource, shlex, signal, struct, subprocess, sys, tempfile
+import argparse, gzip, hashlib, io, itertools, json, os, re, resource, shlex, signal, struct, subprocess, sys, tempfile
+import zlib
 from collections import Counter
 from fractions import Fraction
 from pathlib import Path
 from types import SimpleNamespace
 
 sys.set_int_max_str_digits(0)
+HERE = Path(__file__).parent
 VERSION = "1.1"  # of the specification
 TINY = Fraction(1, 2**44)  # what rounding explains (FC-CLAIM-05)
-KINDS = {(1, 2), (1, 3), (2, 3)}
+LARGEST_STATED = 1e-6  # the greatest tolerance with which decimals are said to conform (FC-CLAIM-23)
+BLANKS = " \t\v\f"
+KINDS = [(1, 2), (1, 3), (2, 3)]
 CONFORMS, DETERMINED, PERTURBED, FAILS = "conforms", "conforms where determined", "perturbed", "fails"
 GOOD = [CONFORMS, DETERMINED, PERTURBED]
-COLUMNS = ["conforms", "determined", "perturbed", "fails", "refused", "crashed", "timed out", "unreadable"]
-COLUMN_OF = {"properly refused": "conforms", DETERMINED: "determined", "accepted": "fails"}
+OUTCOMES = [*GOOD, "properly refused", FAILS, "accepted", "refused", "crashed", "timed out", "unreadable"]
 
 
 class Unreadable(Exception):
-    """A claim that means nothing. The message says where and why."""
+    """A claim that means nothing. The message says why."""
 
 
 def require(condition, message):
@@ -36,36 +39,34 @@ def require(condition, message):
         raise Unreadable(message)
 
 
-# ---- Numbers (formats/claims.md). A number is a pair: its value, and whether it is claimed exactly.
-
-
-class Literal(str):
-    """A number of JSON, as it stands there."""
+# ---- Numbers (FC-FILE-18, 47). A number is a pair: its value, and whether it is claimed exactly.
 
 
 def hexadecimal(text):
-    parts = re.fullmatch(r"([+-]?)0[xX]([0-9a-fA-F]*)(?:\.([0-9a-fA-F]*))?(?:[pP]([+-]?\d+))?", text)
-    require(parts and (parts[2] or parts[3]), f"not a number: {text}")
-    digits, after = parts[2] + (parts[3] or ""), parts[3] or ""
-    power = int(parts[4] or 0) - 4 * len(after)
-    mantissa = int(digits, 16)
-    require(abs(power) < 9999 or not mantissa, f"not a double: {text}")
-    value = Fraction(mantissa) * Fraction(2) ** power if mantissa else Fraction(0)
-    require(nearest_double(value) is not None and Fraction(nearest_double(value)) == value, f"not a double: {text}")
+    parts = re.fullmatch(r"([+-]?)0[xX]([0-9a-fA-F]*)\.?([0-9a-fA-F]*)(?:[pP]([+-]?[0-9]+))?", text)
+    require(parts and parts[2] + parts[3], f"not a number: {text[:40]}")
+    mantissa, power = int(parts[2] + parts[3], 16), int(parts[4] or 0) - 4 * len(parts[3])
+    if mantissa == 0:
+        return Fraction(0)
+    zeros = (mantissa & -mantissa).bit_length() - 1
+    bits = mantissa.bit_length() - zeros
+    is_double = bits <= 53 and power + zeros >= -1074 and bits + zeros + power <= 1024
+    require(is_double, f"not a double: {text[:40]}")
+    value = (mantissa >> zeros) * Fraction(2) ** (power + zeros)
     return -value if parts[1] == "-" else value
 
 
 def number(text, plain_is_exact=False):
-    if "/" in text:
-        parts = re.fullmatch(r"([+-]?\d+)/(\d+)", text)
-        require(parts and int(parts[2]) and len(text) <= 1000000, f"not a fraction: {text[:40]}")
+    require(len(text) <= 1000000, f"too long: {text[:40]}")
+    if parts := re.fullmatch(r"([+-]?[0-9]+)/([0-9]+)", text):
+        require(int(parts[2]), f"the denominator is zero: {text[:40]}")
         return Fraction(int(parts[1]), int(parts[2])), True
-    if "x" in text or "X" in text:
+    if re.match(r"[+-]?0[xX]", text):
         return hexadecimal(text), True
-    parts = re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+)(?:[eE]([+-]?\d+))?", text)
+    parts = re.fullmatch(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE]([+-]?[0-9]+))?", text)
     require(parts, f"not a number: {text[:40]}")
-    exact = plain_is_exact and text.lstrip("+-").isdigit()
-    require(len(text) <= (1000000 if exact else 2000) and abs(int(parts[2] or 0)) <= 700, f"too long: {text[:40]}")
+    exact = plain_is_exact and re.fullmatch(r"[+-]?[0-9]+", text) is not None
+    require(exact or (len(text) <= 2000 and abs(int(parts[1] or 0)) <= 700), f"too long: {text[:40]}")
     return Fraction(text), exact
 
 
@@ -91,7 +92,116 @@ def roots_differ_by(a, b, squared_length):
     return left <= 0 or left * left <= 4 * a * b
 
 
+# ---- JSON, and the schema of a line (schemas/exchange.schema.json)
+
+
+class Literal(str):
+    """A number of JSON as it is written. It equals no string."""
+    __hash__ = str.__hash__
+
+    def __eq__(self, other):
+        return isinstance(other, Literal) and str.__eq__(self, other)
+
+    def __ne__(self, other):
+        return not self == other
+
+
+def literal(text):
+    require(abs(float(text)) < float("inf"), f"out of range of a double: {text[:40]}")
+    return Literal("0" if text == "-0" else text)
+
+
+def object_of(pairs):
+    require(len(pairs) <= 1000 and len(dict(pairs)) == len(pairs), "a key twice, or more than 1,000 keys")
+    return dict(pairs)
+
+
+def depth(value):
+    inside = value.values() if isinstance(value, dict) else value
+    return 1 + max(map(depth, inside), default=0) if isinstance(value, (dict, list)) else 0
+
+
+def parse(text):
+    try:
+        value = json.loads(text, object_pairs_hook=object_of, parse_int=literal, parse_float=literal,
+                           parse_constant=lambda word: require(False, "not JSON"))
+    except (json.JSONDecodeError, RecursionError) as error:
+        raise Unreadable(f"not JSON: {error}") from error
+    require(isinstance(value, dict) and depth(value) <= 16, "not an object, or nested deeper than 16 levels")
+    return value
+
+
+DEFINITIONS = parse((HERE / "schemas" / "exchange.schema.json").read_text())["definitions"]
+TYPES = {"object": lambda value: isinstance(value, dict), "array": lambda value: isinstance(value, list),
+         "string": lambda value: isinstance(value, str) and not isinstance(value, Literal),
+         "number": lambda value: isinstance(value, Literal), "boolean": lambda value: isinstance(value, bool),
+         "integer": lambda value: isinstance(value, Literal) and re.fullmatch("-?[0-9]+", value),
+         "null": lambda value: value is None}
+
+
+def each_fits(value, schema):
+    """The part of a schema that speaks of keys and items."""
+    if isinstance(value, dict):
+        known = schema.get("properties", {})
+        return all(key in value for key in schema.get("required", [])) and \
+            all(fits(one, known[key]) for key, one in value.items() if key in known)
+    if isinstance(value, list):
+        items = schema.get("items", True)
+        pairs = zip(value, items) if isinstance(items, list) else ((one, items) for one in value)
+        return int(schema.get("minItems", 0)) <= len(value) <= int(schema.get("maxItems", len(value))) and \
+            ("uniqueItems" not in schema or len(set(value)) == len(value)) and all(fits(*pair) for pair in pairs)
+    return True
+
+
+def fits(value, schema):
+    """Whether a value is as a schema says, by as much of JSON Schema (draft 7) as exchange.schema.json needs."""
+    if isinstance(schema, bool):
+        return schema
+    if "$ref" in schema:
+        name = schema["$ref"].rpartition("/")[2]
+        if not fits(value, DEFINITIONS[name]):
+            return False
+        require(name != "vector" or any(json_number(one)[0] for one in value), "a vector that is zero")
+        return name != "rational" or json_number(value) is not None  # or raises what is wrong with it
+    types = schema.get("type", [])
+    if types and not any(TYPES[one](value) for one in ([types] if isinstance(types, str) else types)):
+        return False
+    if isinstance(value, Literal):
+        low, high = (Fraction(schema.get(key, value)) for key in ("minimum", "maximum"))
+        if not low <= Fraction(value) <= high:
+            return False
+    elif isinstance(value, str) and not re.search(schema.get("pattern", ""), value):
+        return False
+    branch = schema.get("then" if "if" not in schema or fits(value, schema["if"]) else "else", True)
+    return fits(value, branch) and each_fits(value, schema) and \
+        ("const" not in schema or value == schema["const"]) and ("enum" not in schema or value in schema["enum"]) and \
+        all(fits(value, one) for one in schema.get("allOf", [])) and \
+        ("anyOf" not in schema or any(fits(value, one) for one in schema["anyOf"])) and \
+        ("not" not in schema or not fits(value, schema["not"]))
+
+
 # ---- Claims, read. `hull` is the second part of a kind, and None for a critical point. A target None is infinity.
+
+
+def whole(value):
+    require(isinstance(value, Literal) and re.fullmatch(r"[0-9]+", value), f"not a whole number: {value}")
+    require(int(value) < 2**64, f"too large: {value}")
+    return int(value)
+
+
+def ids(values):
+    found = [whole(one) for one in values]
+    require(all(one <= 2147483646 for one in found), "an id beyond 2147483646")
+    return found
+
+
+def index_of(value):
+    require(value in [Literal(k) for k in range(4)], f"not an index, 0 to 3: {value}")
+    return int(value)
+
+
+def json_number(value):
+    return number(value, plain_is_exact=not isinstance(value, Literal))
 
 
 def blank_point(line):
@@ -100,222 +210,165 @@ def blank_point(line):
                            boundary=None, lists=[])
 
 
-def whole(value):
-    require(isinstance(value, Literal) and re.fullmatch(r"\d+", value), f"not a whole number: {value}")
-    return int(value)
-
-
-def ids(value):
-    require(isinstance(value, list), f"not an array of ids: {value}")
-    found = [whole(one) for one in value]
-    require(all(one <= 2147483646 for one in found), "an id beyond 2147483646")
-    return found
-
-
-def index_of(value):
-    require(isinstance(value, str) and value in ("0", "1", "2", "3"), f"not an index, 0 to 3: {value}")
-    return int(value)
-
-
-def json_number(value):
-    require(isinstance(value, str), f"not a number: {value}")
-    return number(value, plain_is_exact=not isinstance(value, Literal))
-
-
-def three(value, read):
-    require(isinstance(value, list) and len(value) == 3, f"not three coordinates: {value}")
-    return [read(one) for one in value]
-
-
-def object_of(pairs):
-    require(len(dict(pairs)) == len(pairs), "a key twice")
-    return dict(pairs)
-
-
-def parse_float(text):
-    require(abs(float(text)) < float("inf"), f"out of range of a double: {text}")
-    return Literal(text)
-
-
-def parse(line):
-    try:
-        value = json.loads(line, object_pairs_hook=object_of, parse_int=parse_float, parse_float=parse_float,
-                           parse_constant=lambda text: require(False, "not JSON"))
-    except (json.JSONDecodeError, RecursionError) as error:
-        raise Unreadable(f"not JSON: {error}") from error
-    require(isinstance(value, dict), "not an object")
-    return value
-
-
 def lists_in(value, key=""):
-    """The lists of ids in what belongs to level 5."""
-    if key == "shares" or key == "shares_double":
-        return [ids([one[0] for one in value])]
+    """The lists of rows in what a line says, but not its `samples` of an index-1 point, which may be empty."""
+    if key in ("shares", "shares_double"):
+        return [ids(one[0] for one in value)]
     if key == "walk":
         return [[one] for one in ids(value or [])]
-    if key in ("samples", "polygon", "front_contact", "back_contact", "limit", "to") and isinstance(value, list):
-        if all(isinstance(one, Literal) for one in value):
-            return [ids(value)]
-    if key == "arcs":
+    if key in ("contact", "polygon", "samples", "front_contact", "back_contact", "limit", "to") and value is not None:
+        return [ids(value)]
+    if key in ("limits", "boundary", "arcs"):
         return [ids(one) for one in value if one is not None]
     if isinstance(value, dict):
         return [found for name, one in value.items() for found in lists_in(one, name)]
-    return [found for one in value for found in lists_in(one, "")] if isinstance(value, list) else []
+    return [found for one in value for found in lists_in(one)] if isinstance(value, list) else []
 
 
-def exchange_record(record, line):
+def exchange_point(record, line):
     point = blank_point(line)
-    require("index" in record, "no key 'index'")
-    if isinstance(record["index"], list):
-        require(len(record["index"]) == 2, "a kind has two parts")
-        point.index, point.hull = map(index_of, record["index"])
-        require((point.index, point.hull) in KINDS, "only the kinds 1-2, 1-3 and 2-3 exist")
-    else:
-        point.index = index_of(record["index"])
-    is_regular = point.hull is not None
-    kind = "regular" if is_regular else "critical"
-    require(record.get("kind", kind) == kind, f"the index says {kind}")
-    if "contact" in record:
-        point.contact = ids(record["contact"])
-        require(point.contact, "an empty contact set")
+    kind = record["index"]
+    point.index, point.hull = map(int, kind) if isinstance(kind, list) else (int(kind), None)
+    point.contact = ids(record.get("contact", []))
     near = record.get("center_double")
-    doubles = None if near is None else three(near, lambda one: None if one is None else json_number(one))
+    doubles = [None if one is None else json_number(one) for one in near or []]
     if "center" in record:
-        point.center, point.doubles = three(record["center"], json_number), doubles
-    elif doubles and None not in doubles:
-        point.center = doubles
-    near = record.get("squared_distance_double")
-    near = None if near is None else not_negative(json_number(near))
-    point.squared = not_negative(json_number(record["squared_distance"])) if "squared_distance" in record else near
-    if "squared_distance" in record and "squared_distance_double" in record:
-        point.squared_double = near
+        point.center, point.doubles = [json_number(one) for one in record["center"]], doubles
+    elif None not in doubles:
+        point.center = doubles or None
     require(point.contact or point.center, "neither 'contact' nor 'center'")
-    for keys, indices, with_regular in [(["samples"], [1], False), (["limits", "u2"], [2], False),
-                                        (["stable", "surface"], [2], True), (["skeleton"], [2, 3], True),
-                                        (["lambda", "connections"], [1, 2], True),
-                                        (["shares", "shares_double"], [2, 3], True), (["u1"], [1], True)]:
-        for key in keys:
-            may = point.index in indices if not is_regular else with_regular and (key != "u1" or point.index == 1)
-            require(key not in record or may, f"a key that such a point has not: '{key}'")
-            if key in record and key not in ("samples", "limits", "u2", "surface", "stable"):
-                point.lists += lists_in(record[key], key)
-    if "samples" in record:
-        point.samples = ids(record["samples"])
+    squared, near = (None if record.get(key) is None else not_negative(json_number(record[key]))
+                     for key in ("squared_distance", "squared_distance_double"))
+    point.squared = squared or near
+    if squared and "squared_distance_double" in record:
+        point.squared_double = near
+    point.samples = ids(record.pop("samples")) if "samples" in record else None
     if "limits" in record:
-        require(isinstance(record["limits"], list) and len(record["limits"]) == 2, "there are two limits")
         point.targets, point.by_side = [None if one is None else ids(one) for one in record["limits"]], True
-    stable = record.get("stable", {})
-    if "boundary" in stable:
-        require(not is_regular, "a boundary, which only critical points have")
-        point.boundary = [ids(one) for one in stable["boundary"]]
-    point.lists += lists_in(stable.get("walk", []), "walk")
+    if "boundary" in record.get("stable", {}):
+        point.boundary = [ids(one) for one in record["stable"]["boundary"]]
+    point.lists = lists_in({key: one for key, one in record.items() if key in DEFINITIONS["record"]["properties"]})
     return point
 
 
-def read_exchange(text):
-    lines = [(k, line) for k, line in enumerate(re.split("\r\n|\r|\n", text), 1) if line.strip(" \t")]
-    head = parse(lines[0][1])
-    is_known = head.get("format") == "flowcert-stationary-points" and head.get("format_version") == "1"
-    require(is_known, "an unknown format")
-    claim = SimpleNamespace(points=[], infinity=[], indices={0, 1, 2, 3}, head={}, has_indices=False)
-    for key in ("points", "merged_duplicates"):
-        if key in head:
-            claim.head[key] = whole(head[key])
-    if "input_sha256" in head:
-        require(re.fullmatch("[0-9a-f]{64}", head["input_sha256"]), "not 64 lower case hexadecimal digits")
-        claim.head["input_sha256"] = head["input_sha256"]
-    if "classes" in head:
-        claim.head["classes"] = [ids(one) for one in head["classes"]]
-    if "critical" in head:
-        claim.head["critical"] = [whole(one) for one in head["critical"]]
-        require(len(claim.head["critical"]) == 4, "there are four counts")
-    if "regular_stationary" in head:
-        require(all(kind in head["regular_stationary"] for kind in ("1-2", "1-3", "2-3")), "not three counts")
-        claim.head["regular"] = [whole(head["regular_stationary"][kind]) for kind in ("1-2", "1-3", "2-3")]
-    if "indices" in head:
-        claim.indices = {index_of(one) for one in head["indices"]}
-        require(len(claim.indices) == len(head["indices"]), "an index twice")
-    seen_infinity = False
-    for line, text_of_line in lines[1:]:
-        record = parse(text_of_line)
-        if record.get("kind") == "infinity":
-            require(not seen_infinity and "skeleton" in record, "a second line of infinity, or one without a skeleton")
-            seen_infinity = True
-            claim.infinity = lists_in(record["skeleton"])
+def read_header(line):
+    require(fits(line, DEFINITIONS["header"]), "a header that is not as its schema says")
+    head = {key: whole(line[key]) for key in ("points", "merged_duplicates") if key in line}
+    head |= {key: [whole(one) for one in line[key]] for key in ("critical",) if key in line}
+    head |= {key: line[key] for key in ("input_sha256",) if key in line}
+    if "classes" in line:
+        head["classes"] = [ids(one) for one in line["classes"]]
+    if "regular_stationary" in line:
+        head["regular"] = [whole(line["regular_stationary"][f"{i}-{j}"]) for i, j in KINDS]
+    indices = set(map(int, line.get("indices", range(4))))
+    return SimpleNamespace(points=[], infinity=None, indices=indices, head=head)
+
+
+def read_exchange(lines):
+    filled = [(k, parse(line)) for k, line in enumerate(lines, 1) if line.strip(BLANKS)]
+    claim = read_header(filled[0][1])
+    for k, record in filled[1:]:
+        name = "infinity" if record.get("kind") == "infinity" else "record"
+        require(fits(record, DEFINITIONS[name]), f"line {k} is not as its schema says")
+        if name == "record":
+            claim.points.append(exchange_point(record, k))
         else:
-            claim.points.append(exchange_record(record, line))
+            require(claim.infinity is None, "a second line of infinity")
+            claim.infinity = lists_in(record["skeleton"])
     return claim
 
 
+# ---- Claims in lines of text (FC-FILE-15, 16, 47)
+
+
+def without_comment(line):
+    return re.split(r"(?<!\.)#", line)[0].strip(BLANKS)
+
+
+def words_of(part):
+    return [one for one in re.split(f"[{BLANKS}]+", part) if one]
+
+
+def csv_point(fields, line):
+    while len(fields) > 4 and not fields[-1]:
+        fields.pop()
+    point = blank_point(line)
+    point.index = index_of(Literal(fields[0]))
+    require(len(fields) >= 4, "too few numbers after the index")
+    point.center = [number(one) for one in fields[1:4]] if any(fields[1:4]) else None
+    point.squared = not_negative(number(fields[4])) if len(fields) > 4 and fields[4] else None
+    point.contact = ids(map(Literal, fields[5:]))
+    require(point.center or point.contact, "neither a position nor contact ids")
+    return point
+
+
 def read_csv(lines):
-    points = []
-    for k, line in enumerate(lines, 1):
-        line = line.split("#")[0].strip(" \t")
-        fields = [one.strip(" \t") for one in re.split(r"[ \t]*,[ \t]*|[ \t]+", line)] if line else []
-        if not fields or (not points and fields[0] == "index"):
-            continue
-        while len(fields) > 4 and not fields[-1]:
-            fields.pop()
-        point = blank_point(k)
-        point.index = index_of(fields[0])
-        require(len(fields) >= 4, "too few numbers after the index")
-        point.center = [number(one) for one in fields[1:4]] if any(fields[1:4]) else None
-        point.squared = not_negative(number(fields[4])) if len(fields) > 4 and fields[4] else None
-        point.contact = ids([Literal(one) for one in fields[5:]])
-        require(point.center or point.contact, "neither a position nor contact ids")
-        points.append(point)
+    points, names = [], ["index", "x", "y", "z", "squared_distance"]
+    filled = [(k, text) for k, line in enumerate(lines, 1) if (text := without_comment(line))]
+    for k, text in filled:
+        fields = re.split(f"[{BLANKS}]*,[{BLANKS}]*|[{BLANKS}]+", text)
+        if k == filled[0][0] and fields[0] == "index":
+            require(len(fields) >= 4 and fields[:5] == names[:len(fields)], f"other columns than {', '.join(names)}")
+        else:
+            points.append(csv_point(fields, k))
     return points
+
+
+def bars_point(parts, line):
+    point = blank_point(line)
+    point.contact = ids(map(Literal, parts[0]))
+    require(1 <= len(point.contact) <= 4 and len(parts) > 1 and len(parts[1]) == 1, "no ids, or no distance")
+    point.index = len(point.contact) - 1
+    point.distance = not_negative(number(parts[1][0]))
+    point.targets = [None if one == ["inf"] else ids(map(Literal, one)) for one in parts[2:]]
+    require(all(one is None or 1 <= len(one) <= 4 for one in point.targets), "a successor of no ids")
+    point.lists = [point.contact, *filter(None, point.targets)]
+    return point
 
 
 def read_bars(lines):
     points, infinities = [], 0
     for k, line in enumerate(lines, 1):
-        parts = [one.split() for one in line.split("|")]
+        parts = [words_of(one) for one in line.split("|")]
         if parts[0][:1] == ["inf"]:
             require(parts == [["inf", "3"]] and not infinities, "not one maximum at infinity in dimension 3")
             infinities = 1
-        elif line.strip():
-            parts = parts[:-1] if not parts[-1] else parts
-            point = blank_point(k)
-            point.contact = ids([Literal(one) for one in parts[0]])
-            require(1 <= len(point.contact) <= 4 and len(parts) > 1 and len(parts[1]) == 1, "no ids, or no distance")
-            point.index = len(point.contact) - 1
-            point.distance = not_negative(number(parts[1][0]))
-            point.targets = [None if one == ["inf"] else ids([Literal(word) for word in one]) for one in parts[2:]]
-            require(all(one is None or 1 <= len(one) <= 4 for one in point.targets), "a successor of no ids")
-            points.append(point)
+        elif line.strip(BLANKS):
+            points.append(bars_point(parts if parts[-1] else parts[:-1], k))
     return points
+
+
+def decompressed(data):
+    if data[:2] != b"\x1f\x8b":
+        return data
+    most = min(max(100 * len(data), 1 << 20), 4 << 30)
+    try:
+        found = gzip.GzipFile(fileobj=io.BytesIO(data)).read(most + 1)
+    except (OSError, EOFError, zlib.error) as error:
+        raise Unreadable(f"damaged: {error}") from error
+    require(len(found) <= most, "it grows to more than a hundred times its size")
+    return found
 
 
 def read_claim(data, rows):
     """The claim in some bytes, about so many rows."""
-    if data[:2] == b"\x1f\x8b":
-        try:
-            data = gzip.decompress(data)
-        except (OSError, EOFError) as error:
-            raise Unreadable(f"damaged: {error}") from error
-    require(data, "an empty file")
-    text = data.decode("utf-8", "replace")
-    lines = re.split("\r\n|\r|\n", text)
-    first = next((one for one in (line.split("#")[0].strip() for line in lines) if one), "")
-    if text.lstrip(" \t\r\n")[:1] == "{":
-        try:
-            claim = read_exchange(text)
-        except (AttributeError, TypeError, KeyError, IndexError) as error:
-            raise Unreadable(f"not as the format says: {error}") from error
+    data = decompressed(data).removeprefix(b"\xef\xbb\xbf")
+    start = data.strip((BLANKS + "\r\n").encode())[:1]
+    require(start, "an empty file")
+    require(start != b"<", "VTP is not read here")
+    try:
+        lines = re.split("\r\n|\r|\n", data.decode(errors="strict" if start == b"{" else "replace"))
+    except UnicodeDecodeError as error:
+        raise Unreadable(f"not UTF-8: {error}") from error
+    if start == b"{":
+        claim = read_exchange(lines)
     else:
-        require(first[:1] != "<", "VTP is not read here")
-        points = read_bars(lines) if "|" in first or first.split()[:1] == ["inf"] else read_csv(lines)
-        claim = SimpleNamespace(points=points, infinity=[], indices={0, 1, 2, 3}, head={})
-    for point in [*claim.points, None]:
-        lists = claim.infinity if point is None else all_lists(point)
-        require(all(one < rows for some in lists for one in some), "there is no such point")
+        first = next(filter(None, map(without_comment, lines)), "")
+        read = read_bars if "|" in first or words_of(first)[:1] == ["inf"] else read_csv
+        claim = SimpleNamespace(points=read(lines), infinity=None, indices={0, 1, 2, 3}, head={})
+    lists = [some for point in claim.points for some in [point.contact, point.samples or [], *point.lists]]
+    require(all(one < rows for some in lists + (claim.infinity or []) for one in some), "there is no such point")
     return claim
-
-
-def all_lists(point):
-    more = [one for one in point.targets or [] if one is not None] + (point.boundary or []) + point.lists
-    return [point.contact, point.samples or []] + more
 
 
 # ---- Geometry
@@ -335,6 +388,14 @@ def cross(a, b):
 
 def det(a, b, c):
     return dot(cross(a, b), c)
+
+
+def squared_length(a):
+    return dot(a, a)
+
+
+def sign(x):
+    return (x > 0) - (x < 0)
 
 
 def sphere_through(points):
@@ -372,8 +433,21 @@ def in_hull(points, x):
     return False
 
 
-def sign(x):
-    return (x > 0) - (x < 0)
+def in_interior(points, x):
+    """Whether x, in the hull of points that are equally far from it, is on no supporting plane."""
+    v = [minus(p, x) for p in points]
+    planes = [n for a, b in itertools.combinations(v, 2) if any(n := cross(a, b))]
+    return bool(planes) and all({-1, 1} <= {sign(dot(n, a)) for a in v} for n in planes)
+
+
+def nearest_in_hull(points, center):
+    """The point of the hull of points on one sphere that is nearest to its centre: that of their smallest ball."""
+    for size in range(1, 5):
+        for some in itertools.combinations(points, size):
+            x, squared = sphere_through(some)
+            if in_hull(some, x) and all(squared_length(minus(p, x)) <= squared for p in points):
+                return x
+    raise AssertionError("every set of points has a smallest ball")
 
 
 # ---- The truth: a case of the vectors
@@ -382,48 +456,92 @@ def sign(x):
 class Truth:
     def __init__(self, case):
         self.rows = [tuple(float.fromhex(word) for word in row) for row in case["points"]]
-        self.points = [tuple(Fraction(x) for x in row) for row in self.rows]
-        first, classes = {}, {}
-        self.name = [first.setdefault(p, k) for k, p in enumerate(self.points)]
-        for row, name in enumerate(self.name):
-            classes.setdefault(name, []).append(row)
+        self.points = [tuple(map(Fraction, row)) for row in self.rows]
+        classes = {}
+        for row, p in enumerate(self.points):
+            classes.setdefault(p, []).append(row)
+        self.name = [classes[p][0] for p in self.points]
         self.classes = [rows for rows in classes.values() if len(rows) > 1]
         self.merged = len(self.rows) - len(classes)
-        self.records, self.at = [], {}
+        self.records, self.with_name = [], {}
         for k, value in enumerate(case["expected"]["stationary"]):
-            index = value["index"] if isinstance(value["index"], list) else [value["index"]] * 2
-            told = value.get("incidences", {})
-            self.records.append(SimpleNamespace(
-                k=k, index=index[0], hull=index[1], critical=index[0] == index[1], contact=tuple(value["contact"]),
-                center=tuple(map(Fraction, value["center"])), squared=Fraction(value["squared_distance"]), told=told))
-            self.at[tuple(value["contact"])] = k
-        self.with_name = {}
-        for record in self.records:
+            index, hull = value["index"] if isinstance(value["index"], list) else [value["index"]] * 2
+            center, squared = tuple(map(Fraction, value["center"])), Fraction(value["squared_distance"])
+            largest = max(map(abs, center)) ** 2
+            record = SimpleNamespace(
+                k=k, index=index, hull=hull, critical=index == hull, contact=tuple(value["contact"]), center=center,
+                squared=squared, told=value.get("incidences", {}), is_simplex=len(value["contact"]) == hull + 1,
+                allowed=squared or largest, rounding=TINY**2 * max(squared, largest))
+            self.records.append(record)
             for name in record.contact:
                 self.with_name.setdefault(name, []).append(record)
-            coordinates = max((abs(x) for x in record.center), default=0)
-            record.allowed = record.squared or coordinates**2  # times the squared tolerance
-            record.rounding = TINY**2 * max(record.squared, coordinates**2)
-
-    def limits(self, k):
-        return [None if one is None else self.at[tuple(one)] for one in self.records[k].told["limits"]]
-
-    def has_tie(self, k):
-        return self.records[k].told["boundary"] is None
+        self.at = {record.contact: record for record in self.records}
 
     def digest(self):
         return hashlib.sha256(b"".join(struct.pack("<3d", *(x + 0.0 for x in row)) for row in self.rows)).hexdigest()
 
+    def limits(self, record):
+        return [None if one is None else self.at[tuple(one)] for one in record.told["limits"]]
+
+    def names(self, rows):
+        return tuple(sorted({self.name[row] for row in rows}))
+
+    def where(self, names):
+        return [self.points[name] for name in names]
+
+    def side(self, plane, name):
+        p = self.where([*plane[:3], name])
+        return sign(det(minus(p[1], p[0]), minus(p[2], p[0]), minus(p[3], p[0])))
+
+    def dimension(self, names):
+        """Of the hull of samples of one sphere."""
+        return len(names) - 1 if len(names) < 4 else 3 if any(self.side(names, name) for name in names[3:]) else 2
+
+    def placed(self, names):
+        """The record with this contact set, or with its centre and a larger one, and how it fits (FC-CLAIM-02)."""
+        if names in self.at:
+            return self.at[names], "whole"
+        larger = [one for one in self.with_name.get(names[0], []) if set(names) < set(one.contact)] if names else []
+        center = sphere_through(self.where(names))[0] if larger else None
+        for record in larger:
+            if record.center == center:
+                is_part = len(names) == record.hull + 1 and self.dimension(names) == record.hull
+                return record, "part" if is_part else "other"
+        return None, None
+
 
 # ---- The judge. `fit` says how a claimed contact set fits its record: "whole", "part", "other", or "position".
+
+# How a stationary point at a claimed position fits, from good to bad. `made`: a perturbation may make it of the point.
+RIGHT, MADE, WRONG_VALUE, WRONG_MADE, WRONG_INDEX = range(5)
+
+
+def maximum_matching(choices):
+    """The partner of each that has one, of the partners that each may have, by augmenting paths (FC-CLAIM-24)."""
+    owner = {}
+
+    def find_own(k, tried):
+        for one in choices[k]:
+            if one not in tried:
+                tried.add(one)
+                if one not in owner or find_own(owner[one], tried):
+                    owner[one] = k
+                    return True
+        return False
+
+    for k, some in enumerate(choices):
+        free = [one for one in some if one not in owner]
+        owner.update({free[0]: k} if free else {})
+    for k in sorted(set(range(len(choices))) - set(owner.values())):
+        find_own(k, set())
+    return {k: one for one, k in owner.items()}
 
 
 class Judge:
     def __init__(self, truth, claim, tolerance, highest=4):
-        self.truth, self.claim, self.tolerance, self.highest = truth, claim, tolerance, highest
+        self.truth, self.claim, self.tolerance, self.highest = truth, claim, Fraction(tolerance), highest
         self.findings, self.undecided, self.judged = [], False, {1}
-        self.perturbed = {}  # record: the claims that a perturbation makes of it
-        self.memo = {}
+        self.perturbed = {}  # by record: the claims that a perturbation makes of it
 
     def find(self, level, reason, clause, point=None, permitted=False, contact=()):
         line, contact = (point.line, point.contact) if point else (None, contact)
@@ -443,16 +561,14 @@ class Judge:
             self.judged.add(4)
         self.findings = [one for one in self.findings if one["level"] <= self.highest]
         self.findings.sort(key=lambda f: (f["permitted"], f["level"], f["line"] or float("inf"), f["contact"]))
-        verdict = CONFORMS
-        for one in self.findings:
-            permitted = PERTURBED if one["reason"] == "symbolic-perturbation" else DETERMINED
-            verdict = max(verdict, permitted if one["permitted"] else FAILS, key=[*GOOD, FAILS].index)
-        return verdict
+        verdicts = [FAILS if not one["permitted"] else PERTURBED if one["reason"] == "symbolic-perturbation" else
+                    DETERMINED for one in self.findings]
+        return max(verdicts, key=[*GOOD, FAILS].index, default=CONFORMS)
 
     # ---- Level 1 (FC-CLAIM-01, 12)
 
     def check_form(self):
-        truth, head = self.truth, self.claim.head
+        truth, head, indices = self.truth, self.claim.head, self.claim.indices
         for key, value, reason, clause in [("points", len(truth.rows), "wrong-counts", "FC-IN-03"),
                                            ("merged_duplicates", truth.merged, "wrong-counts", "FC-IN-03"),
                                            ("classes", truth.classes, "malformed", "FC-IN-03"),
@@ -460,380 +576,330 @@ class Judge:
             if head.get(key, value) != value:
                 self.find(1, reason, clause)
         listed = Counter((point.index, point.hull) for point in self.claim.points)
-        counts = [listed[k, None] for k in range(4)]
-        self.claimed_counts = counts
-        critical = [n if k in self.claim.indices else counts[k] for k, n in enumerate(head.get("critical", counts))]
-        if critical != counts:
-            self.find(1, "wrong-counts", "FC-CLAIM-01")
-        if head.get("regular", kinds := [listed[kind] for kind in sorted(KINDS)]) != kinds:
-            self.find(1, "wrong-counts", "FC-CLAIM-01")
+        self.counts = [listed[k, None] for k in range(4)]
+        told = head.get("critical", self.counts)
+        for claimed, counts in [([n if k in indices else self.counts[k] for k, n in enumerate(told)], self.counts),
+                                (head.get("regular"), [listed[kind] for kind in KINDS])]:
+            if claimed not in (None, counts):
+                self.find(1, "wrong-counts", "FC-CLAIM-01")
         for point in self.claim.points:
-            point.record, point.others, point.right, point.fit = None, [], False, None
-            point.names = tuple(sorted({truth.name[row] for row in point.contact}))
-            lists = all_lists(point)
-            is_empty = any(not one for one in lists[2:])
-            point.formed = not is_empty and all(len(set(one)) == len(one) for one in lists)
-            if point.hull is None and point.index not in self.claim.indices:
-                point.formed = False
-                self.find(1, "malformed", "FC-CLAIM-12", point)
-            elif not point.formed:
-                self.find(1, "malformed", "FC-CLAIM-01", point)
+            point.names, point.record, point.fit = truth.names(point.contact), None, None
+            point.right, point.several = False, False
+            lists = [point.contact, point.samples or [], *point.lists]
+            is_clean = all(point.lists) and all(len(set(one)) == len(one) for one in lists)
+            is_asked = point.hull is not None or point.index in indices
+            point.formed = is_clean and is_asked
+            if not point.formed:
+                self.find(1, "malformed", "FC-CLAIM-01" if is_asked else "FC-CLAIM-12", point)
 
-    # ---- Which stationary point is meant
+    # ---- Which stationary point is meant (FC-CLAIM-05, 24)
 
-    def names(self, rows):
-        return tuple(sorted({self.truth.name[row] for row in rows}))
-
-    def where(self, names):
-        return [self.truth.points[name] for name in names]
-
-    def dimension(self, names):
-        if len(names) < 4:
-            return len(names) - 1
-        return 3 if any(self.side(names, name) for name in names[3:]) else 2
-
-    def side(self, plane, name):
-        p = self.where([*plane[:3], name])
-        return sign(det(minus(p[1], p[0]), minus(p[2], p[0]), minus(p[3], p[0])))
-
-    def placed(self, names):
-        """The record with this contact set, or with its centre and a larger one (FC-CLAIM-02)."""
-        if names in self.truth.at:
-            return self.truth.records[self.truth.at[names]], "whole"
-        around = self.truth.with_name.get(names[0], []) if names else []
-        larger = [one for one in around if set(names) < set(one.contact)]
-        center = sphere_through(self.where(names))[0] if larger else None
-        for record in larger:
-            if record.center == center:
-                is_part = len(names) == record.hull + 1 and self.dimension(names) == record.hull
-                return record, "part" if is_part else "other"
-        return None, None
-
-    def rank(self, point, record):
+    @staticmethod
+    def rank(point, record):
+        """0: of the claimed index or kind. 1: regular, and a perturbation may make such a point of it. 2: neither."""
         if (point.index, point.index if point.hull is None else point.hull) == (record.index, record.hull):
             return 0
         return 1 if not record.critical and point.hull is None and record.index <= point.index <= record.hull else 2
 
-    def candidates(self, point):
+    def near(self, point):
+        """The stationary points at which a position is right: how they fit, the squared distance, and their place."""
         within, nearly = [], []
         at = tuple(one[0] for one in point.center)
         for record in self.truth.records:
-            reach = max(self.tolerance**2 * record.allowed, record.rounding)
-            if (at[0] - record.center[0]) ** 2 > reach and not rounds_alike(at[0], record.center[0]):
-                continue
             match = self.match_position(point.center, record)
-            found = (self.rank(point, record), dot(minus(at, record.center), minus(at, record.center)), record.k)
-            if match == "equal":
-                return [found]
             if match != "off":
+                wrong = bool(self.wrong_values(point, record))
+                fit = (WRONG_VALUE if wrong else RIGHT, WRONG_MADE if wrong else MADE, WRONG_INDEX)
+                found = fit[self.rank(point, record)], squared_length(minus(at, record.center)), record.k
+                if match == "equal":
+                    return [found]
                 (nearly if match == "rounding" else within).append(found)
         return sorted(within or nearly)
 
     def place_by_position(self, points):
-        """As many claims as possible get a stationary point of their own, by Kuhn's algorithm."""
-        options = {k: found for k, point in enumerate(points) if (found := self.candidates(point))}
-        owner = {}
-
-        def find_own(k, tried):
-            for rank, _, record in options[k]:
-                if rank == 0 and record not in tried:
-                    tried.add(record)
-                    if record not in owner or find_own(owner[record], tried):
-                        owner[record] = k
-                        return True
-            return False
-
-        for k in options:
-            find_own(k, set())
-        own = {k: record for record, k in owner.items()}
-        for k, found in options.items():
-            points[k].record, points[k].fit = self.truth.records[own.get(k, found[0][2])], "position"
-            if len(found) > 1:
-                points[k].others = [self.truth.records[one[2]] for one in found]
-                self.vary(2, "ambiguous", "FC-CLAIM-05", points[k])
+        """As many claims as possible get a stationary point of their own. Those by contact set take part."""
+        near = [[] if point.names else self.near(point) for point in points]
+        choices = [[one[2] for one in found if one[0] == RIGHT] for found in near]
+        for point, some in zip(points, choices):
+            if point.names and point.record and point.fit != "other" and self.rank(point, point.record) == 0:
+                some.append(point.record.k)
+        partner = maximum_matching(choices)
+        taken = set(partner.values())
+        for k, (point, found) in enumerate(zip(points, near)):
+            if found:
+                made = [record for fit, _, record in found if fit == MADE]
+                free = [record for fit, _, record in found if fit == WRONG_VALUE and record not in taken]
+                chosen = partner[k] if k in partner else [*made, *free, found[0][2]][0]
+                taken |= set() if made else {chosen}
+                point.record, point.fit, point.several = self.truth.records[chosen], "position", len(choices[k]) > 1
+                if len(found) > 1:
+                    self.vary(2, "ambiguous", "FC-CLAIM-05", point)
 
     # ---- Level 2: positions and distances (FC-CLAIM-05), and what is no stationary point (FC-CRIT-05)
 
-    def match_position(self, claimed, record):
-        pairs = list(zip(claimed, record.center))
+    def match_position(self, claimed, record, center=None):
+        pairs, off = list(zip(claimed, center or record.center)), [0, 0]
         if all(value == true if exact else rounds_alike(value, true) for (value, exact), true in pairs):
             return "equal" if all(exact for _, exact in claimed) else "within"
-        off = [0, 0]
         for (value, exact), true in pairs:
             off[exact] += (value - true) ** 2
         if not off[True] and off[False] <= self.tolerance**2 * record.allowed:
             return "within"
-        return "rounding" if off[0] + off[1] <= record.rounding else "off"
+        return "rounding" if sum(off) <= record.rounding else "off"
 
     def match_squared(self, claimed, record):
         value, exact = claimed
+        allowed = self.tolerance**2 * record.allowed
         if value == record.squared:
             return "equal"
-        allowed = self.tolerance**2 * record.allowed
         if not exact and (rounds_alike(value, record.squared) or roots_differ_by(value, record.squared, allowed)):
             return "within"
         return "rounding" if roots_differ_by(value, record.squared, record.rounding) else "off"
 
-    def wrong_values(self, point, record):
-        matches = [self.match_position(point.center, record)] if point.center else []
-        matches += [self.match_squared(point.squared, record)] if point.squared else []
-        if point.distance:
-            matches.append(self.match_squared((point.distance[0] ** 2, point.distance[1]), record))
-        return [one for one in matches if one in ("off", "rounding")]
+    def match_double(self, claimed, true, match):
+        """Of a double beside an exact value: there is none where none is near (FC-NUM-02)."""
+        if (claimed is None) != (nearest_double(true) is None):
+            return "off"
+        return "equal" if claimed is None else match(claimed)
 
-    def wrong_doubles(self, point):
-        record, matches = point.record, []
-        for axis, claimed in enumerate(point.doubles or []):
-            true = record.center[axis]
-            if (claimed is None) != (nearest_double(true) is None):
-                matches.append("off")
-            elif claimed is not None:
-                alone = SimpleNamespace(**{**vars(record), "center": (true, 0, 0)})
-                matches.append(self.match_position([claimed, (0, True), (0, True)], alone))
+    def wrong_values(self, point, record):
+        """How what is wrong of a claimed position and distance is, with its clause."""
+        zero, found = (0, True), []
+        for claimed, true in zip(point.doubles or [], record.center):
+            found.append(("FC-NUM-02", self.match_double(
+                claimed, true, lambda one: self.match_position([one, zero, zero], record, (true, 0, 0)))))
         if point.squared_double != "none":
-            if (point.squared_double is None) != (nearest_double(record.squared) is None):
-                matches.append("off")
-            elif point.squared_double is not None:
-                matches.append(self.match_squared(point.squared_double, record))
-        return [one for one in matches if one in ("off", "rounding")]
+            match = self.match_double(point.squared_double, record.squared, lambda one: self.match_squared(one, record))
+            found.append(("FC-NUM-02", match))
+        if point.center:
+            found.append(("FC-OUT-01", self.match_position(point.center, record)))
+        if point.squared:
+            found.append(("FC-OUT-01", self.match_squared(point.squared, record)))
+        if point.distance:
+            squared = point.distance[0] ** 2, point.distance[1]
+            found.append(("FC-OUT-01", self.match_squared(squared, record)))
+        return [(clause, match) for clause, match in found if match in ("off", "rounding")]
 
     def check_values(self, point):
-        wrong = self.wrong_values(point, point.record)
-        if any(not self.wrong_values(point, record) for record in point.others):
-            wrong = []
-        for clause, matches in (("FC-NUM-02", self.wrong_doubles(point)), ("FC-OUT-01", wrong)):
-            for match in matches:
-                self.find(2, "rounding" if match == "rounding" else "wrong-position", clause, point)
+        for clause, match in self.wrong_values(point, point.record):
+            self.find(2, "rounding" if match == "rounding" else "wrong-position", clause, point)
 
     def check_stray(self, point):
+        """The first condition of FC-CRIT-05 that does not hold."""
         if not point.names:
             return self.find(2, "wrong-position", "FC-CRIT-01", point)
-        contact = self.where(point.names)
+        contact = self.truth.where(point.names)
         center, squared = sphere_through(contact)
-        allowed = TINY**2 * max(squared, max(abs(x) for x in center) ** 2)
-        distances = [dot(minus(p, center), minus(p, center)) for p in self.truth.points]
-        own = [distances[name] for name in point.names]
-        nearest = min(distances)
+        distances = {name: squared_length(minus(self.truth.points[name], center)) for name in self.truth.name}
+        own, nearest = [distances[name] for name in point.names], min(distances.values())
+        driver = nearest_in_hull(contact, center) if set(own) == {nearest} else center
+        allowed = TINY**2 * max(squared, max(map(abs, center)) ** 2)
         if any(one != squared for one in own):
-            near = all(roots_differ_by(one, squared, allowed) for one in own)
-            return self.find(2, "rounding" if near else "not-cospherical", "FC-CRIT-05 (a)", point)
-        if nearest < squared:
-            near = roots_differ_by(nearest, squared, allowed)
-            return self.find(2, "rounding" if near else "ball-not-empty", "FC-CRIT-05 (b)", point)
-        if len({self.truth.name[k] for k, one in enumerate(distances) if one == nearest}) > len(point.names):
-            return self.find(2, "contact-incomplete", "FC-CRIT-05 (c)", point)
-        driver = nearest_in_hull(contact, center)
-        near = dot(minus(driver, center), minus(driver, center)) <= allowed
-        return self.find(2, "rounding" if near else "outside-hull", "FC-CRIT-05 (d)", point)
+            reason, letter, near = "not-cospherical", "a", all(roots_differ_by(one, squared, allowed) for one in own)
+        elif nearest < squared:
+            reason, letter, near = "ball-not-empty", "b", roots_differ_by(nearest, squared, allowed)
+        elif list(distances.values()).count(nearest) > len(own):
+            reason, letter, near = "contact-incomplete", "c", False
+        else:
+            reason, letter, near = "outside-hull", "d", squared_length(minus(driver, center)) <= allowed
+        return self.find(2, "rounding" if near else reason, f"FC-CRIT-05 ({letter})", point)
 
     # ---- Levels 2 and 3 (FC-CLAIM-02 to 04)
 
     def check_points(self):
-        formed = [point for point in self.claim.points if point.formed]
+        formed = sorted((point for point in self.claim.points if point.formed), key=lambda point: not point.names)
         for point in formed:
             if point.names:
-                point.record, point.fit = self.placed(point.names)
-        self.place_by_position([point for point in formed if not point.names])
-        for point in formed:
+                point.record, point.fit = self.truth.placed(point.names)
+        self.place_by_position(formed)
+        here = {record.k: [] for record in self.truth.records}
+        for point in [point for point in self.claim.points if point.formed]:
             if point.record is None:
                 self.check_stray(point)
-        tells_regular = "regular" in self.claim.head or any(point.hull is not None for point in self.claim.points)
-        for record in self.truth.records:
-            here = [point for point in formed if point.record is record]
-            if record.critical:
-                self.check_critical(record, here)
             else:
-                self.check_regular(record, here, tells_regular)
-        if self.claim.indices == {0, 1, 2, 3}:
-            n = self.claimed_counts
-            if n[0] - n[1] + n[2] - n[3] != bool(self.truth.rows):
-                self.find(3, "wrong-counts", "FC-INV-01")
+                here[point.record.k].append(point)
+        for record in self.truth.records:
+            (self.check_critical if record.critical else self.check_regular)(record, here[record.k])
+        n = self.counts
+        if self.claim.indices == {0, 1, 2, 3} and n[0] - n[1] + n[2] - n[3] != bool(self.truth.rows):
+            self.find(3, "wrong-counts", "FC-INV-01")
 
-    def accept(self, point):
-        point.right = True
-        if point.fit == "part":
-            self.vary(2, "spanning-part", "FC-CLAIM-02", point)
-
-    def check_critical(self, record, here):
-        is_plain = not here or (len(here) == 1 and here[0].fit != "other")
-        if not is_plain:
-            made, impossible, again = self.sorted_claims(record, here)
-            if not impossible and not again and self.makes(record, made):
-                self.accept_perturbed(record, made)
-                for point in here:
-                    self.check_values(point)
-                return
-        first, addressed = None, False
+    def check_own(self, record, here):
+        """Claims that are not what a perturbation makes: one is right."""
+        first = None
         for point in here:
-            has_index = point.hull is None and point.index == record.index
-            if point.fit == "other":
+            is_own = self.rank(point, record) == 0
+            if point.fit == "other" and (record.critical or is_own):
                 self.find(2, "contact-incomplete", "FC-CRIT-05 (c)", point)
-                addressed = addressed or has_index
-                continue
-            addressed = True
-            if not has_index:
-                self.find(3, "wrong-index", "FC-CRIT-02", point)
+            elif not is_own:
+                self.find(3, "wrong-index", "FC-CRIT-02" if record.critical else "FC-CRIT-03", point)
             elif first:
                 self.find(3, "claimed-twice", "FC-CRIT-06", point)
             else:
-                first = point
-                self.accept(point)
-            self.check_values(point)
-        if not addressed and record.index in self.claim.indices:
-            reason = "missed-by-cluster" if len(record.contact) > record.hull + 1 else "missing"
-            self.find(3, reason, "FC-CLAIM-03", contact=record.contact)
+                first, point.right = point, True
+                if point.fit == "part":
+                    self.vary(2, "spanning-part", "FC-CLAIM-02", point)
+        return first
 
-    def check_regular(self, record, here, tells_regular):
-        regular = None
+    def check_critical(self, record, here):
+        is_plain = not here or (len(here) == 1 and here[0].fit != "other" and self.rank(here[0], record) == 0)
+        made, impossible, again = ([], [], []) if is_plain else self.sorted_claims(record, here)
+        is_made = made and not impossible and not again and self.makes(record, made)
         for point in here:
-            if point.hull is not None:
-                if (point.index, point.hull) != (record.index, record.hull):
-                    self.find(3, "wrong-index", "FC-CRIT-03", point)
-                elif point.fit == "other":
-                    self.find(2, "contact-incomplete", "FC-CRIT-05 (c)", point)
-                else:
-                    if regular:
-                        self.find(3, "claimed-twice", "FC-CRIT-06", point)
-                    else:
-                        self.accept(point)
-                    regular = point
+            if is_made or point.fit != "other":
+                self.check_values(point)
+        if is_made:
+            return self.accept_perturbed(record, made)
+        self.check_own(record, here)
+        is_addressed = any(point.fit != "other" or self.rank(point, record) == 0 for point in here)
+        if not is_addressed and record.index in self.claim.indices:
+            reason = "missing" if record.is_simplex else "missed-by-cluster"
+            self.find(3, reason, "FC-CLAIM-03", contact=record.contact)
+        return None
+
+    def check_regular(self, record, here):
+        for point in here:
             self.check_values(point)
-        critical = [point for point in here if point.hull is None]
-        if critical:
-            made, impossible, again = self.sorted_claims(record, critical)
-            for point in impossible:
-                self.find(2, "collision-as-critical", "FC-CRIT-03", point)
-            for point in again:
-                self.find(3, "claimed-twice", "FC-CRIT-06", point)
-            if made and not regular and self.makes(record, made):
-                self.accept_perturbed(record, made)
-            else:
-                for point in made:
-                    self.find(2, "collision-as-critical", "FC-CRIT-03", point)
-        elif not here and tells_regular:
+        said, critical = [[p for p in here if (p.hull is None) == is_critical] for is_critical in (False, True)]
+        first = self.check_own(record, said)
+        made, impossible, again = self.sorted_claims(record, critical)
+        for point in again:
+            self.find(3, "claimed-twice", "FC-CRIT-06", point)
+        if made and not first and self.makes(record, made):
+            self.accept_perturbed(record, made)
+            made = []
+        for point in impossible + made:
+            self.find(2, "collision-as-critical", "FC-CRIT-03", point)
+        tells_regular = "regular" in self.claim.head or any(point.hull is not None for point in self.claim.points)
+        if not here and tells_regular:
             self.find(3, "symbolic-perturbation", "FC-CLAIM-04", permitted=True, contact=record.contact)
 
-    # ---- What a perturbation makes (FC-CLAIM-04)
+    # ---- What a perturbation makes (FC-CLAIM-04, 12)
 
     def accept_perturbed(self, record, made):
         self.perturbed[record.k] = made
-        self.undecided = self.undecided or not self.is_simplex(record)
+        self.undecided = self.undecided or not record.is_simplex
         for point in made:
             point.right = True
             self.vary(2, "symbolic-perturbation", "FC-CLAIM-04", point)
 
-    @staticmethod
-    def is_simplex(record):
-        return len(record.contact) == record.hull + 1
-
     def outcomes(self, record):
-        """All that perturbations make of a simplex: lists of contact sets."""
-        contact = record.contact
-        if record.critical:
-            made = [[contact]]
-        else:
+        """All that perturbations make of a simplex: lists of contact sets, of the indices that are claimed."""
+        contact, made = record.contact, [[record.contact]]
+        if not record.critical:
             faces = itertools.combinations(contact, record.index + 1)
-            face = next(one for one in faces if in_hull(self.where(one), record.center))
+            face = next(one for one in faces if in_hull(self.truth.where(one), record.center))
             made = [[face, contact]]
-            if (record.index, record.hull) == (1, 3):
-                rest = [name for name in contact if name not in face]
-                one, other = (tuple(sorted((*face, name))) for name in rest)
-                a, r, s = (minus(p, record.center) for p in self.where([face[0], *rest]))
-                cosine = dot(r, s) * dot(a, a) - dot(r, a) * dot(s, a)
-                made = [[face, one, other, contact]]
-                made += [[face, one], [face, other]] if cosine >= 0 else []
-                made += [[one, contact], [other, contact]] if cosine <= 0 else []
+        if (record.index, record.hull) == (1, 3):
+            rest = [name for name in contact if name not in face]
+            one, other = (tuple(sorted((*face, name))) for name in rest)
+            a, r, s = (minus(p, record.center) for p in self.truth.where([face[0], *rest]))
+            cosine = dot(r, s) * dot(a, a) - dot(r, a) * dot(s, a)
+            made = [[face, one, other, contact]]
+            made += [[face, one], [face, other]] if cosine >= 0 else []
+            made += [[one, contact], [other, contact]] if cosine <= 0 else []
         return [[names for names in some if len(names) - 1 in self.claim.indices] for some in made]
 
     def opposite_pairs(self, record):
-        samples = set(self.where(record.contact))
+        samples = set(self.truth.where(record.contact))
         return sum(tuple(2 * x - y for x, y in zip(record.center, p)) in samples for p in samples) // 2
 
     def is_face(self, record, names):
-        """Whether they are all of C(x) that is in one plane, with the rest of C(x) on one side."""
-        sides = {name: self.side(names, name) for name in record.contact}
-        return len(set(sides.values()) - {0}) == 1 and tuple(n for n, s in sides.items() if not s) == names
+        """Whether they are the vertices of a polygon that is a face of the hull of C(x), of dimension 3."""
+        if record.hull < 3 or len(names) < 3 or self.truth.dimension(names) != 2:
+            return False
+        sides = {name: self.truth.side(names, name) for name in record.contact}
+        return len(set(sides.values()) - {0}) == 1 and tuple(n for n, side in sides.items() if not side) == names
+
+    def kept_polygon(self, record, names):
+        """The face in which an index-3 point of many samples has all of them but one."""
+        rests = [tuple(one for one in names if one != apex) for apex in names]
+        return next((rest for rest in rests if self.is_face(record, rest)), None)
 
     def can_make(self, record, point):
-        if point.hull is not None or not 1 <= point.index <= 3:
-            return False
+        """Conditions (a) and (b)."""
         names, index = point.names, point.index
-        if self.is_simplex(record):
+        if point.hull is not None or index == 0:
+            return False
+        if record.is_simplex:
             return any(len(one) - 1 == index and names in ((), one) for some in self.outcomes(record) for one in some)
         if not names:
             return index > 1 or self.opposite_pairs(record) > 0
-        is_face = index == record.hull if names == record.contact else (
-            index == 2 and record.hull == 3 and len(names) > 2 and self.dimension(names) == 2 and
-            self.is_face(record, names))
-        fits = set(names) <= set(record.contact) and (len(names) == index + 1 or is_face)
-        return fits and in_hull(self.where(names), record.center)
+        is_face = index == record.hull if names == record.contact else \
+            index == 2 and self.is_face(record, names) or index == 3 and self.kept_polygon(record, names) is not None
+        fits_index = len(names) == index + 1 or is_face
+        return fits_index and set(names) <= set(record.contact) and in_hull(self.truth.where(names), record.center)
 
     def sorted_claims(self, record, here):
-        made, impossible, again = {1: [], 2: [], 3: []}, [], []
+        """Claims that a perturbation may make, those that none does, and those that are there already (c)."""
+        made, impossible, again = [], [], []
         for point in here:
             if not self.can_make(record, point):
                 impossible.append(point)
                 continue
-            same = made[point.index]
-            if self.is_simplex(record):
+            most = len(here)
+            if record.is_simplex:
                 most = 2 if (record.index, record.hull, point.index) == (1, 3, 2) else 1
-            else:
-                most = self.opposite_pairs(record) if point.index == 1 else len(here)
-            is_again = len(same) >= most or (point.names and any(point.names == other.names for other in same))
-            (again if is_again else same).append(point)
-        return made[1] + made[2] + made[3], impossible, again
+            elif point.index == 1:
+                most = self.opposite_pairs(record)
+            is_again = sum(one.index == point.index for one in made) >= most or \
+                any(point.names and one.names == point.names for one in made)
+            (again if is_again else made).append(point)
+        return made, impossible, again
 
     def makes(self, record, made):
-        if self.is_simplex(record):
-            return any(self.is_outcome(some, made) for some in self.outcomes(record))
-        total = sum(1 if point.index % 2 == 0 else -1 for point in made)
+        if not record.is_simplex:
+            return self.has_right_sum(record, made) and self.fit_together(record, [p for p in made if p.names])
+        indices = Counter(point.index for point in made)
+        return any(Counter(len(one) - 1 for one in some) == indices and
+                   all(point.names in ((), *some) for point in made) for some in self.outcomes(record))
+
+    def has_right_sum(self, record, made):
+        """Conditions (d) and (e), for some numbers of points of the indices that are not claimed."""
         right = 0 if not record.critical else 1 if record.index % 2 == 0 else -1
-        all_judged = self.claim.indices == {0, 1, 2, 3}
-        needs_own = record.critical and record.index in self.claim.indices
-        has_own = any(point.index == record.index for point in made)
-        return (total == right or not all_judged) and (has_own or not needs_own) and not self.overlap(record, made)
+        numbers = []
+        for index in (1, 2, 3):
+            count = sum(point.index == index for point in made)
+            least = int(record.critical and record.index == index)
+            most = self.opposite_pairs(record) if index == 1 else len(made) + len(record.contact)
+            is_claimed = index in self.claim.indices
+            numbers.append([count] if is_claimed and count >= least else [] if is_claimed else range(least, most + 1))
+        return any(n2 - n1 - n3 == right for n1, n2, n3 in itertools.product(*numbers))
 
-    @staticmethod
-    def is_outcome(some, made):
-        indices = Counter(len(one) - 1 for one in some) == Counter(point.index for point in made)
-        return indices and all(not point.names or point.names in some for point in made)
-
-    def overlap(self, record, made):
-        """Conditions (f) and (g)."""
-        whole_ones = [p for p in made if p.names == record.contact and p.index == record.hull]
-        around = 0
-        for point in made:
-            if not point.names or point in whole_ones:
-                continue
-            if whole_ones and not self.is_on_face(record, point):
-                return True
-            if point.index == 3 and len(point.names) == 4 and self.dimension(point.names) == 3:
-                triangles = itertools.combinations(point.names, 3)
-                around += not any(in_hull(self.where(one), record.center) for one in triangles)
-        return around > 1
+    def fit_together(self, record, made):
+        """Conditions (f) to (h), of claims with contact sets."""
+        others = [point for point in made if (point.names, point.index) != (record.contact, record.hull)]
+        inside = [point for point in others if in_interior(self.truth.where(point.names), record.center)]
+        if len(others) < len(made):
+            return len(inside) < 2 and all(self.is_on_face(record, point) for point in others)
+        kept = {point.names if point.index == 2 else self.kept_polygon(record, point.names)
+                for point in others if len(point.names) > point.index + 1}
+        return len(inside) < 2 and len(kept) < 2
 
     def is_on_face(self, record, point):
+        """Whether the samples are a face of the hull of C(x), or span one."""
         if point.index == 1:
             return record.index == 1
-        sides = {self.side(point.names, name) for name in record.contact} - {0}
+        sides = {self.truth.side(point.names, name) for name in record.contact} - {0}
         return point.index == 2 and record.hull == 3 and len(sides) < 2
 
     # ---- Level 4 (FC-CLAIM-06, 07, 09)
 
     def check_incidences(self, point):
-        if not point.right or point.hull is not None:
+        """Whether there was something to judge."""
+        if not point.right or point.hull is not None or point.several:
             return False
         has_samples = point.samples is not None and point.index == 1 and 0 in self.claim.indices
         has_boundary = point.boundary is not None and 1 in self.claim.indices
         has_targets = point.targets is not None and (point.index == 3 or point.index + 1 in self.claim.indices)
         if has_samples:
             self.check_samples(point)
-        if (has_boundary or has_targets) and point.record.k in self.perturbed:
+        if point.record.k in self.perturbed:
             return has_samples
         if has_boundary:
             self.check_boundary(point)
         if has_targets:
-            [self.check_edges, self.check_saddles, self.check_limits, self.check_nothing][point.index](point)
+            [self.check_above, self.check_above, self.check_limits, self.check_nothing][point.index](point)
         return has_samples or has_boundary or has_targets
 
     def is_made(self, record, names, index=None):
@@ -841,152 +907,119 @@ class Judge:
                    for point in self.perturbed.get(record.k, []))
 
     def target(self, rows):
-        """Whether it is known, the place of its record (None: infinity), and how it fits."""
-        if rows is None:
-            return True, None, "whole"
-        names = self.names(rows)
-        record, fit = self.placed(names)
-        if record is None:
-            return False, None, "other"
-        return True, record.k, "made" if fit != "whole" and self.is_made(record, names) else fit
+        """The stationary point that is named (None: infinity, or none), and how it fits."""
+        names = self.truth.names(rows or [])
+        record, fit = self.truth.placed(names) if names else (None, "whole")
+        return record, "made" if record and fit != "whole" and self.is_made(record, names) else fit
 
     def check_samples(self, point):
-        names, record = self.names(point.samples), point.record
+        names, record = self.truth.names(point.samples), point.record
         if record.k not in self.perturbed:
             right = names == record.contact
         else:
-            right = names == point.names if point.names else len(names) == 2 and self.placed(names)[0] is record
+            right = names == point.names if point.names else len(names) == 2 and self.truth.placed(names)[0] is record
         if not right:
             self.find(4, "wrong-incidence", "FC-FLOW-07", point)
 
-    def check_edges(self, point):
-        name = point.record.contact[0]
-        edges = {r.k for r in self.truth.with_name[name] if (r.index, r.hull) == (1, 1)}
-        missing, seen, wrong, varies = set(edges), set(), False, False
-        for rows in point.targets:
-            _, k, _ = self.target(rows)
-            if k is not None and (k in seen or k in missing):
-                missing.discard(k)
-            elif k is not None and len(names := self.names(rows)) == 2 and name in names and \
-                    self.is_made(self.truth.records[k], names, 1):
-                varies = True
-            else:
-                wrong = True
-            seen.add(k)
-        if wrong or missing:
-            self.find(4, "wrong-incidence", "FC-FLOW-07", point)
-        elif varies:
-            self.vary(4, "symbolic-perturbation", "FC-CLAIM-04", point)
+    def check_nothing(self, point):
+        for _ in filter(None, point.targets):
+            self.find(4, "wrong-incidence", "FC-FLOW-03", point)
 
-    def check_saddles(self, point):
-        record, records = point.record, self.truth.records
-        above = {r.k for r in records if list(record.contact) in r.told.get("ends", [])}
-        missing, seen, wrong, reasons, infinity = set(above), set(), False, set(), False
+    def check_above(self, point):
+        """What is above a sample, or an index-1 point."""
+        record, is_edge = point.record, point.index == 1
+        if is_edge:
+            above = [one for one in self.truth.records if list(record.contact) in one.told.get("ends", [])]
+        else:
+            above = [one for one in self.truth.with_name[record.contact[0]] if (one.index, one.hull) == (1, 1)]
+        missing, seen, wrong, reasons = {one.k for one in above}, set(), False, set()
+        infinity = is_edge and not above and None in point.targets
         for rows in point.targets:
-            if rows is None and not above:
-                infinity = True
-                continue
-            _, k, fit = self.target(rows)
-            if k is not None and k in seen:
-                continue
-            seen.add(k)
-            if k is not None and fit != "other" and k in missing:
-                missing.discard(k)
-                reasons |= {"part": {"spanning-part"}, "made": {"symbolic-perturbation"}}.get(fit, set())
-            elif k is not None and (why := self.why_down(records[k], record)):
-                reasons.add(why)
-            else:
-                wrong = True
-        for k in sorted(missing):
-            if k in self.perturbed or self.truth.has_tie(k):
-                missing.discard(k)
-                reasons.add("symbolic-perturbation" if k in self.perturbed else "tie-break")
+            there, fit = self.target(rows)
+            if there is None:
+                wrong = wrong or not (rows is None and infinity)
+            elif there.k not in seen:
+                seen.add(there.k)
+                is_owed = there.k in missing and not (is_edge and fit == "other")
+                why = self.why_down(there, record) if is_edge else self.why_up(there, rows, record)
+                wrong = wrong or not (is_owed or why)
+                missing.discard(there.k if is_owed else None)
+                reasons.add({"part": "spanning-part", "made": "symbolic-perturbation"}.get(fit) if is_owed else why)
+        if is_edge:
+            open_ones = {k for k in missing if k in self.perturbed or self.truth.records[k].told["boundary"] is None}
+            reasons |= {"symbolic-perturbation" if k in self.perturbed else "tie-break" for k in open_ones}
+            missing -= open_ones
         if wrong or missing:
-            self.find(4, "wrong-incidence", "FC-CHAIN-01", point)
-        elif reasons:
-            worst = max(reasons, key=["spanning-part", "tie-break", "symbolic-perturbation"].index)
-            self.vary(4, worst, "FC-CLAIM-02" if worst == "spanning-part" else "FC-CLAIM-09", point)
-        if infinity and None not in (limits := self.truth.limits(record.k)):
+            self.find(4, "wrong-incidence", "FC-CHAIN-01" if is_edge else "FC-FLOW-07", point)
+        elif order := [one for one in ("symbolic-perturbation", "tie-break", "spanning-part") if one in reasons]:
+            clause = "FC-CLAIM-04" if not is_edge else "FC-CLAIM-02" if order[0] == "spanning-part" else "FC-CLAIM-09"
+            self.vary(4, order[0], clause, point)
+        if infinity and None not in (limits := self.truth.limits(record)):
             if any(self.may_end(None, one) for one in limits):
                 self.vary(4, "symbolic-perturbation", "FC-CLAIM-07", point)
             else:
                 self.find(4, "wrong-incidence", "FC-CLAIM-06", point)
 
     def why_down(self, saddle, edge):
+        """Why it may be named above an index-1 point, though no orbit comes down from it."""
         if saddle.squared <= edge.squared:
             return None
         if not saddle.critical or saddle.k in self.perturbed:
             return "symbolic-perturbation"
-        return "tie-break" if saddle.index == 2 and self.truth.has_tie(saddle.k) else None
+        return "tie-break" if saddle.index == 2 and saddle.told["boundary"] is None else None
+
+    def why_up(self, edge, rows, sample):
+        names = self.truth.names(rows)
+        is_edge = len(names) == 2 and sample.contact[0] in names and self.is_made(edge, names, 1)
+        return "symbolic-perturbation" if is_edge else None
 
     def check_limits(self, point):
-        true = self.truth.limits(point.record.k)
+        true = self.truth.limits(point.record)
         if point.fit == "part" and self.turns(point.names, point.record.contact):
             true.reverse()
-        targets = [self.target(rows) for rows in point.targets]
-        known = all(one[0] for one in targets)
-        limits, fits = [one[1] for one in targets], {one[2] for one in targets}
-        is_same = limits == true if point.by_side else set(limits) == set(true)
-        if known and is_same and not fits & {"other", "made"}:
+        limits, fits = zip(*map(self.target, point.targets)) if point.targets else ((), ())
+        is_same = list(limits) == true if point.by_side else {*map(id, limits)} == {*map(id, true)}
+        if is_same and not {"other", "made"} & {*fits}:
             if "part" in fits:
                 self.vary(4, "spanning-part", "FC-CLAIM-02", point)
-        elif known and "other" not in fits and self.permitted(limits, true, point.by_side):
+        elif not {"other", None} & {*fits} and self.may_be_limits(limits, true, point.by_side):
             self.vary(4, "symbolic-perturbation", "FC-CLAIM-07", point)
         else:
             self.find(4, "wrong-incidence", "FC-FLOW-07", point)
 
     def turns(self, names, contact):
-        a, b = ((cross(minus(q, p), minus(r, p))) for p, q, r in (self.where(some[:3]) for some in (names, contact)))
+        a, b = (cross(minus(q, p), minus(r, p)) for p, q, r in map(self.truth.where, (names[:3], contact[:3])))
         return dot(a, b) <= 0
 
-    def permitted(self, limits, true, by_side):
+    def may_be_limits(self, limits, true, by_side):
         if by_side:
             return all(map(self.may_end, limits, true))
-        some = list(dict.fromkeys(limits))
-        if not 1 <= len(some) <= 2:
-            return False
-        return any(all(map(self.may_end, (some[0], some[-1]), order)) for order in (true, true[::-1]))
+        some = [one for k, one in enumerate(limits) if one not in limits[:k]]
+        orders = [true, true[::-1]] if 1 <= len(some) <= 2 else []
+        return any(self.may_end(some[0], a) and self.may_end(some[-1], b) for a, b in orders)
 
     def may_end(self, target, true):
         """Whether a perturbation can make an orbit that ends at `true` end at the target."""
-        limits, beyond = self.continuations(true)
-        if target in limits:
-            return True
-        record = self.truth.records[target] if target is not None else None
-        return beyond is not None and (record is None or (record.hull >= 2 and record.squared > beyond))
-
-    def continuations(self, at):
-        if at not in self.memo:
-            limits, beyond, record = {at}, [], self.truth.records[at] if at is not None else None
-            if record and record.critical and record.index == 2:
-                for one in self.truth.limits(at):
-                    more, least = self.continuations(one)
-                    limits |= more
-                    beyond += [] if least is None else [least]
-            elif record and not record.critical:
-                beyond = [record.squared]
-            self.memo[at] = limits, min(beyond, default=None)
-        return self.memo[at]
-
-    def check_nothing(self, point):
-        for _ in filter(lambda rows: rows is not None, point.targets):
-            self.find(4, "wrong-incidence", "FC-FLOW-03", point)
+        if target is true or true is None:
+            return target is true
+        if true.critical:
+            return true.index == 2 and any(self.may_end(target, one) for one in self.truth.limits(true))
+        return target is None or (target.hull >= 2 and target.squared > true.squared)
 
     def check_boundary(self, point):
-        record, odd, seen, degrees, has_regular = point.record, set(), set(), Counter(), False
+        record, named, degrees, has_regular = point.record, set(), Counter(), False
         for rows in point.boundary:
-            names = self.names(rows)
-            edge, _ = self.placed(names)
+            names = self.truth.names(rows)
+            edge = self.truth.placed(names)[0]
             made = edge is not None and self.is_made(edge, names, 1)
-            if edge is None or len(names) != 2 or (edge.index != 1 and not made) or \
-                    edge.squared >= record.squared or edge.k in seen:
+            if edge is None or len(names) != 2 or not (edge.index == 1 or made) or \
+                    edge.squared >= record.squared or edge.contact in named:
                 return self.find(4, "wrong-incidence", "FC-CHAIN-01", point)
-            seen.add(edge.k)
+            named.add(edge.contact)
             has_regular = has_regular or made or not edge.critical
-            odd ^= {edge.k}
             degrees.update(names)
         told = record.told["boundary"]
-        if told is not None and odd == {self.truth.at[tuple(one)] for one in told}:
+        if told is not None and named == set(map(tuple, told)):
             return None
         if told is not None or any(n % 2 for n in degrees.values()):
             return self.find(4, "wrong-incidence", "FC-CHAIN-01", point)
@@ -994,131 +1027,175 @@ class Judge:
         return self.vary(4, "symbolic-perturbation", "FC-CLAIM-09", point) if has_regular else None
 
 
-def nearest_in_hull(points, center):
-    """The centre of the smallest ball around points of one sphere: the point of their hull nearest to its centre."""
-    best = None
-    for size in range(1, 5):
-        for some in itertools.combinations(points, size):
-            x, squared = sphere_through(list(some))
-            if in_hull(list(some), x) and all(dot(minus(p, x), minus(p, x)) <= squared for p in points):
-                if best is None or squared < best[1]:
-                    best = x, squared
-        if best:
-            return best[0]
-    raise AssertionError("every set of points has a smallest ball")
+# ---- Orbits (FC-FLOW-01, 02, FC-CLAIM-08, formats/orbit.md)
+
+# The types that exist (FC-FLOW-02).
+SEGMENT_TYPES = {f"{way}-{end}" for way, ends in [
+    ("V-E", ["V", "inf"]), ("E-E", ["V", "inf"]), ("V-F", ["V", "E", "inf"]), ("E-F", ["V", "E", "inf"]),
+    ("F-F", ["V", "E", "inf"]), ("C-C", ["V", "E", "F", "inf"])] for end in ends}
+
+
+def rational(value):
+    parts = re.fullmatch(r"(-?[0-9]+)(?:/(-?[0-9]+))?", value) if TYPES["string"](value) else None
+    require(parts and int(parts[2] or 1), f"no rational: {str(value)[:40]}")
+    return Fraction(int(parts[1]), int(parts[2] or 1))
+
+
+def rational_position(value):
+    require(isinstance(value, list) and len(value) == 3, f"not three coordinates: {value}")
+    return tuple(map(rational, value))
+
+
+def read_segment(value):
+    require(TYPES["string"](value["type"]), "a type that is no string")
+    contacts = [None if value.get(key) is None else sorted(ids(value[key]))
+                for key in ("start_contact", "crossed_contact", "end_contact")]
+    end = None if value["end"] is None else rational_position(value["end"])
+    return [value["type"], rational_position(value["driver"]), end, *contacts]
+
+
+def read_orbit(data):
+    require(data is not None, "there is no answer, or one that is too large")
+    try:
+        value = parse(data.decode("utf-8-sig", "replace"))
+        require(isinstance(value["segments"], list), "'segments' is no array")
+        segments, limit = [read_segment(one) for one in value["segments"]], value["limit"]
+        if limit["kind"] == "infinity":
+            return segments, None
+        return segments, [limit["kind"], limit["index"], rational_position(limit["position"]),
+                          sorted(ids(limit["contact"])), rational(limit["squared_distance"])]
+    except (AttributeError, TypeError, KeyError) as error:
+        raise Unreadable(f"not as the format says: {error!r}") from error
+
+
+class Flow:
+    """The flow of the samples of a case, and claimed orbits."""
+
+    def __init__(self, truth):
+        self.truth, self.samples = truth, {name: truth.points[name] for name in truth.name}
+
+    def contact(self, x):
+        distances = {name: squared_length(minus(p, x)) for name, p in self.samples.items()}
+        return [name for name, one in distances.items() if one == min(distances.values())]
+
+    def segment(self, x, driver, u):
+        """The flow segment from x in the direction u, as read_segment has it."""
+        contact = self.contact(x)
+        most = max(dot(u, self.samples[name]) for name in contact)
+        crossed = [name for name in contact if dot(u, self.samples[name]) == most]
+        p, times = self.samples[crossed[0]], []
+        for q in self.samples.values():
+            if (rate := 2 * dot(u, minus(q, p))) > 0:
+                times.append((squared_length(minus(q, x)) - squared_length(minus(p, x))) / rate)
+        end = tuple(a + min(times) * b for a, b in zip(x, u)) if times else None
+        after = self.contact(end) if times else None
+        letters = ["CFEV"[self.truth.dimension(some)] if some else "inf" for some in (contact, crossed, after)]
+        return ["-".join(letters), driver, end, contact, crossed, after]
+
+    def orbit(self, x):
+        segments = []
+        while x is not None:
+            contact = tuple(self.contact(x))
+            driver = nearest_in_hull(self.truth.where(contact), x)
+            if driver == x:
+                record = self.truth.at[contact]
+                index = [Literal(record.index), Literal(record.hull)] if not record.critical else Literal(record.index)
+                return segments, ["critical" if record.critical else "regular", index, x, list(contact), record.squared]
+            segments.append(self.segment(x, driver, minus(x, driver)))
+            x = segments[-1][2]
+        return segments, None
+
+    @staticmethod
+    def is_same(claimed, true, is_arrival_free=False):
+        """Whether a segment is the true one. It may come to a regular stationary point in another way."""
+        if not is_arrival_free:
+            return all(one == other or (one is None and k > 2) for k, (one, other) in enumerate(zip(claimed, true)))
+        kind, end_contact = claimed[0], claimed[5]
+        is_arrival = kind in SEGMENT_TYPES and kind[:4] == true[0][:4] and kind[4:] != "inf"
+        is_between = end_contact is None or set(true[4]) <= set(end_contact) <= set(true[5])
+        return is_arrival and is_between and Flow.is_same([true[0], *claimed[1:5], None], true)
+
+    def is_permitted(self, claimed, true):
+        """Whether an orbit ends as the true one, or goes on at each regular stationary point where that ends."""
+        (ours, limit), (theirs, end), count = claimed, true, len(true[0])
+        if end is None or end[0] != "regular" or len(ours) < count:
+            return False
+        if not all(self.is_same(*both, k == count) for k, both in enumerate(zip(ours, theirs), 1)):
+            return False
+        if len(ours) == count:
+            return limit == end
+        kind, driver, to = ours[count][:3]
+        y, is_last = end[2], len(ours) == count + 1
+        if to is None:  # infinity does not tell the direction
+            letter = "CFEV"[self.truth.dimension(end[3])]
+            is_from = kind in SEGMENT_TYPES and kind[0] == letter and kind[4:] == "inf" and driver == y
+            return is_from and is_last and limit is None and ours[count][3] in (None, end[3]) and not ours[count][5]
+        first = self.segment(y, y, minus(to, y))
+        if to != first[2] or not in_hull(self.truth.where(first[4]), y):
+            return False
+        more, limit_after = self.orbit(to)
+        after = [first, *more], limit_after
+        return self.verdict((ours[count:], limit), after) != FAILS
+
+    def verdict(self, claimed, true):
+        is_same = len(claimed[0]) == len(true[0]) and all(map(self.is_same, claimed[0], true[0]))
+        return CONFORMS if is_same and claimed[1] == true[1] else \
+            PERTURBED if self.is_permitted(claimed, true) else FAILS
 
 
 # ---- Profiles (FC-CLAIM-22). Of each part it is known whether it is told (True), or left out (False), or whether there
 # is nothing to tell of it (None).
 
 
-def profile_of(claim, indices, highest):
+def profile_of(claim, highest):
     def told(key):
         saddles = [point for point in claim.points if point.hull is None and point.index == 2]
-        if highest < 4 or indices != {0, 1, 2, 3}:
+        if highest < 4 or claim.indices != {0, 1, 2, 3}:
             return False
         return all(getattr(point, key) is not None for point in saddles) if saddles else None
 
-    def is_exact(point):
-        numbers = [*(point.center or []), *filter(None, (point.squared, point.distance))]
-        return all(exact for _, exact in numbers)
-
+    numbers = [one for point in claim.points for one in [*(point.center or []), point.squared, point.distance] if one]
     return {"parts": {"points": highest >= 3, "U2": told("targets"), "S2": told("boundary"), "orbits": None},
-            "indices": set(indices), "exact": all(map(is_exact, claim.points))}
+            "indices": claim.indices, "exact": all(exact for _, exact in numbers)}
 
 
 def joined_profile(profiles):
-    joined = {"parts": {}, "indices": {0, 1, 2, 3}, "exact": True}
+    joined = {"parts": {}, "indices": {0, 1, 2, 3}, "exact": all(profile["exact"] for profile in profiles)}
     for profile in profiles:
         for part, is_told in profile["parts"].items():
             states = {is_told, joined["parts"].get(part)}
             joined["parts"][part] = False if False in states else True if True in states else None
-        joined["indices"] &= profile["indices"]
-        joined["exact"] = joined["exact"] and profile["exact"]
+        joined["indices"] = joined["indices"] & profile["indices"]
     return joined
 
 
-def statement(verdict, profile):
-    """What `flowcert check` says of it. None if nothing is told."""
-    if verdict == FAILS:
-        return f"does not conform to {VERSION}"
+def statement(verdict, profile, tolerance):
+    """What `flowcert check` says of it. None if nothing is told, or decimals may be too far off (FC-CLAIM-23)."""
     parts = [part for part, is_told in profile["parts"].items() if is_told]
     if "points" in parts and profile["indices"] != {0, 1, 2, 3}:
         some = ", ".join(map(str, sorted(profile["indices"])))
         parts[0:1] = [f"points of index {some}"] if some else []
     words = {CONFORMS: "conforms to", DETERMINED: "conforms where determined to", PERTURBED: "is perturbed under"}
-    grade = "exact" if profile["exact"] else "approximate"
-    return f"{words[verdict]} {VERSION}, {' + '.join(parts)}, {grade}" if parts else None
-
-
-# ---- Orbits (formats/orbit.md)
-
-
-def rational(value):
-    parts = isinstance(value, str) and not isinstance(value, Literal) and re.fullmatch(r"-?\d+(?:/-?\d+)?", value)
-    require(parts and not re.search(r"/-?0+$", value), f"no rational: {str(value)[:40]}")
-    over, _, under = value.partition("/")
-    return Fraction(int(over), int(under or 1))
-
-
-def read_segment(value):
-    require(isinstance(value["type"], str) and not isinstance(value["type"], Literal), "a type that is no string")
-    contacts = [None if value.get(key) is None else sorted(ids(value[key]))
-                for key in ("start_contact", "crossed_contact", "end_contact")]
-    end = None if value["end"] is None else three(value["end"], rational)
-    return [value["type"], three(value["driver"], rational), end, *contacts]
-
-
-def read_orbit(data):
-    require(data is not None, "there is no answer, or one of more than 16 MiB")
-    try:
-        value = parse(data.decode("utf-8", "replace"))
-        require(isinstance(value["segments"], list), "'segments' is no array")
-        segments, limit = [read_segment(one) for one in value["segments"]], value["limit"]
-        if limit["kind"] == "infinity":
-            return segments, None
-        index = limit["index"]
-        require(isinstance(index, (Literal, list)), f"not an index: {index}")
-        return segments, [limit["kind"], index, three(limit["position"], rational), sorted(ids(limit["contact"])),
-                          rational(limit["squared_distance"])]
-    except (AttributeError, TypeError, KeyError, IndexError) as error:
-        raise Unreadable(f"not as the format says: {error!r}") from error
-
-
-def is_same_segment(claimed, true, is_arrival_free):
-    pairs = list(zip(claimed, true))
-    if is_arrival_free:  # neither the last letter of the type nor the contact set of the end
-        pairs = [(claimed[0][:4], true[0][:4]), *pairs[1:5]]
-    return all(one == other or (one is None and k > 2) for k, (one, other) in enumerate(pairs))
-
-
-def match_orbit(claimed, true):
-    """CONFORMS, PERTURBED or FAILS. An orbit may go on where the true one ends at a regular point (FC-CLAIM-07, 08)."""
-    (ours, limit), (theirs, end) = claimed, true
-    if len(ours) == len(theirs) and limit == end and all(is_same_segment(*pair, False) for pair in zip(ours, theirs)):
-        return CONFORMS
-    is_free = end is not None and end[0] == "regular" and len(ours) >= len(theirs)
-    last = len(theirs) - 1
-    if is_free and all(is_same_segment(*pair, k == last) for k, pair in enumerate(zip(ours, theirs))):
-        return PERTURBED
-    return FAILS
+    if verdict == FAILS:
+        return f"does not conform to {VERSION}"
+    if not parts or (tolerance > LARGEST_STATED and not profile["exact"]):
+        return None
+    grade = "exact" if profile["exact"] else f"approximate within {tolerance!r}"
+    return f"{words[verdict]} {VERSION}, {' + '.join(parts)}, {grade}"
 
 
 # ---- Cases and commands
 
 
-def decimal_word(word):
-    try:
-        return repr(float(hexadecimal(word))) if "0x" in word else word
-    except Unreadable:
-        return word
-
-
 def points_text(case, as_they_are):
-    if "text" in case:
-        return case["text"]
-    lines = [" ".join(row if as_they_are else map(decimal_word, row)) for row in case["points"]]
-    return "\n".join(lines) + "\n" if lines else "# no points\n"
+    def word_of(word):
+        try:
+            return word if as_they_are else repr(float(hexadecimal(word)))
+        except Unreadable:
+            return word
+
+    lines = [" ".join(map(word_of, row)) + "\n" for row in case.get("points", [])]
+    return case.get("text", "".join(lines) or "# no points\n")
 
 
 def limit_memory():
@@ -1126,18 +1203,24 @@ def limit_memory():
     resource.setrlimit(resource.RLIMIT_FSIZE, (64 << 20,) * 2)
 
 
+def last_line(log):
+    """What a program said last on standard error, without characters that move a terminal's cursor."""
+    lines = log.read_bytes()[-4096:].decode(errors="replace").split("\n")
+    said = next((line for line in reversed(lines) if line.strip()), "")
+    shown = "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in said)
+    return f": {shown[:160]}" if said else ""
+
+
 def run_command(command, text, seconds, start="1,0,0"):
-    """How it ends, what it answers, and what it said: a word of COLUMNS or an exit status, bytes, and a line."""
+    """How it ends, what it answers, and what it said: an outcome or an exit status, bytes, and a line."""
     with tempfile.TemporaryDirectory(prefix="judge-") as folder:
-        points, claim = Path(folder, "points.xyz"), Path(folder, "claim")
+        points, claim, said, log = (Path(folder, name) for name in ("points.xyz", "claim", "stdout", "stderr"))
         points.write_text(text, newline="")
         places = {"{in}": str(points), "{out}": str(claim), "{start}": start}
         order = re.sub(r"\{(?:in|out|start)\}", lambda place: shlex.quote(places[place[0]]), command)
-        answer = claim if "{out}" in command else Path(folder, "stdout")
-        said = Path(folder, "stderr")
-        with open(Path(folder, "stdout"), "wb") as out, open(said, "wb") as log, open(os.devnull, "rb") as nothing:
-            run = subprocess.Popen(["/bin/sh", "-c", order], cwd=folder, stdin=nothing, stdout=out,
-                                   stderr=log, start_new_session=True, preexec_fn=limit_memory)
+        with open(said, "wb") as out, open(log, "wb") as errors:
+            run = subprocess.Popen(["/bin/sh", "-c", order], cwd=folder, stdin=subprocess.DEVNULL, stdout=out,
+                                   stderr=errors, start_new_session=True, preexec_fn=limit_memory)
             try:
                 status = run.wait(seconds)
             except subprocess.TimeoutExpired:
@@ -1147,21 +1230,13 @@ def run_command(command, text, seconds, start="1,0,0"):
             except ProcessLookupError:
                 pass
             run.wait()
-        note = "" if status in (0, "timed out") else f"exit status {status}{last_line(said)}"
-        if status != "timed out" and (status < 0 or status in (126, 127) or status > 128):
+        note = "" if status in (0, "timed out") else f"exit status {status}{last_line(log)}"
+        if status != "timed out" and (status < 0 or status in (126, 127) or 128 < status <= 192):
             status = "crashed"
-        is_there = answer.is_file() and answer.stat().st_size <= 16 << 20
-        return status, answer.read_bytes() if is_there else None, note
-
-
-def last_line(log):
-    """What a program said last on standard error, without characters that move a terminal's cursor."""
-    with open(log, "rb") as file:
-        file.seek(max(0, log.stat().st_size - 4096))
-        lines = file.read().decode(errors="replace").split("\n")
-    said = next((line for line in reversed(lines) if line.strip()), "")
-    shown = "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in said)
-    return f": {shown[:160]}" if said else ""
+        answer = claim if "{out}" in command else said
+        data = answer.read_bytes() if answer.is_file() and answer.stat().st_size <= 16 << 20 else None
+        is_too_large = data is not None and data[:2] == b"\x1f\x8b" and len(data) > 1 << 20
+        return status, None if is_too_large else data, note
 
 
 BLANK = {"message": "", "findings": [], "judged": set(), "undecided": False, "profile": None, "orbits": []}
@@ -1169,7 +1244,7 @@ BLANK = {"message": "", "findings": [], "judged": set(), "undecided": False, "pr
 
 def judge_bytes(case, data, options):
     try:
-        require(data is not None, "there is no answer, or one of more than 16 MiB")
+        require(data is not None, "there is no answer, or one that is too large")
         truth = Truth(case)
         claim = read_claim(data, len(truth.rows))
     except Unreadable as error:
@@ -1177,7 +1252,7 @@ def judge_bytes(case, data, options):
     judge = Judge(truth, claim, options.tolerance, options.levels)
     verdict = judge.run()
     return {**BLANK, "outcome": verdict, "findings": judge.findings, "judged": judge.judged,
-            "undecided": judge.undecided, "profile": profile_of(claim, claim.indices, options.levels)}
+            "undecided": judge.undecided, "profile": profile_of(claim, options.levels)}
 
 
 def judge_orbits(case, result, options):
@@ -1185,11 +1260,11 @@ def judge_orbits(case, result, options):
     for true in case["expected"].get("orbits", []):
         start = ",".join(true["start"])
         text = points_text(case, options.hex)
-        status, data, message = run_command(options.orbits_against, text, options.time_limit, start)
-        outcome = status if isinstance(status, str) else "refused" if status else ""
+        outcome, data, message = run_command(options.orbits_against, text, options.time_limit, start)
+        outcome = outcome if isinstance(outcome, str) else "refused" if outcome else ""
         if not outcome:
             try:
-                outcome = match_orbit(read_orbit(data), read_orbit(json.dumps(true).encode()))
+                outcome = Flow(Truth(case)).verdict(read_orbit(data), read_orbit(json.dumps(true).encode()))
                 result["orbits"] = [*result["orbits"], {"start": start, "outcome": outcome}]
                 message = "" if outcome == CONFORMS else f"another orbit from {start}"
             except Unreadable as error:
@@ -1204,13 +1279,11 @@ def judge_orbits(case, result, options):
 
 
 def judge_case(case, options):
-    text = points_text(case, options.hex)
-    if case.get("refused") == "start" and not options.orbits_against:
+    is_start = case.get("refused") == "start"
+    command, start = (options.orbits_against, ",".join(case["start"])) if is_start else (options.against, "")
+    if not command:
         return {**BLANK, "outcome": "skipped"}
-    if case.get("refused") == "start":
-        status, data, note = run_command(options.orbits_against, text, options.time_limit, ",".join(case["start"]))
-    else:
-        status, data, note = run_command(options.against, text, options.time_limit)
+    status, data, note = run_command(command, points_text(case, options.hex), options.time_limit, start)
     if isinstance(status, str):
         result = {**BLANK, "outcome": status, "message": note}
     elif case["result"] == "invalid":
@@ -1229,27 +1302,25 @@ def is_negative(outcome):
 # ---- Reports
 
 
-def table(title, names, outcomes):
-    rows = []
-    for name, cases in names:
-        count = Counter(COLUMN_OF.get(outcomes[one["id"]]["outcome"], outcomes[one["id"]]["outcome"]) for one in cases)
-        rows.append([name, len(cases) - count["skipped"], *(count[column] for column in COLUMNS)])
-    kept = [0, 1, 2] + [k for k in range(3, len(COLUMNS) + 2) if any(row[k] for row in rows)]
-    texts = [[[title, "cases", *COLUMNS][k] for k in kept]] + [[str(row[k]) for k in kept] for row in rows]
-    widths = [max(len(row[k]) for row in texts) for k in range(len(kept))]
-    half = (len(kept) + 1) // 2
-    is_wide = sum(widths) + 2 * len(widths) > 80
-    parts = [range(1, half), range(half, len(kept))] if is_wide else [range(1, len(kept))]
-    blocks = ["\n".join("  " + "  ".join([row[0].ljust(widths[0])] + [row[k].rjust(widths[k]) for k in part])
-                        for row in texts) for part in parts]
-    return "\n\n".join(blocks) + "\n"
+def print_table(title, groups, outcomes):
+    """A line for each group, with a column for each outcome that there is."""
+    kinds = [one for one in OUTCOMES if any(outcome["outcome"] == one for outcome in outcomes.values())]
+    rows = [[title, "cases", *kinds]]
+    for name, cases in groups:
+        count = Counter(outcomes[case["id"]]["outcome"] for case in cases)
+        if total := len(cases) - count["skipped"]:
+            rows.append([name, *map(str, [total, *(count[kind] for kind in kinds)])])
+    widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
+    for row in rows:
+        print("  ".join(["", row[0].ljust(widths[0]), *(one.rjust(width) for one, width in zip(row[1:], widths[1:]))]))
+    print()
 
 
 def print_negative(case, outcome):
     message = f": {outcome['message']}" if outcome["message"] else ""
     print(f"{case['id']} ({case['comment']}): {outcome['outcome']}{message}")
     for one in [one for one in outcome["findings"] if not one["permitted"]][:3]:
-        place = f"line {one['line']}" if one["line"] else "the contact set {}".format(one["contact"] or "of no point")
+        place = f"line {one['line']}" if one["line"] else f"the contact set {one['contact'] or 'of no point'}"
         print(f"  level {one['level']}: {one['reason']} [{one['clause']}]: {place}")
 
 
@@ -1259,16 +1330,14 @@ def print_report(cases, flags, outcomes, options):
         print_negative(case, outcomes[case["id"]])
     if negative:
         print(f"and {len(negative) - options.most} more\n" if len(negative) > options.most else "")
-    by_flag = [(flag, [one for one in cases if flag in one["flags"]]) for flag in flags]
-    run = {case["id"] for case in cases if outcomes[case["id"]]["outcome"] != "skipped"}
-    print(table("flag", [pair for pair in by_flag if any(one["id"] in run for one in pair[1])], outcomes))
-    groups = list(dict.fromkeys(case["group"] for case in cases))
-    print(table("group", [(group, [one for one in cases if one["group"] == group]) for group in groups], outcomes))
+    print_table("flag", [(name, [case for case in cases if name in case["flags"]]) for name in flags], outcomes)
+    groups = dict.fromkeys(case["group"] for case in cases)
+    print_table("group", [(name, [case for case in cases if case["group"] == name]) for name in groups], outcomes)
     counts = Counter(outcome["outcome"] for outcome in outcomes.values())
     levels = Counter(level for outcome in outcomes.values() for level in outcome["judged"])
     print("judged: " + ", ".join(f"{levels[k]} claims on level {k}" for k in range(1, options.levels + 1)))
-    for word, name in (("skipped", "skipped"), (None, "not decided")):
-        number_of = counts[word] if word else sum(outcome["undecided"] for outcome in outcomes.values())
+    undecided = sum(outcome["undecided"] for outcome in outcomes.values())
+    for name, number_of in (("skipped", counts["skipped"]), ("not decided", undecided)):
         if number_of:
             print(f"{name}: {number_of} cases")
     if orbits := sum(len(outcome["orbits"]) for outcome in outcomes.values()):
@@ -1276,7 +1345,7 @@ def print_report(cases, flags, outcomes, options):
     good = counts[CONFORMS] + counts["properly refused"]
     print(f"\n{len(cases) - counts['skipped']} cases: {good} conform, {counts[DETERMINED]} where determined, "
           f"{counts[PERTURBED]} perturbed, {len(negative)} negative")
-    if said := statement_of_all(outcomes, options):
+    if said := statement_of_all(outcomes, options) or no_statement(outcomes, options):
         print(said)
 
 
@@ -1284,19 +1353,23 @@ def statement_of_all(outcomes, options):
     """The statement of FC-CLAIM-22, with the number of vectors that it is about."""
     verdicts = [one["outcome"] for one in outcomes.values() if one["outcome"] not in ("skipped", "properly refused")]
     worst = FAILS if any(map(is_negative, verdicts)) else max(verdicts, key=GOOD.index, default=CONFORMS)
-    said = statement(worst, joined_profile(filter(None, (one["profile"] for one in outcomes.values()))))
+    profile = joined_profile([one["profile"] for one in outcomes.values() if one["profile"]])
+    said = statement(worst, profile, options.tolerance)
     asked = sum(one["outcome"] != "skipped" for one in outcomes.values())
     number_of = f"{asked:,}" if asked == options.vectors_in_all else f"{asked:,} of {options.vectors_in_all:,}"
     return said and f"{said} ({number_of} vectors)"
 
 
-def read_vectors(folder, options):
-    flags = [one["flag"] for one in json.loads(Path(folder, "flags.json").read_text())["flags"]]
-    cases = []
-    for path in sorted(Path(folder).glob("*.json")):
-        if path.name != "flags.json":
-            group = json.loads(path.read_text())
-            cases += [{**case, "group": group["group"]} for case in group["cases"]]
+def no_statement(outcomes, options):
+    if options.tolerance <= LARGEST_STATED:
+        return None
+    return f"no statement: the tolerance {options.tolerance!r} is above {LARGEST_STATED!r} (FC-CLAIM-23)"
+
+
+def read_vectors(options):
+    flags = [one["flag"] for one in json.loads(Path(options.vectors, "flags.json").read_text())["flags"]]
+    groups = [json.loads(path.read_text()) for path in sorted(Path(options.vectors).glob("*.json"))]
+    cases = [{**case, "group": group["group"]} for group in groups if "group" in group for case in group["cases"]]
     options.vectors_in_all = len(cases)
     options.groups = sorted({case["group"] for case in cases})
     chosen = [case for case in cases if (not options.group or case["group"] in options.group)
@@ -1305,38 +1378,49 @@ def read_vectors(folder, options):
     return chosen, flags
 
 
-def main():
+def parser_of_options():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--against", help="the command: {in} is a file of points, {out} that of the claim; it runs in "
                         "a folder of its own, so give whole paths")
     parser.add_argument("--orbits-against", help="a command for orbits: {start} is where one starts, X,Y,Z")
     parser.add_argument("--claim", help="a claim about the points of one --case, instead of a command")
-    parser.add_argument("--vectors", default=str(Path(__file__).parent / "vectors"), help="folder of the vectors")
+    parser.add_argument("--vectors", default=str(HERE / "vectors"), help="folder of the vectors")
     for name in ("--group", "--flag", "--case"):
         parser.add_argument(name, action="append", default=[], help="only such cases; may be given several times")
-    parser.add_argument("--tolerance", type=Fraction, default=Fraction(1e-9), help="of decimals (FC-CLAIM-05)")
+    parser.add_argument("--tolerance", type=float, default=1e-9, help="of decimals (FC-CLAIM-23)")
     parser.add_argument("--levels", type=int, choices=[1, 2, 3, 4], default=4, help="judge levels 1 to this one")
     parser.add_argument("--time-limit", type=float, default=10, help="seconds after which a run is killed")
     parser.add_argument("--most", type=int, default=10, help="show so many negative cases")
     parser.add_argument("--hex", action="store_true", help="points as hexadecimal floats, not as shortest decimals")
     parser.add_argument("--json", action="store_true", help="print one JSON object")
+    return parser
+
+
+def outcomes_of(cases, options, parser):
+    if options.claim:
+        return {cases[0]["id"]: judge_bytes(cases[0], Path(options.claim).read_bytes(), options)}
+    for command in filter(None, (options.against, options.orbits_against)):
+        if run_command(command, "0 0 0\n2 0 0\n", options.time_limit)[0] == "crashed":
+            parser.error(f"the command cannot be run: {command}")
+    return {case["id"]: judge_case(case, options) for case in cases}
+
+
+def main():
+    parser = parser_of_options()
     options = parser.parse_args()
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # a reader that has seen enough may close the pipe
-    if not 0 <= options.tolerance <= Fraction(1, 1000) or bool(options.against) == bool(options.claim):
+    if not 0 <= options.tolerance <= 1e-3 or bool(options.against) == bool(options.claim):
         parser.error("needs --against or --claim, and a tolerance from 0 to 0.001")
     if options.orbits_against and (options.claim or "{start}" not in options.orbits_against):
         parser.error("--orbits-against needs {start} in its command, and --against beside it")
-    cases, flags = read_vectors(options.vectors, options)
-    if not cases or (options.claim and (len(cases) > 1 or cases[0]["result"] == "invalid")):
-        parser.error("--claim needs one --case that is not invalid" if cases else
-                     f"no such case; the groups are {', '.join(options.groups)}, and the flags {', '.join(flags)}")
-    if options.claim:
-        outcomes = {cases[0]["id"]: judge_bytes(cases[0], Path(options.claim).read_bytes(), options)}
-    else:
-        for command in filter(None, (options.against, options.orbits_against)):
-            if run_command(command, "0 0 0\n2 0 0\n", options.time_limit)[0] == "crashed":
-                parser.error(f"the command cannot be run: {command}")
-        outcomes = {case["id"]: judge_case(case, options) for case in cases}
+    try:
+        cases, flags = read_vectors(options)
+        if not cases or (options.claim and (len(cases) > 1 or cases[0]["result"] == "invalid")):
+            parser.error("--claim needs one --case that is not invalid" if cases else
+                         f"no such case; the groups are {', '.join(options.groups)}, and the flags {', '.join(flags)}")
+        outcomes = outcomes_of(cases, options, parser)
+    except OSError as error:
+        parser.error(str(error))
     if options.json:
         keep = ("outcome", "message", "findings", "undecided", "orbits")
         print(json.dumps({"cases": [{"id": case["id"], **{key: outcomes[case["id"]][key] for key in keep},

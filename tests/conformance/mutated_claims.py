@@ -145,7 +145,8 @@ def limit_changed(head, records, rows, rng):
 
 def limits_swapped(head, records, rows, rng):
     record = any_record(records, rng, lambda one: one.get("limits", [0, 0])[0] != one.get("limits", [0, 0])[1])
-    record.get("limits", []).reverse()
+    if isinstance(record.get("limits"), list):
+        record["limits"].reverse()
 
 
 def limit_part(head, records, rows, rng):
