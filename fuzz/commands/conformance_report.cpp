@@ -396,6 +396,10 @@ std::string note_of(const ConformanceReport& report) {
                       : fmt::format(" ({} of {} vectors)", with_commas(asked), with_commas(all));
 }
 
+JudgedProfile judged_profile(const ConformanceReport& report) {
+  return {report.verdict(), report.profile(), report.options.check.tolerance, note_of(report)};
+}
+
 void write_test_suite(std::ostream& out, const ConformanceReport& report, const NamedTally& group) {
   const Tally& tally = group.tally;
   double seconds = 0;
@@ -405,7 +409,7 @@ void write_test_suite(std::ostream& out, const ConformanceReport& report, const 
   out << fmt::format(
       "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\" time=\"{:.3f}\">\n",
       xml_text(group.name), tally.cases + tally.skipped, tally.negative(), tally.skipped, seconds);
-  out << junit_properties(report.verdict(), report.profile(), note_of(report));
+  out << junit_properties(judged_profile(report));
   for (const CaseOutcome& outcome : report.outcomes) {
     if (outcome.of->group == group.name) write_test_case(out, outcome);
   }
@@ -446,7 +450,7 @@ void print_conformance_text(const ConformanceReport& report, std::size_t most) {
                             with_commas(all.where_determined), with_commas(all.perturbed), with_commas(all.negative())),
                 kCaseIndent);
   fmt::print("\n");
-  print_conformity(report.verdict(), report.profile(), note_of(report));
+  print_conformity(judged_profile(report));
   fmt::print("{}\n", verdict_text(report.verdict()));
 }
 
@@ -460,7 +464,7 @@ Json conformance_json(const ConformanceReport& report) {
   json["highest_level"] = options.check.highest_level;
   json["time_limit"] = options.limits.seconds;
   json["verdict"] = verdict_text(report.verdict());
-  json["profile"] = profile_field(report.verdict(), report.profile(), note_of(report));
+  json["profile"] = profile_field(judged_profile(report));
   json["seconds"] = report.seconds;
   json["judged"] = judged_field(report);
   json["reasons"] = reasons_field(reasons_of(report),

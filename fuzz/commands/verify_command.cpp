@@ -1,6 +1,6 @@
 // `flowcert verify` says whether a program's answers to the cases of `flowcert generate` are right. Exit status 0 if
 // all are right, 1 if any is wrong or missing. It reports in three ways: tables for people, one JSON object, and a
-// JUnit file for CI systems (spec/formats/cases.md).
+// JUnit file for CI systems (src/cli/manual/cases.md).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -231,6 +231,11 @@ std::string note_of(const Verification& verification) {
   return fmt::format(" ({}{})", cases, most ? " of at most " + points_text(*most) : "");
 }
 
+JudgedProfile judged_profile(const Verification& verification) {
+  return {verification.verdict(), verification.profile(), verification.options().check.tolerance,
+          note_of(verification)};
+}
+
 // What a run is worth of which the program under test says itself which it was.
 constexpr char kRightInWhatCame[] = "right in what came";
 bool is_right_in_what_came(const Verification& verification) {
@@ -264,7 +269,7 @@ void print_verdict(const Verification& verification) {
   }
   fmt::print("\n");
   if (!is_right_in_what_came(verification)) {
-    print_conformity(verification.verdict(), verification.profile(), note_of(verification));
+    print_conformity(judged_profile(verification));
   }
   print_wrapped(text, kVerifyIndent);
   if (is_right_in_what_came(verification)) {
@@ -352,7 +357,7 @@ void print_verify_text(const Verification& verification, std::size_t most, const
 void print_verify_json(const Verification& verification, const std::string& cut) {
   Json json = header_fields("flowcert-verify", 1);
   json["verdict"] = verdict_words(verification);
-  json["profile"] = profile_field(verification.verdict(), verification.profile(), note_of(verification));
+  json["profile"] = profile_field(judged_profile(verification));
   if (is_right_in_what_came(verification)) json["profile"]["statement"] = nullptr;
   json["tolerance"] = verification.options().check.tolerance;
   json["highest_level"] = verification.options().check.highest_level;
@@ -383,9 +388,7 @@ void write_verify_junit(std::ostream& out, const Verification& verification) {
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
       << fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\">\n",
                      xml_text("flowcert verify of " + run), families.size(), failures)
-      << (is_right_in_what_came(verification)
-              ? ""
-              : junit_properties(verification.verdict(), verification.profile(), note_of(verification)));
+      << (is_right_in_what_came(verification) ? "" : junit_properties(judged_profile(verification)));
   for (const auto& [name, counts] : families) write_family(out, verification, name, counts);
   out << "  </testsuite>\n</testsuites>\n";
 }

@@ -58,6 +58,11 @@ Profile::State state_of(const PartOfPoints& part, const std::vector<ClaimedPoint
   return state;
 }
 
+// Decimals that may be far off say little (FC-CLAIM-23). What fails does so with any tolerance.
+bool is_too_far_off(Verdict verdict, const Profile& profile, double tolerance) {
+  return verdict != Verdict::kFails && !profile.is_exact() && !(tolerance <= kLargestStatedTolerance);
+}
+
 bool is_any(const ClaimedIndices& indices) { return std::ranges::count(indices, true) > 0; }
 bool is_all(const ClaimedIndices& indices) { return std::ranges::count(indices, false) == 0; }
 
@@ -103,14 +108,20 @@ Profile profile_of(const Claim& claim, const ClaimedIndices& indices, bool has_p
   return profile;
 }
 
-std::optional<std::string> conformity_text(Verdict verdict, const Profile& profile) {
+std::optional<std::string> conformity_text(Verdict verdict, const Profile& profile, double tolerance) {
   if (verdict == Verdict::kFails) return fmt::format("does not conform to {}", kSpecVersion);
   const std::vector<std::string> parts = profile.parts();
-  if (parts.empty()) return std::nullopt;
+  if (parts.empty() || is_too_far_off(verdict, profile, tolerance)) return std::nullopt;
   const char* words = verdict == Verdict::kConforms                  ? "conforms to"
                       : verdict == Verdict::kConformsWhereDetermined ? "conforms where determined to"
                                                                      : "is perturbed under";
-  return fmt::format("{} {}, {}, {}", words, kSpecVersion, fmt::join(parts, " + "), profile.grade());
+  return fmt::format("{} {}, {}, {}{}", words, kSpecVersion, fmt::join(parts, " + "), profile.grade(),
+                     profile.is_exact() ? "" : fmt::format(" within {}", tolerance));
+}
+
+std::optional<std::string> no_conformity_text(Verdict verdict, const Profile& profile, double tolerance) {
+  if (profile.parts().empty() || !is_too_far_off(verdict, profile, tolerance)) return std::nullopt;
+  return fmt::format("no statement: the tolerance {} is above {} (FC-CLAIM-23)", tolerance, kLargestStatedTolerance);
 }
 
 }  // namespace flowcert

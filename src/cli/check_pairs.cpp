@@ -111,7 +111,7 @@ void write_check_junit(std::ostream& out, const CheckedFiles& files, const PairR
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
       << fmt::format("  <testsuite name=\"{}\" tests=\"1\" failures=\"{}\" errors=\"0\" skipped=\"0\">\n",
                      xml_text(fmt::format("flowcert check {} {}", files.points, files.claim)), is_right ? 0 : 1)
-      << junit_properties(report.verdict, report.profile)
+      << junit_properties({report.verdict, report.profile, files.tolerance})
       << "    <testcase classname=\"flowcert.check\" name=\"persistence pairs\"";
   if (is_right) {
     out << "/>\n";

@@ -238,7 +238,7 @@ Json finding_field(const Finding& finding, const AtomNames* atoms) {
 
 void print_verdict(const CheckedFiles& files, Verdict verdict, const Profile& profile, const std::string& tolerance) {
   fmt::print("\n");
-  print_conformity(verdict, profile);
+  print_conformity({verdict, profile, files.tolerance});
   const std::string grade = profile.grade();
   fmt::print("{}\n", wrapped(fmt::format("{} ({}{}; truth by the {})", verdict_text(verdict), grade, tolerance,
                                          truth_text(files)),
@@ -249,7 +249,7 @@ Json judgement_fields(const CheckedFiles& files, Verdict verdict, const Profile&
   Json json = header_fields("flowcert-check", 1, points);
   json["verdict"] = verdict_text(verdict);
   json["grade"] = profile.grade();
-  json["profile"] = profile_field(verdict, profile);
+  json["profile"] = profile_field({verdict, profile, files.tolerance});
   json["tolerance"] = files.tolerance;
   json["truth"] = truth_text(files);
   json["claim_format"] = files.claim_format;
@@ -308,7 +308,7 @@ void write_check_junit(std::ostream& out, const CheckedFiles& files, const Check
       << fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n",
                      xml_text(fmt::format("flowcert check {} {}", files.points, files.claim)), kLevels, failures,
                      skipped)
-      << junit_properties(report.verdict, report.profile);
+      << junit_properties({report.verdict, report.profile, files.tolerance});
   for (std::size_t k = 0; k < kLevels; ++k) write_level(out, files, report, k, counts.at(k));
   out << "  </testsuite>\n</testsuites>\n";
 }
@@ -336,7 +336,9 @@ int status_of(Verdict verdict, bool is_strict) {
 void add_judging_options(CLI::App& command, CheckOptions& options, bool& is_strict) {
   command
       .add_option("--tolerance", options.tolerance,
-                  "Positions and radii claimed in decimals match within this part of the radius")
+                  fmt::format("Positions and radii claimed in decimals match within this part of the radius; above {} "
+                              "there is no statement of what conforms",
+                              kLargestStatedTolerance))
       ->check(complaint_about_tolerance)
       ->capture_default_str();
   command.add_option("--levels", options.highest_level, "Check levels 1 to this one")

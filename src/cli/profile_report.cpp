@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "cli/wrapped_text.h"
 #include "cli/xml_text.h"
 
@@ -11,27 +13,33 @@ namespace {
 
 constexpr std::size_t kIndent = 4;
 
-}  // namespace
-
-void print_conformity(Verdict verdict, const Profile& profile, const std::string& note) {
-  if (const auto text = conformity_text(verdict, profile)) fmt::print("{}\n", wrapped(*text + note, kIndent));
+std::optional<std::string> statement_of(const JudgedProfile& judged) {
+  const auto text = conformity_text(judged.verdict, judged.profile, judged.tolerance);
+  return text ? std::optional(*text + judged.note) : std::nullopt;
 }
 
-Json profile_field(Verdict verdict, const Profile& profile, const std::string& note) {
-  const auto text = conformity_text(verdict, profile);
+}  // namespace
+
+void print_conformity(const JudgedProfile& judged) {
+  const auto statement = statement_of(judged);
+  const auto text = statement ? statement : no_conformity_text(judged.verdict, judged.profile, judged.tolerance);
+  if (text) fmt::print("{}\n", wrapped(*text, kIndent));
+}
+
+Json profile_field(const JudgedProfile& judged) {
+  const auto statement = statement_of(judged);
   Json field;
   field["specification"] = kSpecVersion;
-  field["parts"] = profile.parts();
-  field["grade"] = profile.grade();
-  field["statement"] = text ? Json(*text + note) : Json(nullptr);
+  field["parts"] = judged.profile.parts();
+  field["grade"] = judged.profile.grade();
+  field["statement"] = statement ? Json(*statement) : Json(nullptr);
   return field;
 }
 
-std::string junit_properties(Verdict verdict, const Profile& profile, const std::string& note) {
-  const auto text = conformity_text(verdict, profile);
-  if (!text) return "";
-  return fmt::format("    <properties><property name=\"profile\" value=\"{}\"/></properties>\n",
-                     xml_text(*text + note));
+std::string junit_properties(const JudgedProfile& judged) {
+  const auto statement = statement_of(judged);
+  if (!statement) return "";
+  return fmt::format("    <properties><property name=\"profile\" value=\"{}\"/></properties>\n", xml_text(*statement));
 }
 
 }  // namespace flowcert::cli

@@ -10,13 +10,19 @@
 
 namespace flowcert::cli {
 
-// In all three a `note` comes after the statement, such as the number of vectors.
+// A verdict on what was judged, and with which tolerance.
+struct JudgedProfile {
+  Verdict verdict;
+  Profile profile;
+  double tolerance;
+  std::string note = {};  // comes after the statement, such as the number of vectors
+};
 
-// A line for people. Nothing is printed if nothing is told.
-void print_conformity(Verdict verdict, const Profile& profile, const std::string& note = "");
-// specification, parts, grade, statement (spec/formats/check.md).
-[[nodiscard]] Json profile_field(Verdict verdict, const Profile& profile, const std::string& note = "");
-// A line of a test suite in JUnit, or nothing if nothing is told.
-[[nodiscard]] std::string junit_properties(Verdict verdict, const Profile& profile, const std::string& note = "");
+// A line for people: the statement, or that there is none for such a tolerance. Nothing is printed if nothing is told.
+void print_conformity(const JudgedProfile& judged);
+// specification, parts, grade, statement (src/cli/manual/check.md).
+[[nodiscard]] Json profile_field(const JudgedProfile& judged);
+// A line of a test suite in JUnit, or nothing if there is no statement.
+[[nodiscard]] std::string junit_properties(const JudgedProfile& judged);
 
 }  // namespace flowcert::cli

@@ -51,14 +51,14 @@ py::dict finding_of(const Finding& finding) {
   return fields;
 }
 
-py::dict report_of(const CheckReport& report) {
+py::dict report_of(const CheckReport& report, double tolerance) {
   py::list findings;
   for (const Finding& finding : report.findings) findings.append(finding_of(finding));
   py::dict fields;
   fields["verdict"] = verdict_text(report.verdict);
   fields["is_exact"] = report.is_exact;
   fields["parts"] = py::tuple(py::cast(report.profile.parts()));
-  fields["statement"] = conformity_text(report.verdict, report.profile);
+  fields["statement"] = conformity_text(report.verdict, report.profile, tolerance);
   fields["claimed_counts"] = py::tuple(py::cast(report.claimed_counts));
   fields["true_counts"] = py::tuple(py::cast(report.true_counts));
   fields["levels"] = py::tuple(py::cast(report.conforms));
@@ -81,7 +81,7 @@ py::dict check_claim(const Complex& complex, const std::string& claim, bool is_p
     require_rows(read, flow_complex.points(), name);
     report = check(flow_complex.points(), read, *fast_truth(flow_complex), options);
   }
-  return report_of(report);
+  return report_of(report, tolerance);
 }
 
 }  // namespace

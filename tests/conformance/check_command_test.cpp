@@ -432,6 +432,45 @@ TEST(CheckCommand, SaysInWhichProfileAClaimConforms) {
   EXPECT_EQ(wrong.as_json()["profile"]["grade"], "approximate");
 }
 
+// With decimals a statement names the tolerance, and there is none for a large one.
+TEST(CheckCommand, StatesDecimalsWithASmallToleranceAlone) {
+  CITES("FC-CLAIM-23", "FC-CLAIM-22");
+  const std::string two = "0 0 0\n2 0 0\n", near = "0,0,0,0\n0,2,0,0\n1,1.0000009,0,0\n";
+  const Checked decimals(two, near), exact(two, Words{}), pairs(two, std::string("0 0 inf\n0 0 1.0000009\n"));
+  EXPECT_EQ(decimals.as_json()["verdict"], "fails") << "1e-9";
+  const auto last_two = [](const Finished& finished) {
+    const auto lines = lines_of(unbroken(finished.out));
+    return lines.size() < 2 ? Words{} : Words(lines.end() - 2, lines.end());
+  };
+  const std::string path = decimals.scratch().path("report.xml");
+  const auto text = [&](const Checked& checked, const std::string& tolerance) {
+    return last_two(checked.run({"--tolerance", tolerance, "--junit", path})).at(0);
+  };
+  const auto statement = [](const Checked& checked, const std::string& tolerance) {
+    const json report = checked.as_json({"--tolerance", tolerance});
+    EXPECT_EQ(report["verdict"], "conforms");
+    return report["profile"]["statement"];
+  };
+  const std::string within = "conforms to 1.1, points, approximate within 1e-06";
+  EXPECT_EQ(text(decimals, "1e-6"), within);
+  EXPECT_NE(content_of(path).find("<property name=\"profile\" value=\"" + within + "\"/>"), std::string::npos);
+  EXPECT_EQ(statement(decimals, "0.000001"), within);
+  for (const auto& [tolerance, shown] :
+       {std::pair("1.0000000000000002e-6", "1.0000000000000002e-06"), std::pair("0.001", "0.001")}) {
+    const std::string none = "no statement: the tolerance " + std::string(shown) + " is above 1e-06 (FC-CLAIM-23)";
+    EXPECT_EQ(text(decimals, tolerance), none);
+    EXPECT_EQ(content_of(path).find("<property"), std::string::npos) << tolerance;
+    EXPECT_TRUE(statement(decimals, tolerance).is_null()) << tolerance;
+    EXPECT_EQ(text(pairs, tolerance), none);
+    EXPECT_TRUE(statement(pairs, tolerance).is_null()) << tolerance;
+  }
+  EXPECT_EQ(text(pairs, "1e-6"), "conforms to 1.1, persistence, approximate within 1e-06");
+  EXPECT_EQ(text(exact, "0.001"), "conforms to 1.1, points, exact");
+  EXPECT_EQ(statement(exact, "0.001"), "conforms to 1.1, points, exact");
+  const Checked wrong(two, std::string("0,0,0,0\n0,2,0,0\n1,1.5,0,0\n"));
+  EXPECT_EQ(text(wrong, "0.001"), "does not conform to 1.1");
+}
+
 TEST(CheckCommand, RefusesWhatItCannotUse) {
   CITES("FC-IN-05", "FC-CLAIM-01");
   const Checked own(kCube, Words{});

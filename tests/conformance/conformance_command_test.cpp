@@ -397,11 +397,32 @@ TEST_F(ConformanceCommand, WritesAReportForCiSystems) {
   EXPECT_EQ(run(varied).status, 0);
   EXPECT_EQ(elements_of(content_of(path)),
             (Words{"testsuites", "testsuite", "properties", "property", "testcase", "system-out"}));
-  EXPECT_NE(content_of(path).find("value=\"is perturbed under 1.1, points, approximate (1 of "), std::string::npos)
+  EXPECT_NE(content_of(path).find("value=\"is perturbed under 1.1, points, approximate within 1e-09 (1 of "),
+            std::string::npos)
       << content_of(path);
   EXPECT_NE(content_of(path).find("failures=\"0\""), std::string::npos);
   EXPECT_NE(content_of(path).find("<system-out>level 2: symbolic-perturbation [FC-CLAIM-04]"), std::string::npos)
       << content_of(path);
+}
+
+TEST_F(ConformanceCommand, StatesDecimalsWithASmallToleranceAlone) {
+  CITES("FC-CLAIM-23", "FC-CLAIM-22");
+  const auto words = [&](const std::string& command, const std::string& tolerance) {
+    return Words{"--against", command, "--case", "regular-stationary-points-0001", "--tolerance", tolerance};
+  };
+  const std::string near = script("printf '0,0,0,0\\n0,3,0,0\\n0,0,4,0\\n1,1.5,0,0\\n1,0,2,0\\n' > \"$2\"");
+  const json stated = as_json(words(near, "1e-6"))["profile"], none = as_json(words(near, "1.1e-6"))["profile"];
+  EXPECT_TRUE(
+      stated["statement"].get<std::string>().starts_with("conforms to 1.1, points, approximate within 1e-06 (1 of "))
+      << stated;
+  EXPECT_TRUE(none["statement"].is_null()) << none;
+  EXPECT_EQ(none["grade"], "approximate");
+  const Words lines = lines_of(run(words(near, "1.1e-6")).out);
+  ASSERT_GE(lines.size(), 2U);
+  EXPECT_EQ(lines[lines.size() - 2], "no statement: the tolerance 1.1e-06 is above 1e-06 (FC-CLAIM-23)");
+  EXPECT_EQ(lines.back(), "conforms");
+  const json exact = as_json(words(kCompute, "0.001"))["profile"];
+  EXPECT_TRUE(exact["statement"].get<std::string>().starts_with("conforms to 1.1, points")) << exact;
 }
 
 TEST_F(ConformanceCommand, KeepsWhatIsNeededToSeeForOneself) {

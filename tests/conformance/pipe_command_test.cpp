@@ -33,7 +33,8 @@ TEST(Verify, RightAnswersOfEveryFamilyConform) {
     EXPECT_EQ(report["cases"], 500);
     const bool is_decimal = std::string(form) == "decimals";
     EXPECT_EQ(report["profile"]["statement"], std::string("conforms to 1.1, points, ") +
-                                                  (is_decimal ? "approximate" : "exact") + " (500 drawn inputs)");
+                                                  (is_decimal ? "approximate within 1e-09" : "exact") +
+                                                  " (500 drawn inputs)");
     EXPECT_EQ(report["failures"], json::array());
     EXPECT_EQ(report["unanswered_numbers"], json::array());
     EXPECT_EQ(report["approximate"] == 0, std::string(form) != "decimals");
@@ -519,6 +520,26 @@ TEST(Verify, ToleranceIsOfTheUser) {
   EXPECT_EQ(rounded.as_json()["fails"], 20);
   EXPECT_EQ(rounded.as_json({"--tolerance", "1e-5"})["verdict"], "conforms");
   EXPECT_EQ(rounded.verify({"--tolerance", "1"}).status, 2);
+}
+
+TEST(Verify, StatesDecimalsWithASmallToleranceAlone) {
+  CITES("FC-CLAIM-23", "FC-CLAIM-22");
+  const Words run = {"--family", "general-position", "--cases", "20"};
+  const Pipe decimals(run, {"decimals"});
+  EXPECT_EQ(decimals.as_json({"--tolerance", "1e-6"})["profile"]["statement"],
+            "conforms to 1.1, points, approximate within 1e-06 (20 drawn inputs)");
+  const std::string path = decimals.scratch().path("report.xml");
+  const Finished text = decimals.verify({"--tolerance", "1e-5", "--junit", path});
+  EXPECT_EQ(text.status, 0);
+  EXPECT_TRUE(
+      contains(text.out, "\nno statement: the tolerance 1e-05 is above 1e-06 (FC-CLAIM-23)\nconforms: 20 of 20"))
+      << text.out;
+  EXPECT_FALSE(contains(content_of(path), "<property"));
+  const json none = decimals.as_json({"--tolerance", "1e-5"});
+  EXPECT_TRUE(none["profile"]["statement"].is_null()) << none["profile"];
+  EXPECT_EQ(none["verdict"], "conforms");
+  EXPECT_EQ(Pipe(run, {"csv"}).as_json({"--tolerance", "1e-5"})["profile"]["statement"],
+            "conforms to 1.1, points, exact (20 drawn inputs)");
 }
 
 // ---- The README ----

@@ -40,7 +40,8 @@ def wrong_claims(path):
     yield "decimals", ["0 0 0 0 0 0", "0 6 0 0 0 1", "0 2 4 0 0 2", "1 3 0 0.000000001", "2 3 1 0 9.99"]
 
 
-@pytest.mark.parametrize("options", [{}, {"levels": 2}, {"indices": [1, 2]}, {"tolerance": 1e-6}], ids=str)
+@pytest.mark.parametrize("options", [{}, {"levels": 2}, {"indices": [1, 2]}, {"tolerance": 1e-6}, {"tolerance": 1e-3}],
+                         ids=str)
 def test_reports_are_those_of_the_program(options, xyz, tmp_path):
     words = []
     for name, value in options.items():
@@ -53,6 +54,7 @@ def test_reports_are_those_of_the_program(options, xyz, tmp_path):
         report = flowcert.check(TRIANGLE, path, **options)
         assert report.verdict == expected["verdict"], name
         assert report.is_exact == (expected["grade"] == "exact")
+        assert report.statement == expected["profile"]["statement"], name
         assert list(report.claimed_counts) == expected["claimed"] and list(report.true_counts) == expected["critical"]
         levels = {int(level): fields["conforms"] for level, fields in expected["levels"].items()}
         assert report.levels == levels
@@ -65,6 +67,18 @@ def test_reports_are_those_of_the_program(options, xyz, tmp_path):
         assert report.fails == (report.verdict == "fails")
         verdicts.add(report.verdict)
     assert {"conforms", "fails"} <= verdicts
+
+
+def test_statements_of_decimals_name_the_tolerance():
+    points, claim = [[0, 0, 0], [2, 0, 0]], [{"index": 0, "contact": [0]}, {"index": 0, "contact": [1]}]
+    near, exact = [*claim, {"index": 1, "position": [1.0, 0, 0]}], [*claim, {"index": 1, "position": [1, 0, 0]}]
+    assert flowcert.check(points, near).statement == "conforms to 1.1, points, approximate within 1e-09"
+    assert flowcert.check(points, near, tolerance=1e-6).statement == "conforms to 1.1, points, approximate within 1e-06"
+    for tolerance in (1.0000000000000002e-6, 1e-3):
+        report = flowcert.check(points, near, tolerance=tolerance)
+        assert report.verdict == "conforms" and report.statement is None
+    assert flowcert.check(points, exact, tolerance=1e-3).statement == "conforms to 1.1, points, exact"
+    assert flowcert.check(points, claim, tolerance=1e-3).statement == "does not conform to 1.1"
 
 
 def test_files_open_files_and_their_content(xyz, tmp_path):

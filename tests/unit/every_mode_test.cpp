@@ -643,7 +643,7 @@ const std::set<std::string> kWithoutDoubles = {
     "UnstableManifolds::limit_beyond", "UnstableManifolds::statistics", "UnstableSurfaces::size",
     "UnstableSurfaces::record", "verdict_text", "reason_text", "verdict_on", "Truth::size", "Truth::index",
     "Truth::contact", "pair_counts", "Profile::state", "Profile::set", "Profile::is_exact", "Profile::set_exact",
-    "Profile::set_indices", "Profile::join", "Profile::parts", "Profile::grade", "profile_of", "conformity_text",
+    "Profile::set_indices", "Profile::join", "Profile::parts", "Profile::grade", "profile_of",
     "require_rows", "sentence_of", "ClipBox::low", "ClipBox::high", "is_exact_pair", "reproducibility", "made_by_text",
     "SaddleRadii::size", "SaddleRadii::number", "SaddleRadii::squared_spacing", "PersistenceDiagram::complex",
     "PersistenceDiagram::pairs", "PersistenceDiagram::has_zero", "Probe::squared_radius",

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/cites.h"
@@ -14,8 +17,12 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-std::string statement(const CheckReport& report) {
-  return conformity_text(report.verdict, report.profile).value_or("nothing");
+std::string statement(const CheckReport& report, double tolerance = kDefaultTolerance) {
+  return conformity_text(report.verdict, report.profile, tolerance).value_or("nothing");
+}
+
+std::string why_none(const CheckReport& report, double tolerance) {
+  return no_conformity_text(report.verdict, report.profile, tolerance).value_or("nothing");
 }
 
 // All parts that a claim about points can have.
@@ -78,7 +85,61 @@ TEST(Profile, SaysHowTheVerdictIs) {
   EXPECT_EQ(statement(cube.check(part)), "conforms where determined to 1.1, points, exact");
   Claimed near = cube.claim_without({{0, 1}});
   near.at(1, decimals({Rational(1, 2), Rational(0), Rational(0)}));
-  EXPECT_EQ(statement(cube.check(near)), "conforms to 1.1, points, approximate");
+  EXPECT_EQ(statement(cube.check(near)), "conforms to 1.1, points, approximate within 1e-09");
+}
+
+// With the largest tolerance there is a statement, and with the next double there is none.
+TEST(Profile, StatesDecimalsWithASmallToleranceAlone) {
+  CITES("FC-CLAIM-23", "FC-CLAIM-22");
+  const double above = std::nextafter(1e-6, 1);
+  const Truly cube(kCube);
+  Claimed near = cube.claim_without({{0, 1}});
+  near.at(1, decimals({Rational(1, 2), Rational(0), Rational(0)}));
+  const CheckReport approximate = cube.check(near, {.tolerance = 1e-3});
+  EXPECT_EQ(approximate.verdict, Verdict::kConforms);
+  for (const auto& [tolerance, text] : {std::pair(0.0, "0"), std::pair(2.5e-12, "2.5e-12"), std::pair(1e-6, "1e-06")}) {
+    EXPECT_EQ(statement(approximate, tolerance), std::string("conforms to 1.1, points, approximate within ") + text);
+    EXPECT_EQ(why_none(approximate, tolerance), "nothing");
+  }
+  for (const double tolerance : {above, 1e-3, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_EQ(statement(approximate, tolerance), "nothing") << tolerance;
+  }
+  EXPECT_EQ(why_none(approximate, above),
+            "no statement: the tolerance 1.0000000000000002e-06 is above 1e-06 (FC-CLAIM-23)");
+  EXPECT_EQ(why_none(approximate, 1e-3), "no statement: the tolerance 0.001 is above 1e-06 (FC-CLAIM-23)");
+  // Other verdicts, exact claims, and what has no part.
+  Claimed determined = near;
+  determined.of({0, 1, 2, 3}).contact = {0, 1, 2};
+  EXPECT_EQ(statement(cube.check(determined), 1e-6),
+            "conforms where determined to 1.1, points, approximate within 1e-06");
+  EXPECT_EQ(statement(cube.check(determined), above), "nothing");
+  near.at(1, decimals({Rational(1, 2), Rational(1), Rational(0)}));
+  EXPECT_EQ(statement(cube.check(near), 1e-3), "does not conform to 1.1");
+  EXPECT_EQ(why_none(cube.check(near), 1e-3), "nothing");
+  EXPECT_EQ(statement(cube.check(cube.claim(), {.tolerance = 1e-3}), 1e-3), "conforms to 1.1, points, exact");
+  EXPECT_EQ(why_none(cube.check(cube.claim()), 1e-3), "nothing");
+  EXPECT_EQ(why_none(cube.check(determined, {.highest_level = 2}), 1e-3), "nothing");
+}
+
+// What differs by the tolerance times the radius is right, and by any more is not. The radius is 1, and the tolerance
+// is the double: it is a little less than 10^-6.
+TEST(Profile, TheToleranceIsTheLargestThatIsRight) {
+  CITES("FC-CLAIM-23", "FC-CLAIM-05");
+  const Truly two(std::vector<Point>{{0, 0, 0}, {2, 0, 0}});
+  const Rational tiny = Rational(1) / Rational(1'000'000'000) / Rational(1'000'000'000'000'000'000);
+  const auto verdict = [&](const Rational& off, double tolerance) {
+    Claimed claimed = two.claim_without({{0, 1}});
+    claimed.at(1, decimals({1 + off, Rational(0), Rational(0)}));
+    return two.check(claimed, {.tolerance = tolerance}).verdict;
+  };
+  for (const double tolerance : {1e-9, 1e-6}) {
+    EXPECT_EQ(verdict(Rational(tolerance), tolerance), Verdict::kConforms) << tolerance;
+    EXPECT_EQ(verdict(-Rational(tolerance), tolerance), Verdict::kConforms) << tolerance;
+    EXPECT_EQ(verdict(Rational(tolerance) + tiny, tolerance), Verdict::kFails) << tolerance;
+    EXPECT_EQ(verdict(-Rational(tolerance) - tiny, tolerance), Verdict::kFails) << tolerance;
+  }
+  EXPECT_EQ(verdict(Rational(0), 0), Verdict::kConforms);
+  EXPECT_EQ(verdict(Rational(1) / 1'000'000, 0), Verdict::kFails);
 }
 
 // Two points have no critical point of index 2, so that nothing is left out by telling no limits of them.
@@ -97,8 +158,8 @@ TEST(Profile, OfAProgramHasWhatNoAnswerLeavesOut) {
   pairs.set(ProfilePart::kPersistence, Profile::State::kTold);
   pairs.set_exact(false);
   joined.join(pairs);
-  EXPECT_EQ(conformity_text(Verdict::kConforms, joined),
-            "conforms to 1.1, points + U2 + S2 + persistence, approximate");
+  EXPECT_EQ(conformity_text(Verdict::kConforms, joined, 1e-7),
+            "conforms to 1.1, points + U2 + S2 + persistence, approximate within 1e-07");
   Profile other_way = pairs;
   other_way.join(of_cube);
   other_way.join(of_two);

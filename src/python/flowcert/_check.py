@@ -68,7 +68,8 @@ class CheckReport:
                     points makes), or "fails"
     is_exact        False if decimals were claimed, which are matched within the tolerance
     parts           what the claim tells of the flow complex and was judged on, such as ("points", "U2")
-    statement       "conforms to 1.1, points + U2, exact" (FC-CLAIM-22), or None if no part is told
+    statement       "conforms to 1.1, points + U2, exact" (FC-CLAIM-22), or of decimals "approximate within 1e-09";
+                    None if no part is told, or if decimals were judged with a tolerance above 1e-6
     claimed_counts  of critical points of index 0 to 3, as listed in the claim
     true_counts     as they are; zeros if only level 1 was checked
     levels          {1: ..., 5: ...}: whether each conforms; None where nothing is claimed that it could judge
@@ -124,7 +125,8 @@ def check(
     - A str or a path: the name of a file, in any format that `flowcert check` reads.
     - bytes, or an open file: the content of such a file.
 
-    tolerance: floats match within this part of the critical point's radius; 0 to 0.001.
+    tolerance: floats match within this part of the critical point's radius; 0 to 0.001. Above 1e-6 there is a verdict
+      on them, but no statement that they conform.
     levels: those above this one are not checked; 1 to 5.
     indices: critical points of other indices are not judged.
     threads: as in FlowComplex; a FlowComplex has its own.

@@ -79,7 +79,14 @@ class Profile {
 [[nodiscard]] Profile profile_of(const Claim& claim, const ClaimedIndices& indices, bool has_points, bool is_exact,
                                  int highest_level);
 
-// "conforms to 1.1, points + U2, exact". It is "does not conform to 1.1" for what fails. Nothing if nothing is told.
-[[nodiscard]] std::optional<std::string> conformity_text(Verdict verdict, const Profile& profile);
+// The largest tolerance with which what is approximate can be said to conform, or to be perturbed (FC-CLAIM-23).
+inline constexpr double kLargestStatedTolerance = 1e-6;
+
+// "conforms to 1.1, points + U2, exact" or "conforms to 1.1, points, approximate within 1e-09". It is "does not conform
+// to 1.1" for what fails. Nothing if nothing is told, or if the tolerance of decimals is too large.
+[[nodiscard]] std::optional<std::string> conformity_text(Verdict verdict, const Profile& profile, double tolerance);
+
+// "no statement: the tolerance 0.001 is above 1e-06 (FC-CLAIM-23)". Nothing where the tolerance is not the reason.
+[[nodiscard]] std::optional<std::string> no_conformity_text(Verdict verdict, const Profile& profile, double tolerance);
 
 }  // namespace flowcert
