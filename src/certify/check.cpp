@@ -118,6 +118,15 @@ void CheckRun::tell(int level, std::size_t done, std::size_t total) const {
   if (options.progress) options.progress(level, done, total);
 }
 
+bool CheckRun::can_follow(std::size_t k) {
+  if (placed[k].is_right && placed[k].is_one_of_several) {
+    leave_unjudged(
+        "incidences, and all of level 5, of points at whose position several of their index are (FC-CLAIM-24)");
+    return false;
+  }
+  return placed[k].is_right;
+}
+
 void CheckRun::leave_unjudged(const std::string& what) { add_once(report.not_judged, what); }
 void CheckRun::leave_undecided(const std::string& what) { add_once(report.not_decided, what); }
 

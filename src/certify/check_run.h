@@ -67,8 +67,9 @@ struct PlacedPoint {
   bool is_well_formed = false;
   std::vector<PointId> names;  // the claimed contact set, by classes, ascending
   std::optional<Placement> place;
-  std::vector<std::size_t> alternatives;  // all points within the tolerance if they are several
-  bool is_right = false;                  // the claim is right, so its successors and polylines can be judged
+  // Its position and distance leave several points of its index. It is matched with one of them (FC-CLAIM-24).
+  bool is_one_of_several = false;
+  bool is_right = false;  // the claim is right, so its successors and polylines can be judged
 };
 
 [[nodiscard]] inline bool is_regular_claim(const ClaimedPoint& point) { return point.hull_dimension.has_value(); }
@@ -121,6 +122,9 @@ struct CheckRun {
                   const std::string& truth_text);
   // Tells the progress of the check, if somebody asked for it.
   void tell(int level, std::size_t done, std::size_t total) const;
+  // Whether what levels 4 and 5 ask of a claimed point can be judged: it is right, and it is known which point it is.
+  // Reports that it is not judged if that alone is missing.
+  [[nodiscard]] bool can_follow(std::size_t claimed_point);
   // Reports once that this is not judged, or not decided.
   void leave_unjudged(const std::string& what);
   void leave_undecided(const std::string& what);
@@ -146,6 +150,8 @@ void check_claims_at_regular(CheckRun& run, std::size_t record, const std::vecto
 void check_stray_claim(CheckRun& run, std::size_t claimed_point);
 // Centre and distance of a claimed point that has a place.
 void check_values(CheckRun& run, std::size_t claimed_point);
+// Whether they would be right of a stationary point.
+[[nodiscard]] bool has_right_values(CheckRun& run, std::size_t claimed_point, std::size_t record);
 // Level 3: a critical point that nobody claims, and the Euler sum.
 void check_missing(CheckRun& run, std::size_t record);
 void check_euler_sum(CheckRun& run);

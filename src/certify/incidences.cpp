@@ -353,11 +353,12 @@ class Incidences {
 // False if there is nothing to judge. Only points that are claimed rightly are judged.
 bool check_point(CheckRun& run, Incidences& incidences, std::size_t k) {
   const ClaimedPoint& point = run.claim.points[k];
-  if (!run.placed[k].is_right || point.hull_dimension) return false;
+  if (point.hull_dimension) return false;
   const bool has_samples = point.samples.has_value() && point.index == 1 && run.judges(0);
-  if (has_samples) incidences.check_samples(k);
   const bool has_boundary = point.stable && point.stable->boundary && run.judges(1);
   const bool has_successors = point.successors && run.judges(point.index + 1);
+  if ((!has_samples && !has_boundary && !has_successors) || !run.can_follow(k)) return false;
+  if (has_samples) incidences.check_samples(k);
   if ((has_successors || has_boundary) && run.perturbed.contains(run.placed[k].place->record)) {
     run.leave_unjudged("incidences of the points that a perturbation makes of stationary points");
     return has_samples;

@@ -31,12 +31,14 @@ class InfinityPieces {
  private:
   template <typename Claimed, typename True>
   void judge(const std::vector<Claimed>& claimed, const std::vector<True>& truth, const std::string& what) {
-    const Comparison found = compare_pieces(
-        claimed, truth.size(), [&](const Claimed& piece, std::size_t i) { return match(piece, truth[i]); },
-        [](const Claimed&) { return false; }, [](const Claimed& piece) { return names_text(names_in(piece)); });
+    PieceNames names;
+    for (const Claimed& piece : claimed) names.claimed.push_back(class_names(run_.points, names_in(piece)));
+    for (const True& piece : truth) names.truth.emplace_back(names_in(piece).begin(), names_in(piece).end());
+    const Comparison found =
+        PieceMatcher(names, [&](std::size_t c, std::size_t i) { return match(claimed[c], truth[i]); }).compare();
     if (!found.strange.empty()) {
       find(found.is_rounding ? FindingReason::kRounding : FindingReason::kWrongSurface,
-           "infinity, an " + what + " of " + found.strange.front(),
+           "infinity, an " + what + " of " + names_text(names_in(claimed[found.strange.front()])),
            "no such " + what + " flows there (in all " + std::to_string(found.strange.size()) + " such claims)");
       return;
     }
@@ -51,21 +53,11 @@ class InfinityPieces {
     run_.report.findings.back().line = claimed_.line;
   }
 
-  template <typename Piece>
-  static const std::vector<PointId>& names_in(const Piece& piece) {
+  static const auto& names_in(const auto& piece) {
     if constexpr (requires { piece.polygon; }) {
       return piece.polygon;
     } else {
       return piece.samples;
-    }
-  }
-  template <typename Claimed, typename True>
-  [[nodiscard]] bool has_names(const Claimed& claimed, const True& truth) const {
-    const std::vector<PointId> names = class_names(run_.points, names_in(claimed));
-    if constexpr (requires { truth.polygon; }) {
-      return names == truth.polygon;
-    } else {
-      return std::ranges::equal(names, truth.samples);
     }
   }
   [[nodiscard]] bool has_contact(const std::optional<std::vector<PointId>>& claimed,
@@ -73,7 +65,7 @@ class InfinityPieces {
     return !claimed || class_names(run_.points, *claimed) == truth;
   }
 
-  // Near means near as a part of the distance from there to the samples.
+  // Pieces of the same names are compared. Near means near as a part of the distance from there to the samples.
   ValueMatch match(const ClaimedPosition& claimed, const RationalPoint& truth, PointId name) {
     run_.report.is_exact = run_.report.is_exact && is_exact(claimed);
     const Rational far = squared_distance(truth, sample(run_.points, name));
@@ -85,15 +77,12 @@ class InfinityPieces {
   }
 
   ValueMatch match(const ClaimedBackwardSegment& claimed, const BackwardSegment& truth) {
-    if (!has_names(claimed, truth) || !has_contact(claimed.front_contact, truth.front_contact) ||
-        !has_back(claimed, truth)) {
-      return ValueMatch::kOff;
-    }
+    if (!has_contact(claimed.front_contact, truth.front_contact) || !has_back(claimed, truth)) return ValueMatch::kOff;
     return std::max(match(claimed.front, truth.front, truth.samples[0]),
                     match(claimed.back, truth.back, truth.samples[0]));
   }
   ValueMatch match(const ClaimedUnboundedSegment& claimed, const UnboundedSegment& truth) {
-    if (!has_names(claimed, truth) || !has_back(claimed, truth)) return ValueMatch::kOff;
+    if (!has_back(claimed, truth)) return ValueMatch::kOff;
     return std::max(match_direction(claimed.vector, truth.vector), match(claimed.back, truth.back, truth.samples[0]));
   }
   template <typename Claimed, typename True>
@@ -103,12 +92,12 @@ class InfinityPieces {
   }
 
   ValueMatch match(const ClaimedInterval& claimed, const BackwardInterval& truth) {
-    if (!has_names(claimed, truth) || !has_end(claimed, truth)) return ValueMatch::kOff;
+    if (!has_end(claimed, truth)) return ValueMatch::kOff;
     return std::max(match(claimed.front, truth.front, truth.polygon[0]),
                     match(claimed.back, truth.back, truth.polygon[0]));
   }
   ValueMatch match(const ClaimedUnboundedInterval& claimed, const UnboundedInterval& truth) {
-    if (!has_names(claimed, truth) || !has_end(claimed, truth)) return ValueMatch::kOff;
+    if (!has_end(claimed, truth)) return ValueMatch::kOff;
     return std::max(match_direction(claimed.vector, truth.vector), match(claimed.back, truth.back, truth.polygon[0]));
   }
   template <typename Claimed, typename True>
@@ -117,13 +106,11 @@ class InfinityPieces {
   }
 
   ValueMatch match(const ClaimedSector& claimed, const BackwardSector& truth) {
-    if (!has_names(claimed, truth)) return ValueMatch::kOff;
     return match_ring(claimed.corners, truth.corners, [&](const ClaimedPosition& corner, const RationalPoint& other) {
       return match(corner, other, truth.samples[0]);
     });
   }
   ValueMatch match(const ClaimedUnboundedSector& claimed, const UnboundedSector& truth) {
-    if (!has_names(claimed, truth)) return ValueMatch::kOff;
     return match_ring(claimed.corners, truth.corners, [&](const ClaimedCorner& corner, const SectorCorner& other) {
       if (corner.at_infinity != other.is_vector) return ValueMatch::kOff;
       return corner.at_infinity ? match_direction(corner.position, other.position)

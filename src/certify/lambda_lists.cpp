@@ -262,7 +262,7 @@ bool check_lambda_lists(CheckRun& run) {
   for (std::size_t k = 0; k < run.placed.size(); ++k) {
     run.tell(5, 2 * run.placed.size() + k, kPartsOfLevel5 * run.placed.size());
     const ClaimedPoint& point = run.claim.points[k];
-    if ((!point.lambda && !point.connections) || !run.placed[k].is_right) continue;
+    if ((!point.lambda && !point.connections) || !run.can_follow(k)) continue;
     if (!run.judges(2) || !run.judges(3)) {
       run.leave_unjudged("lambda-lists and connections, which lead to points of other indices (FC-CLAIM-12)");
       continue;

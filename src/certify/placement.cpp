@@ -7,10 +7,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <limits>
-#include <map>
 #include <optional>
-#include <set>
 #include <tuple>
 #include <unordered_map>
 #include <vector>
@@ -19,6 +18,7 @@
 #include "certify/claimed_geometry.h"
 #include "certify/finding_words.h"
 #include "certify/layer.h"
+#include "certify/matching.h"
 #include "flowcert/check.h"
 #include "geometry/rational_point.h"
 
@@ -134,61 +134,88 @@ Fit fit_of_part(const CheckRun& run, const std::vector<PointId>& names, std::siz
   return is_simplex && affine_dimension(run.points, names) == dimension ? Fit::kPart : Fit::kOther;
 }
 
-// How well a claim fits a stationary point. 0: the point has the claimed index or kind. 1: the point is regular, and
-// a perturbation may make the claimed critical point from it, with others. 2: otherwise.
-int rank_of(const CheckRun& run, const ClaimedPoint& point, std::size_t record) {
+// Whether a stationary point has the claimed index or kind.
+bool has_index_or_kind(const CheckRun& run, const ClaimedPoint& point, std::size_t record) {
   const StationaryIndex index = run.index(record);
-  const int hull_dimension = point.hull_dimension.value_or(point.index);
-  if (index.face_dimension == point.index && index.hull_dimension == hull_dimension) return 0;
-  const bool is_between = index.face_dimension <= point.index && point.index <= index.hull_dimension;
-  return !index.is_critical() && !point.hull_dimension && is_between ? 1 : 2;
+  return index.face_dimension == point.index && index.hull_dimension == point.hull_dimension.value_or(point.index);
 }
 
-// Places claims by position. A matching gives as many claims as possible a stationary point of their own within the
-// tolerance. So no right claim is taken for a second claim of the same point.
+// Places claims by position. Those by contact set take part in the matching, so that no position is taken for a second
+// claim of their points.
 class ByPosition {
  public:
   explicit ByPosition(CheckRun& run) : run_(run), grid_(run.truth, run.options.tolerance) {}
 
-  void add(std::size_t k) {
-    candidates_[k] = candidates(run_.claim.points[k]);
-    if (candidates_[k].empty()) candidates_.erase(k);
-  }
-
-  void place() {
-    for (const auto& [k, within] : candidates_) {
-      tried_.clear();
-      find_own(k);
+  void place_all() {
+    for (std::size_t k = 0; k < run_.placed.size(); ++k) {
+      const std::optional<Placement>& place = run_.placed[k].place;
+      const bool is_own =
+          place && place->fit != Fit::kOther && has_index_or_kind(run_, run_.claim.points[k], place->record);
+      if (!is_own) continue;
+      add({place->record});
     }
-    std::map<std::size_t, std::size_t> own;
-    for (const auto& [record, k] : owner_) own[k] = record;
-    for (const auto& [k, within] : candidates_) {
-      const auto found = own.find(k);
-      place(k, within, found == own.end() ? within.front().record : found->second);
+    for (std::size_t k = 0; k < run_.placed.size(); ++k) {
+      if (!run_.placed[k].is_well_formed || !run_.placed[k].names.empty()) continue;
+      found_.push_back({k, near(k)});
+      std::vector<std::size_t> own;
+      for (const Near& one : found_.back().near) {
+        if (one.fit == NearFit::kRight) own.push_back(one.record);
+      }
+      add(std::move(own));
     }
+    std::vector<Candidates*> candidates;
+    for (Candidates& some : candidates_) candidates.push_back(&some);
+    const Matching matching =
+        maximum_matching(candidates, run_.truth.size(), [](std::size_t, std::size_t) { return true; });
+    for (const auto& claimed : matching.of_truth) is_taken_.push_back(claimed.has_value());
+    const std::size_t before = candidates_.size() - found_.size();
+    for (std::size_t i = 0; i < found_.size(); ++i) place(found_[i], matching.of_claimed[before + i]);
   }
 
  private:
-  struct Candidate {
-    int rank;
+  // From good to bad.
+  enum class NearFit {
+    kRight,       // of the claimed index or kind, and with the claimed distance
+    kWrongValue,  // of the claimed index or kind
+    kMade,        // regular; a perturbation may make the claimed critical point from it, with others
+    kOther,
+  };
+  // A stationary point within the tolerance of a claimed position.
+  struct Near {
+    NearFit fit;
     Rational squared_distance;
     std::size_t record;
-    friend bool operator<(const Candidate& a, const Candidate& b) {
-      return std::tie(a.rank, a.squared_distance, a.record) < std::tie(b.rank, b.squared_distance, b.record);
+    friend bool operator<(const Near& a, const Near& b) {
+      return std::tie(a.fit, a.squared_distance, a.record) < std::tie(b.fit, b.squared_distance, b.record);
     }
   };
+  struct Found {
+    std::size_t k;
+    std::vector<Near> near;  // ascending
+  };
 
-  // Ascending.
-  std::vector<Candidate> candidates(const ClaimedPoint& point) const {
-    const ClaimedPosition& at = point.center.value();
+  void add(std::vector<std::size_t> records) { candidates_.push_back({std::move(records), 0}); }
+
+  NearFit fit_of(std::size_t k, std::size_t record) const {
+    const ClaimedPoint& point = run_.claim.points[k];
+    if (has_index_or_kind(run_, point, record)) {
+      return has_right_values(run_, k, record) ? NearFit::kRight : NearFit::kWrongValue;
+    }
+    const StationaryIndex kind = run_.index(record);
+    const bool is_between = kind.face_dimension <= point.index && point.index <= kind.hull_dimension;
+    return !kind.is_critical() && !point.hull_dimension && is_between ? NearFit::kMade : NearFit::kOther;
+  }
+
+  std::vector<Near> near(std::size_t k) const {
+    const ClaimedPosition& at = run_.claim.points[k].center.value();
     const RationalPoint x = values_of(at);
-    std::vector<Candidate> within, nearly;
+    std::vector<Near> within, nearly;
     for (const std::size_t record : grid_.near(at)) {
       const ExactSphere& sphere = grid_.sphere(record);
       const ValueMatch match = match_position(at, sphere.center, ValueScale(sphere, run_.options.tolerance));
       if (match == ValueMatch::kOff) continue;
-      std::vector<Candidate>& to = is_wrong(match) ? nearly : within;
-      to.push_back({rank_of(run_, point, record), squared_distance(x, sphere.center), record});
+      std::vector<Near>& to = is_wrong(match) ? nearly : within;
+      to.push_back({fit_of(k, record), squared_distance(x, sphere.center), record});
       // A position that equals a centre exactly names that stationary point.
       if (match == ValueMatch::kEqual) return {within.back()};
     }
@@ -198,50 +225,34 @@ class ByPosition {
     return within;
   }
 
-  // Looks for an augmenting path (Kuhn's algorithm) among the candidates of rank 0. It does not recurse, because a path
-  // can be as long as the claim.
-  void find_own(std::size_t k) {
-    struct Step {
-      const std::vector<Candidate>* of;
-      std::size_t k;
-      std::size_t tried;  // so many of the candidates
-    };
-    std::vector<Step> path{{&candidates_.at(k), k, 0}};
-    while (!path.empty()) {
-      Step& last = path.back();
-      if (last.tried == last.of->size() || (*last.of)[last.tried].rank > 0) {
-        path.pop_back();
-        continue;
-      }
-      const std::size_t record = (*last.of)[last.tried++].record;
-      if (!tried_.insert(record).second) continue;
-      if (const auto owner = owner_.find(record); owner != owner_.end()) {
-        path.push_back({&candidates_.at(owner->second), owner->second, 0});
-        continue;
-      }
-      for (const Step& step : path) owner_[(*step.of)[step.tried - 1].record] = step.k;
-      return;
-    }
+  // Where a claim without a partner is placed: it is a second claim, or it has a wrong distance, or there is none of its
+  // index or kind.
+  std::size_t second_best(const std::vector<Near>& near) {
+    const auto is_free = [this](const Near& one) { return one.fit == NearFit::kWrongValue && !is_taken_[one.record]; };
+    const auto free = std::ranges::find_if(near, is_free);
+    if (near.front().fit != NearFit::kWrongValue || free == near.end()) return near.front().record;
+    is_taken_[free->record] = true;
+    return free->record;
   }
 
-  void place(std::size_t k, const std::vector<Candidate>& within, std::size_t record) {
+  void place(const Found& found, const std::optional<std::size_t>& partner) {
+    const auto& [k, near] = found;
+    if (near.empty()) return;
     PlacedPoint& placed = run_.placed[k];
-    placed.place = Placement{record, Fit::kPosition};
-    if (within.size() == 1) return;
+    placed.place = Placement{partner ? *partner : second_best(near), Fit::kPosition};
+    placed.is_one_of_several = std::ranges::count(near, NearFit::kRight, &Near::fit) > 1;
+    if (near.size() == 1) return;
     std::string others;
-    for (const Candidate& candidate : within) {
-      placed.alternatives.push_back(candidate.record);
-      others += (others.empty() ? "" : "; ") + stationary_text(run_.truth, candidate.record);
-    }
+    for (const Near& one : near) others += (others.empty() ? "" : "; ") + stationary_text(run_.truth, one.record);
     run_.vary(2, FindingReason::kAmbiguous, "FC-CLAIM-05", k,
-              std::to_string(within.size()) + " stationary points are within the tolerance: " + others);
+              std::to_string(near.size()) + " stationary points are within the tolerance: " + others);
   }
 
   CheckRun& run_;
   PositionGrid grid_;
-  std::map<std::size_t, std::vector<Candidate>> candidates_;  // by claimed point
-  std::map<std::size_t, std::size_t> owner_;                  // the claimed point, by stationary point
-  std::set<std::size_t> tried_;
+  std::vector<bool> is_taken_;         // by stationary point
+  std::vector<Found> found_;           // claims by position
+  std::deque<Candidates> candidates_;  // of claims by contact set, and then of those by position
 };
 
 }  // namespace
@@ -258,7 +269,7 @@ std::optional<Placement> placement_of(CheckRun& run, const std::vector<PointId>&
 }
 
 void place_points(CheckRun& run) {
-  std::optional<ByPosition> by_position;
+  bool has_positions = false;
   for (std::size_t k = 0; k < run.placed.size(); ++k) {
     run.tell(2, k, run.placed.size());
     PlacedPoint& placed = run.placed[k];
@@ -268,10 +279,9 @@ void place_points(CheckRun& run) {
       continue;
     }
     run.report.is_exact = run.report.is_exact && is_exact(*run.claim.points[k].center);
-    if (!by_position) by_position.emplace(run);
-    by_position->add(k);
+    has_positions = true;
   }
-  if (by_position) by_position->place();
+  if (has_positions) ByPosition(run).place_all();
 }
 
 }  // namespace flowcert::certify

@@ -9,7 +9,7 @@
 #include "certify/check_run.h"
 #include "certify/claimed_geometry.h"
 #include "certify/finding_words.h"
-#include "geometry/nearest_samples.h"
+#include "certify/leaving_segment.h"
 #include "geometry/rational_point.h"
 
 namespace flowcert::certify {
@@ -34,41 +34,6 @@ template <typename Position>
 std::string place_text(const std::optional<Position>& end) {
   return end ? position_text(*end) : "infinity";
 }
-
-char face_letter(const CheckRun& run, std::span<const PointId> contact) {
-  return "CFEV"[affine_dimension(run.points, contact)];
-}
-
-// Whether the flow may take the segment from a regular stationary point y to `end`, once a perturbation lets it pass.
-// The segment then has y as its driver, and is whole.
-class LeavingSegment {
- public:
-  LeavingSegment(const CheckRun& run, std::span<const PointId> contact, const RationalPoint& y,
-                 const RationalPoint& end)
-      : at_end_(nearest_samples(run.points, end).names) {
-    const Vector3<Rational> way = vector_between(y, end);
-    std::optional<Rational> most;
-    for (const PointId name : contact) {
-      const Rational along = dot(way, vector_between(y, exact_position(sample(run.points, name))));
-      if (most && along < *most) continue;
-      if (!most || along > *most) crossed_.clear();
-      most = along;
-      crossed_.push_back(name);
-    }
-    is_flow_ = end != y && std::ranges::includes(at_end_, crossed_) && at_end_ != crossed_ &&
-               has_in_hull(run.points, crossed_, y);
-    type_ = {face_letter(run, contact), '-', face_letter(run, crossed_), '-', face_letter(run, at_end_)};
-  }
-
-  [[nodiscard]] bool is_flow() const { return is_flow_; }
-  [[nodiscard]] const std::string& type() const { return type_; }
-
- private:
-  std::vector<PointId> at_end_;
-  std::vector<PointId> crossed_;  // the contact set just after y
-  bool is_flow_ = false;
-  std::string type_;
-};
 
 class Polylines {
  public:
@@ -124,36 +89,46 @@ class Polylines {
         continue;
       }
       if (!rest_.front().end || !is_exact(*rest_.front().end)) return stop_judging(y);
-      found = leave(y);
+      found = leave(y, truth);
       if (found.is_wrong) return found;
-      truth = run_.truth.orbit(values_of(*rest_.front().end));
-      take(1);
     }
   }
 
-  // The one of the two orbits of an index-2 point that begins as the claim goes on.
+  // Whether the claim goes on beyond the end of a path, for which it takes so many segments.
+  [[nodiscard]] bool goes_on(const TruePath& truth, std::size_t taken) const {
+    return rest_.size() > taken && truth.limit && !(run_.index(*truth.limit) == kMaximum);
+  }
+
+  // The one of the two orbits of an index-2 point whose first end is as the claim goes on, or is nearer to that.
   TruePath orbit_beyond(std::size_t y) {
     const auto way = [&](std::size_t side) {
       return TruePath{run_.truth.polyline(y, side), run_.truth.limits(y).at(side)};
     };
     TruePath first = way(0), second = way(1);
-    if (difference(rest_.front(), first.segments.front(), "").is_wrong) return second;
-    // In decimals both can be near.
-    if (!rest_.front().end || difference(rest_.front(), second.segments.front(), "").is_wrong) return first;
-    const RationalPoint end = values_of(*rest_.front().end);
-    const auto off = [&](const TruePath& path) { return squared_distance(end, *path.segments.front().end); };
+    const std::optional<ClaimedPosition>& end = rest_.front().end;
+    const auto has_such_end = [&](const TruePath& path) {
+      return path.segments.front().end.has_value() == end.has_value();
+    };
+    if (!has_such_end(first)) return second;
+    if (!end || !has_such_end(second)) return first;
+    const RationalPoint at = values_of(*end);
+    const auto off = [&](const TruePath& path) { return squared_distance(at, *path.segments.front().end); };
     return off(second) < off(first) ? second : first;
   }
 
-  // The first claimed segment beyond a regular stationary point.
-  Difference leave(std::size_t y) {
-    const RationalPoint position = run_.truth.sphere(y).center;
-    const LeavingSegment segment(run_, run_.truth.contact(y), position, values_of(*rest_.front().end));
-    const std::string where = segment_text() + "end " + place_text(rest_.front().end);
+  // Takes the first claimed segment beyond a regular stationary point. The path is what follows then.
+  Difference leave(std::size_t y, TruePath& path) {
+    const RationalPoint from = run_.truth.sphere(y).center, to = values_of(*rest_.front().end);
+    const LeavingSegment segment(run_.points, run_.truth.contact(y), from, to);
     if (!segment.is_flow()) {
-      return wrong(where, "no perturbation lets the orbit go there from the " + stationary_text(run_.truth, y));
+      return wrong(segment_text() + "end " + place_text(rest_.front().end),
+                   "no perturbation lets the orbit go there from the " + stationary_text(run_.truth, y));
     }
-    return difference(rest_.front(), {segment.type(), position, values_of(*rest_.front().end)}, segment_text());
+    path = run_.truth.orbit(to);
+    const bool is_arrival = path.segments.empty() && goes_on(path, 1);
+    Difference found = difference(rest_.front(), {segment.type(), from, to}, segment_text(), is_arrival);
+    if (!found.is_wrong) take(1);
+    return found;
   }
 
   // A position in decimals does not tell where the flow goes on, and infinity does not tell in which direction.
@@ -163,7 +138,10 @@ class Polylines {
     if (segment.driver && is_wrong(matched(*segment.driver, position))) {
       return wrong(segment_text() + "driver " + position_text(*segment.driver), "driver " + position_text(position));
     }
-    const std::string first(1, face_letter(run_, run_.truth.contact(y)));
+    const std::string first(1, face_letter(run_.points, run_.truth.contact(y)));
+    if (!segment.type.empty() && !is_segment_type(segment.type)) {
+      return wrong(segment_text() + "type " + segment.type, "there is no such type (FC-FLOW-02)");
+    }
     if (!segment.type.empty() && (!segment.type.starts_with(first) || segment.type.ends_with("inf") != !segment.end)) {
       return wrong(segment_text() + "type " + segment.type,
                    "it begins with " + first + (segment.end ? " and does not go to infinity" : " and ends with inf"));
@@ -204,20 +182,25 @@ class Polylines {
   Difference difference(const TruePath& truth) {
     const std::size_t all = done_ + rest_.size(), true_all = done_ + truth.segments.size();
     for (const TrueSegment& segment : truth.segments) {
+      const bool is_arrival = &segment == &truth.segments.back() && goes_on(truth, 1);
       if (rest_.empty()) {
         return wrong(std::to_string(all) + " segments",
                      std::to_string(true_all) + " segments, to " + end_text(truth.limit));
       }
-      Difference found = difference(rest_.front(), segment, segment_text());
+      Difference found = difference(rest_.front(), segment, segment_text(), is_arrival);
       if (found.is_wrong) return found;
       take(1);
     }
     return {};
   }
 
-  Difference difference(const ClaimedSegment& claimed, const TrueSegment& truth, const std::string& where) {
-    if (!claimed.type.empty() && claimed.type != truth.type)
+  // is_arrival: it comes to a stationary point beyond which the claim goes on.
+  Difference difference(const ClaimedSegment& claimed, const TrueSegment& truth, const std::string& where,
+                        bool is_arrival) {
+    const bool has_other_type = !claimed.type.empty() && claimed.type != truth.type;
+    if (has_other_type && !(is_arrival && can_arrive_as(claimed.type, truth.type))) {
       return wrong(where + "type " + claimed.type, "type " + truth.type);
+    }
     if (claimed.driver) {
       const ValueMatch match = matched(*claimed.driver, truth.driver);
       if (is_wrong(match)) {
@@ -255,7 +238,7 @@ bool check_polylines(CheckRun& run) {
   for (std::size_t k = 0; k < run.placed.size(); ++k) {
     run.tell(5, k, kPartsOfLevel5 * run.placed.size());
     const ClaimedPoint& point = run.claim.points[k];
-    if (!point.u2 || !run.placed[k].is_right) continue;
+    if (!point.u2 || !run.can_follow(k)) continue;
     if (run.perturbed.contains(run.placed[k].place->record)) {
       run.leave_unjudged("polylines of the points that a perturbation makes of stationary points");
       continue;

@@ -201,6 +201,11 @@ void check_stray_claim(CheckRun& run, std::size_t k) {
   run.find(2, fault.reason, fault.clause, k, fault.words);
 }
 
+bool has_right_values(CheckRun& run, std::size_t k, std::size_t record) {
+  const ClaimedPoint& point = run.claim.points[k];
+  return wrong_values(run, point, record).empty() && wrong_doubles(run, point, record).empty();
+}
+
 void check_values(CheckRun& run, std::size_t k) {
   const ClaimedPoint& point = run.claim.points[k];
   for (const WrongValue& value : wrong_doubles(run, point, run.placed[k].place->record)) {
@@ -210,14 +215,7 @@ void check_values(CheckRun& run, std::size_t k) {
   }
   if (!point.center && !point.distance && !point.squared_distance) return;
   run.report.is_exact = run.report.is_exact && is_exact_throughout(point);
-  const std::vector<WrongValue> wrong = wrong_values(run, point, run.placed[k].place->record);
-  // An ambiguous claim is right if its values fit one of the points that it may mean.
-  const bool is_right_elsewhere =
-      !wrong.empty() && std::ranges::any_of(run.placed[k].alternatives, [&](std::size_t record) {
-        return wrong_values(run, point, record).empty();
-      });
-  if (is_right_elsewhere) return;
-  for (const WrongValue& value : wrong) {
+  for (const WrongValue& value : wrong_values(run, point, run.placed[k].place->record)) {
     run.find(2, value.match == ValueMatch::kRounding ? FindingReason::kRounding : FindingReason::kWrongPosition,
              "FC-OUT-01", k, value.truth);
     run.report.findings.back().claimed += ", " + value.claimed;

@@ -5,6 +5,7 @@
 // may add pieces beyond a regular stationary point, which a perturbation might make.
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <set>
 #include <span>
 #include <string>
@@ -75,10 +76,7 @@ class Surfaces {
     const ValueScale scale(sphere, run_.options.tolerance);
     const auto determined = determined_segments(set, sphere.center, run_.index(record));
     if (point.stable && point.stable->walk) check_walk(k, *point.stable->walk, record, set);
-    if (point.skeleton) {
-      const Comparison found = check_skeleton(k, *point.skeleton, set, scale, determined);
-      if (point.skeleton->orbits) check_orbits(k, *point.skeleton->orbits, found, set, sphere.center);
-    }
+    if (point.skeleton) check_skeleton(k, *point.skeleton, set, scale, determined);
     if (point.surface) check_surface(k, *point.surface, set, scale, determined);
   }
 
@@ -167,12 +165,18 @@ class Surfaces {
     return match_position(claimed, truth, scale);
   }
 
-  // is_determined(i): whether a claim must have true piece i.
-  template <typename Determined>
-  void judge(std::size_t k, const Comparison& found, const std::string& what, const Determined& is_determined) {
+  // Whether a claim must have a true piece.
+  using IsOwed = std::function<bool(std::size_t)>;
+  static IsOwed owed(const std::vector<bool>& determined, std::size_t pieces_each) {
+    return [&determined, pieces_each](std::size_t i) { return static_cast<bool>(determined[i / pieces_each]); };
+  }
+
+  // text(k): claimed piece k in words.
+  template <typename Text>
+  void judge(std::size_t k, const Comparison& found, const std::string& what, const IsOwed& is_owed, const Text& text) {
     std::size_t missing = 0, left_out = 0;
     for (std::size_t i = 0; i < found.is_claimed.size(); ++i) {
-      if (!found.is_claimed[i]) ++(is_determined(i) ? missing : left_out);
+      if (!found.is_claimed[i]) ++(is_owed(i) ? missing : left_out);
     }
     if (!found.strange.empty() && found.is_beyond && missing + left_out == 0) {
       run_.vary(5, FindingReason::kSymbolicPerturbation, kSurfaceClause, k,
@@ -181,7 +185,7 @@ class Surfaces {
       return;
     }
     if (!found.strange.empty()) {
-      find(k, found.is_rounding ? FindingReason::kRounding : FindingReason::kWrongSurface, found.strange.front(),
+      find(k, found.is_rounding ? FindingReason::kRounding : FindingReason::kWrongSurface, text(found.strange.front()),
            "no such " + what + " is part of it (in all " + std::to_string(found.strange.size()) + " such claims)");
       return;
     }
@@ -193,55 +197,66 @@ class Surfaces {
     }
   }
 
-  // Returns how the claimed segments compare with the true ones.
-  Comparison check_skeleton(std::size_t k, const ClaimedSkeleton& claimed, const StableSet& set,
-                            const ValueScale& scale, const std::vector<bool>& determined) {
+  // The names of all pieces, which have members of the same name.
+  template <typename Claimed, typename True>
+  [[nodiscard]] PieceNames names_of(const std::vector<Claimed>& claimed, const std::vector<True>& truth,
+                                    const auto& of) const {
+    PieceNames names;
+    for (const Claimed& piece : claimed) names.claimed.push_back(class_names(run_.points, of(piece)));
+    for (const True& piece : truth) names.truth.emplace_back(of(piece).begin(), of(piece).end());
+    return names;
+  }
+
+  void check_skeleton(std::size_t k, const ClaimedSkeleton& claimed, const StableSet& set, const ValueScale& scale,
+                      const std::vector<bool>& determined) {
+    const auto samples = [](const auto& piece) -> const auto& { return piece.samples; };
+    const auto polygon = [](const auto& piece) -> const auto& { return piece.polygon; };
+    PieceMatcher segments(names_of(claimed.segments, set.segments, samples), [&](std::size_t c, std::size_t i) {
+      return match_segment(claimed.segments[c], set.segments[i], scale);
+    });
     const std::optional<Rational> regular = value_of_regular_backs(run_.points, set);
-    const auto names = [this](const std::vector<PointId>& rows) { return class_names(run_.points, rows); };
-    const auto worse = [](ValueMatch a, ValueMatch b) { return std::max(a, b); };
-    const auto segment = [&](const ClaimedBackwardSegment& piece, std::size_t i) {
-      const BackwardSegment& truth = set.segments[i];
-      const bool same = std::ranges::equal(names(piece.samples), truth.samples) &&
-                        (!piece.front_contact || names(*piece.front_contact) == truth.front_contact) &&
-                        (!piece.back_contact || names(*piece.back_contact) == truth.back_contact) &&
-                        (piece.back_kind.empty() || piece.back_kind == back_kind_text(truth.back_kind));
-      if (!same) return ValueMatch::kOff;
-      return worse(matched(piece.front, truth.front, scale), matched(piece.back, truth.back, scale));
-    };
-    Comparison segments = compare_pieces(
-        claimed.segments, set.segments.size(), segment,
-        [&](const ClaimedBackwardSegment& piece) { return regular && may_be_added(piece, *regular); },
-        [](const ClaimedBackwardSegment& piece) {
-          return "a segment of " + names_text(piece.samples) + " from " + position_text(piece.front) + " back to " +
-                 position_text(piece.back);
-        });
-    judge(k, segments, "segment", [&](std::size_t i) { return static_cast<bool>(determined[i]); });
-    const auto interval = [&](const ClaimedInterval& piece, std::size_t i) {
-      const BackwardInterval& truth = set.intervals[i];
-      if (names(piece.polygon) != truth.polygon ||
-          (piece.back_is_stationary && *piece.back_is_stationary != truth.back_is_stationary)) {
-        return ValueMatch::kOff;
-      }
-      return worse(matched(piece.front, truth.front, scale), matched(piece.back, truth.back, scale));
-    };
+    const IsOwed is_owed = owed(determined, 1);
+    const Comparison found = segments.compare(
+        is_owed, [&](std::size_t c) { return regular && may_be_added(claimed.segments[c], *regular); });
+    judge(k, found, "segment", is_owed, [&](std::size_t c) { return segment_text(claimed.segments[c]); });
     const bool is_maximum = run_.index(run_.placed[k].place->record) == StationaryIndex{3, 3};
-    const auto owed = [&](std::size_t) { return is_maximum; };
-    judge(k,
-          compare_pieces(
-              claimed.intervals, set.intervals.size(), interval, [](const ClaimedInterval&) { return false; },
-              [](const ClaimedInterval& piece) { return "an interval of " + names_text(piece.polygon); }),
-          "interval", owed);
-    const auto sector = [&](const ClaimedSector& piece, std::size_t i) {
-      const BackwardSector& truth = set.sectors[i];
-      if (!std::ranges::equal(names(piece.samples), truth.samples)) return ValueMatch::kOff;
-      return match_corners(piece.corners, truth.corners, scale);
+    const IsOwed of_maximum = [is_maximum](std::size_t) { return is_maximum; };
+    PieceMatcher intervals(names_of(claimed.intervals, set.intervals, polygon), [&](std::size_t c, std::size_t i) {
+      return match_interval(claimed.intervals[c], set.intervals[i], scale);
+    });
+    judge(k, intervals.compare(), "interval", of_maximum,
+          [&](std::size_t c) { return "an interval of " + names_text(claimed.intervals[c].polygon); });
+    PieceMatcher sectors(names_of(claimed.sectors, set.sectors, samples), [&](std::size_t c, std::size_t i) {
+      return match_corners(claimed.sectors[c].corners, set.sectors[i].corners, scale);
+    });
+    judge(k, sectors.compare(), "sector", of_maximum,
+          [&](std::size_t c) { return "a sector of " + names_text(claimed.sectors[c].samples); });
+    if (claimed.orbits) {
+      check_orbits(k, *claimed.orbits, found, segments, set, run_.truth.sphere(run_.placed[k].place->record).center);
+    }
+  }
+
+  static std::string segment_text(const ClaimedBackwardSegment& piece) {
+    return "a segment of " + names_text(piece.samples) + " from " + position_text(piece.front) + " back to " +
+           position_text(piece.back);
+  }
+
+  ValueMatch match_segment(const ClaimedBackwardSegment& piece, const BackwardSegment& truth, const ValueScale& scale) {
+    const auto is = [this](const std::vector<PointId>& rows, const std::vector<PointId>& names) {
+      return class_names(run_.points, rows) == names;
     };
-    judge(k,
-          compare_pieces(
-              claimed.sectors, set.sectors.size(), sector, [](const ClaimedSector&) { return false; },
-              [](const ClaimedSector& piece) { return "a sector of " + names_text(piece.samples); }),
-          "sector", owed);
-    return segments;
+    const bool same = (!piece.front_contact || is(*piece.front_contact, truth.front_contact)) &&
+                      (!piece.back_contact || is(*piece.back_contact, truth.back_contact)) &&
+                      (piece.back_kind.empty() || piece.back_kind == back_kind_text(truth.back_kind));
+    if (!same) return ValueMatch::kOff;
+    return std::max(matched(piece.front, truth.front, scale), matched(piece.back, truth.back, scale));
+  }
+
+  ValueMatch match_interval(const ClaimedInterval& piece, const BackwardInterval& truth, const ValueScale& scale) {
+    if (piece.back_is_stationary.value_or(truth.back_is_stationary) != truth.back_is_stationary) {
+      return ValueMatch::kOff;
+    }
+    return std::max(matched(piece.front, truth.front, scale), matched(piece.back, truth.back, scale));
   }
 
   // Whether the segment goes back from a front that is no farther from its samples than a regular stationary point. It
@@ -257,13 +272,22 @@ class Surfaces {
   }
 
   // Connecting orbits as chains of the claimed segments. Chains through segments that are left out may be left out, and
-  // chains through segments that are added beyond a regular back may be added.
+  // chains through segments that are added beyond a regular back may be added. `matcher` has compared the segments.
   void check_orbits(std::size_t k, const std::vector<std::vector<std::size_t>>& claimed, const Comparison& segments,
-                    const StableSet& set, const RationalPoint& z) {
+                    const PieceMatcher& matcher, const StableSet& set, const RationalPoint& z) {
     if (!run_.index(run_.placed[k].place->record).is_critical()) {
       run_.leave_unjudged("connecting orbits of regular stationary points");
       return;
     }
+    // A chain of other partners may be meant.
+    const auto find_orbits = [&](const std::string& what, const std::string& truth) {
+      for (std::size_t c = 0; c < segments.partner.size(); ++c) {
+        if (matcher.is_ambiguous(c)) {
+          return run_.leave_unjudged("connecting orbits along segments of which one is near several true ones");
+        }
+      }
+      find(k, FindingReason::kWrongSurface, what, truth);
+    };
     std::set<std::vector<std::size_t>> missing;
     for (auto& chain : connecting_orbits(set, z)) missing.insert(std::move(chain));
     for (const auto& chain : claimed) {
@@ -272,16 +296,16 @@ class Surfaces {
         if (segments.partner[place]) pieces.push_back(*segments.partner[place]);
       }
       if (pieces.size() == chain.size() && missing.erase(pieces) == 0) {
-        return find(k, FindingReason::kWrongSurface, "an orbit along the segments " + places_text(chain),
-                    "that is no connecting orbit, or it is there twice");
+        return find_orbits("an orbit along the segments " + places_text(chain),
+                           "that is no connecting orbit, or it is there twice");
       }
     }
     std::erase_if(missing, [&](const std::vector<std::size_t>& chain) {
       return !std::ranges::all_of(chain, [&](std::size_t i) { return segments.is_claimed[i]; });
     });
     if (missing.empty()) return;
-    find(k, FindingReason::kWrongSurface, std::to_string(claimed.size()) + " connecting orbits",
-         std::to_string(missing.size()) + " more go along the segments that are claimed");
+    find_orbits(std::to_string(claimed.size()) + " connecting orbits",
+                std::to_string(missing.size()) + " more go along the segments that are claimed");
   }
 
   static std::string places_text(const std::vector<std::size_t>& places) {
@@ -325,20 +349,16 @@ class Surfaces {
                                        claimed.vertices[triangle[2]]};
     };
     const std::optional<Rational> regular = value_of_regular_backs(run_.points, set);
-    judge(k,
-          compare_pieces(
-              claimed.triangles, truth.size(),
-              [&](const std::array<std::size_t, 3>& triangle, std::size_t i) {
-                return match_corners(corners(triangle), truth[i], scale);
-              },
-              [&](const std::array<std::size_t, 3>& triangle) {
-                return regular && least_reach(corners(triangle)) <= *regular;
-              },
-              [&](const std::array<std::size_t, 3>& triangle) {
-                const auto at = corners(triangle);
-                return "a triangle " + position_text(at[0]) + " " + position_text(at[1]) + " " + position_text(at[2]);
-              }),
-          "triangle", [&](std::size_t i) { return static_cast<bool>(determined[i / 2]); });
+    PieceMatcher triangles(PieceNames::none(claimed.triangles.size(), truth.size()), [&](std::size_t c, std::size_t i) {
+      return match_corners(corners(claimed.triangles[c]), truth[i], scale);
+    });
+    const IsOwed is_owed = owed(determined, 2);
+    const Comparison found = triangles.compare(
+        is_owed, [&](std::size_t c) { return regular && least_reach(corners(claimed.triangles[c])) <= *regular; });
+    judge(k, found, "triangle", is_owed, [&](std::size_t c) {
+      const Triangle<ClaimedPosition> at = corners(claimed.triangles[c]);
+      return "a triangle " + position_text(at[0]) + " " + position_text(at[1]) + " " + position_text(at[2]);
+    });
   }
 
   CheckRun& run_;
@@ -360,7 +380,7 @@ bool check_surfaces(CheckRun& run) {
   for (std::size_t k = 0; k < run.placed.size(); ++k) {
     run.tell(5, run.placed.size() + k, kPartsOfLevel5 * run.placed.size());
     const ClaimedPoint& point = run.claim.points[k];
-    if (!is_told(point) || !run.placed[k].is_right) continue;
+    if (!is_told(point) || !run.can_follow(k)) continue;
     if (run.perturbed.contains(run.placed[k].place->record)) {
       run.leave_unjudged("stable sets of the points that a perturbation makes of stationary points");
       continue;

@@ -2,10 +2,8 @@
 // be claimed once. No perturbation excuses a difference.
 #include <algorithm>
 #include <array>
-#include <functional>
-#include <map>
 #include <numeric>
-#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -53,53 +51,6 @@ std::string segment_text(const auto& segment) {
   return "a segment of " + names_text(segment.samples) +
          ends_text(position_text(segment.start), corner_text(segment.end));
 }
-
-// ---- Claimed parts and true ones ----
-
-// Gives claimed parts true ones as partners, one to each. As many as possible get one, also where several true parts
-// are within the tolerance of one claimed part.
-class Partners {
- public:
-  // Both are places in lists.
-  using Match = std::function<ValueMatch(std::size_t claimed, std::size_t truth)>;
-  // True parts among which the partner is looked for. Claimed parts are mostly in their order.
-  struct Group {
-    std::vector<std::size_t> parts;
-    std::size_t next = 0;
-  };
-
-  Partners(std::size_t true_count, Match match) : match_(std::move(match)), claimed_(true_count) {}
-
-  // Returns whether the claimed part has a partner now. All parts that may have a common partner must have one group.
-  bool find(std::size_t claimed, Group& group) {
-    for (std::size_t step = 0; step < group.parts.size(); ++step) {
-      const std::size_t at = (group.next + step) % group.parts.size(), part = group.parts[at];
-      if (claimed_[part] || is_wrong(match_(claimed, part))) continue;
-      claimed_[part] = claimed;
-      group.next = at + 1;
-      return true;
-    }
-    std::vector<bool> is_tried(claimed_.size());
-    return find_by_exchange(claimed, group, is_tried);
-  }
-  [[nodiscard]] bool is_claimed(std::size_t part) const { return claimed_[part].has_value(); }
-
- private:
-  // Takes the partner of another one, if that can have a different one.
-  bool find_by_exchange(std::size_t claimed, const Group& group, std::vector<bool>& is_tried) {
-    for (const std::size_t part : group.parts) {
-      if (is_tried[part] || is_wrong(match_(claimed, part))) continue;
-      is_tried[part] = true;
-      if (claimed_[part] && !find_by_exchange(*claimed_[part], group, is_tried)) continue;
-      claimed_[part] = claimed;
-      return true;
-    }
-    return false;
-  }
-
-  Match match_;
-  std::vector<std::optional<std::size_t>> claimed_;  // by true part
-};
 
 std::vector<std::size_t> places_below(std::size_t count) {
   std::vector<std::size_t> places(count);
@@ -182,69 +133,39 @@ class UnstableSets {
                       const std::vector<RationalPoint>& truth, const ValueScale& scale) {
     std::vector<std::size_t> order = places_below(claimed.size());
     std::ranges::sort(order, {}, [&](std::size_t i) { return values_of(claimed[i]); });
-    const Partners::Match match = [&](std::size_t i, std::size_t j) {
-      return match_position(claimed[i], truth[j], scale);
-    };
-    Partners partners(truth.size(), match);
-    Partners::Group all{places_below(truth.size()), 0};
-    std::vector<std::size_t> strange;
-    for (const std::size_t i : order) {
-      if (!partners.find(i, all)) strange.push_back(i);
-    }
-    std::ranges::sort(strange);
-    const bool is_rounding =
-        std::ranges::all_of(strange, [&](std::size_t i) { return best_match(i, all, match) == ValueMatch::kRounding; });
-    report(k, strange, is_rounding, partners, "Voronoi vertices", claimed, truth,
-           [](const auto& vertex) { return vertex_text(vertex); });
+    Comparison found = PieceMatcher(PieceNames::none(claimed.size(), truth.size()), [&](std::size_t c, std::size_t i) {
+                         return match_position(claimed[order[c]], truth[i], scale);
+                       }).compare();
+    for (std::size_t& strange : found.strange) strange = order[strange];
+    std::ranges::sort(found.strange);
+    report(k, found, "Voronoi vertices", claimed, truth, [](const auto& vertex) { return vertex_text(vertex); });
   }
 
-  static ValueMatch best_match(std::size_t claimed, const Partners::Group& group, const Partners::Match& match) {
-    ValueMatch best = ValueMatch::kOff;
-    for (const std::size_t part : group.parts) best = std::min(best, match(claimed, part));
-    return best;
-  }
-
-  // Only true parts of the same names can be partners.
   template <typename Claimed, typename True, typename Names, typename Match, typename Text>
-  void judge(std::size_t k, const std::vector<Claimed>& claimed, const std::vector<True>& truth, const Names& names,
+  void judge(std::size_t k, const std::vector<Claimed>& claimed, const std::vector<True>& truth, const Names& names_in,
              const Match& match_parts, const std::string& what, const Text& text) {
-    std::map<std::vector<PointId>, Partners::Group> groups;
-    for (std::size_t j = 0; j < truth.size(); ++j) {
-      groups[class_names(run_.points, names(truth[j]))].parts.push_back(j);
-    }
-    const Partners::Match match = [&](std::size_t i, std::size_t j) { return match_parts(claimed[i], truth[j]); };
-    Partners partners(truth.size(), match);
-    std::vector<std::size_t> strange;
-    bool is_rounding = true;
-    for (std::size_t i = 0; i < claimed.size(); ++i) {
-      const auto group = groups.find(class_names(run_.points, names(claimed[i])));
-      if (group != groups.end() && partners.find(i, group->second)) continue;
-      strange.push_back(i);
-      is_rounding =
-          is_rounding && group != groups.end() && best_match(i, group->second, match) == ValueMatch::kRounding;
-    }
-    report(k, strange, is_rounding, partners, what, claimed, truth, text);
+    PieceNames names;
+    for (const Claimed& part : claimed) names.claimed.push_back(class_names(run_.points, names_in(part)));
+    for (const True& part : truth) names.truth.push_back(class_names(run_.points, names_in(part)));
+    PieceMatcher parts(names, [&](std::size_t c, std::size_t i) { return match_parts(claimed[c], truth[i]); });
+    report(k, parts.compare(), what, claimed, truth, text);
   }
 
   template <typename Claimed, typename True, typename Text>
-  void report(std::size_t k, const std::vector<std::size_t>& strange, bool is_rounding, const Partners& partners,
-              const std::string& what, const std::vector<Claimed>& claimed, const std::vector<True>& truth,
-              const Text& text) {
-    if (!strange.empty()) {
-      find(k, is_rounding ? FindingReason::kRounding : FindingReason::kWrongUnstableSet, text(claimed[strange.front()]),
-           "there is none, or it is claimed already (in all " + std::to_string(strange.size()) + " such " + what + ")");
+  void report(std::size_t k, const Comparison& found, const std::string& what, const std::vector<Claimed>& claimed,
+              const std::vector<True>& truth, const Text& text) {
+    if (!found.strange.empty()) {
+      find(k, found.is_rounding ? FindingReason::kRounding : FindingReason::kWrongUnstableSet,
+           text(claimed[found.strange.front()]),
+           "there is none, or it is claimed already (in all " + std::to_string(found.strange.size()) + " such " + what +
+               ")");
       return;
     }
-    std::optional<std::size_t> first;
-    std::size_t missing = 0;
-    for (std::size_t j = 0; j < truth.size(); ++j) {
-      if (partners.is_claimed(j)) continue;
-      if (!first) first = j;
-      ++missing;
-    }
-    if (!first) return;
+    const auto first = std::ranges::find(found.is_claimed, false);
+    if (first == found.is_claimed.end()) return;
     find(k, FindingReason::kWrongUnstableSet, "too few " + what,
-         "there is " + text(truth[*first]) + " (in all " + std::to_string(missing) + " such " + what + ")");
+         "there is " + text(truth[static_cast<std::size_t>(first - found.is_claimed.begin())]) + " (in all " +
+             std::to_string(std::ranges::count(found.is_claimed, false)) + " such " + what + ")");
   }
 
   void find(std::size_t k, FindingReason reason, const std::string& claimed, const std::string& truth) {
@@ -262,7 +183,7 @@ bool check_unstable_sets(CheckRun& run) {
   bool judged = false;
   for (std::size_t k = 0; k < run.placed.size(); ++k) {
     run.tell(5, 4 * run.placed.size() + k, kPartsOfLevel5 * run.placed.size());
-    if (!run.claim.points[k].u1 || !run.placed[k].is_right) continue;
+    if (!run.claim.points[k].u1 || !run.can_follow(k)) continue;
     if (run.perturbed.contains(run.placed[k].place->record)) {
       run.leave_unjudged("unstable sets of the points that a perturbation makes of stationary points");
       continue;

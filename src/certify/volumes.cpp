@@ -127,7 +127,7 @@ bool check_volumes(CheckRun& run) {
   for (std::size_t k = 0; k < run.placed.size(); ++k) {
     run.tell(5, 3 * run.placed.size() + k, kPartsOfLevel5 * run.placed.size());
     const ClaimedPoint& point = run.claim.points[k];
-    if ((!point.volume && !point.shares) || !run.placed[k].is_right) continue;
+    if ((!point.volume && !point.shares) || !run.can_follow(k)) continue;
     if (run.perturbed.contains(run.placed[k].place->record)) {
       run.leave_unjudged("volumes of the points that a perturbation makes of stationary points");
       continue;

@@ -500,6 +500,61 @@ TEST(PlaceFindings, OfAmbiguousPositions) {
   EXPECT_EQ(said(nearly, exact), "conforms");
 }
 
+// Claims by contact set take part in the matching, so the position means the other diagonal, which is farther away.
+TEST(PlaceFindings, APositionIsWhatNoOtherClaimHasTaken) {
+  CITES("FC-CLAIM-05", "FC-CLAIM-24");
+  const Truly points({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0x1p-13}, {0, -1, 0x1p-13}});
+  const ClaimedPosition position = decimals({0, 0, Rational(1, 100'000)});
+  const auto report_on = [&](const std::vector<Ids>& by_contact, int by_position) {
+    Claimed claimed = points.claim_without({{0, 1}, {2, 3}});
+    for (int k = 0; k < by_position; ++k) claimed.at(1, position);
+    for (const Ids& contact : by_contact) claimed.add(1, contact);
+    return points.check(claimed, {.tolerance = 1e-3});
+  };
+  ASSERT_EQ(points.truth->index(points.record_of({2, 3})).face_dimension, 1);
+  for (const Ids& contact : {Ids{0, 1}, Ids{2, 3}}) {
+    const CheckReport report = report_on({contact}, 1);
+    EXPECT_EQ(report.verdict, Verdict::kConformsWhereDetermined) << text(report);
+    EXPECT_EQ(count(report, FindingReason::kAmbiguous), 1U) << text(report);
+  }
+  EXPECT_EQ(report_on({}, 2).verdict, Verdict::kConformsWhereDetermined);
+  EXPECT_EQ(report_on({}, 1).verdict, Verdict::kFails);
+  EXPECT_EQ(count(report_on({{0, 1}, {2, 3}}, 1), FindingReason::kClaimedTwice), 1U);
+  // Of its index it may be either, so what it says of itself further on is not judged.
+  Claimed claimed = points.claim_without({{2, 3}}).at(1, position);
+  claimed.last().samples = {{0, 2}};
+  const CheckReport report = points.check(claimed, {.tolerance = 1e-3});
+  EXPECT_EQ(report.verdict, Verdict::kConformsWhereDetermined) << text(report);
+  EXPECT_EQ(report.not_judged.size(), 1U) << text(report);
+  EXPECT_FALSE(report.conforms[3].has_value());
+}
+
+// The distance tells which of two points of one index is meant, and then it is followed.
+TEST(PlaceFindings, ADistanceTellsWhichPointIsMeant) {
+  CITES("FC-CLAIM-24");
+  constexpr double kFar = 1 + 0x1p-28;
+  const Truly points({{1, 0, 0}, {-1, 0, 0}, {0, kFar, 0x1p-13}, {0, -kFar, 0x1p-13}});
+  const auto report_on = [&](const std::vector<std::pair<double, Ids>>& distances_and_samples) {
+    Claimed claimed = points.claim_without({{0, 1}, {2, 3}});
+    for (const auto& [distance, samples] : distances_and_samples) {
+      claimed.at(1, decimals({0, 0, Rational(1, 20'000)}));
+      claimed.last().distance = number(Rational(distance));
+      claimed.last().samples = samples;
+    }
+    return points.check(claimed, {.tolerance = 1e-3});
+  };
+  ASSERT_EQ(points.truth->index(points.record_of({2, 3})), (StationaryIndex{1, 1}));
+  const std::pair<double, Ids> near{1, {0, 1}}, far{kFar, {2, 3}};
+  for (const auto& both : {std::vector{near, far}, {far, near}}) {
+    const CheckReport right = report_on(both);
+    EXPECT_EQ(right.verdict, Verdict::kConformsWhereDetermined) << text(right);
+    EXPECT_TRUE(right.not_judged.empty()) << text(right);
+  }
+  EXPECT_EQ(count(report_on({near, {kFar, {0, 1}}}), FindingReason::kWrongIncidence), 1U);
+  EXPECT_EQ(count(report_on({near, near}), FindingReason::kClaimedTwice), 1U);
+  EXPECT_EQ(count(report_on({near, {1.5, {2, 3}}}), FindingReason::kWrongPosition), 1U);
+}
+
 // A plain 0 is a decimal. The exact coordinates beside it exclude all but one of the points that are near.
 TEST(PlaceFindings, OfADecimalBesideExactCoordinates) {
   CITES("FC-CLAIM-05");

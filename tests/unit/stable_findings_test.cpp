@@ -533,6 +533,27 @@ TEST(SurfaceFindings, OfTriangles) {
                 "1 such claims)");
 }
 
+// With a large tolerance, each triangle is near its neighbours. Those that come first do not take their places.
+TEST(SurfaceFindings, OfTrianglesNearSeveralTrueOnes) {
+  CITES("FC-CLAIM-10", "FC-CLAIM-24");
+  const Truly points(kTetrahedron);
+  const Claimed truth = points.whole_claim();
+  for (const double tolerance : {0.5, 0.75, 0.9, 1.0}) {
+    std::array<std::size_t, 6> order = {0, 1, 2, 3, 4, 5};
+    do {
+      Claimed claimed = truth;
+      ClaimedSurface& surface = *claimed.of(kTriangle).surface;
+      ASSERT_EQ(surface.triangles.size(), order.size());
+      for (ClaimedPosition& vertex : surface.vertices) {
+        for (ClaimedNumber& x : vertex) x.is_exact = false;
+      }
+      std::ranges::transform(order, surface.triangles.begin(),
+                             [&](std::size_t k) { return std::array<std::size_t, 3>{3 * k, 3 * k + 1, 3 * k + 2}; });
+      ASSERT_EQ(text(points.check(claimed, {.tolerance = tolerance})), "conforms");
+    } while (std::ranges::next_permutation(order).found);
+  }
+}
+
 TEST(SurfaceFindings, BeyondVerticesAndRegularPoints) {
   CITES("FC-CLAIM-10");
   const Truly points(kRegularBack), arch(kArch);
