@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -103,7 +104,8 @@ bool PerturbedPoint::can_make(std::size_t k) const {
   }
   if (names.empty()) return index > 1 || opposite_pairs_ > 0;
   if (!std::ranges::includes(contact_, names)) return false;
-  return (index_of(names) == index || is_face(names, index)) && has_in_hull(run_.points, names, center_);
+  const bool can_be_kept = is_face(names, index) || (index == 3 && !polygon_below_apex(names).empty());
+  return (index_of(names) == index || can_be_kept) && has_in_hull(run_.points, names, center_);
 }
 
 bool PerturbedPoint::is_again(std::size_t k, const std::vector<std::size_t>& same_index) const {
@@ -125,18 +127,38 @@ MadeByPerturbation PerturbedPoint::makes(std::span<const std::size_t> claimed) c
         std::ranges::any_of(outcomes_, [&](const auto& outcome) { return is_outcome(outcome, claimed); });
     return is_one ? MadeByPerturbation::kYes : MadeByPerturbation::kNo;
   }
-  int sum = 0;
-  bool has_own_index = false;
-  for (const std::size_t k : claimed) {
-    const int index = run_.claim.points[k].index;
-    sum += index % 2 == 0 ? 1 : -1;
-    has_own_index = has_own_index || index == index_.face_dimension;
-  }
-  const int right_sum = !index_.is_critical() ? 0 : index_.face_dimension % 2 == 0 ? 1 : -1;
-  const bool has_right_sum = sum == right_sum || !run_.judges_all();
-  const bool needs_own_index = index_.is_critical() && run_.judges(index_.face_dimension);
-  const bool is_possible = has_right_sum && (has_own_index || !needs_own_index) && !overlap(claimed);
+  const bool is_possible = has_right_sum(claimed) && are_different(claimed) && !overlap(claimed);
   return is_possible ? MadeByPerturbation::kNotDecided : MadeByPerturbation::kNo;
+}
+
+// Of indices that are not judged there may be any numbers of points that are possible (FC-CLAIM-12).
+bool PerturbedPoint::has_right_sum(std::span<const std::size_t> claimed) const {
+  struct Range {
+    long long least = 0, most = 0;
+  };
+  constexpr long long kMany = std::numeric_limits<int>::max();
+  std::array<Range, 4> counts{};
+  for (const std::size_t k : claimed) ++counts.at(static_cast<std::size_t>(run_.claim.points[k].index)).least;
+  for (int index = 1; index <= 3; ++index) {
+    Range& range = counts.at(static_cast<std::size_t>(index));
+    const bool is_own = index_.is_critical() && index == index_.face_dimension;
+    range.most = range.least;
+    if (is_own && run_.judges(index) && range.least == 0) return false;
+    if (run_.judges(index)) continue;
+    range = {is_own ? 1 : 0, index == 1 ? static_cast<long long>(opposite_pairs_) : kMany};
+  }
+  // n2 - n1 - n3 takes all values between its least and its greatest one.
+  const long long right = !index_.is_critical() ? 0 : index_.face_dimension % 2 == 0 ? 1 : -1;
+  return counts[2].least - counts[1].most - counts[3].most <= right &&
+         right <= counts[2].most - counts[1].least - counts[3].least;
+}
+
+bool PerturbedPoint::are_different(std::span<const std::size_t> claimed) const {
+  std::set<Names> seen;
+  return std::ranges::all_of(claimed, [&](std::size_t k) {
+    const Names& names = run_.placed[k].names;
+    return names.empty() || seen.insert(names).second;
+  });
 }
 
 // ---- Geometry ----
@@ -147,14 +169,45 @@ bool PerturbedPoint::is_face(const Names& names, int dimension) const {
   return index_.hull_dimension == 3 && supported_face(run_.points, names, contact_) == names;
 }
 
-bool PerturbedPoint::has_inside(const Names& tetrahedron) const {
-  if (affine_dimension(run_.points, tetrahedron) < 3) return false;
-  for (const PointId left_out : tetrahedron) {
-    Names triangle = tetrahedron;
-    std::erase(triangle, left_out);
-    if (has_in_hull(run_.points, triangle, center_)) return false;
+// The polygon that stays on its circle where a perturbation makes this contact set with one further sample of the
+// point. There is one at most, because two would share three samples.
+PerturbedPoint::Names PerturbedPoint::polygon_below_apex(const Names& names) const {
+  if (index_.hull_dimension < 3 || names.size() < 5) return {};
+  // Three of the first four samples are in it.
+  for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+    Names three(names.begin(), names.begin() + 4);
+    three.erase(three.begin() + static_cast<std::ptrdiff_t>(left_out));
+    Names face = supported_face(run_.points, three, contact_);
+    if (face.size() + 1 == names.size() && std::ranges::includes(names, face)) return face;
   }
-  return true;
+  return {};
+}
+
+// Whether the centre, which is in the hull of these, is in its interior. They are a tetrahedron, or a polygon with one
+// further sample.
+bool PerturbedPoint::has_inside(const Names& names) const {
+  if (names.size() < 4 || affine_dimension(run_.points, names) < 3) return false;
+  const Names base = names.size() == 4 ? Names(names.begin() + 1, names.end()) : polygon_below_apex(names);
+  if (base.empty() || has_in_hull(run_.points, base, center_)) return false;
+  Names apex;
+  std::ranges::set_difference(names, base, std::back_inserter(apex));
+  return is_amid(base, from_center(apex.front()));
+}
+
+// Whether in every plane through the axis, these samples lie on both sides.
+bool PerturbedPoint::is_amid(const Names& base, const Vector3<Rational>& axis) const {
+  const auto plane_to = [&](PointId name) { return cross(axis, from_center(name)); };
+  // If all are on one side of some plane, this finds the first of them around the axis. It takes two rounds, because
+  // one that is opposite to another is on no side of that.
+  Vector3<Rational> first = plane_to(base.front());
+  for (int round = 0; round < 2; ++round) {
+    for (const PointId name : base) {
+      const Vector3<Rational> plane = plane_to(name);
+      if (plane.x == 0 && plane.y == 0 && plane.z == 0) return false;
+      if (dot(first, from_center(name)) < 0) first = plane;
+    }
+  }
+  return std::ranges::any_of(base, [&](PointId name) { return dot(first, from_center(name)) < 0; });
 }
 
 // Whether the samples are, or span, a proper face of the hull with the centre in it.
@@ -163,8 +216,8 @@ bool PerturbedPoint::is_on_face(const Names& names, int index) const {
   return index == 2 && index_.hull_dimension == 3 && !supported_face(run_.points, names, contact_).empty();
 }
 
-// Delaunay faces do not overlap. So one tetrahedron at most has the centre inside. If all of the contact set stays
-// together, what else there is are faces of its hull.
+// Delaunay faces do not overlap. So of one of them at most the centre is inside. If all of the contact set stays
+// together, what else there is are faces of its hull. Otherwise one polygon at most stays on its circle.
 bool PerturbedPoint::overlap(std::span<const std::size_t> claimed) const {
   const auto names = [&](std::size_t k) -> const Names& { return run_.placed[k].names; };
   const auto is_whole = [&](std::size_t k) {
@@ -172,13 +225,16 @@ bool PerturbedPoint::overlap(std::span<const std::size_t> claimed) const {
   };
   const bool is_together = std::ranges::any_of(claimed, is_whole);
   std::size_t around = 0;
+  std::set<Names> polygons;
   for (const std::size_t k : claimed) {
     const int index = run_.claim.points[k].index;
     if (names(k).empty() || is_whole(k)) continue;
     if (is_together && !is_on_face(names(k), index)) return true;
-    around += index == 3 && names(k).size() == 4 && has_inside(names(k)) ? 1 : 0;
+    if (index == 3 && has_inside(names(k))) ++around;
+    if (is_together || index_of(names(k)) == index) continue;
+    polygons.insert(index == 2 ? names(k) : polygon_below_apex(names(k)));
   }
-  return around > 1;
+  return around > 1 || polygons.size() > 1;
 }
 
 std::size_t PerturbedPoint::count_opposite_samples() const {

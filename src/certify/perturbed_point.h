@@ -39,7 +39,11 @@ class PerturbedPoint {
   [[nodiscard]] bool is_outcome(const std::vector<Names>& outcome, std::span<const std::size_t> claimed_points) const;
   [[nodiscard]] bool is_face(const Names& names, int dimension) const;
   [[nodiscard]] bool is_on_face(const Names& names, int index) const;
-  [[nodiscard]] bool has_inside(const Names& tetrahedron) const;
+  [[nodiscard]] Names polygon_below_apex(const Names& names) const;
+  [[nodiscard]] bool has_inside(const Names& names) const;
+  [[nodiscard]] bool is_amid(const Names& base, const Vector3<Rational>& axis) const;
+  [[nodiscard]] bool has_right_sum(std::span<const std::size_t> claimed) const;
+  [[nodiscard]] bool are_different(std::span<const std::size_t> claimed) const;
   [[nodiscard]] bool overlap(std::span<const std::size_t> claimed_points) const;
   [[nodiscard]] std::size_t count_opposite_samples() const;
   [[nodiscard]] Vector3<Rational> from_center(PointId name) const;

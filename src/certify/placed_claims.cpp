@@ -138,20 +138,23 @@ bool judge_regular_claim(CheckRun& run, std::size_t k, std::size_t record) {
 
 void check_claims_at_critical(CheckRun& run, std::size_t record, const Claims& claimed) {
   const StationaryIndex index = run.index(record);
-  const bool is_plain = claimed.empty() || (claimed.size() == 1 && run.placed[claimed[0]].place->fit != Fit::kOther);
+  const auto has_own_index = [&](std::size_t k) {
+    const ClaimedPoint& point = run.claim.points[k];
+    return !point.hull_dimension && point.index == index.face_dimension;
+  };
+  const bool is_plain = claimed.empty() || (claimed.size() == 1 && has_own_index(claimed[0]) &&
+                                            run.placed[claimed[0]].place->fit != Fit::kOther);
   if (!is_plain && judge_perturbed_critical(run, record, claimed)) return;
   std::optional<std::size_t> first;
   bool is_addressed = false;
   for (const std::size_t k : claimed) {
-    const ClaimedPoint& point = run.claim.points[k];
-    const bool has_index = !point.hull_dimension && point.index == index.face_dimension;
     if (run.placed[k].place->fit == Fit::kOther) {
       find_incomplete(run, k, record);
-      is_addressed = is_addressed || has_index;
+      is_addressed = is_addressed || has_own_index(k);
       continue;
     }
     is_addressed = true;
-    if (!has_index) {
+    if (!has_own_index(k)) {
       run.find(3, FindingReason::kWrongIndex, "FC-CRIT-02", k, "a " + stationary_text(run.truth, record));
     } else if (first) {
       find_twice(run, k, *first);
