@@ -19,6 +19,7 @@
 #include "fuzz/judge/conformance_words.h"
 #include "fuzz/judge/oracle_truth.h"
 #include "geometry/parallel_for.h"
+#include "io/input_bytes.h"
 #include "io/number_text.h"
 #include "io/out_of_memory.h"
 #include "io/output_file.h"
@@ -231,8 +232,9 @@ class CaseRun {
 
   bool judge_orbit(const Run& run, const CaseOrbit& orbit) {
     OrbitPath claimed;
-    const bool is_read =
-        read_answer(run, [&](const std::string& bytes) { claimed = claimed_orbit_of(bytes, run.answer_name); });
+    const bool is_read = read_answer(run, [&](const std::string& bytes) {
+      claimed = claimed_orbit_of(io::without_byte_order_mark(bytes), run.answer_name);
+    });
     if (!is_read) return false;
     ++result_.orbits_judged;
     const auto difference = path_difference(claimed, orbit.path);
@@ -252,8 +254,9 @@ class CaseRun {
   void judge_persistence(const Run& run) {
     if (!ends_well(run)) return;
     std::vector<ClaimedPair> claimed;
-    const bool is_read =
-        read_answer(run, [&](const std::string& bytes) { claimed = claimed_pairs_of(bytes, run.answer_name); });
+    const bool is_read = read_answer(run, [&](const std::string& bytes) {
+      claimed = claimed_pairs_of(io::without_byte_order_mark(bytes), run.answer_name);
+    });
     if (!is_read) return;
     result_.is_persistence_judged = true;
     tell(ProfilePart::kPersistence, std::ranges::all_of(claimed, is_exact_pair));

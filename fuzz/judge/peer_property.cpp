@@ -19,6 +19,7 @@
 #include "fuzz/judge/conformance_words.h"
 #include "fuzz/judge/verification.h"
 #include "fuzz/properties/subject.h"
+#include "io/input_bytes.h"
 #include "io/out_of_memory.h"
 #include "io/output_file.h"
 
@@ -193,7 +194,7 @@ class Peer {
 
   [[nodiscard]] std::optional<Disagreement> judge_pairs(const FlowComplex& complex, const std::string& bytes,
                                                         const std::string& name) const {
-    const std::vector<ClaimedPair> claimed = claimed_pairs_of(bytes, name);
+    const std::vector<ClaimedPair> claimed = claimed_pairs_of(io::without_byte_order_mark(bytes), name);
     return wrong_pairs(pair_differences(claimed, listed_pairs(complex), options_.check.tolerance), bytes,
                        options_.ignored);
   }

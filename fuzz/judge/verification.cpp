@@ -16,6 +16,7 @@
 #include "fuzz/judge/conformance_words.h"
 #include "fuzz/judge/oracle_truth.h"
 #include "fuzz/properties/input_points.h"
+#include "io/input_bytes.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
 
@@ -260,7 +261,7 @@ void Verification::judge_claim(const AskedCase& one, const Answer& answer, Faile
 }
 
 void Verification::judge_pairs(const AskedCase& one, const Answer& answer, FailedCase& result) {
-  const std::vector<ClaimedPair> claimed = claimed_pairs_of(answer.text, "answer");
+  const std::vector<ClaimedPair> claimed = claimed_pairs_of(io::without_byte_order_mark(answer.text), "answer");
   const bool is_exact = std::ranges::all_of(claimed, is_exact_pair);
   approximate_ += is_exact ? 0 : 1;
   Profile profile;

@@ -123,13 +123,18 @@ std::string gunzip(std::string_view bytes, std::string_view file, bool is_unlimi
   return output;
 }
 
+std::string_view without_byte_order_mark(std::string_view bytes) {
+  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  return bytes;
+}
+
 std::string_view plain_content(std::string_view bytes, std::string_view file, std::string& decompressed,
                                bool is_unlimited) {
   if (is_gzip(bytes)) {
     decompressed = gunzip(bytes, file, is_unlimited);
     bytes = decompressed;
   }
-  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  bytes = without_byte_order_mark(bytes);
   if (std::all_of(bytes.begin(), bytes.end(), is_blank)) reject_file(file, "empty");
   return bytes;
 }

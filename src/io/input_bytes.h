@@ -34,6 +34,10 @@ namespace flowcert::io {
 // The concatenated contents of the streams (RFC 1952: a file may hold several) in `bytes`.
 [[nodiscard]] std::string gunzip(std::string_view bytes, std::string_view file, bool is_unlimited = false);
 
+// Of UTF-8, at the beginning of a file.
+inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+[[nodiscard]] std::string_view without_byte_order_mark(std::string_view bytes);
+
 // What a reader of a format takes: the contents of `bytes` without gzip, for which `decompressed` is the place, and
 // without a byte order mark. Throws InvalidInput "FILE: empty" if they are blank.
 [[nodiscard]] std::string_view plain_content(std::string_view bytes, std::string_view file, std::string& decompressed,

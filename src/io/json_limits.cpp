@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "io/input_bytes.h"
 #include "io/line_reader.h"
 
 namespace flowcert::io {
@@ -56,7 +57,12 @@ std::string JsonLimits::key() {
   return "an object of more than " + std::to_string(kMostJsonKeys) + " keys";
 }
 
+std::size_t place_of_no_json(std::string_view text) { return text.starts_with(kByteOrderMark) ? 0 : text.find('\0'); }
+
 Json parse_foreign_json(std::string_view text, std::string_view name) {
+  if (const std::size_t at = place_of_no_json(text); at != std::string_view::npos) {
+    reject_file(name, "not JSON, in byte " + std::to_string(at + 1));
+  }
   LimitChecker checker(name);
   Json::sax_parse(text, &checker);
   return Json::parse(text);

@@ -187,9 +187,10 @@ namespace {
 
 using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
-// signs: the signs that the integer may begin with.
-Integer parse_integer(std::string_view text, std::string_view signs) {
-  const bool has_sign = !text.empty() && signs.find(text.front()) != std::string_view::npos;
+enum class Sign { kNone, kMayBe };
+
+Integer parse_integer(std::string_view text, Sign sign) {
+  const bool has_sign = sign == Sign::kMayBe && (text.starts_with('-') || text.starts_with('+'));
   const bool negative = has_sign && text.front() == '-';
   const std::string digits(text.substr(has_sign ? 1 : 0));
   if (digits.empty() || !std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; })) {
@@ -201,12 +202,18 @@ Integer parse_integer(std::string_view text, std::string_view signs) {
   return negative ? Integer(-value) : value;
 }
 
-Rational parse_fraction(std::string_view text, std::size_t slash, std::string_view signs_above,
-                        std::string_view signs_below) {
-  const Integer numerator = parse_integer(text.substr(0, slash), signs_above);
-  const Integer denominator = parse_integer(text.substr(slash + 1), signs_below);
+Rational parse_fraction(std::string_view text, std::size_t slash) {
+  const Integer numerator = parse_integer(text.substr(0, slash), Sign::kMayBe);
+  const Integer denominator = parse_integer(text.substr(slash + 1), Sign::kNone);
   if (denominator == 0) throw InvalidInput("the denominator is zero: " + in_quotes(text));
   return Rational(numerator) / Rational(denominator);
+}
+
+// A fraction or a hexadecimal float, if it is a number.
+bool is_exact_form(std::string_view text) {
+  if (text.find('/') != std::string_view::npos) return true;
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  return text.starts_with("0x") || text.starts_with("0X");
 }
 
 }  // namespace
@@ -218,14 +225,13 @@ Rational parse_rational(std::string_view text) {
     if (number.fault != nullptr) throw InvalidInput(number.fault + (": " + in_quotes(text)));
     return Rational(number.value);
   }
-  return parse_fraction(text, slash, "+-", "");
+  return parse_fraction(text, slash);
 }
 
 Rational exact_rational(std::string_view text) {
   try {
-    const std::size_t slash = text.find('/');
-    if (slash == std::string_view::npos) return Rational(parse_integer(text, "-"));
-    return parse_fraction(text, slash, "-", "-");
+    if (is_exact_form(text)) return parse_rational(text);
+    return Rational(parse_integer(text, Sign::kMayBe));
   } catch (const InvalidInput&) {
     throw InvalidInput("no rational: " + in_quotes(text));
   }
@@ -249,7 +255,6 @@ namespace {
 constexpr std::size_t kLongestDecimal = 2000;
 constexpr std::size_t kLongestFraction = 1000000;
 constexpr int kLargestExponent = 700;
-constexpr PointId kLargestId = 2147483646;
 
 // The digits times 10^exponent. They have no leading zeros, so zero has none; `decimals` of them are after the point.
 struct Decimal {
@@ -305,12 +310,6 @@ Rational value_of(const Decimal& decimal) {
   Rational value = power < 0 ? Rational(digits, scale) : Rational(Integer(digits * scale));
   if (decimal.is_negative) value = -value;
   return value;
-}
-
-bool is_exact_form(std::string_view text) {
-  if (text.find('/') != std::string_view::npos) return true;
-  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
-  return text.starts_with("0x") || text.starts_with("0X");
 }
 
 }  // namespace

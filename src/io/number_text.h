@@ -46,7 +46,7 @@ struct NumberText {
 // that is no number.
 [[nodiscard]] Rational parse_rational(std::string_view text);
 
-// "-3/4", "5": an integer is exact, however large it is. Decimals and anything else throw InvalidInput.
+// "-3/4", "5", "0x1p-1": an integer is exact, however large it is. Decimals and anything else throw InvalidInput.
 [[nodiscard]] Rational exact_rational(std::string_view text);
 
 // Three numbers that parse_rational takes, separated by commas or blanks.
@@ -57,7 +57,7 @@ struct NumberText {
 //
 // Guarantees: a number is the number that is written, not a double near it. A number that could grow far beyond its
 // text (1e999999999) is refused. Throws InvalidInput with the place. Source: spec clauses FC-IN-01, FC-NUM-02,
-// FC-OUT-01.
+// FC-OUT-01, FC-FILE-47.
 
 // Whether an integer without a denominator is exact. "5" is exact among rationals. Among decimals it may be a
 // rounded 5.0000001.
@@ -71,6 +71,7 @@ enum class PlainInteger { kExact, kDecimal };
 [[nodiscard]] ClaimedNumber claimed_distance(std::string_view text, PlainInteger plain, const LinePlace& place);
 
 // The id of a row: digits alone, at most 2^31 - 2.
+inline constexpr PointId kLargestId = 2147483646;
 [[nodiscard]] PointId claimed_id(std::string_view text, const LinePlace& place);
 
 // 0, 1, 2 or 3.

@@ -208,6 +208,41 @@ TEST(ConformanceRun, OrbitsAreCompared) {
   EXPECT_EQ(with_orbit(orbit_of_cell(), "{}").outcome, RunOutcome::kUnreadable);
 }
 
+CaseOutcome with_pairs(const std::string& lines, double tolerance) {
+  VectorCase one = right_triangle();
+  one.persistence = {{0, 0, Rational(9) / 4}, {0, 0, Rational(4)}, {0, 0, std::nullopt}};
+  ConformanceOptions options;
+  options.command = kRight;
+  options.persistence_command = "printf '" + lines + "' > {out} # {in}";
+  options.check.tolerance = tolerance;
+  return outcome_of(one, options);
+}
+
+// The shell's printf makes the bytes of the mark.
+TEST(ConformanceRun, AByteOrderMarkIsPassedOver) {
+  CITES("FC-FILE-47");
+  const std::string mark = "\\357\\273\\277";
+  const auto answering = [&](const std::string& marks) {
+    VectorCase one = right_triangle();
+    one.orbits = {orbit_of_cell()};
+    one.persistence = {{0, 0, Rational(9) / 4}, {0, 0, Rational(4)}, {0, 0, std::nullopt}};
+    ConformanceOptions options;
+    options.command = claiming(marks + kSamples + kEdges);
+    options.orbit_command = "printf '" + marks + "%s' '" + kOrbit + "' > {out} # {in} {start}";
+    options.persistence_command = "printf '" + marks + "0 0 inf\\n0 0 2.25\\n0 0 4\\n' > {out} # {in}";
+    return outcome_of(one, options);
+  };
+  for (const std::string& marks : {std::string(), mark}) {
+    const CaseOutcome found = answering(marks);
+    EXPECT_EQ(found.outcome, RunOutcome::kConforms) << found.message;
+    EXPECT_EQ(found.orbits_judged, 1U);
+    EXPECT_TRUE(found.is_persistence_judged);
+  }
+  EXPECT_EQ(outcome_of(right_triangle(), claiming(mark + mark + kSamples + kEdges)).outcome, RunOutcome::kUnreadable);
+  EXPECT_EQ(with_orbit(orbit_of_cell(), "\xef\xbb\xbf\xef\xbb\xbf" + kOrbit).outcome, RunOutcome::kUnreadable);
+  EXPECT_EQ(with_pairs(mark + mark + "0 0 inf\\n", kDefaultTolerance).outcome, RunOutcome::kUnreadable);
+}
+
 TEST(ConformanceRun, AnOrbitMayGoOnFromARegularPoint) {
   CITES("FC-CLAIM-07");
   const std::string ends_there =
@@ -227,16 +262,6 @@ TEST(ConformanceRun, TheFirstNegativeOutcomeStays) {
   EXPECT_EQ(fails.outcome, RunOutcome::kFails);
   const CaseOutcome refused = with_orbit(orbit_of_cell(), "{}", "exit 1 # {in}");
   EXPECT_EQ(refused.outcome, RunOutcome::kRefused);
-}
-
-CaseOutcome with_pairs(const std::string& lines, double tolerance) {
-  VectorCase one = right_triangle();
-  one.persistence = {{0, 0, Rational(9) / 4}, {0, 0, Rational(4)}, {0, 0, std::nullopt}};
-  ConformanceOptions options;
-  options.command = kRight;
-  options.persistence_command = "printf '" + lines + "' > {out} # {in}";
-  options.check.tolerance = tolerance;
-  return outcome_of(one, options);
 }
 
 TEST(ConformanceRun, PersistenceHasTheToleranceOfClaims) {

@@ -210,7 +210,7 @@ std::string whole_text(const FlowComplex& complex) {
 const std::string kDecimals = "0.1 0.7 0.3\n1e-320 0.2 4.9e-324\n1.1 123456.7 0.30000000000000004\n";
 const std::string kOrbit =
     R"({"flowcert":"orbit","segments":[{"type":"E-F-V","driver":["1/10","1/5","3/10"],"end":["1/3","1/7","0"]}],)"
-    R"("limit":{"kind":"critical","index":0.0,"position":["1/3","1/7","0"],"contact":[1],"squared_distance":"1/9"}})";
+    R"("limit":{"kind":"critical","index":0,"position":["1/3","1/7","0"],"contact":[1],"squared_distance":"1/9"}})";
 
 // ---- The functions, layer by layer ----
 
@@ -602,6 +602,12 @@ void add_judgement(Calls& calls, const Made& m) {
   calls.add("Truth::area", [&, saddle] { return truth.area(saddle); });
   calls.add("Truth::nearest_volume_of",
             [&, upper] { return truth.nearest_volume_of({0, static_cast<std::uint32_t>(upper)}); });
+  Profile approximate;
+  approximate.set(ProfilePart::kPoints, Profile::State::kTold);
+  approximate.set_exact(false);
+  calls.add("conformity_text", [=] { return conformity_text(Verdict::kConforms, approximate, 1e-7).value_or(""); });
+  calls.add("no_conformity_text",
+            [=] { return no_conformity_text(Verdict::kConforms, approximate, 1e-5).value_or(""); });
   const OrbitPath path = claimed_orbit_of(kOrbit, "orbit");
   calls.add("path_difference", [path] { return path_difference(path, OrbitPath{}); });
   calls.add("listed_pairs", [&] { return listed_pairs(m.complex); });

@@ -228,6 +228,181 @@ TEST(NumberText, DoesNotLookAtTheLocale) {
   std::locale::global(before);
 }
 
+// ---- Claims ----
+
+constexpr LinePlace kPlace = {.file = "a", .line = 7};
+
+// "3/2 exact", "3/2 near" or "refused"
+std::string claimed(const std::string& text, PlainInteger plain) {
+  try {
+    const ClaimedNumber number = claimed_number(text, plain, kPlace);
+    return to_text(number.value) + (number.is_exact ? " exact" : " near");
+  } catch (const InvalidInput& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("a:7: ")) << error.what();
+    return "refused";
+  }
+}
+
+struct GrammarRow {
+  std::string text;
+  std::string value;  // or "refused"
+};
+
+TEST(ClaimedNumber, DecimalsAreWrittenInOneWay) {
+  CITES("FC-FILE-47", "FC-FILE-18");
+  const GrammarRow rows[] = {{"5", "5 near"},
+                             {"+5", "5 near"},
+                             {"-5", "-5 near"},
+                             {"005", "5 near"},
+                             {".5", "1/2 near"},
+                             {"-.5", "-1/2 near"},
+                             {"+.5", "1/2 near"},
+                             {"5.", "5 near"},
+                             {"5.25", "21/4 near"},
+                             {"5e2", "500 near"},
+                             {"5E2", "500 near"},
+                             {"5E+5", "500000 near"},
+                             {"5e-1", "1/2 near"},
+                             {".5e1", "5 near"},
+                             {"5.e1", "50 near"},
+                             {"-0", "0 near"},
+                             {"1e+007", "10000000 near"},
+                             {"", "refused"},
+                             {".", "refused"},
+                             {"+", "refused"},
+                             {"-.", "refused"},
+                             {"e5", "refused"},
+                             {".e5", "refused"},
+                             {"5e", "refused"},
+                             {"5e+", "refused"},
+                             {"5e1.0", "refused"},
+                             {"5e+-1", "refused"},
+                             {"--5", "refused"},
+                             {"+-5", "refused"},
+                             {"5..", "refused"},
+                             {"5.0.0", "refused"},
+                             {"5,5", "refused"},
+                             {" 5", "refused"},
+                             {"5 ", "refused"},
+                             {"5d2", "refused"},
+                             {"5*^2", "refused"},
+                             {"1_000", "refused"},
+                             {"5f", "refused"},
+                             {"nan", "refused"},
+                             {"inf", "refused"},
+                             {"1.#INF", "refused"},
+                             {"\u0665", "refused"},
+                             {"\uff15", "refused"},
+                             {"5\u0665", "refused"},
+                             {"\u22125", "refused"},
+                             {std::string("5\0", 2), "refused"}};
+  for (const GrammarRow& row : rows) {
+    EXPECT_EQ(claimed(row.text, PlainInteger::kDecimal), row.value) << row.text;
+    // Among rationals, digits alone are exact.
+    const bool is_integer = row.text.find_first_of(".eE") == std::string::npos && row.value.ends_with(" near");
+    const std::string among = is_integer ? row.value.substr(0, row.value.size() - 4) + "exact" : row.value;
+    EXPECT_EQ(claimed(row.text, PlainInteger::kExact), among) << row.text;
+  }
+}
+
+TEST(ClaimedNumber, FractionsAndHexadecimalFloatsAreWrittenInOneWay) {
+  CITES("FC-FILE-47", "FC-FILE-18");
+  const GrammarRow rows[] = {{"3/2", "3/2"},
+                             {"-3/2", "-3/2"},
+                             {"+3/2", "3/2"},
+                             {"06/04", "3/2"},
+                             {"0/1", "0"},
+                             {"3/-2", "refused"},
+                             {"3/+2", "refused"},
+                             {"-3/-2", "refused"},
+                             {"3/0", "refused"},
+                             {"3/00", "refused"},
+                             {"3/", "refused"},
+                             {"/2", "refused"},
+                             {"3//2", "refused"},
+                             {"3/2/1", "refused"},
+                             {"3 /2", "refused"},
+                             {"1.5/2", "refused"},
+                             {"3/2e1", "refused"},
+                             {"0x3/2", "refused"},
+                             {"3/\u0662", "refused"},
+                             {"0x1.8", "3/2"},
+                             {"0X1.8P0", "3/2"},
+                             {"-0x.8p+1", "-1"},
+                             {"+0x3.p-1", "3/2"},
+                             {"0xaB", "171"},
+                             {"0x10p-04", "1"},
+                             {"0x0p9999999", "0"},
+                             {"0x", "refused"},
+                             {"0x.", "refused"},
+                             {"0xp1", "refused"},
+                             {"0x1p", "refused"},
+                             {"0x1p+", "refused"},
+                             {"0x1.8.0", "refused"},
+                             {"0xg", "refused"},
+                             {"0x-1", "refused"},
+                             {"x1", "refused"},
+                             {"0x1e+5", "refused"},
+                             {"0x1p1024", "refused"},
+                             {"0x1p-1075", "refused"},
+                             {"0x20000000000001", "refused"}};
+  for (const GrammarRow& row : rows) {
+    const std::string value = row.value == "refused" ? row.value : row.value + " exact";
+    EXPECT_EQ(claimed(row.text, PlainInteger::kDecimal), value) << row.text;
+    EXPECT_EQ(claimed(row.text, PlainInteger::kExact), value) << row.text;
+    // Orbits and pairs in JSON have the exact ones.
+    if (row.value == "refused") {
+      EXPECT_THROW((void)exact_rational(row.text), InvalidInput) << row.text;
+    } else {
+      EXPECT_EQ(to_text(exact_rational(row.text)), row.value) << row.text;
+    }
+  }
+  EXPECT_EQ(to_text(exact_rational("+007")), "7");
+  EXPECT_EQ(to_text(exact_rational("-7")), "-7");
+  for (const char* text : {"", "7.", ".5", "1e2", "--7", "7 ", "nan", "\u0667"}) {
+    EXPECT_THROW((void)exact_rational(text), InvalidInput) << text;
+  }
+}
+
+TEST(ClaimedNumber, IdsCountsAndIndicesAreDigitsAlone) {
+  CITES("FC-FILE-47", "FC-FILE-18");
+  EXPECT_EQ(claimed_id("0", kPlace), 0U);
+  EXPECT_EQ(claimed_id("007", kPlace), 7U);
+  EXPECT_EQ(claimed_id("2147483646", kPlace), 2147483646U);
+  EXPECT_EQ(claimed_count("0018", kPlace), 18U);
+  EXPECT_EQ(claimed_count("18446744073709551615", kPlace), std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(claimed_index("3", kPlace), 3);
+  for (const char* text :
+       {"", "+1", "-1", "-0", "1.", "1.0", "1e0", "0x1", " 1", "1 ", "\u0661", "18446744073709551616"}) {
+    EXPECT_THROW((void)claimed_id(text, kPlace), InvalidInput) << text;
+    EXPECT_THROW((void)claimed_count(text, kPlace), InvalidInput) << text;
+    EXPECT_THROW((void)claimed_index(text, kPlace), InvalidInput) << text;
+  }
+  EXPECT_THROW((void)claimed_id("2147483647", kPlace), InvalidInput);
+  for (const char* text : {"4", "01", "00", "9"}) EXPECT_THROW((void)claimed_index(text, kPlace), InvalidInput) << text;
+}
+
+// What is exact may be long, and so may no decimal.
+TEST(ClaimedNumber, LengthsAreBounded) {
+  CITES("FC-FILE-18");
+  const std::string digits(2000, '7');
+  EXPECT_TRUE(claimed(digits, PlainInteger::kDecimal).ends_with(" near"));
+  EXPECT_EQ(claimed(digits + "7", PlainInteger::kDecimal), "refused");
+  EXPECT_TRUE(claimed(digits + "7", PlainInteger::kExact).ends_with(" exact"));
+  EXPECT_EQ(claimed(digits + ".", PlainInteger::kExact), "refused");
+  EXPECT_TRUE(claimed(digits + "/1", PlainInteger::kDecimal).ends_with(" exact"));
+  EXPECT_EQ(claimed("0x" + std::string(999'997, '0') + "1", PlainInteger::kDecimal), "1 exact");
+  EXPECT_EQ(claimed("0x" + std::string(999'998, '0') + "1", PlainInteger::kDecimal), "refused");
+  EXPECT_EQ(claimed(std::string(999'999, '0') + "1", PlainInteger::kExact), "1 exact");
+  EXPECT_EQ(claimed(std::string(1'000'000, '0') + "1", PlainInteger::kExact), "refused");
+  for (const char* exponent : {"700", "-700", "+0700"}) {
+    EXPECT_TRUE(claimed("1e" + std::string(exponent), PlainInteger::kDecimal).ends_with(" near")) << exponent;
+  }
+  for (const char* exponent : {"701", "-701", "99999999999999999999"}) {
+    EXPECT_EQ(claimed("1e" + std::string(exponent), PlainInteger::kDecimal), "refused") << exponent;
+  }
+}
+
 TEST(NumberText, QuotesOnOneLine) {
   CITES("FC-IN-05");
   EXPECT_EQ(in_quotes("abc"), "'abc'");

@@ -64,6 +64,40 @@ TEST(PairClaim, JsonIsExact) {
   expect_number(*pairs[1].death, Rational(15) / 2, true);
 }
 
+TEST(PairClaim, NumbersAndLinesAreThoseOfClaims) {
+  CITES("FC-FILE-47", "FC-CLAIM-11");
+  for (const char* end : {"\n", "\r\n", "\r"}) {
+    const auto pairs = read("0 0 inf" + std::string(end) + "\v\f" + end + "1\v.5 +5.E-1" + end);
+    ASSERT_EQ(pairs.size(), 2U);
+    EXPECT_EQ(pairs[1].line, 3U);
+    expect_number(pairs[1].birth, Rational(1) / 2, false);
+    expect_number(*pairs[1].death, Rational(1) / 2, false);
+  }
+  for (const char* text : {"-0 0 1\n", "00 0 1\n", "+1 0 1\n"}) {
+    EXPECT_NE(error_in(text).find("pairs:1: no dimension"), std::string::npos) << text;
+  }
+  EXPECT_NE(error_in("+2 0 0 1\n").find("pairs:1: no characteristic of a field"), std::string::npos);
+  const auto json_with = [](const std::string& number) {
+    return R"({"pairs": [{"dimension": 0, "birth": {"squared_distance": ")" + number + R"("}, "death": null}]})";
+  };
+  for (const auto& [text, value] : {std::pair("+07/02", Rational(7) / 2), std::pair("0x.8p+0", Rational(1) / 2)}) {
+    expect_number(read(json_with(text)).at(0).birth, value, true);
+  }
+  for (const char* text : {"1.5", "1e2", "7/-2", "-7/-2", "7/0", "\u0667"}) {
+    EXPECT_NE(error_in(json_with(text)).find("no rational"), std::string::npos) << text;
+  }
+  EXPECT_EQ(error_in("{\"pairs\": []}" + std::string("\0 more", 6)), "pairs: not JSON, in byte 14");
+  EXPECT_EQ(error_in("\v{\"pairs\": []}"), "pairs: not JSON, in byte 1");
+  EXPECT_EQ(
+      read("{\"pairs\": [{\"dimension\": -0, \"birth\": {\"squared_distance\": \"0\"}, \"death\": null}]}").size(), 1U);
+  // The word that tells a diagram stands on the first line, whatever ends it.
+  const std::string head = R"({"format": "flowcert-stationary-points"})", other = R"({"x": "flowcert-persistence"})";
+  for (const char* end : {"\n", "\r\n", "\r"}) {
+    EXPECT_FALSE(is_pair_claim(head + end + other, "a"));
+    EXPECT_TRUE(is_pair_claim(other + end, "a"));
+  }
+}
+
 TEST(PairClaim, WhatIsNoneIsRefused) {
   CITES("FC-IN-05", "FC-CLAIM-11");
   EXPECT_EQ(error_in(" \n"), "pairs: empty");

@@ -100,6 +100,9 @@ class DocumentBuilder : public nlohmann::json_sax<nlohmann::json> {
 };
 
 JsonDocument parse_json(std::string_view text, const LinePlace& place) {
+  if (const std::size_t at = place_of_no_json(text); at != std::string_view::npos) {
+    place.reject("not JSON, in column " + std::to_string(at + 1));
+  }
   DocumentBuilder builder(place);
   nlohmann::json::sax_parse(text, &builder);
   return builder.take();

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/floating_point.h"
 #include "io/json_limits.h"
+#include "io/number_text.h"
 
 namespace flowcert {
 
@@ -27,10 +27,11 @@ RationalPoint position_of(const Json& value, const char* what) {
 std::vector<PointId> ids_of(const Json& value, const char* what) {
   std::vector<PointId> ids;
   for (const Json& id : required_array(value, what)) {
-    if (!id.is_number_unsigned() || id.get<std::uint64_t>() >= (std::uint64_t{1} << 31)) {
+    const std::int64_t number = id.is_number_integer() ? id.get<std::int64_t>() : -1;
+    if (number < 0 || number > kLargestId) {
       throw InvalidInput(fmt::format("'{}' has something that is no id", what));
     }
-    ids.push_back(id.get<PointId>());
+    ids.push_back(static_cast<PointId>(number));
   }
   std::ranges::sort(ids);
   return ids;
@@ -54,12 +55,15 @@ PathSegment segment_of(const Json& object) {
   return segment;
 }
 
-// The text of an index. JSON's 2.0 is the number 2.
+bool is_index(const Json& value) {
+  return value.is_number_integer() && 0 <= value.get<std::int64_t>() && value.get<std::int64_t>() <= 3;
+}
+
+// The text of an index, or of the pair of a kind.
 std::string index_of(const Json& value) {
-  const bool is_whole = value.is_number_float() && value.get<double>() == std::floor(value.get<double>()) &&
-                        std::abs(value.get<double>()) < 1e15;
-  if (is_whole) return std::to_string(value.get<std::int64_t>());
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const bool is_kind = value.is_array() && value.size() == 2 && is_index(value[0]) && is_index(value[1]);
+  if (!is_kind && !is_index(value)) throw InvalidInput("'index' is no index, 0 to 3, and no pair of them");
+  return value.dump();
 }
 
 std::optional<PathLimit> limit_of(const Json& object) {
@@ -73,7 +77,7 @@ std::optional<PathLimit> limit_of(const Json& object) {
 
 }  // namespace
 
-OrbitPath claimed_orbit_of(const std::string& bytes, const std::string& name) {
+OrbitPath claimed_orbit_of(std::string_view bytes, const std::string& name) {
   const geometry::IeeeDoubles ieee;
   try {
     const Json object = parse_foreign_json(bytes, name);

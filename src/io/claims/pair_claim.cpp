@@ -22,10 +22,9 @@ namespace {
 
 int dimension_of(const Json& pair) {
   const Json& value = required_field(pair, "dimension");
-  if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= kPairDimensions) {
-    throw InvalidInput("'dimension' is not 0, 1 or 2");
-  }
-  return value.get<int>();
+  const std::int64_t dimension = value.is_number_integer() ? value.get<std::int64_t>() : -1;
+  if (dimension < 0 || dimension >= kPairDimensions) throw InvalidInput("'dimension' is not 0, 1 or 2");
+  return static_cast<int>(dimension);
 }
 
 std::vector<ClaimedPair> pairs_of_json(const Json& object) {
@@ -44,12 +43,8 @@ std::vector<ClaimedPair> pairs_of_json(const Json& object) {
 // ---- Text
 
 int dimension_of(std::string_view word, const LinePlace& place) {
-  int dimension = 0;
-  const char* end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, dimension);
-  if (error != std::errc() || stop != end || dimension < 0 || dimension >= kPairDimensions) {
-    place.reject("no dimension 0, 1 or 2: " + in_quotes(word));
-  }
+  const int dimension = word.size() == 1 && is_digit(word[0]) ? word[0] - '0' : kPairDimensions;
+  if (dimension >= kPairDimensions) place.reject("no dimension 0, 1 or 2: " + in_quotes(word));
   return dimension;
 }
 
@@ -59,7 +54,7 @@ void expect_characteristic(std::string_view word, const LinePlace& place) {
   int value = 0;
   const char* end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);
-  if (error != std::errc() || stop != end || value < 2) {
+  if (!is_integer(word) || error != std::errc() || stop != end || value < 2) {
     place.reject("no characteristic of a field: " + in_quotes(word));
   }
 }
@@ -105,7 +100,8 @@ bool is_pair_claim(std::string_view bytes, const std::string& name) {
   if (name.ends_with(ending)) return true;
   const std::string_view text = trimmed(bytes);
   if (text.starts_with('{')) {
-    const std::string_view first = text.substr(0, text.find('\n'));
+    std::string_view first;
+    LineReader(text, name).next(first);
     return first.find("\"flowcert-persistence\"") != std::string_view::npos;
   }
   LineReader lines(text, name);
@@ -127,9 +123,8 @@ bool is_pair_claim(std::string_view bytes, const std::string& name) {
 
 std::vector<ClaimedPair> claimed_pairs_of(std::string_view bytes, const std::string& name) {
   const geometry::IeeeDoubles ieee;
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) throw InvalidInput(name + ": empty");
-  if (bytes[first] != '{') return pairs_of_text(bytes, name);
+  if (is_all_blank(bytes)) reject_file(name, "empty");
+  if (!trimmed(bytes).starts_with('{')) return pairs_of_text(bytes, name);
   const Json object = parse_foreign_json(bytes, name);
   try {
     return pairs_of_json(object);

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "flowcert/point_set.h"
@@ -36,7 +37,7 @@ struct OrbitPath {
   std::optional<PathLimit> limit;  // none: infinity
 };
 
-// From the text of an object with `segments` and `limit`. name: of the file, for messages.
-[[nodiscard]] OrbitPath claimed_orbit_of(const std::string& bytes, const std::string& name);
+// From the text of an object with `segments` and `limit`, without a byte order mark. name: of the file, for messages.
+[[nodiscard]] OrbitPath claimed_orbit_of(std::string_view bytes, const std::string& name);
 
 }  // namespace flowcert

@@ -45,7 +45,7 @@ struct ClaimedPair {
 // death, of which one lasts. Throws InvalidInput for lines of four columns that may be one or another claim.
 [[nodiscard]] bool is_pair_claim(std::string_view bytes, const std::string& name);
 
-// Reads what a program has written. name: of the file, for messages.
+// Reads what a program has written, without a byte order mark. name: of the file, for messages.
 [[nodiscard]] std::vector<ClaimedPair> claimed_pairs_of(std::string_view bytes, const std::string& name);
 
 }  // namespace flowcert
