@@ -53,7 +53,6 @@ TEST(OrbitDifference, WhatIsTheSameInOtherWords) {
   EXPECT_EQ(changed(false, "/segments/1/end_contact", {2, 0, 1}), Kind::kSame) << "ids in any order";
   EXPECT_EQ(changed(false, "/limit/contact", {1, 2, 0}), Kind::kSame);
   EXPECT_EQ(changed(false, "/limit/squared_distance", "50/8"), Kind::kSame);
-  EXPECT_EQ(changed(false, "/limit/index", 3.0), Kind::kSame);
   EXPECT_EQ(changed(false, "/segments/0/start_contact", nullptr), Kind::kSame) << "not claimed";
   EXPECT_EQ(changed(false, "/colour", "green"), Kind::kSame);
 }
@@ -105,8 +104,26 @@ TEST(OrbitDifference, WhatIsNoOrbitIsRefused) {
   EXPECT_EQ(changed(false, "/segments/0/start_contact", {-1}), Kind::kUnreadable);
   EXPECT_EQ(changed(false, "/segments/0/start_contact", {4294967296}), Kind::kUnreadable);
   EXPECT_EQ(changed(false, "/limit/squared_distance", "1/0"), Kind::kUnreadable);
+  const Json indices[] = {3.0, 4, -1, "3", nullptr, {1}, {1, 2, 3}, {1, "2"}, {1, 2.0}};
+  for (const Json& index : indices) EXPECT_EQ(changed(false, "/limit/index", index), Kind::kUnreadable) << index;
   EXPECT_EQ(changed(false, "/limit", nullptr), Kind::kUnreadable);
   EXPECT_THROW((void)claimed_orbit_of("{", "claim"), InvalidInput);
+}
+
+TEST(OrbitDifference, NumbersAreThoseOfClaims) {
+  CITES("FC-FILE-47");
+  for (const char* number : {"+50/8", "0x1.9p2", "050/08"}) {
+    EXPECT_EQ(changed(false, "/limit/squared_distance", number), Kind::kSame) << number;
+  }
+  for (const char* number : {"6.25", "-50/-8", "50/-8", "50/00", "25/4 ", "\u0665"}) {
+    EXPECT_EQ(changed(false, "/limit/squared_distance", number), Kind::kUnreadable) << number;
+  }
+  EXPECT_EQ(changed(false, "/limit/contact", {0, 1, 2147483646}), Kind::kWrong);
+  EXPECT_EQ(changed(false, "/limit/contact", {0, 1, 2147483647}), Kind::kUnreadable);
+  EXPECT_EQ(changed(false, "/limit/contact", {0, 1, 2.0}), Kind::kUnreadable);
+  EXPECT_EQ(changed(false, "/limit/contact", {0, 1, "2"}), Kind::kUnreadable);
+  const std::string text = orbit(false).dump();
+  EXPECT_THROW((void)claimed_orbit_of(text + std::string("\0", 1), "claim"), InvalidInput);
 }
 
 }  // namespace
