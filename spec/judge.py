@@ -11,8 +11,8 @@ It reads the exchange format, CSV and the format of Giesen and Kühne (formats/c
 What they say on level 5 has to be well formed (schemas/exchange.schema.json), and is not judged.
 Exit status: 0 if nothing is negative, 1 if something is, 2 for what cannot be used.
 """
-import argparse, gzip, hashlib, io, itertools, json, os, re, resource, shlex, signal, struct, subprocess, sys, tempfile
-import zlib
+import argparse, functools, gzip, hashlib, io, itertools, json, os, re, resource, shlex, signal, struct, subprocess
+import sys, tempfile, zlib
 from collections import Counter
 from fractions import Fraction
 from pathlib import Path
@@ -131,7 +131,8 @@ def parse(text):
     return value
 
 
-DEFINITIONS = parse((HERE / "schemas" / "exchange.schema.json").read_text())["definitions"]
+SCHEMA = parse((HERE / "schemas" / "exchange.schema.json").read_text())
+DEFINITIONS = SCHEMA["definitions"]
 TYPES = {"object": lambda value: isinstance(value, dict), "array": lambda value: isinstance(value, list),
          "string": lambda value: isinstance(value, str) and not isinstance(value, Literal),
          "number": lambda value: isinstance(value, Literal), "boolean": lambda value: isinstance(value, bool),
@@ -158,8 +159,8 @@ def fits(value, schema):
     if isinstance(schema, bool):
         return schema
     if "$ref" in schema:
-        name = schema["$ref"].rpartition("/")[2]
-        if not fits(value, DEFINITIONS[name]):
+        *_, name = path = schema["$ref"].split("/")[1:]
+        if not fits(value, functools.reduce(dict.get, path, SCHEMA)):
             return False
         require(name != "vector" or any(json_number(one)[0] for one in value), "a vector that is zero")
         return name != "rational" or json_number(value) is not None  # or raises what is wrong with it

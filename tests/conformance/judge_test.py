@@ -1,0 +1,771 @@
+#!/usr/bin/env python3
+"""judge_test.py [JUDGE]
+
+The tests of spec/judge.py that need no build: how it reads claims, what it says of the judgements of spec/judgements.json
+and of right claims about vectors, how it follows orbits, and how it runs commands. JUDGE is another file to test: a
+mutant (tests/mutants/judge_py.py).
+"""
+# CITES: FC-FILE-12 FC-FILE-13 FC-FILE-15 FC-FILE-16 FC-FILE-18 FC-FILE-19 FC-FILE-26 FC-FILE-27 FC-FILE-29 FC-FILE-47
+# CITES: FC-CLAIM-22 FC-CLAIM-23 FC-CLAIM-24
+import contextlib
+import gzip
+import importlib.util
+import io
+import json
+import os
+import sys
+import tempfile
+import unittest
+from fractions import Fraction
+from pathlib import Path
+from types import SimpleNamespace
+
+import judgements_test
+
+SPEC = Path(__file__).parents[2] / "spec"
+
+
+def loaded(path):
+    """The judge in a file, with the schemas and vectors of spec/."""
+    spec = importlib.util.spec_from_file_location("judge", path)
+    module = importlib.util.module_from_spec(spec)
+    module.__file__ = str(SPEC / "judge.py")
+    exec(compile(Path(path).read_text(encoding="utf-8"), str(path), "exec"), module.__dict__)
+    return module
+
+
+judge = loaded(os.environ.get("JUDGE", SPEC / "judge.py"))
+GROUPS = [json.loads(path.read_text(encoding="utf-8")) for path in sorted((SPEC / "vectors").glob("*.json"))]
+CASES = {case["id"]: case for group in GROUPS for case in group.get("cases", [])}
+HEADER = '{"format": "flowcert-stationary-points", "format_version": 1}'
+TRIANGLE = CASES["critical-points-0002"]  # 0 0 0, 4 0 0, 1 3 0
+
+
+def judged(case, data, tolerance=1e-9, levels=4):
+    options = SimpleNamespace(tolerance=tolerance, levels=levels)
+    return judge.judge_bytes(case, data if isinstance(data, bytes) else data.encode(), options)
+
+
+def verdict(case, data, **options):
+    return judged(case, data, **options)["outcome"]
+
+
+def reasons(case, data, **options):
+    return sorted((one["level"], one["reason"], one["line"]) for one in judged(case, data, **options)["findings"])
+
+
+def nearest(text):
+    try:
+        return float(Fraction(text))
+    except OverflowError:
+        return None
+
+
+def header_of(case):
+    expected = case["expected"]
+    return {"format": "flowcert-stationary-points", "format_version": 1, "points": len(case["points"]),
+            "merged_duplicates": expected["merged_duplicates"], "critical": expected["critical"],
+            "regular_stationary": expected["regular_stationary"]}
+
+
+def right_records(case):
+    """The records of a right claim about a case, on the levels 1 to 4."""
+    records = []
+    for one in case["expected"]["stationary"]:
+        record = {key: one[key] for key in ("index", "kind", "contact", "center", "squared_distance")}
+        record["center_double"] = [nearest(x) for x in one["center"]]
+        record["squared_distance_double"] = nearest(one["squared_distance"])
+        told = one.get("incidences", {})
+        if one["index"] == 1:
+            record["samples"] = one["contact"]
+        if one["index"] == 2:
+            record["limits"] = told["limits"]
+            record.update({"stable": {"boundary": told["boundary"]}} if told["boundary"] is not None else {})
+        records.append(record)
+    return records
+
+
+def text_of(*lines):
+    return "".join((line if isinstance(line, str) else json.dumps(line)) + "\n" for line in lines)
+
+
+def of_triangle(change, head=HEADER):
+    """A right claim about the triangle, its records changed."""
+    records = json.loads(json.dumps(right_records(TRIANGLE)))
+    change(records)
+    return text_of(head, *records)
+
+
+class Numbers(unittest.TestCase):
+    def test_numbers_are_read_by_one_grammar(self):
+        for text, value, exact in [
+                ("5", 5, False), ("+5", 5, False), ("-5", -5, False), ("007", 7, False), (".5", "1/2", False),
+                ("5.", 5, False), ("5.e1", 50, False), ("1e+2", 100, False), ("1E-2", "1/100", False),
+                ("-.5e01", -5, False), ("1e700", 10**700, False), ("1e-700", Fraction(1, 10**700), False),
+                ("3/4", "3/4", True), ("+3/4", "3/4", True), ("-6/008", "-3/4", True), ("0/5", 0, True),
+                ("0x1", 1, True), ("-0X.8", "-1/2", True), ("0x1.", 1, True), ("0xA.8p1", 21, True),
+                ("+0x1p-1074", Fraction(1, 2**1074), True), ("0x1.fffffffffffffp1023", 2**1024 - 2**971, True),
+                ("0x0p99999", 0, True), ("0x10000000000000000000000p-88", 1, True), ("0x1P+3", 8, True),
+                ("0x1fffffffffffff", 2**53 - 1, True)]:
+            self.assertEqual(judge.number(text), (Fraction(value), exact), text)
+
+    def test_plain_integers_are_exact_in_strings(self):
+        for text, exact in [("5", True), ("-5", True), ("+0", True), ("5.", False), (".5", False), ("5e0", False)]:
+            self.assertEqual(judge.number(text, plain_is_exact=True)[1], exact, text)
+        self.assertTrue(judge.number("1" * 3000, plain_is_exact=True)[1])
+        self.assertTrue(judge.number("0x" + "0" * 3000)[1])
+
+    def test_what_is_no_number_is_refused(self):
+        for text in ["", ".", "+", "-", "e5", "5e", "5e+", "1.2.3", "--5", "+-5", "5 ", " 5", "1_000", "1,5", "nan",
+                     "inf", "-Infinity", "0x", "0x.", "0xp1", "0x1p", "0x1.1.1", "1x5", "1/0", "1/-2", "1/+2", "1/2/3",
+                     "1/", "/2", "1.0/2", "0x1/2", "\u0661", "\u06615", "1/\u0662", "\u00b2", "0x\uff11", "5\n", "1e701",
+                     "1e-701", "1e\u0661", "0x1p1024", "0x1p-1075", "0x1.00000000000001p0", "0x1.8p-1074",
+                     "0x3fffffffffffff", "1" * 2001, "1" * 1000001 + "/1"]:
+            with self.assertRaises(judge.Unreadable, msg=text[:40]):
+                judge.number(text)
+        with self.assertRaises(judge.Unreadable):
+            judge.number("1" * 1000001, plain_is_exact=True)
+
+    def test_the_longest_numbers_are_read(self):
+        self.assertEqual(judge.number("1" * 2000)[0], int("1" * 2000))
+        self.assertEqual(judge.number("0" * 999999 + "1", plain_is_exact=True)[0], 1)
+
+    def test_distances_of_roots(self):
+        for a, b, length, near in [(4, 9, 1, True), (4, 9, Fraction(99, 100), False), (9, 4, 1, True), (1, 1, 0, True),
+                                   (0, 1, 1, True), (0, 1, Fraction(1, 2), False), (0, 0, 0, True), (1, 4, 25, True)]:
+            self.assertEqual(judge.roots_differ_by(Fraction(a), Fraction(b), Fraction(length)), near, (a, b, length))
+
+
+class Json(unittest.TestCase):
+    def unreadable(self, text, case=TRIANGLE):
+        result = judged(case, text)
+        self.assertEqual(result["outcome"], "unreadable", text[:200])
+        self.assertTrue(result["message"] and "\n" not in result["message"])
+
+    def test_records_of_all_kinds_of_nonsense(self):
+        for record in ['[]', '{', '"x"', '5', '{"index": 2}', '{"contact": [0]}', '{"index": "2", "contact": [0]}',
+                       '{"index": 2.0, "contact": [0]}', '{"index": 4, "contact": [0]}', '{"index": -1, "contact": [0]}',
+                       '{"index": [2, 1], "contact": [0]}', '{"index": [1, 1], "contact": [0]}',
+                       '{"index": [1, 2, 3], "contact": [0]}', '{"index": true, "contact": [0]}',
+                       '{"index": 0, "contact": []}', '{"index": 0, "contact": ["0"]}', '{"index": 0, "contact": [0.0]}',
+                       '{"index": 0, "contact": [-1]}', '{"index": 0, "contact": [3]}', '{"index": 0, "contact": 0}',
+                       '{"index": 0, "contact": [2147483647]}', '{"index": 0, "contact": [0], "kind": "regular"}',
+                       '{"index": [1, 2], "contact": [0], "kind": "critical"}', '{"index": 0, "index": 0, "contact": [0]}',
+                       '{"index": 0, "contact": [0], "x": {"a": 1, "a": 1}}', '{"index": 0, "contact": [0], "x": NaN}',
+                       '{"index": 0, "contact": [0], "x": 1e400}', '{"index": 0, "contact": [0], "x": -1e400}',
+                       '{"index": 0, "center": [0, 0]}', '{"index": 0, "center": [0, 0, 0, 0]}',
+                       '{"index": 0, "center": [0, 0, null]}', '{"index": 0, "center": ["0", "0", "\u0660"]}',
+                       '{"index": 0, "center": ["0", "0", "1/0"]}', '{"index": 0, "center_double": [0, null, 0]}',
+                       '{"index": 0, "center": [0, 0, 0], "squared_distance": -1}',
+                       '{"index": 0, "center": [0, 0, 0], "squared_distance": "-1/2"}',
+                       '{"index": 0, "center": [0, 0, 0], "squared_distance_double": -0.5}',
+                       '{"index": 0, "contact": [0], "volume": -1}', '{"index": 0, "contact": [0], "volume": "-1/8"}',
+                       '{"index": 0, "contact": [0], "volume_double": -1}', '{"index": 0, "contact": [0], "volume": "1/0"}',
+                       '{"index": 2, "contact": [0], "shares": [[0, -1]]}', '{"index": 2, "contact": [0], "shares": [[0]]}',
+                       '{"index": 2, "contact": [0], "shares": [[9, 1]]}',
+                       '{"index": 2, "contact": [0], "shares_double": [[9, null]]}',
+                       '{"index": 2, "contact": [0], "shares": [], "shares_double": []}',
+                       '{"index": 0, "contact": [0], "samples": [0, 1]}', '{"index": 2, "contact": [0], "samples": [0, 1]}',
+                       '{"index": 1, "contact": [0, 1], "limits": [null, null]}',
+                       '{"index": 2, "contact": [0], "limits": [null]}', '{"index": 2, "contact": [0], "limits": [null, 5]}',
+                       '{"index": 2, "contact": [0], "limits": [null, [7]]}', '{"index": 1, "contact": [0, 1], "samples": [7]}',
+                       '{"index": 1, "contact": [0, 1], "stable": {}}', '{"index": 2, "contact": [0], "stable": []}',
+                       '{"index": 2, "contact": [0], "stable": {"boundary": [0]}}',
+                       '{"index": 2, "contact": [0], "stable": {"boundary": [[8]]}}',
+                       '{"index": 2, "contact": [0], "stable": {"walk": [8]}}',
+                       '{"index": 2, "contact": [0], "stable": {"walk": 8}}',
+                       '{"index": [1, 2], "contact": [0], "stable": {"boundary": []}}',
+                       '{"index": 1, "contact": [0, 1], "skeleton": {"segments": []}}',
+                       '{"index": 2, "contact": [0], "skeleton": {}}',
+                       '{"index": 2, "contact": [0], "lambda": {"directions": [], "arcs": [[7]]}}',
+                       '{"index": 2, "contact": [0], "lambda": {"directions": [{"limit": [7]}], "arcs": []}}',
+                       '{"index": 2, "contact": [0], "lambda": {"directions": [{}], "arcs": []}}',
+                       '{"index": 2, "contact": [0], "lambda": {"directions": [{"limit": null, "exit": [0, 0, 0], '
+                       '"vector": [1, 0, 0]}], "arcs": []}}',
+                       '{"index": 2, "contact": [0], "lambda": {"directions": [{"limit": null, "vector": [0, 0, 0]}], '
+                       '"arcs": []}}',
+                       '{"index": 2, "contact": [0], "connections": [{"to": [7], "orbits": 1, "families": 0}]}',
+                       '{"index": 2, "contact": [0], "u1": {}}',
+                       '{"index": 1, "contact": [0], "u1": {"vertices": [], "traces": [], "runs": [], "segments": [], '
+                       '"sheets": [{"samples": [0, 1], "corners": [[0, 0, 0]]}]}}',
+                       '{"kind": "infinity"}', '{"kind": "infinity", "skeleton": {}}',
+                       '{"kind": "infinity", "skeleton": {"segments": [{"samples": [0, 8], "front": [0, 0, 0], '
+                       '"back": [0, 0, 0]}]}}']:
+            self.unreadable(text_of(HEADER, record))
+
+    def test_headers_of_all_kinds_of_nonsense(self):
+        for head in ['{}', '{"format": "flowcert-stationary-points"}', '{"format_version": 1}',
+                     '{"format": "flowcert-stationary-points", "format_version": "1"}',
+                     '{"format": "flowcert-stationary-points", "format_version": 2}',
+                     '{"format": "flowcert-stationary-points", "format_version": 1.0}',
+                     '{"format": "flowcert-pockets", "format_version": 1}',
+                     HEADER[:-1] + ', "points": "3"}', HEADER[:-1] + ', "points": 3.0}', HEADER[:-1] + ', "points": -3}',
+                     HEADER[:-1] + ', "points": 18446744073709551616}', HEADER[:-1] + ', "classes": [0]}',
+                     HEADER[:-1] + ', "critical": [3, 3, 1]}', HEADER[:-1] + ', "critical": [3, 3, 1, "0"]}',
+                     HEADER[:-1] + ', "regular_stationary": {"1-2": 0}}', HEADER[:-1] + ', "input_sha256": "00"}',
+                     HEADER[:-1] + ', "indices": [0, 0]}', HEADER[:-1] + ', "indices": ["0"]}',
+                     HEADER[:-1] + ', "indices": [4]}', HEADER[:-1] + ', "hull_volume": -1}',
+                     HEADER[:-1] + ', "morse_smale": 1}', HEADER[:-1] + ', "volumes": "all"}', HEADER + HEADER]:
+            self.unreadable(text_of(head, '{"index": 0, "contact": [0]}'))
+
+    def test_what_may_be_there(self):
+        def one(text):
+            self.assertNotEqual(verdict(TRIANGLE, text_of(HEADER, text)), "unreadable", text)
+        one('{"index": -0, "contact": [-0]}')
+        one('{"index": 0, "contact": [0], "note": {"limit": "north", "samples": [77]}}')
+        one('{"index": 0, "contact": [0], "note": ' + "[" * 15 + "]" * 15 + "}")
+        one('{"index": 0, "contact": [0], ' + ", ".join(f'"k{k}": 0' for k in range(998)) + "}")
+        one('{"index": 0, "center_double": [0, 0, 0], "contact": [0]}')
+        one('{"index": 2, "contact": [0, 1, 2], "shares_double": [[0, null], [1, 0.5]], "volume_double": null}')
+        one('{"index": 2, "contact": [0, 1, 2], "stable": {"walk": [0, 1, 0]}}')
+        one('{"index": 2, "contact": [0, 1, 2], "stable": {"walk": null}}')
+        one('{"kind": "infinity", "skeleton": {"segments": []}}')
+        one('')
+        self.assertNotEqual(verdict(TRIANGLE, text_of(HEADER[:-1] + ', "points": 18446744073709551615}')), "unreadable")
+
+    def test_limits_of_json(self):
+        self.unreadable(text_of(HEADER, '{"index": 0, "contact": [0], "note": ' + "[" * 16 + "]" * 16 + "}"))
+        self.unreadable(text_of(HEADER, '{"index": 0, "contact": [0], "note": ' + "[" * 99999 + "]" * 99999 + "}"))
+        self.unreadable(text_of(HEADER, '{"index": 0, "contact": [0], ' + ", ".join(f'"k{k}": 0' for k in range(999)) + "}"))
+        infinity = '{"kind": "infinity", "skeleton": {"segments": []}}'
+        self.unreadable(text_of(HEADER, infinity, infinity))
+        self.unreadable(text_of(HEADER).encode() + b'{"index": 0, "contact": [0], "note": "\xff"}')
+
+    def test_ids_of_level_5_are_ids(self):
+        segment = '{"samples": [0, %d], "front": [0, 0, 0], "back": [0, 0, 0], "%s": [%d]}'
+        for samples, key, contact, is_read in [(1, "back_contact", 2, True), (8, "back_contact", 2, False),
+                                               (1, "back_contact", 8, False), (1, "front_contact", 8, False)]:
+            one = segment % (samples, key, contact)
+            text = text_of(HEADER, '{"index": 2, "contact": [0, 1, 2], "skeleton": {"segments": [%s]}}' % one)
+            self.assertEqual(verdict(TRIANGLE, text) != "unreadable", is_read, one)
+
+    def test_lists_of_level_5_are_well_formed(self):
+        for record, is_clean in [('{"index": 2, "contact": [0, 1, 2], "shares": [[0, 1], [0, 2]]}', False),
+                                 ('{"index": 2, "contact": [0, 1, 2], "shares": [[0, 1], [1, 2]]}', True),
+                                 ('{"index": 2, "contact": [0, 1, 2], "limits": [[], null]}', False),
+                                 ('{"index": 2, "contact": [0, 1, 2], "lambda": {"directions": [], "arcs": [[0, 0]]}}', False),
+                                 ('{"index": 1, "contact": [0, 1], "samples": [0, 0]}', False),
+                                 ('{"index": 1, "contact": [0, 1], "samples": []}', True)]:
+            found = reasons(TRIANGLE, text_of(HEADER, record))
+            self.assertEqual((1, "malformed", 2) not in found, is_clean, record)
+
+
+class Text(unittest.TestCase):
+    RIGHT = ["0,0,0,0", "0,4,0,0", "0,1,3,0", "1,2,0,0", "1,0.5,1.5,0", "1,2.5,1.5,0", "2,2,1,0,5"]
+
+    def test_ends_of_lines(self):
+        for end in ["\n", "\r\n", "\r"]:
+            self.assertEqual(verdict(TRIANGLE, end.join(self.RIGHT)), "conforms", repr(end))
+            text = end.join([HEADER, '', ' \t', *[json.dumps(one) for one in right_records(TRIANGLE)]])
+            self.assertEqual(verdict(TRIANGLE, text), "conforms", repr(end))
+            self.assertEqual(verdict(TRIANGLE, end.join(["inf 3", "0 | 0", "1 | 0 |", "2|0"])), "fails", repr(end))
+        found = reasons(TRIANGLE, "\r".join(["", *self.RIGHT, "3,9,9,9"]))
+        self.assertEqual([one for one in found if one[0] == 2], [(2, "wrong-position", 9)])
+
+    def test_byte_order_marks_are_passed_over(self):
+        text = "\n".join(self.RIGHT)
+        self.assertEqual(verdict(TRIANGLE, "\ufeff" + text), "conforms")
+        self.assertEqual(verdict(TRIANGLE, gzip.compress(("\ufeff" + text).encode())), "conforms")
+        self.assertEqual(verdict(TRIANGLE, "\ufeff" + text_of(HEADER, *right_records(TRIANGLE))), "conforms")
+        self.assertEqual(verdict(TRIANGLE, "0,0,0,0\n\ufeff0,4,0,0"), "unreadable")
+        self.assertEqual(verdict(TRIANGLE, "\ufeff\ufeff" + text), "unreadable")
+
+    def test_empty_files_are_unreadable(self):
+        for data in [b"", b"\n", b" \t\v\f\r\n", b"\xef\xbb\xbf", b"\xef\xbb\xbf\n", gzip.compress(b""), gzip.compress(b"\n")]:
+            self.assertEqual(verdict(TRIANGLE, data), "unreadable", data)
+        for text in ["# nothing", "index,x,y,z", "inf 3", HEADER]:
+            self.assertEqual(verdict(TRIANGLE, text), "fails", text)
+
+    def test_damaged_gzip_is_unreadable(self):
+        data = gzip.compress("\n".join(self.RIGHT).encode())
+        self.assertEqual(verdict(TRIANGLE, data), "conforms")
+        self.assertEqual(verdict(TRIANGLE, data + b"\0" * 9), "conforms")
+        for damaged in [data[:-1], data[:12], data[:3], data + b"x", data[:20] + b"\xff\xff\xff" + data[23:],
+                        data[:-6] + b"xx" + data[-4:], data[:2] + b"\x07" + data[3:]]:
+            self.assertEqual(verdict(TRIANGLE, damaged), "unreadable", damaged)
+
+    def test_what_grows_too_much_is_refused(self):
+        self.assertEqual(verdict(TRIANGLE, gzip.compress(b"#" * (1 << 20))), "fails")
+        self.assertEqual(verdict(TRIANGLE, gzip.compress(b"#" * ((1 << 20) + 1))), "unreadable")
+
+    def test_columns_are_named_by_their_order(self):
+        for names, is_read in [("index,x,y,z", True), ("index x y z", True), ("index,x,y,z,squared_distance", True),
+                               ("index,x,y,z,squared_distance,contact", True), ("index,z,y,x", False), ("index", False),
+                               ("index,x,y", False), ("index,x,y,z,contact", False), ("Index,x,y,z", False)]:
+            text = "\n".join(["# a comment", names, *self.RIGHT])
+            self.assertEqual(verdict(TRIANGLE, text), "conforms" if is_read else "unreadable", names)
+        self.assertEqual(verdict(TRIANGLE, "\n".join(["index,x,y,z", "index,x,y,z", *self.RIGHT])), "unreadable")
+        self.assertEqual(verdict(TRIANGLE, "\n".join([*self.RIGHT, "index,x,y,z"])), "unreadable")
+
+    def test_fields_of_csv(self):
+        for line, is_read in [("2 2 1 0", True), ("2\v2\f1\t0", True), ("2 , 2 ,1, 0", True), ("2,2,1,0,", True),
+                              ("2,2,1,0,,", True), ("2,2,1,0,5,0,1,2", True), ("2,2,1,0,,0,1,2", True),
+                              ("2,,,,,0,1,2", True), ("2,,,,5,0,1,2,,", True), ("2,2,1,0 # it is", True), ("2,2,1,0#", True),
+                              (" 2,2,1,0 ", True), ("2,+2.,1e0,.0", True), ("2,2,1", False), ("2,2,1,", False), ("2,,,", False),
+                              ("2,,,,", False), ("2,2,1,0,-5", False), ("2,2,1,0,5,0,,1", False), (",2,2,1,0", False),
+                              ("4,2,1,0", False), ("02,2,1,0", False), ("2,2,1,0,5,+1", False), ("2;2;1;0", False),
+                              ("2,2,1.#INF,0", False), ("2,2,1.#,0", False), ("2,2,1,0,5,9", False), ("2,2,1,\u0660", False),
+                              ("2,2,1,0\u00a0", False), ("2,2,,0", False), ("2,2,1,0,5,0.0", False)]:
+            found = verdict(TRIANGLE, "\n".join([*self.RIGHT[:-1], line]))
+            self.assertEqual(found, "conforms" if is_read else "unreadable", line)
+
+    def test_lines_of_giesen_and_kuehne(self):
+        right = ["inf 3", "0 | 0 | 0 1 | 0 2 |", "1 | 0 | 0 1 | 1 2", "2|0|0 2|1 2|", "0 1 | 2 | 0 1 2", "0 2 | 1.5811388300841898 |"
+                 " 0 1 2", "1 2 | 2.1213203435596424 | 0 1 2", "0 1 2 | 2.23606797749979 | inf |"]
+        self.assertEqual(verdict(TRIANGLE, "\n".join(right)), "conforms")
+        self.assertEqual(verdict(TRIANGLE, "\n".join(right[1:])), "conforms")
+        for line, is_read in [("0 1 2 | 2.23606797749979", True), ("0 1 2 | -1", False), ("0 1 2", False), ("| 2.2", False),
+                              ("0 1 2 | ", False), ("0 1 2 | 2 2", False), ("0 1 2 0 1 | 2", False), ("0 1 2 | 2 | | inf", False),
+                              ("0 1 2 | 2 | 9 ", False), ("0 1 2 | 2 | inf 3", False), ("0 1 2 | 2 | 0 1 2 0 1", False),
+                              ("inf 2", False), ("inf", False), ("inf 3 3", False), ("0 1 x | 2", False), ("# no | 1", False)]:
+            found = verdict(TRIANGLE, "\n".join([*right[1:-1], line]))
+            self.assertEqual(found != "unreadable", is_read, line)
+        self.assertEqual(verdict(TRIANGLE, "\n".join([*right, "inf 3"])), "unreadable")
+
+    def test_vtp_and_pockets_are_unreadable(self):
+        self.assertEqual(verdict(TRIANGLE, "<VTKFile>"), "unreadable")
+        self.assertEqual(verdict(TRIANGLE, '\n {"format": "flowcert-pockets-1"}'), "unreadable")
+
+
+class Verdicts(unittest.TestCase):
+    def test_judgements_of_levels_1_to_4(self):
+        judgements = json.loads((SPEC / "judgements.json").read_text())["judgements"]
+        blocks = judgements_test.examples((SPEC / "claims.md").read_text())
+        judgements += [judgements_test.example_of(*block)[0] for block in blocks]
+        asked = [one for one in judgements if "answers" not in one and one.get("levels", 4) < 5]
+        self.assertGreater(len(asked), 100)
+        for one in asked:
+            result = judged(CASES[one["case"]], text_of(*one["claim"]), levels=one.get("levels", 4))
+            owed = one["verdict"], judgements_test.sorted_findings(one["findings"])
+            self.assertEqual((result["outcome"], judgements_test.sorted_findings(result["findings"])), owed, one["id"])
+            if "statement" in one:
+                said = judge.statement(result["outcome"], result["profile"], 1e-9)
+                self.assertEqual(said, one["statement"], one["id"])
+
+    def test_right_claims_conform(self):
+        right = [case for case in CASES.values() if case["result"] != "invalid" and len(case["points"]) < 12][::9]
+        self.assertGreater(len(right), 80)
+        for case in right:
+            result = judged(case, text_of(header_of(case), *right_records(case)))
+            self.assertEqual((result["outcome"], result["findings"]), ("conforms", []), case["id"])
+            self.assertLessEqual({1, 3}, result["judged"])
+
+    def test_what_the_header_says(self):
+        case = CASES["duplicates-0003"]
+        head, records = header_of(case), right_records(case)
+        for key, value, reason in [("points", 0, "wrong-counts"), ("merged_duplicates", 77, "wrong-counts"),
+                                   ("critical", [0, 0, 0, 0], "wrong-counts"), ("classes", [], "malformed"),
+                                   ("input_sha256", "0" * 64, "malformed"),
+                                   ("regular_stationary", {"1-2": 9, "1-3": 0, "2-3": 0}, "wrong-counts")]:
+            found = reasons(case, text_of({**head, key: value}, *records))
+            self.assertEqual(found, [(1, reason, None)], key)
+        truth = judge.Truth(case)
+        right = {**head, "classes": truth.classes, "input_sha256": truth.digest()}
+        self.assertEqual(verdict(case, text_of(right, *records)), "conforms")
+
+    def test_profile_and_tolerance(self):
+        records = right_records(TRIANGLE)
+        near = [{"index": one["index"], "center_double": [x + 1e-7 * x for x in one["center_double"]]} for one in records]
+        for tolerance, outcome, said in [
+                (1e-9, "fails", "does not conform to 1.1"),
+                (1e-6, "conforms", "conforms to 1.1, points, approximate within 1e-06"), (2e-6, "conforms", None)]:
+            result = judged(TRIANGLE, text_of(HEADER, *near), tolerance=tolerance)
+            self.assertEqual(result["outcome"], outcome)
+            self.assertEqual(judge.statement(outcome, result["profile"], tolerance), said)
+        exact = judged(TRIANGLE, text_of(HEADER, *records), tolerance=1e-3)
+        said = judge.statement("conforms", exact["profile"], 1e-3)
+        self.assertEqual(said, "conforms to 1.1, points + U2 + S2, exact")
+        for levels, said in [(1, None), (2, None), (3, "conforms to 1.1, points, exact")]:
+            result = judged(TRIANGLE, text_of(HEADER, *records), levels=levels)
+            self.assertEqual(judge.statement(result["outcome"], result["profile"], 1e-9), said)
+            self.assertEqual(result["judged"], set(range(1, levels + 1)))
+
+    def test_joined_profiles(self):
+        one = {"parts": {"points": True, "U2": True, "S2": None}, "indices": {0, 1, 2, 3}, "exact": True}
+        other = {"parts": {"points": True, "U2": False, "S2": True}, "indices": {0, 1, 3}, "exact": False}
+        joined = judge.joined_profile([one, other])
+        self.assertEqual(joined, {"parts": {"points": True, "U2": False, "S2": True}, "indices": {0, 1, 3}, "exact": False})
+        self.assertEqual(judge.statement("perturbed", joined, 1e-9),
+                         "is perturbed under 1.1, points of index 0, 1, 3 + S2, approximate within 1e-09")
+        self.assertIsNone(judge.statement("conforms", judge.joined_profile([]), 1e-9))
+
+
+class Matching(unittest.TestCase):
+    def test_as_many_as_possible_have_a_partner(self):
+        for choices, size in [([[1, 2], [1], [2, 3]], 3), ([[1], [1]], 1), ([[1, 2], [2, 3], [1, 2]], 3), ([[]], 0), ([], 0),
+                              ([[1, 2, 3], [1, 2], [1]], 3), ([[1, 2], [1, 2], [1, 2]], 2),
+                              ([[0, 1], [1, 2], [2, 3], [3, 4], [0]], 5)]:
+            partner = judge.maximum_matching(choices)
+            self.assertEqual(len(partner), size, choices)
+            self.assertEqual(len(set(partner.values())), size)
+            self.assertTrue(all(one in choices[k] for k, one in partner.items()))
+
+    def test_a_position_means_what_no_contact_set_has_taken(self):
+        case = CASES["critical-points-0060"]
+        edge = {"index": 1, "center": [0.0, 0.0, 1e-11]}
+        claims = [{"index": 1, "contact": one} for one in ([0, 1], [0, 2], [0, 3], [1, 2], [1, 3])]
+        head = HEADER[:-1] + ', "indices": [1]}'
+        for order in ([edge, *claims], [*claims, edge]):
+            self.assertEqual(verdict(case, text_of(head, *order)), "conforms where determined")
+        self.assertEqual(verdict(case, text_of(head, edge, edge, *claims[1:])), "conforms where determined")
+        self.assertEqual(verdict(case, text_of(head, edge, edge, *claims)), "fails")
+        # The distance tells them apart: 1 for {0, 1}, and 2^-66 less than 1 + 2^-66 for the other one.
+        far = {**edge, "squared_distance": 2}
+        self.assertEqual(verdict(case, text_of(head, far, *claims)), "fails")
+
+    def test_what_is_one_of_several_is_not_judged_on_level_4(self):
+        case = CASES["critical-points-0060"]
+        head = HEADER[:-1] + ', "indices": [0, 1]}'
+        edges = [{"index": 1, "contact": one} for one in ([0, 1], [0, 2], [0, 3], [1, 2], [1, 3])]
+        samples = [{"index": 0, "contact": [k]} for k in range(4)]
+        edge = {"index": 1, "center": [0.0, 0.0, 1e-11], "samples": [0, 2]}
+        result = judged(case, text_of(head, *samples, *edges, edge))
+        self.assertEqual((result["outcome"], 4 in result["judged"]), ("conforms where determined", False))
+        edge = {"index": 1, "contact": [2, 3], "samples": [0, 2]}
+        self.assertEqual(verdict(case, text_of(head, *samples, *edges, edge)), "fails")
+
+
+class Perturbations(unittest.TestCase):
+    PRISM = CASES["cospherical-clusters-0006"]
+
+    def of_prism(self, indices, *contacts):
+        head = HEADER[:-1] + f', "indices": {indices}}}'
+        return text_of(head, *({"index": index, "contact": contact} for index, contact in contacts))
+
+    def test_one_face_may_be_kept(self):
+        for claims, outcome in [
+                ([(3, [0, 1, 2, 4, 5])], "perturbed"), ([(3, [0, 1, 2, 3, 4, 5])], "conforms"),
+                ([(3, [0, 1, 2, 4, 5]), (3, [0, 1, 2, 3, 4])], "fails"),
+                ([(3, [0, 1, 2, 3, 4])], "perturbed"), ([(3, [0, 1, 2, 3])], "conforms where determined")]:
+            self.assertEqual(verdict(self.PRISM, self.of_prism([3], *claims)), outcome, claims)
+
+
+class Orbits(unittest.TestCase):
+    """Claims about the orbit of one position."""
+
+    def test_the_orbits_of_the_vectors_are_those_that_it_computes(self):
+        cases = [case for case in CASES.values() if len(case.get("expected", {}).get("orbits", [])) > 3][::4]
+        self.assertGreater(len(cases), 10)
+        for case in cases:
+            flow = judge.Flow(judge.Truth(case))
+            for one in case["expected"]["orbits"]:
+                true = judge.read_orbit(json.dumps(one).encode())
+                computed = flow.orbit(tuple(map(Fraction, one["start"])))
+                self.assertEqual([list(one) for one in computed[0]], [list(one) for one in true[0]], case["id"])
+                self.assertEqual(computed[1], true[1], case["id"])
+                self.assertEqual(flow.verdict(computed, true), "conforms")
+
+    def beyond(self, name, start, way):
+        """A case, the true orbit of a start, and that orbit with what follows its end in a direction."""
+        case = CASES[name]
+        flow = judge.Flow(judge.Truth(case))
+        one = next(one for one in case["expected"]["orbits"] if one["start"] == start)
+        segments, limit = judge.read_orbit(json.dumps(one).encode())
+        first = flow.segment(limit[2], limit[2], tuple(map(Fraction, way)))
+        more, end = flow.orbit(first[2]) if first[2] else ([], None)
+        return flow, (segments, limit), ([*segments, first, *more], end)
+
+    BEYOND = [("orbits-0004", ["1", "1", "0"], (0, 0, -1)), ("orbits-0004", ["1", "1", "0"], (1, 1, -1)),
+              ("orbits-0006", ["0", "0", "1"], (0, -1, 0)), ("orbits-0010", ["1/2", "1/3", "0"], (0, 0, -1)),
+              ("orbits-0017", ["1/8", "0", "1/8"], (0, 1, 0)), ("orbits-0017", ["1/8", "0", "1/8"], (1, 0, 1)),
+              ("orbits-0018", ["0", "2/3", "4/3"], (-1, 1, 0)), ("orbits-0018", ["0", "2/3", "4/3"], (0, 1, 0)),
+              ("orbits-0019", ["1", "3/2", "4/3"], (-1, 0, 0)), ("orbits-0024", ["7/3", "7/3", "5/3"], (0, 1, 1)),
+              ("orbits-0046", ["17/6", "1/2", "1/3"], (1, 1, 1)), ("orbits-0074", ["0", "11/3", "11/3"], (0, -1, 0))]
+
+    def test_an_orbit_may_go_on_beyond_a_regular_point(self):
+        for one in self.BEYOND:
+            flow, true, claimed = self.beyond(*one)
+            self.assertEqual(flow.verdict(claimed, true), "perturbed", one)
+            self.assertEqual(flow.verdict(true, true), "conforms")
+
+    def test_what_comes_after_a_regular_point_is_judged(self):
+        for one in self.BEYOND:
+            flow, true, (segments, limit) = self.beyond(*one)
+            count = len(true[0])
+
+            def damaged(k, place, value):
+                changed = [list(segment) for segment in segments]
+                changed[k][place] = value
+                return flow.verdict((changed, limit), true)
+
+            for k, segment in enumerate(segments):
+                last = k == len(segments) - 1
+                y = segment[1]
+                self.assertEqual(damaged(k, 0, "Q"), "fails", (one, k))
+                self.assertEqual(damaged(k, 0, "C-C-C"), "fails", (one, k))
+                self.assertEqual(damaged(k, 1, (y[0] + 1, *y[1:])), "fails", (one, k))
+                self.assertEqual(damaged(k, 2, (y[0] + 7, *y[1:])), "fails", (one, k))
+                if segment[2] is not None:
+                    self.assertEqual(damaged(k, 2, None), "fails", (one, k))
+                    half = tuple((a + b) / 2 for a, b in zip(segment[1], segment[2]))
+                    self.assertEqual(damaged(k, 2, half), "fails", (one, k))
+                self.assertEqual(damaged(k, 3, [99]), "fails", (one, k))
+                if segment[2] is not None or k > count:
+                    self.assertEqual(damaged(k, 4, [99]), "fails", (one, k))
+                self.assertEqual(damaged(k, 5, [99]), "fails", (one, k))
+                for place in (3, 4, 5):
+                    self.assertEqual(damaged(k, place, None), "perturbed", (one, k))
+                if not last:
+                    self.assertEqual(flow.verdict((segments[:k + 1] + segments[k + 2:], limit), true), "fails", (one, k))
+            self.assertEqual(flow.verdict((segments, true[1]), true), "fails", one)
+            self.assertEqual(flow.verdict(([*segments, segments[-1]], limit), true), "fails", one)
+            self.assertEqual(flow.verdict((segments[count:], limit), true), "fails", one)
+            if limit is not None:
+                for place, value in enumerate(["regular!", judge.Literal("1"), (9, 9, 9), [0, 1], Fraction(999)]):
+                    changed = list(limit)
+                    changed[place] = value
+                    self.assertEqual(flow.verdict((segments, changed), true), "fails", (one, place))
+                self.assertEqual(flow.verdict((segments, None), true), "fails", one)
+            else:
+                self.assertEqual(flow.verdict((segments, true[1]), true), "fails", one)
+
+    def test_no_other_direction_leads_away(self):
+        flow, true, _ = self.beyond(*self.BEYOND[4])
+        y = true[1][2]
+        for way in [(0, -1, 0), (1, 0, 0), (0, 0, 1), (-1, 0, 0), (0, 0, -1), (1, 1, 0), (0, 1, 1)]:
+            first = flow.segment(y, y, tuple(map(Fraction, way)))
+            leaves = judge.in_hull(flow.truth.where(first[4]), y)
+            if first[2] is not None:
+                more, limit = flow.orbit(first[2])
+                found = flow.verdict(([*true[0], first, *more], limit), true)
+                self.assertEqual(found, "perturbed" if leaves else "fails", way)
+
+    def test_a_segment_may_arrive_in_another_way(self):
+        flow, (segments, limit), (longer, end) = self.beyond(*self.BEYOND[7])
+        kind, driver, to, start, crossed, after = segments[-1]
+        others = [one for one in judge.SEGMENT_TYPES if one[:4] == kind[:4]]
+        self.assertGreater(len(others), 2)
+        for one in others:
+            for contact, is_part in [(after, True), (crossed, True), (crossed + after[-1:], True), (None, True),
+                                     (after[:1], False), (crossed + [99], False)]:
+                claimed = [*segments[:-1], [one, driver, to, start, crossed, contact]]
+                is_true = one == kind and contact in (after, None)
+                owed = "conforms" if is_true else "perturbed" if is_part and one[4:] != "inf" else "fails"
+                self.assertEqual(flow.verdict((claimed, limit), (segments, limit)), owed, (one, contact))
+                owed = "perturbed" if is_part and one[4:] != "inf" else "fails"
+                found = flow.verdict((claimed + longer[len(segments):], end), (segments, limit))
+                self.assertEqual(found, owed, (one, contact))
+
+    def test_infinity_does_not_tell_the_direction(self):
+        flow, true, (segments, limit) = self.beyond(*self.BEYOND[0])
+        first = segments[-1]
+        for kind, owed in [("E-E-inf", "perturbed"), ("E-F-inf", "perturbed"), ("V-E-inf", "fails"), ("E-E-V", "fails"),
+                           ("F-F-inf", "fails"), ("E-C-inf", "fails")]:
+            self.assertEqual(flow.verdict(([*segments[:-1], [kind, *first[1:]]], None), true), owed, kind)
+        self.assertEqual(flow.verdict((segments, true[1]), true), "fails")
+
+    def test_orbits_that_end_elsewhere_are_the_true_ones_alone(self):
+        for case in [CASES[f"orbits-{k:04}"] for k in (1, 2, 3, 5)]:
+            flow = judge.Flow(judge.Truth(case))
+            for one in case["expected"]["orbits"]:
+                segments, limit = judge.read_orbit(json.dumps(one).encode())
+                self.assertEqual(flow.verdict((segments, limit), (segments, limit)), "conforms")
+                if limit and limit[0] == "regular" or not segments:
+                    continue
+                self.assertEqual(flow.verdict((segments[:-1], limit), (segments, limit)), "fails")
+                self.assertEqual(flow.verdict((segments + segments[-1:], limit), (segments, limit)), "fails")
+                self.assertEqual(flow.verdict((segments, limit and [*limit[:4], 999]), (segments, limit)),
+                                 "fails" if limit else "conforms")
+
+    def test_orbits_are_read_by_their_format(self):
+        right = json.dumps(CASES["orbits-0004"]["expected"]["orbits"][-1])
+        self.assertEqual(judge.read_orbit(right.encode()), judge.read_orbit(b"\xef\xbb\xbf" + right.encode()))
+        at = '{"segments": %s, "limit": %s}'
+        limit = ('{"kind": "critical", "index": 0, "position": ["0", "-3/4", "0"], "contact": [1, 0], '
+                 '"squared_distance": "0"}')
+        segment = '{"type": "C-C-V", "driver": ["0", "0", "0"], "end": ["6/4", "0", "0"], "end_contact": [1, 0]}'
+        read = judge.read_orbit((at % (f"[{segment}]", limit)).encode())
+        self.assertEqual(read, ([["C-C-V", (0, 0, 0), (Fraction(3, 2), 0, 0), None, None, [0, 1]]],
+                                ["critical", judge.Literal("0"), (0, Fraction(-3, 4), 0), [0, 1], 0]))
+        self.assertEqual(judge.read_orbit((at % ("[]", '{"kind": "infinity"}')).encode()), ([], None))
+        for text in ["", "[]", "{}", at % ("{}", limit), at % ("[5]", limit), at % ("[{}]", limit), at % ("[]", "null"),
+                     at % ("[]", "{}"), at % ("[]", limit.replace("-3/4", "0.5")), at % ("[]", limit.replace('"-3/4"', "5")),
+                     at % ("[]", limit.replace("-3/4", "3/0")), at % ("[]", limit.replace("-3/4", "+3")),
+                     at % ("[]", limit.replace("-3/4", "\u0663")), at % ("[]", limit.replace(', "0"]', "]")),
+                     at % ("[]", limit.replace("[1, 0]", "[1.0]")), at % ("[]", limit.replace('"-3/4"', "true")),
+                     at % ("[%s]" % segment.replace('"C-C-V"', "5"), limit), at % ("[%s]" % segment.replace("driver", "d"), limit)]:
+            with self.assertRaises(judge.Unreadable, msg=text):
+                judge.read_orbit(text.encode())
+        with self.assertRaises(judge.Unreadable):
+            judge.read_orbit(None)
+
+
+class Commands(unittest.TestCase):
+    def run_one(self, command, text="0 0 0\n", seconds=20, start="1,0,0"):
+        return judge.run_command(command, text, seconds, start)
+
+    def test_how_commands_end(self):
+        for status, outcome in [(0, 0), (1, 1), (2, 2), (125, 125), (126, "crashed"), (127, "crashed"), (128, 128),
+                                (129, "crashed"), (134, "crashed"), (192, "crashed"), (193, 193), (254, 254), (255, 255)]:
+            self.assertEqual(self.run_one(f"exit {status}")[0], outcome, status)
+        self.assertEqual(self.run_one("kill -9 $$")[0], "crashed")
+        self.assertEqual(self.run_one("no-such-program")[0], "crashed")
+        self.assertEqual(self.run_one("sleep 9", seconds=0.1)[0], "timed out")
+
+    def test_what_commands_are_given_and_answer(self):
+        self.assertEqual(self.run_one("cat {in}", "1 2 3\r\n"), (0, b"1 2 3\r\n", ""))
+        self.assertEqual(self.run_one("cat {in} > {out}; echo no", "1 2 3\n")[1], b"1 2 3\n")
+        self.assertEqual(self.run_one("printf %s {start}", start="1 2'3")[1], b"1 2'3")
+        self.assertIsNone(self.run_one("true {out}")[1])
+        self.assertEqual(self.run_one("cat")[1], b"")
+        self.assertEqual(self.run_one("echo one >&2; echo two >&2; echo >&2; exit 3")[2], "exit status 3: two")
+        self.assertEqual(self.run_one("exit 3")[2], "exit status 3")
+        self.assertEqual(self.run_one("printf 'a\\033b' >&2; exit 3")[2], "exit status 3: a\\x1bb")
+        self.assertEqual(len(self.run_one("printf %1000d 1 >&2; exit 3")[2]), len("exit status 3: ") + 160)
+        self.assertEqual(len(self.run_one("head -c 16777216 /dev/zero")[1]), 16 << 20)
+        self.assertIsNone(self.run_one("head -c 16777217 /dev/zero")[1])
+        for size, is_read in [((1 << 20) - 2, True), ((1 << 20) - 1, False)]:
+            answer = self.run_one(f"printf '\\037\\213'; head -c {size} /dev/zero")[1]
+            self.assertEqual(answer is not None, is_read)
+        self.assertEqual(self.run_one("head -c 70000000 /dev/zero > {out}")[1], None)
+
+    def test_points_of_a_case(self):
+        self.assertEqual(judge.points_text(TRIANGLE, False), "0.0 0.0 0.0\n4.0 0.0 0.0\n1.0 3.0 0.0\n")
+        self.assertEqual(judge.points_text(TRIANGLE, True).split("\n")[1], "0x1p+2 0x0p+0 0x0p+0")
+        self.assertEqual(judge.points_text({"points": []}, False), "# no points\n")
+        self.assertEqual(judge.points_text({"text": "a\r"}, False), "a\r")
+        self.assertEqual(judge.points_text({"points": [["nan", "0x1p", "0x1p+1"]]}, False), "nan 0x1p 2.0\n")
+
+
+def run_main(*words):
+    """The exit status of a run, and what it prints."""
+    out, old = io.StringIO(), sys.argv
+    sys.argv = ["judge.py", *map(str, words)]
+    try:
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(out):
+            try:
+                status = judge.main()
+            except SystemExit as end:
+                status = end.code
+    finally:
+        sys.argv = old
+    return status, out.getvalue()
+
+
+class Runs(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(prefix="judge-test-")
+        cls.claim = Path(cls.folder.name, "claim")
+        chosen = {"critical-points": ["critical-points-0001", "critical-points-0002"], "orbits": ["orbits-0004"],
+                  "invalid-input": [case for case in CASES if case.startswith("invalid-input")]}
+        for name, ids in chosen.items():
+            cases = [CASES[one] for one in ids]
+            Path(cls.folder.name, f"{name}.json").write_text(json.dumps({"group": name, "cases": cases}))
+        Path(cls.folder.name, "flags.json").write_text((SPEC / "vectors" / "flags.json").read_text())
+        cls.right = Path(cls.folder.name, "right")
+        cls.right.mkdir()
+        for name in ("critical-points-0001", "critical-points-0002", "orbits-0004"):
+            case = CASES[name]
+            digest = judge.hashlib.sha256(judge.points_text(case, False).encode()).hexdigest()
+            (cls.right / digest).write_text(text_of(header_of(case), *right_records(case)))
+        cls.command = f"f={cls.right}/$(sha256sum < {{in}} | cut -c1-64); test -f $f && cat $f"
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def run_judge(self, *words):
+        return run_main("--vectors", self.folder.name, *words)
+
+    def test_a_right_program_conforms(self):
+        status, text = self.run_judge("--against", self.command, "--time-limit", 20)
+        starts = sum(case.get("refused") == "start" for case in CASES.values())
+        invalid = sum(case["result"] == "invalid" for case in CASES.values())
+        asked, total = 3 + invalid - starts, 3 + invalid
+        self.assertEqual(status, 0, text)
+        self.assertIn(f"\n{asked} cases: {asked} conform, 0 where determined, 0 perturbed, 0 negative\n", text)
+        self.assertIn(f"skipped: {starts} cases\n", text)
+        self.assertIn("judged: 3 claims on level 1, 3 claims on level 2, 3 claims on level 3, 3 claims on level 4\n", text)
+        self.assertTrue(text.endswith(f"conforms to 1.1, points + U2 + S2, exact ({asked} of {total} vectors)\n"), text)
+        self.assertRegex(text, r"(?m)^  critical-points +2 +2 +0$")
+        self.assertNotIn("undecided", text)
+
+    def test_a_wrong_program_does_not(self):
+        status, text = self.run_judge("--against", "cat {in} >/dev/null; echo '# nothing'", "--most", 1)
+        self.assertEqual(status, 1)
+        self.assertIn("critical-points-0001", text)
+        self.assertIn("level 3: missing [FC-CLAIM-03]: the contact set [0]", text)
+        valid = sum(case["result"] != "invalid" or case.get("refused") != "start" for case in CASES.values()
+                    if case["id"].startswith("invalid-input")) + 3
+        self.assertIn(f"\nand {valid - 1} more\n", text)
+        self.assertIn("does not conform to 1.1", text)
+        self.assertEqual(text.count("level 3: "), 3)
+
+    def test_outcomes(self):
+        case = ["--case", "critical-points-0002", "--json", "--against"]
+        for command, outcome in [("exit 255", "refused"), ("echo [", "unreadable"), ("echo '# no'", "fails"), (self.command, "conforms"),
+                                 ("true {out}", "unreadable")]:
+            status, text = self.run_judge(*case, command)
+            self.assertEqual(json.loads(text)["cases"][0]["outcome"], outcome, command)
+            self.assertEqual(status, outcome != "conforms")
+        case = ["--case", "invalid-input-0001", "--json", "--against"]
+        probe = "case $(cat {in}) in '0 0 0'*) ;; *) %s;; esac"
+        for command, outcome in [("exit 255", "properly refused"), ("exit 1", "properly refused"), ("echo", "accepted"),
+                                 (probe % "exit 139", "crashed")]:
+            status, text = self.run_judge(*case, command)
+            self.assertEqual(json.loads(text)["cases"][0]["outcome"], outcome, command)
+            self.assertEqual(status, outcome != "properly refused")
+        status, text = self.run_judge("--case", "critical-points-0002", "--against", "echo because >&2; exit 3")
+        self.assertIn("critical-points-0002 (an acute triangle): refused: exit status 3: because\n", text)
+
+    def test_one_claim(self):
+        self.claim.write_text("\n".join(Text.RIGHT))
+        status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim)
+        self.assertEqual(status, 0)
+        self.assertIn("conforms to 1.1, points, approximate within 1e-09 (1 of ", text)
+        status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-3")
+        self.assertEqual(status, 0)
+        self.assertTrue(text.endswith("no statement: the tolerance 0.001 is above 1e-06 (FC-CLAIM-23)\n"), text)
+        self.claim.write_text("\n".join(Text.RIGHT[1:] + ["0,7,7,7"]))
+        status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-3")
+        self.assertEqual(status, 1)
+        self.assertIn("  level 2: wrong-position [FC-CRIT-01]: line 7\n", text)
+        self.assertTrue(text.endswith("does not conform to 1.1 (1 of 45 vectors)\n"), text)
+
+    def test_what_cannot_be_used(self):
+        self.claim.write_text("\n".join(Text.RIGHT))
+        for words in [[], ["--against", "true", "--claim", self.claim], ["--against", "true", "--tolerance", "0.0011"],
+                      ["--against", "true", "--tolerance", "-1"], ["--claim", self.claim], ["--group", "none", "--against", "true"],
+                      ["--case", "invalid-input-0001", "--claim", self.claim], ["--against", "no-such-program"],
+                      ["--against", "true", "--orbits-against", "true"], ["--against", "true", "--orbits-against", "exit 127 {start}"],
+                      ["--case", "critical-points-0002", "--claim", self.claim, "--orbits-against", "true {start}"],
+                      ["--case", "critical-points-0002", "--claim", "/no/such/file"], ["--against", "true", "--vectors", "/no/such"]]:
+            status, text = self.run_judge(*words)
+            self.assertEqual(status, 2, (words, text))
+            self.assertIn("error: ", text)
+
+    def test_groups_flags_and_cases_are_chosen(self):
+        for words, count in [(["--group", "critical-points"], 2), (["--case", "orbits-0004"], 1), (["--flag", "not-finite"], 3),
+                             (["--group", "critical-points", "--case", "critical-points-0002"], 1)]:
+            found = json.loads(self.run_judge(*words, "--json", "--against", "exit 1")[1])["cases"]
+            owed = count if "--flag" not in words else sum("not-finite" in one["flags"] for one in CASES.values()
+                                                          if one["id"].startswith("invalid-input"))
+            self.assertEqual(len(found), owed, words)
+
+    def test_orbits_are_asked_for(self):
+        orbits = CASES["orbits-0004"]["expected"]["orbits"]
+        answers = Path(self.folder.name, "answers")
+        answers.mkdir(exist_ok=True)
+        for one in orbits:
+            Path(answers, ",".join(one["start"]).replace("/", "_")).write_text(json.dumps(one))
+        right = f"cat {answers}/$(echo {{start}} | tr / _) 2>/dev/null || test {{start}} = 1,0,0"
+        words = ["--case", "orbits-0004", "--against", self.command, "--orbits-against"]
+        status, text = self.run_judge(*words, right)
+        self.assertEqual(status, 0, text)
+        self.assertIn(f"judged: {len(orbits)} orbits\n", text)
+        self.assertIn("conforms to 1.1, points + orbits, exact (1 of ", text)
+        for command, outcome in [("echo {start}", "unreadable"), ("exit 4 || {start}", "refused"),
+                                 ("test {start} = 1,0,0 || exit 139", "crashed"),
+                                 ('echo {start} >/dev/null; echo \'{"segments": [], "limit": {"kind": "infinity"}}\'', "fails")]:
+            status, text = self.run_judge(*words, command, "--json")
+            found = json.loads(text)
+            self.assertEqual((status, found["cases"][0]["outcome"]), (1, outcome), command)
+            self.assertEqual(found["statement"], "does not conform to 1.1 (1 of 45 vectors)")
+        starts = [case for case in CASES.values() if case.get("refused") == "start"]
+        status, text = self.run_judge("--case", starts[0]["id"], "--against", "true", "--orbits-against", "exit 1 # {start}", "--json")
+        self.assertEqual(json.loads(text)["cases"][0]["outcome"], "properly refused")
+
+
+if __name__ == "__main__":
+    unittest.main()
