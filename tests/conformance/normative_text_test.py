@@ -5,11 +5,12 @@ normative_text_test.py --self-test      damages a small page in every way that m
 FC-TERM-01: what is not informative is the text of a clause. So in each page of spec/ every block of text belongs to a
 clause, or to a paragraph that begins with *Informative*. If a page has no clause, its first paragraph begins so, and
 all of it is informative. Examples are informative, too. FC-TERM-02: each theorem of flow_complex.md has a proof in
-proofs.md. Prints how many lines are which.
+proofs.md. Every link of these pages and of the manual in src/cli leads to a file. Prints how many lines are which.
 """
 # CITES: FC-TERM-01 FC-TERM-02 FC-TERM-03 FC-TERM-04 FC-TERM-05 FC-TERM-06
 import re
 import sys
+import tempfile
 from pathlib import Path
 
 CLAUSE = re.compile(r"\*\*FC-[A-Z]+-\d\d\*\* \((determined|permitted variation|must reject)(, theorem)?\)\. \S")
@@ -19,6 +20,7 @@ CLAUSE_ID = re.compile(r"^\*\*(FC-[A-Z]+-\d\d)\*\* \(", re.MULTILINE)
 PROOF = re.compile(r"^\*\*(FC-[A-Z]+-\d\d)\.\*\* ", re.MULTILINE)
 VERSION = re.compile(r"Version \d+\.\d+, \d{4}-\d\d-\d\d")
 FENCE = re.compile(r"```")
+LINK = re.compile(r"\]\(([^)#\s]+)")
 
 
 def blocks(text):
@@ -80,6 +82,11 @@ def without_proof(clauses, proofs):
     return [f"proofs.md: no proof of {name}" for name in theorems(clauses) if name not in proved]
 
 
+def broken_links(path):
+    targets = [target for target in LINK.findall(path.read_text()) if "://" not in target]
+    return [f"{path}: a link to {target}, which is no file" for target in targets if not (path.parent / target).exists()]
+
+
 def has_clauses(text):
     return any(CLAUSE.match(line) for line in text.split("\n"))
 
@@ -96,6 +103,8 @@ def check(root):
     complaints, counts = [], new_counts()
     for path in pages(root):
         complaints += complaints_about(str(path.relative_to(root)), path.read_text(), counts)
+    for path in pages(root) + sorted(root.glob("src/cli/**/*.md")):
+        complaints += broken_links(path)
     with_clauses = [path for path in pages(root) if has_clauses(path.read_text())]
     complaints += without_proof(*((root / "spec" / name).read_text() for name in ("flow_complex.md", "proofs.md")))
     for complaint in complaints:
@@ -152,6 +161,11 @@ def self_test():
     for proofs, missing in (("**FC-IN-01.** So.\n**FC-IN-02.** So.\n", 0), ("**FC-IN-02.** See FC-IN-01.\n", 1), ("", 2)):
         if len(without_proof(clauses, proofs)) != missing:
             failures.append(f"not {missing} theorems without a proof")
+    with tempfile.TemporaryDirectory() as folder:
+        page = Path(folder, "a.md")
+        page.write_text("[one](a.md), [two](a.md#part), [three](b.md#part), [four](https://example.org/c.md)\n")
+        if len(broken_links(page)) != 1:
+            failures.append("other links than one are broken")
     counts = new_counts()
     complaints_about("page", PAGE, counts)
     if counts != {"normative": 4, "informative": 7, "without an id": 0}:
