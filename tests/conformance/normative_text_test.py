@@ -84,7 +84,7 @@ def without_proof(clauses, proofs):
 
 def broken_links(path):
     targets = [target for target in LINK.findall(path.read_text()) if "://" not in target]
-    return [f"{path}: a link to {target}, which is no file" for target in targets if not (path.parent / target).exists()]
+    return [f"{path}: no file is at the link {target}" for target in targets if not (path.parent / target).exists()]
 
 
 def has_clauses(text):
