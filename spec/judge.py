@@ -132,53 +132,52 @@ def parse(text):
 
 
 SCHEMA = parse((HERE / "schemas" / "exchange.schema.json").read_text())
-DEFINITIONS = SCHEMA["definitions"]
+RECORD, HEADER, INFINITY = (SCHEMA["definitions"][name] for name in ("record", "header", "infinity"))
+
+
+def is_string(value):
+    return isinstance(value, str) and not isinstance(value, Literal)
+
+
+def fits_definition(value, path):
+    *_, name = names = path.split("/")[1:]
+    if not fits(value, functools.reduce(dict.get, names, SCHEMA)):
+        return False
+    require(name != "vector" or any(json_number(one)[0] for one in value), "a vector that is zero")
+    return name != "rational" or json_number(value) is not None  # or raises what is wrong with it
+
+
 TYPES = {"object": lambda value: isinstance(value, dict), "array": lambda value: isinstance(value, list),
-         "string": lambda value: isinstance(value, str) and not isinstance(value, Literal),
          "number": lambda value: isinstance(value, Literal), "boolean": lambda value: isinstance(value, bool),
          "integer": lambda value: isinstance(value, Literal) and re.fullmatch("-?[0-9]+", value),
-         "null": lambda value: value is None}
-
-
-def each_fits(value, schema):
-    """The part of a schema that speaks of keys and items."""
-    if isinstance(value, dict):
-        known = schema.get("properties", {})
-        return all(key in value for key in schema.get("required", [])) and \
-            all(fits(one, known[key]) for key, one in value.items() if key in known)
-    if isinstance(value, list):
-        items = schema.get("items", True)
-        pairs = zip(value, items) if isinstance(items, list) else ((one, items) for one in value)
-        return int(schema.get("minItems", 0)) <= len(value) <= int(schema.get("maxItems", len(value))) and \
-            ("uniqueItems" not in schema or len(set(value)) == len(value)) and all(fits(*pair) for pair in pairs)
-    return True
+         "null": lambda value: value is None, "string": is_string}
+# As much of JSON Schema (draft 7) as the schema of a line needs: each takes a value, its own part of a schema, and that.
+RULES = {
+    "$ref": lambda value, path, _: fits_definition(value, path),
+    "type": lambda value, names, _: any(TYPES[one](value) for one in ([names] if is_string(names) else names)),
+    "const": lambda value, one, _: value == one,
+    "enum": lambda value, some, _: value in some,
+    "minimum": lambda value, least, _: not isinstance(value, Literal) or Fraction(value) >= Fraction(least),
+    "maximum": lambda value, most, _: not isinstance(value, Literal) or Fraction(value) <= Fraction(most),
+    "pattern": lambda value, pattern, _: not is_string(value) or re.search(pattern, value),
+    "minItems": lambda value, least, _: not isinstance(value, list) or len(value) >= int(least),
+    "maxItems": lambda value, most, _: not isinstance(value, list) or len(value) <= int(most),
+    "uniqueItems": lambda value, *_: not isinstance(value, list) or len(set(value)) == len(value),
+    "items": lambda value, items, _: not isinstance(value, list) or all(
+        map(fits, value, items if isinstance(items, list) else itertools.repeat(items))),
+    "required": lambda value, keys, _: not isinstance(value, dict) or all(key in value for key in keys),
+    "properties": lambda value, known, _: not isinstance(value, dict) or all(
+        fits(value[key], one) for key, one in known.items() if key in value),
+    "allOf": lambda value, some, _: all(fits(value, one) for one in some),
+    "anyOf": lambda value, some, _: any(fits(value, one) for one in some),
+    "not": lambda value, one, _: not fits(value, one),
+    "if": lambda value, test, schema: fits(value, schema.get("then" if fits(value, test) else "else", True))}
 
 
 def fits(value, schema):
-    """Whether a value is as a schema says, by as much of JSON Schema (draft 7) as exchange.schema.json needs."""
     if isinstance(schema, bool):
         return schema
-    if "$ref" in schema:
-        *_, name = path = schema["$ref"].split("/")[1:]
-        if not fits(value, functools.reduce(dict.get, path, SCHEMA)):
-            return False
-        require(name != "vector" or any(json_number(one)[0] for one in value), "a vector that is zero")
-        return name != "rational" or json_number(value) is not None  # or raises what is wrong with it
-    types = schema.get("type", [])
-    if types and not any(TYPES[one](value) for one in ([types] if isinstance(types, str) else types)):
-        return False
-    if isinstance(value, Literal):
-        low, high = (Fraction(schema.get(key, value)) for key in ("minimum", "maximum"))
-        if not low <= Fraction(value) <= high:
-            return False
-    elif isinstance(value, str) and not re.search(schema.get("pattern", ""), value):
-        return False
-    branch = schema.get("then" if "if" not in schema or fits(value, schema["if"]) else "else", True)
-    return fits(value, branch) and each_fits(value, schema) and \
-        ("const" not in schema or value == schema["const"]) and ("enum" not in schema or value in schema["enum"]) and \
-        all(fits(value, one) for one in schema.get("allOf", [])) and \
-        ("anyOf" not in schema or any(fits(value, one) for one in schema["anyOf"])) and \
-        ("not" not in schema or not fits(value, schema["not"]))
+    return all(rule(value, schema[key], schema) for key, rule in RULES.items() if key in schema)
 
 
 # ---- Claims, read. `hull` is the second part of a kind, and None for a critical point. A target None is infinity.
@@ -205,8 +204,8 @@ def json_number(value):
     return number(value, plain_is_exact=not isinstance(value, Literal))
 
 
-def blank_point(line):
-    return SimpleNamespace(line=line, index=0, hull=None, contact=[], center=None, squared=None, distance=None,
+def blank_point(line, index, contact, hull=None):
+    return SimpleNamespace(line=line, index=index, hull=hull, contact=contact, center=None, squared=None, distance=None,
                            doubles=None, squared_double="none", targets=None, by_side=False, samples=None,
                            boundary=None, lists=[])
 
@@ -227,10 +226,9 @@ def lists_in(value, key=""):
 
 
 def exchange_point(record, line):
-    point = blank_point(line)
     kind = record["index"]
-    point.index, point.hull = map(int, kind) if isinstance(kind, list) else (int(kind), None)
-    point.contact = ids(record.get("contact", []))
+    index, hull = map(int, kind) if isinstance(kind, list) else (int(kind), None)
+    point = blank_point(line, index, ids(record.get("contact", [])), hull)
     near = record.get("center_double")
     doubles = [None if one is None else json_number(one) for one in near or []]
     if "center" in record:
@@ -248,19 +246,16 @@ def exchange_point(record, line):
         point.targets, point.by_side = [None if one is None else ids(one) for one in record["limits"]], True
     if "boundary" in record.get("stable", {}):
         point.boundary = [ids(one) for one in record["stable"]["boundary"]]
-    point.lists = lists_in({key: one for key, one in record.items() if key in DEFINITIONS["record"]["properties"]})
+    point.lists = lists_in({key: one for key, one in record.items() if key in RECORD["properties"]})
     return point
 
 
 def read_header(line):
-    require(fits(line, DEFINITIONS["header"]), "a header that is not as its schema says")
-    head = {key: whole(line[key]) for key in ("points", "merged_duplicates") if key in line}
-    head |= {key: [whole(one) for one in line[key]] for key in ("critical",) if key in line}
-    head |= {key: line[key] for key in ("input_sha256",) if key in line}
-    if "classes" in line:
-        head["classes"] = [ids(one) for one in line["classes"]]
-    if "regular_stationary" in line:
-        head["regular"] = [whole(line["regular_stationary"][f"{i}-{j}"]) for i, j in KINDS]
+    require(fits(line, HEADER), "a header that is not as its schema says")
+    read = {"points": whole, "merged_duplicates": whole, "input_sha256": str,
+            "classes": lambda lists: list(map(ids, lists)), "critical": lambda counts: list(map(whole, counts)),
+            "regular_stationary": lambda counts: [whole(counts[f"{i}-{j}"]) for i, j in KINDS]}
+    head = {key: reader(line[key]) for key, reader in read.items() if key in line}
     indices = set(map(int, line.get("indices", range(4))))
     return SimpleNamespace(points=[], infinity=None, indices=indices, head=head)
 
@@ -269,13 +264,13 @@ def read_exchange(lines):
     filled = [(k, parse(line)) for k, line in enumerate(lines, 1) if line.strip(BLANKS)]
     claim = read_header(filled[0][1])
     for k, record in filled[1:]:
-        name = "infinity" if record.get("kind") == "infinity" else "record"
-        require(fits(record, DEFINITIONS[name]), f"line {k} is not as its schema says")
-        if name == "record":
-            claim.points.append(exchange_point(record, k))
-        else:
+        is_infinity = record.get("kind") == "infinity"
+        require(fits(record, INFINITY if is_infinity else RECORD), f"line {k} is not as its schema says")
+        if is_infinity:
             require(claim.infinity is None, "a second line of infinity")
             claim.infinity = lists_in(record["skeleton"])
+        else:
+            claim.points.append(exchange_point(record, k))
     return claim
 
 
@@ -286,23 +281,6 @@ def without_comment(line):
     return re.split(r"(?<!\.)#", line)[0].strip(BLANKS)
 
 
-def words_of(part):
-    return [one for one in re.split(f"[{BLANKS}]+", part) if one]
-
-
-def csv_point(fields, line):
-    while len(fields) > 4 and not fields[-1]:
-        fields.pop()
-    point = blank_point(line)
-    point.index = index_of(Literal(fields[0]))
-    require(len(fields) >= 4, "too few numbers after the index")
-    point.center = [number(one) for one in fields[1:4]] if any(fields[1:4]) else None
-    point.squared = not_negative(number(fields[4])) if len(fields) > 4 and fields[4] else None
-    point.contact = ids(map(Literal, fields[5:]))
-    require(point.center or point.contact, "neither a position nor contact ids")
-    return point
-
-
 def read_csv(lines):
     points, names = [], ["index", "x", "y", "z", "squared_distance"]
     filled = [(k, text) for k, line in enumerate(lines, 1) if (text := without_comment(line))]
@@ -310,32 +288,35 @@ def read_csv(lines):
         fields = re.split(f"[{BLANKS}]*,[{BLANKS}]*|[{BLANKS}]+", text)
         if k == filled[0][0] and fields[0] == "index":
             require(len(fields) >= 4 and fields[:5] == names[:len(fields)], f"other columns than {', '.join(names)}")
-        else:
-            points.append(csv_point(fields, k))
+            continue
+        while len(fields) > 4 and not fields[-1]:
+            fields.pop()
+        require(len(fields) >= 4, "too few numbers after the index")
+        point = blank_point(k, index_of(Literal(fields[0])), ids(map(Literal, fields[5:])))
+        point.center = [number(one) for one in fields[1:4]] if any(fields[1:4]) else None
+        point.squared = not_negative(number(fields[4])) if len(fields) > 4 and fields[4] else None
+        require(point.center or point.contact, "neither a position nor contact ids")
+        points.append(point)
     return points
-
-
-def bars_point(parts, line):
-    point = blank_point(line)
-    point.contact = ids(map(Literal, parts[0]))
-    require(1 <= len(point.contact) <= 4 and len(parts) > 1 and len(parts[1]) == 1, "no ids, or no distance")
-    point.index = len(point.contact) - 1
-    point.distance = not_negative(number(parts[1][0]))
-    point.targets = [None if one == ["inf"] else ids(map(Literal, one)) for one in parts[2:]]
-    require(all(one is None or 1 <= len(one) <= 4 for one in point.targets), "a successor of no ids")
-    point.lists = [point.contact, *filter(None, point.targets)]
-    return point
 
 
 def read_bars(lines):
     points, infinities = [], 0
     for k, line in enumerate(lines, 1):
-        parts = [words_of(one) for one in line.split("|")]
+        parts = [[one for one in re.split(f"[{BLANKS}]+", part) if one] for part in line.split("|")]
         if parts[0][:1] == ["inf"]:
             require(parts == [["inf", "3"]] and not infinities, "not one maximum at infinity in dimension 3")
             infinities = 1
         elif line.strip(BLANKS):
-            points.append(bars_point(parts if parts[-1] else parts[:-1], k))
+            parts = parts if parts[-1] else parts[:-1]
+            require(len(parts) > 1 and len(parts[1]) == 1, "no distance")
+            sets = [None if k > 0 and one == ["inf"] else ids(map(Literal, one))
+                    for k, one in enumerate([parts[0], *parts[2:]])]
+            require(all(one is None or 1 <= len(one) <= 4 for one in sets), "a point, or a successor, of no ids")
+            point = blank_point(k, len(sets[0]) - 1, sets[0])
+            point.distance, point.targets = not_negative(number(parts[1][0])), sets[1:]
+            point.lists = list(filter(None, sets))
+            points.append(point)
     return points
 
 
@@ -365,7 +346,7 @@ def read_claim(data, rows):
         claim = read_exchange(lines)
     else:
         first = next(filter(None, map(without_comment, lines)), "")
-        read = read_bars if "|" in first or words_of(first)[:1] == ["inf"] else read_csv
+        read = read_bars if re.match(f"inf([{BLANKS}]|$)|.*[|]", first) else read_csv
         claim = SimpleNamespace(points=read(lines), infinity=None, indices={0, 1, 2, 3}, head={})
     lists = [some for point in claim.points for some in [point.contact, point.samples or [], *point.lists]]
     require(all(one < rows for some in lists + (claim.infinity or []) for one in some), "there is no such point")
@@ -580,7 +561,7 @@ class Judge:
         self.counts = [listed[k, None] for k in range(4)]
         told = head.get("critical", self.counts)
         for claimed, counts in [([n if k in indices else self.counts[k] for k, n in enumerate(told)], self.counts),
-                                (head.get("regular"), [listed[kind] for kind in KINDS])]:
+                                (head.get("regular_stationary"), [listed[kind] for kind in KINDS])]:
             if claimed not in (None, counts):
                 self.find(1, "wrong-counts", "FC-CLAIM-01")
         for point in self.claim.points:
@@ -771,7 +752,7 @@ class Judge:
             made = []
         for point in impossible + made:
             self.find(2, "collision-as-critical", "FC-CRIT-03", point)
-        tells_regular = "regular" in self.claim.head or any(point.hull is not None for point in self.claim.points)
+        tells_regular = "regular_stationary" in self.claim.head or any(point.hull is not None for point in self.claim.points)
         if not here and tells_regular:
             self.find(3, "symbolic-perturbation", "FC-CLAIM-04", permitted=True, contact=record.contact)
 
@@ -784,26 +765,12 @@ class Judge:
             point.right = True
             self.vary(2, "symbolic-perturbation", "FC-CLAIM-04", point)
 
-    def outcomes(self, record):
-        """All that perturbations make of a simplex: lists of contact sets, of the indices that are claimed."""
-        contact, made = record.contact, [[record.contact]]
-        if not record.critical:
-            faces = itertools.combinations(contact, record.index + 1)
-            face = next(one for one in faces if in_hull(self.truth.where(one), record.center))
-            made = [[face, contact]]
-        if (record.index, record.hull) == (1, 3):
-            rest = [name for name in contact if name not in face]
-            one, other = (tuple(sorted((*face, name))) for name in rest)
-            a, r, s = (minus(p, record.center) for p in self.truth.where([face[0], *rest]))
-            cosine = dot(r, s) * dot(a, a) - dot(r, a) * dot(s, a)
-            made = [[face, one, other, contact]]
-            made += [[face, one], [face, other]] if cosine >= 0 else []
-            made += [[one, contact], [other, contact]] if cosine <= 0 else []
-        return [[names for names in some if len(names) - 1 in self.claim.indices] for some in made]
-
-    def opposite_pairs(self, record):
-        samples = set(self.truth.where(record.contact))
-        return sum(tuple(2 * x - y for x, y in zip(record.center, p)) in samples for p in samples) // 2
+    def most(self, record, index):
+        """How many points of an index a perturbation can make, where that has a bound: parts with x in their hull."""
+        if index > 1 and not record.is_simplex:
+            return len(self.claim.points) + len(record.contact)
+        parts = itertools.combinations(self.truth.where(record.contact), index + 1)
+        return sum(in_hull(part, record.center) for part in parts)
 
     def is_face(self, record, names):
         """Whether they are the vertices of a polygon that is a face of the hull of C(x), of dimension 3."""
@@ -820,12 +787,8 @@ class Judge:
     def can_make(self, record, point):
         """Conditions (a) and (b)."""
         names, index = point.names, point.index
-        if point.hull is not None or index == 0:
-            return False
-        if record.is_simplex:
-            return any(len(one) - 1 == index and names in ((), one) for some in self.outcomes(record) for one in some)
-        if not names:
-            return index > 1 or self.opposite_pairs(record) > 0
+        if point.hull is not None or index == 0 or not names:
+            return point.hull is None and index > 0 and self.most(record, index) > 0
         is_face = index == record.hull if names == record.contact else \
             index == 2 and self.is_face(record, names) or index == 3 and self.kept_polygon(record, names) is not None
         fits_index = len(names) == index + 1 or is_face
@@ -835,54 +798,54 @@ class Judge:
         """Claims that a perturbation may make, those that none does, and those that are there already (c)."""
         made, impossible, again = [], [], []
         for point in here:
+            same = sum(one.index == point.index for one in made)
             if not self.can_make(record, point):
                 impossible.append(point)
-                continue
-            most = len(here)
-            if record.is_simplex:
-                most = 2 if (record.index, record.hull, point.index) == (1, 3, 2) else 1
-            elif point.index == 1:
-                most = self.opposite_pairs(record)
-            is_again = sum(one.index == point.index for one in made) >= most or \
-                any(point.names and one.names == point.names for one in made)
-            (again if is_again else made).append(point)
+            elif same >= self.most(record, point.index) or any(one.names == point.names != () for one in made):
+                again.append(point)
+            else:
+                made.append(point)
         return made, impossible, again
 
     def makes(self, record, made):
-        if not record.is_simplex:
-            return self.has_right_sum(record, made) and self.fit_together(record, [p for p in made if p.names])
-        indices = Counter(point.index for point in made)
-        return any(Counter(len(one) - 1 for one in some) == indices and
-                   all(point.names in ((), *some) for point in made) for some in self.outcomes(record))
+        """Conditions (d) to (h)."""
+        counts = [sum(point.index == index for point in made) for index in range(4)]
+        numbers = [[counts[k]] if k in self.claim.indices else range(self.most(record, k) + 1) for k in (1, 2, 3)]
+        return self.fit_together(record, [point for point in made if point.names]) and \
+            any(self.is_possible(record, *some) for some in itertools.product(*numbers))
 
-    def has_right_sum(self, record, made):
-        """Conditions (d) and (e), for some numbers of points of the indices that are not claimed."""
-        right = 0 if not record.critical else 1 if record.index % 2 == 0 else -1
-        numbers = []
-        for index in (1, 2, 3):
-            count = sum(point.index == index for point in made)
-            least = int(record.critical and record.index == index)
-            most = self.opposite_pairs(record) if index == 1 else len(made) + len(record.contact)
-            is_claimed = index in self.claim.indices
-            numbers.append([count] if is_claimed and count >= least else [] if is_claimed else range(least, most + 1))
-        return any(n2 - n1 - n3 == right for n1, n2, n3 in itertools.product(*numbers))
+    def is_possible(self, record, *numbers):
+        """Whether there can be such numbers of points of the indices 1, 2 and 3."""
+        right = 0 if not record.critical else 1 if record.index == 2 else -1
+        if numbers[1] - numbers[0] - numbers[2] != right or (record.critical and not numbers[record.index - 1]):
+            return False
+        if not record.is_simplex or record.critical or record.hull - record.index < 2 or numbers[1] != 1:
+            return True
+        # Of kind (1,3), with one of the triangles at the edge: which one there is beside it tells the tetrahedron's angle.
+        edge = next(one for one in itertools.combinations(self.truth.where(record.contact), 2)
+                    if in_hull(one, record.center))
+        r, s = (minus(p, record.center) for p in self.truth.where(record.contact) if p not in edge)
+        a = minus(edge[0], record.center)
+        cosine = dot(r, s) * dot(a, a) - dot(r, a) * dot(s, a)
+        return cosine >= 0 if numbers[0] else cosine <= 0
 
     def fit_together(self, record, made):
         """Conditions (f) to (h), of claims with contact sets."""
         others = [point for point in made if (point.names, point.index) != (record.contact, record.hull)]
-        inside = [point for point in others if in_interior(self.truth.where(point.names), record.center)]
-        if len(others) < len(made):
-            return len(inside) < 2 and all(self.is_on_face(record, point) for point in others)
-        kept = {point.names if point.index == 2 else self.kept_polygon(record, point.names)
-                for point in others if len(point.names) > point.index + 1}
-        return len(inside) < 2 and len(kept) < 2
+        if sum(in_interior(self.truth.where(point.names), record.center) for point in others) > 1:
+            return False
+        are_on_faces = all(self.is_on_face(record, point.names) for point in others)
+        if len(others) < len(made) or (are_on_faces and 3 not in self.claim.indices):
+            return are_on_faces
+        return len({point.names if point.index == 2 else self.kept_polygon(record, point.names)
+                    for point in others if len(point.names) > point.index + 1}) < 2
 
-    def is_on_face(self, record, point):
-        """Whether the samples are a face of the hull of C(x), or span one."""
-        if point.index == 1:
-            return record.index == 1
-        sides = {self.truth.side(point.names, name) for name in record.contact} - {0}
-        return point.index == 2 and record.hull == 3 and len(sides) < 2
+    def is_on_face(self, record, names):
+        """Whether samples with x in their hull are on a proper face of the hull of C(x)."""
+        if len(names) == 2:
+            return not record.critical
+        sides = {self.truth.side(names, name) for name in record.contact} - {0}
+        return record.hull == 3 and self.truth.dimension(names) == 2 and len(sides) < 2
 
     # ---- Level 4 (FC-CLAIM-06, 07, 09)
 
@@ -1037,9 +1000,10 @@ SEGMENT_TYPES = {f"{way}-{end}" for way, ends in [
 
 
 def rational(value):
-    parts = re.fullmatch(r"(-?[0-9]+)(?:/(-?[0-9]+))?", value) if TYPES["string"](value) else None
-    require(parts and int(parts[2] or 1), f"no rational: {str(value)[:40]}")
-    return Fraction(int(parts[1]), int(parts[2] or 1))
+    require(is_string(value), f"no rational in a string: {value}")
+    found, is_exact = number(value, plain_is_exact=True)
+    require(is_exact, f"a decimal: {value[:40]}")
+    return found
 
 
 def rational_position(value):
@@ -1048,7 +1012,7 @@ def rational_position(value):
 
 
 def read_segment(value):
-    require(TYPES["string"](value["type"]), "a type that is no string")
+    require(is_string(value["type"]), "a type that is no string")
     contacts = [None if value.get(key) is None else sorted(ids(value[key]))
                 for key in ("start_contact", "crossed_contact", "end_contact")]
     end = None if value["end"] is None else rational_position(value["end"])
@@ -1160,28 +1124,20 @@ def profile_of(claim, highest):
             "indices": claim.indices, "exact": all(exact for _, exact in numbers)}
 
 
-def joined_profile(profiles):
-    joined = {"parts": {}, "indices": {0, 1, 2, 3}, "exact": all(profile["exact"] for profile in profiles)}
-    for profile in profiles:
-        for part, is_told in profile["parts"].items():
-            states = {is_told, joined["parts"].get(part)}
-            joined["parts"][part] = False if False in states else True if True in states else None
-        joined["indices"] = joined["indices"] & profile["indices"]
-    return joined
-
-
-def statement(verdict, profile, tolerance):
-    """What `flowcert check` says of it. None if nothing is told, or decimals may be too far off (FC-CLAIM-23)."""
-    parts = [part for part, is_told in profile["parts"].items() if is_told]
-    if "points" in parts and profile["indices"] != {0, 1, 2, 3}:
-        some = ", ".join(map(str, sorted(profile["indices"])))
-        parts[0:1] = [f"points of index {some}"] if some else []
-    words = {CONFORMS: "conforms to", DETERMINED: "conforms where determined to", PERTURBED: "is perturbed under"}
+def statement(verdict, profiles, tolerance):
+    """What is said of claims. None if nothing is told, or decimals may be too far off (FC-CLAIM-23)."""
     if verdict == FAILS:
         return f"does not conform to {VERSION}"
-    if not parts or (tolerance > LARGEST_STATED and not profile["exact"]):
+    states = {part: [profile["parts"][part] for profile in profiles] for part in ("points", "U2", "S2", "orbits")}
+    parts = [part for part, told in states.items() if True in told and False not in told]
+    indices = set(range(4)).intersection(*(profile["indices"] for profile in profiles))
+    if parts[:1] == ["points"] and len(indices) < 4:
+        parts[:1] = [f"points of index {', '.join(map(str, sorted(indices)))}"] if indices else []
+    words = {CONFORMS: "conforms to", DETERMINED: "conforms where determined to", PERTURBED: "is perturbed under"}
+    is_exact = all(profile["exact"] for profile in profiles)
+    if not parts or (tolerance > LARGEST_STATED and not is_exact):
         return None
-    grade = "exact" if profile["exact"] else f"approximate within {tolerance!r}"
+    grade = "exact" if is_exact else f"approximate within {tolerance!r}"
     return f"{words[verdict]} {VERSION}, {' + '.join(parts)}, {grade}"
 
 
@@ -1354,8 +1310,7 @@ def statement_of_all(outcomes, options):
     """The statement of FC-CLAIM-22, with the number of vectors that it is about."""
     verdicts = [one["outcome"] for one in outcomes.values() if one["outcome"] not in ("skipped", "properly refused")]
     worst = FAILS if any(map(is_negative, verdicts)) else max(verdicts, key=GOOD.index, default=CONFORMS)
-    profile = joined_profile([one["profile"] for one in outcomes.values() if one["profile"]])
-    said = statement(worst, profile, options.tolerance)
+    said = statement(worst, [one["profile"] for one in outcomes.values() if one["profile"]], options.tolerance)
     asked = sum(one["outcome"] != "skipped" for one in outcomes.values())
     number_of = f"{asked:,}" if asked == options.vectors_in_all else f"{asked:,} of {options.vectors_in_all:,}"
     return said and f"{said} ({number_of} vectors)"
