@@ -237,7 +237,8 @@ class CaseRun {
     });
     if (!is_read) return false;
     ++result_.orbits_judged;
-    const auto difference = path_difference(claimed, orbit.path);
+    const PointSet points(case_.rows);
+    const auto difference = path_difference(claimed, orbit.path, points, *vector_truth(case_));
     if (!difference) return true;
     result_.orbit_findings.push_back({orbit.start, *difference});
     const std::string words = orbit_finding_words(result_.orbit_findings.back());

@@ -185,14 +185,15 @@ TEST_F(ConformanceCommand, ComparesOrbits) {
   EXPECT_EQ(outcome(kTetrahedronOrbits, "s/.*/no JSON/")["outcome"], "unreadable");
   EXPECT_EQ(outcome(kTetrahedronOrbits, "s/\"limit\"/\"l\"/")["outcome"], "unreadable");
   // A perturbation lets an orbit go on from a regular stationary point, and from nowhere else.
+  const std::string infinity = "\"limit\":{\"kind\":\"infinity\"}}/";
+  const std::string away = "{\"type\":\"E-F-inf\",\"driver\":[\"2\",\"2\",\"0\"],\"end\":null}";
   const json varied =
-      outcome(kTriangleOrbits, "s/\"limit\":{\"kind\":\"regular\".*/\"limit\":{\"kind\":\"infinity\"}}/");
+      outcome(kTriangleOrbits, "s/\\],\"limit\":{\"kind\":\"regular\".*/," + away + "]," + infinity + "; s/\\[,/[/");
   EXPECT_EQ(varied["outcome"], "perturbed") << varied;
   ASSERT_EQ(varied["orbit_findings"].size(), 2U);
   EXPECT_EQ(varied["orbit_findings"][0]["permitted"], true);
-  EXPECT_EQ(outcome(kTetrahedronOrbits,
-                    "s/\"limit\":{\"kind\":\"critical\".*/\"limit\":{\"kind\":\"infinity\"}}/")["outcome"],
-            "fails");
+  EXPECT_EQ(outcome(kTriangleOrbits, "s/\"limit\":{\"kind\":\"regular\".*/" + infinity)["outcome"], "fails");
+  EXPECT_EQ(outcome(kTetrahedronOrbits, "s/\"limit\":{\"kind\":\"critical\".*/" + infinity)["outcome"], "fails");
 }
 
 // The first orbit of the tetrahedron is one segment, of type C-C-V, from the sample 0 to the maximum. The

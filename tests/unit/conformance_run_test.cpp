@@ -244,12 +244,22 @@ TEST(ConformanceRun, AByteOrderMarkIsPassedOver) {
 }
 
 TEST(ConformanceRun, AnOrbitMayGoOnFromARegularPoint) {
-  CITES("FC-CLAIM-07");
+  CITES("FC-CLAIM-07", "FC-CLAIM-08", "FC-FILE-27");
   const std::string ends_there =
-      replaced(replaced(replaced(kOrbit, "C-C-F", "C-C-E"), R"(["0","2","0"])", R"(["3/2","2","0"])"),
-               R"("position": ["0","2","0"])", R"("position": ["3/2","2","0"])");
-  const CaseOutcome varied = with_orbit(orbit_to_regular(), ends_there);
-  EXPECT_EQ(varied.outcome, RunOutcome::kPerturbed) << varied.message;
+      R"({"segments": [{"type": "C-C-V", "driver": ["0","0","0"], "end": ["3/2","2","0"]}], "limit": {)"
+      R"("kind": "regular", "index": [1,2], "position": ["3/2","2","0"], "contact": [0,1,2],)"
+      R"( "squared_distance": "25/4"}})";
+  const std::string goes_on =
+      R"({"segments": [{"type": "C-C-E", "driver": ["0","0","0"], "end": ["3/2","2","0"]},)"
+      R"( {"type": "E-F-inf", "driver": ["3/2","2","0"], "end": null}], "limit": {"kind": "infinity"}})";
+  for (const std::string& orbit : {ends_there, goes_on}) {
+    const CaseOutcome varied = with_orbit(orbit_to_regular(), orbit);
+    EXPECT_EQ(varied.outcome, RunOutcome::kPerturbed) << varied.message;
+  }
+  for (const std::string& orbit : {replaced(ends_there, "25/4", "999"), replaced(ends_there, "C-C-V", "C-C-Q"),
+                                   replaced(goes_on, "E-F-inf", "Q")}) {
+    EXPECT_EQ(with_orbit(orbit_to_regular(), orbit).outcome, RunOutcome::kFails) << orbit;
+  }
   // Where the claim is wrong, a permitted orbit changes nothing.
   const CaseOutcome fails = with_orbit(orbit_to_regular(), ends_there, claiming(kSamples));
   EXPECT_EQ(fails.outcome, RunOutcome::kFails);

@@ -609,7 +609,7 @@ void add_judgement(Calls& calls, const Made& m) {
   calls.add("no_conformity_text",
             [=] { return no_conformity_text(Verdict::kConforms, approximate, 1e-5).value_or(""); });
   const OrbitPath path = claimed_orbit_of(kOrbit, "orbit");
-  calls.add("path_difference", [path] { return path_difference(path, OrbitPath{}); });
+  calls.add("path_difference", [&, path] { return path_difference(path, OrbitPath{}, m.points, truth); });
   calls.add("listed_pairs", [&] { return listed_pairs(m.complex); });
   calls.add("pair_differences", [&] { return pair_differences(m.claimed_pairs, m.pairs, 1e-9); });
   const CheckReport report = check(m.points, m.claim, *m.truth);

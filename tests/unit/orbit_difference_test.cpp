@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 
+#include "flowcert/check.h"
 #include "flowcert/orbit_claim.h"
 #include "tests/cites.h"
 
@@ -35,17 +37,27 @@ OrbitPath read(const Json& object) { return claimed_orbit_of(object.dump(), "cla
 
 enum class Kind { kSame, kPermitted, kWrong, kUnreadable };
 
+// The orbit above that ends at a regular stationary point is one of these: the middle of 0 and 2 is as far from 1. From
+// there the Voronoi facet of 0 and 2 leads to the middle of 2 and 3, which is as far from 0.
+const std::vector<Point> kPoints = {{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {-6, 8, 0}};
+
+Kind kind_of(const Json& claim, const Json& truth) {
+  const PointSet points(kPoints);
+  const std::unique_ptr<Truth> flow = fast_truth(points);
+  try {
+    const auto found = path_difference(read(claim), read(truth), points, *flow);
+    return !found ? Kind::kSame : found->is_permitted ? Kind::kPermitted : Kind::kWrong;
+  } catch (const InvalidInput&) {
+    return Kind::kUnreadable;
+  }
+}
+
 // With another value at a JSON pointer.
 Kind changed(bool is_regular, const char* pointer, const Json& value) {
   const Json truth = orbit(is_regular);
   Json claim = truth;
   claim[Json::json_pointer(pointer)] = value;
-  try {
-    const auto found = path_difference(read(claim), read(truth));
-    return !found ? Kind::kSame : found->is_permitted ? Kind::kPermitted : Kind::kWrong;
-  } catch (const InvalidInput&) {
-    return Kind::kUnreadable;
-  }
+  return kind_of(claim, truth);
 }
 
 TEST(OrbitDifference, WhatIsTheSameInOtherWords) {
@@ -79,21 +91,129 @@ TEST(OrbitDifference, EachPartIsCompared) {
 }
 
 // FC-CLAIM-07: where the right orbit ends at a regular stationary point, a perturbation may let it arrive in another
-// way, and go on.
+// way.
 TEST(OrbitDifference, OnlyTheArrivalAtARegularPointIsFree) {
-  CITES("FC-CLAIM-07");
+  CITES("FC-CLAIM-07", "FC-CLAIM-08", "FC-FILE-27");
   EXPECT_EQ(changed(true, "/segments/1/type", "F-F-V"), Kind::kPermitted);
-  EXPECT_EQ(changed(true, "/segments/1/type", "F-E-E"), Kind::kWrong);
+  for (const char* type : {"F-E-E", "F-F-F", "F-F-C", "F-F-Q", "F-F-inf", "F-F-", "F-F-EV"}) {
+    EXPECT_EQ(changed(true, "/segments/1/type", type), Kind::kWrong) << type;
+  }
+  EXPECT_EQ(changed(true, "/segments/0/type", "C-C-E"), Kind::kWrong) << "not there yet";
   EXPECT_EQ(changed(true, "/segments/1/end_contact", {0, 1}), Kind::kPermitted);
-  EXPECT_EQ(changed(true, "/limit/kind", "infinity"), Kind::kPermitted);
+  EXPECT_EQ(changed(true, "/segments/1/end_contact", {0, 2}), Kind::kWrong) << "without what it crosses";
+  EXPECT_EQ(changed(true, "/segments/1/end_contact", {0, 1, 2, 3}), Kind::kWrong);
   EXPECT_EQ(changed(false, "/segments/1/type", "F-F-V"), Kind::kWrong);
-  const Json more = Json::parse(R"({"type": "E-E-inf", "driver": ["2","3/2","0"], "end": null})");
-  EXPECT_EQ(changed(true, "/segments/2", more), Kind::kPermitted);
-  EXPECT_EQ(changed(false, "/segments/2", more), Kind::kWrong);
+  // All of the limit is right.
+  EXPECT_EQ(changed(true, "/limit/kind", "infinity"), Kind::kWrong);
+  EXPECT_EQ(changed(true, "/limit/squared_distance", "999"), Kind::kWrong);
+  EXPECT_EQ(changed(true, "/limit/contact", {0, 2}), Kind::kWrong);
+  EXPECT_EQ(changed(true, "/limit/index", {1, 3}), Kind::kWrong);
+  EXPECT_EQ(changed(true, "/limit/kind", "critical"), Kind::kWrong);
   for (const bool is_regular : {false, true}) {
     EXPECT_EQ(changed(is_regular, "/segments", Json::array({orbit(false)["segments"][0]})), Kind::kWrong) << "cut";
     EXPECT_EQ(changed(is_regular, "/segments", Json::array()), Kind::kWrong);
   }
+}
+
+// With segments beyond the regular stationary point, and another limit; then with another value at a JSON pointer.
+Kind gone_on(const std::vector<Json>& segments, const Json& limit, const char* pointer = nullptr,
+             const Json& value = nullptr) {
+  Json claim = orbit(true);
+  for (const Json& segment : segments) claim["segments"].push_back(segment);
+  claim["limit"] = limit;
+  if (pointer != nullptr) claim[Json::json_pointer(pointer)] = value;
+  return kind_of(claim, orbit(true));
+}
+
+TEST(OrbitDifference, AnOrbitGoesOnAsTheFlowDoes) {
+  CITES("FC-CLAIM-07", "FC-CLAIM-08", "FC-FILE-27");
+  const Json along_facet = Json::parse(R"({"type": "E-F-E", "driver": ["2","3/2","0"], "end": ["-1","11/2","0"],
+    "start_contact": [0,1,2], "crossed_contact": [0,2], "end_contact": [0,2,3]})");
+  const Json there = Json::parse(R"({"kind": "regular", "index": [1,2], "position": ["-1","11/2","0"],
+    "contact": [0,2,3], "squared_distance": "125/4"})");
+  const auto expect = [&](Kind kind, const char* pointer, const Json& value) {
+    EXPECT_EQ(gone_on({along_facet}, there, pointer, value), kind) << pointer << " " << value;
+  };
+  EXPECT_EQ(gone_on({along_facet}, there), Kind::kPermitted);
+  expect(Kind::kPermitted, "/segments/1/type", "F-F-V");
+  expect(Kind::kWrong, "/segments/1/type", "F-F-Q");
+  expect(Kind::kPermitted, "/segments/2/type", "E-F-V");
+  for (const char* type : {"E-E-V", "E-F-F", "F-F-E", "Q", ""}) expect(Kind::kWrong, "/segments/2/type", type);
+  expect(Kind::kWrong, "/segments/2/driver", {"0", "0", "0"});
+  expect(Kind::kWrong, "/segments/2/end", {"1/2", "7/2", "0"});
+  expect(Kind::kWrong, "/segments/2/end", {"-1", "11/2", "1"});
+  expect(Kind::kWrong, "/segments/2/end", {"2", "3/2", "0"});
+  expect(Kind::kWrong, "/segments/2/start_contact", {0, 2});
+  expect(Kind::kWrong, "/segments/2/crossed_contact", {0, 1, 2});
+  expect(Kind::kWrong, "/segments/2/end_contact", {0, 3});
+  expect(Kind::kPermitted, "/segments/2/end_contact", nullptr);
+  expect(Kind::kWrong, "/limit/squared_distance", "999");
+  expect(Kind::kWrong, "/limit/contact", {0, 1, 2});
+  expect(Kind::kWrong, "/limit/position", {"2", "3/2", "0"});
+  expect(Kind::kWrong, "/limit", {{"kind", "infinity"}});
+  EXPECT_EQ(gone_on({}, there), Kind::kWrong);
+  // From the second one to infinity; in which direction is not known.
+  const Json infinity = {{"kind", "infinity"}};
+  const Json away = Json::parse(R"({"type": "E-F-inf", "driver": ["-1","11/2","0"], "end": null,
+    "start_contact": [0,2,3], "end_contact": null})");
+  const auto expect_away = [&](Kind kind, const char* pointer, const Json& value) {
+    EXPECT_EQ(gone_on({along_facet, away}, infinity, pointer, value), kind) << pointer << " " << value;
+  };
+  EXPECT_EQ(gone_on({along_facet, away}, infinity), Kind::kPermitted);
+  expect_away(Kind::kPermitted, "/segments/3/type", "E-E-inf");
+  for (const char* type : {"F-F-inf", "E-F-V", "E-Q-inf", "inf"}) expect_away(Kind::kWrong, "/segments/3/type", type);
+  expect_away(Kind::kWrong, "/segments/3/driver", {"2", "3/2", "0"});
+  expect_away(Kind::kWrong, "/segments/3/start_contact", {0, 2});
+  expect_away(Kind::kWrong, "/segments/3/end_contact", {0, 2});
+  expect_away(Kind::kWrong, "/segments/2/driver", {"0", "0", "0"});
+  EXPECT_EQ(gone_on({along_facet, away}, there), Kind::kWrong);
+  EXPECT_EQ(gone_on({along_facet, away, away}, infinity), Kind::kWrong);
+  // From nowhere else.
+  Json claim = orbit(false);
+  claim["segments"].push_back(along_facet);
+  claim["limit"] = there;
+  EXPECT_EQ(kind_of(claim, orbit(false)), Kind::kWrong);
+}
+
+// Beyond a regular stationary point an orbit is followed to where it ends.
+TEST(OrbitDifference, WhatFollowsIsTheOrbit) {
+  CITES("FC-CLAIM-08", "FC-FLOW-05");
+  const PointSet points(std::vector<Point>{{3, 0, 0}, {-3, 0, 0}, {0, 3, 0}, {0, 1, 8}, {1, 9, 2}});
+  const std::unique_ptr<Truth> flow = fast_truth(points);
+  const OrbitPath stays{{}, PathLimit{"regular", "[1,2]", {0, 0, 0}, {0, 1, 2}, 9}};
+  // Along the Voronoi edge of the triangle.
+  const RationalPoint end = {0, 0, Rational(7, 2)};
+  OrbitPath claimed{{{"E-E-V", {0, 0, 0}, end, {}, {}, {}}}, std::nullopt};
+  const TruePath further = flow->orbit(end);
+  ASSERT_FALSE(further.segments.empty());
+  for (const TrueSegment& segment : further.segments) {
+    claimed.segments.push_back({segment.type, segment.driver, segment.end, {}, {}, {}});
+  }
+  if (further.limit) {
+    const StationaryIndex index = flow->index(*further.limit);
+    ASSERT_TRUE(index.is_critical());
+    const auto contact = flow->contact(*further.limit);
+    const ExactSphere sphere = flow->sphere(*further.limit);
+    claimed.limit = PathLimit{"critical",
+                              std::to_string(index.face_dimension),
+                              sphere.center,
+                              {contact.begin(), contact.end()},
+                              sphere.squared_radius};
+  }
+  const auto is_permitted = [&](const OrbitPath& path) {
+    const auto found = path_difference(path, stays, points, *flow);
+    return found && found->is_permitted;
+  };
+  EXPECT_TRUE(is_permitted(claimed));
+  OrbitPath cut = claimed;
+  cut.segments.pop_back();
+  EXPECT_FALSE(is_permitted(cut));
+  OrbitPath other = claimed;
+  other.segments.back().type = "Q";
+  EXPECT_FALSE(is_permitted(other));
+  other = claimed;
+  other.segments.back().start_contact = {{7}};
+  EXPECT_FALSE(is_permitted(other));
 }
 
 TEST(OrbitDifference, WhatIsNoOrbitIsRefused) {

@@ -5,8 +5,11 @@
 #include <string>
 
 #include "flowcert/orbit_claim.h"
+#include "flowcert/point_set.h"
 
 namespace flowcert {
+
+class Truth;
 
 // The first place where a claimed orbit differs.
 struct PathDifference {
@@ -16,7 +19,9 @@ struct PathDifference {
 };
 
 // Nothing iff the claimed orbit is the right one. If the right orbit ends at a regular stationary point, the claimed
-// one may arrive there in another way, or go on from there. That is a permitted difference.
-[[nodiscard]] std::optional<PathDifference> path_difference(const OrbitPath& claimed, const OrbitPath& truth);
+// one may come there in a segment of another last letter or contact set, or go on from there as FC-CLAIM-08 says. That
+// is a permitted difference. The points and their flow are asked for what comes after such a point.
+[[nodiscard]] std::optional<PathDifference> path_difference(const OrbitPath& claimed, const OrbitPath& truth,
+                                                            const PointSet& points, Truth& flow);
 
 }  // namespace flowcert
