@@ -210,31 +210,36 @@ bool PerturbedPoint::is_amid(const Names& base, const Vector3<Rational>& axis) c
   return std::ranges::any_of(base, [&](PointId name) { return dot(first, from_center(name)) < 0; });
 }
 
-// Whether the samples are, or span, a proper face of the hull with the centre in it.
-bool PerturbedPoint::is_on_face(const Names& names, int index) const {
-  if (index == 1) return index_.face_dimension == 1;
-  return index == 2 && index_.hull_dimension == 3 && !supported_face(run_.points, names, contact_).empty();
+// Whether the samples, which have the centre in their hull, are part of the vertex set of a proper face.
+bool PerturbedPoint::is_on_face(const Names& names) const {
+  // A line through the centre is in every plane that supports the hull there.
+  if (names.size() == 2) return !index_.is_critical();
+  return index_.hull_dimension == 3 && affine_dimension(run_.points, names) == 2 &&
+         !supported_face(run_.points, names, contact_).empty();
 }
 
 // Delaunay faces do not overlap. So of one of them at most the centre is inside. If all of the contact set stays
-// together, what else there is are faces of its hull. Otherwise one polygon at most stays on its circle.
+// together, what else there is lies on faces of its hull. Otherwise one polygon at most stays on its circle.
 bool PerturbedPoint::overlap(std::span<const std::size_t> claimed) const {
-  const auto names = [&](std::size_t k) -> const Names& { return run_.placed[k].names; };
-  const auto is_whole = [&](std::size_t k) {
-    return names(k) == contact_ && run_.claim.points[k].index == index_.hull_dimension;
-  };
-  const bool is_together = std::ranges::any_of(claimed, is_whole);
+  bool is_together = false, are_on_faces = true;
   std::size_t around = 0;
   std::set<Names> polygons;
   for (const std::size_t k : claimed) {
     const int index = run_.claim.points[k].index;
-    if (names(k).empty() || is_whole(k)) continue;
-    if (is_together && !is_on_face(names(k), index)) return true;
-    if (index == 3 && has_inside(names(k))) ++around;
-    if (is_together || index_of(names(k)) == index) continue;
-    polygons.insert(index == 2 ? names(k) : polygon_below_apex(names(k)));
+    const Names& names = run_.placed[k].names;
+    if (names.empty()) continue;
+    if (names == contact_ && index == index_.hull_dimension) {
+      is_together = true;
+      continue;
+    }
+    are_on_faces = are_on_faces && is_on_face(names);
+    if (index == 3 && has_inside(names)) ++around;
+    if (index_of(names) > index) polygons.insert(index == 2 ? names : polygon_below_apex(names));
   }
-  return around > 1 || polygons.size() > 1;
+  if (around > 1 || (is_together && !are_on_faces)) return true;
+  // All of it may stay together, without being claimed.
+  const bool may_be_together = is_together || (!run_.judges(3) && are_on_faces);
+  return !may_be_together && polygons.size() > 1;
 }
 
 std::size_t PerturbedPoint::count_opposite_samples() const {

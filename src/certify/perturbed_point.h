@@ -38,7 +38,7 @@ class PerturbedPoint {
   [[nodiscard]] std::vector<std::vector<Names>> outcomes_of_kind_13(const Names& edge) const;
   [[nodiscard]] bool is_outcome(const std::vector<Names>& outcome, std::span<const std::size_t> claimed_points) const;
   [[nodiscard]] bool is_face(const Names& names, int dimension) const;
-  [[nodiscard]] bool is_on_face(const Names& names, int index) const;
+  [[nodiscard]] bool is_on_face(const Names& names) const;
   [[nodiscard]] Names polygon_below_apex(const Names& names) const;
   [[nodiscard]] bool has_inside(const Names& names) const;
   [[nodiscard]] bool is_amid(const Names& base, const Vector3<Rational>& axis) const;

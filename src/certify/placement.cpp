@@ -134,10 +134,14 @@ Fit fit_of_part(const CheckRun& run, const std::vector<PointId>& names, std::siz
   return is_simplex && affine_dimension(run.points, names) == dimension ? Fit::kPart : Fit::kOther;
 }
 
-// Whether a stationary point has the claimed index or kind.
-bool has_index_or_kind(const CheckRun& run, const ClaimedPoint& point, std::size_t record) {
+// How well a claim fits a stationary point. 0: the point has the claimed index or kind. 1: the point is regular, and
+// a perturbation may make the claimed critical point from it, with others. 2: otherwise.
+int rank_of(const CheckRun& run, const ClaimedPoint& point, std::size_t record) {
   const StationaryIndex index = run.index(record);
-  return index.face_dimension == point.index && index.hull_dimension == point.hull_dimension.value_or(point.index);
+  const int hull_dimension = point.hull_dimension.value_or(point.index);
+  if (index.face_dimension == point.index && index.hull_dimension == hull_dimension) return 0;
+  const bool is_between = index.face_dimension <= point.index && point.index <= index.hull_dimension;
+  return !index.is_critical() && !point.hull_dimension && is_between ? 1 : 2;
 }
 
 // Places claims by position. Those by contact set take part in the matching, so that no position is taken for a second
@@ -149,9 +153,7 @@ class ByPosition {
   void place_all() {
     for (std::size_t k = 0; k < run_.placed.size(); ++k) {
       const std::optional<Placement>& place = run_.placed[k].place;
-      const bool is_own =
-          place && place->fit != Fit::kOther && has_index_or_kind(run_, run_.claim.points[k], place->record);
-      if (!is_own) continue;
+      if (!place || place->fit == Fit::kOther || rank_of(run_, run_.claim.points[k], place->record) != 0) continue;
       add({place->record});
     }
     for (std::size_t k = 0; k < run_.placed.size(); ++k) {
@@ -176,9 +178,10 @@ class ByPosition {
   // From good to bad.
   enum class NearFit {
     kRight,       // of the claimed index or kind, and with the claimed distance
-    kWrongValue,  // of the claimed index or kind
     kMade,        // regular; a perturbation may make the claimed critical point from it, with others
-    kOther,
+    kWrongValue,  // as kRight, but for the distance
+    kWrongMade,
+    kWrongIndex,
   };
   // A stationary point within the tolerance of a claimed position.
   struct Near {
@@ -197,13 +200,11 @@ class ByPosition {
   void add(std::vector<std::size_t> records) { candidates_.push_back({std::move(records), 0}); }
 
   NearFit fit_of(std::size_t k, std::size_t record) const {
-    const ClaimedPoint& point = run_.claim.points[k];
-    if (has_index_or_kind(run_, point, record)) {
-      return has_right_values(run_, k, record) ? NearFit::kRight : NearFit::kWrongValue;
-    }
-    const StationaryIndex kind = run_.index(record);
-    const bool is_between = kind.face_dimension <= point.index && point.index <= kind.hull_dimension;
-    return !kind.is_critical() && !point.hull_dimension && is_between ? NearFit::kMade : NearFit::kOther;
+    const int rank = rank_of(run_, run_.claim.points[k], record);
+    if (rank == 2) return NearFit::kWrongIndex;
+    const bool is_right = has_right_values(run_, k, record);
+    if (rank == 0) return is_right ? NearFit::kRight : NearFit::kWrongValue;
+    return is_right ? NearFit::kMade : NearFit::kWrongMade;
   }
 
   std::vector<Near> near(std::size_t k) const {
@@ -225,14 +226,16 @@ class ByPosition {
     return within;
   }
 
-  // Where a claim without a partner is placed: it is a second claim, or it has a wrong distance, or there is none of its
-  // index or kind.
+  // Where a claim without a partner is placed: it is what a perturbation makes of a regular stationary point, or it has
+  // a wrong distance, or it is a second claim.
   std::size_t second_best(const std::vector<Near>& near) {
-    const auto is_free = [this](const Near& one) { return one.fit == NearFit::kWrongValue && !is_taken_[one.record]; };
-    const auto free = std::ranges::find_if(near, is_free);
-    if (near.front().fit != NearFit::kWrongValue || free == near.end()) return near.front().record;
-    is_taken_[free->record] = true;
-    return free->record;
+    const auto made = std::ranges::find(near, NearFit::kMade, &Near::fit);
+    if (made != near.end()) return made->record;
+    const auto free = std::ranges::find_if(
+        near, [this](const Near& one) { return one.fit == NearFit::kWrongValue && !is_taken_[one.record]; });
+    const std::size_t record = free != near.end() ? free->record : near.front().record;
+    is_taken_[record] = true;
+    return record;
   }
 
   void place(const Found& found, const std::optional<std::size_t>& partner) {

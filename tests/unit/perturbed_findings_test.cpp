@@ -79,6 +79,30 @@ TEST(PerturbedFindings, OnePolygonAtMostStays) {
   EXPECT_EQ(of_roof({{2, {0, 1, 2, 3}}}), Verdict::kFails) << "the sum";
 }
 
+// What else there is lies on proper faces of the hull, but may be diagonals of these.
+TEST(PerturbedFindings, AllOfItStaysTogether) {
+  CITES("FC-CLAIM-04", "FC-CLAIM-12");
+  const Truly half(kHalfOctahedron);
+  const Simplex edge{1, {0, 1}}, one{2, {0, 1, 2}}, other{2, {0, 1, 3}}, upright{2, {0, 1, 4}}, all{3, {0, 1, 2, 3, 4}};
+  const auto of_half = [&](const std::vector<Simplex>& made) { return verdict_on(half, kOrigin, {1, 2, 3}, made); };
+  EXPECT_EQ(of_half({edge, one, other, all}), Verdict::kPerturbed);
+  EXPECT_EQ(of_half({edge, one, upright, all}), Verdict::kFails) << "a triangle inside";
+  EXPECT_EQ(of_half({{2, {0, 1, 2, 3}}, all}), Verdict::kPerturbed);
+  EXPECT_EQ(of_half({one, other, {3, {0, 1, 2, 3}}, all}), Verdict::kPerturbed) << "four samples that become solid";
+  EXPECT_EQ(of_half({one, other, {3, {0, 1, 2, 4}}, all}), Verdict::kFails);
+  // Two polygons, and the edge of both, with the centre in its middle.
+  const Truly wedge({{5, 0, 0}, {-5, 0, 0}, {3, 4, 0}, {-3, 4, 0}, {4, 0, 3}, {-4, 0, 3}});
+  const Simplex fold{1, {0, 1}}, left{2, {0, 1, 2, 3}}, right{2, {0, 1, 4, 5}}, whole{3, {0, 1, 2, 3, 4, 5}};
+  const Simplex slanted{2, {0, 1, 2}};
+  EXPECT_EQ(verdict_on(wedge, kOrigin, {1, 2}, {fold, left, right}), Verdict::kPerturbed);
+  EXPECT_EQ(verdict_on(wedge, kOrigin, {1, 2, 3}, {fold, left, right, whole}), Verdict::kPerturbed);
+  EXPECT_EQ(verdict_on(wedge, kOrigin, {1, 2, 3}, {fold, left, right, {3, {0, 1, 2, 4}}}), Verdict::kFails);
+  EXPECT_EQ(verdict_on(wedge, kOrigin, {1, 2, 3}, {fold, left, slanted, {3, {0, 1, 2, 4}}}), Verdict::kPerturbed);
+  const Truly filled({{5, 0, 0}, {-5, 0, 0}, {3, 4, 0}, {-3, 4, 0}, {4, 0, 3}, {-4, 0, 3}, {0, 3, 4}});
+  EXPECT_EQ(verdict_on(filled, kOrigin, {1, 2}, {fold, left, right}), Verdict::kPerturbed);
+  EXPECT_EQ(verdict_on(filled, kOrigin, {1, 2}, {fold, left, right, {2, {0, 1, 6}}}), Verdict::kFails);
+}
+
 // The line from an apex through the centre leaves the pyramid through its base, or through an edge of that.
 TEST(PerturbedFindings, OnePyramidAtMostHasTheCentreInside) {
   CITES("FC-CLAIM-04");
