@@ -7,9 +7,12 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
 
 #include "flowcert/check.h"
 #include "flowcert/orbit_claim.h"
+#include "geometry/rational_point.h"
 #include "tests/cites.h"
 
 namespace flowcert::orbit_difference_test {
@@ -176,44 +179,87 @@ TEST(OrbitDifference, AnOrbitGoesOnAsTheFlowDoes) {
 }
 
 // Beyond a regular stationary point an orbit is followed to where it ends.
-TEST(OrbitDifference, WhatFollowsIsTheOrbit) {
-  CITES("FC-CLAIM-08", "FC-FLOW-05");
-  const PointSet points(std::vector<Point>{{3, 0, 0}, {-3, 0, 0}, {0, 3, 0}, {0, 1, 8}, {1, 9, 2}});
-  const std::unique_ptr<Truth> flow = fast_truth(points);
-  const OrbitPath stays{{}, PathLimit{"regular", "[1,2]", {0, 0, 0}, {0, 1, 2}, 9}};
-  // Along the Voronoi edge of the triangle.
-  const RationalPoint end = {0, 0, Rational(7, 2)};
-  OrbitPath claimed{{{"E-E-V", {0, 0, 0}, end, {}, {}, {}}}, std::nullopt};
-  const TruePath further = flow->orbit(end);
-  ASSERT_FALSE(further.segments.empty());
-  for (const TrueSegment& segment : further.segments) {
-    claimed.segments.push_back({segment.type, segment.driver, segment.end, {}, {}, {}});
+class FurtherOrbit : public testing::Test {
+ protected:
+  // From the middle of 0 and 1, along the Voronoi edge of 0, 1 and 2, and then as the flow takes it.
+  FurtherOrbit() : end_({0, 0, 4}) {
+    claimed_.segments.push_back({"E-E-V", {0, 0, 0}, end_, {{0, 1, 2}}, {{0, 1, 2}}, {{0, 1, 2, 3}}});
+    const TruePath further = flow_->orbit(end_);
+    RationalPoint start = end_;
+    for (const TrueSegment& segment : further.segments) {
+      RationalPoint inside;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        inside[axis] = segment.end ? (start[axis] + (*segment.end)[axis]) / 2 : 2 * start[axis] - segment.driver[axis];
+      }
+      claimed_.segments.push_back(
+          {segment.type, segment.driver, segment.end, contact_of(start), contact_of(inside), {}});
+      if (!segment.end) continue;
+      start = *segment.end;
+      claimed_.segments.back().end_contact = contact_of(start);
+    }
+    if (!further.limit) return;
+    const auto contact = flow_->contact(*further.limit);
+    const ExactSphere sphere = flow_->sphere(*further.limit);
+    claimed_.limit = PathLimit{"critical",
+                               std::to_string(flow_->index(*further.limit).face_dimension),
+                               sphere.center,
+                               {contact.begin(), contact.end()},
+                               sphere.squared_radius};
   }
-  if (further.limit) {
-    const StationaryIndex index = flow->index(*further.limit);
-    ASSERT_TRUE(index.is_critical());
-    const auto contact = flow->contact(*further.limit);
-    const ExactSphere sphere = flow->sphere(*further.limit);
-    claimed.limit = PathLimit{"critical",
-                              std::to_string(index.face_dimension),
-                              sphere.center,
-                              {contact.begin(), contact.end()},
-                              sphere.squared_radius};
+
+  [[nodiscard]] std::vector<PointId> contact_of(const RationalPoint& x) const {
+    std::vector<PointId> contact;
+    std::optional<Rational> least;
+    for (PointId k = 0; k < rows_.size(); ++k) {
+      const Rational square = geometry::squared_distance(x, rows_[k]);
+      if (least && square > *least) continue;
+      if (!least || square < *least) contact.clear();
+      least = square;
+      contact.push_back(k);
+    }
+    return contact;
   }
-  const auto is_permitted = [&](const OrbitPath& path) {
-    const auto found = path_difference(path, stays, points, *flow);
+
+  template <typename Change>
+  [[nodiscard]] bool is_permitted(const Change& change) {
+    OrbitPath path = claimed_;
+    change(path);
+    const OrbitPath stays{{}, PathLimit{"regular", "[1,2]", {0, 0, 0}, {0, 1, 2}, 9}};
+    const auto found = path_difference(path, stays, points_, *flow_);
+    EXPECT_TRUE(found.has_value());
     return found && found->is_permitted;
-  };
-  EXPECT_TRUE(is_permitted(claimed));
-  OrbitPath cut = claimed;
-  cut.segments.pop_back();
-  EXPECT_FALSE(is_permitted(cut));
-  OrbitPath other = claimed;
-  other.segments.back().type = "Q";
-  EXPECT_FALSE(is_permitted(other));
-  other = claimed;
-  other.segments.back().start_contact = {{7}};
-  EXPECT_FALSE(is_permitted(other));
+  }
+
+  std::vector<Point> rows_ = {{3, 0, 0}, {-3, 0, 0}, {0, 3, 0}, {0, 3, 8}, {1, -9, 2}};
+  PointSet points_{rows_};
+  std::unique_ptr<Truth> flow_ = fast_truth(points_);
+  RationalPoint end_;
+  OrbitPath claimed_;
+};
+
+TEST_F(FurtherOrbit, IsTheOnlyOne) {
+  CITES("FC-CLAIM-08", "FC-FLOW-05", "FC-FILE-27");
+  ASSERT_GE(claimed_.segments.size(), 2U);
+  ASSERT_EQ(contact_of(end_), (std::vector<PointId>{0, 1, 2, 3}));
+  EXPECT_TRUE(is_permitted([](OrbitPath&) {}));
+  EXPECT_FALSE(is_permitted([](OrbitPath& path) { path.segments.pop_back(); }));
+  EXPECT_FALSE(is_permitted([](OrbitPath& path) { path.segments.push_back(path.segments.back()); }));
+  for (std::size_t k = 1; k < claimed_.segments.size(); ++k) {
+    const auto with = [&](const auto& change) {
+      return is_permitted([&](OrbitPath& path) { change(path.segments[k]); });
+    };
+    const bool is_finite = claimed_.segments[k].end.has_value();
+    EXPECT_FALSE(with([](PathSegment& one) { one.type = "Q"; }));
+    for (const char letter : {'V', 'E', 'F'}) {
+      if (!is_finite || claimed_.segments[k].type.back() == letter) continue;
+      EXPECT_FALSE(with([letter](PathSegment& one) { one.type.back() = letter; })) << k << " " << letter;
+    }
+    EXPECT_FALSE(with([](PathSegment& one) { one.driver[0] += 1; }));
+    EXPECT_FALSE(with([](PathSegment& one) { one.start_contact = {{4}}; }));
+    EXPECT_FALSE(with([](PathSegment& one) { one.crossed_contact = {{4}}; }));
+    EXPECT_FALSE(with([](PathSegment& one) { one.end_contact = {{4}}; }));
+    EXPECT_TRUE(with([](PathSegment& one) { one.end_contact = one.crossed_contact = one.start_contact = {}; }));
+  }
 }
 
 TEST(OrbitDifference, WhatIsNoOrbitIsRefused) {
