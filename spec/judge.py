@@ -11,9 +11,9 @@ It reads the exchange format, CSV and the format of Giesen and Kühne (formats/c
 What they say on level 5 has to be well formed (schemas/exchange.schema.json), and is not judged.
 Exit status: 0 if nothing is negative, 1 if something is, 2 for what cannot be used.
 """
-import argparse, functools, gzip, hashlib, io, itertools, json, os, re, resource, shlex, signal, struct, subprocess
-import sys, tempfile, zlib
-from collections import Counter
+import argparse, contextlib, functools, gzip, hashlib, io, itertools, json, os, re, resource, shlex, signal, struct
+import subprocess, sys, tempfile, zlib
+from collections import Counter, namedtuple
 from fractions import Fraction
 from pathlib import Path
 from types import SimpleNamespace
@@ -27,7 +27,7 @@ BLANKS = " \t\v\f"
 KINDS = [(1, 2), (1, 3), (2, 3)]
 CONFORMS, DETERMINED, PERTURBED, FAILS = "conforms", "conforms where determined", "perturbed", "fails"
 GOOD = [CONFORMS, DETERMINED, PERTURBED]
-OUTCOMES = [*GOOD, "properly refused", FAILS, "accepted", "refused", "crashed", "timed out", "unreadable"]
+NEGATIVE = [FAILS, "accepted", "refused", "crashed", "timed out", "unreadable"]
 
 
 class Unreadable(Exception):
@@ -46,33 +46,26 @@ def hexadecimal(text):
     parts = re.fullmatch(r"([+-]?)0[xX]([0-9a-fA-F]*)\.?([0-9a-fA-F]*)(?:[pP]([+-]?[0-9]+))?", text)
     require(parts and parts[2] + parts[3], f"not a number: {text[:40]}")
     mantissa, power = int(parts[2] + parts[3], 16), int(parts[4] or 0) - 4 * len(parts[3])
-    if mantissa == 0:
-        return Fraction(0)
-    zeros = (mantissa & -mantissa).bit_length() - 1
+    zeros = (mantissa & -mantissa).bit_length() - 1 if mantissa else -power
     bits = mantissa.bit_length() - zeros
     is_double = bits <= 53 and power + zeros >= -1074 and bits + zeros + power <= 1024
-    require(is_double, f"not a double: {text[:40]}")
-    value = (mantissa >> zeros) * Fraction(2) ** (power + zeros)
+    require(is_double or not mantissa, f"not a double: {text[:40]}")
+    value = (mantissa >> zeros) * Fraction(2) ** (power + zeros) if mantissa else Fraction(0)
     return -value if parts[1] == "-" else value
 
 
 def number(text, plain_is_exact=False):
     require(len(text) <= 1000000, f"too long: {text[:40]}")
+    if re.match(r"[+-]?0[xX]", text):
+        return hexadecimal(text), True
     if parts := re.fullmatch(r"([+-]?[0-9]+)/([0-9]+)", text):
         require(int(parts[2]), f"the denominator is zero: {text[:40]}")
         return Fraction(int(parts[1]), int(parts[2])), True
-    if re.match(r"[+-]?0[xX]", text):
-        return hexadecimal(text), True
     parts = re.fullmatch(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE]([+-]?[0-9]+))?", text)
     require(parts, f"not a number: {text[:40]}")
     exact = plain_is_exact and re.fullmatch(r"[+-]?[0-9]+", text) is not None
     require(exact or (len(text) <= 2000 and abs(int(parts[1] or 0)) <= 700), f"too long: {text[:40]}")
     return Fraction(text), exact
-
-
-def not_negative(value):
-    require(value[0] >= 0, "a negative distance")
-    return value
 
 
 def nearest_double(value):
@@ -92,23 +85,18 @@ def roots_differ_by(a, b, squared_length):
     return left <= 0 or left * left <= 4 * a * b
 
 
-# ---- JSON, and the schema of a line (schemas/exchange.schema.json)
+# ---- JSON, and the schema of a line of the exchange format
+
+Literal = namedtuple("Literal", "text")  # a number as it is written, so that it equals no string
 
 
-class Literal(str):
-    """A number of JSON as it is written. It equals no string."""
-    __hash__ = str.__hash__
-
-    def __eq__(self, other):
-        return isinstance(other, Literal) and str.__eq__(self, other)
-
-    def __ne__(self, other):
-        return not self == other
+class Whole(Literal):
+    """One without point and exponent."""
 
 
 def literal(text):
     require(abs(float(text)) < float("inf"), f"out of range of a double: {text[:40]}")
-    return Literal("0" if text == "-0" else text)
+    return (Whole if re.fullmatch("-?[0-9]+", text) else Literal)("0" if text == "-0" else text)
 
 
 def object_of(pairs):
@@ -116,27 +104,51 @@ def object_of(pairs):
     return dict(pairs)
 
 
-def depth(value):
-    inside = value.values() if isinstance(value, dict) else value
-    return 1 + max(map(depth, inside), default=0) if isinstance(value, (dict, list)) else 0
-
-
 def parse(text):
+    brackets = re.findall(r"[][{}]", re.sub(r'"(\\.|[^"\\])*"', "", text))
+    depths = itertools.accumulate(1 if one in "[{" else -1 for one in brackets)
+    require(max(depths, default=0) <= 16, "nested deeper than 16 levels")
     try:
         value = json.loads(text, object_pairs_hook=object_of, parse_int=literal, parse_float=literal,
                            parse_constant=lambda word: require(False, "not JSON"))
-    except (json.JSONDecodeError, RecursionError) as error:
+    except json.JSONDecodeError as error:
         raise Unreadable(f"not JSON: {error}") from error
-    require(isinstance(value, dict) and depth(value) <= 16, "not an object, or nested deeper than 16 levels")
+    require(isinstance(value, dict), "not an object")
     return value
 
 
 SCHEMA = parse((HERE / "schemas" / "exchange.schema.json").read_text())
 RECORD, HEADER, INFINITY = (SCHEMA["definitions"][name] for name in ("record", "header", "infinity"))
+TYPES = {"object": dict, "array": list, "number": Literal, "integer": Whole, "boolean": bool, "string": str,
+         "null": type(None)}
+# As much of JSON Schema (draft 7) as the schema of a line needs: of what types a value has to be for a rule to speak of
+# it, and the rule. It takes a value, its own part of a schema, and the schema.
+RULES = {
+    "$ref": (object, lambda value, path, _: fits_definition(value, path)),
+    "type": (object, lambda value, names, _: isinstance(value, tuple(
+        TYPES[one] for one in ([names] if isinstance(names, str) else names)))),
+    "const": (object, lambda value, one, _: value == one),
+    "enum": (object, lambda value, some, _: value in some),
+    "minimum": (Literal, lambda value, least, _: Fraction(value.text) >= Fraction(least.text)),
+    "maximum": (Literal, lambda value, most, _: Fraction(value.text) <= Fraction(most.text)),
+    "pattern": (str, lambda value, pattern, _: re.search(pattern, value)),
+    "minItems": (list, lambda value, least, _: len(value) >= int(least.text)),
+    "maxItems": (list, lambda value, most, _: len(value) <= int(most.text)),
+    "uniqueItems": (list, lambda value, *_: len(set(value)) == len(value)),
+    "items": (list, lambda value, items, _: all(
+        map(fits, value, items if isinstance(items, list) else itertools.repeat(items)))),
+    "required": (dict, lambda value, keys, _: all(key in value for key in keys)),
+    "properties": (dict, lambda value, known, _: all(fits(value[key], known[key]) for key in known if key in value)),
+    "allOf": (object, lambda value, some, _: all(fits(value, one) for one in some)),
+    "anyOf": (object, lambda value, some, _: any(fits(value, one) for one in some)),
+    "not": (object, lambda value, one, _: not fits(value, one)),
+    "if": (object, lambda value, test, schema: fits(value, schema.get("then" if fits(value, test) else "else", True)))}
 
 
-def is_string(value):
-    return isinstance(value, str) and not isinstance(value, Literal)
+def fits(value, schema):
+    return schema is True or (schema is not False and all(
+        rule(value, schema[key], schema) for key, (types, rule) in RULES.items()
+        if key in schema and isinstance(value, types)))
 
 
 def fits_definition(value, path):
@@ -147,96 +159,58 @@ def fits_definition(value, path):
     return name != "rational" or json_number(value) is not None  # or raises what is wrong with it
 
 
-TYPES = {"object": lambda value: isinstance(value, dict), "array": lambda value: isinstance(value, list),
-         "number": lambda value: isinstance(value, Literal), "boolean": lambda value: isinstance(value, bool),
-         "integer": lambda value: isinstance(value, Literal) and re.fullmatch("-?[0-9]+", value),
-         "null": lambda value: value is None, "string": is_string}
-# As much of JSON Schema (draft 7) as the schema of a line needs: each takes a value, its own part of a schema, and that.
-RULES = {
-    "$ref": lambda value, path, _: fits_definition(value, path),
-    "type": lambda value, names, _: any(TYPES[one](value) for one in ([names] if is_string(names) else names)),
-    "const": lambda value, one, _: value == one,
-    "enum": lambda value, some, _: value in some,
-    "minimum": lambda value, least, _: not isinstance(value, Literal) or Fraction(value) >= Fraction(least),
-    "maximum": lambda value, most, _: not isinstance(value, Literal) or Fraction(value) <= Fraction(most),
-    "pattern": lambda value, pattern, _: not is_string(value) or re.search(pattern, value),
-    "minItems": lambda value, least, _: not isinstance(value, list) or len(value) >= int(least),
-    "maxItems": lambda value, most, _: not isinstance(value, list) or len(value) <= int(most),
-    "uniqueItems": lambda value, *_: not isinstance(value, list) or len(set(value)) == len(value),
-    "items": lambda value, items, _: not isinstance(value, list) or all(
-        map(fits, value, items if isinstance(items, list) else itertools.repeat(items))),
-    "required": lambda value, keys, _: not isinstance(value, dict) or all(key in value for key in keys),
-    "properties": lambda value, known, _: not isinstance(value, dict) or all(
-        fits(value[key], one) for key, one in known.items() if key in value),
-    "allOf": lambda value, some, _: all(fits(value, one) for one in some),
-    "anyOf": lambda value, some, _: any(fits(value, one) for one in some),
-    "not": lambda value, one, _: not fits(value, one),
-    "if": lambda value, test, schema: fits(value, schema.get("then" if fits(value, test) else "else", True))}
-
-
-def fits(value, schema):
-    if isinstance(schema, bool):
-        return schema
-    return all(rule(value, schema[key], schema) for key, rule in RULES.items() if key in schema)
-
-
 # ---- Claims, read. `hull` is the second part of a kind, and None for a critical point. A target None is infinity.
 
 
-def whole(value):
-    require(isinstance(value, Literal) and re.fullmatch(r"[0-9]+", value), f"not a whole number: {value}")
-    require(int(value) < 2**64, f"too large: {value}")
-    return int(value)
+def count_of(value):
+    require(isinstance(value, Literal) and re.fullmatch("[0-9]+", value.text), f"not a whole number: {value}")
+    require(int(value.text) < 2**64, f"too large: {value}")
+    return int(value.text)
 
 
 def ids(values):
-    found = [whole(one) for one in values]
+    found = [count_of(one) for one in values]
     require(all(one <= 2147483646 for one in found), "an id beyond 2147483646")
     return found
 
 
-def index_of(value):
-    require(value in [Literal(k) for k in range(4)], f"not an index, 0 to 3: {value}")
-    return int(value)
-
-
-def json_number(value):
-    return number(value, plain_is_exact=not isinstance(value, Literal))
+def json_number(value, least=None):
+    found = number(value.text) if isinstance(value, Literal) else number(value, plain_is_exact=True)
+    require(least is None or found[0] >= least, f"less than {least}: {value}")
+    return found
 
 
 def blank_point(line, index, contact, hull=None):
     return SimpleNamespace(line=line, index=index, hull=hull, contact=contact, center=None, squared=None, distance=None,
-                           doubles=None, squared_double="none", targets=None, by_side=False, samples=None,
-                           boundary=None, lists=[])
+                           doubles=[], squared_double="none", targets=None, by_side=False, samples=None, boundary=None,
+                           lists=[])
 
 
 def lists_in(value, key=""):
-    """The lists of rows in what a line says, but not its `samples` of an index-1 point, which may be empty."""
+    """The lists of rows in what a line says."""
     if key in ("shares", "shares_double"):
         return [ids(one[0] for one in value)]
     if key == "walk":
         return [[one] for one in ids(value or [])]
-    if key in ("contact", "polygon", "samples", "front_contact", "back_contact", "limit", "to") and value is not None:
-        return [ids(value)]
-    if key in ("limits", "boundary", "arcs"):
-        return [ids(one) for one in value if one is not None]
+    if isinstance(value, list) and all(isinstance(one, Literal) for one in value):
+        is_of_rows = key in ("contact", "polygon", "samples", "front_contact", "back_contact", "limit", "to", "set")
+        return [ids(value)] if is_of_rows else []
     if isinstance(value, dict):
         return [found for name, one in value.items() for found in lists_in(one, name)]
-    return [found for one in value for found in lists_in(one)] if isinstance(value, list) else []
+    inner = "set" if key in ("limits", "boundary", "arcs") else ""
+    return [found for one in value for found in lists_in(one, inner)] if isinstance(value, list) else []
 
 
 def exchange_point(record, line):
-    kind = record["index"]
-    index, hull = map(int, kind) if isinstance(kind, list) else (int(kind), None)
-    point = blank_point(line, index, ids(record.get("contact", [])), hull)
-    near = record.get("center_double")
-    doubles = [None if one is None else json_number(one) for one in near or []]
+    index, hull = record["index"] if isinstance(record["index"], list) else (record["index"], None)
+    point = blank_point(line, int(index.text), ids(record.get("contact", [])), hull and int(hull.text))
+    doubles = [None if one is None else json_number(one) for one in record.get("center_double") or []]
     if "center" in record:
         point.center, point.doubles = [json_number(one) for one in record["center"]], doubles
     elif None not in doubles:
         point.center = doubles or None
     require(point.contact or point.center, "neither 'contact' nor 'center'")
-    squared, near = (None if record.get(key) is None else not_negative(json_number(record[key]))
+    squared, near = (None if record.get(key) is None else json_number(record[key], least=0)
                      for key in ("squared_distance", "squared_distance_double"))
     point.squared = squared or near
     if squared and "squared_distance_double" in record:
@@ -252,12 +226,12 @@ def exchange_point(record, line):
 
 def read_header(line):
     require(fits(line, HEADER), "a header that is not as its schema says")
-    read = {"points": whole, "merged_duplicates": whole, "input_sha256": str,
-            "classes": lambda lists: list(map(ids, lists)), "critical": lambda counts: list(map(whole, counts)),
-            "regular_stationary": lambda counts: [whole(counts[f"{i}-{j}"]) for i, j in KINDS]}
+    read = {"points": count_of, "merged_duplicates": count_of, "input_sha256": str,
+            "classes": lambda lists: list(map(ids, lists)), "critical": lambda counts: list(map(count_of, counts)),
+            "regular_stationary": lambda counts: [count_of(counts[f"{i}-{j}"]) for i, j in KINDS]}
     head = {key: reader(line[key]) for key, reader in read.items() if key in line}
-    indices = set(map(int, line.get("indices", range(4))))
-    return SimpleNamespace(points=[], infinity=None, indices=indices, head=head)
+    indices = {int(one.text) for one in line["indices"]} if "indices" in line else {0, 1, 2, 3}
+    return SimpleNamespace(points=[], infinity=[], indices=indices, head=head)
 
 
 def read_exchange(lines):
@@ -267,8 +241,8 @@ def read_exchange(lines):
         is_infinity = record.get("kind") == "infinity"
         require(fits(record, INFINITY if is_infinity else RECORD), f"line {k} is not as its schema says")
         if is_infinity:
-            require(claim.infinity is None, "a second line of infinity")
-            claim.infinity = lists_in(record["skeleton"])
+            require(not claim.infinity, "a second line of infinity")
+            claim.infinity = [[], *lists_in(record["skeleton"])]
         else:
             claim.points.append(exchange_point(record, k))
     return claim
@@ -291,10 +265,10 @@ def read_csv(lines):
             continue
         while len(fields) > 4 and not fields[-1]:
             fields.pop()
-        require(len(fields) >= 4, "too few numbers after the index")
-        point = blank_point(k, index_of(Literal(fields[0])), ids(map(Literal, fields[5:])))
+        require(len(fields) >= 4 and re.fullmatch("[0-3]", fields[0]), "no index, 0 to 3, or too few numbers after it")
+        point = blank_point(k, int(fields[0]), ids(map(Literal, fields[5:])))
         point.center = [number(one) for one in fields[1:4]] if any(fields[1:4]) else None
-        point.squared = not_negative(number(fields[4])) if len(fields) > 4 and fields[4] else None
+        point.squared = json_number(Literal(fields[4]), least=0) if len(fields) > 4 and fields[4] else None
         require(point.center or point.contact, "neither a position nor contact ids")
         points.append(point)
     return points
@@ -314,7 +288,7 @@ def read_bars(lines):
                     for k, one in enumerate([parts[0], *parts[2:]])]
             require(all(one is None or 1 <= len(one) <= 4 for one in sets), "a point, or a successor, of no ids")
             point = blank_point(k, len(sets[0]) - 1, sets[0])
-            point.distance, point.targets = not_negative(number(parts[1][0])), sets[1:]
+            point.distance, point.targets = json_number(Literal(parts[1][0]), least=0), sets[1:]
             point.lists = list(filter(None, sets))
             points.append(point)
     return points
@@ -334,6 +308,7 @@ def decompressed(data):
 
 def read_claim(data, rows):
     """The claim in some bytes, about so many rows."""
+    require(data is not None, "there is no answer, or one that is too large")
     data = decompressed(data).removeprefix(b"\xef\xbb\xbf")
     start = data.strip((BLANKS + "\r\n").encode())[:1]
     require(start, "an empty file")
@@ -347,9 +322,9 @@ def read_claim(data, rows):
     else:
         first = next(filter(None, map(without_comment, lines)), "")
         read = read_bars if re.match(f"inf([{BLANKS}]|$)|.*[|]", first) else read_csv
-        claim = SimpleNamespace(points=read(lines), infinity=None, indices={0, 1, 2, 3}, head={})
+        claim = SimpleNamespace(points=read(lines), infinity=[], indices={0, 1, 2, 3}, head={})
     lists = [some for point in claim.points for some in [point.contact, point.samples or [], *point.lists]]
-    require(all(one < rows for some in lists + (claim.infinity or []) for one in some), "there is no such point")
+    require(all(one < rows for some in lists + claim.infinity for one in some), "there is no such point")
     return claim
 
 
@@ -368,34 +343,30 @@ def cross(a, b):
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
-def det(a, b, c):
-    return dot(cross(a, b), c)
+def sign_of_det(a, b, c):
+    found = dot(cross(a, b), c)
+    return (found > 0) - (found < 0)
 
 
-def squared_length(a):
-    return dot(a, a)
-
-
-def sign(x):
-    return (x > 0) - (x < 0)
+def squared_distance(a, b):
+    return dot(minus(a, b), minus(a, b))
 
 
 def sphere_through(points):
     """The smallest sphere through the first of the points that span their affine hull: centre, squared radius."""
     p, basis = points[0], []
     for v in (minus(q, points[0]) for q in points[1:]):
-        if not basis or (len(basis) == 1 and any(cross(basis[0], v))) or (len(basis) == 2 and det(*basis, v)):
+        if not basis or (len(basis) == 1 and any(cross(basis[0], v))) or (len(basis) == 2 and sign_of_det(*basis, v)):
             basis.append(v)
-    offset = (Fraction(0),) * 3
-    if len(basis) == 1:
-        offset = tuple(x / 2 for x in basis[0])
-    elif len(basis) > 1:
-        a, b = basis[:2]
-        c = basis[2] if len(basis) == 3 else cross(a, b)
-        squares = [dot(a, a), dot(b, b), dot(c, c) if len(basis) == 3 else 0]
-        terms = [[s * x for x in n] for s, n in zip(squares, (cross(b, c), cross(c, a), cross(a, b)))]
-        offset = tuple(sum(term[k] for term in terms) / (2 * det(a, b, c)) for k in range(3))
-    return tuple(x + y for x, y in zip(p, offset)), dot(offset, offset)
+    if len(basis) < 2:
+        center = tuple(x + y / 2 for x, y in zip(p, basis[0] if basis else (Fraction(0),) * 3))
+        return center, squared_distance(p, center)
+    a, b, c = basis if len(basis) == 3 else (*basis, cross(*basis))
+    squares = [dot(a, a), dot(b, b), dot(c, c) if len(basis) == 3 else 0]
+    normals = cross(b, c), cross(c, a), cross(a, b)
+    center = tuple(x + sum(s * n[k] for s, n in zip(squares, normals)) / (2 * dot(cross(a, b), c))
+                   for k, x in enumerate(p))
+    return center, squared_distance(p, center)
 
 
 def in_hull(points, x):
@@ -408,27 +379,23 @@ def in_hull(points, x):
         n = cross(a, b)
         if not dot(n, c) and dot(n, cross(b, c)) > 0 and dot(n, cross(c, a)) > 0:
             return True
-    for a, b, c, d in itertools.combinations(v, 4):
-        signs = {sign(det(b, c, d)), sign(det(a, d, c)), sign(det(a, b, d)), sign(det(a, c, b))}
-        if len(signs) == 1 and 0 not in signs:
-            return True
-    return False
+    return any({sign_of_det(b, c, d), sign_of_det(a, d, c), sign_of_det(a, b, d), sign_of_det(a, c, b)} in ({1}, {-1})
+               for a, b, c, d in itertools.combinations(v, 4))
 
 
 def in_interior(points, x):
     """Whether x, in the hull of points that are equally far from it, is on no supporting plane."""
     v = [minus(p, x) for p in points]
-    planes = [n for a, b in itertools.combinations(v, 2) if any(n := cross(a, b))]
-    return bool(planes) and all({-1, 1} <= {sign(dot(n, a)) for a in v} for n in planes)
+    planes = [(a, b) for a, b in itertools.combinations(v, 2) if any(cross(a, b))]
+    return bool(planes) and all({-1, 1} <= {sign_of_det(*plane, a) for a in v} for plane in planes)
 
 
 def nearest_in_hull(points, center):
     """The point of the hull of points on one sphere that is nearest to its centre: that of their smallest ball."""
-    for size in range(1, 5):
-        for some in itertools.combinations(points, size):
-            x, squared = sphere_through(some)
-            if in_hull(some, x) and all(squared_length(minus(p, x)) <= squared for p in points):
-                return x
+    for some in itertools.chain.from_iterable(itertools.combinations(points, size) for size in range(1, 5)):
+        x, squared = sphere_through(some)
+        if in_hull(some, x) and all(squared_distance(p, x) <= squared for p in points):
+            return x
     raise AssertionError("every set of points has a smallest ball")
 
 
@@ -444,20 +411,18 @@ class Truth:
             classes.setdefault(p, []).append(row)
         self.name = [classes[p][0] for p in self.points]
         self.classes = [rows for rows in classes.values() if len(rows) > 1]
-        self.merged = len(self.rows) - len(classes)
-        self.records, self.with_name = [], {}
-        for k, value in enumerate(case["expected"]["stationary"]):
-            index, hull = value["index"] if isinstance(value["index"], list) else [value["index"]] * 2
-            center, squared = tuple(map(Fraction, value["center"])), Fraction(value["squared_distance"])
-            largest = max(map(abs, center)) ** 2
-            record = SimpleNamespace(
-                k=k, index=index, hull=hull, critical=index == hull, contact=tuple(value["contact"]), center=center,
-                squared=squared, told=value.get("incidences", {}), is_simplex=len(value["contact"]) == hull + 1,
-                allowed=squared or largest, rounding=TINY**2 * max(squared, largest))
-            self.records.append(record)
-            for name in record.contact:
-                self.with_name.setdefault(name, []).append(record)
+        self.records = [self.record_of(k, one) for k, one in enumerate(case["expected"]["stationary"])]
         self.at = {record.contact: record for record in self.records}
+
+    @staticmethod
+    def record_of(k, value):
+        index, hull = value["index"] if isinstance(value["index"], list) else [value["index"]] * 2
+        center, squared = tuple(map(Fraction, value["center"])), Fraction(value["squared_distance"])
+        largest = max(map(abs, center)) ** 2
+        return SimpleNamespace(
+            k=k, index=index, hull=hull, critical=index == hull, contact=tuple(value["contact"]), center=center,
+            squared=squared, told=value.get("incidences", {}), is_simplex=len(value["contact"]) == hull + 1,
+            allowed=squared or largest, rounding=TINY**2 * max(squared, largest))
 
     def digest(self):
         return hashlib.sha256(b"".join(struct.pack("<3d", *(x + 0.0 for x in row)) for row in self.rows)).hexdigest()
@@ -472,8 +437,8 @@ class Truth:
         return [self.points[name] for name in names]
 
     def side(self, plane, name):
-        p = self.where([*plane[:3], name])
-        return sign(det(minus(p[1], p[0]), minus(p[2], p[0]), minus(p[3], p[0])))
+        a, b, c, d = self.where([*plane[:3], name])
+        return sign_of_det(minus(b, a), minus(c, a), minus(d, a))
 
     def dimension(self, names):
         """Of the hull of samples of one sphere."""
@@ -483,7 +448,7 @@ class Truth:
         """The record with this contact set, or with its centre and a larger one, and how it fits (FC-CLAIM-02)."""
         if names in self.at:
             return self.at[names], "whole"
-        larger = [one for one in self.with_name.get(names[0], []) if set(names) < set(one.contact)] if names else []
+        larger = [one for one in self.records if names and set(names) < set(one.contact)]
         center = sphere_through(self.where(names))[0] if larger else None
         for record in larger:
             if record.center == center:
@@ -530,9 +495,6 @@ class Judge:
         self.findings.append({"level": level, "reason": reason, "permitted": permitted, "clause": clause, "line": line,
                               "contact": list(contact)})
 
-    def vary(self, level, reason, clause, point):
-        self.find(level, reason, clause, point, permitted=True)
-
     def run(self):
         self.check_form()
         if self.highest >= 2:
@@ -550,27 +512,26 @@ class Judge:
     # ---- Level 1 (FC-CLAIM-01, 12)
 
     def check_form(self):
-        truth, head, indices = self.truth, self.claim.head, self.claim.indices
-        for key, value, reason, clause in [("points", len(truth.rows), "wrong-counts", "FC-IN-03"),
-                                           ("merged_duplicates", truth.merged, "wrong-counts", "FC-IN-03"),
-                                           ("classes", truth.classes, "malformed", "FC-IN-03"),
-                                           ("input_sha256", truth.digest(), "malformed", "FC-CLAIM-01")]:
+        truth, points, indices = self.truth, self.claim.points, self.claim.indices
+        listed = Counter((point.index, point.hull) for point in points)
+        self.counts = [listed[k, None] for k in range(4)]
+        head = {"critical": self.counts, **self.claim.head}
+        head["critical"] = [n if k in indices else self.counts[k] for k, n in enumerate(head["critical"])]
+        for key, value, reason, clause in [
+                ("points", len(truth.rows), "wrong-counts", "FC-IN-03"),
+                ("classes", truth.classes, "malformed", "FC-IN-03"),
+                ("merged_duplicates", len(truth.rows) - len(set(truth.name)), "wrong-counts", "FC-IN-03"),
+                ("input_sha256", truth.digest(), "malformed", "FC-CLAIM-01"),
+                ("critical", self.counts, "wrong-counts", "FC-CLAIM-01"),
+                ("regular_stationary", [listed[kind] for kind in KINDS], "wrong-counts", "FC-CLAIM-01")]:
             if head.get(key, value) != value:
                 self.find(1, reason, clause)
-        listed = Counter((point.index, point.hull) for point in self.claim.points)
-        self.counts = [listed[k, None] for k in range(4)]
-        told = head.get("critical", self.counts)
-        for claimed, counts in [([n if k in indices else self.counts[k] for k, n in enumerate(told)], self.counts),
-                                (head.get("regular_stationary"), [listed[kind] for kind in KINDS])]:
-            if claimed not in (None, counts):
-                self.find(1, "wrong-counts", "FC-CLAIM-01")
-        for point in self.claim.points:
+        for point in points:
             point.names, point.record, point.fit = truth.names(point.contact), None, None
             point.right, point.several = False, False
             lists = [point.contact, point.samples or [], *point.lists]
-            is_clean = all(point.lists) and all(len(set(one)) == len(one) for one in lists)
             is_asked = point.hull is not None or point.index in indices
-            point.formed = is_clean and is_asked
+            point.formed = is_asked and all(point.lists) and all(len(set(one)) == len(one) for one in lists)
             if not point.formed:
                 self.find(1, "malformed", "FC-CLAIM-01" if is_asked else "FC-CLAIM-12", point)
 
@@ -586,25 +547,26 @@ class Judge:
     def near(self, point):
         """The stationary points at which a position is right: how they fit, the squared distance, and their place."""
         within, nearly = [], []
-        at = tuple(one[0] for one in point.center)
-        for record in self.truth.records:
+        for record in self.truth.records if point.center else []:
             match = self.match_position(point.center, record)
             if match != "off":
                 wrong = bool(self.wrong_values(point, record))
                 fit = (WRONG_VALUE if wrong else RIGHT, WRONG_MADE if wrong else MADE, WRONG_INDEX)
-                found = fit[self.rank(point, record)], squared_length(minus(at, record.center)), record.k
+                away = squared_distance([value for value, _ in point.center], record.center)
+                found = fit[self.rank(point, record)], away, record.k
                 if match == "equal":
                     return [found]
                 (nearly if match == "rounding" else within).append(found)
         return sorted(within or nearly)
 
-    def place_by_position(self, points):
-        """As many claims as possible get a stationary point of their own. Those by contact set take part."""
-        near = [[] if point.names else self.near(point) for point in points]
-        choices = [[one[2] for one in found if one[0] == RIGHT] for found in near]
-        for point, some in zip(points, choices):
-            if point.names and point.record and point.fit != "other" and self.rank(point, point.record) == 0:
-                some.append(point.record.k)
+    def place(self, points):
+        """As many claims as possible get a stationary point of their own (FC-CLAIM-24)."""
+        near, choices = [], []
+        for point in points:
+            point.record, point.fit = self.truth.placed(point.names)
+            is_own = point.record and point.fit != "other" and self.rank(point, point.record) == 0
+            near.append([] if point.names else self.near(point))
+            choices.append([point.record.k] if is_own else [one[2] for one in near[-1] if one[0] == RIGHT])
         partner = maximum_matching(choices)
         taken = set(partner.values())
         for k, (point, found) in enumerate(zip(points, near)):
@@ -615,7 +577,7 @@ class Judge:
                 taken |= set() if made else {chosen}
                 point.record, point.fit, point.several = self.truth.records[chosen], "position", len(choices[k]) > 1
                 if len(found) > 1:
-                    self.vary(2, "ambiguous", "FC-CLAIM-05", point)
+                    self.find(2, "ambiguous", "FC-CLAIM-05", point, permitted=True)
 
     # ---- Level 2: positions and distances (FC-CLAIM-05), and what is no stationary point (FC-CRIT-05)
 
@@ -638,28 +600,19 @@ class Judge:
             return "within"
         return "rounding" if roots_differ_by(value, record.squared, record.rounding) else "off"
 
-    def match_double(self, claimed, true, match):
-        """Of a double beside an exact value: there is none where none is near (FC-NUM-02)."""
-        if (claimed is None) != (nearest_double(true) is None):
-            return "off"
-        return "equal" if claimed is None else match(claimed)
-
     def wrong_values(self, point, record):
         """How what is wrong of a claimed position and distance is, with its clause."""
         zero, found = (0, True), []
-        for claimed, true in zip(point.doubles or [], record.center):
-            found.append(("FC-NUM-02", self.match_double(
-                claimed, true, lambda one: self.match_position([one, zero, zero], record, (true, 0, 0)))))
+        for claimed, true in zip(point.doubles, record.center):
+            match = claimed and self.match_position([claimed, zero, zero], record, (true, 0, 0))
+            found.append(("FC-NUM-02", match or ("equal" if nearest_double(true) is None else "off")))
         if point.squared_double != "none":
-            match = self.match_double(point.squared_double, record.squared, lambda one: self.match_squared(one, record))
-            found.append(("FC-NUM-02", match))
+            match = point.squared_double and self.match_squared(point.squared_double, record)
+            found.append(("FC-NUM-02", match or ("equal" if nearest_double(record.squared) is None else "off")))
         if point.center:
             found.append(("FC-OUT-01", self.match_position(point.center, record)))
-        if point.squared:
-            found.append(("FC-OUT-01", self.match_squared(point.squared, record)))
-        if point.distance:
-            squared = point.distance[0] ** 2, point.distance[1]
-            found.append(("FC-OUT-01", self.match_squared(squared, record)))
+        squared = point.distance and (point.distance[0] ** 2, point.distance[1])
+        found += [("FC-OUT-01", self.match_squared(one, record)) for one in (point.squared, squared) if one]
         return [(clause, match) for clause, match in found if match in ("off", "rounding")]
 
     def check_values(self, point):
@@ -672,9 +625,8 @@ class Judge:
             return self.find(2, "wrong-position", "FC-CRIT-01", point)
         contact = self.truth.where(point.names)
         center, squared = sphere_through(contact)
-        distances = {name: squared_length(minus(self.truth.points[name], center)) for name in self.truth.name}
+        distances = {name: squared_distance(self.truth.points[name], center) for name in self.truth.name}
         own, nearest = [distances[name] for name in point.names], min(distances.values())
-        driver = nearest_in_hull(contact, center) if set(own) == {nearest} else center
         allowed = TINY**2 * max(squared, max(map(abs, center)) ** 2)
         if any(one != squared for one in own):
             reason, letter, near = "not-cospherical", "a", all(roots_differ_by(one, squared, allowed) for one in own)
@@ -683,19 +635,17 @@ class Judge:
         elif list(distances.values()).count(nearest) > len(own):
             reason, letter, near = "contact-incomplete", "c", False
         else:
-            reason, letter, near = "outside-hull", "d", squared_length(minus(driver, center)) <= allowed
+            reason, letter = "outside-hull", "d"
+            near = squared_distance(nearest_in_hull(contact, center), center) <= allowed
         return self.find(2, "rounding" if near else reason, f"FC-CRIT-05 ({letter})", point)
 
     # ---- Levels 2 and 3 (FC-CLAIM-02 to 04)
 
     def check_points(self):
         formed = sorted((point for point in self.claim.points if point.formed), key=lambda point: not point.names)
-        for point in formed:
-            if point.names:
-                point.record, point.fit = self.truth.placed(point.names)
-        self.place_by_position(formed)
+        self.place(formed)
         here = {record.k: [] for record in self.truth.records}
-        for point in [point for point in self.claim.points if point.formed]:
+        for point in sorted(formed, key=lambda point: point.line):
             if point.record is None:
                 self.check_stray(point)
             else:
@@ -720,7 +670,7 @@ class Judge:
             else:
                 first, point.right = point, True
                 if point.fit == "part":
-                    self.vary(2, "spanning-part", "FC-CLAIM-02", point)
+                    self.find(2, "spanning-part", "FC-CLAIM-02", point, permitted=True)
         return first
 
     def check_critical(self, record, here):
@@ -742,9 +692,8 @@ class Judge:
     def check_regular(self, record, here):
         for point in here:
             self.check_values(point)
-        said, critical = [[p for p in here if (p.hull is None) == is_critical] for is_critical in (False, True)]
-        first = self.check_own(record, said)
-        made, impossible, again = self.sorted_claims(record, critical)
+        first = self.check_own(record, [point for point in here if point.hull is not None])
+        made, impossible, again = self.sorted_claims(record, [point for point in here if point.hull is None])
         for point in again:
             self.find(3, "claimed-twice", "FC-CRIT-06", point)
         if made and not first and self.makes(record, made):
@@ -752,8 +701,8 @@ class Judge:
             made = []
         for point in impossible + made:
             self.find(2, "collision-as-critical", "FC-CRIT-03", point)
-        tells_regular = "regular_stationary" in self.claim.head or any(point.hull is not None for point in self.claim.points)
-        if not here and tells_regular:
+        says_of_regular = "regular_stationary" in self.claim.head or any(one.hull for one in self.claim.points)
+        if not here and says_of_regular:
             self.find(3, "symbolic-perturbation", "FC-CLAIM-04", permitted=True, contact=record.contact)
 
     # ---- What a perturbation makes (FC-CLAIM-04, 12)
@@ -763,7 +712,7 @@ class Judge:
         self.undecided = self.undecided or not record.is_simplex
         for point in made:
             point.right = True
-            self.vary(2, "symbolic-perturbation", "FC-CLAIM-04", point)
+            self.find(2, "symbolic-perturbation", "FC-CLAIM-04", point, permitted=True)
 
     def most(self, record, index):
         """How many points of an index a perturbation can make, where that has a bound: parts with x in their hull."""
@@ -783,6 +732,13 @@ class Judge:
         """The face in which an index-3 point of many samples has all of them but one."""
         rests = [tuple(one for one in names if one != apex) for apex in names]
         return next((rest for rest in rests if self.is_face(record, rest)), None)
+
+    def is_on_face(self, record, names):
+        """Whether samples with x in their hull are on a proper face of the hull of C(x)."""
+        if len(names) == 2:
+            return not record.critical
+        sides = {self.truth.side(names, name) for name in record.contact} - {0}
+        return record.hull == 3 and self.truth.dimension(names) == 2 and len(sides) < 2
 
     def can_make(self, record, point):
         """Conditions (a) and (b)."""
@@ -819,13 +775,12 @@ class Judge:
         right = 0 if not record.critical else 1 if record.index == 2 else -1
         if numbers[1] - numbers[0] - numbers[2] != right or (record.critical and not numbers[record.index - 1]):
             return False
-        if not record.is_simplex or record.critical or record.hull - record.index < 2 or numbers[1] != 1:
+        if not record.is_simplex or (record.index, record.hull) != (1, 3) or numbers[1] != 1:
             return True
-        # Of kind (1,3), with one of the triangles at the edge: which one there is beside it tells the tetrahedron's angle.
-        edge = next(one for one in itertools.combinations(self.truth.where(record.contact), 2)
-                    if in_hull(one, record.center))
-        r, s = (minus(p, record.center) for p in self.truth.where(record.contact) if p not in edge)
-        a = minus(edge[0], record.center)
+        # Of two triangles at the edge there is one. What there is beside it tells the tetrahedron's angle at the edge.
+        contact = self.truth.where(record.contact)
+        edge = next(one for one in itertools.combinations(contact, 2) if in_hull(one, record.center))
+        a, r, s = (minus(p, record.center) for p in [edge[0], *(p for p in contact if p not in edge)])
         cosine = dot(r, s) * dot(a, a) - dot(r, a) * dot(s, a)
         return cosine >= 0 if numbers[0] else cosine <= 0
 
@@ -840,35 +795,28 @@ class Judge:
         return len({point.names if point.index == 2 else self.kept_polygon(record, point.names)
                     for point in others if len(point.names) > point.index + 1}) < 2
 
-    def is_on_face(self, record, names):
-        """Whether samples with x in their hull are on a proper face of the hull of C(x)."""
-        if len(names) == 2:
-            return not record.critical
-        sides = {self.truth.side(names, name) for name in record.contact} - {0}
-        return record.hull == 3 and self.truth.dimension(names) == 2 and len(sides) < 2
-
     # ---- Level 4 (FC-CLAIM-06, 07, 09)
 
     def check_incidences(self, point):
         """Whether there was something to judge."""
         if not point.right or point.hull is not None or point.several:
             return False
-        has_samples = point.samples is not None and point.index == 1 and 0 in self.claim.indices
-        has_boundary = point.boundary is not None and 1 in self.claim.indices
-        has_targets = point.targets is not None and (point.index == 3 or point.index + 1 in self.claim.indices)
+        indices, is_made = self.claim.indices, point.record.k in self.perturbed
+        has_samples = point.samples is not None and point.index == 1 and 0 in indices
+        has_boundary = point.boundary is not None and 1 in indices and not is_made
+        has_targets = point.targets is not None and (point.index == 3 or point.index + 1 in indices) and not is_made
         if has_samples:
-            self.check_samples(point)
-        if point.record.k in self.perturbed:
-            return has_samples
+            names = self.truth.names(point.samples)
+            if not (names == point.names if point.names else self.truth.placed(names)[0] is point.record):
+                self.find(4, "wrong-incidence", "FC-FLOW-07", point)
         if has_boundary:
             self.check_boundary(point)
-        if has_targets:
-            [self.check_above, self.check_above, self.check_limits, self.check_nothing][point.index](point)
+        if has_targets and point.index < 3:
+            (self.check_limits if point.index == 2 else self.check_above)(point)
+        elif has_targets:
+            for _ in filter(None, point.targets):
+                self.find(4, "wrong-incidence", "FC-FLOW-03", point)
         return has_samples or has_boundary or has_targets
-
-    def is_made(self, record, names, index=None):
-        return any((index is None or point.index == index) and point.names in ((), names)
-                   for point in self.perturbed.get(record.k, []))
 
     def target(self, rows):
         """The stationary point that is named (None: infinity, or none), and how it fits."""
@@ -876,90 +824,72 @@ class Judge:
         record, fit = self.truth.placed(names) if names else (None, "whole")
         return record, "made" if record and fit != "whole" and self.is_made(record, names) else fit
 
-    def check_samples(self, point):
-        names, record = self.truth.names(point.samples), point.record
-        if record.k not in self.perturbed:
-            right = names == record.contact
-        else:
-            right = names == point.names if point.names else len(names) == 2 and self.truth.placed(names)[0] is record
-        if not right:
-            self.find(4, "wrong-incidence", "FC-FLOW-07", point)
-
-    def check_nothing(self, point):
-        for _ in filter(None, point.targets):
-            self.find(4, "wrong-incidence", "FC-FLOW-03", point)
+    def is_made(self, record, names, index=None):
+        return any(index in (None, one.index) and one.names in ((), names) for one in self.perturbed.get(record.k, []))
 
     def check_above(self, point):
         """What is above a sample, or an index-1 point."""
-        record, is_edge = point.record, point.index == 1
-        if is_edge:
-            above = [one for one in self.truth.records if list(record.contact) in one.told.get("ends", [])]
-        else:
-            above = [one for one in self.truth.with_name[record.contact[0]] if (one.index, one.hull) == (1, 1)]
-        missing, seen, wrong, reasons = {one.k for one in above}, set(), False, set()
-        infinity = is_edge and not above and None in point.targets
+        record, reasons, wrong = point.record, set(), False
+        is_edge, contact = point.index == 1, list(point.record.contact)
+        above = [one for one in self.truth.records if (contact in one.told.get("ends", []) if is_edge else
+                                                       (one.index, one.hull) == (1, 1) and contact[0] in one.contact)]
+        missing = {one.k for one in above}
+        seen, says_infinity = set(), is_edge and not above and None in point.targets
         for rows in point.targets:
             there, fit = self.target(rows)
             if there is None:
-                wrong = wrong or not (rows is None and infinity)
+                wrong = wrong or not (rows is None and says_infinity)
             elif there.k not in seen:
                 seen.add(there.k)
                 is_owed = there.k in missing and not (is_edge and fit == "other")
-                why = self.why_down(there, record) if is_edge else self.why_up(there, rows, record)
+                why = {"part": "spanning-part", "made": "symbolic-perturbation"}.get(fit) if is_owed else \
+                    self.why_above(there, record, rows)
                 wrong = wrong or not (is_owed or why)
-                missing.discard(there.k if is_owed else None)
-                reasons.add({"part": "spanning-part", "made": "symbolic-perturbation"}.get(fit) if is_owed else why)
-        if is_edge:
-            open_ones = {k for k in missing if k in self.perturbed or self.truth.records[k].told["boundary"] is None}
-            reasons |= {"symbolic-perturbation" if k in self.perturbed else "tie-break" for k in open_ones}
-            missing -= open_ones
-        if wrong or missing:
+                missing -= {there.k} if is_owed else set()
+                reasons.add(why)
+        excused = {k: "symbolic-perturbation" if k in self.perturbed else "tie-break" for k in missing
+                   if is_edge and (k in self.perturbed or self.truth.records[k].told["boundary"] is None)}
+        if wrong or missing - set(excused):
             self.find(4, "wrong-incidence", "FC-CHAIN-01" if is_edge else "FC-FLOW-07", point)
-        elif order := [one for one in ("symbolic-perturbation", "tie-break", "spanning-part") if one in reasons]:
-            clause = "FC-CLAIM-04" if not is_edge else "FC-CLAIM-02" if order[0] == "spanning-part" else "FC-CLAIM-09"
-            self.vary(4, order[0], clause, point)
-        if infinity and None not in (limits := self.truth.limits(record)):
-            if any(self.may_end(None, one) for one in limits):
-                self.vary(4, "symbolic-perturbation", "FC-CLAIM-07", point)
-            else:
-                self.find(4, "wrong-incidence", "FC-CLAIM-06", point)
+        elif reasons := {*reasons, *excused.values()} - {None}:
+            worst = max(reasons, key=["spanning-part", "tie-break", "symbolic-perturbation"].index)
+            clause = "FC-CLAIM-04" if not is_edge else "FC-CLAIM-02" if worst == "spanning-part" else "FC-CLAIM-09"
+            self.find(4, worst, clause, point, permitted=True)
+        if says_infinity and None not in (limits := self.truth.limits(record)):
+            may = any(self.may_end(None, one) for one in limits)
+            self.find(4, *(("symbolic-perturbation", "FC-CLAIM-07") if may else ("wrong-incidence", "FC-CLAIM-06")),
+                      point, permitted=may)
 
-    def why_down(self, saddle, edge):
-        """Why it may be named above an index-1 point, though no orbit comes down from it."""
-        if saddle.squared <= edge.squared:
-            return None
-        if not saddle.critical or saddle.k in self.perturbed:
-            return "symbolic-perturbation"
-        return "tie-break" if saddle.index == 2 and saddle.told["boundary"] is None else None
-
-    def why_up(self, edge, rows, sample):
+    def why_above(self, there, record, rows):
+        """Why it may be named above a sample or an index-1 point, though it is not above that."""
         names = self.truth.names(rows)
-        is_edge = len(names) == 2 and sample.contact[0] in names and self.is_made(edge, names, 1)
-        return "symbolic-perturbation" if is_edge else None
+        if record.index == 0:
+            is_edge = len(names) == 2 and record.contact[0] in names and self.is_made(there, names, 1)
+            return "symbolic-perturbation" if is_edge else None
+        if there.squared <= record.squared:
+            return None
+        if not there.critical or there.k in self.perturbed:
+            return "symbolic-perturbation"
+        return "tie-break" if there.index == 2 and there.told["boundary"] is None else None
 
     def check_limits(self, point):
-        true = self.truth.limits(point.record)
-        if point.fit == "part" and self.turns(point.names, point.record.contact):
+        true, whole = self.truth.limits(point.record), point.record.contact
+        sides = map(self.truth.where, ((point.names or whole)[:3], whole[:3]))
+        if dot(*(cross(minus(q, p), minus(r, p)) for p, q, r in sides)) < 0:
             true.reverse()
         limits, fits = zip(*map(self.target, point.targets)) if point.targets else ((), ())
         is_same = list(limits) == true if point.by_side else {*map(id, limits)} == {*map(id, true)}
-        if is_same and not {"other", "made"} & {*fits}:
+        if is_same and not {"other", "made", None} & {*fits}:
             if "part" in fits:
-                self.vary(4, "spanning-part", "FC-CLAIM-02", point)
+                self.find(4, "spanning-part", "FC-CLAIM-02", point, permitted=True)
         elif not {"other", None} & {*fits} and self.may_be_limits(limits, true, point.by_side):
-            self.vary(4, "symbolic-perturbation", "FC-CLAIM-07", point)
+            self.find(4, "symbolic-perturbation", "FC-CLAIM-07", point, permitted=True)
         else:
             self.find(4, "wrong-incidence", "FC-FLOW-07", point)
 
-    def turns(self, names, contact):
-        a, b = (cross(minus(q, p), minus(r, p)) for p, q, r in map(self.truth.where, (names[:3], contact[:3])))
-        return dot(a, b) <= 0
-
     def may_be_limits(self, limits, true, by_side):
-        if by_side:
-            return all(map(self.may_end, limits, true))
-        some = [one for k, one in enumerate(limits) if one not in limits[:k]]
-        orders = [true, true[::-1]] if 1 <= len(some) <= 2 else []
+        some = limits if by_side else [one for k, one in enumerate(limits) if one not in limits[:k]]
+        orders = ([true] if by_side else [true, true[::-1]]) if 1 <= len(some) <= 2 else []
         return any(self.may_end(some[0], a) and self.may_end(some[-1], b) for a, b in orders)
 
     def may_end(self, target, true):
@@ -988,7 +918,7 @@ class Judge:
         if told is not None or any(n % 2 for n in degrees.values()):
             return self.find(4, "wrong-incidence", "FC-CHAIN-01", point)
         # The vectors break no ties, so it is not judged which of the cycles is claimed.
-        return self.vary(4, "symbolic-perturbation", "FC-CLAIM-09", point) if has_regular else None
+        return has_regular and self.find(4, "symbolic-perturbation", "FC-CLAIM-09", point, permitted=True)
 
 
 # ---- Orbits (FC-FLOW-01, 02, FC-CLAIM-08, formats/orbit.md)
@@ -999,24 +929,20 @@ SEGMENT_TYPES = {f"{way}-{end}" for way, ends in [
     ("F-F", ["V", "E", "inf"]), ("C-C", ["V", "E", "F", "inf"])] for end in ends}
 
 
-def rational(value):
-    require(is_string(value), f"no rational in a string: {value}")
-    found, is_exact = number(value, plain_is_exact=True)
-    require(is_exact, f"a decimal: {value[:40]}")
-    return found
-
-
-def rational_position(value):
-    require(isinstance(value, list) and len(value) == 3, f"not three coordinates: {value}")
-    return tuple(map(rational, value))
+def rationals(values, count=3):
+    require(isinstance(values, list) and len(values) == count, f"not {count} numbers: {values}")
+    require(all(isinstance(one, str) for one in values), f"no rational in a string: {values}")
+    found = [number(one, plain_is_exact=True) for one in values]
+    require(all(exact for _, exact in found), f"a decimal: {values}")
+    return tuple(value for value, _ in found)
 
 
 def read_segment(value):
-    require(is_string(value["type"]), "a type that is no string")
+    require(isinstance(value["type"], str), "a type that is no string")
     contacts = [None if value.get(key) is None else sorted(ids(value[key]))
                 for key in ("start_contact", "crossed_contact", "end_contact")]
-    end = None if value["end"] is None else rational_position(value["end"])
-    return [value["type"], rational_position(value["driver"]), end, *contacts]
+    end = None if value["end"] is None else rationals(value["end"])
+    return [value["type"], rationals(value["driver"]), end, *contacts]
 
 
 def read_orbit(data):
@@ -1027,8 +953,8 @@ def read_orbit(data):
         segments, limit = [read_segment(one) for one in value["segments"]], value["limit"]
         if limit["kind"] == "infinity":
             return segments, None
-        return segments, [limit["kind"], limit["index"], rational_position(limit["position"]),
-                          sorted(ids(limit["contact"])), rational(limit["squared_distance"])]
+        position, (squared,) = rationals(limit["position"]), rationals([limit["squared_distance"]], 1)
+        return segments, [limit["kind"], limit["index"], position, sorted(ids(limit["contact"])), squared]
     except (AttributeError, TypeError, KeyError) as error:
         raise Unreadable(f"not as the format says: {error!r}") from error
 
@@ -1040,22 +966,23 @@ class Flow:
         self.truth, self.samples = truth, {name: truth.points[name] for name in truth.name}
 
     def contact(self, x):
-        distances = {name: squared_length(minus(p, x)) for name, p in self.samples.items()}
+        distances = {name: squared_distance(p, x) for name, p in self.samples.items()}
         return [name for name, one in distances.items() if one == min(distances.values())]
+
+    def letter(self, contact):
+        return "CFEV"[self.truth.dimension(contact)] if contact else "inf"
 
     def segment(self, x, driver, u):
         """The flow segment from x in the direction u, as read_segment has it."""
         contact = self.contact(x)
         most = max(dot(u, self.samples[name]) for name in contact)
         crossed = [name for name in contact if dot(u, self.samples[name]) == most]
-        p, times = self.samples[crossed[0]], []
-        for q in self.samples.values():
-            if (rate := 2 * dot(u, minus(q, p))) > 0:
-                times.append((squared_length(minus(q, x)) - squared_length(minus(p, x))) / rate)
+        p = self.samples[crossed[0]]
+        times = [(squared_distance(q, x) - squared_distance(p, x)) / (2 * dot(u, minus(q, p)))
+                 for q in self.samples.values() if dot(u, minus(q, p)) > 0]
         end = tuple(a + min(times) * b for a, b in zip(x, u)) if times else None
         after = self.contact(end) if times else None
-        letters = ["CFEV"[self.truth.dimension(some)] if some else "inf" for some in (contact, crossed, after)]
-        return ["-".join(letters), driver, end, contact, crossed, after]
+        return ["-".join(map(self.letter, (contact, crossed, after))), driver, end, contact, crossed, after]
 
     def orbit(self, x):
         segments = []
@@ -1063,9 +990,9 @@ class Flow:
             contact = tuple(self.contact(x))
             driver = nearest_in_hull(self.truth.where(contact), x)
             if driver == x:
-                record = self.truth.at[contact]
-                index = [Literal(record.index), Literal(record.hull)] if not record.critical else Literal(record.index)
-                return segments, ["critical" if record.critical else "regular", index, x, list(contact), record.squared]
+                one = self.truth.at[contact]
+                index = Literal(str(one.index)) if one.critical else [Literal(str(one.index)), Literal(str(one.hull))]
+                return segments, ["critical" if one.critical else "regular", index, x, list(contact), one.squared]
             segments.append(self.segment(x, driver, minus(x, driver)))
             x = segments[-1][2]
         return segments, None
@@ -1089,22 +1016,19 @@ class Flow:
             return False
         if len(ours) == count:
             return limit == end
-        kind, driver, to = ours[count][:3]
-        y, is_last = end[2], len(ours) == count + 1
+        y, (kind, driver, to, start, _, after) = end[2], ours[count]
         if to is None:  # infinity does not tell the direction
-            letter = "CFEV"[self.truth.dimension(end[3])]
-            is_from = kind in SEGMENT_TYPES and kind[0] == letter and kind[4:] == "inf" and driver == y
-            return is_from and is_last and limit is None and ours[count][3] in (None, end[3]) and not ours[count][5]
+            is_leaving = kind in SEGMENT_TYPES and kind[0] == self.letter(end[3]) and kind[4:] == "inf" and driver == y
+            return is_leaving and start in (None, end[3]) and not after and limit is None and len(ours) == count + 1
         first = self.segment(y, y, minus(to, y))
         if to != first[2] or not in_hull(self.truth.where(first[4]), y):
             return False
-        more, limit_after = self.orbit(to)
-        after = [first, *more], limit_after
-        return self.verdict((ours[count:], limit), after) != FAILS
+        more, end = self.orbit(to)
+        return self.verdict((ours[count:], limit), ([first, *more], end)) != FAILS
 
     def verdict(self, claimed, true):
-        is_same = len(claimed[0]) == len(true[0]) and all(map(self.is_same, claimed[0], true[0]))
-        return CONFORMS if is_same and claimed[1] == true[1] else \
+        is_end_same = len(claimed[0]) == len(true[0]) and claimed[1] == true[1]
+        return CONFORMS if is_end_same and all(map(self.is_same, claimed[0], true[0])) else \
             PERTURBED if self.is_permitted(claimed, true) else FAILS
 
 
@@ -1113,15 +1037,13 @@ class Flow:
 
 
 def profile_of(claim, highest):
-    def told(key):
-        saddles = [point for point in claim.points if point.hull is None and point.index == 2]
-        if highest < 4 or claim.indices != {0, 1, 2, 3}:
-            return False
-        return all(getattr(point, key) is not None for point in saddles) if saddles else None
-
+    saddles = [point for point in claim.points if point.hull is None and point.index == 2]
+    told = {"points": highest >= 3, "U2": False, "S2": False, "orbits": None}
+    if highest >= 4 and claim.indices == {0, 1, 2, 3}:
+        told["U2"] = all(point.targets is not None for point in saddles) if saddles else None
+        told["S2"] = all(point.boundary is not None for point in saddles) if saddles else None
     numbers = [one for point in claim.points for one in [*(point.center or []), point.squared, point.distance] if one]
-    return {"parts": {"points": highest >= 3, "U2": told("targets"), "S2": told("boundary"), "orbits": None},
-            "indices": claim.indices, "exact": all(exact for _, exact in numbers)}
+    return {"parts": told, "indices": claim.indices, "exact": all(exact for _, exact in numbers)}
 
 
 def statement(verdict, profiles, tolerance):
@@ -1133,15 +1055,17 @@ def statement(verdict, profiles, tolerance):
     indices = set(range(4)).intersection(*(profile["indices"] for profile in profiles))
     if parts[:1] == ["points"] and len(indices) < 4:
         parts[:1] = [f"points of index {', '.join(map(str, sorted(indices)))}"] if indices else []
-    words = {CONFORMS: "conforms to", DETERMINED: "conforms where determined to", PERTURBED: "is perturbed under"}
     is_exact = all(profile["exact"] for profile in profiles)
     if not parts or (tolerance > LARGEST_STATED and not is_exact):
         return None
+    words = {CONFORMS: "conforms to", DETERMINED: "conforms where determined to", PERTURBED: "is perturbed under"}
     grade = "exact" if is_exact else f"approximate within {tolerance!r}"
     return f"{words[verdict]} {VERSION}, {' + '.join(parts)}, {grade}"
 
 
-# ---- Cases and commands
+# ---- Commands
+
+LIMITS = [(resource.RLIMIT_AS, (4096 << 20,) * 2), (resource.RLIMIT_FSIZE, (64 << 20,) * 2)]
 
 
 def points_text(case, as_they_are):
@@ -1155,19 +1079,6 @@ def points_text(case, as_they_are):
     return case.get("text", "".join(lines) or "# no points\n")
 
 
-def limit_memory():
-    resource.setrlimit(resource.RLIMIT_AS, (4096 << 20,) * 2)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (64 << 20,) * 2)
-
-
-def last_line(log):
-    """What a program said last on standard error, without characters that move a terminal's cursor."""
-    lines = log.read_bytes()[-4096:].decode(errors="replace").split("\n")
-    said = next((line for line in reversed(lines) if line.strip()), "")
-    shown = "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in said)
-    return f": {shown[:160]}" if said else ""
-
-
 def run_command(command, text, seconds, start="1,0,0"):
     """How it ends, what it answers, and what it said: an outcome or an exit status, bytes, and a line."""
     with tempfile.TemporaryDirectory(prefix="judge-") as folder:
@@ -1177,32 +1088,38 @@ def run_command(command, text, seconds, start="1,0,0"):
         order = re.sub(r"\{(?:in|out|start)\}", lambda place: shlex.quote(places[place[0]]), command)
         with open(said, "wb") as out, open(log, "wb") as errors:
             run = subprocess.Popen(["/bin/sh", "-c", order], cwd=folder, stdin=subprocess.DEVNULL, stdout=out,
-                                   stderr=errors, start_new_session=True, preexec_fn=limit_memory)
+                                   stderr=errors, start_new_session=True,
+                                   preexec_fn=lambda: [resource.setrlimit(*limit) for limit in LIMITS])
             try:
                 status = run.wait(seconds)
             except subprocess.TimeoutExpired:
                 status = "timed out"
-            try:
+            with contextlib.suppress(ProcessLookupError):
                 os.killpg(run.pid, signal.SIGKILL)
-            except ProcessLookupError:
-                pass
             run.wait()
-        note = "" if status in (0, "timed out") else f"exit status {status}{last_line(log)}"
+        lines = [line for line in log.read_bytes()[-4096:].decode(errors="replace").split("\n") if line.strip()]
+        note = f"exit status {status}" + (f": {repr(lines[-1])[1:-1][:160]}" if lines else "")
         if status != "timed out" and (status < 0 or status in (126, 127) or 128 < status <= 192):
             status = "crashed"
         answer = claim if "{out}" in command else said
         data = answer.read_bytes() if answer.is_file() and answer.stat().st_size <= 16 << 20 else None
         is_too_large = data is not None and data[:2] == b"\x1f\x8b" and len(data) > 1 << 20
-        return status, None if is_too_large else data, note
+        return status, None if is_too_large else data, "" if status in (0, "timed out") else note
 
 
-BLANK = {"message": "", "findings": [], "judged": set(), "undecided": False, "profile": None, "orbits": []}
+def answer_of(command, case, options, start=""):
+    """The outcome, if there is nothing to judge, or "", the answer, and what was said."""
+    status, data, note = run_command(command, points_text(case, options.hex), options.time_limit, start)
+    if isinstance(status, str):
+        return status, data, note
+    if case["result"] == "invalid":
+        return "properly refused" if status else "accepted", data, ""
+    return "refused" if status else "", data, note
 
 
 def judge_bytes(case, data, options):
+    truth = Truth(case)
     try:
-        require(data is not None, "there is no answer, or one that is too large")
-        truth = Truth(case)
         claim = read_claim(data, len(truth.rows))
     except Unreadable as error:
         return {**BLANK, "outcome": "unreadable", "message": str(error)}
@@ -1212,13 +1129,14 @@ def judge_bytes(case, data, options):
             "undecided": judge.undecided, "profile": profile_of(claim, options.levels)}
 
 
+BLANK = {"message": "", "findings": [], "judged": set(), "undecided": False, "profile": None, "orbits": []}
+
+
 def judge_orbits(case, result, options):
     """Adds to the result what the orbits of the case make of it. The first negative outcome stays."""
     for true in case["expected"].get("orbits", []):
         start = ",".join(true["start"])
-        text = points_text(case, options.hex)
-        outcome, data, message = run_command(options.orbits_against, text, options.time_limit, start)
-        outcome = outcome if isinstance(outcome, str) else "refused" if outcome else ""
+        outcome, data, message = answer_of(options.orbits_against, case, options, start)
         if not outcome:
             try:
                 outcome = Flow(Truth(case)).verdict(read_orbit(data), read_orbit(json.dumps(true).encode()))
@@ -1226,10 +1144,10 @@ def judge_orbits(case, result, options):
                 message = "" if outcome == CONFORMS else f"another orbit from {start}"
             except Unreadable as error:
                 outcome, message = "unreadable", str(error)
-        if is_negative(outcome) and not is_negative(result["outcome"]) or \
+        if outcome in NEGATIVE and result["outcome"] not in NEGATIVE or \
                 outcome == PERTURBED and result["outcome"] in (CONFORMS, DETERMINED):
             result["outcome"], result["message"] = outcome, message
-        if outcome not in GOOD and outcome != FAILS:
+        if outcome not in (*GOOD, FAILS):
             return
     if result["profile"] and result["orbits"]:
         result["profile"]["parts"]["orbits"] = True
@@ -1238,99 +1156,77 @@ def judge_orbits(case, result, options):
 def judge_case(case, options):
     is_start = case.get("refused") == "start"
     command, start = (options.orbits_against, ",".join(case["start"])) if is_start else (options.against, "")
-    if not command:
-        return {**BLANK, "outcome": "skipped"}
-    status, data, note = run_command(command, points_text(case, options.hex), options.time_limit, start)
-    if isinstance(status, str):
-        result = {**BLANK, "outcome": status, "message": note}
-    elif case["result"] == "invalid":
-        result = {**BLANK, "outcome": "properly refused" if status else "accepted"}
-    else:
-        result = {**BLANK, "outcome": "refused", "message": note} if status else judge_bytes(case, data, options)
+    outcome, data, note = answer_of(command, case, options, start) if command else ("skipped", None, "")
+    result = {**BLANK, "outcome": outcome, "message": note} if outcome else judge_bytes(case, data, options)
     if options.orbits_against and case["result"] != "invalid":
         judge_orbits(case, result, options)
     return result
 
 
-def is_negative(outcome):
-    return outcome not in (*GOOD, "properly refused", "skipped")
-
-
 # ---- Reports
 
 
-def print_table(title, groups, outcomes):
-    """A line for each group, with a column for each outcome that there is."""
-    kinds = [one for one in OUTCOMES if any(outcome["outcome"] == one for outcome in outcomes.values())]
-    rows = [[title, "cases", *kinds]]
-    for name, cases in groups:
-        count = Counter(outcomes[case["id"]]["outcome"] for case in cases)
-        if total := len(cases) - count["skipped"]:
-            rows.append([name, *map(str, [total, *(count[kind] for kind in kinds)])])
-    widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
-    for row in rows:
-        print("  ".join(["", row[0].ljust(widths[0]), *(one.rjust(width) for one, width in zip(row[1:], widths[1:]))]))
-    print()
-
-
 def print_negative(case, outcome):
-    message = f": {outcome['message']}" if outcome["message"] else ""
-    print(f"{case['id']} ({case['comment']}): {outcome['outcome']}{message}")
+    print(": ".join(filter(None, (f"{case['id']} ({case['comment']})", outcome["outcome"], outcome["message"]))))
     for one in [one for one in outcome["findings"] if not one["permitted"]][:3]:
         place = f"line {one['line']}" if one["line"] else f"the contact set {one['contact'] or 'of no point'}"
         print(f"  level {one['level']}: {one['reason']} [{one['clause']}]: {place}")
 
 
 def print_report(cases, flags, outcomes, options):
-    negative = [case for case in cases if is_negative(outcomes[case["id"]]["outcome"])]
+    negative = [case for case in cases if outcomes[case["id"]]["outcome"] in NEGATIVE]
     for case in negative[:options.most]:
         print_negative(case, outcomes[case["id"]])
     if negative:
         print(f"and {len(negative) - options.most} more\n" if len(negative) > options.most else "")
-    print_table("flag", [(name, [case for case in cases if name in case["flags"]]) for name in flags], outcomes)
-    groups = dict.fromkeys(case["group"] for case in cases)
-    print_table("group", [(name, [case for case in cases if case["group"] == name]) for name in groups], outcomes)
+    names = [f"flag {flag}" for flag in flags] + list(dict.fromkeys(f"group {case['group']}" for case in cases))
+    for name in names:
+        some = [outcomes[case["id"]]["outcome"] for case in cases
+                if name in (f"group {case['group']}", *(f"flag {flag}" for flag in case["flags"]))]
+        told = [f"{some.count(one)} {one}" for one in [*GOOD, "properly refused", *NEGATIVE] if one in some]
+        if told:
+            print(f"  {name + ':':30} {', '.join(told)}")
     counts = Counter(outcome["outcome"] for outcome in outcomes.values())
     levels = Counter(level for outcome in outcomes.values() for level in outcome["judged"])
-    print("judged: " + ", ".join(f"{levels[k]} claims on level {k}" for k in range(1, options.levels + 1)))
-    undecided = sum(outcome["undecided"] for outcome in outcomes.values())
-    for name, number_of in (("skipped", counts["skipped"]), ("not decided", undecided)):
+    print("\njudged: " + ", ".join(f"{levels[k]} claims on level {k}" for k in range(1, options.levels + 1)))
+    for number_of, what in [(sum(len(one["orbits"]) for one in outcomes.values()), "judged: {} orbits"),
+                            (counts["skipped"], "skipped: {} cases"),
+                            (sum(one["undecided"] for one in outcomes.values()), "not decided: {} cases")]:
         if number_of:
-            print(f"{name}: {number_of} cases")
-    if orbits := sum(len(outcome["orbits"]) for outcome in outcomes.values()):
-        print(f"judged: {orbits} orbits")
+            print(what.format(number_of))
     good = counts[CONFORMS] + counts["properly refused"]
     print(f"\n{len(cases) - counts['skipped']} cases: {good} conform, {counts[DETERMINED]} where determined, "
           f"{counts[PERTURBED]} perturbed, {len(negative)} negative")
-    if said := statement_of_all(outcomes, options) or no_statement(outcomes, options):
+    if said := statement_of_all(outcomes, options):
         print(said)
+    elif options.tolerance > LARGEST_STATED:
+        print(f"no statement: the tolerance {options.tolerance!r} is above {LARGEST_STATED!r} (FC-CLAIM-23)")
 
 
 def statement_of_all(outcomes, options):
     """The statement of FC-CLAIM-22, with the number of vectors that it is about."""
-    verdicts = [one["outcome"] for one in outcomes.values() if one["outcome"] not in ("skipped", "properly refused")]
-    worst = FAILS if any(map(is_negative, verdicts)) else max(verdicts, key=GOOD.index, default=CONFORMS)
-    said = statement(worst, [one["profile"] for one in outcomes.values() if one["profile"]], options.tolerance)
-    asked = sum(one["outcome"] != "skipped" for one in outcomes.values())
-    number_of = f"{asked:,}" if asked == options.vectors_in_all else f"{asked:,} of {options.vectors_in_all:,}"
+    asked = [one for one in outcomes.values() if one["outcome"] != "skipped"]
+    verdicts = [FAILS if one["outcome"] in NEGATIVE else one["outcome"] for one in asked]
+    worst = max(verdicts, key=["properly refused", *GOOD, FAILS].index, default=CONFORMS)
+    said = statement(CONFORMS if worst == "properly refused" else worst,
+                     [one["profile"] for one in asked if one["profile"]], options.tolerance)
+    number_of = f"{len(asked):,}" + (f" of {options.total:,}" if len(asked) < options.total else "")
     return said and f"{said} ({number_of} vectors)"
 
 
-def no_statement(outcomes, options):
-    if options.tolerance <= LARGEST_STATED:
-        return None
-    return f"no statement: the tolerance {options.tolerance!r} is above {LARGEST_STATED!r} (FC-CLAIM-23)"
-
-
-def read_vectors(options):
+def read_vectors(options, parser):
     flags = [one["flag"] for one in json.loads(Path(options.vectors, "flags.json").read_text())["flags"]]
     groups = [json.loads(path.read_text()) for path in sorted(Path(options.vectors).glob("*.json"))]
     cases = [{**case, "group": group["group"]} for group in groups if "group" in group for case in group["cases"]]
-    options.vectors_in_all = len(cases)
-    options.groups = sorted({case["group"] for case in cases})
+    options.total = len(cases)
     chosen = [case for case in cases if (not options.group or case["group"] in options.group)
               and (not options.case or case["id"] in options.case)
               and (not options.flag or set(options.flag) & set(case["flags"]))]
+    if not chosen:
+        names = ", ".join(sorted({case["group"] for case in cases}))
+        parser.error(f"no such case; the groups are {names}, and the flags {', '.join(flags)}")
+    if options.claim and (len(chosen) > 1 or chosen[0]["result"] == "invalid"):
+        parser.error("--claim needs one --case that is not invalid")
     return chosen, flags
 
 
@@ -1370,22 +1266,19 @@ def main():
     if options.orbits_against and (options.claim or "{start}" not in options.orbits_against):
         parser.error("--orbits-against needs {start} in its command, and --against beside it")
     try:
-        cases, flags = read_vectors(options)
-        if not cases or (options.claim and (len(cases) > 1 or cases[0]["result"] == "invalid")):
-            parser.error("--claim needs one --case that is not invalid" if cases else
-                         f"no such case; the groups are {', '.join(options.groups)}, and the flags {', '.join(flags)}")
+        cases, flags = read_vectors(options, parser)
         outcomes = outcomes_of(cases, options, parser)
     except OSError as error:
         parser.error(str(error))
     if options.json:
         keep = ("outcome", "message", "findings", "undecided", "orbits")
-        print(json.dumps({"cases": [{"id": case["id"], **{key: outcomes[case["id"]][key] for key in keep},
-                                     "judged": sorted(outcomes[case["id"]]["judged"])} for case in cases],
-                          "statement": statement_of_all(outcomes, options),
+        told = [{"id": key, **{name: one[name] for name in keep}, "judged": sorted(one["judged"])}
+                for key, one in outcomes.items()]
+        print(json.dumps({"cases": told, "statement": statement_of_all(outcomes, options),
                           "own_seconds": resource.getrusage(resource.RUSAGE_SELF).ru_utime}))
     else:
         print_report(cases, flags, outcomes, options)
-    return 1 if any(is_negative(one["outcome"]) for one in outcomes.values()) else 0
+    return 1 if any(one["outcome"] in NEGATIVE for one in outcomes.values()) else 0
 
 
 if __name__ == "__main__":
