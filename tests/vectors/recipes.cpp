@@ -132,6 +132,8 @@ Group regular_stationary_points() {
   cases.drawn(41, "right-angles", 100, seeds(5));
   cases.given(46, "16 of 24 points of a sphere, eight of them on a great circle: kind 2-3", "cospherical",
               first_of(sphere(5), 16));
+  cases.given(47, "two trapezoids that share an edge through the centre of their sphere: kind 1-3", "cospherical",
+              {{5, 0, 0}, {-5, 0, 0}, {3, 4, 0}, {-3, 4, 0}, {4, 0, 3}, {-4, 0, 3}});
   return cases.group();
 }
 
