@@ -1,8 +1,9 @@
 // What a program claims that moves the points a little before it computes.
 //
 // Guarantees: inputs are points on a small grid, and each is moved so little that no sign changes which is not zero
-// (FC-CLAIM-04). All that is true of the moved points is claimed of those on the grid. Such a claim never fails. The
-// displacements are of two sizes, one the square of the other, because what is flat needs both to open.
+// (FC-CLAIM-04). The samples of one plane may move together. All that is true of the moved points is claimed of those on
+// the grid. Such a claim never fails. The displacements are of two sizes, one the square of the other, because what is
+// flat needs both to open.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -44,19 +46,43 @@ double shift() {
   }
 }
 
+fuzz::Row shifts() { return {shift(), shift(), shift()}; }
+
+// The samples of a plane move by the same, so that polygons there stay on their circles.
+struct Plane {
+  std::size_t axis = 0;
+  double at = 0;
+  [[nodiscard]] bool has(const fuzz::Row& row) const { return row[axis] == at; }
+};
+
 // Equal rows stay equal.
-fuzz::Input moved(const fuzz::Input& input) {
+fuzz::Input moved(const fuzz::Input& input, const std::optional<Plane>& kept) {
   std::map<fuzz::Row, fuzz::Row> to;
+  const fuzz::Row together = shifts();
   fuzz::Input result;
   for (fuzz::Row row : input.rows) {
     for (double& x : row) x += 0.0;  // -0.0 is 0.0
     const auto [at, is_new] = to.try_emplace(row, row);
     if (is_new) {
-      for (double& x : at->second) x += shift();
+      const fuzz::Row by = kept && kept->has(row) ? together : shifts();
+      for (std::size_t axis = 0; axis < 3; ++axis) at->second[axis] += by[axis];
     }
     result.rows.push_back(at->second);
   }
   return result;
+}
+
+// Of each contact set one face at most is kept: the samples in the plane are all of it, or the others are on one side.
+bool keeps_faces(const ClaimSubject& subject, const Plane& plane) {
+  for (std::size_t i = 0; i < subject.truth->size(); ++i) {
+    std::size_t kept = 0, above = 0, below = 0;
+    for (const PointId name : subject.contact(i)) {
+      const fuzz::Row& row = subject.input.rows[name];
+      ++(plane.has(row) ? kept : row[plane.axis] > plane.at ? above : below);
+    }
+    if (kept > 3 && above > 0 && below > 0) return false;
+  }
+  return true;
 }
 
 // All that is true, without positions, and without what the format of a perturbing program has no word for.
@@ -78,11 +104,17 @@ Claim claim_of(const ClaimSubject& subject) {
   return claim;
 }
 
-// A perturbation that leaves something degenerate is none that a program makes by symbols.
-bool is_generic(const ClaimSubject& subject) {
+// A perturbation that leaves something degenerate is none that a program makes by symbols. What is kept in a plane may
+// be, with one further sample.
+bool is_generic(const ClaimSubject& subject, const fuzz::Input& before, const std::optional<Plane>& kept) {
   for (std::size_t i = 0; i < subject.truth->size(); ++i) {
     const StationaryIndex index = subject.truth->index(i);
-    if (!index.is_critical() || subject.contact(i).size() != index.face_dimension + std::size_t{1}) return false;
+    if (!index.is_critical()) return false;
+    const auto contact = subject.contact(i);
+    const auto is_elsewhere = [&](PointId name) { return !kept || !kept->has(before.rows[name]); };
+    if (contact.size() != index.face_dimension + std::size_t{1} && std::ranges::count_if(contact, is_elsewhere) > 1) {
+      return false;
+    }
   }
   return true;
 }
@@ -93,9 +125,9 @@ TEST(PerturbedClaims, NeverFail) {
   std::size_t undecided = 0;
   on_all_families<ClaimSubject>(fuzz::families(), kInputsPerFamily, [&](const ClaimSubject& subject) {
     if (!is_on_small_grid(subject.input)) return;
-    const fuzz::Input near = moved(subject.input);
+    const fuzz::Input near = moved(subject.input, std::nullopt);
     const ClaimSubject perturbed(near);
-    if (!is_generic(perturbed)) return;
+    if (!is_generic(perturbed, subject.input, std::nullopt)) return;
     const CheckReport report = check(subject.points, claim_of(perturbed), *subject.truth);
     ++verdicts[verdict_text(report.verdict)];
     undecided += report.not_decided.empty() ? 0 : 1;
@@ -108,6 +140,43 @@ TEST(PerturbedClaims, NeverFail) {
   if (scale_of_run() < 1) return;
   for (const char* verdict : {"conforms where determined", "perturbed"}) EXPECT_GT(verdicts[verdict], 100U) << verdict;
   EXPECT_GT(undecided, 50U);
+}
+
+// Some or all indices are judged.
+ClaimedIndices some_indices() {
+  ClaimedIndices indices{};
+  for (bool& is_judged : indices) is_judged = below(3) > 0;
+  return below(2) == 0 ? indices : ClaimedIndices{true, true, true, true};
+}
+
+TEST(PerturbedClaims, NeverFailIfAPolygonStays) {
+  CITES("FC-CLAIM-21", "FC-CLAIM-04", "FC-CLAIM-12");
+  std::size_t perturbed_claims = 0, with_polygons = 0;
+  on_all_families<ClaimSubject>(fuzz::families(), kInputsPerFamily, [&](const ClaimSubject& subject) {
+    if (!is_on_small_grid(subject.input) || subject.input.rows.empty()) return;
+    const fuzz::Row& row = subject.input.rows[below(subject.input.rows.size())];
+    Plane plane{below(3), 0};
+    plane.at = row[plane.axis];
+    if (!keeps_faces(subject, plane)) return;
+    const fuzz::Input near = moved(subject.input, plane);
+    const ClaimSubject perturbed(near);
+    if (!is_generic(perturbed, subject.input, plane)) return;
+    CheckOptions options;
+    options.indices = some_indices();
+    const CheckReport report = check(subject.points, claim_of(perturbed), *subject.truth, options);
+    perturbed_claims += report.verdict == Verdict::kPerturbed ? 1 : 0;
+    for (const Finding& finding : report.findings) {
+      if (finding.reason != FindingReason::kSymbolicPerturbation || finding.level != 2) continue;
+      with_polygons += finding.contact.size() > 4 ? 1 : 0;
+    }
+    std::ostringstream text;
+    text << "moved to:\n" << near;
+    require(subject, report.verdict != Verdict::kFails, text.str(), report);
+  });
+  std::printf("perturbed: %zu claims, points with polygons: %zu\n", perturbed_claims, with_polygons);
+  if (scale_of_run() < 1) return;
+  EXPECT_GT(perturbed_claims, 100U);
+  EXPECT_GT(with_polygons, 10U);
 }
 
 }  // namespace
