@@ -2,9 +2,13 @@
 """judge_agreement_test.py FLOWCERT SPEC ROUNDS
 
 Both judges, spec/judge.py and `flowcert conformance --levels 4`, judge claims about every fourth vector, and about all
-in a whole run: right ones, and so many rounds of mutated ones. They have to agree on every outcome and every finding,
-and on the statement of the profile.
+in a whole run: right ones, and so many rounds of mutated ones, of which every third has a greater tolerance. They have
+to agree on every outcome and every finding, and on the statement of the profile.
+So they have to on mutated orbits, which may go on beyond regular stationary points.
 """
+import copy
+import importlib.util
+import itertools
 import json
 import random
 import shutil
@@ -12,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 from collections import Counter
+from fractions import Fraction
 from hashlib import sha256
 from pathlib import Path
 
@@ -20,6 +25,10 @@ import thinned_vectors
 
 FLOWCERT, SPEC, ROUNDS = sys.argv[1], Path(sys.argv[2]), int(sys.argv[3])
 KEYS = ("level", "reason", "permitted", "clause", "line", "contact")
+
+
+def tolerance_of(k):
+    return "1e-3" if k % 3 == 2 else "1e-9"
 
 
 def points_text(points):
@@ -50,10 +59,11 @@ def claim_in_round(k, points, right, folder, rng):
             head.pop("regular_stationary")
         return mutated_claims.text_of(head, records)
     if shape < 0.3:
-        return mutated_claims.as_csv(right, rng)
+        return mutated_claims.respelled(mutated_claims.as_csv(right, rng), rng)
     if shape < 0.45:
         return mutated_claims.as_bars(right, rng)
-    return mutated_claims.mutated(right, len(points), rng)
+    text = mutated_claims.mutated(right, len(points), rng)
+    return mutated_claims.respelled(text, rng) if rng.random() < 0.3 else text
 
 
 def write_claims(cases, folder):
@@ -69,7 +79,8 @@ def write_claims(cases, folder):
         for k in range(ROUNDS + 1):
             target = folder / str(k) / sha256(text.encode()).hexdigest()
             target.parent.mkdir(exist_ok=True)
-            target.write_text(claim_in_round(k, case["points"], right, work, random.Random(f"{case['id']} {k}")))
+            claim = claim_in_round(k, case["points"], right, work, random.Random(f"{case['id']} {k}"))
+            target.write_text(claim, encoding="utf-8", newline="")
             written += 1
     return written
 
@@ -89,14 +100,89 @@ def differences(case, ours, theirs):
     return [f"only in judge.py: {only[0]}; only in conformance: {only[1]}"]
 
 
-def run_both(command, vectors):
+def run_both(command, vectors, *options):
     both = []
     for program in ([sys.executable, SPEC / "judge.py"], [FLOWCERT, "conformance"]):
-        words = [*program, "--vectors", vectors, "--levels", "4", "--hex", "--json", "--against", command]
+        words = [*program, "--vectors", vectors, "--levels", "4", "--hex", "--json", "--against", command, *options]
         run = subprocess.run(words, capture_output=True)
         assert run.returncode in (0, 1), run.stderr.decode()
         both.append(json.loads(run.stdout))
     return both
+
+
+# ---- Orbits
+
+
+def as_json(segments, limit):
+    """An orbit as spec/judge.py has it, as JSON."""
+    def words(position):
+        return None if position is None else [str(x) for x in position]
+
+    keys = ("start_contact", "crossed_contact", "end_contact")
+    told = [{"type": kind, "driver": words(driver), "end": words(end), **dict(zip(keys, contacts))}
+            for kind, driver, end, *contacts in segments]
+    if limit is None:
+        return {"segments": told, "limit": {"kind": "infinity"}}
+    kind, index, position, contact, squared = limit
+    index = [int(one.text) for one in index] if isinstance(index, list) else int(index.text)
+    return {"segments": told, "limit": {"kind": kind, "index": index, "position": words(position), "contact": contact,
+                                        "squared_distance": str(squared)}}
+
+
+def gone_on(judge, case, orbit, rng):
+    """The orbit, which goes on where it ends at a regular stationary point, in a direction that may be possible."""
+    segments, limit = judge.read_orbit(json.dumps(orbit).encode())
+    flow = judge.Flow(judge.Truth(case))
+    ways = [way for way in itertools.product((-2, -1, 0, 1, 2), repeat=3) if any(way)]
+    while limit is not None and limit[0] == "regular" and rng.random() < 0.9:
+        y = limit[2]
+        firsts = [flow.segment(y, y, tuple(map(Fraction, way))) for way in rng.sample(ways, 12)]
+        possible = [one for one in firsts if judge.in_hull(flow.truth.where(one[4]), y)]
+        first = rng.choice(possible if possible and rng.random() < 0.9 else firsts)
+        more, limit = flow.orbit(first[2]) if first[2] else ([], None)
+        segments = [*segments, first, *more]
+    return {**copy.deepcopy(orbit), **as_json(segments, limit)}
+
+
+def write_orbits(cases, folder):
+    """An answer for each orbit that is asked for, under the digest of the points and the start."""
+    spec = importlib.util.spec_from_file_location("judge", SPEC / "judge.py")
+    judge = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(judge)
+    written = 0
+    for case in [one for one in cases if one["result"] != "invalid"]:
+        for orbit in case["expected"].get("orbits", []):
+            start = ",".join(orbit["start"])
+            rng = random.Random(f"{case['id']} {start}")
+            claimed = gone_on(judge, case, orbit, rng)
+            if rng.random() < 0.5:
+                claimed = mutated_claims.damaged_orbit(claimed, rng)
+            digest = sha256((points_text(case["points"]) + start + "\n").encode()).hexdigest()
+            (folder / digest).write_text(json.dumps(claimed))
+            written += 1
+    return written
+
+
+def orbit_differences(case, ours, theirs):
+    ours = {one["start"]: one["outcome"] == "perturbed" for one in ours["orbits"] if one["outcome"] != "conforms"}
+    theirs = {one["start"]: one["permitted"] for one in theirs["orbit_findings"]}
+    return [f"orbits that differ, and whether that is permitted: {ours}, but {theirs}"] if ours != theirs else []
+
+
+def compare_orbits(cases, folder, vectors):
+    """How many orbits there are, and how many cases the judges differ about."""
+    (folder / "orbits").mkdir()
+    written = write_orbits(cases, folder / "orbits")
+    digest = "$( (cat {in}; echo {start}) | sha256sum | cut -c1-64)"
+    right = f"cat {folder}/0/$(sha256sum < {{in}} | cut -c1-64)"
+    both = run_both(right, vectors, "--orbits-against", f"cat {folder}/orbits/{digest}")
+    wrong, outcomes = 0, Counter(one["outcome"] for case in both[0]["cases"] for one in case["orbits"])
+    for one, other in zip(both[0]["cases"], both[1]["cases"], strict=True):
+        for text in differences(one["id"], one, other) + orbit_differences(one["id"], one, other):
+            wrong += 1
+            print(f"orbits: {one['id']}: {text}"[:2000])
+    print(f"{written} orbits: {dict(outcomes)}")
+    return wrong
 
 
 def main():
@@ -111,7 +197,7 @@ def main():
         outcomes, reasons, wrong, own = Counter(), Counter(), 0, 0.0
         for k in range(ROUNDS + 1):
             command = f"cat {folder}/{k}/$(sha256sum < {{in}} | cut -c1-64)"
-            ours, theirs = run_both(command, vectors)
+            ours, theirs = run_both(command, vectors, "--tolerance", tolerance_of(k))
             own += ours["own_seconds"]
             for one, other in zip(ours["cases"], theirs["cases"], strict=True):
                 assert one["id"] == other["id"]
@@ -127,6 +213,7 @@ def main():
                 if sum(int(level) in one["judged"] for one in ours["cases"]) != theirs["judged"][level]:
                     wrong += 1
                     print(f"round {k}: other numbers of claims judged on level {level}")
+        wrong += compare_orbits(cases, folder, vectors)
         print(f"{written} claims, {wrong} differences, {own:.1f} s of judge.py's own time")
         print(dict(outcomes))
         for (level, reason, permitted), count in sorted(reasons.items()):

@@ -5,6 +5,7 @@ Everything is drawn from a seed. A mutated claim can by chance be right, and it 
 import copy
 import itertools
 import json
+import re
 from fractions import Fraction
 
 
@@ -217,6 +218,70 @@ def made_of_simplex(head, records, rows, rng):
         records.append({"index": len(face) - 1, "contact": face})
 
 
+def order_changed(head, records, rows, rng):
+    """Of records, of the rows in contact sets, and of the pieces of all sorts that have no order."""
+    rng.shuffle(records)
+    for record in records:
+        rng.shuffle(record.get("contact", []))
+        stable, skeleton = record.get("stable", {}), record.get("skeleton", {})
+        unstable = record.get("u1", {}) if isinstance(record.get("u1"), dict) else {}
+        pieces = [stable.get("boundary"), record.get("connections"), record.get("shares_double"),
+                  skeleton.get("intervals"), skeleton.get("sectors"), *unstable.values()]
+        for some in pieces:
+            if isinstance(some, list):
+                rng.shuffle(some)
+
+
+def centers_of_samples(records):
+    return {one["contact"][0]: [Fraction(x) for x in one["center"]]
+            for one in records if one["index"] == 0 and "center" in one}
+
+
+def coplanar(contact, three, at):
+    """Those of a contact set that are in the plane of three."""
+    a, b, c = (at[name] for name in three)
+    u, v = ([x - y for x, y in zip(one, a)] for one in (b, c))
+    n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+    return [one for one in contact if sum(k * (x - y) for k, x, y in zip(n, at[one], a)) == 0]
+
+
+def kept_face(head, records, rows, rng):
+    """Polygons of a contact set that stay on their circles, with a further sample or without, and other parts of it."""
+    at = centers_of_samples(records)
+    large = [one for one in records if len(one.get("contact", [])) > 4 and all(name in at for name in one["contact"])]
+    if not large:
+        return
+    record = rng.choice(large)
+    contact = record["contact"]
+    if rng.random() < 0.8:
+        records.remove(record)
+    for _ in range(rng.choice([1, 1, 2, 3, 4])):
+        polygon = coplanar(contact, rng.sample(contact, 3), at)
+        rest = [one for one in contact if one not in polygon]
+        index = rng.choice([2, 3]) if rest else 2
+        records.append({"index": index, "contact": sorted(polygon + (rng.sample(rest, 1) if index == 3 else []))})
+    if rng.random() < 0.4:
+        head["indices"] = sorted(rng.sample(range(4), rng.choice([2, 3])))
+        records[:] = [one for one in records if isinstance(one["index"], list) or one["index"] in head["indices"]]
+
+
+def near_several(head, records, rows, rng):
+    """Positions that are right, or nearly so, within a tolerance that the judges are given, and no contact sets."""
+    size = rng.choice([1e-10, 1e-7, 1e-4, 1e-3])
+    for record in records:
+        near = record.get("center_double")
+        if near and None not in near and "contact" in record and rng.random() < 0.8:
+            length = max([(record.get("squared_distance_double") or 0) ** 0.5, *map(abs, near)])
+            record["center_double"] = [x + size * length * rng.uniform(-0.6, 0.6) for x in near]
+            record.pop("contact")
+            record.pop("center", None)
+            if rng.random() < 0.6:
+                record.pop("squared_distance", None)
+                record.pop("squared_distance_double", None)
+    if records and rng.random() < 0.3:
+        records.append(copy.deepcopy(rng.choice(records)))
+
+
 def key_misplaced(head, records, rows, rng):
     any_record(records, rng)[rng.choice(["samples", "limits", "kind"])] = rng.choice([[0, 1], "critical", [None, None]])
 
@@ -224,7 +289,10 @@ def key_misplaced(head, records, rows, rng):
 CHANGES = [drop, repeat, other_index, as_critical, contact_replaced, contact_smaller, contact_larger, contact_part,
            outside_row, center_moved, square_changed, double_changed, square_double_changed, decimals_alone,
            positions_alone, limit_changed, limits_swapped, limit_part, samples_changed, boundary_changed,
-           boundary_added, head_changed, indices_fewer, without_regular, made_of_simplex, made_of_simplex, key_misplaced]
+           boundary_added, head_changed, indices_fewer, without_regular, made_of_simplex, made_of_simplex,
+           key_misplaced, order_changed, kept_face, kept_face, near_several]
+# Those that leave other keys out, so that they come last.
+LAST = [decimals_alone, positions_alone, near_several]
 
 
 def recounted(head, records):
@@ -241,12 +309,12 @@ def mutated(text, rows, rng):
     head, records = claim_of(text)
     changes = rng.sample(CHANGES, rng.choice([1, 1, 2, 3])) if rows else []
     for change in changes:
-        if change in (decimals_alone, positions_alone):
+        if change in LAST:
             continue
         change(head, records, rows, rng)
     if head_changed not in changes and rng.random() < 0.9:
         recounted(head, records)
-    for change in set(changes) & {decimals_alone, positions_alone}:
+    for change in [one for one in LAST if one in changes]:
         change(head, records, rows, rng)
     return text_of(head, records)
 
@@ -299,3 +367,69 @@ def as_bars(text, rng):
         distance = f"{(record['squared_distance_double'] or 0) ** 0.5:.15g}"
         lines.append(" | ".join([named(record["contact"], record["index"]), distance, *above]) + " |")
     return "\n".join(lines) + "\n"
+
+
+# ---- The letters of numbers and lines (FC-FILE-47)
+
+
+def other_number(text, rng):
+    """A decimal or a fraction in another spelling, or in one that is none."""
+    sign, digits = ("-", text[1:]) if text[:1] == "-" else ("", text)
+    forms = [text, sign + "0" + digits, text + "e0", text + "E+00", text + "e-0"] if "e" not in text else [text]
+    if not sign:
+        forms.append("+" + digits)
+    if digits.isdigit():
+        forms += [text + ".", text + ".0", sign + hex(int(digits)) if len(digits) < 15 else text, text + "/1"]
+    if digits[:2] == "0.":
+        forms.append(sign + digits[1:])
+    wrong = ["--" + digits, ".", "1_0", *(text + end for end in ("e", "x", "/0", " 1", "\u0660", "e701"))]
+    return rng.choice(wrong) if rng.random() < 0.02 else rng.choice(forms)
+
+
+def respelled(text, rng):
+    """The same claim with other numbers, other ends of lines and other blanks; rarely one that nobody can read."""
+    is_json = text[:1] == "{"
+    if rng.random() < 0.7:
+        number = r"-?[0-9.]+(?:/[0-9]+)?(?:e[-+]?[0-9]+)?"
+        pattern = f'(?<="){number}(?=")' if is_json else f"(?<=,){number}(?=,)"
+        text = re.sub(pattern, lambda found: found[0] if "/" in found[0] else other_number(found[0], rng), text)
+    if rng.random() < 0.7:
+        end = rng.choice(["\n", "\r\n", "\r", "\n\n", "\r\n\r", "\n \t\n", "\n\v\f\n"])
+        text = text.replace("\n", end)
+    if not is_json and rng.random() < 0.4:
+        text = text.replace(",", rng.choice([" , ", ", ", "\t,\v", " "])) if ",," not in text else text
+    if rng.random() < 0.3:
+        text = rng.choice(["\ufeff", "\ufeff", "\n", " \f\n", "\ufeff\ufeff", "\u00a0"]) + text
+    return text if rng.random() < 0.7 else text.rstrip()
+
+
+# ---- Orbits
+
+
+def damaged_orbit(orbit, rng):
+    """An orbit of which one thing is wrong, or permitted."""
+    orbit = copy.deepcopy(orbit)
+    segments, limit = orbit["segments"], orbit["limit"]
+    what = rng.randrange(8)
+    segment = rng.choice(segments) if segments else {}
+    if what == 0 and segments:
+        segment["type"] = rng.choice(["E-F-E", "E-F-V", "E-E-V", "V-E-V", "V-F-E", "F-F-E", "C-C-F", "Q", "E-E-inf"])
+    elif what == 1 and segments:
+        segment["type"] = segment["type"][:4] + rng.choice(["V", "E", "F", "inf"])
+    elif what == 2 and segments:
+        segment["driver"][rng.randrange(3)] = "1/3"
+    elif what == 3 and segments:
+        segment["end"] = rng.choice([None, ["0", "0", "0"], segment["driver"]])
+    elif what == 4 and segments:
+        key = rng.choice(["start_contact", "crossed_contact", "end_contact"])
+        rows = segment.get(key) or [0]
+        segment[key] = rng.choice([None, rows[:-1], rows + [max(rows) + 1], rows])
+    elif what == 5 and segments:
+        segments.pop(rng.randrange(len(segments)))
+    elif what == 6 and limit["kind"] != "infinity":
+        key = rng.choice(["kind", "index", "contact", "squared_distance"])
+        limit[key] = {"kind": "critical", "index": rng.choice([0, 1, 2, 3, [1, 2], [1, 3]]), "contact": [0, 1],
+                      "squared_distance": "999"}[key]
+    elif what == 7:
+        orbit["limit"] = {**dict.fromkeys(limit), "kind": "infinity"}
+    return orbit

@@ -1,0 +1,159 @@
+#!/usr/bin/env python3
+"""Plants small faults in spec/judge.py, one at a time, and sees which of them its own tests notice.
+
+usage: judge_py.py [--count N] [--seed S] [--all] [--jobs N] [--only TEXT]     runs mutants, and lists the survivors
+       judge_py.py --check                                                    sees that the list below is up to date
+
+The faults are made from the syntax tree, by the rules below: other comparisons, conditions dropped, numbers off by one,
+requirements and findings removed, and so on. So many of them are drawn by a seed (--all takes all). The tests are those
+of tests/conformance/judge_test.py, which need no build. Exit status: 0 if at least 95 % are noticed.
+"""
+import argparse
+import ast
+import concurrent.futures
+import copy
+import os
+import random
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+JUDGE, TESTS = ROOT / "spec" / "judge.py", ROOT / "tests" / "conformance" / "judge_test.py"
+LEAST, LEAST_SHARE, SECONDS = 100, 0.95, 180
+# Mutants that behave as the original does, or differ in nothing that is promised, and why. They are not run.
+EQUIVALENT = {}
+
+OTHER_COMPARISONS = {ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq,
+                     ast.NotEq: ast.Eq, ast.In: ast.NotIn, ast.NotIn: ast.In, ast.Is: ast.IsNot, ast.IsNot: ast.Is}
+OTHER_OPERATORS = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Add, ast.Div: ast.Mult, ast.Pow: ast.Mult}
+OTHER_FUNCTIONS = {"all": "any", "any": "all", "min": "max", "max": "min"}
+
+
+def other_expressions(node):
+    """What an expression may become."""
+    if isinstance(node, ast.Compare):
+        for k, operator in enumerate(node.ops):
+            yield ast.Compare(node.left, [*node.ops[:k], OTHER_COMPARISONS[type(operator)](), *node.ops[k + 1:]],
+                              node.comparators)
+    if isinstance(node, ast.BoolOp):
+        for k in range(len(node.values)):
+            rest = node.values[:k] + node.values[k + 1:]
+            yield rest[0] if len(rest) == 1 else ast.BoolOp(node.op, rest)
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, (ast.Not, ast.USub)):
+        yield node.operand
+    if isinstance(node, ast.BinOp) and type(node.op) in OTHER_OPERATORS:
+        yield ast.BinOp(node.left, OTHER_OPERATORS[type(node.op)](), node.right)
+    if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)) and not isinstance(node.value, bool):
+        yield ast.Constant(node.value + 1)
+    if isinstance(node, ast.Constant) and isinstance(node.value, bool):
+        yield ast.Constant(not node.value)
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in OTHER_FUNCTIONS:
+        yield ast.Call(ast.Name(OTHER_FUNCTIONS[node.func.id], ast.Load()), node.args, node.keywords)
+    if isinstance(node, ast.IfExp):
+        yield node.body
+        yield node.orelse
+
+
+def other_statements(node):
+    """What a statement may become. Requirements and findings are removed; branches are always or never taken."""
+    is_docstring = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+    if isinstance(node, (ast.Expr, ast.AugAssign, ast.Raise)) and not is_docstring:
+        yield ast.Pass()
+    if isinstance(node, ast.If):
+        yield ast.If(ast.Constant(True), node.body, node.orelse)
+        yield ast.If(ast.Constant(False), node.body, node.orelse)
+
+
+class Planter(ast.NodeTransformer):
+    """Numbers all faults of a tree, and plants the one of a number."""
+
+    def __init__(self, wanted=None):
+        self.wanted, self.found, self.names = wanted, [], []
+
+    def visit(self, node):
+        if isinstance(node, ast.JoinedStr):  # words of messages
+            return node
+        is_named = isinstance(node, (ast.FunctionDef, ast.ClassDef))
+        self.names += [node.name] if is_named else []
+        changed = None
+        for other in [*other_expressions(node), *other_statements(node)]:
+            if len(self.found) == self.wanted:
+                changed = ast.copy_location(other, node)
+            old, new = (ast.unparse(one).split("\n")[0] for one in (node, ast.fix_missing_locations(other)))
+            self.found.append((node.lineno, f"{'.'.join(self.names)}: {old} -> {new}"))
+        result = self.generic_visit(node) if changed is None else changed
+        if is_named:
+            self.names.pop()
+        return result
+
+
+def faults_of(source):
+    planter = Planter()
+    planter.visit(ast.parse(source))
+    return planter.found
+
+
+def mutant_of(source, number):
+    tree = Planter(number).visit(ast.parse(source))
+    return ast.unparse(ast.fix_missing_locations(copy.deepcopy(tree)))
+
+
+def is_noticed(source, number, folder):
+    path = Path(folder, f"judge_{number}.py")
+    path.write_text(mutant_of(source, number), encoding="utf-8")
+    order = [sys.executable, TESTS, "--failfast", "--quiet"]
+    try:
+        run = subprocess.run(order, env={**os.environ, "JUDGE": str(path)}, cwd=folder, timeout=SECONDS,
+                             stdin=subprocess.DEVNULL, capture_output=True)
+    except subprocess.TimeoutExpired:
+        return True
+    return run.returncode != 0
+
+
+def check(faults):
+    keys = {key for _, key in faults}
+    wrong = [f"no longer a fault: {key}" for key in EQUIVALENT if key not in keys]
+    wrong += [] if len(faults) >= LEAST else [f"{len(faults)} faults, not {LEAST} or more"]
+    print("\n".join(wrong) or f"{len(faults)} faults, of which {len(EQUIVALENT)} are known to change nothing")
+    return 1 if wrong else 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--count", type=int, default=200, help="so many faults")
+    parser.add_argument("--seed", type=int, default=1, help="of the draw")
+    parser.add_argument("--all", action="store_true", help="all faults")
+    parser.add_argument("--jobs", type=int, default=2, help="so many at a time")
+    parser.add_argument("--only", default="", help="faults with this in their description")
+    parser.add_argument("--check", action="store_true", help="run nothing")
+    options = parser.parse_args()
+    source = JUDGE.read_text(encoding="utf-8")
+    faults = faults_of(source)
+    if options.check:
+        return check(faults)
+    chosen = [k for k, (_, key) in enumerate(faults) if key not in EQUIVALENT and options.only in key]
+    if not options.all and len(chosen) > options.count:
+        chosen = sorted(random.Random(options.seed).sample(chosen, options.count))
+    survivors, done = [], 0
+    with tempfile.TemporaryDirectory(prefix="judge-mutants-") as folder, \
+            concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        Path(folder, "original.py").write_text(ast.unparse(ast.parse(source)), encoding="utf-8")
+        run = subprocess.run([sys.executable, TESTS, "--quiet"], env={**os.environ, "JUDGE": f"{folder}/original.py"},
+                             stdin=subprocess.DEVNULL, capture_output=True, text=True)
+        if run.returncode != 0:
+            print(f"the tests fail without a fault:\n{run.stderr[-2000:]}")
+            return 2
+        for k, noticed in zip(chosen, pool.map(lambda k: is_noticed(source, k, folder), chosen)):
+            done += 1
+            if not noticed:
+                survivors.append(k)
+                print(f"line {faults[k][0]}: {faults[k][1]}", flush=True)
+    share = 1 - len(survivors) / max(1, done)
+    print(f"{done} faults of {len(faults)}, {done - len(survivors)} noticed ({100 * share:.1f} %)")
+    return 0 if share >= LEAST_SHARE else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
