@@ -168,7 +168,7 @@ TEST(ExchangeSchema, SaysWhatAnUnstableSetMayHave) {
 }
 
 TEST(ExchangeSchema, SaysWhatTheReaderSays) {
-  CITES("FC-OUT-01", "FC-NUM-02");
+  CITES("FC-OUT-01", "FC-NUM-02", "FC-FILE-18", "FC-FILE-47");
   const ExchangeSchema schema;
   for (const char* record :
        {R"({"index":2,"center":["1/2","-3","0x1.8p1"]})", R"({"index":2,"center":["0.1",1e-4,"+.5e+7"]})",
@@ -214,6 +214,22 @@ TEST(ExchangeSchema, SaysWhatTheReaderSays) {
         R"({"index":2,"contact":[1],"surface":{"vertices":[],"triangles":[[0,1]]}})",
         "[]",
         "1"}) {
+    EXPECT_FALSE(schema.accepts(record)) << record;
+    EXPECT_NE(claim_refusal(kHeader + record), "accepted, 1 points") << record;
+  }
+  // Numbers in strings, as coordinates and as distances.
+  for (const char* number : {"0", "-0", "+0", "-00", "-0/05", "-0.0", "-.0", "-0.", "-0E-5", "-0.e1", "-0x0",
+                             "-0X.0P+3", "3/02", ".5", "5.", "+5.", "5e5", "0x.8p-1"}) {
+    for (const std::string& record :
+         {R"({"index":1,"center":[0,0,")" + std::string(number) + R"("]})",
+          R"({"index":1,"contact":[0],"squared_distance":")" + std::string(number) + R"("})"}) {
+      EXPECT_TRUE(schema.accepts(record)) << record;
+      EXPECT_EQ(claim_refusal(kHeader + record), "accepted, 1 points") << record;
+    }
+  }
+  for (const char* number :
+       {"-1", "-0.01", "-.1", "-0x.1", "-1/2", "-0/0", "1/0", "1/00", "1/-2", "--0", "", ".", "5e"}) {
+    const std::string record = R"({"index":1,"contact":[0],"squared_distance":")" + std::string(number) + R"("})";
     EXPECT_FALSE(schema.accepts(record)) << record;
     EXPECT_NE(claim_refusal(kHeader + record), "accepted, 1 points") << record;
   }
