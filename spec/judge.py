@@ -111,7 +111,9 @@ def parse(text):
     try:
         value = json.loads(text, object_pairs_hook=object_of, parse_int=literal, parse_float=literal,
                            parse_constant=lambda word: require(False, "not JSON"))
-    except json.JSONDecodeError as error:
+        if "\\u" in text:  # half a surrogate pair has no UTF-8
+            json.dumps(value, ensure_ascii=False, default=str).encode()
+    except (json.JSONDecodeError, UnicodeEncodeError) as error:
         raise Unreadable(f"not JSON: {error}") from error
     require(isinstance(value, dict), "not an object")
     return value
@@ -260,11 +262,11 @@ def read_csv(lines):
     filled = [(k, text) for k, line in enumerate(lines, 1) if (text := without_comment(line))]
     for k, text in filled:
         fields = re.split(f"[{BLANKS}]*,[{BLANKS}]*|[{BLANKS}]+", text)
+        while len(fields) > 4 and not fields[-1]:
+            fields.pop()
         if k == filled[0][0] and fields[0] == "index":
             require(len(fields) >= 4 and fields[:5] == names[:len(fields)], f"other columns than {', '.join(names)}")
             continue
-        while len(fields) > 4 and not fields[-1]:
-            fields.pop()
         require(len(fields) >= 4 and re.fullmatch("[0-3]", fields[0]), "no index, 0 to 3, or too few numbers after it")
         point = blank_point(k, int(fields[0]), ids(map(Literal, fields[5:])))
         point.center = [number(one) for one in fields[1:4]] if any(fields[1:4]) else None
@@ -948,14 +950,17 @@ def read_segment(value):
 def read_orbit(data):
     require(data is not None, "there is no answer, or one that is too large")
     try:
-        value = parse(data.decode("utf-8-sig", "replace"))
+        value = parse(data.decode("utf-8-sig"))
         require(isinstance(value["segments"], list), "'segments' is no array")
         segments, limit = [read_segment(one) for one in value["segments"]], value["limit"]
         if limit["kind"] == "infinity":
             return segments, None
+        pair = limit["index"] if isinstance(limit["index"], list) else [limit["index"]] * 2
+        is_right = [isinstance(one, Whole) and one.text in ("0", "1", "2", "3") for one in pair]
+        require(is_right == [True, True], f"no index, 0 to 3, and no pair of them: {pair}")
         position, (squared,) = rationals(limit["position"]), rationals([limit["squared_distance"]], 1)
         return segments, [limit["kind"], limit["index"], position, sorted(ids(limit["contact"])), squared]
-    except (AttributeError, TypeError, KeyError) as error:
+    except (AttributeError, TypeError, KeyError, UnicodeDecodeError) as error:
         raise Unreadable(f"not as the format says: {error!r}") from error
 
 

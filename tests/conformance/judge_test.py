@@ -291,6 +291,8 @@ class Text(unittest.TestCase):
     def test_columns_are_named_by_their_order(self):
         for names, is_read in [("index,x,y,z", True), ("index x y z", True), ("index,x,y,z,squared_distance", True),
                                ("index,x,y,z,squared_distance,contact", True), ("index,z,y,x", False), ("index", False),
+                               ("index,x,y,z,", True), ("index,x,y,z,, # more", True), ("index,x,y,z,,contact", False),
+                               ("index,x,,", False),
                                ("index,x,y", False), ("index,x,y,z,contact", False), ("Index,x,y,z", False)]:
             text = "\n".join(["# a comment", names, *self.RIGHT])
             self.assertEqual(verdict(TRIANGLE, text), "conforms" if is_read else "unreadable", names)
@@ -576,16 +578,21 @@ class Orbits(unittest.TestCase):
         self.assertEqual(read, ([["C-C-V", (0, 0, 0), (Fraction(3, 2), 0, 0), None, None, [0, 1]]],
                                 ["critical", judge.Literal("0"), (0, Fraction(-3, 4), 0), [0, 1], 0]))
         self.assertEqual(judge.read_orbit((at % ("[]", '{"kind": "infinity"}')).encode()), ([], None))
+        self.assertEqual(judge.read_orbit((at % ("[]", '{"\\ud83d\\ude00": 0, "kind": "infinity"}')).encode()), ([], None))
         for text in ["", "[]", "{}", at % ("{}", limit), at % ("[5]", limit), at % ("[{}]", limit), at % ("[]", "null"),
                      at % ("[]", "{}"), at % ("[]", limit.replace("-3/4", "0.5")), at % ("[]", limit.replace('"-3/4"', "5")),
                      at % ("[]", limit.replace("-3/4", "3/0")), at % ("[]", limit.replace("-3/4", "3/-4")),
                      at % ("[]", limit.replace("-3/4", "\u0663")), at % ("[]", limit.replace(', "0"]', "]")),
+                     at % ("[]", limit.replace('"index": 0', '"index": 0.0')), at % ("[]", limit.replace('"index": 0', '"index": 4')),
+                     at % ("[]", limit.replace('"index": 0', '"index": "0"')), at % ("[]", limit.replace('"index": 0', '"index": [1]')),
+                     at % ("[]", limit.replace('"index": 0', '"index": [1, 2.0]')), at % ("[]", limit.replace('"kind"', '"\\ud83d": 0, "kind"')),
                      at % ("[]", limit.replace("[1, 0]", "[1.0]")), at % ("[]", limit.replace('"-3/4"', "true")),
                      at % ("[%s]" % segment.replace('"C-C-V"', "5"), limit), at % ("[%s]" % segment.replace("driver", "d"), limit)]:
             with self.assertRaises(judge.Unreadable, msg=text):
                 judge.read_orbit(text.encode())
-        with self.assertRaises(judge.Unreadable):
-            judge.read_orbit(None)
+        for data in (None, right.encode().replace(b'"segments"', b'"\xff": 0, "segments"')):
+            with self.assertRaises(judge.Unreadable):
+                judge.read_orbit(data)
 
 
 class Commands(unittest.TestCase):

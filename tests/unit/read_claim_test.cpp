@@ -332,6 +332,8 @@ TEST(ReadLines, JsonHasNoMarksAndNoNul) {
               std::string("IN").find(number[0]) == std::string::npos)
         << number << " in a string";
   }
+  EXPECT_TRUE(record_refusal(R"({"index":0,"contact":[1],"\ud83d":1})").starts_with("a:2: not JSON"));
+  EXPECT_EQ(record_refusal(R"({"index":0,"contact":[1],"\ud83d\ude00":1})"), "accepted, 1 points");
   for (const char* string : {R"({"index":"0","contact":[1]})", R"({"index":0,"contact":["1"]})"}) {
     EXPECT_TRUE(record_refusal(string).starts_with("a:2: the value of ")) << string;
   }
@@ -391,6 +393,9 @@ TEST(ReadCsvClaim, Errors) {
   EXPECT_EQ(claim_refusal("index,x,z,y\n"), "a:1: no column 'y' where it belongs");
   EXPECT_EQ(claim_refusal("index,x,y,z,distance\n"), "a:1: no column 'squared_distance' where it belongs");
   EXPECT_EQ(claim_refusal("index,x,y\n"), "a:1: no column 'z' where it belongs");
+  EXPECT_EQ(claim_refusal("index,x,,\n"), "a:1: no column 'y' where it belongs");
+  EXPECT_EQ(claim_refusal("index,x,y,z,,contact\n"), "a:1: no column 'squared_distance' where it belongs");
+  EXPECT_EQ(claim_refusal("index,x,y,z,, # more\n0,1,2,3\n"), "accepted, 1 points") << "empty ones at the end";
   EXPECT_EQ(claim_refusal("1,0,,0\n"), "a:1: not a number: ''");
   EXPECT_EQ(claim_refusal("1,,,0,,4,7\n"), "a:1: not a number: ''");
   EXPECT_EQ(claim_refusal("1,0,1,2\n1,,,,\n"), "a:2: neither a position nor contact ids");

@@ -4,6 +4,7 @@
 // An integer is a decimal here, because a program may print 5.0000001 as 5; but 5/1 is exact. An empty
 // squared_distance is not claimed, and neither is a position of three empty fields. Spreadsheets pad lines with empty
 // fields at the end.
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -15,11 +16,12 @@ namespace flowcert::io {
 namespace {
 
 void expect_columns(std::string_view line, const LinePlace& place) {
-  Fields names(line, Separators::kBlanksAndCommas);
-  std::string_view name;
-  for (const char* expected : {"index", "x", "y", "z", "squared_distance"}) {
-    if (!names.next(name) && std::string_view(expected) == "squared_distance") return;
-    if (name != expected) place.reject(std::string("no column ") + in_quotes(expected) + " where it belongs");
+  std::vector<std::string_view> names = fields_of(line, Separators::kBlanksAndCommas);
+  while (!names.empty() && names.back().empty()) names.pop_back();
+  const std::array<std::string_view, 5> all = {"index", "x", "y", "z", "squared_distance"};
+  for (std::size_t k = 0; k < std::clamp<std::size_t>(names.size(), 4, 5); ++k) {
+    if (k < names.size() && names[k] == all[k]) continue;
+    place.reject("no column " + in_quotes(all[k]) + " where it belongs");
   }
 }
 
