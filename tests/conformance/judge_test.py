@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""judge_test.py [JUDGE]
+"""judge_test.py
 
-The tests of spec/judge.py that need no build: how it reads claims, what it says of the judgements of spec/judgements.json
-and of right claims about vectors, how it follows orbits, and how it runs commands. JUDGE is another file to test: a
-mutant (tests/mutants/judge_py.py).
+The tests of spec/judge.py that need no build: how it reads claims, what it says of the judgements of
+spec/judgements.json and of right claims about vectors, how it follows orbits, and how it runs commands.
+The environment's JUDGE is another file to test: a mutant (tests/mutants/judge_py.py).
 """
 # CITES: FC-FILE-12 FC-FILE-13 FC-FILE-15 FC-FILE-16 FC-FILE-18 FC-FILE-19 FC-FILE-26 FC-FILE-27 FC-FILE-29 FC-FILE-47
 # CITES: FC-CLAIM-22 FC-CLAIM-23 FC-CLAIM-24
@@ -118,7 +118,8 @@ class Numbers(unittest.TestCase):
     def test_what_is_no_number_is_refused(self):
         for text in ["", ".", "+", "-", "e5", "5e", "5e+", "1.2.3", "--5", "+-5", "5 ", " 5", "1_000", "1,5", "nan",
                      "inf", "-Infinity", "0x", "0x.", "0xp1", "0x1p", "0x1.1.1", "1x5", "1/0", "1/-2", "1/+2", "1/2/3",
-                     "1/", "/2", "1.0/2", "0x1/2", "\u0661", "\u06615", "1/\u0662", "\u00b2", "0x\uff11", "5\n", "1e701",
+                     "1/", "/2", "1.0/2", "0x1/2", "\u0661", "\u06615", "1/\u0662", "\u00b2", "0x\uff11", "5\n",
+                     "1e701",
                      "1e-701", "1e\u0661", "0x1p1024", "0x1p-1075", "0x1.00000000000001p0", "0x1.8p-1074",
                      "0x3fffffffffffff", "1" * 2001, "1" * 1000001 + "/1"]:
             with self.assertRaises(judge.Unreadable, msg=text[:40]):
@@ -144,13 +145,16 @@ class Json(unittest.TestCase):
 
     def test_records_of_all_kinds_of_nonsense(self):
         for record in ['[]', '{', '"x"', '5', '{"index": 2}', '{"contact": [0]}', '{"index": "2", "contact": [0]}',
-                       '{"index": 2.0, "contact": [0]}', '{"index": 4, "contact": [0]}', '{"index": -1, "contact": [0]}',
+                       '{"index": 2.0, "contact": [0]}', '{"index": 4, "contact": [0]}',
+                       '{"index": -1, "contact": [0]}',
                        '{"index": [2, 1], "contact": [0]}', '{"index": [1, 1], "contact": [0]}',
                        '{"index": [1, 2, 3], "contact": [0]}', '{"index": true, "contact": [0]}',
-                       '{"index": 0, "contact": []}', '{"index": 0, "contact": ["0"]}', '{"index": 0, "contact": [0.0]}',
+                       '{"index": 0, "contact": []}', '{"index": 0, "contact": ["0"]}',
+                       '{"index": 0, "contact": [0.0]}',
                        '{"index": 0, "contact": [-1]}', '{"index": 0, "contact": [3]}', '{"index": 0, "contact": 0}',
                        '{"index": 0, "contact": [2147483647]}', '{"index": 0, "contact": [0], "kind": "regular"}',
-                       '{"index": [1, 2], "contact": [0], "kind": "critical"}', '{"index": 0, "index": 0, "contact": [0]}',
+                       '{"index": [1, 2], "contact": [0], "kind": "critical"}',
+                       '{"index": 0, "index": 0, "contact": [0]}',
                        '{"index": 0, "contact": [0], "x": {"a": 1, "a": 1}}', '{"index": 0, "contact": [0], "x": NaN}',
                        '{"index": 0, "contact": [0], "x": 1e400}', '{"index": 0, "contact": [0], "x": -1e400}',
                        '{"index": 0, "center": [0, 0]}', '{"index": 0, "center": [0, 0, 0, 0]}',
@@ -160,15 +164,20 @@ class Json(unittest.TestCase):
                        '{"index": 0, "center": [0, 0, 0], "squared_distance": "-1/2"}',
                        '{"index": 0, "center": [0, 0, 0], "squared_distance_double": -0.5}',
                        '{"index": 0, "contact": [0], "volume": -1}', '{"index": 0, "contact": [0], "volume": "-1/8"}',
-                       '{"index": 0, "contact": [0], "volume_double": -1}', '{"index": 0, "contact": [0], "volume": "1/0"}',
-                       '{"index": 2, "contact": [0], "shares": [[0, -1]]}', '{"index": 2, "contact": [0], "shares": [[0]]}',
+                       '{"index": 0, "contact": [0], "volume_double": -1}',
+                       '{"index": 0, "contact": [0], "volume": "1/0"}',
+                       '{"index": 2, "contact": [0], "shares": [[0, -1]]}',
+                       '{"index": 2, "contact": [0], "shares": [[0]]}',
                        '{"index": 2, "contact": [0], "shares": [[9, 1]]}',
                        '{"index": 2, "contact": [0], "shares_double": [[9, null]]}',
                        '{"index": 2, "contact": [0], "shares": [], "shares_double": []}',
-                       '{"index": 0, "contact": [0], "samples": [0, 1]}', '{"index": 2, "contact": [0], "samples": [0, 1]}',
+                       '{"index": 0, "contact": [0], "samples": [0, 1]}',
+                       '{"index": 2, "contact": [0], "samples": [0, 1]}',
                        '{"index": 1, "contact": [0, 1], "limits": [null, null]}',
-                       '{"index": 2, "contact": [0], "limits": [null]}', '{"index": 2, "contact": [0], "limits": [null, 5]}',
-                       '{"index": 2, "contact": [0], "limits": [null, [7]]}', '{"index": 1, "contact": [0, 1], "samples": [7]}',
+                       '{"index": 2, "contact": [0], "limits": [null]}',
+                       '{"index": 2, "contact": [0], "limits": [null, 5]}',
+                       '{"index": 2, "contact": [0], "limits": [null, [7]]}',
+                       '{"index": 1, "contact": [0, 1], "samples": [7]}',
                        '{"index": 1, "contact": [0, 1], "stable": {}}', '{"index": 2, "contact": [0], "stable": []}',
                        '{"index": 2, "contact": [0], "stable": {"boundary": [0]}}',
                        '{"index": 2, "contact": [0], "stable": {"boundary": [[8]]}}',
@@ -199,7 +208,8 @@ class Json(unittest.TestCase):
                      '{"format": "flowcert-stationary-points", "format_version": 2}',
                      '{"format": "flowcert-stationary-points", "format_version": 1.0}',
                      '{"format": "flowcert-pockets", "format_version": 1}',
-                     HEADER[:-1] + ', "points": "3"}', HEADER[:-1] + ', "points": 3.0}', HEADER[:-1] + ', "points": -3}',
+                     HEADER[:-1] + ', "points": "3"}', HEADER[:-1] + ', "points": 3.0}',
+                     HEADER[:-1] + ', "points": -3}',
                      HEADER[:-1] + ', "points": 18446744073709551616}', HEADER[:-1] + ', "classes": [0]}',
                      HEADER[:-1] + ', "critical": [3, 3, 1]}', HEADER[:-1] + ', "critical": [3, 3, 1, "0"]}',
                      HEADER[:-1] + ', "regular_stationary": {"1-2": 0}}', HEADER[:-1] + ', "input_sha256": "00"}',
@@ -226,7 +236,8 @@ class Json(unittest.TestCase):
     def test_limits_of_json(self):
         self.unreadable(text_of(HEADER, '{"index": 0, "contact": [0], "note": ' + "[" * 16 + "]" * 16 + "}"))
         self.unreadable(text_of(HEADER, '{"index": 0, "contact": [0], "note": ' + "[" * 99999 + "]" * 99999 + "}"))
-        self.unreadable(text_of(HEADER, '{"index": 0, "contact": [0], ' + ", ".join(f'"k{k}": 0' for k in range(999)) + "}"))
+        self.unreadable(text_of(HEADER,
+                                '{"index": 0, "contact": [0], ' + ", ".join(f'"k{k}": 0' for k in range(999)) + "}"))
         infinity = '{"kind": "infinity", "skeleton": {"segments": []}}'
         self.unreadable(text_of(HEADER, infinity, infinity))
         self.unreadable(text_of(HEADER).encode() + b'{"index": 0, "contact": [0], "note": "\xff"}')
@@ -243,7 +254,8 @@ class Json(unittest.TestCase):
         for record, is_clean in [('{"index": 2, "contact": [0, 1, 2], "shares": [[0, 1], [0, 2]]}', False),
                                  ('{"index": 2, "contact": [0, 1, 2], "shares": [[0, 1], [1, 2]]}', True),
                                  ('{"index": 2, "contact": [0, 1, 2], "limits": [[], null]}', False),
-                                 ('{"index": 2, "contact": [0, 1, 2], "lambda": {"directions": [], "arcs": [[0, 0]]}}', False),
+                                 ('{"index": 2, "contact": [0, 1, 2], "lambda": {"directions": [], "arcs": [[0, 0]]}}',
+                                  False),
                                  ('{"index": 1, "contact": [0, 1], "samples": [0, 0]}', False),
                                  ('{"index": 1, "contact": [0, 1], "samples": []}', True)]:
             found = reasons(TRIANGLE, text_of(HEADER, record))
@@ -271,7 +283,8 @@ class Text(unittest.TestCase):
         self.assertEqual(verdict(TRIANGLE, "\ufeff\ufeff" + text), "unreadable")
 
     def test_empty_files_are_unreadable(self):
-        for data in [b"", b"\n", b" \t\v\f\r\n", b"\xef\xbb\xbf", b"\xef\xbb\xbf\n", gzip.compress(b""), gzip.compress(b"\n")]:
+        for data in [b"", b"\n", b" \t\v\f\r\n", b"\xef\xbb\xbf", b"\xef\xbb\xbf\n", gzip.compress(b""),
+                     gzip.compress(b"\n")]:
             self.assertEqual(verdict(TRIANGLE, data), "unreadable", data)
         for text in ["# nothing", "index,x,y,z", "inf 3", HEADER]:
             self.assertEqual(verdict(TRIANGLE, text), "fails", text)
@@ -302,24 +315,31 @@ class Text(unittest.TestCase):
     def test_fields_of_csv(self):
         for line, is_read in [("2 2 1 0", True), ("2\v2\f1\t0", True), ("2 , 2 ,1, 0", True), ("2,2,1,0,", True),
                               ("2,2,1,0,,", True), ("2,2,1,0,5,0,1,2", True), ("2,2,1,0,,0,1,2", True),
-                              ("2,,,,,0,1,2", True), ("2,,,,5,0,1,2,,", True), ("2,2,1,0 # it is", True), ("2,2,1,0#", True),
-                              (" 2,2,1,0 ", True), ("2,+2.,1e0,.0", True), ("2,2,1", False), ("2,2,1,", False), ("2,,,", False),
+                              ("2,,,,,0,1,2", True), ("2,,,,5,0,1,2,,", True), ("2,2,1,0 # it is", True),
+                              ("2,2,1,0#", True),
+                              (" 2,2,1,0 ", True), ("2,+2.,1e0,.0", True), ("2,2,1", False), ("2,2,1,", False),
+                              ("2,,,", False),
                               ("2,,,,", False), ("2,2,1,0,-5", False), ("2,2,1,0,5,0,,1", False), (",2,2,1,0", False),
                               ("4,2,1,0", False), ("02,2,1,0", False), ("2,2,1,0,5,+1", False), ("2;2;1;0", False),
-                              ("2,2,1.#INF,0", False), ("2,2,1.#,0", False), ("2,2,1,0,5,9", False), ("2,2,1,\u0660", False),
+                              ("2,2,1.#INF,0", False), ("2,2,1.#,0", False), ("2,2,1,0,5,9", False),
+                              ("2,2,1,\u0660", False),
                               ("2,2,1,0\u00a0", False), ("2,2,,0", False), ("2,2,1,0,5,0.0", False)]:
             found = verdict(TRIANGLE, "\n".join([*self.RIGHT[:-1], line]))
             self.assertEqual(found, "conforms" if is_read else "unreadable", line)
 
     def test_lines_of_giesen_and_kuehne(self):
-        right = ["inf 3", "0 | 0 | 0 1 | 0 2 |", "1 | 0 | 0 1 | 1 2", "2|0|0 2|1 2|", "0 1 | 2 | 0 1 2", "0 2 | 1.5811388300841898 |"
+        right = ["inf 3", "0 | 0 | 0 1 | 0 2 |", "1 | 0 | 0 1 | 1 2", "2|0|0 2|1 2|", "0 1 | 2 | 0 1 2",
+                 "0 2 | 1.5811388300841898 |"
                  " 0 1 2", "1 2 | 2.1213203435596424 | 0 1 2", "0 1 2 | 2.23606797749979 | inf |"]
         self.assertEqual(verdict(TRIANGLE, "\n".join(right)), "conforms")
         self.assertEqual(verdict(TRIANGLE, "\n".join(right[1:])), "conforms")
-        for line, is_read in [("0 1 2 | 2.23606797749979", True), ("0 1 2 | -1", False), ("0 1 2", False), ("| 2.2", False),
-                              ("0 1 2 | ", False), ("0 1 2 | 2 2", False), ("0 1 2 0 1 | 2", False), ("0 1 2 | 2 | | inf", False),
+        for line, is_read in [("0 1 2 | 2.23606797749979", True), ("0 1 2 | -1", False), ("0 1 2", False),
+                              ("| 2.2", False),
+                              ("0 1 2 | ", False), ("0 1 2 | 2 2", False), ("0 1 2 0 1 | 2", False),
+                              ("0 1 2 | 2 | | inf", False),
                               ("0 1 2 | 2 | 9 ", False), ("0 1 2 | 2 | inf 3", False), ("0 1 2 | 2 | 0 1 2 0 1", False),
-                              ("inf 2", False), ("inf", False), ("inf 3 3", False), ("0 1 x | 2", False), ("# no | 1", False)]:
+                              ("inf 2", False), ("inf", False), ("inf 3 3", False), ("0 1 x | 2", False),
+                              ("# no | 1", False)]:
             found = verdict(TRIANGLE, "\n".join([*right[1:-1], line]))
             self.assertEqual(found != "unreadable", is_read, line)
         self.assertEqual(verdict(TRIANGLE, "\n".join([*right, "inf 3"])), "unreadable")
@@ -365,7 +385,8 @@ class Verdicts(unittest.TestCase):
 
     def test_profile_and_tolerance(self):
         records = right_records(TRIANGLE)
-        near = [{"index": one["index"], "center_double": [x + 1e-7 * x for x in one["center_double"]]} for one in records]
+        near = [{"index": one["index"],
+                 "center_double": [x + 1e-7 * x for x in one["center_double"]]} for one in records]
         for tolerance, outcome, said in [
                 (1e-9, "fails", "does not conform to 1.1"),
                 (1e-6, "conforms", "conforms to 1.1, points, approximate within 1e-06"), (2e-6, "conforms", None)]:
@@ -381,8 +402,10 @@ class Verdicts(unittest.TestCase):
             self.assertEqual(result["judged"], set(range(1, levels + 1)))
 
     def test_profiles_of_several_claims(self):
-        one = {"parts": {"points": True, "U2": True, "S2": None, "orbits": None}, "indices": {0, 1, 2, 3}, "exact": True}
-        other = {"parts": {"points": True, "U2": False, "S2": True, "orbits": None}, "indices": {0, 1, 3}, "exact": False}
+        one = {"parts": {"points": True, "U2": True, "S2": None, "orbits": None}, "indices": {0, 1, 2, 3},
+               "exact": True}
+        other = {"parts": {"points": True, "U2": False, "S2": True, "orbits": None}, "indices": {0, 1, 3},
+                 "exact": False}
         self.assertEqual(judge.statement("perturbed", [one, other], 1e-9),
                          "is perturbed under 1.1, points of index 0, 1, 3 + S2, approximate within 1e-09")
         self.assertEqual(judge.statement("conforms", [one, one], 1e-9), "conforms to 1.1, points + U2, exact")
@@ -392,7 +415,8 @@ class Verdicts(unittest.TestCase):
 
 class Matching(unittest.TestCase):
     def test_as_many_as_possible_have_a_partner(self):
-        for choices, size in [([[1, 2], [1], [2, 3]], 3), ([[1], [1]], 1), ([[1, 2], [2, 3], [1, 2]], 3), ([[]], 0), ([], 0),
+        for choices, size in [([[1, 2], [1], [2, 3]], 3), ([[1], [1]], 1), ([[1, 2], [2, 3], [1, 2]], 3), ([[]], 0),
+                              ([], 0),
                               ([[1, 2, 3], [1, 2], [1]], 3), ([[1, 2], [1, 2], [1, 2]], 2),
                               ([[0, 1], [1, 2], [2, 3], [3, 4], [0]], 5)]:
             partner = judge.maximum_matching(choices)
@@ -506,7 +530,8 @@ class Orbits(unittest.TestCase):
                 for place in (3, 4, 5):
                     self.assertEqual(damaged(k, place, None), "perturbed", (one, k))
                 if not last:
-                    self.assertEqual(flow.verdict((segments[:k + 1] + segments[k + 2:], limit), true), "fails", (one, k))
+                    self.assertEqual(flow.verdict((segments[:k + 1] + segments[k + 2:], limit), true), "fails",
+                                     (one, k))
             self.assertEqual(flow.verdict((segments, true[1]), true), "fails", one)
             self.assertEqual(flow.verdict(([*segments, segments[-1]], limit), true), "fails", one)
             self.assertEqual(flow.verdict((segments[count:], limit), true), "fails", one)
@@ -578,16 +603,22 @@ class Orbits(unittest.TestCase):
         self.assertEqual(read, ([["C-C-V", (0, 0, 0), (Fraction(3, 2), 0, 0), None, None, [0, 1]]],
                                 ["critical", judge.Literal("0"), (0, Fraction(-3, 4), 0), [0, 1], 0]))
         self.assertEqual(judge.read_orbit((at % ("[]", '{"kind": "infinity"}')).encode()), ([], None))
-        self.assertEqual(judge.read_orbit((at % ("[]", '{"\\ud83d\\ude00": 0, "kind": "infinity"}')).encode()), ([], None))
+        self.assertEqual(judge.read_orbit((at % ("[]", '{"\\ud83d\\ude00": 0, "kind": "infinity"}')).encode()),
+                         ([], None))
         for text in ["", "[]", "{}", at % ("{}", limit), at % ("[5]", limit), at % ("[{}]", limit), at % ("[]", "null"),
-                     at % ("[]", "{}"), at % ("[]", limit.replace("-3/4", "0.5")), at % ("[]", limit.replace('"-3/4"', "5")),
+                     at % ("[]", "{}"), at % ("[]", limit.replace("-3/4", "0.5")),
+                     at % ("[]", limit.replace('"-3/4"', "5")),
                      at % ("[]", limit.replace("-3/4", "3/0")), at % ("[]", limit.replace("-3/4", "3/-4")),
                      at % ("[]", limit.replace("-3/4", "\u0663")), at % ("[]", limit.replace(', "0"]', "]")),
-                     at % ("[]", limit.replace('"index": 0', '"index": 0.0')), at % ("[]", limit.replace('"index": 0', '"index": 4')),
-                     at % ("[]", limit.replace('"index": 0', '"index": "0"')), at % ("[]", limit.replace('"index": 0', '"index": [1]')),
-                     at % ("[]", limit.replace('"index": 0', '"index": [1, 2.0]')), at % ("[]", limit.replace('"kind"', '"\\ud83d": 0, "kind"')),
+                     at % ("[]", limit.replace('"index": 0', '"index": 0.0')),
+                     at % ("[]", limit.replace('"index": 0', '"index": 4')),
+                     at % ("[]", limit.replace('"index": 0', '"index": "0"')),
+                     at % ("[]", limit.replace('"index": 0', '"index": [1]')),
+                     at % ("[]", limit.replace('"index": 0', '"index": [1, 2.0]')),
+                     at % ("[]", limit.replace('"kind"', '"\\ud83d": 0, "kind"')),
                      at % ("[]", limit.replace("[1, 0]", "[1.0]")), at % ("[]", limit.replace('"-3/4"', "true")),
-                     at % ("[%s]" % segment.replace('"C-C-V"', "5"), limit), at % ("[%s]" % segment.replace("driver", "d"), limit)]:
+                     at % ("[%s]" % segment.replace('"C-C-V"', "5"), limit),
+                     at % ("[%s]" % segment.replace("driver", "d"), limit)]:
             with self.assertRaises(judge.Unreadable, msg=text):
                 judge.read_orbit(text.encode())
         for data in (None, right.encode().replace(b'"segments"', b'"\xff": 0, "segments"')):
@@ -601,7 +632,8 @@ class Commands(unittest.TestCase):
 
     def test_how_commands_end(self):
         for status, outcome in [(0, 0), (1, 1), (2, 2), (125, 125), (126, "crashed"), (127, "crashed"), (128, 128),
-                                (129, "crashed"), (134, "crashed"), (192, "crashed"), (193, 193), (254, 254), (255, 255)]:
+                                (129, "crashed"), (134, "crashed"), (192, "crashed"), (193, 193), (254, 254),
+                                (255, 255)]:
             self.assertEqual(self.run_one(f"exit {status}")[0], outcome, status)
         self.assertEqual(self.run_one("kill -9 $$")[0], "crashed")
         self.assertEqual(self.run_one("no-such-program")[0], "crashed")
@@ -681,7 +713,8 @@ class Runs(unittest.TestCase):
         self.assertEqual(status, 0, text)
         self.assertIn(f"\n{asked} cases: {asked} conform, 0 where determined, 0 perturbed, 0 negative\n", text)
         self.assertIn(f"skipped: {starts} cases\n", text)
-        self.assertIn("judged: 3 claims on level 1, 3 claims on level 2, 3 claims on level 3, 3 claims on level 4\n", text)
+        self.assertIn("judged: 3 claims on level 1, 3 claims on level 2, 3 claims on level 3, 3 claims on level 4\n",
+                      text)
         self.assertTrue(text.endswith(f"conforms to 1.1, points + U2 + S2, exact ({asked} of {total} vectors)\n"), text)
         self.assertRegex(text, r"(?m)^  group critical-points: +2 conforms$")
         self.assertNotIn("undecided", text)
@@ -698,7 +731,8 @@ class Runs(unittest.TestCase):
 
     def test_outcomes(self):
         case = ["--case", "critical-points-0002", "--json", "--against"]
-        for command, outcome in [("exit 255", "refused"), ("echo [", "unreadable"), ("echo '# no'", "fails"), (self.command, "conforms"),
+        for command, outcome in [("exit 255", "refused"), ("echo [", "unreadable"), ("echo '# no'", "fails"),
+                                 (self.command, "conforms"),
                                  ("true {out}", "unreadable")]:
             status, text = self.run_judge(*case, command)
             self.assertEqual(json.loads(text)["cases"][0]["outcome"], outcome, command)
@@ -730,17 +764,21 @@ class Runs(unittest.TestCase):
     def test_what_cannot_be_used(self):
         self.claim.write_text("\n".join(Text.RIGHT))
         for words in [[], ["--against", "true", "--claim", self.claim], ["--against", "true", "--tolerance", "0.0011"],
-                      ["--against", "true", "--tolerance", "-1"], ["--claim", self.claim], ["--group", "none", "--against", "true"],
+                      ["--against", "true", "--tolerance", "-1"], ["--claim", self.claim],
+                      ["--group", "none", "--against", "true"],
                       ["--case", "invalid-input-0001", "--claim", self.claim], ["--against", "no-such-program"],
-                      ["--against", "true", "--orbits-against", "true"], ["--against", "true", "--orbits-against", "exit 127 {start}"],
+                      ["--against", "true", "--orbits-against", "true"],
+                      ["--against", "true", "--orbits-against", "exit 127 {start}"],
                       ["--case", "critical-points-0002", "--claim", self.claim, "--orbits-against", "true {start}"],
-                      ["--case", "critical-points-0002", "--claim", "/no/such/file"], ["--against", "true", "--vectors", "/no/such"]]:
+                      ["--case", "critical-points-0002", "--claim", "/no/such/file"],
+                      ["--against", "true", "--vectors", "/no/such"]]:
             status, text = self.run_judge(*words)
             self.assertEqual(status, 2, (words, text))
             self.assertIn("error: ", text)
 
     def test_groups_flags_and_cases_are_chosen(self):
-        for words, count in [(["--group", "critical-points"], 2), (["--case", "orbits-0004"], 1), (["--flag", "not-finite"], 3),
+        for words, count in [(["--group", "critical-points"], 2), (["--case", "orbits-0004"], 1),
+                             (["--flag", "not-finite"], 3),
                              (["--group", "critical-points", "--case", "critical-points-0002"], 1)]:
             found = json.loads(self.run_judge(*words, "--json", "--against", "exit 1")[1])["cases"]
             owed = count if "--flag" not in words else sum("not-finite" in one["flags"] for one in self.cases)
@@ -760,13 +798,15 @@ class Runs(unittest.TestCase):
         self.assertIn("conforms to 1.1, points + orbits, exact (1 of ", text)
         for command, outcome in [("echo {start}", "unreadable"), ("exit 4 || {start}", "refused"),
                                  ("test {start} = 1,0,0 || exit 139", "crashed"),
-                                 ('echo {start} >/dev/null; echo \'{"segments": [], "limit": {"kind": "infinity"}}\'', "fails")]:
+                                 ('echo {start} >/dev/null; echo \'{"segments": [], "limit": {"kind": "infinity"}}\'',
+                                  "fails")]:
             status, text = self.run_judge(*words, command, "--json")
             found = json.loads(text)
             self.assertEqual((status, found["cases"][0]["outcome"]), (1, outcome), command)
             self.assertEqual(found["statement"], "does not conform to 1.1 (1 of 14 vectors)")
         starts = [case for case in CASES.values() if case.get("refused") == "start"]
-        status, text = self.run_judge("--case", starts[0]["id"], "--against", "true", "--orbits-against", "exit 1 # {start}", "--json")
+        status, text = self.run_judge("--case", starts[0]["id"], "--against", "true", "--orbits-against",
+                                      "exit 1 # {start}", "--json")
         self.assertEqual(json.loads(text)["cases"][0]["outcome"], "properly refused")
 
 
