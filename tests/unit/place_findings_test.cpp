@@ -520,6 +520,9 @@ TEST(PlaceFindings, APositionIsWhatNoOtherClaimHasTaken) {
   EXPECT_EQ(report_on({}, 2).verdict, Verdict::kConformsWhereDetermined);
   EXPECT_EQ(report_on({}, 1).verdict, Verdict::kFails);
   EXPECT_EQ(count(report_on({{0, 1}, {2, 3}}, 1), FindingReason::kClaimedTwice), 1U);
+  // The point of index 3 in the middle between them is nearer.
+  const CheckReport third = points.check(points.claim().at(1, decimals({0, 0, 0x1p-14})), {.tolerance = 1e-3});
+  EXPECT_EQ(count(third, FindingReason::kClaimedTwice), 1U) << text(third);
   // Of its index it may be either, so what it says of itself further on is not judged.
   Claimed claimed = points.claim_without({{2, 3}}).at(1, position);
   claimed.last().samples = {{0, 2}};
