@@ -725,7 +725,7 @@ class Judge:
 
     def is_face(self, record, names):
         """Whether they are the vertices of a polygon that is a face of the hull of C(x), of dimension 3."""
-        if record.hull < 3 or len(names) < 3 or self.truth.dimension(names) != 2:
+        if record.hull < 3 or self.truth.dimension(names) != 2:
             return False
         sides = {name: self.truth.side(names, name) for name in record.contact}
         return len(set(sides.values()) - {0}) == 1 and tuple(n for n, side in sides.items() if not side) == names
@@ -753,23 +753,24 @@ class Judge:
         return fits_index and set(names) <= set(record.contact) and in_hull(self.truth.where(names), record.center)
 
     def sorted_claims(self, record, here):
-        """Claims that a perturbation may make, those that none does, and those that are there already (c)."""
+        """Claims that a perturbation may make, those that none does, and those that are there already."""
         made, impossible, again = [], [], []
         for point in here:
-            same = sum(one.index == point.index for one in made)
+            same = [one.names for one in made if one.index == point.index]
             if not self.can_make(record, point):
                 impossible.append(point)
-            elif same >= self.most(record, point.index) or any(one.names == point.names != () for one in made):
+            elif len(same) >= self.most(record, point.index) or (point.names and point.names in same):
                 again.append(point)
             else:
                 made.append(point)
         return made, impossible, again
 
     def makes(self, record, made):
-        """Conditions (d) to (h)."""
+        """Conditions (c) to (h)."""
+        named = [point for point in made if point.names]
         counts = [sum(point.index == index for point in made) for index in range(4)]
         numbers = [[counts[k]] if k in self.claim.indices else range(self.most(record, k) + 1) for k in (1, 2, 3)]
-        return self.fit_together(record, [point for point in made if point.names]) and \
+        return len({point.names for point in named}) == len(named) and self.fit_together(record, named) and \
             any(self.is_possible(record, *some) for some in itertools.product(*numbers))
 
     def is_possible(self, record, *numbers):

@@ -344,6 +344,9 @@ class Text(unittest.TestCase):
             self.assertEqual(found != "unreadable", is_read, line)
         self.assertEqual(verdict(TRIANGLE, "\n".join([*right, "inf 3"])), "unreadable")
 
+    def test_comments_may_be_in_another_encoding(self):
+        self.assertEqual(verdict(TRIANGLE, b"# \xff\n" + "\n".join(self.RIGHT).encode()), "conforms")
+
     def test_vtp_and_pockets_are_unreadable(self):
         self.assertEqual(verdict(TRIANGLE, "<VTKFile>"), "unreadable")
         self.assertEqual(verdict(TRIANGLE, '\n {"format": "flowcert-pockets-1"}'), "unreadable")
@@ -362,12 +365,62 @@ class Verdicts(unittest.TestCase):
                 said = judge.statement(result["outcome"], [result["profile"]], 1e-9)
                 self.assertEqual(said, one["statement"], one["id"])
 
+    def test_what_both_judges_have_said(self):
+        """These claims are of all kinds. `flowcert check` said the same of each, finding by finding."""
+        claims = json.loads((Path(__file__).parent / "judged_claims.json").read_text())["claims"]
+        self.assertGreater(len(claims), 100)
+        for one in claims:
+            result = judged(CASES[one["case"]], text_of(*one["claim"]))
+            found = [[f[key] for key in ("level", "reason", "permitted", "clause", "line")] for f in result["findings"]]
+            owed = one["outcome"], sorted(one["findings"], key=json.dumps)
+            self.assertEqual((result["outcome"], sorted(found, key=json.dumps)), owed, one)
+
+    def test_what_is_not_decided_is_said(self):
+        head = HEADER[:-1] + ', "indices": [0, 1]}'
+        for case in (TRIANGLE, CASES["cospherical-clusters-0001"], CASES["regular-stationary-points-0001"]):
+            records = right_records(case)
+            self.assertFalse(judged(case, text_of(HEADER, *records))["undecided"])
+            few = [one for one in records if one["index"] in (0, 1)]
+            self.assertEqual(verdict(case, text_of(head, *few)), "conforms")
+            self.assertFalse(judged(case, text_of(head, *few))["undecided"])
+        square = [{"index": 2, "contact": [0, 1, 2]}, {"index": 2, "contact": [0, 1, 3]},
+                  {"index": 3, "contact": [0, 1, 2, 3]}]
+        head = HEADER[:-1] + ', "indices": [2, 3]}'
+        self.assertTrue(judged(CASES["cospherical-clusters-0001"], text_of(head, *square))["undecided"])
+        right_angle = text_of(head, {"index": 2, "contact": [0, 1, 2]})
+        result = judged(CASES["regular-stationary-points-0001"], right_angle)
+        self.assertEqual((result["outcome"], result["undecided"]), ("perturbed", False))
+
+    def test_the_tolerance_is_right_to_the_last_bit(self):
+        head = HEADER[:-1] + ', "indices": [1]}'
+        others = [{"index": 1, "contact": one} for one in ([0, 2], [1, 2])]
+        for offset, outcome in [(Fraction(1, 2**19), "conforms"), (Fraction(2**40 + 1, 2**59), "fails")]:
+            digits = str((2 + offset) * 10**60)
+            edge = {"index": 1, "center": [f"{digits}e-60", "0.0", "0.0"], "contact": [0, 1]}
+            self.assertEqual(verdict(TRIANGLE, text_of(head, edge, *others), tolerance=2.0**-20), outcome)
+            root = 2 + offset
+            edge = {"index": 1, "contact": [0, 1], "squared_distance": f"{root * root * 10**120}e-120"}
+            self.assertEqual(verdict(TRIANGLE, text_of(head, edge, *others), tolerance=2.0**-20), outcome)
+
+    def test_wrong_kinds_and_wrong_distances(self):
+        case = CASES["regular-stationary-points-0001"]
+        wrong = {"index": [2, 3], "contact": [0, 1, 2]}
+        found = judged(case, text_of(HEADER, wrong))["findings"]
+        self.assertIn(("wrong-index", "FC-CRIT-03"), [(one["reason"], one["clause"]) for one in found])
+        case = CASES["critical-points-0060"]
+        head = HEADER[:-1] + ', "indices": [1]}'
+        far = {"index": 1, "center": [0.0, 0.0, 1e-11], "squared_distance": 2}
+        found = [one for one in reasons(case, text_of(head, far, far)) if one[1] != "missing"]
+        self.assertEqual(found, [(2, "ambiguous", 2), (2, "ambiguous", 3), (2, "wrong-position", 2),
+                                 (2, "wrong-position", 3)])
+
     def test_right_claims_conform(self):
         right = [case for case in CASES.values() if case["result"] != "invalid" and len(case["points"]) < 9][::12]
         self.assertGreater(len(right), 60)
         for case in right:
             result = judged(case, text_of(header_of(case), *right_records(case)))
             self.assertEqual((result["outcome"], result["findings"]), ("conforms", []), case["id"])
+            self.assertFalse(result["undecided"])
             self.assertLessEqual({1, 3}, result["judged"])
 
     def test_what_the_header_says(self):
@@ -618,7 +671,8 @@ class Orbits(unittest.TestCase):
                      at % ("[]", limit.replace('"kind"', '"\\ud83d": 0, "kind"')),
                      at % ("[]", limit.replace("[1, 0]", "[1.0]")), at % ("[]", limit.replace('"-3/4"', "true")),
                      at % ("[%s]" % segment.replace('"C-C-V"', "5"), limit),
-                     at % ("[%s]" % segment.replace("driver", "d"), limit)]:
+                     at % ("[%s]" % segment.replace("driver", "d"), limit),
+                     at % ("[%s]" % segment.replace('["0", "0", "0"]', '"000"'), limit)]:
             with self.assertRaises(judge.Unreadable, msg=text):
                 judge.read_orbit(text.encode())
         for data in (None, right.encode().replace(b'"segments"', b'"\xff": 0, "segments"')):
