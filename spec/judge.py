@@ -1203,19 +1203,19 @@ def print_report(cases, flags, outcomes, options):
     good = counts[CONFORMS] + counts["properly refused"]
     print(f"\n{len(cases) - counts['skipped']} cases: {good} conform, {counts[DETERMINED]} where determined, "
           f"{counts[PERTURBED]} perturbed, {len(negative)} negative")
-    if said := statement_of_all(outcomes, options):
+    if said := statement_of_all(outcomes, options, options.tolerance):
         print(said)
-    elif options.tolerance > LARGEST_STATED:
+    elif statement_of_all(outcomes, options, LARGEST_STATED):
         print(f"no statement: the tolerance {options.tolerance!r} is above {LARGEST_STATED!r} (FC-CLAIM-23)")
 
 
-def statement_of_all(outcomes, options):
+def statement_of_all(outcomes, options, tolerance):
     """The statement of FC-CLAIM-22, with the number of vectors that it is about."""
     asked = [one for one in outcomes.values() if one["outcome"] != "skipped"]
     verdicts = [FAILS if one["outcome"] in NEGATIVE else one["outcome"] for one in asked]
     worst = max(verdicts, key=["properly refused", *GOOD, FAILS].index, default=CONFORMS)
     said = statement(CONFORMS if worst == "properly refused" else worst,
-                     [one["profile"] for one in asked if one["profile"]], options.tolerance)
+                     [one["profile"] for one in asked if one["profile"]], tolerance)
     number_of = f"{len(asked):,}" + (f" of {options.total:,}" if len(asked) < options.total else "")
     return said and f"{said} ({number_of} vectors)"
 
@@ -1280,7 +1280,7 @@ def main():
         keep = ("outcome", "message", "findings", "undecided", "orbits")
         told = [{"id": key, **{name: one[name] for name in keep}, "judged": sorted(one["judged"])}
                 for key, one in outcomes.items()]
-        print(json.dumps({"cases": told, "statement": statement_of_all(outcomes, options),
+        print(json.dumps({"cases": told, "statement": statement_of_all(outcomes, options, options.tolerance),
                           "own_seconds": resource.getrusage(resource.RUSAGE_SELF).ru_utime}))
     else:
         print_report(cases, flags, outcomes, options)

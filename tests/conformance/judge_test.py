@@ -11,11 +11,13 @@ import contextlib
 import gzip
 import importlib.util
 import io
+import itertools
 import json
 import os
 import sys
 import tempfile
 import unittest
+from collections import Counter
 from fractions import Fraction
 from pathlib import Path
 from types import SimpleNamespace
@@ -598,15 +600,19 @@ class Orbits(unittest.TestCase):
                 self.assertEqual(flow.verdict((segments, true[1]), true), "fails", one)
 
     def test_no_other_direction_leads_away(self):
-        flow, true, _ = self.beyond(*self.BEYOND[4])
-        y = true[1][2]
-        for way in [(0, -1, 0), (1, 0, 0), (0, 0, 1), (-1, 0, 0), (0, 0, -1), (1, 1, 0), (0, 1, 1)]:
-            first = flow.segment(y, y, tuple(map(Fraction, way)))
-            leaves = judge.in_hull(flow.truth.where(first[4]), y)
-            if first[2] is not None:
-                more, limit = flow.orbit(first[2])
-                found = flow.verdict(([*true[0], first, *more], limit), true)
-                self.assertEqual(found, "perturbed" if leaves else "fails", way)
+        ways = [tuple(map(Fraction, way)) for way in itertools.product((-1, 0, 1), repeat=3) if any(way)]
+        counts = Counter()
+        for one in self.BEYOND[::2]:
+            flow, true, _ = self.beyond(*one)
+            y = true[1][2]
+            for first in [flow.segment(y, y, way) for way in ways]:
+                if first[2] is not None:
+                    more, limit = flow.orbit(first[2])
+                    leaves = judge.in_hull(flow.truth.where(first[4]), y)
+                    found = flow.verdict(([*true[0], first, *more], limit), true)
+                    self.assertEqual(found, "perturbed" if leaves else "fails", (one, first))
+                    counts[found] += 1
+        self.assertGreater(min(counts["perturbed"], counts["fails"]), 5)
 
     def test_a_segment_may_arrive_in_another_way(self):
         flow, (segments, limit), (longer, end) = self.beyond(*self.BEYOND[7])
@@ -708,7 +714,10 @@ class Commands(unittest.TestCase):
         for size, is_read in [((1 << 20) - 2, True), ((1 << 20) - 1, False)]:
             answer = self.run_one(f"printf '\\037\\213'; head -c {size} /dev/zero")[1]
             self.assertEqual(answer is not None, is_read)
-        self.assertEqual(self.run_one("head -c 70000000 /dev/zero > {out}")[1], None)
+        self.assertEqual(self.run_one("head -c 70000000 /dev/zero > {out}")[:2], ("crashed", None))
+        for size, status in [(3, 0), (5, 1)]:
+            order = f"{sys.executable} -c 'bytearray({size} << 30)'"
+            self.assertEqual(self.run_one(order)[0], status, size)
 
     def test_points_of_a_case(self):
         self.assertEqual(judge.points_text(TRIANGLE, False), "0.0 0.0 0.0\n4.0 0.0 0.0\n1.0 3.0 0.0\n")
@@ -809,6 +818,11 @@ class Runs(unittest.TestCase):
         status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-3")
         self.assertEqual(status, 0)
         self.assertTrue(text.endswith("no statement: the tolerance 0.001 is above 1e-06 (FC-CLAIM-23)\n"), text)
+        status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-3",
+                                      "--levels", 2)
+        self.assertNotIn("statement", text)
+        status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-6")
+        self.assertIn("approximate within 1e-06 (1 of ", text)
         self.claim.write_text("\n".join(Text.RIGHT[1:] + ["0,7,7,7"]))
         status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-3")
         self.assertEqual(status, 1)
@@ -858,6 +872,17 @@ class Runs(unittest.TestCase):
             found = json.loads(text)
             self.assertEqual((status, found["cases"][0]["outcome"]), (1, outcome), command)
             self.assertEqual(found["statement"], "does not conform to 1.1 (1 of 14 vectors)")
+        flow, true, (segments, _) = Orbits().beyond(*Orbits.BEYOND[0])
+        start = ",".join(Orbits.BEYOND[0][1])
+        index = next(k for k, one in enumerate(orbits) if ",".join(one["start"]) == start)
+        longer = json.loads(json.dumps(orbits[index]))
+        last = {"type": "E-E-inf", "driver": longer["limit"]["position"], "end": None}
+        longer.update(segments=[*longer["segments"], last], limit={"kind": "infinity"})
+        Path(answers, start.replace("/", "_")).write_text(json.dumps(longer))
+        status, text = self.run_judge(*words, right, "--json")
+        one = json.loads(text)["cases"][0]
+        self.assertEqual((status, one["outcome"], one["message"]), (0, "perturbed", f"another orbit from {start}"))
+        self.assertEqual([orbit["outcome"] for orbit in one["orbits"]].count("perturbed"), 1)
         starts = [case for case in CASES.values() if case.get("refused") == "start"]
         status, text = self.run_judge("--case", starts[0]["id"], "--against", "true", "--orbits-against",
                                       "exit 1 # {start}", "--json")

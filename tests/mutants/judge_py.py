@@ -2,6 +2,7 @@
 """Plants small faults in spec/judge.py, one at a time, and sees which of them its own tests notice.
 
 usage: judge_py.py [--count N] [--seed S] [--all] [--jobs N] [--only TEXT]     runs mutants, and lists the survivors
+       judge_py.py --again FILE                                               runs those that a run has listed
        judge_py.py --check                                                    sees that the list below is up to date
 
 The faults are made from the syntax tree, by the rules below: other comparisons, conditions dropped, numbers off by one,
@@ -127,6 +128,7 @@ def main():
     parser.add_argument("--all", action="store_true", help="all faults")
     parser.add_argument("--jobs", type=int, default=2, help="so many at a time")
     parser.add_argument("--only", default="", help="faults with this in their description")
+    parser.add_argument("--again", help="faults that are listed in a file, as a run prints them")
     parser.add_argument("--check", action="store_true", help="run nothing")
     options = parser.parse_args()
     source = JUDGE.read_text(encoding="utf-8")
@@ -134,7 +136,10 @@ def main():
     if options.check:
         return check(faults)
     chosen = [k for k, (_, key) in enumerate(faults) if key not in EQUIVALENT and options.only in key]
-    if not options.all and len(chosen) > options.count:
+    if options.again:
+        listed = [line.partition(": ")[2] for line in Path(options.again).read_text(encoding="utf-8").split("\n")]
+        chosen = [k for k in chosen if faults[k][1] in listed]
+    elif not options.all and len(chosen) > options.count:
         chosen = sorted(random.Random(options.seed).sample(chosen, options.count))
     survivors, done = [], 0
     with tempfile.TemporaryDirectory(prefix="judge-mutants-") as folder, \
