@@ -155,6 +155,10 @@ TEST(OrbitDifference, AnOrbitGoesOnAsTheFlowDoes) {
   expect(Kind::kWrong, "/limit/position", {"2", "3/2", "0"});
   expect(Kind::kWrong, "/limit", {{"kind", "infinity"}});
   EXPECT_EQ(gone_on({}, there), Kind::kWrong);
+  // The first segment is whole.
+  const Json half = Json::parse(R"({"type": "E-F-F", "driver": ["2","3/2","0"], "end": ["1/2","7/2","0"]})");
+  const Json rest = Json::parse(R"({"type": "F-F-E", "driver": ["2","3/2","0"], "end": ["-1","11/2","0"]})");
+  EXPECT_EQ(gone_on({half, rest}, there), Kind::kWrong);
   // From the second one to infinity; in which direction is not known.
   const Json infinity = {{"kind", "infinity"}};
   const Json away = Json::parse(R"({"type": "E-F-inf", "driver": ["-1","11/2","0"], "end": null,

@@ -2,6 +2,9 @@
 // report is compared, word for word.
 #include <gtest/gtest.h>
 
+#include <numeric>
+#include <random>
+
 #include "tests/cites.h"
 #include "tests/unit/hand_made_claims.h"
 
@@ -28,6 +31,8 @@ std::string said_of_skeleton(const Truly& truly, const Ids& contact, const Chang
     if (point.skeleton->segments.size() < before) point.skeleton->orbits.reset();
   });
 }
+
+RationalPoint values(const ClaimedPosition& x) { return {x[0].value, x[1].value, x[2].value}; }
 
 // Moves the position by less than rounding may.
 void nudge(ClaimedPosition& x) { x[0].value += Rational(1) / (Rational(1 << 30) * Rational(1 << 22)); }
@@ -297,6 +302,34 @@ TEST(SkeletonFindings, BeyondARegularPoint) {
   EXPECT_TRUE(up.starts_with("fails\n5 wrong-surface ")) << up;
 }
 
+// In decimals, with a large tolerance and in any order, a right claim conforms.
+TEST(SkeletonFindings, OfOrbitsAlongSegmentsInAnyOrder) {
+  CITES("FC-CLAIM-10", "FC-CLAIM-24");
+  const Truly arch(kArch);
+  Claimed truth = arch.whole_claim();
+  truth.of(kSaddleOfArch).surface.reset();
+  const std::size_t count = truth.of(kSaddleOfArch).skeleton->segments.size();
+  std::vector<std::size_t> place(count);
+  std::iota(place.begin(), place.end(), std::size_t{0});
+  std::mt19937 random(1);
+  for (int round = 0; round < 50; ++round) {
+    Claimed claimed = truth;
+    ClaimedSkeleton& skeleton = *claimed.of(kSaddleOfArch).skeleton;
+    std::ranges::shuffle(place, random);
+    for (std::size_t k = 0; k < count; ++k) {
+      ClaimedBackwardSegment segment = truth.of(kSaddleOfArch).skeleton->segments[k];
+      segment = {segment.samples, decimals(values(segment.front)), decimals(values(segment.back)), {}, {}, ""};
+      skeleton.segments[place[k]] = segment;
+    }
+    for (auto& chain : *skeleton.orbits) {
+      for (std::size_t& k : chain) k = place[k];
+    }
+    ASSERT_EQ(text(arch.check(claimed)), "conforms");
+    const CheckReport report = arch.check(claimed, {.tolerance = 1});
+    ASSERT_EQ(report.verdict, Verdict::kConforms) << text(report);
+  }
+}
+
 // ---- Surfaces
 
 TEST(SurfaceFindings, OfTriangles) {
@@ -340,6 +373,24 @@ TEST(SurfaceFindings, OfTrianglesNearSeveralTrueOnes) {
                              [&](std::size_t k) { return std::array<std::size_t, 3>{3 * k, 3 * k + 1, 3 * k + 2}; });
       ASSERT_EQ(text(points.check(claimed, {.tolerance = tolerance})), "conforms");
     } while (std::ranges::next_permutation(order).found);
+  }
+}
+
+// What is there already is not what a perturbation adds.
+TEST(SurfaceFindings, NothingIsAddedThatIsThere) {
+  CITES("FC-CLAIM-10", "FC-CLAIM-24");
+  const Truly points(kRegularBack);
+  const Ids saddle = {0, 1, 3};
+  Claimed truth = points.whole_claim();
+  for (std::size_t k = 0; k < truth.of(saddle).surface->triangles.size(); ++k) {
+    const std::string twice = said(
+        points, saddle, [&](ClaimedPoint& point) { point.surface->triangles.push_back(point.surface->triangles[k]); });
+    EXPECT_EQ(twice.find("fails\n"), 0U) << k << twice;
+  }
+  for (std::size_t k = 0; k < truth.of(saddle).skeleton->segments.size(); ++k) {
+    const std::string twice = said(
+        points, saddle, [&](ClaimedPoint& point) { point.skeleton->segments.push_back(point.skeleton->segments[k]); });
+    EXPECT_EQ(twice.find("fails\n"), 0U) << k << twice;
   }
 }
 
