@@ -519,6 +519,42 @@ class Perturbations(unittest.TestCase):
             self.assertEqual(verdict(self.PRISM, self.of_prism([3], *claims)), outcome, claims)
 
 
+    def test_boundaries_of_what_is_made_are_not_judged(self):
+        case, head = CASES["cospherical-clusters-0001"], HEADER[:-1] + ', "indices": [1, 2]}'
+        edges = [{"index": 1, "contact": one} for one in ([0, 1], [0, 2], [1, 3], [2, 3])]
+        triangles = [{"index": 2, "contact": one, "stable": {"boundary": [[0, 1]]}} for one in ([0, 1, 2], [0, 1, 3])]
+        result = judged(case, text_of(head, *edges, *triangles))
+        self.assertEqual((result["outcome"], 4 in result["judged"]), ("perturbed", False))
+        square = {"index": 2, "contact": [0, 1, 2, 3], "stable": {"boundary": [[0, 1]]}}
+        self.assertEqual(verdict(case, text_of(head, *edges, square)), "fails")
+
+    def test_limits_may_be_what_is_made(self):
+        cube = CASES["cospherical-clusters-0002"]
+        records = right_records(cube)
+        whole = list(range(8))
+        pyramid = {"index": 3, "contact": [0, 1, 2, 3, 7]}
+        for named, outcome in [([0, 1, 2, 3, 7], "perturbed"), ([0, 1, 2, 3, 6], "fails"), (whole, "perturbed"),
+                               ([0, 3, 5], "fails"), ([0, 1, 7], "fails"), (None, "fails")]:
+            claims = [pyramid if one["contact"] == whole else json.loads(json.dumps(one)) for one in records]
+            saddle = next(one for one in claims if one.get("limits") and whole in one["limits"])
+            saddle["limits"] = [named if one == whole else one for one in saddle["limits"]]
+            self.assertEqual(verdict(cube, text_of(HEADER, *claims)), outcome, named)
+
+    def test_what_is_above_may_be_made(self):
+        case = CASES["cospherical-clusters-0001"]
+        samples = ["0 | 0 | 0 1 | 0 2", "1 | 0 | 0 1 | 1 3", "2 | 0 | 0 2 | 2 3", "3 | 0 | 1 3 | 2 3"]
+        edges = ["0 1 | .5", "0 2 | .5", "1 3 | .5", "2 3 | .5"]
+        made = ["0 1 2 | .70710678118654757", "0 1 3 | .70710678118654757", "0 1 2 3 | .70710678118654757"]
+        found = reasons(case, "\n".join(samples + edges + made))
+        self.assertEqual([one for one in found if one[0] == 4], [(4, "symbolic-perturbation", k) for k in (5, 6, 7, 8)])
+        whole = ["0 1 2 | .70710678118654757 | inf"]
+        up = [f"{edge} | 0 1 2" for edge in edges]
+        self.assertEqual(verdict(case, "\n".join(samples + up + whole)), "conforms where determined")
+        self.assertEqual(verdict(case, "\n".join([samples[0] + " | 0 3"] + samples[1:] + up + whole)), "fails")
+        self.assertEqual(verdict(case, "\n".join([samples[0] + " | 1 3"] + samples[1:] + up + whole)), "fails")
+        self.assertEqual(verdict(case, "\n".join(samples + edges + whole)), "fails")
+
+
 class Orbits(unittest.TestCase):
     """Claims about the orbit of one position."""
 
@@ -684,6 +720,8 @@ class Orbits(unittest.TestCase):
         for data in (None, right.encode().replace(b'"segments"', b'"\xff": 0, "segments"')):
             with self.assertRaises(judge.Unreadable):
                 judge.read_orbit(data)
+        with self.assertRaisesRegex(judge.Unreadable, "there is no answer"):
+            judge.read_orbit(None)
 
 
 class Commands(unittest.TestCase):
