@@ -465,6 +465,10 @@ class Verdicts(unittest.TestCase):
                          "is perturbed under 1.1, points of index 0, 1, 3 + S2, approximate within 1e-09")
         self.assertEqual(judge.statement("conforms", [one, one], 1e-9), "conforms to 1.1, points + U2, exact")
         self.assertIsNone(judge.statement("conforms", [], 1e-9))
+        outcome = {"outcome": "conforms", "profile": one}
+        for total, number in [(1, "1 vectors"), (2000, "1 of 2,000 vectors")]:
+            said = judge.statement_of_all({"a": outcome}, SimpleNamespace(total=total), 1e-9)
+            self.assertEqual(said, f"conforms to 1.1, points + U2, exact ({number})")
         self.assertEqual(judge.statement("fails", [], 1e-9), "does not conform to 1.1")
 
 
@@ -518,6 +522,28 @@ class Perturbations(unittest.TestCase):
                 ([(3, [0, 1, 2, 3, 4])], "perturbed"), ([(3, [0, 1, 2, 3])], "conforms where determined")]:
             self.assertEqual(verdict(self.PRISM, self.of_prism([3], *claims)), outcome, claims)
 
+
+    def test_a_polygon_may_be_kept_beside_its_pyramid(self):
+        case = CASES["regular-stationary-points-0019"]
+        for claims, outcome in [([(2, [0, 1, 2, 3]), (3, [0, 1, 2, 3, 4])], "perturbed"),
+                                ([(2, [0, 1, 2, 3])], "perturbed"), ([(2, [0, 1, 2, 4])], "fails")]:
+            others = [(one["index"], one["contact"]) for one in right_records(case)
+                      if one["index"] in (2, 3) and len(one["contact"]) < 5]
+            self.assertEqual(verdict(case, self.of_prism([2, 3], *claims, *others)), outcome, claims)
+
+    def test_incidences_with_other_indices_are_not_judged(self):
+        edges = [{"index": 1, "contact": one, "samples": [0]} for one in ([0, 1], [0, 2], [1, 2])]
+        result = judged(TRIANGLE, text_of(HEADER[:-1] + ', "indices": [1]}', *edges))
+        self.assertEqual((result["outcome"], result["judged"]), ("conforms", {1, 2, 3}))
+
+    def test_infinity_above_an_edge_without_saddles(self):
+        case = CASES["critical-points-0055"]
+        edge = next(one for one in case["expected"]["stationary"] if one["contact"] == [18, 26])
+        line = f"18 26 | {nearest(edge['squared_distance']) ** 0.5!r} | inf"
+        self.assertIn((4, "symbolic-perturbation", 1), reasons(case, line))
+        self.assertNotIn(4, [level for level, *_ in reasons(case, line.replace("| inf", ""))])
+        self.assertIn((4, "wrong-incidence", 5), reasons(TRIANGLE,
+                                                         "\n".join(["", "0|0", "1|0", "2|0", "0 1 | 2 | inf"])))
 
     def test_boundaries_of_what_is_made_are_not_judged(self):
         case, head = CASES["cospherical-clusters-0001"], HEADER[:-1] + ', "indices": [1, 2]}'
