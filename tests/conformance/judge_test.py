@@ -1,15 +1,14 @@
 #!/usr/bin/env python3
 """judge_test.py
 
-The tests of spec/judge.py that need no build: how it reads claims, what it says of the judgements of
+The tests of spec/judge.py and spec/read_claim.py that need no build: how it reads claims, what it says of the judgements of
 spec/judgements.json and of right claims about vectors, how it follows orbits, and how it runs commands.
-The environment's JUDGE is another file to test: a mutant (tests/mutants/judge_py.py).
+The environment's JUDGE is another folder of these two, one of them a mutant (tests/mutants/judge_py.py).
 """
 # CITES: FC-FILE-12 FC-FILE-13 FC-FILE-15 FC-FILE-16 FC-FILE-18 FC-FILE-19 FC-FILE-26 FC-FILE-27 FC-FILE-29 FC-FILE-47
 # CITES: FC-CLAIM-22 FC-CLAIM-23 FC-CLAIM-24
 import contextlib
 import gzip
-import importlib.util
 import io
 import itertools
 import json
@@ -27,16 +26,9 @@ import judgements_test
 SPEC = Path(__file__).parents[2] / "spec"
 
 
-def loaded(path):
-    """The judge in a file, with the schemas and vectors of spec/."""
-    spec = importlib.util.spec_from_file_location("judge", path)
-    module = importlib.util.module_from_spec(spec)
-    module.__file__ = str(SPEC / "judge.py")
-    exec(compile(Path(path).read_text(encoding="utf-8"), str(path), "exec"), module.__dict__)
-    return module
+sys.path.insert(0, os.environ.get("JUDGE", str(SPEC)))
+import judge  # noqa: E402
 
-
-judge = loaded(os.environ.get("JUDGE", SPEC / "judge.py"))
 GROUPS = [json.loads(path.read_text(encoding="utf-8")) for path in sorted((SPEC / "vectors").glob("*.json"))]
 CASES = {case["id"]: case for group in GROUPS for case in group.get("cases", [])}
 HEADER = '{"format": "flowcert-stationary-points", "format_version": 1}'

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Plants small faults in spec/judge.py, one at a time, and sees which of them its own tests notice.
+"""Plants small faults in spec/judge.py and spec/read_claim.py, one at a time, and sees which of them their own tests
+notice.
 
 usage: judge_py.py [--count N] [--seed S] [--all] [--jobs N] [--only TEXT]     runs mutants, and lists the survivors
        judge_py.py --again FILE                                               runs those that a run has listed
@@ -21,7 +22,8 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-JUDGE, TESTS = ROOT / "spec" / "judge.py", ROOT / "tests" / "conformance" / "judge_test.py"
+SPEC, TESTS = ROOT / "spec", ROOT / "tests" / "conformance" / "judge_test.py"
+FILES = ("judge.py", "read_claim.py")
 LEAST, LEAST_SHARE, SECONDS = 100, 0.95, 180
 # Mutants that behave as the original does, or that other tests notice, and why. They are not run.
 EQUIVALENT = {
@@ -97,31 +99,41 @@ class Planter(ast.NodeTransformer):
         return result
 
 
-def faults_of(source):
-    planter = Planter()
-    planter.visit(ast.parse(source))
-    return planter.found
+def source_of(name):
+    return (SPEC / name).read_text(encoding="utf-8")
 
 
-def mutant_of(source, number):
-    tree = Planter(number).visit(ast.parse(source))
-    return ast.unparse(ast.fix_missing_locations(copy.deepcopy(tree)))
+def all_faults():
+    """Of both files: the file, the number of the fault in it, its line, and what it is."""
+    found = []
+    for name in FILES:
+        planter = Planter()
+        planter.visit(ast.parse(source_of(name)))
+        found += [(name, k, *fault) for k, fault in enumerate(planter.found)]
+    return found
 
 
-def is_noticed(source, number, folder):
-    path = Path(folder, f"judge_{number}.py")
-    path.write_text(mutant_of(source, number), encoding="utf-8")
-    order = [sys.executable, TESTS, "--failfast", "--quiet"]
+def run_tests(name, number, *options):
+    """The tests of both files with a fault, or, without a number, as they are but without their comments."""
+    with tempfile.TemporaryDirectory(prefix="judge-mutant-") as folder:
+        for other in ("schemas", "vectors", *FILES):
+            Path(folder, other).symlink_to(SPEC / other)
+        tree = Planter(number).visit(ast.parse(source_of(name)))
+        Path(folder, name).unlink()
+        Path(folder, name).write_text(ast.unparse(ast.fix_missing_locations(copy.deepcopy(tree))), encoding="utf-8")
+        return subprocess.run([sys.executable, TESTS, "--quiet", *options], env={**os.environ, "JUDGE": folder},
+                              cwd=folder, timeout=SECONDS, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+
+
+def is_noticed(fault):
     try:
-        run = subprocess.run(order, env={**os.environ, "JUDGE": str(path)}, cwd=folder, timeout=SECONDS,
-                             stdin=subprocess.DEVNULL, capture_output=True)
+        return run_tests(*fault[:2], "--failfast").returncode != 0
     except subprocess.TimeoutExpired:
         return True
-    return run.returncode != 0
 
 
 def check(faults):
-    keys = {key for _, key in faults}
+    keys = {key for *_, key in faults}
     wrong = [f"no longer a fault: {key}" for key in EQUIVALENT if key not in keys]
     wrong += [] if len(faults) >= LEAST else [f"{len(faults)} faults, not {LEAST} or more"]
     print("\n".join(wrong) or f"{len(faults)} faults, of which {len(EQUIVALENT)} are known to change nothing")
@@ -138,32 +150,28 @@ def main():
     parser.add_argument("--again", help="faults that are listed in a file, as a run prints them")
     parser.add_argument("--check", action="store_true", help="run nothing")
     options = parser.parse_args()
-    source = JUDGE.read_text(encoding="utf-8")
-    faults = faults_of(source)
+    faults = all_faults()
     if options.check:
         return check(faults)
-    chosen = [k for k, (_, key) in enumerate(faults) if key not in EQUIVALENT and options.only in key]
+    chosen = [fault for fault in faults if fault[-1] not in EQUIVALENT and options.only in fault[-1]]
     if options.again:
         listed = [line.partition(": ")[2] for line in Path(options.again).read_text(encoding="utf-8").split("\n")]
-        chosen = [k for k in chosen if faults[k][1] in listed]
+        chosen = [fault for fault in chosen if fault[-1] in listed]
     elif not options.all and len(chosen) > options.count:
         chosen = sorted(random.Random(options.seed).sample(chosen, options.count))
-    survivors, done = [], 0
-    with tempfile.TemporaryDirectory(prefix="judge-mutants-") as folder, \
-            concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        Path(folder, "original.py").write_text(ast.unparse(ast.parse(source)), encoding="utf-8")
-        run = subprocess.run([sys.executable, TESTS, "--quiet"], env={**os.environ, "JUDGE": f"{folder}/original.py"},
-                             stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    for name in FILES:
+        run = run_tests(name, None)
         if run.returncode != 0:
             print(f"the tests fail without a fault:\n{run.stderr[-2000:]}")
             return 2
-        for k, noticed in zip(chosen, pool.map(lambda k: is_noticed(source, k, folder), chosen)):
-            done += 1
+    survivors = 0
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for (name, _, line, key), noticed in zip(chosen, pool.map(is_noticed, chosen)):
             if not noticed:
-                survivors.append(k)
-                print(f"line {faults[k][0]}: {faults[k][1]}", flush=True)
-    share = 1 - len(survivors) / max(1, done)
-    print(f"{done} faults of {len(faults)}, {done - len(survivors)} noticed ({100 * share:.1f} %)")
+                survivors += 1
+                print(f"{name}, line {line}: {key}", flush=True)
+    share = 1 - survivors / max(1, len(chosen))
+    print(f"{len(chosen)} faults of {len(faults)}, {len(chosen) - survivors} noticed ({100 * share:.1f} %)")
     return 0 if share >= LEAST_SHARE else 1
 
 
