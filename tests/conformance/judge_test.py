@@ -368,6 +368,8 @@ class Verdicts(unittest.TestCase):
             found = [[f[key] for key in ("level", "reason", "permitted", "clause", "line")] for f in result["findings"]]
             owed = one["outcome"], sorted(one["findings"], key=json.dumps)
             self.assertEqual((result["outcome"], sorted(found, key=json.dumps)), owed, one)
+            said = sorted(result["judged"]), result["undecided"]
+            self.assertEqual(said, (one["judged"], one["undecided"]), one)
 
     def test_what_is_not_decided_is_said(self):
         head = HEADER[:-1] + ', "indices": [0, 1]}'

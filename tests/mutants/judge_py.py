@@ -32,6 +32,12 @@ EQUIVALENT = {
     "Judge.check_stray: squared_distance(nearest_in_hull(contact, center), center) <= allowed -> "
     "squared_distance(nearest_in_hull(contact, center), center) < allowed":
         "Both sides are 0 of a sample alone, which is no stray claim; other coordinates do not meet a bound exactly.",
+    "nearest_in_hull: raise AssertionError('every set of points has a smallest ball') -> pass":
+        "It is never reached, as it says.",
+    "Judge.is_face: record.hull < 3 or self.truth.dimension(names) != 2 -> self.truth.dimension(names) != 2":
+        "In a plane all sides are 0, and the next line says no.",
+    "Judge.fit_together: are_on_faces and 3 not in self.claim.indices -> are_on_faces":
+        "Where index 3 is claimed, (d) leaves no two such points (proofs.md, condition (h)).",
     ": if __name__ == '__main__': -> if False:": "All other tests of judge.py start it as a program, and would fail.",
 }
 
