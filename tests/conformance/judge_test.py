@@ -686,6 +686,14 @@ class Orbits(unittest.TestCase):
                 found = flow.verdict((claimed + longer[len(segments):], end), (segments, limit))
                 self.assertEqual(found, owed, (one, contact))
 
+    def test_a_segment_arrives_from_where_it_comes(self):
+        flow, (segments, limit), _ = self.beyond(*self.BEYOND[7])
+        kind, *rest = segments[-1]
+        others = [one for one in judge.SEGMENT_TYPES if one[:4] != kind[:4]]
+        self.assertGreater(len(others), 9)
+        for one in [*others, f"{kind[:4]}C", f"{kind[:4]}Q", f"{kind}-V"]:
+            self.assertEqual(flow.verdict(([*segments[:-1], [one, *rest]], limit), (segments, limit)), "fails", one)
+
     def test_infinity_does_not_tell_the_direction(self):
         flow, true, (segments, limit) = self.beyond(*self.BEYOND[0])
         first = segments[-1]
