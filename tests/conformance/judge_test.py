@@ -100,7 +100,8 @@ class Numbers(unittest.TestCase):
                 ("0x1", 1, True), ("-0X.8", "-1/2", True), ("0x1.", 1, True), ("0xA.8p1", 21, True),
                 ("+0x1p-1074", Fraction(1, 2**1074), True), ("0x1.fffffffffffffp1023", 2**1024 - 2**971, True),
                 ("0x0p99999", 0, True), ("0x10000000000000000000000p-88", 1, True), ("0x1P+3", 8, True),
-                ("0x1fffffffffffff", 2**53 - 1, True)]:
+                ("0x1fffffffffffff", 2**53 - 1, True), ("0x10p1019", 2**1023, True),
+                ("0x10p-1078", Fraction(1, 2**1074), True)]:
             self.assertEqual(judge.number(text), (Fraction(value), exact), text)
 
     def test_plain_integers_are_exact_in_strings(self):
@@ -115,7 +116,7 @@ class Numbers(unittest.TestCase):
                      "1/", "/2", "1.0/2", "0x1/2", "\u0661", "\u06615", "1/\u0662", "\u00b2", "0x\uff11", "5\n",
                      "1e701",
                      "1e-701", "1e\u0661", "0x1p1024", "0x1p-1075", "0x1.00000000000001p0", "0x1.8p-1074",
-                     "0x3fffffffffffff", "1" * 2001, "1" * 1000001 + "/1"]:
+                     "0x3fffffffffffff", "0x10p1020", "0x10p-1079", "1" * 2001, "1" * 1000001 + "/1"]:
             with self.assertRaises(judge.Unreadable, msg=text[:40]):
                 judge.number(text)
         with self.assertRaises(judge.Unreadable):
@@ -370,6 +371,25 @@ class Verdicts(unittest.TestCase):
             self.assertEqual((result["outcome"], sorted(found, key=json.dumps)), owed, one)
             said = sorted(result["judged"]), result["undecided"]
             self.assertEqual(said, (one["judged"], one["undecided"]), one)
+
+    def test_one_triangle_at_an_edge_tells_the_angle_there(self):
+        rows = [(5, 0, 0), (-5, 0, 0), (0, 5, 0)]
+        for y, owed in ((3, [True, False]), (0, [True, True]), (-3, [False, True])):
+            points = [[(one / 64).hex() for one in row] for row in [*rows, (0, y, 4 if y else 5)]]
+            own = {"index": [1, 3], "contact": [0, 1, 2, 3], "center": ["0", "0", "0"], "squared_distance": "25/4096"}
+            truth = judge.Truth({"points": points, "expected": {"stationary": [own]}})
+            by_own = judge.Judge(truth, SimpleNamespace(points=[], indices={0, 1, 2, 3}), 0)
+            found = [by_own.is_possible(truth.records[0], *some) for some in ((1, 1, 0), (0, 1, 1))]
+            self.assertEqual(found, owed, y)
+
+    def test_limits_without_sides_come_in_any_order(self):
+        truth = judge.Truth(CASES["regular-stationary-points-0002"])
+        regular = next(one for one in truth.records if not one.critical)
+        maximum = SimpleNamespace(critical=True, index=3, hull=3)
+        by_sides = judge.Judge(truth, None, 0).may_be_limits
+        for limits in ([None, maximum], [maximum, None]):
+            self.assertTrue(by_sides(limits, [maximum, regular], False))
+            self.assertEqual(by_sides(limits, [maximum, regular], True), limits[0] is maximum)
 
     def test_what_is_not_decided_is_said(self):
         head = HEADER[:-1] + ', "indices": [0, 1]}'

@@ -32,6 +32,11 @@ EQUIVALENT = {
     "Judge.check_stray: squared_distance(nearest_in_hull(contact, center), center) <= allowed -> "
     "squared_distance(nearest_in_hull(contact, center), center) < allowed":
         "Both sides are 0 of a sample alone, which is no stray claim; other coordinates do not meet a bound exactly.",
+    "in_hull: not any(a) or a in opposite -> a in opposite": "A vector that is zero is its own opposite.",
+    "Judge.can_make: fits_index and set(names) <= set(record.contact) and in_hull(self.truth.where(names), "
+    "record.center) -> fits_index and in_hull(self.truth.where(names), record.center)":
+        "Only parts of a contact set are placed at its record.",
+    "parse: if '\\\\u' in text: -> if True:": "No other text has half a surrogate pair.",
     "nearest_in_hull: raise AssertionError('every set of points has a smallest ball') -> pass":
         "It is never reached, as it says.",
     "Judge.is_face: record.hull < 3 or self.truth.dimension(names) != 2 -> self.truth.dimension(names) != 2":
