@@ -131,7 +131,7 @@ MadeByPerturbation PerturbedPoint::makes(std::span<const std::size_t> claimed) c
   return is_possible ? MadeByPerturbation::kNotDecided : MadeByPerturbation::kNo;
 }
 
-// Of indices that are not judged there may be any numbers of points that are possible (FC-CLAIM-12).
+// Indices that are not judged may have any possible numbers of points (FC-CLAIM-12).
 bool PerturbedPoint::has_right_sum(std::span<const std::size_t> claimed) const {
   struct Range {
     long long least = 0, most = 0;

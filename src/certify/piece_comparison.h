@@ -30,7 +30,7 @@ struct PieceNames {
   std::vector<std::vector<PointId>> claimed;
   std::vector<std::vector<PointId>> truth;
 
-  // Of pieces that are told by positions alone.
+  // Pieces that only their positions tell apart.
   static PieceNames none(std::size_t claimed_count, std::size_t true_count) {
     return {std::vector<std::vector<PointId>>(claimed_count), std::vector<std::vector<PointId>>(true_count)};
   }

@@ -34,7 +34,7 @@ namespace flowcert::io {
 // The concatenated contents of the streams (RFC 1952: a file may hold several) in `bytes`.
 [[nodiscard]] std::string gunzip(std::string_view bytes, std::string_view file, bool is_unlimited = false);
 
-// Of UTF-8, at the beginning of a file.
+// A file of UTF-8 may begin with it.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 [[nodiscard]] std::string_view without_byte_order_mark(std::string_view bytes);
 

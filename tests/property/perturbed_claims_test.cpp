@@ -72,7 +72,7 @@ fuzz::Input moved(const fuzz::Input& input, const std::optional<Plane>& kept) {
   return result;
 }
 
-// Of each contact set one face at most is kept: the samples in the plane are all of it, or the others are on one side.
+// A contact set keeps one face at most: the samples in the plane are all of it, or the others are on one side.
 bool keeps_faces(const ClaimSubject& subject, const Plane& plane) {
   for (std::size_t i = 0; i < subject.truth->size(); ++i) {
     std::size_t kept = 0, above = 0, below = 0;

@@ -129,4 +129,21 @@ const std::vector<Point> kRegularBack = {{2, 0, 1}, {0, 0, 0}, {2, 2, 0}, {1, 2,
 inline ClaimedTarget to(const Ids& contact) { return {false, contact}; }
 inline const ClaimedTarget kInfinity = {true, {}};
 
+// ---- A claim that is true but for one change
+
+inline const Ids kTriangle = {0, 1, 2};
+inline const Ids kSaddleOfArch = {0, 3, 4};
+
+// The report on a claim in which the point of this contact set is changed.
+template <typename Change>
+std::string said_of(const Truly& truly, const Ids& contact, const Change& change) {
+  Claimed claimed = truly.whole_claim();
+  change(claimed.of(contact));
+  return text(truly.check(claimed));
+}
+
+// Moves the position by less than rounding may.
+inline void nudge(ClaimedPosition& x) { x[0].value += Rational(1) / (Rational(1 << 30) * Rational(1 << 22)); }
+inline void shift(ClaimedPosition& x) { x[0].value += Rational(1, 8); }
+
 }  // namespace flowcert

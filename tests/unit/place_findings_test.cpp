@@ -10,14 +10,6 @@
 namespace flowcert::place_findings_test {
 namespace {
 
-// The report on a claim that is true but for one change to the point of this contact set.
-template <typename Change>
-std::string said(const Truly& truly, const Ids& contact, const Change& change) {
-  Claimed claimed = truly.whole_claim();
-  change(claimed.of(contact));
-  return text(truly.check(claimed));
-}
-
 std::string said(const Truly& truly, const Claimed& claimed) { return text(truly.check(claimed)); }
 
 Rational ten_to(int exponent) {
@@ -347,7 +339,7 @@ TEST(PlaceFindings, OfValuesBeyondDoubles) {
   CITES("FC-CLAIM-05", "FC-OUT-01");
   const Truly points({{0, 0, 0}, {2, 0, 0}});
   const Rational huge = ten_to(400);
-  const auto with = [&](const auto& change) { return said(points, {0, 1}, change); };
+  const auto with = [&](const auto& change) { return said_of(points, {0, 1}, change); };
   const std::string start = "fails\n2 wrong-position FC-OUT-01: index 1, contact set 0 1, ";
   EXPECT_EQ(with([&](ClaimedPoint& point) { point.center = exactly(RationalPoint{huge, -huge, 0}); }),
             start + "centre > 1.8e308 < -1.8e308 0; the centre is 1 0 0, farther away than doubles reach");
@@ -387,7 +379,7 @@ TEST(PlaceFindings, SayHowWrongAPositionIs) {
                 "the nearest one of that index has the contact set 1 2 and is at 1 1/2 0, 2.02 away");
   EXPECT_EQ(by_position(3, decimals({1, 1, 1})), "index 3, at 1 1 1" + none + "there is none of that index");
   const auto with_center = [&](const ClaimedPosition& position) {
-    return said(square, {0, 1, 2, 3}, [&](ClaimedPoint& point) { point.center = position; });
+    return said_of(square, {0, 1, 2, 3}, [&](ClaimedPoint& point) { point.center = position; });
   };
   const std::string start = "fails\n2 wrong-position FC-OUT-01: index 2, contact set 0 1 2 3, centre ";
   EXPECT_EQ(with_center(decimals({Rational(-25, 100), Rational(1, 2), 0})),
@@ -426,7 +418,7 @@ TEST(FormFindings, OfIndicesThatAreNotClaimed) {
 TEST(PlaceFindings, OfDistances) {
   CITES("FC-CLAIM-05", "FC-OUT-01");
   const Truly points({{0, 0, 0}, {2, 0, 0}});
-  const auto with = [&](const auto& change) { return said(points, {0, 1}, change); };
+  const auto with = [&](const auto& change) { return said_of(points, {0, 1}, change); };
   const std::string start = "fails\n2 wrong-position FC-OUT-01: index 1, contact set 0 1, ";
   const std::string rounding = "fails\n2 rounding FC-OUT-01: index 1, contact set 0 1, ";
   const std::string end = "; the squared distance is 1";
@@ -523,7 +515,7 @@ TEST(PlaceFindings, APositionIsWhatNoOtherClaimHasTaken) {
   // The point of index 3 in the middle between them is nearer.
   const CheckReport third = points.check(points.claim().at(1, decimals({0, 0, 0x1p-14})), {.tolerance = 1e-3});
   EXPECT_EQ(count(third, FindingReason::kClaimedTwice), 1U) << text(third);
-  // Of its index it may be either, so what it says of itself further on is not judged.
+  // It may be either of its index, so what it says of itself further on is not judged.
   Claimed claimed = points.claim_without({{2, 3}}).at(1, position);
   claimed.last().samples = {{0, 2}};
   const CheckReport report = points.check(claimed, {.tolerance = 1e-3});

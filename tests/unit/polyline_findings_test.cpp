@@ -8,21 +8,6 @@
 namespace flowcert::polyline_findings_test {
 namespace {
 
-const Ids kTriangle = {0, 1, 2};
-const Ids kSaddleOfArch = {0, 3, 4};
-
-// The report on a claim that is true but for one change to the point of this contact set.
-template <typename Change>
-std::string said(const Truly& truly, const Ids& contact, const Change& change) {
-  Claimed claimed = truly.whole_claim();
-  change(claimed.of(contact));
-  return text(truly.check(claimed));
-}
-
-// Moves the position by less than rounding may.
-void nudge(ClaimedPosition& x) { x[0].value += Rational(1) / (Rational(1 << 30) * Rational(1 << 22)); }
-void shift(ClaimedPosition& x) { x[0].value += Rational(1, 8); }
-
 TEST(PolylineFindings, OfEachPartOfASegment) {
   CITES("FC-CLAIM-08");
   const Truly points(kTetrahedron);
@@ -30,7 +15,7 @@ TEST(PolylineFindings, OfEachPartOfASegment) {
   ASSERT_EQ(contact_of(*points.truth, 10), kTriangle);
   const std::string start = "index 2, contact set 0 1 2, side " + std::to_string(side) + ", ";
   const auto changed = [&](const auto& change) {
-    return said(points, kTriangle, [&](ClaimedPoint& point) { change((*point.u2)[side]); });
+    return said_of(points, kTriangle, [&](ClaimedPoint& point) { change((*point.u2)[side]); });
   };
   const std::string wrong = "fails\n5 wrong-polyline FC-CLAIM-08: " + start;
   const std::string rounding = "fails\n5 rounding FC-CLAIM-08: " + start;
@@ -60,7 +45,7 @@ TEST(PolylineFindings, ToInfinity) {
   const std::string start =
       "fails\n5 wrong-polyline FC-CLAIM-08: index 2, contact set 0 1 2, side " + std::to_string(side) + ", ";
   const auto changed = [&](const auto& change) {
-    return said(points, kTriangle, [&](ClaimedPoint& point) { change((*point.u2)[side]); });
+    return said_of(points, kTriangle, [&](ClaimedPoint& point) { change((*point.u2)[side]); });
   };
   EXPECT_EQ(changed([](ClaimedPolyline& line) { line[0].end = exactly(RationalPoint{1, 2, 3}); }),
             start + "segment 1: end 1 2 3; end infinity");
@@ -100,7 +85,7 @@ TEST(PolylineFindings, BeyondASaddle) {
     const TruePath beyond = {arch.truth->polyline(saddle, side), arch.truth->limits(saddle).at(side)};
     const auto contact = arch.truth->contact(*beyond.limit);
     const ClaimedTarget limit = to({contact.begin(), contact.end()});
-    const std::string on = said(arch, kTriangle, [&](ClaimedPoint& point) { go_on(point, 1, beyond, limit); });
+    const std::string on = said_of(arch, kTriangle, [&](ClaimedPoint& point) { go_on(point, 1, beyond, limit); });
     EXPECT_NE(on.find("\n5 symbolic-perturbation FC-CLAIM-07: index 2, contact set 0 1 2, side 1, 3 segments; 2 "
                       "segments, to a critical point of index 2, contact set 0 3 4"),
               std::string::npos)
@@ -108,18 +93,18 @@ TEST(PolylineFindings, BeyondASaddle) {
     EXPECT_EQ(on.find("perturbed\n4 "), 0U) << on;
     // The limit contradicts the polyline.
     const std::string other =
-        said(arch, kTriangle, [&](ClaimedPoint& point) { go_on(point, 1, beyond, to({0, 3, 4})); });
+        said_of(arch, kTriangle, [&](ClaimedPoint& point) { go_on(point, 1, beyond, to({0, 3, 4})); });
     EXPECT_NE(other.find(start + "the limit 0 3 4; the polyline goes to a critical point of index 3"),
               std::string::npos)
         << other;
     // A segment beyond the maximum.
-    const std::string more = said(arch, kTriangle, [&](ClaimedPoint& point) {
+    const std::string more = said_of(arch, kTriangle, [&](ClaimedPoint& point) {
       go_on(point, 1, beyond, limit);
       (*point.u2)[1].push_back({});
     });
     EXPECT_NE(more.find(start + "4 segments; 3 segments, to "), std::string::npos) << more;
   }
-  EXPECT_EQ(said(arch, kTriangle, [](ClaimedPoint& point) { (*point.u2)[1].push_back({}); }).find("fails\n" + start),
+  EXPECT_EQ(said_of(arch, kTriangle, [](ClaimedPoint& point) { (*point.u2)[1].push_back({}); }).find("fails\n" + start),
             0U);
 }
 
@@ -135,8 +120,8 @@ struct Beyond {
       : truly(rows), saddle(std::move(from)), end(std::move(position)) {}
 
   // What check() says if the polyline goes on with this segment and then as the orbit of its end.
-  [[nodiscard]] std::string said_of(const ClaimedSegment& first, const RationalPoint& from) const {
-    return said(truly, saddle, [&](ClaimedPoint& point) {
+  [[nodiscard]] std::string said(const ClaimedSegment& first, const RationalPoint& from) const {
+    return said_of(truly, saddle, [&](ClaimedPoint& point) {
       const std::size_t side = (*point.successors)[0].is_infinity ? 1 : 0;
       const TruePath rest = truly.truth->orbit(from);
       (*point.u2)[side].push_back(first);
@@ -159,13 +144,13 @@ TEST(PolylineFindings, BeyondARegularPoint) {
   for (const Beyond* beyond : {&of_23, &of_13}) {
     const RationalPoint& end = beyond->end;
     const std::string type = beyond == &of_23 ? "V-E-V" : "V-F-E";
-    const std::string on = beyond->said_of({type, std::nullopt, exactly(end)}, end);
+    const std::string on = beyond->said({type, std::nullopt, exactly(end)}, end);
     EXPECT_EQ(on.find("perturbed\n"), 0U) << on;
     EXPECT_NE(on.find("5 symbolic-perturbation FC-CLAIM-07"), std::string::npos) << on;
     EXPECT_EQ(on.find("of a polyline lies beyond"), std::string::npos) << on;
     // The type, the end and what follows must be right.
     const auto fails_with = [&](const ClaimedSegment& first, const RationalPoint& from, const std::string& words) {
-      const std::string wrong = beyond->said_of(first, from);
+      const std::string wrong = beyond->said(first, from);
       EXPECT_EQ(wrong.find("fails\n"), 0U) << wrong;
       EXPECT_NE(wrong.find(words), std::string::npos) << wrong;
     };
@@ -190,7 +175,7 @@ TEST(PolylineFindings, BeyondARegularPoint) {
     fails_with({"", std::nullopt, exactly(end)}, y, "segments");
     // A position in decimals does not tell where it goes on, nor does infinity.
     for (const ClaimedSegment& first : {ClaimedSegment{"", std::nullopt, decimals(end)}, ClaimedSegment{}}) {
-      const std::string unjudged = said(beyond->truly, beyond->saddle, [&](ClaimedPoint& point) {
+      const std::string unjudged = said_of(beyond->truly, beyond->saddle, [&](ClaimedPoint& point) {
         (*point.u2)[(*point.successors)[0].is_infinity ? 1 : 0].push_back(first);
       });
       EXPECT_EQ(unjudged.find("perturbed\n"), 0U) << unjudged;
@@ -221,7 +206,7 @@ TEST(PolylineFindings, BeyondASaddleInDecimals) {
   for (std::size_t side = 0; side < 2; ++side) {
     const auto limit = arch.truth->limits(saddle).at(side);
     ASSERT_TRUE(limit.has_value());
-    const std::string on = said(arch, kTriangle, [&](ClaimedPoint& point) {
+    const std::string on = said_of(arch, kTriangle, [&](ClaimedPoint& point) {
       for (const TrueSegment& segment : arch.truth->polyline(saddle, side)) {
         (*point.u2)[1].push_back({segment.type, in_decimals(segment.driver), in_decimals(*segment.end)});
       }
@@ -238,7 +223,7 @@ TEST(PolylineFindings, TheArrivalWhereItGoesOn) {
   const Truly points({{2, -2, 0}, {-1, 1, 2}, {-1, 1, -2}, {-2, 2, -1}, {2, 2, 2}, {-2, 0, 0}, {-1, 0, 2}});
   const Ids saddle = {2, 3, 5};
   const auto types = [&](const std::string& arriving, const std::optional<std::string>& leaving) {
-    return said(points, saddle, [&](ClaimedPoint& point) {
+    return said_of(points, saddle, [&](ClaimedPoint& point) {
       ClaimedPolyline& line = point.u2->at(1);
       ASSERT_EQ(line.size(), 2U);
       ASSERT_EQ(line[1].type, "V-F-E");

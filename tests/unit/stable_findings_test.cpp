@@ -11,20 +11,9 @@
 namespace flowcert::stable_findings_test {
 namespace {
 
-const Ids kTriangle = {0, 1, 2};
-const Ids kSaddleOfArch = {0, 3, 4};
-
-// The report on a claim that is true but for one change to the point of this contact set.
-template <typename Change>
-std::string said(const Truly& truly, const Ids& contact, const Change& change) {
-  Claimed claimed = truly.whole_claim();
-  change(claimed.of(contact));
-  return text(truly.check(claimed));
-}
-
 template <typename Change>
 std::string said_of_skeleton(const Truly& truly, const Ids& contact, const Change& change) {
-  return said(truly, contact, [&](ClaimedPoint& point) {
+  return said_of(truly, contact, [&](ClaimedPoint& point) {
     const std::size_t before = point.skeleton->segments.size();
     change(*point.skeleton);
     // Orbits are claimed by the places of their segments.
@@ -33,10 +22,6 @@ std::string said_of_skeleton(const Truly& truly, const Ids& contact, const Chang
 }
 
 RationalPoint values(const ClaimedPosition& x) { return {x[0].value, x[1].value, x[2].value}; }
-
-// Moves the position by less than rounding may.
-void nudge(ClaimedPosition& x) { x[0].value += Rational(1) / (Rational(1 << 30) * Rational(1 << 22)); }
-void shift(ClaimedPosition& x) { x[0].value += Rational(1, 8); }
 
 const std::string kAddedIsNotJudged =
     "\nnot judged: which pieces of a stable set a perturbation adds beyond a regular stationary point";
@@ -47,7 +32,7 @@ TEST(StableFindings, OfItsSize) {
   CITES("FC-CLAIM-10");
   const Truly points(kTetrahedron), arch(kArch);
   const auto alone = [](const Truly& truly, const Ids& contact, const ClaimedStable& stable) {
-    return said(truly, contact, [&](ClaimedPoint& point) {
+    return said_of(truly, contact, [&](ClaimedPoint& point) {
       point.stable = stable;
       point.skeleton.reset();
       point.surface.reset();
@@ -81,7 +66,7 @@ TEST(WalkFindings, WithoutATie) {
   CITES("FC-CLAIM-10", "FC-STAB-07");
   const Truly points(kTetrahedron);
   const auto walking = [&](const Ids& walk) {
-    return said(points, kTriangle, [&](ClaimedPoint& point) { point.stable->walk = walk; });
+    return said_of(points, kTriangle, [&](ClaimedPoint& point) { point.stable->walk = walk; });
   };
   const std::string start = "fails\n5 wrong-surface FC-CLAIM-10: index 2, contact set 0 1 2, walk ";
   for (const Ids& right : {Ids{1, 2, 0}, Ids{2, 1, 0}, Ids{0, 2, 1}}) EXPECT_EQ(walking(right), "conforms");
@@ -94,7 +79,7 @@ TEST(WalkFindings, WhereThereIsATie) {
   CITES("FC-CLAIM-09", "FC-CLAIM-10");
   const Truly arch(kArch), regular(kRegularBack);
   const auto walking = [](const Truly& truly, const Ids& contact, const Ids& walk) {
-    return said(truly, contact, [&](ClaimedPoint& point) { point.stable->walk = walk; });
+    return said_of(truly, contact, [&](ClaimedPoint& point) { point.stable->walk = walk; });
   };
   const std::string start = "index 2, contact set 0 3 4, walking along ";
   EXPECT_EQ(walking(arch, kSaddleOfArch, {0, 1, 4, 3}), "conforms");
@@ -114,7 +99,7 @@ TEST(WalkFindings, OfRegularPoints) {
   CITES("FC-CLAIM-10", "FC-STAB-07");
   const Truly triangle(kRightTriangle), vertex(kKind13);
   const auto walking = [](const Truly& truly, const Ids& contact, const Ids& walk) {
-    return said(truly, contact, [&](ClaimedPoint& point) { point.stable->walk = walk; });
+    return said_of(truly, contact, [&](ClaimedPoint& point) { point.stable->walk = walk; });
   };
   EXPECT_EQ(walking(triangle, kTriangle, {0, 1}),
             "fails\n5 wrong-surface FC-CLAIM-10: regular, kind 1-2, contact set 0 1 2, walk 0 1; the walk is "
@@ -177,7 +162,7 @@ TEST(SkeletonFindings, OfConnectingOrbits) {
                       "that is not there\n"),
             std::string::npos);
   // An orbit through a segment that is left out is left out, too.
-  const std::string less = said(arch, kSaddleOfArch, [&](ClaimedPoint& point) {
+  const std::string less = said_of(arch, kSaddleOfArch, [&](ClaimedPoint& point) {
     ClaimedSkeleton& skeleton = *point.skeleton;
     const std::size_t none = skeleton.segments.size();
     std::vector<std::size_t> place;  // after the segments from a Voronoi vertex are gone
@@ -336,7 +321,7 @@ TEST(SurfaceFindings, OfTriangles) {
   CITES("FC-CLAIM-10", "FC-STAB-04");
   const Truly points(kTetrahedron);
   const auto changed = [&](const auto& change) {
-    return said(points, kTriangle, [&](ClaimedPoint& point) { change(*point.surface); });
+    return said_of(points, kTriangle, [&](ClaimedPoint& point) { change(*point.surface); });
   };
   const std::string start = "FC-CLAIM-10: index 2, contact set 0 1 2, ";
   EXPECT_EQ(changed([](ClaimedSurface& surface) { std::swap(surface.triangles[0][0], surface.triangles[0][2]); }),
@@ -383,12 +368,12 @@ TEST(SurfaceFindings, NothingIsAddedThatIsThere) {
   const Ids saddle = {0, 1, 3};
   Claimed truth = points.whole_claim();
   for (std::size_t k = 0; k < truth.of(saddle).surface->triangles.size(); ++k) {
-    const std::string twice = said(
+    const std::string twice = said_of(
         points, saddle, [&](ClaimedPoint& point) { point.surface->triangles.push_back(point.surface->triangles[k]); });
     EXPECT_EQ(twice.find("fails\n"), 0U) << k << twice;
   }
   for (std::size_t k = 0; k < truth.of(saddle).skeleton->segments.size(); ++k) {
-    const std::string twice = said(
+    const std::string twice = said_of(
         points, saddle, [&](ClaimedPoint& point) { point.skeleton->segments.push_back(point.skeleton->segments[k]); });
     EXPECT_EQ(twice.find("fails\n"), 0U) << k << twice;
   }
@@ -398,7 +383,7 @@ TEST(SurfaceFindings, BeyondVerticesAndRegularPoints) {
   CITES("FC-CLAIM-10");
   const Truly points(kRegularBack), arch(kArch);
   const auto added = [&](const RationalPoint& third) {
-    return said(points, {0, 1, 3}, [&](ClaimedPoint& point) {
+    return said_of(points, {0, 1, 3}, [&](ClaimedPoint& point) {
       ClaimedSurface& surface = *point.surface;
       const std::size_t first = surface.vertices.size();
       for (const RationalPoint& x : {RationalPoint{2, 0, 1}, RationalPoint{2, 1, Rational(1, 2)}, third}) {
@@ -414,7 +399,7 @@ TEST(SurfaceFindings, BeyondVerticesAndRegularPoints) {
   EXPECT_EQ(added({-1, 1, Rational(1, 2)}),
             "fails\n5 wrong-surface " + found +
                 ", a triangle 2 0 1 2 1 1/2 -1 1 1/2; no such triangle is part of it (in all 1 such claims)");
-  EXPECT_EQ(said(arch, kSaddleOfArch, [](ClaimedPoint& point) { point.surface.emplace(); }),
+  EXPECT_EQ(said_of(arch, kSaddleOfArch, [](ClaimedPoint& point) { point.surface.emplace(); }),
             "conforms\nnot judged: surfaces of stable sets that have parts of dimension 3");
 }
 
